@@ -1,0 +1,22 @@
+# VTK of the builder's own choice (CMAKE_PREFIX_PATH, VTK_DIR), and the libraries beside it.
+find_package(VTK REQUIRED COMPONENTS
+  CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
+  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
+  FiltersHybrid FiltersTexture
+  ImagingCore InteractionStyle IOCore IOGeometry IOImage IOLegacy IOPLY IOXML IOImport IOExodus IOEnSight
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
+  RenderingContextOpenGL2)
+
+find_package(embree 4 CONFIG QUIET)
+if (NOT embree_FOUND)
+  find_package(embree 3.13 CONFIG REQUIRED)
+endif ()
+find_package(glm CONFIG REQUIRED)
+
+if (PENUMBRA_BUILD_COMMAND)
+  find_package(CLI11 CONFIG REQUIRED)
+  find_package(nlohmann_json CONFIG REQUIRED)
+endif ()
+if (BUILD_TESTING)
+  find_package(GTest CONFIG REQUIRED)
+endif ()

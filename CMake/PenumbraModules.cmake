@@ -1,0 +1,28 @@
+# The modules of the table in Documentation/Architecture.md, built the way VTK builds its own.
+include(PenumbraTest)
+
+set(penumbra_module_files
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayCasting/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Comparison/vtk.module")
+
+vtk_module_scan(
+  MODULE_FILES ${penumbra_module_files}
+  PROVIDES_MODULES penumbra_modules
+  WANT_BY_DEFAULT ON
+  ENABLE_TESTS "${BUILD_TESTING}")
+
+vtk_module_build(
+  MODULES ${penumbra_modules}
+  PACKAGE Penumbra
+  INSTALL_EXPORT Penumbra
+  INSTALL_HEADERS ON
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/penumbra"
+  CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/penumbra"
+  VERSION "${PROJECT_VERSION}"
+  SOVERSION 0
+  TEST_DIRECTORY_NAME Testing)
+
+foreach (module IN LISTS penumbra_modules)
+  _vtk_module_real_target(penumbra_target ${module})
+  penumbra_warnings(${penumbra_target})
+endforeach ()

@@ -1,0 +1,36 @@
+# What a builder may choose, and the settings that every target shares.
+include(GNUInstallDirs)
+include(CTest)
+
+option(PENUMBRA_BUILD_COMMAND "Build the program `penumbra`." ON)
+option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif ()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(BUILD_SHARED_LIBS ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+
+# One arithmetic everywhere: a multiplication and an addition are never contracted into one
+# rounding, so that a picture does not depend on the compiler's choice.
+add_compile_options(-ffp-contract=off)
+
+find_program(PENUMBRA_CCACHE ccache)
+if (PENUMBRA_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER "${PENUMBRA_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${PENUMBRA_CCACHE}")
+endif ()
+
+# The warnings of our own code; `penumbra_warnings(target)` turns them on.
+function (penumbra_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
+    $<$<BOOL:${PENUMBRA_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction ()

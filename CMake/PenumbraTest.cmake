@@ -1,0 +1,18 @@
+# penumbra_test(<TestName> [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
+# One GoogleTest executable from <TestName>.cxx; every TEST in it becomes a test of CTest.
+include(GoogleTest)
+
+function (penumbra_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LABELS;MODULES")
+  add_executable(${name} ${name}.cxx ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_MODULES} GTest::gtest GTest::gtest_main)
+  vtk_module_autoinit(TARGETS ${name} MODULES ${arg_MODULES})
+  penumbra_warnings(${name})
+  if (NOT arg_LABELS)
+    set(arg_LABELS fast)
+  endif ()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+    PROPERTIES
+      LABELS "${arg_LABELS}"
+      ENVIRONMENT "VTK_DEFAULT_OPENGL_WINDOW=vtkOSOpenGLRenderWindow")
+endfunction ()

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The triangles of a Scene in Embree: nearest hits and occlusion. Embree stays behind this header.
+#ifndef penumbra_RayScene_h
+#define penumbra_RayScene_h
+
+#include "Scene.h"
+
+#include <limits>
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace penumbra
+{
+
+/// A ray; with directions from Camera::RayDirection distances are along the view axis.
+struct Ray
+{
+  glm::vec3 Origin{ 0.f };
+  glm::vec3 Direction{ 0.f, 0.f, -1.f };
+  float Near = 0.f;
+  float Far = std::numeric_limits<float>::infinity();
+};
+
+/// Where a ray met a triangle first.
+struct Hit
+{
+  static constexpr std::uint32_t None = 0xffffffffu;
+  std::uint32_t Surface = None;  ///< index into Scene::Surfaces; None: a miss
+  std::uint32_t Triangle = None; ///< index into Surface::Triangles
+  float U = 0.f;                 ///< weight of the triangle's second vertex
+  float V = 0.f;                 ///< weight of its third vertex
+  float Distance = std::numeric_limits<float>::infinity(); ///< in units of |Ray::Direction|
+
+  bool IsHit() const { return this->Surface != None; }
+};
+
+class RayScene
+{
+public:
+  /// Builds the BVH; `scene` must outlive this object. Throws std::bad_alloc or std::runtime_error.
+  RayScene(const Scene& scene, int threads);
+  ~RayScene();
+  RayScene(const RayScene&) = delete;
+  RayScene& operator=(const RayScene&) = delete;
+
+  /// Nearest hit of one ray.
+  Hit Intersect(const Ray& ray) const;
+
+  /// Nearest hits of 16 rays; rays with Near > Far are not traced.
+  void Intersect16(const Ray* rays, Hit* hits) const;
+
+  /// Is anything met? Surfaces with ScreenSpace do not count.
+  bool Occluded(const Ray& ray) const;
+
+  const Scene& GetScene() const { return this->TracedScene; }
+
+private:
+  const Scene& TracedScene;
+  RTCDeviceTy* Device = nullptr;
+  RTCSceneTy* Tree = nullptr;
+};
+
+}
+#endif

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the ray caster knows of a scene: plain data, filled by SceneExtraction, traced by RayScene,
+// coloured by Shading. Private to the ray side.
+//
+// Scene coordinates are (world - Origin) * Scale in single precision, Origin the eye, so that scenes
+// at 1e7 or of size 1e-6 lose nothing. Every position and direction below is in scene coordinates;
+// every projection is done in double from these rounded positions, so that projected edges and
+// traced triangles are the same geometry.
+#ifndef penumbra_Scene_h
+#define penumbra_Scene_h
+
+#include "Camera.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+/// How a surface answers to light: VTK's property, colours in [0, 1], coefficients apart.
+struct Material
+{
+  glm::vec3 AmbientColor{ 1.f };
+  glm::vec3 DiffuseColor{ 1.f };
+  glm::vec3 SpecularColor{ 1.f };
+  float Ambient = 0.f;
+  float Diffuse = 1.f;
+  float Specular = 0.f;
+  float SpecularPower = 1.f;
+  float Opacity = 1.f;
+  bool Lighting = true;
+};
+
+/// A picture on a surface, bottom row first, straight alpha in [0, 1].
+struct Texture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<glm::u8vec4> Texels;
+  bool Interpolate = false;
+  bool Repeat = true;
+};
+
+/// One drawn thing: triangles and how they look.
+struct Surface
+{
+  int ObjectId = 0; ///< index of the actor or data set, as in the array `ObjectId`
+
+  std::vector<glm::vec3> Positions;
+  std::vector<glm::uvec3> Triangles; ///< indices into Positions, each in range
+  std::vector<std::uint32_t> CellIds; ///< per triangle: cell of the input; empty: the triangle's index
+
+  std::vector<glm::vec3> Normals; ///< per position, unit; empty: flat, each triangle its own
+
+  /// Colours that replace AmbientColor and DiffuseColor, alpha multiplies Opacity. At most one of
+  /// the three is filled.
+  std::vector<glm::u8vec4> PointColors;
+  std::vector<glm::u8vec4> CellColors; ///< per triangle
+  std::shared_ptr<const Texture> ColorTexture;
+  std::vector<glm::vec2> TextureCoordinates; ///< per position, with ColorTexture
+
+  bool HasBackMaterial = false;
+  Material Front;
+  Material Back;
+
+  bool Backfaces = true;   ///< false: culled
+  bool Frontfaces = true;  ///< false: culled
+  bool ScalarColoring = false; ///< coloured by data: weaker ambient occlusion by default
+  bool ScreenSpace = false; ///< a line or a point, widened towards the eye: casts and takes no shadow
+};
+
+struct Light
+{
+  enum class Kinds
+  {
+    Directional,
+    Positional,
+    Spot
+  };
+  Kinds Kind = Kinds::Directional;
+  glm::vec3 Position{ 0.f };            ///< Positional, Spot
+  glm::vec3 Direction{ 0.f, 0.f, -1.f }; ///< unit, the way the light travels
+  glm::vec3 DiffuseColor{ 1.f };        ///< times intensity
+  glm::vec3 SpecularColor{ 1.f };       ///< times intensity
+  glm::vec3 Attenuation{ 1.f, 0.f, 0.f }; ///< constant, linear, quadratic, per scene unit
+  float ConeCosine = -1.f;              ///< Spot: cosine of VTK's cone angle
+  float Exponent = 1.f;                 ///< Spot
+  bool CastsShadow = true;
+};
+
+/// What is seen where nothing is: a colour, or a gradient from bottom to top.
+struct Background
+{
+  glm::vec4 Bottom{ 0.f, 0.f, 0.f, 0.f };
+  glm::vec4 Top{ 0.f, 0.f, 0.f, 0.f };
+};
+
+struct Scene
+{
+  glm::dvec3 Origin{ 0.0 };
+  double Scale = 1.0;
+  Camera Eye; ///< in scene coordinates
+  std::vector<Surface> Surfaces;
+  std::vector<Light> Lights;
+  penumbra::Background Behind;
+  std::vector<std::string> Warnings; ///< what was left out, one sentence each
+};
+
+}
+#endif

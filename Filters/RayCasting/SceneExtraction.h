@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From VTK to Scene: actors, transforms, properties, mapper colours, lights, camera, background.
+#ifndef penumbra_SceneExtraction_h
+#define penumbra_SceneExtraction_h
+
+#include "Scene.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkRenderer;
+
+namespace penumbra
+{
+
+struct ExtractionOptions
+{
+  int Resolution[2] = { 1, 1 };
+  int DPI = 72;
+  bool Background = true;
+};
+
+/// The scene that `renderer` would draw into a picture of options.Resolution. Needs no window.
+Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options);
+
+/// The scene of data sets alone: white surfaces, one headlight, the view reset to their bounds.
+Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options);
+
+}
+#endif
