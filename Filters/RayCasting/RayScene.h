@@ -6,6 +6,7 @@
 #define penumbra_RayScene_h
 
 #include "Scene.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <limits>
 
@@ -37,16 +38,18 @@ struct Hit
   bool IsHit() const { return this->Surface != None; }
 };
 
-class RayScene
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT RayScene
 {
 public:
-  /// Builds the BVH; `scene` must outlive this object. Throws std::bad_alloc or std::runtime_error.
+  /// Builds the BVH with at most `threads` threads (0: all). `scene` must outlive this object.
+  /// Positions and Triangles with a reserve of one element are traced in place, others are copied.
+  /// Throws std::bad_alloc or std::runtime_error.
   RayScene(const Scene& scene, int threads);
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// Nearest hit of one ray.
+  /// Nearest hit of one ray; culled sides of surfaces are passed.
   Hit Intersect(const Ray& ray) const;
 
   /// Nearest hits of 16 rays; rays with Near > Far are not traced.
@@ -58,6 +61,8 @@ public:
   const Scene& GetScene() const { return this->TracedScene; }
 
 private:
+  void Release();
+
   const Scene& TracedScene;
   RTCDeviceTy* Device = nullptr;
   RTCSceneTy* Tree = nullptr;

@@ -47,7 +47,8 @@ struct Texture
   bool Repeat = true;
 };
 
-/// One drawn thing: triangles and how they look.
+/// One drawn thing: triangles and how they look. Positions and Triangles keep a reserve of one
+/// element, see RayScene.
 struct Surface
 {
   int ObjectId = 0; ///< index of the actor or data set, as in the array `ObjectId`

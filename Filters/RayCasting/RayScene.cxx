@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Embree 3.13 and 4 differ here only in their header and in how a query takes its flags: see
+// `Query` below.
+#include "RayScene.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr int PacketSize = 16;
+static_assert(RTC_INVALID_GEOMETRY_ID == Hit::None, "a miss of Embree's is a miss of ours");
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree reads our arrays");
+
+#if RTC_VERSION_MAJOR >= 4
+struct Query
+{
+  RTCIntersectArguments Intersection;
+  RTCOccludedArguments Occlusion;
+  explicit Query(bool coherent)
+  {
+    rtcInitIntersectArguments(&this->Intersection);
+    rtcInitOccludedArguments(&this->Occlusion);
+    const auto flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_NONE;
+    this->Intersection.flags = flags;
+    this->Occlusion.flags = flags;
+  }
+  void Intersect(RTCScene tree, RTCRayHit& ray)
+  {
+    rtcIntersect1(tree, &ray, &this->Intersection);
+  }
+  void Intersect(RTCScene tree, const int* valid, RTCRayHit16& rays)
+  {
+    rtcIntersect16(valid, tree, &rays, &this->Intersection);
+  }
+  void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &ray, &this->Occlusion); }
+};
+#else
+struct Query
+{
+  RTCIntersectContext Context;
+  explicit Query(bool coherent)
+  {
+    rtcInitIntersectContext(&this->Context);
+    this->Context.flags =
+      coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_NONE;
+  }
+  void Intersect(RTCScene tree, RTCRayHit& ray) { rtcIntersect1(tree, &this->Context, &ray); }
+  void Intersect(RTCScene tree, const int* valid, RTCRayHit16& rays)
+  {
+    rtcIntersect16(valid, tree, &this->Context, &rays);
+  }
+  void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &this->Context, &ray); }
+};
+#endif
+
+/// Of surfaces whose front or back is culled: drops hits of the culled side.
+void DropCulledHits(const RTCFilterFunctionNArguments* args)
+{
+  const auto& surface = *static_cast<const Surface*>(args->geometryUserPtr);
+  for (unsigned int i = 0; i < args->N; ++i)
+  {
+    const float facing = RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
+      RTCHitN_Ng_y(args->hit, args->N, i) * RTCRayN_dir_y(args->ray, args->N, i) +
+      RTCHitN_Ng_z(args->hit, args->N, i) * RTCRayN_dir_z(args->ray, args->N, i);
+    if (facing < 0.f ? !surface.Frontfaces : !surface.Backfaces)
+    {
+      args->valid[i] = 0;
+    }
+  }
+}
+
+/// Of lines and points: they block no light.
+void DropAllHits(const RTCFilterFunctionNArguments* args)
+{
+  std::fill_n(args->valid, args->N, 0);
+}
+
+/// Hands `data` to Embree where it may read 16 bytes from the last element on, else a copy.
+template <typename T>
+void SetBuffer(
+  RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& data)
+{
+  if (data.capacity() > data.size())
+  {
+    rtcSetSharedGeometryBuffer(geometry, type, 0, format, data.data(), 0, sizeof(T), data.size());
+    return;
+  }
+  void* copy = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), data.size());
+  if (!copy)
+  {
+    throw std::bad_alloc();
+  }
+  std::copy(data.begin(), data.end(), static_cast<T*>(copy));
+}
+
+RTCGeometry MakeGeometry(RTCDevice device, const Surface& surface)
+{
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  SetBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.Positions);
+  SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.Triangles);
+  rtcSetGeometryUserData(geometry, const_cast<Surface*>(&surface));
+  if (!surface.Frontfaces || !surface.Backfaces)
+  {
+    rtcSetGeometryIntersectFilterFunction(geometry, DropCulledHits);
+  }
+  if (surface.ScreenSpace)
+  {
+    rtcSetGeometryOccludedFilterFunction(geometry, DropAllHits);
+  }
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+/// Embree's errors as exceptions.
+void Check(RTCDevice device)
+{
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+  {
+    throw std::bad_alloc();
+  }
+  if (error != RTC_ERROR_NONE)
+  {
+    throw std::runtime_error("Embree failed with error " + std::to_string(error));
+  }
+}
+
+void Fill(RTCRay& to, const Ray& from)
+{
+  to.org_x = from.Origin.x;
+  to.org_y = from.Origin.y;
+  to.org_z = from.Origin.z;
+  to.tnear = from.Near;
+  to.dir_x = from.Direction.x;
+  to.dir_y = from.Direction.y;
+  to.dir_z = from.Direction.z;
+  to.time = 0.f;
+  to.tfar = from.Far;
+  to.mask = 0xffffffffu;
+  to.id = 0;
+  to.flags = 0;
+}
+
+}
+
+RayScene::RayScene(const Scene& scene, int threads)
+  : TracedScene(scene)
+{
+  const std::string settings = threads > 0 ? "threads=" + std::to_string(threads) : "";
+  this->Device = rtcNewDevice(settings.c_str());
+  Check(this->Device);
+  try
+  {
+    this->Tree = rtcNewScene(this->Device);
+    rtcSetSceneFlags(this->Tree, RTC_SCENE_FLAG_ROBUST);
+    for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
+    {
+      if (!scene.Surfaces[i].Triangles.empty())
+      {
+        RTCGeometry geometry = MakeGeometry(this->Device, scene.Surfaces[i]);
+        rtcAttachGeometryByID(this->Tree, geometry, static_cast<unsigned int>(i));
+        rtcReleaseGeometry(geometry);
+      }
+    }
+    rtcCommitScene(this->Tree);
+    Check(this->Device);
+  }
+  catch (...)
+  {
+    this->Release();
+    throw;
+  }
+}
+
+RayScene::~RayScene()
+{
+  this->Release();
+}
+
+void RayScene::Release()
+{
+  if (this->Tree)
+  {
+    rtcReleaseScene(this->Tree);
+  }
+  if (this->Device)
+  {
+    rtcReleaseDevice(this->Device);
+  }
+}
+
+Hit RayScene::Intersect(const Ray& ray) const
+{
+  RTCRayHit query;
+  Fill(query.ray, ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  Query(false).Intersect(this->Tree, query);
+  Hit hit;
+  if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+  {
+    hit.Surface = query.hit.geomID;
+    hit.Triangle = query.hit.primID;
+    hit.U = query.hit.u;
+    hit.V = query.hit.v;
+    hit.Distance = query.ray.tfar;
+  }
+  return hit;
+}
+
+void RayScene::Intersect16(const Ray* rays, Hit* hits) const
+{
+  alignas(64) int valid[PacketSize];
+  alignas(64) RTCRayHit16 query;
+  for (int i = 0; i < PacketSize; ++i)
+  {
+    const Ray& ray = rays[i];
+    valid[i] = ray.Near <= ray.Far ? -1 : 0;
+    query.ray.org_x[i] = ray.Origin.x;
+    query.ray.org_y[i] = ray.Origin.y;
+    query.ray.org_z[i] = ray.Origin.z;
+    query.ray.tnear[i] = ray.Near;
+    query.ray.dir_x[i] = ray.Direction.x;
+    query.ray.dir_y[i] = ray.Direction.y;
+    query.ray.dir_z[i] = ray.Direction.z;
+    query.ray.time[i] = 0.f;
+    query.ray.tfar[i] = ray.Far;
+    query.ray.mask[i] = 0xffffffffu;
+    query.ray.id[i] = 0;
+    query.ray.flags[i] = 0;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  Query(true).Intersect(this->Tree, valid, query);
+  for (int i = 0; i < PacketSize; ++i)
+  {
+    hits[i] = Hit();
+    if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+    {
+      hits[i].Surface = query.hit.geomID[i];
+      hits[i].Triangle = query.hit.primID[i];
+      hits[i].U = query.hit.u[i];
+      hits[i].V = query.hit.v[i];
+      hits[i].Distance = query.ray.tfar[i];
+    }
+  }
+}
+
+bool RayScene::Occluded(const Ray& ray) const
+{
+  RTCRay query;
+  Fill(query, ray);
+  Query(false).Occluded(this->Tree, query);
+  return query.tfar < 0.f;
+}
+
+}

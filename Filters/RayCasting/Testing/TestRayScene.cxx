@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace penumbra;
+
+namespace
+{
+
+/// A square [-1, 1]^2 at height z that faces +z.
+Surface Square(float z, bool reserve = true)
+{
+  Surface surface;
+  surface.Positions = { { -1.f, -1.f, z }, { 1.f, -1.f, z }, { 1.f, 1.f, z }, { -1.f, 1.f, z } };
+  surface.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  if (reserve)
+  {
+    surface.Positions.reserve(5);
+    surface.Triangles.reserve(3);
+  }
+  else
+  {
+    surface.Positions.shrink_to_fit();
+    surface.Triangles.shrink_to_fit();
+  }
+  return surface;
+}
+
+Ray Down(float x, float y, float z = 0.f)
+{
+  return { { x, y, z }, { 0.f, 0.f, -1.f } };
+}
+
+}
+
+TEST(RayScene, FindsTheNearestSurfaceAndItsDistance)
+{
+  Scene scene;
+  scene.Surfaces = { Square(-5.f), Square(-3.f, false) };
+  const RayScene rays(scene, 1);
+  const Hit hit = rays.Intersect(Down(.5f, -.25f));
+  ASSERT_TRUE(hit.IsHit());
+  EXPECT_EQ(hit.Surface, 1u);
+  EXPECT_EQ(hit.Triangle, 0u);
+  EXPECT_FLOAT_EQ(hit.Distance, 3.f);
+  // The point from the weights of the corners (-1, -1), (1, -1), (1, 1).
+  EXPECT_NEAR(-1.f + 2.f * hit.U + 2.f * hit.V, .5f, 1e-6);
+  EXPECT_NEAR(-1.f + 2.f * hit.V, -.25f, 1e-6);
+}
+
+TEST(RayScene, MissesWhereNothingIs)
+{
+  Scene scene;
+  scene.Surfaces = { Square(-5.f) };
+  const RayScene rays(scene, 1);
+  EXPECT_FALSE(rays.Intersect(Down(1.5f, 0.f)).IsHit());
+  Ray shortRay = Down(0.f, 0.f);
+  shortRay.Far = 4.9f;
+  EXPECT_FALSE(rays.Intersect(shortRay).IsHit());
+  EXPECT_FALSE(rays.Occluded(shortRay));
+}
+
+TEST(RayScene, IsEmptyWithoutTriangles)
+{
+  Scene scene;
+  scene.Surfaces.resize(3);
+  const RayScene rays(scene, 0);
+  EXPECT_FALSE(rays.Intersect(Down(0.f, 0.f)).IsHit());
+  EXPECT_FALSE(rays.Occluded(Down(0.f, 0.f)));
+}
+
+TEST(RayScene, PacketsAgreeWithSingleRays)
+{
+  Scene scene;
+  scene.Surfaces = { Surface(), Square(-5.f), Square(-3.f) };
+  scene.Surfaces[2].Positions[2].z = -6.f;
+  const RayScene rays(scene, 2);
+  Ray packet[16];
+  Hit hits[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    packet[i] = Down(-1.3f + .37f * (i % 4) * 2.f, -1.31f + .371f * (i / 4) * 2.f);
+  }
+  packet[5].Near = 1.f;
+  packet[5].Far = 0.f;
+  rays.Intersect16(packet, hits);
+  int found = 0;
+  for (int i = 0; i < 16; ++i)
+  {
+    if (i == 5)
+    {
+      EXPECT_FALSE(hits[i].IsHit());
+      continue;
+    }
+    const Hit single = rays.Intersect(packet[i]);
+    EXPECT_EQ(hits[i].Surface, single.Surface) << i;
+    EXPECT_EQ(hits[i].Triangle, single.Triangle) << i;
+    if (single.IsHit())
+    {
+      EXPECT_NEAR(hits[i].Distance, single.Distance, 1e-5);
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 3);
+}
+
+TEST(RayScene, PassesCulledSides)
+{
+  Scene scene;
+  scene.Surfaces = { Square(-3.f), Square(-5.f) };
+  scene.Surfaces[0].Frontfaces = false;
+  const RayScene rays(scene, 1);
+  EXPECT_EQ(rays.Intersect(Down(.1f, .2f)).Surface, 1u);
+  const Ray up{ { .1f, .2f, -10.f }, { 0.f, 0.f, 1.f } };
+  EXPECT_EQ(rays.Intersect(up).Surface, 1u);
+  scene.Surfaces[1].Backfaces = false;
+  EXPECT_EQ(RayScene(scene, 1).Intersect(up).Surface, 0u);
+}
+
+TEST(RayScene, LetsLightPassLinesAndPoints)
+{
+  Scene scene;
+  scene.Surfaces = { Square(-3.f), Square(-5.f) };
+  scene.Surfaces[0].ScreenSpace = true;
+  const RayScene rays(scene, 1);
+  Ray ray = Down(.1f, .2f);
+  EXPECT_EQ(rays.Intersect(ray).Surface, 0u);
+  EXPECT_TRUE(rays.Occluded(ray));
+  ray.Far = 4.f;
+  EXPECT_FALSE(rays.Occluded(ray));
+}
