@@ -4,6 +4,9 @@ include(CTest)
 
 option(PENUMBRA_BUILD_COMMAND "Build the program `penumbra`." ON)
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
+option(PENUMBRA_SANITIZERS "Watch our own code with AddressSanitizer and UBSan." OFF)
+set(PENUMBRA_WINDOW vtkOSOpenGLRenderWindow CACHE STRING
+  "The class of VTK's render window that the tests open.")
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -18,10 +21,19 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # One arithmetic everywhere: a multiplication and an addition are never contracted into one
 # rounding, so that a picture does not depend on the compiler's choice.
 add_compile_options(-ffp-contract=off)
+
+if (PENUMBRA_SANITIZERS)
+  add_compile_options(-O1 -g1 -UNDEBUG -fno-omit-frame-pointer
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+  add_link_options(-fsanitize=address,undefined)
+endif ()
 
 find_program(PENUMBRA_CCACHE ccache)
 if (PENUMBRA_CCACHE)

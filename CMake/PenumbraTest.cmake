@@ -2,6 +2,11 @@
 # One GoogleTest executable from <TestName>.cxx; every TEST in it becomes a test of CTest.
 include(GoogleTest)
 
+set(penumbra_test_environment
+  "VTK_DEFAULT_OPENGL_WINDOW=${PENUMBRA_WINDOW}"
+  "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/leaks.supp:print_suppressions=0"
+  "UBSAN_OPTIONS=print_stacktrace=1")
+
 function (penumbra_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LABELS;MODULES")
   add_executable(${name} ${name}.cxx ${arg_SOURCES})
@@ -14,5 +19,5 @@ function (penumbra_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
     PROPERTIES
       LABELS "${arg_LABELS}"
-      ENVIRONMENT "VTK_DEFAULT_OPENGL_WINDOW=vtkOSOpenGLRenderWindow")
+      ENVIRONMENT "${penumbra_test_environment}")
 endfunction ()
