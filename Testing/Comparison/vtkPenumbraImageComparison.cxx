@@ -2,6 +2,268 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraImageComparison.h"
 
+#include "Metrics.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+std::string SizeText(vtkImageData* image)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  std::ostringstream text;
+  text << dimensions[0] << "x" << dimensions[1];
+  return text.str();
+}
+
+vtkDataArray* FindColor(vtkImageData* image)
+{
+  vtkDataArray* color = image->GetPointData()->GetArray("Color");
+  return color ? color : image->GetPointData()->GetScalars();
+}
+
+// The value that stands for full intensity: integers fill their range, floats are as they are.
+double FullIntensity(vtkDataArray* color)
+{
+  const int type = color->GetDataType();
+  return type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : color->GetDataTypeMax();
+}
+
+// Why `image` is not a picture, else nothing.
+std::string FindFault(vtkImageData* image)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  vtkDataArray* color = FindColor(image);
+  if (!color || image->GetNumberOfPoints() == 0)
+  {
+    return "a picture has no pixels";
+  }
+  if (dimensions[2] != 1 || color->GetNumberOfComponents() > 4)
+  {
+    return "a picture is not one plane of 1 to 4 channels";
+  }
+  return std::string();
+}
+
+penumbra::Planes ReadPlanes(vtkImageData* image)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  vtkDataArray* color = FindColor(image);
+  const int components = color->GetNumberOfComponents();
+  const bool hasAlpha = components == 2 || components == 4;
+  const double scale = 1.0 / FullIntensity(color);
+
+  penumbra::Planes planes;
+  planes.Width = dimensions[0];
+  planes.Height = dimensions[1];
+  const vtkIdType pixels = color->GetNumberOfTuples();
+  for (std::vector<double>& channel : planes.Channels)
+  {
+    channel.resize(pixels);
+  }
+  for (vtkIdType i = 0; i < pixels; ++i)
+  {
+    const double alpha = hasAlpha ? color->GetComponent(i, components - 1) * scale : 1.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = color->GetComponent(i, components < 3 ? 0 : c) * scale;
+      planes.Channels[c][i] = alpha == 0.0 ? 0.0 : value * alpha;
+    }
+    planes.Channels[3][i] = alpha;
+    planes.Opaque = planes.Opaque && alpha == 1.0;
+  }
+  return planes;
+}
+
+bool IsFinite(const penumbra::Planes& planes)
+{
+  for (const std::vector<double>& channel : planes.Channels)
+  {
+    for (double value : channel)
+    {
+      if (!std::isfinite(value))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+double Measure(int metric, const penumbra::Planes& a, const penumbra::Planes& b)
+{
+  switch (metric)
+  {
+    case vtkPenumbraImageComparison::MAXIMUM:
+      return penumbra::LargestDifference(a, b);
+    case vtkPenumbraImageComparison::SSIM:
+      return penumbra::StructuralDissimilarity(a, b);
+    case vtkPenumbraImageComparison::PIXELS:
+      return penumbra::ShareOfPixelsOff(a, b);
+    default:
+      return penumbra::RootMeanSquare(a, b);
+  }
+}
+
+}
+
+struct vtkPenumbraImageComparison::Internals
+{
+  vtkSmartPointer<vtkImageData> Image;
+  std::vector<vtkSmartPointer<vtkImageData>> Baselines;
+  std::string ErrorText;
+  int BestBaseline = -1;
+  penumbra::Planes ImagePlanes;
+  penumbra::Planes BestPlanes;
+};
 
 vtkStandardNewMacro(vtkPenumbraImageComparison);
+
+vtkPenumbraImageComparison::vtkPenumbraImageComparison()
+  : Implementation(new Internals)
+{
+}
+
+vtkPenumbraImageComparison::~vtkPenumbraImageComparison() = default;
+
+const char* vtkPenumbraImageComparison::GetMetricName(int metric)
+{
+  static const char* const names[NUMBER_OF_METRICS] = { "rmse", "max", "ssim", "pixels" };
+  return metric >= 0 && metric < NUMBER_OF_METRICS ? names[metric] : nullptr;
+}
+
+void vtkPenumbraImageComparison::SetImage(vtkImageData* image)
+{
+  this->Implementation->Image = image;
+  this->Modified();
+}
+
+void vtkPenumbraImageComparison::AddBaseline(vtkImageData* baseline)
+{
+  this->Implementation->Baselines.emplace_back(baseline);
+  this->Modified();
+}
+
+void vtkPenumbraImageComparison::RemoveAllBaselines()
+{
+  this->Implementation->Baselines.clear();
+  this->Modified();
+}
+
+bool vtkPenumbraImageComparison::Compare()
+{
+  Internals& self = *this->Implementation;
+  self.BestBaseline = -1;
+  self.ErrorText.clear();
+  if (!self.Image || self.Baselines.empty())
+  {
+    self.ErrorText = "a picture and at least one baseline are needed";
+    return false;
+  }
+  self.ErrorText = FindFault(self.Image);
+  for (const auto& baseline : self.Baselines)
+  {
+    if (self.ErrorText.empty())
+    {
+      self.ErrorText = FindFault(baseline);
+    }
+    if (self.ErrorText.empty() && SizeText(self.Image) != SizeText(baseline))
+    {
+      self.ErrorText =
+        "the pictures differ in size: " + SizeText(self.Image) + " and " + SizeText(baseline);
+    }
+  }
+  if (!self.ErrorText.empty())
+  {
+    return false;
+  }
+
+  self.ImagePlanes = ReadPlanes(self.Image);
+  bool finite = IsFinite(self.ImagePlanes);
+  double best = 0.0;
+  for (std::size_t i = 0; i < self.Baselines.size() && finite; ++i)
+  {
+    penumbra::Planes planes = ReadPlanes(self.Baselines[i]);
+    finite = IsFinite(planes);
+    const double value = Measure(this->Metric, self.ImagePlanes, planes);
+    if (self.BestBaseline < 0 || value < best)
+    {
+      best = value;
+      self.BestBaseline = static_cast<int>(i);
+      self.BestPlanes = std::move(planes);
+    }
+  }
+  if (!finite)
+  {
+    self.BestBaseline = -1;
+    self.ErrorText = "a picture holds values that are not finite";
+  }
+  return finite;
+}
+
+const char* vtkPenumbraImageComparison::GetErrorText()
+{
+  return this->Implementation->ErrorText.c_str();
+}
+
+int vtkPenumbraImageComparison::GetBestBaseline()
+{
+  return this->Implementation->BestBaseline;
+}
+
+double vtkPenumbraImageComparison::GetValue(int metric)
+{
+  const Internals& self = *this->Implementation;
+  return self.BestBaseline < 0 ? std::nan("")
+                               : Measure(metric, self.ImagePlanes, self.BestPlanes);
+}
+
+vtkSmartPointer<vtkImageData> vtkPenumbraImageComparison::MakeDifference()
+{
+  const Internals& self = *this->Implementation;
+  if (self.BestBaseline < 0)
+  {
+    return nullptr;
+  }
+  const penumbra::Planes& a = self.ImagePlanes;
+  const penumbra::Planes& b = self.BestPlanes;
+  auto difference = vtkSmartPointer<vtkImageData>::New();
+  difference->SetDimensions(a.Width, a.Height, 1);
+  vtkNew<vtkFloatArray> color;
+  color->SetName("Color");
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(difference->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
+  {
+    const double alpha = std::abs(a.Channels[3][i] - b.Channels[3][i]);
+    for (int c = 0; c < 3; ++c)
+    {
+      color->SetComponent(i, c, std::abs(a.Channels[c][i] - b.Channels[c][i]) + alpha);
+    }
+    color->SetComponent(i, 3, 1.0);
+  }
+  difference->GetPointData()->SetScalars(color);
+  return difference;
+}
+
+void vtkPenumbraImageComparison::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Metric: " << GetMetricName(this->Metric) << "\n";
+  os << indent << "Baselines: " << this->Implementation->Baselines.size() << "\n";
+  os << indent << "BestBaseline: " << this->Implementation->BestBaseline << "\n";
+}

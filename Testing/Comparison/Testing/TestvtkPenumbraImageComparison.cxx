@@ -1,13 +1,216 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Every metric against the value that pencil and paper give.
 #include "vtkPenumbraImageComparison.h"
 
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
-TEST(vtkPenumbraImageComparison, IsAVtkObject)
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+using Image = vtkSmartPointer<vtkImageData>;
+using Color = std::vector<double>;
+using Painter = std::function<Color(int x, int y)>;
+
+Image Paint(vtkDataArray* color, int width, int height, const Painter& painter)
+{
+  auto image = Image::New();
+  image->SetDimensions(width, height, 1);
+  color->SetName("Color");
+  color->SetNumberOfComponents(static_cast<int>(painter(0, 0).size()));
+  color->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      color->SetTuple(y * width + x, painter(x, y).data());
+    }
+  }
+  image->GetPointData()->SetScalars(color);
+  return image;
+}
+
+Image Floats(int width, int height, const Painter& painter)
+{
+  vtkNew<vtkFloatArray> color;
+  return Paint(color, width, height, painter);
+}
+
+Image Bytes(int width, int height, const Painter& painter)
+{
+  vtkNew<vtkUnsignedCharArray> color;
+  return Paint(color, width, height, painter);
+}
+
+Painter Constant(const Color& color)
+{
+  return [color](int, int) { return color; };
+}
+
+double Value(vtkImageData* image, vtkImageData* baseline, int metric)
 {
   vtkNew<vtkPenumbraImageComparison> comparison;
-  EXPECT_TRUE(comparison->IsA("vtkObject"));
+  comparison->SetImage(image);
+  comparison->AddBaseline(baseline);
+  EXPECT_TRUE(comparison->Compare()) << comparison->GetErrorText();
+  return comparison->GetValue(metric);
+}
+
+using Comparison = vtkPenumbraImageComparison;
+
+TEST(vtkPenumbraImageComparison, IsZeroForEqualPictures)
+{
+  const Image a = Floats(31, 17, [](int x, int y) {
+    return Color{ x / 31., y / 17., 0.5, 1. };
+  });
+  for (int metric = 0; metric < Comparison::NUMBER_OF_METRICS; ++metric)
+  {
+    EXPECT_NEAR(Value(a, a, metric), 0.0, 1e-12) << Comparison::GetMetricName(metric);
+  }
+}
+
+TEST(vtkPenumbraImageComparison, MeasuresAConstantOffset)
+{
+  const Image a = Floats(32, 32, Constant({ 0.3, 0.3, 0.3 }));
+  const Image b = Floats(32, 32, Constant({ 0.4, 0.4, 0.4 }));
+  EXPECT_NEAR(Value(a, b, Comparison::RMSE), 0.1, 1e-7);
+  EXPECT_NEAR(Value(a, b, Comparison::MAXIMUM), 0.1, 1e-7);
+  EXPECT_EQ(Value(a, b, Comparison::PIXELS), 1.0);
+  // Without variance only the luminance term of the similarity is left.
+  const double similarity = (2 * 0.3 * 0.4 + 1e-4) / (0.3 * 0.3 + 0.4 * 0.4 + 1e-4);
+  EXPECT_NEAR(Value(a, b, Comparison::SSIM), 1.0 - similarity, 1e-6);
+}
+
+TEST(vtkPenumbraImageComparison, MeasuresOneLostLine)
+{
+  const Image line = Bytes(50, 40, [](int x, int) {
+    return Color(3, x == 20 ? 255. : 0.);
+  });
+  const Image nothing = Bytes(50, 40, Constant({ 0, 0, 0 }));
+  EXPECT_NEAR(Value(line, nothing, Comparison::RMSE), std::sqrt(1.0 / 50.0), 1e-12);
+  EXPECT_EQ(Value(line, nothing, Comparison::MAXIMUM), 1.0);
+  EXPECT_NEAR(Value(line, nothing, Comparison::PIXELS), 1.0 / 50.0, 1e-12);
+
+  // At distance d from the line its weight under the window is g(d): mean g, variance g - g^2
+  // against nothing. Centres stand at x = 5..44; beyond distance 5 the pictures are alike.
+  double weights = 0.0;
+  for (int d = -5; d <= 5; ++d)
+  {
+    weights += std::exp(-0.5 * d * d / 2.25);
+  }
+  double similarity = 0.0;
+  for (int x = 5; x <= 44; ++x)
+  {
+    const int d = x - 20;
+    const double g = std::abs(d) > 5 ? 0.0 : std::exp(-0.5 * d * d / 2.25) / weights;
+    similarity += 1e-4 / (g * g + 1e-4) * 9e-4 / (g - g * g + 9e-4);
+  }
+  EXPECT_NEAR(Value(line, nothing, Comparison::SSIM), 1.0 - similarity / 40.0, 1e-9);
+}
+
+TEST(vtkPenumbraImageComparison, SeesSwappedChannels)
+{
+  const Image red = Bytes(16, 16, Constant({ 255, 0, 0 }));
+  const Image blue = Bytes(16, 16, Constant({ 0, 0, 255 }));
+  EXPECT_NEAR(Value(red, blue, Comparison::RMSE), std::sqrt(2.0 / 3.0), 1e-12);
+  EXPECT_EQ(Value(red, blue, Comparison::MAXIMUM), 1.0);
+  EXPECT_EQ(Value(red, blue, Comparison::PIXELS), 1.0);
+  // Two of three channels share nothing but the constant C1 / (1 + C1).
+  EXPECT_NEAR(Value(red, blue, Comparison::SSIM), 2.0 / 3.0 * (1.0 - 1e-4 / (1.0 + 1e-4)), 1e-9);
+}
+
+TEST(vtkPenumbraImageComparison, ToleratesFourStepsAndNotFive)
+{
+  const Image zero = Bytes(8, 8, Constant({ 100, 100, 100 }));
+  const Image four = Bytes(8, 8, Constant({ 104, 96, 100 }));
+  const Image five = Bytes(8, 8, [](int x, int) {
+    return Color{ 100, 100, x < 2 ? 105. : 100. };
+  });
+  EXPECT_EQ(Value(zero, four, Comparison::PIXELS), 0.0);
+  EXPECT_EQ(Value(zero, five, Comparison::PIXELS), 0.25);
+}
+
+TEST(vtkPenumbraImageComparison, IgnoresTheColorOfWhatIsTransparent)
+{
+  const Image a = Floats(12, 12, Constant({ 1., 0., 0., 0. }));
+  const Image b = Floats(12, 12, Constant({ 0., 1., 0., 0. }));
+  const Image half = Floats(12, 12, Constant({ 0., 1., 0., 0.5 }));
+  EXPECT_EQ(Value(a, b, Comparison::RMSE), 0.0);
+  // Half a green: green and alpha differ by 1/2, red and blue not.
+  EXPECT_NEAR(Value(a, half, Comparison::RMSE), std::sqrt(2 * 0.25 / 4), 1e-12);
+}
+
+TEST(vtkPenumbraImageComparison, TakesGreyAndBytesAndFloatsForTheSamePicture)
+{
+  const Image grey = Bytes(12, 12, Constant({ 51 }));
+  const Image color = Bytes(12, 12, Constant({ 51, 51, 51, 255 }));
+  const Image floats = Floats(12, 12, Constant({ 0.2, 0.2, 0.2, 1. }));
+  EXPECT_EQ(Value(grey, color, Comparison::MAXIMUM), 0.0);
+  EXPECT_NEAR(Value(grey, floats, Comparison::MAXIMUM), 0.0, 1e-7);
+}
+
+TEST(vtkPenumbraImageComparison, ComparesPicturesSmallerThanTheWindow)
+{
+  const Image a = Floats(1, 3, Constant({ 0.3 }));
+  const Image b = Floats(1, 3, Constant({ 0.4 }));
+  const double similarity = (2 * 0.3 * 0.4 + 1e-4) / (0.3 * 0.3 + 0.4 * 0.4 + 1e-4);
+  EXPECT_NEAR(Value(a, b, Comparison::SSIM), 1.0 - similarity, 1e-6);
+}
+
+TEST(vtkPenumbraImageComparison, TakesTheNearestBaseline)
+{
+  vtkNew<vtkPenumbraImageComparison> comparison;
+  comparison->SetImage(Floats(4, 4, Constant({ 0.5 })));
+  comparison->AddBaseline(Floats(4, 4, Constant({ 0.9 })));
+  comparison->AddBaseline(Floats(4, 4, Constant({ 0.45 })));
+  comparison->AddBaseline(Floats(4, 4, Constant({ 0.1 })));
+  ASSERT_TRUE(comparison->Compare());
+  EXPECT_EQ(comparison->GetBestBaseline(), 1);
+  EXPECT_NEAR(comparison->GetValue(Comparison::RMSE), 0.05, 1e-7);
+}
+
+TEST(vtkPenumbraImageComparison, PaintsTheDifference)
+{
+  vtkNew<vtkPenumbraImageComparison> comparison;
+  comparison->SetImage(Floats(4, 4, Constant({ 0.5, 0.25, 0. })));
+  comparison->AddBaseline(Floats(4, 4, Constant({ 0.25, 0.5, 0. })));
+  ASSERT_TRUE(comparison->Compare());
+  const Image difference = comparison->MakeDifference();
+  double* tuple = difference->GetPointData()->GetArray("Color")->GetTuple4(7);
+  EXPECT_EQ(tuple[0], 0.25);
+  EXPECT_EQ(tuple[1], 0.25);
+  EXPECT_EQ(tuple[2], 0.0);
+  EXPECT_EQ(tuple[3], 1.0);
+}
+
+TEST(vtkPenumbraImageComparison, RefusesWhatCannotBeCompared)
+{
+  vtkNew<vtkPenumbraImageComparison> comparison;
+  EXPECT_FALSE(comparison->Compare());
+  comparison->SetImage(Floats(4, 4, Constant({ 0.5 })));
+  EXPECT_FALSE(comparison->Compare());
+  comparison->AddBaseline(Floats(4, 5, Constant({ 0.5 })));
+  EXPECT_FALSE(comparison->Compare());
+  EXPECT_STREQ(comparison->GetErrorText(), "the pictures differ in size: 4x4 and 4x5");
+  EXPECT_EQ(comparison->GetBestBaseline(), -1);
+  comparison->RemoveAllBaselines();
+  comparison->AddBaseline(
+    Floats(4, 4, Constant({ std::numeric_limits<double>::quiet_NaN() })));
+  EXPECT_FALSE(comparison->Compare());
+  EXPECT_STREQ(comparison->GetErrorText(), "a picture holds values that are not finite");
+}
+
 }

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+int ComparedChannels(const Planes& a, const Planes& b)
+{
+  return a.Opaque && b.Opaque ? 3 : 4;
+}
+
+double RootMeanSquare(const Planes& a, const Planes& b)
+{
+  const int channels = ComparedChannels(a, b);
+  double sum = 0.0;
+  for (int c = 0; c < channels; ++c)
+  {
+    for (std::size_t i = 0; i < a.Channels[c].size(); ++i)
+    {
+      const double difference = a.Channels[c][i] - b.Channels[c][i];
+      sum += difference * difference;
+    }
+  }
+  return std::sqrt(sum / (static_cast<double>(channels) * a.Channels[0].size()));
+}
+
+namespace
+{
+
+double LargestDifferenceOfPixel(const Planes& a, const Planes& b, std::size_t pixel)
+{
+  double largest = 0.0;
+  for (int c = 0; c < ComparedChannels(a, b); ++c)
+  {
+    largest = std::max(largest, std::abs(a.Channels[c][pixel] - b.Channels[c][pixel]));
+  }
+  return largest;
+}
+
+}
+
+double LargestDifference(const Planes& a, const Planes& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.Channels[0].size(); ++i)
+  {
+    largest = std::max(largest, LargestDifferenceOfPixel(a, b, i));
+  }
+  return largest;
+}
+
+double ShareOfPixelsOff(const Planes& a, const Planes& b)
+{
+  // Four steps of 8 bit are still alike, whatever rounding does to their difference.
+  const double threshold = 4.0 / 255.0 + 1e-6;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < a.Channels[0].size(); ++i)
+  {
+    off += LargestDifferenceOfPixel(a, b, i) > threshold;
+  }
+  return static_cast<double>(off) / a.Channels[0].size();
+}
+
+namespace
+{
+
+// The window of Wang et al. (2004): 11 x 11, sigma 1.5, a product of two of these.
+constexpr int HalfWindow = 5;
+
+std::array<double, 2 * HalfWindow + 1> GaussianWindow()
+{
+  std::array<double, 2 * HalfWindow + 1> weights;
+  double sum = 0.0;
+  for (int i = -HalfWindow; i <= HalfWindow; ++i)
+  {
+    weights[i + HalfWindow] = std::exp(-0.5 * i * i / (1.5 * 1.5));
+    sum += weights[i + HalfWindow];
+  }
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  return weights;
+}
+
+// Mean of `line` around `center` under the window, the part outside of the line left out.
+double WeightedMean(const double* line, int stride, int length, int center)
+{
+  static const std::array<double, 2 * HalfWindow + 1> weights = GaussianWindow();
+  double sum = 0.0;
+  double weightSum = 0.0;
+  const int first = std::max(center - HalfWindow, 0);
+  const int last = std::min(center + HalfWindow, length - 1);
+  for (int i = first; i <= last; ++i)
+  {
+    const double weight = weights[i - center + HalfWindow];
+    sum += weight * line[static_cast<std::size_t>(i) * stride];
+    weightSum += weight;
+  }
+  return sum / weightSum;
+}
+
+std::vector<double> Smooth(const std::vector<double>& plane, int width, int height)
+{
+  std::vector<double> rows(plane.size());
+  std::vector<double> both(plane.size());
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      rows[static_cast<std::size_t>(y) * width + x] =
+        WeightedMean(&plane[static_cast<std::size_t>(y) * width], 1, width, x);
+    }
+  }
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      both[static_cast<std::size_t>(y) * width + x] = WeightedMean(&rows[x], width, height, y);
+    }
+  }
+  return both;
+}
+
+std::vector<double> SmoothProduct(
+  const std::vector<double>& a, const std::vector<double>& b, int width, int height)
+{
+  std::vector<double> product(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), product.begin(),
+    [](double left, double right) { return left * right; });
+  return Smooth(product, width, height);
+}
+
+double SimilarityOfChannel(
+  const std::vector<double>& a, const std::vector<double>& b, int width, int height)
+{
+  const double c1 = 0.01 * 0.01;
+  const double c2 = 0.03 * 0.03;
+  const std::vector<double> meanA = Smooth(a, width, height);
+  const std::vector<double> meanB = Smooth(b, width, height);
+  const std::vector<double> squareA = SmoothProduct(a, a, width, height);
+  const std::vector<double> squareB = SmoothProduct(b, b, width, height);
+  const std::vector<double> product = SmoothProduct(a, b, width, height);
+
+  // Centres whose window lies inside; in a picture too small for any, all of them.
+  const int marginX = width > 2 * HalfWindow ? HalfWindow : 0;
+  const int marginY = height > 2 * HalfWindow ? HalfWindow : 0;
+  double sum = 0.0;
+  for (int y = marginY; y < height - marginY; ++y)
+  {
+    for (int x = marginX; x < width - marginX; ++x)
+    {
+      const std::size_t i = static_cast<std::size_t>(y) * width + x;
+      const double varianceA = squareA[i] - meanA[i] * meanA[i];
+      const double varianceB = squareB[i] - meanB[i] * meanB[i];
+      const double covariance = product[i] - meanA[i] * meanB[i];
+      sum += (2.0 * meanA[i] * meanB[i] + c1) * (2.0 * covariance + c2) /
+        ((meanA[i] * meanA[i] + meanB[i] * meanB[i] + c1) * (varianceA + varianceB + c2));
+    }
+  }
+  return sum / (static_cast<double>(width - 2 * marginX) * (height - 2 * marginY));
+}
+
+}
+
+double StructuralDissimilarity(const Planes& a, const Planes& b)
+{
+  const int channels = ComparedChannels(a, b);
+  double sum = 0.0;
+  for (int c = 0; c < channels; ++c)
+  {
+    sum += SimilarityOfChannel(a.Channels[c], b.Channels[c], a.Width, a.Height);
+  }
+  return 1.0 - sum / channels;
+}
+
+}
