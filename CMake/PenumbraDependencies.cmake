@@ -1,11 +1,13 @@
 # VTK of the builder's own choice (CMAKE_PREFIX_PATH, VTK_DIR), and the libraries beside it.
-find_package(VTK REQUIRED COMPONENTS
+set(penumbra_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   FiltersHybrid FiltersTexture
   ImagingCore InteractionStyle IOCore IOGeometry IOImage IOLegacy IOPLY IOXML IOImport IOExodus IOEnSight
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
   RenderingContextOpenGL2)
+find_package(VTK REQUIRED COMPONENTS ${penumbra_vtk_components})
+list(APPEND CMAKE_INSTALL_RPATH "$<TARGET_FILE_DIR:VTK::vtksys>")
 
 find_package(embree 4 CONFIG QUIET)
 if (NOT embree_FOUND)
