@@ -29,8 +29,9 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # rounding, so that a picture does not depend on the compiler's choice.
 add_compile_options(-ffp-contract=off)
 
+# GCC takes the checks that AddressSanitizer inserts for uses of uninitialized variables.
 if (PENUMBRA_SANITIZERS)
-  add_compile_options(-O1 -g1 -UNDEBUG -fno-omit-frame-pointer
+  add_compile_options(-O1 -g1 -UNDEBUG -fno-omit-frame-pointer -Wno-maybe-uninitialized
     -fsanitize=address,undefined -fno-sanitize-recover=undefined)
   add_link_options(-fsanitize=address,undefined)
 endif ()
