@@ -38,10 +38,7 @@ struct Query
     this->Intersection.flags = flags;
     this->Occlusion.flags = flags;
   }
-  void Intersect(RTCScene tree, RTCRayHit& ray)
-  {
-    rtcIntersect1(tree, &ray, &this->Intersection);
-  }
+  void Intersect(RTCScene tree, RTCRayHit& ray) { rtcIntersect1(tree, &ray, &this->Intersection); }
   void Intersect(RTCScene tree, const int* valid, RTCRayHit16& rays)
   {
     rtcIntersect16(valid, tree, &rays, &this->Intersection);
@@ -73,7 +70,8 @@ void DropCulledHits(const RTCFilterFunctionNArguments* args)
   const auto& surface = *static_cast<const Surface*>(args->geometryUserPtr);
   for (unsigned int i = 0; i < args->N; ++i)
   {
-    const float facing = RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
+    const float facing =
+      RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
       RTCHitN_Ng_y(args->hit, args->N, i) * RTCRayN_dir_y(args->ray, args->N, i) +
       RTCHitN_Ng_z(args->hit, args->N, i) * RTCRayN_dir_z(args->ray, args->N, i);
     if (facing < 0.f ? !surface.Frontfaces : !surface.Backfaces)
@@ -157,8 +155,7 @@ void Fill(RTCRay& to, const Ray& from)
 
 }
 
-RayScene::RayScene(const Scene& scene, int threads)
-  : TracedScene(scene)
+RayScene::RayScene(const Scene& scene, int threads) : TracedScene(scene)
 {
   const std::string settings = threads > 0 ? "threads=" + std::to_string(threads) : "";
   this->Device = rtcNewDevice(settings.c_str());

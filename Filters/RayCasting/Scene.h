@@ -55,25 +55,44 @@ struct Surface
 
   std::vector<glm::vec3> Positions;
   std::vector<glm::uvec3> Triangles; ///< indices into Positions, each in range
-  std::vector<std::uint32_t> CellIds; ///< per triangle: cell of the input; empty: the triangle's index
+  std::vector<std::uint32_t>
+    CellIds; ///< per triangle: cell of the input; empty: the triangle's index
 
-  std::vector<glm::vec3> Normals; ///< per position, unit; empty: flat, each triangle its own
+  /// Shading normals, not always of length 1: VTK interpolates them as they come.
+  std::vector<glm::vec3> Normals;         ///< per position
+  std::vector<glm::vec3> TriangleNormals; ///< per triangle, used without Normals
+  /// Neither: flat, each triangle its own, facing the eye.
+
+  /// How Normals and TriangleNormals are turned before lighting.
+  enum class NormalRules
+  {
+    ByWinding,  ///< negated where the winding faces away
+    TowardsEye, ///< negated where they point away from the eye (lines)
+    AsTheyAre   ///< (points)
+  };
+  NormalRules NormalRule = NormalRules::ByWinding;
 
   /// Colours that replace AmbientColor and DiffuseColor, alpha multiplies Opacity. At most one of
   /// the three is filled.
   std::vector<glm::u8vec4> PointColors;
   std::vector<glm::u8vec4> CellColors; ///< per triangle
   std::shared_ptr<const Texture> ColorTexture;
-  std::vector<glm::vec2> TextureCoordinates; ///< per position, with ColorTexture
+  std::vector<glm::vec2> ColorCoordinates; ///< per position, with ColorTexture
+
+  /// An actor's texture: multiplies what lighting made of the surface, opacity included.
+  std::shared_ptr<const Texture> LitTexture;
+  std::vector<glm::vec2> TextureCoordinates; ///< per position, with LitTexture
+  bool TextureOnBackfaces = true;
 
   bool HasBackMaterial = false;
   Material Front;
   Material Back;
 
-  bool Backfaces = true;   ///< false: culled
-  bool Frontfaces = true;  ///< false: culled
+  bool Backfaces = true;       ///< false: culled
+  bool Frontfaces = true;      ///< false: culled
   bool ScalarColoring = false; ///< coloured by data: weaker ambient occlusion by default
-  bool ScreenSpace = false; ///< a line or a point, widened towards the eye: casts and takes no shadow
+  bool ScreenSpace =
+    false; ///< a line or a point, widened towards the eye: casts and takes no shadow
 };
 
 struct Light
@@ -85,14 +104,16 @@ struct Light
     Spot
   };
   Kinds Kind = Kinds::Directional;
-  glm::vec3 Position{ 0.f };            ///< Positional, Spot
-  glm::vec3 Direction{ 0.f, 0.f, -1.f }; ///< unit, the way the light travels
-  glm::vec3 DiffuseColor{ 1.f };        ///< times intensity
-  glm::vec3 SpecularColor{ 1.f };       ///< times intensity
-  glm::vec3 Attenuation{ 1.f, 0.f, 0.f }; ///< constant, linear, quadratic, per scene unit
-  float ConeCosine = -1.f;              ///< Spot: cosine of VTK's cone angle
-  float Exponent = 1.f;                 ///< Spot
+  glm::vec3 Position{ 0.f };              ///< Positional, Spot
+  glm::vec3 Direction{ 0.f, 0.f, -1.f };  ///< unit, the way the light travels
+  glm::vec3 DiffuseColor{ 1.f };          ///< times intensity
+  glm::vec3 SpecularColor{ 1.f };         ///< times intensity
+  glm::vec3 Attenuation{ 1.f, 0.f, 0.f }; ///< constant, linear, quadratic in scene units
+  float ConeCosine = -1.f;                ///< Spot: cosine of VTK's cone angle
+  float Exponent = 1.f;                   ///< Spot
   bool CastsShadow = true;
+  bool Headlight =
+    false; ///< Directional and along the view axis; alone, VTK lights in a simpler way
 };
 
 /// What is seen where nothing is: a colour, or a gradient from bottom to top.

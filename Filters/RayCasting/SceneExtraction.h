@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From VTK to Scene: actors, transforms, properties, mapper colours, lights, camera, background.
+// What cannot be drawn is named in Scene::Warnings.
 #ifndef penumbra_SceneExtraction_h
 #define penumbra_SceneExtraction_h
 
 #include "Scene.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <vector>
 
@@ -23,10 +25,12 @@ struct ExtractionOptions
 };
 
 /// The scene that `renderer` would draw into a picture of options.Resolution. Needs no window.
-Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options);
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT Scene ExtractScene(
+  vtkRenderer* renderer, const ExtractionOptions& options);
 
 /// The scene of data sets alone: white surfaces, one headlight, the view reset to their bounds.
-Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options);
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT Scene ExtractScene(
+  const std::vector<vtkDataObject*>& data, const ExtractionOptions& options);
 
 }
 #endif

@@ -6,6 +6,7 @@
 #define penumbra_Shading_h
 
 #include "RayScene.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 namespace penumbra
 {
@@ -13,12 +14,12 @@ namespace penumbra
 /// What a surface is and shows at a hit.
 struct Appearance
 {
-  glm::vec4 Color{ 0.f };  ///< straight rgb (unclamped) and opacity
-  glm::vec3 Normal{ 0.f }; ///< shading normal, unit, as VTK's lighting uses it (facing the eye)
+  glm::vec4 Color{ 0.f };           ///< straight rgb (unclamped) and opacity
+  glm::vec3 Normal{ 0.f };          ///< shading normal, unit, as VTK's lighting uses it
   glm::vec3 GeometricNormal{ 0.f }; ///< of the triangle, unit, facing the eye
 };
 
-class Shading
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Shading
 {
 public:
   /// `shadows`: lights that cast shadows are asked for occlusion. `scene` must outlive this object.
@@ -32,12 +33,45 @@ public:
 
   /// True where colour is one constant over each triangle (flat, directional lights, no
   /// highlight, no texture, no shadow): then one sample of a triangle serves all of it.
-  bool IsConstantPerTriangle(std::uint32_t surface) const { return this->ConstantPerTriangle[surface]; }
+  bool IsConstantPerTriangle(std::uint32_t surface) const { return this->Looks[surface].Constant; }
 
 private:
+  /// A material with its coefficients multiplied in.
+  struct Finish
+  {
+    glm::vec3 Ambient;
+    glm::vec3 Diffuse;
+    glm::vec3 Specular;
+    float SpecularPower;
+    float Opacity;
+  };
+  /// What is known of a surface before any hit.
+  struct Look
+  {
+    Finish Front;
+    Finish Back;
+    float AmbientShare; ///< Material::Ambient, for surfaces that bring their own colours
+    float DiffuseShare;
+    bool Lit;
+    bool Colored;
+    bool Constant;
+  };
+
+  static Finish MakeFinish(const Material& material);
+  bool IsConstant(const Surface& surface, const Look& look) const;
+  glm::vec3 Lighten(
+    const Finish& finish, const Appearance& at, glm::vec3 point, long long& shadowRays) const;
+  float Transmittance(glm::vec3 point, glm::vec3 towards, float distance, glm::vec3 normal,
+    long long& shadowRays) const;
+
+  /// The share of light that a surface lets pass where `ray` hits it.
+  float LightThrough(const Hit& hit, const Ray& ray) const;
+
   const RayScene& Rays;
   bool Shadows;
-  std::vector<bool> ConstantPerTriangle;
+  bool OneHeadlight;
+  bool Translucent = false; ///< some surface lets light through
+  std::vector<Look> Looks;
 };
 
 }

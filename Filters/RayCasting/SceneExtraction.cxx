@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtraction.h"
+
+#include "SceneExtractionActors.h"
+#include "SceneExtractionSurfaces.h"
+#include "SceneExtractionView.h"
+
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Adds the points of `piece` that are finite.
+void AddBounds(const Piece& piece, double bounds[6])
+{
+  for (vtkIdType i = 0; i < piece.Data->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    piece.Data->GetPoints()->GetPoint(i, x);
+    const glm::dvec4 world = piece.ToWorld * glm::dvec4(x[0], x[1], x[2], 1.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      if (std::isfinite(world[k]))
+      {
+        bounds[2 * k] = std::min(bounds[2 * k], world[k]);
+        bounds[2 * k + 1] = std::max(bounds[2 * k + 1], world[k]);
+      }
+    }
+  }
+}
+
+void ComputeBounds(const std::vector<Piece>& pieces, double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  std::fill_n(bounds, 6, std::numeric_limits<double>::infinity());
+  bounds[1] = bounds[3] = bounds[5] = -bounds[0];
+  for (const Piece& piece : pieces)
+  {
+    AddBounds(piece, bounds);
+  }
+}
+
+void AddPieces(const std::vector<Piece>& pieces, Scene& scene)
+{
+  for (const Piece& piece : pieces)
+  {
+    AddSurface(piece, scene);
+  }
+}
+
+}
+
+Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
+{
+  Scene scene;
+  const std::vector<Piece> pieces = CollectPieces(renderer, scene.Warnings);
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
+  {
+    ComputeBounds(pieces, bounds);
+  }
+  ExtractCamera(renderer, bounds, options, scene);
+  ExtractLights(renderer, scene);
+  ExtractBackground(renderer, options, scene);
+  AddPieces(pieces, scene);
+  return scene;
+}
+
+Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options)
+{
+  Scene scene;
+  const std::vector<Piece> pieces = CollectPieces(data, scene.Warnings);
+  double bounds[6];
+  ComputeBounds(pieces, bounds);
+  ResetCamera(bounds, options, scene);
+  scene.Lights = { MakeHeadlight(scene) };
+  if (options.Background)
+  {
+    scene.Behind.Bottom = scene.Behind.Top = glm::vec4(0.f, 0.f, 0.f, 1.f);
+  }
+  AddPieces(pieces, scene);
+  return scene;
+}
+
+}

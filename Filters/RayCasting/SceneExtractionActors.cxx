@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionActors.h"
+
+#include "SceneExtractionBlocks.h"
+#include "SceneExtractionColors.h"
+
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkGeometryFilter.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Actors and mappers that draw in a way of their own, which triangles of their input are not.
+constexpr const char* UnsupportedActors[] = { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" };
+constexpr const char* UnsupportedMappers[] = { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
+  "vtkPointGaussianMapper", "vtkGlyph3DMapper" };
+
+bool IsAnyOf(vtkObjectBase* object, const char* const* begin, const char* const* end)
+{
+  return std::any_of(begin, end, [&](const char* name) { return object->IsA(name); });
+}
+
+glm::dmat4 ToMatrix(vtkMatrix4x4* from)
+{
+  glm::dmat4 result(1.0);
+  for (int i = 0; from && i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      result[j][i] = from->GetElement(i, j);
+    }
+  }
+  return result;
+}
+
+std::vector<glm::dvec4> ToPlanes(vtkPlaneCollection* from)
+{
+  std::vector<glm::dvec4> planes;
+  for (int i = 0; from && i < from->GetNumberOfItems(); ++i)
+  {
+    vtkPlane* plane = from->GetItem(i);
+    const double* n = plane->GetNormal();
+    const double* x = plane->GetOrigin();
+    planes.emplace_back(n[0], n[1], n[2], -(n[0] * x[0] + n[1] * x[1] + n[2] * x[2]));
+  }
+  return planes;
+}
+
+/// The surface of a data set, with the ids of the cells it came from.
+void SetData(vtkDataSet* data, Piece& piece)
+{
+  piece.Data = vtkPolyData::SafeDownCast(data);
+  if (!piece.Data)
+  {
+    vtkNew<vtkGeometryFilter> surface;
+    surface->SetInputData(data);
+    surface->PassThroughCellIdsOn();
+    surface->Update();
+    piece.Data = surface->GetOutput();
+    piece.CellIds = piece.Data->GetCellData()->GetArray("vtkOriginalCellIds");
+  }
+}
+
+class Collector
+{
+public:
+  explicit Collector(std::vector<std::string>& warnings) : Warnings(warnings) {}
+
+  void AddProp(vtkProp* prop)
+  {
+    if (!prop->GetVisibility())
+    {
+      return;
+    }
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      vtkAssemblyNode* leaf = path->GetLastNode();
+      this->AddLeaf(leaf->GetViewProp(), leaf->GetMatrix());
+    }
+  }
+
+  void AddData(vtkDataObject* data, const Piece& look, ScalarMapper* scalars)
+  {
+    if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+    {
+      ForEachBlock(composite, nullptr, look, scalars,
+        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars)
+        { this->AddDataSet(leaf, blockLook, blockScalars); });
+    }
+    else if (auto* dataSet = vtkDataSet::SafeDownCast(data))
+    {
+      this->AddDataSet(dataSet, look, scalars);
+    }
+    else if (data)
+    {
+      this->Warnings.push_back(
+        look.Name + ": " + data->GetClassName() + " is not supported; left out.");
+    }
+  }
+
+  int NextObject = 0;
+  std::vector<Piece> Pieces;
+
+private:
+  void AddLeaf(vtkProp* prop, vtkMatrix4x4* matrix)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (!prop->GetVisibility())
+    {
+      return;
+    }
+    if (!actor || IsAnyOf(actor, std::begin(UnsupportedActors), std::end(UnsupportedActors)))
+    {
+      this->Warnings.push_back(std::string(prop->GetClassName()) + " is not supported; left out.");
+      return;
+    }
+    Piece look;
+    look.ObjectId = this->NextObject++;
+    look.Name = "Object " + std::to_string(look.ObjectId);
+    vtkMapper* mapper = actor->GetMapper();
+    if (!mapper)
+    {
+      return;
+    }
+    if (IsAnyOf(mapper, std::begin(UnsupportedMappers), std::end(UnsupportedMappers)))
+    {
+      this->Warnings.push_back(
+        look.Name + ": " + mapper->GetClassName() + " is not supported; left out.");
+      return;
+    }
+    look.ToWorld = ToMatrix(matrix ? matrix : actor->GetMatrix());
+    look.Property = actor->GetProperty();
+    look.BackProperty = actor->GetBackfaceProperty();
+    look.LitTexture = MakeTexture(actor->GetTexture(), look.Name, this->Warnings);
+    look.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
+    this->WarnOfLooks(actor, look.Name);
+    mapper->Update();
+    vtkNew<ScalarMapper> scalars;
+    scalars->ShallowCopy(mapper);
+    vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+    if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+    {
+      ForEachBlock(composite, mapper, look, scalars,
+        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars)
+        { this->AddDataSet(leaf, blockLook, blockScalars); });
+    }
+    else
+    {
+      this->AddData(data, look, scalars);
+    }
+  }
+
+  void AddDataSet(vtkDataSet* data, const Piece& look, ScalarMapper* scalars)
+  {
+    Piece piece = look;
+    SetData(data, piece);
+    if (piece.Data->GetNumberOfPoints() > 0 && piece.Data->GetNumberOfCells() > 0)
+    {
+      if (scalars)
+      {
+        piece.Colors = scalars->Map(piece.Data);
+      }
+      this->Pieces.push_back(std::move(piece));
+    }
+  }
+
+  void WarnOfLooks(vtkActor* actor, const std::string& name)
+  {
+    vtkProperty* property = actor->GetProperty();
+    if (property->GetInterpolation() == VTK_PBR)
+    {
+      this->Warnings.push_back(name + ": physically based shading is drawn as Phong's.");
+    }
+    if (property->GetNumberOfTextures() > 0)
+    {
+      this->Warnings.push_back(name + ": textures of properties are not supported; left out.");
+    }
+    vtkShaderProperty* shaders = actor->GetShaderProperty();
+    if (shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
+      shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0)
+    {
+      this->Warnings.push_back(name + ": shaders of its own are not supported; left out.");
+    }
+  }
+
+  std::vector<std::string>& Warnings;
+};
+
+}
+
+std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings)
+{
+  Collector collector(warnings);
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    collector.AddProp(prop);
+  }
+  return std::move(collector.Pieces);
+}
+
+std::vector<Piece> CollectPieces(
+  const std::vector<vtkDataObject*>& data, std::vector<std::string>& warnings)
+{
+  Collector collector(warnings);
+  for (vtkDataObject* object : data)
+  {
+    Piece look;
+    look.ObjectId = collector.NextObject++;
+    look.Name = "Object " + std::to_string(look.ObjectId);
+    look.Property = vtkSmartPointer<vtkProperty>::New();
+    collector.AddData(object, look, nullptr);
+  }
+  return std::move(collector.Pieces);
+}
+
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From props, mappers and data objects to pieces: one poly data each, with all that says how it is
+// drawn.
+#ifndef penumbra_SceneExtractionActors_h
+#define penumbra_SceneExtractionActors_h
+
+#include "SceneExtractionPiece.h"
+
+class vtkDataObject;
+class vtkRenderer;
+
+namespace penumbra
+{
+
+/// What `renderer` draws. Names in `warnings` what it cannot turn into pieces.
+std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings);
+
+/// Data sets and the leaves of composite ones, in VTK's default look.
+std::vector<Piece> CollectPieces(
+  const std::vector<vtkDataObject*>& data, std::vector<std::string>& warnings);
+
+}
+#endif

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The blocks of composite data sets, with what a composite mapper says of each: visible or not,
+// its own colour, opacity, array.
+#ifndef penumbra_SceneExtractionBlocks_h
+#define penumbra_SceneExtractionBlocks_h
+
+#include "SceneExtractionColors.h"
+
+#include <functional>
+
+class vtkCompositeDataSet;
+class vtkDataSet;
+
+namespace penumbra
+{
+
+using BlockFunction = std::function<void(vtkDataSet*, const Piece&, ScalarMapper*)>;
+
+/// Calls `use` for every visible leaf that is a data set, with `look` and a copy of `scalars` (null
+/// without one) changed by what `mapper` (may be null) says of the block or those above it.
+void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const Piece& look,
+  ScalarMapper* scalars, const BlockFunction& use);
+
+}
+#endif

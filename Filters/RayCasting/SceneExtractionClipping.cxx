@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionClipping.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Cuts the triangles of one surface by one plane.
+class Cut
+{
+public:
+  Cut(Surface& surface, glm::dvec4 plane) : Target(surface)
+  {
+    this->Distances.reserve(surface.Positions.size());
+    for (const glm::vec3& x : surface.Positions)
+    {
+      this->Distances.push_back(glm::dot(glm::dvec3(plane), glm::dvec3(x)) + plane.w);
+    }
+  }
+
+  void Run()
+  {
+    const std::vector<glm::uvec3> triangles = std::move(this->Target.Triangles);
+    this->Target.Triangles.clear();
+    this->Target.Triangles.reserve(triangles.size() + 1);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      this->Add(triangles[i], static_cast<std::uint32_t>(i));
+    }
+    this->Target.Triangles.reserve(this->Target.Triangles.size() + 1);
+    this->Target.Positions.reserve(this->Target.Positions.size() + 1);
+    this->FollowSources(triangles.size());
+  }
+
+private:
+  bool IsKept(std::uint32_t i) const { return this->Distances[i] >= 0.0; }
+
+  void Add(glm::uvec3 triangle, std::uint32_t source)
+  {
+    // The part that is kept is a polygon of up to four corners.
+    std::uint32_t corners[4];
+    int count = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::uint32_t here = triangle[k];
+      const std::uint32_t next = triangle[(k + 1) % 3];
+      if (this->IsKept(here))
+      {
+        corners[count++] = here;
+      }
+      if (this->IsKept(here) != this->IsKept(next))
+      {
+        corners[count++] = this->CutEdge(here, next);
+      }
+    }
+    for (int k = 2; k < count; ++k)
+    {
+      const glm::dvec3 a = this->Target.Positions[corners[0]];
+      const glm::dvec3 b = this->Target.Positions[corners[k - 1]];
+      const glm::dvec3 c = this->Target.Positions[corners[k]];
+      if (glm::cross(b - a, c - a) != glm::dvec3(0.0))
+      {
+        this->Target.Triangles.emplace_back(corners[0], corners[k - 1], corners[k]);
+        this->Sources.push_back(source);
+      }
+    }
+  }
+
+  /// The point where edge (i, j) meets the plane; both neighbours of the edge get the same.
+  std::uint32_t CutEdge(std::uint32_t i, std::uint32_t j)
+  {
+    if (j < i)
+    {
+      std::swap(i, j);
+    }
+    const auto known = this->Points.find({ i, j });
+    if (known != this->Points.end())
+    {
+      return known->second;
+    }
+    const double t = this->Distances[i] / (this->Distances[i] - this->Distances[j]);
+    const auto index = static_cast<std::uint32_t>(this->Target.Positions.size());
+    const auto between = [&](auto& values)
+    {
+      if (!values.empty())
+      {
+        using Value = typename std::decay<decltype(values)>::type::value_type;
+        const Value value = Mix(values[i], values[j], t);
+        values.push_back(value);
+      }
+    };
+    between(this->Target.Positions);
+    between(this->Target.Normals);
+    between(this->Target.PointColors);
+    between(this->Target.ColorCoordinates);
+    between(this->Target.TextureCoordinates);
+    this->Points[{ i, j }] = index;
+    return index;
+  }
+
+  static glm::vec3 Mix(glm::vec3 a, glm::vec3 b, double t)
+  {
+    return glm::mix(glm::dvec3(a), glm::dvec3(b), t);
+  }
+  static glm::vec2 Mix(glm::vec2 a, glm::vec2 b, double t)
+  {
+    return glm::mix(glm::dvec2(a), glm::dvec2(b), t);
+  }
+  static glm::u8vec4 Mix(glm::u8vec4 a, glm::u8vec4 b, double t)
+  {
+    return glm::mix(glm::dvec4(a), glm::dvec4(b), t) + .5;
+  }
+
+  /// Values per triangle: those of the triangles that the new ones were cut from.
+  void FollowSources(std::size_t count)
+  {
+    if (this->Target.CellIds.empty() && (this->Sources.size() != count || !this->Points.empty()))
+    {
+      this->Target.CellIds = this->Sources;
+    }
+    else
+    {
+      this->Follow(this->Target.CellIds);
+    }
+    this->Follow(this->Target.CellColors);
+    this->Follow(this->Target.TriangleNormals);
+  }
+
+  template <typename T>
+  void Follow(std::vector<T>& values) const
+  {
+    if (values.empty())
+    {
+      return;
+    }
+    std::vector<T> result;
+    result.reserve(this->Sources.size());
+    for (const std::uint32_t source : this->Sources)
+    {
+      result.push_back(values[source]);
+    }
+    values = std::move(result);
+  }
+
+  Surface& Target;
+  std::vector<double> Distances;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> Points;
+  std::vector<std::uint32_t> Sources;
+};
+
+}
+
+glm::dvec4 ToScene(glm::dvec4 plane, const Scene& scene)
+{
+  // world = Origin + x / Scale
+  const glm::dvec3 normal(plane);
+  return { normal, scene.Scale * (plane.w + glm::dot(normal, scene.Origin)) };
+}
+
+void ClipSurface(const std::vector<glm::dvec4>& planes, const Scene& scene, Surface& surface)
+{
+  for (const glm::dvec4& plane : planes)
+  {
+    Cut(surface, ToScene(plane, scene)).Run();
+  }
+}
+
+}

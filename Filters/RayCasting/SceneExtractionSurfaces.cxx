@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionSurfaces.h"
+
+#include "PolygonTriangulation.h"
+#include "SceneExtractionClipping.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+bool IsFinite(glm::vec3 x)
+{
+  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
+}
+
+/// Collects triangles of one poly data and counts what it must leave out.
+class Triangles
+{
+public:
+  Triangles(const Piece& piece, Surface& surface) : Data(piece.Data), Target(surface)
+  {
+    vtkPolyData* data = this->Data;
+    const vtkIdType expected = data->GetPolys()->GetNumberOfConnectivityIds() -
+      2 * data->GetPolys()->GetNumberOfCells() + data->GetStrips()->GetNumberOfConnectivityIds();
+    surface.Triangles.reserve(static_cast<std::size_t>(std::max<vtkIdType>(expected, 0)) + 1);
+    const vtkIdType first =
+      data->GetVerts()->GetNumberOfCells() + data->GetLines()->GetNumberOfCells();
+    this->NextCell = static_cast<std::uint32_t>(first);
+    this->AreCellsTriangles = first == 0;
+  }
+
+  void AddPolygons()
+  {
+    vtkCellArray* polygons = this->Data->GetPolys();
+    const vtkIdType count = polygons->GetNumberOfCells();
+    for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
+    {
+      polygons->GetCellAtId(i, this->Cell);
+      const vtkIdType size = this->Cell->GetNumberOfIds();
+      const vtkIdType* ids = this->Cell->GetPointer(0);
+      const std::size_t before = this->Target.Triangles.size();
+      if (!this->AreUsable(ids, size))
+      {
+        ++this->Unusable;
+      }
+      else if (size == 3)
+      {
+        this->Add(ids[0], ids[1], ids[2]);
+      }
+      else
+      {
+        this->AddPolygon(ids, size);
+      }
+      this->NoteCells(this->Target.Triangles.size() - before);
+    }
+  }
+
+  void AddStrips()
+  {
+    vtkCellArray* strips = this->Data->GetStrips();
+    const vtkIdType count = strips->GetNumberOfCells();
+    for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
+    {
+      strips->GetCellAtId(i, this->Cell);
+      const vtkIdType size = this->Cell->GetNumberOfIds();
+      const vtkIdType* ids = this->Cell->GetPointer(0);
+      const std::size_t before = this->Target.Triangles.size();
+      if (this->AreUsable(ids, size))
+      {
+        // Stitched strips repeat points on purpose: their triangles without area are no news.
+        const std::size_t flat = this->Flat;
+        for (vtkIdType k = 0; k + 2 < size; ++k)
+        {
+          this->Add(ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2]);
+        }
+        this->Flat = flat;
+      }
+      else
+      {
+        ++this->Unusable;
+      }
+      this->NoteCells(this->Target.Triangles.size() - before);
+    }
+  }
+
+  /// Per triangle the cell of the data; empty where that is the triangle's own index.
+  const std::vector<std::uint32_t>& GetCells() const { return this->Cells; }
+
+  void Warn(const std::string& name, std::vector<std::string>& warnings) const
+  {
+    if (this->Unusable > 0)
+    {
+      warnings.push_back(name + ": " + std::to_string(this->Unusable) +
+        " cells use points that do not exist or are not finite; left out.");
+    }
+    if (this->Flat > 0)
+    {
+      warnings.push_back(
+        name + ": " + std::to_string(this->Flat) + " triangles without area left out.");
+    }
+  }
+
+private:
+  bool AreUsable(const vtkIdType* ids, vtkIdType size) const
+  {
+    const auto count = static_cast<vtkIdType>(this->Target.Positions.size());
+    return std::all_of(ids, ids + size,
+      [&](vtkIdType id) { return id >= 0 && id < count && IsFinite(this->Target.Positions[id]); });
+  }
+
+  void Add(vtkIdType i, vtkIdType j, vtkIdType k)
+  {
+    const glm::dvec3 a = this->Target.Positions[i];
+    const glm::dvec3 b = this->Target.Positions[j];
+    const glm::dvec3 c = this->Target.Positions[k];
+    if (glm::cross(b - a, c - a) == glm::dvec3(0.0))
+    {
+      ++this->Flat;
+      return;
+    }
+    this->Target.Triangles.emplace_back(i, j, k);
+  }
+
+  void AddPolygon(const vtkIdType* ids, vtkIdType size)
+  {
+    this->Corners.clear();
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->Corners.emplace_back(this->Target.Positions[ids[i]]);
+    }
+    TriangulatePolygon(this->Corners, this->Cut);
+    if (this->Cut.empty())
+    {
+      ++this->Flat;
+    }
+    for (const glm::uvec3& triangle : this->Cut)
+    {
+      this->Add(ids[triangle.x], ids[triangle.y], ids[triangle.z]);
+    }
+  }
+
+  void NoteCells(std::size_t triangles)
+  {
+    if (this->AreCellsTriangles && triangles == 1)
+    {
+      return;
+    }
+    if (this->AreCellsTriangles)
+    {
+      // The first cell that is not one triangle: from here on the list is kept.
+      this->AreCellsTriangles = false;
+      this->Cells.reserve(this->Target.Triangles.capacity());
+      for (std::uint32_t i = 0; i < this->NextCell; ++i)
+      {
+        this->Cells.push_back(i);
+      }
+    }
+    this->Cells.insert(this->Cells.end(), triangles, this->NextCell);
+  }
+
+  vtkPolyData* Data;
+  Surface& Target;
+  vtkSmartPointer<vtkIdList> Cell = vtkSmartPointer<vtkIdList>::New();
+  std::vector<glm::dvec3> Corners;
+  std::vector<glm::uvec3> Cut;
+  std::vector<std::uint32_t> Cells;
+  std::uint32_t NextCell = 0;
+  bool AreCellsTriangles = true; ///< so far, cell i is triangle i
+  std::size_t Unusable = 0;
+  std::size_t Flat = 0;
+};
+
+std::uint32_t CellOf(const std::vector<std::uint32_t>& cells, std::size_t triangle)
+{
+  return cells.empty() ? static_cast<std::uint32_t>(triangle) : cells[triangle];
+}
+
+void SetNormals(const Piece& piece, const Placement& placement,
+  const std::vector<std::uint32_t>& cells, Surface& surface)
+{
+  const auto convert = [&](vtkDataArray* from, vtkIdType i)
+  {
+    double n[3];
+    from->GetTuple(i, n);
+    return placement.Normal(n);
+  };
+  vtkDataArray* atPoints = piece.Data->GetPointData()->GetNormals();
+  if (piece.Property->GetInterpolation() != VTK_FLAT && atPoints)
+  {
+    surface.Normals.resize(surface.Positions.size());
+    for (std::size_t i = 0; i < surface.Normals.size(); ++i)
+    {
+      surface.Normals[i] = convert(atPoints, static_cast<vtkIdType>(i));
+    }
+    return;
+  }
+  if (vtkDataArray* atCells = piece.Data->GetCellData()->GetNormals())
+  {
+    surface.TriangleNormals.resize(surface.Triangles.size());
+    for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+    {
+      surface.TriangleNormals[i] = convert(atCells, CellOf(cells, i));
+    }
+  }
+}
+
+glm::u8vec4 ColorAt(vtkUnsignedCharArray* colors, vtkIdType i)
+{
+  const unsigned char* c = colors->GetPointer(4 * i);
+  return { c[0], c[1], c[2], c[3] };
+}
+
+std::vector<glm::vec2> MakeCoordinates(vtkDataArray* from)
+{
+  std::vector<glm::vec2> result(static_cast<std::size_t>(from->GetNumberOfTuples()));
+  const bool two = from->GetNumberOfComponents() > 1;
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    const auto tuple = static_cast<vtkIdType>(i);
+    result[i] = { from->GetComponent(tuple, 0), two ? from->GetComponent(tuple, 1) : 0.0 };
+  }
+  return result;
+}
+
+}
+
+std::vector<glm::vec3> MakePositions(const Piece& piece, const Scene& scene)
+{
+  const Placement placement(piece.ToWorld, scene);
+  const vtkIdType count = piece.Data->GetNumberOfPoints();
+  std::vector<glm::vec3> positions;
+  positions.reserve(static_cast<std::size_t>(count) + 1);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double x[3];
+    piece.Data->GetPoints()->GetPoint(i, x);
+    positions.push_back(placement.Point(x));
+  }
+  return positions;
+}
+
+void SetColors(const Piece& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
+{
+  const Coloring& coloring = piece.Colors;
+  surface.ScalarColoring = coloring.Way != Coloring::Ways::None;
+  switch (coloring.Way)
+  {
+    case Coloring::Ways::None:
+      break;
+    case Coloring::Ways::PerPoint:
+      surface.PointColors.reserve(surface.Positions.size());
+      for (vtkIdType i = 0; i < piece.Data->GetNumberOfPoints(); ++i)
+      {
+        surface.PointColors.push_back(ColorAt(coloring.Colors, i));
+      }
+      break;
+    case Coloring::Ways::PerCell:
+      surface.CellColors.reserve(surface.Triangles.size());
+      for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+      {
+        surface.CellColors.push_back(ColorAt(coloring.Colors, CellOf(cells, i)));
+      }
+      break;
+    case Coloring::Ways::Single:
+      surface.Front.AmbientColor = glm::vec3(coloring.SingleColor) / 255.f;
+      surface.Front.DiffuseColor = surface.Front.AmbientColor;
+      surface.Front.Opacity *= static_cast<float>(coloring.SingleColor.a) / 255.f;
+      break;
+    case Coloring::Ways::Texture:
+      surface.ColorTexture = coloring.Map;
+      surface.ColorCoordinates = MakeCoordinates(coloring.Coordinates);
+      break;
+  }
+  vtkDataArray* coordinates = piece.Data->GetPointData()->GetTCoords();
+  if (piece.LitTexture && coordinates)
+  {
+    surface.LitTexture = piece.LitTexture;
+    surface.TextureCoordinates = MakeCoordinates(coordinates);
+    surface.TextureOnBackfaces = piece.Property->GetShowTexturesOnBackface();
+  }
+}
+
+void SetCellIds(const Piece& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
+{
+  surface.CellIds = cells;
+  if (piece.CellIds)
+  {
+    surface.CellIds.resize(surface.Triangles.size());
+    for (std::size_t i = 0; i < surface.CellIds.size(); ++i)
+    {
+      surface.CellIds[i] =
+        static_cast<std::uint32_t>(piece.CellIds->GetComponent(CellOf(cells, i), 0));
+    }
+  }
+}
+
+void AddSurface(const Piece& piece, Scene& scene)
+{
+  if (piece.Data->GetPolys()->GetNumberOfCells() + piece.Data->GetStrips()->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  Surface surface;
+  surface.ObjectId = piece.ObjectId;
+  surface.Positions = MakePositions(piece, scene);
+  Triangles triangles(piece, surface);
+  triangles.AddPolygons();
+  triangles.AddStrips();
+  triangles.Warn(piece.Name, scene.Warnings);
+  if (surface.Triangles.empty())
+  {
+    return;
+  }
+  for (glm::vec3& x : surface.Positions)
+  {
+    x = IsFinite(x) ? x : glm::vec3(0.f);
+  }
+  surface.Front = MakeMaterial(piece.Property);
+  surface.HasBackMaterial = piece.BackProperty && piece.Colors.Way == Coloring::Ways::None;
+  if (surface.HasBackMaterial)
+  {
+    surface.Back = MakeMaterial(piece.BackProperty);
+  }
+  surface.Backfaces = !piece.Property->GetBackfaceCulling();
+  surface.Frontfaces = !piece.Property->GetFrontfaceCulling();
+  const std::vector<std::uint32_t>& cells = triangles.GetCells();
+  SetNormals(piece, Placement(piece.ToWorld, scene), cells, surface);
+  SetColors(piece, cells, surface);
+  SetCellIds(piece, cells, surface);
+  ClipSurface(piece.ClippingPlanes, scene, surface);
+  if (!surface.Triangles.empty())
+  {
+    scene.Surfaces.push_back(std::move(surface));
+  }
+}
+
+}

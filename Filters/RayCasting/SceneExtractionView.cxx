@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionView.h"
+
+#include "vtkCamera.h"
+#include "vtkCollection.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Nothing nearer than this is drawn, in scene units: the scene's far end is at about 1.
+constexpr double NearestDistance = 1e-6;
+
+glm::dvec3 ToVector(const double x[3])
+{
+  return { x[0], x[1], x[2] };
+}
+
+bool IsFinite(const double bounds[6])
+{
+  return std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }) &&
+    bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+
+/// A power of two (so that scaling rounds nothing) that brings the far end of the scene to about 1.
+double ChooseScale(glm::dvec3 eye, const double bounds[6], double fallback)
+{
+  double reach = 0.0;
+  if (IsFinite(bounds))
+  {
+    const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+    const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+    reach = glm::length(glm::max(glm::abs(low - eye), glm::abs(high - eye)));
+  }
+  if (!(reach > 0.0) || !std::isfinite(reach))
+  {
+    reach = fallback;
+  }
+  return std::exp2(-std::round(std::log2(std::clamp(reach, 1e-290, 1e290))));
+}
+
+/// From world to view coordinates: axes and eye of the camera. False where it is no rigid motion
+/// with uniform scaling.
+bool SetPose(vtkMatrix4x4* view, Camera& eye, glm::dvec3& position)
+{
+  glm::dvec3 rows[3];
+  glm::dvec3 shift;
+  for (int i = 0; i < 3; ++i)
+  {
+    rows[i] = { view->GetElement(i, 0), view->GetElement(i, 1), view->GetElement(i, 2) };
+    shift[i] = view->GetElement(i, 3);
+  }
+  const double length = glm::length(rows[0]);
+  eye.Right = rows[0] / length;
+  eye.Up = rows[1] / length;
+  eye.Forward = -rows[2] / length;
+  position = -(shift.x * rows[0] + shift.y * rows[1] + shift.z * rows[2]) / (length * length);
+  const double tolerance = 1e-6;
+  return std::abs(glm::length(eye.Up) - 1.0) < tolerance &&
+    std::abs(glm::length(eye.Forward) - 1.0) < tolerance &&
+    std::abs(glm::dot(eye.Right, eye.Up)) < tolerance &&
+    glm::length(glm::cross(eye.Right, eye.Up) + eye.Forward) < tolerance;
+}
+
+/// Pixel size and centre from a projection matrix of VTK's: perspective or parallel, both possibly
+/// off-centre. False where it is anything else.
+bool SetLens(vtkMatrix4x4* projection, Camera& eye)
+{
+  const auto p = [&](int i, int j) { return projection->GetElement(i, j); };
+  eye.Parallel = p(3, 3) != 0.0;
+  const double w = eye.Parallel ? p(3, 3) : -p(3, 2);
+  const double horizontal = 2.0 * w / (p(0, 0) * eye.Width);
+  const double vertical = 2.0 * w / (p(1, 1) * eye.Height);
+  eye.PixelSize = vertical;
+  const glm::dvec2 shift =
+    eye.Parallel ? glm::dvec2(p(0, 3), p(1, 3)) / w : -glm::dvec2(p(0, 2), p(1, 2)) / w;
+  eye.Center = .5 * glm::dvec2(eye.Width, eye.Height) * (1.0 + shift);
+  return p(0, 1) == 0.0 && p(1, 0) == 0.0 && p(3, 0) == 0.0 && p(3, 1) == 0.0 &&
+    (eye.Parallel ? p(0, 2) == 0.0 && p(1, 2) == 0.0 : p(0, 3) == 0.0 && p(1, 3) == 0.0) &&
+    std::abs(horizontal - vertical) < 1e-6 * std::abs(vertical);
+}
+
+void SetOrigin(glm::dvec3 position, const double bounds[6], double fallback, Scene& scene)
+{
+  scene.Origin = position;
+  scene.Scale = ChooseScale(position, bounds, fallback);
+  scene.Eye.Position = glm::dvec3(0.0);
+  scene.Eye.Near = scene.Eye.Parallel ? 0.0 : NearestDistance;
+  if (scene.Eye.Parallel)
+  {
+    scene.Eye.PixelSize *= scene.Scale;
+  }
+}
+
+/// Where the light stands and where it shines, in world coordinates.
+void PlaceLight(vtkRenderer* renderer, vtkLight* light, double position[3], double focus[3])
+{
+  vtkCamera* camera = renderer->IsActiveCameraCreated() ? renderer->GetActiveCamera() : nullptr;
+  const bool follows = renderer->GetLightFollowCamera() && camera;
+  if (follows && light->LightTypeIsHeadlight())
+  {
+    camera->GetPosition(position);
+    camera->GetFocalPoint(focus);
+  }
+  else if (follows && light->LightTypeIsCameraLight())
+  {
+    vtkMatrix4x4* toWorld = camera->GetCameraLightTransformMatrix();
+    double x[4] = { 0.0, 0.0, 0.0, 1.0 };
+    light->GetPosition(x);
+    toWorld->MultiplyPoint(x, x);
+    std::copy(x, x + 3, position);
+    light->GetFocalPoint(x);
+    x[3] = 1.0;
+    toWorld->MultiplyPoint(x, x);
+    std::copy(x, x + 3, focus);
+  }
+  else
+  {
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focus);
+  }
+}
+
+Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const Scene& scene)
+{
+  double position[3];
+  double focus[3];
+  PlaceLight(renderer, light, position, focus);
+  Light result;
+  result.Headlight = light->LightTypeIsHeadlight() && !light->GetPositional();
+  result.CastsShadow = !light->LightTypeIsHeadlight();
+  if (light->GetPositional())
+  {
+    // VTK's rule: an angle of 90 degrees or more is no cone at all.
+    const double angle = light->GetConeAngle();
+    result.Kind = angle < 90.0 ? Light::Kinds::Spot : Light::Kinds::Positional;
+    result.ConeCosine = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle)));
+    result.Exponent = static_cast<float>(light->GetExponent());
+  }
+  result.Position = (ToVector(position) - scene.Origin) * scene.Scale;
+  const glm::dvec3 way = ToVector(focus) - ToVector(position);
+  const double length = glm::length(way);
+  result.Direction = glm::vec3(length > 0.0 ? way / length : scene.Eye.Forward);
+  const glm::dvec3 color = ToVector(light->GetDiffuseColor()) * light->GetIntensity();
+  // VTK's shaders light highlights with the diffuse colour too.
+  result.DiffuseColor = color;
+  result.SpecularColor = color;
+  const double* attenuation = light->GetAttenuationValues();
+  result.Attenuation = glm::dvec3(
+    attenuation[0], attenuation[1] / scene.Scale, attenuation[2] / (scene.Scale * scene.Scale));
+  return result;
+}
+
+}
+
+void ExtractCamera(
+  vtkRenderer* renderer, const double bounds[6], const ExtractionOptions& options, Scene& scene)
+{
+  if (!renderer->IsActiveCameraCreated())
+  {
+    ResetCamera(bounds, options, scene);
+    return;
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (camera->GetStereo())
+  {
+    scene.Warnings.emplace_back("Stereo is not supported: one eye is drawn.");
+  }
+  scene.Eye.Width = options.Resolution[0];
+  scene.Eye.Height = options.Resolution[1];
+  glm::dvec3 position;
+  const double aspect = static_cast<double>(scene.Eye.Width) / scene.Eye.Height;
+  const bool rigid = SetPose(camera->GetModelViewTransformMatrix(), scene.Eye, position);
+  const bool plain = SetLens(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.Eye);
+  if (!rigid || !plain)
+  {
+    scene.Warnings.emplace_back(
+      "Cameras that shear, mirror or stretch are not supported: the view is drawn without.");
+  }
+  SetOrigin(position, bounds, camera->GetDistance(), scene);
+}
+
+void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene& scene)
+{
+  const bool any = IsFinite(bounds);
+  const glm::dvec3 low = any ? glm::dvec3(bounds[0], bounds[2], bounds[4]) : glm::dvec3(-.5);
+  const glm::dvec3 high = any ? glm::dvec3(bounds[1], bounds[3], bounds[5]) : glm::dvec3(.5);
+  const double radius = low == high ? .5 : .5 * glm::length(high - low);
+  Camera& eye = scene.Eye;
+  eye = Camera();
+  eye.Width = options.Resolution[0];
+  eye.Height = options.Resolution[1];
+  eye.Center = .5 * glm::dvec2(eye.Width, eye.Height);
+  // VTK's view angle is 30 degrees, and its sphere touches the narrower pair of sides.
+  const double half = std::tan(vtkMath::RadiansFromDegrees(15.0));
+  eye.PixelSize = 2.0 * half / eye.Height;
+  const double aspect = static_cast<double>(eye.Width) / eye.Height;
+  const double distance = radius / std::sin(std::atan(half * std::min(aspect, 1.0)));
+  const glm::dvec3 position = .5 * (low + high) + glm::dvec3(0.0, 0.0, distance);
+  SetOrigin(position, bounds, distance, scene);
+}
+
+Light MakeHeadlight(const Scene& scene)
+{
+  Light light;
+  light.Direction = scene.Eye.Forward;
+  light.Headlight = true;
+  light.CastsShadow = false;
+  return light;
+}
+
+void ExtractLights(vtkRenderer* renderer, Scene& scene)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator position;
+  lights->InitTraversal(position);
+  while (vtkLight* light = lights->GetNextLight(position))
+  {
+    if (light->GetSwitch())
+    {
+      scene.Lights.push_back(ConvertLight(renderer, light, scene));
+    }
+  }
+  if (scene.Lights.empty() && renderer->GetAutomaticLightCreation())
+  {
+    scene.Lights.push_back(MakeHeadlight(scene));
+  }
+}
+
+void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
+{
+  if (!options.Background)
+  {
+    return;
+  }
+  scene.Behind.Bottom = glm::vec4(ToVector(renderer->GetBackground()), 1.0);
+  scene.Behind.Top = scene.Behind.Bottom;
+  if (renderer->GetGradientBackground())
+  {
+    scene.Behind.Top = glm::vec4(ToVector(renderer->GetBackground2()), 1.0);
+  }
+  if (renderer->GetTexturedBackground())
+  {
+    scene.Warnings.emplace_back(
+      "A textured background is not supported: the background colour is drawn.");
+  }
+}
+
+}

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every scene here is drawn by VTK's rasteriser too: inside cells both agree to 2/255.
+#include "Shading.h"
+
+#include "RasterComparison.h"
+#include "SceneExtraction.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkCubeSource.h"
+#include "vtkDataSetMapper.h"
+#include "vtkDoubleArray.h"
+#include "vtkElevationFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLookupTable.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPointDataToCellData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+using namespace penumbra;
+
+namespace
+{
+
+/// A sphere of large cells, with smooth normals.
+vtkSmartPointer<vtkPolyData> Sphere(int resolution = 8)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> WithElevation(vtkPolyData* data)
+{
+  vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputData(data);
+  elevation->SetLowPoint(-.3, 0., -.5);
+  elevation->SetHighPoint(.2, .1, .5);
+  elevation->Update();
+  return vtkPolyData::SafeDownCast(elevation->GetOutput());
+}
+
+/// One actor seen from a side that no symmetry favours.
+class ShadingOfActor : public ::testing::Test
+{
+public:
+  void Show(vtkPolyData* data)
+  {
+    this->Mapper->SetInputData(data);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer()->AddActor(this->Actor);
+    this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+    this->Renderer()->GetActiveCamera()->SetViewUp(.1, 1.0, 0.0);
+    this->Renderer()->ResetCamera();
+  }
+
+  void ExpectSamePicture(bool byCell = true, int pixels = 500)
+  {
+    const RasterComparison::Result result = this->Pictures.Compare(byCell);
+    EXPECT_GE(result.Pixels, pixels);
+    EXPECT_LE(result.Largest, 2.0)
+      << result.Different << " of " << result.Pixels << " pixels differ, most at "
+      << result.Where[0] << ", " << result.Where[1];
+    EXPECT_TRUE(result.Scene.Warnings.empty()) << result.Scene.Warnings.front();
+  }
+
+  vtkRenderer* Renderer() { return this->Pictures.Renderer; }
+  vtkProperty* Property() { return this->Actor->GetProperty(); }
+
+  RasterComparison Pictures;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkPolyDataMapper> Mapper;
+};
+
+}
+
+TEST_F(ShadingOfActor, IsVTKsWhenSmooth)
+{
+  this->Show(Sphere());
+  this->Property()->SetColor(.9, .5, .2);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWhenFlat)
+{
+  this->Show(Sphere());
+  this->Property()->SetInterpolationToFlat();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithoutNormals)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  cube->GetOutput()->GetPointData()->SetNormals(nullptr);
+  this->Show(cube->GetOutput());
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithNormalsOfCells)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(Sphere());
+  normals->ComputePointNormalsOff();
+  normals->ComputeCellNormalsOn();
+  normals->Update();
+  normals->GetOutput()->GetPointData()->SetNormals(nullptr);
+  this->Show(normals->GetOutput());
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithAmbientLightAndHighlight)
+{
+  this->Show(Sphere());
+  this->Property()->SetAmbient(.2);
+  this->Property()->SetAmbientColor(.1, .9, .4);
+  this->Property()->SetDiffuse(.6);
+  this->Property()->SetSpecular(.5);
+  this->Property()->SetSpecularColor(1.0, .8, .1);
+  this->Property()->SetSpecularPower(15.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithoutLighting)
+{
+  this->Show(Sphere());
+  this->Property()->SetAmbient(.3);
+  this->Property()->SetDiffuse(.6);
+  this->Property()->SetColor(.9, .5, .2);
+  this->Property()->LightingOff();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithColorsOfPoints)
+{
+  this->Show(WithElevation(Sphere()));
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithColorsOfCells)
+{
+  vtkNew<vtkPointDataToCellData> cells;
+  cells->SetInputData(WithElevation(Sphere()));
+  cells->PassPointDataOff();
+  cells->Update();
+  this->Show(vtkPolyData::SafeDownCast(cells->GetOutput()));
+  this->Property()->SetInterpolationToFlat();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWhenScalarsAreInterpolatedBeforeMapping)
+{
+  this->Show(WithElevation(Sphere()));
+  this->Mapper->InterpolateScalarsBeforeMappingOn();
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  table->Build();
+  this->Mapper->SetLookupTable(table);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithALogarithmicTableAndNaN)
+{
+  vtkSmartPointer<vtkPolyData> data = WithElevation(Sphere());
+  data->GetPointData()->GetScalars()->SetComponent(5, 0, std::nan(""));
+  this->Show(data);
+  vtkNew<vtkLookupTable> table;
+  table->SetScaleToLog10();
+  table->SetNanColor(.9, .1, .9, 1.0);
+  this->Mapper->SetLookupTable(table);
+  this->Mapper->SetScalarRange(.05, 1.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithCategories)
+{
+  vtkSmartPointer<vtkPolyData> data = Sphere();
+  vtkNew<vtkDoubleArray> kinds;
+  kinds->SetName("kinds");
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    kinds->InsertNextValue(i % 5);
+  }
+  data->GetCellData()->SetScalars(kinds);
+  this->Show(data);
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    table->SetTableValue(i, i == 0, i == 1, i == 2);
+    table->SetAnnotation(vtkVariant(2 * i), "kind");
+  }
+  table->SetIndexedLookup(true);
+  this->Mapper->SetLookupTable(table);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsInsideWithABackfaceProperty)
+{
+  this->Show(Sphere());
+  this->Property()->SetFrontfaceCulling(true);
+  vtkNew<vtkProperty> back;
+  back->SetColor(.1, .8, .3);
+  back->SetSpecular(.4);
+  back->SetSpecularPower(4.0);
+  this->Actor->SetBackfaceProperty(back);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWhenMirrored)
+{
+  this->Show(Sphere());
+  this->Actor->SetScale(-1.0, 1.2, .8);
+  this->Actor->RotateX(20.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsUnderALightKit)
+{
+  this->Show(Sphere());
+  this->Property()->SetSpecular(.3);
+  this->Property()->SetSpecularPower(8.0);
+  vtkNew<vtkLight> key;
+  key->SetLightTypeToCameraLight();
+  key->SetPosition(1.0, 1.0, .5);
+  key->SetColor(1.0, .8, .7);
+  key->SetIntensity(.8);
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToSceneLight();
+  fill->SetPosition(-3.0, 1.0, 2.0);
+  fill->SetIntensity(.5);
+  vtkNew<vtkLight> off;
+  off->SwitchOff();
+  this->Renderer()->AddLight(key);
+  this->Renderer()->AddLight(fill);
+  this->Renderer()->AddLight(off);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsUnderPositionalLightsAndSpots)
+{
+  this->Show(Sphere());
+  this->Property()->SetSpecular(.3);
+  this->Property()->SetSpecularPower(8.0);
+  vtkNew<vtkLight> lamp;
+  lamp->PositionalOn();
+  lamp->SetPosition(2.0, 1.0, .5);
+  lamp->SetConeAngle(100.0);
+  lamp->SetAttenuationValues(.5, .2, .1);
+  vtkNew<vtkLight> spot;
+  spot->PositionalOn();
+  spot->SetPosition(0.0, 1.5, 2.0);
+  spot->SetFocalPoint(.1, .2, 0.0);
+  spot->SetConeAngle(12.0);
+  spot->SetExponent(3.0);
+  spot->SetColor(.2, .3, 1.0);
+  this->Renderer()->AddLight(lamp);
+  this->Renderer()->AddLight(spot);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsUnderAParallelCamera)
+{
+  this->Show(Sphere());
+  this->Renderer()->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer()->GetActiveCamera()->SetWindowCenter(.2, -.1);
+  this->Property()->SetInterpolationToFlat();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsOffCentreWithAHorizontalAngle)
+{
+  this->Show(Sphere());
+  this->Renderer()->GetActiveCamera()->SetWindowCenter(.2, -.1);
+  this->Renderer()->GetActiveCamera()->UseHorizontalViewAngleOn();
+  this->Renderer()->GetActiveCamera()->Roll(20.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsOverAGradient)
+{
+  this->Show(Sphere());
+  this->Renderer()->GradientBackgroundOn();
+  this->Renderer()->SetBackground2(.9, .1, .1);
+  this->Property()->SetOpacity(.3);
+  this->Property()->BackfaceCullingOn();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithATexture)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  this->Show(plane->GetOutput());
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 3, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (vtkIdType i = 0; i < 36; ++i)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(i / 3, i % 3, (i * 67) % 256);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  this->Actor->SetTexture(texture);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsBehindClippingPlanes)
+{
+  this->Show(Sphere(6));
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(.1, 0.0, 0.0);
+  plane->SetNormal(-1.0, .3, -.2);
+  this->Mapper->AddClippingPlane(plane);
+  this->ExpectSamePicture(true, 300);
+}
+
+TEST_F(ShadingOfActor, IsVTKsInAnAssemblyOfTransformedParts)
+{
+  this->Show(Sphere());
+  this->Renderer()->RemoveActor(this->Actor);
+  vtkNew<vtkAssembly> inner;
+  inner->AddPart(this->Actor);
+  inner->RotateY(30.0);
+  inner->SetScale(.7, 1.0, 1.1);
+  vtkNew<vtkAssembly> outer;
+  outer->AddPart(inner);
+  outer->AddPosition(.1, .05, 0.0);
+  this->Renderer()->AddActor(outer);
+  this->ExpectSamePicture(true, 300);
+}
