@@ -2,10 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceSource
- * @brief   Who answers: how much of the sky does a point see?
+ * @brief   Who answers: how much of the sky does a point not see?
  *
- * Shading asks a source for the blocked share of the sky above points. The default source is
- * brute force; caches are others.
+ * Shading asks a source for the occlusion of points: the share of the cosine-weighted hemisphere
+ * above the point in which something is met nearer than a radius,
+ *
+ *   AO(p, n) = 1/pi * integral over directions w with w.n > 0 of D(t(p, w)) (w.n) dw,
+ *
+ * D = 1 for t < Radius, 0 beyond; 0 is open, 1 is blocked. Surfaces block from both sides; lines
+ * and points do not block. The default source, vtkPenumbraBruteForceSource, shoots rays for every
+ * point; a source may also keep what it found and interpolate.
+ *
+ * Use: Begin() once per picture, then Occlusion() from any number of threads at once. The same
+ * point must get the same answer whatever was asked before, on any thread: pictures must not
+ * depend on the number of threads or on tiles.
  */
 #ifndef vtkPenumbraIrradianceSource_h
 #define vtkPenumbraIrradianceSource_h
@@ -13,10 +23,36 @@
 #include "vtkObject.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
 
+namespace penumbra
+{
+class RayScene;
+}
+
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraIrradianceSource : public vtkObject
 {
 public:
   vtkAbstractTypeMacro(vtkPenumbraIrradianceSource, vtkObject);
+
+  /** An answer: the value, its standard error as far as the source can tell, rays traced for it. */
+  struct Estimate
+  {
+    double Value = 0.0;
+    double Error = 0.0;
+    long long Rays = 0;
+  };
+
+  /**
+   * Questions about `scene` follow: occluders within `radius` (world units, may be infinite),
+   * answers with a standard error of at most `tolerance`. The scene must stay until the next
+   * Begin().
+   */
+  virtual void Begin(const penumbra::RayScene& scene, double radius, double tolerance) = 0;
+
+  /**
+   * Occlusion at `point` (world coordinates) under the hemisphere about `normal` (unit). The
+   * caller chooses the side: pictures ask about the geometric normal that faces the eye.
+   */
+  virtual Estimate Occlusion(const double point[3], const double normal[3]) const = 0;
 
 protected:
   vtkPenumbraIrradianceSource() = default;

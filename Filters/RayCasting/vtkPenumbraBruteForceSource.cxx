@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPenumbraBruteForceSource.h"
+
+#include "RayScene.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+vtkStandardNewMacro(vtkPenumbraBruteForceSource);
+
+namespace
+{
+
+using penumbra::Ray;
+using penumbra::RayScene;
+using Estimate = vtkPenumbraIrradianceSource::Estimate;
+
+/// Cells along a side of the first grid: 32 rays.
+constexpr int FirstGrid = 4;
+
+/// Even where all of n rays agree something may hide between them: its share is taken to be this
+/// over n.
+constexpr double HiddenShare = 0.25;
+
+/// Cells on a border that are counted as differing whatever their rays say; measured by the test
+/// ReportsAnErrorThatIsTrue.
+constexpr double LuckAllowance = 3.0;
+
+/// A good 32-bit mixing function (multiplications and shifts only, the same everywhere).
+std::uint32_t Mix(std::uint32_t x)
+{
+  x ^= x >> 16;
+  x *= 0x7feb352du;
+  x ^= x >> 15;
+  x *= 0x846ca68bu;
+  x ^= x >> 16;
+  return x;
+}
+
+std::uint32_t SeedOf(glm::vec3 point, glm::vec3 normal)
+{
+  const float values[6] = { point.x, point.y, point.z, normal.x, normal.y, normal.z };
+  std::uint32_t seed = 0x9e3779b9u;
+  for (const float value : values)
+  {
+    std::uint32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    seed = Mix(seed ^ bits);
+  }
+  return seed;
+}
+
+/// Uniform in [0, 1).
+float Uniform(std::uint32_t& state)
+{
+  state += 0x9e3779b9u;
+  return static_cast<float>(Mix(state) >> 8) * 0x1p-24f;
+}
+
+/// From the unit square to the unit disc, areas in proportion and neighbours kept together.
+glm::vec2 ToDisc(float u, float v)
+{
+  const float a = 2.f * u - 1.f;
+  const float b = 2.f * v - 1.f;
+  if (a == 0.f && b == 0.f)
+  {
+    return glm::vec2(0.f);
+  }
+  const float quarter = 0.785398163f;
+  const bool wide = std::abs(a) > std::abs(b);
+  const float radius = wide ? a : b;
+  const float angle = wide ? quarter * (b / a) : 2.f * quarter - quarter * (a / b);
+  return radius * glm::vec2(std::cos(angle), std::sin(angle));
+}
+
+/// Asks rays above one point.
+class Hemisphere
+{
+public:
+  Hemisphere(const RayScene& rays, glm::vec3 point, glm::vec3 normal, float reach)
+    : Rays(rays),
+      Normal(normal),
+      State(SeedOf(point, normal))
+  {
+    const glm::vec3 other =
+      std::abs(normal.x) < .5f ? glm::vec3(1.f, 0.f, 0.f) : glm::vec3(0.f, 1.f, 0.f);
+    this->Tangent = glm::normalize(glm::cross(normal, other));
+    this->Bitangent = glm::cross(normal, this->Tangent);
+    // Above the rounding of positions, so that a surface does not block itself.
+    const glm::vec3 size = glm::abs(point);
+    const float gap = 1e-5f * std::max(std::max(size.x, size.y), std::max(size.z, 1e-6f));
+    this->Probe.Origin = point + gap * normal;
+    this->Probe.Far = reach;
+  }
+
+  /// One grid of `side` x `side` cells, two rays a cell.
+  Estimate Ask(int side)
+  {
+    int blocked = 0;
+    int differing = 0;
+    for (int i = 0; i < side * side; ++i)
+    {
+      const bool first = this->IsBlocked(i % side, i / side, side);
+      const bool second = this->IsBlocked(i % side, i / side, side);
+      blocked += first + second;
+      differing += first != second;
+    }
+    // A cell's mean of two has the variance (difference / 2)^2 by the two's own evidence. Where a
+    // border is about, some cells that it crosses agree by chance; stopping on such luck would
+    // make the reported error too small, hence the allowance.
+    const double cells = static_cast<double>(side) * side;
+    const bool border = blocked > 0 && blocked < 2 * side * side;
+    Estimate result;
+    result.Rays = 2LL * side * side;
+    result.Value = blocked / (2.0 * cells);
+    result.Error = std::sqrt((differing + (border ? LuckAllowance : 0.0)) * .25) / cells;
+    return result;
+  }
+
+private:
+  bool IsBlocked(int i, int j, int side)
+  {
+    const float u = (static_cast<float>(i) + Uniform(this->State)) / static_cast<float>(side);
+    const float v = (static_cast<float>(j) + Uniform(this->State)) / static_cast<float>(side);
+    const glm::vec2 disc = ToDisc(u, v);
+    const float height = std::sqrt(std::max(0.f, 1.f - glm::dot(disc, disc)));
+    this->Probe.Direction =
+      disc.x * this->Tangent + disc.y * this->Bitangent + height * this->Normal;
+    return this->Rays.Occluded(this->Probe);
+  }
+
+  const RayScene& Rays;
+  glm::vec3 Normal;
+  glm::vec3 Tangent;
+  glm::vec3 Bitangent;
+  Ray Probe;
+  std::uint32_t State;
+};
+
+}
+
+void vtkPenumbraBruteForceSource::Begin(
+  const penumbra::RayScene& scene, double radius, double tolerance)
+{
+  this->Rays = &scene;
+  this->Radius = radius;
+  this->Tolerance = tolerance;
+}
+
+vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::Occlusion(
+  const double point[3], const double normal[3]) const
+{
+  const penumbra::Scene& scene = this->Rays->GetScene();
+  const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
+  Hemisphere hemisphere(*this->Rays, position, glm::vec3(normal[0], normal[1], normal[2]),
+    static_cast<float>(this->Radius * scene.Scale));
+
+  // The error of a grid falls with its rays to the power 3/4 (only cells on the border of an
+  // occluder contribute), so grids are averaged with weights of rays to the power 3/2.
+  Estimate total;
+  double weights = 0.0;
+  double variance = 0.0;
+  for (int side = FirstGrid;; side = side * 3 / 2)
+  {
+    const Estimate grid = hemisphere.Ask(side);
+    const auto rays = static_cast<double>(grid.Rays);
+    const double weight = std::pow(rays, 1.5);
+    weights += weight;
+    total.Value += (grid.Value - total.Value) * weight / weights;
+    variance += weight * weight * grid.Error * grid.Error;
+    total.Rays += grid.Rays;
+    const double seen = std::sqrt(variance) / weights;
+    const double hidden = HiddenShare / static_cast<double>(total.Rays);
+    total.Error = std::sqrt(seen * seen + hidden * hidden);
+    if (total.Error <= this->Tolerance || total.Rays >= this->MaximumRays)
+    {
+      return total;
+    }
+  }
+}
+
+void vtkPenumbraBruteForceSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumRays: " << this->MaximumRays << "\n";
+}

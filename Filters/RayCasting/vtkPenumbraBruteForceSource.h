@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraBruteForceSource
+ * @brief   Occlusion by rays alone: no cache, no bias, the truth for every other source.
+ *
+ * The hemisphere is cut into a grid of cells of equal weight with two jittered rays each. Where
+ * the two differ they tell the error; the grid is refined until the error is within the tolerance
+ * or MaximumRays is reached. The jitter is a function of the point alone.
+ */
+#ifndef vtkPenumbraBruteForceSource_h
+#define vtkPenumbraBruteForceSource_h
+
+#include "vtkPenumbraIrradianceSource.h"
+
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraBruteForceSource
+  : public vtkPenumbraIrradianceSource
+{
+public:
+  static vtkPenumbraBruteForceSource* New();
+  vtkTypeMacro(vtkPenumbraBruteForceSource, vtkPenumbraIrradianceSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** No more rays than about this for one point, 32 to 2^24. Default: 16384. */
+  vtkSetClampMacro(MaximumRays, int, 32, 1 << 24);
+  vtkGetMacro(MaximumRays, int);
+  ///@}
+
+  void Begin(const penumbra::RayScene& scene, double radius, double tolerance) override;
+  Estimate Occlusion(const double point[3], const double normal[3]) const override;
+
+protected:
+  vtkPenumbraBruteForceSource() = default;
+  ~vtkPenumbraBruteForceSource() override = default;
+
+private:
+  vtkPenumbraBruteForceSource(const vtkPenumbraBruteForceSource&) = delete;
+  void operator=(const vtkPenumbraBruteForceSource&) = delete;
+
+  const penumbra::RayScene* Rays = nullptr;
+  double Radius = 0.0;
+  double Tolerance = 0.01;
+  int MaximumRays = 16384;
+};
+
+#endif
