@@ -143,6 +143,13 @@ public:
   ///@}
 
   ///@{
+  /** Trace corner rays 16 at a time; off only to measure what that gains. Default: on. */
+  vtkSetMacro(Packets, bool);
+  vtkGetMacro(Packets, bool);
+  vtkBooleanMacro(Packets, bool);
+  ///@}
+
+  ///@{
   /** Threads, 0: all. The picture does not depend on it. Default: 0. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -196,6 +203,7 @@ private:
   double AmbientOcclusionStrength = -1.0;
   bool GeometryArrays = false;
   bool Background = true;
+  bool Packets = true;
   int NumberOfThreads = 0;
   int DPI = 72;
 };

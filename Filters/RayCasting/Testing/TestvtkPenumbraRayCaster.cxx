@@ -2,19 +2,205 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraRayCaster.h"
 
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
-TEST(vtkPenumbraRayCaster, HasTheResolutionAskedFor)
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+
+/// Three spheres, one of them coloured, one in front of another, lit by the headlight.
+class SpheresTest : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Add(0.0, 0.0, 0.0, 12, { 1.0, 1.0, 1.0 });
+    this->Add(0.7, 0.2, 0.5, 24, { 0.9, 0.3, 0.1 });
+    this->Add(-0.9, 0.6, -0.4, 16, { 0.2, 0.4, 0.8 });
+    this->Renderer->SetBackground(0.1, 0.2, 0.3);
+    this->Renderer->GetActiveCamera()->SetPosition(0.3, -0.4, 6.0);
+    this->Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.1, 0.0);
+    this->Caster->SetRenderer(this->Renderer);
+    this->Caster->SetResolution(101, 75);
+  }
+
+  void Add(double x, double y, double z, int resolution, std::array<double, 3> color)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(x, y, z);
+    sphere->SetThetaResolution(resolution);
+    sphere->SetPhiResolution(resolution);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+    actor->GetProperty()->SetInterpolationToFlat();
+    this->Renderer->AddActor(actor);
+  }
+
+  vtkFloatArray* Array(const char* name)
+  {
+    return vtkFloatArray::SafeDownCast(this->Caster->GetOutput()->GetPointData()->GetArray(name));
+  }
+
+  double Statistic(const char* name)
+  {
+    return this->Caster->GetStatistics()->GetArray(name)->GetTuple1(0);
+  }
+
+  std::vector<float> Render()
+  {
+    this->Caster->UpdateWholeExtent();
+    vtkFloatArray* color = this->Array("Color");
+    return std::vector<float>(
+      color->GetPointer(0), color->GetPointer(0) + color->GetNumberOfValues());
+  }
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkPenumbraRayCaster> Caster;
+};
+
+}
+
+TEST_F(SpheresTest, HasTheResolutionAskedFor)
+{
+  this->Render();
+  int dimensions[3];
+  this->Caster->GetOutput()->GetDimensions(dimensions);
+  EXPECT_EQ(dimensions[0], 101);
+  EXPECT_EQ(dimensions[1], 75);
+  EXPECT_EQ(dimensions[2], 1);
+}
+
+TEST_F(SpheresTest, AreTheSameForAnyNumberOfThreads)
+{
+  this->Caster->SetNumberOfThreads(1);
+  const std::vector<float> one = this->Render();
+  for (int threads : { 2, 3, 8 })
+  {
+    this->Caster->SetNumberOfThreads(threads);
+    const std::vector<float> many = this->Render();
+    EXPECT_EQ(0, std::memcmp(one.data(), many.data(), one.size() * sizeof(float))) << threads;
+  }
+}
+
+TEST_F(SpheresTest, AreTheSameInAnyTiling)
+{
+  for (int method : { vtkPenumbraRayCaster::SILHOUETTES, vtkPenumbraRayCaster::SUBDIVISION })
+  {
+    this->Caster->SetCoverageMethod(method);
+    const std::vector<float> whole = this->Render();
+    const int tiles[][4] = { { 0, 40, 0, 33 }, { 41, 100, 0, 33 }, { 0, 6, 34, 74 },
+      { 7, 100, 34, 74 }, { 50, 50, 37, 37 } };
+    for (const auto& tile : tiles)
+    {
+      const int extent[6] = { tile[0], tile[1], tile[2], tile[3], 0, 0 };
+      this->Caster->Modified();
+      this->Caster->UpdateExtent(extent);
+      int got[6];
+      this->Caster->GetOutput()->GetExtent(got);
+      ASSERT_TRUE(std::equal(got, got + 6, extent));
+      const float* part = this->Array("Color")->GetPointer(0);
+      const int width = tile[1] - tile[0] + 1;
+      for (int y = tile[2]; y <= tile[3]; ++y)
+      {
+        EXPECT_EQ(0,
+          std::memcmp(part + 4 * width * (y - tile[2]), whole.data() + 4 * (101 * y + tile[0]),
+            4 * width * sizeof(float)))
+          << "row " << y << " from " << tile[0];
+      }
+    }
+  }
+}
+
+TEST_F(SpheresTest, AgreeWithManyUniformSamples)
+{
+  const std::vector<float> exact = this->Render();
+  this->Caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+  this->Caster->SetUniformSamples(32);
+  const std::vector<float> samples = this->Render();
+  double squares = 0.0;
+  float worst = 0.f;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    squares += (exact[i] - samples[i]) * (exact[i] - samples[i]);
+    worst = std::max(worst, std::abs(exact[i] - samples[i]));
+  }
+  EXPECT_LT(std::sqrt(squares / exact.size()), 5e-4);
+  EXPECT_LT(worst, 0.02f); // 32 samples along a border are off by up to 1/64 themselves
+}
+
+TEST_F(SpheresTest, CountEachPixelOnce)
+{
+  this->Render();
+  EXPECT_EQ(this->Statistic("Rays/Primary"), 102.0 * 76.0);
+  EXPECT_EQ(this->Statistic("Pixels/Empty") + this->Statistic("Pixels/Interior") +
+      this->Statistic("Pixels/Border") + this->Statistic("Pixels/Small") +
+      this->Statistic("Pixels/Refined") + this->Statistic("Pixels/Uniform"),
+    101.0 * 75.0);
+  EXPECT_LT(this->Statistic("Rays/PerPixel"), 2.0);
+}
+
+TEST_F(SpheresTest, WithoutBackgroundComposeOverAnyColour)
+{
+  this->Caster->BackgroundOff();
+  const std::vector<float> bare = this->Render();
+  this->Caster->BackgroundOn();
+  const std::vector<float> direct = this->Render();
+  const float behind[3] = { 0.1f, 0.2f, 0.3f };
+  for (std::size_t i = 0; i < bare.size(); i += 4)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(
+        bare[i + c] * bare[i + 3] + behind[c] * (1.f - bare[i + 3]), direct[i + c], 1.f / 255.f);
+    }
+  }
+}
+
+TEST_F(SpheresTest, StopWhenAskedTo)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
+  });
+  this->Caster->AddObserver(vtkCommand::ProgressEvent, stop);
+  this->Caster->Update();
+  EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST_F(SpheresTest, RenderAgainWhenTheSceneChanges)
+{
+  const std::vector<float> before = this->Render();
+  this->Renderer->GetActiveCamera()->Azimuth(10.0);
+  EXPECT_NE(before, this->Render());
+}
+
+TEST(vtkPenumbraRayCaster, TakesTheLevelFromTheEyesResolution)
 {
   vtkNew<vtkPenumbraRayCaster> caster;
-  caster->SetResolution(17, 5);
-  caster->Update();
-  int dimensions[3];
-  caster->GetOutput()->GetDimensions(dimensions);
-  EXPECT_EQ(dimensions[0], 17);
-  EXPECT_EQ(dimensions[1], 5);
-  EXPECT_EQ(dimensions[2], 1);
+  // A display of 2^-10 rad a pixel needs 2^3 parts a side [AA].
+  caster->SetMaximumLevelFromViewing(1024.0, 1.0);
+  EXPECT_EQ(caster->GetMaximumLevel(), 3);
+  caster->SetMaximumLevelFromViewing(8192.0, 1.0);
+  EXPECT_EQ(caster->GetMaximumLevel(), 0);
 }

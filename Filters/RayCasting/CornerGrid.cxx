@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CornerGrid.h"
+
+namespace penumbra
+{
+
+CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate)
+  : Low(low),
+    High(high),
+    FirstBlock(low / BlockSide),
+    Blocks(high / BlockSide - low / BlockSide + 1),
+    Samples(allocate ? static_cast<std::size_t>(high.x - low.x + 1) * (high.y - low.y + 1) : 0)
+{
+}
+
+void CornerGrid::TraceRow(const Sampler& sampler, int row, bool packets, RayCounts& counts)
+{
+  static_assert(BlockSide * BlockSide == Sampler::PacketSize, "one packet a block");
+  const glm::ivec2 last(sampler.GetScene().Eye.Width, sampler.GetScene().Eye.Height);
+  for (int column = 0; column < this->Blocks.x; ++column)
+  {
+    const glm::ivec2 first = (this->FirstBlock + glm::ivec2(column, row)) * BlockSide;
+    glm::dvec2 points[Sampler::PacketSize];
+    Sample samples[Sampler::PacketSize];
+    unsigned int active = 0;
+    // All corners of the block that the whole picture has, whichever part is asked for.
+    for (int i = 0; i < Sampler::PacketSize; ++i)
+    {
+      const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
+      points[i] = glm::dvec2(p);
+      active |= (p.x <= last.x && p.y <= last.y ? 1u : 0u) << i;
+    }
+    if (packets)
+    {
+      sampler.AtPacket(points, active, samples, counts);
+    }
+    for (int i = 0; i < Sampler::PacketSize; ++i)
+    {
+      const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
+      if (!(active >> i & 1u))
+      {
+        continue;
+      }
+      if (!packets)
+      {
+        samples[i] = sampler.At(points[i], counts);
+      }
+      ++counts.Primary;
+      if (p.x >= this->Low.x && p.x <= this->High.x && p.y >= this->Low.y && p.y <= this->High.y)
+      {
+        this->At(p.x, p.y) = samples[i];
+      }
+    }
+  }
+}
+
+}

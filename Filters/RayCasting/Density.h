@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces whose triangles are smaller than pixels: looking at each of their edges would cost more
+// than sampling the pixels that they touch.
+#ifndef penumbra_Density_h
+#define penumbra_Density_h
+
+#include "Scene.h"
+
+#include <vector>
+
+namespace penumbra
+{
+
+/// Is the mean triangle that the camera sees smaller than a pixel?
+bool IsDense(const Surface& surface, const Camera& camera);
+
+/// Sets the flag of every pixel of [low, high) that a triangle of `surface` may touch.
+void MarkPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, glm::ivec2 high,
+  std::vector<char>& pixels);
+
+}
+#endif

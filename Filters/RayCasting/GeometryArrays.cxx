@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GeometryArrays.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTypeInt64Array.h"
+
+#include <limits>
+#include <mutex>
+
+namespace penumbra
+{
+
+namespace
+{
+template <typename Array>
+void AddArray(Array* array, const char* name, int components, vtkImageData* image)
+{
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->AddArray(array);
+}
+}
+
+bool AddGeometryArrays(
+  const Sampler& sampler, const ProgressCallback& progress, vtkImageData* image, RayCounts& counts)
+{
+  vtkNew<vtkFloatArray> depths;
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkFloatArray> occlusions;
+  vtkNew<vtkIntArray> objects;
+  vtkNew<vtkTypeInt64Array> cells;
+  AddArray(depths.Get(), "Depth", 1, image);
+  AddArray(normals.Get(), "Normal", 3, image);
+  AddArray(objects.Get(), "ObjectId", 1, image);
+  AddArray(cells.Get(), "CellId", 1, image);
+  AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
+
+  const Scene& scene = sampler.GetScene();
+  int extent[6];
+  image->GetExtent(extent);
+  const int width = extent[1] - extent[0] + 1;
+  std::mutex totals;
+  return InBatches(extent[3] - extent[2] + 1, 0.0, 1.0, progress, [&](int row) {
+    RayCounts rowCounts;
+    for (int column = 0; column < width; ++column)
+    {
+      const vtkIdType id = static_cast<vtkIdType>(row) * width + column;
+      const glm::dvec2 p(extent[0] + column + 0.5, extent[2] + row + 0.5);
+      const Ray ray = sampler.MakeRay(p);
+      const Hit hit = sampler.FirstHit(p);
+      ++rowCounts.Auxiliary;
+      if (!hit.IsHit())
+      {
+        depths->SetValue(id, std::numeric_limits<float>::infinity());
+        normals->SetTypedComponent(id, 0, 0.f);
+        normals->SetTypedComponent(id, 1, 0.f);
+        normals->SetTypedComponent(id, 2, 0.f);
+        objects->SetValue(id, -1);
+        cells->SetValue(id, -1);
+        occlusions->SetValue(id, 0.f);
+        continue;
+      }
+      const Surface& surface = scene.Surfaces[hit.Surface];
+      const Appearance seen = sampler.GetShading().Shade(ray, hit, rowCounts.Shadow);
+      depths->SetValue(id, static_cast<float>(hit.Distance / scene.Scale));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        normals->SetTypedComponent(id, axis, seen.Normal[axis]);
+      }
+      objects->SetValue(id, surface.ObjectId);
+      cells->SetValue(id, surface.CellIds.empty() ? hit.Triangle : surface.CellIds[hit.Triangle]);
+      occlusions->SetValue(id, sampler.Occlusion(p, ray, hit, seen, rowCounts));
+    }
+    const std::lock_guard<std::mutex> lock(totals);
+    counts += rowCounts;
+  });
+}
+
+}

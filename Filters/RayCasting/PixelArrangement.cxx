@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PixelArrangement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+// Lengths, in pixels, below which two things are one: far below what a ray resolves (1e-4), far
+// above the rounding of coordinates in double.
+constexpr double Epsilon = 1e-10;
+
+double HeightAt(const PixelSegment& s, double x)
+{
+  const double u = (x - s.A.x) / (s.B.x - s.A.x);
+  return std::clamp(s.A.y + u * (s.B.y - s.A.y), 0.0, 1.0);
+}
+
+// Where two segments cross properly, the x of it; false otherwise. Shared end points are events anyway.
+bool CrossAt(const PixelSegment& s, const PixelSegment& t, double& x)
+{
+  const glm::dvec2 d = s.B - s.A;
+  const glm::dvec2 e = t.B - t.A;
+  const double denominator = d.x * e.y - d.y * e.x;
+  if (denominator == 0.0)
+  {
+    return false;
+  }
+  const glm::dvec2 w = t.A - s.A;
+  const double u = (w.x * e.y - w.y * e.x) / denominator;
+  const double v = (w.x * d.y - w.y * d.x) / denominator;
+  if (!(u > 0.0 && u < 1.0 && v > 0.0 && v < 1.0))
+  {
+    return false;
+  }
+  x = s.A.x + u * d.x;
+  return true;
+}
+}
+
+bool ClipToPixel(PixelSegment& segment)
+{
+  double enter = 0.0;
+  double leave = 1.0;
+  const glm::dvec2 d = segment.B - segment.A;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double a = segment.A[axis];
+    if (d[axis] == 0.0)
+    {
+      if (!(a > 0.0 && a < 1.0))
+      {
+        return false;
+      }
+      continue;
+    }
+    double t0 = (0.0 - a) / d[axis];
+    double t1 = (1.0 - a) / d[axis];
+    if (t0 > t1)
+    {
+      std::swap(t0, t1);
+    }
+    enter = std::max(enter, t0);
+    leave = std::min(leave, t1);
+  }
+  if (!(enter < leave))
+  {
+    return false;
+  }
+  const glm::dvec2 a = segment.A;
+  if (leave < 1.0)
+  {
+    segment.B = glm::clamp(a + leave * d, 0.0, 1.0);
+  }
+  if (enter > 0.0)
+  {
+    segment.A = glm::clamp(a + enter * d, 0.0, 1.0);
+  }
+  return glm::distance(segment.A, segment.B) > Epsilon;
+}
+
+glm::dvec2 PixelArrangement::Trapezoid::Centroid() const
+{
+  const double left = this->Top0 - this->Bottom0;
+  const double right = this->Top1 - this->Bottom1;
+  const double sum = left + right;
+  const double u = sum > 0.0 ? (left + 2.0 * right) / (3.0 * sum) : 0.5;
+  return this->At(u, 0.5);
+}
+
+void PixelArrangement::Build(const PixelSegment* segments, int count)
+{
+  this->CollectEvents(segments, count);
+  this->CutSlabs(segments, count);
+  this->JoinSlabs(segments, count);
+  this->CollectFaces();
+}
+
+void PixelArrangement::CollectEvents(const PixelSegment* segments, int count)
+{
+  this->Events.assign({ 0.0, 1.0 });
+  for (int i = 0; i < count; ++i)
+  {
+    this->Events.push_back(segments[i].A.x);
+    this->Events.push_back(segments[i].B.x);
+    for (int j = 0; j < i; ++j)
+    {
+      double x;
+      if (CrossAt(segments[i], segments[j], x))
+      {
+        this->Events.push_back(x);
+      }
+    }
+  }
+  std::sort(this->Events.begin(), this->Events.end());
+  // Join events closer than Epsilon; the first and last stay 0 and 1.
+  std::size_t kept = 0;
+  for (const double x : this->Events)
+  {
+    if (kept == 0 || x - this->Events[kept - 1] > Epsilon)
+    {
+      this->Events[kept++] = x;
+    }
+  }
+  this->Events.resize(kept);
+  this->Events.back() = 1.0;
+}
+
+void PixelArrangement::CutSlabs(const PixelSegment* segments, int count)
+{
+  this->Trapezoids.clear();
+  this->SlabBegin.assign(1, 0);
+  for (std::size_t slab = 0; slab + 1 < this->Events.size(); ++slab)
+  {
+    const double x0 = this->Events[slab];
+    const double x1 = this->Events[slab + 1];
+    const double middle = 0.5 * (x0 + x1);
+    this->Crossings.clear();
+    for (int i = 0; i < count; ++i)
+    {
+      const PixelSegment& s = segments[i];
+      if (std::min(s.A.x, s.B.x) < middle && std::max(s.A.x, s.B.x) > middle)
+      {
+        this->Crossings.push_back({ HeightAt(s, middle), HeightAt(s, x0), HeightAt(s, x1) });
+      }
+    }
+    std::sort(this->Crossings.begin(), this->Crossings.end(),
+      [](const Crossing& a, const Crossing& b) { return a.Middle < b.Middle; });
+    Trapezoid t{ x0, x1, 0.0, 0.0, 0.0, 0.0, -1 };
+    for (const Crossing& c : this->Crossings)
+    {
+      t.Top0 = std::max(c.Left, t.Bottom0);
+      t.Top1 = std::max(c.Right, t.Bottom1);
+      if (c.Middle - 0.5 * (t.Bottom0 + t.Bottom1) > Epsilon)
+      {
+        this->Trapezoids.push_back(t);
+      }
+      t.Bottom0 = t.Top0;
+      t.Bottom1 = t.Top1;
+    }
+    t.Top0 = 1.0;
+    t.Top1 = 1.0;
+    this->Trapezoids.push_back(t);
+    this->SlabBegin.push_back(static_cast<int>(this->Trapezoids.size()));
+  }
+}
+
+int PixelArrangement::Root(int trapezoid)
+{
+  while (this->Parent[trapezoid] != trapezoid)
+  {
+    this->Parent[trapezoid] = this->Parent[this->Parent[trapezoid]];
+    trapezoid = this->Parent[trapezoid];
+  }
+  return trapezoid;
+}
+
+void PixelArrangement::JoinSlabs(const PixelSegment* segments, int count)
+{
+  this->Parent.resize(this->Trapezoids.size());
+  for (std::size_t i = 0; i < this->Parent.size(); ++i)
+  {
+    this->Parent[i] = static_cast<int>(i);
+  }
+  const int slabs = static_cast<int>(this->SlabBegin.size()) - 1;
+  for (int slab = 0; slab + 1 < slabs; ++slab)
+  {
+    // Vertical segments lie between two slabs and close that part of the passage.
+    const double x = this->Events[slab + 1];
+    this->Barriers.clear();
+    for (int i = 0; i < count; ++i)
+    {
+      const PixelSegment& s = segments[i];
+      if (std::abs(s.A.x - x) <= Epsilon && std::abs(s.B.x - x) <= Epsilon)
+      {
+        this->Barriers.emplace_back(std::min(s.A.y, s.B.y), std::max(s.A.y, s.B.y));
+      }
+    }
+    std::sort(this->Barriers.begin(), this->Barriers.end(),
+      [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x; });
+    int a = this->SlabBegin[slab];
+    int b = this->SlabBegin[slab + 1];
+    while (a < this->SlabBegin[slab + 1] && b < this->SlabBegin[slab + 2])
+    {
+      const Trapezoid& left = this->Trapezoids[a];
+      const Trapezoid& right = this->Trapezoids[b];
+      double low = std::max(left.Bottom1, right.Bottom0);
+      const double high = std::min(left.Top1, right.Top0);
+      double open = 0.0;
+      for (const glm::dvec2& barrier : this->Barriers)
+      {
+        open = std::max(open, std::min(barrier.x, high) - low);
+        low = std::max(low, barrier.y);
+      }
+      open = std::max(open, high - low);
+      if (open > 10.0 * Epsilon)
+      {
+        this->Parent[this->Root(a)] = this->Root(b);
+      }
+      (left.Top1 < right.Top0 ? a : b) += 1;
+    }
+  }
+}
+
+void PixelArrangement::CollectFaces()
+{
+  this->Faces.clear();
+  const int count = static_cast<int>(this->Trapezoids.size());
+  for (int i = 0; i < count; ++i)
+  {
+    if (this->Root(i) == i)
+    {
+      this->Trapezoids[i].Face = static_cast<int>(this->Faces.size());
+      this->Faces.emplace_back();
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    Trapezoid& t = this->Trapezoids[i];
+    t.Face = this->Trapezoids[this->Root(i)].Face;
+    Face& face = this->Faces[t.Face];
+    const double area = t.Area();
+    face.Area += area;
+    face.Point += area * t.Centroid();
+  }
+  const int last = this->SlabBegin[this->SlabBegin.size() - 2];
+  this->Faces[this->Trapezoids[0].Face].Corners |= 1u;
+  this->Faces[this->Trapezoids[last].Face].Corners |= 2u;
+  this->Faces[this->Trapezoids[this->SlabBegin[1] - 1].Face].Corners |= 4u;
+  this->Faces[this->Trapezoids[count - 1].Face].Corners |= 8u;
+
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    Face& face = this->Faces[f];
+    if (face.Area > 0.0)
+    {
+      face.Point /= face.Area;
+    }
+    if (this->FaceAt(face.Point) == static_cast<int>(f))
+    {
+      continue;
+    }
+    const Trapezoid* largest = nullptr;
+    for (const Trapezoid& t : this->Trapezoids)
+    {
+      if (t.Face == static_cast<int>(f) && (!largest || t.Area() > largest->Area()))
+      {
+        largest = &t;
+      }
+    }
+    const glm::dvec2 inside = largest->Centroid();
+    face.Offset = glm::distance(inside, face.Point);
+    face.Point = inside;
+  }
+}
+
+int PixelArrangement::FaceAt(glm::dvec2 p) const
+{
+  // Inside means well inside, relative to the trapezoid's own height.
+  constexpr double Margin = 1e-3;
+  for (const Trapezoid& t : this->Trapezoids)
+  {
+    if (p.x >= t.X0 && p.x <= t.X1)
+    {
+      const double u = (p.x - t.X0) / (t.X1 - t.X0);
+      const double bottom = t.Bottom0 + u * (t.Bottom1 - t.Bottom0);
+      const double top = t.Top0 + u * (t.Top1 - t.Top0);
+      const double margin = Margin * (top - bottom);
+      if (p.y > bottom + margin && p.y < top - margin)
+      {
+        return t.Face;
+      }
+    }
+  }
+  return -1;
+}
+
+}

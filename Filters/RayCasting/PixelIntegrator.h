@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The colour of one pixel from its corners, the edges that cross it and as many more rays as the
+// tolerance asks for: the four cases of [AA], exact coverage, and error-driven refinement.
+#ifndef penumbra_PixelIntegrator_h
+#define penumbra_PixelIntegrator_h
+
+#include "CornerGrid.h"
+#include "PixelArrangement.h"
+#include "SampleCache.h"
+#include "Silhouettes.h"
+
+#include <vector>
+
+namespace penumbra
+{
+
+struct IntegrationSettings
+{
+  enum class Methods
+  {
+    Silhouettes,
+    Subdivision,
+    Uniform
+  };
+  Methods Method = Methods::Silhouettes;
+  double Tolerance = 1.0 / 256.0;
+  int MaximumLevel = 3;
+  bool SmallObjects = true;
+  int UniformSamples = 8;
+};
+
+/// Pixels by what was done to them.
+struct PixelCounts
+{
+  long long Empty = 0;    ///< case 1: nothing but background
+  long long Interior = 0; ///< case 2: the corners serve
+  long long Border = 0;   ///< case 3: cut by edges, covered exactly
+  long long Small = 0;    ///< case 4: something lies between four equal corners
+  long long Refined = 0;  ///< subdivided for contrast or for want of edges
+  long long Uniform = 0;  ///< sampled uniformly: too dense, or on request
+
+  PixelCounts& operator+=(const PixelCounts& other);
+};
+
+struct PixelResult
+{
+  glm::vec4 Color{ 0.f }; ///< premultiplied
+  float Error = 0.f;      ///< believed, as an RMS over the three colours
+};
+
+/// One per thread; scratch memory is kept between pixels.
+class PixelIntegrator
+{
+public:
+  PixelIntegrator(const Sampler& sampler, const CornerGrid& corners,
+    const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings);
+
+  /// To be called before the pixels of another tile.
+  void BeginTile() { this->Cache.Clear(); }
+
+  /// Pixel (x, y), crossed by the listed edges. `dense`: triangles here are smaller than pixels.
+  PixelResult Integrate(
+    int x, int y, const std::uint32_t* edgeIndices, std::size_t count, bool dense);
+
+  RayCounts Rays;
+  PixelCounts Pixels;
+
+private:
+  struct Square
+  {
+    glm::ivec2 Low; ///< in units of the finest level
+    int Level;
+    Sample Corners[4]; ///< (0, 0), (1, 0), (0, 1), (1, 1)
+  };
+
+  void LoadCorners(int x, int y);
+  void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
+  PixelResult Smooth(bool allowRefinement);
+  PixelResult Exact(const std::uint32_t* edgeIndices, std::size_t count);
+  PixelResult Subdivide(bool byObject);
+  PixelResult Uniform(int side);
+  PixelResult UniformAdaptive();
+  bool RepairLeak();
+  bool CornersAgree() const;
+  float CurvatureError() const;
+  void Descend(const Square& square, bool byObject, glm::vec4& color, float& error);
+  bool NeedsDescent(const Square& square, bool byObject, float& leafError) const;
+  bool CanReuse(const Sample& sample) const;
+  PixelResult FaceColor(std::size_t face);
+  PixelResult SplitFace(std::size_t face, const Sample& first);
+  const Sample& SampleAtFine(glm::ivec2 fine);
+  Sample Trace(glm::dvec2 local);
+
+  const Sampler& Source;
+  const CornerGrid& Grid;
+  const std::vector<ProjectedEdge>& Edges;
+  const IntegrationSettings Settings;
+  SampleCache Cache;
+
+  // The pixel at work.
+  int X = 0;
+  int Y = 0;
+  Sample Corners[4];
+  unsigned int TrustedCorners = 0; ///< those that no edge passes nearer than a ray is precise
+  std::vector<PixelSegment> Segments;
+  double NearestCulledDepth = 0.0;
+  float DeepestFace = 0.f;
+  PixelArrangement Arrangement;
+  std::vector<glm::dvec2> Points;
+};
+
+}
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+// Layers composed along one ray, and what of the light behind still matters.
+constexpr int MaximumLayers = 256;
+constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
+
+bool LetsLightThrough(const Surface& surface)
+{
+  const auto translucent = [](const std::vector<glm::u8vec4>& colors) {
+    return std::any_of(colors.begin(), colors.end(), [](glm::u8vec4 c) { return c.a < 255; });
+  };
+  return surface.Front.Opacity < 1.f || (surface.HasBackMaterial && surface.Back.Opacity < 1.f) ||
+    translucent(surface.PointColors) || translucent(surface.CellColors) ||
+    (surface.ColorTexture && translucent(surface.ColorTexture->Texels));
+}
+}
+
+RayCounts& RayCounts::operator+=(const RayCounts& other)
+{
+  this->Primary += other.Primary;
+  this->Refinement += other.Refinement;
+  this->Auxiliary += other.Auxiliary;
+  this->Shadow += other.Shadow;
+  this->Occlusion += other.Occlusion;
+  return *this;
+}
+
+Sampler::Sampler(const RayScene& rays, const Shading& shading, const Camera& camera)
+  : Rays(rays),
+    Shades(shading),
+    Eye(camera)
+{
+  const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
+  this->Transparent = std::any_of(surfaces.begin(), surfaces.end(), LetsLightThrough);
+}
+
+Ray Sampler::MakeRay(glm::dvec2 p) const
+{
+  Ray ray;
+  ray.Origin = glm::vec3(this->Eye.RayOrigin(p));
+  ray.Direction = glm::vec3(this->Eye.RayDirection(p));
+  ray.Near = static_cast<float>(this->Eye.Near);
+  return ray;
+}
+
+glm::vec4 Sampler::Background(glm::dvec2 p) const
+{
+  glm::vec4 c = this->Shades.Background(p);
+  return { c.r * c.a, c.g * c.a, c.b * c.a, c.a };
+}
+
+void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts) const
+{
+  glm::vec4 color(0.f);
+  Hit hit = sample.First;
+  Ray rest = ray;
+  for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
+  {
+    const glm::vec4 c = this->Shades.Shade(ray, hit, counts.Shadow).Color;
+    const float share = (1.f - color.a) * c.a;
+    color += glm::vec4(share * c.r, share * c.g, share * c.b, share);
+    if (c.a >= 1.f || color.a > OpaqueAlpha)
+    {
+      sample.OpaqueDepth = hit.Distance;
+      break;
+    }
+    // On behind this hit; the smallest step that leaves the surface.
+    rest.Near = hit.Distance + std::max(std::abs(hit.Distance) * 4e-7f, 1e-30f);
+    hit = this->Rays.Intersect(rest);
+  }
+  if (color.a < 1.f)
+  {
+    color += (1.f - color.a) * this->Background(p);
+  }
+  sample.Color = color;
+}
+
+Sample Sampler::At(glm::dvec2 p, RayCounts& counts) const
+{
+  const Ray ray = this->MakeRay(p);
+  Sample sample;
+  sample.First = this->Rays.Intersect(ray);
+  this->Complete(p, ray, sample, counts);
+  return sample;
+}
+
+void Sampler::AtPacket(
+  const glm::dvec2* points, unsigned int active, Sample* samples, RayCounts& counts) const
+{
+  Ray rays[PacketSize];
+  Hit hits[PacketSize];
+  for (int i = 0; i < PacketSize; ++i)
+  {
+    if (active >> i & 1u)
+    {
+      rays[i] = this->MakeRay(points[i]);
+    }
+    else
+    {
+      rays[i].Near = 1.f;
+      rays[i].Far = 0.f;
+    }
+  }
+  this->Rays.Intersect16(rays, hits);
+  for (int i = 0; i < PacketSize; ++i)
+  {
+    if (active >> i & 1u)
+    {
+      samples[i] = Sample();
+      samples[i].First = hits[i];
+      this->Complete(points[i], rays[i], samples[i], counts);
+    }
+  }
+}
+
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What one ray through the picture sees: all layers down to the first opaque one, composed.
+#ifndef penumbra_Sampler_h
+#define penumbra_Sampler_h
+
+#include "Shading.h"
+
+#include <cstdint>
+
+namespace penumbra
+{
+
+/// Rays by purpose.
+struct RayCounts
+{
+  long long Primary = 0;    ///< through pixel corners, or all of uniform sampling
+  long long Refinement = 0; ///< inside pixels
+  long long Auxiliary = 0;  ///< through pixel centres, for the geometry arrays
+  long long Shadow = 0;
+  long long Occlusion = 0; ///< asked for by the irradiance source
+
+  long long InPicture() const { return this->Primary + this->Refinement; }
+  RayCounts& operator+=(const RayCounts& other);
+};
+
+struct Sample
+{
+  glm::vec4 Color{ 0.f }; ///< premultiplied by alpha, background included
+  Hit First;
+  float OpaqueDepth = std::numeric_limits<float>::infinity(); ///< of the first opaque surface
+};
+
+class Sampler
+{
+public:
+  static constexpr int PacketSize = 16;
+
+  Sampler(const RayScene& rays, const Shading& shading, const Camera& camera);
+
+  /// What the ray through picture point p sees. Does not count that ray itself.
+  Sample At(glm::dvec2 p, RayCounts& counts) const;
+
+  /// The same for PacketSize points at once; points without a set bit in `active` are left out.
+  void AtPacket(
+    const glm::dvec2* points, unsigned int active, Sample* samples, RayCounts& counts) const;
+
+  /// The first hit alone.
+  Hit FirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
+
+  /// The blocked share of the sky at a hit; 0 where nobody asked for it.
+  float Occlusion(glm::dvec2, const Ray&, const Hit&, const Appearance&, RayCounts&) const
+  {
+    return 0.f;
+  }
+
+  Ray MakeRay(glm::dvec2 p) const;
+
+  /// Background at p, premultiplied.
+  glm::vec4 Background(glm::dvec2 p) const;
+
+  const Shading& GetShading() const { return this->Shades; }
+  const Scene& GetScene() const { return this->Rays.GetScene(); }
+  bool IsTransparent() const { return this->Transparent; }
+
+private:
+  void Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts) const;
+
+  const RayScene& Rays;
+  const Shading& Shades;
+  const Camera& Eye;
+  bool Transparent = false; ///< some surface lets light through
+};
+
+}
+#endif

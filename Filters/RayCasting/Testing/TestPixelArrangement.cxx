@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PixelArrangement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace penumbra;
+
+namespace
+{
+
+PixelArrangement Arrange(std::vector<PixelSegment> segments)
+{
+  segments.erase(std::remove_if(segments.begin(), segments.end(),
+                   [](PixelSegment& s) { return !ClipToPixel(s); }),
+    segments.end());
+  PixelArrangement arrangement;
+  arrangement.Build(segments.data(), static_cast<int>(segments.size()));
+  return arrangement;
+}
+
+std::vector<double> SortedAreas(const PixelArrangement& arrangement)
+{
+  std::vector<double> areas;
+  for (const auto& face : arrangement.GetFaces())
+  {
+    areas.push_back(face.Area);
+  }
+  std::sort(areas.begin(), areas.end());
+  return areas;
+}
+
+}
+
+TEST(PixelArrangement, OfNothingIsTheWholePixel)
+{
+  const PixelArrangement arrangement = Arrange({});
+  ASSERT_EQ(arrangement.GetFaces().size(), 1u);
+  EXPECT_DOUBLE_EQ(arrangement.GetFaces()[0].Area, 1.0);
+  EXPECT_EQ(arrangement.GetFaces()[0].Corners, 15u);
+}
+
+TEST(PixelArrangement, CutsALineIntoItsTwoAreas)
+{
+  // y = 0.25 + 0.5 x has 0.5 below it.
+  const PixelArrangement arrangement = Arrange({ { { -1.0, -0.25 }, { 2.0, 1.25 } } });
+  const std::vector<double> areas = SortedAreas(arrangement);
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(areas[0], 0.5, 1e-12);
+  EXPECT_NEAR(areas[1], 0.5, 1e-12);
+}
+
+TEST(PixelArrangement, TakesVerticalAndHorizontalEdges)
+{
+  const PixelArrangement arrangement =
+    Arrange({ { { 0.25, -1.0 }, { 0.25, 2.0 } }, { { -1.0, 0.5 }, { 2.0, 0.5 } } });
+  const std::vector<double> areas = SortedAreas(arrangement);
+  ASSERT_EQ(areas.size(), 4u);
+  EXPECT_NEAR(areas[0], 0.125, 1e-12);
+  EXPECT_NEAR(areas[1], 0.125, 1e-12);
+  EXPECT_NEAR(areas[2], 0.375, 1e-12);
+  EXPECT_NEAR(areas[3], 0.375, 1e-12);
+}
+
+TEST(PixelArrangement, FindsATriangleWithinThePixel)
+{
+  const glm::dvec2 a(0.3, 0.3), b(0.6, 0.4), c(0.35, 0.7);
+  const PixelArrangement arrangement = Arrange({ { a, b }, { b, c }, { c, a } });
+  const double area = 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  const std::vector<double> areas = SortedAreas(arrangement);
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(areas[0], area, 1e-12);
+  EXPECT_NEAR(areas[1], 1.0 - area, 1e-12);
+}
+
+TEST(PixelArrangement, LooseEndsDivideNothing)
+{
+  EXPECT_EQ(Arrange({ { { 0.2, 0.2 }, { 0.8, 0.7 } } }).GetFaces().size(), 1u);
+  EXPECT_EQ(Arrange({ { { 0.5, 0.0 }, { 0.5, 0.9 } } }).GetFaces().size(), 1u);
+  EXPECT_EQ(Arrange({ { { 0.5, 0.0 }, { 0.5, 1.0 } } }).GetFaces().size(), 2u);
+}
+
+TEST(PixelArrangement, OfRandomLinesObeysEulersFormula)
+{
+  // n lines in general position with k crossings inside make 1 + n + k faces, which fill the pixel.
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-0.5, 1.5);
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    std::vector<PixelSegment> lines;
+    for (int i = 0; i < 1 + trial % 9; ++i)
+    {
+      const glm::dvec2 p(coordinate(random), coordinate(random));
+      const glm::dvec2 q(coordinate(random), coordinate(random));
+      PixelSegment line{ p - 100.0 * (q - p), p + 100.0 * (q - p) };
+      if (ClipToPixel(line))
+      {
+        lines.push_back(line);
+      }
+    }
+    std::size_t crossings = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        const auto side = [](const PixelSegment& s, glm::dvec2 p) {
+          const glm::dvec2 d = s.B - s.A;
+          return d.x * (p.y - s.A.y) - d.y * (p.x - s.A.x);
+        };
+        crossings += side(lines[i], lines[j].A) * side(lines[i], lines[j].B) < 0.0 &&
+          side(lines[j], lines[i].A) * side(lines[j], lines[i].B) < 0.0;
+      }
+    }
+    const PixelArrangement arrangement = Arrange(lines);
+    EXPECT_EQ(arrangement.GetFaces().size(), 1 + lines.size() + crossings);
+    double area = 0.0;
+    for (const auto& face : arrangement.GetFaces())
+    {
+      area += face.Area;
+    }
+    EXPECT_NEAR(area, 1.0, 1e-9);
+  }
+}
+
+TEST(PixelArrangement, PutsThePointOfEachFaceInside)
+{
+  // A ring: the face around has its centroid in the hole.
+  const glm::dvec2 a(0.2, 0.2), b(0.8, 0.2), c(0.8, 0.8), d(0.2, 0.8);
+  const PixelArrangement arrangement = Arrange({ { a, b }, { b, c }, { c, d }, { d, a } });
+  ASSERT_EQ(arrangement.GetFaces().size(), 2u);
+  for (const auto& face : arrangement.GetFaces())
+  {
+    const bool inner = face.Corners == 0u;
+    const glm::dvec2 p = face.Point;
+    EXPECT_EQ(inner, p.x > 0.2 && p.x < 0.8 && p.y > 0.2 && p.y < 0.8);
+    EXPECT_NEAR(face.Area, inner ? 0.36 : 0.64, 1e-12);
+  }
+}
