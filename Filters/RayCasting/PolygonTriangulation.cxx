@@ -46,8 +46,9 @@ bool IsEar(
   const glm::dvec3 a = corners[ring[(i + size - 1) % size]];
   const glm::dvec3 b = corners[ring[i]];
   const glm::dvec3 c = corners[ring[(i + 1) % size]];
-  const auto side = [&](glm::dvec3 p, glm::dvec3 q, glm::dvec3 x)
-  { return glm::dot(glm::cross(q - p, x - p), normal); };
+  const auto side = [&](glm::dvec3 p, glm::dvec3 q, glm::dvec3 x) {
+    return glm::dot(glm::cross(q - p, x - p), normal);
+  };
   if (side(a, b, c) <= 0.0)
   {
     return false;

@@ -155,7 +155,8 @@ void Fill(RTCRay& to, const Ray& from)
 
 }
 
-RayScene::RayScene(const Scene& scene, int threads) : TracedScene(scene)
+RayScene::RayScene(const Scene& scene, int threads)
+  : TracedScene(scene)
 {
   const std::string settings = threads > 0 ? "threads=" + std::to_string(threads) : "";
   this->Device = rtcNewDevice(settings.c_str());

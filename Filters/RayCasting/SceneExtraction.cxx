@@ -3,6 +3,7 @@
 #include "SceneExtraction.h"
 
 #include "SceneExtractionActors.h"
+#include "SceneExtractionLines.h"
 #include "SceneExtractionSurfaces.h"
 #include "SceneExtractionView.h"
 
@@ -49,11 +50,15 @@ void ComputeBounds(const std::vector<Piece>& pieces, double bounds[6])
   }
 }
 
-void AddPieces(const std::vector<Piece>& pieces, Scene& scene)
+void AddPieces(const std::vector<Piece>& pieces, const ExtractionOptions& options, Scene& scene)
 {
   for (const Piece& piece : pieces)
   {
-    AddSurface(piece, scene);
+    if (piece.Property->GetRepresentation() == VTK_SURFACE)
+    {
+      AddSurface(piece, scene);
+    }
+    AddLinesAndPoints(piece, options.DPI / 72.0, scene);
   }
 }
 
@@ -72,7 +77,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   ExtractCamera(renderer, bounds, options, scene);
   ExtractLights(renderer, scene);
   ExtractBackground(renderer, options, scene);
-  AddPieces(pieces, scene);
+  AddPieces(pieces, options, scene);
   return scene;
 }
 
@@ -88,7 +93,7 @@ Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOpti
   {
     scene.Behind.Bottom = scene.Behind.Top = glm::vec4(0.f, 0.f, 0.f, 1.f);
   }
-  AddPieces(pieces, scene);
+  AddPieces(pieces, options, scene);
   return scene;
 }
 

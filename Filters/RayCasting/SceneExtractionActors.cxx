@@ -82,7 +82,10 @@ void SetData(vtkDataSet* data, Piece& piece)
 class Collector
 {
 public:
-  explicit Collector(std::vector<std::string>& warnings) : Warnings(warnings) {}
+  explicit Collector(std::vector<std::string>& warnings)
+    : Warnings(warnings)
+  {
+  }
 
   void AddProp(vtkProp* prop)
   {
@@ -103,8 +106,9 @@ public:
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
       ForEachBlock(composite, nullptr, look, scalars,
-        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars)
-        { this->AddDataSet(leaf, blockLook, blockScalars); });
+        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars) {
+          this->AddDataSet(leaf, blockLook, blockScalars);
+        });
     }
     else if (auto* dataSet = vtkDataSet::SafeDownCast(data))
     {
@@ -160,8 +164,9 @@ private:
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
       ForEachBlock(composite, mapper, look, scalars,
-        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars)
-        { this->AddDataSet(leaf, blockLook, blockScalars); });
+        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars) {
+          this->AddDataSet(leaf, blockLook, blockScalars);
+        });
     }
     else
     {

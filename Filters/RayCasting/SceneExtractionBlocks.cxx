@@ -41,7 +41,10 @@ class Walk
 public:
   Walk(vtkCompositeDataDisplayAttributes* attributes, const Piece& look, ScalarMapper* scalars,
     const BlockFunction& use)
-    : Attributes(attributes), Look(look), Scalars(scalars), Use(use)
+    : Attributes(attributes),
+      Look(look),
+      Scalars(scalars),
+      Use(use)
   {
   }
 

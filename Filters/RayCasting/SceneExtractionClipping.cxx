@@ -15,7 +15,8 @@ namespace
 class Cut
 {
 public:
-  Cut(Surface& surface, glm::dvec4 plane) : Target(surface)
+  Cut(Surface& surface, glm::dvec4 plane)
+    : Target(surface)
   {
     this->Distances.reserve(surface.Positions.size());
     for (const glm::vec3& x : surface.Positions)
@@ -86,8 +87,7 @@ private:
     }
     const double t = this->Distances[i] / (this->Distances[i] - this->Distances[j]);
     const auto index = static_cast<std::uint32_t>(this->Target.Positions.size());
-    const auto between = [&](auto& values)
-    {
+    const auto between = [&](auto& values) {
       if (!values.empty())
       {
         using Value = typename std::decay<decltype(values)>::type::value_type;

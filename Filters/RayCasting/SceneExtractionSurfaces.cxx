@@ -29,7 +29,9 @@ bool IsFinite(glm::vec3 x)
 class Triangles
 {
 public:
-  Triangles(const Piece& piece, Surface& surface) : Data(piece.Data), Target(surface)
+  Triangles(const Piece& piece, Surface& surface)
+    : Data(piece.Data),
+      Target(surface)
   {
     vtkPolyData* data = this->Data;
     const vtkIdType expected = data->GetPolys()->GetNumberOfConnectivityIds() -
@@ -182,6 +184,12 @@ private:
   std::size_t Flat = 0;
 };
 
+/// How many triangles (or cells themselves, see SetColors()) get values of cells.
+std::size_t CountOf(const std::vector<std::uint32_t>& cells, const Surface& surface)
+{
+  return cells.empty() ? surface.Triangles.size() : cells.size();
+}
+
 std::uint32_t CellOf(const std::vector<std::uint32_t>& cells, std::size_t triangle)
 {
   return cells.empty() ? static_cast<std::uint32_t>(triangle) : cells[triangle];
@@ -190,8 +198,7 @@ std::uint32_t CellOf(const std::vector<std::uint32_t>& cells, std::size_t triang
 void SetNormals(const Piece& piece, const Placement& placement,
   const std::vector<std::uint32_t>& cells, Surface& surface)
 {
-  const auto convert = [&](vtkDataArray* from, vtkIdType i)
-  {
+  const auto convert = [&](vtkDataArray* from, vtkIdType i) {
     double n[3];
     from->GetTuple(i, n);
     return placement.Normal(n);
@@ -267,8 +274,8 @@ void SetColors(const Piece& piece, const std::vector<std::uint32_t>& cells, Surf
       }
       break;
     case Coloring::Ways::PerCell:
-      surface.CellColors.reserve(surface.Triangles.size());
-      for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+      surface.CellColors.reserve(CountOf(cells, surface));
+      for (std::size_t i = 0; i < CountOf(cells, surface); ++i)
       {
         surface.CellColors.push_back(ColorAt(coloring.Colors, CellOf(cells, i)));
       }
@@ -297,7 +304,7 @@ void SetCellIds(const Piece& piece, const std::vector<std::uint32_t>& cells, Sur
   surface.CellIds = cells;
   if (piece.CellIds)
   {
-    surface.CellIds.resize(surface.Triangles.size());
+    surface.CellIds.resize(CountOf(cells, surface));
     for (std::size_t i = 0; i < surface.CellIds.size(); ++i)
     {
       surface.CellIds[i] =

@@ -41,8 +41,7 @@ int Wrap(int i, int size, bool repeat)
 
 glm::vec4 Sample(const Texture& texture, glm::vec2 at)
 {
-  const auto texel = [&](int i, int j)
-  {
+  const auto texel = [&](int i, int j) {
     i = Wrap(i, texture.Width, texture.Repeat);
     j = Wrap(j, texture.Height, texture.Repeat);
     return Unpack(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
@@ -122,7 +121,9 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
 
 }
 
-Shading::Shading(const RayScene& scene, bool shadows) : Rays(scene), Shadows(shadows)
+Shading::Shading(const RayScene& scene, bool shadows)
+  : Rays(scene),
+    Shadows(shadows)
 {
   const std::vector<Light>& lights = scene.GetScene().Lights;
   this->OneHeadlight = lights.size() == 1 && lights[0].Headlight;

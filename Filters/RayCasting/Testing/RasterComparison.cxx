@@ -23,8 +23,7 @@ struct Pixel
   std::vector<std::uint64_t> Layers; ///< what was met: object and cell
 };
 
-Pixel Trace(
-  const Scene& scene, const RayScene& rays, const Shading& shading, int i, int j, bool byCell)
+Pixel Trace(const Scene& scene, const RayScene& rays, const Shading& shading, int i, int j)
 {
   const glm::dvec2 center(i + .5, j + .5);
   Ray ray;
@@ -42,9 +41,11 @@ Pixel Trace(
       break;
     }
     const Surface& surface = scene.Surfaces[hit.Surface];
-    const std::uint32_t cell =
-      surface.CellIds.empty() ? hit.Triangle : surface.CellIds[hit.Triangle];
-    pixel.Layers.push_back((std::uint64_t(hit.Surface) << 32) + (byCell ? cell : 0u));
+    // A cell may be drawn by several lines: each counts for itself.
+    const std::uint32_t cell = surface.ScreenSpace ? hit.Triangle / 2
+      : surface.CellIds.empty()                    ? hit.Triangle
+                                                   : surface.CellIds[hit.Triangle];
+    pixel.Layers.push_back((std::uint64_t(hit.Surface) << 32) + cell);
     const Appearance at = shading.Shade(ray, hit, shadowRays);
     const glm::vec3 color = glm::clamp(glm::vec3(at.Color), 0.f, 1.f);
     pixel.Color += left * at.Color.a * color;
@@ -70,7 +71,7 @@ RasterComparison::RasterComparison()
   this->Renderer->SetBackground(.2, .3, .4);
 }
 
-RasterComparison::Result RasterComparison::Compare(bool byCell)
+RasterComparison::Result RasterComparison::Compare()
 {
   this->Window->Render();
   vtkNew<vtkUnsignedCharArray> raster;
@@ -87,7 +88,7 @@ RasterComparison::Result RasterComparison::Compare(bool byCell)
   {
     for (int i = 0; i < Size; ++i)
     {
-      pixels.push_back(Trace(result.Scene, rays, shading, i, j, byCell));
+      pixels.push_back(Trace(result.Scene, rays, shading, i, j));
     }
   }
   const auto at = [&](int i, int j) -> const Pixel& { return pixels[j * Size + i]; };

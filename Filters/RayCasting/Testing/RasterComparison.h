@@ -30,8 +30,7 @@ public:
     penumbra::Scene Scene;
   };
 
-  /// Renders both. `byCell`: neighbours must be of the same cell, else of the same object.
-  Result Compare(bool byCell = true);
+  Result Compare();
 
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
