@@ -6,7 +6,9 @@ set(penumbra_vtk_components
   ImagingCore InteractionStyle IOCore IOGeometry IOImage IOLegacy IOPLY IOXML IOImport IOExodus IOEnSight
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
   RenderingContextOpenGL2)
-find_package(VTK REQUIRED COMPONENTS ${penumbra_vtk_components})
+set(penumbra_vtk_readers IOCGNSReader IOHDF IOXdmf2)
+find_package(VTK REQUIRED
+  COMPONENTS ${penumbra_vtk_components} OPTIONAL_COMPONENTS ${penumbra_vtk_readers})
 list(APPEND CMAKE_INSTALL_RPATH "$<TARGET_FILE_DIR:VTK::vtksys>")
 
 find_package(embree 4 CONFIG QUIET)

@@ -1,10 +1,99 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
+//
+// The program: parses the command line, runs one subcommand, turns every failure into one line on
+// stderr and an exit status.
+#include "Failure.h"
+#include "MessageLog.h"
+#include "RenderOptions.h"
+#include "Subcommands.h"
+#include "Worker.h"
+
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <map>
+
+namespace
+{
+
+using namespace penumbra;
+
+// CLI11's messages in the form of ours; options of later versions by name.
+std::string Explain(const CLI::App& program, const CLI::ParseError& error)
+{
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+  const std::string hint = "; see `penumbra" + command + " --help`";
+  if (dynamic_cast<const CLI::ExtrasError*>(&error))
+  {
+    const std::vector<std::string> extras = program.remaining(true);
+    const std::string first = extras.empty() ? "" : extras.front();
+    const std::string option = first.substr(0, first.find('='));
+    if (chosen.empty())
+    {
+      return first + ": unknown subcommand" + hint;
+    }
+    const std::vector<std::string>& later = UnavailableOptions();
+    return option +
+      (std::count(later.begin(), later.end(), option) ? " is not available in this version"
+                                                      : ": unknown option") +
+      hint;
+  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty())
+  {
+    return "no subcommand given" + hint;
+  }
+  return error.what() + hint;
+}
+
+int Run(int argc, char** argv)
+{
+  CLI::App program("Penumbra: how much of it is visible?", "penumbra");
+  program.get_formatter()->column_width(44);
+  program.set_version_flag("--version",
+    std::string("penumbra ") + PENUMBRA_VERSION + " (VTK " + vtkVersion::GetVTKVersion() + ")");
+  program.footer(
+    "Exit status: 0 done, 1 comparison above its threshold, 2 bad use or bad input, 3 the "
+    "machine cannot.\nThe commands' own options: penumbra COMMAND --help");
+  const std::map<std::string, Action> actions = { { "render", DeclareRender(program) },
+    { "compare", DeclareCompare(program) }, { "list", DeclareList(program) },
+    { "info", DeclareInfo(program) } };
+  program.require_subcommand(1);
+  try
+  {
+    program.parse(argc, argv);
+  }
+  catch (const CLI::Success& help)
+  {
+    program.exit(help, std::cout, std::cout);
+    return Done;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw Failure(BadInput, Explain(program, error));
+  }
+  return actions.at(program.get_subcommands().front()->get_name())();
+}
+
+}
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Penumbra: how much of it is visible?");
-  CLI11_PARSE(app, argc, argv);
-  return 0;
+  OpenLog();
+  std::signal(SIGXFSZ, SIG_IGN); // A write beyond a quota then fails with a message.
+  try
+  {
+    const int status = RunGuarded([&]() { return Run(argc, argv); });
+    std::cout.flush();
+    return status;
+  }
+  catch (const Cancelled&)
+  {
+    std::signal(SIGINT, SIG_DFL);
+    std::raise(SIGINT); // So that a shell, too, sees what ended the program.
+  }
+  return MachineCannot;
 }

@@ -133,10 +133,7 @@ struct vtkPenumbraImageComparison::Internals
 
 vtkStandardNewMacro(vtkPenumbraImageComparison);
 
-vtkPenumbraImageComparison::vtkPenumbraImageComparison()
-  : Implementation(new Internals)
-{
-}
+vtkPenumbraImageComparison::vtkPenumbraImageComparison() : Implementation(new Internals) {}
 
 vtkPenumbraImageComparison::~vtkPenumbraImageComparison() = default;
 
@@ -228,8 +225,7 @@ int vtkPenumbraImageComparison::GetBestBaseline()
 double vtkPenumbraImageComparison::GetValue(int metric)
 {
   const Internals& self = *this->Implementation;
-  return self.BestBaseline < 0 ? std::nan("")
-                               : Measure(metric, self.ImagePlanes, self.BestPlanes);
+  return self.BestBaseline < 0 ? std::nan("") : Measure(metric, self.ImagePlanes, self.BestPlanes);
 }
 
 vtkSmartPointer<vtkImageData> vtkPenumbraImageComparison::MakeDifference()

@@ -73,9 +73,7 @@ using Comparison = vtkPenumbraImageComparison;
 
 TEST(vtkPenumbraImageComparison, IsZeroForEqualPictures)
 {
-  const Image a = Floats(31, 17, [](int x, int y) {
-    return Color{ x / 31., y / 17., 0.5, 1. };
-  });
+  const Image a = Floats(31, 17, [](int x, int y) { return Color{ x / 31., y / 17., 0.5, 1. }; });
   for (int metric = 0; metric < Comparison::NUMBER_OF_METRICS; ++metric)
   {
     EXPECT_NEAR(Value(a, a, metric), 0.0, 1e-12) << Comparison::GetMetricName(metric);
@@ -96,9 +94,7 @@ TEST(vtkPenumbraImageComparison, MeasuresAConstantOffset)
 
 TEST(vtkPenumbraImageComparison, MeasuresOneLostLine)
 {
-  const Image line = Bytes(50, 40, [](int x, int) {
-    return Color(3, x == 20 ? 255. : 0.);
-  });
+  const Image line = Bytes(50, 40, [](int x, int) { return Color(3, x == 20 ? 255. : 0.); });
   const Image nothing = Bytes(50, 40, Constant({ 0, 0, 0 }));
   EXPECT_NEAR(Value(line, nothing, Comparison::RMSE), std::sqrt(1.0 / 50.0), 1e-12);
   EXPECT_EQ(Value(line, nothing, Comparison::MAXIMUM), 1.0);
@@ -136,9 +132,7 @@ TEST(vtkPenumbraImageComparison, ToleratesFourStepsAndNotFive)
 {
   const Image zero = Bytes(8, 8, Constant({ 100, 100, 100 }));
   const Image four = Bytes(8, 8, Constant({ 104, 96, 100 }));
-  const Image five = Bytes(8, 8, [](int x, int) {
-    return Color{ 100, 100, x < 2 ? 105. : 100. };
-  });
+  const Image five = Bytes(8, 8, [](int x, int) { return Color{ 100, 100, x < 2 ? 105. : 100. }; });
   EXPECT_EQ(Value(zero, four, Comparison::PIXELS), 0.0);
   EXPECT_EQ(Value(zero, five, Comparison::PIXELS), 0.25);
 }
@@ -207,8 +201,7 @@ TEST(vtkPenumbraImageComparison, RefusesWhatCannotBeCompared)
   EXPECT_STREQ(comparison->GetErrorText(), "the pictures differ in size: 4x4 and 4x5");
   EXPECT_EQ(comparison->GetBestBaseline(), -1);
   comparison->RemoveAllBaselines();
-  comparison->AddBaseline(
-    Floats(4, 4, Constant({ std::numeric_limits<double>::quiet_NaN() })));
+  comparison->AddBaseline(Floats(4, 4, Constant({ std::numeric_limits<double>::quiet_NaN() })));
   EXPECT_FALSE(comparison->Compare());
   EXPECT_STREQ(comparison->GetErrorText(), "a picture holds values that are not finite");
 }

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arguments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+[[noreturn]] void Refuse(
+  const std::string& option, const std::string& text, const std::string& expected)
+{
+  throw CLI::ValidationError(option, "'" + text + "' is not " + expected);
+}
+
+std::string Describe(const Range& range)
+{
+  std::ostringstream text;
+  text << "a number";
+  if (range.Least > -Infinity && range.Most < Infinity)
+  {
+    text << (range.Open ? " above " : " from ") << range.Least << (range.Open ? " up to " : " to ")
+         << range.Most;
+  }
+  else if (range.Least > -Infinity)
+  {
+    text << (range.Open ? " above " : " of at least ") << range.Least;
+  }
+  return text.str();
+}
+
+bool ParseNumber(std::string text, double& value)
+{
+  const auto isSpace = [](unsigned char character) { return std::isspace(character) != 0; };
+  text.erase(std::remove_if(text.begin(), text.end(), isSpace), text.end());
+  const char* begin = text.c_str() + (text[0] == '+' ? 1 : 0);
+  const char* end = text.c_str() + text.size();
+  const std::from_chars_result result = std::from_chars(begin, end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+// "0.00390625" without trailing digits that say nothing.
+std::string Print(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}
+
+std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
+  std::size_t least, std::size_t most, const Range& range)
+{
+  std::string expected = Describe(range);
+  if (most > 1)
+  {
+    expected = std::to_string(least) + (most > least ? " or " + std::to_string(most) : "") +
+      " numbers with commas between them" +
+      (range.Least > -Infinity ? ", each " + Describe(range) : std::string());
+  }
+  std::vector<double> numbers;
+  std::istringstream stream(text + ",");
+  for (std::string part; std::getline(stream, part, ',');)
+  {
+    double value = 0.0;
+    if (!ParseNumber(part, value) || std::isnan(value) ||
+      (std::isinf(value) && !range.AllowInfinity) || value < range.Least || value > range.Most ||
+      (range.Open && value == range.Least))
+    {
+      Refuse(option, text, expected);
+    }
+    numbers.push_back(value);
+  }
+  if (numbers.size() < least || numbers.size() > most)
+  {
+    Refuse(option, text, expected);
+  }
+  return numbers;
+}
+
+CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+  const std::string& description, const Range& range)
+{
+  const auto store = [name, range, &target](const std::string& text)
+  {
+    const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, range);
+    target = Triple{ numbers[0], numbers[1], numbers[2] };
+  };
+  return app.add_option_function<std::string>(name, store, description)
+    ->type_name(range.Least > -Infinity ? "R,G,B" : "X,Y,Z")
+    ->take_last();
+}
+
+CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
+  const std::string& unit, const std::string& description, const Range& range)
+{
+  const auto store = [name, range, &target](const std::string& text)
+  { target = ParseNumbers(name, text, 1, 1, range)[0]; };
+  return app.add_option_function<std::string>(name, store, description)
+    ->type_name(unit)
+    ->default_str(std::isnan(target) ? "" : Print(target))
+    ->take_last();
+}
+
+CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,
+  const std::string& description, int least, int most)
+{
+  const auto store = [name, least, most, &target](const std::string& text)
+  {
+    int value = 0;
+    const char* end = text.c_str() + text.size();
+    const std::from_chars_result result = std::from_chars(text.c_str(), end, value);
+    if (result.ec != std::errc() || result.ptr != end || value < least || value > most)
+    {
+      Refuse(
+        name, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    }
+    target = value;
+  };
+  return app.add_option_function<std::string>(name, store, description)
+    ->type_name("N")
+    ->default_str(std::to_string(target))
+    ->take_last();
+}
+
+CLI::Option* AddChoice(CLI::App& app, const std::string& name, std::string& target,
+  const std::vector<std::string>& choices, const std::string& description)
+{
+  const auto store = [name, choices, &target](const std::string& text)
+  {
+    if (!std::count(choices.begin(), choices.end(), text))
+    {
+      Refuse(name, text, "one of " + CLI::detail::join(choices, ", "));
+    }
+    target = text;
+  };
+  return app.add_option_function<std::string>(name, store, description)
+    ->type_name(CLI::detail::join(choices, "|"))
+    ->default_str(target)
+    ->take_last();
+}
+
+}

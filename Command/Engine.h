@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From a scene to a picture: two engines behind one shape.
+#ifndef penumbra_Engine_h
+#define penumbra_Engine_h
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkRenderer;
+
+namespace penumbra
+{
+
+struct RenderOptions;
+
+struct Picture
+{
+  vtkSmartPointer<vtkImageData> Image; ///< `Color`: 4 floats, straight alpha
+  nlohmann::json Statistics = nlohmann::json::object();
+  double EstimatedError = 0.0; ///< NaN where the engine makes no estimate
+  int Threads = 1;
+  double BuildSeconds = 0.0;  ///< until the first ray
+  double RenderSeconds = 0.0; ///< from there
+  std::vector<std::string> Warnings;
+};
+
+/// Told the share that is done.
+using ProgressListener = std::function<void(double share)>;
+
+Picture RenderWithRays(
+  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
+Picture RenderWithRaster(
+  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
+
+/// Make OpenGL windows of the kind that options.Window asks for, tried first in a process of its
+/// own. Throws Failure when the machine has none.
+void ChooseWindow(const std::string& window);
+
+struct WindowReport
+{
+  std::string Name; ///< as --window takes it
+  bool Works = false;
+  std::string Description; ///< renderer and version, or why not
+};
+
+/// What the machine offers, each tried in a process of its own.
+std::vector<WindowReport> TryWindows();
+
+}
+#endif

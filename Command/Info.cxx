@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// penumbra info: what runs on this machine.
+#include "Engine.h"
+#include "Failure.h"
+#include "MessageLog.h"
+#include "Subcommands.h"
+#include "Worker.h"
+
+#include "vtkSMPTools.h"
+#include "vtkVersion.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iomanip>
+#include <iostream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+int Info()
+{
+  std::cout << "penumbra   " << PENUMBRA_VERSION << "\n"
+            << "VTK        " << vtkVersion::GetVTKVersion() << "\n"
+            << "threads    " << vtkSMPTools::GetEstimatedNumberOfThreads() << " ("
+            << vtkSMPTools::GetBackend() << ")\n"
+            << "memory     " << std::fixed << std::setprecision(1) << MachineMemory() / 1073741824.0
+            << " GiB\n"
+            << "log        " << (LogPath().empty() ? "none" : LogPath()) << "\n"
+            << "ray        works\n";
+  for (const WindowReport& window : TryWindows())
+  {
+    std::cout << std::left << "raster     " << std::setw(8) << window.Name << window.Description
+              << "\n";
+  }
+  return Done;
+}
+
+}
+
+Action DeclareInfo(CLI::App& program)
+{
+  program.add_subcommand("info", "Tell what runs on this machine");
+  return Info;
+}
+
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// penumbra list: what this version offers.
+#include "Colormaps.h"
+#include "Failure.h"
+#include "Pictures.h"
+#include "Readers.h"
+#include "Subcommands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iomanip>
+#include <iostream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+int List()
+{
+  std::cout << "Readers\n" << std::left;
+  for (const ReaderRow& row : Readers())
+  {
+    std::cout << "  " << std::setw(26) << CLI::detail::join(row.Extensions, " ") << std::setw(38)
+              << row.Format << row.ReaderClass << "\n";
+  }
+  std::cout << "\nPictures\n  " << PictureExtensions() << "\n\nColormaps\n ";
+  for (const std::string& name : ColormapNames())
+  {
+    std::cout << " " << name;
+  }
+  std::cout << "\n\nEngines\n"
+               "  ray       antialiased ray casting; needs no OpenGL\n"
+               "  raster    VTK's OpenGL, 8 samples a pixel\n"
+               "\nWindows of the raster engine (`penumbra info` tells which work here)\n"
+               "  osmesa egl x\n";
+  return Done;
+}
+
+}
+
+Action DeclareList(CLI::App& program)
+{
+  program.add_subcommand("list", "List readers, pictures, colormaps and engines");
+  return List;
+}
+
+}

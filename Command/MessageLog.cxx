@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MessageLog.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace
+{
+
+std::string Path;
+int Terminal = STDERR_FILENO;
+std::mutex ErrorsMutex;
+std::vector<std::string> Errors;
+
+// The message inside VTK's "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n".
+std::string StripFrame(const std::string& text)
+{
+  std::size_t begin = text.find("): ");
+  begin = begin == std::string::npos ? text.find('\n') : begin + 2;
+  begin = begin == std::string::npos ? 0 : begin;
+  begin = text.find_first_not_of(" \n\t", begin);
+  if (begin == std::string::npos)
+  {
+    return "an unnamed error";
+  }
+  std::string message = text.substr(begin, text.find('\n', begin) - begin);
+  message.erase(message.find_last_not_of(" .\t\r") + 1);
+  return message;
+}
+
+class LogWindow : public vtkOutputWindow
+{
+public:
+  static LogWindow* New();
+  vtkTypeMacro(LogWindow, vtkOutputWindow);
+
+  void DisplayText(const char* text) override
+  {
+    // A log that cannot be written is no reason to stop.
+    [[maybe_unused]] const auto written =
+      write(STDERR_FILENO, text, std::char_traits<char>::length(text));
+  }
+  void DisplayErrorText(const char* text) override
+  {
+    {
+      const std::lock_guard<std::mutex> lock(ErrorsMutex);
+      Errors.push_back(StripFrame(text));
+    }
+    this->DisplayText(text);
+  }
+  void DisplayWarningText(const char* text) override { this->DisplayText(text); }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayText(text); }
+  void DisplayDebugText(const char* text) override { this->DisplayText(text); }
+};
+vtkStandardNewMacro(LogWindow);
+
+std::string ChoosePath()
+{
+  if (const char* path = std::getenv("PENUMBRA_LOG"))
+  {
+    return path;
+  }
+  const char* state = std::getenv("XDG_STATE_HOME");
+  const char* home = std::getenv("HOME");
+  if (state && *state)
+  {
+    return std::string(state) + "/penumbra/log";
+  }
+  return home && *home ? std::string(home) + "/.local/state/penumbra/log" : "/dev/null";
+}
+
+// Appends, but starts afresh once the log has grown beyond a megabyte.
+int OpenLogFile(const std::string& path)
+{
+  std::error_code ignored;
+  const std::filesystem::path file(path);
+  if (file.has_parent_path())
+  {
+    std::filesystem::create_directories(file.parent_path(), ignored);
+  }
+  const bool full = std::filesystem::is_regular_file(file, ignored) &&
+    std::filesystem::file_size(file, ignored) > 1000000;
+  return open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (full ? O_TRUNC : O_APPEND), 0666);
+}
+
+}
+
+namespace penumbra
+{
+
+void OpenLog()
+{
+  vtkOutputWindow::SetInstance(vtkSmartPointer<LogWindow>::New());
+  Path = ChoosePath();
+  if (Path == "-")
+  {
+    Path.clear();
+    return;
+  }
+  int log = OpenLogFile(Path);
+  if (log < 0)
+  {
+    Path.clear();
+    log = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  }
+  Terminal = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+  dup2(log, STDERR_FILENO);
+  close(log);
+}
+
+std::string LogPath()
+{
+  return Path;
+}
+
+std::vector<std::string> TakeErrors()
+{
+  const std::lock_guard<std::mutex> lock(ErrorsMutex);
+  std::vector<std::string> errors;
+  errors.swap(Errors);
+  return errors;
+}
+
+void Say(const std::string& line)
+{
+  std::string text = "penumbra: " + line;
+  for (char& character : text)
+  {
+    if (static_cast<unsigned char>(character) < ' ')
+    {
+      character = ' ';
+    }
+  }
+  text += '\n';
+  [[maybe_unused]] const auto written = write(Terminal, text.data(), text.size());
+}
+
+int TerminalDescriptor()
+{
+  return Terminal;
+}
+
+}

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PendingFile.h"
+
+#include "Failure.h"
+#include "Worker.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace penumbra
+{
+
+namespace fs = std::filesystem;
+
+PendingFile::PendingFile(const std::string& path, const std::string& option)
+  : Option(option), Path(path)
+{
+  std::error_code ignored;
+  fs::path target(path);
+  if (fs::is_symlink(target, ignored))
+  {
+    target = fs::weakly_canonical(target, ignored); // The link stays, what it points to is written.
+    this->Path = target.string();
+  }
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored))
+  {
+    this->Fail("the folder does not exist; make it first");
+  }
+  if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
+  {
+    this->Fail(fs::is_directory(target, ignored) ? "this is a folder; name a file in it"
+                                                 : "this is not a regular file; name another");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  {
+    this->Fail("the folder cannot be written; choose another");
+  }
+  this->Temporary =
+    (folder / ("." + target.filename().string() + "." + std::to_string(getpid()))).string();
+  RemoveOnCrash(this->Temporary);
+}
+
+PendingFile::~PendingFile()
+{
+  if (!this->Temporary.empty())
+  {
+    unlink(this->Temporary.c_str());
+  }
+}
+
+void PendingFile::Fail(const std::string& reason) const
+{
+  throw Failure(BadInput, this->Option + " " + this->Path + ": cannot be written: " + reason);
+}
+
+void PendingFile::Write(const std::string& bytes)
+{
+  std::FILE* file = std::fopen(this->Temporary.c_str(), "wb");
+  bool whole = file && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  whole = file && std::fflush(file) == 0 && whole;
+  const int error = errno;
+  whole = file && std::fclose(file) == 0 && whole;
+  if (!whole)
+  {
+    this->Fail(strerror(error));
+  }
+}
+
+void PendingFile::Commit()
+{
+  if (std::rename(this->Temporary.c_str(), this->Path.c_str()) != 0)
+  {
+    this->Fail(strerror(errno));
+  }
+  this->Temporary.clear();
+}
+
+}

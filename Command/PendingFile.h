@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A file that appears whole or not at all: written beside its place, then renamed.
+#ifndef penumbra_PendingFile_h
+#define penumbra_PendingFile_h
+
+#include <string>
+
+namespace penumbra
+{
+
+class PendingFile
+{
+public:
+  /// Throws Failure when a file cannot be made at `path`. `option` names who asked, for messages.
+  PendingFile(const std::string& path, const std::string& option);
+  ~PendingFile();
+
+  PendingFile(const PendingFile&) = delete;
+  void operator=(const PendingFile&) = delete;
+
+  /// Where to write until Commit().
+  const std::string& TemporaryPath() const { return this->Temporary; }
+
+  /// Write `bytes` as the whole contents.
+  void Write(const std::string& bytes);
+
+  /// Give the file its name.
+  void Commit();
+
+  /// The Failure of a file that could not be written whole.
+  [[noreturn]] void Fail(const std::string& reason) const;
+
+private:
+  std::string Option;
+  std::string Path;
+  std::string Temporary;
+};
+
+}
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How far the work is, on stderr.
+#ifndef penumbra_ProgressLine_h
+#define penumbra_ProgressLine_h
+
+#include <string>
+
+namespace penumbra
+{
+
+class ProgressLine
+{
+public:
+  /// `style`: auto (a bar on a terminal, else nothing), bar, plain (a line each tenth) or none.
+  explicit ProgressLine(const std::string& style);
+  ~ProgressLine();
+
+  ProgressLine(const ProgressLine&) = delete;
+  void operator=(const ProgressLine&) = delete;
+
+  void Show(const std::string& what, double share);
+
+  /// Take the bar off the terminal, before a message.
+  void Clear();
+
+private:
+  bool Bar = false;
+  bool Plain = false;
+  bool Drawn = false;
+  std::string Last;
+};
+
+}
+#endif

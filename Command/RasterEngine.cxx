@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Engine.h"
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "RenderOptions.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace penumbra
+{
+
+namespace
+{
+
+constexpr int MultiSamples = 8;
+
+// Bytes whose colour is multiplied by alpha, as blending leaves them, to floats with straight alpha.
+vtkSmartPointer<vtkImageData> ToFloats(
+  vtkUnsignedCharArray* bytes, int width, int height, bool opaque)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  vtkNew<vtkFloatArray> color;
+  color->SetName("Color");
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
+  {
+    const float alpha = opaque ? 1.0f : bytes->GetTypedComponent(i, 3) / 255.0f;
+    for (int c = 0; c < 3; ++c)
+    {
+      const float value = bytes->GetTypedComponent(i, c) / 255.0f;
+      color->SetTypedComponent(i, c, alpha > 0.0f ? std::min(value / alpha, 1.0f) : 0.0f);
+    }
+    color->SetTypedComponent(i, 3, alpha);
+  }
+  image->GetPointData()->SetScalars(color);
+  return image;
+}
+
+}
+
+Picture RenderWithRaster(
+  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress)
+{
+  using Clock = std::chrono::steady_clock;
+  const int width = options.Resolution[0];
+  const int height = options.Resolution[1];
+  const Clock::time_point start = Clock::now();
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetShowWindow(false);
+  window->SetMultiSamples(MultiSamples);
+  window->SetAlphaBitPlanes(1);
+  window->SetDPI(options.DotsPerInch);
+  window->SetSize(width, height);
+  window->AddRenderer(renderer);
+  TakeErrors();
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> bytes;
+  window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, bytes);
+  const std::vector<std::string> errors = TakeErrors();
+  const int* size = window->GetActualSize();
+  const bool complete = size[0] == width && size[1] == height &&
+    bytes->GetNumberOfTuples() == static_cast<vtkIdType>(width) * height;
+  if (!errors.empty() || !complete)
+  {
+    throw Failure(MachineCannot,
+      "--engine raster: OpenGL cannot draw this picture: " +
+        (errors.empty() ? "it is larger than a window can be; make --resolution smaller"
+                        : errors.front()));
+  }
+  progress(1.0);
+
+  Picture picture;
+  picture.Image = ToFloats(bytes, width, height, options.Background);
+  picture.Statistics = { { "Samples/PerPixel", window->GetMultiSamples() } };
+  picture.EstimatedError = Unset;
+  picture.Threads =
+    options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
+  picture.RenderSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return picture;
+}
+
+}

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Engine.h"
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "Pictures.h"
+#include "RenderOptions.h"
+#include "Surfaces.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPenumbraRayCaster.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+struct Watch
+{
+  const ProgressListener& Listener;
+  Clock::time_point FirstRay;
+  bool Started = false;
+};
+
+// The first progress is reported when the scene is built.
+void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
+{
+  Watch& watch = *static_cast<Watch*>(clientData);
+  if (!watch.Started)
+  {
+    watch.Started = true;
+    watch.FirstRay = Clock::now();
+  }
+  watch.Listener(*static_cast<double*>(callData));
+}
+
+nlohmann::json ToJson(vtkFieldData* statistics)
+{
+  nlohmann::json json = nlohmann::json::object();
+  for (int i = 0; i < statistics->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = statistics->GetArray(i);
+    if (array && array->GetName() && array->GetNumberOfTuples() > 0)
+    {
+      const double value = array->GetComponent(0, 0);
+      const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+      json[array->GetName()] =
+        whole ? nlohmann::json(static_cast<long long>(value)) : nlohmann::json(value);
+    }
+  }
+  return json;
+}
+
+// `CellId` of surfaces that were extracted from another data set: the id in that one.
+void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
+{
+  vtkDataArray* objects = image->GetPointData()->GetArray("ObjectId");
+  vtkDataArray* cells = image->GetPointData()->GetArray("CellId");
+  if (!objects || !cells)
+  {
+    return;
+  }
+  std::vector<vtkDataArray*> originals;
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetActors()->InitTraversal(cookie);
+  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  {
+    originals.push_back(actor->GetMapper()->GetInput()->GetCellData()->GetArray(OriginalCellIds));
+  }
+  for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+  {
+    const int object = static_cast<int>(objects->GetComponent(i, 0));
+    const vtkIdType cell = static_cast<vtkIdType>(cells->GetComponent(i, 0));
+    const bool known = object >= 0 && object < static_cast<int>(originals.size());
+    if (known && originals[object] && cell >= 0 && cell < originals[object]->GetNumberOfTuples())
+    {
+      cells->SetComponent(i, 0, originals[object]->GetComponent(cell, 0));
+    }
+  }
+}
+
+}
+
+Picture RenderWithRays(
+  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress)
+{
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(options.Resolution[0], options.Resolution[1]);
+  caster->SetTolerance(options.Tolerance);
+  caster->SetMaximumLevel(options.MaximumLevel);
+  caster->SetSmallObjects(options.SmallObjects);
+  caster->SetNumberOfThreads(options.Threads);
+  caster->SetShadows(options.Shadows);
+  caster->SetAmbientOcclusion(options.AmbientOcclusion);
+  caster->SetAmbientOcclusionRadius(
+    std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));
+  caster->SetAmbientOcclusionStrength(
+    std::isnan(options.AmbientOcclusionStrength) ? -1.0 : options.AmbientOcclusionStrength);
+  caster->SetBackground(options.Background);
+  caster->SetDPI(options.DotsPerInch);
+  caster->SetGeometryArrays(HoldsArrays(options.Output));
+
+  Watch watch{ progress, Clock::now() };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(OnProgress);
+  observer->SetClientData(&watch);
+  caster->AddObserver(vtkCommand::ProgressEvent, observer);
+
+  TakeErrors();
+  const Clock::time_point start = Clock::now();
+  caster->Update();
+  const Clock::time_point end = Clock::now();
+  const std::vector<std::string> errors = TakeErrors();
+  if (!errors.empty())
+  {
+    throw Failure(BadInput, "--engine ray: " + errors.front());
+  }
+
+  Picture picture;
+  picture.Image = caster->GetOutput();
+  RestoreCellIds(picture.Image, renderer);
+  picture.Statistics = ToJson(caster->GetStatistics());
+  picture.EstimatedError = caster->GetEstimatedError();
+  picture.Threads =
+    options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
+  const Clock::time_point firstRay = watch.Started ? watch.FirstRay : start;
+  picture.BuildSeconds = std::chrono::duration<double>(firstRay - start).count();
+  picture.RenderSeconds = std::chrono::duration<double>(end - firstRay).count();
+  return picture;
+}
+
+}

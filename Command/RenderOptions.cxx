@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderOptions.h"
+
+#include "Colormaps.h"
+#include "Failure.h"
+#include "Pictures.h"
+#include "Worker.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace penumbra
+{
+
+namespace
+{
+
+const Range Unit{ 0.0, 1.0 };
+const Range Positive{ 0.0, Infinity, true };
+
+/// A flag that turns something off.
+CLI::Option* AddNegation(
+  CLI::App& app, const std::string& name, bool& target, const std::string& description)
+{
+  const auto store = [&target](std::int64_t uses) { target = uses <= 0; };
+  return app.add_flag_function(name, store, description);
+}
+
+void DeclareOutput(CLI::App& app, RenderOptions& options)
+{
+  app.add_option("FILE", options.Files, "Meshes to draw; `penumbra list` names the formats")
+    ->required()
+    ->type_name("");
+  app
+    .add_option("--output", options.Output,
+      "Picture: .png .jpg .tif .bmp (8 bit) or .vti (floats, depth, normals, ids); with {name} in "
+      "it, one picture for each file")
+    ->required()
+    ->type_name("PATH")
+    ->take_last()
+    ->group("Output");
+  const auto storeResolution = [&options](const std::string& text)
+  {
+    const Range sides{ 1.0, 65535.0 };
+    const std::vector<double> numbers = ParseNumbers("--resolution", text, 2, 2, sides);
+    if (numbers[0] != std::floor(numbers[0]) || numbers[1] != std::floor(numbers[1]))
+    {
+      throw CLI::ValidationError("--resolution", "'" + text + "' is not two whole numbers");
+    }
+    options.Resolution = { static_cast<int>(numbers[0]), static_cast<int>(numbers[1]) };
+  };
+  app
+    .add_option_function<std::string>("--resolution", storeResolution, "Width and height in pixels")
+    ->type_name("W,H")
+    ->default_str("1000,600")
+    ->take_last()
+    ->group("Output");
+  AddInteger(app, "--dpi", options.DotsPerInch,
+    "Dots per inch, written into the file; widths are in points of 1/72 inch", 1, 9600)
+    ->group("Output");
+  app
+    .add_option("--statistics", options.Statistics,
+      "Write rays, error, times and memory to this file; {name} as in --output")
+    ->type_name("FILE.json")
+    ->take_last()
+    ->group("Output");
+  AddChoice(app, "--progress", options.Progress, { "auto", "bar", "plain", "none" },
+    "How progress is shown on stderr; auto: a bar on a terminal")
+    ->group("Output");
+  AddInteger(app, "--jobs", options.Jobs, "Pictures made at a time, with {name}", 1, 1024)
+    ->group("Output");
+}
+
+void DeclareEngine(CLI::App& app, RenderOptions& options)
+{
+  AddChoice(app, "--engine", options.Engine, { "ray", "raster" },
+    "ray: the ray caster, no display and no OpenGL needed; raster: VTK's OpenGL")
+    ->group("Engine");
+  AddNumber(app, "--tolerance", options.Tolerance, "X",
+    "Error accepted (ray): RMSE of any 16x16 pixels, colours from 0 to 1", { 1e-6, 1.0 })
+    ->group("Engine");
+  AddInteger(
+    app, "--max-level", options.MaximumLevel, "Deepest subdivision of a pixel (ray): 2^-N", 0, 6)
+    ->group("Engine");
+  app
+    .add_flag(
+      "!--no-small-objects", options.SmallObjects, "Do not look for objects between the rays (ray)")
+    ->group("Engine");
+  AddInteger(app, "--threads", options.Threads, "Threads, 0: all; the picture is the same", 0, 1024)
+    ->group("Engine");
+  AddChoice(app, "--window", options.Window, { "osmesa", "egl", "x", "auto" },
+    "OpenGL window (raster); auto: the first that works")
+    ->group("Engine");
+}
+
+void DeclareCamera(CLI::App& app, CameraOptions& camera)
+{
+  AddTriple(app, "--camera-position", camera.Position, "Where the eye is; default: all is in view");
+  AddTriple(app, "--camera-focal-point", camera.FocalPoint,
+    "What it looks at; default: the centre of the bounds");
+  AddTriple(app, "--camera-view-up", camera.ViewUp, "What is up; default: 0,1,0");
+  AddTriple(app, "--camera-direction", camera.Direction,
+    "Where it looks, all in view; default: 0,0,-1; not used with --camera-position");
+  AddNumber(app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical angle of view",
+    { 0.0, 179.0, true });
+  AddNumber(app, "--camera-zoom-factor", camera.ZoomFactor, "F",
+    "Closer than the view of all by this factor; not used with --camera-position", Positive);
+  AddNumber(app, "--camera-azimuth-angle", camera.Azimuth, "DEG",
+    "Then turn around the focal point, to the right");
+  AddNumber(app, "--camera-elevation-angle", camera.Elevation, "DEG",
+    "Then turn around the focal point, upwards");
+  app.add_flag("--camera-orthographic", camera.Orthographic, "Parallel projection");
+  AddNumber(app, "--camera-parallel-scale", camera.ParallelScale, "S",
+    "Half the height of the view in world units; default: all is in view", Positive);
+  for (CLI::Option* option : app.get_options(
+         [](const CLI::Option* one) { return one->get_name().rfind("--camera-", 0) == 0; }))
+  {
+    option->group("Camera");
+  }
+}
+
+void DeclareLook(CLI::App& app, RenderOptions& options)
+{
+  const std::string look = "Look";
+  AddTriple(app, "--color", options.Color, "Colour of the surface; default: 1,1,1", Unit)
+    ->group(look);
+  AddNumber(app, "--opacity", options.Opacity, "A", "Opacity of the surface", Unit)->group(look);
+  AddTriple(app, "--background-color", options.BackgroundColor, "Default: 0,0,0", Unit)
+    ->group(look);
+  AddNegation(app, "--no-background", options.Background,
+    "Leave the background out: alpha is the covered share (.png .tif .vti)")
+    ->group(look);
+  AddNegation(app, "--no-lighting", options.Lighting, "Plain colours, no light")->group(look);
+  const auto storeLights = [&options](const std::vector<std::string>& texts)
+  {
+    options.Lights.clear();
+    for (const std::string& text : texts)
+    {
+      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, {});
+      numbers.resize(4, 1.0);
+      options.Lights.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
+    }
+  };
+  app
+    .add_option_function<std::vector<std::string>>("--light-position", storeLights,
+      "A light instead of the headlight; w = 0: it shines from that direction; repeatable")
+    ->type_name("X,Y,Z[,W]")
+    ->allow_extra_args(false)
+    ->group(look);
+  AddNumber(app, "--feature-angle", options.FeatureAngle, "DEG",
+    "Compute smooth normals, edges sharper than this stay; default: the file's normals, else flat",
+    { 0.0, 180.0 })
+    ->group(look);
+  app.add_flag("--show-edges", options.ShowEdges, "Draw the edges of the cells")->group(look);
+  AddChoice(app, "--representation", options.Representation, { "surface", "wireframe", "points" },
+    "What of the mesh is drawn")
+    ->group(look);
+  AddNumber(
+    app, "--line-width", options.LineWidth, "PT", "Width of lines and edges", { 0.0, 1000.0, true })
+    ->group(look);
+  AddNumber(app, "--point-size", options.PointSize, "PT", "Size of points", { 0.0, 1000.0, true })
+    ->group(look);
+}
+
+void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
+{
+  const std::string group = "Colouring by data";
+  app.add_flag("--scalar-coloring", coloring.Enabled, "Colour by an array of the file")
+    ->group(group);
+  app
+    .add_option("--coloring-array", coloring.Array,
+      "Which array; turns colouring on; default: the file's scalars, else its first array")
+    ->type_name("NAME")
+    ->take_last()
+    ->group(group);
+  AddInteger(app, "--coloring-component", coloring.Component,
+    "Which component; -1: the magnitude, -2: the values are the colours themselves", -2, 1000000)
+    ->group(group);
+  const auto storeRange = [&coloring](const std::string& text)
+  {
+    coloring.Range = ParseNumbers("--coloring-range", text, 2, 2, {});
+    if (coloring.Range[0] > coloring.Range[1])
+    {
+      throw CLI::ValidationError(
+        "--coloring-range", "'" + text + "' has its ends in the wrong order");
+    }
+  };
+  app
+    .add_option_function<std::string>("--coloring-range", storeRange,
+      "Values of the first and the last colour; default: the data's")
+    ->type_name("A,B")
+    ->take_last()
+    ->group(group);
+  app.add_flag("--coloring-by-cells", coloring.ByCells, "An array of the cells, not of the points")
+    ->group(group);
+  AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(), "Colours")
+    ->type_name("NAME")
+    ->group(group);
+  app.add_flag("--coloring-scalar-bar", coloring.ScalarBar, "Draw the colours' legend")
+    ->group(group);
+}
+
+void DeclareEffects(CLI::App& app, RenderOptions& options)
+{
+  const std::string group = "Effects";
+  app
+    .add_flag("--ambient-occlusion", options.AmbientOcclusion,
+      "Darken what sees little of the sky: rgb * (1 - strength * occlusion) (ray)")
+    ->group(group);
+  AddNumber(app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "R",
+    "Reach of an occluder in world units, inf: all; default: a tenth of the bounds' diagonal",
+    { 0.0, Infinity, true, true })
+    ->default_str("")
+    ->group(group);
+  AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
+    "Default: 1, on surfaces coloured by data 0.6", Unit)
+    ->group(group);
+  app.add_flag("--shadows", options.Shadows, "Hard shadows of the lights (ray)")->group(group);
+}
+
+void RequireRay(const CLI::App& app, const RenderOptions& options)
+{
+  if (options.Engine == "ray")
+  {
+    return;
+  }
+  for (const char* name :
+    { "--tolerance", "--max-level", "--no-small-objects", "--ambient-occlusion",
+      "--ambient-occlusion-radius", "--ambient-occlusion-strength", "--shadows" })
+  {
+    if (app.count(name) > 0)
+    {
+      throw Failure(BadInput,
+        std::string(name) +
+          " is not available in this version with --engine raster; use --engine ray");
+    }
+  }
+}
+
+}
+
+void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
+{
+  DeclareOutput(app, options);
+  DeclareEngine(app, options);
+  DeclareCamera(app, options.Camera);
+  DeclareLook(app, options);
+  DeclareColoring(app, options.Coloring);
+  DeclareEffects(app, options);
+}
+
+void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
+{
+  CheckPictureExtension(options.Output, "--output");
+  RequireRay(app, options);
+  if (!options.Background && !HoldsAlpha(options.Output))
+  {
+    throw Failure(BadInput,
+      "--no-background: " + options.Output + " cannot hold transparency; use .png, .tif or .vti");
+  }
+  const double bytesPerPixel = 32.0;
+  const double needed = bytesPerPixel * options.Resolution[0] * options.Resolution[1];
+  if (needed > static_cast<double>(MachineMemory()))
+  {
+    throw Failure(BadInput,
+      "--resolution: the picture needs more memory than the machine has; "
+      "make it smaller");
+  }
+  const Triple& up = options.Camera.ViewUp.value_or(Triple{ 0, 1, 0 });
+  if (std::hypot(up[0], up[1], up[2]) == 0.0)
+  {
+    throw Failure(BadInput, "--camera-view-up: 0,0,0 is no direction; give another");
+  }
+  const Triple& direction = options.Camera.Direction.value_or(Triple{ 0, 0, -1 });
+  if (std::hypot(direction[0], direction[1], direction[2]) == 0.0)
+  {
+    throw Failure(BadInput, "--camera-direction: 0,0,0 is no direction; give another");
+  }
+  if (options.Camera.Position && options.Camera.Position == options.Camera.FocalPoint)
+  {
+    throw Failure(
+      BadInput, "--camera-focal-point: it is the same as --camera-position; move one of them");
+  }
+  for (const std::array<double, 4>& light : options.Lights)
+  {
+    if (light[3] < 0.0 || (light[3] == 0.0 && std::hypot(light[0], light[1], light[2]) == 0.0))
+    {
+      throw Failure(BadInput, "--light-position: w must be 0, with a direction, or positive");
+    }
+  }
+}
+
+const std::vector<std::string>& UnavailableOptions()
+{
+  static const std::vector<std::string> names = { "--ambient-occlusion-kernel", "--frames",
+    "--indirect", "--environment-color", "--albedo", "--bounces", "--light-shafts",
+    "--shafts-scattering", "--shafts-extinction", "--shafts-phase" };
+  return names;
+}
+
+}
