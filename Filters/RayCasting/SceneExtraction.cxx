@@ -3,31 +3,30 @@
 #include "SceneExtraction.h"
 
 #include "SceneExtractionActors.h"
-#include "SceneExtractionLines.h"
-#include "SceneExtractionSurfaces.h"
+#include "SceneExtractionGlyphs.h"
 #include "SceneExtractionView.h"
 
-#include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace penumbra
 {
 namespace
 {
 
-/// Adds the points of `piece` that are finite.
-void AddBounds(const Piece& piece, double bounds[6])
+/// Adds the points of `piece`, at one of its places, that are finite.
+void AddBounds(const Piece& piece, const glm::dmat4& toWorld, double bounds[6])
 {
   for (vtkIdType i = 0; i < piece.Data->GetNumberOfPoints(); ++i)
   {
     double x[3];
     piece.Data->GetPoints()->GetPoint(i, x);
-    const glm::dvec4 world = piece.ToWorld * glm::dvec4(x[0], x[1], x[2], 1.0);
+    const glm::dvec4 world = toWorld * glm::dvec4(x[0], x[1], x[2], 1.0);
     for (int k = 0; k < 3; ++k)
     {
       if (std::isfinite(world[k]))
@@ -41,12 +40,19 @@ void AddBounds(const Piece& piece, double bounds[6])
 
 void ComputeBounds(const std::vector<Piece>& pieces, double bounds[6])
 {
-  vtkMath::UninitializeBounds(bounds);
   std::fill_n(bounds, 6, std::numeric_limits<double>::infinity());
   bounds[1] = bounds[3] = bounds[5] = -bounds[0];
   for (const Piece& piece : pieces)
   {
-    AddBounds(piece, bounds);
+    if (!piece.Copies)
+    {
+      AddBounds(piece, piece.ToWorld, bounds);
+      continue;
+    }
+    for (const glm::dmat4& place : piece.Copies->Places)
+    {
+      AddBounds(piece, place, bounds);
+    }
   }
 }
 
@@ -54,11 +60,7 @@ void AddPieces(const std::vector<Piece>& pieces, const ExtractionOptions& option
 {
   for (const Piece& piece : pieces)
   {
-    if (piece.Property->GetRepresentation() == VTK_SURFACE)
-    {
-      AddSurface(piece, scene);
-    }
-    AddLinesAndPoints(piece, options.DPI / 72.0, scene);
+    AddPiece(piece, options.DPI / 72.0, scene);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
+#include "SceneExtractionGlyphs.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
@@ -12,6 +13,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
@@ -31,7 +33,7 @@ namespace
 /// Actors and mappers that draw in a way of their own, which triangles of their input are not.
 constexpr const char* UnsupportedActors[] = { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" };
 constexpr const char* UnsupportedMappers[] = { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
-  "vtkPointGaussianMapper", "vtkGlyph3DMapper" };
+  "vtkPointGaussianMapper" };
 
 bool IsAnyOf(vtkObjectBase* object, const char* const* begin, const char* const* end)
 {
@@ -165,12 +167,30 @@ private:
     {
       ForEachBlock(composite, mapper, look, scalars,
         [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars) {
-          this->AddDataSet(leaf, blockLook, blockScalars);
+          this->AddMapped(mapper, leaf, blockLook, blockScalars);
         });
+    }
+    else if (auto* dataSet = vtkDataSet::SafeDownCast(data))
+    {
+      this->AddMapped(mapper, dataSet, look, scalars);
     }
     else
     {
       this->AddData(data, look, scalars);
+    }
+  }
+
+  void AddMapped(vtkMapper* mapper, vtkDataSet* data, const Piece& look, ScalarMapper* scalars)
+  {
+    auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+    if (!glyphs)
+    {
+      this->AddDataSet(data, look, scalars);
+      return;
+    }
+    for (Piece& piece : MakeGlyphs(glyphs, data, look, scalars, this->Warnings))
+    {
+      this->Pieces.push_back(std::move(piece));
     }
   }
 

@@ -8,7 +8,6 @@
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkTexture.h"
 
 namespace penumbra
@@ -52,11 +51,11 @@ vtkStandardNewMacro(ScalarMapper);
 
 int ScalarMapper::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
-Coloring ScalarMapper::Map(vtkPolyData* data)
+Coloring ScalarMapper::Map(vtkDataSet* data)
 {
   Coloring result;
   this->SetInputDataObject(data);
@@ -99,6 +98,12 @@ Coloring ScalarMapper::Map(vtkPolyData* data)
     result.Way = Coloring::Ways::PerCell;
   }
   return result;
+}
+
+vtkDataArray* ScalarMapper::FindArray(vtkAlgorithm* algorithm, int which, vtkDataSet* data)
+{
+  this->SetInputArrayToProcess(which, algorithm->GetInputArrayInformation(which));
+  return this->GetInputArrayToProcess(which, data);
 }
 
 std::shared_ptr<const Texture> MakeTexture(

@@ -10,12 +10,13 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 
+class vtkDataSet;
 class vtkTexture;
 
 namespace penumbra
 {
 
-/// Maps scalars as a mapper of the user's would, on any poly data, and leaves that mapper alone.
+/// Maps scalars as a mapper of the user's would, on any data set, and leaves that mapper alone.
 class ScalarMapper : public vtkMapper
 {
 public:
@@ -25,7 +26,10 @@ public:
   void Render(vtkRenderer*, vtkActor*) override {}
 
   /// The colours of `data` under the settings of this mapper (see ShallowCopy()).
-  Coloring Map(vtkPolyData* data);
+  Coloring Map(vtkDataSet* data);
+
+  /// The array of `data` that `algorithm` was told to process as its input array `which`.
+  vtkDataArray* FindArray(vtkAlgorithm* algorithm, int which, vtkDataSet* data);
 
 protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;

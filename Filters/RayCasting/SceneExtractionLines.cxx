@@ -49,8 +49,9 @@ Material MakeUnlit(const double color[3], double opacity)
 {
   Material material;
   material.AmbientColor = glm::vec3(color[0], color[1], color[2]);
-  material.DiffuseColor = glm::vec3(0.f);
+  material.DiffuseColor = material.AmbientColor;
   material.Ambient = 1.f;
+  material.Diffuse = 0.f;
   material.Opacity = static_cast<float>(opacity);
   material.Lighting = false;
   return material;

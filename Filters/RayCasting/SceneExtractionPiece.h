@@ -36,6 +36,15 @@ struct Coloring
   vtkSmartPointer<vtkDataArray> Coordinates; ///< of Map, per point
 };
 
+/// Copies of one shape: a glyph mapper's.
+struct Instances
+{
+  std::vector<glm::dmat4> Places; ///< to world
+  std::vector<glm::u8vec4> Colors;
+  std::vector<std::uint32_t> Ids; ///< of the points they stand at
+  bool ByScalars = false;
+};
+
 struct Piece
 {
   int ObjectId = 0;
@@ -48,6 +57,7 @@ struct Piece
   std::shared_ptr<const Texture> LitTexture;
   std::vector<glm::dvec4> ClippingPlanes; ///< world: what has dot(plane, (x, 1)) < 0 is cut away
   vtkSmartPointer<vtkDataArray> CellIds;  ///< per cell of Data, its id for `CellId`; null: its own
+  std::shared_ptr<Instances> Copies;      ///< null: drawn once, at ToWorld
 };
 
 /// From the coordinates of data to those of a scene.

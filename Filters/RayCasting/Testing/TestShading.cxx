@@ -12,14 +12,18 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
 #include "vtkCubeSource.h"
 #include "vtkDataSetMapper.h"
 #include "vtkDoubleArray.h"
 #include "vtkElevationFilter.h"
 #include "vtkFloatArray.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -454,4 +458,90 @@ TEST_F(ShadingOfActor, IsVTKsWithVisibleEdgesAndVertices)
   const RasterComparison::Result result = this->Pictures.Compare();
   EXPECT_GE(result.Pixels, 1000);
   EXPECT_LE(result.Different, .2 * result.Pixels);
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnGlyphs)
+{
+  vtkNew<vtkPlaneSource> points;
+  points->SetResolution(2, 2);
+  vtkNew<vtkElevationFilter> values;
+  values->SetInputConnection(points->GetOutputPort());
+  values->SetLowPoint(-.5, -.5, 0.0);
+  values->SetHighPoint(.5, .6, 0.0);
+  values->Update();
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("directions");
+  directions->SetNumberOfComponents(3);
+  for (int i = 0; i < 9; ++i)
+  {
+    directions->InsertNextTuple3(1.0 - .3 * i, .2 * i, .5 - .1 * i);
+  }
+  values->GetOutput()->GetPointData()->AddArray(directions);
+  for (const int mode : { vtkGlyph3DMapper::DIRECTION, vtkGlyph3DMapper::ROTATION })
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(2.0);
+    vtkNew<vtkGlyph3DMapper> mapper;
+    mapper->SetInputData(values->GetOutput());
+    mapper->SetSourceConnection(cube->GetOutputPort());
+    mapper->SetOrientationArray("directions");
+    mapper->SetOrientationMode(mode);
+    mapper->SetScaleArray("directions");
+    mapper->SetScaleModeToScaleByMagnitude();
+    mapper->SetScaleFactor(.15);
+    this->Actor->SetMapper(mapper);
+    this->Actor->SetScale(1.0, 1.2, .9);
+    this->Renderer()->AddActor(this->Actor);
+    this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+    this->Renderer()->ResetCamera();
+    this->ExpectSamePicture(300);
+    mapper->ScalarVisibilityOff();
+    this->Property()->SetColor(.8, .6, .1);
+    this->ExpectSamePicture(300);
+  }
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetCenter(i % 2 * 1.2, i / 2 * 1.2, 0.0);
+    cube->Update();
+    blocks->SetBlock(i, cube->GetOutput());
+  }
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  const double color[3] = { .9, .3, .2 };
+  mapper->SetBlockColor(2, color);
+  mapper->SetBlockVisibility(3, false);
+  this->Actor->SetMapper(mapper);
+  this->Property()->SetColor(.2, .6, .9);
+  this->Renderer()->AddActor(this->Actor);
+  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+  this->Renderer()->ResetCamera();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnTheSurfaceOfAGrid)
+{
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(4, 3, 3);
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue((i * 7) % 11);
+  }
+  grid->GetPointData()->SetScalars(values);
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputData(grid);
+  mapper->SetScalarRange(0.0, 10.0);
+  this->Actor->SetMapper(mapper);
+  this->Renderer()->AddActor(this->Actor);
+  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+  this->Renderer()->ResetCamera();
+  this->ExpectSamePicture();
 }

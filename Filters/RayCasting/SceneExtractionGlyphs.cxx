@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionGlyphs.h"
+
+#include "SceneExtractionColors.h"
+#include "SceneExtractionLines.h"
+#include "SceneExtractionSurfaces.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataSet.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+/// The share of a glyph that VTK draws where a scale is 0.
+constexpr double SmallestScale = 1e-10;
+
+/// What VTK sets where no shape is given: a line of length 1 along x.
+vtkSmartPointer<vtkPolyData> DefaultShape()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType line[2] = { 0, 1 };
+  lines->InsertNextCell(2, line);
+  auto shape = vtkSmartPointer<vtkPolyData>::New();
+  shape->SetPoints(points);
+  shape->SetLines(lines);
+  return shape;
+}
+
+double Norm(vtkDataArray* array, vtkIdType i)
+{
+  double sum = 0.0;
+  for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+  {
+    sum += array->GetComponent(i, k) * array->GetComponent(i, k);
+  }
+  return std::sqrt(sum);
+}
+
+/// Reads the arrays that place glyphs.
+class Placing
+{
+public:
+  Placing(vtkGlyph3DMapper* mapper, vtkDataSet* data, ScalarMapper* arrays)
+    : Mapper(mapper),
+      Data(data)
+  {
+    const auto find = [&](bool wanted, int which) -> vtkDataArray* {
+      vtkDataArray* array = wanted ? arrays->FindArray(mapper, which, data) : nullptr;
+      return array && array->GetNumberOfTuples() >= data->GetNumberOfPoints() ? array : nullptr;
+    };
+    const int mode = mapper->GetScaleMode();
+    this->Mask = find(mapper->GetMasking(), vtkGlyph3DMapper::MASK);
+    this->Index = find(mapper->GetSourceIndexing(), vtkGlyph3DMapper::SOURCE_INDEX);
+    this->Scale = find(
+      mapper->GetScaling() && mode != vtkGlyph3DMapper::NO_DATA_SCALING, vtkGlyph3DMapper::SCALE);
+    this->Orientation = find(mapper->GetOrient(), vtkGlyph3DMapper::ORIENTATION);
+  }
+
+  bool IsShown(vtkIdType i) const { return !this->Mask || this->Mask->GetComponent(i, 0) != 0.0; }
+
+  int Shape(vtkIdType i, int count) const
+  {
+    const double value = this->Index ? Norm(this->Index, i) : 0.0;
+    return value < count - 1 ? static_cast<int>(value) : count - 1;
+  }
+
+  glm::dmat4 Place(vtkIdType i) const
+  {
+    double x[3];
+    this->Data->GetPoint(i, x);
+    const glm::dmat3 turned = this->Turn(i);
+    const glm::dvec3 scale = this->Scales(i);
+    return { glm::dvec4(scale.x * turned[0], 0.0), glm::dvec4(scale.y * turned[1], 0.0),
+      glm::dvec4(scale.z * turned[2], 0.0), glm::dvec4(x[0], x[1], x[2], 1.0) };
+  }
+
+private:
+  glm::dvec3 Scales(vtkIdType i) const
+  {
+    if (!this->Mapper->GetScaling())
+    {
+      return glm::dvec3(1.0);
+    }
+    glm::dvec3 scale(1.0);
+    if (this->Scale && this->Mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_MAGNITUDE)
+    {
+      scale = glm::dvec3(Norm(this->Scale, i));
+    }
+    else if (this->Scale && this->Scale->GetNumberOfComponents() == 3)
+    {
+      this->Scale->GetTuple(i, &scale.x);
+    }
+    if (this->Mapper->GetClamping() && this->Scale)
+    {
+      double range[2];
+      this->Mapper->GetRange(range);
+      const double span = range[1] == range[0] ? 1.0 : range[1] - range[0];
+      scale = (glm::clamp(scale, range[0], range[1]) - range[0]) / span;
+    }
+    scale *= this->Mapper->GetScaleFactor();
+    for (int k = 0; k < 3; ++k)
+    {
+      scale[k] = scale[k] == 0.0 ? SmallestScale : scale[k];
+    }
+    return scale;
+  }
+
+  glm::dmat3 Turn(vtkIdType i) const
+  {
+    const int mode = this->Mapper->GetOrientationMode();
+    const int components = mode == vtkGlyph3DMapper::QUATERNION ? 4 : 3;
+    if (!this->Orientation || this->Orientation->GetNumberOfComponents() != components)
+    {
+      return glm::dmat3(1.0);
+    }
+    double v[4];
+    this->Orientation->GetTuple(i, v);
+    if (mode == vtkGlyph3DMapper::QUATERNION)
+    {
+      return glm::mat3_cast(glm::normalize(glm::dquat(v[0], v[1], v[2], v[3])));
+    }
+    const glm::dvec3 direction(v[0], v[1], v[2]);
+    if (mode == vtkGlyph3DMapper::ROTATION)
+    {
+      const glm::dvec3 angles = glm::radians(direction);
+      return glm::mat3_cast(glm::angleAxis(angles.z, glm::dvec3(0.0, 0.0, 1.0)) *
+        glm::angleAxis(angles.x, glm::dvec3(1.0, 0.0, 0.0)) *
+        glm::angleAxis(angles.y, glm::dvec3(0.0, 1.0, 0.0)));
+    }
+    // Half a turn about the bisector of the x axis and the direction.
+    const glm::dvec3 bisector = direction + glm::dvec3(glm::length(direction), 0.0, 0.0);
+    const double length = glm::length(bisector);
+    if (direction.y == 0.0 && direction.z == 0.0)
+    {
+      return direction.x < 0.0 ? glm::mat3_cast(glm::dquat(0.0, 0.0, 1.0, 0.0)) : glm::dmat3(1.0);
+    }
+    return length > 0.0 ? glm::mat3_cast(glm::dquat(0.0, bisector / length)) : glm::dmat3(1.0);
+  }
+
+  vtkGlyph3DMapper* Mapper;
+  vtkDataSet* Data;
+  vtkDataArray* Mask;
+  vtkDataArray* Index;
+  vtkDataArray* Scale;
+  vtkDataArray* Orientation;
+};
+
+template <typename T>
+void Append(std::vector<T>& to, const std::vector<T>& from)
+{
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Can both be one surface, once colours are per cell?
+bool IsAlike(const Surface& a, const Surface& b)
+{
+  return a.ScreenSpace == b.ScreenSpace && a.NormalRule == b.NormalRule &&
+    a.Normals.empty() == b.Normals.empty() &&
+    a.TriangleNormals.empty() == b.TriangleNormals.empty() && a.LitTexture == b.LitTexture &&
+    a.Front.Lighting == b.Front.Lighting && a.Front.Ambient == b.Front.Ambient &&
+    a.Front.Diffuse == b.Front.Diffuse;
+}
+
+/// Adds one copy, in the one colour of its material and as one cell, to the surface of its like.
+void Merge(Surface&& copy, std::uint32_t id, Surface& into)
+{
+  const glm::u8vec4 color(glm::vec4(copy.Front.DiffuseColor, copy.Front.Opacity) * 255.f + .5f);
+  copy.Front.Opacity = 1.f;
+  copy.CellColors.assign(copy.Triangles.size(), color);
+  copy.CellIds.assign(copy.Triangles.size(), id);
+  if (into.Positions.empty())
+  {
+    into = std::move(copy);
+    return;
+  }
+  const auto first = static_cast<std::uint32_t>(into.Positions.size());
+  for (const glm::uvec3& triangle : copy.Triangles)
+  {
+    into.Triangles.push_back(triangle + first);
+  }
+  Append(into.Positions, copy.Positions);
+  Append(into.CellIds, copy.CellIds);
+  Append(into.CellColors, copy.CellColors);
+  Append(into.Normals, copy.Normals);
+  Append(into.TriangleNormals, copy.TriangleNormals);
+  Append(into.TextureCoordinates, copy.TextureCoordinates);
+}
+
+void AddOnce(const Piece& piece, double pixelsPerPoint, Scene& scene)
+{
+  if (piece.Property->GetRepresentation() == VTK_SURFACE)
+  {
+    AddSurface(piece, scene);
+  }
+  AddLinesAndPoints(piece, pixelsPerPoint, scene);
+}
+
+}
+
+std::vector<Piece> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const Piece& look,
+  ScalarMapper* scalars, std::vector<std::string>& warnings)
+{
+  if (mapper->GetUseSourceTableTree())
+  {
+    warnings.push_back(
+      look.Name + ": glyphs from a source table tree are not supported; left out.");
+    return {};
+  }
+  std::vector<Piece> shapes;
+  const int sources = std::max(1, mapper->GetNumberOfInputConnections(1));
+  for (int i = 0; i < sources; ++i)
+  {
+    Piece shape = look;
+    shape.Data = mapper->GetSource(i);
+    if (!shape.Data)
+    {
+      shape.Data = DefaultShape();
+    }
+    shape.Copies = std::make_shared<Instances>();
+    shapes.push_back(std::move(shape));
+  }
+  scalars->InterpolateScalarsBeforeMappingOff();
+  const Coloring coloring = scalars->Map(data);
+  const bool colored = coloring.Way == Coloring::Ways::PerPoint;
+  double own[3];
+  look.Property->GetColor(own);
+  // VTK multiplies a glyph by its opacity twice.
+  const glm::u8vec4 color(
+    glm::dvec4(own[0], own[1], own[2], look.Property->GetOpacity()) * 255.0 + .5);
+  const Placing placing(mapper, data, scalars);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    if (!placing.IsShown(i))
+    {
+      continue;
+    }
+    Instances& copies = *shapes[placing.Shape(i, sources)].Copies;
+    copies.ByScalars = colored;
+    copies.Places.push_back(look.ToWorld * placing.Place(i));
+    copies.Ids.push_back(static_cast<std::uint32_t>(i));
+    glm::u8vec4 mapped = color;
+    if (colored)
+    {
+      const unsigned char* c = coloring.Colors->GetPointer(4 * i);
+      mapped = { c[0], c[1], c[2],
+        static_cast<unsigned char>(c[3] * look.Property->GetOpacity() + .5) };
+    }
+    copies.Colors.push_back(mapped);
+  }
+  return shapes;
+}
+
+void AddPiece(const Piece& piece, double pixelsPerPoint, Scene& scene)
+{
+  if (!piece.Copies)
+  {
+    AddOnce(piece, pixelsPerPoint, scene);
+    return;
+  }
+  // What one copy is drawn as (a surface, lines, points, edges) comes as several surfaces; each
+  // collects the same of all copies.
+  std::vector<Surface> collected;
+  Scene alone;
+  alone.Origin = scene.Origin;
+  alone.Scale = scene.Scale;
+  alone.Eye = scene.Eye;
+  Piece copy = piece;
+  copy.Colors.Way = Coloring::Ways::Single;
+  for (std::size_t i = 0; i < piece.Copies->Places.size(); ++i)
+  {
+    copy.ToWorld = piece.Copies->Places[i];
+    copy.Colors.SingleColor = piece.Copies->Colors[i];
+    AddOnce(copy, pixelsPerPoint, alone);
+    for (Surface& surface : alone.Surfaces)
+    {
+      const auto like = std::find_if(collected.begin(), collected.end(),
+        [&](const Surface& other) { return IsAlike(surface, other); });
+      Surface& into = like == collected.end() ? collected.emplace_back() : *like;
+      Merge(std::move(surface), piece.Copies->Ids[i], into);
+    }
+    alone.Surfaces.clear();
+  }
+  for (Surface& surface : collected)
+  {
+    surface.Positions.reserve(surface.Positions.size() + 1);
+    surface.Triangles.reserve(surface.Triangles.size() + 1);
+    surface.ScalarColoring = piece.Copies->ByScalars;
+    scene.Surfaces.push_back(std::move(surface));
+  }
+  // The same shape is faulty in the same way everywhere.
+  if (!alone.Warnings.empty())
+  {
+    scene.Warnings.push_back(alone.Warnings.front());
+  }
+}
+
+}

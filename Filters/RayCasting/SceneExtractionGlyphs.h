@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Glyph mappers: one shape at every point of a data set, turned, scaled and coloured by arrays.
+#ifndef penumbra_SceneExtractionGlyphs_h
+#define penumbra_SceneExtractionGlyphs_h
+
+#include "SceneExtractionPiece.h"
+
+class vtkDataSet;
+class vtkGlyph3DMapper;
+
+namespace penumbra
+{
+
+class ScalarMapper;
+
+/// One piece with copies for every shape that `mapper` sets at points of `data`, in `look`.
+std::vector<Piece> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const Piece& look,
+  ScalarMapper* scalars, std::vector<std::string>& warnings);
+
+/// Adds all that is drawn of `piece`, at every place it is copied to; copies of one kind become one
+/// surface, and their cells are the points they stand at.
+void AddPiece(const Piece& piece, double pixelsPerPoint, Scene& scene);
+
+}
+#endif
