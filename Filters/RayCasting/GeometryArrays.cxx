@@ -39,7 +39,11 @@ bool AddGeometryArrays(
   AddArray(normals.Get(), "Normal", 3, image);
   AddArray(objects.Get(), "ObjectId", 1, image);
   AddArray(cells.Get(), "CellId", 1, image);
-  AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
+  const bool occlusion = sampler.HasOcclusion();
+  if (occlusion)
+  {
+    AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
+  }
 
   const Scene& scene = sampler.GetScene();
   int extent[6];

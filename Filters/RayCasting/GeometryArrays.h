@@ -13,8 +13,8 @@ class vtkImageData;
 namespace penumbra
 {
 
-/// Adds `Depth`, `Normal`, `ObjectId`, `CellId` and `AmbientOcclusion` for the extent of `image`, and
-/// the rays traced to `counts`. False when `progress` stopped it.
+/// Adds `Depth`, `Normal`, `ObjectId`, `CellId` and, where the sampler asks for it,
+/// `AmbientOcclusion` for the extent of `image`, and the rays traced to `counts`. False when `progress` stopped it.
 bool AddGeometryArrays(
   const Sampler& sampler, const ProgressCallback& progress, vtkImageData* image, RayCounts& counts);
 

@@ -234,7 +234,9 @@ float PixelIntegrator::CurvatureError() const
     }
     sum += worst;
   }
-  return sum / 12.f;
+  // Second differences of noise alone are about 2.4 of its standard errors.
+  const float noise = 2.f * 2.4f * static_cast<float>(this->Settings.Noise);
+  return std::max(sum - noise, 0.f) / 12.f;
 }
 
 // A ray exactly through a vertex or an edge can slip between the triangles. Where no border is near,
@@ -284,9 +286,9 @@ PixelResult PixelIntegrator::Smooth(bool allowRefinement)
 
 bool PixelIntegrator::CanReuse(const Sample& sample) const
 {
-  if (this->Source.IsTransparent())
+  if (this->Source.IsTransparent() || this->Source.HasOcclusion())
   {
-    return false;
+    return !sample.First.IsHit();
   }
   return !sample.First.IsHit() ||
     this->Source.GetShading().IsConstantPerTriangle(sample.First.Surface);

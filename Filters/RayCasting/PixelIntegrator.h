@@ -29,6 +29,7 @@ struct IntegrationSettings
   int MaximumLevel = 3;
   bool SmallObjects = true;
   int UniformSamples = 8;
+  double Noise = 0.0; ///< standard error of the colours themselves: not to be chased
 };
 
 /// Pixels by what was done to them.

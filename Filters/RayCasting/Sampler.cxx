@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampler.h"
 
+#include "vtkPenumbraIrradianceSource.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,8 @@ namespace
 // Layers composed along one ray, and what of the light behind still matters.
 constexpr int MaximumLayers = 256;
 constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
+// How much occlusion may darken colours that stand for data.
+constexpr float StrengthOnScalars = 0.6f;
 
 bool LetsLightThrough(const Surface& surface)
 {
@@ -59,6 +63,26 @@ glm::vec4 Sampler::Background(glm::dvec2 p) const
   return { c.r * c.a, c.g * c.a, c.b * c.a, c.a };
 }
 
+void Sampler::SetOcclusion(const vtkPenumbraIrradianceSource* source, double strength)
+{
+  this->Occluder = source;
+  this->OcclusionStrength = static_cast<float>(strength);
+}
+
+float Sampler::Occlusion(
+  const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts) const
+{
+  const Scene& scene = this->GetScene();
+  const glm::dvec3 point = scene.Origin +
+    (glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction)) /
+      scene.Scale;
+  const glm::dvec3 normal(seen.GeometricNormal);
+  const vtkPenumbraIrradianceSource::Estimate estimate =
+    this->Occluder->Occlusion(&point.x, &normal.x);
+  counts.Occlusion += estimate.Rays;
+  return static_cast<float>(estimate.Value);
+}
+
 void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts) const
 {
   glm::vec4 color(0.f);
@@ -66,7 +90,17 @@ void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& 
   Ray rest = ray;
   for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
   {
-    const glm::vec4 c = this->Shades.Shade(ray, hit, counts.Shadow).Color;
+    const Appearance seen = this->Shades.Shade(ray, hit, counts.Shadow);
+    glm::vec4 c = seen.Color;
+    const Surface& surface = this->GetScene().Surfaces[hit.Surface];
+    if (this->Occluder && !surface.ScreenSpace)
+    {
+      const float strength = this->OcclusionStrength >= 0.f ? this->OcclusionStrength
+        : surface.ScalarColoring                            ? StrengthOnScalars
+                                                            : 1.f;
+      const float open = 1.f - strength * this->Occlusion(ray, hit, seen, counts);
+      c = glm::vec4(open * glm::vec3(c), c.a);
+    }
     const float share = (1.f - color.a) * c.a;
     color += glm::vec4(share * c.r, share * c.g, share * c.b, share);
     if (c.a >= 1.f || color.a > OpaqueAlpha)

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+class vtkPenumbraIrradianceSource;
+
 namespace penumbra
 {
 
@@ -49,11 +51,13 @@ public:
   /// The first hit alone.
   Hit FirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
-  /// The blocked share of the sky at a hit; 0 where nobody asked for it.
-  float Occlusion(glm::dvec2, const Ray&, const Hit&, const Appearance&, RayCounts&) const
-  {
-    return 0.f;
-  }
+  /// Asks `source` (after its Begin()) for the blocked share of the sky wherever colour is wanted and
+  /// darkens by `strength`; a negative strength: 1, or less on surfaces coloured by data.
+  void SetOcclusion(const vtkPenumbraIrradianceSource* source, double strength);
+  bool HasOcclusion() const { return this->Occluder != nullptr; }
+
+  /// The blocked share of the sky at a hit.
+  float Occlusion(const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts) const;
 
   Ray MakeRay(glm::dvec2 p) const;
 
@@ -71,6 +75,8 @@ private:
   const Shading& Shades;
   const Camera& Eye;
   bool Transparent = false; ///< some surface lets light through
+  const vtkPenumbraIrradianceSource* Occluder = nullptr;
+  float OcclusionStrength = 1.f;
 };
 
 }

@@ -6,6 +6,7 @@
 #include "Picture.h"
 #include "SceneExtraction.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -17,7 +18,7 @@
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPenumbraIrradianceSource.h"
+#include "vtkPenumbraBruteForceSource.h"
 #include "vtkPointData.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
@@ -36,6 +37,11 @@ namespace
 // tiles with about this many pixels.
 constexpr int PixelsPerPart = 1 << 22;
 constexpr int Alignment = 32;
+
+// Reach of an occluder as a share of the scene's diagonal, where none is given.
+constexpr double DefaultRadiusShare = 0.1;
+// A pixel is the mean of about four answers of the irradiance source, so each may err twice as much.
+constexpr double OcclusionNoiseShare = 2.0;
 
 void AddStatistic(vtkFieldData* statistics, const char* name, double value)
 {
@@ -68,6 +74,20 @@ vtkMTimeType GetSceneMTime(vtkRenderer* renderer)
     time = std::max({ time, prop->GetMTime(), prop->GetRedrawMTime() });
   }
   return time;
+}
+
+/// Diagonal of the bounds of what is drawn, in world units.
+double GetDiagonal(const penumbra::Scene& scene)
+{
+  vtkBoundingBox bounds;
+  for (const penumbra::Surface& surface : scene.Surfaces)
+  {
+    for (const glm::vec3& p : surface.Positions)
+    {
+      bounds.AddPoint(p.x, p.y, p.z);
+    }
+  }
+  return bounds.IsValid() ? bounds.GetDiagonalLength() / scene.Scale : 1.0;
 }
 
 vtkSmartPointer<vtkFloatArray> AddFloatArray(vtkImageData* image, const char* name, int components)
@@ -265,7 +285,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(
 {
   const penumbra::RayScene rays(scene, self->NumberOfThreads);
   const penumbra::Shading shading(rays, self->Shadows);
-  const penumbra::Sampler sampler(rays, shading, scene.Eye);
+  penumbra::Sampler sampler(rays, shading, scene.Eye);
 
   penumbra::PictureSettings settings;
   settings.Packets = self->Packets;
@@ -275,6 +295,19 @@ bool vtkPenumbraRayCaster::Internals::Execute(
   settings.Integration.MaximumLevel = self->MaximumLevel;
   settings.Integration.SmallObjects = self->SmallObjects;
   settings.Integration.UniformSamples = self->UniformSamples;
+  if (self->AmbientOcclusion)
+  {
+    if (!this->IrradianceSource)
+    {
+      this->IrradianceSource = vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
+    }
+    const double radius = self->AmbientOcclusionRadius > 0.0
+      ? self->AmbientOcclusionRadius
+      : DefaultRadiusShare * GetDiagonal(scene);
+    settings.Integration.Noise = OcclusionNoiseShare * self->Tolerance;
+    this->IrradianceSource->Begin(rays, radius, settings.Integration.Noise);
+    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
+  }
 
   const auto color = AddFloatArray(image, "Color", 4);
   image->GetPointData()->SetActiveScalars("Color");
