@@ -79,7 +79,7 @@ bool AddGeometryArrays(
       }
       objects->SetValue(id, surface.ObjectId);
       cells->SetValue(id, surface.CellIds.empty() ? hit.Triangle : surface.CellIds[hit.Triangle]);
-      occlusions->SetValue(id, sampler.Occlusion(p, ray, hit, seen, rowCounts));
+      occlusions->SetValue(id, sampler.Occlusion(ray, hit, seen, rowCounts));
     }
     const std::lock_guard<std::mutex> lock(totals);
     counts += rowCounts;

@@ -20,8 +20,12 @@ constexpr std::size_t MostEdges = 512;
 // The share of its contrast by which the mean of a square's corners errs, RMS over all straight
 // borders through it (measured: uniform samples of a half-plane).
 constexpr float ContrastError = 0.3f;
-// Errors that no pixel with a surface in it is believed to be below: rounding, float rays.
+// Errors that no pixel with a surface in it is believed to be below: rounding; and with edges in it,
+// the precision to which a ray and an edge agree on a place.
 constexpr float ErrorFloor = 2e-5f;
+constexpr float BorderErrorFloor = 1.5e-4f;
+// How much the colour is taken to vary across a piece of surface of which one sample is known.
+constexpr float UnknownVariation = 0.25f;
 // The same where there is nothing but background.
 constexpr float EmptyErrorFloor = 1e-6f;
 
@@ -296,116 +300,111 @@ bool PixelIntegrator::CanReuse(const Sample& sample) const
 
 PixelResult PixelIntegrator::FaceColor(std::size_t index)
 {
-  const PixelArrangement::Face& face = this->Arrangement.GetFaces()[index];
+  const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
   const unsigned int inside = face.Corners & this->TrustedCorners;
-  Sample sample;
-  bool known = false;
-  for (int i = 0; i < 4 && !known; ++i)
+  PixelResult result;
+  for (int i = 0; i < 4; ++i)
   {
     if ((inside >> i & 1u) && this->CanReuse(this->Corners[i]))
     {
-      sample = this->Corners[i];
-      known = true;
+      const Sample& corner = this->Corners[i];
+      this->DeepestFace = std::max(this->DeepestFace, corner.OpaqueDepth);
+      result.Color = corner.First.IsHit()
+        ? corner.Color
+        : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
+      return result;
     }
   }
-  if (!known)
-  {
-    sample = this->Trace(face.Point);
-  }
+  const Sample sample = this->Trace(face.Point);
   this->DeepestFace = std::max(this->DeepestFace, sample.OpaqueDepth);
-
-  PixelResult result;
-  result.Color = sample.First.IsHit()
-    ? sample.Color
-    : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
-  // The face is one surface, so its corners show what the shading does within it.
-  float variation = 0.f;
-  bool torn = false;
+  result.Color = sample.Color;
+  if (this->CanReuse(sample))
+  {
+    return result;
+  }
+  // The face is one surface: how its corners differ from the sample tells how the colour varies
+  // within it. A face without corners is taken to vary as much as a rim often does.
+  float variation = inside ? 0.f : UnknownVariation;
   for (int i = 0; i < 4; ++i)
   {
     if (inside >> i & 1u)
     {
       const Sample& corner = this->Corners[i];
-      torn = torn || corner.First.Surface != sample.First.Surface;
-      variation = std::max(variation, MaximumDifference(corner.Color, sample.Color));
+      const bool torn = corner.First.Surface != sample.First.Surface;
+      variation = std::max(
+        variation, std::max(torn ? 1.f : 0.f, MaximumDifference(corner.Color, sample.Color)));
     }
   }
   const float area = static_cast<float>(face.Area);
-  if (torn || ContrastError * variation * area > 8.f * this->Settings.Tolerance)
+  const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
+  if (variation * area > limit)
   {
-    return this->SplitFace(index, sample);
+    return this->SplitFace(index);
   }
-  const bool constant = sample.First.IsHit()
-    ? this->Source.GetShading().IsConstantPerTriangle(sample.First.Surface)
-    : true;
-  if (!constant)
-  {
-    result.Error = 0.1f * (inside ? variation : static_cast<float>(this->Settings.Tolerance)) +
-      variation * static_cast<float>(face.Offset);
-  }
+  result.Error = 0.1f * variation;
   return result;
 }
 
-// Surfaces that meet inside a face without an edge (interpenetration), or colours that jump there:
-// the face's trapezoids are halved until their samples agree or MaximumLevel is reached.
-PixelResult PixelIntegrator::SplitFace(std::size_t index, const Sample&)
+// Colours that bend or jump within a face, or surfaces that meet there without an edge
+// (interpenetration): the face's trapezoids are quartered until their samples agree.
+PixelResult PixelIntegrator::SplitFace(std::size_t index)
 {
-  struct Part
-  {
-    double U0, U1, V0, V1;
-    int Level;
-  };
   PixelResult result;
-  double area = 0.0;
-  glm::vec4 sum(0.f);
-  float error = 0.f;
-  std::vector<Part> stack;
-  const int deepest = std::min(this->Settings.MaximumLevel, 4);
-  const std::vector<PixelArrangement::Trapezoid> trapezoids = this->Arrangement.GetTrapezoids();
-  for (const PixelArrangement::Trapezoid& t : trapezoids)
+  float area = 0.f;
+  float squares = 0.f;
+  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
   {
-    if (t.Face != static_cast<int>(index) || t.Area() < SmallestFace)
+    if (t.Face == static_cast<int>(index) && t.Area() > SmallestFace)
     {
-      continue;
-    }
-    // Begin at the size at which a whole pixel would be after its own subdivision.
-    int level = 0;
-    while (level < deepest && t.Area() < std::ldexp(1.0, -2 * level - 1))
-    {
-      ++level;
-    }
-    stack.assign(1, { 0.0, 1.0, 0.0, 1.0, level });
-    while (!stack.empty())
-    {
-      const Part part = stack.back();
-      stack.pop_back();
-      const double um = 0.5 * (part.U0 + part.U1);
-      const double vm = 0.5 * (part.V0 + part.V1);
-      if (part.Level < deepest)
-      {
-        stack.push_back({ part.U0, um, part.V0, vm, part.Level + 1 });
-        stack.push_back({ um, part.U1, part.V0, vm, part.Level + 1 });
-        stack.push_back({ part.U0, um, vm, part.V1, part.Level + 1 });
-        stack.push_back({ um, part.U1, vm, part.V1, part.Level + 1 });
-        continue;
-      }
-      const double height0 = t.Top0 - t.Bottom0;
-      const double height1 = t.Top1 - t.Bottom1;
-      const double share = (t.X1 - t.X0) * (part.U1 - part.U0) * (part.V1 - part.V0) *
-        (height0 + um * (height1 - height0));
-      const Sample sample = this->Trace(t.At(um, vm));
-      this->DeepestFace = std::max(this->DeepestFace, sample.OpaqueDepth);
-      sum += static_cast<float>(share) * sample.Color;
-      error += static_cast<float>(share * share);
-      area += share;
+      const Sample middle = this->Trace(t.Centroid());
+      this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, middle, result.Color, squares);
+      area += static_cast<float>(t.Area());
     }
   }
-  if (area > 0.0)
-  {
-    result.Color = sum / static_cast<float>(area);
-    result.Error = std::sqrt(error) / static_cast<float>(area) * 0.5f;
-  }
+  result.Color /= area;
+  result.Error = std::sqrt(squares) / area;
   return result;
+}
+
+void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::dvec2 low,
+  double side, const Sample& middle, glm::vec4& color, float& squaredError)
+{
+  this->DeepestFace = std::max(this->DeepestFace, middle.OpaqueDepth);
+  const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
+  const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
+  const auto share = [&](double u, double s) {
+    return (t.X1 - t.X0) * s * s * (height + slope * (u + 0.5 * s - 0.5));
+  };
+  const float area = static_cast<float>(share(low.x, side));
+  if (area * UnknownVariation < this->Settings.Tolerance ||
+    side < std::ldexp(1.5, -this->Settings.MaximumLevel))
+  {
+    color += area * middle.Color;
+    squaredError += area * area * 0.01f * UnknownVariation * UnknownVariation;
+    return;
+  }
+  const double half = 0.5 * side;
+  Sample quarters[4];
+  glm::vec4 sum(0.f);
+  bool torn = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec2 at = low + half * CornerOffset(i);
+    quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half));
+    sum += static_cast<float>(share(at.x, half)) * quarters[i].Color;
+    torn = torn || quarters[i].First.Surface != middle.First.Surface;
+  }
+  const float deviation = MaximumDifference(sum, area * middle.Color);
+  if (!torn && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
+  {
+    color += sum;
+    squaredError += 0.1f * deviation * deviation;
+    return;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    this->SplitTrapezoid(t, low + half * CornerOffset(i), half, quarters[i], color, squaredError);
+  }
 }
 
 PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t count)
@@ -438,7 +437,7 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       continue;
     }
     result.Color /= static_cast<float>(covered);
-    result.Error = std::max(std::sqrt(squares), ErrorFloor);
+    result.Error = std::max(std::sqrt(squares), BorderErrorFloor);
     return result;
   }
 }
@@ -454,26 +453,14 @@ const Sample& PixelIntegrator::SampleAtFine(glm::ivec2 fine)
   return this->Cache.Insert(fine, this->Source.At(glm::dvec2(fine) * scale, this->Rays));
 }
 
-bool PixelIntegrator::NeedsDescent(const Square& square, bool byObject, float& leafError) const
+bool PixelIntegrator::NeedsDescent(const Square& square) const
 {
-  const float area = std::ldexp(1.f, -2 * square.Level);
-  leafError = ContrastError * Contrast(square.Corners) * area;
-  if (square.Level >= this->Settings.MaximumLevel)
-  {
-    return false;
-  }
-  bool differ = false;
   for (int i = 1; i < 4; ++i)
   {
-    differ = differ || square.Corners[i].First.Surface != square.Corners[0].First.Surface;
-  }
-  if (!byObject)
-  {
-    return differ || leafError > 0.5f * static_cast<float>(this->Settings.Tolerance);
-  }
-  if (differ)
-  {
-    return true;
+    if (square.Corners[i].First.Surface != square.Corners[0].First.Surface)
+    {
+      return true;
+    }
   }
   // Case 4: something inside, though the corners agree.
   const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
@@ -490,22 +477,41 @@ bool PixelIntegrator::NeedsDescent(const Square& square, bool byObject, float& l
   return false;
 }
 
-void PixelIntegrator::Descend(const Square& square, bool byObject, glm::vec4& color, float& error)
+void PixelIntegrator::Descend(
+  const Square& square, bool byObject, glm::vec4& color, float& squaredError)
 {
-  float leafError;
-  if (!this->NeedsDescent(square, byObject, leafError))
+  const float area = std::ldexp(1.f, -2 * square.Level);
+  const glm::vec4 mean = Mean(square.Corners);
+  if (square.Level >= this->Settings.MaximumLevel || (byObject && !this->NeedsDescent(square)))
   {
-    color += std::ldexp(1.f, -2 * square.Level) * Mean(square.Corners);
-    error += leafError * leafError;
+    color += area * mean;
+    const float error = area * ContrastError * Contrast(square.Corners);
+    squaredError += error * error;
     return;
   }
   const int half = 1 << (this->Settings.MaximumLevel - square.Level - 1);
   Sample nodes[9];
-  for (int i = 0; i < 9; ++i)
+  for (const int i : { 0, 2, 6, 8 })
   {
-    const bool corner = i % 2 == 0 && i != 4;
-    nodes[i] = corner ? square.Corners[(i % 3) / 2 + 2 * (i / 6)]
-                      : this->SampleAtFine(square.Low + half * glm::ivec2(i % 3, i / 3));
+    nodes[i] = square.Corners[(i % 3) / 2 + 2 * (i / 6)];
+  }
+  nodes[4] = this->SampleAtFine(square.Low + half);
+  if (!byObject && !this->NeedsDescent(square) && nodes[4].First.Surface == nodes[0].First.Surface)
+  {
+    // For colours bent like a parabola the mean of the corners and the middle err in opposite
+    // directions, as 2 to -1.
+    const float deviation = area * MaximumDifference(nodes[4].Color, mean);
+    const float noise = area * 2.f * static_cast<float>(this->Settings.Noise);
+    if (deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
+    {
+      color += area / 3.f * (mean + 2.f * nodes[4].Color);
+      squaredError += 0.01f * deviation * deviation;
+      return;
+    }
+  }
+  for (const int i : { 1, 3, 5, 7 })
+  {
+    nodes[i] = this->SampleAtFine(square.Low + half * glm::ivec2(i % 3, i / 3));
   }
   for (int child = 0; child < 4; ++child)
   {
@@ -518,7 +524,7 @@ void PixelIntegrator::Descend(const Square& square, bool byObject, glm::vec4& co
     {
       part.Corners[i] = nodes[(cy + (i >> 1)) * 3 + cx + (i & 1)];
     }
-    this->Descend(part, byObject, color, error);
+    this->Descend(part, byObject, color, squaredError);
   }
 }
 
@@ -528,14 +534,13 @@ PixelResult PixelIntegrator::Subdivide(bool byObject)
   whole.Low = glm::ivec2(this->X, this->Y) << this->Settings.MaximumLevel;
   whole.Level = 0;
   std::copy(this->Corners, this->Corners + 4, whole.Corners);
-  float leafError;
-  if (this->NeedsDescent(whole, byObject, leafError))
+  if (byObject && !this->NeedsDescent(whole))
   {
-    ++(this->CornersAgree() && byObject ? this->Pixels.Small : this->Pixels.Refined);
+    ++(this->Corners[0].First.IsHit() ? this->Pixels.Interior : this->Pixels.Empty);
   }
   else
   {
-    ++(this->Corners[0].First.IsHit() ? this->Pixels.Interior : this->Pixels.Empty);
+    ++(byObject && this->CornersAgree() ? this->Pixels.Small : this->Pixels.Refined);
   }
   PixelResult result;
   float squares = 0.f;

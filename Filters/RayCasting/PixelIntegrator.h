@@ -86,11 +86,13 @@ private:
   bool RepairLeak();
   bool CornersAgree() const;
   float CurvatureError() const;
-  void Descend(const Square& square, bool byObject, glm::vec4& color, float& error);
-  bool NeedsDescent(const Square& square, bool byObject, float& leafError) const;
+  void Descend(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
+  bool NeedsDescent(const Square& square) const;
   bool CanReuse(const Sample& sample) const;
   PixelResult FaceColor(std::size_t face);
-  PixelResult SplitFace(std::size_t face, const Sample& first);
+  PixelResult SplitFace(std::size_t face);
+  void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,
+    const Sample& middle, glm::vec4& color, float& squaredError);
   const Sample& SampleAtFine(glm::ivec2 fine);
   Sample Trace(glm::dvec2 local);
 
