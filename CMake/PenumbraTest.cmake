@@ -2,7 +2,8 @@
 # One GoogleTest executable from <TestName>.cxx; every TEST in it becomes a test of CTest.
 include(GoogleTest)
 
-set(penumbra_test_environment
+# The semicolons are escaped: gtest_discover_tests() would take them as ends of arguments.
+string(JOIN "\\;" penumbra_test_environment
   "VTK_DEFAULT_OPENGL_WINDOW=${PENUMBRA_WINDOW}"
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/leaks.supp:print_suppressions=0"
   "UBSAN_OPTIONS=print_stacktrace=1")
