@@ -14,7 +14,8 @@ namespace penumbra
 namespace
 {
 
-constexpr int TileSize = 8; // pixels; a tile of 64 x 64 samples a pixel stays in the cache
+constexpr int TileSize = 8;   // pixels; a tile of 64 x 64 samples a pixel stays in the cache
+constexpr int Refinement = 4; // times more samples per side where silhouettes are
 constexpr std::uint32_t Nothing = 0xffffffffu;
 
 /// A triangle in the picture: x, y in pixels, depth an affine function of them, smaller is nearer.
@@ -24,11 +25,13 @@ struct Projected
   glm::dvec3 Depth; // (constant, per x, per y)
 };
 
+/// The samples of a square block of pixels.
 struct Samples
 {
-  explicit Samples(int perSide)
-    : PerSide(perSide),
-      Row(TileSize * perSide),
+  Samples(int pixels, int perSide)
+    : Pixels(pixels),
+      PerSide(perSide),
+      Row(pixels * perSide),
       Depths(static_cast<std::size_t>(Row) * Row),
       Ids(Depths.size())
   {
@@ -38,6 +41,14 @@ struct Samples
     }
   }
 
+  void Clear()
+  {
+    std::fill(this->Depths.begin(), this->Depths.end(), std::numeric_limits<double>::infinity());
+    std::fill(this->Ids.begin(), this->Ids.end(), Nothing);
+  }
+
+  glm::ivec2 Origin{ 0 }; ///< lower left pixel
+  int Pixels;
   int PerSide;
   int Row;
   std::vector<double> Depths;
@@ -50,9 +61,8 @@ struct Samples
 class Drawing
 {
 public:
-  Drawing(const BruteForceScene& scene, int width, int height, int samples)
+  Drawing(const BruteForceScene& scene, int width, int height)
     : Scene(scene),
-      PerSide(samples),
       TilesX((width + TileSize - 1) / TileSize),
       TilesY((height + TileSize - 1) / TileSize),
       Tiles(static_cast<std::size_t>(this->TilesX) * this->TilesY)
@@ -65,7 +75,7 @@ public:
     this->Bin();
   }
 
-  void DrawTile(std::size_t tile, Samples& samples);
+  void DrawTile(std::size_t tile, Samples& coarse, Samples& fine);
 
   BruteForcePicture Picture;
   std::size_t GetNumberOfTiles() const { return this->Tiles.size(); }
@@ -73,14 +83,13 @@ public:
 private:
   void Project();
   void Bin();
-  void Fill(std::uint32_t id, int tileX, int tileY, Samples& samples) const;
-  void Resolve(int tileX, int tileY, const Samples& samples);
+  void Fill(std::uint32_t id, Samples& samples) const;
+  void Resolve(const Samples& samples);
   glm::dvec3 ShadeSmooth(std::uint32_t id, glm::dvec2 at) const;
   glm::dvec3 LitBy(glm::dvec3 normal) const;
   PixelKind Kind(std::vector<std::uint32_t>& ids) const;
 
   const BruteForceScene& Scene;
-  int PerSide;
   int TilesX;
   int TilesY;
   std::vector<glm::dvec4> Clip;
@@ -147,24 +156,35 @@ void Drawing::Bin()
   }
 }
 
-void Drawing::DrawTile(std::size_t tile, Samples& samples)
+void Drawing::DrawTile(std::size_t tile, Samples& coarse, Samples& fine)
 {
-  const int tileX = static_cast<int>(tile % this->TilesX);
-  const int tileY = static_cast<int>(tile / this->TilesX);
-  std::fill(samples.Depths.begin(), samples.Depths.end(), std::numeric_limits<double>::infinity());
-  std::fill(samples.Ids.begin(), samples.Ids.end(), Nothing);
-  for (std::uint32_t id : this->Tiles[tile])
+  const auto draw = [&](Samples& samples) {
+    samples.Clear();
+    for (std::uint32_t id : this->Tiles[tile])
+    {
+      this->Fill(id, samples);
+    }
+    this->Resolve(samples);
+  };
+  coarse.Origin = { int(tile % this->TilesX) * TileSize, int(tile / this->TilesX) * TileSize };
+  draw(coarse);
+  for (int k = 0; k < TileSize * TileSize; ++k)
   {
-    this->Fill(id, tileX, tileY, samples);
+    fine.Origin = coarse.Origin + glm::ivec2(k % TileSize, k / TileSize);
+    if (fine.Origin.x < this->Picture.Width && fine.Origin.y < this->Picture.Height &&
+      this->Picture.Kinds[static_cast<std::size_t>(fine.Origin.y) * this->Picture.Width +
+        fine.Origin.x] == PixelKind::Silhouette)
+    {
+      draw(fine);
+    }
   }
-  this->Resolve(tileX, tileY, samples);
 }
 
-void Drawing::Fill(std::uint32_t id, int tileX, int tileY, Samples& samples) const
+void Drawing::Fill(std::uint32_t id, Samples& samples) const
 {
   const Projected& flat = this->Flat[id];
-  const double step = 1.0 / this->PerSide;
-  const glm::dvec2 origin(tileX * TileSize, tileY * TileSize);
+  const double step = 1.0 / samples.PerSide;
+  const glm::dvec2 origin(samples.Origin);
   const auto& c = flat.Corners;
   const double low = std::min({ c[0].y, c[1].y, c[2].y }) - origin.y;
   const double high = std::max({ c[0].y, c[1].y, c[2].y }) - origin.y;
@@ -212,29 +232,31 @@ void Drawing::Fill(std::uint32_t id, int tileX, int tileY, Samples& samples) con
   }
 }
 
-void Drawing::Resolve(int tileX, int tileY, const Samples& samples)
+void Drawing::Resolve(const Samples& samples)
 {
-  const int n = this->PerSide;
+  const int n = samples.PerSide;
   const bool flat = this->Scene.Normals.empty() || !this->Scene.Lighting;
+  const glm::ivec2 end = glm::min(glm::ivec2(samples.Pixels),
+    glm::ivec2(this->Picture.Width, this->Picture.Height) - samples.Origin);
   std::vector<std::uint32_t> ids;
-  for (int j = 0; j < TileSize && tileY * TileSize + j < this->Picture.Height; ++j)
+  for (int j = 0; j < end.y; ++j)
   {
-    for (int i = 0; i < TileSize && tileX * TileSize + i < this->Picture.Width; ++i)
+    for (int i = 0; i < end.x; ++i)
     {
       ids.clear();
       glm::dvec3 sum(0.0);
       for (int row = 0; row < n; ++row)
       {
         const int sampleRow = j * n + row;
-        const double y = tileY * TileSize + (sampleRow + 0.5) / n;
-        const double left = tileX * TileSize + i;
+        const double y = samples.Origin.y + (sampleRow + 0.5) / n;
+        const double left = samples.Origin.x;
         const std::size_t at = static_cast<std::size_t>(sampleRow) * samples.Row + i * n;
-        for (int k = 0, end; k < n; k = end)
+        for (int k = 0, next; k < n; k = next)
         {
           const std::uint32_t id = samples.Ids[at + k];
-          for (end = k + 1; end < n && samples.Ids[at + end] == id;)
+          for (next = k + 1; next < n && samples.Ids[at + next] == id;)
           {
-            ++end;
+            ++next;
           }
           if (ids.empty() || id != ids.back())
           {
@@ -243,17 +265,17 @@ void Drawing::Resolve(int tileX, int tileY, const Samples& samples)
           if (id == Nothing || flat)
           {
             sum +=
-              double(end - k) * (id == Nothing ? this->Scene.Background : this->FlatColors[id]);
+              double(next - k) * (id == Nothing ? this->Scene.Background : this->FlatColors[id]);
             continue;
           }
-          for (int s = k; s < end; ++s)
+          for (int s = k; s < next; ++s)
           {
-            sum += this->ShadeSmooth(id, { left + (s + samples.Shifts[sampleRow]) / n, y });
+            sum += this->ShadeSmooth(id, { left + (i * n + s + samples.Shifts[sampleRow]) / n, y });
           }
         }
       }
       const std::size_t pixel =
-        static_cast<std::size_t>(tileY * TileSize + j) * this->Picture.Width + tileX * TileSize + i;
+        static_cast<std::size_t>(samples.Origin.y + j) * this->Picture.Width + samples.Origin.x + i;
       this->Picture.Colors[pixel] = sum / (static_cast<double>(n) * n);
       std::sort(ids.begin(), ids.end());
       ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -327,13 +349,14 @@ PixelKind Drawing::Kind(std::vector<std::uint32_t>& ids) const
 
 BruteForcePicture DrawByBruteForce(const BruteForceScene& scene, int width, int height, int samples)
 {
-  Drawing drawing(scene, width, height, samples);
+  Drawing drawing(scene, width, height);
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(drawing.GetNumberOfTiles()), 16, [&](vtkIdType begin, vtkIdType end) {
-      Samples buffers(samples);
+      Samples coarse(TileSize, samples);
+      Samples fine(1, Refinement * samples);
       for (vtkIdType tile = begin; tile < end; ++tile)
       {
-        drawing.DrawTile(static_cast<std::size_t>(tile), buffers);
+        drawing.DrawTile(static_cast<std::size_t>(tile), coarse, fine);
       }
     });
   return std::move(drawing.Picture);

@@ -49,7 +49,8 @@ struct BruteForcePicture
   std::vector<PixelKind> Kinds;
 };
 
-/// `samples` x `samples` in every pixel, each row of samples shifted against the next.
+/// `samples` x `samples` in every pixel, 16 times as many where silhouettes are; each row of samples
+/// is shifted against the next.
 BruteForcePicture DrawByBruteForce(
   const BruteForceScene& scene, int width, int height, int samples);
 

@@ -80,8 +80,8 @@ void AddTiles(Honesty& honesty, const std::vector<glm::dvec3>& picture,
   const std::vector<glm::dvec3>& truth, const std::vector<double>& estimates, int width)
 {
   constexpr int size = 16;
-  // A truth of samples and a picture of floats are themselves only this exact.
-  constexpr double exactness = 1e-6;
+  // A truth of samples is itself only this exact.
+  constexpr double exactness = 2e-5;
   const int height = static_cast<int>(truth.size()) / width;
   for (int tileY = 0; tileY < height; tileY += size)
   {

@@ -20,7 +20,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
-#include <chrono>
+#include <ctime>
 
 namespace penumbra
 {
@@ -191,10 +191,10 @@ Answer Cast(vtkRenderer* renderer, int width, int height,
   {
     choose(caster);
   }
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   caster->Update();
   Answer answer;
-  answer.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  answer.Seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 
   vtkPointData* data = caster->GetOutput()->GetPointData();
   vtkDataArray* colors = data->GetArray("Color");

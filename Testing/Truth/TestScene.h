@@ -53,7 +53,7 @@ struct Answer
   std::vector<double> Estimates; ///< `EstimatedError` per pixel
   double EstimatedError = 0.0;   ///< of the whole picture
   double RaysPerPixel = 0.0;
-  double Seconds = 0.0;
+  double Seconds = 0.0; ///< of CPU time
 };
 
 /// Casts on one thread; `choose` sets tolerance, method and the like.

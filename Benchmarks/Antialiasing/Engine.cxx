@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Figures of the engine itself: dense meshes, packets, memory.
+#include "Benchmark.h"
+#include "Meshes.h"
+
+#include "RayScene.h"
+#include "SceneExtraction.h"
+#include "Shading.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPenumbraRayCaster.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+
+namespace penumbra
+{
+namespace
+{
+
+double CpuSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// A line of /proc/self/status in bytes.
+double StatusBytes(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, name.size(), name) == 0)
+    {
+      return std::stod(line.substr(name.size() + 1)) * 1024.0;
+    }
+  }
+  return 0.0;
+}
+
+/// The peak starts anew at what is resident now.
+void ForgetPeak()
+{
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+/// All 4x4 blocks of a picture by packets or by single rays, shaded; returns CPU seconds.
+double Pass(const RayScene& rays, const Shading& shading, int size, bool packets, double& sum)
+{
+  const Camera& eye = rays.GetScene().Eye;
+  const double start = CpuSeconds();
+  long long shadowRays = 0;
+  Ray block[16];
+  Hit hits[16];
+  for (int y = 0; y < size; y += 4)
+  {
+    for (int x = 0; x < size; x += 4)
+    {
+      for (int k = 0; k < 16; ++k)
+      {
+        const glm::dvec2 p(x + k % 4 + 0.5, y + k / 4 + 0.5);
+        block[k].Origin = eye.RayOrigin(p);
+        block[k].Direction = eye.RayDirection(p);
+      }
+      if (packets)
+      {
+        rays.Intersect16(block, hits);
+      }
+      for (int k = 0; k < 16; ++k)
+      {
+        const Hit hit = packets ? hits[k] : rays.Intersect(block[k]);
+        if (hit.IsHit())
+        {
+          sum += shading.Shade(block[k], hit, shadowRays).Color.r;
+        }
+      }
+    }
+  }
+  return CpuSeconds() - start;
+}
+
+}
+
+void MeasureDenseMesh(Benchmark& benchmark)
+{
+  constexpr int size = 64;
+  vtkSmartPointer<vtkPolyData> mesh = Subdivide(ReadOff(benchmark.MeshFile("armadillo")), 2);
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, mesh, true);
+  LookAlong(renderer, { 0.6, -0.3, 1.0 }, { 0.0, 1.0, 0.0 }, size, size);
+  const BruteForcePicture truth =
+    DrawByBruteForce(BruteForceOf(renderer, size, size), size, size, 128);
+  const std::vector<bool> isEdge = SilhouettePixels(truth);
+  const auto best = [&](int method, Answer& answer) {
+    for (int i = 0; i < 5; ++i)
+    {
+      Answer next = Cast(renderer, size, size,
+        [&](vtkPenumbraRayCaster* caster) { caster->SetCoverageMethod(method); });
+      if (i == 0 || next.Seconds < answer.Seconds)
+      {
+        answer = std::move(next);
+      }
+    }
+  };
+  Answer ours;
+  Answer uniform;
+  best(vtkPenumbraRayCaster::SILHOUETTES, ours);
+  best(vtkPenumbraRayCaster::UNIFORM, uniform);
+  const std::string scene = std::to_string(mesh->GetNumberOfPolys()) + " triangles at 64^2";
+  const Errors errors = Judge(benchmark, scene, ours, truth.Colors, isEdge, size);
+  const Errors reference = Compare(uniform.Colors, truth.Colors, isEdge);
+  Table& table = benchmark.Results;
+  table.Add(scene, "full RMSE / that of uniform 8x8", errors.Full / reference.Full, Bar::AtMost,
+    1.0, "ours " + std::to_string(errors.Full));
+  table.Add(scene, "edge RMSE / that of uniform 8x8", errors.Edge / reference.Edge, Bar::AtMost,
+    1.0, "ours " + std::to_string(errors.Edge));
+  table.Add(scene, "time / that of uniform 8x8", ours.Seconds / uniform.Seconds, Bar::AtMost, 1.0,
+    "ours " + std::to_string(ours.Seconds) + " s, " + std::to_string(ours.RaysPerPixel) +
+      " rays/pixel");
+}
+
+void MeasureBasePass(Benchmark& benchmark)
+{
+  constexpr int size = 1024;
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, ReadOff(benchmark.MeshFile("ChineseDragon-10kv")), true);
+  LookAlong(renderer, { -0.6, -0.3, -1.0 }, { 0.0, 1.0, 0.0 }, size, size);
+  ExtractionOptions options;
+  options.Resolution[0] = options.Resolution[1] = size;
+  const Scene scene = ExtractScene(renderer, options);
+  const RayScene rays(scene, 1);
+  const Shading shading(rays, false);
+  double single = 0.0;
+  double packets = 0.0;
+  double sum = 0.0;
+  for (int i = 0; i < 5; ++i)
+  {
+    const double first = Pass(rays, shading, size, false, sum);
+    const double second = Pass(rays, shading, size, true, sum);
+    single = i ? std::min(single, first) : first;
+    packets = i ? std::min(packets, second) : second;
+  }
+  benchmark.Results.Add("base pass, 20k triangles", "packets of 16 / single rays, shaded",
+    single / packets, Bar::AtLeast, 3.0,
+    std::to_string(size * size / packets / 1e6) + " against " +
+      std::to_string(size * size / single / 1e6) + " Mray/s");
+}
+
+void MeasureMemory(Benchmark& benchmark)
+{
+  {
+    const double atStart = StatusBytes("VmRSS:");
+    vtkSmartPointer<vtkPolyData> mesh = WavySheet(2237);
+    const double arrays =
+      1024.0 * (mesh->GetPoints()->GetActualMemorySize() + mesh->GetPolys()->GetActualMemorySize());
+    vtkNew<vtkPenumbraRayCaster> caster;
+    caster->SetInputDataObject(0, mesh);
+    caster->SetResolution(1024, 1024);
+    caster->SetNumberOfThreads(1);
+    ForgetPeak();
+    const double start = CpuSeconds();
+    caster->Update();
+    const double seconds = CpuSeconds() - start;
+    const double peak = StatusBytes("VmHWM:") - atStart;
+    std::ostringstream remark;
+    remark.precision(3);
+    remark << "input arrays " << arrays / 1e6 << " MB, peak with them " << peak / 1e6 << " MB, "
+           << seconds << " CPU s";
+    benchmark.Results.Add("10 M triangles", "peak memory / input arrays", peak / arrays,
+      Bar::AtMost, 4.0, remark.str());
+  }
+  malloc_trim(0);
+  {
+    vtkSmartPointer<vtkPolyData> mesh = ReadOff(benchmark.MeshFile("elephant"));
+    double afterTen = 0.0;
+    for (int i = 0; i < 1000; ++i)
+    {
+      vtkNew<vtkPenumbraRayCaster> caster;
+      caster->SetInputDataObject(0, mesh);
+      caster->SetResolution(96, 96);
+      caster->SetNumberOfThreads(1);
+      caster->Update();
+      afterTen = i == 9 ? StatusBytes("VmRSS:") : afterTen;
+    }
+    const double grown = (StatusBytes("VmRSS:") - afterTen) / 1048576.0;
+    benchmark.Results.Add("1,000 pictures in one process", "MiB grown after the tenth", grown,
+      Bar::AtMost, 2.0, "flat: less than a quarter of a page a picture");
+  }
+  std::ifstream maps("/proc/self/maps");
+  int libraries = 0;
+  std::string names;
+  for (std::string line; std::getline(maps, line);)
+  {
+    for (const char* name :
+      { "/libGL.", "/libGLX", "/libEGL", "/libOpenGL.", "/libOSMesa", "/libX11" })
+    {
+      if (line.find(name) != std::string::npos && names.find(name) == std::string::npos)
+      {
+        names += name;
+        ++libraries;
+      }
+    }
+  }
+  benchmark.Results.Add("1,000 pictures in one process", "OpenGL, EGL and X libraries loaded",
+    libraries, Bar::AtMost, 0.0, names);
+}
+
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The same scene through POV-Ray: one mesh2, one parallel light along the view, no shadows.
+#ifndef penumbra_PovRay_h
+#define penumbra_PovRay_h
+
+#include "BruteForce.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace penumbra
+{
+
+struct PovRayAnswer
+{
+  std::vector<glm::dvec3> Colors;
+  double RaysPerPixel = 0.0;
+  double TraceSeconds = 0.0;   ///< CPU seconds that POV-Ray reports for tracing
+  double ProcessSeconds = 0.0; ///< CPU seconds of the whole process
+};
+
+/// Writes the scene file. Perspective cameras only.
+void WritePovRayScene(const std::string& path, vtkRenderer* renderer, const BruteForceScene& scene,
+  int width, int height);
+
+/// Renders on one thread by adaptive antialiasing (+AM2) with threshold and recursion depth.
+/// Throws std::runtime_error where the program fails.
+PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int width, int height,
+  double threshold, int depth);
+
+}
+#endif

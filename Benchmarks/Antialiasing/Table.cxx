@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Table.h"
+
+#include <cstdio>
+#include <fstream>
+
+namespace penumbra
+{
+namespace
+{
+
+std::string Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string Limit(const Figure& figure)
+{
+  return figure.Direction == Bar::None
+    ? std::string()
+    : (figure.Direction == Bar::AtMost ? "<= " : ">= ") + Number(figure.Limit);
+}
+
+std::string Verdict(const Figure& figure)
+{
+  return figure.Direction == Bar::None ? "" : figure.IsMet() ? "met" : "**missed**";
+}
+
+}
+
+bool Figure::IsMet() const
+{
+  return this->Direction == Bar::None ||
+    (this->Direction == Bar::AtMost ? this->Measured <= this->Limit
+                                    : this->Measured >= this->Limit);
+}
+
+void Table::Add(const std::string& scene, const std::string& quantity, double measured,
+  Bar direction, double limit, const std::string& remark)
+{
+  this->Figures.push_back({ scene, quantity, measured, direction, limit, remark });
+  const Figure& figure = this->Figures.back();
+  std::printf("%-34s %-38s %10s  %-10s %-10s %s\n", scene.c_str(), quantity.c_str(),
+    Number(measured).c_str(), Limit(figure).c_str(), Verdict(figure).c_str(), remark.c_str());
+  std::fflush(stdout);
+}
+
+void Table::Write(const std::string& folder, const std::vector<std::string>& circumstances) const
+{
+  std::ofstream csv(folder + "/antialiasing.csv");
+  csv << "scene,quantity,measured,bar,met,remark\n";
+  std::ofstream markdown(folder + "/antialiasing.md");
+  markdown << "# Antialiasing: figures and bars\n\n";
+  for (const std::string& line : circumstances)
+  {
+    markdown << "- " << line << "\n";
+  }
+  markdown << "\n| scene | quantity | measured | bar | | remark |\n|---|---|---|---|---|---|\n";
+  for (const Figure& figure : this->Figures)
+  {
+    const bool judged = figure.Direction != Bar::None;
+    csv << '"' << figure.Scene << "\",\"" << figure.Quantity << "\"," << figure.Measured << ",\""
+        << Limit(figure) << "\"," << (judged ? (figure.IsMet() ? "yes" : "no") : "") << ",\""
+        << figure.Remark << "\"\n";
+    markdown << "| " << figure.Scene << " | " << figure.Quantity << " | " << Number(figure.Measured)
+             << " | " << Limit(figure) << " | " << Verdict(figure) << " | " << figure.Remark
+             << " |\n";
+  }
+}
+
+std::vector<std::string> Table::GetMissed() const
+{
+  std::vector<std::string> missed;
+  for (const Figure& figure : this->Figures)
+  {
+    if (!figure.IsMet())
+    {
+      missed.push_back(figure.Scene + ": " + figure.Quantity);
+    }
+  }
+  return missed;
+}
+
+}

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Prints the figures that the antialiasing has to reach, each beside its bar. Run it by
+// `./penumbra benchmark antialiasing`, which also fetches what it needs.
+#include "Benchmark.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <numeric>
+
+namespace penumbra
+{
+namespace
+{
+
+/// |error| times 64, and the worst pixels as numbers.
+void Diagnose(const Benchmark& benchmark, const std::string& scene, const Answer& answer,
+  const std::vector<glm::dvec3>& truth, int width)
+{
+  const int height = static_cast<int>(truth.size()) / width;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::vector<double> worst(truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    const glm::dvec3 error = glm::abs(answer.Colors[i] - truth[i]);
+    worst[i] = std::max({ error.x, error.y, error.z });
+    for (int c = 0; c < 3; ++c)
+    {
+      bytes[3 * i + c] = static_cast<unsigned char>(std::min(255.0, error[c] * 64.0 * 255.0));
+    }
+  }
+  std::string name = benchmark.Output + "/" + scene;
+  std::replace(name.begin() + benchmark.Output.size() + 1, name.end(), ' ', '-');
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName((name + "-error.png").c_str());
+  writer->SetInputData(image);
+  writer->Write();
+
+  std::vector<std::size_t> order(truth.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const std::size_t count = std::min<std::size_t>(200, order.size());
+  std::partial_sort(order.begin(), order.begin() + count, order.end(),
+    [&](std::size_t a, std::size_t b) { return worst[a] > worst[b]; });
+  std::ofstream list(name + "-worst.csv");
+  list << "x,y,ours,truth,estimate\n";
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const std::size_t i = order[k];
+    list << i % width << ',' << i / width << ',' << answer.Colors[i].x << ',' << truth[i].x << ','
+         << answer.Estimates[i] << '\n';
+  }
+}
+
+std::vector<std::string> Circumstances(const Benchmark& benchmark)
+{
+  std::string processor = "unknown processor";
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+  {
+    if (line.compare(0, 10, "model name") == 0)
+    {
+      processor = line.substr(line.find(':') + 2);
+      break;
+    }
+  }
+  char date[16];
+  const std::time_t now = std::time(nullptr);
+  std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
+  return { "machine: " + processor + ", one thread", "date: " + std::string(date),
+    "VTK " + std::string(vtkVersion::GetVTKVersion()) + ", compiler " __VERSION__,
+    "peer: " + (benchmark.PovRay.empty() ? "none" : "POV-Ray, `" + benchmark.PovRay + "`"),
+    "truth: exact coverage for flat shapes; " + std::to_string(benchmark.TruthSamples) + " x " +
+      std::to_string(benchmark.TruthSamples) +
+      " samples a pixel for lit meshes, 16 times as many on edges",
+    "RMSE over RGB in [0, 1]; edge: over partly covered pixels of flat shapes, and over pixels of "
+    "lit meshes that hold background and surface, or surfaces not connected within the pixel" };
+}
+
+}
+
+Errors Judge(Benchmark& benchmark, const std::string& scene, const Answer& answer,
+  const std::vector<glm::dvec3>& truth, const std::vector<bool>& isEdge, int width)
+{
+  Honesty own;
+  AddTiles(own, answer.Colors, truth, answer.Estimates, width);
+  std::printf("  %s: %.1f %% of tiles honest, median estimate / error %.2f\n", scene.c_str(),
+    100.0 * own.HonestShare(), own.MedianRatio());
+  AddTiles(benchmark.Estimates, answer.Colors, truth, answer.Estimates, width);
+  if (benchmark.Diagnose)
+  {
+    Diagnose(benchmark, scene, answer, truth, width);
+  }
+  return Compare(answer.Colors, truth, isEdge);
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  using namespace penumbra;
+  Benchmark benchmark;
+  std::string only;
+  bool usage = argc < 2;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string option = argv[i];
+    std::string* value = option == "--meshes" ? &benchmark.Meshes
+      : option == "--output"                  ? &benchmark.Output
+      : option == "--povray"                  ? &benchmark.PovRay
+      : option == "--only"                    ? &only
+                                              : nullptr;
+    if (value && i + 1 < argc)
+    {
+      *value = argv[++i];
+    }
+    else if (option == "--diagnose")
+    {
+      benchmark.Diagnose = true;
+    }
+    else
+    {
+      usage = true;
+    }
+  }
+  if (usage || benchmark.Meshes.empty() || benchmark.Output.empty())
+  {
+    std::fprintf(stderr,
+      "usage: penumbra-benchmark-antialiasing --meshes FOLDER --output FOLDER [--povray PROGRAM]\n"
+      "         [--only memory|flat|lit|dense|packets] [--diagnose]\n");
+    return 2;
+  }
+  try
+  {
+    const auto chosen = [&](const char* part) { return only.empty() || only == part; };
+    if (chosen("memory")) // first, while nothing else has touched the heap
+    {
+      MeasureMemory(benchmark);
+    }
+    if (chosen("flat"))
+    {
+      MeasureFlatShapes(benchmark);
+    }
+    if (chosen("packets"))
+    {
+      MeasureBasePass(benchmark);
+    }
+    if (chosen("dense"))
+    {
+      MeasureDenseMesh(benchmark);
+    }
+    if (chosen("lit"))
+    {
+      MeasureLitMeshes(benchmark);
+    }
+    if (benchmark.Estimates.Tiles > 0)
+    {
+      Table& table = benchmark.Results;
+      table.Add("tiles of all scenes", "share with estimate >= error",
+        benchmark.Estimates.HonestShare(), Bar::AtLeast, 0.95,
+        std::to_string(benchmark.Estimates.Tiles) + " tiles");
+      table.Add("tiles of all scenes", "median of estimate / error",
+        benchmark.Estimates.MedianRatio(), Bar::AtMost, 3.0,
+        std::to_string(benchmark.Estimates.Ratios.size()) + " tiles with an error above 1e-4");
+    }
+  }
+  catch (const std::exception& problem)
+  {
+    std::fprintf(stderr, "penumbra-benchmark-antialiasing: %s\n", problem.what());
+    return 2;
+  }
+  benchmark.Results.Write(benchmark.Output, Circumstances(benchmark));
+  return benchmark.Results.GetMissed().empty() ? 0 : 1;
+}
