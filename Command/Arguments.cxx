@@ -88,8 +88,7 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
 CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Triple>& target,
   const std::string& description, const Range& range)
 {
-  const auto store = [name, range, &target](const std::string& text)
-  {
+  const auto store = [name, range, &target](const std::string& text) {
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, range);
     target = Triple{ numbers[0], numbers[1], numbers[2] };
   };
@@ -101,8 +100,9 @@ CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Tri
 CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
   const std::string& unit, const std::string& description, const Range& range)
 {
-  const auto store = [name, range, &target](const std::string& text)
-  { target = ParseNumbers(name, text, 1, 1, range)[0]; };
+  const auto store = [name, range, &target](const std::string& text) {
+    target = ParseNumbers(name, text, 1, 1, range)[0];
+  };
   return app.add_option_function<std::string>(name, store, description)
     ->type_name(unit)
     ->default_str(std::isnan(target) ? "" : Print(target))
@@ -112,8 +112,7 @@ CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
 CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,
   const std::string& description, int least, int most)
 {
-  const auto store = [name, least, most, &target](const std::string& text)
-  {
+  const auto store = [name, least, most, &target](const std::string& text) {
     int value = 0;
     const char* end = text.c_str() + text.size();
     const std::from_chars_result result = std::from_chars(text.c_str(), end, value);
@@ -133,8 +132,7 @@ CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,
 CLI::Option* AddChoice(CLI::App& app, const std::string& name, std::string& target,
   const std::vector<std::string>& choices, const std::string& description)
 {
-  const auto store = [name, choices, &target](const std::string& text)
-  {
+  const auto store = [name, choices, &target](const std::string& text) {
     if (!std::count(choices.begin(), choices.end(), text))
     {
       Refuse(name, text, "one of " + CLI::detail::join(choices, ", "));

@@ -151,8 +151,7 @@ Action DeclareCompare(CLI::App& program)
     ->type_name("PATH")
     ->take_last();
   app->add_flag("--json", options->Json, "Print all metrics as JSON");
-  return [options]()
-  {
+  return [options]() {
     if (options->Pictures.size() < 2)
     {
       throw Failure(BadInput, "compare: give a picture and at least one baseline");

@@ -25,7 +25,8 @@ class Failure : public std::runtime_error
 {
 public:
   Failure(Status status, const std::string& message)
-    : std::runtime_error(message), ExitStatus(status)
+    : std::runtime_error(message),
+      ExitStatus(status)
   {
   }
 

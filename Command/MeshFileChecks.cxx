@@ -3,6 +3,7 @@
 #include "MeshFileChecks.h"
 
 #include "Failure.h"
+#include "PlyFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
@@ -12,7 +13,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace penumbra
 {
@@ -20,58 +20,27 @@ namespace penumbra
 namespace
 {
 
-std::string ReadBeginning(const std::string& path, std::size_t size)
+[[noreturn]] void FailEarlyEnd(const std::string& path, const std::string& last)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(size, '\0');
-  file.read(&bytes[0], static_cast<std::streamsize>(size));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
+  throw Failure(
+    BadInput, path + ": the file is damaged: it ends before its last " + last + "; copy it again");
 }
 
-// Elements of a kind that the header of a PLY file announces.
-long long CountInPlyHeader(const std::string& header, const std::string& kind)
-{
-  const std::string key = "element " + kind + " ";
-  const std::size_t at = header.find(key);
-  return at == std::string::npos ? 0 : std::atoll(header.c_str() + at + key.size());
-}
-
-void CheckPly(const std::string& path, vtkPolyData* mesh)
-{
-  std::string header = ReadBeginning(path, 65536);
-  header.resize(std::min(header.size(), header.find("end_header")));
-  const long long points = CountInPlyHeader(header, "vertex");
-  const long long faces = CountInPlyHeader(header, "face");
-  if (mesh->GetNumberOfPoints() != points)
-  {
-    throw Failure(BadInput, path + ": the file is damaged: it ends before its last vertex");
-  }
-  if (faces > 0 && mesh->GetNumberOfPolys() != faces)
-  {
-    std::ostringstream message;
-    message
-      << path << ": only " << mesh->GetNumberOfPolys() << " of " << faces
-      << " faces could be read; polygons of more than 255 vertices must be triangulated first";
-    throw Failure(BadInput, message.str());
-  }
-}
-
-// A binary STL file is a header of 80 bytes, a count, and 50 bytes a triangle.
+// A text ends in "endsolid"; a binary file is a header of 80 bytes, a count, and 50 bytes a triangle.
 void CheckStl(const std::string& path)
 {
-  const std::string beginning = ReadBeginning(path, 512);
-  const bool text =
-    beginning.compare(0, 5, "solid") == 0 && beginning.find("facet") != std::string::npos;
-  if (text)
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  std::ifstream file(path, std::ios::binary);
+  std::string beginning(std::min<std::uintmax_t>(size, 512), '\0');
+  file.read(&beginning[0], static_cast<std::streamsize>(beginning.size()));
+  if (beginning.compare(0, 5, "solid") == 0 && beginning.find('\0') == std::string::npos)
   {
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(-std::min<std::streamoff>(512, std::filesystem::file_size(path)), std::ios::end);
-    std::string ending(512, '\0');
-    file.read(&ending[0], 512);
+    std::string ending = beginning;
+    file.seekg(-static_cast<std::streamoff>(ending.size()), std::ios::end);
+    file.read(&ending[0], static_cast<std::streamsize>(ending.size()));
     if (ending.find("endsolid") == std::string::npos)
     {
-      throw Failure(BadInput, path + ": the file is damaged: it ends before its 'endsolid'");
+      FailEarlyEnd(path, "line, 'endsolid'");
     }
     return;
   }
@@ -80,27 +49,59 @@ void CheckStl(const std::string& path)
   {
     std::memcpy(&count, &beginning[80], sizeof(count));
   }
-  if (beginning.size() < 84 || std::filesystem::file_size(path) < 84 + 50ull * count)
+  if (beginning.size() < 84 || size < 84 + 50ull * count)
   {
-    throw Failure(BadInput, path + ": the file is damaged: it ends before its last triangle");
+    FailEarlyEnd(path, "triangle");
   }
 }
 
-}
-
-void CheckAgainstHeader(const std::string& path, vtkDataObject* data)
+std::string LowerExtension(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return std::tolower(letter); });
-  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
-  if (extension == ".ply" && mesh)
-  {
-    CheckPly(path, mesh);
-  }
-  else if (extension == ".stl")
+  return extension;
+}
+
+}
+
+Promise CheckMeshFile(const std::string& path)
+{
+  const std::string extension = LowerExtension(path);
+  Promise promise;
+  if (extension == ".stl")
   {
     CheckStl(path);
+  }
+  else if (extension == ".ply")
+  {
+    const PlyFile ply = WalkPlyFile(path);
+    if (!ply.IsPly)
+    {
+      throw Failure(BadInput, path + ": the file is damaged or not PLY: its header makes no sense");
+    }
+    if (!ply.IsWhole)
+    {
+      FailEarlyEnd(path, "element");
+    }
+    promise = { ply.Polygons, ply.Corners };
+  }
+  return promise;
+}
+
+void CheckPromise(const std::string& path, vtkDataObject* data, const Promise& promise)
+{
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
+  if (promise.Polygons < 0 || !mesh)
+  {
+    return;
+  }
+  if (mesh->GetNumberOfPolys() != promise.Polygons ||
+    mesh->GetPolys()->GetNumberOfConnectivityIds() != promise.Corners)
+  {
+    throw Failure(BadInput,
+      path +
+        ": polygons of more than 255 vertices cannot be read from this file; triangulate them");
   }
 }
 

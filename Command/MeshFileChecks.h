@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What VTK's readers overlook: files that end early or hold more than the reader took.
+// What VTK's readers overlook in STL and PLY files: an early end, polygons that they cut.
 #ifndef penumbra_MeshFileChecks_h
 #define penumbra_MeshFileChecks_h
 
@@ -12,8 +12,18 @@ class vtkDataObject;
 namespace penumbra
 {
 
-/// Throws Failure when `data`, as read from `path`, is less than the file's header promises.
-void CheckAgainstHeader(const std::string& path, vtkDataObject* data);
+/// What a file promises; negative: nothing is known.
+struct Promise
+{
+  long long Polygons = -1;
+  long long Corners = -1; ///< of all polygons together
+};
+
+/// Walk through the file at `path` without keeping it. Throws Failure when it ends early.
+Promise CheckMeshFile(const std::string& path);
+
+/// Throws Failure when `data`, as read from `path`, hold less than promised.
+void CheckPromise(const std::string& path, vtkDataObject* data, const Promise& promise);
 
 }
 #endif

@@ -18,7 +18,8 @@ namespace penumbra
 namespace fs = std::filesystem;
 
 PendingFile::PendingFile(const std::string& path, const std::string& option)
-  : Option(option), Path(path)
+  : Option(option),
+    Path(path)
 {
   std::error_code ignored;
   fs::path target(path);

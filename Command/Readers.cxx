@@ -216,6 +216,7 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
 {
   const ReaderRow& row = FindReader(path);
   CheckFile(path);
+  const Promise promise = CheckMeshFile(path);
   TakeErrors();
   const Algorithm reader = row.Make(path);
   reader->Update();
@@ -230,7 +231,7 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
   {
     throw Failure(BadInput, path + ": the file is damaged or not " + row.Format);
   }
-  CheckAgainstHeader(path, data);
+  CheckPromise(path, data, promise);
   return data;
 }
 

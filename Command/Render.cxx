@@ -247,8 +247,7 @@ int Render(RenderOptions options, Clock::time_point start)
   {
     progress = std::make_unique<ProgressLine>(options.Progress);
   }
-  const auto finished = [&progress, count](int done)
-  {
+  const auto finished = [&progress, count](int done) {
     if (progress)
     {
       progress->Show(std::to_string(done) + " of " + std::to_string(count) + " pictures",
@@ -267,8 +266,7 @@ Action DeclareRender(CLI::App& program)
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* app = program.add_subcommand("render", "Draw meshes into a picture");
   DeclareRenderOptions(*app, *options);
-  return [options, app, start]()
-  {
+  return [options, app, start]() {
     options->Coloring.Enabled = options->Coloring.Enabled || !options->Coloring.Array.empty();
     CheckRenderOptions(*app, *options);
     return Render(*options, start);

@@ -40,8 +40,7 @@ void DeclareOutput(CLI::App& app, RenderOptions& options)
     ->type_name("PATH")
     ->take_last()
     ->group("Output");
-  const auto storeResolution = [&options](const std::string& text)
-  {
+  const auto storeResolution = [&options](const std::string& text) {
     const Range sides{ 1.0, 65535.0 };
     const std::vector<double> numbers = ParseNumbers("--resolution", text, 2, 2, sides);
     if (numbers[0] != std::floor(numbers[0]) || numbers[1] != std::floor(numbers[1]))
@@ -132,8 +131,7 @@ void DeclareLook(CLI::App& app, RenderOptions& options)
     "Leave the background out: alpha is the covered share (.png .tif .vti)")
     ->group(look);
   AddNegation(app, "--no-lighting", options.Lighting, "Plain colours, no light")->group(look);
-  const auto storeLights = [&options](const std::vector<std::string>& texts)
-  {
+  const auto storeLights = [&options](const std::vector<std::string>& texts) {
     options.Lights.clear();
     for (const std::string& text : texts)
     {
@@ -177,8 +175,7 @@ void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
   AddInteger(app, "--coloring-component", coloring.Component,
     "Which component; -1: the magnitude, -2: the values are the colours themselves", -2, 1000000)
     ->group(group);
-  const auto storeRange = [&coloring](const std::string& text)
-  {
+  const auto storeRange = [&coloring](const std::string& text) {
     coloring.Range = ParseNumbers("--coloring-range", text, 2, 2, {});
     if (coloring.Range[0] > coloring.Range[1])
     {
@@ -199,6 +196,18 @@ void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
     ->group(group);
   app.add_flag("--coloring-scalar-bar", coloring.ScalarBar, "Draw the colours' legend")
     ->group(group);
+}
+
+void RequireColoring(const CLI::App& app, const RenderOptions& options)
+{
+  for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
+         "--colormap", "--coloring-scalar-bar" })
+  {
+    if (!options.Coloring.Enabled && app.count(name) > 0)
+    {
+      throw Failure(BadInput, std::string(name) + " needs --scalar-coloring; give both");
+    }
+  }
 }
 
 void DeclareEffects(CLI::App& app, RenderOptions& options)
@@ -254,6 +263,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
 {
   CheckPictureExtension(options.Output, "--output");
   RequireRay(app, options);
+  RequireColoring(app, options);
   if (!options.Background && !HoldsAlpha(options.Output))
   {
     throw Failure(BadInput,

@@ -30,8 +30,7 @@ template <typename Visitor>
 bool EveryValue(vtkDataArray* array, const Visitor& visit)
 {
   const vtkIdType count = array->GetNumberOfValues();
-  const auto everyOf = [&](const auto* values)
-  {
+  const auto everyOf = [&](const auto* values) {
     for (vtkIdType i = 0; i < count; ++i)
     {
       if (!visit(i, static_cast<vtkIdType>(values[i])))
@@ -68,24 +67,20 @@ std::string FindFault(vtkCellArray* cells, vtkIdType points)
   vtkDataArray* connectivity = cells->GetConnectivityArray();
   const vtkIdType size = connectivity->GetNumberOfValues();
   vtkIdType before = 0;
-  const bool ordered = EveryValue(cells->GetOffsetsArray(),
-    [&](vtkIdType i, vtkIdType offset)
-    {
-      const bool sound = offset >= before && offset <= size && (i > 0 || offset == 0);
-      before = offset;
-      return sound;
-    });
+  const bool ordered = EveryValue(cells->GetOffsetsArray(), [&](vtkIdType i, vtkIdType offset) {
+    const bool sound = offset >= before && offset <= size && (i > 0 || offset == 0);
+    before = offset;
+    return sound;
+  });
   if (!ordered || before > size)
   {
     return "its cells overlap or reach beyond their list";
   }
   vtkIdType culprit = 0;
-  const bool inRange = EveryValue(connectivity,
-    [&](vtkIdType i, vtkIdType id)
-    {
-      culprit = id;
-      return (id >= 0 && id < points) || i >= before;
-    });
+  const bool inRange = EveryValue(connectivity, [&](vtkIdType i, vtkIdType id) {
+    culprit = id;
+    return (id >= 0 && id < points) || i >= before;
+  });
   if (!inRange)
   {
     std::ostringstream message;

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Small meshes in every format that VTK writes, made at test time.
+#ifndef penumbra_testing_Meshes_h
+#define penumbra_testing_Meshes_h
+
+#include <string>
+#include <vector>
+
+namespace penumbra_testing
+{
+
+/// A square of side 2 about the origin, at z = 0, facing +z: ASCII STL.
+std::string SquareStl();
+
+/// A sphere of radius 0.5 in `folder`: .stl .ply .obj .vtp .vtk .vtu .vts .vti .vtr .vtm .off
+/// .gltf, ... The names of the files.
+std::vector<std::string> WriteSpheres(const std::string& folder);
+
+/// A sphere of radius 0.5 as .vtp, its points with the arrays Height (z) and Direction (the
+/// normal), its cells with Number.
+void WriteSphereWithArrays(const std::string& path);
+
+}
+#endif

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Everything that can be wrong with a command line or a file: a row each. Always one line on
+// stderr, the right exit status, nothing left where the picture would be.
+#include "Meshes.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+struct Row
+{
+  const char* Name;
+  int Status;
+  const char* File;                 ///< written to mesh.EXTENSION
+  const char* Extension;            ///< of the file; null: there is none
+  std::vector<std::string> Options; ///< besides render mesh.EXTENSION --output picture.png
+  std::vector<const char*> Words;   ///< each stands in the line on stderr
+};
+
+std::ostream& operator<<(std::ostream& os, const Row& row)
+{
+  return os << row.Name;
+}
+
+constexpr const char* Square = "";
+
+const char* const PlyWithNan = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                               "property float y\nproperty float z\nelement face 2\n"
+                               "property list uchar int vertex_indices\nend_header\n"
+                               "0 0 0\n1 0 0\n1 1 0\nnan 1 0\n3 0 1 2\n3 0 2 3\n";
+
+const char* const ObjWithDegenerateTriangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\n"
+                                              "f 1 2 3\nf 1 2 4\nf 1 1 2\n";
+
+// Polygons of more than 255 corners are what vtkPLYReader loses.
+std::string PlyWithLargePolygon()
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 300\nproperty float x\n"
+                     "property float y\nproperty float z\nelement face 1\n"
+                     "property list int int vertex_indices\nend_header\n";
+  std::string face = "300";
+  for (int i = 0; i < 300; ++i)
+  {
+    text += std::to_string(i % 17) + " " + std::to_string(i / 17) + " 0\n";
+    face += " " + std::to_string(i);
+  }
+  return text + face + "\n";
+}
+const std::string LargePolygon = PlyWithLargePolygon();
+
+const char* const VtpOutOfRange =
+  R"(<?xml version="1.0"?><VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">
+<PolyData><Piece NumberOfPoints="3" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="1">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points>
+<Polys><DataArray type="Int64" Name="connectivity" format="ascii">0 1 7</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>)";
+
+const char* const VtuWithShortHexahedron =
+  R"(<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="3" NumberOfCells="1">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">12</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>)";
+
+const Row Rows[] = {
+  // Bad use
+  { "UnknownOption", 2, Square, "stl", { "--sparkle" },
+    { "--sparkle", "unknown option", "--help" } },
+  { "OptionOfALaterVersion", 2, Square, "stl", { "--indirect" },
+    { "--indirect", "not available in this version" } },
+  { "OptionOfALaterVersionWithValue", 2, Square, "stl", { "--shafts-phase=hg:0.5" },
+    { "--shafts-phase", "not available in this version" } },
+  { "OcclusionByRaster", 2, Square, "stl", { "--engine", "raster", "--ambient-occlusion" },
+    { "--ambient-occlusion", "not available in this version", "--engine ray" } },
+  { "ShadowsByRaster", 2, Square, "stl", { "--engine", "raster", "--shadows" },
+    { "--shadows", "--engine ray" } },
+  { "UnknownEngine", 2, Square, "stl", { "--engine", "steam" }, { "--engine", "steam", "raster" } },
+  { "MissingValue", 2, Square, "stl", { "--resolution" }, { "--resolution" } },
+  { "ZeroResolution", 2, Square, "stl", { "--resolution", "0,600" },
+    { "--resolution", "1 to 65535" } },
+  { "NegativeResolution", 2, Square, "stl", { "--resolution", "-5,5" }, { "--resolution" } },
+  { "FractionalResolution", 2, Square, "stl", { "--resolution", "9.5,5" },
+    { "--resolution", "whole" } },
+  { "AbsurdSide", 2, Square, "stl", { "--resolution", "65536,1" }, { "--resolution", "65535" } },
+  { "MorePixelsThanMemory", 2, Square, "stl", { "--resolution", "65535,65535" },
+    { "--resolution", "memory", "smaller" } },
+  { "WordForANumber", 2, Square, "stl", { "--tolerance", "fine" }, { "--tolerance", "fine" } },
+  { "ZeroTolerance", 2, Square, "stl", { "--tolerance", "0" }, { "--tolerance" } },
+  { "InfinitePosition", 2, Square, "stl", { "--camera-position", "inf,0,0" },
+    { "--camera-position" } },
+  { "TwoCoordinates", 2, Square, "stl", { "--camera-position", "1,2" },
+    { "--camera-position", "3 numbers" } },
+  { "FourCoordinates", 2, Square, "stl", { "--camera-position", "1,2,3,4" },
+    { "--camera-position" } },
+  { "NoDirection", 2, Square, "stl", { "--camera-direction", "0,0,0" }, { "--camera-direction" } },
+  { "NoUp", 2, Square, "stl", { "--camera-view-up", "0,0,0" }, { "--camera-view-up" } },
+  { "EyeAtItsFocus", 2, Square, "stl",
+    { "--camera-position", "1,2,3", "--camera-focal-point", "1,2,3" }, { "--camera-focal-point" } },
+  { "WideAngle", 2, Square, "stl", { "--camera-view-angle", "180" }, { "--camera-view-angle" } },
+  { "ColorBeyondOne", 2, Square, "stl", { "--color", "255,0,0" }, { "--color", "from 0 to 1" } },
+  { "NegativeOpacity", 2, Square, "stl", { "--opacity", "-1" }, { "--opacity" } },
+  { "NegativeThreads", 2, Square, "stl", { "--threads", "-2" }, { "--threads" } },
+  { "UnknownColormap", 2, Square, "stl", { "--scalar-coloring", "--colormap", "mud" },
+    { "--colormap", "mud", "viridis" } },
+  { "RangeReversed", 2, Square, "stl", { "--coloring-range", "2,1" }, { "--coloring-range" } },
+  { "RangeWithoutColoring", 2, Square, "stl", { "--coloring-range", "1,2" },
+    { "--coloring-range", "--scalar-coloring" } },
+  { "NoArrays", 2, Square, "stl", { "--scalar-coloring" }, { "--scalar-coloring", "none" } },
+  { "UnknownArray", 2, Square, "stl", { "--coloring-array", "Heat" },
+    { "--coloring-array", "Heat" } },
+  { "LightNowhere", 2, Square, "stl", { "--light-position", "0,0,0,0" }, { "--light-position" } },
+
+  // Output
+  { "UnknownPicture", 2, Square, "stl", { "--output", "picture.webp" },
+    { "picture.webp", ".png" } },
+  { "NoFolder", 2, Square, "stl", { "--output", "/nowhere/at/all/picture.png" },
+    { "--output", "/nowhere/at/all/picture.png", "folder" } },
+  { "StatisticsNowhere", 2, Square, "stl", { "--statistics", "/nowhere/at/all/s.json" },
+    { "--statistics", "folder" } },
+  { "TransparentJpeg", 2, Square, "stl", { "--no-background", "--output", "picture.jpg" },
+    { "--no-background", "picture.jpg", ".png" } },
+
+  // Files
+  { "NoFile", 2, nullptr, "stl", {}, { "mesh.stl", "no such file" } },
+  { "EmptyFile", 2, "\n", "obj", {}, { "mesh.obj", "empty" } },
+  { "UnknownExtension", 2, Square, "xyzzy", {}, { "mesh.xyzzy", "unknown extension", "list" } },
+  { "NoExtension", 2, Square, "", {}, { "unknown extension" } },
+  { "TextAsPly", 2, "hello\n", "ply", {}, { "mesh.ply", "damaged" } },
+  { "TextAsStl", 2, "hello\n", "stl", {}, { "mesh.stl", "damaged" } },
+  { "TextAsVtp", 2, "hello\n", "vtp", {}, { "mesh.vtp", "damaged" } },
+  { "TextAsGltf", 2, "hello\n", "gltf", {}, { "mesh.gltf", "damaged" } },
+  { "TextAsOff", 2, "hello\n", "off", {}, { "mesh.off", "damaged" } },
+  { "TextAsExodus", 2, "hello\n", "ex2", {}, { "mesh.ex2", "damaged" } },
+  { "CutStl", 2, "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n", "stl", {},
+    { "mesh.stl", "damaged" } },
+  { "CutPly", 2,
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nend_header\n0 0 0\n1 0 0\n",
+    "ply", {}, { "mesh.ply", "damaged" } },
+  { "OnlyNanPoints", 2, "v nan nan nan\nv nan 0 0\nv 0 nan 0\nf 1 2 3\n", "obj", {},
+    { "mesh.obj" } },
+  { "IndexOutOfRange", 2, VtpOutOfRange, "vtp", {},
+    { "mesh.vtp", "damaged", "point 7", "3 points" } },
+  { "ObjIndexOutOfRange", 2, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "obj", {}, { "mesh.obj" } },
+  { "CellWithTooFewCorners", 2, VtuWithShortHexahedron, "vtu", {},
+    { "mesh.vtu", "damaged", "3 corners instead of 8" } },
+  { "LargePolygonInPly", 2, LargePolygon.c_str(), "ply", {}, { "mesh.ply", "255", "triangulate" } },
+  { "NoMesh", 2, "# vtk DataFile Version 3.0\nempty\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n",
+    "vtk", {}, { "mesh.vtk", "empty" } },
+
+  // Done, with one warning
+  { "NanPoint", 0, PlyWithNan, "ply", {}, { "warning", "mesh.ply", "1 points", "not finite" } },
+  { "LookingAway", 0, Square, "stl",
+    { "--camera-position", "0,0,5", "--camera-focal-point", "0,0,9" },
+    { "warning", "nothing in view", "--camera" } },
+  { "AllTransparent", 0, Square, "stl", { "--opacity", "0" },
+    { "warning", "transparent", "--opacity" } },
+
+  // Done, in silence
+  { "DegenerateTriangle", 0, ObjWithDegenerateTriangle, "obj", {}, {} },
+  { "EyeInTheSurface", 0, Square, "stl", { "--camera-position", "0,0,0.001" }, {} },
+  { "OnePixel", 0, Square, "stl", { "--resolution", "1,1" }, {} },
+};
+
+class BadInput : public testing::TestWithParam<Row>
+{
+};
+
+TEST_P(BadInput, IsToldInOneLine)
+{
+  const Row& row = GetParam();
+  const Folder folder("bad-input");
+  std::string mesh = folder / "mesh";
+  mesh += *row.Extension ? std::string(".") + row.Extension : "";
+  std::vector<std::string> before;
+  if (row.File)
+  {
+    WriteText(mesh, row.File == Square ? SquareStl() : row.File);
+    before = folder.List();
+  }
+  std::vector<std::string> arguments = { "render", mesh, "--resolution", "16,16", "--output",
+    folder / "picture.png" };
+  for (std::size_t i = 0; i < row.Options.size(); ++i)
+  {
+    const bool isPicture = row.Options[i].rfind("picture.", 0) == 0;
+    arguments.push_back(isPicture ? folder / row.Options[i] : row.Options[i]);
+  }
+
+  const Outcome outcome = RunProgram(arguments);
+  EXPECT_EQ(outcome.Status, row.Status) << outcome.Errors;
+  EXPECT_EQ(outcome.Output, "");
+  EXPECT_EQ(CountLines(outcome.Errors), row.Words.empty() ? 0 : 1) << outcome.Errors;
+  for (const char* word : row.Words)
+  {
+    EXPECT_NE(outcome.Errors.find(word), std::string::npos) << word << " in " << outcome.Errors;
+  }
+  if (row.Status == 0)
+  {
+    before.insert(std::upper_bound(before.begin(), before.end(), "picture.png"), "picture.png");
+  }
+  EXPECT_EQ(folder.List(), before);
+}
+
+std::string NameOf(const testing::TestParamInfo<Row>& row)
+{
+  return row.param.Name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BadInput, testing::ValuesIn(Rows), NameOf);
+
+TEST(BadUse, IsToldInOneLine)
+{
+  const Folder folder("bad-use");
+  WriteText(folder / "square.stl", SquareStl());
+  WriteText(folder / "notes.png", "these are notes");
+  ASSERT_EQ(RunProgram({ "render", folder / "square.stl", "--resolution", "8,8", "--output",
+                         folder / "small.png" })
+              .Status,
+    0);
+  ASSERT_EQ(RunProgram({ "render", folder / "square.stl", "--resolution", "9,8", "--output",
+                         folder / "large.png" })
+              .Status,
+    0);
+  const std::vector<std::vector<std::string>> commands = {
+    {},
+    { "animate" },
+    { "bake", folder / "square.stl", "--output", folder / "baked.vtp" },
+    { "chart" },
+    { "render" },
+    { "render", folder / "square.stl" },
+    { "render", "--output", folder / "p.png" },
+    { "render", folder.Path, "--output", folder / "p.png" },
+    { "render", folder / "square.stl", "--output", folder.Path },
+    { "render", folder / "square.stl", folder / "square.stl", "--output", folder / "{name}.png" },
+    { "render", folder / "square.stl", "--output", folder / "p.png", "--statistics",
+      folder / "{name}.json" },
+    { "compare" },
+    { "compare", folder / "small.png" },
+    { "compare", folder / "small.png", folder / "missing.png" },
+    { "compare", folder / "small.png", folder / "notes.png" },
+    { "compare", folder / "small.png", folder / "square.stl" },
+    { "compare", folder / "small.png", folder / "large.png" },
+    { "compare", folder / "small.png", folder / "small.png", "--metric", "taste" },
+    { "compare", folder / "small.png", folder / "small.png", "--threshold", "-1" },
+  };
+  const std::vector<std::string> before = folder.List();
+  for (const std::vector<std::string>& command : commands)
+  {
+    const Outcome outcome = RunProgram(command);
+    const std::string name = testing::PrintToString(command);
+    EXPECT_EQ(outcome.Status, 2) << name;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << name << outcome.Errors;
+    EXPECT_EQ(outcome.Output, "") << name;
+  }
+  EXPECT_EQ(folder.List(), before);
+}
+
+}
