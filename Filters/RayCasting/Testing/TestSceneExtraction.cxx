@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtraction.h"
+
+#include "RayScene.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+#include "vtkVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace penumbra;
+
+namespace
+{
+
+ExtractionOptions Square(int size = 100)
+{
+  ExtractionOptions options;
+  options.Resolution[0] = options.Resolution[1] = size;
+  return options;
+}
+
+vtkSmartPointer<vtkPolyData> Cube()
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  return cube->GetOutput();
+}
+
+/// Four points and the cells given, each by its point ids.
+vtkSmartPointer<vtkPolyData> Polygons(const std::vector<std::vector<vtkIdType>>& cells)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 1.0, 0.0);
+  points->InsertNextPoint(0.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> polygons;
+  for (const std::vector<vtkIdType>& cell : cells)
+  {
+    polygons->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  return data;
+}
+
+Scene Extract(vtkDataObject* data)
+{
+  return ExtractScene(std::vector<vtkDataObject*>{ data }, Square());
+}
+
+Hit Look(const Scene& scene, double x, double y)
+{
+  Ray ray;
+  ray.Origin = scene.Eye.RayOrigin({ x, y });
+  ray.Direction = scene.Eye.RayDirection({ x, y });
+  return RayScene(scene, 1).Intersect(ray);
+}
+
+bool Warns(const Scene& scene, const std::string& of)
+{
+  for (const std::string& warning : scene.Warnings)
+  {
+    if (warning.find(of) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+TEST(SceneExtraction, IsEmptyWithoutData)
+{
+  EXPECT_TRUE(ExtractScene(std::vector<vtkDataObject*>(), Square()).Surfaces.empty());
+  vtkNew<vtkPolyData> nothing;
+  EXPECT_TRUE(Extract(nothing).Surfaces.empty());
+  vtkNew<vtkRenderer> renderer;
+  const Scene scene = ExtractScene(renderer, Square());
+  EXPECT_TRUE(scene.Surfaces.empty());
+  EXPECT_TRUE(scene.Warnings.empty());
+  EXPECT_EQ(scene.Lights.size(), 1u);
+  EXPECT_FALSE(renderer->IsActiveCameraCreated());
+  EXPECT_EQ(renderer->GetLights()->GetNumberOfItems(), 0);
+}
+
+TEST(SceneExtraction, DrawsDataInVTKsDefaultLook)
+{
+  const Scene scene = Extract(Cube());
+  ASSERT_EQ(scene.Surfaces.size(), 1u);
+  EXPECT_EQ(scene.Surfaces[0].Triangles.size(), 12u);
+  EXPECT_EQ(scene.Surfaces[0].Front.DiffuseColor, glm::vec3(1.f));
+  EXPECT_TRUE(scene.Lights[0].Headlight);
+  EXPECT_TRUE(Look(scene, 50.0, 50.0).IsHit());
+  EXPECT_FALSE(Look(scene, 2.0, 2.0).IsHit());
+}
+
+TEST(SceneExtraction, ResetsTheViewAsVTKDoes)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(Cube());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetPosition(3.0, 2.0, 1.0);
+  renderer->AddActor(actor);
+  const Scene own = ExtractScene(renderer, Square());
+  renderer->ResetCamera();
+  const Scene vtk = ExtractScene(renderer, Square());
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(own.Origin[k], vtk.Origin[k], 1e-12);
+  }
+  EXPECT_EQ(own.Scale, vtk.Scale);
+  EXPECT_NEAR(own.Eye.PixelSize, vtk.Eye.PixelSize, 1e-15);
+}
+
+TEST(SceneExtraction, KeepsCellIdsOfPolygonsAndGrids)
+{
+  const Scene triangles = Extract(Polygons({ { 0, 1, 2 }, { 0, 2, 3 } }));
+  EXPECT_TRUE(triangles.Surfaces[0].CellIds.empty());
+  const Scene mixed = Extract(Polygons({ { 0, 1, 2, 3 }, { 0, 1, 2 } }));
+  EXPECT_EQ(mixed.Surfaces[0].CellIds, (std::vector<std::uint32_t>{ 0, 0, 1 }));
+  const Scene later = Extract(Polygons({ { 0, 1, 2 }, { 0, 1, 2, 3 } }));
+  EXPECT_EQ(later.Surfaces[0].CellIds, (std::vector<std::uint32_t>{ 0, 1, 1 }));
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(4, 4, 4);
+  const Scene voxels = Extract(grid);
+  ASSERT_EQ(voxels.Surfaces[0].CellIds.size(), 6u * 9u * 2u);
+  for (const std::uint32_t cell : voxels.Surfaces[0].CellIds)
+  {
+    EXPECT_LT(cell, 27u);
+    EXPECT_NE(cell, 13u); // the one inside
+  }
+}
+
+TEST(SceneExtraction, LeavesReservesForTheRayScene)
+{
+  const Scene scene = Extract(Cube());
+  EXPECT_GT(scene.Surfaces[0].Positions.capacity(), scene.Surfaces[0].Positions.size());
+  EXPECT_GT(scene.Surfaces[0].Triangles.capacity(), scene.Surfaces[0].Triangles.size());
+}
+
+TEST(SceneExtraction, DropsCellsWithBadPointsAndSaysHowMany)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : { std::nan(""), infinity, -infinity })
+  {
+    vtkSmartPointer<vtkPolyData> data =
+      Polygons({ { 0, 1, 2 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 77 }, { 0, 1, -5 } });
+    data->GetPoints()->SetPoint(3, 0.0, bad, 0.0);
+    const Scene scene = Extract(data);
+    ASSERT_EQ(scene.Surfaces.size(), 1u);
+    EXPECT_EQ(scene.Surfaces[0].Triangles.size(), 1u);
+    EXPECT_TRUE(Warns(scene, "4 cells use points"));
+    EXPECT_EQ(scene.Warnings.size(), 1u);
+    EXPECT_TRUE(std::isfinite(scene.Scale));
+    EXPECT_EQ(scene.Surfaces[0].CellIds, std::vector<std::uint32_t>{ 0 });
+  }
+}
+
+TEST(SceneExtraction, DropsTrianglesWithoutAreaAndSaysHowMany)
+{
+  const Scene scene = Extract(Polygons({ { 0, 0, 1 }, { 0, 1, 1 }, { 0, 1, 2 }, { 0 }, { 0, 1 } }));
+  EXPECT_EQ(scene.Surfaces[0].Triangles.size(), 1u);
+  EXPECT_TRUE(Warns(scene, "without area"));
+  EXPECT_EQ(scene.Warnings.size(), 1u);
+}
+
+TEST(SceneExtraction, SurvivesDataWithoutAnyGoodPoint)
+{
+  vtkSmartPointer<vtkPolyData> data = Polygons({ { 0, 1, 2 } });
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    data->GetPoints()->SetPoint(i, std::nan(""), std::nan(""), std::nan(""));
+  }
+  const Scene scene = Extract(data);
+  EXPECT_TRUE(scene.Surfaces.empty());
+  EXPECT_EQ(scene.Warnings.size(), 1u);
+}
+
+TEST(SceneExtraction, NamesWhatItCannotDraw)
+{
+  vtkNew<vtkTable> table;
+  EXPECT_TRUE(Warns(Extract(table), "vtkTable"));
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkVolume> volume;
+  renderer->AddVolume(volume);
+  vtkNew<vtkVolume> hidden;
+  hidden->VisibilityOff();
+  renderer->AddVolume(hidden);
+  const Scene scene = ExtractScene(renderer, Square());
+  EXPECT_TRUE(Warns(scene, "Volume"));
+  EXPECT_EQ(scene.Warnings.size(), 1u);
+}
+
+TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
+{
+  for (const auto& [center, size] :
+    { std::pair<double, double>{ 1e7, 1e-3 }, { 0.0, 1e-6 }, { 0.0, 1e9 }, { 1e7, 100.0 } })
+  {
+    vtkSmartPointer<vtkPolyData> data = Polygons({ { 0, 1, 2, 3 } });
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      double x[3];
+      data->GetPoints()->GetPoint(i, x);
+      data->GetPoints()->SetPoint(i, center + size * x[0], center + size * x[1], center);
+    }
+    const Scene scene = Extract(data);
+    // A square in a sphere seen under 30 degrees: where its corners must be.
+    const double half = 50.0 * std::sin(15.0 * 3.14159265358979 / 180.0) /
+      std::tan(15.0 * 3.14159265358979 / 180.0) / std::sqrt(2.0);
+    for (const glm::vec3& x : scene.Surfaces[0].Positions)
+    {
+      EXPECT_GT(glm::length(x), .1f);
+      EXPECT_LT(glm::length(x), 10.f);
+      const glm::dvec2 p = scene.Eye.Project(x) - 50.0;
+      EXPECT_NEAR(std::abs(p.x), half, 2e-4) << center << " " << size;
+      EXPECT_NEAR(std::abs(p.y), half, 2e-4) << center << " " << size;
+    }
+  }
+}
+
+TEST(SceneExtraction, NumbersVisibleActorsAndDataSets)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Cube());
+  blocks->SetBlock(2, Cube());
+  const Scene scene = ExtractScene(std::vector<vtkDataObject*>{ Cube(), blocks }, Square());
+  ASSERT_EQ(scene.Surfaces.size(), 3u);
+  EXPECT_EQ(scene.Surfaces[0].ObjectId, 0);
+  EXPECT_EQ(scene.Surfaces[1].ObjectId, 1);
+  EXPECT_EQ(scene.Surfaces[2].ObjectId, 1);
+}
+
+TEST(SceneExtraction, ScalesWidthsWithTheResolutionOfTheScreen)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType line[2] = { 0, 1 };
+  lines->InsertNextCell(2, line);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  ExtractionOptions options = Square();
+  options.DPI = 144;
+  const Scene scene = ExtractScene(std::vector<vtkDataObject*>{ data }, options);
+  ASSERT_EQ(scene.Surfaces.size(), 1u);
+  EXPECT_TRUE(scene.Surfaces[0].ScreenSpace);
+  const auto& x = scene.Surfaces[0].Positions;
+  EXPECT_NEAR(glm::length(scene.Eye.Project(x[3]) - scene.Eye.Project(x[0])), 2.0, 1e-4);
+}
+
+TEST(SceneExtraction, SwitchesLightsAndTakesTheAutomaticOneOnlyWhenAsked)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkLight> light;
+  light->SetPosition(0.0, 0.0, 5.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetColor(.5, 1.0, .25);
+  light->SetIntensity(.5);
+  renderer->AddLight(light);
+  Scene scene = ExtractScene(renderer, Square());
+  ASSERT_EQ(scene.Lights.size(), 1u);
+  EXPECT_EQ(scene.Lights[0].Direction, glm::vec3(0.f, 0.f, -1.f));
+  EXPECT_EQ(scene.Lights[0].DiffuseColor, glm::vec3(.25f, .5f, .125f));
+  EXPECT_TRUE(scene.Lights[0].CastsShadow);
+  light->SwitchOff();
+  scene = ExtractScene(renderer, Square());
+  ASSERT_EQ(scene.Lights.size(), 1u);
+  EXPECT_TRUE(scene.Lights[0].Headlight);
+  EXPECT_FALSE(scene.Lights[0].CastsShadow);
+  renderer->AutomaticLightCreationOff();
+  EXPECT_TRUE(ExtractScene(renderer, Square()).Lights.empty());
+}
