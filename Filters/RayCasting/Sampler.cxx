@@ -25,7 +25,8 @@ bool LetsLightThrough(const Surface& surface)
   };
   return surface.Front.Opacity < 1.f || (surface.HasBackMaterial && surface.Back.Opacity < 1.f) ||
     translucent(surface.PointColors) || translucent(surface.CellColors) ||
-    (surface.ColorTexture && translucent(surface.ColorTexture->Texels));
+    (surface.ColorTexture && translucent(surface.ColorTexture->Texels)) ||
+    (surface.LitTexture && translucent(surface.LitTexture->Texels));
 }
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace penumbra
 {
@@ -102,9 +103,9 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
     normal = surface.TriangleNormals[hit.Triangle];
   }
   const float square = glm::dot(normal, normal);
-  if (!(square > 0.f) || !std::isfinite(square))
+  if (!(square > 0.f && square <= std::numeric_limits<float>::max()))
   {
-    return geometricNormal;
+    return glm::normalize(geometricNormal);
   }
   normal *= 1.f / std::sqrt(square);
   switch (surface.NormalRule)
@@ -181,7 +182,7 @@ Appearance Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays)
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
 
   Appearance at;
-  at.GeometricNormal = glm::normalize(glm::cross(b - a, c - a));
+  at.GeometricNormal = glm::cross(b - a, c - a);
   const bool front = glm::dot(at.GeometricNormal, ray.Direction) < 0.f;
   if (!front)
   {
@@ -190,14 +191,18 @@ Appearance Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays)
   const glm::vec3 forward(scene.Eye.Forward);
   at.Normal = LightingNormal(surface, hit, corners, weights, front, at.GeometricNormal, forward);
 
-  Finish finish = front ? look.Front : look.Back;
+  const Finish* known = front ? &look.Front : &look.Back;
+  Finish colored;
   if (look.Colored)
   {
     const glm::vec4 own = OwnColor(surface, hit, corners, weights);
-    finish.Ambient = look.AmbientShare * glm::vec3(own);
-    finish.Diffuse = look.DiffuseShare * glm::vec3(own);
-    finish.Opacity *= own.a;
+    colored = *known;
+    colored.Ambient = look.AmbientShare * glm::vec3(own);
+    colored.Diffuse = look.DiffuseShare * glm::vec3(own);
+    colored.Opacity *= own.a;
+    known = &colored;
   }
+  const Finish& finish = *known;
 
   glm::vec3 rgb;
   if (!look.Lit)
@@ -283,7 +288,7 @@ float Shading::Transmittance(
   // Rounding of positions and of the hit: some units in the last place of the largest coordinate.
   const glm::vec3 size = glm::abs(point);
   const float gap = 1e-5f * std::max(size.x, std::max(size.y, size.z));
-  Ray ray{ point + gap * normal, towards, 0.f, distance };
+  Ray ray{ point + gap * glm::normalize(normal), towards, 0.f, distance };
   if (!this->Translucent)
   {
     ++shadowRays;

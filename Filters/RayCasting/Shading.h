@@ -16,7 +16,7 @@ struct Appearance
 {
   glm::vec4 Color{ 0.f };           ///< straight rgb (unclamped) and opacity
   glm::vec3 Normal{ 0.f };          ///< shading normal, unit, as VTK's lighting uses it
-  glm::vec3 GeometricNormal{ 0.f }; ///< of the triangle, unit, facing the eye
+  glm::vec3 GeometricNormal{ 0.f }; ///< of the triangle, of any length, facing the eye
 };
 
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Shading
