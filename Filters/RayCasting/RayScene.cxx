@@ -22,6 +22,11 @@ namespace
 {
 
 constexpr int PacketSize = 16;
+
+/// From so many triangles on memory counts more than the 10 to 20 percent of speed that Embree's
+/// compact trees cost: 10 million take 2.5 times less.
+constexpr std::size_t CompactFrom = 2000000;
+
 static_assert(RTC_INVALID_GEOMETRY_ID == Hit::None, "a miss of Embree's is a miss of ours");
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree reads our arrays");
 
@@ -137,6 +142,16 @@ void Check(RTCDevice device)
   }
 }
 
+std::size_t CountTriangles(const Scene& scene)
+{
+  std::size_t count = 0;
+  for (const Surface& surface : scene.Surfaces)
+  {
+    count += surface.Triangles.size();
+  }
+  return count;
+}
+
 void Fill(RTCRay& to, const Ray& from)
 {
   to.org_x = from.Origin.x;
@@ -164,7 +179,10 @@ RayScene::RayScene(const Scene& scene, int threads)
   try
   {
     this->Tree = rtcNewScene(this->Device);
-    rtcSetSceneFlags(this->Tree, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(this->Tree,
+      CountTriangles(scene) < CompactFrom
+        ? RTC_SCENE_FLAG_ROBUST
+        : static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
     for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
     {
       if (!scene.Surfaces[i].Triangles.empty())

@@ -52,7 +52,8 @@ public:
   /// Nearest hit of one ray; culled sides of surfaces are passed.
   Hit Intersect(const Ray& ray) const;
 
-  /// Nearest hits of 16 rays; rays with Near > Far are not traced.
+  /// Nearest hits of 16 rays; rays with Near > Far are not traced. Where a ray meets two triangles
+  /// at the same distance (on a shared edge), which one it finds depends on the other rays.
   void Intersect16(const Ray* rays, Hit* hits) const;
 
   /// Is anything met? Surfaces with ScreenSpace do not count.

@@ -133,3 +133,59 @@ TEST(RayScene, LetsLightPassLinesAndPoints)
   ray.Far = 4.f;
   EXPECT_FALSE(rays.Occluded(ray));
 }
+
+namespace
+{
+
+/// A bumpy sheet of 2 (n - 1)^2 triangles under the eye.
+Surface Sheet(unsigned int n)
+{
+  Surface surface;
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const float u = 2.f * static_cast<float>(i) / static_cast<float>(n - 1) - 1.f;
+      const float v = 2.f * static_cast<float>(j) / static_cast<float>(n - 1) - 1.f;
+      surface.Positions.emplace_back(u, v, -2.f + .2f * std::sin(9.f * u) * std::cos(7.f * v));
+      if (i > 0 && j > 0)
+      {
+        const unsigned int k = j * n + i;
+        surface.Triangles.emplace_back(k - n - 1, k - n, k);
+        surface.Triangles.emplace_back(k - n - 1, k, k - 1);
+      }
+    }
+  }
+  return surface;
+}
+
+/// Rays exactly through vertices and through the middles of edges.
+std::vector<Ray> RaysThrough(const Surface& surface)
+{
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i + 1 < surface.Positions.size(); i += 7)
+  {
+    rays.push_back({ glm::vec3(0.f), surface.Positions[i] });
+    rays.push_back({ glm::vec3(0.f), .5f * (surface.Positions[i] + surface.Positions[i + 1]) });
+  }
+  rays.resize(rays.size() / 16 * 16);
+  return rays;
+}
+
+}
+
+TEST(RayScene, FindsTheSameTrianglesWithAnyNumberOfThreads)
+{
+  Scene scene;
+  scene.Surfaces = { Sheet(300), Sheet(150) };
+  const RayScene one(scene, 1);
+  const RayScene many(scene, 7);
+  int different = 0;
+  for (const Ray& ray : RaysThrough(scene.Surfaces[0]))
+  {
+    const Hit a = one.Intersect(ray);
+    const Hit b = many.Intersect(ray);
+    different += a.Surface != b.Surface || a.Triangle != b.Triangle || a.Distance != b.Distance;
+  }
+  EXPECT_EQ(different, 0);
+}
