@@ -146,6 +146,10 @@ void Measure(Benchmark& benchmark, const LitScene& scene)
   table.Add(scene.Name, "rays per pixel", answer.RaysPerPixel, If(scene.RaysPerPixel),
     scene.RaysPerPixel, at);
   table.Add(scene.Name, "CPU seconds", answer.Seconds, Bar::None);
+  if (!benchmark.Peers)
+  {
+    return;
+  }
   CompareWithUniform(benchmark, scene, renderer, truth.Colors, isEdge, errors.Edge, answer.Seconds);
   if (scene.Timed && !benchmark.PovRay.empty())
   {

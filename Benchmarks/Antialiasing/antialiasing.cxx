@@ -131,6 +131,10 @@ int main(int argc, char** argv)
     {
       benchmark.Diagnose = true;
     }
+    else if (option == "--no-peers")
+    {
+      benchmark.Peers = false;
+    }
     else
     {
       usage = true;
@@ -140,7 +144,7 @@ int main(int argc, char** argv)
   {
     std::fprintf(stderr,
       "usage: penumbra-benchmark-antialiasing --meshes FOLDER --output FOLDER [--povray PROGRAM]\n"
-      "         [--only memory|flat|lit|dense|packets] [--diagnose]\n");
+      "         [--only memory|flat|lit|dense|packets] [--diagnose] [--no-peers]\n");
     return 2;
   }
   try
