@@ -20,22 +20,6 @@ int Terminal = STDERR_FILENO;
 std::mutex ErrorsMutex;
 std::vector<std::string> Errors;
 
-// The message inside VTK's "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n".
-std::string StripFrame(const std::string& text)
-{
-  std::size_t begin = text.find("): ");
-  begin = begin == std::string::npos ? text.find('\n') : begin + 2;
-  begin = begin == std::string::npos ? 0 : begin;
-  begin = text.find_first_not_of(" \n\t", begin);
-  if (begin == std::string::npos)
-  {
-    return "an unnamed error";
-  }
-  std::string message = text.substr(begin, text.find('\n', begin) - begin);
-  message.erase(message.find_last_not_of(" .\t\r") + 1);
-  return message;
-}
-
 class LogWindow : public vtkOutputWindow
 {
 public:
@@ -52,7 +36,7 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(ErrorsMutex);
-      Errors.push_back(StripFrame(text));
+      Errors.push_back(penumbra::StripFrame(text));
     }
     this->DisplayText(text);
   }
@@ -95,6 +79,22 @@ int OpenLogFile(const std::string& path)
 
 namespace penumbra
 {
+
+// The frame is "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n".
+std::string StripFrame(const std::string& text)
+{
+  std::size_t begin = text.find("): ");
+  begin = begin == std::string::npos ? text.find('\n') : begin + 2;
+  begin = begin == std::string::npos ? 0 : begin;
+  begin = text.find_first_not_of(" \n\t", begin);
+  if (begin == std::string::npos)
+  {
+    return "an unnamed error";
+  }
+  std::string message = text.substr(begin, text.find('\n', begin) - begin);
+  message.erase(message.find_last_not_of(" .\t\r") + 1);
+  return message;
+}
 
 void OpenLog()
 {

@@ -23,6 +23,9 @@ std::string LogPath();
 /// VTK's errors since the last call, one sentence each, without VTK's frame around them.
 std::vector<std::string> TakeErrors();
 
+/// The sentence inside a message of VTK's macros.
+std::string StripFrame(const std::string& text);
+
 /// One line on the real stderr, after "penumbra: ". Line breaks in it become spaces.
 void Say(const std::string& line);
 

@@ -52,6 +52,16 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
   watch.Listener(*static_cast<double*>(callData));
 }
 
+// What the ray caster leaves out of the scene; triangles without area are nothing to see.
+void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
+{
+  const std::string warning = StripFrame(static_cast<const char*>(callData));
+  if (warning.find("without area") == std::string::npos)
+  {
+    static_cast<std::vector<std::string>*>(clientData)->push_back(warning);
+  }
+}
+
 nlohmann::json ToJson(vtkFieldData* statistics)
 {
   nlohmann::json json = nlohmann::json::object();
@@ -61,9 +71,9 @@ nlohmann::json ToJson(vtkFieldData* statistics)
     if (array && array->GetName() && array->GetNumberOfTuples() > 0)
     {
       const double value = array->GetComponent(0, 0);
-      const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+      const bool isCount = value == std::floor(value);
       json[array->GetName()] =
-        whole ? nlohmann::json(static_cast<long long>(value)) : nlohmann::json(value);
+        isCount ? nlohmann::json(static_cast<long long>(value)) : nlohmann::json(value);
     }
   }
   return json;
@@ -125,6 +135,12 @@ Picture RenderWithRays(
   observer->SetClientData(&watch);
   caster->AddObserver(vtkCommand::ProgressEvent, observer);
 
+  Picture picture;
+  vtkNew<vtkCallbackCommand> warningObserver;
+  warningObserver->SetCallback(OnWarning);
+  warningObserver->SetClientData(&picture.Warnings);
+  caster->AddObserver(vtkCommand::WarningEvent, warningObserver);
+
   TakeErrors();
   const Clock::time_point start = Clock::now();
   caster->Update();
@@ -135,7 +151,6 @@ Picture RenderWithRays(
     throw Failure(BadInput, "--engine ray: " + errors.front());
   }
 
-  Picture picture;
   picture.Image = caster->GetOutput();
   RestoreCellIds(picture.Image, renderer);
   picture.Statistics = ToJson(caster->GetStatistics());

@@ -228,10 +228,16 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   app.add_flag("--shadows", options.Shadows, "Hard shadows of the lights (ray)")->group(group);
 }
 
-void RequireRay(const CLI::App& app, const RenderOptions& options)
+void RequireEngine(const CLI::App& app, const RenderOptions& options)
 {
   if (options.Engine == "ray")
   {
+    if (options.Coloring.ScalarBar)
+    {
+      throw Failure(BadInput,
+        "--coloring-scalar-bar is not available in this version with --engine ray; use --engine "
+        "raster");
+    }
     return;
   }
   for (const char* name :
@@ -262,7 +268,7 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
 void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
 {
   CheckPictureExtension(options.Output, "--output");
-  RequireRay(app, options);
+  RequireEngine(app, options);
   RequireColoring(app, options);
   if (!options.Background && !HoldsAlpha(options.Output))
   {

@@ -39,11 +39,7 @@ bool AddGeometryArrays(
   AddArray(normals.Get(), "Normal", 3, image);
   AddArray(objects.Get(), "ObjectId", 1, image);
   AddArray(cells.Get(), "CellId", 1, image);
-  const bool occlusion = sampler.HasOcclusion();
-  if (occlusion)
-  {
-    AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
-  }
+  AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
 
   const Scene& scene = sampler.GetScene();
   int extent[6];
@@ -82,7 +78,7 @@ bool AddGeometryArrays(
       occlusions->SetValue(id, sampler.Occlusion(ray, hit, seen, rowCounts));
     }
     const std::lock_guard<std::mutex> lock(totals);
-    counts += rowCounts;
+    counts.Auxiliary += rowCounts.Auxiliary + rowCounts.Shadow + rowCounts.Occlusion;
   });
 }
 

@@ -284,6 +284,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(
   vtkPenumbraRayCaster* self, const penumbra::Scene& scene, vtkImageData* image)
 {
   const penumbra::RayScene rays(scene, self->NumberOfThreads);
+  self->UpdateProgress(0.0); // The scene is built.
   const penumbra::Shading shading(rays, self->Shadows);
   penumbra::Sampler sampler(rays, shading, scene.Eye);
 
@@ -295,7 +296,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(
   settings.Integration.MaximumLevel = self->MaximumLevel;
   settings.Integration.SmallObjects = self->SmallObjects;
   settings.Integration.UniformSamples = self->UniformSamples;
-  if (self->AmbientOcclusion)
+  if (self->AmbientOcclusion || self->GeometryArrays)
   {
     if (!this->IrradianceSource)
     {
@@ -304,9 +305,13 @@ bool vtkPenumbraRayCaster::Internals::Execute(
     const double radius = self->AmbientOcclusionRadius > 0.0
       ? self->AmbientOcclusionRadius
       : DefaultRadiusShare * GetDiagonal(scene);
-    settings.Integration.Noise = OcclusionNoiseShare * self->Tolerance;
-    this->IrradianceSource->Begin(rays, radius, settings.Integration.Noise);
-    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
+    const double noise = OcclusionNoiseShare * self->Tolerance;
+    this->IrradianceSource->Begin(rays, radius, noise);
+    if (self->AmbientOcclusion)
+    {
+      settings.Integration.Noise = noise;
+      sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
+    }
   }
 
   const auto color = AddFloatArray(image, "Color", 4);
@@ -359,9 +364,13 @@ bool vtkPenumbraRayCaster::Internals::Execute(
     totals.Edges = std::max(totals.Edges, part.Edges);
   }
   const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
-  if (self->GeometryArrays && !penumbra::AddGeometryArrays(sampler, nullptr, image, totals.Rays))
+  if (self->GeometryArrays)
   {
-    return false;
+    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
+    if (!penumbra::AddGeometryArrays(sampler, nullptr, image, totals.Rays))
+    {
+      return false;
+    }
   }
   this->Report(totals, squaredError, pixels);
   image->GetFieldData()->ShallowCopy(this->Statistics);

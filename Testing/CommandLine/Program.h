@@ -33,7 +33,8 @@ public:
 };
 
 /// penumbra ARGUMENTS... `setting`: NAME=VALUE for its environment, or empty.
-Outcome RunProgram(const std::vector<std::string>& arguments, const std::string& setting = std::string());
+Outcome RunProgram(
+  const std::vector<std::string>& arguments, const std::string& setting = std::string());
 
 /// The program by way of a shell, for limits and redirections; $PENUMBRA is the program.
 Outcome RunShell(const std::string& script);

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What `penumbra render` promises, tried on small meshes through the real program.
+#include "Meshes.h"
+#include "Pictures.h"
+#include "Program.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+// render square.stl --output FOLDER/name OPTIONS...; the picture.
+vtkSmartPointer<vtkImageData> RenderSquare(
+  const Folder& folder, const std::string& name, const std::vector<std::string>& options)
+{
+  WriteText(folder / "square.stl", SquareStl());
+  std::vector<std::string> arguments = { "render", folder / "square.stl", "--output", folder / name,
+    "--resolution", "40,30" };
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = RunProgram(arguments);
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+  return ReadImage(folder / name);
+}
+
+TEST(Render, ReadsEveryFormatIntoTheSamePicture)
+{
+  const Folder folder("formats");
+  const std::vector<std::string> files = WriteSpheres(folder.Path);
+  for (const std::string& file : files)
+  {
+    const Outcome outcome = RunProgram(
+      { "render", folder / file, "--resolution", "60,40", "--output", folder / file + ".png" });
+    EXPECT_EQ(outcome.Status, 0) << file << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "") << file;
+    const std::string reference = file.rfind("box", 0) == 0 ? "box.vti.png" : "sphere.stl.png";
+    if (file != "square.stl" && std::filesystem::exists(folder / reference))
+    {
+      EXPECT_LE(Compare(folder / file + ".png", folder / reference)["metrics"]["max"], 2.0 / 255.0)
+        << file;
+    }
+  }
+}
+
+TEST(Render, WritesEveryFormatOfPictures)
+{
+  const Folder folder("pictures");
+  RenderSquare(folder, "reference.vti", {});
+  for (const char* extension : { "png", "jpg", "tif", "bmp" })
+  {
+    const std::string name = std::string("picture.") + extension;
+    RenderSquare(folder, name, {});
+    const double tolerance = std::string(extension) == "jpg" ? 0.05 : 0.003;
+    EXPECT_LE(Compare(folder / name, folder / "reference.vti")["value"], tolerance) << name;
+  }
+}
+
+TEST(Render, WritesTheArraysOfTheContract)
+{
+  const Folder folder("arrays");
+  const auto image = RenderSquare(folder, "picture.vti",
+    { "--camera-position", "0,0,10", "--camera-view-angle", "30", "--dpi", "150" });
+  vtkPointData* arrays = image->GetPointData();
+  const vtkIdType center = 15 * 40 + 20;
+  const vtkIdType corner = 0;
+  ASSERT_TRUE(arrays->GetArray("Color"));
+  EXPECT_EQ(arrays->GetArray("Color")->GetNumberOfComponents(), 4);
+  EXPECT_EQ(arrays->GetArray("Color")->GetDataType(), VTK_FLOAT);
+  ASSERT_TRUE(arrays->GetArray("Depth"));
+  EXPECT_NEAR(arrays->GetArray("Depth")->GetComponent(center, 0), 10.0, 1e-4);
+  EXPECT_TRUE(std::isinf(arrays->GetArray("Depth")->GetComponent(corner, 0)));
+  ASSERT_TRUE(arrays->GetArray("Normal"));
+  EXPECT_NEAR(arrays->GetArray("Normal")->GetComponent(center, 2), 1.0, 1e-6);
+  EXPECT_EQ(arrays->GetArray("Normal")->GetComponent(corner, 2), 0.0);
+  ASSERT_TRUE(arrays->GetArray("ObjectId"));
+  EXPECT_EQ(arrays->GetArray("ObjectId")->GetComponent(center, 0), 0.0);
+  EXPECT_EQ(arrays->GetArray("ObjectId")->GetComponent(corner, 0), -1.0);
+  ASSERT_TRUE(arrays->GetArray("CellId"));
+  EXPECT_EQ(arrays->GetArray("CellId")->GetComponent(corner, 0), -1.0);
+  ASSERT_TRUE(arrays->GetArray("AmbientOcclusion"));
+  EXPECT_EQ(arrays->GetArray("AmbientOcclusion")->GetComponent(corner, 0), 0.0);
+  EXPECT_EQ(image->GetFieldData()->GetArray("DotsPerInch")->GetComponent(0, 0), 150.0);
+}
+
+TEST(Render, NamesCellsByTheirNumberInTheFile)
+{
+  const Folder folder("cell-ids");
+  WriteSpheres(folder.Path);
+  RunProgram(
+    { "render", folder / "sphere.vtp", "--resolution", "60,40", "--output", folder / "p.vti" });
+  RunProgram(
+    { "render", folder / "sphere.vtu", "--resolution", "60,40", "--output", folder / "u.vti" });
+  const auto mesh = ReadImage(folder / "p.vti");
+  const auto grid = ReadImage(folder / "u.vti");
+  vtkDataArray* polygons = mesh->GetPointData()->GetArray("CellId");
+  vtkDataArray* cells = grid->GetPointData()->GetArray("CellId");
+  ASSERT_TRUE(polygons && cells);
+  for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_EQ(polygons->GetComponent(i, 0), cells->GetComponent(i, 0)) << i;
+  }
+}
+
+TEST(Render, WritesTheResolutionInDotsPerInch)
+{
+  const Folder folder("dpi");
+  const std::vector<std::string> dpi = { "--dpi", "300" };
+  RenderSquare(folder, "p.png", dpi);
+  RenderSquare(folder, "p.jpg", dpi);
+  RenderSquare(folder, "p.bmp", dpi);
+  // 300 / 0.0254 = 11811 pixels a metre = 0x2e23; the checksum of this chunk is well known.
+  EXPECT_NE(ReadText(folder / "p.png")
+              .find(std::string("\0\0\0\x09pHYs\0\0\x2e\x23\0\0\x2e\x23\x01"
+                                "\x78\xa5\x3f\x76",
+                21)),
+    std::string::npos);
+  EXPECT_EQ(ReadText(folder / "p.jpg").substr(13, 5), std::string("\x01\x01\x2c\x01\x2c", 5));
+  EXPECT_EQ(ReadText(folder / "p.bmp").substr(38, 8), std::string("\x23\x2e\0\0\x23\x2e\0\0", 8));
+}
+
+TEST(Render, ReportsStatistics)
+{
+  const Folder folder("statistics");
+  RenderSquare(folder, "p.png",
+    { "--statistics", folder / "s.json", "--threads", "1", "--tolerance", "0.002" });
+  const nlohmann::json report = ReadJson(folder / "s.json");
+  EXPECT_GE(report["statistics"]["Rays/Primary"].get<long long>(), 41 * 31);
+  EXPECT_GE(report["statistics"]["Rays/Total"], report["statistics"]["Rays/Primary"]);
+  EXPECT_NEAR(report["statistics"]["Rays/PerPixel"].get<double>(),
+    report["statistics"]["Rays/Total"].get<double>() / (40 * 30), 1e-9);
+  EXPECT_EQ(report["tolerance"], 0.002);
+  EXPECT_EQ(report["threads"], 1);
+  EXPECT_LT(report["estimated_error"], 0.1);
+  for (const char* part : { "read", "build", "render", "write" })
+  {
+    EXPECT_GE(report["seconds"][part], 0.0) << part;
+    EXPECT_LE(report["seconds"][part], report["seconds"]["total"]) << part;
+  }
+  EXPECT_GT(report["peak_memory_bytes"], 1000000);
+}
+
+TEST(Render, DoesNotDependOnThreads)
+{
+  const Folder folder("threads");
+  WriteSpheres(folder.Path);
+  for (const char* threads : { "1", "2", "5" })
+  {
+    RunProgram({ "render", folder / "sphere.ply", "--resolution", "90,70", "--threads", threads,
+      "--ambient-occlusion", "--output", folder / threads + ".vti" });
+  }
+  EXPECT_EQ(Compare(folder / "1.vti", folder / "2.vti")["metrics"]["max"], 0.0);
+  EXPECT_EQ(Compare(folder / "1.vti", folder / "5.vti")["metrics"]["max"], 0.0);
+}
+
+TEST(Render, TakesTheLastOfARepeatedOption)
+{
+  const Folder folder("repeated");
+  const auto image = RenderSquare(folder, "p.png",
+    { "--resolution", "7,5", "--resolution", "9,3", "--no-lighting", "--color", "1,0,0", "--color",
+      "0,1,0", "--camera-zoom-factor", "5" });
+  EXPECT_EQ(image->GetDimensions()[0], 9);
+  EXPECT_EQ(image->GetDimensions()[1], 3);
+  EXPECT_EQ(PixelAt(image, 4, 1), (Pixel{ 0, 1, 0 }));
+}
+
+TEST(Render, PlacesTheCameraWhereItIsTold)
+{
+  const Folder folder("camera");
+  const std::vector<std::string> plain = { "--no-lighting", "--camera-position", "0,0,10",
+    "--camera-focal-point", "0,0,0", "--camera-orthographic", "--camera-parallel-scale", "2" };
+  // The square of side 2 in a view 4 high and 16/3 wide: half of each column, 3/8 of each row.
+  const auto image = RenderSquare(folder, "p.vti", plain);
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    sum += image->GetPointData()->GetArray("Color")->GetComponent(i, 0);
+  }
+  EXPECT_NEAR(sum / image->GetNumberOfPoints(), 0.5 * 3.0 / 8.0, 1e-4);
+
+  // Seen from the side it is a line, from behind it is whole again.
+  std::vector<std::string> turned = plain;
+  turned.insert(turned.end(), { "--camera-azimuth-angle", "180" });
+  RenderSquare(folder, "behind.vti", turned);
+  EXPECT_LE(Compare(folder / "p.vti", folder / "behind.vti")["metrics"]["max"], 1e-4);
+}
+
+TEST(Render, ShowsAllByDefaultFromAnyDirection)
+{
+  const Folder folder("fit");
+  for (const char* direction : { "0,0,-1", "0,0,1", "-1,-1,-1", "0,-1,0.2", "0,-1,0" })
+  {
+    for (const char* resolution : { "60,30", "30,60" })
+    {
+      WriteSpheres(folder.Path);
+      RunProgram({ "render", folder / "sphere.vtp", "--no-lighting", "--output", folder / "p.png",
+        "--camera-direction", direction, "--resolution", resolution });
+      const auto image = ReadImage(folder / "p.png");
+      const int* size = image->GetDimensions();
+      EXPECT_EQ(PixelAt(image, size[0] / 2, size[1] / 2), (Pixel{ 1, 1, 1 })) << direction;
+      for (int x = 0; x < size[0]; ++x)
+      {
+        EXPECT_EQ(PixelAt(image, x, 0), (Pixel{ 0, 0, 0 })) << direction;
+        EXPECT_EQ(PixelAt(image, x, size[1] - 1), (Pixel{ 0, 0, 0 })) << direction;
+      }
+      for (int y = 0; y < size[1]; ++y)
+      {
+        EXPECT_EQ(PixelAt(image, 0, y), (Pixel{ 0, 0, 0 })) << direction;
+      }
+    }
+  }
+}
+
+TEST(Render, LightsFromWhereItIsTold)
+{
+  const Folder folder("lights");
+  const auto brightness = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all = { "--camera-zoom-factor", "4" };
+    all.insert(all.end(), options.begin(), options.end());
+    return PixelAt(RenderSquare(folder, "p.vti", all), 20, 15)[0];
+  };
+  EXPECT_NEAR(brightness({}), 1.0, 1e-3);
+  EXPECT_NEAR(brightness({ "--light-position", "0,3,4,0" }), 0.8, 1e-5);
+  EXPECT_NEAR(brightness({ "--light-position", "0,30,40" }), 0.8, 0.02);
+  EXPECT_NEAR(brightness({ "--light-position", "0,60,80,2" }), 0.8, 0.02);
+  EXPECT_NEAR(brightness({ "--light-position", "0,4,3,0", "--light-position=4,0,3,0" }), 1.2, 1e-5);
+}
+
+TEST(Render, LeavesTheBackgroundOut)
+{
+  const Folder folder("alpha");
+  const std::vector<std::string> look = { "--no-lighting", "--color", "0.2,0.6,1", "--opacity",
+    "0.5", "--camera-direction", "-1,-2,-3", "--no-background" };
+  const auto image = RenderSquare(folder, "p.png", look);
+  ASSERT_EQ(image->GetPointData()->GetScalars()->GetNumberOfComponents(), 4);
+  const double* center = image->GetPointData()->GetScalars()->GetTuple(15 * 40 + 20);
+  EXPECT_NEAR(center[0], 51, 1);
+  EXPECT_NEAR(center[1], 153, 1);
+  EXPECT_NEAR(center[2], 255, 1);
+  EXPECT_NEAR(center[3], 128, 1);
+  EXPECT_EQ(image->GetPointData()->GetScalars()->GetComponent(0, 3), 0.0);
+}
+
+TEST(Render, ColorsByData)
+{
+  const Folder folder("coloring");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  const auto center = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = { "render", folder / "sphere.vtp", "--no-lighting",
+      "--resolution", "31,31", "--output", folder / "p.png", "--colormap", "gray" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = RunProgram(arguments);
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    return PixelAt(ReadImage(folder / "p.png"), 15, 15)[0];
+  };
+  // The eye looks at the pole, where z is largest and the direction is (0, 0, 1).
+  EXPECT_NEAR(center({ "--scalar-coloring" }), 1.0, 0.01);
+  EXPECT_NEAR(center({ "--coloring-array", "Height", "--coloring-range", "0,1" }), 0.5, 0.02);
+  EXPECT_NEAR(center({ "--coloring-array", "Direction", "--coloring-component", "2",
+                "--coloring-range", "-1,3" }),
+    0.5, 0.02);
+  EXPECT_NEAR(center({ "--coloring-array", "Direction", "--coloring-range", "0,2" }), 0.5, 0.02);
+  EXPECT_LT(center({ "--coloring-array", "Number", "--coloring-by-cells" }), 0.2);
+  const Outcome unknown = RunProgram(
+    { "render", folder / "sphere.vtp", "--coloring-array", "Heat", "--output", folder / "q.png" });
+  EXPECT_EQ(unknown.Status, 2);
+  EXPECT_NE(unknown.Errors.find("Height, Direction"), std::string::npos) << unknown.Errors;
+  EXPECT_NE(unknown.Errors.find("Number"), std::string::npos) << unknown.Errors;
+}
+
+TEST(Render, MakesOnePictureOfEachFile)
+{
+  const Folder folder("each");
+  WriteSpheres(folder.Path);
+  WriteText(folder / "broken.ply", "ply\nno more\n");
+  const Outcome outcome = RunProgram({ "render", folder / "sphere.stl", folder / "broken.ply",
+    folder / "square.stl", "--jobs", "2", "--resolution", "20,20", "--output",
+    folder / "out-{name}.png", "--statistics", folder / "out-{name}.json" });
+  EXPECT_EQ(outcome.Status, 2);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("broken.ply"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out-sphere.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out-square.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out-broken.png"));
+}
+
+TEST(Render, DrawsAllFilesInOneScene)
+{
+  const Folder folder("scene");
+  WriteText(folder / "square.stl", SquareStl());
+  WriteText(folder / "right.obj", "v 2 -1 0\nv 4 -1 0\nv 4 1 0\nv 2 1 0\nf 1 2 3 4\n");
+  RunProgram({ "render", folder / "square.stl", folder / "right.obj", "--resolution", "61,21",
+    "--output", folder / "p.vti", "--camera-direction", "0,0,-1" });
+  const auto image = ReadImage(folder / "p.vti");
+  vtkDataArray* objects = image->GetPointData()->GetArray("ObjectId");
+  EXPECT_EQ(objects->GetRange(0)[0], -1.0);
+  EXPECT_EQ(objects->GetRange(0)[1], 1.0);
+}
+
+TEST(Render, ShowsProgressWhenAsked)
+{
+  const Folder folder("progress");
+  WriteText(folder / "square.stl", SquareStl());
+  const Outcome plain = RunProgram({ "render", folder / "square.stl", "--output", folder / "p.png",
+    "--resolution", "50,50", "--progress", "plain" });
+  EXPECT_EQ(plain.Status, 0);
+  EXPECT_NE(plain.Errors.find("writing 100 %\n"), std::string::npos) << plain.Errors;
+  const Outcome bar = RunProgram({ "render", folder / "square.stl", "--output", folder / "p.png",
+    "--resolution", "50,50", "--progress", "bar" });
+  EXPECT_NE(bar.Errors.find("[####"), std::string::npos) << bar.Errors;
+}
+
+}
