@@ -5,6 +5,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
@@ -127,6 +128,14 @@ std::vector<std::string> TakeErrors()
   std::vector<std::string> errors;
   errors.swap(Errors);
   return errors;
+}
+
+bool TellOfMemory(const std::vector<std::string>& errors)
+{
+  return std::any_of(errors.begin(), errors.end(), [](const std::string& error) {
+    return error.find("Unable to allocate") != std::string::npos ||
+      error.find("ut of memory") != std::string::npos;
+  });
 }
 
 void Say(const std::string& line)

@@ -23,6 +23,9 @@ std::string LogPath();
 /// VTK's errors since the last call, one sentence each, without VTK's frame around them.
 std::vector<std::string> TakeErrors();
 
+/// Do VTK's errors say that memory ran out?
+bool TellOfMemory(const std::vector<std::string>& errors);
+
 /// The sentence inside a message of VTK's macros.
 std::string StripFrame(const std::string& text);
 

@@ -17,17 +17,29 @@ namespace penumbra
 
 namespace fs = std::filesystem;
 
+namespace
+{
+
+// A link stays, what it points to is written.
+fs::path FollowLinks(fs::path path)
+{
+  std::error_code error;
+  for (int depth = 0; depth < 40 && fs::is_symlink(path, error); ++depth)
+  {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
+}
+
+}
+
 PendingFile::PendingFile(const std::string& path, const std::string& option)
   : Option(option),
     Path(path)
 {
   std::error_code ignored;
-  fs::path target(path);
-  if (fs::is_symlink(target, ignored))
-  {
-    target = fs::weakly_canonical(target, ignored); // The link stays, what it points to is written.
-    this->Path = target.string();
-  }
+  const fs::path target = FollowLinks(path);
+  this->Path = target.string();
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
   {

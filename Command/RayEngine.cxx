@@ -24,6 +24,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <new>
 
 namespace penumbra
 {
@@ -146,6 +147,10 @@ Picture RenderWithRays(
   caster->Update();
   const Clock::time_point end = Clock::now();
   const std::vector<std::string> errors = TakeErrors();
+  if (TellOfMemory(errors))
+  {
+    throw std::bad_alloc();
+  }
   if (!errors.empty())
   {
     throw Failure(BadInput, "--engine ray: " + errors.front());

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `penumbra compare` through the real program.
+#include "Meshes.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+// Unlit pictures of one colour all over.
+void Paint(const Folder& folder, const std::string& name, const std::string& color)
+{
+  WriteText(folder / "square.stl", SquareStl());
+  const Outcome outcome = RunProgram({ "render", folder / "square.stl", "--no-lighting", "--color",
+    color, "--camera-zoom-factor", "9", "--resolution", "20,20", "--output", folder / name });
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+}
+
+TEST(Compare, ReportsTheMetricAndTheThreshold)
+{
+  const Folder folder("compare");
+  Paint(folder, "a.png", "0.4,0.4,0.4");
+  Paint(folder, "b.png", "0.6,0.4,0.4");
+  const Outcome within = RunProgram(
+    { "compare", folder / "a.png", folder / "b.png", "--metric", "max", "--threshold", "0.3" });
+  EXPECT_EQ(within.Status, 0);
+  EXPECT_EQ(within.Output, "max 0.2 from " + folder / "b.png" + ", within 0.3\n");
+  const Outcome above = RunProgram(
+    { "compare", folder / "a.png", folder / "b.png", "--metric", "max", "--threshold", "0.1" });
+  EXPECT_EQ(above.Status, 1);
+  EXPECT_EQ(above.Errors, "");
+  const Outcome equal = RunProgram(
+    { "compare", folder / "a.png", folder / "a.png", "--metric", "ssim", "--threshold", "0" });
+  EXPECT_EQ(equal.Status, 0) << equal.Output;
+}
+
+TEST(Compare, TakesTheNearestBaseline)
+{
+  const Folder folder("compare-best");
+  Paint(folder, "a.png", "0.4,0.4,0.4");
+  Paint(folder, "b.png", "0.8,0.4,0.4");
+  Paint(folder, "c.vti", "0.4,0.4,0.4");
+  const Outcome outcome =
+    RunProgram({ "compare", folder / "a.png", folder / "b.png", folder / "c.vti", "--json" });
+  const nlohmann::json report = nlohmann::json::parse(outcome.Output);
+  EXPECT_EQ(report["baseline"], folder / "c.vti");
+  EXPECT_EQ(report["metric"], "rmse");
+  EXPECT_NEAR(report["value"], 0.0, 1e-6);
+  EXPECT_EQ(report["metrics"].size(), 4u);
+  EXPECT_EQ(report["above_threshold"], false);
+}
+
+TEST(Compare, PaintsTheDifference)
+{
+  const Folder folder("compare-difference");
+  Paint(folder, "a.png", "0.4,0.4,0.4");
+  Paint(folder, "b.png", "0.6,0.4,0.4");
+  Paint(folder, "red.png", "1,0,0");
+  EXPECT_EQ(RunProgram({ "compare", folder / "a.png", folder / "b.png", "--difference",
+                         folder / "difference.png" })
+              .Status,
+    0);
+  EXPECT_EQ(Compare(folder / "difference.png", folder / "red.png")["metrics"]["max"], 0.0);
+}
+
+}

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The program against the machine: full disks, cancelling, missing libraries, too little memory.
+#include "Meshes.h"
+#include "Pictures.h"
+#include "Program.h"
+
+#include "vtkImageData.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+std::string Quote(const std::string& text)
+{
+  return "'" + text + "'";
+}
+
+// Every library that a run loads, as the dynamic linker itself lists them, the worker's too.
+std::string LibrariesOf(const Folder& folder, const std::string& engine)
+{
+  const std::string list = folder / engine;
+  RunShell("env -u DISPLAY LD_DEBUG=files LD_DEBUG_OUTPUT=" + Quote(list) + " $PENUMBRA render " +
+    Quote(folder / "square.stl") + " --resolution 16,16 --engine " + engine + " --output " +
+    Quote(folder / "p.png"));
+  std::string text;
+  for (const std::string& name : folder.List())
+  {
+    text += name.rfind(engine + ".", 0) == 0 ? ReadText(folder / name) : "";
+  }
+  return text;
+}
+
+TEST(RayEngine, LoadsNoOpenGLAndOpensNoWindow)
+{
+  if (RunShell("ldd $PENUMBRA | grep -qE 'libGL|libEGL|libOSMesa|libX11'").Status == 0)
+  {
+    GTEST_SKIP() << "This VTK itself links OpenGL.";
+  }
+  const Folder folder("no-opengl");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string rays = LibrariesOf(folder, "ray");
+  EXPECT_TRUE(std::filesystem::exists(folder / "p.png"));
+  ASSERT_NE(rays.find("libc.so"), std::string::npos);
+  for (const char* library : { "libGL", "libEGL", "libOSMesa", "libX11", "libgallium" })
+  {
+    EXPECT_EQ(rays.find(library), std::string::npos) << library;
+  }
+  if (RunShell("$PENUMBRA info | grep -q '^raster.*OpenGL'").Status == 0)
+  {
+    EXPECT_NE(LibrariesOf(folder, "raster").find("libglapi"), std::string::npos);
+  }
+}
+
+TEST(RasterEngine, DrawsWhatTheRayEngineDraws)
+{
+  const Folder folder("engines");
+  WriteSpheres(folder.Path);
+  for (const char* engine : { "ray", "raster" })
+  {
+    const Outcome outcome = RunProgram({ "render", folder / "sphere.ply", "--engine", engine,
+      "--resolution", "200,150", "--output", folder / engine + ".png" });
+    if (outcome.Status == 3)
+    {
+      GTEST_SKIP() << outcome.Errors;
+    }
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+  }
+  // Only the borders differ: 4 samples against exact shares.
+  const nlohmann::json report = Compare(folder / "ray.png", folder / "raster.png");
+  EXPECT_LT(report["metrics"]["rmse"], 0.02);
+  EXPECT_LT(report["metrics"]["pixels"], 0.02);
+}
+
+TEST(RasterEngine, TellsThatThereIsNoOpenGL)
+{
+  const Folder folder("no-display");
+  WriteText(folder / "square.stl", SquareStl());
+  const Outcome outcome =
+    RunShell("env -u DISPLAY $PENUMBRA render " + Quote(folder / "square.stl") +
+      " --engine raster --window x --output " + Quote(folder / "p.png"));
+  EXPECT_EQ(outcome.Status, 3);
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("--window x"), std::string::npos) << outcome.Errors;
+  EXPECT_FALSE(std::filesystem::exists(folder / "p.png"));
+}
+
+TEST(Output, IsWholeOrNotThereWhenTheDiskIsFull)
+{
+  const Folder folder("full-disk");
+  WriteSpheres(folder.Path);
+  const std::vector<std::string> before = folder.List();
+  for (const char* extension : { "png", "jpg", "tif", "bmp", "vti" })
+  {
+    // A file may grow to 1 KiB at most.
+    const Outcome outcome =
+      RunShell("ulimit -f 1; $PENUMBRA render " + Quote(folder / "sphere.stl") +
+        " --no-background --resolution 300,300 --output " + Quote(folder / "p." + extension));
+    if (std::string(extension) == "jpg" || std::string(extension) == "bmp")
+    {
+      EXPECT_EQ(outcome.Status, 2); // These cannot hold transparency.
+      continue;
+    }
+    EXPECT_EQ(outcome.Status, 2) << extension;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("cannot be written"), std::string::npos) << outcome.Errors;
+    EXPECT_EQ(folder.List(), before) << extension;
+  }
+}
+
+TEST(Output, LeavesTheOldPictureWhenTheNewOneFails)
+{
+  const Folder folder("old-picture");
+  WriteText(folder / "square.stl", SquareStl());
+  WriteText(folder / "p.png", "precious");
+  EXPECT_EQ(
+    RunProgram({ "render", folder / "missing.stl", "--output", folder / "p.png" }).Status, 2);
+  EXPECT_EQ(ReadText(folder / "p.png"), "precious");
+  std::filesystem::create_symlink("target.png", folder / "link.png");
+  EXPECT_EQ(RunProgram({ "render", folder / "square.stl", "--resolution", "9,9", "--output",
+                         folder / "link.png" })
+              .Status,
+    0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.png"));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "target.png"));
+}
+
+TEST(Cancelling, LeavesNothingBehind)
+{
+  const Folder folder("cancel");
+  WriteSpheres(folder.Path);
+  const std::vector<std::string> before = folder.List();
+  // Large enough to last; the shell sees the signal as the program's end.
+  const Outcome outcome = RunShell("$PENUMBRA render " + Quote(folder / "sphere.stl") +
+    " --resolution 6000,6000 --ambient-occlusion --tolerance 0.0001 --output " +
+    Quote(folder / "p.png") + " & program=$!; sleep 1; kill -INT $program; wait $program");
+  EXPECT_EQ(outcome.Status, 130);
+  EXPECT_EQ(outcome.Errors, "");
+  EXPECT_EQ(folder.List(), before);
+}
+
+TEST(Memory, TooLittleIsTold)
+{
+  const Folder folder("memory");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::vector<std::string> before = folder.List();
+  const Outcome outcome = RunShell("ulimit -v 3000000; $PENUMBRA render " +
+    Quote(folder / "square.stl") + " --resolution 16000,16000 --output " + Quote(folder / "p.png"));
+  EXPECT_EQ(outcome.Status, 3) << outcome.Errors;
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("memory"), std::string::npos) << outcome.Errors;
+  EXPECT_EQ(folder.List(), before);
+}
+
+}
