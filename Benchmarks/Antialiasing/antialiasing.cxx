@@ -50,6 +50,31 @@ void Diagnose(const Benchmark& benchmark, const std::string& scene, const Answer
   writer->SetInputData(image);
   writer->Write();
 
+  std::ofstream tiles(name + "-tiles.csv");
+  tiles << "x,y,error,estimate\n";
+  for (int y = 0; y < height; y += 16)
+  {
+    for (int x = 0; x < width; x += 16)
+    {
+      double error = 0.0;
+      double estimate = 0.0;
+      int count = 0;
+      for (int k = 0; k < 256; ++k)
+      {
+        if (x + k % 16 < width && y + k / 16 < height)
+        {
+          const std::size_t i = static_cast<std::size_t>(y + k / 16) * width + x + k % 16;
+          const glm::dvec3 difference = answer.Colors[i] - truth[i];
+          error += glm::dot(difference, difference) / 3.0;
+          estimate += answer.Estimates[i] * answer.Estimates[i];
+          ++count;
+        }
+      }
+      tiles << x << ',' << y << ',' << std::sqrt(error / count) << ','
+            << std::sqrt(estimate / count) << '\n';
+    }
+  }
+
   std::vector<std::size_t> order(truth.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const std::size_t count = std::min<std::size_t>(200, order.size());
