@@ -24,6 +24,11 @@ constexpr float ContrastError = 0.3f;
 // the precision to which a ray and an edge agree on a place.
 constexpr float ErrorFloor = 2e-5f;
 constexpr float BorderErrorFloor = 1.5e-4f;
+// The share of what the last comparison of samples saw that is believed to be left as an error, and
+// by how much second differences are doubted: between the vertices of a mesh colours bend in kinks.
+// Measured on a smooth scan, so that 95 % of tiles err by less than is believed.
+constexpr float BelievedShare = 0.35f;
+constexpr float CurvatureDoubt = 3.f;
 // How much the colour is taken to vary across a piece of surface of which one sample is known.
 constexpr float UnknownVariation = 0.25f;
 // The same where there is nothing but background.
@@ -281,7 +286,7 @@ PixelResult PixelIntegrator::Smooth(bool allowRefinement)
     {
       ++(empty ? this->Pixels.Empty : this->Pixels.Interior);
       result.Color = Mean(this->Corners);
-      result.Error = empty ? EmptyErrorFloor : std::max(error, ErrorFloor);
+      result.Error = empty ? EmptyErrorFloor : std::max(CurvatureDoubt * error, ErrorFloor);
       return result;
     }
   }
@@ -341,7 +346,7 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   {
     return this->SplitFace(index);
   }
-  result.Error = 0.1f * variation;
+  result.Error = BelievedShare * variation;
   return result;
 }
 
@@ -380,7 +385,8 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
     side < std::ldexp(1.5, -this->Settings.MaximumLevel))
   {
     color += area * middle.Color;
-    squaredError += area * area * 0.01f * UnknownVariation * UnknownVariation;
+    const float error = BelievedShare * area * UnknownVariation;
+    squaredError += error * error;
     return;
   }
   const double half = 0.5 * side;
@@ -398,7 +404,7 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   if (!torn && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
   {
     color += sum;
-    squaredError += 0.1f * deviation * deviation;
+    squaredError += BelievedShare * BelievedShare * deviation * deviation;
     return;
   }
   for (int i = 0; i < 4; ++i)
@@ -505,7 +511,7 @@ void PixelIntegrator::Descend(
     if (deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
     {
       color += area / 3.f * (mean + 2.f * nodes[4].Color);
-      squaredError += 0.01f * deviation * deviation;
+      squaredError += BelievedShare * BelievedShare * deviation * deviation;
       return;
     }
   }
