@@ -15,8 +15,8 @@ namespace
 {
 
 constexpr int TileSide = 32;
-// In a tile with more edges a pixel than this, pixels with more than that many are sampled.
-constexpr std::size_t MostEdgesPerPixel = 8;
+// A tile with more edges a pixel than this is crowded.
+constexpr std::size_t CrowdedEdges = 6;
 // Creases and seams below this share of the tolerance are not borders.
 constexpr double ContrastShare = 0.25;
 
@@ -46,7 +46,7 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
   const std::uint32_t count = tileEdges.Begin[tile + 1] - begin;
   BinEdges(edges, tileEdges.Edges.data() + begin, count, glm::dvec2(origin), 1.0,
     glm::ivec2(TileSide), pixelEdges);
-  const bool crowded = pixelEdges.Edges.size() > MostEdgesPerPixel * TileSide * TileSide;
+  const bool crowded = pixelEdges.Edges.size() > CrowdedEdges * TileSide * TileSide;
 
   integrator.BeginTile();
   for (int y = low.y; y < high.y; ++y)
@@ -57,10 +57,11 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
       const std::uint32_t* list = pixelEdges.Edges.data() + pixelEdges.Begin[cell];
       const std::size_t size = pixelEdges.Begin[cell + 1] - pixelEdges.Begin[cell];
       const std::size_t index = picture.Index(x, y);
-      const bool sampled =
-        (!dense.empty() && dense[index]) || (crowded && size > MostEdgesPerPixel);
+      const Density density = !dense.empty() && dense[index] ? Density::Dense
+        : crowded                                            ? Density::Crowded
+                                                             : Density::Sparse;
       const long long before = integrator.Rays.InPicture();
-      const PixelResult result = integrator.Integrate(x, y, list, size, sampled);
+      const PixelResult result = integrator.Integrate(x, y, list, size, density);
       const float alpha = result.Color.a;
       picture.Colors[index] =
         alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);

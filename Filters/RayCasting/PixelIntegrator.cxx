@@ -17,6 +17,10 @@ constexpr double TrustDistance = 1e-3;
 constexpr double SmallestFace = 1e-6;
 // Beyond this many edges in one pixel an arrangement costs more than it is worth.
 constexpr std::size_t MostEdges = 512;
+// The same where most pixels around have many: there their cost adds up.
+constexpr std::size_t MostEdgesInCrowd = 10;
+// Triangles of one pixel that are tested for passing through each other.
+constexpr std::size_t MostTrianglesSeen = 24;
 // The share of its contrast by which the mean of a square's corners errs, RMS over all straight
 // borders through it (measured: uniform samples of a half-plane).
 constexpr float ContrastError = 0.3f;
@@ -104,6 +108,39 @@ void PixelIntegrator::LoadCorners(int x, int y)
     this->Corners[i] = this->Grid.At(x + (i & 1), y + (i >> 1));
   }
   this->TrustedCorners = 15u;
+  this->Seen.clear();
+  this->PairsTested = 0;
+}
+
+void PixelIntegrator::See(const Sample& sample)
+{
+  const TriangleId id{ sample.First.Surface, sample.First.Triangle };
+  if (sample.First.IsHit() && this->Seen.size() < MostTrianglesSeen &&
+    std::find(this->Seen.begin(), this->Seen.end(), id) == this->Seen.end())
+  {
+    this->Seen.push_back(id);
+  }
+}
+
+// Cuts the pixel where triangles that were seen in it pass through each other; false when no new
+// border was found.
+bool PixelIntegrator::AddPiercings()
+{
+  const std::size_t before = this->Segments.size();
+  const glm::dvec2 origin(this->X, this->Y);
+  for (std::size_t i = this->PairsTested; i < this->Seen.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      PixelSegment segment;
+      if (FindPiercing(this->Source.GetScene(), this->Seen[i], this->Seen[j], origin, segment))
+      {
+        this->Segments.push_back(segment);
+      }
+    }
+  }
+  this->PairsTested = this->Seen.size();
+  return this->Segments.size() > before;
 }
 
 bool PixelIntegrator::CornersAgree() const
@@ -119,7 +156,7 @@ bool PixelIntegrator::CornersAgree() const
 }
 
 PixelResult PixelIntegrator::Integrate(
-  int x, int y, const std::uint32_t* edgeIndices, std::size_t count, bool dense)
+  int x, int y, const std::uint32_t* edgeIndices, std::size_t count, Density density)
 {
   if (this->Settings.Method == IntegrationSettings::Methods::Uniform)
   {
@@ -138,12 +175,16 @@ PixelResult PixelIntegrator::Integrate(
     }
     return this->Subdivide(true);
   }
-  if (dense || count > MostEdges)
+  if (count <= MostEdges)
+  {
+    this->LoadSegments(edgeIndices, count, true);
+  }
+  if (density == Density::Dense || count > MostEdges ||
+    (density == Density::Crowded && this->Segments.size() > MostEdgesInCrowd))
   {
     ++this->Pixels.Uniform;
     return this->UniformAdaptive();
   }
-  this->LoadSegments(edgeIndices, count, true);
   if (this->Segments.empty() || (!this->Settings.SmallObjects && this->CornersAgree()))
   {
     return this->Smooth(true);
@@ -290,6 +331,14 @@ PixelResult PixelIntegrator::Smooth(bool allowRefinement)
       return result;
     }
   }
+  for (const Sample& corner : this->Corners)
+  {
+    this->See(corner);
+  }
+  if (this->AddPiercings())
+  {
+    return this->Exact(nullptr, 0);
+  }
   return this->Subdivide(false);
 }
 
@@ -314,6 +363,7 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
     {
       const Sample& corner = this->Corners[i];
       this->DeepestFace = std::max(this->DeepestFace, corner.OpaqueDepth);
+      this->See(corner);
       result.Color = corner.First.IsHit()
         ? corner.Color
         : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
@@ -322,6 +372,7 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   const Sample sample = this->Trace(face.Point);
   this->DeepestFace = std::max(this->DeepestFace, sample.OpaqueDepth);
+  this->See(sample);
   result.Color = sample.Color;
   if (this->CanReuse(sample))
   {
@@ -439,7 +490,14 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
     }
     if (this->DeepestFace > this->NearestCulledDepth)
     {
-      this->LoadSegments(edgeIndices, count, false); // something shows that was thought hidden
+      // Something shows that was thought hidden.
+      this->LoadSegments(edgeIndices, count, false);
+      this->PairsTested = 0;
+      this->AddPiercings();
+      continue;
+    }
+    if (this->AddPiercings())
+    {
       continue;
     }
     result.Color /= static_cast<float>(covered);

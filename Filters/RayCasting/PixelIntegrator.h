@@ -7,6 +7,7 @@
 #define penumbra_PixelIntegrator_h
 
 #include "CornerGrid.h"
+#include "Piercing.h"
 #include "PixelArrangement.h"
 #include "SampleCache.h"
 #include "Silhouettes.h"
@@ -45,6 +46,14 @@ struct PixelCounts
   PixelCounts& operator+=(const PixelCounts& other);
 };
 
+/// How many triangles and edges there are around a pixel.
+enum class Density
+{
+  Sparse,
+  Crowded, ///< many edges in most pixels of the tile
+  Dense    ///< triangles smaller than pixels
+};
+
 struct PixelResult
 {
   glm::vec4 Color{ 0.f }; ///< premultiplied
@@ -61,9 +70,9 @@ public:
   /// To be called before the pixels of another tile.
   void BeginTile() { this->Cache.Clear(); }
 
-  /// Pixel (x, y), crossed by the listed edges. `dense`: triangles here are smaller than pixels.
+  /// Pixel (x, y), crossed by the listed edges.
   PixelResult Integrate(
-    int x, int y, const std::uint32_t* edgeIndices, std::size_t count, bool dense);
+    int x, int y, const std::uint32_t* edgeIndices, std::size_t count, Density density);
 
   RayCounts Rays;
   PixelCounts Pixels;
@@ -83,6 +92,8 @@ private:
   PixelResult Subdivide(bool byObject);
   PixelResult Uniform(int side);
   PixelResult UniformAdaptive();
+  void See(const Sample& sample);
+  bool AddPiercings();
   bool RepairLeak();
   bool CornersAgree() const;
   float CurvatureError() const;
@@ -110,6 +121,8 @@ private:
   std::vector<PixelSegment> Segments;
   double NearestCulledDepth = 0.0;
   float DeepestFace = 0.f;
+  std::vector<TriangleId> Seen; ///< triangles that samples met
+  std::size_t PairsTested = 0;  ///< the first so many of Seen know each other
   PixelArrangement Arrangement;
   std::vector<glm::dvec2> Points;
 };
