@@ -19,6 +19,10 @@ constexpr double SmallestFace = 1e-6;
 constexpr std::size_t MostEdges = 512;
 // The same where most pixels around have many: there their cost adds up.
 constexpr std::size_t MostEdgesInCrowd = 10;
+// Objects in one pixel whose depths differ by less than this many pixels may touch.
+constexpr double TouchingDepth = 16.0;
+// Pieces of such a pixel that are large enough to be worth looking into.
+constexpr double SmallestProbe = 0.02;
 // Triangles of one pixel that are tested for passing through each other.
 constexpr std::size_t MostTrianglesSeen = 24;
 // The share of its contrast by which the mean of a square's corners errs, RMS over all straight
@@ -110,6 +114,7 @@ void PixelIntegrator::LoadCorners(int x, int y)
   this->TrustedCorners = 15u;
   this->Seen.clear();
   this->PairsTested = 0;
+  this->Pierced = false;
 }
 
 void PixelIntegrator::See(const Sample& sample)
@@ -140,7 +145,40 @@ bool PixelIntegrator::AddPiercings()
     }
   }
   this->PairsTested = this->Seen.size();
+  this->Pierced = this->Pierced || this->Segments.size() > before;
   return this->Segments.size() > before;
+}
+
+// Looks for piercings among the triangles at the corners, and where there are some, among those at
+// the corners around, too: they go on there.
+void PixelIntegrator::SeeAround()
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  double deepest = 0.0;
+  for (const Sample& corner : this->Corners)
+  {
+    this->See(corner);
+    nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
+    deepest = std::max(deepest, static_cast<double>(corner.OpaqueDepth));
+  }
+  // Two objects at one depth may do so even if the triangles at the corners do not.
+  const Camera& eye = this->Source.GetScene().Eye;
+  const double footprint = eye.PixelSize * (eye.Parallel ? 1.0 : nearest);
+  this->Pierced = !this->CornersAgree() && deepest - nearest < TouchingDepth * footprint;
+  if (!this->AddPiercings() && !this->Pierced)
+  {
+    return;
+  }
+  const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
+  const glm::ivec2 high = glm::min(glm::ivec2(this->X, this->Y) + 2, this->Grid.GetHigh());
+  for (int y = low.y; y <= high.y; ++y)
+  {
+    for (int x = low.x; x <= high.x; ++x)
+    {
+      this->See(this->Grid.At(x, y));
+    }
+  }
+  this->AddPiercings();
 }
 
 bool PixelIntegrator::CornersAgree() const
@@ -331,25 +369,20 @@ PixelResult PixelIntegrator::Smooth(bool allowRefinement)
       return result;
     }
   }
-  for (const Sample& corner : this->Corners)
-  {
-    this->See(corner);
-  }
-  if (this->AddPiercings())
+  this->SeeAround();
+  if (!this->Segments.empty())
   {
     return this->Exact(nullptr, 0);
   }
   return this->Subdivide(false);
 }
 
-bool PixelIntegrator::CanReuse(const Sample& sample) const
+// Has a face one colour all over, whichever of its points is asked?
+bool PixelIntegrator::IsConstant(const Sample& sample) const
 {
-  if (this->Source.IsTransparent() || this->Source.HasOcclusion())
-  {
-    return !sample.First.IsHit();
-  }
   return !sample.First.IsHit() ||
-    this->Source.GetShading().IsConstantPerTriangle(sample.First.Surface);
+    (!this->Source.IsTransparent() && !this->Source.HasOcclusion() &&
+      this->Source.GetShading().IsConstantPerTriangle(sample.First.Surface));
 }
 
 PixelResult PixelIntegrator::FaceColor(std::size_t index)
@@ -357,24 +390,37 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
   const unsigned int inside = face.Corners & this->TrustedCorners;
   PixelResult result;
+  const Sample* known = nullptr;
+  bool agree = true;
   for (int i = 0; i < 4; ++i)
   {
-    if ((inside >> i & 1u) && this->CanReuse(this->Corners[i]))
+    if ((inside >> i & 1u) && !this->Pierced && this->IsConstant(this->Corners[i]))
     {
       const Sample& corner = this->Corners[i];
-      this->DeepestFace = std::max(this->DeepestFace, corner.OpaqueDepth);
-      this->See(corner);
-      result.Color = corner.First.IsHit()
-        ? corner.Color
-        : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
-      return result;
+      agree = agree &&
+        (!known ||
+          (known->First.Surface == corner.First.Surface &&
+            MaximumDifference(known->Color, corner.Color) <= this->Settings.Tolerance));
+      known = known ? known : &corner;
     }
+  }
+  if (known && !agree)
+  {
+    return this->SplitFace(index);
+  }
+  if (known)
+  {
+    this->DeepestFace = std::max(this->DeepestFace, known->OpaqueDepth);
+    result.Color = known->First.IsHit()
+      ? known->Color
+      : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
+    return result;
   }
   const Sample sample = this->Trace(face.Point);
   this->DeepestFace = std::max(this->DeepestFace, sample.OpaqueDepth);
   this->See(sample);
   result.Color = sample.Color;
-  if (this->CanReuse(sample))
+  if (inside == 0u && this->IsConstant(sample))
   {
     return result;
   }
@@ -464,12 +510,42 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   }
 }
 
+// Looks for triangles that no corner met, where surfaces pass through each other.
+void PixelIntegrator::Probe()
+{
+  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
+  {
+    if (t.Area() < SmallestProbe)
+    {
+      continue;
+    }
+    for (const glm::dvec2 at : { glm::dvec2(0.2, 0.2), glm::dvec2(0.8, 0.2), glm::dvec2(0.5, 0.8) })
+    {
+      Sample sample;
+      sample.First = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + t.At(at.x, at.y));
+      ++this->Rays.Refinement;
+      this->See(sample);
+    }
+  }
+}
+
 PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t count)
 {
   ++(this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border);
+  this->SeeAround();
+  bool probed = !this->Pierced;
   for (;;)
   {
     this->Arrangement.Build(this->Segments.data(), static_cast<int>(this->Segments.size()));
+    if (!probed)
+    {
+      probed = true;
+      this->Probe();
+      if (this->AddPiercings())
+      {
+        continue;
+      }
+    }
     this->DeepestFace = 0.f;
     PixelResult result;
     double covered = 0.0;

@@ -93,13 +93,15 @@ private:
   PixelResult Uniform(int side);
   PixelResult UniformAdaptive();
   void See(const Sample& sample);
+  void SeeAround();
+  void Probe();
   bool AddPiercings();
   bool RepairLeak();
   bool CornersAgree() const;
   float CurvatureError() const;
   void Descend(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
   bool NeedsDescent(const Square& square) const;
-  bool CanReuse(const Sample& sample) const;
+  bool IsConstant(const Sample& sample) const;
   PixelResult FaceColor(std::size_t face);
   PixelResult SplitFace(std::size_t face);
   void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,
@@ -122,6 +124,7 @@ private:
   double NearestCulledDepth = 0.0;
   float DeepestFace = 0.f;
   std::vector<TriangleId> Seen; ///< triangles that samples met
+  bool Pierced = false;         ///< some of them pass through each other
   std::size_t PairsTested = 0;  ///< the first so many of Seen know each other
   PixelArrangement Arrangement;
   std::vector<glm::dvec2> Points;
