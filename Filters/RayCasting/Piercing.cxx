@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace penumbra
 {
@@ -97,6 +98,23 @@ void ClipToTriangle(
   }
 }
 
+}
+
+double DeepestInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
+{
+  SeenTriangle seen;
+  if (!See(scene, id, origin, seen))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const glm::dvec2 low = glm::min(seen.Slope, 0.0);
+  const glm::dvec2 high = glm::max(seen.Slope, 0.0);
+  if (scene.Eye.Parallel)
+  {
+    return seen.AtOrigin + high.x + high.y;
+  }
+  const double least = seen.AtOrigin + low.x + low.y;
+  return least > 0.0 ? 1.0 / least : std::numeric_limits<double>::infinity();
 }
 
 bool FindPiercing(

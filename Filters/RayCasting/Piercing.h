@@ -24,6 +24,12 @@ struct TriangleId
 };
 
 /**
+ * The largest depth that the plane of a triangle reaches in the pixel whose lower left corner is
+ * `origin`; infinity where it runs away.
+ */
+double DeepestInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin);
+
+/**
  * The line along which `a` and `b` pass through each other, as seen in the pixel whose lower left
  * corner is `origin`. False when they do not meet there, or share an edge (then that is the border
  * between them).

@@ -23,6 +23,8 @@ constexpr std::size_t MostEdgesInCrowd = 10;
 constexpr double TouchingDepth = 16.0;
 // Pieces of such a pixel that are large enough to be worth looking into.
 constexpr double SmallestProbe = 0.02;
+// Sampling of a crowded pixel stops when its error is this share of the tolerance.
+constexpr double DenseShare = 0.1;
 // Triangles of one pixel that are tested for passing through each other.
 constexpr std::size_t MostTrianglesSeen = 24;
 // The share of its contrast by which the mean of a square's corners errs, RMS over all straight
@@ -230,22 +232,48 @@ PixelResult PixelIntegrator::Integrate(
   return this->Exact(edgeIndices, count);
 }
 
+// How deep the surface that a sample met may lie anywhere in this pixel.
+double PixelIntegrator::DeepestOf(const Sample& sample) const
+{
+  if (!(sample.OpaqueDepth < std::numeric_limits<float>::infinity()))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (sample.OpaqueDepth != sample.First.Distance)
+  {
+    return sample.OpaqueDepth; // behind something translucent
+  }
+  return DeepestInPixel(this->Source.GetScene(), { sample.First.Surface, sample.First.Triangle },
+    glm::dvec2(this->X, this->Y));
+}
+
+void PixelIntegrator::Deepen(const Sample& sample)
+{
+  if (this->NearestCulledDepth < std::numeric_limits<double>::infinity())
+  {
+    this->DeepestFace = std::max(this->DeepestFace, this->DeepestOf(sample));
+  }
+}
+
 void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull)
 {
   this->Segments.clear();
   this->NearestCulledDepth = std::numeric_limits<double>::infinity();
 
-  // An edge behind the opaque surface that all four corners see cannot show, unless one in front of
-  // it opens that surface: culling is undone when a face turns out to lie deeper (see Exact).
-  double deepest = 0.0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Sample& corner : this->Corners)
+  // An edge behind the opaque surfaces that all four corners see cannot show, unless one in front of
+  // it opens them: culling is undone when a face turns out to lie deeper (see Exact). In a valley
+  // the edge at the bottom lies deeper than the corners, but not deeper than the planes that meet
+  // there.
+  double limit = std::numeric_limits<double>::infinity();
+  if (cull && count > 0)
   {
-    deepest = std::max(deepest, static_cast<double>(corner.OpaqueDepth));
-    nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
+    limit = 0.0;
+    for (const Sample& corner : this->Corners)
+    {
+      limit = std::max(limit, this->DeepestOf(corner));
+    }
+    limit += 1e-5 * std::abs(limit);
   }
-  const double limit = cull ? deepest + (deepest - nearest) + 1e-5 * std::abs(deepest)
-                            : std::numeric_limits<double>::infinity();
 
   const bool parallel = this->Source.GetScene().Eye.Parallel;
   const glm::dvec2 origin(this->X, this->Y);
@@ -410,14 +438,14 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   if (known)
   {
-    this->DeepestFace = std::max(this->DeepestFace, known->OpaqueDepth);
+    this->Deepen(*known);
     result.Color = known->First.IsHit()
       ? known->Color
       : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
     return result;
   }
   const Sample sample = this->Trace(face.Point);
-  this->DeepestFace = std::max(this->DeepestFace, sample.OpaqueDepth);
+  this->Deepen(sample);
   this->See(sample);
   result.Color = sample.Color;
   if (inside == 0u && this->IsConstant(sample))
@@ -471,7 +499,7 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
 void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::dvec2 low,
   double side, const Sample& middle, glm::vec4& color, float& squaredError)
 {
-  this->DeepestFace = std::max(this->DeepestFace, middle.OpaqueDepth);
+  this->Deepen(middle);
   const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
   const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
   const auto share = [&](double u, double s) {
@@ -546,7 +574,7 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
         continue;
       }
     }
-    this->DeepestFace = 0.f;
+    this->DeepestFace = 0.0;
     PixelResult result;
     double covered = 0.0;
     float squares = 0.f;
@@ -731,6 +759,8 @@ PixelResult PixelIntegrator::UniformAdaptive()
   PixelResult result;
   glm::vec4 sum(0.f);
   glm::vec4 squares(0.f);
+  bool hits =
+    false; // where all miss something small is meant to be here, or it would not be asked for
   glm::dvec2 points[Sampler::PacketSize];
   Sample samples[Sampler::PacketSize];
   for (int packet = 0; packet < Packets; ++packet)
@@ -748,6 +778,7 @@ PixelResult PixelIntegrator::UniformAdaptive()
     this->Rays.Refinement += Sampler::PacketSize;
     for (const Sample& sample : samples)
     {
+      hits = hits || sample.First.IsHit();
       sum += sample.Color;
       squares += sample.Color * sample.Color;
     }
@@ -756,7 +787,7 @@ PixelResult PixelIntegrator::UniformAdaptive()
     const glm::vec4 variance = glm::max(squares / n - result.Color * result.Color, 0.f);
     const float largest = std::max(std::max(variance.r, variance.g), variance.b);
     result.Error = std::max(std::sqrt(largest / n), ErrorFloor);
-    if (result.Error < 0.5f * this->Settings.Tolerance)
+    if (hits && result.Error < DenseShare * this->Settings.Tolerance)
     {
       break;
     }

@@ -86,6 +86,8 @@ private:
   };
 
   void LoadCorners(int x, int y);
+  double DeepestOf(const Sample& sample) const;
+  void Deepen(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
   PixelResult Smooth(bool allowRefinement);
   PixelResult Exact(const std::uint32_t* edgeIndices, std::size_t count);
@@ -122,7 +124,7 @@ private:
   unsigned int TrustedCorners = 0; ///< those that no edge passes nearer than a ray is precise
   std::vector<PixelSegment> Segments;
   double NearestCulledDepth = 0.0;
-  float DeepestFace = 0.f;
+  double DeepestFace = 0.0;
   std::vector<TriangleId> Seen; ///< triangles that samples met
   bool Pierced = false;         ///< some of them pass through each other
   std::size_t PairsTested = 0;  ///< the first so many of Seen know each other
