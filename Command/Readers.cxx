@@ -5,7 +5,6 @@
 #include "Failure.h"
 #include "MeshFileChecks.h"
 #include "MessageLog.h"
-#include "Worker.h"
 
 #include "vtkAVSucdReader.h"
 #include "vtkAlgorithm.h"
@@ -206,17 +205,9 @@ void CheckFile(const std::string& path)
   }
 }
 
-// A file that is small beside the memory and yet asks for more than there is contradicts itself.
 [[noreturn]] void FailReading(
   const std::string& path, const ReaderRow& row, const std::string& reason)
 {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  const bool isLarge = !error && size > MachineMemory() / 64;
-  if (isLarge && (TellOfMemory({ reason }) || reason == std::bad_alloc().what()))
-  {
-    throw std::bad_alloc();
-  }
   throw Failure(BadInput, path + ": the file is damaged or not " + row.Format + ": " + reason);
 }
 
@@ -234,25 +225,19 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
   CheckFile(path);
   const Promise promise = CheckMeshFile(path);
   TakeErrors();
-  vtkSmartPointer<vtkDataObject> data;
-  unsigned long errorCode = 0;
-  try
-  {
-    const Algorithm reader = row.Make(path);
-    reader->Update();
-    data = reader->GetOutputDataObject(0);
-    errorCode = reader->GetErrorCode();
-  }
-  catch (const std::exception& error)
-  {
-    FailReading(path, row, error.what());
-  }
+  const Algorithm reader = row.Make(path);
+  reader->Update();
+  vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
   const std::vector<std::string> errors = TakeErrors();
+  if (TellOfMemory(errors))
+  {
+    throw std::bad_alloc();
+  }
   if (!errors.empty())
   {
     FailReading(path, row, errors.front());
   }
-  if (errorCode != 0 || !data)
+  if (reader->GetErrorCode() != 0 || !data)
   {
     FailReading(path, row, "its reader gives no reason");
   }

@@ -8,7 +8,6 @@
 #include "PendingFile.h"
 #include "Pictures.h"
 #include "ProgressLine.h"
-#include "Readers.h"
 #include "RenderOptions.h"
 #include "SceneBuilder.h"
 #include "Subcommands.h"
@@ -16,7 +15,6 @@
 #include "Worker.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -115,7 +113,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
   {
     progress.Show("reading", static_cast<double>(i) / files.size());
     EnterPhase(files[i], BadInput);
-    const Surfaces surfaces = ExtractSurfaces(ReadFile(files[i]), files[i]);
+    const Surfaces surfaces = ReadSurfaces(files[i]);
     meshes.insert(meshes.end(), surfaces.Meshes.begin(), surfaces.Meshes.end());
     if (surfaces.DroppedPoints > 0)
     {

@@ -3,7 +3,9 @@
 #include "Surfaces.h"
 
 #include "Failure.h"
+#include "Readers.h"
 #include "SoundnessChecks.h"
+#include "Worker.h"
 
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
@@ -19,6 +21,8 @@
 #include "vtkVertexGlyphFilter.h"
 
 #include <cmath>
+#include <filesystem>
+#include <new>
 
 namespace penumbra
 {
@@ -129,8 +133,6 @@ vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool
   return compact->GetOutput();
 }
 
-}
-
 Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
 {
   Surfaces surfaces;
@@ -168,6 +170,34 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
                                     : ": the mesh is empty: there is nothing to draw"));
   }
   return surfaces;
+}
+
+}
+
+Surfaces ReadSurfaces(const std::string& path)
+{
+  try
+  {
+    return ExtractSurfaces(ReadFile(path), path);
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    // A file that is small beside the memory and yet asks for more than there is.
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) > MachineMemory() / 64)
+    {
+      throw;
+    }
+    throw Failure(BadInput, path + ": the file is damaged: it asks for more memory than there is");
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(BadInput, path + ": the file is damaged: " + error.what());
+  }
 }
 
 }

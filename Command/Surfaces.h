@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-class vtkDataObject;
 class vtkPolyData;
 
 namespace penumbra
@@ -26,9 +25,9 @@ struct Surfaces
   vtkIdType DroppedPoints = 0; ///< not finite, left out with the cells around them
 };
 
-/// The surfaces of `data`, read from `path`. Throws Failure, naming the file, when nothing can be
-/// drawn or the data contradict themselves.
-Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path);
+/// The surfaces in the file at `path`. Throws Failure, naming it, when it cannot be read, when
+/// nothing of it can be drawn, or when it contradicts itself.
+Surfaces ReadSurfaces(const std::string& path);
 
 }
 #endif

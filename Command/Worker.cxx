@@ -84,7 +84,7 @@ void LimitMemory()
   // Refusing memory that the machine does not have leads to a message instead of a kill.
   rlimit limit = {};
   getrlimit(RLIMIT_DATA, &limit);
-  limit.rlim_cur = std::min<rlim_t>(penumbra::MachineMemory(), limit.rlim_max);
+  limit.rlim_cur = std::min<rlim_t>(penumbra::MachineMemory(), limit.rlim_cur);
   setrlimit(RLIMIT_DATA, &limit);
 #endif
 }

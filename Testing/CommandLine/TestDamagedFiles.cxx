@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files cut short and files with wrong bytes, of every format: the program ends with 0 or 2 and at
+// most one line, never by a crash. The same damage on every run; $PENUMBRA_DAMAGES sets how many
+// of each kind a file suffers.
+#include "Meshes.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include <sys/resource.h>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+// A generator of its own: the standard library's distributions differ between its versions.
+class Dice
+{
+public:
+  explicit Dice(unsigned long long seed)
+    : State(seed)
+  {
+  }
+
+  std::size_t Below(std::size_t bound)
+  {
+    this->State = this->State * 6364136223846793005ull + 1442695040888963407ull;
+    return static_cast<std::size_t>(this->State >> 33) % bound;
+  }
+
+private:
+  unsigned long long State;
+};
+
+int Damages()
+{
+  const char* text = std::getenv("PENUMBRA_DAMAGES");
+  return text ? std::atoi(text) : 4;
+}
+
+std::string Cut(const std::string& bytes, Dice& dice)
+{
+  return bytes.substr(0, dice.Below(bytes.size()));
+}
+
+// One byte in two hundred, two at least; half of the time near the beginning, where headers are.
+std::string Scratch(std::string bytes, Dice& dice)
+{
+  const std::size_t scratches = 2 + dice.Below(1 + bytes.size() / 200);
+  const std::size_t reach = dice.Below(2) ? std::min<std::size_t>(bytes.size(), 400) : bytes.size();
+  for (std::size_t i = 0; i < scratches; ++i)
+  {
+    bytes[dice.Below(reach)] = static_cast<char>(dice.Below(256));
+  }
+  return bytes;
+}
+
+// Another digit for a digit: counts and indices that are read, and wrong.
+std::string ChangeDigits(std::string bytes, Dice& dice)
+{
+  for (int i = 0; i < 200; ++i)
+  {
+    char& byte = bytes[dice.Below(bytes.size())];
+    if (byte >= '0' && byte <= '9')
+    {
+      byte = static_cast<char>('0' + dice.Below(10));
+    }
+  }
+  return bytes;
+}
+
+class DamagedFiles : public testing::TestWithParam<std::string>
+{
+protected:
+  // A wrong count may ask for any amount of memory; 4 GiB are enough to find out.
+  static void SetUpTestSuite()
+  {
+#if !defined(__SANITIZE_ADDRESS__)
+    rlimit limit = {};
+    getrlimit(RLIMIT_DATA, &limit);
+    limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, 4ull << 30);
+    setrlimit(RLIMIT_DATA, &limit);
+#endif
+  }
+};
+
+TEST_P(DamagedFiles, NeverCrashTheProgram)
+{
+  const std::string name = GetParam();
+  const Folder folder("damaged-" + name);
+  WriteSpheres(folder.Path);
+  const std::string whole = ReadText(folder / name);
+  ASSERT_FALSE(whole.empty());
+  Dice dice(20240607);
+  const auto expectNoCrash = [&](const std::string& bytes, const std::string& damage) {
+    WriteText(folder / name, bytes);
+    std::filesystem::remove(folder / "p.png");
+    const Outcome outcome =
+      RunProgram({ "render", folder / name, "--resolution", "12,9", "--output", folder / "p.png" });
+    EXPECT_TRUE(outcome.Status == 0 || outcome.Status == 2) << outcome.Status << outcome.Errors;
+    EXPECT_LE(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_FALSE(outcome.Status == 2 && outcome.Errors.empty()) << "refused in silence";
+    EXPECT_EQ(std::filesystem::exists(folder / "p.png"), outcome.Status == 0) << outcome.Errors;
+    if (testing::Test::HasFailure())
+    {
+      WriteText(std::filesystem::temp_directory_path() / ("damaged-" + name), bytes);
+      FAIL() << damage << ": the file lies in the folder for temporary files as damaged-" << name;
+    }
+  };
+  for (int i = 0; i < Damages() && !HasFailure(); ++i)
+  {
+    expectNoCrash(Cut(whole, dice), "cut");
+    expectNoCrash(Scratch(whole, dice), "scratched");
+    expectNoCrash(ChangeDigits(whole, dice), "digits");
+  }
+}
+
+std::string NameOf(const testing::TestParamInfo<std::string>& file)
+{
+  std::string name = file.param;
+  name[name.find('.')] = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, DamagedFiles,
+  testing::Values("sphere.stl", "square.stl", "sphere.ply", "sphere.obj", "sphere.vtp",
+    "sphere.vtk", "sphere.off", "sphere.gltf", "sphere.vtu", "sphere.vtm", "box.vti", "box.vtr",
+    "box.vts"),
+  NameOf);
+
+}
