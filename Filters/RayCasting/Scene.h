@@ -12,6 +12,7 @@
 #define penumbra_Scene_h
 
 #include "Camera.h"
+#include "Overlay.h"
 
 #include <glm/glm.hpp>
 
@@ -131,6 +132,7 @@ struct Scene
   std::vector<Surface> Surfaces;
   std::vector<Light> Lights;
   penumbra::Background Behind;
+  Overlay Over;                      ///< drawn over the finished picture
   std::vector<std::string> Warnings; ///< what was left out, one sentence each
 };
 

@@ -4,6 +4,7 @@
 
 #include "SceneExtractionActors.h"
 #include "SceneExtractionGlyphs.h"
+#include "SceneExtractionOverlay.h"
 #include "SceneExtractionView.h"
 
 #include "vtkPoints.h"
@@ -80,6 +81,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   ExtractLights(renderer, scene);
   ExtractBackground(renderer, options, scene);
   AddPieces(pieces, options, scene);
+  ExtractOverlay(renderer, options, scene);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
+#include "SceneExtractionOverlay.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
@@ -91,7 +92,7 @@ public:
 
   void AddProp(vtkProp* prop)
   {
-    if (!prop->GetVisibility())
+    if (!prop->GetVisibility() || IsOverlay(prop))
     {
       return;
     }

@@ -351,6 +351,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(
     {
       const std::size_t from = part.Index(extent[0], y);
       const vtkIdType to = static_cast<vtkIdType>(y - extent[2]) * width;
+      scene.Over.PutOver(extent[0], y, width, &part.Colors[from]);
       std::copy_n(&part.Colors[from].x, 4 * width, color->GetPointer(4 * to));
       std::copy_n(&part.RayShares[from], width, rayShares->GetPointer(to));
       std::copy_n(&part.Errors[from], width, errors->GetPointer(to));

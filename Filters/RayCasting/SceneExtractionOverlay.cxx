@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionOverlay.h"
+
+#include "SceneExtractionScalarBar.h"
+
+#include "vtkCoordinate.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
+{
+  const char* text = actor->GetInput();
+  if (!text || !*text)
+  {
+    return true;
+  }
+  vtkNew<vtkTextProperty> look;
+  look->ShallowCopy(actor->GetTextProperty());
+  const glm::dvec2 at = PlaceInPicture(actor->GetPositionCoordinate(), scene);
+  if (actor->GetTextScaleMode() == vtkTextActor::TEXT_SCALE_MODE_PROP)
+  {
+    const glm::dvec2 size = PlaceInPicture(actor->GetPosition2Coordinate(), scene) - at;
+    vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+    if (renderer)
+    {
+      renderer->GetConstrainedFontSize(
+        text, look, static_cast<int>(size.x), static_cast<int>(size.y), dpi);
+    }
+  }
+  return DrawText(text, look, at, dpi, scene.Over);
+}
+
+}
+
+bool IsOverlay(vtkProp* prop)
+{
+  return prop->IsA("vtkTextActor") || prop->IsA("vtkScalarBarActor");
+}
+
+glm::dvec2 PlaceInPicture(vtkCoordinate* coordinate, const Scene& scene)
+{
+  const double* value = coordinate->GetValue();
+  const glm::dvec2 size(scene.Eye.Width, scene.Eye.Height);
+  glm::dvec2 place(value[0], value[1]);
+  switch (coordinate->GetCoordinateSystem())
+  {
+    case VTK_NORMALIZED_DISPLAY:
+    case VTK_NORMALIZED_VIEWPORT:
+      place *= size;
+      break;
+    case VTK_VIEW:
+      place = .5 * (place + 1.0) * size;
+      break;
+    case VTK_WORLD:
+      place =
+        scene.Eye.Project((glm::dvec3(value[0], value[1], value[2]) - scene.Origin) * scene.Scale);
+      break;
+    default:
+      break; // pixels
+  }
+  vtkCoordinate* reference = coordinate->GetReferenceCoordinate();
+  return reference ? place + PlaceInPicture(reference, scene) : place;
+}
+
+bool DrawText(
+  const std::string& text, vtkTextProperty* look, glm::dvec2 at, int dpi, Overlay& overlay)
+{
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  vtkNew<vtkImageData> image;
+  int size[2];
+  int box[4];
+  if (!renderer || !renderer->RenderString(look, text, image, size, dpi) ||
+    !renderer->GetBoundingBox(look, text, box, dpi))
+  {
+    return false;
+  }
+  overlay.DrawImage(image, static_cast<int>(std::lround(at.x)) + box[0],
+    static_cast<int>(std::lround(at.y)) + box[2]);
+  return true;
+}
+
+void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
+{
+  scene.Over = Overlay(scene.Eye.Width, scene.Eye.Height);
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  bool drawn = true;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    if (auto* text = vtkTextActor::SafeDownCast(prop))
+    {
+      drawn = DrawTextActor(text, options.DPI, scene) && drawn;
+    }
+    else if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
+    {
+      drawn = DrawScalarBar(bar, options.DPI, scene) && drawn;
+    }
+  }
+  if (!drawn)
+  {
+    scene.Warnings.emplace_back("Text cannot be drawn: VTK's FreeType module is not linked in.");
+  }
+}
+
+}

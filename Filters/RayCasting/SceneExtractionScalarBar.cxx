@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionScalarBar.h"
+
+#include "SceneExtractionOverlay.h"
+
+#include "vtkCoordinate.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkScalarBarActor.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <regex>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Shares of the bar's rectangle along its length: for the title, and between title and band.
+constexpr double TitleShare = .1;
+constexpr double GapShare = .04;
+/// Between the band and its labels, in pixels.
+constexpr double LabelGap = 4.0;
+
+/// A text at a place along the band, 0 to 1.
+struct Label
+{
+  double Place;
+  std::string Text;
+};
+
+std::vector<Label> MakeLabels(vtkScalarBarActor* bar)
+{
+  std::vector<Label> labels;
+  vtkScalarsToColors* table = bar->GetLookupTable();
+  if (table->GetIndexedLookup())
+  {
+    const int count = table->GetNumberOfAnnotatedValues();
+    for (int i = 0; bar->GetDrawAnnotations() && i < count; ++i)
+    {
+      labels.push_back({ (i + .5) / count, table->GetAnnotation(i) });
+    }
+    return labels;
+  }
+  if (!bar->GetDrawTickLabels())
+  {
+    return labels;
+  }
+  const int count = bar->GetNumberOfLabels();
+  const std::vector<double> values = SpreadOverRange(table, count);
+  for (int i = 0; i < count; ++i)
+  {
+    labels.push_back({ count > 1 ? static_cast<double>(i) / (count - 1) : .5,
+      FormatLabel(bar->GetLabelFormat(), values[i]) });
+  }
+  return labels;
+}
+
+std::vector<glm::vec4> MakeBand(vtkScalarBarActor* bar)
+{
+  vtkScalarsToColors* table = bar->GetLookupTable();
+  std::vector<glm::vec4> colors;
+  const auto push = [&](const unsigned char* c) {
+    colors.emplace_back(glm::vec4(c[0], c[1], c[2], bar->GetUseOpacity() ? c[3] : 255) / 255.f);
+  };
+  if (table->GetIndexedLookup())
+  {
+    for (int i = 0; i < table->GetNumberOfAnnotatedValues(); ++i)
+    {
+      double c[4];
+      table->GetAnnotationColor(table->GetAnnotatedValue(i), c);
+      colors.emplace_back(c[0], c[1], c[2], bar->GetUseOpacity() ? c[3] : 1.0);
+    }
+    return colors;
+  }
+  const auto available = static_cast<int>(table->GetNumberOfAvailableColors());
+  const int count = std::max(1, std::min(available, bar->GetMaximumNumberOfColors()));
+  // The values in the middle of each colour's stretch: every other one of twice as many.
+  const std::vector<double> values = SpreadOverRange(table, 2 * count + 1);
+  for (int i = 0; i < count; ++i)
+  {
+    push(table->MapValue(values[2 * i + 1]));
+  }
+  return colors;
+}
+
+/// The largest font size with which all of `texts` fit, at most the property's own.
+void FitFont(const std::vector<Label>& texts, glm::dvec2 room, int dpi, vtkTextProperty* look)
+{
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  int smallest = 1 << 20;
+  for (const Label& label : texts)
+  {
+    vtkNew<vtkTextProperty> fitted;
+    fitted->ShallowCopy(look);
+    if (renderer && !label.Text.empty())
+    {
+      const int size = renderer->GetConstrainedFontSize(label.Text, fitted,
+        std::max(1, static_cast<int>(room.x)), std::max(1, static_cast<int>(room.y)), dpi);
+      smallest = size > 0 ? std::min(smallest, size) : smallest;
+    }
+  }
+  if (smallest < 1 << 20)
+  {
+    look->SetFontSize(smallest);
+  }
+}
+
+/// Lays a bar out and draws it. Directions: `along` the band, `aside` to its labels.
+class Drawing
+{
+public:
+  Drawing(vtkScalarBarActor* bar, int dpi, Scene& scene)
+    : Bar(bar),
+      DPI(dpi),
+      Over(scene.Over),
+      Vertical(bar->GetOrientation() == VTK_ORIENT_VERTICAL)
+  {
+    this->Low = PlaceInPicture(bar->GetPositionCoordinate(), scene);
+    this->High = PlaceInPicture(bar->GetPosition2Coordinate(), scene);
+    const double height = this->High.y - this->Low.y;
+    const bool titled = bar->GetTitle() && *bar->GetTitle();
+    const double title = titled ? (this->Vertical ? TitleShare : 3.0 * TitleShare) : 0.0;
+    this->TitleHeight = title * height;
+    // The band: along the rectangle, below the title, BarRatio of it wide.
+    this->BandHigh =
+      this->High - glm::dvec2(0.0, this->TitleHeight + (titled ? GapShare * height : 0.0));
+    this->LabelsAfter = bar->GetTextPosition() == vtkScalarBarActor::SucceedScalarBar;
+    const int across = this->Vertical ? 0 : 1;
+    this->BandLow = this->Low;
+    const double width = this->BandHigh[across] - this->BandLow[across];
+    (this->LabelsAfter ? this->BandHigh : this->BandLow)[across] = this->LabelsAfter
+      ? this->Low[across] + bar->GetBarRatio() * width
+      : this->BandHigh[across] - bar->GetBarRatio() * width;
+  }
+
+  bool Draw()
+  {
+    if (this->Bar->GetDrawColorBar())
+    {
+      this->DrawBand();
+    }
+    return this->DrawLabels() && this->DrawTitle();
+  }
+
+private:
+  void DrawBand()
+  {
+    const std::vector<glm::vec4> colors = MakeBand(this->Bar);
+    const int axis = this->Vertical ? 1 : 0;
+    const double length = this->BandHigh[axis] - this->BandLow[axis];
+    for (std::size_t i = 0; i < colors.size(); ++i)
+    {
+      glm::dvec2 low = this->BandLow;
+      glm::dvec2 high = this->BandHigh;
+      low[axis] = this->BandLow[axis] + length * static_cast<double>(i) / colors.size();
+      high[axis] = this->BandLow[axis] + length * static_cast<double>(i + 1) / colors.size();
+      this->Over.FillRectangle(low, high, colors[i]);
+    }
+  }
+
+  bool DrawLabels()
+  {
+    const std::vector<Label> labels = MakeLabels(this->Bar);
+    vtkNew<vtkTextProperty> look;
+    look->ShallowCopy(this->Bar->GetLabelTextProperty());
+    const int axis = this->Vertical ? 1 : 0;
+    const int across = 1 - axis;
+    const double length = this->BandHigh[axis] - this->BandLow[axis];
+    if (!this->Bar->GetUnconstrainedFontSize() && !labels.empty())
+    {
+      glm::dvec2 room;
+      room[axis] = .8 * length / static_cast<double>(labels.size());
+      room[across] = (this->LabelsAfter ? this->High[across] - this->BandHigh[across]
+                                        : this->BandLow[across] - this->Low[across]) -
+        LabelGap;
+      if (!this->Vertical)
+      {
+        room.y -= this->TitleHeight;
+      }
+      FitFont(labels, room, this->DPI, look);
+    }
+    if (this->Vertical)
+    {
+      look->SetVerticalJustificationToCentered();
+      look->SetJustification(this->LabelsAfter ? VTK_TEXT_LEFT : VTK_TEXT_RIGHT);
+    }
+    else
+    {
+      look->SetVerticalJustification(this->LabelsAfter ? VTK_TEXT_BOTTOM : VTK_TEXT_TOP);
+      look->SetJustificationToCentered();
+    }
+    bool drawn = true;
+    for (const Label& label : labels)
+    {
+      glm::dvec2 at;
+      at[axis] = this->BandLow[axis] + label.Place * length;
+      at[across] =
+        this->LabelsAfter ? this->BandHigh[across] + LabelGap : this->BandLow[across] - LabelGap;
+      drawn = label.Text.empty() || DrawText(label.Text, look, at, this->DPI, this->Over);
+    }
+    return drawn;
+  }
+
+  bool DrawTitle()
+  {
+    if (this->TitleHeight <= 0.0)
+    {
+      return true;
+    }
+    std::string text = this->Bar->GetTitle();
+    if (this->Bar->GetComponentTitle() && *this->Bar->GetComponentTitle())
+    {
+      text += std::string(" ") + this->Bar->GetComponentTitle();
+    }
+    vtkNew<vtkTextProperty> look;
+    look->ShallowCopy(this->Bar->GetTitleTextProperty());
+    if (!this->Bar->GetUnconstrainedFontSize())
+    {
+      FitFont(
+        { { 0.0, text } }, { this->High.x - this->Low.x, this->TitleHeight }, this->DPI, look);
+    }
+    look->SetJustificationToCentered();
+    look->SetVerticalJustificationToTop();
+    return DrawText(
+      text, look, { .5 * (this->Low.x + this->High.x), this->High.y }, this->DPI, this->Over);
+  }
+
+  vtkScalarBarActor* Bar;
+  int DPI;
+  Overlay& Over;
+  bool Vertical;
+  bool LabelsAfter = true;
+  glm::dvec2 Low;
+  glm::dvec2 High;
+  glm::dvec2 BandLow;
+  glm::dvec2 BandHigh;
+  double TitleHeight = 0.0;
+};
+
+}
+
+bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene)
+{
+  if (!bar->GetLookupTable())
+  {
+    return true;
+  }
+  return Drawing(bar, dpi, scene).Draw();
+}
+
+std::vector<double> SpreadOverRange(vtkScalarsToColors* table, int count)
+{
+  const double* range = table->GetRange();
+  const bool logarithmic = table->UsingLogScale() && range[0] * range[1] > 0.0;
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i)
+  {
+    const double t = count > 1 ? static_cast<double>(i) / (count - 1) : .5;
+    values.push_back(logarithmic ? range[0] * std::pow(range[1] / range[0], t)
+                                 : range[0] + t * (range[1] - range[0]));
+  }
+  return values;
+}
+
+std::string FormatLabel(const char* format, double value)
+{
+  // VTK 9.6 and later write "{:<#6.3g}" for "%-#6.3g".
+  static const std::regex braces(R"(\{:[<>^]?([-+ #0]*\d*(\.\d+)?[eEfFgG])\})");
+  static const std::regex percent(R"([^%]*%[-+ #0]*\d*(\.\d+)?[eEfFgG][^%]*)");
+  std::string style = std::regex_replace(std::string(format ? format : ""), braces, "%$1");
+  if (!std::regex_match(style, percent))
+  {
+    style = "%g";
+  }
+  char text[400];
+  std::snprintf(text, sizeof text, style.c_str(), value);
+  std::string label = text;
+  label.erase(0, label.find_first_not_of(' '));
+  label.erase(label.find_last_not_of(' ') + 1);
+  return label;
+}
+
+}

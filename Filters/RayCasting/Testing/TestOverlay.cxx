@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Overlay.h"
+
+#include "SceneExtraction.h"
+#include "SceneExtractionScalarBar.h"
+
+#include "vtkImageData.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace penumbra;
+
+namespace
+{
+
+ExtractionOptions Options(int width, int height)
+{
+  ExtractionOptions options;
+  options.Resolution[0] = width;
+  options.Resolution[1] = height;
+  return options;
+}
+
+/// The overlay alone, over transparent black: straight colours, row by row.
+std::vector<glm::vec4> Alone(const Overlay& overlay)
+{
+  const int width = overlay.GetWidth();
+  std::vector<glm::vec4> colors(
+    static_cast<std::size_t>(width) * overlay.GetHeight(), glm::vec4(0.f));
+  for (int y = 0; y < overlay.GetHeight(); ++y)
+  {
+    overlay.PutOver(0, y, width, &colors[static_cast<std::size_t>(y) * width]);
+  }
+  return colors;
+}
+
+/// The largest value of a colour's channels and alpha inside [low, high).
+glm::vec4 Largest(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high)
+{
+  const std::vector<glm::vec4> colors = Alone(overlay);
+  glm::vec4 result(0.f);
+  for (int y = low.y; y < high.y; ++y)
+  {
+    for (int x = low.x; x < high.x; ++x)
+    {
+      result = glm::max(result, colors[static_cast<std::size_t>(y) * overlay.GetWidth() + x]);
+    }
+  }
+  return result;
+}
+
+}
+
+TEST(Overlay, CoversPixelsByTheirExactShare)
+{
+  Overlay overlay(4, 3);
+  EXPECT_TRUE(overlay.IsEmpty());
+  overlay.FillRectangle({ .75, .5 }, { 2.5, 1.25 }, { 1.f, .5f, 0.f, 1.f });
+  const std::vector<glm::vec4> colors = Alone(overlay);
+  const float shares[12] = { .125f, .5f, .25f, 0.f, .0625f, .25f, .125f, 0.f };
+  for (int i = 0; i < 12; ++i)
+  {
+    EXPECT_FLOAT_EQ(colors[i].a, shares[i]) << i;
+    EXPECT_FLOAT_EQ(colors[i].r, shares[i] > 0.f ? 1.f : 0.f) << i;
+  }
+}
+
+TEST(Overlay, IgnoresWhatLiesOutside)
+{
+  Overlay overlay(4, 3);
+  overlay.FillRectangle({ -5.0, -5.0 }, { -1.0, 9.0 }, glm::vec4(1.f));
+  overlay.FillRectangle({ 1.0, 2.0 }, { 1.0, 9.0 }, glm::vec4(1.f));
+  overlay.FillRectangle({ std::nan(""), 0.0 }, { 3.0, 3.0 }, glm::vec4(1.f));
+  EXPECT_TRUE(overlay.IsEmpty());
+  overlay.FillRectangle({ -1e9, -1e9 }, { 1e9, 1e9 }, glm::vec4(1.f));
+  EXPECT_EQ(Alone(overlay)[11], glm::vec4(1.f));
+}
+
+TEST(Overlay, ComposesStraightAlphaOverAnyPicture)
+{
+  Overlay overlay(1, 1);
+  overlay.FillRectangle({ 0.0, 0.0 }, { 1.0, 1.0 }, { 1.f, 0.f, 0.f, .5f });
+  glm::vec4 opaque(0.f, 1.f, 0.f, 1.f);
+  overlay.PutOver(0, 0, 1, &opaque);
+  EXPECT_EQ(opaque, glm::vec4(.5f, .5f, 0.f, 1.f));
+  glm::vec4 half(0.f, 1.f, 0.f, .5f);
+  overlay.PutOver(0, 0, 1, &half);
+  EXPECT_FLOAT_EQ(half.a, .75f);
+  EXPECT_FLOAT_EQ(half.r, .5f / .75f);
+  EXPECT_FLOAT_EQ(half.g, .25f / .75f);
+}
+
+TEST(Overlay, DrawsTextAsVTKDoes)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(200, 100);
+  window->AddRenderer(renderer);
+  renderer->SetBackground(.2, .3, .4);
+  vtkNew<vtkTextActor> text;
+  text->SetInput("Penumbra 3.14");
+  text->GetTextProperty()->SetFontSize(24);
+  text->GetTextProperty()->SetColor(1.0, .8, .2);
+  text->SetPosition(10, 30);
+  renderer->AddViewProp(text);
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> raster;
+  window->GetPixelData(0, 0, 199, 99, 1, raster);
+
+  const Scene scene = ExtractScene(renderer, Options(200, 100));
+  EXPECT_TRUE(scene.Warnings.empty());
+  ASSERT_FALSE(scene.Over.IsEmpty());
+  int written = 0;
+  for (int y = 0; y < 100; ++y)
+  {
+    std::vector<glm::vec4> row(200, glm::vec4(.2f, .3f, .4f, 1.f));
+    scene.Over.PutOver(0, y, 200, row.data());
+    for (int x = 0; x < 200; ++x)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_NEAR(255.f * row[x][k], raster->GetComponent(y * 200 + x, k), 2.0) << x << " " << y;
+      }
+      written += row[x].r > .9f;
+    }
+  }
+  EXPECT_GT(written, 200);
+}
+
+TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkLookupTable> table;
+  table->SetRange(0.0, 10.0);
+  table->SetHueRange(0.0, 0.0);
+  table->SetValueRange(0.0, 1.0);
+  table->Build();
+  for (const bool vertical : { true, false })
+  {
+    vtkNew<vtkScalarBarActor> bar;
+    bar->SetLookupTable(table);
+    bar->SetTitle("Height");
+    renderer->RemoveAllViewProps();
+    renderer->AddViewProp(bar);
+    if (!vertical)
+    {
+      bar->SetOrientationToHorizontal();
+      bar->SetPosition(.1, .1);
+      bar->SetPosition2(.8, .2);
+    }
+    const Scene scene = ExtractScene(renderer, Options(400, 300));
+    EXPECT_TRUE(scene.Warnings.empty());
+    const std::vector<glm::vec4> colors = Alone(scene.Over);
+    const auto red = [&](int x, int y) { return colors[y * 400 + x].r; };
+    if (vertical)
+    {
+      // The band starts at (.82, .1) of the picture; red grows upwards.
+      EXPECT_LT(red(335, 35), red(335, 120));
+      EXPECT_LT(red(335, 120), red(335, 200));
+      EXPECT_GT(Largest(scene.Over, { 360, 30 }, { 400, 240 }).a, .5f);  // labels
+      EXPECT_GT(Largest(scene.Over, { 330, 246 }, { 400, 270 }).a, .5f); // title
+    }
+    else
+    {
+      EXPECT_LT(red(50, 35), red(200, 35));
+      EXPECT_LT(red(200, 35), red(350, 35));
+      EXPECT_GT(Largest(scene.Over, { 40, 50 }, { 360, 72 }).a, .5f);
+      EXPECT_GT(Largest(scene.Over, { 150, 72 }, { 250, 90 }).a, .5f);
+    }
+    EXPECT_EQ(Largest(scene.Over, { 0, 0 }, { 4, 300 }).a, 0.f);
+  }
+}
+
+TEST(ScalarBar, FormatsLabelsInBothOfVTKsStyles)
+{
+  EXPECT_EQ(FormatLabel("%-#6.3g", 2.5), "2.50");
+  EXPECT_EQ(FormatLabel("{:<#6.3g}", 2.5), "2.50");
+  EXPECT_EQ(FormatLabel("%.1f m", 2.54), "2.5 m");
+  EXPECT_EQ(FormatLabel("{:.2e}", 12345.0), "1.23e+04");
+  EXPECT_EQ(FormatLabel("%s%n", 2.5), "2.5");
+  EXPECT_EQ(FormatLabel("%g %g", 2.5), "2.5");
+  EXPECT_EQ(FormatLabel(nullptr, 2.5), "2.5");
+}
+
+TEST(ScalarBar, SpreadsLogarithmicTablesInTheirLogarithm)
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetRange(1.0, 10000.0);
+  EXPECT_NEAR(SpreadOverRange(table, 3)[1], 5000.5, 1e-9);
+  table->SetScaleToLog10();
+  EXPECT_NEAR(SpreadOverRange(table, 3)[1], 100.0, 1e-9);
+}
