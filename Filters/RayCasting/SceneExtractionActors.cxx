@@ -6,6 +6,7 @@
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionOverlay.h"
+#include "SceneExtractionWarnings.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
@@ -22,7 +23,6 @@
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProperty.h"
 
 #include <algorithm>
 
@@ -159,7 +159,7 @@ private:
     look.BackProperty = actor->GetBackfaceProperty();
     look.LitTexture = MakeTexture(actor->GetTexture(), look.Name, this->Warnings);
     look.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
-    this->WarnOfLooks(actor, look.Name);
+    WarnOfActor(actor, look.Name, this->Warnings);
     mapper->Update();
     vtkNew<ScalarMapper> scalars;
     scalars->ShallowCopy(mapper);
@@ -209,25 +209,6 @@ private:
     }
   }
 
-  void WarnOfLooks(vtkActor* actor, const std::string& name)
-  {
-    vtkProperty* property = actor->GetProperty();
-    if (property->GetInterpolation() == VTK_PBR)
-    {
-      this->Warnings.push_back(name + ": physically based shading is drawn as Phong's.");
-    }
-    if (property->GetNumberOfTextures() > 0)
-    {
-      this->Warnings.push_back(name + ": textures of properties are not supported; left out.");
-    }
-    vtkShaderProperty* shaders = actor->GetShaderProperty();
-    if (shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
-      shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0)
-    {
-      this->Warnings.push_back(name + ": shaders of its own are not supported; left out.");
-    }
-  }
-
   std::vector<std::string>& Warnings;
 };
 
@@ -235,6 +216,7 @@ private:
 
 std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings)
 {
+  WarnOfRenderer(renderer, warnings);
   Collector collector(warnings);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;

@@ -8,6 +8,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
+#include "vtkScalarsToColors.h"
 
 namespace penumbra
 {
@@ -22,6 +23,7 @@ struct BlockState
   vtkColor3d Color;
   double Opacity = 1.0;
   bool HasOpacity = false;
+  vtkSmartPointer<ScalarMapper> Scalars;
 };
 
 /// The attributes of composite mappers came to vtkCompositePolyDataMapper in VTK 9.3.
@@ -36,14 +38,60 @@ vtkCompositeDataDisplayAttributes* FindAttributes(Mapper*, long)
   return nullptr;
 }
 
+/// What a block says of its scalars (since VTK 9.3), into `scalars`. False where it says nothing.
+template <typename Attributes>
+auto ChangeScalars(Attributes* attributes, vtkDataObject* block, ScalarMapper* scalars, int)
+  -> decltype(attributes->HasBlockScalarVisibility(block))
+{
+  bool changed = false;
+  const auto take = [&](bool has, auto&& set) {
+    changed = changed || has;
+    if (has)
+    {
+      set();
+    }
+  };
+  take(attributes->HasBlockScalarVisibility(block),
+    [&] { scalars->SetScalarVisibility(attributes->GetBlockScalarVisibility(block)); });
+  take(attributes->HasBlockUseLookupTableScalarRange(block), [&] {
+    scalars->SetUseLookupTableScalarRange(attributes->GetBlockUseLookupTableScalarRange(block));
+  });
+  take(attributes->HasBlockInterpolateScalarsBeforeMapping(block), [&] {
+    scalars->SetInterpolateScalarsBeforeMapping(
+      attributes->GetBlockInterpolateScalarsBeforeMapping(block));
+  });
+  take(attributes->HasBlockColorMode(block),
+    [&] { scalars->SetColorMode(attributes->GetBlockColorMode(block)); });
+  take(attributes->HasBlockScalarMode(block),
+    [&] { scalars->SetScalarMode(attributes->GetBlockScalarMode(block)); });
+  take(attributes->HasBlockArrayAccessMode(block),
+    [&] { scalars->SetArrayAccessMode(attributes->GetBlockArrayAccessMode(block)); });
+  take(attributes->HasBlockArrayComponent(block),
+    [&] { scalars->SetArrayComponent(attributes->GetBlockArrayComponent(block)); });
+  take(attributes->HasBlockArrayId(block),
+    [&] { scalars->SetArrayId(attributes->GetBlockArrayId(block)); });
+  take(attributes->HasBlockArrayName(block),
+    [&] { scalars->SetArrayName(attributes->GetBlockArrayName(block).c_str()); });
+  take(attributes->HasBlockScalarRange(block),
+    [&] { scalars->SetScalarRange(attributes->GetBlockScalarRange(block).GetData()); });
+  take(attributes->HasBlockFieldDataTupleId(block),
+    [&] { scalars->SetFieldDataTupleId(attributes->GetBlockFieldDataTupleId(block)); });
+  take(attributes->HasBlockLookupTable(block),
+    [&] { scalars->SetLookupTable(attributes->GetBlockLookupTable(block)); });
+  return changed;
+}
+template <typename Attributes>
+bool ChangeScalars(Attributes*, vtkDataObject*, ScalarMapper*, long)
+{
+  return false;
+}
+
 class Walk
 {
 public:
-  Walk(vtkCompositeDataDisplayAttributes* attributes, const Piece& look, ScalarMapper* scalars,
-    const BlockFunction& use)
+  Walk(vtkCompositeDataDisplayAttributes* attributes, const Piece& look, const BlockFunction& use)
     : Attributes(attributes),
       Look(look),
-      Scalars(scalars),
       Use(use)
   {
   }
@@ -101,6 +149,11 @@ private:
       state.HasOpacity = true;
       state.Opacity = this->Attributes->GetBlockOpacity(block);
     }
+    vtkSmartPointer<ScalarMapper> changed = Copy(state.Scalars);
+    if (changed && ChangeScalars(this->Attributes, block, changed.Get(), 0))
+    {
+      state.Scalars = changed;
+    }
   }
 
   void Draw(vtkDataSet* leaf, const BlockState& state) const
@@ -121,21 +174,23 @@ private:
       }
       piece.Property = property;
     }
-    if (this->Scalars)
+    vtkSmartPointer<ScalarMapper> scalars = Copy(state.Scalars);
+    this->Use(leaf, piece, scalars);
+  }
+
+  static vtkSmartPointer<ScalarMapper> Copy(ScalarMapper* from)
+  {
+    vtkSmartPointer<ScalarMapper> copy;
+    if (from)
     {
-      vtkNew<ScalarMapper> scalars;
-      scalars->ShallowCopy(this->Scalars);
-      this->Use(leaf, piece, scalars);
+      copy = vtkSmartPointer<ScalarMapper>::New();
+      copy->ShallowCopy(from);
     }
-    else
-    {
-      this->Use(leaf, piece, nullptr);
-    }
+    return copy;
   }
 
   vtkCompositeDataDisplayAttributes* Attributes;
   const Piece& Look;
-  ScalarMapper* Scalars;
   const BlockFunction& Use;
 };
 
@@ -146,7 +201,9 @@ void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const Piece& loo
 {
   vtkCompositeDataDisplayAttributes* attributes =
     FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
-  Walk(attributes, look, scalars, use).Visit(data, BlockState());
+  BlockState state;
+  state.Scalars = scalars;
+  Walk(attributes, look, use).Visit(data, state);
 }
 
 }

@@ -156,12 +156,19 @@ private:
     const std::vector<glm::vec4> colors = MakeBand(this->Bar);
     const int axis = this->Vertical ? 1 : 0;
     const double length = this->BandHigh[axis] - this->BandLow[axis];
+    // Each colour is drawn to the end of the band and the next one over it: no seams, whatever part
+    // of a pixel each covers. Translucent ones end at whole pixels instead.
+    const bool opaque = !this->Bar->GetUseOpacity();
+    const auto border = [&](std::size_t i) {
+      const double at = this->BandLow[axis] + length * static_cast<double>(i) / colors.size();
+      return opaque ? at : std::round(at);
+    };
     for (std::size_t i = 0; i < colors.size(); ++i)
     {
       glm::dvec2 low = this->BandLow;
       glm::dvec2 high = this->BandHigh;
-      low[axis] = this->BandLow[axis] + length * static_cast<double>(i) / colors.size();
-      high[axis] = this->BandLow[axis] + length * static_cast<double>(i + 1) / colors.size();
+      low[axis] = border(i);
+      high[axis] = opaque ? high[axis] : border(i + 1);
       this->Over.FillRectangle(low, high, colors[i]);
     }
   }

@@ -249,11 +249,6 @@ void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, 
   {
     scene.Behind.Top = glm::vec4(ToVector(renderer->GetBackground2()), 1.0);
   }
-  if (renderer->GetTexturedBackground())
-  {
-    scene.Warnings.emplace_back(
-      "A textured background is not supported: the background colour is drawn.");
-  }
 }
 
 }

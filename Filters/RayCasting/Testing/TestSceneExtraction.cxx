@@ -216,6 +216,29 @@ TEST(SceneExtraction, NamesWhatItCannotDraw)
   EXPECT_EQ(scene.Warnings.size(), 1u);
 }
 
+TEST(SceneExtraction, NamesLooksThatItLeavesOut)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(Cube());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
+  actor->GetProperty()->SetInterpolationToPBR();
+  actor->GetProperty()->RenderLinesAsTubesOn();
+  actor->GetProperty()->RenderPointsAsSpheresOn();
+  renderer->UseSSAOOn();
+  renderer->TexturedBackgroundOn();
+  const Scene scene = ExtractScene(renderer, Square());
+  EXPECT_TRUE(Warns(scene, "physically based"));
+  EXPECT_TRUE(Warns(scene, "tubes"));
+  EXPECT_TRUE(Warns(scene, "spheres"));
+  EXPECT_TRUE(Warns(scene, "Screen-space ambient occlusion"));
+  EXPECT_TRUE(Warns(scene, "textured background"));
+  EXPECT_EQ(scene.Warnings.size(), 5u);
+}
+
 TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
 {
   for (const auto& [center, size] :

@@ -39,6 +39,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 using namespace penumbra;
 
 namespace
@@ -509,6 +512,13 @@ TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
     vtkNew<vtkCubeSource> cube;
     cube->SetCenter(i % 2 * 1.2, i / 2 * 1.2, 0.0);
     cube->Update();
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("values");
+    for (vtkIdType k = 0; k < 24; ++k)
+    {
+      values->InsertNextValue(k / 24.0);
+    }
+    cube->GetOutput()->GetPointData()->AddArray(values);
     blocks->SetBlock(i, cube->GetOutput());
   }
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
@@ -518,6 +528,8 @@ TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
   const double color[3] = { .9, .3, .2 };
   mapper->SetBlockColor(2, color);
   mapper->SetBlockVisibility(3, false);
+  mapper->SetBlockOpacity(1, .5);
+  this->Property()->BackfaceCullingOn(); // VTK blends faces in any order
   this->Actor->SetMapper(mapper);
   this->Property()->SetColor(.2, .6, .9);
   this->Renderer()->AddActor(this->Actor);
@@ -544,4 +556,130 @@ TEST_F(ShadingOfActor, IsVTKsOnTheSurfaceOfAGrid)
   this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
   this->Renderer()->ResetCamera();
   this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnBlocksWithScalarsOfTheirOwn)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetCenter(i * 1.2, 0.0, 0.0);
+    cube->Update();
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("values");
+    for (vtkIdType k = 0; k < 24; ++k)
+    {
+      values->InsertNextValue(k / 24.0);
+    }
+    cube->GetOutput()->GetPointData()->SetScalars(values);
+    blocks->SetBlock(i, cube->GetOutput());
+  }
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  attributes->SetBlockScalarVisibility(blocks->GetBlock(1), false);
+  this->Actor->SetMapper(mapper);
+  this->Renderer()->AddActor(this->Actor);
+  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+  this->Renderer()->ResetCamera();
+  this->ExpectSamePicture();
+}
+
+namespace
+{
+
+/// A floor and a small square above it, under one light from straight above.
+Scene FloorUnderSquare(float opacity)
+{
+  Scene scene;
+  scene.Eye.Position = { 0.0, -3.0, 3.0 };
+  for (const float height : { 0.f, 1.f })
+  {
+    const float side = height > 0.f ? .5f : 2.f;
+    Surface square;
+    square.Positions = { { -side, -side, height }, { side, -side, height }, { side, side, height },
+      { -side, side, height } };
+    square.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+    square.Front.Opacity = height > 0.f ? opacity : 1.f;
+    square.Front.Ambient = .1f;
+    scene.Surfaces.push_back(square);
+  }
+  Light light;
+  light.Direction = { 0.f, 0.f, -1.f };
+  scene.Lights.push_back(light);
+  return scene;
+}
+
+/// What the floor looks like at (x, y).
+float Floor(const Scene& scene, bool shadows, float x, float y, long long& rays)
+{
+  const RayScene traced(scene, 1);
+  const Shading shading(traced, shadows);
+  const Ray ray{ { x, y, .5f }, { 0.f, 0.f, -1.f } };
+  return shading.Shade(ray, traced.Intersect(ray), rays).Color.r;
+}
+
+}
+
+TEST(Shading, CastsShadowsWhereAsked)
+{
+  long long rays = 0;
+  Scene scene = FloorUnderSquare(1.f);
+  EXPECT_FLOAT_EQ(Floor(scene, false, .1f, .2f, rays), 1.1f);
+  EXPECT_EQ(rays, 0);
+  EXPECT_FLOAT_EQ(Floor(scene, true, .1f, .2f, rays), .1f);
+  EXPECT_FLOAT_EQ(Floor(scene, true, .6f, .2f, rays), 1.1f);
+  EXPECT_EQ(rays, 2);
+  scene.Lights[0].CastsShadow = false;
+  EXPECT_FLOAT_EQ(Floor(scene, true, .1f, .2f, rays), 1.1f);
+  scene.Lights[0].CastsShadow = true;
+  scene.Lights[0].Kind = Light::Kinds::Positional;
+  scene.Lights[0].Position = { 0.f, 0.f, .5f }; // below the square
+  EXPECT_GT(Floor(scene, true, .1f, .2f, rays), .8f);
+}
+
+TEST(Shading, LetsLightThroughTranslucentSurfacesAndLines)
+{
+  long long rays = 0;
+  Scene scene = FloorUnderSquare(.25f);
+  EXPECT_NEAR(Floor(scene, true, .1f, .2f, rays), .85f, 1e-6);
+  scene.Surfaces[1].Front.Opacity = 1.f;
+  scene.Surfaces[1].ScreenSpace = true;
+  EXPECT_NEAR(Floor(scene, true, .1f, .2f, rays), 1.1f, 1e-6);
+}
+
+TEST(Shading, KnowsWhereOneSampleServesATriangle)
+{
+  Scene scene = FloorUnderSquare(1.f);
+  const auto isConstant = [&](bool shadows) {
+    const RayScene rays(scene, 1);
+    return Shading(rays, shadows).IsConstantPerTriangle(0);
+  };
+  EXPECT_TRUE(isConstant(false));
+  EXPECT_FALSE(isConstant(true));
+  scene.Surfaces[0].Front.Specular = .5f;
+  EXPECT_FALSE(isConstant(false));
+  scene.Lights[0].Headlight = true; // lit without a view ray
+  EXPECT_TRUE(isConstant(false));
+  scene.Lights[0].Headlight = false;
+  scene.Surfaces[0].Front.Specular = 0.f;
+  scene.Lights[0].Kind = Light::Kinds::Positional;
+  EXPECT_FALSE(isConstant(false));
+  scene.Surfaces[0].Front.Lighting = false;
+  EXPECT_TRUE(isConstant(true));
+  scene.Surfaces[0].PointColors.resize(4, glm::u8vec4(255));
+  EXPECT_FALSE(isConstant(false));
+}
+
+TEST(Shading, SurvivesNormalsOfNoLengthAndNoNumber)
+{
+  Scene scene = FloorUnderSquare(1.f);
+  long long rays = 0;
+  for (const float bad : { 0.f, std::nanf(""), std::numeric_limits<float>::infinity() })
+  {
+    scene.Surfaces[0].Normals.assign(4, glm::vec3(bad));
+    EXPECT_FLOAT_EQ(Floor(scene, false, .1f, .2f, rays), 1.1f) << bad;
+  }
 }
