@@ -232,12 +232,6 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
 {
   if (options.Engine == "ray")
   {
-    if (options.Coloring.ScalarBar)
-    {
-      throw Failure(BadInput,
-        "--coloring-scalar-bar is not available in this version with --engine ray; use --engine "
-        "raster");
-    }
     return;
   }
   for (const char* name :

@@ -279,6 +279,26 @@ TEST(Render, ColorsByData)
   EXPECT_NE(unknown.Errors.find("Number"), std::string::npos) << unknown.Errors;
 }
 
+TEST(Render, DrawsALegendWithBothEngines)
+{
+  const Folder folder("legend");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  for (const char* engine : { "ray", "raster" })
+  {
+    const Outcome outcome =
+      RunProgram({ "render", folder / "sphere.vtp", "--coloring-scalar-bar", "--coloring-array",
+        "Height", "--resolution", "200,200", "--engine", engine, "--output", folder / "p.png" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+    // The band stands at .82 to .88 of the width, where the sphere does not reach.
+    const auto picture = ReadImage(folder / "p.png");
+    const auto low = PixelAt(picture, 170, 30);
+    const auto high = PixelAt(picture, 170, 150);
+    EXPECT_GT(low[2] + low[0], 0.2) << engine;
+    EXPECT_GT(std::abs(high[1] - low[1]), 0.2) << engine;
+  }
+}
+
 TEST(Render, MakesOnePictureOfEachFile)
 {
   const Folder folder("each");
