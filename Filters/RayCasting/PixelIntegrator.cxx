@@ -13,6 +13,8 @@ namespace
 
 // A corner nearer to an edge than this, in pixels, may lie on either side of it for the ray.
 constexpr double TrustDistance = 1e-3;
+// How far such a corner moves towards the middle of the pixel, as a share of the way.
+constexpr double CornerInset = 4.0 * TrustDistance;
 // Faces below this share of a pixel are left out: no ray could be aimed at them.
 constexpr double SmallestFace = 1e-6;
 // Beyond this many edges in one pixel an arrangement costs more than it is worth.
@@ -355,6 +357,20 @@ float PixelIntegrator::CurvatureError() const
   return std::max(sum - noise, 0.f) / 12.f;
 }
 
+// Where a border runs along the rim of the pixel, the rays of its corners may have met either side:
+// they are traced again a little to the inside.
+void PixelIntegrator::MoveCornersOffBorders()
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    if (!(this->TrustedCorners >> i & 1u))
+    {
+      const glm::dvec2 inward = glm::dvec2(0.5) - CornerOffset(i);
+      this->Corners[i] = this->Trace(CornerOffset(i) + CornerInset * inward);
+    }
+  }
+}
+
 // A ray exactly through a vertex or an edge can slip between the triangles. Where no border is near,
 // a single corner that disagrees with the other three is traced again a little to the inside.
 bool PixelIntegrator::RepairLeak()
@@ -370,7 +386,7 @@ bool PixelIntegrator::RepairLeak()
       continue;
     }
     const glm::dvec2 inward = glm::dvec2(0.5) - CornerOffset(i);
-    const Sample again = this->Trace(CornerOffset(i) + 4e-3 * inward);
+    const Sample again = this->Trace(CornerOffset(i) + CornerInset * inward);
     if (again.First.Surface == a.Surface)
     {
       this->Corners[i] = again;
@@ -383,6 +399,7 @@ bool PixelIntegrator::RepairLeak()
 
 PixelResult PixelIntegrator::Smooth(bool allowRefinement)
 {
+  this->MoveCornersOffBorders();
   const bool agree = this->CornersAgree() || this->RepairLeak();
   PixelResult result;
   if (agree)

@@ -98,6 +98,7 @@ private:
   void SeeAround();
   void Probe();
   bool AddPiercings();
+  void MoveCornersOffBorders();
   bool RepairLeak();
   bool CornersAgree() const;
   float CurvatureError() const;

@@ -77,14 +77,15 @@ void VisitCells(
   }
   const int first = std::max(static_cast<int>(std::floor(a.x - margin)), 0);
   const int last = std::min(static_cast<int>(std::floor(b.x + margin)), cells.x - 1);
-  const double slope = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0.0;
+  const bool upright = !(b.x > a.x); // one that runs along a line between columns lies in both
+  const double slope = upright ? 0.0 : (b.y - a.y) / (b.x - a.x);
   const double low = std::min(a.y, b.y);
   const double high = std::max(a.y, b.y);
   for (int column = first; column <= last; ++column)
   {
     double y0 = low;
     double y1 = high;
-    if (last > first)
+    if (last > first && !upright)
     {
       const double u = a.y + slope * (column - margin - a.x);
       const double v = a.y + slope * (column + 1 + margin - a.x);
