@@ -203,6 +203,7 @@ Answer Cast(vtkRenderer* renderer, int width, int height,
   {
     answer.Colors.emplace_back(
       colors->GetComponent(i, 0), colors->GetComponent(i, 1), colors->GetComponent(i, 2));
+    answer.Alphas.push_back(colors->GetComponent(i, 3));
     answer.Estimates.push_back(estimates ? estimates->GetComponent(i, 0) : 0.0);
   }
   answer.EstimatedError = caster->GetEstimatedError();

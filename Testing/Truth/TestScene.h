@@ -50,6 +50,7 @@ BruteForceScene BruteForceOf(vtkRenderer* renderer, int width, int height);
 struct Answer
 {
   std::vector<glm::dvec3> Colors;
+  std::vector<double> Alphas;
   std::vector<double> Estimates; ///< `EstimatedError` per pixel
   double EstimatedError = 0.0;   ///< of the whole picture
   double RaysPerPixel = 0.0;
