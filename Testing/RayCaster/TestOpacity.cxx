@@ -166,4 +166,39 @@ TEST_P(Opacity, OfManyLayersMultiplies)
   }
 }
 
+TEST_P(Opacity, OfFacesThatCoincideCountsOnce)
+{
+  const double opacity = GetParam();
+  const Shape disc = Disc({ 0.0, 0.0 }, 1.0, 60);
+  Shape other = disc; // the same as a fan around another point
+  other.Center = { 0.31, -0.17 };
+  for (const glm::dvec3& direction : { glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.4, 0.5, -0.7) })
+  {
+    for (bool parallel : { false, true })
+    {
+      Answer answers[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+        AddFlat(renderer, { disc }, 0.0, glm::dvec3(1.0), opacity);
+        if (i > 0)
+        {
+          AddFlat(renderer, { i == 1 ? disc : other }, 0.0, glm::dvec3(1.0), opacity);
+        }
+        renderer->GetActiveCamera()->SetParallelProjection(parallel);
+        LookAlong(renderer, direction, { 0.0, 1.0, 0.0 }, Size, Size);
+        answers[i] = Cast(renderer, Size, Size);
+      }
+      for (std::size_t i = 0; i < answers[0].Colors.size(); ++i)
+      {
+        EXPECT_NEAR(answers[1].Colors[i].x, answers[0].Colors[i].x, 0.004)
+          << "pixel " << i % Size << ", " << i / Size << (parallel ? ", parallel" : "");
+        EXPECT_NEAR(answers[2].Colors[i].x, answers[0].Colors[i].x, 0.004)
+          << "pixel " << i % Size << ", " << i / Size << (parallel ? ", parallel" : "")
+          << ", divided otherwise";
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(RayCaster, Opacity, testing::Values(0.01, 0.3, 0.99, 1.0));
