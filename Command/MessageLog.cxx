@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstdlib>
