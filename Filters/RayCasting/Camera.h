@@ -25,6 +25,8 @@ struct Camera
   double PixelSize = 1.0;
   /// Where the view axis meets the picture, in pixels (the middle, unless the view is off-centre).
   glm::dvec2 Center{ 0.5, 0.5 };
+  /// Parallel: how far Position was moved forward from the eye, closer to a scene far away.
+  double Advance = 0.0;
   double Near = 0.0; ///< nearest distance along Forward that is drawn
   double Far = 1e30;
 

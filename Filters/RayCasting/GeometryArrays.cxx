@@ -68,7 +68,7 @@ bool AddGeometryArrays(
       }
       const Surface& surface = scene.Surfaces[hit.Surface];
       const Appearance seen = sampler.GetShading().Shade(ray, hit, rowCounts.Shadow);
-      depths->SetValue(id, static_cast<float>(hit.Distance / scene.Scale));
+      depths->SetValue(id, static_cast<float>((hit.Distance + scene.Eye.Advance) / scene.Scale));
       for (int axis = 0; axis < 3; ++axis)
       {
         normals->SetTypedComponent(id, axis, seen.Normal[axis]);

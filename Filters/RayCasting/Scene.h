@@ -4,8 +4,8 @@
 // What the ray caster knows of a scene: plain data, filled by SceneExtraction, traced by RayScene,
 // coloured by Shading. Private to the ray side.
 //
-// Scene coordinates are (world - Origin) * Scale in single precision, Origin the eye, so that scenes
-// at 1e7 or of size 1e-6 lose nothing. Every position and direction below is in scene coordinates;
+// Scene coordinates are (world - Origin) * Scale in single precision, Origin the eye (or, under a
+// parallel camera, before the scene), so that scenes at 1e7 or of size 1e-6 lose nothing. Every position and direction below is in scene coordinates;
 // every projection is done in double from these rounded positions, so that projected edges and
 // traced triangles are the same geometry.
 #ifndef penumbra_Scene_h

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace penumbra
 {
@@ -90,15 +91,36 @@ bool SetLens(vtkMatrix4x4* projection, Camera& eye)
     std::abs(horizontal - vertical) < 1e-6 * std::abs(vertical);
 }
 
+/// How far a parallel camera can move forward and stay well in front of `bounds`: by their own size.
+double DistanceInFront(glm::dvec3 eye, glm::dvec3 forward, const double bounds[6])
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec3 corner(bounds[i % 2], bounds[2 + i / 2 % 2], bounds[4 + i / 4]);
+    nearest = std::min(nearest, glm::dot(corner - eye, forward));
+  }
+  const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  return std::max(nearest - glm::length(size), 0.0);
+}
+
 void SetOrigin(glm::dvec3 position, const double bounds[6], double fallback, Scene& scene)
 {
+  Camera& eye = scene.Eye;
+  double advance = 0.0;
+  if (eye.Parallel && IsFinite(bounds))
+  {
+    advance = DistanceInFront(position, eye.Forward, bounds);
+    position += advance * eye.Forward;
+  }
   scene.Origin = position;
   scene.Scale = ChooseScale(position, bounds, fallback);
-  scene.Eye.Position = glm::dvec3(0.0);
-  scene.Eye.Near = scene.Eye.Parallel ? 0.0 : NearestDistance;
-  if (scene.Eye.Parallel)
+  eye.Position = glm::dvec3(0.0);
+  eye.Near = eye.Parallel ? 0.0 : NearestDistance;
+  eye.Advance = advance * scene.Scale;
+  if (eye.Parallel)
   {
-    scene.Eye.PixelSize *= scene.Scale;
+    eye.PixelSize *= scene.Scale;
   }
 }
 

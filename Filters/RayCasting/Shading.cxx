@@ -237,7 +237,8 @@ glm::vec3 Shading::Lighten(
   const Finish& finish, const Appearance& at, glm::vec3 point, long long& shadowRays) const
 {
   const Scene& scene = this->Rays.GetScene();
-  const glm::vec3 towardsEye = glm::normalize(glm::vec3(scene.Eye.Position) - point);
+  const glm::vec3 eye(scene.Eye.Position - scene.Eye.Advance * scene.Eye.Forward);
+  const glm::vec3 towardsEye = glm::normalize(eye - point);
   glm::vec3 diffuse(0.f);
   glm::vec3 specular(0.f);
   for (const Light& light : scene.Lights)

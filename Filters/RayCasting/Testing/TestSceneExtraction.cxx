@@ -266,6 +266,26 @@ TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
   }
 }
 
+TEST(SceneExtraction, LosesNothingUnderAParallelCameraFarAway)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(Cube());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(6e6, 3e6, 1e7);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1.0);
+  const Scene scene = ExtractScene(renderer, Square());
+  EXPECT_NEAR(scene.Eye.Advance / scene.Scale, std::sqrt(145e12), 4.0);
+  const glm::dvec3 first = (glm::dvec3(-.5) - scene.Origin) * scene.Scale;
+  EXPECT_NEAR(glm::length(glm::dvec3(scene.Surfaces[0].Positions[0]) - first), 0.0, 1e-7);
+  EXPECT_TRUE(Look(scene, 50.0, 50.0).IsHit());
+  EXPECT_FALSE(Look(scene, 1.0, 1.0).IsHit());
+}
+
 TEST(SceneExtraction, NumbersVisibleActorsAndDataSets)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

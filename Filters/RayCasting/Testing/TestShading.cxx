@@ -295,6 +295,19 @@ TEST_F(ShadingOfActor, IsVTKsUnderAParallelCamera)
   this->ExpectSamePicture();
 }
 
+TEST_F(ShadingOfActor, IsVTKsInHighlightsUnderAParallelCamera)
+{
+  this->Show(Sphere());
+  this->Renderer()->GetActiveCamera()->ParallelProjectionOn();
+  this->Property()->SetSpecular(.5);
+  this->Property()->SetSpecularPower(6.0);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(3.0, 1.0, 2.0);
+  this->Renderer()->AddLight(light);
+  this->ExpectSamePicture();
+}
+
 TEST_F(ShadingOfActor, IsVTKsOffCentreWithAHorizontalAngle)
 {
   this->Show(Sphere());
