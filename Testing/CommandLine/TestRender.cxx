@@ -15,6 +15,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <regex>
+#include <set>
 
 using namespace penumbra_testing;
 
@@ -326,6 +328,37 @@ TEST(Render, DrawsAllFilesInOneScene)
   vtkDataArray* objects = image->GetPointData()->GetArray("ObjectId");
   EXPECT_EQ(objects->GetRange(0)[0], -1.0);
   EXPECT_EQ(objects->GetRange(0)[1], 1.0);
+}
+
+// Words that begin with two dashes.
+std::set<std::string> FindOptions(const std::string& text)
+{
+  const std::regex pattern("--[a-z][a-z-]+");
+  return std::set<std::string>(
+    std::sregex_token_iterator(text.begin(), text.end(), pattern), std::sregex_token_iterator());
+}
+
+TEST(Help, NamesEveryOptionThatTheDocumentationNames)
+{
+  const std::string page = ReadText(PENUMBRA_SOURCE_DIR "/Documentation/CommandLine.md");
+  const std::set<std::string> documented = FindOptions(page);
+  std::set<std::string> offered = FindOptions(RunProgram({ "--help" }).Output);
+  for (const char* command : { "render", "compare", "list", "info" })
+  {
+    const Outcome help = RunProgram({ command, "--help" });
+    EXPECT_EQ(help.Status, 0);
+    EXPECT_EQ(help.Errors, "");
+    offered.merge(FindOptions(help.Output));
+  }
+  for (const std::string& option : offered)
+  {
+    EXPECT_TRUE(documented.count(option)) << option << " is not documented";
+  }
+  for (const std::string& option : documented)
+  {
+    const bool placeholder = option == "--option" || option == "--indirect";
+    EXPECT_TRUE(placeholder || offered.count(option)) << option << " is not offered";
+  }
 }
 
 TEST(Render, ShowsProgressWhenAsked)
