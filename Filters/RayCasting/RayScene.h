@@ -67,6 +67,7 @@ private:
   const Scene& TracedScene;
   RTCDeviceTy* Device = nullptr;
   RTCSceneTy* Tree = nullptr;
+  bool Wide = false; ///< this machine traces 16 rays at once, not 8
 };
 
 }
