@@ -18,6 +18,7 @@
 #include "vtkDataSetMapper.h"
 #include "vtkDoubleArray.h"
 #include "vtkElevationFilter.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
@@ -343,6 +344,97 @@ TEST_F(ShadingOfActor, IsVTKsWithATexture)
   texture->SetInputData(image);
   texture->InterpolateOn();
   this->Actor->SetTexture(texture);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithATextureThatRepeatsOrStopsWithoutInterpolation)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  vtkDataArray* coordinates = plane->GetOutput()->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    coordinates->SetTuple2(i, 2.3 * (i % 2) - .7, 1.9 * (i / 2) - .4);
+  }
+  this->Show(plane->GetOutput());
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (vtkIdType i = 0; i < 18; ++i)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(i / 3, i % 3, (i * 67) % 256);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  this->Actor->SetTexture(texture);
+  for (const bool repeat : { true, false })
+  {
+    texture->SetRepeat(repeat);
+    texture->SetEdgeClamp(!repeat);
+    // Centres of pixels on the border of two texels may fall to either.
+    const RasterComparison::Result result = this->Pictures.Compare();
+    EXPECT_GE(result.Pixels, 1000);
+    EXPECT_LE(result.Different, .02 * result.Pixels) << repeat;
+  }
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnConcavePolygonsAndStrips)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> values;
+  const double corners[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(corners[i][0], corners[i][1], 0.0);
+    values->InsertNextValue((i * 5) % 7);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(2.2 + .5 * (i / 2), i % 2, .2 * i);
+    values->InsertNextValue((i * 3) % 7);
+  }
+  vtkNew<vtkCellArray> polygons;
+  const vtkIdType polygon[6] = { 0, 1, 2, 3, 4, 5 };
+  polygons->InsertNextCell(6, polygon);
+  vtkNew<vtkCellArray> strips;
+  const vtkIdType strip[6] = { 6, 7, 8, 9, 10, 11 };
+  strips->InsertNextCell(6, strip);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  data->SetStrips(strips);
+  data->GetPointData()->SetScalars(values);
+  this->Show(data);
+  this->Mapper->SetScalarRange(0.0, 6.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsInOneColorFromFieldData)
+{
+  vtkSmartPointer<vtkPolyData> data = Sphere();
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("time");
+  values->InsertNextValue(.1);
+  values->InsertNextValue(.7);
+  data->GetFieldData()->AddArray(values);
+  this->Show(data);
+  this->Mapper->SetScalarModeToUseFieldData();
+  this->Mapper->SelectColorArray("time");
+  this->Mapper->SetFieldDataTupleId(1);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsInColorsStoredAsBytes)
+{
+  vtkSmartPointer<vtkPolyData> data = Sphere();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    colors->InsertNextTuple3((i * 37) % 256, (i * 91) % 256, (i * 13) % 256);
+  }
+  data->GetPointData()->SetScalars(colors);
+  this->Show(data);
   this->ExpectSamePicture();
 }
 
