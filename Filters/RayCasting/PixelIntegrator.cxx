@@ -27,6 +27,8 @@ constexpr double TouchingDepth = 16.0;
 constexpr double SmallestProbe = 0.02;
 // Sampling of a crowded pixel stops when its error is this share of the tolerance.
 constexpr double DenseShare = 0.1;
+// A difference that only a shadow makes between neighbouring corners of one surface.
+constexpr float ShadowContrast = 0.05f;
 // Triangles of one pixel that are tested for passing through each other.
 constexpr std::size_t MostTrianglesSeen = 24;
 // The share of its contrast by which the mean of a square's corners errs, RMS over all straight
@@ -229,7 +231,7 @@ PixelResult PixelIntegrator::Integrate(
   }
   if (this->Segments.empty() || (!this->Settings.SmallObjects && this->CornersAgree()))
   {
-    return this->Smooth(true);
+    return this->Smooth();
   }
   return this->Exact(edgeIndices, count);
 }
@@ -397,7 +399,34 @@ bool PixelIntegrator::RepairLeak()
   return false;
 }
 
-PixelResult PixelIntegrator::Smooth(bool allowRefinement)
+// Shadows may jump where no corner shows it; they do so next to where one does.
+bool PixelIntegrator::IsNearShadowBorder() const
+{
+  if (!this->Settings.Shadows)
+  {
+    return false;
+  }
+  const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
+  const glm::ivec2 high = glm::min(glm::ivec2(this->X, this->Y) + 2, this->Grid.GetHigh());
+  for (int y = low.y; y <= high.y; ++y)
+  {
+    for (int x = low.x; x <= high.x; ++x)
+    {
+      const Sample& around = this->Grid.At(x, y);
+      for (const Sample& corner : this->Corners)
+      {
+        if (around.First.Surface == corner.First.Surface &&
+          MaximumDifference(around.Color, corner.Color) > ShadowContrast)
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+PixelResult PixelIntegrator::Smooth()
 {
   this->MoveCornersOffBorders();
   const bool agree = this->CornersAgree() || this->RepairLeak();
@@ -406,7 +435,7 @@ PixelResult PixelIntegrator::Smooth(bool allowRefinement)
   {
     const float error = this->CurvatureError();
     const bool empty = !this->Corners[0].First.IsHit();
-    if (empty || error <= 0.25f * this->Settings.Tolerance || !allowRefinement)
+    if (empty || (error <= 0.25f * this->Settings.Tolerance && !this->IsNearShadowBorder()))
     {
       ++(empty ? this->Pixels.Empty : this->Pixels.Interior);
       result.Color = Mean(this->Corners);
@@ -471,7 +500,7 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   // The face is one surface: how its corners differ from the sample tells how the colour varies
   // within it. A face without corners is taken to vary as much as a rim often does.
-  float variation = inside ? 0.f : UnknownVariation;
+  float variation = inside && !this->IsNearShadowBorder() ? 0.f : UnknownVariation;
   for (int i = 0; i < 4; ++i)
   {
     if (inside >> i & 1u)
@@ -687,7 +716,8 @@ void PixelIntegrator::Descend(
     // directions, as 2 to -1.
     const float deviation = area * MaximumDifference(nodes[4].Color, mean);
     const float noise = area * 2.f * static_cast<float>(this->Settings.Noise);
-    if (deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
+    const bool doubtful = square.Level == 0 && this->IsNearShadowBorder();
+    if (!doubtful && deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
     {
       color += area / 3.f * (mean + 2.f * nodes[4].Color);
       squaredError += BelievedShare * BelievedShare * deviation * deviation;

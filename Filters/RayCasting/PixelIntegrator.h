@@ -30,6 +30,7 @@ struct IntegrationSettings
   int MaximumLevel = 3;
   bool SmallObjects = true;
   int UniformSamples = 8;
+  bool Shadows = false;
   double Noise = 0.0; ///< standard error of the colours themselves: not to be chased
 };
 
@@ -89,7 +90,8 @@ private:
   double DeepestOf(const Sample& sample) const;
   void Deepen(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
-  PixelResult Smooth(bool allowRefinement);
+  bool IsNearShadowBorder() const;
+  PixelResult Smooth();
   PixelResult Exact(const std::uint32_t* edgeIndices, std::size_t count);
   PixelResult Subdivide(bool byObject);
   PixelResult Uniform(int side);

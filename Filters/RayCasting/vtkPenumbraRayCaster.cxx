@@ -295,6 +295,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(
   settings.Integration.Tolerance = self->Tolerance;
   settings.Integration.MaximumLevel = self->MaximumLevel;
   settings.Integration.SmallObjects = self->SmallObjects;
+  settings.Integration.Shadows = self->Shadows;
   settings.Integration.UniformSamples = self->UniformSamples;
   if (self->AmbientOcclusion || self->GeometryArrays)
   {

@@ -129,7 +129,7 @@ const SceneRow Rows[] = {
       light->SetFocalPoint(0.0, 0.0, 0.0);
       r->AddLight(light);
     },
-    true, 4.0 / 256.0 },
+    true, 1.0 / 256.0 },
 };
 
 struct Pixels
