@@ -500,7 +500,8 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   // The face is one surface: how its corners differ from the sample tells how the colour varies
   // within it. A face without corners is taken to vary as much as a rim often does.
-  float variation = inside && !this->IsNearShadowBorder() ? 0.f : UnknownVariation;
+  const bool unknown = !inside || this->IsNearShadowBorder();
+  float variation = unknown ? UnknownVariation : 0.f;
   for (int i = 0; i < 4; ++i)
   {
     if (inside >> i & 1u)
@@ -513,7 +514,9 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   const float area = static_cast<float>(face.Area);
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
-  if (variation * area > limit)
+  // Answers about occlusion are dear, and it seldom jumps: there no face is split on suspicion.
+  const bool suspicion = unknown && this->Source.HasOcclusion() && variation <= UnknownVariation;
+  if (variation * area > limit && !suspicion)
   {
     return this->SplitFace(index);
   }

@@ -77,7 +77,7 @@ float Sampler::Occlusion(
   const glm::dvec3 point = scene.Origin +
     (glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction)) /
       scene.Scale;
-  const glm::dvec3 normal(seen.GeometricNormal);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
   const vtkPenumbraIrradianceSource::Estimate estimate =
     this->Occluder->Occlusion(&point.x, &normal.x);
   counts.Occlusion += estimate.Rays;

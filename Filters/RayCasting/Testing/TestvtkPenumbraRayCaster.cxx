@@ -10,6 +10,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -203,4 +204,55 @@ TEST(vtkPenumbraRayCaster, TakesTheLevelFromTheEyesResolution)
   EXPECT_EQ(caster->GetMaximumLevel(), 3);
   caster->SetMaximumLevelFromViewing(8192.0, 1.0);
   EXPECT_EQ(caster->GetMaximumLevel(), 0);
+}
+
+TEST(vtkPenumbraRayCaster, DarkensTheFootOfAWallAsTheClosedFormSays)
+{
+  // A wall of height 1 along y, seen from a floor point at distance d: (1 - d / sqrt(d^2 + 1)) / 2.
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetOrigin(0.0, -500.0, 0.0);
+  floor->SetPoint1(3.0, -500.0, 0.0);
+  floor->SetPoint2(0.0, 500.0, 0.0);
+  vtkNew<vtkPlaneSource> wall;
+  wall->SetOrigin(0.0, -500.0, 0.0);
+  wall->SetPoint1(0.0, 500.0, 0.0);
+  wall->SetPoint2(0.0, -500.0, 1.0);
+  for (vtkPlaneSource* plane : { floor.Get(), wall.Get() })
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+  }
+  renderer->GetActiveCamera()->SetPosition(1.0, 0.0, 10.0);
+  renderer->GetActiveCamera()->SetFocalPoint(1.0, 0.0, 0.0);
+  renderer->GetActiveCamera()->ParallelProjectionOn();
+  renderer->GetActiveCamera()->SetParallelScale(0.75);
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(16, 16); // a pixel is 0.09375 wide, the left border lies at x = 0.25
+  caster->AmbientOcclusionOn();
+  caster->SetAmbientOcclusionRadius(1000.0);
+  caster->GeometryArraysOn();
+  caster->Update();
+  vtkPointData* data = caster->GetOutput()->GetPointData();
+  auto* occlusion = vtkFloatArray::SafeDownCast(data->GetArray("AmbientOcclusion"));
+  auto* color = vtkFloatArray::SafeDownCast(data->GetArray("Color"));
+  for (int x = 0; x < 16; ++x)
+  {
+    const double d = 0.25 + (x + 0.5) * 0.09375;
+    const double exact = 0.5 * (1.0 - d / std::sqrt(d * d + 1.0));
+    double meanOcclusion = 0.0;
+    double meanColor = 0.0;
+    for (int y = 0; y < 16; ++y)
+    {
+      meanOcclusion += occlusion->GetValue(16 * y + x) / 16.0;
+      meanColor += color->GetTypedComponent(16 * y + x, 0) / 16.0;
+    }
+    // Three standard errors of a mean of 16 answers to twice the tolerance.
+    EXPECT_NEAR(meanOcclusion, exact, 0.006) << d;
+    EXPECT_NEAR(meanColor, 1.0 - exact, 0.006) << d;
+  }
 }
