@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the parts of PixelIntegrator share: differences of colours, and how far errors are believed.
+#ifndef penumbra_PixelErrors_h
+#define penumbra_PixelErrors_h
+
+#include "Sampler.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+
+// Errors that no pixel with a surface in it is believed to be below: rounding; and with edges in it,
+// the precision to which a ray and an edge agree on a place.
+inline constexpr float ErrorFloor = 2e-5f;
+inline constexpr float BorderErrorFloor = 1.5e-4f;
+// The share of what the last comparison of samples saw that is believed to be left as an error, and
+// by how much second differences are doubted: between the vertices of a mesh colours bend in kinks.
+// Measured on a smooth scan, so that 95 % of tiles err by less than is believed.
+inline constexpr float BelievedShare = 0.35f;
+inline constexpr float CurvatureDoubt = 3.f;
+
+inline float MaximumDifference(const glm::vec4& a, const glm::vec4& b)
+{
+  const glm::vec4 d = glm::abs(a - b);
+  return std::max(std::max(d.r, d.g), std::max(d.b, d.a));
+}
+
+inline float Contrast(const Sample* corners)
+{
+  const glm::vec4 low = glm::min(
+    glm::min(corners[0].Color, corners[1].Color), glm::min(corners[2].Color, corners[3].Color));
+  const glm::vec4 high = glm::max(
+    glm::max(corners[0].Color, corners[1].Color), glm::max(corners[2].Color, corners[3].Color));
+  return MaximumDifference(low, high);
+}
+
+inline glm::vec4 Mean(const Sample* corners)
+{
+  return 0.25f * ((corners[0].Color + corners[1].Color) + (corners[2].Color + corners[3].Color));
+}
+
+inline glm::dvec2 CornerOffset(int corner)
+{
+  return { corner & 1, corner >> 1 };
+}
+
+}
+#endif

@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The part of PixelIntegrator that covers pixels exactly: edges and piercings cut the pixel into faces,
+// each face is one surface.
+#include "PixelIntegrator.h"
+
+#include "PixelErrors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// A corner nearer to an edge than this, in pixels, may lie on either side of it for the ray.
+constexpr double TrustDistance = 1e-3;
+// Faces below this share of a pixel are left out: no ray could be aimed at them.
+constexpr double SmallestFace = 1e-6;
+// Objects in one pixel whose depths differ by less than this many pixels may touch.
+constexpr double TouchingDepth = 16.0;
+// Pieces of such a pixel that are large enough to be worth looking into.
+constexpr double SmallestProbe = 0.02;
+// Triangles of one pixel that are tested for passing through each other.
+constexpr std::size_t MostTrianglesSeen = 24;
+// How much the colour is taken to vary across a piece of surface of which one sample is known.
+constexpr float UnknownVariation = 0.25f;
+
+double DistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
+{
+  const glm::dvec2 d = b - a;
+  const double square = glm::dot(d, d);
+  const double u = square > 0.0 ? glm::clamp(glm::dot(p - a, d) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(p, a + u * d);
+}
+
+}
+
+// How deep the surface that a sample met may lie anywhere in this pixel.
+double PixelIntegrator::DeepestOf(const Sample& sample) const
+{
+  if (!(sample.OpaqueDepth < std::numeric_limits<float>::infinity()))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (sample.OpaqueDepth != sample.First.Distance)
+  {
+    return sample.OpaqueDepth; // behind something translucent
+  }
+  return DeepestInPixel(this->Source.GetScene(), { sample.First.Surface, sample.First.Triangle },
+    glm::dvec2(this->X, this->Y));
+}
+
+void PixelIntegrator::Deepen(const Sample& sample)
+{
+  if (this->NearestCulledDepth < std::numeric_limits<double>::infinity())
+  {
+    this->DeepestFace = std::max(this->DeepestFace, this->DeepestOf(sample));
+  }
+}
+
+void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull)
+{
+  this->Segments.clear();
+  this->NearestCulledDepth = std::numeric_limits<double>::infinity();
+
+  // An edge behind the opaque surfaces that all four corners see cannot show, unless one in front of
+  // it opens them: culling is undone when a face turns out to lie deeper (see Exact). In a valley
+  // the edge at the bottom lies deeper than the corners, but not deeper than the planes that meet
+  // there.
+  double limit = std::numeric_limits<double>::infinity();
+  if (cull && count > 0)
+  {
+    limit = 0.0;
+    for (const Sample& corner : this->Corners)
+    {
+      limit = std::max(limit, this->DeepestOf(corner));
+    }
+    limit += 1e-5 * std::abs(limit);
+  }
+
+  const bool parallel = this->Source.GetScene().Eye.Parallel;
+  const glm::dvec2 origin(this->X, this->Y);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const ProjectedEdge& edge = this->Edges[edgeIndices[i]];
+    PixelSegment segment{ edge.A - origin, edge.B - origin };
+    const glm::dvec2 a = segment.A;
+    const glm::dvec2 d = segment.B - a;
+    const bool inside = ClipToPixel(segment);
+    if (inside && limit < std::numeric_limits<double>::infinity())
+    {
+      const double square = glm::dot(d, d);
+      const double slope = edge.DepthB - edge.DepthA;
+      const double u = edge.DepthA + slope * (glm::dot(segment.A - a, d) / square);
+      const double v = edge.DepthA + slope * (glm::dot(segment.B - a, d) / square);
+      const double depth = parallel ? std::min(u, v) : 1.0 / std::max(u, v);
+      if (depth > limit)
+      {
+        this->NearestCulledDepth = std::min(this->NearestCulledDepth, depth);
+        continue;
+      }
+    }
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      if (DistanceToSegment(CornerOffset(corner), a, a + d) < TrustDistance)
+      {
+        this->TrustedCorners &= ~(1u << corner);
+      }
+    }
+    if (inside)
+    {
+      this->Segments.push_back(segment);
+    }
+  }
+}
+
+void PixelIntegrator::See(const Sample& sample)
+{
+  const TriangleId id{ sample.First.Surface, sample.First.Triangle };
+  if (sample.First.IsHit() && this->Seen.size() < MostTrianglesSeen &&
+    std::find(this->Seen.begin(), this->Seen.end(), id) == this->Seen.end())
+  {
+    this->Seen.push_back(id);
+  }
+}
+
+// Cuts the pixel where triangles that were seen in it pass through each other; false when no new
+// border was found.
+bool PixelIntegrator::AddPiercings()
+{
+  const std::size_t before = this->Segments.size();
+  const glm::dvec2 origin(this->X, this->Y);
+  for (std::size_t i = this->PairsTested; i < this->Seen.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      PixelSegment segment;
+      if (FindPiercing(this->Source.GetScene(), this->Seen[i], this->Seen[j], origin, segment))
+      {
+        this->Segments.push_back(segment);
+      }
+    }
+  }
+  this->PairsTested = this->Seen.size();
+  this->Pierced = this->Pierced || this->Segments.size() > before;
+  return this->Segments.size() > before;
+}
+
+// Looks for piercings among the triangles at the corners, and where there are some, among those at
+// the corners around, too: they go on there.
+void PixelIntegrator::SeeAround()
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  double deepest = 0.0;
+  for (const Sample& corner : this->Corners)
+  {
+    this->See(corner);
+    nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
+    deepest = std::max(deepest, static_cast<double>(corner.OpaqueDepth));
+  }
+  // Two objects at one depth may do so even if the triangles at the corners do not.
+  const Camera& eye = this->Source.GetScene().Eye;
+  const double footprint = eye.PixelSize * (eye.Parallel ? 1.0 : nearest);
+  this->Pierced = !this->CornersAgree() && deepest - nearest < TouchingDepth * footprint;
+  if (!this->AddPiercings() && !this->Pierced)
+  {
+    return;
+  }
+  const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
+  const glm::ivec2 high = glm::min(glm::ivec2(this->X, this->Y) + 2, this->Grid.GetHigh());
+  for (int y = low.y; y <= high.y; ++y)
+  {
+    for (int x = low.x; x <= high.x; ++x)
+    {
+      this->See(this->Grid.At(x, y));
+    }
+  }
+  this->AddPiercings();
+}
+
+// Looks for triangles that no corner met, where surfaces pass through each other.
+void PixelIntegrator::Probe()
+{
+  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
+  {
+    if (t.Area() < SmallestProbe)
+    {
+      continue;
+    }
+    for (const glm::dvec2 at : { glm::dvec2(0.2, 0.2), glm::dvec2(0.8, 0.2), glm::dvec2(0.5, 0.8) })
+    {
+      Sample sample;
+      sample.First = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + t.At(at.x, at.y));
+      ++this->Rays.Refinement;
+      this->See(sample);
+    }
+  }
+}
+
+// Has a face one colour all over, whichever of its points is asked?
+bool PixelIntegrator::IsConstant(const Sample& sample) const
+{
+  return !sample.First.IsHit() ||
+    (!this->Source.IsTransparent() && !this->Source.HasOcclusion() &&
+      this->Source.GetShading().IsConstantPerTriangle(sample.First.Surface));
+}
+
+PixelResult PixelIntegrator::FaceColor(std::size_t index)
+{
+  const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
+  const unsigned int inside = face.Corners & this->TrustedCorners;
+  PixelResult result;
+  const Sample* known = nullptr;
+  bool agree = true;
+  for (int i = 0; i < 4; ++i)
+  {
+    if ((inside >> i & 1u) && !this->Pierced && this->IsConstant(this->Corners[i]))
+    {
+      const Sample& corner = this->Corners[i];
+      agree = agree &&
+        (!known ||
+          (known->First.Surface == corner.First.Surface &&
+            MaximumDifference(known->Color, corner.Color) <= this->Settings.Tolerance));
+      known = known ? known : &corner;
+    }
+  }
+  if (known && !agree)
+  {
+    return this->SplitFace(index);
+  }
+  if (known)
+  {
+    this->Deepen(*known);
+    result.Color = known->First.IsHit()
+      ? known->Color
+      : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
+    return result;
+  }
+  const Sample sample = this->Trace(face.Point);
+  this->Deepen(sample);
+  this->See(sample);
+  result.Color = sample.Color;
+  if (inside == 0u && this->IsConstant(sample))
+  {
+    return result;
+  }
+  // The face is one surface: how its corners differ from the sample tells how the colour varies
+  // within it. A face without corners is taken to vary as much as a rim often does.
+  const bool unknown = !inside || this->IsNearShadowBorder();
+  float variation = unknown ? UnknownVariation : 0.f;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (inside >> i & 1u)
+    {
+      const Sample& corner = this->Corners[i];
+      const bool torn = corner.First.Surface != sample.First.Surface;
+      variation = std::max(
+        variation, std::max(torn ? 1.f : 0.f, MaximumDifference(corner.Color, sample.Color)));
+    }
+  }
+  const float area = static_cast<float>(face.Area);
+  const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
+  // Answers about occlusion are dear, and it seldom jumps: there no face is split on suspicion.
+  const bool suspicion = unknown && this->Source.HasOcclusion() && variation <= UnknownVariation;
+  if (variation * area > limit && !suspicion)
+  {
+    return this->SplitFace(index);
+  }
+  result.Error = BelievedShare * variation;
+  return result;
+}
+
+// Colours that bend or jump within a face, or surfaces that meet there without an edge
+// (interpenetration): the face's trapezoids are quartered until their samples agree.
+PixelResult PixelIntegrator::SplitFace(std::size_t index)
+{
+  PixelResult result;
+  float area = 0.f;
+  float squares = 0.f;
+  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
+  {
+    if (t.Face == static_cast<int>(index) && t.Area() > SmallestFace)
+    {
+      const Sample middle = this->Trace(t.Centroid());
+      this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, middle, result.Color, squares);
+      area += static_cast<float>(t.Area());
+    }
+  }
+  result.Color /= area;
+  result.Error = std::sqrt(squares) / area;
+  return result;
+}
+
+void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::dvec2 low,
+  double side, const Sample& middle, glm::vec4& color, float& squaredError)
+{
+  this->Deepen(middle);
+  const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
+  const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
+  const auto share = [&](double u, double s) {
+    return (t.X1 - t.X0) * s * s * (height + slope * (u + 0.5 * s - 0.5));
+  };
+  const float area = static_cast<float>(share(low.x, side));
+  if (area * UnknownVariation < this->Settings.Tolerance ||
+    side < std::ldexp(1.5, -this->Settings.MaximumLevel))
+  {
+    color += area * middle.Color;
+    const float error = BelievedShare * area * UnknownVariation;
+    squaredError += error * error;
+    return;
+  }
+  const double half = 0.5 * side;
+  Sample quarters[4];
+  glm::vec4 sum(0.f);
+  bool torn = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec2 at = low + half * CornerOffset(i);
+    quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half));
+    sum += static_cast<float>(share(at.x, half)) * quarters[i].Color;
+    torn = torn || quarters[i].First.Surface != middle.First.Surface;
+  }
+  const float deviation = MaximumDifference(sum, area * middle.Color);
+  if (!torn && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
+  {
+    color += sum;
+    squaredError += BelievedShare * BelievedShare * deviation * deviation;
+    return;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    this->SplitTrapezoid(t, low + half * CornerOffset(i), half, quarters[i], color, squaredError);
+  }
+}
+
+PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t count)
+{
+  ++(this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border);
+  this->SeeAround();
+  bool probed = !this->Pierced;
+  for (;;)
+  {
+    this->Arrangement.Build(this->Segments.data(), static_cast<int>(this->Segments.size()));
+    if (!probed)
+    {
+      probed = true;
+      this->Probe();
+      if (this->AddPiercings())
+      {
+        continue;
+      }
+    }
+    this->DeepestFace = 0.0;
+    PixelResult result;
+    double covered = 0.0;
+    float squares = 0.f;
+    const std::size_t faces = this->Arrangement.GetFaces().size();
+    for (std::size_t i = 0; i < faces; ++i)
+    {
+      const double area = this->Arrangement.GetFaces()[i].Area;
+      if (area < SmallestFace)
+      {
+        continue;
+      }
+      const PixelResult face = this->FaceColor(i);
+      const float weight = static_cast<float>(area);
+      result.Color += weight * face.Color;
+      squares += weight * face.Error * weight * face.Error;
+      covered += area;
+    }
+    if (this->DeepestFace > this->NearestCulledDepth)
+    {
+      // Something shows that was thought hidden.
+      this->LoadSegments(edgeIndices, count, false);
+      this->PairsTested = 0;
+      this->AddPiercings();
+      continue;
+    }
+    if (this->AddPiercings())
+    {
+      continue;
+    }
+    result.Color /= static_cast<float>(covered);
+    result.Error = std::max(std::sqrt(squares), BorderErrorFloor);
+    return result;
+  }
+}
+
+}

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The part of PixelIntegrator that subdivides pixels [AA], by object or driven by the error.
+#include "PixelIntegrator.h"
+
+#include "PixelErrors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// The share of its contrast by which the mean of a square's corners errs, RMS over all straight
+// borders through it (measured: uniform samples of a half-plane).
+constexpr float ContrastError = 0.3f;
+
+}
+
+const Sample& PixelIntegrator::SampleAtFine(glm::ivec2 fine)
+{
+  if (const Sample* known = this->Cache.Find(fine))
+  {
+    return *known;
+  }
+  const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
+  ++this->Rays.Refinement;
+  return this->Cache.Insert(fine, this->Source.At(glm::dvec2(fine) * scale, this->Rays));
+}
+
+bool PixelIntegrator::NeedsDescent(const Square& square) const
+{
+  for (int i = 1; i < 4; ++i)
+  {
+    if (square.Corners[i].First.Surface != square.Corners[0].First.Surface)
+    {
+      return true;
+    }
+  }
+  // Case 4: something inside, though the corners agree.
+  const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
+  const glm::dvec2 low = glm::dvec2(square.Low) * scale - glm::dvec2(this->X, this->Y);
+  const double side = std::ldexp(1.0, -square.Level);
+  for (const PixelSegment& segment : this->Segments)
+  {
+    PixelSegment inside{ (segment.A - low) / side, (segment.B - low) / side };
+    if (ClipToPixel(inside))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void PixelIntegrator::Descend(
+  const Square& square, bool byObject, glm::vec4& color, float& squaredError)
+{
+  const float area = std::ldexp(1.f, -2 * square.Level);
+  const glm::vec4 mean = Mean(square.Corners);
+  if (square.Level >= this->Settings.MaximumLevel || (byObject && !this->NeedsDescent(square)))
+  {
+    color += area * mean;
+    const float error = area * ContrastError * Contrast(square.Corners);
+    squaredError += error * error;
+    return;
+  }
+  const int half = 1 << (this->Settings.MaximumLevel - square.Level - 1);
+  Sample nodes[9];
+  for (const int i : { 0, 2, 6, 8 })
+  {
+    nodes[i] = square.Corners[(i % 3) / 2 + 2 * (i / 6)];
+  }
+  nodes[4] = this->SampleAtFine(square.Low + half);
+  if (!byObject && !this->NeedsDescent(square) && nodes[4].First.Surface == nodes[0].First.Surface)
+  {
+    // For colours bent like a parabola the mean of the corners and the middle err in opposite
+    // directions, as 2 to -1.
+    const float deviation = area * MaximumDifference(nodes[4].Color, mean);
+    const float noise = area * 2.f * static_cast<float>(this->Settings.Noise);
+    const bool doubtful = square.Level == 0 && this->IsNearShadowBorder();
+    if (!doubtful && deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
+    {
+      color += area / 3.f * (mean + 2.f * nodes[4].Color);
+      squaredError += BelievedShare * BelievedShare * deviation * deviation;
+      return;
+    }
+  }
+  for (const int i : { 1, 3, 5, 7 })
+  {
+    nodes[i] = this->SampleAtFine(square.Low + half * glm::ivec2(i % 3, i / 3));
+  }
+  for (int child = 0; child < 4; ++child)
+  {
+    const int cx = child & 1;
+    const int cy = child >> 1;
+    Square part;
+    part.Low = square.Low + half * glm::ivec2(cx, cy);
+    part.Level = square.Level + 1;
+    for (int i = 0; i < 4; ++i)
+    {
+      part.Corners[i] = nodes[(cy + (i >> 1)) * 3 + cx + (i & 1)];
+    }
+    this->Descend(part, byObject, color, squaredError);
+  }
+}
+
+PixelResult PixelIntegrator::Subdivide(bool byObject)
+{
+  Square whole;
+  whole.Low = glm::ivec2(this->X, this->Y) << this->Settings.MaximumLevel;
+  whole.Level = 0;
+  std::copy(this->Corners, this->Corners + 4, whole.Corners);
+  if (byObject && !this->NeedsDescent(whole))
+  {
+    ++(this->Corners[0].First.IsHit() ? this->Pixels.Interior : this->Pixels.Empty);
+  }
+  else
+  {
+    ++(byObject && this->CornersAgree() ? this->Pixels.Small : this->Pixels.Refined);
+  }
+  PixelResult result;
+  float squares = 0.f;
+  this->Descend(whole, byObject, result.Color, squares);
+  result.Error = std::max(std::sqrt(squares), ErrorFloor);
+  return result;
+}
+
+}
