@@ -162,6 +162,7 @@ void AddScalarBar(vtkRenderer* renderer, vtkLookupTable* table, const std::strin
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(table);
   bar->SetTitle(title.c_str());
+  bar->SetLabelFormat("%.4g");
   renderer->AddViewProp(bar);
 }
 
