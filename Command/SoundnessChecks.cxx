@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SoundnessChecks.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -11,8 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -40,11 +39,11 @@ bool EveryValue(vtkDataArray* array, const Visitor& visit)
     }
     return true;
   };
-  if (auto* wide = vtkTypeInt64Array::FastDownCast(array))
+  if (auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(array))
   {
     return everyOf(wide->GetPointer(0));
   }
-  if (auto* narrow = vtkTypeInt32Array::FastDownCast(array))
+  if (auto* narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(array))
   {
     return everyOf(narrow->GetPointer(0));
   }
