@@ -12,6 +12,8 @@
 namespace penumbra
 {
 
+// A corner nearer to an edge than this, in pixels, may lie on either side of it for the ray.
+inline constexpr double TrustDistance = 1e-3;
 // Errors that no pixel with a surface in it is believed to be below: rounding; and with edges in it,
 // the precision to which a ray and an edge agree on a place.
 inline constexpr float ErrorFloor = 2e-5f;

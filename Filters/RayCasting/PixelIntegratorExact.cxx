@@ -17,8 +17,6 @@ namespace penumbra
 namespace
 {
 
-// A corner nearer to an edge than this, in pixels, may lie on either side of it for the ray.
-constexpr double TrustDistance = 1e-3;
 // Faces below this share of a pixel are left out: no ray could be aimed at them.
 constexpr double SmallestFace = 1e-6;
 // Objects in one pixel whose depths differ by less than this many pixels may touch.
