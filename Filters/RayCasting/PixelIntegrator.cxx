@@ -19,7 +19,7 @@ constexpr double CornerInset = 4.0 * TrustDistance;
 // Beyond this many edges in one pixel an arrangement costs more than it is worth.
 constexpr std::size_t MostEdges = 512;
 // The same where most pixels around have many: there their cost adds up.
-constexpr std::size_t MostEdgesInCrowd = 10;
+constexpr std::size_t MostEdgesInCrowd = 32;
 // A difference that only a shadow makes between neighbouring corners of one surface.
 constexpr float ShadowContrast = 0.05f;
 // The same where there is nothing but background.
@@ -62,6 +62,7 @@ void PixelIntegrator::LoadCorners(int x, int y)
     this->Corners[i] = this->Grid.At(x + (i & 1), y + (i >> 1));
   }
   this->TrustedCorners = 15u;
+  this->Segments.clear();
   this->Seen.clear();
   this->PairsTested = 0;
   this->Pierced = false;

@@ -18,6 +18,8 @@ namespace
 
 // Sampling of a crowded pixel stops when its error is this share of the tolerance.
 constexpr double DenseShare = 0.1;
+// Where edges cross a pixel something may hide between n samples: this over n.
+constexpr float HiddenError = 0.25f;
 
 }
 
@@ -90,8 +92,9 @@ PixelResult PixelIntegrator::UniformAdaptive()
     result.Color = sum / n;
     const glm::vec4 variance = glm::max(squares / n - result.Color * result.Color, 0.f);
     const float largest = std::max(std::max(variance.r, variance.g), variance.b);
-    result.Error = std::max(std::sqrt(largest / n), ErrorFloor);
-    if (hits && result.Error < DenseShare * this->Settings.Tolerance)
+    result.Error =
+      std::max(std::sqrt(largest / n), this->Segments.empty() ? ErrorFloor : HiddenError / n);
+    if (this->Segments.empty() && hits && result.Error < DenseShare * this->Settings.Tolerance)
     {
       break;
     }
