@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One actor, drawn by VTK's rasteriser and by extraction and shading: inside cells both must agree.
+#ifndef ShadingOfActor_h
+#define ShadingOfActor_h
+
+#include "RasterComparison.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkElevationFilter.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+/// A sphere of large cells, with smooth normals.
+inline vtkSmartPointer<vtkPolyData> Sphere(int resolution = 8)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->Update();
+  return source->GetOutput();
+}
+
+inline vtkSmartPointer<vtkPolyData> WithElevation(vtkPolyData* data)
+{
+  vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputData(data);
+  elevation->SetLowPoint(-.3, 0., -.5);
+  elevation->SetHighPoint(.2, .1, .5);
+  elevation->Update();
+  return vtkPolyData::SafeDownCast(elevation->GetOutput());
+}
+
+/// One actor seen from a side that no symmetry favours.
+class ShadingOfActor : public ::testing::Test
+{
+public:
+  void Show(vtkPolyData* data)
+  {
+    this->Mapper->SetInputData(data);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer()->AddActor(this->Actor);
+    this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+    this->Renderer()->GetActiveCamera()->SetViewUp(.1, 1.0, 0.0);
+    this->Renderer()->ResetCamera();
+  }
+
+  void ExpectSamePicture(int pixels = 500, double tolerance = 2.0)
+  {
+    const RasterComparison::Result result = this->Pictures.Compare();
+    EXPECT_GE(result.Pixels, pixels);
+    EXPECT_LE(result.Largest, tolerance)
+      << result.Different << " of " << result.Pixels << " pixels differ, most at "
+      << result.Where[0] << ", " << result.Where[1];
+    EXPECT_TRUE(result.Scene.Warnings.empty()) << result.Scene.Warnings.front();
+  }
+
+  vtkRenderer* Renderer() { return this->Pictures.Renderer; }
+  vtkProperty* Property() { return this->Actor->GetProperty(); }
+
+  RasterComparison Pictures;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkPolyDataMapper> Mapper;
+};
+
+#endif

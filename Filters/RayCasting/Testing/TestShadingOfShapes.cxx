@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What is drawn: polygons, lines, points, glyphs, blocks, assemblies, what planes leave. Every scene is drawn by VTK's rasteriser too.
+#include "ShadingOfActor.h"
+
+#include "vtkAssembly.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
+#include "vtkCubeSource.h"
+#include "vtkDataSetMapper.h"
+#include "vtkDoubleArray.h"
+#include "vtkElevationFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+TEST_F(ShadingOfActor, IsVTKsOnConcavePolygonsAndStrips)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> values;
+  const double corners[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(corners[i][0], corners[i][1], 0.0);
+    values->InsertNextValue((i * 5) % 7);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(2.2 + .5 * (i / 2), i % 2, .2 * i);
+    values->InsertNextValue((i * 3) % 7);
+  }
+  vtkNew<vtkCellArray> polygons;
+  const vtkIdType polygon[6] = { 0, 1, 2, 3, 4, 5 };
+  polygons->InsertNextCell(6, polygon);
+  vtkNew<vtkCellArray> strips;
+  const vtkIdType strip[6] = { 6, 7, 8, 9, 10, 11 };
+  strips->InsertNextCell(6, strip);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(polygons);
+  data->SetStrips(strips);
+  data->GetPointData()->SetScalars(values);
+  this->Show(data);
+  this->Mapper->SetScalarRange(0.0, 6.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsBehindClippingPlanes)
+{
+  this->Show(Sphere(6));
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(.1, 0.0, 0.0);
+  plane->SetNormal(-1.0, .3, -.2);
+  this->Mapper->AddClippingPlane(plane);
+  this->ExpectSamePicture(300);
+}
+
+TEST_F(ShadingOfActor, IsVTKsInAnAssemblyOfTransformedParts)
+{
+  this->Show(Sphere());
+  this->Renderer()->RemoveActor(this->Actor);
+  vtkNew<vtkAssembly> inner;
+  inner->AddPart(this->Actor);
+  inner->RotateY(30.0);
+  inner->SetScale(.7, 1.0, 1.1);
+  vtkNew<vtkAssembly> outer;
+  outer->AddPart(inner);
+  outer->AddPosition(.1, .05, 0.0);
+  this->Renderer()->AddActor(outer);
+  this->ExpectSamePicture(300);
+}
+
+namespace
+{
+
+/// Lines of some width across the picture.
+vtkSmartPointer<vtkPolyData> Lines(bool normals)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkFloatArray> directions;
+  directions->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> values;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      points->InsertNextPoint(j, i * .8 + .2 * j, .1 * i * j);
+      directions->InsertNextTuple3(.3 * j - .3, .2 * i, 1.0);
+      values->InsertNextValue(i + j);
+    }
+    const vtkIdType line[3] = { 3 * i, 3 * i + 1, 3 * i + 2 };
+    cells->InsertNextCell(3, line);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(cells);
+  data->GetPointData()->SetScalars(values);
+  if (normals)
+  {
+    data->GetPointData()->SetNormals(directions);
+  }
+  return data;
+}
+
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnLines)
+{
+  this->Show(Lines(false));
+  this->Mapper->SetScalarRange(0.0, 4.0);
+  this->Property()->SetLineWidth(9.0);
+  // Without multisampling OpenGL interpolates along rows or columns of pixels, not along the line.
+  this->ExpectSamePicture(300, 5.0);
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnLinesWithNormals)
+{
+  this->Show(Lines(true));
+  this->Mapper->ScalarVisibilityOff();
+  this->Property()->SetLineWidth(9.0);
+  this->ExpectSamePicture(300);
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnWireframes)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(2, 2);
+  plane->Update();
+  this->Show(plane->GetOutput());
+  this->Property()->SetRepresentationToWireframe();
+  this->Property()->SetLineWidth(9.0);
+  // Lines that meet in a corner overlap differently: most pixels must agree.
+  const RasterComparison::Result result = this->Pictures.Compare();
+  EXPECT_GE(result.Pixels, 1000);
+  EXPECT_LE(result.Different, .06 * result.Pixels);
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnWireframesWithoutNormals)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  cube->GetOutput()->GetPointData()->SetNormals(nullptr);
+  this->Show(cube->GetOutput());
+  this->Property()->SetRepresentationToWireframe();
+  this->Property()->SetLineWidth(9.0);
+  const RasterComparison::Result result = this->Pictures.Compare();
+  EXPECT_GE(result.Pixels, 1000);
+  EXPECT_LE(result.Different, .06 * result.Pixels);
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnPoints)
+{
+  this->Show(WithElevation(Sphere()));
+  this->Property()->SetRepresentationToPoints();
+  this->Property()->SetPointSize(7.0);
+  this->ExpectSamePicture(100);
+}
+
+TEST_F(ShadingOfActor, IsVTKsWithVisibleEdgesAndVertices)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(3, 3);
+  plane->Update();
+  this->Show(plane->GetOutput());
+  this->Property()->EdgeVisibilityOn();
+  this->Property()->SetEdgeColor(.9, .2, .1);
+  this->Property()->SetLineWidth(5.0);
+  this->Property()->VertexVisibilityOn();
+  this->Property()->SetVertexColor(.1, .9, .2);
+  this->Property()->SetPointSize(9.0);
+  // VTK draws of edges at a border the inner half only.
+  const RasterComparison::Result result = this->Pictures.Compare();
+  EXPECT_GE(result.Pixels, 1000);
+  EXPECT_LE(result.Different, .2 * result.Pixels);
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnGlyphs)
+{
+  vtkNew<vtkPlaneSource> points;
+  points->SetResolution(2, 2);
+  vtkNew<vtkElevationFilter> values;
+  values->SetInputConnection(points->GetOutputPort());
+  values->SetLowPoint(-.5, -.5, 0.0);
+  values->SetHighPoint(.5, .6, 0.0);
+  values->Update();
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("directions");
+  directions->SetNumberOfComponents(3);
+  for (int i = 0; i < 9; ++i)
+  {
+    directions->InsertNextTuple3(1.0 - .3 * i, .2 * i, .5 - .1 * i);
+  }
+  values->GetOutput()->GetPointData()->AddArray(directions);
+  for (const int mode : { vtkGlyph3DMapper::DIRECTION, vtkGlyph3DMapper::ROTATION })
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(2.0);
+    vtkNew<vtkGlyph3DMapper> mapper;
+    mapper->SetInputData(values->GetOutput());
+    mapper->SetSourceConnection(cube->GetOutputPort());
+    mapper->SetOrientationArray("directions");
+    mapper->SetOrientationMode(mode);
+    mapper->SetScaleArray("directions");
+    mapper->SetScaleModeToScaleByMagnitude();
+    mapper->SetScaleFactor(.15);
+    this->Actor->SetMapper(mapper);
+    this->Actor->SetScale(1.0, 1.2, .9);
+    this->Renderer()->AddActor(this->Actor);
+    this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+    this->Renderer()->ResetCamera();
+    this->ExpectSamePicture(300);
+    mapper->ScalarVisibilityOff();
+    this->Property()->SetColor(.8, .6, .1);
+    this->ExpectSamePicture(300);
+  }
+}
+
+namespace
+{
+
+// What composite mappers say of blocks came to vtkCompositePolyDataMapper in VTK 9.3.
+using Attributes = vtkCompositeDataDisplayAttributes;
+template <typename Mapper>
+auto SetAttributes(Mapper* mapper, Attributes* attributes, int)
+  -> decltype(mapper->SetCompositeDataDisplayAttributes(attributes), bool())
+{
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  return true;
+}
+template <typename Mapper>
+bool SetAttributes(Mapper*, Attributes*, long)
+{
+  return false;
+}
+template <typename BlockAttributes>
+auto HideScalars(BlockAttributes* attributes, vtkDataObject* block, int)
+  -> decltype(attributes->SetBlockScalarVisibility(block, false))
+{
+  attributes->SetBlockScalarVisibility(block, false);
+}
+template <typename BlockAttributes>
+void HideScalars(BlockAttributes*, vtkDataObject*, long)
+{
+}
+
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetCenter(i % 2 * 1.2, i / 2 * 1.2, 0.0);
+    cube->Update();
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("values");
+    for (vtkIdType k = 0; k < 24; ++k)
+    {
+      values->InsertNextValue(k / 24.0);
+    }
+    cube->GetOutput()->GetPointData()->AddArray(values);
+    blocks->SetBlock(i, cube->GetOutput());
+  }
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  if (!SetAttributes(mapper.Get(), attributes, 0))
+  {
+    GTEST_SKIP() << "This VTK's composite mapper knows no blocks.";
+  }
+  const double color[3] = { .9, .3, .2 };
+  attributes->SetBlockColor(blocks->GetBlock(1), color);
+  attributes->SetBlockVisibility(blocks->GetBlock(2), false);
+  attributes->SetBlockOpacity(blocks->GetBlock(0), .5);
+  this->Property()->BackfaceCullingOn(); // VTK blends faces in any order
+  this->Actor->SetMapper(mapper);
+  this->Property()->SetColor(.2, .6, .9);
+  this->Renderer()->AddActor(this->Actor);
+  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+  this->Renderer()->ResetCamera();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnTheSurfaceOfAGrid)
+{
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(4, 3, 3);
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue((i * 7) % 11);
+  }
+  grid->GetPointData()->SetScalars(values);
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputData(grid);
+  mapper->SetScalarRange(0.0, 10.0);
+  this->Actor->SetMapper(mapper);
+  this->Renderer()->AddActor(this->Actor);
+  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+  this->Renderer()->ResetCamera();
+  this->ExpectSamePicture();
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnBlocksWithScalarsOfTheirOwn)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetCenter(i * 1.2, 0.0, 0.0);
+    cube->Update();
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("values");
+    for (vtkIdType k = 0; k < 24; ++k)
+    {
+      values->InsertNextValue(k / 24.0);
+    }
+    cube->GetOutput()->GetPointData()->SetScalars(values);
+    blocks->SetBlock(i, cube->GetOutput());
+  }
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  if (!SetAttributes(mapper.Get(), attributes, 0))
+  {
+    GTEST_SKIP() << "This VTK's composite mapper knows no blocks.";
+  }
+  HideScalars(attributes.Get(), blocks->GetBlock(1), 0);
+  this->Actor->SetMapper(mapper);
+  this->Renderer()->AddActor(this->Actor);
+  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
+  this->Renderer()->ResetCamera();
+  this->ExpectSamePicture();
+}
