@@ -117,8 +117,9 @@ std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
     meshes.insert(meshes.end(), surfaces.Meshes.begin(), surfaces.Meshes.end());
     if (surfaces.DroppedPoints > 0)
     {
-      warnings.push_back(files[i] + ": " + std::to_string(surfaces.DroppedPoints) +
-        " points that are not finite were left out, with the cells around them");
+      warnings.push_back(files[i] + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
+        std::to_string(surfaces.Points) +
+        " points are not finite: left out, with the cells around them");
     }
   }
   return meshes;

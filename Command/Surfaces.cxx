@@ -136,7 +136,6 @@ vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool
 Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
 {
   Surfaces surfaces;
-  vtkIdType points = 0;
   for (vtkDataSet* dataSet : FindDataSets(data))
   {
     const std::string fault = FindFault(dataSet);
@@ -147,7 +146,7 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
     vtkSmartPointer<vtkPolyData> mesh = MakeMesh(dataSet);
     vtkIdType dropped = 0;
     const std::vector<bool> finite = FindFinitePoints(mesh->GetPoints(), dropped);
-    points += mesh->GetNumberOfPoints();
+    surfaces.Points += mesh->GetNumberOfPoints();
     surfaces.DroppedPoints += dropped;
     if (dropped > 0)
     {
@@ -158,7 +157,7 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
       surfaces.Meshes.push_back(mesh);
     }
   }
-  if (points == 0)
+  if (surfaces.Points == 0)
   {
     throw Failure(BadInput, path + ": the mesh is empty: there is nothing to draw");
   }

@@ -22,6 +22,7 @@ constexpr const char* OriginalCellIds = "PenumbraOriginalCellIds";
 struct Surfaces
 {
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
+  vtkIdType Points = 0;        ///< in the file
   vtkIdType DroppedPoints = 0; ///< not finite, left out with the cells around them
 };
 

@@ -159,7 +159,8 @@ const Row Rows[] = {
     "vtk", {}, { "mesh.vtk", "empty" } },
 
   // Done, with one warning
-  { "NanPoint", 0, PlyWithNan, "ply", {}, { "warning", "mesh.ply", "1 points", "not finite" } },
+  { "NanPoint", 0, PlyWithNan, "ply", {},
+    { "warning", "mesh.ply", "1 of 4 points", "not finite" } },
   { "LookingAway", 0, Square, "stl",
     { "--camera-position", "0,0,5", "--camera-focal-point", "0,0,9" },
     { "warning", "nothing in view", "--camera" } },
