@@ -16,10 +16,12 @@ namespace
 
 // Triangles looked at to judge a surface, and the mean area in pixels below which it is dense
 // (measured: where exact coverage and 8 x 8 samples take the same time).
-constexpr std::size_t TrianglesJudged = 100000;
+constexpr std::size_t TrianglesJudged = 10000;
 constexpr double DenseArea = 1.0;
 constexpr double TrianglesPerPixel = 0.5;
 constexpr double FewTriangles = 4096.0;
+// Looking at this many triangles costs as much as sampling one pixel to the end (measured).
+constexpr double TrianglesForAPixel = 40.0;
 // Of a projected position in single precision, in pixels.
 constexpr float Precision = 0.01f;
 
@@ -75,11 +77,62 @@ bool IsDense(const Surface& surface, const Camera& camera)
     seen * static_cast<double>(stride) > TrianglesPerPixel * extent.x * extent.y + FewTriangles;
 }
 
+namespace
+{
+
+/// The pixels of [low, high) that the bounds of `surface` may touch; all of them when it reaches
+/// behind the eye.
+void BoundPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, glm::ivec2 high,
+  glm::ivec2& first, glm::ivec2& last)
+{
+  glm::vec3 least(std::numeric_limits<float>::max());
+  glm::vec3 most(-std::numeric_limits<float>::max());
+  for (const glm::vec3& p : surface.Positions)
+  {
+    least = glm::min(least, p);
+    most = glm::max(most, p);
+  }
+  first = low;
+  last = high - 1;
+  glm::dvec2 from(high);
+  glm::dvec2 to(low);
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec3 corner(
+      i & 1 ? most.x : least.x, i & 2 ? most.y : least.y, i & 4 ? most.z : least.z);
+    if (!camera.Parallel && camera.Depth(corner) <= 0.0)
+    {
+      return;
+    }
+    const glm::dvec2 p = camera.Project(corner);
+    from = glm::min(from, p);
+    to = glm::max(to, p);
+  }
+  first = glm::ivec2(glm::clamp(glm::floor(from), glm::dvec2(low), glm::dvec2(high)));
+  last = glm::ivec2(glm::clamp(glm::floor(to), glm::dvec2(low) - 1.0, glm::dvec2(high - 1)));
+}
+
+}
+
 void MarkPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, glm::ivec2 high,
   std::vector<char>& pixels)
 {
   const glm::ivec2 size = high - low;
   pixels.resize(static_cast<std::size_t>(size.x) * size.y, 0);
+  glm::ivec2 first;
+  glm::ivec2 final;
+  BoundPixels(surface, camera, low, high, first, final);
+  const glm::dvec2 bounded = glm::max(glm::dvec2(final - first) + 1.0, 0.0);
+  if (static_cast<double>(surface.Triangles.size()) > TrianglesForAPixel * bounded.x * bounded.y)
+  {
+    for (int y = first.y; y <= final.y; ++y)
+    {
+      char* row = pixels.data() + static_cast<std::size_t>(y - low.y) * size.x;
+      std::fill(
+        row + first.x - low.x, row + std::max(final.x - low.x + 1, first.x - low.x), char(1));
+    }
+    return;
+  }
   // Positions first: each belongs to about six triangles.
   std::vector<glm::vec2> projected(surface.Positions.size());
   const vtkIdType points = static_cast<vtkIdType>(projected.size());

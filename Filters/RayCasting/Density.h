@@ -16,7 +16,8 @@ namespace penumbra
 /// Is the mean triangle that the camera sees smaller than a pixel?
 bool IsDense(const Surface& surface, const Camera& camera);
 
-/// Sets the flag of every pixel of [low, high) that a triangle of `surface` may touch.
+/// Sets the flag of every pixel of [low, high) that a triangle of `surface` may touch; of all within
+/// its bounds, where finding out would cost more than sampling them.
 void MarkPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, glm::ivec2 high,
   std::vector<char>& pixels);
 

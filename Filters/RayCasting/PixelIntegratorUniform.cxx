@@ -18,6 +18,8 @@ namespace
 
 // Sampling of a crowded pixel stops when its error is this share of the tolerance.
 constexpr double DenseShare = 0.1;
+// Regular samples of straight borders err like this power of their number, not -1/2.
+constexpr float RegularPower = -0.75f;
 // Where edges cross a pixel something may hide between n samples: this over n.
 constexpr float HiddenError = 0.25f;
 
@@ -52,8 +54,7 @@ PixelResult PixelIntegrator::Uniform(int side)
   result.Color = glm::vec4(mean);
   const glm::vec4 variance(glm::max(squares / static_cast<double>(total) - mean * mean, 0.0));
   const float largest = std::max(std::max(variance.r, variance.g), variance.b);
-  // Regular samples of straight borders err like n^-3/4 of their number, not n^-1/2.
-  result.Error = std::sqrt(largest) * std::pow(static_cast<float>(total), -0.75f);
+  result.Error = std::sqrt(largest) * std::pow(static_cast<float>(total), RegularPower);
   return result;
 }
 
@@ -92,8 +93,8 @@ PixelResult PixelIntegrator::UniformAdaptive()
     result.Color = sum / n;
     const glm::vec4 variance = glm::max(squares / n - result.Color * result.Color, 0.f);
     const float largest = std::max(std::max(variance.r, variance.g), variance.b);
-    result.Error =
-      std::max(std::sqrt(largest / n), this->Segments.empty() ? ErrorFloor : HiddenError / n);
+    result.Error = std::max(std::sqrt(largest) * std::pow(n, RegularPower),
+      this->Segments.empty() ? ErrorFloor : HiddenError / n);
     if (this->Segments.empty() && hits && result.Error < DenseShare * this->Settings.Tolerance)
     {
       break;
