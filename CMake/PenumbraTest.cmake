@@ -6,7 +6,7 @@ include(GoogleTest)
 string(JOIN "\\;" penumbra_test_environment
   "VTK_DEFAULT_OPENGL_WINDOW=${PENUMBRA_WINDOW}"
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/leaks.supp:print_suppressions=0"
-  "UBSAN_OPTIONS=print_stacktrace=1")
+  "UBSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/undefined.supp:print_stacktrace=1")
 
 function (penumbra_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LABELS;MODULES")
