@@ -17,7 +17,7 @@ function (penumbra_test name)
   if (NOT arg_LABELS)
     set(arg_LABELS fast)
   endif ()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
     PROPERTIES
       LABELS "${arg_LABELS}"
       ENVIRONMENT "${penumbra_test_environment}")
