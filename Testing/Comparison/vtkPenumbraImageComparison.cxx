@@ -133,7 +133,10 @@ struct vtkPenumbraImageComparison::Internals
 
 vtkStandardNewMacro(vtkPenumbraImageComparison);
 
-vtkPenumbraImageComparison::vtkPenumbraImageComparison() : Implementation(new Internals) {}
+vtkPenumbraImageComparison::vtkPenumbraImageComparison()
+  : Implementation(new Internals)
+{
+}
 
 vtkPenumbraImageComparison::~vtkPenumbraImageComparison() = default;
 
