@@ -43,8 +43,8 @@ public:
 
   /**
    * Questions about `scene` follow: occluders within `radius` (world units, may be infinite),
-   * answers with a standard error of at most `tolerance`. The scene must stay until the next
-   * Begin().
+   * answers with a standard error of at most `tolerance`. No question follows once the scene is
+   * gone.
    */
   virtual void Begin(const penumbra::RayScene& scene, double radius, double tolerance) = 0;
 

@@ -123,7 +123,7 @@ public:
   ///@}
 
   ///@{
-  /** Who answers for occlusion and irradiance. Default: brute-force rays. */
+  /** Who answers for occlusion. Default: brute-force rays. */
   virtual void SetIrradianceSource(vtkPenumbraIrradianceSource* source);
   vtkPenumbraIrradianceSource* GetIrradianceSource();
   ///@}
@@ -136,7 +136,7 @@ public:
   ///@}
 
   ///@{
-  /** Leave the background out: alpha is the covered share. Default: on (background drawn). */
+  /** Draw the background; off: it is left out, alpha is the covered share. Default: on. */
   vtkSetMacro(Background, bool);
   vtkGetMacro(Background, bool);
   vtkBooleanMacro(Background, bool);
