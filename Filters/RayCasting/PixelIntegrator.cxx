@@ -241,7 +241,7 @@ PixelResult PixelIntegrator::Smooth()
     {
       ++(empty ? this->Pixels.Empty : this->Pixels.Interior);
       result.Color = Mean(this->Corners);
-      result.Error = empty ? EmptyErrorFloor : std::max(CurvatureDoubt * error, ErrorFloor);
+      result.Error = empty ? EmptyErrorFloor : this->Believe(CurvatureDoubt * error, ErrorFloor);
       return result;
     }
   }

@@ -12,6 +12,8 @@
 #include "SampleCache.h"
 #include "Silhouettes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace penumbra
@@ -113,6 +115,13 @@ private:
     const Sample& middle, glm::vec4& color, float& squaredError);
   const Sample& SampleAtFine(glm::ivec2 fine);
   Sample Trace(glm::dvec2 local);
+
+  /// An error of coverage and shading with what colours err by themselves: about four of them make
+  /// a pixel.
+  float Believe(float error, float floor) const
+  {
+    return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Settings.Noise)), floor);
+  }
 
   const Sampler& Source;
   const CornerGrid& Grid;

@@ -384,7 +384,7 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       continue;
     }
     result.Color /= static_cast<float>(covered);
-    result.Error = std::max(std::sqrt(squares), BorderErrorFloor);
+    result.Error = this->Believe(std::sqrt(squares), BorderErrorFloor);
     return result;
   }
 }

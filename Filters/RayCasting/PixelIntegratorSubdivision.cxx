@@ -126,7 +126,7 @@ PixelResult PixelIntegrator::Subdivide(bool byObject)
   PixelResult result;
   float squares = 0.f;
   this->Descend(whole, byObject, result.Color, squares);
-  result.Error = std::max(std::sqrt(squares), ErrorFloor);
+  result.Error = this->Believe(std::sqrt(squares), ErrorFloor);
   return result;
 }
 
