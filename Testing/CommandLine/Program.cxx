@@ -66,6 +66,8 @@ Outcome Spawn(const std::vector<std::string>& command, const std::vector<std::st
   posix_spawn_file_actions_destroy(&actions);
   outcome.Output = ReadText(base + ".out");
   outcome.Errors = ReadText(base + ".err");
+  fs::remove(base + ".out");
+  fs::remove(base + ".err");
   return outcome;
 }
 
@@ -83,6 +85,12 @@ Folder::Folder(const std::string& name)
 {
   fs::remove_all(this->Path);
   fs::create_directories(this->Path);
+}
+
+Folder::~Folder()
+{
+  std::error_code ignored;
+  fs::remove_all(this->Path, ignored);
 }
 
 std::vector<std::string> Folder::List() const

@@ -20,11 +20,15 @@ struct Outcome
   std::string Errors;
 };
 
-/// A folder of one test's own, emptied first; everything that the test writes lies there.
+/// A folder of one test's own, removed when the test is over; all that it writes lies there.
 class Folder
 {
 public:
   explicit Folder(const std::string& name);
+  ~Folder();
+
+  Folder(const Folder&) = delete;
+  void operator=(const Folder&) = delete;
 
   std::string operator/(const std::string& file) const { return this->Path + "/" + file; }
   std::vector<std::string> List() const; ///< names in it, hidden ones too, sorted
