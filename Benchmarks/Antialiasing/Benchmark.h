@@ -20,7 +20,7 @@ struct Benchmark
   std::string Output;    ///< folder for results, pictures and what is handed to POV-Ray
   std::string PovRay;    ///< program; empty: no comparison with it
   int TruthSamples = 64; ///< per side of a pixel, for lit scenes
-  bool Peers = true;       ///< compare times with uniform supersampling and POV-Ray
+  bool Peers = true;     ///< compare times with uniform supersampling and POV-Ray
   bool Diagnose = false; ///< also write error pictures and lists of the worst pixels
   Table Results;
   Honesty Estimates; ///< over all scenes at their default tolerance
