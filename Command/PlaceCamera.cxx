@@ -62,20 +62,20 @@ void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options, double asp
   }
   const double radius = diagonal > 0.0 ? 0.5 * diagonal : 0.5;
 
-  const Triple focalPoint = options.FocalPoint.value_or(center);
+  Triple focalPoint = options.FocalPoint.value_or(center);
   Triple position = options.Position.value_or(focalPoint);
   Triple direction = options.Direction.value_or(Triple{ 0, 0, -1 });
-  double distance = FitDistance(radius, aspect, options.ViewAngle) / options.ZoomFactor;
+  const double distance = FitDistance(radius, aspect, options.ViewAngle) / options.ZoomFactor;
   double scale = FitScale(radius, aspect) / options.ZoomFactor;
   if (options.Position)
   {
     vtkMath::Subtract(focalPoint.data(), position.data(), direction.data());
-    distance = vtkMath::Norm(direction.data());
     scale = FitScale(radius, aspect);
-    if (distance == 0.0)
+    if (vtkMath::Norm(direction.data()) == 0.0)
     {
+      // The eye is in the centre of the bounds: it looks on from there.
       direction = options.Direction.value_or(Triple{ 0, 0, -1 });
-      distance = radius;
+      vtkMath::Add(position.data(), direction.data(), focalPoint.data());
     }
   }
   else

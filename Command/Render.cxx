@@ -228,7 +228,7 @@ std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
   return pictures;
 }
 
-int Render(RenderOptions options, Clock::time_point start)
+int Render(const RenderOptions& options, Clock::time_point start)
 {
   std::vector<RenderOptions> pictures = PlanPictures(options);
   const int count = static_cast<int>(pictures.size());

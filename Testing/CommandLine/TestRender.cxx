@@ -224,6 +224,19 @@ TEST(Render, ShowsAllByDefaultFromAnyDirection)
   }
 }
 
+TEST(Render, SeesASphereFromItsCenter)
+{
+  const Folder folder("inside");
+  WriteSpheres(folder.Path);
+  const Outcome outcome = RunProgram({ "render", folder / "sphere.ply", "--camera-position",
+    "0,0,0", "--no-lighting", "--resolution", "20,15", "--output", folder / "p.png" });
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_EQ(outcome.Errors, "");
+  const auto image = ReadImage(folder / "p.png");
+  EXPECT_EQ(PixelAt(image, 0, 0), (Pixel{ 1, 1, 1 }));
+  EXPECT_EQ(PixelAt(image, 10, 7), (Pixel{ 1, 1, 1 }));
+}
+
 TEST(Render, LightsFromWhereItIsTold)
 {
   const Folder folder("lights");
