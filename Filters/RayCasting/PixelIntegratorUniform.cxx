@@ -39,7 +39,8 @@ PixelResult PixelIntegrator::Uniform(int side)
     for (int i = 0; i < Sampler::PacketSize; ++i)
     {
       const int k = std::min(first + i, total - 1);
-      points[i] = glm::dvec2(this->X + (k % side + 0.5) / side, this->Y + (k / side + 0.5) / side);
+      const int row = k / side;
+      points[i] = glm::dvec2(this->X + (k % side + 0.5) / side, this->Y + (row + 0.5) / side);
     }
     this->Source.AtPacket(points, (1u << count) - 1u, samples, this->Rays);
     for (int i = 0; i < count; ++i)
@@ -75,10 +76,10 @@ PixelResult PixelIntegrator::UniformAdaptive()
     int i = 0;
     for (int k = 0; k < Side * Side; ++k)
     {
-      if ((k % Side + 2 * (k / Side)) % Packets == packet)
+      const int row = k / Side;
+      if ((k % Side + 2 * row) % Packets == packet)
       {
-        points[i++] =
-          glm::dvec2(this->X + (k % Side + 0.5) / Side, this->Y + (k / Side + 0.5) / Side);
+        points[i++] = glm::dvec2(this->X + (k % Side + 0.5) / Side, this->Y + (row + 0.5) / Side);
       }
     }
     this->Source.AtPacket(points, 0xffffu, samples, this->Rays);
