@@ -89,6 +89,12 @@ std::string Encode(vtkImageData* image, Writer* writer)
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* result = writer->GetResult();
+  if (!result || result->GetNumberOfValues() == 0)
+  {
+    throw Failure(BadInput,
+      "--output: the format cannot hold so large a picture; choose another or a smaller "
+      "--resolution");
+  }
   return std::string(
     reinterpret_cast<const char*>(result->GetPointer(0)), result->GetNumberOfValues());
 }

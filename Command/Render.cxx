@@ -193,6 +193,11 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
 // One picture of all files, or one of each where the output's name holds {name}.
 std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
 {
+  if (options.Statistics == options.Output)
+  {
+    throw Failure(
+      BadInput, "--statistics " + options.Statistics + ": this is the --output; name another file");
+  }
   if (!HasName(options.Output))
   {
     if (HasName(options.Statistics))

@@ -369,7 +369,8 @@ bool vtkPenumbraRayCaster::Internals::Execute(
   if (self->GeometryArrays)
   {
     sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
-    if (!penumbra::AddGeometryArrays(sampler, nullptr, image, totals.Rays))
+    const auto aborted = [self](double) { return self->GetAbortExecute() != 0; };
+    if (!penumbra::AddGeometryArrays(sampler, aborted, image, totals.Rays))
     {
       return false;
     }
