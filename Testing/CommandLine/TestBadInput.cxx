@@ -6,6 +6,8 @@
 #include "Meshes.h"
 #include "Program.h"
 
+#include "vtkVersionMacros.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -180,6 +182,12 @@ class BadInput : public testing::TestWithParam<Row>
 TEST_P(BadInput, IsToldInOneLine)
 {
   const Row& row = GetParam();
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  if (std::string(row.Name) == "TextAsOff" || std::string(row.Name) == "OnlyNanPoints")
+  {
+    GTEST_SKIP() << "This VTK reads no .off files, and nan in .obj files as numbers.";
+  }
+#endif
   const Folder folder("bad-input");
   std::string mesh = folder / "mesh";
   mesh += *row.Extension ? std::string(".") + row.Extension : "";
