@@ -185,7 +185,7 @@ TEST_P(BadInput, IsToldInOneLine)
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
   if (std::string(row.Name) == "TextAsOff" || std::string(row.Name) == "OnlyNanPoints")
   {
-    GTEST_SKIP() << "This VTK reads no .off files, and nan in .obj files as numbers.";
+    GTEST_SKIP() << "This VTK has no OFF reader; its OBJ reader drops what is not a number.";
   }
 #endif
   const Folder folder("bad-input");
