@@ -42,9 +42,9 @@ int main()
   }
   std::cout << "estimated error = " << caster->GetEstimatedError() << "\n";
 
-  // Depth is infinite where nothing is seen: the hole in the middle of the torus is one such place.
+  // Depth is infinite where nothing is seen.
   vtkDataArray* depth = pixels->GetArray("Depth");
-  const bool hole = std::isinf(depth->GetTuple1(120 * 320 + 160));
-  std::cout << "the middle of the picture is " << (hole ? "open" : "covered") << "\n";
+  const bool open = std::isinf(depth->GetTuple1(120 * 320 + 160));
+  std::cout << "the middle of the picture is " << (open ? "open" : "covered") << "\n";
   return caster->GetEstimatedError() <= caster->GetTolerance() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

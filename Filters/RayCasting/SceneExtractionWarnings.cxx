@@ -10,6 +10,7 @@
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 namespace penumbra
@@ -57,6 +58,11 @@ bool HasTextureTransform(vtkActor* actor)
 
 bool HasOwnShaders(vtkActor* actor)
 {
+  // Where no OpenGL is linked, nobody can have made shaders, and asking the actor for them crashes.
+  if (!vtkSmartPointer<vtkShaderProperty>::Take(vtkShaderProperty::New()))
+  {
+    return false;
+  }
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   return shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
     shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
