@@ -5,12 +5,12 @@
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationKeyLookup.h"
+#include "vtkObjectFactory.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
-#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 namespace penumbra
@@ -59,7 +59,7 @@ bool HasTextureTransform(vtkActor* actor)
 bool HasOwnShaders(vtkActor* actor)
 {
   // Where no OpenGL is linked, nobody can have made shaders, and asking the actor for them crashes.
-  if (!vtkSmartPointer<vtkShaderProperty>::Take(vtkShaderProperty::New()))
+  if (!vtkObjectFactory::HasOverrideAny("vtkShaderProperty"))
   {
     return false;
   }
