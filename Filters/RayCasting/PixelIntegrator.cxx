@@ -93,7 +93,6 @@ PixelResult PixelIntegrator::Integrate(
   this->LoadCorners(x, y);
   if (this->Settings.Method == IntegrationSettings::Methods::Subdivision)
   {
-    this->Segments.clear();
     if (this->Settings.SmallObjects)
     {
       this->LoadSegments(edgeIndices, count, true);

@@ -289,6 +289,12 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
       area += static_cast<float>(t.Area());
     }
   }
+  if (!(area > 0.f))
+  {
+    // Nothing but slivers: one ray for all of them.
+    result.Color = this->Trace(this->Arrangement.GetFaces()[index].Point).Color;
+    return result;
+  }
   result.Color /= area;
   result.Error = std::sqrt(squares) / area;
   return result;
