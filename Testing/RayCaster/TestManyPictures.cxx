@@ -39,12 +39,20 @@ std::string LoadedFiles()
   return std::string(std::istreambuf_iterator<char>(maps), std::istreambuf_iterator<char>());
 }
 
+// AddressSanitizer keeps what is freed: there, memory says nothing and a few pictures are enough.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool IsMemoryOurs = false;
+#else
+constexpr bool IsMemoryOurs = true;
+#endif
+constexpr int Pictures = IsMemoryOurs ? 1000 : 20;
+
 TEST(ManyPictures, KeepMemoryFlatAndLoadNoOpenGL)
 {
   const std::string before = LoadedFiles();
   double afterTen = 0.0;
   double afterAll = 0.0;
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < Pictures; ++i)
   {
     vtkNew<vtkSphereSource> sphere;
     sphere->SetThetaResolution(40);
@@ -65,7 +73,8 @@ TEST(ManyPictures, KeepMemoryFlatAndLoadNoOpenGL)
     afterTen = i == 9 ? ResidentMemory() : afterTen;
     afterAll = ResidentMemory();
   }
-  EXPECT_LE(afterAll, afterTen + 8.0);
+  EXPECT_TRUE(!IsMemoryOurs || afterAll <= afterTen + 8.0)
+    << afterTen << " MB after ten pictures, " << afterAll << " MB after all";
   const std::string after = LoadedFiles();
   for (const char* library : { "libGL", "libEGL", "libOSMesa", "libX11.so" })
   {
