@@ -200,6 +200,24 @@ bool PixelIntegrator::RepairLeak()
   return false;
 }
 
+// Is `test` true for one of the corners of this pixel and of those around it?
+bool PixelIntegrator::AnyCornerAround(const std::function<bool(const Sample&)>& test) const
+{
+  const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
+  const glm::ivec2 high = glm::min(glm::ivec2(this->X, this->Y) + 2, this->Grid.GetHigh());
+  for (int y = low.y; y <= high.y; ++y)
+  {
+    for (int x = low.x; x <= high.x; ++x)
+    {
+      if (test(this->Grid.At(x, y)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 // Shadows may jump where no corner shows it; they do so next to where one does.
 bool PixelIntegrator::IsNearShadowBorder() const
 {
@@ -207,24 +225,12 @@ bool PixelIntegrator::IsNearShadowBorder() const
   {
     return false;
   }
-  const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
-  const glm::ivec2 high = glm::min(glm::ivec2(this->X, this->Y) + 2, this->Grid.GetHigh());
-  for (int y = low.y; y <= high.y; ++y)
-  {
-    for (int x = low.x; x <= high.x; ++x)
-    {
-      const Sample& around = this->Grid.At(x, y);
-      for (const Sample& corner : this->Corners)
-      {
-        if (around.First.Surface == corner.First.Surface &&
-          MaximumDifference(around.Color, corner.Color) > ShadowContrast)
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
+  return this->AnyCornerAround([this](const Sample& around) {
+    return std::any_of(this->Corners, this->Corners + 4, [&](const Sample& corner) {
+      return around.First.Surface == corner.First.Surface &&
+        MaximumDifference(around.Color, corner.Color) > ShadowContrast;
+    });
+  });
 }
 
 PixelResult PixelIntegrator::Smooth()

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace penumbra
@@ -93,6 +94,7 @@ private:
   void Deepen(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
   bool IsNearShadowBorder() const;
+  bool AnyCornerAround(const std::function<bool(const Sample&)>& test) const;
   PixelResult Smooth();
   PixelResult Exact(const std::uint32_t* edgeIndices, std::size_t count);
   PixelResult Subdivide(bool byObject);

@@ -169,15 +169,10 @@ void PixelIntegrator::SeeAround()
   {
     return;
   }
-  const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
-  const glm::ivec2 high = glm::min(glm::ivec2(this->X, this->Y) + 2, this->Grid.GetHigh());
-  for (int y = low.y; y <= high.y; ++y)
-  {
-    for (int x = low.x; x <= high.x; ++x)
-    {
-      this->See(this->Grid.At(x, y));
-    }
-  }
+  this->AnyCornerAround([this](const Sample& around) {
+    this->See(around);
+    return false;
+  });
   this->AddPiercings();
 }
 

@@ -10,6 +10,8 @@
 #include "vtkDataSet.h"
 #include "vtkScalarsToColors.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 namespace
@@ -82,6 +84,33 @@ auto ChangeScalars(Attributes* attributes, vtkDataObject* block, ScalarMapper* s
 }
 template <typename Attributes>
 bool ChangeScalars(Attributes*, vtkDataObject*, ScalarMapper*, long)
+{
+  return false;
+}
+
+/// The lookup table of a block's own (since VTK 9.3).
+template <typename Attributes>
+auto FindTable(Attributes* attributes, vtkDataObject* block, int)
+  -> decltype(attributes->GetBlockLookupTable(block).GetPointer())
+{
+  return attributes->HasBlockLookupTable(block)
+    ? attributes->GetBlockLookupTable(block).GetPointer()
+    : nullptr;
+}
+template <typename Attributes>
+vtkScalarsToColors* FindTable(Attributes*, vtkDataObject*, long)
+{
+  return nullptr;
+}
+
+/// Textures of blocks are as new.
+template <typename Attributes>
+auto HasTextures(Attributes* attributes, int) -> decltype(attributes->HasBlockTextures())
+{
+  return attributes && attributes->HasBlockTextures();
+}
+template <typename Attributes>
+bool HasTextures(Attributes*, long)
 {
   return false;
 }
@@ -204,6 +233,34 @@ void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const Piece& loo
   BlockState state;
   state.Scalars = scalars;
   Walk(attributes, look, use).Visit(data, state);
+}
+
+vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)
+{
+  vtkCompositeDataDisplayAttributes* attributes =
+    FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
+  if (!attributes)
+  {
+    return 0;
+  }
+  vtkMTimeType time = attributes->GetMTime();
+  vtkSmartPointer<vtkCompositeDataIterator> blocks;
+  blocks.TakeReference(data->NewIterator());
+  if (auto* tree = vtkDataObjectTreeIterator::SafeDownCast(blocks))
+  {
+    tree->VisitOnlyLeavesOff();
+  }
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    vtkScalarsToColors* table = FindTable(attributes, blocks->GetCurrentDataObject(), 0);
+    time = std::max(time, table ? table->GetMTime() : 0);
+  }
+  return time;
+}
+
+bool HasBlockTextures(vtkMapper* mapper)
+{
+  return HasTextures(FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0), 0);
 }
 
 }

@@ -8,6 +8,8 @@
 
 #include "SceneExtractionColors.h"
 
+#include "vtkType.h"
+
 #include <functional>
 
 class vtkCompositeDataSet;
@@ -22,6 +24,12 @@ using BlockFunction = std::function<void(vtkDataSet*, const Piece&, ScalarMapper
 /// without one) changed by what `mapper` (may be null) says of the block or those above it.
 void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const Piece& look,
   ScalarMapper* scalars, const BlockFunction& use);
+
+/// When what `mapper` says of the blocks of `data` last changed.
+vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper);
+
+/// Does `mapper` give blocks textures of their own?
+bool HasBlockTextures(vtkMapper* mapper);
 
 }
 #endif

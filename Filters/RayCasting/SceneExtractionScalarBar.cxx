@@ -260,6 +260,7 @@ bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene)
   {
     return true;
   }
+  bar->GetLookupTable()->Build();
   return Drawing(bar, dpi, scene).Draw();
 }
 

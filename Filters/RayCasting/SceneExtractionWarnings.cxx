@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionWarnings.h"
 
+#include "SceneExtractionBlocks.h"
+
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationKeyLookup.h"
@@ -102,6 +104,7 @@ void WarnOfActor(vtkActor* actor, const std::string& name, std::vector<std::stri
   warn(WrapsInOtherWays(actor->GetTexture()), "textures repeat or stop at their edge; drawn so.");
   warn(actor->GetTexture() && HasTextureTransform(actor),
     "texture transforms are not supported; left out.");
+  warn(HasBlockTextures(actor->GetMapper()), "textures of blocks are not supported; left out.");
   warn(actor->GetTexture() && IsSeamless(actor->GetMapper()),
     "seamless texture coordinates are not supported; drawn as they are.");
 }

@@ -3,25 +3,21 @@
 #include "vtkPenumbraRayCaster.h"
 
 #include "GeometryArrays.h"
-#include "Picture.h"
+#include "PicturePart.h"
 #include "SceneExtraction.h"
+#include "SceneExtractionTime.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCamera.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
 #include "vtkPointData.h"
-#include "vtkProp.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -51,31 +47,6 @@ void AddStatistic(vtkFieldData* statistics, const char* name, double value)
   statistics->AddArray(array);
 }
 
-/// The latest change of anything that the picture of `renderer` shows.
-vtkMTimeType GetSceneMTime(vtkRenderer* renderer)
-{
-  vtkMTimeType time = renderer->GetMTime();
-  if (renderer->IsActiveCameraCreated())
-  {
-    time = std::max(time, renderer->GetActiveCamera()->GetMTime());
-  }
-  vtkCollectionSimpleIterator iterator;
-  vtkLightCollection* lights = renderer->GetLights();
-  lights->InitTraversal(iterator);
-  while (vtkLight* light = lights->GetNextLight(iterator))
-  {
-    time = std::max(time, light->GetMTime());
-  }
-  vtkPropCollection* props = renderer->GetViewProps();
-  time = std::max(time, props->GetMTime());
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
-  {
-    time = std::max({ time, prop->GetMTime(), prop->GetRedrawMTime() });
-  }
-  return time;
-}
-
 /// Diagonal of the bounds of what is drawn, in world units.
 double GetDiagonal(const penumbra::Scene& scene)
 {
@@ -90,27 +61,69 @@ double GetDiagonal(const penumbra::Scene& scene)
   return bounds.IsValid() ? bounds.GetDiagonalLength() / scene.Scale : 1.0;
 }
 
-vtkSmartPointer<vtkFloatArray> AddFloatArray(vtkImageData* image, const char* name, int components)
+void AddFloatArray(vtkImageData* image, const char* name, int components)
 {
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  vtkNew<vtkFloatArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(image->GetNumberOfPoints());
   image->GetPointData()->AddArray(array);
-  return array;
+}
+
+/// Those rows of `part` that belong to `image`, with `over` over them; the sum of their squared errors.
+double CopyRows(penumbra::PicturePart& part, const penumbra::Overlay& over, vtkImageData* image)
+{
+  const auto find = [image](const char* name) {
+    return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
+  };
+  vtkFloatArray* color = find("Color");
+  vtkFloatArray* rays = find("Rays");
+  vtkFloatArray* errors = find("EstimatedError");
+  int extent[6];
+  image->GetExtent(extent);
+  const int width = extent[1] - extent[0] + 1;
+  double squaredError = 0.0;
+  for (int y = std::max(part.Low.y, extent[2]); y < std::min(part.High.y, extent[3] + 1); ++y)
+  {
+    const std::size_t from = part.Index(extent[0], y);
+    const vtkIdType to = static_cast<vtkIdType>(y - extent[2]) * width;
+    over.PutOver(extent[0], y, width, &part.Colors[from]);
+    std::copy_n(&part.Colors[from].x, 4 * width, color->GetPointer(4 * to));
+    std::copy_n(&part.RayShares[from], width, rays->GetPointer(to));
+    std::copy_n(&part.Errors[from], width, errors->GetPointer(to));
+    for (int x = 0; x < width; ++x)
+    {
+      squaredError += static_cast<double>(part.Errors[from + x]) * part.Errors[from + x];
+    }
+  }
+  return squaredError;
 }
 
 }
 
 struct vtkPenumbraRayCaster::Internals
 {
+  /// A scene that is ready to be traced.
+  struct PreparedScene
+  {
+    penumbra::Scene Drawn;
+    std::unique_ptr<penumbra::RayScene> Rays;
+    penumbra::SceneEdges Edges;
+  };
+
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkPenumbraIrradianceSource> IrradianceSource;
   vtkNew<vtkFieldData> Statistics;
-  double EstimatedError = 0.0;
+  double EstimatedError = std::nan("");
+  std::unique_ptr<PreparedScene> Prepared; ///< kept while parts of its picture are asked for
+  vtkMTimeType PreparedTime = 0;
 
-  bool Execute(vtkPenumbraRayCaster* self, const penumbra::Scene& scene, vtkImageData* image);
-  void Report(const penumbra::Picture& totals, double squaredError, vtkIdType pixels);
+  void Forget();
+  void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
+  bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
+  void BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance);
+  void Report(const penumbra::PicturePart& totals, double squaredError, vtkIdType pixels);
+  static penumbra::PictureSettings MakeSettings(vtkPenumbraRayCaster* self);
 };
 
 vtkStandardNewMacro(vtkPenumbraRayCaster);
@@ -173,7 +186,7 @@ vtkMTimeType vtkPenumbraRayCaster::GetMTime()
   vtkMTimeType time = this->Superclass::GetMTime();
   if (this->Implementation->Renderer)
   {
-    time = std::max(time, GetSceneMTime(this->Implementation->Renderer));
+    time = std::max(time, penumbra::GetSceneMTime(this->Implementation->Renderer));
   }
   if (this->Implementation->IrradianceSource)
   {
@@ -232,37 +245,22 @@ int vtkPenumbraRayCaster::RequestData(
     return 0;
   }
 
-  penumbra::ExtractionOptions options;
-  options.Resolution[0] = this->Resolution[0];
-  options.Resolution[1] = this->Resolution[1];
-  options.DPI = this->DPI;
-  options.Background = this->Background;
+  Internals& own = *this->Implementation;
+  own.Forget();
   try
   {
-    penumbra::Scene scene;
-    if (this->Implementation->Renderer)
-    {
-      scene = penumbra::ExtractScene(this->Implementation->Renderer, options);
-    }
-    else
-    {
-      std::vector<vtkDataObject*> data;
-      for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
-      {
-        data.push_back(vtkDataObject::GetData(inputs[0], i));
-      }
-      scene = penumbra::ExtractScene(data, options);
-    }
-    for (const std::string& warning : scene.Warnings)
-    {
-      vtkWarningMacro(<< warning);
-    }
+    own.Prepare(this, inputs[0]);
     bool finished = true;
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(this->NumberOfThreads),
-      [&]() { finished = this->Implementation->Execute(this, scene, image); });
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config(this->NumberOfThreads), [&]() { finished = own.Execute(this, image); });
     if (!finished)
     {
       image->Initialize();
+    }
+    const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    if (!finished || std::equal(extent, extent + 6, whole))
+    {
+      own.Prepared.reset();
     }
   }
   catch (const std::bad_alloc&)
@@ -280,14 +278,48 @@ int vtkPenumbraRayCaster::RequestData(
   return 1;
 }
 
-bool vtkPenumbraRayCaster::Internals::Execute(
-  vtkPenumbraRayCaster* self, const penumbra::Scene& scene, vtkImageData* image)
+void vtkPenumbraRayCaster::Internals::Forget()
 {
-  const penumbra::RayScene rays(scene, self->NumberOfThreads);
-  self->UpdateProgress(0.0); // The scene is built.
-  const penumbra::Shading shading(rays, self->Shadows);
-  penumbra::Sampler sampler(rays, shading, scene.Eye);
+  this->Statistics->Initialize();
+  this->EstimatedError = std::nan("");
+}
 
+void vtkPenumbraRayCaster::Internals::Prepare(
+  vtkPenumbraRayCaster* self, vtkInformationVector* inputs)
+{
+  std::vector<vtkDataObject*> data;
+  vtkMTimeType time = self->GetMTime();
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    data.push_back(vtkDataObject::GetData(inputs, i));
+    time = std::max(time, data.back()->GetMTime());
+  }
+  if (this->Prepared && time <= this->PreparedTime)
+  {
+    return;
+  }
+  penumbra::ExtractionOptions options;
+  options.Resolution[0] = self->Resolution[0];
+  options.Resolution[1] = self->Resolution[1];
+  options.DPI = self->DPI;
+  options.Background = self->Background;
+  this->Prepared.reset(); // two scenes may be more than the memory holds
+  auto prepared = std::make_unique<PreparedScene>();
+  penumbra::Scene& scene = prepared->Drawn;
+  scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
+                         : penumbra::ExtractScene(data, options);
+  for (const std::string& warning : scene.Warnings)
+  {
+    vtkWarningWithObjectMacro(self, << warning);
+  }
+  prepared->Rays = std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads);
+  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self));
+  this->Prepared = std::move(prepared);
+  this->PreparedTime = time;
+}
+
+penumbra::PictureSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
+{
   penumbra::PictureSettings settings;
   settings.Packets = self->Packets;
   settings.Integration.Method =
@@ -297,28 +329,42 @@ bool vtkPenumbraRayCaster::Internals::Execute(
   settings.Integration.SmallObjects = self->SmallObjects;
   settings.Integration.Shadows = self->Shadows;
   settings.Integration.UniformSamples = self->UniformSamples;
+  settings.Integration.Noise = self->AmbientOcclusion ? OcclusionNoiseShare * self->Tolerance : 0.0;
+  return settings;
+}
+
+void vtkPenumbraRayCaster::Internals::BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance)
+{
+  if (!this->IrradianceSource)
+  {
+    this->IrradianceSource = vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
+  }
+  const double radius = self->AmbientOcclusionRadius > 0.0
+    ? self->AmbientOcclusionRadius
+    : DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
+  this->IrradianceSource->Begin(*this->Prepared->Rays, radius, tolerance);
+}
+
+bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  const penumbra::Scene& scene = this->Prepared->Drawn;
+  self->UpdateProgress(0.0); // The scene is built.
+  const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
+  penumbra::Sampler sampler(*this->Prepared->Rays, shading, scene.Eye);
+  const penumbra::PictureSettings settings = MakeSettings(self);
   if (self->AmbientOcclusion || self->GeometryArrays)
   {
-    if (!this->IrradianceSource)
-    {
-      this->IrradianceSource = vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
-    }
-    const double radius = self->AmbientOcclusionRadius > 0.0
-      ? self->AmbientOcclusionRadius
-      : DefaultRadiusShare * GetDiagonal(scene);
-    const double noise = OcclusionNoiseShare * self->Tolerance;
-    this->IrradianceSource->Begin(rays, radius, noise);
-    if (self->AmbientOcclusion)
-    {
-      settings.Integration.Noise = noise;
-      sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
-    }
+    this->BeginOcclusion(self, OcclusionNoiseShare * self->Tolerance);
+  }
+  if (self->AmbientOcclusion)
+  {
+    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
   }
 
-  const auto color = AddFloatArray(image, "Color", 4);
+  AddFloatArray(image, "Color", 4);
+  AddFloatArray(image, "Rays", 1);
+  AddFloatArray(image, "EstimatedError", 1);
   image->GetPointData()->SetActiveScalars("Color");
-  const auto rayShares = AddFloatArray(image, "Rays", 1);
-  const auto errors = AddFloatArray(image, "EstimatedError", 1);
 
   int extent[6];
   image->GetExtent(extent);
@@ -329,13 +375,13 @@ bool vtkPenumbraRayCaster::Internals::Execute(
   const int bottom = extent[2] / Alignment * Alignment;
   const int rows = std::max(PixelsPerPart / std::max(right - left, 1) / Alignment, 1) * Alignment;
 
-  penumbra::Picture totals;
+  penumbra::PicturePart totals;
   double squaredError = 0.0;
   for (int low = bottom; low <= extent[3]; low += rows)
   {
     const int high =
       std::min({ low + rows, (extent[3] / Alignment + 1) * Alignment, self->Resolution[1] });
-    penumbra::Picture part;
+    penumbra::PicturePart part;
     part.Low = { left, low };
     part.High = { right, high };
     const double done = static_cast<double>(std::max(low, extent[2]) - extent[2]) / height;
@@ -344,23 +390,11 @@ bool vtkPenumbraRayCaster::Internals::Execute(
       self->UpdateProgress(std::min(done + share * inPart, 1.0));
       return self->GetAbortExecute() != 0;
     };
-    if (!penumbra::RenderPicture(sampler, settings, progress, part))
+    if (!penumbra::RenderPart(sampler, this->Prepared->Edges, settings, progress, part))
     {
       return false;
     }
-    for (int y = std::max(low, extent[2]); y < std::min(high, extent[3] + 1); ++y)
-    {
-      const std::size_t from = part.Index(extent[0], y);
-      const vtkIdType to = static_cast<vtkIdType>(y - extent[2]) * width;
-      scene.Over.PutOver(extent[0], y, width, &part.Colors[from]);
-      std::copy_n(&part.Colors[from].x, 4 * width, color->GetPointer(4 * to));
-      std::copy_n(&part.RayShares[from], width, rayShares->GetPointer(to));
-      std::copy_n(&part.Errors[from], width, errors->GetPointer(to));
-      for (int x = 0; x < width; ++x)
-      {
-        squaredError += static_cast<double>(part.Errors[from + x]) * part.Errors[from + x];
-      }
-    }
+    squaredError += CopyRows(part, scene.Over, image);
     totals.Rays += part.Rays;
     totals.Pixels += part.Pixels;
     totals.Edges = std::max(totals.Edges, part.Edges);
@@ -381,7 +415,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(
 }
 
 void vtkPenumbraRayCaster::Internals::Report(
-  const penumbra::Picture& totals, double squaredError, vtkIdType pixels)
+  const penumbra::PicturePart& totals, double squaredError, vtkIdType pixels)
 {
   const penumbra::RayCounts& rays = totals.Rays;
   vtkFieldData* s = this->Statistics;

@@ -37,6 +37,7 @@ public:
   ///@{
   /**
    * The scene: visible actors, camera, lights and background of a renderer. It needs no window.
+   * Whatever of it changes (VTK's objects tell by Modified()), the next Update() draws it again.
    * Default: none, the data sets of input port 0 are drawn.
    */
   virtual void SetRenderer(vtkRenderer* renderer);
@@ -163,11 +164,11 @@ public:
 
   /**
    * Counts of the last execution, one value an array: `Rays/Primary`, `Rays/Total`, `Rays/PerPixel`,
-   * `Pixels/Refined`, ... Also attached to the field data of the output.
+   * `Pixels/Refined`, ... None when it did not come to its end. Also in the field data of the output.
    */
   vtkFieldData* GetStatistics();
 
-  /** RMS over the picture of the error that the algorithm believes it made, colours in [0, 1]. */
+  /** RMS over the picture of the error believed to be made, colours in [0, 1]; NaN without a picture. */
   double GetEstimatedError();
 
   vtkMTimeType GetMTime() override;

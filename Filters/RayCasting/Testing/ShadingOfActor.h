@@ -45,10 +45,15 @@ public:
   void Show(vtkPolyData* data)
   {
     this->Mapper->SetInputData(data);
-    this->Actor->SetMapper(this->Mapper);
+    this->Renderer()->GetActiveCamera()->SetViewUp(.1, 1.0, 0.0);
+    this->ShowThrough(this->Mapper);
+  }
+
+  void ShowThrough(vtkMapper* mapper)
+  {
+    this->Actor->SetMapper(mapper);
     this->Renderer()->AddActor(this->Actor);
     this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
-    this->Renderer()->GetActiveCamera()->SetViewUp(.1, 1.0, 0.0);
     this->Renderer()->ResetCamera();
   }
 

@@ -7,6 +7,8 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
 #include "vtkCubeSource.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -19,6 +21,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
+#include "vtkTexture.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 
 #include <gtest/gtest.h>
@@ -43,6 +47,16 @@ vtkSmartPointer<vtkPolyData> Cube()
   vtkNew<vtkCubeSource> cube;
   cube->Update();
   return cube->GetOutput();
+}
+
+vtkActor* AddCube(vtkRenderer* renderer)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(Cube());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  return actor;
 }
 
 /// Four points and the cells given, each by its point ids.
@@ -219,11 +233,7 @@ TEST(SceneExtraction, NamesWhatItCannotDraw)
 TEST(SceneExtraction, NamesLooksThatItLeavesOut)
 {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(Cube());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
+  vtkActor* actor = AddCube(renderer);
   EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
   actor->GetProperty()->SetInterpolationToPBR();
   actor->GetProperty()->RenderLinesAsTubesOn();
@@ -238,6 +248,26 @@ TEST(SceneExtraction, NamesLooksThatItLeavesOut)
   EXPECT_TRUE(Warns(scene, "textured background"));
   EXPECT_EQ(scene.Warnings.size(), 5u);
 }
+
+// Textures of blocks came with VTK 9.3.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+TEST(SceneExtraction, NamesTexturesOfBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Cube());
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
+  attributes->SetBlockTexture(blocks->GetBlock(0), vtkSmartPointer<vtkTexture>::New());
+  EXPECT_TRUE(Warns(ExtractScene(renderer, Square()), "textures of blocks"));
+}
+#endif
 
 TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
 {
@@ -269,11 +299,7 @@ TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
 TEST(SceneExtraction, LosesNothingUnderAParallelCameraFarAway)
 {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(Cube());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
+  AddCube(renderer);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(6e6, 3e6, 1e7);
   camera->ParallelProjectionOn();

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is drawn: polygons, lines, points, glyphs, blocks, assemblies, what planes leave. Every scene is drawn by VTK's rasteriser too.
+// What is drawn: polygons, lines, points, glyphs, blocks, assemblies, what planes leave. Every scene is
+// drawn by VTK's rasteriser too.
 #include "ShadingOfActor.h"
 
 #include "vtkAssembly.h"
@@ -218,11 +219,8 @@ TEST_F(ShadingOfActor, IsVTKsOnGlyphs)
     mapper->SetScaleArray("directions");
     mapper->SetScaleModeToScaleByMagnitude();
     mapper->SetScaleFactor(.15);
-    this->Actor->SetMapper(mapper);
     this->Actor->SetScale(1.0, 1.2, .9);
-    this->Renderer()->AddActor(this->Actor);
-    this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
-    this->Renderer()->ResetCamera();
+    this->ShowThrough(mapper);
     this->ExpectSamePicture(300);
     mapper->ScalarVisibilityOff();
     this->Property()->SetColor(.8, .6, .1);
@@ -258,12 +256,11 @@ void HideScalars(BlockAttributes*, vtkDataObject*, long)
 {
 }
 
-}
-
-TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
+/// Cubes in rows of two, with the array "values".
+vtkSmartPointer<vtkMultiBlockDataSet> CubeBlocks(unsigned int count)
 {
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  for (unsigned int i = 0; i < 4; ++i)
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (unsigned int i = 0; i < count; ++i)
   {
     vtkNew<vtkCubeSource> cube;
     cube->SetCenter(i % 2 * 1.2, i / 2 * 1.2, 0.0);
@@ -277,6 +274,14 @@ TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
     cube->GetOutput()->GetPointData()->AddArray(values);
     blocks->SetBlock(i, cube->GetOutput());
   }
+  return blocks;
+}
+
+}
+
+TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
+{
+  const auto blocks = CubeBlocks(4);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   vtkNew<vtkCompositePolyDataMapper> mapper;
   mapper->SetInputDataObject(blocks);
@@ -289,11 +294,8 @@ TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
   attributes->SetBlockVisibility(blocks->GetBlock(2), false);
   attributes->SetBlockOpacity(blocks->GetBlock(0), .5);
   this->Property()->BackfaceCullingOn(); // VTK blends faces in any order
-  this->Actor->SetMapper(mapper);
   this->Property()->SetColor(.2, .6, .9);
-  this->Renderer()->AddActor(this->Actor);
-  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
-  this->Renderer()->ResetCamera();
+  this->ShowThrough(mapper);
   this->ExpectSamePicture();
 }
 
@@ -310,29 +312,16 @@ TEST_F(ShadingOfActor, IsVTKsOnTheSurfaceOfAGrid)
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputData(grid);
   mapper->SetScalarRange(0.0, 10.0);
-  this->Actor->SetMapper(mapper);
-  this->Renderer()->AddActor(this->Actor);
-  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
-  this->Renderer()->ResetCamera();
+  this->ShowThrough(mapper);
   this->ExpectSamePicture();
 }
 
 TEST_F(ShadingOfActor, IsVTKsOnBlocksWithScalarsOfTheirOwn)
 {
-  vtkNew<vtkMultiBlockDataSet> blocks;
+  const auto blocks = CubeBlocks(2);
   for (unsigned int i = 0; i < 2; ++i)
   {
-    vtkNew<vtkCubeSource> cube;
-    cube->SetCenter(i * 1.2, 0.0, 0.0);
-    cube->Update();
-    vtkNew<vtkDoubleArray> values;
-    values->SetName("values");
-    for (vtkIdType k = 0; k < 24; ++k)
-    {
-      values->InsertNextValue(k / 24.0);
-    }
-    cube->GetOutput()->GetPointData()->SetScalars(values);
-    blocks->SetBlock(i, cube->GetOutput());
+    vtkDataSet::SafeDownCast(blocks->GetBlock(i))->GetPointData()->SetActiveScalars("values");
   }
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   vtkNew<vtkCompositePolyDataMapper> mapper;
@@ -342,9 +331,6 @@ TEST_F(ShadingOfActor, IsVTKsOnBlocksWithScalarsOfTheirOwn)
     GTEST_SKIP() << "This VTK's composite mapper knows no blocks.";
   }
   HideScalars(attributes.Get(), blocks->GetBlock(1), 0);
-  this->Actor->SetMapper(mapper);
-  this->Renderer()->AddActor(this->Actor);
-  this->Renderer()->GetActiveCamera()->SetPosition(1.0, .7, 1.3);
-  this->Renderer()->ResetCamera();
+  this->ShowThrough(mapper);
   this->ExpectSamePicture();
 }

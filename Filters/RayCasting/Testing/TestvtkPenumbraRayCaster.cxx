@@ -13,6 +13,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
@@ -178,15 +179,44 @@ TEST_F(SpheresTest, WithoutBackgroundComposeOverAnyColour)
   }
 }
 
+TEST_F(SpheresTest, ShareTheirSceneBetweenTiles)
+{
+  const auto draw = [&](int low) {
+    int extent[6] = { 20, 79, low, low + 19, 0, 0 };
+    this->Caster->UpdateExtent(extent);
+    const float* part = this->Array("Color")->GetPointer(0);
+    return std::vector<float>(part, part + 4 * 60 * 20);
+  };
+  const std::vector<float> parts[2] = { draw(10), draw(30) };
+  vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(0))->SetPosition(1, 1, 0);
+  EXPECT_NE(parts[1], draw(30));
+  vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(0))->SetPosition(0, 0, 0);
+  const std::vector<float> whole = this->Render();
+  for (int y = 0; y < 40; ++y)
+  {
+    const auto row = parts[y / 20].begin() + 4 * 60 * (y % 20);
+    EXPECT_TRUE(std::equal(row, row + 4 * 60, whole.begin() + 4 * (101 * (10 + y) + 20))) << y;
+  }
+}
+
 TEST_F(SpheresTest, StopWhenAskedTo)
 {
+  const std::vector<float> picture = this->Render();
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
     vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
   });
-  this->Caster->AddObserver(vtkCommand::ProgressEvent, stop);
+  const unsigned long observer = this->Caster->AddObserver(vtkCommand::ProgressEvent, stop);
+  this->Caster->Modified();
   this->Caster->Update();
   EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Caster->GetStatistics()->GetNumberOfArrays(), 0);
+  EXPECT_TRUE(std::isnan(this->Caster->GetEstimatedError()));
+  this->Caster->RemoveObserver(observer);
+  this->Caster->AbortExecuteOff();
+  this->Caster->Modified();
+  EXPECT_EQ(picture, this->Render());
+  EXPECT_GT(this->Statistic("Rays/Total"), 0.0);
 }
 
 TEST_F(SpheresTest, RenderAgainWhenTheSceneChanges)

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From a traced scene to the pixels of a picture's part: corners, edges, then tiles in parallel.
-#ifndef penumbra_Picture_h
-#define penumbra_Picture_h
+#ifndef penumbra_PicturePart_h
+#define penumbra_PicturePart_h
 
 #include "Batches.h"
+#include "MeshEdges.h"
 #include "PixelIntegrator.h"
 
 #include <vector>
@@ -19,8 +20,18 @@ struct PictureSettings
   bool Packets = true; ///< corner rays 16 at a time
 };
 
+/// The edges of a scene's meshes where its picture may change. Finding them takes longer than drawing
+/// a small part, so they are found once for all parts.
+struct SceneEdges
+{
+  std::vector<std::vector<MeshEdge>> OfSurfaces;
+  std::vector<char> Dense; ///< per surface: its triangles are too small for edges to be looked at
+};
+
+SceneEdges FindSceneEdges(const Scene& scene, const PictureSettings& settings);
+
 /// The pixels [Low, High), row by row from the bottom.
-struct Picture
+struct PicturePart
 {
   glm::ivec2 Low{ 0 };
   glm::ivec2 High{ 0 };
@@ -39,11 +50,11 @@ struct Picture
 };
 
 /**
- * Fills picture.Low to High, which must lie in the camera's picture. Pixels do not depend on the part
+ * Fills part.Low to High, which must lie in the camera's picture. Pixels do not depend on the part
  * asked for nor on the number of threads. False when `progress` stopped it.
  */
-bool RenderPicture(const Sampler& sampler, const PictureSettings& settings,
-  const ProgressCallback& progress, Picture& picture);
+bool RenderPart(const Sampler& sampler, const SceneEdges& meshes, const PictureSettings& settings,
+  const ProgressCallback& progress, PicturePart& part);
 
 }
 #endif

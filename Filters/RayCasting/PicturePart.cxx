@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Picture.h"
+#include "PicturePart.h"
 
 #include "Batches.h"
 #include "Density.h"
@@ -34,12 +34,12 @@ struct Tiles
 
 void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& edges,
   const EdgeLists& tileEdges, const std::vector<char>& dense, PixelIntegrator& integrator,
-  Picture& picture)
+  PicturePart& part)
 {
   const glm::ivec2 origin =
     (tiles.First + glm::ivec2(tile % tiles.Count.x, tile / tiles.Count.x)) * TileSide;
-  const glm::ivec2 low = glm::max(origin, picture.Low);
-  const glm::ivec2 high = glm::min(origin + TileSide, picture.High);
+  const glm::ivec2 low = glm::max(origin, part.Low);
+  const glm::ivec2 high = glm::min(origin + TileSide, part.High);
 
   EdgeLists pixelEdges;
   const std::uint32_t begin = tileEdges.Begin[tile];
@@ -56,43 +56,62 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
       const int cell = (y - origin.y) * TileSide + (x - origin.x);
       const std::uint32_t* list = pixelEdges.Edges.data() + pixelEdges.Begin[cell];
       const std::size_t size = pixelEdges.Begin[cell + 1] - pixelEdges.Begin[cell];
-      const std::size_t index = picture.Index(x, y);
+      const std::size_t index = part.Index(x, y);
       const Density density = !dense.empty() && dense[index] ? Density::Dense
         : crowded                                            ? Density::Crowded
                                                              : Density::Sparse;
       const long long before = integrator.Rays.InPicture();
       const PixelResult result = integrator.Integrate(x, y, list, size, density);
       const float alpha = result.Color.a;
-      picture.Colors[index] =
+      part.Colors[index] =
         alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);
-      picture.Errors[index] = result.Error;
-      picture.RayShares[index] = static_cast<float>(integrator.Rays.InPicture() - before);
+      part.Errors[index] = result.Error;
+      part.RayShares[index] = static_cast<float>(integrator.Rays.InPicture() - before);
     }
   }
 }
 
 }
 
-bool RenderPicture(const Sampler& sampler, const PictureSettings& settings,
-  const ProgressCallback& progress, Picture& picture)
+SceneEdges FindSceneEdges(const Scene& scene, const PictureSettings& settings)
+{
+  const IntegrationSettings& integration = settings.Integration;
+  SceneEdges edges;
+  if (integration.Method != IntegrationSettings::Methods::Silhouettes &&
+    (integration.Method == IntegrationSettings::Methods::Uniform || !integration.SmallObjects))
+  {
+    return edges;
+  }
+  for (const Surface& surface : scene.Surfaces)
+  {
+    edges.Dense.push_back(IsDense(surface, scene.Eye));
+    edges.OfSurfaces.push_back(edges.Dense.back()
+        ? std::vector<MeshEdge>()
+        : FindMeshEdges(surface, ContrastShare * integration.Tolerance));
+  }
+  return edges;
+}
+
+bool RenderPart(const Sampler& sampler, const SceneEdges& meshes, const PictureSettings& settings,
+  const ProgressCallback& progress, PicturePart& part)
 {
   const Scene& scene = sampler.GetScene();
-  const glm::ivec2 size = picture.High - picture.Low;
+  const glm::ivec2 size = part.High - part.Low;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
-  picture.Colors.resize(pixels);
-  picture.Errors.resize(pixels);
-  picture.RayShares.resize(pixels);
+  part.Colors.resize(pixels);
+  part.Errors.resize(pixels);
+  part.RayShares.resize(pixels);
   std::mutex totals;
 
   // One corner more on each side, where the picture has it: the neighbours say how colours bend.
   const bool corners = settings.Integration.Method != IntegrationSettings::Methods::Uniform;
-  CornerGrid grid(glm::max(picture.Low - 1, 0),
-    glm::min(picture.High + 1, glm::ivec2(scene.Eye.Width, scene.Eye.Height)), corners);
+  CornerGrid grid(glm::max(part.Low - 1, 0),
+    glm::min(part.High + 1, glm::ivec2(scene.Eye.Width, scene.Eye.Height)), corners);
   if (corners && !InBatches(grid.GetNumberOfRows(), 0.0, 0.4, progress, [&](int row) {
         RayCounts counts;
         grid.TraceRow(sampler, row, settings.Packets, counts);
         const std::lock_guard<std::mutex> lock(totals);
-        picture.Rays += counts;
+        part.Rays += counts;
       }))
   {
     return false;
@@ -100,37 +119,32 @@ bool RenderPicture(const Sampler& sampler, const PictureSettings& settings,
 
   std::vector<ProjectedEdge> edges;
   std::vector<char> dense;
-  const bool borders = settings.Integration.Method == IntegrationSettings::Methods::Silhouettes ||
-    (corners && settings.Integration.SmallObjects);
-  for (const Surface& surface : scene.Surfaces)
+  for (std::size_t i = 0; i < meshes.OfSurfaces.size(); ++i)
   {
-    if (!borders)
+    const Surface& surface = scene.Surfaces[i];
+    if (meshes.Dense[i])
     {
-      break;
-    }
-    if (IsDense(surface, scene.Eye))
-    {
-      MarkPixels(surface, scene.Eye, picture.Low, picture.High, dense);
+      MarkPixels(surface, scene.Eye, part.Low, part.High, dense);
     }
     else
     {
-      ProjectEdges(surface, FindMeshEdges(surface, ContrastShare * settings.Integration.Tolerance),
-        scene.Eye, glm::dvec2(picture.Low), glm::dvec2(picture.High), edges);
+      ProjectEdges(surface, meshes.OfSurfaces[i], scene.Eye, glm::dvec2(part.Low),
+        glm::dvec2(part.High), edges);
     }
   }
-  picture.Edges = static_cast<long long>(edges.size());
+  part.Edges = static_cast<long long>(edges.size());
 
-  const Tiles tiles(picture.Low, picture.High);
+  const Tiles tiles(part.Low, part.High);
   EdgeLists tileEdges;
   BinEdges(edges, nullptr, edges.size(), glm::dvec2(tiles.First * TileSide), TileSide, tiles.Count,
     tileEdges);
   return InBatches(
     tiles.Count.x * tiles.Count.y, corners ? 0.45 : 0.0, 1.0, progress, [&](int tile) {
       PixelIntegrator integrator(sampler, grid, edges, settings.Integration);
-      RenderTile(tile, tiles, edges, tileEdges, dense, integrator, picture);
+      RenderTile(tile, tiles, edges, tileEdges, dense, integrator, part);
       const std::lock_guard<std::mutex> lock(totals);
-      picture.Rays += integrator.Rays;
-      picture.Pixels += integrator.Pixels;
+      part.Rays += integrator.Rays;
+      part.Pixels += integrator.Pixels;
     });
 }
 

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// When a scene last changed: the latest time of everything that SceneExtraction reads, much of which
+// neither the renderer nor its props answer for.
+#ifndef penumbra_SceneExtractionTime_h
+#define penumbra_SceneExtractionTime_h
+
+#include "vtkType.h"
+
+class vtkRenderer;
+
+namespace penumbra
+{
+
+/// Brings the pipelines that feed the scene up to date first.
+vtkMTimeType GetSceneMTime(vtkRenderer* renderer);
+
+}
+#endif
