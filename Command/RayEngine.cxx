@@ -17,6 +17,7 @@
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
@@ -108,6 +109,18 @@ void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
   }
 }
 
+vtkSmartPointer<vtkPenumbraMedium> MakeMedium(const ShaftOptions& shafts)
+{
+  vtkNew<vtkPenumbraMedium> medium;
+  medium->SetScattering(std::isnan(shafts.Scattering) ? -1.0 : shafts.Scattering);
+  medium->SetExtinction(std::isnan(shafts.Extinction) ? -1.0 : shafts.Extinction);
+  medium->SetPhase(shafts.Phase == "rayleigh" ? vtkPenumbraMedium::RAYLEIGH
+      : shafts.Phase == "hg"                  ? vtkPenumbraMedium::HENYEY_GREENSTEIN
+                                              : vtkPenumbraMedium::ISOTROPIC);
+  medium->SetAsymmetry(shafts.Asymmetry);
+  return medium;
+}
+
 }
 
 Picture RenderWithRays(
@@ -121,6 +134,10 @@ Picture RenderWithRays(
   caster->SetSmallObjects(options.SmallObjects);
   caster->SetNumberOfThreads(options.Threads);
   caster->SetShadows(options.Shadows);
+  if (options.Shafts.Enabled)
+  {
+    caster->SetMedium(MakeMedium(options.Shafts));
+  }
   caster->SetAmbientOcclusion(options.AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(
     std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));

@@ -198,6 +198,60 @@ void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
     ->group(group);
 }
 
+void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
+{
+  const std::string group = "Effects";
+  app
+    .add_flag("--light-shafts", shafts.Enabled,
+      "Fog in which --light-position makes light and shadow visible (ray)")
+    ->group(group);
+  AddNumber(app, "--shafts-scattering", shafts.Scattering, "S",
+    "Share of light scattered per world unit; default: a quarter over the bounds' diagonal",
+    { 0.0, Infinity })
+    ->default_str("")
+    ->group(group);
+  AddNumber(app, "--shafts-extinction", shafts.Extinction, "S",
+    "Share of light lost per world unit, scattering included; default: scattering alone",
+    { 0.0, Infinity })
+    ->default_str("")
+    ->group(group);
+  const auto storePhase = [&shafts](const std::string& text) {
+    shafts.Phase = text.substr(0, 3) == "hg:" ? "hg" : text;
+    if (shafts.Phase == "hg")
+    {
+      shafts.Asymmetry = ParseNumbers("--shafts-phase", text.substr(3), 1, 1, { -0.999, 0.999 })[0];
+    }
+    else if (text != "isotropic" && text != "rayleigh")
+    {
+      throw CLI::ValidationError(
+        "--shafts-phase", "'" + text + "' is not one of isotropic, rayleigh, hg:G");
+    }
+  };
+  app
+    .add_option_function<std::string>("--shafts-phase", storePhase,
+      "Where light is scattered; hg: Henyey and Greenstein's, G from -1 (back) to 1 (forward)")
+    ->type_name("isotropic|rayleigh|hg:G")
+    ->default_str("isotropic")
+    ->take_last()
+    ->group(group);
+}
+
+void RequireShafts(const CLI::App& app, const ShaftOptions& shafts)
+{
+  for (const char* name : { "--shafts-scattering", "--shafts-extinction", "--shafts-phase" })
+  {
+    if (!shafts.Enabled && app.count(name) > 0)
+    {
+      throw Failure(BadInput, std::string(name) + " needs --light-shafts; give both");
+    }
+  }
+  if (shafts.Extinction < shafts.Scattering)
+  {
+    throw Failure(BadInput,
+      "--shafts-extinction: less than --shafts-scattering; what is scattered is lost, too");
+  }
+}
+
 void RequireColoring(const CLI::App& app, const RenderOptions& options)
 {
   for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
@@ -236,7 +290,7 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   }
   for (const char* name :
     { "--tolerance", "--max-level", "--no-small-objects", "--ambient-occlusion",
-      "--ambient-occlusion-radius", "--ambient-occlusion-strength", "--shadows" })
+      "--ambient-occlusion-radius", "--ambient-occlusion-strength", "--shadows", "--light-shafts" })
   {
     if (app.count(name) > 0)
     {
@@ -257,6 +311,7 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
   DeclareLook(app, options);
   DeclareColoring(app, options.Coloring);
   DeclareEffects(app, options);
+  DeclareShafts(app, options.Shafts);
 }
 
 void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
@@ -264,6 +319,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
   CheckPictureExtension(options.Output, "--output");
   RequireEngine(app, options);
   RequireColoring(app, options);
+  RequireShafts(app, options.Shafts);
   if (!options.Background && !HoldsAlpha(options.Output))
   {
     throw Failure(BadInput,
@@ -304,8 +360,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
 const std::vector<std::string>& UnavailableOptions()
 {
   static const std::vector<std::string> names = { "--ambient-occlusion-kernel", "--frames",
-    "--indirect", "--environment-color", "--albedo", "--bounces", "--light-shafts",
-    "--shafts-scattering", "--shafts-extinction", "--shafts-phase" };
+    "--indirect", "--environment-color", "--albedo", "--bounces" };
   return names;
 }
 

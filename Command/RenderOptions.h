@@ -43,6 +43,16 @@ struct ColoringOptions
   bool ScalarBar = false;
 };
 
+/// The medium in which light shafts are seen.
+struct ShaftOptions
+{
+  bool Enabled = false;
+  double Scattering = Unset; ///< per world unit; unset: from the bounds
+  double Extinction = Unset; ///< unset: as Scattering
+  std::string Phase = "isotropic";
+  double Asymmetry = 0.0; ///< of phase hg
+};
+
 struct RenderOptions
 {
   std::vector<std::string> Files;
@@ -74,6 +84,7 @@ struct RenderOptions
   double AmbientOcclusionRadius = 0.0; ///< 0: from the bounds
   double AmbientOcclusionStrength = Unset;
   bool Shadows = false;
+  ShaftOptions Shafts;
 
   std::string Statistics;
   std::string Progress = "auto";

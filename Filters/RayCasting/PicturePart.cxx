@@ -6,6 +6,7 @@
 #include "Density.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 namespace penumbra
@@ -65,7 +66,7 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
       const float alpha = result.Color.a;
       part.Colors[index] =
         alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);
-      part.Errors[index] = result.Error;
+      part.Errors[index] = std::hypot(result.Error, integrator.GetMediumError());
       part.RayShares[index] = static_cast<float>(integrator.Rays.InPicture() - before);
     }
   }

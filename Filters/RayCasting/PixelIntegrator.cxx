@@ -57,9 +57,11 @@ void PixelIntegrator::LoadCorners(int x, int y)
 {
   this->X = x;
   this->Y = y;
+  this->MediumError = 0.f;
   for (int i = 0; i < 4; ++i)
   {
     this->Corners[i] = this->Grid.At(x + (i & 1), y + (i >> 1));
+    this->MediumError = std::max(this->MediumError, this->Corners[i].Error);
   }
   this->TrustedCorners = 15u;
   this->Segments.clear();
@@ -241,7 +243,7 @@ PixelResult PixelIntegrator::Smooth()
   if (agree)
   {
     const float error = this->CurvatureError();
-    const bool empty = !this->Corners[0].First.IsHit();
+    const bool empty = !this->Corners[0].First.IsHit() && !this->Source.HasShafts();
     if (empty || (error <= 0.25f * this->Settings.Tolerance && !this->IsNearShadowBorder()))
     {
       ++(empty ? this->Pixels.Empty : this->Pixels.Interior);

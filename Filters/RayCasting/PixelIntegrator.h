@@ -78,6 +78,9 @@ public:
   PixelResult Integrate(
     int x, int y, const std::uint32_t* edgeIndices, std::size_t count, Density density);
 
+  /// What the medium in front of the last pixel's corners is believed to err, at most.
+  float GetMediumError() const { return this->MediumError; }
+
   RayCounts Rays;
   PixelCounts Pixels;
 
@@ -111,6 +114,7 @@ private:
   void Descend(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
   bool NeedsDescent(const Square& square) const;
   bool IsConstant(const Sample& sample) const;
+  bool IsConstantBehindMedium(const Sample& sample) const;
   PixelResult FaceColor(std::size_t face);
   PixelResult SplitFace(std::size_t face);
   void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,
@@ -135,6 +139,7 @@ private:
   int X = 0;
   int Y = 0;
   Sample Corners[4];
+  float MediumError = 0.f;
   unsigned int TrustedCorners = 0; ///< those that no edge passes nearer than a ray is precise
   std::vector<PixelSegment> Segments;
   double NearestCulledDepth = 0.0;

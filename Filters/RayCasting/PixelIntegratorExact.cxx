@@ -195,8 +195,13 @@ void PixelIntegrator::Probe()
   }
 }
 
-// Has a face one colour all over, whichever of its points is asked?
+// Has a face one colour all over, whichever of its points is asked? A medium changes it a little.
 bool PixelIntegrator::IsConstant(const Sample& sample) const
+{
+  return !this->Source.HasShafts() && this->IsConstantBehindMedium(sample);
+}
+
+bool PixelIntegrator::IsConstantBehindMedium(const Sample& sample) const
 {
   return !sample.First.IsHit() ||
     (!this->Source.IsTransparent() && !this->Source.HasOcclusion() &&
@@ -238,7 +243,7 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   this->Deepen(sample);
   this->See(sample);
   result.Color = sample.Color;
-  if (inside == 0u && this->IsConstant(sample))
+  if (inside == 0u && this->IsConstantBehindMedium(sample))
   {
     return result;
   }
@@ -258,8 +263,10 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   const float area = static_cast<float>(face.Area);
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
-  // Answers about occlusion are dear, and it seldom jumps: there no face is split on suspicion.
-  const bool suspicion = unknown && this->Source.HasOcclusion() && variation <= UnknownVariation;
+  // Answers about occlusion and shafts are dear, and they seldom jump: there no face is split on
+  // suspicion.
+  const bool dear = this->Source.HasOcclusion() || this->Source.HasShafts();
+  const bool suspicion = unknown && dear && variation <= UnknownVariation;
   if (variation * area > limit && !suspicion)
   {
     return this->SplitFace(index);

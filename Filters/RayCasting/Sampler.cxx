@@ -36,6 +36,7 @@ RayCounts& RayCounts::operator+=(const RayCounts& other)
   this->Refinement += other.Refinement;
   this->Auxiliary += other.Auxiliary;
   this->Shadow += other.Shadow;
+  this->Shaft += other.Shaft;
   this->Occlusion += other.Occlusion;
   return *this;
 }
@@ -84,13 +85,28 @@ float Sampler::Occlusion(
   return static_cast<float>(estimate.Value);
 }
 
+void Sampler::AddMedium(
+  const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const
+{
+  const float share = 1.f - sample.Color.a;
+  const LightShafts::Seen seen = this->Shafts->Along(ray, from, to, share, counts.Shaft);
+  sample.Color += share * glm::vec4(seen.Light, 1.f - seen.Transmittance);
+  sample.Error += share * seen.Error;
+}
+
 void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts) const
 {
-  glm::vec4 color(0.f);
+  glm::vec4& color = sample.Color;
   Hit hit = sample.First;
   Ray rest = ray;
+  double place = -this->Eye.Advance;
   for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
   {
+    if (this->Shafts)
+    {
+      this->AddMedium(ray, place, hit.Distance, sample, counts);
+      place = hit.Distance;
+    }
     const Appearance seen = this->Shades.Shade(ray, hit, counts.Shadow);
     glm::vec4 c = seen.Color;
     const Surface& surface = this->GetScene().Surfaces[hit.Surface];
@@ -113,11 +129,14 @@ void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& 
     rest.Near = hit.Distance + std::max(std::abs(hit.Distance) * 4e-7f, 1e-30f);
     hit = this->Rays.Intersect(rest);
   }
+  if (this->Shafts && !hit.IsHit())
+  {
+    this->AddMedium(ray, place, std::numeric_limits<double>::infinity(), sample, counts);
+  }
   if (color.a < 1.f)
   {
     color += (1.f - color.a) * this->Background(p);
   }
-  sample.Color = color;
 }
 
 Sample Sampler::At(glm::dvec2 p, RayCounts& counts) const

@@ -5,7 +5,7 @@
 #ifndef penumbra_Sampler_h
 #define penumbra_Sampler_h
 
-#include "Shading.h"
+#include "LightShafts.h"
 
 #include <cstdint>
 
@@ -21,6 +21,7 @@ struct RayCounts
   long long Refinement = 0; ///< inside pixels
   long long Auxiliary = 0;  ///< through pixel centres, for the geometry arrays
   long long Shadow = 0;
+  long long Shaft = 0;     ///< to lights, from the medium
   long long Occlusion = 0; ///< asked for by the irradiance source
 
   long long InPicture() const { return this->Primary + this->Refinement; }
@@ -32,6 +33,7 @@ struct Sample
   glm::vec4 Color{ 0.f }; ///< premultiplied by alpha, background included
   Hit First;
   float OpaqueDepth = std::numeric_limits<float>::infinity(); ///< of the first opaque surface
+  float Error = 0.f;                                          ///< believed, of what the medium adds
 };
 
 class Sampler
@@ -56,6 +58,10 @@ public:
   void SetOcclusion(const vtkPenumbraIrradianceSource* source, double strength);
   bool HasOcclusion() const { return this->Occluder != nullptr; }
 
+  /// Draws a medium around everything; `shafts` must outlive this object. Null: none.
+  void SetShafts(const LightShafts* shafts) { this->Shafts = shafts; }
+  bool HasShafts() const { return this->Shafts != nullptr; }
+
   /// The blocked share of the sky at a hit.
   float Occlusion(const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts) const;
 
@@ -69,6 +75,7 @@ public:
   bool IsTransparent() const { return this->Transparent; }
 
 private:
+  void AddMedium(const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const;
   void Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts) const;
 
   const RayScene& Rays;
@@ -77,6 +84,7 @@ private:
   bool Transparent = false; ///< some surface lets light through
   const vtkPenumbraIrradianceSource* Occluder = nullptr;
   float OcclusionStrength = 1.f;
+  const LightShafts* Shafts = nullptr;
 };
 
 }

@@ -289,12 +289,19 @@ float Shading::Transmittance(
   // Rounding of positions and of the hit: some units in the last place of the largest coordinate.
   const glm::vec3 size = glm::abs(point);
   const float gap = 1e-5f * std::max(size.x, std::max(size.y, size.z));
-  Ray ray{ point + gap * glm::normalize(normal), towards, 0.f, distance };
+  return this->LightAlong(
+    Ray{ point + gap * glm::normalize(normal), towards, 0.f, distance }, shadowRays);
+}
+
+float Shading::LightAlong(Ray ray, long long& shadowRays) const
+{
   if (!this->Translucent)
   {
     ++shadowRays;
     return this->Rays.Occluded(ray) ? 0.f : 1.f;
   }
+  const glm::vec3 size = glm::abs(ray.Origin);
+  const float gap = 1e-5f * std::max(size.x, std::max(size.y, size.z));
   float left = 1.f;
   for (int i = 0; i < MaximumLayers && left > 0.f; ++i)
   {

@@ -28,6 +28,11 @@ public:
   /// Colour at a hit of `ray`. Adds the shadow rays it traced to `shadowRays`.
   Appearance Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const;
 
+  /// The share of light that reaches the origin of `ray` from its far end.
+  float LightAlong(Ray ray, long long& shadowRays) const;
+
+  const Scene& GetScene() const { return this->Rays.GetScene(); }
+
   /// The background at picture point p, straight rgb and alpha.
   glm::vec4 Background(glm::dvec2 p) const;
 

@@ -3,6 +3,7 @@
 #include "vtkPenumbraRayCaster.h"
 
 #include "GeometryArrays.h"
+#include "MediumExtraction.h"
 #include "PicturePart.h"
 #include "SceneExtraction.h"
 #include "SceneExtractionTime.h"
@@ -17,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraMedium.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -25,6 +27,8 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
+#include <string>
 
 namespace
 {
@@ -113,6 +117,7 @@ struct vtkPenumbraRayCaster::Internals
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkPenumbraIrradianceSource> IrradianceSource;
+  vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkNew<vtkFieldData> Statistics;
   double EstimatedError = std::nan("");
   std::unique_ptr<PreparedScene> Prepared; ///< kept while parts of its picture are asked for
@@ -164,6 +169,20 @@ vtkPenumbraIrradianceSource* vtkPenumbraRayCaster::GetIrradianceSource()
   return this->Implementation->IrradianceSource;
 }
 
+void vtkPenumbraRayCaster::SetMedium(vtkPenumbraMedium* medium)
+{
+  if (this->Implementation->Medium != medium)
+  {
+    this->Implementation->Medium = medium;
+    this->Modified();
+  }
+}
+
+vtkPenumbraMedium* vtkPenumbraRayCaster::GetMedium()
+{
+  return this->Implementation->Medium;
+}
+
 void vtkPenumbraRayCaster::SetMaximumLevelFromViewing(double distance, double pixelPitch)
 {
   // The eye resolves 2^-13 rad; a pixel seen under `angle` needs sides 2^L times smaller [AA].
@@ -191,6 +210,10 @@ vtkMTimeType vtkPenumbraRayCaster::GetMTime()
   if (this->Implementation->IrradianceSource)
   {
     time = std::max(time, this->Implementation->IrradianceSource->GetMTime());
+  }
+  if (this->Implementation->Medium)
+  {
+    time = std::max(time, this->Implementation->Medium->GetMTime());
   }
   return time;
 }
@@ -361,6 +384,15 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
   }
 
+  std::string warning;
+  const std::optional<penumbra::LightShafts> shafts = penumbra::MakeLightShafts(
+    this->Medium, shading, GetDiagonal(scene), { self->Tolerance, self->LightShaftSteps }, warning);
+  sampler.SetShafts(shafts ? &*shafts : nullptr);
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(self, << warning);
+  }
+
   AddFloatArray(image, "Color", 4);
   AddFloatArray(image, "Rays", 1);
   AddFloatArray(image, "EstimatedError", 1);
@@ -410,16 +442,6 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     }
   }
   this->Report(totals, squaredError, pixels);
-  if (self->AmbientOcclusion || self->GeometryArrays)
-  {
-    this->IrradianceSource->Report(this->Statistics);
-    vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
-    if (gathered)
-    {
-      vtkDataArray* total = this->Statistics->GetArray("Rays/Total");
-      total->SetComponent(0, 0, total->GetComponent(0, 0) + gathered->GetComponent(0, 0));
-    }
-  }
   image->GetFieldData()->ShallowCopy(this->Statistics);
   return true;
 }
@@ -433,10 +455,11 @@ void vtkPenumbraRayCaster::Internals::Report(
   AddStatistic(s, "Rays/Primary", rays.Primary);
   AddStatistic(s, "Rays/Refinement", rays.Refinement);
   AddStatistic(s, "Rays/Shadow", rays.Shadow);
+  AddStatistic(s, "Rays/Shaft", rays.Shaft);
   AddStatistic(s, "Rays/Occlusion", rays.Occlusion);
   AddStatistic(s, "Rays/Auxiliary", rays.Auxiliary);
   AddStatistic(s, "Rays/Total",
-    rays.Primary + rays.Refinement + rays.Shadow + rays.Occlusion + rays.Auxiliary);
+    rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Auxiliary);
   AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.InPicture()) / pixels);
   AddStatistic(s, "Pixels/Total", pixels);
   AddStatistic(s, "Pixels/Empty", totals.Pixels.Empty);
@@ -461,6 +484,8 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "SmallObjects: " << this->SmallObjects << "\n";
   os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
+  os << indent << "LightShaftSteps: " << this->LightShaftSteps << "\n";
   os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << "\n";

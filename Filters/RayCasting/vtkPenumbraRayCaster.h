@@ -25,6 +25,7 @@
 
 class vtkFieldData;
 class vtkPenumbraIrradianceSource;
+class vtkPenumbraMedium;
 class vtkRenderer;
 
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraRayCaster : public vtkImageAlgorithm
@@ -102,6 +103,24 @@ public:
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
   vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The medium in which light shafts are seen: lights that cast shadows (all but headlights) light it
+   * up, single scattering [Shafts eq. 1]. Default: none.
+   */
+  virtual void SetMedium(vtkPenumbraMedium* medium);
+  vtkPenumbraMedium* GetMedium();
+  ///@}
+
+  ///@{
+  /**
+   * Shadow rays for each light along a view ray, 0 to 4096, beside those that find the borders of
+   * shafts; 0: as many as Tolerance needs. Default: 0.
+   */
+  vtkSetClampMacro(LightShaftSteps, int, 0, 4096);
+  vtkGetMacro(LightShaftSteps, int);
   ///@}
 
   ///@{
@@ -199,6 +218,7 @@ private:
   int MaximumLevel = 3;
   bool SmallObjects = true;
   bool Shadows = false;
+  int LightShaftSteps = 0;
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;
   double AmbientOcclusionStrength = -1.0;

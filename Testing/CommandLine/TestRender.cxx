@@ -257,6 +257,35 @@ TEST(Render, LightsFromWhereItIsTold)
   EXPECT_NEAR(brightness({ "--light-position", "0,4,3,0", "--light-position=4,0,3,0" }), 1.2, 1e-5);
 }
 
+TEST(Render, DrawsLightShaftsInFog)
+{
+  const Folder folder("shafts");
+  // The sky to the side of the square: lit fog without end [Shafts eq. 1].
+  const double cosine = 0.6;
+  const double rayleigh = 3.0 / (16.0 * 3.14159265) * (1.0 + cosine * cosine);
+  const auto image = RenderSquare(folder, "p.vti",
+    { "--light-shafts", "--light-position=0,0.8,-0.6,0", "--shafts-scattering", "0.2",
+      "--shafts-extinction", "0.5", "--shafts-phase", "rayleigh", "--camera-orthographic",
+      "--statistics", folder / "s.json" });
+  EXPECT_NEAR(PixelAt(image, 1, 28)[0], 0.2 / 0.5 * rayleigh, 1e-5);
+  EXPECT_GT(ReadJson(folder / "s.json")["statistics"]["Rays/Shaft"], 0);
+  // In the middle the square ends the fog; itself it is lit from behind.
+  const double depth = image->GetPointData()->GetArray("Depth")->GetComponent(15 * 40 + 20, 0);
+  EXPECT_NEAR(
+    PixelAt(image, 20, 15)[0], 0.2 / 0.5 * rayleigh * (1.0 - std::exp(-0.5 * depth)), 1e-5);
+}
+
+TEST(Render, WarnsWhereAHeadlightMakesNoShafts)
+{
+  const Folder folder("headlight");
+  WriteText(folder / "square.stl", SquareStl());
+  const Outcome outcome =
+    RunProgram({ "render", folder / "square.stl", "--output", folder / "p.png", "--light-shafts" });
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_EQ(CountLines(outcome.Errors), 1);
+  EXPECT_NE(outcome.Errors.find("light"), std::string::npos);
+}
+
 TEST(Render, LeavesTheBackgroundOut)
 {
   const Folder folder("alpha");

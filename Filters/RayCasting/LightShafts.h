@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Light that a medium scatters towards the eye, shadows in it included: single scattering, eq. 1 and
+// 2 of [Shafts] with true shadow rays. The ray is not marched evenly: its steps scatter equal shares
+// of light, borders of shadow between two steps are bisected, and what lies between borders is
+// summed in closed form.
+#ifndef penumbra_LightShafts_h
+#define penumbra_LightShafts_h
+
+#include "Medium.h"
+#include "ScatteringProfile.h"
+#include "Shading.h"
+#include "ShadowRegions.h"
+
+#include <vector>
+
+namespace penumbra
+{
+
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT LightShafts
+{
+public:
+  struct Effort
+  {
+    double Tolerance; ///< the error accepted in a colour
+    int Steps; ///< shadow rays for each light along a ray, beside those that find borders; 0: as
+               ///< many as Tolerance needs
+  };
+
+  /// Lights that cast no shadow (headlights) make no shafts. `shading` must outlive this object.
+  LightShafts(const Shading& shading, const Medium& medium, Effort effort);
+
+  /// What the medium adds to a part of a ray, and leaves of what is behind.
+  struct Seen
+  {
+    glm::vec3 Light{ 0.f };
+    float Transmittance = 1.f;
+    float Error = 0.f; ///< believed, of Light
+  };
+
+  /// Between the distances `from` and `to` of `ray`, which may be infinite. Only the share `weight`
+  /// of the result reaches the eye: less of it, less work.
+  Seen Along(const Ray& ray, double from, double to, float weight, long long& shadowRays) const;
+
+  /// No light makes shafts.
+  bool IsEmpty() const { return this->Lights.empty(); }
+
+private:
+  /// One light along one ray. Places are shares of what the whole ray scatters, were it lit.
+  struct March
+  {
+    const ScatteringProfile& Profile;
+    const Light& Source;
+    glm::dvec3 Origin;
+    glm::dvec3 Direction;
+    double Worth;            ///< of the whole ray, in tolerances
+    std::vector<float> Seen; ///< what of the light arrives at each step
+    double Low;              ///< the steps lie between these places
+    double High;
+    double Finest; ///< borders are found to this share
+    double Lit;    ///< found so far
+    double Doubt;  ///< believed error of Lit
+    long long Rays;
+  };
+
+  void Walk(March& march, std::vector<Span> spans) const;
+  void Look(March& march, int steps) const;
+  void LookCloser(March& march) const;
+  double LitShare(March& march) const;
+  static double PlaceOfStep(const March& march, int i, int steps);
+  float Visible(March& march, double share) const;
+  double Between(March& march, double low, float atLow, double high, float atHigh) const;
+
+  const Shading& Shades;
+  const Medium Fog;
+  const Effort Work;
+  std::vector<Light> Lights;
+  std::vector<ShadowRegions> Regions; ///< of each light
+};
+
+}
+#endif
