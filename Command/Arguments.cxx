@@ -93,7 +93,7 @@ CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Tri
     target = Triple{ numbers[0], numbers[1], numbers[2] };
   };
   return app.add_option_function<std::string>(name, store, description)
-    ->type_name(range.Least > -Infinity ? "R,G,B" : "X,Y,Z")
+    ->type_name(range.Least < 0.0 ? "X,Y,Z" : "R,G,B")
     ->take_last();
 }
 

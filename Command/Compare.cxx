@@ -7,6 +7,7 @@
 #include "PendingFile.h"
 #include "Pictures.h"
 #include "Subcommands.h"
+#include "Worker.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -64,22 +65,31 @@ double Amplify(vtkImageData* difference)
   return factor;
 }
 
+vtkSmartPointer<vtkImageData> Read(const std::string& path)
+{
+  EnterPhase(path, BadInput);
+  return ReadPicture(path);
+}
+
+// In a process of its own.
 int Compare(const CompareOptions& options)
 {
   std::unique_ptr<PendingFile> file;
   if (!options.Difference.empty())
   {
     CheckPictureExtension(options.Difference, "--difference");
+    RefuseInput(options.Difference, "--difference", options.Pictures);
     file = std::make_unique<PendingFile>(options.Difference, "--difference");
   }
   const int metric = MetricOf(options.Metric);
   vtkNew<vtkPenumbraImageComparison> comparison;
   comparison->SetMetric(metric);
-  comparison->SetImage(ReadPicture(options.Pictures[0]));
+  comparison->SetImage(Read(options.Pictures[0]));
   for (std::size_t i = 1; i < options.Pictures.size(); ++i)
   {
-    comparison->AddBaseline(ReadPicture(options.Pictures[i]));
+    comparison->AddBaseline(Read(options.Pictures[i]));
   }
+  EnterPhase("comparing " + options.Pictures[0], MachineCannot);
   if (!comparison->Compare())
   {
     throw Failure(BadInput,
@@ -156,7 +166,8 @@ Action DeclareCompare(CLI::App& program)
     {
       throw Failure(BadInput, "compare: give a picture and at least one baseline");
     }
-    return Compare(*options);
+    return RunWorkers(
+      1, 1, [&](int) { return Compare(*options); }, [](int) {});
   };
 }
 

@@ -22,6 +22,14 @@ struct RenderOptions;
 
 struct Picture
 {
+  /// Is anything in view, as far as the engine can tell?
+  enum class Coverages
+  {
+    Unknown,
+    Empty,
+    Some
+  };
+  Coverages Coverage = Coverages::Unknown;
   vtkSmartPointer<vtkImageData> Image; ///< `Color`: 4 floats, straight alpha
   nlohmann::json Statistics = nlohmann::json::object();
   double EstimatedError = 0.0; ///< NaN where the engine makes no estimate

@@ -33,9 +33,16 @@ public:
   const Status ExitStatus;
 };
 
-/// The user cancelled.
+/// The user cancelled, by this signal.
 class Cancelled : public std::exception
 {
+public:
+  explicit Cancelled(int signal)
+    : Signal(signal)
+  {
+  }
+
+  const int Signal;
 };
 
 }

@@ -20,6 +20,10 @@ namespace fs = std::filesystem;
 namespace
 {
 
+// Names of files may be this long on Linux; of a longer one the temporary name takes the beginning.
+constexpr std::size_t LongestName = 255;
+constexpr std::size_t TemporaryPart = 200;
+
 // A link stays, what it points to is written.
 fs::path FollowLinks(fs::path path)
 {
@@ -31,6 +35,21 @@ fs::path FollowLinks(fs::path path)
   return path;
 }
 
+}
+
+void RefuseInput(
+  const std::string& path, const std::string& option, const std::vector<std::string>& inputs)
+{
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(path, error);
+  for (const std::string& input : inputs)
+  {
+    if (!error && fs::weakly_canonical(input, error) == target && !error)
+    {
+      throw Failure(
+        BadInput, option + " " + path + ": this is one of the files to be read; name another");
+    }
+  }
 }
 
 PendingFile::PendingFile(const std::string& path, const std::string& option)
@@ -50,12 +69,17 @@ PendingFile::PendingFile(const std::string& path, const std::string& option)
     this->Fail(fs::is_directory(target, ignored) ? "this is a folder; name a file in it"
                                                  : "this is not a regular file; name another");
   }
+  const std::string name = target.filename().string();
+  if (name.size() > LongestName)
+  {
+    this->Fail("the name is too long; shorten it to " + std::to_string(LongestName) + " bytes");
+  }
   if (access(folder.c_str(), W_OK | X_OK) != 0)
   {
     this->Fail("the folder cannot be written; choose another");
   }
   this->Temporary =
-    (folder / ("." + target.filename().string() + "." + std::to_string(getpid()))).string();
+    (folder / ("." + name.substr(0, TemporaryPart) + "." + std::to_string(getpid()))).string();
   RemoveOnCrash(this->Temporary);
 }
 

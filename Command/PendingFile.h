@@ -6,9 +6,14 @@
 #define penumbra_PendingFile_h
 
 #include <string>
+#include <vector>
 
 namespace penumbra
 {
+
+/// Throws Failure where `path`, which `option` asks to write, is one of the files that are read.
+void RefuseInput(
+  const std::string& path, const std::string& option, const std::vector<std::string>& inputs);
 
 class PendingFile
 {

@@ -156,7 +156,7 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
 
 std::string PictureExtensions()
 {
-  return ".png .jpg .tif .bmp .vti";
+  return ".png .jpg .jpeg .tif .tiff .bmp .vti";
 }
 
 void CheckPictureExtension(const std::string& path, const std::string& option)

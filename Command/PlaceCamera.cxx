@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Failure.h"
 #include "RenderOptions.h"
 #include "SceneBuilder.h"
 
@@ -7,7 +8,9 @@
 #include "vtkMath.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace penumbra
 {
@@ -15,19 +18,45 @@ namespace penumbra
 namespace
 {
 
+// What can be looked at: lengths whose squares are ordinary numbers.
+constexpr double ShortestLength = 1e-100;
+constexpr double LongestLength = 1e100;
+// The eye and what it looks at are at least this share of the scene's radius apart.
+constexpr double LeastShare = 1e-12;
+
+// Of length 1, however long it was: the squares of short and long ones are 0 and infinite.
+Triple Normalize(Triple direction)
+{
+  const double largest =
+    std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
+  for (double& x : direction)
+  {
+    x /= largest;
+  }
+  vtkMath::Normalize(direction.data());
+  return direction;
+}
+
+Triple Move(Triple point, const Triple& direction, double distance)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    point[axis] += distance * direction[axis];
+  }
+  return point;
+}
+
 // VTK's up, or another axis where the camera looks along it.
 Triple ChooseUp(const CameraOptions& options, const Triple& direction)
 {
-  const Triple up = options.ViewUp.value_or(Triple{ 0, 1, 0 });
+  const Triple up = Normalize(options.ViewUp.value_or(Triple{ 0, 1, 0 }));
   double across[3];
   vtkMath::Cross(up.data(), direction.data(), across);
-  const double sine =
-    vtkMath::Norm(across) / (vtkMath::Norm(up.data()) * vtkMath::Norm(direction.data()));
-  if (sine > 1e-6)
+  if (vtkMath::Norm(across) > 1e-6)
   {
     return up;
   }
-  return std::abs(up[2]) < 0.5 * vtkMath::Norm(up.data()) ? Triple{ 0, 0, 1 } : Triple{ 0, 1, 0 };
+  return std::abs(up[2]) < 0.5 ? Triple{ 0, 0, 1 } : Triple{ 0, 1, 0 };
 }
 
 // Half the height that shows a sphere of `radius` in a picture of that aspect.
@@ -62,35 +91,54 @@ void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options, double asp
   }
   const double radius = diagonal > 0.0 ? 0.5 * diagonal : 0.5;
 
+  if (!(radius > ShortestLength && radius < LongestLength))
+  {
+    throw Failure(BadInput,
+      "the meshes are too " + std::string(radius < 1.0 ? "small" : "large") +
+        " to be looked at; bring their coordinates to ordinary sizes");
+  }
+
   Triple focalPoint = options.FocalPoint.value_or(center);
   Triple position = options.Position.value_or(focalPoint);
   Triple direction = options.Direction.value_or(Triple{ 0, 0, -1 });
-  const double distance = FitDistance(radius, aspect, options.ViewAngle) / options.ZoomFactor;
-  double scale = FitScale(radius, aspect) / options.ZoomFactor;
+  double scale = FitScale(radius, aspect);
   if (options.Position)
   {
-    vtkMath::Subtract(focalPoint.data(), position.data(), direction.data());
-    scale = FitScale(radius, aspect);
-    if (vtkMath::Norm(direction.data()) == 0.0)
+    Triple sight;
+    vtkMath::Subtract(focalPoint.data(), position.data(), sight.data());
+    if (vtkMath::Norm(sight.data()) > LeastShare * radius)
+    {
+      direction = sight;
+    }
+    else if (options.FocalPoint)
+    {
+      throw Failure(
+        BadInput, "--camera-focal-point: too close to --camera-position; move one of them");
+    }
+    else
     {
       // The eye is in the centre of the bounds: it looks on from there.
-      direction = options.Direction.value_or(Triple{ 0, 0, -1 });
-      vtkMath::Add(position.data(), direction.data(), focalPoint.data());
+      focalPoint = Move(position, Normalize(direction), radius);
     }
   }
   else
   {
-    const double length = vtkMath::Norm(direction.data());
-    for (int axis = 0; axis < 3; ++axis)
+    const double far = FitDistance(radius, aspect, options.ViewAngle);
+    const double distance = options.Orthographic ? far : far / options.ZoomFactor;
+    position = Move(focalPoint, Normalize(direction), -distance);
+    if (!(distance > LeastShare * radius && distance < LongestLength) || position == focalPoint)
     {
-      position[axis] = focalPoint[axis] - direction[axis] / length * distance;
+      throw Failure(BadInput,
+        std::string("--camera-zoom-factor: brings the eye too ") +
+          (options.ZoomFactor > 1.0 ? "close; make it smaller" : "far away; make it larger"));
     }
+    scale /= options.ZoomFactor;
   }
 
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(position.data());
   camera->SetFocalPoint(focalPoint.data());
-  camera->SetViewUp(ChooseUp(options, direction).data());
+  camera->SetViewUp(ChooseUp(options, Normalize(direction)).data());
   camera->SetViewAngle(options.ViewAngle);
   camera->SetParallelProjection(options.Orthographic);
   camera->SetParallelScale(std::isnan(options.ParallelScale) ? scale : options.ParallelScale);

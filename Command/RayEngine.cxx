@@ -176,6 +176,8 @@ Picture RenderWithRays(
   picture.Image = caster->GetOutput();
   RestoreCellIds(picture.Image, renderer);
   picture.Statistics = ToJson(caster->GetStatistics());
+  const bool empty = picture.Statistics["Pixels/Empty"] == picture.Statistics["Pixels/Total"];
+  picture.Coverage = empty ? Picture::Coverages::Empty : Picture::Coverages::Some;
   picture.EstimatedError = caster->GetEstimatedError();
   picture.Threads =
     options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();

@@ -63,26 +63,43 @@ bool HasName(const std::string& pattern)
 bool ShowsOnlyBackground(vtkImageData* image, vtkRenderer* renderer, bool background)
 {
   vtkDataArray* color = image->GetPointData()->GetArray("Color");
-  const double* expected = renderer->GetBackground();
-  for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
+  if (!background)
   {
-    if (!background)
+    return color->GetRange(3)[1] <= 0.0;
+  }
+  const double* expected = renderer->GetBackground();
+  for (int c = 0; c < 3; ++c)
+  {
+    const double* range = color->GetRange(c);
+    if (std::max(expected[c] - range[0], range[1] - expected[c]) > 0.5 / 255.0)
     {
-      if (color->GetComponent(i, 3) > 0.0)
-      {
-        return false;
-      }
-      continue;
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      if (std::abs(color->GetComponent(i, c) - expected[c]) > 0.5 / 255.0)
-      {
-        return false;
-      }
+      return false;
     }
   }
   return true;
+}
+
+// Why a picture shows nothing; empty where it shows something.
+std::string ExplainEmptiness(
+  const Picture& picture, vtkRenderer* renderer, const RenderOptions& options)
+{
+  const bool empty = picture.Coverage == Picture::Coverages::Empty;
+  if (!empty && !ShowsOnlyBackground(picture.Image, renderer, options.Background))
+  {
+    return std::string();
+  }
+  if (options.Opacity == 0.0)
+  {
+    return "everything is transparent: the picture shows only the background; raise --opacity";
+  }
+  if (empty)
+  {
+    return "nothing in view; check the --camera options";
+  }
+  return picture.Coverage == Picture::Coverages::Unknown
+    ? "nothing to see: the picture shows only the background; check the --camera options, the "
+      "colours and the lights"
+    : "what is in view cannot be told from the background; check the colours and the lights";
 }
 
 void SayWarnings(const std::vector<std::string>& warnings)
@@ -159,11 +176,10 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
   const Picture picture = rays ? RenderWithRays(renderer, options, listener)
                                : RenderWithRaster(renderer, options, listener);
   warnings.insert(warnings.end(), picture.Warnings.begin(), picture.Warnings.end());
-  if (ShowsOnlyBackground(picture.Image, renderer, options.Background))
+  const std::string emptiness = ExplainEmptiness(picture, renderer, options);
+  if (!emptiness.empty())
   {
-    warnings.push_back(options.Opacity == 0.0
-        ? "everything is transparent: the picture shows only the background; raise --opacity"
-        : "nothing in view: the picture shows only the background; check the --camera options");
+    warnings.push_back(emptiness);
   }
 
   EnterPhase("writing " + options.Output, MachineCannot);
@@ -190,14 +206,27 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
   return Done;
 }
 
+// Nothing that is read or written may be written over.
+void CheckFiles(const RenderOptions& picture, const std::vector<std::string>& inputs)
+{
+  RefuseInput(picture.Output, "--output", inputs);
+  if (picture.Statistics.empty())
+  {
+    return;
+  }
+  RefuseInput(picture.Statistics, "--statistics", inputs);
+  std::error_code ignored;
+  if (std::filesystem::weakly_canonical(picture.Statistics, ignored) ==
+    std::filesystem::weakly_canonical(picture.Output, ignored))
+  {
+    throw Failure(
+      BadInput, "--statistics " + picture.Statistics + ": this is the --output; name another file");
+  }
+}
+
 // One picture of all files, or one of each where the output's name holds {name}.
 std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
 {
-  if (options.Statistics == options.Output)
-  {
-    throw Failure(
-      BadInput, "--statistics " + options.Statistics + ": this is the --output; name another file");
-  }
   if (!HasName(options.Output))
   {
     if (HasName(options.Statistics))
@@ -236,6 +265,10 @@ std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
 int Render(const RenderOptions& options, Clock::time_point start)
 {
   std::vector<RenderOptions> pictures = PlanPictures(options);
+  for (const RenderOptions& picture : pictures)
+  {
+    CheckFiles(picture, options.Files);
+  }
   const int count = static_cast<int>(pictures.size());
   const int jobs = std::min(options.Jobs, count);
   if (jobs > 1 && options.Threads == 0)
@@ -273,7 +306,15 @@ Action DeclareRender(CLI::App& program)
   return [options, app, start]() {
     options->Coloring.Enabled = options->Coloring.Enabled || !options->Coloring.Array.empty();
     CheckRenderOptions(*app, *options);
-    return Render(*options, start);
+    const int status = Render(*options, start);
+    if (status == Done)
+    {
+      for (const std::string& warning : FindIdleOptions(*app, *options))
+      {
+        Say("warning: " + warning);
+      }
+    }
+    return status;
   };
 }
 

@@ -7,6 +7,7 @@
 #include "Pictures.h"
 #include "Worker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -17,7 +18,9 @@ namespace
 {
 
 const Range Unit{ 0.0, 1.0 };
-const Range Positive{ 0.0, Infinity, true };
+// Lengths whose squares are finite and not 0.
+const Range Place{ -1e100, 1e100 };
+const Range Length{ 1e-100, 1e100 };
 
 /// A flag that turns something off.
 CLI::Option* AddNegation(
@@ -34,8 +37,9 @@ void DeclareOutput(CLI::App& app, RenderOptions& options)
     ->type_name("");
   app
     .add_option("--output", options.Output,
-      "Picture: .png .jpg .tif .bmp (8 bit) or .vti (floats, depth, normals, ids); with {name} in "
-      "it, one picture for each file")
+      "Picture: .png .jpg .jpeg .tif .tiff .bmp (8 bit) or .vti (floats, depth, normals, ids); "
+      "with "
+      "{name} in it, one picture for each file")
     ->required()
     ->type_name("PATH")
     ->take_last()
@@ -82,9 +86,8 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
   AddInteger(
     app, "--max-level", options.MaximumLevel, "Deepest subdivision of a pixel (ray): 2^-N", 0, 6)
     ->group("Engine");
-  app
-    .add_flag(
-      "!--no-small-objects", options.SmallObjects, "Do not look for objects between the rays (ray)")
+  AddNegation(app, "--no-small-objects", options.SmallObjects,
+    "Do not look for objects between the rays (ray)")
     ->group("Engine");
   AddInteger(app, "--threads", options.Threads, "Threads, 0: all; the picture is the same", 0, 1024)
     ->group("Engine");
@@ -95,23 +98,24 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
 
 void DeclareCamera(CLI::App& app, CameraOptions& camera)
 {
-  AddTriple(app, "--camera-position", camera.Position, "Where the eye is; default: all is in view");
+  AddTriple(
+    app, "--camera-position", camera.Position, "Where the eye is; default: all is in view", Place);
   AddTriple(app, "--camera-focal-point", camera.FocalPoint,
-    "What it looks at; default: the centre of the bounds");
+    "What it looks at; default: the centre of the bounds", Place);
   AddTriple(app, "--camera-view-up", camera.ViewUp, "What is up; default: 0,1,0");
   AddTriple(app, "--camera-direction", camera.Direction,
     "Where it looks, all in view; default: 0,0,-1; not used with --camera-position");
-  AddNumber(app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical angle of view",
-    { 0.0, 179.0, true });
+  AddNumber(
+    app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical angle of view", { 1e-6, 179.0 });
   AddNumber(app, "--camera-zoom-factor", camera.ZoomFactor, "F",
-    "Closer than the view of all by this factor; not used with --camera-position", Positive);
+    "Closer than the view of all by this factor; not used with --camera-position", Length);
   AddNumber(app, "--camera-azimuth-angle", camera.Azimuth, "DEG",
     "Then turn around the focal point, to the right");
   AddNumber(app, "--camera-elevation-angle", camera.Elevation, "DEG",
     "Then turn around the focal point, upwards");
   app.add_flag("--camera-orthographic", camera.Orthographic, "Parallel projection");
   AddNumber(app, "--camera-parallel-scale", camera.ParallelScale, "S",
-    "Half the height of the view in world units; default: all is in view", Positive);
+    "Half the height of the view in world units; default: all is in view", Length);
   for (CLI::Option* option : app.get_options(
          [](const CLI::Option* one) { return one->get_name().rfind("--camera-", 0) == 0; }))
   {
@@ -135,7 +139,7 @@ void DeclareLook(CLI::App& app, RenderOptions& options)
     options.Lights.clear();
     for (const std::string& text : texts)
     {
-      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, {});
+      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, Place);
       numbers.resize(4, 1.0);
       options.Lights.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
     }
@@ -350,11 +354,49 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
   }
   for (const std::array<double, 4>& light : options.Lights)
   {
-    if (light[3] < 0.0 || (light[3] == 0.0 && std::hypot(light[0], light[1], light[2]) == 0.0))
+    const double length = std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]) });
+    if (light[3] < 0.0 || (light[3] == 0.0 && length == 0.0) ||
+      (light[3] > 0.0 && length > light[3] * Place.Most))
     {
       throw Failure(BadInput, "--light-position: w must be 0, with a direction, or positive");
     }
   }
+}
+
+std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOptions& options)
+{
+  const bool orthographic = options.Camera.Orthographic;
+  const bool placed = options.Camera.Position.has_value();
+  const bool many = options.Output.find("{name}") != std::string::npos && options.Files.size() > 1;
+  const bool lights = options.Lighting && !options.Lights.empty();
+  const struct
+  {
+    const char* Option;
+    bool Idle;
+    const char* Why;
+  } rows[] = {
+    { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
+      "without --ambient-occlusion" },
+    { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
+    { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
+    { "--camera-view-angle", orthographic, "with --camera-orthographic" },
+    { "--camera-zoom-factor", placed, "with --camera-position" },
+    { "--camera-direction", placed,
+      "with --camera-position, unless the eye is in the centre of the bounds" },
+    { "--light-position", !options.Lighting, "with --no-lighting" },
+    { "--shadows", !lights, "without --light-position: the headlight casts none" },
+    { "--window", options.Engine == "ray", "with --engine ray" },
+    { "--jobs", !many, "without several files and {name} in --output" },
+  };
+  std::vector<std::string> sentences;
+  for (const auto& row : rows)
+  {
+    if (row.Idle && app.count(row.Option) > 0)
+    {
+      sentences.push_back(std::string(row.Option) + " has no effect " + row.Why);
+    }
+  }
+  return sentences;
 }
 
 const std::vector<std::string>& UnavailableOptions()

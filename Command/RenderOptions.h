@@ -98,6 +98,9 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options);
 /// Throws Failure where options contradict each other. Call after parsing.
 void CheckRenderOptions(const CLI::App& app, const RenderOptions& options);
 
+/// What was asked for and changes nothing, one sentence each. Call after parsing.
+std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOptions& options);
+
 /// Options of `render` that later versions will have.
 const std::vector<std::string>& UnavailableOptions();
 

@@ -16,6 +16,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace penumbra
@@ -85,7 +86,10 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
     vtkNew<vtkLight> light;
     light->SetLightTypeToSceneLight();
     const bool positional = position[3] > 0.0;
-    const double scale = positional ? 1.0 / position[3] : 1.0;
+    // A direction may be of any length: the largest of its numbers becomes 1.
+    const double largest =
+      std::max({ std::abs(position[0]), std::abs(position[1]), std::abs(position[2]) });
+    const double scale = 1.0 / (positional ? position[3] : largest);
     light->SetPosition(position[0] * scale, position[1] * scale, position[2] * scale);
     light->SetFocalPoint(0.0, 0.0, 0.0);
     light->SetPositional(positional);

@@ -13,8 +13,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iostream>
+#include <iterator>
 #include <map>
 #include <new>
+#include <system_error>
 #include <vector>
 
 #include <sys/mman.h>
@@ -35,58 +38,16 @@ struct Report
 };
 
 Report* Mine = nullptr;
-std::atomic<bool> CancelRequested{ false };
+std::atomic<int> CancelSignal{ 0 };
 
-void RequestCancel(int)
+void RequestCancel(int number)
 {
-  CancelRequested = true;
+  CancelSignal = number;
 }
 
 void CopyText(char* target, std::size_t size, const std::string& text)
 {
   std::snprintf(target, size, "%s", text.c_str());
-}
-
-// Blocks the signals that the supervisor waits for; they arrive while it is suspended.
-sigset_t BlockSignals()
-{
-  struct sigaction action = {};
-  action.sa_handler = RequestCancel;
-  sigset_t blocked;
-  sigset_t before;
-  sigemptyset(&blocked);
-  for (int number : { SIGINT, SIGTERM, SIGHUP })
-  {
-    sigaction(number, &action, nullptr);
-    sigaddset(&blocked, number);
-  }
-  action.sa_handler = [](int) {};
-  sigaction(SIGCHLD, &action, nullptr);
-  sigaddset(&blocked, SIGCHLD);
-  sigprocmask(SIG_BLOCK, &blocked, &before);
-  return before;
-}
-
-// A worker simply dies when the user cancels, or with its supervisor.
-void RestoreSignals(const sigset_t& before)
-{
-  for (int number : { SIGINT, SIGTERM, SIGHUP, SIGCHLD })
-  {
-    signal(number, SIG_DFL);
-  }
-  sigprocmask(SIG_SETMASK, &before, nullptr);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-}
-
-void LimitMemory()
-{
-#if !defined(__SANITIZE_ADDRESS__)
-  // Refusing memory that the machine does not have leads to a message instead of a kill.
-  rlimit limit = {};
-  getrlimit(RLIMIT_DATA, &limit);
-  limit.rlim_cur = std::min<rlim_t>(penumbra::MachineMemory(), limit.rlim_cur);
-  setrlimit(RLIMIT_DATA, &limit);
-#endif
 }
 
 void RemoveTemporaries(const Report& report)
@@ -100,11 +61,96 @@ void RemoveTemporaries(const Report& report)
   }
 }
 
+// What a worker does when its supervisor is gone.
+void RemoveAndEnd(int)
+{
+  RemoveTemporaries(*Mine);
+  _exit(penumbra::MachineCannot);
+}
+
+// While it lives, the signals that cancel, and those of ended workers, arrive in Wait() alone. Signals
+// that were ignored on entry, as nohup wants it, stay so.
+class SignalGuard
+{
+public:
+  SignalGuard()
+  {
+    struct sigaction action = {};
+    action.sa_handler = RequestCancel;
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    for (std::size_t i = 0; i < std::size(Cancelling); ++i)
+    {
+      sigaction(Cancelling[i], nullptr, &this->Actions[i]);
+      if (this->Actions[i].sa_handler != SIG_IGN)
+      {
+        sigaction(Cancelling[i], &action, nullptr);
+        sigaddset(&blocked, Cancelling[i]);
+      }
+    }
+    action.sa_handler = [](int) {};
+    sigaction(SIGCHLD, &action, &this->ChildAction);
+    sigaddset(&blocked, SIGCHLD);
+    sigprocmask(SIG_BLOCK, &blocked, &this->Mask);
+    this->WaitMask = this->Mask;
+    sigdelset(&this->WaitMask, SIGCHLD); // Whoever started the program may have blocked it.
+  }
+  ~SignalGuard()
+  {
+    this->RestoreActions();
+    sigaction(SIGCHLD, &this->ChildAction, nullptr);
+    sigprocmask(SIG_SETMASK, &this->Mask, nullptr);
+  }
+  SignalGuard(const SignalGuard&) = delete;
+  void operator=(const SignalGuard&) = delete;
+
+  void Wait() const { sigsuspend(&this->WaitMask); }
+
+  // In a worker, which dies when the user cancels, or with its supervisor.
+  void EnterWorker() const
+  {
+    this->RestoreActions();
+    signal(SIGCHLD, SIG_DFL);
+    signal(SIGUSR1, RemoveAndEnd);
+    sigset_t mask = this->WaitMask;
+    sigdelset(&mask, SIGUSR1);
+    sigprocmask(SIG_SETMASK, &mask, nullptr);
+    prctl(PR_SET_PDEATHSIG, SIGUSR1);
+  }
+
+private:
+  static constexpr int Cancelling[] = { SIGINT, SIGTERM, SIGHUP };
+
+  void RestoreActions() const
+  {
+    for (std::size_t i = 0; i < std::size(Cancelling); ++i)
+    {
+      sigaction(Cancelling[i], &this->Actions[i], nullptr);
+    }
+  }
+
+  struct sigaction Actions[std::size(Cancelling)];
+  struct sigaction ChildAction;
+  sigset_t Mask;
+  sigset_t WaitMask;
+};
+
+void LimitMemory()
+{
+#if !defined(__SANITIZE_ADDRESS__)
+  // Refusing memory that the machine does not have leads to a message instead of a kill.
+  rlimit limit = {};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = std::min<rlim_t>(penumbra::MachineMemory(), limit.rlim_cur);
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
 // A status for a worker that was killed, and a line about it.
 int ExplainDeath(const Report& report, int signalNumber)
 {
   RemoveTemporaries(report);
-  if (CancelRequested)
+  if (CancelSignal)
   {
     return penumbra::Done;
   }
@@ -123,6 +169,93 @@ int ExplainDeath(const Report& report, int signalNumber)
     (penumbra::LogPath().empty() ? "the file" : penumbra::LogPath()));
   return penumbra::MachineCannot;
 }
+
+// The processes at work. Whatever ends the supervisor's work ends theirs.
+class Crew
+{
+public:
+  explicit Crew(int count)
+    : Bytes(sizeof(Report) * count)
+  {
+    void* memory =
+      mmap(nullptr, this->Bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+    {
+      throw std::bad_alloc();
+    }
+    this->Reports = static_cast<Report*>(memory);
+  }
+  ~Crew()
+  {
+    this->Kill();
+    for (const auto& worker : this->Running)
+    {
+      waitpid(worker.first, nullptr, 0);
+      RemoveTemporaries(this->Reports[worker.second]);
+    }
+    munmap(this->Reports, this->Bytes);
+  }
+  Crew(const Crew&) = delete;
+  void operator=(const Crew&) = delete;
+
+  bool IsAtWork() const { return !this->Running.empty(); }
+  int Size() const { return static_cast<int>(this->Running.size()); }
+  void Wait() const { this->Signals.Wait(); }
+
+  // False when the machine allows no more processes now; throws when it allows none at all.
+  bool Start(int number, const std::function<int(int)>& task)
+  {
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child < 0 && !this->IsAtWork())
+    {
+      throw penumbra::Failure(
+        penumbra::MachineCannot, std::string("cannot start a process: ") + strerror(errno));
+    }
+    if (child == 0)
+    {
+      Mine = &this->Reports[number];
+      this->Signals.EnterWorker();
+      LimitMemory();
+      std::exit(penumbra::RunGuarded([&]() { return task(number); }));
+    }
+    if (child > 0)
+    {
+      this->Running[child] = number;
+    }
+    return child > 0;
+  }
+
+  // The status of a worker that has ended; false when there is none.
+  bool Collect(int& status)
+  {
+    int state = 0;
+    const pid_t child = waitpid(-1, &state, WNOHANG);
+    const auto worker = this->Running.find(child);
+    if (worker == this->Running.end())
+    {
+      return false;
+    }
+    status = WIFSIGNALED(state) ? ExplainDeath(this->Reports[worker->second], WTERMSIG(state))
+                                : WEXITSTATUS(state);
+    this->Running.erase(worker);
+    return true;
+  }
+
+  void Kill() const
+  {
+    for (const auto& worker : this->Running)
+    {
+      kill(worker.first, SIGKILL);
+    }
+  }
+
+private:
+  SignalGuard Signals;
+  std::map<pid_t, int> Running;
+  Report* Reports = nullptr;
+  std::size_t Bytes;
+};
 
 }
 
@@ -164,7 +297,15 @@ int RunGuarded(const std::function<int()>& body)
 {
   try
   {
-    return body();
+    const int status = body();
+    errno = 0;
+    if (!std::cout.flush())
+    {
+      throw Failure(MachineCannot,
+        std::string("standard output cannot be written: ") +
+          (errno != 0 ? strerror(errno) : "an earlier write failed"));
+    }
+    return status;
   }
   catch (const Failure& failure)
   {
@@ -181,6 +322,12 @@ int RunGuarded(const std::function<int()>& body)
       "out of memory; a smaller --resolution or a smaller mesh needs less");
     return MachineCannot;
   }
+  catch (const std::system_error& error)
+  {
+    Say((Mine ? Mine->Phase + std::string(": ") : std::string()) +
+      "the machine refuses: " + error.what());
+    return MachineCannot;
+  }
   catch (const std::exception& error)
   {
     Say((Mine ? Mine->Phase + std::string(": ") : std::string()) + error.what());
@@ -191,59 +338,32 @@ int RunGuarded(const std::function<int()>& body)
 int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   const std::function<void(int finishedTasks)>& finished)
 {
-  void* memory = mmap(
-    nullptr, sizeof(Report) * count, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED)
-  {
-    throw std::bad_alloc();
-  }
-  Report* reports = static_cast<Report*>(memory);
-  const sigset_t signalsBefore = BlockSignals();
-  std::map<pid_t, int> running;
+  Crew crew(count);
   int started = 0;
   int done = 0;
   int worst = Done;
-  while (!running.empty() || (started < count && !CancelRequested))
+  while (crew.IsAtWork() || (started < count && !CancelSignal))
   {
-    while (started < count && static_cast<int>(running.size()) < jobs && !CancelRequested)
+    while (started < count && crew.Size() < jobs && !CancelSignal && crew.Start(started, task))
     {
-      std::fflush(nullptr);
-      const pid_t child = fork();
-      if (child < 0)
-      {
-        throw Failure(MachineCannot, std::string("cannot start a process: ") + strerror(errno));
-      }
-      if (child == 0)
-      {
-        Mine = &reports[started];
-        RestoreSignals(signalsBefore);
-        LimitMemory();
-        std::exit(RunGuarded([&]() { return task(started); }));
-      }
-      running[child] = started++;
+      ++started;
     }
-    int state = 0;
-    pid_t child = waitpid(-1, &state, WNOHANG);
-    if (child <= 0)
+    int status = Done;
+    if (!crew.Collect(status))
     {
-      sigsuspend(&signalsBefore);
-      for (auto worker = running.begin(); CancelRequested && worker != running.end(); ++worker)
+      crew.Wait();
+      if (CancelSignal)
       {
-        kill(worker->first, SIGKILL);
+        crew.Kill();
       }
       continue;
     }
-    const int status = WIFSIGNALED(state) ? ExplainDeath(reports[running[child]], WTERMSIG(state))
-                                          : WEXITSTATUS(state);
     worst = std::max(worst, status);
-    running.erase(child);
     finished(++done);
   }
-  sigprocmask(SIG_SETMASK, &signalsBefore, nullptr);
-  munmap(memory, sizeof(Report) * count);
-  if (CancelRequested)
+  if (CancelSignal)
   {
-    throw Cancelled();
+    throw Cancelled(CancelSignal);
   }
   return worst;
 }

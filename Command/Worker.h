@@ -21,12 +21,13 @@ void RemoveOnCrash(const std::string& path);
 
 /// Do count tasks, each in a process of its own, `jobs` at a time; `finished` hears after each.
 /// `task` returns an exit status or throws Failure, whose message is said. Returns the largest
-/// status. When the user cancels, the workers end, what they had begun to write is removed, and
-/// Cancelled is thrown.
+/// status. When the user cancels (SIGINT, SIGTERM, SIGHUP, unless ignored), the workers end, what they
+/// had begun to write is removed, and Cancelled is thrown.
 int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   const std::function<void(int finishedTasks)>& finished);
 
-/// Run one body, its exceptions but Cancelled turned into one line and a status.
+/// Run one body, its exceptions but Cancelled, and a standard output that cannot be written, turned
+/// into one line and a status.
 int RunGuarded(const std::function<int()>& body);
 
 /// Physical memory of the machine, or what the control group grants of it.

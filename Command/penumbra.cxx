@@ -27,12 +27,13 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error)
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
   const std::string hint = "; see `penumbra" + command + " --help`";
-  if (dynamic_cast<const CLI::ExtrasError*>(&error))
+  const std::vector<std::string> extras = program.remaining(true);
+  const bool lacking = dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (lacking && !extras.empty()))
   {
-    const std::vector<std::string> extras = program.remaining(true);
     const std::string first = extras.empty() ? "" : extras.front();
     const std::string option = first.substr(0, first.find('='));
-    if (chosen.empty())
+    if (chosen.empty() && first.rfind('-', 0) != 0)
     {
       return first + ": unknown subcommand" + hint;
     }
@@ -42,7 +43,7 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error)
                                                       : ": unknown option") +
       hint;
   }
-  if (dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty())
+  if (lacking)
   {
     return "no subcommand given" + hint;
   }
@@ -83,17 +84,16 @@ int Run(int argc, char** argv)
 int main(int argc, char** argv)
 {
   OpenLog();
+  std::signal(SIGCHLD, SIG_DFL); // Were it ignored, nobody would hear how a process ended.
   std::signal(SIGXFSZ, SIG_IGN); // A write beyond a quota then fails with a message.
   try
   {
-    const int status = RunGuarded([&]() { return Run(argc, argv); });
-    std::cout.flush();
-    return status;
+    return RunGuarded([&]() { return Run(argc, argv); });
   }
-  catch (const Cancelled&)
+  catch (const Cancelled& cancelled)
   {
-    std::signal(SIGINT, SIG_DFL);
-    std::raise(SIGINT); // So that a shell, too, sees what ended the program.
+    std::signal(cancelled.Signal, SIG_DFL);
+    std::raise(cancelled.Signal); // So that a shell, too, sees what ended the program.
   }
   return MachineCannot;
 }

@@ -121,6 +121,24 @@ const Row Rows[] = {
   { "NoUp", 2, Square, "stl", { "--camera-view-up", "0,0,0" }, { "--camera-view-up" } },
   { "EyeAtItsFocus", 2, Square, "stl",
     { "--camera-position", "1,2,3", "--camera-focal-point", "1,2,3" }, { "--camera-focal-point" } },
+  { "EyeAtAnotherFocus", 2, Square, "stl",
+    { "--camera-position", "0,0,5", "--camera-focal-point", "0,0,5.00000000000001" },
+    { "--camera-focal-point", "too close" } },
+  { "HugeZoom", 2, Square, "stl", { "--camera-zoom-factor", "1e300" }, { "--camera-zoom-factor" } },
+  { "TinyZoom", 2, Square, "stl", { "--camera-zoom-factor", "1e-300" },
+    { "--camera-zoom-factor" } },
+  { "ZoomIntoAPoint", 2, Square, "stl", { "--camera-zoom-factor", "1e20" },
+    { "--camera-zoom-factor", "too close", "smaller" } },
+  { "HugePosition", 2, Square, "stl", { "--camera-position", "1e308,0,0" },
+    { "--camera-position", "1e+100" } },
+  { "HugeFocus", 2, Square, "stl", { "--camera-focal-point", "0,1e200,0" },
+    { "--camera-focal-point" } },
+  { "HugeScale", 2, Square, "stl", { "--camera-orthographic", "--camera-parallel-scale", "1e300" },
+    { "--camera-parallel-scale" } },
+  { "TinyAngle", 2, Square, "stl", { "--camera-view-angle", "1e-300" }, { "--camera-view-angle" } },
+  { "HugeLight", 2, Square, "stl", { "--light-position", "1,1,1,1e-300" }, { "--light-position" } },
+  { "HugeMesh", 2, "v 0 0 0\nv 1e200 0 0\nv 0 1e200 0\nf 1 2 3\n", "obj", {},
+    { "meshes are too large" } },
   { "WideAngle", 2, Square, "stl", { "--camera-view-angle", "180" }, { "--camera-view-angle" } },
   { "ColorBeyondOne", 2, Square, "stl", { "--color", "255,0,0" }, { "--color", "from 0 to 1" } },
   { "NegativeOpacity", 2, Square, "stl", { "--opacity", "-1" }, { "--opacity" } },
@@ -179,6 +197,32 @@ const Row Rows[] = {
   { "LookingAway", 0, Square, "stl",
     { "--camera-position", "0,0,5", "--camera-focal-point", "0,0,9" },
     { "warning", "nothing in view", "--camera" } },
+  { "BlackOnBlack", 0, Square, "stl", { "--color", "0,0,0" },
+    { "warning", "cannot be told from the background", "colours" } },
+  { "FarAway", 0, Square, "stl", { "--camera-position", "0,0,1e99" },
+    { "warning", "nothing in view" } },
+  { "RadiusWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-radius", "1" },
+    { "warning", "--ambient-occlusion-radius has no effect without --ambient-occlusion" } },
+  { "StrengthWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-strength", "1" },
+    { "warning", "--ambient-occlusion-strength has no effect" } },
+  { "ScaleInPerspective", 0, Square, "stl", { "--camera-parallel-scale", "2" },
+    { "warning", "--camera-parallel-scale has no effect without --camera-orthographic" } },
+  { "AngleInParallel", 0, Square, "stl", { "--camera-view-angle", "20", "--camera-orthographic" },
+    { "warning", "--camera-view-angle has no effect" } },
+  { "ZoomFromAPosition", 0, Square, "stl",
+    { "--camera-zoom-factor", "2", "--camera-position", "0,0,9" },
+    { "warning", "--camera-zoom-factor has no effect with --camera-position" } },
+  { "DirectionFromAPosition", 0, Square, "stl",
+    { "--camera-direction", "1,0,0", "--camera-position", "0,0,9" },
+    { "warning", "--camera-direction has no effect with --camera-position" } },
+  { "LightWithoutLighting", 0, Square, "stl", { "--light-position", "0,0,9", "--no-lighting" },
+    { "warning", "--light-position has no effect with --no-lighting" } },
+  { "ShadowsOfTheHeadlight", 0, Square, "stl", { "--shadows" },
+    { "warning", "--shadows has no effect without --light-position" } },
+  { "WindowOfTheRayEngine", 0, Square, "stl", { "--window", "x" },
+    { "warning", "--window has no effect with --engine ray" } },
+  { "JobsOfOnePicture", 0, Square, "stl", { "--jobs", "2" },
+    { "warning", "--jobs has no effect without several files" } },
   { "AllTransparent", 0, Square, "stl", { "--opacity", "0" },
     { "warning", "transparent", "--opacity" } },
 
@@ -186,6 +230,10 @@ const Row Rows[] = {
   { "DegenerateTriangle", 0, ObjWithDegenerateTriangle, "obj", {}, {} },
   { "EyeInTheSurface", 0, Square, "stl", { "--camera-position", "0,0,0.001" }, {} },
   { "OnePixel", 0, Square, "stl", { "--resolution", "1,1" }, {} },
+  { "ShortDirection", 0, Square, "stl",
+    { "--camera-direction", "1e-200,0,-1e-200", "--camera-view-up", "0,1e-300,0" }, {} },
+  { "LongDirection", 0, Square, "stl", { "--camera-direction", "1e300,0,-1e300" }, {} },
+  { "ShortLight", 0, Square, "stl", { "--light-position", "0,0,1e-300,0" }, {} },
 };
 
 class BadInput : public testing::TestWithParam<Row>
@@ -253,6 +301,10 @@ TEST(BadUse, IsToldInOneLine)
                          folder / "large.png" })
               .Status,
     0);
+  ASSERT_EQ(RunProgram({ "render", folder / "square.stl", "--resolution", "8,8", "--output",
+                         folder / "grid.vti" })
+              .Status,
+    0);
   const std::vector<std::vector<std::string>> commands = {
     {},
     { "animate" },
@@ -263,6 +315,15 @@ TEST(BadUse, IsToldInOneLine)
     { "render", "--output", folder / "p.png" },
     { "render", folder.Path, "--output", folder / "p.png" },
     { "render", folder / "square.stl", "--output", folder.Path },
+    { "render", folder / "grid.vti", "--output", folder.Path + "/./grid.vti" },
+    { "render", folder / "square.stl", "--output", folder / "p.png", "--statistics",
+      folder / "square.stl" },
+    { "render", folder / "square.stl", "--output", folder / "p.png", "--statistics",
+      folder.Path + "/./p.png" },
+    { "render", folder / "square.stl", "--output", folder / std::string(252, 'p') + ".png" },
+    { "compare", folder / "small.png", folder / "small.png", "--difference",
+      folder.Path + "/./small.png" },
+    { "frobnicate" },
     { "render", folder / "square.stl", folder / "square.stl", "--output", folder / "{name}.png" },
     { "render", folder / "square.stl", "--output", folder / "p.png", "--statistics",
       folder / "{name}.json" },
@@ -285,6 +346,14 @@ TEST(BadUse, IsToldInOneLine)
     EXPECT_EQ(outcome.Output, "") << name;
   }
   EXPECT_EQ(folder.List(), before);
+}
+
+TEST(BadUse, NamesAnUnknownSubcommand)
+{
+  EXPECT_NE(
+    RunProgram({ "frobnicate" }).Errors.find("frobnicate: unknown subcommand"), std::string::npos);
+  EXPECT_NE(RunProgram({ "--frob" }).Errors.find("--frob: unknown option"), std::string::npos);
+  EXPECT_NE(RunProgram({}).Errors.find("no subcommand given"), std::string::npos);
 }
 
 }

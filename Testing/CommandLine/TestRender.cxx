@@ -242,6 +242,24 @@ TEST(Render, SeesASphereFromItsCenter)
   EXPECT_EQ(PixelAt(image, 10, 7), (Pixel{ 1, 1, 1 }));
 }
 
+TEST(Render, ZoomsInParallelWithoutComingCloser)
+{
+  const Folder folder("parallel-zoom");
+  WriteSpheres(folder.Path);
+  const auto draw = [&](const char* zoom) {
+    RunProgram({ "render", folder / "sphere.ply", "--camera-orthographic", "--camera-zoom-factor",
+      zoom, "--resolution", "21,21", "--output", folder / "p.vti" });
+    return ReadImage(folder / "p.vti");
+  };
+  const auto depths = [](vtkImageData* image) { return image->GetPointData()->GetArray("Depth"); };
+  const auto whole = draw("1");
+  const auto part = draw("50");
+  const vtkIdType middle = 10 * 21 + 10;
+  EXPECT_TRUE(std::isinf(depths(whole)->GetComponent(0, 0)));
+  EXPECT_NEAR(depths(part)->GetComponent(middle, 0), depths(whole)->GetComponent(middle, 0), 1e-4);
+  EXPECT_NEAR(depths(part)->GetComponent(0, 0), depths(part)->GetComponent(middle, 0), 1e-3);
+}
+
 TEST(Render, LightsFromWhereItIsTold)
 {
   const Folder folder("lights");

@@ -134,18 +134,143 @@ TEST(Output, LeavesTheOldPictureWhenTheNewOneFails)
   EXPECT_TRUE(std::filesystem::is_regular_file(folder / "target.png"));
 }
 
-TEST(Cancelling, LeavesNothingBehind)
+TEST(Output, MayHaveTheLongestName)
+{
+  const Folder folder("long-name");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string name = std::string(251, 'p') + ".png";
+  const Outcome outcome = RunProgram(
+    { "render", folder / "square.stl", "--resolution", "9,9", "--output", folder / name });
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / name));
+}
+
+TEST(StandardOutput, IsToldWhenItIsFull)
+{
+  const Folder folder("full-output");
+  WriteText(folder / "square.stl", SquareStl());
+  RunProgram(
+    { "render", folder / "square.stl", "--resolution", "9,9", "--output", folder / "p.png" });
+  const std::string picture = Quote(folder / "p.png");
+  for (const std::string& command :
+    { std::string("list"), std::string("info"), std::string("--help"), std::string("--version"),
+      "compare " + picture + " " + picture, "compare --json " + picture + " " + picture })
+  {
+    const Outcome outcome = RunShell("$PENUMBRA " + command + " > /dev/full");
+    EXPECT_EQ(outcome.Status, 3) << command;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("standard output"), std::string::npos) << outcome.Errors;
+  }
+}
+
+// A picture that takes long, begun in the background; then `script`, which knows it as $program.
+Outcome InterruptRender(const Folder& folder, const std::string& script)
+{
+  // Shells let what runs in the background ignore SIGINT.
+  return RunShell("env --default-signal=INT $PENUMBRA render " + Quote(folder / "sphere.stl") +
+    " --resolution 6000,6000 --ambient-occlusion --tolerance 0.0001 --output " +
+    Quote(folder / "p.png") + " & program=$!; sleep 1; " + script);
+}
+
+TEST(Cancelling, LeavesNothingBehindAndSaysBySignalWhy)
 {
   const Folder folder("cancel");
   WriteSpheres(folder.Path);
   const std::vector<std::string> before = folder.List();
-  // Large enough to last; the shell sees the signal as the program's end.
-  const Outcome outcome = RunShell("$PENUMBRA render " + Quote(folder / "sphere.stl") +
-    " --resolution 6000,6000 --ambient-occlusion --tolerance 0.0001 --output " +
-    Quote(folder / "p.png") + " & program=$!; sleep 1; kill -INT $program; wait $program");
-  EXPECT_EQ(outcome.Status, 130);
-  EXPECT_EQ(outcome.Errors, "");
+  for (const auto& [name, status] :
+    { std::pair<std::string, int>{ "INT", 130 }, { "TERM", 143 }, { "HUP", 129 } })
+  {
+    // The shell sees the signal as the program's end.
+    const Outcome outcome =
+      InterruptRender(folder, "kill -" + name + " $program; wait $program 2>/dev/null");
+    EXPECT_EQ(outcome.Status, status) << name;
+    EXPECT_EQ(outcome.Errors, "");
+    EXPECT_EQ(folder.List(), before);
+  }
+}
+
+TEST(Cancelling, EndsTheWorkersOfAKilledSupervisor)
+{
+  const Folder folder("killed");
+  WriteSpheres(folder.Path);
+  const std::vector<std::string> before = folder.List();
+  const Outcome outcome = InterruptRender(folder,
+    "worker=$(pgrep -P $program); kill -KILL $program; wait $program 2>/dev/null; "
+    "for i in $(seq 100); do kill -0 $worker 2>/dev/null || exit 0; sleep 0.05; done; exit 1");
+  EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_EQ(folder.List(), before);
+}
+
+TEST(Cancelling, IsNotForSignalsThatAreIgnored)
+{
+  const Folder folder("nohup");
+  WriteSpheres(folder.Path);
+  const Outcome outcome = RunShell("trap '' HUP; $PENUMBRA render " + Quote(folder / "sphere.stl") +
+    " --resolution 1000,1000 --output " + Quote(folder / "p.png") +
+    " & program=$!; for i in 1 2 3 4 5 6 7 8; do kill -HUP $program 2>/dev/null; sleep 0.05; "
+    "done; wait $program");
+  EXPECT_EQ(outcome.Status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "p.png"));
+}
+
+TEST(Cancelling, EndsAComparisonWithoutItsPicture)
+{
+  const Folder folder("cancel-compare");
+  WriteText(folder / "square.stl", SquareStl());
+  RunProgram(
+    { "render", folder / "square.stl", "--resolution", "1500,1500", "--output", folder / "p.png" });
+  const std::vector<std::string> before = folder.List();
+  for (const char* delay : { "0.2", "0.5" })
+  {
+    const Outcome outcome = RunShell("$PENUMBRA compare " + Quote(folder / "p.png") + " " +
+      Quote(folder / "p.png") + " --difference " + Quote(folder / "d.png") +
+      " & program=$!; sleep " + delay + "; kill -TERM $program; wait $program");
+    std::filesystem::remove(folder / "d.png"); // It may have been quicker.
+    EXPECT_EQ(folder.List(), before) << outcome.Status;
+  }
+}
+
+TEST(Workers, AreHeardWhateverTheirParentMadeOfSignals)
+{
+  const Folder folder("signals");
+  WriteText(folder / "square.stl", SquareStl());
+  for (const char* option : { "--block-signal=CHLD", "--ignore-signal=CHLD" })
+  {
+    const Outcome outcome =
+      RunShell(std::string("timeout -k 1 60 env ") + option + " $PENUMBRA render " +
+        Quote(folder / "square.stl") + " --resolution 9,9 --output " + Quote(folder / "p.png"));
+    EXPECT_EQ(outcome.Status, 0) << option << outcome.Errors;
+  }
+}
+
+TEST(Workers, AreMissedWhereNoMoreProcessesAreAllowed)
+{
+  if (RunShell("[ $(id -u) = 0 ] && command -v setpriv >/dev/null").Status != 0)
+  {
+    GTEST_SKIP() << "The limit is for a user that nobody else works as.";
+  }
+  const Folder folder("processes");
+  WriteText(folder / "square.stl", SquareStl());
+  std::filesystem::permissions(folder.Path, std::filesystem::perms::all);
+  const Outcome outcome = RunShell("cd " + Quote(folder.Path) +
+    " && PENUMBRA_LOG=/dev/null exec setpriv --reuid 64123 --clear-groups bash -c "
+    "'ulimit -u 1; exec $PENUMBRA render square.stl --output p.png'");
+  EXPECT_EQ(outcome.Status, 3) << outcome.Errors;
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find("cannot start a process"), std::string::npos) << outcome.Errors;
+}
+
+TEST(SetUpScript, NamesTheBenchmarksThatThereAre)
+{
+  for (const char* arguments : { "benchmark", "benchmark wishful", "--system-vtk benchmark flat" })
+  {
+    const Outcome outcome = RunShell(Quote(PENUMBRA_SOURCE_DIR "/penumbra") + " " + arguments);
+    EXPECT_EQ(outcome.Status, 2) << arguments;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    const bool ours = std::string(arguments).rfind("benchmark", 0) == 0;
+    EXPECT_NE(outcome.Errors.find(ours ? "antialiasing" : "--system-vtk"), std::string::npos)
+      << outcome.Errors;
+  }
 }
 
 TEST(Memory, TooLittleIsTold)
