@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraBruteForceSource.h"
 
+#include "CosineDirections.h"
 #include "RayScene.h"
 
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 vtkStandardNewMacro(vtkPenumbraBruteForceSource);
 
@@ -30,70 +30,16 @@ constexpr double HiddenShare = 0.25;
 /// ReportsAnErrorThatIsTrue.
 constexpr double LuckAllowance = 3.0;
 
-/// A good 32-bit mixing function (multiplications and shifts only, the same everywhere).
-std::uint32_t Mix(std::uint32_t x)
-{
-  x ^= x >> 16;
-  x *= 0x7feb352du;
-  x ^= x >> 15;
-  x *= 0x846ca68bu;
-  x ^= x >> 16;
-  return x;
-}
-
-std::uint32_t SeedOf(glm::vec3 point, glm::vec3 normal)
-{
-  const float values[6] = { point.x, point.y, point.z, normal.x, normal.y, normal.z };
-  std::uint32_t seed = 0x9e3779b9u;
-  for (const float value : values)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    seed = Mix(seed ^ bits);
-  }
-  return seed;
-}
-
-/// Uniform in [0, 1).
-float Uniform(std::uint32_t& state)
-{
-  state += 0x9e3779b9u;
-  return static_cast<float>(Mix(state) >> 8) * 0x1p-24f;
-}
-
-/// From the unit square to the unit disc, areas in proportion and neighbours kept together.
-glm::vec2 ToDisc(float u, float v)
-{
-  const float a = 2.f * u - 1.f;
-  const float b = 2.f * v - 1.f;
-  if (a == 0.f && b == 0.f)
-  {
-    return glm::vec2(0.f);
-  }
-  const float quarter = 0.785398163f;
-  const bool wide = std::abs(a) > std::abs(b);
-  const float radius = wide ? a : b;
-  const float angle = wide ? quarter * (b / a) : 2.f * quarter - quarter * (a / b);
-  return radius * glm::vec2(std::cos(angle), std::sin(angle));
-}
-
 /// Asks rays above one point.
 class Hemisphere
 {
 public:
   Hemisphere(const RayScene& rays, glm::vec3 point, glm::vec3 normal, float reach)
     : Rays(rays),
-      Normal(normal),
-      State(SeedOf(point, normal))
+      Frame(penumbra::FrameOf(normal)),
+      State(penumbra::SeedOf(point, normal))
   {
-    const glm::vec3 other =
-      std::abs(normal.x) < .5f ? glm::vec3(1.f, 0.f, 0.f) : glm::vec3(0.f, 1.f, 0.f);
-    this->Tangent = glm::normalize(glm::cross(normal, other));
-    this->Bitangent = glm::cross(normal, this->Tangent);
-    // Above the rounding of positions, so that a surface does not block itself.
-    const glm::vec3 size = glm::abs(point);
-    const float gap = 1e-5f * std::max(std::max(size.x, size.y), std::max(size.z, 1e-6f));
-    this->Probe.Origin = point + gap * normal;
+    this->Probe.Origin = point + penumbra::GapAbove(point) * normal;
     this->Probe.Far = reach;
   }
 
@@ -124,19 +70,16 @@ public:
 private:
   bool IsBlocked(int i, int j, int side)
   {
-    const float u = (static_cast<float>(i) + Uniform(this->State)) / static_cast<float>(side);
-    const float v = (static_cast<float>(j) + Uniform(this->State)) / static_cast<float>(side);
-    const glm::vec2 disc = ToDisc(u, v);
-    const float height = std::sqrt(std::max(0.f, 1.f - glm::dot(disc, disc)));
-    this->Probe.Direction =
-      disc.x * this->Tangent + disc.y * this->Bitangent + height * this->Normal;
+    const float u =
+      (static_cast<float>(i) + penumbra::Uniform(this->State)) / static_cast<float>(side);
+    const float v =
+      (static_cast<float>(j) + penumbra::Uniform(this->State)) / static_cast<float>(side);
+    this->Probe.Direction = this->Frame * penumbra::ToHemisphere(penumbra::ToDisc(u, v));
     return this->Rays.Occluded(this->Probe);
   }
 
   const RayScene& Rays;
-  glm::vec3 Normal;
-  glm::vec3 Tangent;
-  glm::vec3 Bitangent;
+  glm::mat3 Frame;
   Ray Probe;
   std::uint32_t State;
 };

@@ -23,6 +23,8 @@
 #include "vtkObject.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
 
+class vtkFieldData;
+
 namespace penumbra
 {
 class RayScene;
@@ -53,6 +55,9 @@ public:
    * caller chooses the side: pictures ask about the geometric normal that faces the eye.
    */
   virtual Estimate Occlusion(const double point[3], const double normal[3]) const = 0;
+
+  /** Adds counts since Begin() to `statistics`, one value an array. Default: none. */
+  virtual void Report(vtkFieldData* vtkNotUsed(statistics)) const {}
 
 protected:
   vtkPenumbraIrradianceSource() = default;

@@ -442,6 +442,16 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     }
   }
   this->Report(totals, squaredError, pixels);
+  if (self->AmbientOcclusion || self->GeometryArrays)
+  {
+    this->IrradianceSource->Report(this->Statistics);
+    vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
+    if (gathered)
+    {
+      vtkDataArray* total = this->Statistics->GetArray("Rays/Total");
+      total->SetComponent(0, 0, total->GetComponent(0, 0) + gathered->GetComponent(0, 0));
+    }
+  }
   image->GetFieldData()->ShallowCopy(this->Statistics);
   return true;
 }

@@ -278,19 +278,17 @@ TEST(Render, LightsFromWhereItIsTold)
 TEST(Render, DrawsLightShaftsInFog)
 {
   const Folder folder("shafts");
-  // The sky to the side of the square: lit fog without end [Shafts eq. 1].
-  const double cosine = 0.6;
-  const double rayleigh = 3.0 / (16.0 * 3.14159265) * (1.0 + cosine * cosine);
+  // Lit fog, without end beside the square and up to it in the middle [Shafts eq. 1].
+  const double cosine = -0.6;
+  const double light = 0.2 / 0.5 * 3.0 / (16.0 * 3.14159265) * (1.0 + cosine * cosine);
   const auto image = RenderSquare(folder, "p.vti",
-    { "--light-shafts", "--light-position=0,0.8,-0.6,0", "--shafts-scattering", "0.2",
+    { "--light-shafts", "--light-position=0,0.8,0.6,0", "--shafts-scattering", "0.2",
       "--shafts-extinction", "0.5", "--shafts-phase", "rayleigh", "--camera-orthographic",
-      "--statistics", folder / "s.json" });
-  EXPECT_NEAR(PixelAt(image, 1, 28)[0], 0.2 / 0.5 * rayleigh, 1e-5);
+      "--no-lighting", "--color", "0,0,0", "--statistics", folder / "s.json" });
+  EXPECT_NEAR(PixelAt(image, 1, 28)[0], light, 1e-5);
   EXPECT_GT(ReadJson(folder / "s.json")["statistics"]["Rays/Shaft"], 0);
-  // In the middle the square ends the fog; itself it is lit from behind.
   const double depth = image->GetPointData()->GetArray("Depth")->GetComponent(15 * 40 + 20, 0);
-  EXPECT_NEAR(
-    PixelAt(image, 20, 15)[0], 0.2 / 0.5 * rayleigh * (1.0 - std::exp(-0.5 * depth)), 1e-5);
+  EXPECT_NEAR(PixelAt(image, 20, 15)[0], light * (1.0 - std::exp(-0.5 * depth)), 1e-5);
 }
 
 TEST(Render, WarnsWhereAHeadlightMakesNoShafts)

@@ -5,6 +5,7 @@
 #include "vtkPenumbraBruteForceSource.h"
 
 #include "RayScene.h"
+#include "Solids.h"
 
 #include "vtkNew.h"
 
@@ -18,62 +19,6 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Pi = 3.14159265358979323846;
-
-void AddRectangle(Scene& scene, glm::vec3 corner, glm::vec3 side, glm::vec3 other)
-{
-  Surface surface;
-  surface.Positions = { corner, corner + side, corner + side + other, corner + other };
-  surface.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
-  scene.Surfaces.push_back(surface);
-}
-
-/// A disc of radius r about (0, 0, z).
-void AddDisc(Scene& scene, float r, float z)
-{
-  Surface surface;
-  const unsigned int sides = 720;
-  surface.Positions.emplace_back(0.f, 0.f, z);
-  for (unsigned int i = 0; i < sides; ++i)
-  {
-    const double angle = 2.0 * Pi * i / sides;
-    surface.Positions.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
-    surface.Triangles.emplace_back(0, 1 + i, 1 + (i + 1) % sides);
-  }
-  scene.Surfaces.push_back(surface);
-}
-
-/// A sphere of radius r about c.
-void AddSphere(Scene& scene, glm::dvec3 c, double r)
-{
-  Surface surface;
-  const unsigned int rings = 200;
-  for (unsigned int i = 0; i <= rings; ++i)
-  {
-    for (unsigned int j = 0; j < rings; ++j)
-    {
-      const double theta = Pi * i / rings;
-      const double phi = 2.0 * Pi * j / rings;
-      surface.Positions.emplace_back(c +
-        r *
-          glm::dvec3(
-            std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
-      if (i > 0)
-      {
-        const unsigned int next = (j + 1) % rings;
-        surface.Triangles.emplace_back((i - 1) * rings + j, i * rings + j, i * rings + next);
-        surface.Triangles.emplace_back(
-          (i - 1) * rings + j, i * rings + next, (i - 1) * rings + next);
-      }
-    }
-  }
-  scene.Surfaces.push_back(surface);
-}
-
-void AddFloor(Scene& scene, float size)
-{
-  AddRectangle(scene, { -size, -size, 0.f }, { 2.f * size, 0.f, 0.f }, { 0.f, 2.f * size, 0.f });
-}
 
 vtkPenumbraIrradianceSource::Estimate Ask(const Scene& scene, glm::dvec3 point, double radius,
   double tolerance, glm::dvec3 normal = { 0.0, 0.0, 1.0 })
@@ -100,22 +45,7 @@ TEST(vtkPenumbraBruteForceSource, SeesNothingOnAnOpenPlane)
 TEST(vtkPenumbraBruteForceSource, SeesNoSkyInAClosedBox)
 {
   Scene scene;
-  const glm::vec3 x(2.f, 0.f, 0.f);
-  const glm::vec3 y(0.f, 2.f, 0.f);
-  const glm::vec3 z(0.f, 0.f, 2.f);
-  const glm::vec3 low(-1.f);
-  for (const glm::vec3& corner : { low, low + z })
-  {
-    AddRectangle(scene, corner, x, y);
-  }
-  for (const glm::vec3& corner : { low, low + y })
-  {
-    AddRectangle(scene, corner, x, z);
-  }
-  for (const glm::vec3& corner : { low, low + x })
-  {
-    AddRectangle(scene, corner, y, z);
-  }
+  AddBox(scene, glm::vec3(-1.f), glm::vec3(1.f));
   EXPECT_EQ(Ask(scene, { .3, .2, -1.0 }, Infinity, .001).Value, 1.0);
   EXPECT_EQ(Ask(scene, { .3, .2, -1.0 }, .1, .001).Value, 0.0);
 }

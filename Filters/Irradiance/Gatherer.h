@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Who looks around from a point: rays, or a rasterised cube map. A gatherer answers a grid of
+// directions; what follows from the answers (irradiance, gradients, radii) is found in one place,
+// Derivatives.
+#ifndef penumbra_Gatherer_h
+#define penumbra_Gatherer_h
+
+#include <glm/glm.hpp>
+
+#include <limits>
+#include <vector>
+
+namespace penumbra
+{
+
+/// What is seen in one direction.
+struct Sight
+{
+  float Distance = std::numeric_limits<float>::infinity(); ///< infinity: nothing within reach
+  glm::vec3 Normal{ 0.f };   ///< of what was met, unit, either side; 0 where unknown
+  glm::vec3 Radiance{ 0.f }; ///< that comes from there; under occlusion 1 where blocked, else 0
+};
+
+class Gatherer
+{
+public:
+  virtual ~Gatherer() = default;
+
+  /// What `directions` (unit, scene coordinates) see from `point`, a point just above a surface with
+  /// `normal`. Fills `sights`, one for each direction. Called from many threads at once; the answer
+  /// depends on nothing but the arguments.
+  virtual void Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
+    std::vector<Sight>& sights) const = 0;
+
+  /// How far it looks, in scene units; infinite without a limit.
+  virtual float GetReach() const = 0;
+};
+
+}
+#endif

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HemisphereGrid.h"
+
+#include "CosineDirections.h"
+
+#include <array>
+#include <memory>
+#include <mutex>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Points along each side of a cell that its integral is summed over.
+constexpr int IntegrationPoints = 8;
+
+/// A point of an integral along one side of a cell, over the coordinate a from -1 to 1.
+struct Abscissa
+{
+  float At;
+  float Weight;
+};
+
+/// Solid angle grows without bound, like 1 / sqrt(1 - a^2), towards the rim of the disc; with
+/// a = sin t it does not.
+std::array<Abscissa, IntegrationPoints> PointsAlong(int cell, int side)
+{
+  const double low = std::asin(2.0 * cell / side - 1.0);
+  const double high = std::asin(std::min(2.0 * (cell + 1) / side - 1.0, 1.0));
+  const double step = (high - low) / IntegrationPoints;
+  std::array<Abscissa, IntegrationPoints> points;
+  for (int k = 0; k < IntegrationPoints; ++k)
+  {
+    const double t = low + (k + .5) * step;
+    points[k] = { static_cast<float>(.5 * std::sin(t) + .5),
+      static_cast<float>(.5 * std::cos(t) * step) };
+  }
+  return points;
+}
+
+glm::vec2 TiltOf(int i, int j, int side)
+{
+  glm::vec2 sum(0.f);
+  for (const Abscissa& u : PointsAlong(i, side))
+  {
+    for (const Abscissa& v : PointsAlong(j, side))
+    {
+      const glm::vec3 direction = ToHemisphere(ToDisc(u.At, v.At));
+      // Solid angle is the disc's area over the cosine.
+      sum += glm::vec2(direction) * (u.Weight * v.Weight / std::max(direction.z, 1e-6f));
+    }
+  }
+  return sum;
+}
+
+std::unique_ptr<HemisphereGrid> MakeGrid(int side)
+{
+  auto grid = std::make_unique<HemisphereGrid>();
+  grid->Side = side;
+  const auto length = static_cast<float>(side);
+  for (int j = 0; j <= side; ++j)
+  {
+    for (int i = 0; i <= side; ++i)
+    {
+      grid->Corners.push_back(
+        ToHemisphere(ToDisc(static_cast<float>(i) / length, static_cast<float>(j) / length)));
+    }
+  }
+  for (int cell = 0; cell < grid->Cells(); ++cell)
+  {
+    grid->Tilts.push_back(TiltOf(cell % side, cell / side, side));
+  }
+  return grid;
+}
+
+}
+
+const HemisphereGrid& HemisphereGrid::Of(int side)
+{
+  static std::mutex mutex;
+  static std::array<std::unique_ptr<HemisphereGrid>, MostSide + 1> grids;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::unique_ptr<HemisphereGrid>& grid = grids[side];
+  if (!grid)
+  {
+    grid = MakeGrid(side);
+  }
+  return *grid;
+}
+
+void HemisphereGrid::Scatter(std::uint32_t seed, std::vector<glm::vec3>& directions) const
+{
+  directions.resize(this->Cells());
+  const auto length = static_cast<float>(this->Side);
+  for (int j = 0; j < this->Side; ++j)
+  {
+    for (int i = 0; i < this->Side; ++i)
+    {
+      const float u = (static_cast<float>(i) + Uniform(seed)) / length;
+      const float v = (static_cast<float>(j) + Uniform(seed)) / length;
+      directions[j * this->Side + i] = ToHemisphere(ToDisc(u, v));
+    }
+  }
+}
+
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PictureSites.h"
+
+#include "RayScene.h"
+
+#include "vtkSMPTools.h"
+
+namespace penumbra
+{
+namespace
+{
+
+/// Surfaces seen more edge-on than this (cosine) do not make pixels still larger.
+constexpr double LeastCosine = .02;
+
+bool IsOfLevel(int x, int y, int stride, int level)
+{
+  if (level == 0)
+  {
+    return true;
+  }
+  const bool oddX = (x / stride & 1) != 0;
+  const bool oddY = (y / stride & 1) != 0;
+  return level % 2 == 1 ? oddX && oddY : oddX != oddY;
+}
+
+/// What the pixel's centre sees first, lines and points aside; false: nothing.
+bool FindSite(const RayScene& rays, int x, int y, Site& site)
+{
+  const Scene& scene = rays.GetScene();
+  const Camera& eye = scene.Eye;
+  const glm::dvec2 p(x + .5, y + .5);
+  Ray ray;
+  ray.Origin = glm::vec3(eye.RayOrigin(p));
+  ray.Direction = glm::vec3(eye.RayDirection(p));
+  ray.Near = static_cast<float>(eye.Near);
+  Hit hit = rays.Intersect(ray);
+  while (hit.IsHit() && scene.Surfaces[hit.Surface].ScreenSpace)
+  {
+    ray.Near = hit.Distance + std::max(hit.Distance * 4e-7f, 1e-30f);
+    hit = rays.Intersect(ray);
+  }
+  if (!hit.IsHit())
+  {
+    return false;
+  }
+  const Surface& surface = scene.Surfaces[hit.Surface];
+  const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+  const glm::dvec3 a(surface.Positions[corners.x]);
+  const glm::dvec3 normal = glm::cross(
+    glm::dvec3(surface.Positions[corners.y]) - a, glm::dvec3(surface.Positions[corners.z]) - a);
+  const double length = glm::length(normal);
+  if (!(length > 0.0))
+  {
+    return false;
+  }
+  const double facing = glm::dot(normal, glm::dvec3(ray.Direction));
+  site.Position = ray.Origin + hit.Distance * ray.Direction;
+  site.Normal = (facing > 0.0 ? -1.0 : 1.0) / length * normal;
+  const double cosine = std::abs(facing) / (length * glm::length(glm::dvec3(ray.Direction)));
+  const double pixel = eye.PixelSize * (eye.Parallel ? 1.0 : hit.Distance);
+  site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, LeastCosine)));
+  return true;
+}
+
+}
+
+int StrideOf(int level)
+{
+  return CoarsestStride >> (level + 1) / 2;
+}
+
+std::vector<Site> SitesOfPicture(const RayScene& rays, int level)
+{
+  const Camera& eye = rays.GetScene().Eye;
+  const int stride = StrideOf(level);
+  const int rows = (eye.Height + stride - 1) / stride;
+  std::vector<std::vector<Site>> found(rows);
+  vtkSMPTools::For(0, rows, [&](vtkIdType begin, vtkIdType end) {
+    for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+    {
+      for (int x = 0; x < eye.Width; x += stride)
+      {
+        Site site;
+        if (IsOfLevel(x, row * stride, stride, level) && FindSite(rays, x, row * stride, site))
+        {
+          found[row].push_back(site);
+        }
+      }
+    }
+  });
+  std::vector<Site> sites;
+  for (const std::vector<Site>& row : found)
+  {
+    sites.insert(sites.end(), row.begin(), row.end());
+  }
+  return sites;
+}
+
+}

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where a picture may need records: pixel centres of the whole picture in levels, each level with
+// about as many as all before, from a coarse grid to every second pixel.
+#ifndef penumbra_PictureSites_h
+#define penumbra_PictureSites_h
+
+#include "Placement.h"
+
+namespace penumbra
+{
+
+class RayScene;
+
+/// Levels alternate between the middles of the squares of a grid and the grid half as wide.
+constexpr int CoarsestStride = 128;
+constexpr int FinestStride = 2;
+constexpr int PictureLevels = 13;
+
+/// Distance of the pixels of a level.
+int StrideOf(int level);
+
+/// What is seen first through the pixels that `level` adds to the levels before.
+VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Site> SitesOfPicture(
+  const RayScene& rays, int level);
+
+}
+#endif

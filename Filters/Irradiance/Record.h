@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One record of the cache [IC]: what was gathered at a point, and how far around it serves.
+#ifndef penumbra_Record_h
+#define penumbra_Record_h
+
+#include "Derivatives.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+/// A place that asks: scene coordinates.
+struct Place
+{
+  glm::vec3 Position{ 0.f };
+  glm::vec3 Normal{ 0.f, 0.f, 1.f }; ///< unit
+};
+
+struct Record : Place
+{
+  float Radius = 0.f;
+  glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< the clearance's sectors begin here
+  Derived Found;
+
+  /// Weight at `place`, 0 to 1 [Tabellion, Lamorlette, after IC]: 1 - max(perr, nerr), with
+  /// perr = |p - p_i| / R_i and nerr = normalFactor * sqrt(1 - n.n_i). 0 also behind a wall, and off
+  /// the surface: further along the normals than `LeastLean` of the radius.
+  float Weight(const Place& place, float normalFactor) const
+  {
+    const glm::vec3 d = place.Position - this->Position;
+    const float square = glm::dot(d, d);
+    if (square >= this->Radius * this->Radius)
+    {
+      return 0.f;
+    }
+    const float turned = std::max(0.f, 1.f - glm::dot(place.Normal, this->Normal));
+    const float error =
+      std::max(std::sqrt(square) / this->Radius, normalFactor * std::sqrt(turned));
+    if (error >= 1.f || this->IsOff(d, place.Normal) || this->IsBehindWall(d))
+    {
+      return 0.f;
+    }
+    return 1.f - error;
+  }
+
+  /// The mean over the hemisphere that this record expects at `place`, per channel.
+  glm::vec3 Expect(const Place& place) const
+  {
+    const glm::vec3 d = place.Position - this->Position;
+    const glm::vec3 turn = place.Normal - this->Normal;
+    glm::vec3 mean = this->Found.Mean;
+    for (int c = 0; c < 3; ++c)
+    {
+      mean[c] += glm::dot(this->Found.Translation[c], d) + glm::dot(this->Found.Rotation[c], turn);
+    }
+    return glm::max(mean, glm::vec3(0.f));
+  }
+
+private:
+  /// On a smooth surface the chord is square to the mean of both normals up to the third order.
+  static constexpr float LeastLean = .1f;
+
+  bool IsOff(glm::vec3 d, glm::vec3 normal) const
+  {
+    return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * LeastLean * this->Radius;
+  }
+
+  bool IsBehindWall(glm::vec3 d) const
+  {
+    const float x = glm::dot(d, this->Tangent);
+    const float y = glm::dot(d, glm::cross(this->Normal, this->Tangent));
+    const float clear = this->Found.Clearance[SectorOf(x, y)];
+    return x * x + y * y > clear * clear;
+  }
+};
+
+}
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Octree with multiple references [IC]: records live in leaves, every leaf lists the spheres that
+// touch it, a look-up walks down once.
+#ifndef penumbra_RecordTree_h
+#define penumbra_RecordTree_h
+
+#include "Record.h"
+
+#include <cstdint>
+
+namespace penumbra
+{
+
+/// What the cache says about a place.
+struct Interpolated
+{
+  glm::vec3 Mean{ 0.f };
+  float Error = 0.f;    ///< as far as the records can tell: their noise, and their bends
+  float Greatest = 0.f; ///< weight of the record that serves best; 0: no record serves
+  bool Found() const { return this->Greatest > 0.f; }
+};
+
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordTree
+{
+public:
+  /// A cube that holds most of what comes; records outside are found, only more slowly.
+  void Initialize(glm::vec3 center, float halfSide);
+
+  /// How much two normals may differ, in radians, below pi.
+  void SetNormalAngle(float angle);
+
+  void Insert(const Record& record);
+
+  /// Keep a record's radius from reaching further than its neighbours' beyond their distance
+  /// [Krivanek et al., neighbour clamping], then insert it.
+  void InsertClamped(Record record, float least);
+
+  Interpolated LookUp(const Place& place) const;
+
+  const std::vector<Record>& GetRecords() const { return this->Records; }
+  std::size_t GetBytes() const;
+  void Clear();
+
+private:
+  struct Node
+  {
+    std::int32_t FirstChild = -1; ///< of eight; -1: a leaf
+    std::vector<std::uint32_t> References;
+  };
+
+  void Add(std::uint32_t record);
+  void AddBelow(std::size_t node, glm::vec3 center, float half, std::uint32_t record);
+  void Split(std::size_t node, glm::vec3 center, float half);
+  const Node& LeafAt(glm::vec3 position) const;
+
+  std::vector<Record> Records;
+  std::vector<Node> Nodes{ Node() };
+  glm::vec3 Center{ 0.f };
+  float Half = 1.f;
+  float NormalFactor = 9.0124f;
+};
+
+}
+#endif

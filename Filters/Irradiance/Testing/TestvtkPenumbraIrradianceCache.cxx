@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The cache against closed forms, over all pixels of a picture.
+#include "vtkPenumbraIrradianceCache.h"
+
+#include "PictureSites.h"
+#include "RayScene.h"
+#include "Solids.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr int Size = 256;
+
+/// Every place that the picture sees at its pixel centres, all levels of sites together.
+std::vector<Site> AllSites(const RayScene& rays)
+{
+  std::vector<Site> all;
+  for (int level = 0; level < PictureLevels; ++level)
+  {
+    const std::vector<Site> sites = SitesOfPicture(rays, level);
+    all.insert(all.end(), sites.begin(), sites.end());
+  }
+  return all;
+}
+
+/// What a picture looks at: places, and the scene that they lie in.
+struct View
+{
+  const Scene& Seen;
+  std::vector<Site> Sites;
+
+  glm::dvec3 World(const Site& site) const
+  {
+    return glm::dvec3(site.Position) / this->Seen.Scale + this->Seen.Origin;
+  }
+};
+
+double Ask(const vtkPenumbraIrradianceCache* cache, glm::dvec3 position,
+  glm::dvec3 normal = { 0.0, 0.0, 1.0 })
+{
+  return cache->Occlusion(&position.x, &normal.x).Value;
+}
+
+using Truth = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
+
+double ErrorOf(const vtkPenumbraIrradianceCache* cache, const View& view, const Truth& truth)
+{
+  double square = 0.0;
+  for (const Site& site : view.Sites)
+  {
+    const glm::dvec3 world = view.World(site);
+    square += std::pow(Ask(cache, world, site.Normal) - truth(world, site.Normal), 2.0);
+  }
+  return std::sqrt(square / static_cast<double>(view.Sites.size()));
+}
+
+double CountOf(const vtkPenumbraIrradianceCache* cache, const char* name)
+{
+  vtkNew<vtkFieldData> statistics;
+  cache->Report(statistics);
+  return statistics->GetArray(name)->GetComponent(0, 0);
+}
+
+/// A unit sphere with its centre at height h above a floor, and the view of the benchmark.
+void MakeSphereScene(Scene& scene, double h)
+{
+  AddFloor(scene, 1000.f);
+  AddSphere(scene, { 0.0, 0.0, h }, 1.0, 400);
+  LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, Size, Size);
+}
+
+Truth TruthBelowSphere(double h)
+{
+  return [h](glm::dvec3 position, glm::dvec3 normal) {
+    const double square = position.x * position.x + position.y * position.y;
+    return normal.z > .999999 && position.z < 1e-3 ? h / std::pow(h * h + square, 1.5)
+                                                   : .5 * (1.0 - normal.z);
+  };
+}
+
+}
+
+TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceUnderASphere)
+{
+  for (const double h : { 1.0, 1.5 })
+  {
+    Scene scene;
+    MakeSphereScene(scene, h);
+    const RayScene rays(scene, 0);
+    const View view{ scene, AllSites(rays) };
+    for (const double tolerance : { .02, .005 })
+    {
+      vtkNew<vtkPenumbraIrradianceCache> cache;
+      cache->SetTolerance(tolerance);
+      cache->Begin(rays, Infinity, .01);
+      EXPECT_LE(ErrorOf(cache, view, TruthBelowSphere(h)), tolerance) << h << " " << tolerance;
+      EXPECT_LE(CountOf(cache, "Cache/Records"), 500) << h << " " << tolerance;
+      EXPECT_LE(CountOf(cache, "Rays/Gather"), 600000) << h << " " << tolerance;
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceCache, StaysNearTheTruthWithTheRadiiOfThePaper)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.5);
+  const RayScene rays(scene, 0);
+  const View view{ scene, AllSites(rays) };
+  for (const int rule :
+    { vtkPenumbraIrradianceCache::NEAREST_HIT, vtkPenumbraIrradianceCache::HARMONIC_MEAN })
+  {
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    cache->SetRadiusRule(rule);
+    cache->SetTolerance(.01);
+    cache->Begin(rays, Infinity, .01);
+    EXPECT_LE(ErrorOf(cache, view, TruthBelowSphere(1.5)), .03) << rule;
+  }
+}
+
+TEST(vtkPenumbraIrradianceCache, IsExactInTheOpenAndInAClosedBox)
+{
+  Scene open;
+  AddFloor(open, 100.f);
+  LookAt(open, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, Size, Size);
+  Scene box;
+  AddBox(box, { -3.f, -8.f, -1.f }, { 3.f, 4.f, 5.f });
+  LookAt(box, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, Size, Size);
+  for (const Scene* scene : { &open, &box })
+  {
+    const RayScene rays(*scene, 0);
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    cache->Begin(rays, Infinity, .01);
+    const View view{ *scene, AllSites(rays) };
+    for (const Site& site : view.Sites)
+    {
+      ASSERT_EQ(Ask(cache, view.World(site), site.Normal), scene == &open ? 0.0 : 1.0);
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceCache, DependsNeitherOnThreadsNorOnTheOrderOfQuestions)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.0);
+  const RayScene rays(scene, 0);
+  const View view{ scene, AllSites(rays) };
+  std::vector<double> answers[2];
+  for (const int threads : { 1, 5 })
+  {
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]() { cache->Begin(rays, 2.0, .02); });
+    for (std::size_t i = 0; i < view.Sites.size(); ++i)
+    {
+      const Site& site = view.Sites[threads == 1 ? i : view.Sites.size() - 1 - i];
+      answers[threads == 1 ? 0 : 1].push_back(Ask(cache, view.World(site), site.Normal));
+    }
+  }
+  std::reverse(answers[1].begin(), answers[1].end());
+  EXPECT_EQ(answers[0], answers[1]);
+}
+
+TEST(vtkPenumbraIrradianceCache, DoesNotLeakThroughAThinWall)
+{
+  // Two rooms side by side, a sheet between them; the left one has a lid close above.
+  Scene scene;
+  AddFloor(scene, 4.f);
+  AddRectangle(scene, { 0.f, -4.f, 0.f }, { 0.f, 8.f, 0.f }, { 0.f, 0.f, 4.f });
+  AddRectangle(scene, { -4.f, -4.f, .5f }, { 4.f, 0.f, 0.f }, { 0.f, 8.f, 0.f });
+  LookAt(scene, { 1.0, -9.0, 5.0 }, { 0.0, 0.0, 0.0 }, 40.0, Size, Size);
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->Begin(rays, Infinity, .01);
+  for (int i = 1; i < 100; ++i)
+  {
+    EXPECT_GT(Ask(cache, { -.01 * i, -3.0, 0.0 }), .75) << i; // under the lid, mostly blocked
+  }
+  for (int i = 1; i < 30; ++i)
+  {
+    EXPECT_LT(Ask(cache, { .01 * i, 0.0, 0.0 }), .52) << i; // at the foot of a wall
+  }
+}
+
+TEST(vtkPenumbraIrradianceCache, GivesRecordsOutAndTakesThemIn)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.0);
+  scene.Scale = 4.0;
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> first;
+  first->Begin(rays, 1.0, .02);
+  vtkNew<vtkPolyData> records;
+  first->GetRecords(records);
+  ASSERT_GT(records->GetNumberOfPoints(), 100);
+  EXPECT_TRUE(records->GetPointData()->GetArray("AmbientOcclusion"));
+  EXPECT_EQ(records->GetNumberOfVerts(), records->GetNumberOfPoints());
+
+  vtkNew<vtkPenumbraIrradianceCache> second;
+  second->SetInitialRecords(records);
+  second->Begin(rays, 1.0, .02);
+  EXPECT_EQ(CountOf(second, "Cache/Records"), CountOf(first, "Cache/Records"));
+  EXPECT_EQ(CountOf(second, "Rays/Gather"), 0);
+  const View view{ scene, SitesOfPicture(rays, 6) };
+  for (const Site& site : view.Sites)
+  {
+    EXPECT_NEAR(
+      Ask(second, view.World(site), site.Normal), Ask(first, view.World(site), site.Normal), 1e-3);
+  }
+}
+
+TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceInTheLazyOrder)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.5);
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetOrder(vtkPenumbraIrradianceCache::LAZY);
+  cache->SetTolerance(.01);
+  cache->Begin(rays, Infinity, .01);
+  EXPECT_EQ(CountOf(cache, "Cache/Records"), 0);
+  EXPECT_LE(ErrorOf(cache, { scene, AllSites(rays) }, TruthBelowSphere(1.5)), .02);
+  EXPECT_GT(CountOf(cache, "Cache/Records"), 50);
+}

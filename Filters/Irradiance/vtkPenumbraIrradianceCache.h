@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraIrradianceCache
+ * @brief   Occlusion gathered at few points and interpolated between them, to a tolerance [IC].
+ *
+ * Give it to vtkPenumbraRayCaster::SetIrradianceSource(). Records hold what was gathered with its
+ * gradients; how far a record serves follows from its second derivative, so that Tolerance is an
+ * error of the result. Where no record serves, brute force answers.
+ *
+ * Which records there are is a function of scene, camera and whole picture: never of the order of
+ * questions, of threads or of tiles. Only the paper's LAZY order is outside that promise.
+ */
+#ifndef vtkPenumbraIrradianceCache_h
+#define vtkPenumbraIrradianceCache_h
+
+#include "vtkPenumbraFiltersIrradianceModule.h" // for export macro
+#include "vtkPenumbraIrradianceSource.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkPolyData;
+
+namespace penumbra
+{
+class Gatherer;
+}
+
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT vtkPenumbraIrradianceCache
+  : public vtkPenumbraIrradianceSource
+{
+public:
+  static vtkPenumbraIrradianceCache* New();
+  vtkTypeMacro(vtkPenumbraIrradianceCache, vtkPenumbraIrradianceSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Error accepted, as the RMSE of occlusion over 16x16 pixels, 1e-4 to 1; 0: half of what Begin()
+   * asks for, since errors of neighbours are alike here and do not average out. Default: 0.
+   */
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  /** How far a record serves. */
+  enum RadiusRules
+  {
+    NEAREST_HIT,      ///< [IC]: a share of the distance of the nearest hit, grazing rays left out
+    HARMONIC_MEAN,    ///< [IC]: a share of the harmonic mean of all distances
+    OCCLUSION_HESSIAN ///< as far as the second derivative keeps the error within the tolerance
+  };
+  ///@{
+  /** How radii are found. Default: OCCLUSION_HESSIAN. */
+  vtkSetClampMacro(RadiusRule, int, NEAREST_HIT, OCCLUSION_HESSIAN);
+  vtkGetMacro(RadiusRule, int);
+  ///@}
+
+  ///@{
+  /** Least and greatest radius of a record in pixels of the picture [IC], 1 to 64 and 4 to 1000. Default: 3, 64. */
+  vtkSetClampMacro(MinimumRadius, double, 1.0, 64.0);
+  vtkGetMacro(MinimumRadius, double);
+  vtkSetClampMacro(MaximumRadius, double, 4.0, 1000.0);
+  vtkGetMacro(MaximumRadius, double);
+  ///@}
+
+  ///@{
+  /** Greatest angle between normals that share a record, degrees, up to 90; 0: from the tolerance (11.5 at .005). [IC]'s formula has 9. Default: 0. */
+  vtkSetClampMacro(NormalAngle, double, 0.0, 90.0);
+  vtkGetMacro(NormalAngle, double);
+  ///@}
+
+  ///@{
+  /** Rays of a record where something is seen to change, 64 to 65536, a square; 0: from the tolerance (1024 at .005). Default: 0. */
+  vtkSetClampMacro(RaysPerRecord, int, 0, 65536);
+  vtkGetMacro(RaysPerRecord, int);
+  ///@}
+
+  /** When records are made. */
+  enum Orders
+  {
+    LEVELS, ///< all at the beginning, level by level
+    LAZY    ///< [IC]'s: where a question finds none; depends on the order of questions
+  };
+  ///@{
+  /** When records are made. Default: LEVELS. */
+  vtkSetClampMacro(Order, int, LEVELS, LAZY);
+  vtkGetMacro(Order, int);
+  ///@}
+
+  ///@{
+  /**
+   * Records to begin with, as GetRecords() gave them for the same scene and reach. Default: none.
+   */
+  virtual void SetInitialRecords(vtkPolyData* records);
+  vtkPolyData* GetInitialRecords();
+  ///@}
+
+  /** The records as points with arrays, in world coordinates: position, normal, `Radius`, ... */
+  void GetRecords(vtkPolyData* records) const;
+
+  void Begin(const penumbra::RayScene& scene, double radius, double tolerance) override;
+  Estimate Occlusion(const double point[3], const double normal[3]) const override;
+
+  /** `Cache/Records`, `Cache/Bytes`, `Rays/Gather`. */
+  void Report(vtkFieldData* statistics) const override;
+
+  /** Looks around instead of rays, from the next Begin() on; null: rays. Not kept alive. */
+  VTK_WRAPEXCLUDE void SetGatherer(const penumbra::Gatherer* gatherer);
+
+protected:
+  vtkPenumbraIrradianceCache();
+  ~vtkPenumbraIrradianceCache() override;
+
+private:
+  vtkPenumbraIrradianceCache(const vtkPenumbraIrradianceCache&) = delete;
+  void operator=(const vtkPenumbraIrradianceCache&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+
+  double Tolerance = 0.0;
+  int RadiusRule = OCCLUSION_HESSIAN;
+  double MinimumRadius = 3.0;
+  double MaximumRadius = 64.0;
+  double NormalAngle = 0.0;
+  int RaysPerRecord = 0;
+  int Order = LEVELS;
+};
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BilateralFilter.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPenumbraBilateralFS.h"
+#include "vtkPenumbraMeanFS.h"
+#include "vtkPenumbraViewLib.h"
+#include "vtkShaderProgram.h"
+
+namespace penumbra
+{
+
+bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
+  vtkTextureObject* between, vtkTextureObject* target, const BilateralSettings& settings)
+{
+  static const std::string source =
+    Assemble(vtkPenumbraBilateralFS, { { "ViewLib", vtkPenumbraViewLib } });
+  for (int direction = 0; direction < 2; ++direction)
+  {
+    vtkShaderProgram* program = this->Smooth.Ready(window, source);
+    const DrawInto into(
+      window, image.GetFramebuffer(), { direction == 0 ? between : target }, image.GetDepth());
+    if (!program || !into.IsComplete())
+    {
+      return false;
+    }
+    const float way[2] = { direction == 0 ? 1.f : 0.f, direction == 0 ? 0.f : 1.f };
+    view.SetUniforms(program);
+    program->SetUniform2f("way", way);
+    program->SetUniformf("convergedWeight", static_cast<float>(settings.ConvergedWeight));
+    program->SetUniformf("distanceInPixels", static_cast<float>(settings.DistanceInPixels));
+    program->SetUniformf("mean", direction == 0 ? 0.f : 1.f);
+    this->Smooth.Read("eyeDepths", eyeDepths);
+    this->Smooth.Read("values", direction == 0 ? values : between);
+    this->Smooth.Draw();
+  }
+  return true;
+}
+
+bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkTextureObject* values, vtkTextureObject* target)
+{
+  vtkShaderProgram* program = this->Mean.Ready(window, vtkPenumbraMeanFS);
+  const DrawInto into(window, image.GetFramebuffer(), { target }, image.GetDepth());
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const float pixelSize[2] = { 1.f / static_cast<float>(target->GetWidth()),
+    1.f / static_cast<float>(target->GetHeight()) };
+  program->SetUniform2f("pixelSize", pixelSize);
+  this->Mean.Read("values", values);
+  this->Mean.Draw();
+  return true;
+}
+
+void BilateralFilter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Smooth.ReleaseGraphicsResources(window);
+  this->Mean.ReleaseGraphicsResources(window);
+}
+
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// When is a still picture good enough? Each time its samples have doubled every tile of 16 x 16
+// pixels is compared with what it was: by as much as the two differ it may still be wrong. Tiles
+// within the tolerance get no more samples.
+#ifndef penumbra_Convergence_h
+#define penumbra_Convergence_h
+
+#include "Stage.h"
+
+#include "vtkType.h"
+
+#include <functional>
+#include <vector>
+
+namespace penumbra
+{
+
+class Convergence
+{
+public:
+  /// The picture has moved: nothing is known, all is open.
+  void Restart();
+
+  /// Tells of `samples` more samples in the open tiles; `read` fetches the picture when it is
+  /// needed: one value a pixel, row after row, negative where there is nothing.
+  void Add(
+    int samples, int width, double tolerance, const std::function<std::vector<float>()>& read);
+
+  /// What open tiles have had.
+  int GetSamples() const { return this->Samples; }
+
+  /// Nothing is open any more.
+  bool IsDone() const { return this->Known && this->Open.empty(); }
+
+  /// False: all of the picture is open.
+  bool IsKnown() const { return this->Known; }
+
+  /// Where tiles are open, neighbours joined.
+  const std::vector<Rectangle>& GetOpen() const { return this->Open; }
+
+  /// RMS over the picture of the error believed in, and the largest of a tile; infinite before they
+  /// are known.
+  double GetError() const { return this->Error; }
+  double GetLargestError() const { return this->LargestError; }
+
+private:
+  void Judge(const std::vector<float>& now, int width, double tolerance);
+
+  int Samples = 0;
+  int SamplesAtReading = 0;
+  bool Known = false;
+  std::vector<float> Reading;
+  std::vector<double> TileErrors; ///< squared; negative: open
+  std::vector<Rectangle> Open;
+  double Error = VTK_DOUBLE_MAX;
+  double LargestError = VTK_DOUBLE_MAX;
+};
+
+}
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a pass's delegate draws, as textures of our own: colour and depth, with a margin around the
+// picture if asked for, so that what lies just outside counts.
+#ifndef penumbra_DelegateImage_h
+#define penumbra_DelegateImage_h
+
+#include "ScreenView.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+class vtkOpenGLRenderWindow;
+class vtkRenderPass;
+class vtkRenderState;
+class vtkWindow;
+
+namespace penumbra
+{
+
+class DelegateImage
+{
+public:
+  DelegateImage();
+  ~DelegateImage();
+
+  /// Draws the delegate for the renderer of `state`; `margin` in pixels on each side, in x and y.
+  /// Returns the number of props drawn, -1 when OpenGL refuses.
+  int Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2]);
+
+  vtkTextureObject* GetColor() const { return this->Color; }
+  vtkTextureObject* GetDepth() const { return this->Depth; }
+
+  /// How the picture with its margin looks at the scene.
+  const ScreenView& GetView() const { return this->View; }
+
+  /// Where the picture without its margin belongs in the target: origin, size.
+  const int* GetViewport() const { return this->Viewport; }
+  const int* GetMargin() const { return this->Margin; }
+
+  /// For stages that fill textures of the picture's size.
+  vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Prepare(vtkOpenGLRenderWindow* window);
+
+  vtkSmartPointer<vtkTextureObject> Color;
+  vtkSmartPointer<vtkTextureObject> Depth;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  ScreenView View;
+  int Viewport[4] = { 0, 0, 0, 0 };
+  int Margin[2] = { 0, 0 };
+};
+
+}
+#endif

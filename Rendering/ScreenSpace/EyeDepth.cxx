@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EyeDepth.h"
+
+#include "OpenGLFunctions.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPenumbraDepthChangeFS.h"
+#include "vtkPenumbraEyeDepthFS.h"
+#include "vtkPenumbraViewLib.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace penumbra
+{
+
+EyeDepth::Change EyeDepth::Update(
+  vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view)
+{
+  bool isNew = false;
+  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
+  {
+    isNew = Allocate(texture, window, view.Width, view.Height, 1) || isNew;
+  }
+  const ScreenView& last = this->GetView();
+  const bool comparable = this->Filled && !isNew && last.Parallel == view.Parallel;
+  if (comparable && last.SeesLike(view))
+  {
+    this->Views[this->Current] = view; // the clipping planes may have changed
+    if (this->IsUnchanged(window, image))
+    {
+      return Change::None;
+    }
+  }
+  this->Current = 1 - this->Current;
+  this->Views[this->Current] = view;
+  this->Filled = this->Fill(window, image);
+  if (!this->Filled)
+  {
+    return Change::Failed;
+  }
+  return comparable ? Change::Some : Change::All;
+}
+
+bool EyeDepth::IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& image)
+{
+  static const std::string source =
+    Assemble(vtkPenumbraDepthChangeFS, { { "ViewLib", vtkPenumbraViewLib } });
+  vtkShaderProgram* program = this->Compare.Ready(window, source);
+  if (!program)
+  {
+    return false;
+  }
+  // The target only has to have the right size: nothing is written.
+  const DrawInto target(window, image.GetFramebuffer(), { this->GetPrevious() });
+  this->GetView().SetUniforms(program);
+  this->Compare.Read("depthBuffer", image.GetDepth());
+  this->Compare.Read("eyeDepths", this->GetCurrent());
+  window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  GLuint query = 0;
+  GLuint changed = 1;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  this->Compare.Draw();
+  glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &changed);
+  glDeleteQueries(1, &query);
+  window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return changed == 0;
+}
+
+bool EyeDepth::Fill(vtkOpenGLRenderWindow* window, const DelegateImage& image)
+{
+  static const std::string source =
+    Assemble(vtkPenumbraEyeDepthFS, { { "ViewLib", vtkPenumbraViewLib } });
+  vtkShaderProgram* program = this->Linearize.Ready(window, source);
+  const DrawInto target(window, image.GetFramebuffer(), { this->GetCurrent() });
+  if (!program || !target.IsComplete())
+  {
+    return false;
+  }
+  this->GetView().SetUniforms(program);
+  this->Linearize.Read("depthBuffer", image.GetDepth());
+  this->Linearize.Draw();
+  return true;
+}
+
+void EyeDepth::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
+  {
+    if (texture)
+    {
+      texture->ReleaseGraphicsResources(window);
+      texture = nullptr;
+    }
+  }
+  this->Linearize.ReleaseGraphicsResources(window);
+  this->Compare.ReleaseGraphicsResources(window);
+  this->Filled = false;
+}
+
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The depth buffer as distances along the view axis, of this picture and of the one before, and
+// whether anything changed between them.
+#ifndef penumbra_EyeDepth_h
+#define penumbra_EyeDepth_h
+
+#include "DelegateImage.h"
+#include "Stage.h"
+
+namespace penumbra
+{
+
+class EyeDepth
+{
+public:
+  /// What became of the picture since the last call.
+  enum class Change
+  {
+    None,  ///< same view, same depth
+    Some,  ///< the eye or something in view moved: GetPrevious() and GetPreviousView() are valid
+    All,   ///< another size, projection or window: there is no previous picture
+    Failed ///< OpenGL refuses
+  };
+
+  /// `view`: that of the image, with the unit of length that the depths shall have.
+  Change Update(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view);
+
+  vtkTextureObject* GetCurrent() const { return this->Textures[this->Current]; }
+  vtkTextureObject* GetPrevious() const { return this->Textures[1 - this->Current]; }
+  const ScreenView& GetView() const { return this->Views[this->Current]; }
+  const ScreenView& GetPreviousView() const { return this->Views[1 - this->Current]; }
+
+  /// The next Update() says All.
+  void Forget() { this->Filled = false; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& image);
+  bool Fill(vtkOpenGLRenderWindow* window, const DelegateImage& image);
+
+  vtkSmartPointer<vtkTextureObject> Textures[2];
+  ScreenView Views[2];
+  int Current = 0;
+  bool Filled = false;
+  Stage Linearize;
+  Stage Compare;
+};
+
+}
+#endif

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionView.h"
+
+#include "vtkPenumbraOcclusionEstimator.h"
+
+#include "OpenGLFunctions.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPenumbraCompositeFS.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkPointData.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// A still view gives up on the tolerance after so many times MaximumWeight.
+constexpr double Patience = 8.0;
+
+/// The sequence starts again here, long before its index loses precision.
+constexpr int SequenceLength = 1 << 20;
+
+/// Eye depths beyond this are empty pixels: vtkPenumbraViewLib.glsl.
+constexpr float FarAway = 1e17f;
+
+std::vector<float> Read(vtkTextureObject* texture)
+{
+  const unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  const int components = texture->GetComponents();
+  std::vector<float> values(static_cast<std::size_t>(size[0]) * size[1] * components);
+  vtkIdType increments[2] = { 0, 0 };
+  unsigned int dimensions[2] = { size[0], size[1] };
+  auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
+  buffer->Download2D(VTK_FLOAT, values.data(), dimensions, components, increments);
+  return values;
+}
+
+vtkFloatArray* AddArray(vtkImageData* image, const char* name)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->AddArray(array);
+  return array;
+}
+
+}
+
+bool OcclusionView::MeetsTolerance() const
+{
+  return this->Still.IsDone() ||
+    this->Still.GetSamples() >= Patience * this->Settings.MaximumWeight;
+}
+
+bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
+  vtkPenumbraOcclusionEstimator* estimator, const OcclusionSettings& settings)
+{
+  this->Renderer = state->GetRenderer();
+  this->Window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
+  this->Estimator = estimator;
+  this->Settings = settings;
+  this->NewSamples = 0;
+  this->Props = this->Image.Draw(state, delegate, settings.Margin);
+  if (this->Props < 0)
+  {
+    return false;
+  }
+  ScreenView view = this->Image.GetView();
+  view.Unit = settings.Radius;
+  Allocate(this->Estimates, this->Window, view.Width, view.Height, 1);
+  if (settings.Restart)
+  {
+    this->Depth.Forget();
+  }
+  const EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view);
+  if (change == EyeDepth::Change::Failed)
+  {
+    return false;
+  }
+  if (change != EyeDepth::Change::None)
+  {
+    this->Converged = false;
+    this->Still.Restart();
+  }
+  if (change == EyeDepth::Change::All)
+  {
+    this->SettledSamples = 0;
+  }
+  if (!this->Converged)
+  {
+    bool done = this->Estimate(change);
+    while (done && settings.InOneRender && !this->MeetsTolerance())
+    {
+      done = this->Estimate(EyeDepth::Change::None);
+    }
+    this->Converged = this->MeetsTolerance();
+    if (!done || !this->Filter())
+    {
+      return false;
+    }
+  }
+  return this->Composite();
+}
+
+bool OcclusionView::Estimate(EyeDepth::Change change)
+{
+  const OcclusionSettings& settings = this->Settings;
+  const bool refine = change == EyeDepth::Change::None && this->Still.GetSamples() > 0;
+  const double convergence = this->SettledSamples / settings.MaximumWeight;
+  vtkPenumbraOcclusionEstimator::Request request;
+  request.Window = this->Window;
+  request.Renderer = this->Renderer;
+  request.Image = &this->Image;
+  request.Depth = &this->Depth;
+  request.Radius = settings.Radius;
+  request.FirstSample = this->TotalSamples;
+  const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
+  request.Samples = many ? settings.FirstSamples : settings.Samples;
+  request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : nullptr;
+  request.TurnPixels = convergence < settings.RotationConvergence;
+  const int samples = this->Estimator->Estimate(request, this->Estimates);
+  if (samples < 1)
+  {
+    return false;
+  }
+  const bool added = refine
+    ? this->History.AddTo(this->Window, this->Image, this->Estimates, samples, request.Parts)
+    : this->JoinHistory(change, samples);
+  if (!added)
+  {
+    return false;
+  }
+  this->TotalSamples = (this->TotalSamples + samples) % SequenceLength;
+  this->SettledSamples += samples;
+  this->NewSamples += samples;
+  if (change != EyeDepth::Change::Some)
+  {
+    this->Still.Add(samples, this->Image.GetView().Width, settings.Tolerance,
+      [this]() { return this->ReadMeans(); });
+  }
+  return true;
+}
+
+bool OcclusionView::JoinHistory(EyeDepth::Change change, int samples)
+{
+  TemporalSettings temporal;
+  temporal.MaximumWeight = this->Settings.MaximumWeight;
+  temporal.DepthTolerance = this->Settings.DepthTolerance;
+  temporal.NeighbourValidation = this->Settings.SceneChanged;
+  temporal.InvalidationWeight = this->Settings.InvalidationWeight;
+  if (change == EyeDepth::Change::None)
+  {
+    // What came along from frames in motion is a little blurred: it shall not weigh for long.
+    temporal.WeightCap = this->Settings.InvalidationWeight;
+  }
+  return this->History.Add(
+    this->Window, this->Image, this->Depth, change, this->Estimates, samples, temporal);
+}
+
+bool OcclusionView::Filter()
+{
+  BilateralSettings settings;
+  settings.ConvergedWeight = this->Settings.SpatialConvergence * this->Settings.MaximumWeight;
+  if (!this->Settings.Filter || this->Still.GetSamples() >= settings.ConvergedWeight)
+  {
+    // Every pixel is beyond the filter's reach.
+    return this->Smoother.Copy(
+      this->Window, this->Image, this->History.GetTexture(), this->Estimates);
+  }
+  return this->Smoother.Apply(this->Window, this->Image, this->Depth.GetView(),
+    this->Depth.GetCurrent(), this->History.GetTexture(), this->History.GetSpare(), this->Estimates,
+    settings);
+}
+
+bool OcclusionView::Composite()
+{
+  vtkShaderProgram* program = this->Darken.Ready(this->Window, vtkPenumbraCompositeFS);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* gl = this->Window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
+  const int* at = this->Image.GetViewport();
+  const int* margin = this->Image.GetMargin();
+  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
+  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
+  gl->vtkglDisable(GL_BLEND);
+  gl->vtkglEnable(GL_DEPTH_TEST);
+  gl->vtkglDepthMask(GL_TRUE);
+  gl->vtkglDepthFunc(GL_ALWAYS);
+  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  const float offset[2] = { static_cast<float>(margin[0] - at[0]),
+    static_cast<float>(margin[1] - at[1]) };
+  const float pixelSize[2] = { 1.f / static_cast<float>(this->Image.GetView().Width),
+    1.f / static_cast<float>(this->Image.GetView().Height) };
+  program->SetUniform2f("offset", offset);
+  program->SetUniform2f("pixelSize", pixelSize);
+  program->SetUniformf("strength", static_cast<float>(this->Settings.Strength));
+  program->SetUniformf("background", this->Settings.DelegateDrawsBackground ? 1.f : 0.f);
+  this->Darken.Read("colors", this->Image.GetColor());
+  this->Darken.Read("depthBuffer", this->Image.GetDepth());
+  this->Darken.Read("occlusions", this->Estimates);
+  this->Darken.Draw();
+  gl->vtkglDepthFunc(GL_LEQUAL);
+  return true;
+}
+
+std::vector<float> OcclusionView::ReadMeans() const
+{
+  const std::vector<float> depths = Read(this->Depth.GetCurrent());
+  const std::vector<float> history = Read(this->History.GetTexture());
+  std::vector<float> values(depths.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = depths[i] < FarAway ? history[2 * i] / std::max(history[2 * i + 1], 1e-6f) : -1.f;
+  }
+  return values;
+}
+
+OcclusionView::PixelCounts OcclusionView::CountPixels() const
+{
+  PixelCounts counts;
+  if (!this->Estimates)
+  {
+    return counts;
+  }
+  const std::vector<float> depths = Read(this->Depth.GetCurrent());
+  const std::vector<float> history = Read(this->History.GetTexture());
+  const int width = this->Image.GetView().Width;
+  const auto fresh = static_cast<float>(this->NewSamples);
+  const auto pulled = static_cast<float>(this->Settings.InvalidationWeight) + fresh;
+  const auto enough =
+    static_cast<float>(this->Settings.SpatialConvergence * this->Settings.MaximumWeight);
+  for (int j = 0; j < this->Image.GetViewport()[3]; ++j)
+  {
+    for (int i = 0; i < this->Image.GetViewport()[2]; ++i)
+    {
+      const std::size_t at = static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * width + i +
+        this->Image.GetMargin()[0];
+      if (depths[at] >= FarAway)
+      {
+        continue;
+      }
+      const float weight = history[2 * at + 1];
+      ++counts.Surface;
+      counts.Disoccluded += fresh > 0.f && weight <= fresh;
+      counts.Invalidated += fresh > 0.f && weight > fresh && weight <= pulled;
+      counts.Kept += fresh == 0.f || weight > pulled;
+      counts.Converged += this->Converged || weight >= enough;
+    }
+  }
+  return counts;
+}
+
+void OcclusionView::CopyTo(vtkImageData* image) const
+{
+  const int* size = this->Image.GetViewport() + 2;
+  image->SetDimensions(size[0], size[1], 1);
+  vtkFloatArray* occlusions = AddArray(image, "AmbientOcclusion");
+  vtkFloatArray* depths = AddArray(image, "Depth");
+  vtkFloatArray* convergences = AddArray(image, "Convergence");
+  if (!this->Estimates)
+  {
+    return;
+  }
+  const std::vector<float> eyeDepths = Read(this->Depth.GetCurrent());
+  const std::vector<float> history = Read(this->History.GetTexture());
+  const std::vector<float> result = Read(this->Estimates);
+  const ScreenView& view = this->Depth.GetView();
+  for (int j = 0; j < size[1]; ++j)
+  {
+    for (int i = 0; i < size[0]; ++i)
+    {
+      const std::size_t at = static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * view.Width +
+        i + this->Image.GetMargin()[0];
+      const vtkIdType to = static_cast<vtkIdType>(j) * size[0] + i;
+      const bool empty = eyeDepths[at] >= FarAway;
+      const double depth = eyeDepths[at] * view.Unit;
+      occlusions->SetValue(to, empty ? 0.f : result[at]);
+      depths->SetValue(
+        to, empty ? std::numeric_limits<float>::infinity() : static_cast<float>(depth));
+      convergences->SetValue(to,
+        empty
+          ? 1.f
+          : std::min(static_cast<float>(history[2 * at + 1] / this->Settings.MaximumWeight), 1.f));
+    }
+  }
+}
+
+void OcclusionView::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Image.ReleaseGraphicsResources(window);
+  this->Depth.ReleaseGraphicsResources(window);
+  this->History.ReleaseGraphicsResources(window);
+  this->Smoother.ReleaseGraphicsResources(window);
+  this->Darken.ReleaseGraphicsResources(window);
+  if (this->Estimates)
+  {
+    this->Estimates->ReleaseGraphicsResources(window);
+    this->Estimates = nullptr;
+  }
+  this->Converged = false;
+  this->Still.Restart();
+}
+
+}

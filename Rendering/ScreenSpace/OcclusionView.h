@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// All that vtkPenumbraTemporalSSAOPass keeps of one renderer, and the steps of a frame: draw the
+// delegate, turn depths into distances, estimate, join with the history, filter, darken.
+#ifndef penumbra_OcclusionView_h
+#define penumbra_OcclusionView_h
+
+#include "BilateralFilter.h"
+#include "Convergence.h"
+#include "DelegateImage.h"
+#include "EyeDepth.h"
+#include "TemporalHistory.h"
+
+class vtkImageData;
+class vtkPenumbraOcclusionEstimator;
+
+namespace penumbra
+{
+
+/// A frame's settings; see vtkPenumbraTemporalSSAOPass for their meaning.
+struct OcclusionSettings
+{
+  double Radius = 1.0; ///< world units
+  double Strength = 1.0;
+  double Tolerance = 0.01;
+  int FirstSamples = 32;
+  int Samples = 8;
+  double AdaptiveConvergence = 0.2;
+  double SpatialConvergence = 0.3;
+  double RotationConvergence = 0.5;
+  double MaximumWeight = 500.0;
+  double InvalidationWeight = 30.0;
+  double DepthTolerance = 0.02;
+  bool Filter = true;
+  bool InOneRender = false;
+  bool DelegateDrawsBackground = true;
+  bool SceneChanged = true; ///< something besides the eye may have moved since the last frame
+  bool Restart = false;     ///< settings changed: what is known is worth nothing
+  int Margin[2] = { 0, 0 };
+};
+
+class OcclusionView
+{
+public:
+  /// Draws one frame into the target of `state`. False when OpenGL refuses: nothing was drawn.
+  bool Render(const vtkRenderState* state, vtkRenderPass* delegate,
+    vtkPenumbraOcclusionEstimator* estimator, const OcclusionSettings& settings);
+
+  int GetNumberOfRenderedProps() const { return this->Props; }
+
+  /// Samples a pixel that the last frame took; 0 once converged.
+  int GetNewSamples() const { return this->NewSamples; }
+  bool IsConverged() const { return this->Converged; }
+  const Convergence& GetConvergence() const { return this->Still; }
+
+  /// Counts of pixels in the picture without margin: surface, and of these by what became of their
+  /// history in the last frame.
+  struct PixelCounts
+  {
+    long long Surface = 0;
+    long long Kept = 0;
+    long long Disoccluded = 0;
+    long long Invalidated = 0;
+    long long Converged = 0;
+  };
+  PixelCounts CountPixels() const;
+
+  /// Adds the float arrays AmbientOcclusion, Depth and Convergence to an image of the picture
+  /// without margin.
+  void CopyTo(vtkImageData* image) const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool Estimate(EyeDepth::Change change);
+  bool JoinHistory(EyeDepth::Change change, int samples);
+  bool Filter();
+  bool Composite();
+  std::vector<float> ReadMeans() const;
+  bool MeetsTolerance() const;
+
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkRenderer* Renderer = nullptr;
+  vtkPenumbraOcclusionEstimator* Estimator = nullptr;
+  OcclusionSettings Settings;
+  DelegateImage Image;
+  EyeDepth Depth;
+  TemporalHistory History;
+  BilateralFilter Smoother;
+  Convergence Still;
+  Stage Darken;
+  vtkSmartPointer<vtkTextureObject> Estimates; ///< new ones, then the filtered result
+  int TotalSamples = 0;                        ///< place in the sample sequence
+  int SettledSamples = 0;                      ///< since the last cut
+  int NewSamples = 0;
+  int Props = 0;
+  bool Converged = false;
+};
+
+}
+#endif

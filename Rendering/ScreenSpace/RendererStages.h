@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The stages of a renderer as vtkOpenGLRenderer itself runs them - lights, opaque, translucent with
+// or without depth peeling, FXAA, volumes, overlays - with a pass of ours in place of the opaque one.
+#ifndef penumbra_RendererStages_h
+#define penumbra_RendererStages_h
+
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h"
+
+namespace penumbra
+{
+
+class RendererStages : public vtkOpenGLRenderPass
+{
+public:
+  static RendererStages* New();
+  vtkTypeMacro(RendererStages, vtkOpenGLRenderPass);
+
+  void SetOpaquePass(vtkRenderPass* pass) { this->OpaquePass = pass; }
+  vtkRenderPass* GetOpaquePass() { return this->OpaquePass; }
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  RendererStages();
+  ~RendererStages() override;
+
+  vtkSmartPointer<vtkRenderPass> OpaquePass;
+  vtkSmartPointer<vtkRenderPass> LightsPass;
+  vtkSmartPointer<vtkOpenGLFXAAFilter> Smoothing;
+};
+
+}
+#endif

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScreenView.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+
+namespace
+{
+
+Matrix Copy(vtkMatrix4x4* matrix)
+{
+  Matrix copy;
+  std::copy_n(matrix->GetData(), 16, copy.begin());
+  return copy;
+}
+
+void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
+{
+  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
+  program->SetUniform2f(name, values);
+}
+
+}
+
+ScreenView ScreenView::Of(vtkRenderer* renderer, const int size[2], const int margin[2])
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  ScreenView view;
+  view.Width = size[0] + 2 * margin[0];
+  view.Height = size[1] + 2 * margin[1];
+  view.Parallel = camera->GetParallelProjection() != 0;
+  view.WorldToEye = Copy(camera->GetModelViewTransformMatrix());
+  view.Projection =
+    Copy(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const int sides[2] = { view.Width, view.Height };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    double* row = view.Projection.data() + 4 * axis;
+    std::transform(row, row + 4, row,
+      [&](double entry) { return entry * size[axis] / static_cast<double>(sides[axis]); });
+    // In perspective x = depth * (ndc + row[2]) / row[0]; parallel x = (ndc - row[3]) / row[0].
+    view.Scale[axis] = 2.0 / (sides[axis] * row[axis]);
+    view.Offset[axis] = (-1.0 + (view.Parallel ? -row[3] : row[2])) / row[axis];
+  }
+  return view;
+}
+
+void ScreenView::SetUniforms(vtkShaderProgram* program) const
+{
+  const double unit = this->Parallel ? this->Unit : 1.0;
+  const float pixelToEye[4] = { static_cast<float>(this->Scale[0] / unit),
+    static_cast<float>(this->Scale[1] / unit), static_cast<float>(this->Offset[0] / unit),
+    static_cast<float>(this->Offset[1] / unit) };
+  program->SetUniform4f("pixelToEye", pixelToEye);
+  program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
+  SetVector(program, "pixelSize", 1.0 / this->Width, 1.0 / this->Height);
+
+  // With z the depth buffer's value, clip z is 2 z - 1; near the far plane 1 - z is exact.
+  const double c = this->Projection[10];
+  const double d = this->Projection[11];
+  if (this->Parallel)
+  {
+    SetVector(program, "depthToEye", (d - 1.0) / c / this->Unit, 2.0 / c / this->Unit);
+  }
+  else
+  {
+    SetVector(program, "depthToEye", (1.0 + c) / d * this->Unit, -2.0 / d * this->Unit);
+  }
+}
+
+Matrix ScreenView::ToEyeOf(const ScreenView& other) const
+{
+  Matrix eyeToWorld;
+  vtkMatrix4x4::Invert(this->WorldToEye.data(), eyeToWorld.data());
+  Matrix product;
+  vtkMatrix4x4::Multiply4x4(other.WorldToEye.data(), eyeToWorld.data(), product.data());
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      product[4 * row + column] *= this->Unit / other.Unit;
+    }
+    product[4 * row + 3] /= other.Unit;
+  }
+  return product;
+}
+
+bool ScreenView::SeesLike(const ScreenView& other) const
+{
+  return this->Width == other.Width && this->Height == other.Height &&
+    this->Parallel == other.Parallel && this->Unit == other.Unit &&
+    this->WorldToEye == other.WorldToEye && std::equal(this->Scale, this->Scale + 2, other.Scale) &&
+    std::equal(this->Offset, this->Offset + 2, other.Offset);
+}
+
+}

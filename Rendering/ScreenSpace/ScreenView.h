@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How a picture looks at its scene: from pixels and depth buffer to eye coordinates and back, in
+// double. The eye looks along -z; eye depth is the distance along the view axis.
+#ifndef penumbra_ScreenView_h
+#define penumbra_ScreenView_h
+
+#include <array>
+
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace penumbra
+{
+
+using Matrix = std::array<double, 16>; ///< row after row
+
+struct ScreenView
+{
+  int Width = 0; ///< of the picture, margin included
+  int Height = 0;
+  bool Parallel = false;
+  Matrix WorldToEye{};
+  Matrix Projection{}; ///< eye to clip coordinates, margin included
+  double Unit = 1.0;   ///< what shaders call 1, in world units
+
+  /// (x, y) on the plane at eye depth 1 is Scale * pixel + Offset; parallel: anywhere.
+  double Scale[2] = { 1.0, 1.0 };
+  double Offset[2] = { 0.0, 0.0 };
+
+  /// The view of the renderer's camera into a picture of this size, enlarged on every side by
+  /// `margin` pixels.
+  static ScreenView Of(vtkRenderer* renderer, const int size[2], const int margin[2]);
+
+  /// Sets the uniforms of vtkPenumbraViewLib.glsl.
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  /// From this view's eye coordinates to those of another one, both in their units. The product is
+  /// taken in double, so that the eye's motion survives coordinates of 1e7.
+  Matrix ToEyeOf(const ScreenView& other) const;
+
+  /// Do both see the same from the same place? (Clipping planes may differ.)
+  bool SeesLike(const ScreenView& other) const;
+};
+
+}
+#endif

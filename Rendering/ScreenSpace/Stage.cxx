@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stage.h"
+
+#include "OpenGLFunctions.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPenumbraQuadVS.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace penumbra
+{
+
+std::string Assemble(
+  std::string source, const std::vector<std::pair<std::string, std::string>>& pieces)
+{
+  for (const auto& [name, text] : pieces)
+  {
+    vtkShaderProgram::Substitute(source, "//VTK::Penumbra::" + name, text);
+  }
+  return source;
+}
+
+Stage::Stage() = default;
+Stage::~Stage() = default;
+
+vtkShaderProgram* Stage::Ready(vtkOpenGLRenderWindow* window, const std::string& source)
+{
+  if (this->Quad && this->Quad->Program && this->Source == source)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  else
+  {
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, vtkPenumbraQuadVS, source.c_str(), "");
+    this->Source = source;
+    this->Window = window;
+  }
+  vtkShaderProgram* program = this->Quad->Program;
+  return program && program->GetCompiled() ? program : nullptr;
+}
+
+void Stage::Read(const char* name, vtkTextureObject* texture)
+{
+  texture->Activate();
+  this->Quad->Program->SetUniformi(name, texture->GetTextureUnit());
+  this->Inputs.push_back(texture);
+}
+
+void Stage::Draw()
+{
+  this->Quad->Render();
+  this->Unbind();
+}
+
+void Stage::Draw(const std::vector<Rectangle>& parts)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglScissor scissor(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  for (const Rectangle& part : parts)
+  {
+    state->vtkglScissor(part.X, part.Y, part.Width, part.Height);
+    this->Quad->Render();
+  }
+  this->Unbind();
+}
+
+void Stage::Unbind()
+{
+  for (vtkTextureObject* input : this->Inputs)
+  {
+    input->Deactivate();
+  }
+  this->Inputs.clear();
+}
+
+void Stage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Quad)
+  {
+    this->Quad->ReleaseGraphicsResources(window);
+    this->Quad.reset();
+  }
+}
+
+DrawInto::DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+  const std::vector<vtkTextureObject*>& targets, vtkTextureObject* depth)
+  : Window(window),
+    Framebuffer(framebuffer),
+    Count(static_cast<unsigned int>(targets.size())),
+    Depth(depth != nullptr)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  framebuffer->Bind();
+  for (unsigned int i = 0; i < this->Count; ++i)
+  {
+    framebuffer->AddColorAttachment(i, targets[i]);
+  }
+  framebuffer->ActivateDrawBuffers(this->Count);
+  if (depth)
+  {
+    framebuffer->AddDepthAttachment(depth);
+  }
+  const auto width = static_cast<int>(targets.front()->GetWidth());
+  const auto height = static_cast<int>(targets.front()->GetHeight());
+  this->Complete = framebuffer->Start(width, height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_FALSE);
+  if (depth)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_GREATER);
+  }
+}
+
+DrawInto::~DrawInto()
+{
+  this->Framebuffer->RemoveColorAttachments(this->Count);
+  if (this->Depth)
+  {
+    this->Framebuffer->RemoveDepthAttachment();
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PopFramebufferBindings();
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+}
+
+bool Allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window, int width,
+  int height, int components)
+{
+  if (texture && texture->GetContext() == window && texture->GetComponents() == components &&
+    texture->GetWidth() == static_cast<unsigned int>(width) &&
+    texture->GetHeight() == static_cast<unsigned int>(height))
+  {
+    return false;
+  }
+  const std::vector<float> zeros(static_cast<std::size_t>(width) * height * components, 0.f);
+  texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->Create2DFromRaw(width, height, components, VTK_FLOAT, const_cast<float*>(zeros.data()));
+  return true;
+}
+
+}

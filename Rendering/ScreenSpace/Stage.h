@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One full-screen step of a pass: a fragment shader, the textures that it reads, the textures that
+// it fills.
+#ifndef penumbra_Stage_h
+#define penumbra_Stage_h
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace penumbra
+{
+
+/// Shader text with every line `//VTK::Penumbra::NAME` replaced by the piece of that name.
+std::string Assemble(
+  std::string source, const std::vector<std::pair<std::string, std::string>>& pieces);
+
+/// Part of a picture, in pixels.
+struct Rectangle
+{
+  int X = 0;
+  int Y = 0;
+  int Width = 0;
+  int Height = 0;
+};
+
+class Stage
+{
+public:
+  Stage();
+  ~Stage();
+
+  /// Readies the program for uniforms; compiled once, and again when the source differs. Null when
+  /// it cannot be compiled.
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& source);
+
+  /// What the sampler `name` reads in the next Draw().
+  void Read(const char* name, vtkTextureObject* texture);
+
+  /// Draws into whatever is bound: all of it, or only within some rectangles.
+  void Draw();
+  void Draw(const std::vector<Rectangle>& parts);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Unbind();
+
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::string Source;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  std::vector<vtkTextureObject*> Inputs;
+};
+
+/// While it lives, stages draw into textures: all of them, all at once, without blending. With a
+/// depth texture only pixels that show a surface are drawn; it stays as it is.
+class DrawInto
+{
+public:
+  DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+    const std::vector<vtkTextureObject*>& targets, vtkTextureObject* depth = nullptr);
+  ~DrawInto();
+  DrawInto(const DrawInto&) = delete;
+  void operator=(const DrawInto&) = delete;
+
+  /// False: OpenGL does not accept these textures as targets.
+  bool IsComplete() const { return this->Complete; }
+
+private:
+  vtkOpenGLRenderWindow* Window;
+  vtkOpenGLFramebufferObject* Framebuffer;
+  unsigned int Count;
+  bool Depth;
+  bool Complete = false;
+};
+
+/// A texture of floats, sampled at the nearest pixel; cleared to zero. Kept while its size is right.
+/// True when it is new.
+bool Allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window, int width,
+  int height, int components);
+
+}
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// All samples that a pixel's surface point has had, over frames [TSSAO eq. 4-9]: r their sum, g
+// their number. What is averaged is the caller's business.
+#ifndef penumbra_TemporalHistory_h
+#define penumbra_TemporalHistory_h
+
+#include "EyeDepth.h"
+#include "Stage.h"
+
+namespace penumbra
+{
+
+struct TemporalSettings
+{
+  double MaximumWeight = 500.0;     ///< samples; older ones fade
+  double WeightCap = 1e9;           ///< no more of the history counts in this frame
+  double DepthTolerance = 0.02;     ///< relative distance from the surface expected
+  bool NeighbourValidation = false; ///< something besides the eye may have moved
+  double InvalidationWeight = 30.0; ///< a neighbour's motion pulls no weight below this
+};
+
+class TemporalHistory
+{
+public:
+  /// Joins `samples` new samples a pixel, whose mean is `estimates`, with the history. After
+  /// Change::None pixel by pixel, after Change::Some where the points were before, after
+  /// Change::All there is no history. False when OpenGL refuses.
+  bool Add(vtkOpenGLRenderWindow* window, const DelegateImage& image, const EyeDepth& depth,
+    EyeDepth::Change change, vtkTextureObject* estimates, int samples,
+    const TemporalSettings& settings);
+
+  /// The same where nothing changed, only within `parts`, or everywhere if null.
+  bool AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* estimates,
+    int samples, const std::vector<Rectangle>* parts);
+
+  vtkTextureObject* GetTexture() const { return this->Textures[this->Current]; }
+
+  /// The texture that the next Add() will fill: free until then.
+  vtkTextureObject* GetSpare() const { return this->Textures[1 - this->Current]; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkSmartPointer<vtkTextureObject> Textures[2];
+  int Current = 0;
+  Stage Reproject;
+  Stage Accumulate;
+  Stage Sum;
+};
+
+}
+#endif

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionScene.h"
+
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace
+{
+
+vtkSmartPointer<vtkActor> NewActor(vtkAlgorithm* source)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+}
+
+OcclusionScene::OcclusionScene(int width, int height)
+  : Width(width),
+    Height(height)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetAlphaBitPlanes(1);
+  this->Window->SetSize(width, height);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetBackground(.2, .3, .4);
+}
+
+vtkSmartPointer<vtkActor> OcclusionScene::AddWall(
+  const Vector& corner, const Vector& side, const Vector& other)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(corner[0], corner[1], corner[2]);
+  plane->SetPoint1(corner[0] + side[0], corner[1] + side[1], corner[2] + side[2]);
+  plane->SetPoint2(corner[0] + other[0], corner[1] + other[1], corner[2] + other[2]);
+  auto actor = NewActor(plane);
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> OcclusionScene::AddSphere(const Vector& center, double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(64);
+  sphere->SetPhiResolution(64);
+  auto actor = NewActor(sphere);
+  actor->SetPosition(center[0], center[1], center[2]);
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+void OcclusionScene::Look(const Vector& from, const Vector& at, const Vector& up)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(from.data());
+  camera->SetFocalPoint(at.data());
+  camera->SetViewUp(up.data());
+  this->Renderer->ResetCameraClippingRange();
+}
+
+vtkPenumbraTemporalSSAOPass* OcclusionScene::Occlude(double radius)
+{
+  this->Pass = vtkPenumbraTemporalSSAOPass::AddTo(this->Renderer);
+  this->Pass->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
+  this->Pass->SetRadius(radius);
+  return this->Pass;
+}
+
+std::vector<float> OcclusionScene::Array(const std::string& name)
+{
+  vtkNew<vtkImageData> image;
+  this->Pass->CopyOcclusion(image);
+  auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name.c_str()));
+  if (!array)
+  {
+    return {};
+  }
+  return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
+}
+
+std::vector<int> OcclusionScene::Picture()
+{
+  vtkNew<vtkUnsignedCharArray> bytes;
+  this->Window->GetRGBACharPixelData(0, 0, this->Width - 1, this->Height - 1, 0, bytes);
+  return { bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues() };
+}
+
+std::array<int, 2> OcclusionScene::Pixel(const Vector& position)
+{
+  this->Renderer->SetWorldPoint(position[0], position[1], position[2], 1.0);
+  this->Renderer->WorldToDisplay();
+  const double* at = this->Renderer->GetDisplayPoint();
+  return { static_cast<int>(at[0]), static_cast<int>(at[1]) };
+}
+
+Vector OcclusionScene::OnFloor(double x, double y)
+{
+  double ends[2][4];
+  for (int end = 0; end < 2; ++end)
+  {
+    this->Renderer->SetDisplayPoint(x, y, end);
+    this->Renderer->DisplayToWorld();
+    this->Renderer->GetWorldPoint(ends[end]);
+    for (double& coordinate : ends[end])
+    {
+      coordinate /= ends[end][3];
+    }
+  }
+  const double along = ends[0][2] / (ends[0][2] - ends[1][2]);
+  return { ends[0][0] + along * (ends[1][0] - ends[0][0]),
+    ends[0][1] + along * (ends[1][1] - ends[0][1]), 0.0 };
+}
+
+double OcclusionScene::At(const std::string& name, const Vector& position)
+{
+  const std::array<int, 2> pixel = this->Pixel(position);
+  const std::vector<float> values = this->Array(name);
+  const int at = pixel[1] * this->Width + pixel[0];
+  return at >= 0 && at < static_cast<int>(values.size()) ? values[at] : -1.0;
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A small offscreen window with one renderer, walls and spheres to put into it, and what the
+// occlusion pass makes of them.
+#ifndef OcclusionScene_h
+#define OcclusionScene_h
+
+#include "vtkPenumbraTemporalSSAOPass.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+using Vector = std::array<double, 3>;
+
+class OcclusionScene
+{
+public:
+  OcclusionScene(int width = 160, int height = 120);
+
+  /// A parallelogram with one corner and two sides, unlit white.
+  vtkSmartPointer<vtkActor> AddWall(const Vector& corner, const Vector& side, const Vector& other);
+  vtkSmartPointer<vtkActor> AddSphere(const Vector& center, double radius);
+
+  void Look(const Vector& from, const Vector& at, const Vector& up = { 0.0, 0.0, 1.0 });
+
+  /// Adds the pass, with a radius in world units.
+  vtkPenumbraTemporalSSAOPass* Occlude(double radius);
+
+  /// The array of the last frame, row after row from below.
+  std::vector<float> Array(const std::string& name);
+  /// The picture, RGBA, 0 to 255.
+  std::vector<int> Picture();
+  /// The value of an array where a world position is seen.
+  double At(const std::string& name, const Vector& position);
+  /// The pixel where a world position is seen.
+  std::array<int, 2> Pixel(const Vector& position);
+
+  /// The point of the plane z = 0 that is seen at a place of the picture, in pixels.
+  Vector OnFloor(double x, double y);
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  int Width;
+  int Height;
+  vtkPenumbraTemporalSSAOPass* Pass = nullptr;
+};
+
+#endif

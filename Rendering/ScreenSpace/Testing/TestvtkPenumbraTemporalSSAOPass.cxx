@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionScene.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+double Statistic(vtkPenumbraTemporalSSAOPass* pass, const char* name)
+{
+  return pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+}
+
+void AddFloor(OcclusionScene& scene, double size = 20.0)
+{
+  scene.AddWall({ -size, -size, 0 }, { 2 * size, 0, 0 }, { 0, 2 * size, 0 });
+}
+
+TEST(TemporalSSAOPass, SeesNoOcclusionOnAnOpenPlane)
+{
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.Look({ 0, -4, 2 }, { 0, 0, 0 });
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  ASSERT_EQ(occlusion.size(), 160u * 120u);
+  // The seam between the floor's two triangles may be off by the depth buffer's rounding.
+  const auto dark =
+    std::count_if(occlusion.begin(), occlusion.end(), [](float value) { return value > 1e-4f; });
+  EXPECT_LE(dark, 3);
+  EXPECT_LT(*std::max_element(occlusion.begin(), occlusion.end()), .05f);
+}
+
+TEST(TemporalSSAOPass, TellsDepthAlongTheViewAxis)
+{
+  OcclusionScene scene;
+  scene.AddWall({ -5, 3, -5 }, { 10, 0, 0 }, { 0, 0, 10 });
+  scene.Look({ 0, -4, 0 }, { 0, 0, 0 });
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  for (const float depth : scene.Array("Depth"))
+  {
+    EXPECT_NEAR(depth, 7.f, 1e-4f);
+  }
+}
+
+TEST(TemporalSSAOPass, SeesHalfTheSkyAtTheFootOfAWall)
+{
+  // A wall on the plane y = 0 blocks the directions with w.y > a, a = distance / radius: the part of
+  // the unit disc beyond the line at a.
+  const auto truth = [](double a) {
+    return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
+  };
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  const int foot = scene.Pixel({ 0, 0, 0 })[1];
+  double squares = 0.0;
+  for (int row = 0; row < foot; ++row)
+  {
+    const Vector floor = scene.OnFloor(80.5, row + .5);
+    const double error = occlusion[row * scene.Width + 80] - truth(-floor[1]);
+    EXPECT_NEAR(error, 0.0, .06) << "at y = " << floor[1];
+    squares += error * error;
+  }
+  EXPECT_LT(std::sqrt(squares / foot), .02);
+}
+
+TEST(TemporalSSAOPass, FreezesOnceConverged)
+{
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  EXPECT_TRUE(scene.Pass->IsConverged());
+  EXPECT_LE(scene.Pass->GetEstimatedError(), scene.Pass->GetTolerance());
+  const std::vector<int> first = scene.Picture();
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.Window->Render();
+    EXPECT_EQ(scene.Picture(), first);
+    EXPECT_EQ(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
+  }
+  scene.Look({ .1, -4, 3 }, { 0, 0, 0 });
+  scene.Window->Render();
+  EXPECT_GT(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
+}
+
+TEST(TemporalSSAOPass, LeavesThePictureExactlyAsItWasWhenRemoved)
+{
+  OcclusionScene scene;
+  AddFloor(scene, 1.0);
+  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Window->Render();
+  const std::vector<int> before = scene.Picture();
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  EXPECT_NE(scene.Picture(), before);
+  vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), nullptr);
+  scene.Window->Render();
+  EXPECT_EQ(scene.Picture(), before);
+}
+
+TEST(TemporalSSAOPass, DrawsThePlainSceneWithRadiusZero)
+{
+  OcclusionScene scene;
+  AddFloor(scene, 1.0);
+  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Window->Render();
+  const std::vector<int> plain = scene.Picture();
+  scene.Occlude(0.0);
+  scene.Window->Render();
+  EXPECT_EQ(scene.Picture(), plain);
+  scene.Pass->SetStrength(0.0);
+  scene.Pass->SetRadius(1.0);
+  scene.Window->Render();
+  EXPECT_EQ(scene.Picture(), plain);
+}
+
+}

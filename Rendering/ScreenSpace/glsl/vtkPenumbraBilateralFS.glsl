@@ -1,0 +1,35 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One direction of the separable 5 x 5 cross-bilateral filter [TSSAO eq. 10-11]: neighbours count by
+// their distance in space and by their own convergence. Where a pixel has converged its neighbours
+// no longer count; the taps stay, since loops whose length differs from pixel to pixel cost more.
+//VTK::Penumbra::ViewLib
+uniform sampler2D eyeDepths;
+uniform sampler2D values;       // r: sum, g: number of samples
+uniform float mean;             // 1: write the mean; 0: sum and number, for the other direction
+uniform vec2 way;               // (1, 0) or (0, 1)
+uniform float convergedWeight;  // from this weight on a pixel is left alone
+uniform float distanceInPixels; // a neighbour this many pixel widths away in space counts 1/e
+
+void main()
+{
+  vec2 pixel = gl_FragCoord.xy;
+  float depth = texture(eyeDepths, pixel * pixelSize).r;
+  vec3 position = eyePosition(pixel, depth);
+  vec2 own = texture(values, pixel * pixelSize).rg;
+  float shrink = clamp(1.0 - own.g / convergedWeight, 0.0, 1.0);
+  float width = distanceInPixels * pixelToEye.x * mix(1.0, depth, perspective);
+  vec2 sum = own;
+  for (int i = -2; i <= 2; ++i)
+  {
+    vec2 tap = pixel + float(i) * way;
+    vec2 other = texture(values, tap * pixelSize).rg;
+    vec3 apart = (eyePosition(tap, texture(eyeDepths, tap * pixelSize).r) - position) / width;
+    sum += i == 0 ? vec2(0.0) : shrink * exp(-dot(apart, apart)) * other;
+  }
+  float value = sum.x / max(sum.y, 1e-6);
+  gl_FragData[0] = vec4(mean > 0.5 ? value : own.g * value, own.g, 0.0, 1.0);
+}

@@ -1,0 +1,27 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The scene, darkened: colour * (1 - strength * occlusion), with its own depth.
+uniform sampler2D colors;
+uniform sampler2D depthBuffer;
+uniform sampler2D occlusions;
+uniform vec2 pixelSize;   // of the scene's picture
+uniform vec2 offset;      // from pixels of the target to those of the scene's picture
+uniform float strength;
+uniform float background; // 1: pixels without a surface are the scene's, too; 0: they stay
+
+void main()
+{
+  vec2 at = (gl_FragCoord.xy + offset) * pixelSize;
+  float depth = texture(depthBuffer, at).r;
+  if (depth >= 1.0 && background < 0.5)
+  {
+    discard;
+  }
+  float occlusion = depth < 1.0 ? texture(occlusions, at).r : 0.0;
+  vec4 color = texture(colors, at);
+  gl_FragData[0] = vec4(color.rgb * (1.0 - strength * occlusion), color.a);
+  gl_FragDepth = depth;
+}

@@ -1,0 +1,119 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// New samples join those of earlier frames [TSSAO eq. 4-9]. The history is fetched where the point
+// was in the previous picture, bilinearly, each of the four texels only if it lies on the plane
+// through the point: so a surface seen at a grazing angle keeps its history (eq. 8 alone would
+// reject it) and what just came into sight starts afresh.
+//VTK::Penumbra::ViewLib
+//VTK::Penumbra::SurfaceLib
+uniform sampler2D estimates;
+uniform sampler2D history;         // r: sum, g: number of samples
+uniform sampler2D previousEyeDepths;
+uniform mat4 toPreviousEye;        // eye coordinates to those of the previous picture
+uniform vec4 previousPixelToEye;
+uniform float newSamples;
+uniform float maximumWeight;
+uniform float weightCap;           // no more of the history counts in this frame
+uniform float depthTolerance;      // relative, eq. 8
+uniform float neighbourValidation; // 1: something may have moved, look at the neighbours (eq. 9)
+uniform float invalidationWeight;  // eq. 9 pulls no weight below this
+
+const int neighbours = 8;
+
+vec2 previousPlane(vec2 pixel)
+{
+  return previousPixelToEye.xy * pixel + previousPixelToEye.zw;
+}
+
+vec2 previousPixel(vec3 position)
+{
+  vec2 plane = position.xy / mix(1.0, -position.z, perspective);
+  return (plane - previousPixelToEye.zw) / previousPixelToEye.xy;
+}
+
+float previousDepthAt(vec2 pixel)
+{
+  return texture(previousEyeDepths, pixel * pixelSize).r;
+}
+
+bool isInside(vec2 pixel)
+{
+  vec2 at = pixel * pixelSize;
+  return all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0)));
+}
+
+// Distance at which a pixel of the previous picture sees the plane through a point.
+float planeDepth(vec3 position, vec3 normal, vec2 pixel)
+{
+  vec2 plane = previousPlane(pixel);
+  float inPerspective = dot(normal, position) / dot(normal, vec3(plane, -1.0));
+  float inParallel = dot(normal.xy, plane - position.xy) / normal.z - position.z;
+  return perspective > 0.5 ? inPerspective : inParallel;
+}
+
+vec2 keptHistory(vec3 position, vec3 normal)
+{
+  vec2 at = previousPixel(position) - 0.5;
+  vec2 corner = floor(at);
+  vec2 share = at - corner;
+  vec2 sum = vec2(0.0);
+  float weights = 1e-6;
+  for (int i = 0; i < 4; ++i)
+  {
+    vec2 offset = vec2(float(i % 2), float(i / 2));
+    vec2 tap = corner + offset + 0.5;
+    vec2 near = mix(1.0 - share, share, offset);
+    float found = previousDepthAt(tap);
+    float expected = planeDepth(position, normal, tap);
+    bool same = isInside(tap) && abs(found - expected) < depthTolerance * expected;
+    float weight = same ? near.x * near.y : 0.0;
+    sum += weight * (same ? texture(history, tap * pixelSize).rg : vec2(0.0));
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+// How far the distances between the point and what surrounds it have changed, in radii: the largest
+// of a ring of neighbours [TSSAO eq. 9].
+float neighbourChange(SurfacePoint point, vec3 before)
+{
+  vec2 reach = 1.0 / (pixelToEye.xy * mix(1.0, -point.position.z, perspective));
+  float turn = 6.2831853 * fract(52.9829189 * fract(dot(floor(point.pixel), vec2(0.06711056, 0.00583715))));
+  float change = 0.0;
+  for (int i = 0; i < neighbours; ++i)
+  {
+    float angle = turn + 2.3999632 * float(i); // the golden angle
+    float away = sqrt((float(i) + 0.5) / float(neighbours));
+    vec2 pixel = point.pixel + away * reach * vec2(cos(angle), sin(angle));
+    vec3 now = eyePositionAt(pixel);
+    vec3 then = (toPreviousEye * vec4(now, 1.0)).xyz;
+    vec2 was = previousPixel(then);
+    vec3 found = vec3(previousPlane(was), -1.0) * vec3(vec2(mix(1.0, previousDepthAt(was), perspective)), previousDepthAt(was));
+    float span = min(length(now - point.position), 1.0);
+    float spanBefore = min(length(found - before), 1.0);
+    bool seen = isInside(pixel) && isInside(was);
+    change = max(change, seen ? abs(span - spanBefore) : 0.0);
+  }
+  return change;
+}
+
+void main()
+{
+  SurfacePoint point = surfaceAt(gl_FragCoord.xy);
+  vec3 before = (toPreviousEye * vec4(point.position, 1.0)).xyz;
+  vec2 kept = keptHistory(before, mat3(toPreviousEye) * point.normal);
+  float weight = min(kept.g, weightCap);
+  if (neighbourValidation > 0.5)
+  {
+    // Full trust below a hundredth of the radius, none above a tenth.
+    float trust = 1.0 - smoothstep(0.01, 0.1, neighbourChange(point, before));
+    weight = min(weight, mix(invalidationWeight, maximumWeight, trust));
+  }
+  float estimate = texture(estimates, gl_FragCoord.xy * pixelSize).r;
+  weight = min(weight, maximumWeight - newSamples);
+  kept *= weight / max(kept.g, 1e-6);
+  gl_FragData[0] = vec4(kept + newSamples * vec2(estimate, 1.0), 0.0, 1.0);
+}

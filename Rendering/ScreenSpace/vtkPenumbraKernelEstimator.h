@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraKernelEstimator
+ * @brief   Ambient occlusion from the depth buffer alone, by one of the kernels of vtkPenumbraKernels.
+ */
+#ifndef vtkPenumbraKernelEstimator_h
+#define vtkPenumbraKernelEstimator_h
+
+#include "vtkPenumbraOcclusionEstimator.h"
+
+#include <memory> // for std::unique_ptr
+
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraKernelEstimator
+  : public vtkPenumbraOcclusionEstimator
+{
+public:
+  static vtkPenumbraKernelEstimator* New();
+  vtkTypeMacro(vtkPenumbraKernelEstimator, vtkPenumbraOcclusionEstimator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Row of vtkPenumbraKernels. Default: 0. */
+  virtual void SetKernel(int kernel);
+  vtkGetMacro(Kernel, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far back what is seen is taken to reach, in radii, 0.001 to 1000; for kernels that ask.
+   * Default: 1.
+   */
+  vtkSetClampMacro(Thickness, double, 0.001, 1000.0);
+  vtkGetMacro(Thickness, double);
+  ///@}
+
+  int Estimate(const Request& request, vtkTextureObject* target) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkPenumbraKernelEstimator();
+  ~vtkPenumbraKernelEstimator() override;
+
+private:
+  vtkPenumbraKernelEstimator(const vtkPenumbraKernelEstimator&) = delete;
+  void operator=(const vtkPenumbraKernelEstimator&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+
+  int Kernel = 0;
+  double Thickness = 1.0;
+};
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPenumbraKernels.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPenumbraEstimateHorizonFS.h"
+
+#include <cstring>
+#include <iterator>
+
+vtkStandardNewMacro(vtkPenumbraKernels);
+
+namespace
+{
+
+struct Kernel
+{
+  const char* Name;
+  const char* Source;
+  const char* FallOff;
+  int FetchesPerPoint;
+  const char* Shader;
+};
+
+const Kernel Table[] = {
+  { "horizon", "[GTAO eq. 7]; [TSSAO eq. 1]", "1", 8, vtkPenumbraEstimateHorizonFS },
+};
+
+const Kernel* Row(int kernel)
+{
+  return kernel >= 0 && kernel < vtkPenumbraKernels::GetNumberOfKernels() ? Table + kernel
+                                                                          : nullptr;
+}
+
+}
+
+int vtkPenumbraKernels::GetNumberOfKernels()
+{
+  return static_cast<int>(std::size(Table));
+}
+
+const char* vtkPenumbraKernels::GetName(int kernel)
+{
+  return Row(kernel) ? Row(kernel)->Name : nullptr;
+}
+
+int vtkPenumbraKernels::Find(const char* name)
+{
+  for (int kernel = 0; kernel < GetNumberOfKernels(); ++kernel)
+  {
+    if (name && std::strcmp(name, Table[kernel].Name) == 0)
+    {
+      return kernel;
+    }
+  }
+  return -1;
+}
+
+const char* vtkPenumbraKernels::GetSource(int kernel)
+{
+  return Row(kernel) ? Row(kernel)->Source : nullptr;
+}
+
+const char* vtkPenumbraKernels::GetFallOff(int kernel)
+{
+  return Row(kernel) ? Row(kernel)->FallOff : nullptr;
+}
+
+int vtkPenumbraKernels::GetFetchesPerPoint(int kernel)
+{
+  return Row(kernel) ? Row(kernel)->FetchesPerPoint : 0;
+}
+
+const char* vtkPenumbraKernels::GetShader(int kernel)
+{
+  return Row(kernel) ? Row(kernel)->Shader : nullptr;
+}
+
+void vtkPenumbraKernels::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const Kernel& kernel : Table)
+  {
+    os << indent << kernel.Name << ": " << kernel.Source << "\n";
+  }
+}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraOcclusionEstimator
+ * @brief   Who estimates: a few new samples of ambient occlusion for every pixel of a picture.
+ *
+ * vtkPenumbraTemporalSSAOPass keeps the mean of all samples, follows it from frame to frame, filters
+ * it and darkens the picture. Where the samples come from is an estimator's business: kernels look
+ * at the depth buffer alone (vtkPenumbraKernelEstimator), others may trace true rays from the
+ * positions in it.
+ */
+#ifndef vtkPenumbraOcclusionEstimator_h
+#define vtkPenumbraOcclusionEstimator_h
+
+#include "vtkObject.h"
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+
+#include <vector> // for std::vector
+
+namespace penumbra
+{
+class DelegateImage;
+class EyeDepth;
+struct Rectangle;
+}
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraOcclusionEstimator : public vtkObject
+{
+public:
+  vtkAbstractTypeMacro(vtkPenumbraOcclusionEstimator, vtkObject);
+
+  /** What is asked for. */
+  struct Request
+  {
+    vtkOpenGLRenderWindow* Window = nullptr;
+    vtkRenderer* Renderer = nullptr;
+    const penumbra::DelegateImage* Image = nullptr; ///< colour and depth of the picture
+    const penumbra::EyeDepth* Depth = nullptr;      ///< eye depths and the view, in radii
+    double Radius = 1.0;                            ///< of occlusion, world units
+    int FirstSample = 0;    ///< samples that every pixel has had before this call
+    int Samples = 8;        ///< wanted for every pixel
+    bool TurnPixels = true; ///< samples shall differ from pixel to pixel
+    /// Where they are wanted; null: everywhere.
+    const std::vector<penumbra::Rectangle>* Parts = nullptr;
+  };
+
+  /**
+   * Fill `target` (one float a pixel) with the mean of new samples, 0 open, 1 blocked. Returns how
+   * many samples a pixel that were, 0 when it cannot.
+   */
+  virtual int Estimate(const Request& request, vtkTextureObject* target) = 0;
+
+  /** Free what lives in the window's OpenGL context. */
+  virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;
+
+protected:
+  vtkPenumbraOcclusionEstimator() = default;
+  ~vtkPenumbraOcclusionEstimator() override = default;
+
+private:
+  vtkPenumbraOcclusionEstimator(const vtkPenumbraOcclusionEstimator&) = delete;
+  void operator=(const vtkPenumbraOcclusionEstimator&) = delete;
+};
+
+#endif

@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPenumbraTemporalSSAOPass.h"
+
+#include "OcclusionView.h"
+#include "RendererStages.h"
+#include "vtkPenumbraKernelEstimator.h"
+#include "vtkPenumbraKernels.h"
+
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+vtkStandardNewMacro(vtkPenumbraTemporalSSAOPass);
+
+namespace
+{
+
+using Pass = vtkPenumbraTemporalSSAOPass;
+
+/// The best of the kernels wherever depth is all there is.
+constexpr const char* AutomaticKernel = "horizon";
+
+/// The margin that follows the radius goes no farther than this share of the picture's larger side.
+constexpr double LargestMargin = 0.1;
+
+/// Changes whenever a prop, its data or the set of props does.
+vtkMTimeType ChangeTime(const vtkRenderState* state)
+{
+  vtkMTimeType time = 0;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    time = std::max(time, state->GetPropArray()[i]->GetRedrawMTime());
+  }
+  return time;
+}
+
+/// World length of a pixel at the camera's focal point.
+double PixelAtFocus(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double height = std::max(renderer->GetSize()[1], 1);
+  if (camera->GetParallelProjection())
+  {
+    return 2.0 * camera->GetParallelScale() / height;
+  }
+  const double half = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0;
+  return 2.0 * camera->GetDistance() * std::tan(half) / height;
+}
+
+/// Where a pass hangs: the outermost image-processing passes are walked through.
+struct Slot
+{
+  vtkRenderer* Renderer = nullptr;
+  vtkImageProcessingPass* Outer = nullptr; ///< null: the renderer itself holds the pass
+
+  vtkRenderPass* Get() const
+  {
+    return this->Outer ? this->Outer->GetDelegatePass() : this->Renderer->GetPass();
+  }
+  void Set(vtkRenderPass* pass) const
+  {
+    if (this->Outer)
+    {
+      this->Outer->SetDelegatePass(pass);
+    }
+    else
+    {
+      this->Renderer->SetPass(pass);
+    }
+  }
+};
+
+Slot FindSlot(vtkRenderer* renderer)
+{
+  Slot slot{ renderer, nullptr };
+  while (auto* pass = vtkImageProcessingPass::SafeDownCast(slot.Get()))
+  {
+    if (Pass::SafeDownCast(pass))
+    {
+      break;
+    }
+    slot.Outer = pass;
+  }
+  return slot;
+}
+
+/// The stages that AddTo() made for a renderer without a pass, if `pass` is that.
+penumbra::RendererStages* OwnStages(vtkRenderPass* pass)
+{
+  auto* camera = vtkCameraPass::SafeDownCast(pass);
+  return camera ? dynamic_cast<penumbra::RendererStages*>(camera->GetDelegatePass()) : nullptr;
+}
+
+/// The occlusion pass that hangs in a slot, if there is one.
+Pass* FindPass(vtkRenderPass* pass)
+{
+  if (penumbra::RendererStages* stages = OwnStages(pass))
+  {
+    return Pass::SafeDownCast(stages->GetOpaquePass());
+  }
+  if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
+  {
+    return Pass::SafeDownCast(steps->GetOpaquePass());
+  }
+  return Pass::SafeDownCast(pass);
+}
+
+void AddValue(vtkFieldData* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
+}
+
+struct vtkPenumbraTemporalSSAOPass::Internals
+{
+  std::map<vtkRenderer*, penumbra::OcclusionView> Views;
+  std::map<vtkRenderer*, vtkMTimeType> SceneTimes;
+  std::map<vtkRenderer*, vtkMTimeType> SettingTimes;
+  penumbra::OcclusionView* Last = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
+  vtkNew<vtkPenumbraKernelEstimator> Kernels;
+  vtkNew<vtkFieldData> Statistics;
+  std::string ActiveKernel;
+  bool Warned = false;
+};
+
+vtkPenumbraTemporalSSAOPass::vtkPenumbraTemporalSSAOPass()
+  : Implementation(std::make_unique<Internals>())
+{
+}
+
+vtkPenumbraTemporalSSAOPass::~vtkPenumbraTemporalSSAOPass() = default;
+
+Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
+{
+  const Slot slot = FindSlot(renderer);
+  if (Pass* present = FindPass(slot.Get()))
+  {
+    return present;
+  }
+  vtkNew<Pass> pass;
+  if (auto* steps = vtkRenderStepsPass::SafeDownCast(slot.Get()))
+  {
+    pass->SetDelegatePass(steps->GetOpaquePass());
+    pass->OpaqueOnlyOn();
+    steps->SetOpaquePass(pass);
+  }
+  else if (vtkRenderPass* whole = slot.Get())
+  {
+    pass->SetDelegatePass(whole);
+    slot.Set(pass);
+  }
+  else
+  {
+    vtkNew<vtkOpaquePass> opaque;
+    pass->SetDelegatePass(opaque);
+    pass->OpaqueOnlyOn();
+    vtkNew<penumbra::RendererStages> stages;
+    stages->SetOpaquePass(pass);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(stages);
+    slot.Set(camera);
+  }
+  return FindPass(slot.Get());
+}
+
+void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)
+{
+  const Slot slot = FindSlot(renderer);
+  const vtkSmartPointer<Pass> pass = FindPass(slot.Get());
+  if (!pass)
+  {
+    return;
+  }
+  if (renderer->GetRenderWindow())
+  {
+    slot.Get()->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
+  if (auto* steps = vtkRenderStepsPass::SafeDownCast(slot.Get()))
+  {
+    steps->SetOpaquePass(pass->GetDelegatePass());
+  }
+  else
+  {
+    slot.Set(OwnStages(slot.Get()) ? nullptr : pass->GetDelegatePass());
+  }
+}
+
+void vtkPenumbraTemporalSSAOPass::SetRadius(double radius)
+{
+  if (!std::isfinite(radius) || radius < 0.0)
+  {
+    vtkErrorMacro("Radius " << radius << " is not a length; " << this->Radius << " stays.");
+  }
+  else if (radius != this->Radius)
+  {
+    this->Radius = radius;
+    this->Modified();
+  }
+}
+
+void vtkPenumbraTemporalSSAOPass::SetKernelName(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (wanted != "automatic" && vtkPenumbraKernels::Find(name) < 0)
+  {
+    vtkErrorMacro("There is no kernel '" << wanted << "'; " << this->KernelName << " stays.");
+  }
+  else if (wanted != this->KernelName)
+  {
+    this->KernelName = wanted;
+    this->Modified();
+  }
+}
+
+void vtkPenumbraTemporalSSAOPass::SetEstimator(vtkPenumbraOcclusionEstimator* estimator)
+{
+  if (this->Implementation->Estimator != estimator)
+  {
+    this->Implementation->Estimator = estimator;
+    this->Modified();
+  }
+}
+
+vtkPenumbraOcclusionEstimator* vtkPenumbraTemporalSSAOPass::GetEstimator()
+{
+  return this->Implementation->Estimator;
+}
+
+const char* vtkPenumbraTemporalSSAOPass::GetActiveKernelName()
+{
+  return this->Implementation->ActiveKernel.c_str();
+}
+
+void vtkPenumbraTemporalSSAOPass::Render(const vtkRenderState* state)
+{
+  this->NumberOfRenderedProps = 0;
+  if (!this->DelegatePass)
+  {
+    vtkWarningMacro("There is no delegate to draw the scene.");
+    return;
+  }
+  if (state->GetRenderer()->GetSelector() || !this->RenderOcclusion(state))
+  {
+    this->DelegatePass->Render(state);
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+  }
+}
+
+bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
+{
+  Internals& own = *this->Implementation;
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  const double diagonal = vtkMath::AreBoundsInitialized(bounds)
+    ? std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])
+    : 0.0;
+  const double pixel = PixelAtFocus(renderer);
+  const double units[3] = { diagonal, 1.0, pixel };
+  penumbra::OcclusionSettings settings;
+  settings.Radius = this->Radius * units[this->RadiusUnit];
+  if (!window || !(settings.Radius > 0.0) || !std::isfinite(settings.Radius))
+  {
+    return false;
+  }
+  if (own.Window != window)
+  {
+    if (own.Window)
+    {
+      this->ReleaseGraphicsResources(own.Window);
+    }
+    own.Window = window;
+  }
+  settings.Strength = this->Strength;
+  settings.Tolerance = this->Tolerance;
+  settings.FirstSamples = this->FirstSamples;
+  settings.Samples = this->Samples;
+  settings.AdaptiveConvergence = this->AdaptiveConvergence;
+  settings.SpatialConvergence = this->SpatialConvergence;
+  settings.RotationConvergence = this->RotationConvergence;
+  settings.MaximumWeight = this->MaximumWeight;
+  settings.InvalidationWeight = this->InvalidationWeight;
+  settings.DepthTolerance = this->DepthTolerance;
+  settings.Filter = this->Filter;
+  settings.InOneRender = this->ConvergeInOneRender == ALWAYS ||
+    (this->ConvergeInOneRender == OFFSCREEN &&
+      (window->GetOffScreenRendering() || !window->GetShowWindow()));
+  settings.DelegateDrawsBackground = !this->OpaqueOnly;
+  // After compositing of several ranks nobody knows what moved.
+  const vtkMTimeType sceneTime = ChangeTime(state);
+  settings.SceneChanged = !this->OpaqueOnly || sceneTime != own.SceneTimes[renderer];
+  own.SceneTimes[renderer] = sceneTime;
+  settings.Restart = this->GetMTime() != own.SettingTimes[renderer];
+  own.SettingTimes[renderer] = this->GetMTime();
+  if (this->OpaqueOnly)
+  {
+    const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
+    const double margin = this->Margin >= 0.0
+      ? this->Margin / 100.0 * side
+      : std::min(settings.Radius / pixel, LargestMargin * side);
+    settings.Margin[0] = settings.Margin[1] = static_cast<int>(std::ceil(margin));
+  }
+
+  vtkPenumbraOcclusionEstimator* estimator = own.Estimator;
+  if (!estimator)
+  {
+    const bool automatic = this->KernelName == "automatic";
+    own.ActiveKernel = automatic ? AutomaticKernel : this->KernelName;
+    own.Kernels->SetKernel(vtkPenumbraKernels::Find(own.ActiveKernel.c_str()));
+    estimator = own.Kernels;
+  }
+  else
+  {
+    own.ActiveKernel = estimator->GetClassName();
+  }
+  own.Last = &own.Views[renderer];
+  if (!own.Last->Render(state, this->DelegatePass, estimator, settings))
+  {
+    if (!own.Warned)
+    {
+      vtkWarningMacro("OpenGL cannot do ambient occlusion here; the scene is drawn without.");
+      own.Warned = true;
+    }
+    return false;
+  }
+  this->NumberOfRenderedProps = own.Last->GetNumberOfRenderedProps();
+  return true;
+}
+
+void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  Internals& own = *this->Implementation;
+  for (auto& [renderer, view] : own.Views)
+  {
+    view.ReleaseGraphicsResources(window);
+  }
+  own.Views.clear();
+  own.Last = nullptr;
+  own.Window = nullptr;
+  own.Kernels->ReleaseGraphicsResources(window);
+  if (own.Estimator)
+  {
+    own.Estimator->ReleaseGraphicsResources(window);
+  }
+}
+
+bool vtkPenumbraTemporalSSAOPass::IsConverged()
+{
+  return this->Implementation->Last && this->Implementation->Last->IsConverged();
+}
+
+double vtkPenumbraTemporalSSAOPass::GetEstimatedError()
+{
+  const penumbra::OcclusionView* view = this->Implementation->Last;
+  return view ? view->GetConvergence().GetLargestError() : VTK_DOUBLE_MAX;
+}
+
+vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
+{
+  Internals& own = *this->Implementation;
+  own.Statistics->Initialize();
+  if (own.Last)
+  {
+    own.Window->MakeCurrent();
+    const auto counts = own.Last->CountPixels();
+    const double surface = static_cast<double>(std::max(counts.Surface, 1LL));
+    AddValue(own.Statistics, "Samples/PerPixel", own.Last->GetNewSamples());
+    AddValue(own.Statistics, "Samples/Still", own.Last->GetConvergence().GetSamples());
+    AddValue(own.Statistics, "Pixels/Kept", static_cast<double>(counts.Kept) / surface);
+    AddValue(
+      own.Statistics, "Pixels/Disoccluded", static_cast<double>(counts.Disoccluded) / surface);
+    AddValue(
+      own.Statistics, "Pixels/Invalidated", static_cast<double>(counts.Invalidated) / surface);
+    AddValue(own.Statistics, "Pixels/Converged", static_cast<double>(counts.Converged) / surface);
+  }
+  return own.Statistics;
+}
+
+void vtkPenumbraTemporalSSAOPass::CopyOcclusion(vtkImageData* image)
+{
+  image->Initialize();
+  if (this->Implementation->Last)
+  {
+    this->Implementation->Window->MakeCurrent();
+    this->Implementation->Last->CopyTo(image);
+  }
+}
+
+void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "RadiusUnit: " << this->RadiusUnit << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "KernelName: " << this->KernelName << "\n";
+  os << indent << "Estimator: " << this->GetEstimator() << "\n";
+  os << indent << "FirstSamples: " << this->FirstSamples << "\n";
+  os << indent << "Samples: " << this->Samples << "\n";
+  os << indent << "MaximumWeight: " << this->MaximumWeight << "\n";
+  os << indent << "AdaptiveConvergence: " << this->AdaptiveConvergence << "\n";
+  os << indent << "SpatialConvergence: " << this->SpatialConvergence << "\n";
+  os << indent << "RotationConvergence: " << this->RotationConvergence << "\n";
+  os << indent << "InvalidationWeight: " << this->InvalidationWeight << "\n";
+  os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
+  os << indent << "Filter: " << this->Filter << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
+  os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
+  os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";
+}

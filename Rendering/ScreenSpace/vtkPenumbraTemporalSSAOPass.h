@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraTemporalSSAOPass
+ * @brief   Ambient occlusion from depth, kept and refined from frame to frame [TSSAO].
+ *
+ * A still view converges until the tolerance is met, then stops: no more work, the same bits. In
+ * motion every surface point keeps the samples it has had. AddTo() sets up everything on a renderer
+ * in one call, RemoveFrom() restores it.
+ *
+ * By hand it is a vtkImageProcessingPass: the delegate draws colour and depth, by default the whole
+ * picture with its background. Only depth decides on the occlusion: any mapper will do.
+ *
+ * Departures from [TSSAO]: a still view stops; all pixels take the same run of the sample sequence,
+ * so that no index is stored; history is checked against the plane through the point.
+ */
+#ifndef vtkPenumbraTemporalSSAOPass_h
+#define vtkPenumbraTemporalSSAOPass_h
+
+#include "vtkImageProcessingPass.h"
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+#include "vtkSmartPointer.h"                       // for members
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkFieldData;
+class vtkImageData;
+class vtkPenumbraOcclusionEstimator;
+class vtkRenderer;
+
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraTemporalSSAOPass
+  : public vtkImageProcessingPass
+{
+public:
+  static vtkPenumbraTemporalSSAOPass* New();
+  vtkTypeMacro(vtkPenumbraTemporalSSAOPass, vtkImageProcessingPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Show ambient occlusion in a renderer: under its translucent geometry, volumes and overlays, and
+   * with whatever pass it already has. Returns the pass at work, also when there is one already.
+   * Removing restores the renderer's passes exactly.
+   */
+  static vtkPenumbraTemporalSSAOPass* AddTo(vtkRenderer* renderer);
+  static void RemoveFrom(vtkRenderer* renderer);
+  ///@}
+
+  ///@{
+  /**
+   * The error accepted in a still view against its own limit, RMSE of any 16x16 pixels, 0.0001 to 1.
+   * Default: 0.01.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  /** What Radius is measured in. */
+  enum RadiusUnits
+  {
+    SHARE_OF_BOUNDS, ///< diagonals of the visible props' bounds
+    WORLD,           ///< world units
+    PIXELS           ///< pixels, at the camera's focal point
+  };
+  ///@{
+  /** Default: SHARE_OF_BOUNDS. */
+  vtkSetClampMacro(RadiusUnit, int, SHARE_OF_BOUNDS, PIXELS);
+  vtkGetMacro(RadiusUnit, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far an occluder reaches, in RadiusUnit; 0: no occlusion. What is negative or not finite is
+   * refused. Default: 0.1.
+   */
+  virtual void SetRadius(double radius);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Colours are multiplied by 1 - Strength * occlusion; 0 to 1. Default: 1. */
+  vtkSetClampMacro(Strength, double, 0.0, 1.0);
+  vtkGetMacro(Strength, double);
+  ///@}
+
+  ///@{
+  /** A kernel of vtkPenumbraKernels by name, or "automatic". Default: "automatic". */
+  virtual void SetKernelName(const char* name);
+  const char* GetKernelName() const { return this->KernelName.c_str(); }
+  ///@}
+
+  /** The kernel, or the class of the estimator, that the last frame used. */
+  const char* GetActiveKernelName();
+
+  ///@{
+  /** Who estimates instead of a kernel. Default: none. */
+  virtual void SetEstimator(vtkPenumbraOcclusionEstimator* estimator);
+  vtkPenumbraOcclusionEstimator* GetEstimator();
+  ///@}
+
+  ///@{
+  /** Samples (depths fetched) a pixel and frame until AdaptiveConvergence: k1, 8 to 512. Default: 32. */
+  vtkSetClampMacro(FirstSamples, int, 8, 512);
+  vtkGetMacro(FirstSamples, int);
+  ///@}
+
+  ///@{
+  /** Samples a pixel and frame from then on: k2, 8 to 512. Default: 8. */
+  vtkSetClampMacro(Samples, int, 8, 512);
+  vtkGetMacro(Samples, int);
+  ///@}
+
+  ///@{
+  /** Samples after which older ones fade: w_max, 8 to 100000. Convergences are shares of it. Default: 500. */
+  vtkSetClampMacro(MaximumWeight, double, 8.0, 1e5);
+  vtkGetMacro(MaximumWeight, double);
+  ///@}
+
+  ///@{
+  /** Convergence up to which frames take FirstSamples: c_adaptive, 0 to 1. Default: 0.2. */
+  vtkSetClampMacro(AdaptiveConvergence, double, 0.0, 1.0);
+  vtkGetMacro(AdaptiveConvergence, double);
+  ///@}
+
+  ///@{
+  /** Convergence from which pixels are not filtered: c_spatial, 0 to 1. Default: 0.3. */
+  vtkSetClampMacro(SpatialConvergence, double, 0.0, 1.0);
+  vtkGetMacro(SpatialConvergence, double);
+  ///@}
+
+  ///@{
+  /** Convergence up to which samples differ from pixel to pixel: c_rot, 0 to 1. Default: 0.5. */
+  vtkSetClampMacro(RotationConvergence, double, 0.0, 1.0);
+  vtkGetMacro(RotationConvergence, double);
+  ///@}
+
+  ///@{
+  /** Samples that remain where a neighbour moved [TSSAO eq. 9], 0 to 1000. Default: 30. */
+  vtkSetClampMacro(InvalidationWeight, double, 0.0, 1000.0);
+  vtkGetMacro(InvalidationWeight, double);
+  ///@}
+
+  ///@{
+  /** Relative difference of depth from which history is another surface's, 0.0001 to 1. Default: 0.02. */
+  vtkSetClampMacro(DepthTolerance, double, 1e-4, 1.0);
+  vtkGetMacro(DepthTolerance, double);
+  ///@}
+
+  ///@{
+  /** Filter what has not converged. Default: on. */
+  vtkSetMacro(Filter, bool);
+  vtkGetMacro(Filter, bool);
+  vtkBooleanMacro(Filter, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Drawn around the picture so that occluders just outside count: per cent of its larger side, 0 to
+   * 50; negative: the radius, at most 10. Needs OpaqueOnly. Default: -1.
+   */
+  vtkSetClampMacro(Margin, double, -1.0, 50.0);
+  vtkGetMacro(Margin, double);
+  ///@}
+
+  ///@{
+  /**
+   * The delegate draws opaque props and nothing else: they may be drawn with a margin and are laid
+   * over what is there. Off: the delegate draws the whole picture, background included. Default: off.
+   */
+  vtkSetMacro(OpaqueOnly, bool);
+  vtkGetMacro(OpaqueOnly, bool);
+  vtkBooleanMacro(OpaqueOnly, bool);
+  ///@}
+
+  /** When a single Render() converges. */
+  enum ConvergeModes
+  {
+    OFFSCREEN, ///< in offscreen windows; others spread the work over frames
+    NEVER,
+    ALWAYS
+  };
+  ///@{
+  /** Repeat the estimate within one Render() until the tolerance is met. Default: OFFSCREEN. */
+  vtkSetClampMacro(ConvergeInOneRender, int, OFFSCREEN, ALWAYS);
+  vtkGetMacro(ConvergeInOneRender, int);
+  ///@}
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /** Of the last frame: has it met the tolerance, so that the next one will be the same? */
+  bool IsConverged();
+
+  /** Error of the worst 16x16 pixels of a still view that the pass believes in; huge while unknown. */
+  double GetEstimatedError();
+
+  /**
+   * Of the last frame, one value an array: `Samples/PerPixel` (new ones), `Samples/Still` (since the
+   * last change), and shares of the surface's pixels `Pixels/Kept`, `Pixels/Disoccluded`,
+   * `Pixels/Invalidated`, `Pixels/Converged`.
+   */
+  vtkFieldData* GetStatistics();
+
+  /**
+   * Fill `image` with the last frame's float arrays `AmbientOcclusion` (filtered, 0 open, 1
+   * blocked), `Depth` (world units along the view axis, infinite where empty) and `Convergence`.
+   */
+  void CopyOcclusion(vtkImageData* image);
+
+protected:
+  vtkPenumbraTemporalSSAOPass();
+  ~vtkPenumbraTemporalSSAOPass() override;
+
+private:
+  vtkPenumbraTemporalSSAOPass(const vtkPenumbraTemporalSSAOPass&) = delete;
+  void operator=(const vtkPenumbraTemporalSSAOPass&) = delete;
+
+  bool RenderOcclusion(const vtkRenderState* state);
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+
+  double Tolerance = 0.01;
+  int RadiusUnit = SHARE_OF_BOUNDS;
+  double Radius = 0.1;
+  double Strength = 1.0;
+  std::string KernelName = "automatic";
+  int FirstSamples = 32;
+  int Samples = 8;
+  double MaximumWeight = 500.0;
+  double AdaptiveConvergence = 0.2;
+  double SpatialConvergence = 0.3;
+  double RotationConvergence = 0.5;
+  double InvalidationWeight = 30.0;
+  double DepthTolerance = 0.02;
+  bool Filter = true;
+  double Margin = -1.0;
+  bool OpaqueOnly = false;
+  int ConvergeInOneRender = OFFSCREEN;
+};
+
+#endif
