@@ -15,6 +15,8 @@
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 
@@ -52,44 +54,69 @@ private:
 DelegateImage::DelegateImage() = default;
 DelegateImage::~DelegateImage() = default;
 
-void DelegateImage::Prepare(vtkOpenGLRenderWindow* window)
+void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
 {
-  const auto isRight = [&](vtkTextureObject* texture) {
-    return texture && texture->GetContext() == window &&
-      static_cast<int>(texture->GetWidth()) == this->View.Width &&
-      static_cast<int>(texture->GetHeight()) == this->View.Height;
-  };
-  const auto create = [&](vtkSmartPointer<vtkTextureObject>& texture) {
-    texture = vtkSmartPointer<vtkTextureObject>::New();
+  const bool isRight = this->Color && this->Color->GetContext() == window &&
+    static_cast<int>(this->Color->GetWidth()) == this->View.Width &&
+    static_cast<int>(this->Color->GetHeight()) == this->View.Height && this->Samples == samples;
+  const auto create = [&](int count) {
+    auto texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(window);
+    texture->SetSamples(count > 1 ? static_cast<unsigned int>(count) : 0);
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
     texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    return texture;
   };
-  if (!isRight(this->Color))
+  if (!isRight)
   {
-    create(this->Color);
+    this->Samples = samples;
+    this->Color = create(samples);
     this->Color->Allocate2D(this->View.Width, this->View.Height, 4, VTK_UNSIGNED_CHAR);
-  }
-  if (!isRight(this->Depth))
-  {
-    create(this->Depth);
+    this->Depth = create(1);
     this->Depth->AllocateDepth(this->View.Width, this->View.Height, vtkTextureObject::Float32);
+    this->SampleDepth = this->Depth;
+    if (samples > 1)
+    {
+      this->SampleDepth = create(samples);
+      this->SampleDepth->AllocateDepth(
+        this->View.Width, this->View.Height, vtkTextureObject::Float32);
+    }
   }
-  if (!this->Framebuffer || this->Framebuffer->GetContext() != window)
+  for (vtkSmartPointer<vtkOpenGLFramebufferObject>* framebuffer :
+    { &this->Framebuffer, &this->Resolved })
   {
-    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->Framebuffer->SetContext(window);
+    if (!*framebuffer || (*framebuffer)->GetContext() != window)
+    {
+      *framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+      (*framebuffer)->SetContext(window);
+    }
   }
+}
+
+void DelegateImage::ResolveDepth(vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  gl->vtkglDisable(GL_SCISSOR_TEST);
+  gl->PushDrawFramebufferBinding();
+  this->Resolved->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+  this->Resolved->AddDepthAttachment(this->Depth);
+  gl->vtkglBlitFramebuffer(0, 0, this->View.Width, this->View.Height, 0, 0, this->View.Width,
+    this->View.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  this->Resolved->RemoveDepthAttachment();
+  gl->PopDrawFramebufferBinding();
 }
 
 int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2])
 {
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  int samples = window->GetMultiSamples();
   this->Viewport[0] = this->Viewport[1] = 0;
-  if (vtkFrameBufferObjectBase* outer = state->GetFrameBuffer())
+  if (auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer()))
   {
     outer->GetLastSize(this->Viewport + 2);
+    samples = outer->GetMultiSamples();
   }
   else
   {
@@ -103,7 +130,7 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
   this->Margin[0] = margin[0];
   this->Margin[1] = margin[1];
   this->View = ScreenView::Of(renderer, this->Viewport + 2, margin);
-  this->Prepare(window);
+  this->Prepare(window, std::max(samples, 1));
 
   vtkOpenGLState* gl = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(gl);
@@ -112,7 +139,7 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
   gl->PushFramebufferBindings();
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Color);
-  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->AddDepthAttachment(this->SampleDepth);
   this->Framebuffer->ActivateDrawBuffer(0);
   int props = -1;
   if (this->Framebuffer->StartNonOrtho(this->View.Width, this->View.Height))
@@ -133,6 +160,10 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
     const WiderCamera wider(renderer, this->View);
     delegate->Render(&inner);
     props = delegate->GetNumberOfRenderedProps();
+    if (this->Samples > 1)
+    {
+      this->ResolveDepth(window);
+    }
   }
   this->Framebuffer->RemoveColorAttachments(1);
   this->Framebuffer->RemoveDepthAttachment();
@@ -142,20 +173,24 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
 
 void DelegateImage::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
+  for (vtkSmartPointer<vtkTextureObject>* texture :
+    { &this->Color, &this->Depth, &this->SampleDepth })
   {
-    if (texture)
+    if (*texture)
     {
-      texture->ReleaseGraphicsResources(window);
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
     }
   }
-  if (this->Framebuffer)
+  for (vtkSmartPointer<vtkOpenGLFramebufferObject>* framebuffer :
+    { &this->Framebuffer, &this->Resolved })
   {
-    this->Framebuffer->ReleaseGraphicsResources(window);
+    if (*framebuffer)
+    {
+      (*framebuffer)->ReleaseGraphicsResources(window);
+      *framebuffer = nullptr;
+    }
   }
-  this->Color = nullptr;
-  this->Depth = nullptr;
-  this->Framebuffer = nullptr;
 }
 
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a pass's delegate draws, as textures of our own: colour and depth, with a margin around the
-// picture if asked for, so that what lies just outside counts.
+// picture if asked for, so that what lies just outside counts; with as many samples a pixel as the
+// target has.
 #ifndef penumbra_DelegateImage_h
 #define penumbra_DelegateImage_h
 
@@ -30,8 +31,13 @@ public:
   /// Returns the number of props drawn, -1 when OpenGL refuses.
   int Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2]);
 
-  vtkTextureObject* GetColor() const { return this->Color; }
+  /// One depth a pixel, also of pictures with several samples (of these the first).
   vtkTextureObject* GetDepth() const { return this->Depth; }
+
+  /// Colour and depth of every sample: textures with GetSamples() samples a pixel, 1: plain ones.
+  vtkTextureObject* GetColor() const { return this->Color; }
+  vtkTextureObject* GetSampleDepth() const { return this->SampleDepth; }
+  int GetSamples() const { return this->Samples; }
 
   /// How the picture with its margin looks at the scene.
   const ScreenView& GetView() const { return this->View; }
@@ -46,11 +52,15 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Prepare(vtkOpenGLRenderWindow* window);
+  void Prepare(vtkOpenGLRenderWindow* window, int samples);
+  void ResolveDepth(vtkOpenGLRenderWindow* window);
 
   vtkSmartPointer<vtkTextureObject> Color;
+  vtkSmartPointer<vtkTextureObject> SampleDepth; ///< the same as Depth with one sample
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;
+  int Samples = 1;
   ScreenView View;
   int Viewport[4] = { 0, 0, 0, 0 };
   int Margin[2] = { 0, 0 };

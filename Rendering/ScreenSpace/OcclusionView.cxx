@@ -11,6 +11,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraCompositeFS.h"
+#include "vtkPenumbraCompositeSamplesFS.h"
+#include "vtkPenumbraViewLib.h"
 #include "vtkPixelBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkRenderState.h"
@@ -187,7 +189,11 @@ bool OcclusionView::Filter()
 
 bool OcclusionView::Composite()
 {
-  vtkShaderProgram* program = this->Darken.Ready(this->Window, vtkPenumbraCompositeFS);
+  static const std::string samplesSource =
+    Assemble(vtkPenumbraCompositeSamplesFS, { { "ViewLib", vtkPenumbraViewLib } });
+  const bool manySamples = this->Image.GetSamples() > 1;
+  vtkShaderProgram* program =
+    this->Darken.Ready(this->Window, manySamples ? samplesSource : vtkPenumbraCompositeFS);
   if (!program)
   {
     return false;
@@ -201,7 +207,13 @@ bool OcclusionView::Composite()
   const int* margin = this->Image.GetMargin();
   gl->vtkglViewport(at[0], at[1], at[2], at[3]);
   gl->vtkglScissor(at[0], at[1], at[2], at[3]);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(gl);
   gl->vtkglDisable(GL_BLEND);
+  if (manySamples && !this->Settings.DelegateDrawsBackground)
+  {
+    gl->vtkglEnable(GL_BLEND);
+    gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
   gl->vtkglEnable(GL_DEPTH_TEST);
   gl->vtkglDepthMask(GL_TRUE);
   gl->vtkglDepthFunc(GL_ALWAYS);
@@ -209,14 +221,17 @@ bool OcclusionView::Composite()
 
   const float offset[2] = { static_cast<float>(margin[0] - at[0]),
     static_cast<float>(margin[1] - at[1]) };
-  const float pixelSize[2] = { 1.f / static_cast<float>(this->Image.GetView().Width),
-    1.f / static_cast<float>(this->Image.GetView().Height) };
   program->SetUniform2f("offset", offset);
-  program->SetUniform2f("pixelSize", pixelSize);
+  this->Depth.GetView().SetUniforms(program);
   program->SetUniformf("strength", static_cast<float>(this->Settings.Strength));
   program->SetUniformf("background", this->Settings.DelegateDrawsBackground ? 1.f : 0.f);
   this->Darken.Read("colors", this->Image.GetColor());
-  this->Darken.Read("depthBuffer", this->Image.GetDepth());
+  this->Darken.Read(manySamples ? "depthSamples" : "depthBuffer", this->Image.GetSampleDepth());
+  if (manySamples)
+  {
+    program->SetUniformi("sampleCount", this->Image.GetSamples());
+    this->Darken.Read("eyeDepths", this->Depth.GetCurrent());
+  }
   this->Darken.Read("occlusions", this->Estimates);
   this->Darken.Draw();
   gl->vtkglDepthFunc(GL_LEQUAL);

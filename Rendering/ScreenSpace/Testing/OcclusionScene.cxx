@@ -26,12 +26,12 @@ vtkSmartPointer<vtkActor> NewActor(vtkAlgorithm* source)
 
 }
 
-OcclusionScene::OcclusionScene(int width, int height)
+OcclusionScene::OcclusionScene(int width, int height, int multiSamples)
   : Width(width),
     Height(height)
 {
   this->Window->SetOffScreenRendering(1);
-  this->Window->SetMultiSamples(0);
+  this->Window->SetMultiSamples(multiSamples);
   this->Window->SetAlphaBitPlanes(1);
   this->Window->SetSize(width, height);
   this->Window->AddRenderer(this->Renderer);

@@ -24,7 +24,7 @@ using Vector = std::array<double, 3>;
 class OcclusionScene
 {
 public:
-  OcclusionScene(int width = 160, int height = 120);
+  OcclusionScene(int width = 160, int height = 120, int multiSamples = 0);
 
   /// A parallelogram with one corner and two sides, unlit white.
   vtkSmartPointer<vtkActor> AddWall(const Vector& corner, const Vector& side, const Vector& other);

@@ -118,6 +118,53 @@ TEST(TemporalSSAOPass, LeavesThePictureExactlyAsItWasWhenRemoved)
   EXPECT_EQ(scene.Picture(), before);
 }
 
+TEST(TemporalSSAOPass, LeavesEdgesAsSmoothAsTheyAre)
+{
+  // With strength 0 nothing but the way through the pass is left: every sample's colour has to come
+  // out again, over any background.
+  OcclusionScene scene(160, 120, 4);
+  scene.Renderer->GradientBackgroundOn();
+  scene.Renderer->SetBackground2(.9, .1, .5);
+  scene.AddSphere({ 0, 0, .5 }, .7);
+  scene.AddWall({ -1, 1, -.5 }, { 2, .1, .3 }, { 0, .2, 1.5 });
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Window->Render();
+  ASSERT_GT(scene.Window->GetMultiSamples(), 1);
+  const std::vector<int> plain = scene.Picture();
+  scene.Occlude(1.0)->SetStrength(0.0);
+  scene.Window->Render();
+  const std::vector<int> through = scene.Picture();
+  int largest = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(plain[i] - through[i]));
+  }
+  EXPECT_LE(largest, 2);
+}
+
+TEST(TemporalSSAOPass, MakesNoHalosWithManySamples)
+{
+  // A white sphere far before a dark corner: the corner's occlusion may not darken its outline.
+  OcclusionScene scene(160, 120, 4);
+  scene.AddSphere({ 0, -2, 1.2 }, .3);
+  AddFloor(scene);
+  scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.Renderer->SetBackground(1, 1, 1);
+  scene.Look({ 0, -8, 6 }, { 0, 0, 0 });
+  scene.Occlude(.5);
+  scene.Window->Render();
+  const std::array<int, 2> center = scene.Pixel({ 0, -2, 1.2 });
+  const std::vector<int> picture = scene.Picture();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  // Along the row through its middle every pixel lies between the two surfaces' own brightnesses.
+  for (int i = center[0] - 12; i <= center[0] + 12; ++i)
+  {
+    const std::size_t at = static_cast<std::size_t>(center[1]) * scene.Width + i;
+    const float darkest = std::max({ occlusion[at - 1], occlusion[at], occlusion[at + 1] });
+    EXPECT_GE(picture[4 * at], 255.f * (1.f - darkest) - 2.f) << i - center[0];
+  }
+}
+
 TEST(TemporalSSAOPass, DrawsThePlainSceneWithRadiusZero)
 {
   OcclusionScene scene;
