@@ -26,6 +26,7 @@
 
 #include <cmath>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -150,6 +151,11 @@ Pixels Render(vtkPenumbraRayCaster* caster)
   };
   return { copy("Color"), copy("EstimatedError"),
     caster->GetStatistics()->GetArray("Rays/PerPixel")->GetTuple1(0) };
+}
+
+std::ostream& operator<<(std::ostream& os, const SceneRow& row)
+{
+  return os << row.Name;
 }
 
 class CoverageOfScenes : public ::testing::TestWithParam<SceneRow>
