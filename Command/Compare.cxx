@@ -31,6 +31,8 @@ struct CompareOptions
   std::vector<std::string> Pictures;
   std::string Metric = "rmse";
   double Threshold = std::nan("");
+  double Tolerance = std::nan("");
+  std::string Mask;
   std::string Difference;
   bool Json = false;
 };
@@ -79,11 +81,23 @@ int Compare(const CompareOptions& options)
   {
     CheckPictureExtension(options.Difference, "--difference");
     RefuseInput(options.Difference, "--difference", options.Pictures);
+    RefuseInput(options.Difference, "--difference", { options.Mask });
     file = std::make_unique<PendingFile>(options.Difference, "--difference");
   }
-  const int metric = MetricOf(options.Metric);
+  const bool asksForNearness = !std::isnan(options.Tolerance);
+  const std::string name = asksForNearness ? "excess" : options.Metric;
+  const double threshold = asksForNearness ? 1.0 : options.Threshold;
+  const int metric = MetricOf(name);
   vtkNew<vtkPenumbraImageComparison> comparison;
   comparison->SetMetric(metric);
+  if (asksForNearness)
+  {
+    comparison->SetTolerance(options.Tolerance);
+  }
+  if (!options.Mask.empty())
+  {
+    comparison->SetMask(Read(options.Mask));
+  }
   comparison->SetImage(Read(options.Pictures[0]));
   for (std::size_t i = 1; i < options.Pictures.size(); ++i)
   {
@@ -106,19 +120,19 @@ int Compare(const CompareOptions& options)
 
   const double value = comparison->GetValue(metric);
   const std::string& nearest = options.Pictures[1 + comparison->GetBestBaseline()];
-  const bool above = value > options.Threshold;
+  const bool above = value > threshold;
   if (options.Json)
   {
-    nlohmann::json report = { { "metric", options.Metric }, { "value", value },
-      { "baseline", nearest }, { "above_threshold", above } };
+    nlohmann::json report = { { "metric", name }, { "value", value }, { "baseline", nearest },
+      { "above_threshold", above } };
     for (int each = 0; each < vtkPenumbraImageComparison::NUMBER_OF_METRICS; ++each)
     {
       report["metrics"][vtkPenumbraImageComparison::GetMetricName(each)] =
         comparison->GetValue(each);
     }
-    if (!std::isnan(options.Threshold))
+    if (!std::isnan(threshold))
     {
-      report["threshold"] = options.Threshold;
+      report["threshold"] = threshold;
     }
     if (file)
     {
@@ -127,10 +141,10 @@ int Compare(const CompareOptions& options)
     std::cout << report.dump(2) << "\n";
     return above ? AboveThreshold : Done;
   }
-  std::cout << options.Metric << " " << value << " from " << nearest;
-  if (!std::isnan(options.Threshold))
+  std::cout << name << " " << value << " from " << nearest;
+  if (!std::isnan(threshold))
   {
-    std::cout << (above ? ", above " : ", within ") << options.Threshold;
+    std::cout << (above ? ", above " : ", within ") << threshold;
   }
   if (factor != 1.0)
   {
@@ -150,11 +164,23 @@ Action DeclareCompare(CLI::App& program)
   app->add_option("PICTURE", options->Pictures, "The picture, then one or more baselines")
     ->required()
     ->type_name("A B...");
-  AddChoice(*app, "--metric", options->Metric, { "rmse", "max", "ssim", "pixels" },
+  AddChoice(*app, "--metric", options->Metric,
+    { "rmse", "max", "ssim", "pixels", "tile-rmse", "tile-pixels", "excess" },
     "rmse: root mean square; max: largest difference; ssim: 1 - structural similarity; pixels: "
-    "share off by more than 4/255");
+    "share off by more than 4/255; tile-rmse, tile-pixels: of the worst 16x16 pixels; excess: over "
+    "the limits of --tolerance");
   AddNumber(*app, "--threshold", options->Threshold, "X", "Exit with 1 when the metric is above",
     { 0.0, Infinity });
+  AddNumber(*app, "--tolerance", options->Tolerance, "X",
+    "Instead of a metric and a threshold: exit with 1 unless near, which is at most X as "
+    "tile-rmse, "
+    "1 % of the pixels off, and 1/32 of any 16x16; 1/16 suits pictures of OpenGL",
+    { 0.0, 1.0 });
+  app
+    ->add_option(
+      "--mask", options->Mask, "A picture of the same size: what is black in it does not count")
+    ->type_name("PATH")
+    ->take_last();
   app
     ->add_option("--difference", options->Difference,
       "Write a picture of the differences; 8 bit: the largest is white")

@@ -51,8 +51,34 @@ TEST(Compare, TakesTheNearestBaseline)
   EXPECT_EQ(report["baseline"], folder / "c.vti");
   EXPECT_EQ(report["metric"], "rmse");
   EXPECT_NEAR(report["value"], 0.0, 1e-6);
-  EXPECT_EQ(report["metrics"].size(), 4u);
+  EXPECT_EQ(report["metrics"].size(), 7u);
   EXPECT_EQ(report["above_threshold"], false);
+}
+
+TEST(Compare, AsksForNearness)
+{
+  const Folder folder("compare-near");
+  Paint(folder, "a.png", "0.4,0.4,0.4");
+  Paint(folder, "b.png", "0.41,0.4,0.4");
+  Paint(folder, "c.png", "0.4,0.6,0.4");
+  Paint(folder, "black.png", "0,0,0");
+  Paint(folder, "white.png", "1,1,1");
+  const auto compare = [&folder](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = { "compare", folder / "a.png", folder / name };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments);
+  };
+  EXPECT_EQ(compare("b.png", { "--tolerance", "0.0625" }).Status, 0);
+  EXPECT_EQ(compare("b.png", { "--tolerance", "0" }).Status, 1);
+  EXPECT_EQ(compare("a.png", { "--tolerance", "0" }).Output,
+    "excess 0 from " + folder / "a.png" + ", within 1\n");
+  // Every pixel is off, of which 1 in 100 may be.
+  EXPECT_EQ(compare("c.png", { "--tolerance", "1" }).Output,
+    "excess 100 from " + folder / "c.png" + ", above 1\n");
+  EXPECT_EQ(compare("c.png", { "--tolerance", "1", "--mask", folder / "white.png" }).Status, 1);
+  const Outcome nothing = compare("c.png", { "--mask", folder / "black.png" });
+  EXPECT_EQ(nothing.Status, 2);
+  EXPECT_NE(nothing.Errors.find("the mask leaves no pixel"), std::string::npos) << nothing.Errors;
 }
 
 TEST(Compare, PaintsTheDifference)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace penumbra
 {
@@ -13,23 +14,19 @@ int ComparedChannels(const Planes& a, const Planes& b)
   return a.Opaque && b.Opaque ? 3 : 4;
 }
 
-double RootMeanSquare(const Planes& a, const Planes& b)
-{
-  const int channels = ComparedChannels(a, b);
-  double sum = 0.0;
-  for (int c = 0; c < channels; ++c)
-  {
-    for (std::size_t i = 0; i < a.Channels[c].size(); ++i)
-    {
-      const double difference = a.Channels[c][i] - b.Channels[c][i];
-      sum += difference * difference;
-    }
-  }
-  return std::sqrt(sum / (static_cast<double>(channels) * a.Channels[0].size()));
-}
-
 namespace
 {
+
+// Four steps of 8 bit are still alike, whatever rounding does to their difference.
+constexpr double PixelThreshold = 4.0 / 255.0 + 1e-6;
+
+constexpr int TileSize = 16;
+
+double CountedPixels(const Planes& a, const Mask& mask)
+{
+  return static_cast<double>(
+    mask.empty() ? a.Channels[0].size() : std::count(mask.begin(), mask.end(), true));
+}
 
 double LargestDifferenceOfPixel(const Planes& a, const Planes& b, std::size_t pixel)
 {
@@ -41,6 +38,71 @@ double LargestDifferenceOfPixel(const Planes& a, const Planes& b, std::size_t pi
   return largest;
 }
 
+// Of every pixel, the mean over its channels.
+std::vector<double> SquaredDifferences(const Planes& a, const Planes& b)
+{
+  const int channels = ComparedChannels(a, b);
+  std::vector<double> squares(a.Channels[0].size(), 0.0);
+  for (int c = 0; c < channels; ++c)
+  {
+    for (std::size_t i = 0; i < squares.size(); ++i)
+    {
+      const double difference = a.Channels[c][i] - b.Channels[c][i];
+      squares[i] += difference * difference / channels;
+    }
+  }
+  return squares;
+}
+
+// Of every pixel, 1 where it is off, else 0.
+std::vector<double> PixelsOff(const Planes& a, const Planes& b)
+{
+  std::vector<double> off(a.Channels[0].size());
+  for (std::size_t i = 0; i < off.size(); ++i)
+  {
+    off[i] = LargestDifferenceOfPixel(a, b, i) > PixelThreshold ? 1.0 : 0.0;
+  }
+  return off;
+}
+
+// The largest mean over a tile. A picture smaller than a tile is one.
+double WorstTileMean(const std::vector<double>& values, int width, int height)
+{
+  const int tileWidth = std::min(TileSize, width);
+  const int tileHeight = std::min(TileSize, height);
+  const int columns = width - tileWidth + 1;
+  std::vector<double> rows(static_cast<std::size_t>(columns) * height, 0.0);
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < columns; ++x)
+    {
+      const double* first = &values[static_cast<std::size_t>(y) * width + x];
+      rows[static_cast<std::size_t>(y) * columns + x] =
+        std::accumulate(first, first + tileWidth, 0.0);
+    }
+  }
+  double worst = 0.0;
+  for (int y = 0; y + tileHeight <= height; ++y)
+  {
+    for (int x = 0; x < columns; ++x)
+    {
+      double sum = 0.0;
+      for (int row = y; row < y + tileHeight; ++row)
+      {
+        sum += rows[static_cast<std::size_t>(row) * columns + x];
+      }
+      worst = std::max(worst, sum);
+    }
+  }
+  return worst / (static_cast<double>(tileWidth) * tileHeight);
+}
+
+}
+
+double RootMeanSquare(const Planes& a, const Planes& b, const Mask& mask)
+{
+  const std::vector<double> squares = SquaredDifferences(a, b);
+  return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) / CountedPixels(a, mask));
 }
 
 double LargestDifference(const Planes& a, const Planes& b)
@@ -53,16 +115,20 @@ double LargestDifference(const Planes& a, const Planes& b)
   return largest;
 }
 
-double ShareOfPixelsOff(const Planes& a, const Planes& b)
+double ShareOfPixelsOff(const Planes& a, const Planes& b, const Mask& mask)
 {
-  // Four steps of 8 bit are still alike, whatever rounding does to their difference.
-  const double threshold = 4.0 / 255.0 + 1e-6;
-  std::size_t off = 0;
-  for (std::size_t i = 0; i < a.Channels[0].size(); ++i)
-  {
-    off += LargestDifferenceOfPixel(a, b, i) > threshold;
-  }
-  return static_cast<double>(off) / a.Channels[0].size();
+  const std::vector<double> off = PixelsOff(a, b);
+  return std::accumulate(off.begin(), off.end(), 0.0) / CountedPixels(a, mask);
+}
+
+double WorstTileRootMeanSquare(const Planes& a, const Planes& b)
+{
+  return std::sqrt(WorstTileMean(SquaredDifferences(a, b), a.Width, a.Height));
+}
+
+double WorstTileShareOfPixelsOff(const Planes& a, const Planes& b)
+{
+  return WorstTileMean(PixelsOff(a, b), a.Width, a.Height);
 }
 
 namespace
@@ -135,8 +201,8 @@ std::vector<double> SmoothProduct(
   return Smooth(product, width, height);
 }
 
-double SimilarityOfChannel(
-  const std::vector<double>& a, const std::vector<double>& b, int width, int height)
+double SimilarityOfChannel(const std::vector<double>& a, const std::vector<double>& b, int width,
+  int height, const Mask& mask)
 {
   const double c1 = 0.01 * 0.01;
   const double c2 = 0.03 * 0.03;
@@ -150,30 +216,36 @@ double SimilarityOfChannel(
   const int marginX = width > 2 * HalfWindow ? HalfWindow : 0;
   const int marginY = height > 2 * HalfWindow ? HalfWindow : 0;
   double sum = 0.0;
+  int centers = 0;
   for (int y = marginY; y < height - marginY; ++y)
   {
     for (int x = marginX; x < width - marginX; ++x)
     {
       const std::size_t i = static_cast<std::size_t>(y) * width + x;
+      if (!mask.empty() && !mask[i])
+      {
+        continue;
+      }
       const double varianceA = squareA[i] - meanA[i] * meanA[i];
       const double varianceB = squareB[i] - meanB[i] * meanB[i];
       const double covariance = product[i] - meanA[i] * meanB[i];
       sum += (2.0 * meanA[i] * meanB[i] + c1) * (2.0 * covariance + c2) /
         ((meanA[i] * meanA[i] + meanB[i] * meanB[i] + c1) * (varianceA + varianceB + c2));
+      ++centers;
     }
   }
-  return sum / (static_cast<double>(width - 2 * marginX) * (height - 2 * marginY));
+  return centers > 0 ? sum / centers : 1.0;
 }
 
 }
 
-double StructuralDissimilarity(const Planes& a, const Planes& b)
+double StructuralDissimilarity(const Planes& a, const Planes& b, const Mask& mask)
 {
   const int channels = ComparedChannels(a, b);
   double sum = 0.0;
   for (int c = 0; c < channels; ++c)
   {
-    sum += SimilarityOfChannel(a.Channels[c], b.Channels[c], a.Width, a.Height);
+    sum += SimilarityOfChannel(a.Channels[c], b.Channels[c], a.Width, a.Height, mask);
   }
   return 1.0 - sum / channels;
 }

@@ -21,13 +21,21 @@ struct Planes
   std::array<std::vector<double>, 4> Channels;
 };
 
+/// Which pixels count, row by row; empty: all. Two pictures must be alike where none counts: tiles
+/// and the windows of the similarity reach across.
+using Mask = std::vector<bool>;
+
 /// Channels that count: three where both pictures are opaque, else four.
 int ComparedChannels(const Planes& a, const Planes& b);
 
-double RootMeanSquare(const Planes& a, const Planes& b);
+double RootMeanSquare(const Planes& a, const Planes& b, const Mask& mask);
 double LargestDifference(const Planes& a, const Planes& b);
-double StructuralDissimilarity(const Planes& a, const Planes& b);
-double ShareOfPixelsOff(const Planes& a, const Planes& b);
+double StructuralDissimilarity(const Planes& a, const Planes& b, const Mask& mask);
+double ShareOfPixelsOff(const Planes& a, const Planes& b, const Mask& mask);
+
+/// Of all tiles of 16x16 pixels, wherever they lie, the worst: its RMSE, and its share of pixels off.
+double WorstTileRootMeanSquare(const Planes& a, const Planes& b);
+double WorstTileShareOfPixelsOff(const Planes& a, const Planes& b);
 
 }
 #endif

@@ -11,6 +11,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -104,18 +105,58 @@ bool IsFinite(const penumbra::Planes& planes)
   return true;
 }
 
-double Measure(int metric, const penumbra::Planes& a, const penumbra::Planes& b)
+penumbra::Mask ReadMask(vtkImageData* image)
 {
+  const penumbra::Planes planes = ReadPlanes(image);
+  penumbra::Mask mask(planes.Channels[0].size());
+  for (std::size_t i = 0; i < mask.size(); ++i)
+  {
+    mask[i] =
+      planes.Channels[0][i] > 0.0 || planes.Channels[1][i] > 0.0 || planes.Channels[2][i] > 0.0;
+  }
+  return mask;
+}
+
+// What does not count becomes black in every picture.
+void Apply(const penumbra::Mask& mask, penumbra::Planes& planes)
+{
+  for (std::size_t i = 0; i < mask.size(); ++i)
+  {
+    for (int c = 0; c < 4 && !mask[i]; ++c)
+    {
+      planes.Channels[c][i] = c < 3 ? 0.0 : 1.0;
+    }
+  }
+}
+
+// `value` as a share of its limit; a limit of 0 asks for equality.
+double Share(double value, double limit)
+{
+  return value == 0.0 ? 0.0 : value / limit;
+}
+
+double Measure(vtkPenumbraImageComparison* limits, int metric, const penumbra::Planes& a,
+  const penumbra::Planes& b, const penumbra::Mask& mask)
+{
+  using Comparison = vtkPenumbraImageComparison;
   switch (metric)
   {
-    case vtkPenumbraImageComparison::MAXIMUM:
+    case Comparison::MAXIMUM:
       return penumbra::LargestDifference(a, b);
-    case vtkPenumbraImageComparison::SSIM:
-      return penumbra::StructuralDissimilarity(a, b);
-    case vtkPenumbraImageComparison::PIXELS:
-      return penumbra::ShareOfPixelsOff(a, b);
+    case Comparison::SSIM:
+      return penumbra::StructuralDissimilarity(a, b, mask);
+    case Comparison::PIXELS:
+      return penumbra::ShareOfPixelsOff(a, b, mask);
+    case Comparison::TILE_RMSE:
+      return penumbra::WorstTileRootMeanSquare(a, b);
+    case Comparison::TILE_PIXELS:
+      return penumbra::WorstTileShareOfPixelsOff(a, b);
+    case Comparison::EXCESS:
+      return std::max({ Share(penumbra::WorstTileRootMeanSquare(a, b), limits->GetTolerance()),
+        Share(penumbra::ShareOfPixelsOff(a, b, mask), limits->GetPixelLimit()),
+        Share(penumbra::WorstTileShareOfPixelsOff(a, b), limits->GetTilePixelLimit()) });
     default:
-      return penumbra::RootMeanSquare(a, b);
+      return penumbra::RootMeanSquare(a, b, mask);
   }
 }
 
@@ -124,12 +165,44 @@ double Measure(int metric, const penumbra::Planes& a, const penumbra::Planes& b)
 struct vtkPenumbraImageComparison::Internals
 {
   vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkImageData> MaskImage;
   std::vector<vtkSmartPointer<vtkImageData>> Baselines;
   std::string ErrorText;
   int BestBaseline = -1;
   penumbra::Planes ImagePlanes;
   penumbra::Planes BestPlanes;
+  penumbra::Mask Mask;
+
+  std::string FindFaults() const;
 };
+
+// Why the pictures cannot be compared, as far as that shows without their values; else nothing.
+std::string vtkPenumbraImageComparison::Internals::FindFaults() const
+{
+  if (!this->Image || this->Baselines.empty())
+  {
+    return "a picture and at least one baseline are needed";
+  }
+  std::vector<vtkImageData*> others(this->Baselines.begin(), this->Baselines.end());
+  if (this->MaskImage)
+  {
+    others.push_back(this->MaskImage);
+  }
+  std::string fault = FindFault(this->Image);
+  for (vtkImageData* other : others)
+  {
+    if (fault.empty())
+    {
+      fault = FindFault(other);
+    }
+    if (fault.empty() && SizeText(this->Image) != SizeText(other))
+    {
+      fault = std::string(other == this->MaskImage ? "the mask differs" : "the pictures differ") +
+        " in size: " + SizeText(this->Image) + " and " + SizeText(other);
+    }
+  }
+  return fault;
+}
 
 vtkStandardNewMacro(vtkPenumbraImageComparison);
 
@@ -142,7 +215,8 @@ vtkPenumbraImageComparison::~vtkPenumbraImageComparison() = default;
 
 const char* vtkPenumbraImageComparison::GetMetricName(int metric)
 {
-  static const char* const names[NUMBER_OF_METRICS] = { "rmse", "max", "ssim", "pixels" };
+  static const char* const names[NUMBER_OF_METRICS] = { "rmse", "max", "ssim", "pixels",
+    "tile-rmse", "tile-pixels", "excess" };
   return metric >= 0 && metric < NUMBER_OF_METRICS ? names[metric] : nullptr;
 }
 
@@ -164,42 +238,38 @@ void vtkPenumbraImageComparison::RemoveAllBaselines()
   this->Modified();
 }
 
+void vtkPenumbraImageComparison::SetMask(vtkImageData* mask)
+{
+  this->Implementation->MaskImage = mask;
+  this->Modified();
+}
+
 bool vtkPenumbraImageComparison::Compare()
 {
   Internals& self = *this->Implementation;
   self.BestBaseline = -1;
-  self.ErrorText.clear();
-  if (!self.Image || self.Baselines.empty())
-  {
-    self.ErrorText = "a picture and at least one baseline are needed";
-    return false;
-  }
-  self.ErrorText = FindFault(self.Image);
-  for (const auto& baseline : self.Baselines)
-  {
-    if (self.ErrorText.empty())
-    {
-      self.ErrorText = FindFault(baseline);
-    }
-    if (self.ErrorText.empty() && SizeText(self.Image) != SizeText(baseline))
-    {
-      self.ErrorText =
-        "the pictures differ in size: " + SizeText(self.Image) + " and " + SizeText(baseline);
-    }
-  }
+  self.ErrorText = self.FindFaults();
   if (!self.ErrorText.empty())
   {
     return false;
   }
+  self.Mask = self.MaskImage ? ReadMask(self.MaskImage) : penumbra::Mask();
+  if (!self.Mask.empty() && std::find(self.Mask.begin(), self.Mask.end(), true) == self.Mask.end())
+  {
+    self.ErrorText = "the mask leaves no pixel to compare";
+    return false;
+  }
 
   self.ImagePlanes = ReadPlanes(self.Image);
+  Apply(self.Mask, self.ImagePlanes);
   bool finite = IsFinite(self.ImagePlanes);
   double best = 0.0;
   for (std::size_t i = 0; i < self.Baselines.size() && finite; ++i)
   {
     penumbra::Planes planes = ReadPlanes(self.Baselines[i]);
+    Apply(self.Mask, planes);
     finite = IsFinite(planes);
-    const double value = Measure(this->Metric, self.ImagePlanes, planes);
+    const double value = Measure(this, this->Metric, self.ImagePlanes, planes, self.Mask);
     if (self.BestBaseline < 0 || value < best)
     {
       best = value;
@@ -228,10 +298,17 @@ int vtkPenumbraImageComparison::GetBestBaseline()
 double vtkPenumbraImageComparison::GetValue(int metric)
 {
   const Internals& self = *this->Implementation;
-  return self.BestBaseline < 0 ? std::nan("") : Measure(metric, self.ImagePlanes, self.BestPlanes);
+  return self.BestBaseline < 0
+    ? std::nan("")
+    : Measure(this, metric, self.ImagePlanes, self.BestPlanes, self.Mask);
 }
 
-vtkSmartPointer<vtkImageData> vtkPenumbraImageComparison::MakeDifference()
+bool vtkPenumbraImageComparison::IsNear()
+{
+  return this->GetValue(EXCESS) <= 1.0;
+}
+
+vtkSmartPointer<vtkImageData> vtkPenumbraImageComparison::MakeDifference(double factor)
 {
   const Internals& self = *this->Implementation;
   if (self.BestBaseline < 0)
@@ -251,7 +328,8 @@ vtkSmartPointer<vtkImageData> vtkPenumbraImageComparison::MakeDifference()
     const double alpha = std::abs(a.Channels[3][i] - b.Channels[3][i]);
     for (int c = 0; c < 3; ++c)
     {
-      color->SetComponent(i, c, std::abs(a.Channels[c][i] - b.Channels[c][i]) + alpha);
+      const double channel = std::abs(a.Channels[c][i] - b.Channels[c][i]);
+      color->SetComponent(i, c, factor * (channel + alpha));
     }
     color->SetComponent(i, 3, 1.0);
   }
@@ -262,6 +340,9 @@ vtkSmartPointer<vtkImageData> vtkPenumbraImageComparison::MakeDifference()
 void vtkPenumbraImageComparison::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "PixelLimit: " << this->PixelLimit << "\n";
+  os << indent << "TilePixelLimit: " << this->TilePixelLimit << "\n";
   os << indent << "Metric: " << GetMetricName(this->Metric) << "\n";
   os << indent << "Baselines: " << this->Implementation->Baselines.size() << "\n";
   os << indent << "BestBaseline: " << this->Implementation->BestBaseline << "\n";

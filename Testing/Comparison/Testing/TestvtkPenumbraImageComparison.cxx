@@ -190,6 +190,112 @@ TEST(vtkPenumbraImageComparison, PaintsTheDifference)
   EXPECT_EQ(tuple[3], 1.0);
 }
 
+TEST(vtkPenumbraImageComparison, FindsTheWorstTileWhereverItLies)
+{
+  // A spot of 4x4 pixels across the corner of four tiles of a fixed grid, off by 1/2.
+  const auto spot = [](int x, int y) {
+    return Color(3, x >= 14 && x < 18 && y >= 30 && y < 34 ? 0.5 : 0.0);
+  };
+  const Image a = Floats(64, 48, spot);
+  const Image nothing = Floats(64, 48, Constant({ 0., 0., 0. }));
+  EXPECT_NEAR(Value(a, nothing, Comparison::TILE_RMSE), 0.5 * 4 / 16, 1e-12);
+  EXPECT_EQ(Value(a, nothing, Comparison::TILE_PIXELS), 16.0 / 256.0);
+}
+
+TEST(vtkPenumbraImageComparison, CountsAFlawTheSameInAPictureOfAnySize)
+{
+  const auto flaw = [](int x, int y) { return Color(3, x == 9 && y > 3 && y < 12 ? 0.7 : 0.2); };
+  for (int size : { 16, 40, 150 })
+  {
+    const Image a = Floats(size, size, flaw);
+    const Image b = Floats(size, size, Constant({ 0.2, 0.2, 0.2 }));
+    EXPECT_NEAR(Value(a, b, Comparison::TILE_RMSE), 0.5 * std::sqrt(8.0) / 16, 1e-7) << size;
+    EXPECT_EQ(Value(a, b, Comparison::TILE_PIXELS), 8.0 / 256.0) << size;
+  }
+}
+
+TEST(vtkPenumbraImageComparison, TakesASmallPictureForOneTile)
+{
+  const Image a = Floats(5, 2, [](int x, int) { return Color(3, x == 0 ? 1. : 0.); });
+  const Image b = Floats(5, 2, Constant({ 0., 0., 0. }));
+  EXPECT_NEAR(Value(a, b, Comparison::TILE_RMSE), std::sqrt(0.2), 1e-12);
+  EXPECT_NEAR(Value(a, b, Comparison::TILE_PIXELS), 0.2, 1e-12);
+}
+
+bool IsNear(vtkImageData* image, vtkImageData* baseline, double tolerance = 1.0 / 16.0)
+{
+  vtkNew<vtkPenumbraImageComparison> comparison;
+  comparison->SetImage(image);
+  comparison->AddBaseline(baseline);
+  comparison->SetTolerance(tolerance);
+  EXPECT_TRUE(comparison->Compare()) << comparison->GetErrorText();
+  return comparison->IsNear();
+}
+
+TEST(vtkPenumbraImageComparison, RejectsOneLostLineInALargePicture)
+{
+  // A faint grey on white, level or diagonal: no mean over the picture sees it.
+  const Image nothing = Bytes(500, 300, Constant({ 255, 255, 255 }));
+  for (const int slope : { 0, 1 })
+  {
+    const Image line = Bytes(500, 300,
+      [slope](int x, int y) { return Color(3, y - 150 == slope * (x - 250) ? 235. : 255.); });
+    EXPECT_LT(Value(line, nothing, Comparison::RMSE), 0.005) << slope;
+    EXPECT_LT(Value(line, nothing, Comparison::PIXELS), 0.005) << slope;
+    EXPECT_FALSE(IsNear(line, nothing)) << slope;
+  }
+}
+
+TEST(vtkPenumbraImageComparison, RejectsSwappedColorsOfASmallObject)
+{
+  const auto object = [](const Color& color) {
+    return [color](int x, int y) {
+      return x / 4 == 50 && y / 4 == 40 ? color : Color{ 30, 40, 50 };
+    };
+  };
+  const Image red = Bytes(500, 300, object({ 200, 60, 50 }));
+  const Image blue = Bytes(500, 300, object({ 50, 60, 200 }));
+  EXPECT_LT(Value(red, blue, Comparison::PIXELS), 2e-4);
+  EXPECT_FALSE(IsNear(red, blue));
+}
+
+TEST(vtkPenumbraImageComparison, ForgivesOnePixelOfATileAndNoneAtTolerance0)
+{
+  const auto pixels = [](int pitch) {
+    return Bytes(100, 100,
+      [pitch](int x, int y) { return Color(3, x % pitch == 3 && y % pitch == 3 ? 255. : 0.); });
+  };
+  const Image nothing = Bytes(100, 100, Constant({ 0, 0, 0 }));
+  EXPECT_TRUE(IsNear(pixels(16), nothing));
+  EXPECT_FALSE(IsNear(pixels(15), nothing));
+  EXPECT_TRUE(IsNear(nothing, nothing, 0.0));
+  EXPECT_FALSE(IsNear(Bytes(100, 100, Constant({ 0, 0, 1 })), nothing, 0.0));
+}
+
+TEST(vtkPenumbraImageComparison, LeavesOutWhatTheMaskLeavesOut)
+{
+  const Image a = Floats(40, 20, [](int x, int) { return Color(3, x < 10 ? 1. : 0.1); });
+  const Image b = Floats(40, 20, Constant({ 0., 0., 0. }));
+  const Image mask = Bytes(40, 20, [](int x, int) { return Color{ x < 10 ? 0. : 9., 0, 0, 255 }; });
+  vtkNew<vtkPenumbraImageComparison> comparison;
+  comparison->SetImage(a);
+  comparison->AddBaseline(b);
+  comparison->SetMask(mask);
+  ASSERT_TRUE(comparison->Compare());
+  EXPECT_NEAR(comparison->GetValue(Comparison::RMSE), 0.1, 1e-7);
+  EXPECT_NEAR(comparison->GetValue(Comparison::MAXIMUM), 0.1, 1e-7);
+  EXPECT_NEAR(comparison->GetValue(Comparison::TILE_RMSE), 0.1, 1e-7);
+  EXPECT_EQ(comparison->GetValue(Comparison::PIXELS), 1.0);
+  EXPECT_EQ(comparison->MakeDifference()->GetPointData()->GetScalars()->GetComponent(5, 0), 0.0);
+
+  comparison->SetMask(Bytes(40, 20, Constant({ 0, 0, 0, 255 })));
+  EXPECT_FALSE(comparison->Compare());
+  EXPECT_STREQ(comparison->GetErrorText(), "the mask leaves no pixel to compare");
+  comparison->SetMask(Bytes(40, 21, Constant({ 1, 0, 0 })));
+  EXPECT_FALSE(comparison->Compare());
+  EXPECT_STREQ(comparison->GetErrorText(), "the mask differs in size: 40x20 and 40x21");
+}
+
 TEST(vtkPenumbraImageComparison, RefusesWhatCannotBeCompared)
 {
   vtkNew<vtkPenumbraImageComparison> comparison;
