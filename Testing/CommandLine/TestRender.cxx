@@ -284,7 +284,7 @@ TEST(Render, DrawsLightShaftsInFog)
   const auto image = RenderSquare(folder, "p.vti",
     { "--light-shafts", "--light-position=0,0.8,0.6,0", "--shafts-scattering", "0.2",
       "--shafts-extinction", "0.5", "--shafts-phase", "rayleigh", "--camera-orthographic",
-      "--no-lighting", "--color", "0,0,0", "--statistics", folder / "s.json" });
+      "--color", "0,0,0", "--statistics", folder / "s.json" });
   EXPECT_NEAR(PixelAt(image, 1, 28)[0], light, 1e-5);
   EXPECT_GT(ReadJson(folder / "s.json")["statistics"]["Rays/Shaft"], 0);
   const double depth = image->GetPointData()->GetArray("Depth")->GetComponent(15 * 40 + 20, 0);
