@@ -3,9 +3,9 @@ set(penumbra_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   FiltersHybrid FiltersTexture
-  ImagingCore InteractionStyle IOCore IOGeometry IOImage IOLegacy IOPLY IOXML IOImport IOExodus IOEnSight
+  ImagingCore ImagingSources InteractionStyle IOCore IOGeometry IOImage IOLegacy IOPLY IOXML IOImport IOExodus IOEnSight
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
-  RenderingContextOpenGL2)
+  RenderingContextOpenGL2 vtksys)
 set(penumbra_vtk_readers IOCGNSReader IOHDF IOXdmf2)
 find_package(VTK REQUIRED
   COMPONENTS ${penumbra_vtk_components} OPTIONAL_COMPONENTS ${penumbra_vtk_readers})

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A picture against its baselines on disk: what passes, what is told, kept and accepted.
+#include "PenumbraGoogleTest.h"
+
+#include "vtkActor.h"
+#include "vtkConeSource.h"
+#include "vtkImageCanvasSource2D.h"
+#include "vtkImageShiftScale.h"
+#include "vtkPNGReader.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <gtest/gtest-spi.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for every test, and an environment without wishes.
+class vtkPenumbraBaselineTest : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    this->Folder = fs::path(testing::TempDir()) / ("penumbra-baseline-" + name);
+    fs::remove_all(this->Folder);
+    fs::create_directories(this->Folder);
+    unsetenv("PENUMBRA_ACCEPT");
+    setenv("PENUMBRA_FAILED_IMAGES", this->At("failed").c_str(), 1);
+    this->Baseline->SetFileName(this->At("picture.png").c_str());
+  }
+  void TearDown() override
+  {
+    unsetenv("PENUMBRA_ACCEPT");
+    fs::remove_all(this->Folder);
+  }
+
+  std::string At(const std::string& name) const { return (this->Folder / name).string(); }
+
+  bool Check(vtkObject* picture)
+  {
+    this->Baseline->SetPicture(picture);
+    return this->Baseline->Check();
+  }
+
+  bool CheckAccepting(vtkObject* picture, const char* how)
+  {
+    setenv("PENUMBRA_ACCEPT", how, 1);
+    const bool passes = this->Check(picture);
+    unsetenv("PENUMBRA_ACCEPT");
+    return passes;
+  }
+
+  bool Tells(const std::string& what)
+  {
+    return std::string(this->Baseline->GetReport()).find(what) != std::string::npos;
+  }
+
+  fs::path Folder;
+  vtkNew<vtkPenumbraBaseline> Baseline;
+};
+
+/// 40x30 pixels, grey, with a box of another grey.
+vtkSmartPointer<vtkImageCanvasSource2D> Canvas(double grey, int boxSize)
+{
+  auto canvas = vtkSmartPointer<vtkImageCanvasSource2D>::New();
+  canvas->SetScalarTypeToUnsignedChar();
+  canvas->SetNumberOfScalarComponents(3);
+  canvas->SetExtent(0, 39, 0, 29, 0, 0);
+  canvas->SetDrawColor(200, 200, 200);
+  canvas->FillBox(0, 39, 0, 29);
+  canvas->SetDrawColor(grey, grey, grey);
+  canvas->FillBox(10, 9 + boxSize, 10, 9 + boxSize);
+  return canvas;
+}
+
+TEST_F(vtkPenumbraBaselineTest, FailsWithoutABaselineUntilOneIsAccepted)
+{
+  EXPECT_FALSE(this->Check(Canvas(50, 8)));
+  EXPECT_TRUE(this->Tells("there is no baseline " + this->At("picture.png")));
+  EXPECT_TRUE(this->Tells("PENUMBRA_ACCEPT=replace"));
+  EXPECT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
+  EXPECT_TRUE(this->Tells("accepted as " + this->At("picture.png")));
+  EXPECT_TRUE(this->Check(Canvas(50, 8)));
+  EXPECT_STREQ(this->Baseline->GetReport(), "");
+}
+
+TEST_F(vtkPenumbraBaselineTest, KeepsWhatFailedAndTellsWhoDrewIt)
+{
+  ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
+  this->Baseline->SetName("Suite.Test");
+  EXPECT_FALSE(this->Check(Canvas(101, 8)));
+  // 64 of a tile's 256 pixels are off by 51 of 255.
+  EXPECT_TRUE(this->Tells("tile-rmse 0.1 (limit 0.0625)")) << this->Baseline->GetReport();
+  EXPECT_TRUE(this->Tells("tile-pixels 0.25 (limit 0.03125)"));
+  EXPECT_TRUE(this->Tells("max 0.2"));
+  EXPECT_TRUE(this->Tells("difference.png, 5 times"));
+  EXPECT_TRUE(this->Tells("drawn by: vtkImageCanvasSource2D"));
+  EXPECT_TRUE(this->Tells("processor: "));
+
+  vtkNew<vtkPNGReader> reader;
+  ASSERT_TRUE(reader->CanReadFile(this->At("failed/Suite.Test.picture.actual.png").c_str()));
+  reader->SetFileName(this->At("failed/Suite.Test.picture.difference.png").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(12, 12, 0, 0), 255.0);
+  EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(5, 5, 0, 0), 0.0);
+}
+
+TEST_F(vtkPenumbraBaselineTest, AsksForEqualityAtTolerance0)
+{
+  ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
+  EXPECT_TRUE(this->Check(Canvas(51, 8)));
+  this->Baseline->GetComparison()->SetTolerance(0.0);
+  EXPECT_FALSE(this->Check(Canvas(51, 8)));
+  EXPECT_TRUE(this->Check(Canvas(50, 8)));
+}
+
+TEST_F(vtkPenumbraBaselineTest, TakesAnyOfSeveralBaselines)
+{
+  ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
+  ASSERT_TRUE(this->CheckAccepting(Canvas(120, 10), "add"));
+  EXPECT_TRUE(fs::exists(this->At("picture_1.png")));
+  EXPECT_TRUE(this->Check(Canvas(50, 8)));
+  EXPECT_TRUE(this->Check(Canvas(120, 10)));
+  EXPECT_FALSE(this->Check(Canvas(120, 14)));
+  EXPECT_TRUE(this->Tells("not near " + this->At("picture_1.png")));
+  // What is near already is not accepted once more.
+  ASSERT_TRUE(this->CheckAccepting(Canvas(120, 10), "add"));
+  EXPECT_FALSE(fs::exists(this->At("picture_2.png")));
+}
+
+TEST_F(vtkPenumbraBaselineTest, HoldsFloatsInVti)
+{
+  const auto floats = [](double shift) {
+    auto image = vtkSmartPointer<vtkImageShiftScale>::New();
+    image->SetInputConnection(Canvas(50, 8)->GetOutputPort());
+    image->SetShift(shift);
+    image->SetScale(1.0 / 255.0);
+    image->SetOutputScalarTypeToFloat();
+    return image;
+  };
+  this->Baseline->GetComparison()->SetTolerance(0.0);
+  for (const char* name : { "floats.vti", "bytes.png" })
+  {
+    this->Baseline->SetFileName(this->At(name).c_str());
+    ASSERT_TRUE(this->CheckAccepting(floats(0.0), "replace")) << this->Baseline->GetReport();
+    EXPECT_TRUE(this->Check(floats(0.0))) << this->Baseline->GetReport();
+    // Less than half a step of 8 bits.
+    EXPECT_EQ(this->Check(floats(0.25)), name == std::string("bytes.png"));
+  }
+}
+
+TEST_F(vtkPenumbraBaselineTest, TellsWhatItCannotCompare)
+{
+  ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
+  vtkNew<vtkImageData> empty;
+  EXPECT_FALSE(this->Check(empty));
+  EXPECT_TRUE(this->Tells("nothing was drawn by vtkImageData"));
+  vtkNew<vtkConeSource> cone;
+  EXPECT_FALSE(this->Check(cone));
+  EXPECT_FALSE(this->Check(nullptr));
+
+  const auto other = Canvas(50, 8);
+  other->SetExtent(0, 19, 0, 29, 0, 0);
+  EXPECT_FALSE(this->Check(other));
+  EXPECT_TRUE(this->Tells("the pictures differ in size: 20x30 and 40x30"));
+
+  EXPECT_FALSE(this->CheckAccepting(Canvas(90, 8), "yes"));
+  EXPECT_TRUE(this->Tells("PENUMBRA_ACCEPT=yes: give 'replace' or 'add'"));
+  EXPECT_TRUE(this->Check(Canvas(50, 8))) << "the baseline is as it was";
+
+  this->Baseline->SetFileName(this->At("picture.txt").c_str());
+  EXPECT_FALSE(this->Check(Canvas(50, 8)));
+  std::ofstream(this->At("damaged.png")) << "not a picture";
+  this->Baseline->SetFileName(this->At("damaged.png").c_str());
+  EXPECT_FALSE(this->Check(Canvas(50, 8)));
+  EXPECT_TRUE(this->Tells("cannot be read as a picture"));
+}
+
+TEST_F(vtkPenumbraBaselineTest, DrawsWindowsAndNamesTheDriver)
+{
+  vtkNew<vtkConeSource> cone;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cone->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(64, 48);
+  window->AddRenderer(renderer);
+  ASSERT_TRUE(this->CheckAccepting(window, "replace")) << this->Baseline->GetReport();
+  EXPECT_TRUE(this->Check(window)) << this->Baseline->GetReport();
+  renderer->SetBackground(0.0, 0.0, 0.2);
+  EXPECT_FALSE(this->Check(window));
+  EXPECT_TRUE(this->Tells(std::string("drawn by: ") + window->GetClassName() + ", OpenGL "))
+    << this->Baseline->GetReport();
+  EXPECT_FALSE(this->Tells("unknown")) << this->Baseline->GetReport();
+}
+
+TEST_F(vtkPenumbraBaselineTest, IsOneLineInGoogleTest)
+{
+  ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
+  static std::string path;
+  static vtkSmartPointer<vtkImageCanvasSource2D> canvas;
+  path = this->At("picture.png");
+  canvas = Canvas(50, 8);
+  EXPECT_IMAGE_NEAR(canvas, path, 1.0 / 16.0);
+  canvas->Update();
+  EXPECT_IMAGE_NEAR(canvas->GetOutput(), path, 0.0);
+  canvas = Canvas(90, 8);
+  EXPECT_NONFATAL_FAILURE(
+    EXPECT_IMAGE_NEAR(canvas, path, 1.0 / 16.0), "canvas: the picture is not near");
+  EXPECT_TRUE(fs::exists(
+    this->At("failed/vtkPenumbraBaselineTest.IsOneLineInGoogleTest.picture.actual.png")));
+
+  penumbra::Nearness loose(0.5);
+  loose.PixelLimit = 1.0;
+  loose.TilePixelLimit = 1.0;
+  EXPECT_IMAGE_NEAR(canvas, path, loose);
+  penumbra::Nearness elsewhere(0.0);
+  const auto mask = Canvas(0, 8);
+  mask->Update();
+  elsewhere.Mask = mask->GetOutput();
+  EXPECT_IMAGE_NEAR(canvas, path, elsewhere);
+  canvas = nullptr;
+}
+
+}
