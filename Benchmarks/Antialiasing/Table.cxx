@@ -48,12 +48,13 @@ void Table::Add(const std::string& scene, const std::string& quantity, double me
   std::fflush(stdout);
 }
 
-void Table::Write(const std::string& folder, const std::vector<std::string>& circumstances) const
+void Table::Write(const std::string& path, const std::string& title,
+  const std::vector<std::string>& circumstances) const
 {
-  std::ofstream csv(folder + "/antialiasing.csv");
+  std::ofstream csv(path + ".csv");
   csv << "scene,quantity,measured,bar,met,remark\n";
-  std::ofstream markdown(folder + "/antialiasing.md");
-  markdown << "# Antialiasing: figures and bars\n\n";
+  std::ofstream markdown(path + ".md");
+  markdown << "# " << title << "\n\n";
   for (const std::string& line : circumstances)
   {
     markdown << "- " << line << "\n";

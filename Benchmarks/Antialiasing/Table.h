@@ -37,8 +37,9 @@ public:
   void Add(const std::string& scene, const std::string& quantity, double measured, Bar direction,
     double limit = 0.0, const std::string& remark = {});
 
-  /// Writes `antialiasing.csv` and `antialiasing.md` into a folder.
-  void Write(const std::string& folder, const std::vector<std::string>& circumstances) const;
+  /// Writes NAME.csv and NAME.md, whose heading is `title`; `path` ends in NAME.
+  void Write(const std::string& path, const std::string& title,
+    const std::vector<std::string>& circumstances) const;
 
   /// Names of figures that missed their bar.
   std::vector<std::string> GetMissed() const;

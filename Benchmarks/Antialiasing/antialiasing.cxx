@@ -211,6 +211,7 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "penumbra-benchmark-antialiasing: %s\n", problem.what());
     return 2;
   }
-  benchmark.Results.Write(benchmark.Output, Circumstances(benchmark));
+  benchmark.Results.Write(
+    benchmark.Output + "/antialiasing", "Antialiasing: figures and bars", Circumstances(benchmark));
   return benchmark.Results.GetMissed().empty() ? 0 : 1;
 }

@@ -33,6 +33,7 @@ EyeDepth::Change EyeDepth::Update(
     }
   }
   this->Current = 1 - this->Current;
+  ++this->Version;
   this->Views[this->Current] = view;
   this->Filled = this->Fill(window, image);
   if (!this->Filled)

@@ -32,6 +32,9 @@ public:
   const ScreenView& GetView() const { return this->Views[this->Current]; }
   const ScreenView& GetPreviousView() const { return this->Views[1 - this->Current]; }
 
+  /// Another number whenever the current depths are others.
+  int GetVersion() const { return this->Version; }
+
   /// The next Update() says All.
   void Forget() { this->Filled = false; }
 
@@ -44,6 +47,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Textures[2];
   ScreenView Views[2];
   int Current = 0;
+  int Version = 0;
   bool Filled = false;
   Stage Linearize;
   Stage Compare;

@@ -13,7 +13,6 @@
 #include "vtkPenumbraCompositeFS.h"
 #include "vtkPenumbraCompositeSamplesFS.h"
 #include "vtkPenumbraViewLib.h"
-#include "vtkPixelBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -37,18 +36,6 @@ constexpr int SequenceLength = 1 << 20;
 
 /// Eye depths beyond this are empty pixels: vtkPenumbraViewLib.glsl.
 constexpr float FarAway = 1e17f;
-
-std::vector<float> Read(vtkTextureObject* texture)
-{
-  const unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
-  const int components = texture->GetComponents();
-  std::vector<float> values(static_cast<std::size_t>(size[0]) * size[1] * components);
-  vtkIdType increments[2] = { 0, 0 };
-  unsigned int dimensions[2] = { size[0], size[1] };
-  auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
-  buffer->Download2D(VTK_FLOAT, values.data(), dimensions, components, increments);
-  return values;
-}
 
 vtkFloatArray* AddArray(vtkImageData* image, const char* name)
 {
@@ -240,8 +227,8 @@ bool OcclusionView::Composite()
 
 std::vector<float> OcclusionView::ReadMeans() const
 {
-  const std::vector<float> depths = Read(this->Depth.GetCurrent());
-  const std::vector<float> history = Read(this->History.GetTexture());
+  const std::vector<float> depths = ReadBack(this->Depth.GetCurrent());
+  const std::vector<float> history = ReadBack(this->History.GetTexture());
   std::vector<float> values(depths.size());
   for (std::size_t i = 0; i < values.size(); ++i)
   {
@@ -257,8 +244,8 @@ OcclusionView::PixelCounts OcclusionView::CountPixels() const
   {
     return counts;
   }
-  const std::vector<float> depths = Read(this->Depth.GetCurrent());
-  const std::vector<float> history = Read(this->History.GetTexture());
+  const std::vector<float> depths = ReadBack(this->Depth.GetCurrent());
+  const std::vector<float> history = ReadBack(this->History.GetTexture());
   const int width = this->Image.GetView().Width;
   const auto fresh = static_cast<float>(this->NewSamples);
   const auto pulled = static_cast<float>(this->Settings.InvalidationWeight) + fresh;
@@ -296,9 +283,9 @@ void OcclusionView::CopyTo(vtkImageData* image) const
   {
     return;
   }
-  const std::vector<float> eyeDepths = Read(this->Depth.GetCurrent());
-  const std::vector<float> history = Read(this->History.GetTexture());
-  const std::vector<float> result = Read(this->Estimates);
+  const std::vector<float> eyeDepths = ReadBack(this->Depth.GetCurrent());
+  const std::vector<float> history = ReadBack(this->History.GetTexture());
+  const std::vector<float> result = ReadBack(this->Estimates);
   const ScreenView& view = this->Depth.GetView();
   for (int j = 0; j < size[1]; ++j)
   {

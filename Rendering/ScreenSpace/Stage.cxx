@@ -9,6 +9,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraQuadVS.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -150,6 +151,18 @@ bool Allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow*
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
   texture->Create2DFromRaw(width, height, components, VTK_FLOAT, const_cast<float*>(zeros.data()));
   return true;
+}
+
+std::vector<float> ReadBack(vtkTextureObject* texture)
+{
+  const unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  const int components = texture->GetComponents();
+  std::vector<float> values(static_cast<std::size_t>(size[0]) * size[1] * components);
+  vtkIdType increments[2] = { 0, 0 };
+  unsigned int dimensions[2] = { size[0], size[1] };
+  auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
+  buffer->Download2D(VTK_FLOAT, values.data(), dimensions, components, increments);
+  return values;
 }
 
 }

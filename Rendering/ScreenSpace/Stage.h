@@ -91,5 +91,8 @@ private:
 bool Allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window, int width,
   int height, int components);
 
+/// All values of a texture of floats, row after row.
+std::vector<float> ReadBack(vtkTextureObject* texture);
+
 }
 #endif

@@ -27,10 +27,10 @@ public:
 
   ///@{
   /**
-   * How far back what is seen is taken to reach, in radii, 0.001 to 1000; for kernels that ask.
-   * Default: 1.
+   * How far back what is seen is taken to reach, in radii, up to 1000; for kernels that ask. 0: as far
+   * as it is wide, by the picture. Default: 0.
    */
-  vtkSetClampMacro(Thickness, double, 0.001, 1000.0);
+  vtkSetClampMacro(Thickness, double, 0.0, 1000.0);
   vtkGetMacro(Thickness, double);
   ///@}
 
@@ -45,11 +45,13 @@ private:
   vtkPenumbraKernelEstimator(const vtkPenumbraKernelEstimator&) = delete;
   void operator=(const vtkPenumbraKernelEstimator&) = delete;
 
+  double ThicknessOf(const penumbra::EyeDepth& depth);
+
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 
   int Kernel = 0;
-  double Thickness = 1.0;
+  double Thickness = 0.0;
 };
 
 #endif

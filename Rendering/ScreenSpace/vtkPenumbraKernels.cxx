@@ -3,7 +3,11 @@
 #include "vtkPenumbraKernels.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkPenumbraEstimateDepthDifferenceFS.h"
 #include "vtkPenumbraEstimateHorizonFS.h"
+#include "vtkPenumbraEstimateMarchFS.h"
+#include "vtkPenumbraEstimatePatchFS.h"
+#include "vtkPenumbraEstimateVolumetricFS.h"
 
 #include <cstring>
 #include <iterator>
@@ -23,7 +27,11 @@ struct Kernel
 };
 
 const Kernel Table[] = {
+  { "volumetric", "[TSSAO eq. 3, 14]", "1 - t", 1, vtkPenumbraEstimateVolumetricFS },
+  { "patch", "[TSSAO eq. 12-13]", "", 1, vtkPenumbraEstimatePatchFS },
+  { "depth-difference", "[ISAO eq. 2]", "", 1, vtkPenumbraEstimateDepthDifferenceFS },
   { "horizon", "[GTAO eq. 7]; [TSSAO eq. 1]", "1", 8, vtkPenumbraEstimateHorizonFS },
+  { "march", "[TSSAO eq. 1], rays through one layer", "1", 8, vtkPenumbraEstimateMarchFS },
 };
 
 const Kernel* Row(int kernel)

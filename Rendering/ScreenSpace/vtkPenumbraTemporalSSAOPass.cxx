@@ -33,7 +33,7 @@ namespace
 using Pass = vtkPenumbraTemporalSSAOPass;
 
 /// The best of the kernels wherever depth is all there is.
-constexpr const char* AutomaticKernel = "horizon";
+constexpr const char* AutomaticKernel = "march";
 
 /// The margin that follows the radius goes no farther than this share of the picture's larger side.
 constexpr double LargestMargin = 0.1;

@@ -71,6 +71,13 @@ void OcclusionScene::Look(const Vector& from, const Vector& at, const Vector& up
   this->Renderer->ResetCameraClippingRange();
 }
 
+void OcclusionScene::UseParallelProjection(bool parallel, double halfHeight)
+{
+  this->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+  this->Renderer->GetActiveCamera()->SetParallelScale(halfHeight);
+  this->Renderer->ResetCameraClippingRange();
+}
+
 vtkPenumbraTemporalSSAOPass* OcclusionScene::Occlude(double radius)
 {
   this->Pass = vtkPenumbraTemporalSSAOPass::AddTo(this->Renderer);

@@ -32,6 +32,9 @@ public:
 
   void Look(const Vector& from, const Vector& at, const Vector& up = { 0.0, 0.0, 1.0 });
 
+  /// \c halfHeight of the picture in world units.
+  void UseParallelProjection(bool parallel, double halfHeight);
+
   /// Adds the pass, with a radius in world units.
   vtkPenumbraTemporalSSAOPass* Occlude(double radius);
 

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parts of the benchmark of ambient occlusion. Each adds its figures to the table.
+#ifndef penumbra_AmbientOcclusionBenchmark_h
+#define penumbra_AmbientOcclusionBenchmark_h
+
+#include "Scenes.h"
+#include "Screen.h"
+#include "Table.h"
+#include "Truth.h"
+
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+struct OcclusionBenchmark
+{
+  std::string Meshes; ///< folder with the .off files of libcgal-demo
+  std::string Output; ///< folder for results and pictures
+  bool Diagnose = false;
+  int Stride = 4; ///< of the pixels with a truth
+  int Rays = 32;  ///< squared: per such pixel
+  Table Results;
+
+  std::vector<OcclusionBenchmarkScene> Scenes() const
+  {
+    return { penumbra::Scans(this->Meshes), Spheres400(), Sticks() };
+  }
+};
+
+/// Every kernel, converged, against rays; and vtkSSAOPass.
+void MeasureAccuracy(OcclusionBenchmark& benchmark);
+
+/// Times of frames: plain, with our pass, converged, with vtkSSAOPass.
+void MeasureCost(OcclusionBenchmark& benchmark);
+
+/// Noise of still and moving pictures against their own limit.
+void MeasureNoise(OcclusionBenchmark& benchmark);
+
+}
+#endif

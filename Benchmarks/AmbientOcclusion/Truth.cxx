@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Truth.h"
+
+#include "CosineDirections.h"
+#include "RayScene.h"
+#include "SceneExtraction.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+glm::vec3 NormalTowardsEye(const Scene& scene, const Hit& hit, glm::vec3 direction)
+{
+  const Surface& surface = scene.Surfaces[hit.Surface];
+  const glm::uvec3 triangle = surface.Triangles[hit.Triangle];
+  const glm::vec3 a = surface.Positions[triangle.x];
+  const glm::vec3 normal = glm::normalize(
+    glm::cross(surface.Positions[triangle.y] - a, surface.Positions[triangle.z] - a));
+  return glm::dot(normal, direction) > 0.f ? -normal : normal;
+}
+
+}
+
+OcclusionTruth TraceOcclusion(
+  vtkRenderer* renderer, const int size[2], double radius, int stride, int rays)
+{
+  ExtractionOptions options;
+  options.Resolution[0] = size[0];
+  options.Resolution[1] = size[1];
+  const Scene scene = ExtractScene(renderer, options);
+  const RayScene tracer(scene, 1);
+  const auto reach = static_cast<float>(radius * scene.Scale);
+  OcclusionTruth truth;
+  truth.Width = size[0];
+  for (int j = stride / 2; j < size[1]; j += stride)
+  {
+    for (int i = stride / 2; i < size[0]; i += stride)
+    {
+      const glm::dvec2 center(i + .5, j + .5);
+      Ray primary;
+      primary.Origin = scene.Eye.RayOrigin(center);
+      primary.Direction = scene.Eye.RayDirection(center);
+      const Hit hit = tracer.Intersect(primary);
+      if (!hit.IsHit())
+      {
+        continue;
+      }
+      const glm::vec3 point = primary.Origin + hit.Distance * primary.Direction;
+      const glm::vec3 normal = NormalTowardsEye(scene, hit, primary.Direction);
+      const glm::mat3 frame = FrameOf(normal);
+      std::uint32_t state = SeedOf(point, normal);
+      Ray probe;
+      probe.Origin = point + GapAbove(point) * normal;
+      probe.Far = reach;
+      double constant = 0.0;
+      double linear = 0.0;
+      for (int ray = 0; ray < rays * rays; ++ray)
+      {
+        const float u =
+          (static_cast<float>(ray % rays) + Uniform(state)) / static_cast<float>(rays);
+        const float v =
+          (static_cast<float>(ray / rays) + Uniform(state)) / static_cast<float>(rays);
+        probe.Direction = frame * ToHemisphere(ToDisc(u, v));
+        const Hit met = tracer.Intersect(probe);
+        constant += met.IsHit();
+        linear += met.IsHit() ? 1.0 - met.Distance / reach : 0.0;
+      }
+      truth.Pixels.push_back(j * size[0] + i);
+      truth.Constant.push_back(static_cast<float>(constant / (rays * rays)));
+      truth.Linear.push_back(static_cast<float>(linear / (rays * rays)));
+    }
+  }
+  return truth;
+}
+
+double Rmse(const OcclusionTruth& truth, FallOff fallOff, const std::vector<float>& picture)
+{
+  const std::vector<float>& values = fallOff == FallOff::Constant ? truth.Constant : truth.Linear;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double difference = static_cast<double>(picture[truth.Pixels[i]]) - values[i];
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double Gain(const OcclusionTruth& truth, FallOff fallOff, const std::vector<float>& picture)
+{
+  const std::vector<float>& values = fallOff == FallOff::Constant ? truth.Constant : truth.Linear;
+  double product = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double value = picture[truth.Pixels[i]];
+    product += value * values[i];
+    square += value * value;
+  }
+  return square > 0.0 ? product / square : 0.0;
+}
+
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Ambient occlusion of a picture by rays from the ray caster's own scene: [TSSAO eq. 1] at the
+// centres of some pixels.
+#ifndef penumbra_Truth_h
+#define penumbra_Truth_h
+
+#include <vector>
+
+class vtkRenderer;
+
+namespace penumbra
+{
+
+/// D of [TSSAO eq. 1] within the radius.
+enum class FallOff
+{
+  Constant, ///< 1
+  Linear    ///< 1 - t / R
+};
+
+struct OcclusionTruth
+{
+  int Width = 0;
+  std::vector<int> Pixels; ///< that show a surface: row * width + column
+  std::vector<float> Constant;
+  std::vector<float> Linear;
+};
+
+/// Every `stride`-th pixel in both directions, rays * rays directions each.
+OcclusionTruth TraceOcclusion(
+  vtkRenderer* renderer, const int size[2], double radius, int stride, int rays);
+
+/// RMS of the difference between a picture's array and the truth.
+double Rmse(const OcclusionTruth& truth, FallOff fallOff, const std::vector<float>& picture);
+
+/// The factor on the picture that brings it nearest to the truth.
+double Gain(const OcclusionTruth& truth, FallOff fallOff, const std::vector<float>& picture);
+
+}
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionScene.h"
+#include "vtkPenumbraKernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+
+const double Pi = std::acos(-1.0);
+
+/// What a wall on the plane y = 0 blocks of the sky over the plane z = 0 at a distance of `a` radii:
+/// with D = 1 the part of the unit disc beyond the line at a.
+double BehindWall(double a)
+{
+  return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / Pi : 0.0;
+}
+
+/// The same with D = 1 - t: the mean of walls of all shorter reaches, since 1 - t counts the reaches
+/// between t and 1.
+double BehindWallFading(double a)
+{
+  constexpr int steps = 2000;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    sum += BehindWall(a / ((i + .5) / steps));
+  }
+  return sum / steps;
+}
+
+/// A row for every kernel: how far from the closed form it may be at the foot of a wall.
+struct Row
+{
+  const char* Kernel;
+  double (*Truth)(double);
+  double Rmse;
+};
+
+const Row Rows[] = {
+  { "volumetric", BehindWallFading, .02 },
+  { "patch", BehindWall, .3 },            // no D: only a bound
+  { "depth-difference", BehindWall, .2 }, // no D: only a bound
+  { "horizon", BehindWall, .02 },
+  { "march", BehindWall, .025 },
+};
+
+class Kernels : public testing::TestWithParam<Row>
+{
+};
+
+TEST(KernelTable, HasATestRowAndAParagraphForEveryKernel)
+{
+  std::stringstream page;
+  page << std::ifstream(PENUMBRA_SOURCE_DIR "/Documentation/Kernels.md").rdbuf();
+  for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
+  {
+    const std::string name = vtkPenumbraKernels::GetName(kernel);
+    EXPECT_TRUE(std::any_of(
+      std::begin(Rows), std::end(Rows), [&](const Row& row) { return row.Kernel == name; }))
+      << name;
+    EXPECT_NE(page.str().find("\n## " + name + "\n"), std::string::npos) << name;
+    EXPECT_EQ(vtkPenumbraKernels::Find(name.c_str()), kernel);
+    EXPECT_GE(vtkPenumbraKernels::GetFetchesPerPoint(kernel), 1);
+  }
+  EXPECT_EQ(vtkPenumbraKernels::Find("steam"), -1);
+  EXPECT_EQ(vtkPenumbraKernels::GetName(-1), nullptr);
+}
+
+TEST_P(Kernels, SeeNoOcclusionOnAnOpenPlane)
+{
+  for (const bool parallel : { false, true })
+  {
+    OcclusionScene scene;
+    scene.AddWall({ -20, -20, 0 }, { 40, 0, 0 }, { 0, 40, 0 });
+    scene.Look({ 1, -4, 2 }, { 0, 0, 0 });
+    scene.UseParallelProjection(parallel, 1.5);
+    scene.Occlude(1.0)->SetKernelName(GetParam().Kernel);
+    scene.Window->Render();
+    const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+    // The seam between the plane's two triangles may be off by the depth buffer's rounding.
+    double squares = 0.0;
+    for (const float value : occlusion)
+    {
+      squares += static_cast<double>(value) * value;
+    }
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(occlusion.size())), .003);
+  }
+}
+
+TEST_P(Kernels, SeeHalfTheSkyAtTheFootOfAWall)
+{
+  OcclusionScene scene;
+  scene.AddWall({ -20, -20, 0 }, { 40, 0, 0 }, { 0, 40, 0 });
+  scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Occlude(1.0)->SetKernelName(GetParam().Kernel);
+  scene.Window->Render();
+  EXPECT_STREQ(scene.Pass->GetActiveKernelName(), GetParam().Kernel);
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  const int foot = scene.Pixel({ 0, 0, 0 })[1];
+  double squares = 0.0;
+  for (int row = 0; row < foot; ++row)
+  {
+    const double truth = GetParam().Truth(-scene.OnFloor(80.5, row + .5)[1]);
+    const double error = occlusion[row * scene.Width + 80] - truth;
+    squares += error * error;
+  }
+  EXPECT_LT(std::sqrt(squares / foot), GetParam().Rmse);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(Rows), [](const auto& row) {
+  std::string name = row.param.Kernel;
+  name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+  return name;
+});
+
+}
