@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The pass against the marched reference in the same medium, no gain fitted.
+#include "Benchmark.h"
+#include "ShaftScene.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace penumbra
+{
+
+namespace
+{
+
+constexpr double WholeSphere = 12.566370614359172;
+constexpr double Density = 0.12; // scattering and extinction a world unit
+
+double Rms(const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& out)
+{
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    if (out.empty() || !out[i])
+    {
+      sum += (a[i] - b[i]) * (a[i] - b[i]);
+      count += 1.0;
+    }
+  }
+  return std::sqrt(sum / std::max(count, 1.0));
+}
+
+double Correlation(const std::vector<double>& a, const std::vector<double>& b)
+{
+  const double n = static_cast<double>(a.size());
+  double sums[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const double terms[5] = { a[i], b[i], a[i] * a[i], b[i] * b[i], a[i] * b[i] };
+    for (int k = 0; k < 5; ++k)
+    {
+      sums[k] += terms[k] / n;
+    }
+  }
+  return (sums[4] - sums[0] * sums[1]) /
+    std::sqrt((sums[2] - sums[0] * sums[0]) * (sums[3] - sums[1] * sums[1]));
+}
+
+void WritePicture(const std::string& path, const std::vector<double>& values, int width)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, static_cast<int>(values.size()) / width, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    bytes[i] = static_cast<unsigned char>(std::clamp(values[i] * WholeSphere * 255.0, 0.0, 255.0));
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+}
+
+struct Accuracy
+{
+  double All = 0.0;
+  double AwayFromEdges = 0.0;
+  double Unshadowed = 0.0; ///< error of leaving the shadows out
+  double Correlation = 0.0;
+};
+
+Accuracy Compare(ShaftBenchmark& benchmark, ShaftScene& scene, const std::string& name)
+{
+  const std::vector<double> truth = scene.ByRays();
+  const std::vector<double> ours = scene.ByPass();
+  std::vector<double> lit = scene.Transmittance();
+  for (double& value : lit)
+  {
+    value = (1.0 - value) / WholeSphere;
+  }
+  std::vector<double> missing(lit.size());
+  std::vector<double> missed(lit.size());
+  for (std::size_t i = 0; i < lit.size(); ++i)
+  {
+    missing[i] = lit[i] - truth[i];
+    missed[i] = lit[i] - ours[i];
+  }
+  const std::vector<double> nothing(truth.size(), 0.0);
+  const double size = Rms(truth, nothing, {});
+  Accuracy result;
+  result.All = Rms(ours, truth, {}) / size;
+  result.AwayFromEdges = Rms(ours, truth, scene.NearEdges(3)) / size;
+  result.Unshadowed = Rms(lit, truth, {}) / size;
+  result.Correlation = Correlation(missing, missed);
+  if (benchmark.Diagnose)
+  {
+    WritePicture(benchmark.Output + "/" + name + "-pass.png", ours, scene.Width);
+    WritePicture(benchmark.Output + "/" + name + "-rays.png", truth, scene.Width);
+  }
+  std::printf("  %s: %.4f all, %.4f away from edges, %.4f without shadows, correlation %.4f\n",
+    name.c_str(), result.All, result.AwayFromEdges, result.Unshadowed, result.Correlation);
+  return result;
+}
+
+}
+
+void MeasureAccuracy(ShaftBenchmark& benchmark)
+{
+  Table& table = benchmark.Results;
+  Accuracy worst[2];
+  double radial = 0.0;
+  for (const bool outside : { false, true })
+  {
+    Accuracy& worse = worst[outside];
+    worse.Unshadowed = 1e30;
+    worse.Correlation = 1.0;
+    for (unsigned int seed = 1; seed <= 3; ++seed)
+    {
+      ShaftScene scene(256, 192);
+      scene.AddFloor(12.0);
+      scene.AddSolids(14, seed);
+      scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+      // Half the width of the picture is 0.485 on the plane at distance 1.
+      scene.AddSun({ outside ? 0.72 : 0.2, 1.0, 0.32 });
+      scene.Fill(Density, Density);
+      const std::string name = std::string(outside ? "outside-" : "inside-") + std::to_string(seed);
+      const Accuracy one = Compare(benchmark, scene, name);
+      worse.All = std::max(worse.All, one.All);
+      worse.AwayFromEdges = std::max(worse.AwayFromEdges, one.AwayFromEdges);
+      worse.Unshadowed = std::min(worse.Unshadowed, one.Unshadowed);
+      worse.Correlation = std::min(worse.Correlation, one.Correlation);
+      if (!outside)
+      {
+        scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
+        radial = std::max(radial, Compare(benchmark, scene, name + "-radial").All);
+      }
+    }
+  }
+  const std::string inside = "boxes and spheres, sun in view, worst of 3";
+  table.Add(inside, "relative RMSE", worst[0].All, Bar::AtMost, 0.025);
+  table.Add(inside, "relative RMSE more than 3 pixels from edges", worst[0].AwayFromEdges,
+    Bar::AtMost, 0.02);
+  table.Add(inside, "share of the error without shadows", worst[0].All / worst[0].Unshadowed,
+    Bar::AtMost, 0.25);
+  table.Add(inside, "correlation of the missing light", worst[0].Correlation, Bar::AtLeast, 0.95);
+  table.Add(inside, "relative RMSE of the paper's mean of a mask", radial, Bar::None);
+  const std::string outside = "the same, sun 48 % outside of the picture";
+  table.Add(outside, "relative RMSE", worst[1].All, Bar::AtMost, 0.035);
+}
+
+}

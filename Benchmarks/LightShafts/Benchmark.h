@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parts of the light shaft benchmark. Each adds its figures to the table.
+#ifndef penumbra_Benchmark_h
+#define penumbra_Benchmark_h
+
+#include "Table.h"
+
+#include <string>
+
+namespace penumbra
+{
+
+struct ShaftBenchmark
+{
+  std::string Output; ///< folder for results, pictures and what is handed to peers
+  std::string PovRay; ///< program; empty: no comparison with it
+  bool Diagnose = false;
+  Table Results;
+};
+
+/// The marched reference against the closed form, and its speed against POV-Ray's media.
+void MeasureMarched(ShaftBenchmark& benchmark);
+
+/// The pass against the marched reference.
+void MeasureAccuracy(ShaftBenchmark& benchmark);
+
+/// What the pass costs, still and moving.
+void MeasureCost(ShaftBenchmark& benchmark);
+
+/// Motion: a light that sweeps, an occluder that crosses the border.
+void MeasureMotion(ShaftBenchmark& benchmark);
+
+}
+#endif

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShaftLights.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// In eye coordinates with z along the view axis, in the view's unit; w = 0: a direction.
+void ToEye(const ScreenView& view, const double world[3], double w, double eye[3])
+{
+  for (int row = 0; row < 3; ++row)
+  {
+    const double* m = view.WorldToEye.data() + 4 * row;
+    eye[row] = m[0] * world[0] + m[1] * world[1] + m[2] * world[2] + m[3] * w;
+    eye[row] *= row == 2 ? -1.0 : 1.0;
+    eye[row] /= w != 0.0 ? view.Unit : 1.0;
+  }
+}
+
+bool IsSeen(const float place[4], const ScreenView& view)
+{
+  if (place[2] <= 0.f && !view.Parallel)
+  {
+    return false;
+  }
+  if (view.Parallel && place[3] == 0.f)
+  {
+    return false;
+  }
+  const double unit = view.Parallel ? view.Unit : 1.0;
+  const int sizes[2] = { view.Width, view.Height };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double plane = unit * place[axis] / (view.Parallel ? 1.0 : place[2]);
+    const double pixel = (plane - view.Offset[axis]) / view.Scale[axis];
+    if (!(pixel >= 0.0 && pixel <= sizes[axis]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+ShaftLight Convert(vtkLight* light, const ScreenView& view)
+{
+  double position[3];
+  double focus[3];
+  light->GetTransformedPosition(position);
+  light->GetTransformedFocalPoint(focus);
+  double way[3] = { focus[0] - position[0], focus[1] - position[1], focus[2] - position[2] };
+  vtkMath::Normalize(way);
+  double eye[3];
+  ToEye(view, way, 0.0, eye);
+  ShaftLight result;
+  const bool positional = light->GetPositional() != 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    result.Place[i] = static_cast<float>(-eye[i]);
+    result.Cone[i] = static_cast<float>(eye[i]);
+    result.Color[i] = static_cast<float>(light->GetDiffuseColor()[i] * light->GetIntensity());
+  }
+  if (positional)
+  {
+    ToEye(view, position, 1.0, eye);
+    std::copy(eye, eye + 3, result.Place);
+    result.Place[3] = 1.f;
+    const double* attenuation = light->GetAttenuationValues();
+    for (int i = 0; i < 3; ++i)
+    {
+      result.Attenuation[i] = static_cast<float>(attenuation[i] * std::pow(view.Unit, i));
+    }
+    if (light->GetConeAngle() < 90.0)
+    {
+      const double angle = vtkMath::RadiansFromDegrees(light->GetConeAngle());
+      result.Cone[3] = static_cast<float>(std::cos(angle));
+      result.Exponent = static_cast<float>(light->GetExponent());
+    }
+  }
+  result.InPicture = IsSeen(result.Place, view);
+  return result;
+}
+
+bool IsUsable(const ShaftLight& light)
+{
+  const auto finite = [](float x) { return std::isfinite(x); };
+  const float square = light.Place[0] * light.Place[0] + light.Place[1] * light.Place[1] +
+    light.Place[2] * light.Place[2];
+  return std::all_of(light.Place, light.Place + 4, finite) &&
+    std::all_of(light.Color, light.Color + 3, finite) &&
+    std::all_of(light.Attenuation, light.Attenuation + 3, finite) && square > 0.f &&
+    std::any_of(light.Color, light.Color + 3, [](float c) { return c > 0.f; });
+}
+
+}
+
+void ShaftLight::SetUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniform4f("light", this->Place);
+  program->SetUniform3f("attenuation", this->Attenuation);
+  program->SetUniform4f("cone", this->Cone);
+  program->SetUniformf("coneExponent", this->Exponent);
+}
+
+bool ShaftLight::operator==(const ShaftLight& other) const
+{
+  return std::equal(this->Place, this->Place + 4, other.Place) &&
+    std::equal(this->Color, this->Color + 3, other.Color) &&
+    std::equal(this->Attenuation, this->Attenuation + 3, other.Attenuation) &&
+    std::equal(this->Cone, this->Cone + 4, other.Cone) && this->Exponent == other.Exponent;
+}
+
+std::vector<ShaftLight> FindShaftLights(
+  vtkRenderer* renderer, const std::vector<vtkLight*>& chosen, const ScreenView& view)
+{
+  std::vector<ShaftLight> found;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator position;
+  lights->InitTraversal(position);
+  while (vtkLight* light = lights->GetNextLight(position))
+  {
+    const bool wanted = chosen.empty()
+      ? !light->LightTypeIsHeadlight()
+      : std::find(chosen.begin(), chosen.end(), light) != chosen.end();
+    if (wanted && light->GetSwitch())
+    {
+      const ShaftLight converted = Convert(light, view);
+      if (IsUsable(converted))
+      {
+        found.push_back(converted);
+      }
+    }
+  }
+  return found;
+}
+
+}

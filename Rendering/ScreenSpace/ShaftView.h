@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// All that vtkPenumbraLightShaftPass keeps of one renderer, and the steps of a frame: draw the
+// delegate, turn depths into distances, for every light find what is lit and add what it scatters,
+// compose.
+#ifndef penumbra_ShaftView_h
+#define penumbra_ShaftView_h
+
+#include "DelegateImage.h"
+#include "EyeDepth.h"
+#include "ShaftLights.h"
+
+class vtkImageData;
+
+namespace penumbra
+{
+
+/// A frame's settings; see vtkPenumbraLightShaftPass for their meaning. Lengths in world units.
+struct ShaftSettings
+{
+  double Scattering = 0.0;
+  double Extinction = 0.0;
+  int Phase = 0;
+  double Asymmetry = 0.0;
+  double Exposure = 1.0;
+  bool Radial = false;
+  double Weight = 1.0;
+  double Decay = 1.0;
+  double Density = 1.0;
+  double SurfaceGlow = 0.0;
+  double Thickness = 1.0;
+  int Steps = 64;
+  int Block = 1;      ///< pixels a side for which lit shares are found once
+  double Unit = 1.0;  ///< what shaders call 1
+  double Range = 1.0; ///< no surface is farther from the eye
+  bool DelegateDrawsBackground = true;
+  int Margin[2] = { 0, 0 };
+
+  bool operator==(const ShaftSettings& other) const;
+};
+
+class ShaftView
+{
+public:
+  /// Draws one frame into the target of `state`. False when OpenGL refuses: nothing was drawn.
+  bool Render(const vtkRenderState* state, vtkRenderPass* delegate,
+    const std::vector<ShaftLight>& lights, const ShaftSettings& settings);
+
+  int GetNumberOfRenderedProps() const { return this->Props; }
+
+  /// Of the last frame: lit shares that were found anew.
+  long long GetNewShares() const { return this->NewShares; }
+  int GetNumberOfLights() const { return static_cast<int>(this->Lights.size()); }
+
+  /// Adds the float arrays LightShafts (3) and Transmittance to an image of the picture without
+  /// margin.
+  void CopyTo(vtkImageData* image) const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool Compute();
+  bool FindLit(const ShaftLight& light);
+  bool Scatter(const ShaftLight& light, bool first);
+  bool Composite();
+  void SetMedium(vtkShaderProgram* program) const;
+
+  vtkOpenGLRenderWindow* Window = nullptr;
+  ShaftSettings Settings;
+  std::vector<ShaftLight> Lights;
+  DelegateImage Image;
+  EyeDepth Depth;
+  Stage Visibility;
+  Stage Addition;
+  Stage Composition;
+  vtkSmartPointer<vtkTextureObject> LitShares;
+  vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: scattered light, a: transmittance
+  long long NewShares = 0;
+  int Props = 0;
+  bool Known = false; ///< Shafts holds the picture of Settings and Lights
+};
+
+}
+#endif

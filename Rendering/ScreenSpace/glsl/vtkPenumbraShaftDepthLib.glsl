@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which part of a view ray is lit, from depth alone. The way from the point at depth s of the view
+// ray to the light crosses the screen at plane + q (light.xy - plane light.z), whatever s, and there
+// s (1 - q light.z)^-1 is its depth: one march over q tells which s are shadowed, those that lie
+// behind what is seen there, by no more than its thickness. Shadowed bins of shares are kept as bits.
+// A lamp at M: 1/d becomes 1/d - q.
+uniform float thickness; // of what is seen, along the view axis
+uniform int steps;
+uniform float range;     // no surface is farther than this
+
+const float bias = 0.002;    // relative, against surfaces that shadow themselves
+const float unreached = 1e30;
+
+// The lowest `count` bits.
+uint lowBits(float count)
+{
+  return count >= 32.0 ? 0xffffffffu : (1u << uint(max(count, 0.0))) - 1u;
+}
+
+uvec2 bitsBetween(float low, float high)
+{
+  // Bins whose middles lie between.
+  float first = ceil(low * 64.0 - 0.5);
+  float last = ceil(high * 64.0 - 0.5);
+  return uvec2(lowBits(last) & ~lowBits(first), lowBits(last - 32.0) & ~lowBits(first - 32.0));
+}
+
+float countBits(uvec2 bits)
+{
+  bits = (bits & 0x55555555u) + ((bits >> 1) & 0x55555555u);
+  bits = (bits & 0x33333333u) + ((bits >> 2) & 0x33333333u);
+  bits = (bits & 0x0f0f0f0fu) + ((bits >> 4) & 0x0f0f0f0fu);
+  bits = (bits * 0x01010101u) >> 24;
+  return float(bits.x + bits.y);
+}
+
+// First and last depth of the view ray that a surface at `depth` shadows at q.
+vec2 shadowedDepths(float depth, float q)
+{
+  vec2 span = vec2(depth, depth + thickness);
+  if (perspective < 0.5)
+  {
+    return (span - q * light.z) / max(1.0 - q * light.w, 1e-6);
+  }
+  vec2 inverse = 1.0 / span - q * light.w;
+  float left = max(1.0 - q * light.z, 0.0);
+  return vec2(inverse.x > 0.0 ? left / inverse.x : unreached,
+    inverse.y > 0.0 ? left / inverse.y : unreached);
+}
+
+// The q at which the way to the light ends, or leaves the picture.
+float lastStep(vec2 pixel, vec2 way)
+{
+  vec2 room = mix(pixel, 1.0 / pixelSize - pixel, step(0.0, way));
+  vec2 border = room / max(abs(way), 1e-9);
+  float ends = perspective > 0.5 ? 1.0 / max(light.z, 1e-9)
+                                 : (light.w > 0.5 ? 1.0 : range / max(abs(light.z), 1e-9));
+  return min(min(border.x, border.y), ends);
+}
+
+float litShareOf(Sight sight, vec2 pixel, float eyeDepth)
+{
+  float turn = perspective > 0.5 ? light.z : light.w;
+  vec2 way = (light.xy - sight.plane * turn) / pixelToEye.xy;
+  float stride = lastStep(pixel, way) / float(steps);
+  uvec2 shadowed = uvec2(0u);
+  float before = eyeDepth;
+  vec2 last = vec2(eyeDepth, eyeDepth + thickness);
+  for (int i = 0; i < steps; ++i)
+  {
+    float q = stride * (float(i) + 0.5);
+    float depth = texture(eyeDepths, (pixel + q * way) * pixelSize).r * (1.0 + bias);
+    vec2 depths = shadowedDepths(depth, q);
+    // A surface goes on between two steps that both show it.
+    bool same = abs(depth - before) < thickness;
+    float low = same ? min(depths.x, last.x) : depths.x;
+    float high = same ? max(depths.y, last.y) : depths.y;
+    if (depth < 0.5 * farAway && low < eyeDepth)
+    {
+      shadowed |= bitsBetween(shareOfLength(sight, max(low, 0.0) * sight.reach),
+        shareOfLength(sight, max(min(high, eyeDepth), 0.0) * sight.reach));
+    }
+    before = depth;
+    last = depths;
+  }
+  if (light.w < 0.5)
+  {
+    return 1.0 - countBits(shadowed) / 64.0;
+  }
+  vec2 sums = vec2(0.0);
+  for (int i = 0; i < 64; ++i)
+  {
+    float amount = lampScatters(sight, (float(i) + 0.5) / 64.0);
+    uint word = i < 32 ? shadowed.x : shadowed.y;
+    sums += amount * vec2(1.0, float(1u - ((word >> uint(i & 31)) & 1u)));
+  }
+  return sums.x > 0.0 ? sums.y / sums.x : 1.0;
+}

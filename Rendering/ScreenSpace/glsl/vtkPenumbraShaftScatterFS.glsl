@@ -1,0 +1,49 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What one light adds to every pixel, in closed form times the lit share, which is taken from the
+// texels around that see as far; and what the medium leaves of the picture.
+//VTK::Penumbra::ViewLib
+//VTK::Penumbra::ShaftLib
+uniform sampler2D eyeDepths;
+uniform sampler2D litShares;
+uniform vec2 texelSize;       // of litShares
+uniform float block;          // pixels a side of a texel
+uniform vec3 color;           // the light's, exposure included
+uniform float transmittance;  // 1: alpha is what is left of the picture; 0: alpha is 0
+
+// Depths this much apart, relatively, are other surfaces.
+const float apart = 0.02;
+
+float litShareAt(vec2 pixel, float eyeDepth)
+{
+  vec2 at = (pixel - 0.5) / block;
+  vec2 corner = floor(at);
+  vec2 share = at - corner;
+  float sum = 0.0;
+  float weights = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    vec2 offset = vec2(float(i % 2), float(i / 2));
+    vec2 tap = corner + offset;
+    float seen = texture(eyeDepths, (tap * block + 0.5) * pixelSize).r;
+    vec2 near = mix(1.0 - share, share, offset);
+    float other = abs(seen - eyeDepth) / (apart * min(seen, eyeDepth));
+    float weight = (near.x * near.y + 1e-4) / (1.0 + other * other);
+    sum += weight * texture(litShares, (tap + 0.5) * texelSize).r;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+void main()
+{
+  vec2 pixel = gl_FragCoord.xy;
+  float eyeDepth = texture(eyeDepths, pixel * pixelSize).r;
+  Sight sight = sightThrough(pixel, eyeDepth);
+  float lit = block > 1.5 ? litShareAt(pixel, eyeDepth) : texture(litShares, pixel * texelSize).r;
+  float left = exp(-min(extinction * eyeDepth * sight.reach, 80.0));
+  gl_FragData[0] = vec4(color * (lit * scatteredIn(sight)), transmittance * left);
+}

@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPenumbraLightShaftPass.h"
+
+#include "RendererStages.h"
+#include "ShaftView.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPenumbraLightShaftPass);
+
+namespace
+{
+
+using Pass = vtkPenumbraLightShaftPass;
+
+/// Lost and scattered over the scene's diagonal, where nothing is given; as the ray caster has it.
+constexpr double DefaultOpticalDepth = 0.25;
+/// Steps times tolerance, and the tolerance from which four pixels share what they find.
+constexpr double StepsTimesTolerance = 0.25;
+constexpr double CoarseTolerance = 1.0 / 128.0;
+constexpr int FewestSteps = 8;
+constexpr int MostSteps = 1024;
+/// Per cent of the picture's larger side, while a light is outside of it.
+constexpr double DefaultMargin = 20.0;
+/// Bounds of what is thin, and thickness where everything is, as shares of the diagonal.
+constexpr double ThinnestShare = 0.002;
+constexpr double ThicknessOfThin = 0.02;
+
+/// The mean of the smallest extents of props that are not flat.
+double MeanThickness(const vtkRenderState* state, double diagonal)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    const double* bounds = state->GetPropArray()[i]->GetBounds();
+    if (bounds && vtkMath::AreBoundsInitialized(bounds))
+    {
+      const double least =
+        std::min({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+      if (least > ThinnestShare * diagonal)
+      {
+        sum += least;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? sum / count : ThicknessOfThin * diagonal;
+}
+
+/// The stages that an AddTo() made for a renderer without a pass, if `pass` is that.
+penumbra::RendererStages* OwnStages(vtkRenderPass* pass)
+{
+  auto* camera = vtkCameraPass::SafeDownCast(pass);
+  return camera ? dynamic_cast<penumbra::RendererStages*>(camera->GetDelegatePass()) : nullptr;
+}
+
+/// The pass that draws opaque props within a renderer's pass; null: it cannot be told apart.
+vtkRenderPass* OpaquePassOf(vtkRenderPass* whole)
+{
+  if (penumbra::RendererStages* stages = OwnStages(whole))
+  {
+    return stages->GetOpaquePass();
+  }
+  auto* steps = vtkRenderStepsPass::SafeDownCast(whole);
+  return steps ? steps->GetOpaquePass() : nullptr;
+}
+
+void SetOpaquePassOf(vtkRenderPass* whole, vtkRenderPass* opaque)
+{
+  if (penumbra::RendererStages* stages = OwnStages(whole))
+  {
+    stages->SetOpaquePass(opaque);
+  }
+  else if (auto* steps = vtkRenderStepsPass::SafeDownCast(whole))
+  {
+    steps->SetOpaquePass(opaque);
+  }
+}
+
+Pass* FindPass(vtkRenderer* renderer)
+{
+  vtkRenderPass* opaque = OpaquePassOf(renderer->GetPass());
+  return Pass::SafeDownCast(opaque ? opaque : renderer->GetPass());
+}
+
+void AddValue(vtkFieldData* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
+}
+
+struct vtkPenumbraLightShaftPass::Internals
+{
+  std::map<vtkRenderer*, penumbra::ShaftView> Views;
+  penumbra::ShaftView* Last = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+  vtkNew<vtkFieldData> Statistics;
+  int Steps = 0;
+  std::string Warned;
+
+  void WarnOnce(Pass* self, const std::string& warning)
+  {
+    if (this->Warned != warning)
+    {
+      this->Warned = warning;
+      vtkWarningWithObjectMacro(self, << warning);
+    }
+  }
+};
+
+vtkPenumbraLightShaftPass::vtkPenumbraLightShaftPass()
+  : Implementation(std::make_unique<Internals>())
+{
+}
+
+vtkPenumbraLightShaftPass::~vtkPenumbraLightShaftPass() = default;
+
+Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
+{
+  if (Pass* present = FindPass(renderer))
+  {
+    return present;
+  }
+  vtkNew<Pass> pass;
+  vtkRenderPass* whole = renderer->GetPass();
+  if (!whole)
+  {
+    vtkNew<vtkOpaquePass> opaque;
+    vtkNew<penumbra::RendererStages> stages;
+    stages->SetOpaquePass(opaque);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(stages);
+    renderer->SetPass(camera);
+    whole = camera;
+  }
+  if (vtkRenderPass* opaque = OpaquePassOf(whole))
+  {
+    pass->SetDelegatePass(opaque);
+    pass->OpaqueOnlyOn();
+    SetOpaquePassOf(whole, pass);
+  }
+  else
+  {
+    pass->SetDelegatePass(whole);
+    renderer->SetPass(pass);
+  }
+  return FindPass(renderer);
+}
+
+void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)
+{
+  const vtkSmartPointer<Pass> pass = FindPass(renderer);
+  if (!pass)
+  {
+    return;
+  }
+  if (renderer->GetRenderWindow())
+  {
+    renderer->GetPass()->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
+  vtkRenderPass* whole = renderer->GetPass();
+  if (whole == pass)
+  {
+    renderer->SetPass(pass->GetDelegatePass());
+  }
+  else if (OwnStages(whole) && vtkOpaquePass::SafeDownCast(pass->GetDelegatePass()))
+  {
+    renderer->SetPass(nullptr);
+  }
+  else
+  {
+    SetOpaquePassOf(whole, pass->GetDelegatePass());
+  }
+}
+
+void vtkPenumbraLightShaftPass::AddLight(vtkLight* light)
+{
+  this->Implementation->Lights.emplace_back(light);
+  this->Modified();
+}
+
+void vtkPenumbraLightShaftPass::RemoveAllLights()
+{
+  this->Implementation->Lights.clear();
+  this->Modified();
+}
+
+void vtkPenumbraLightShaftPass::Render(const vtkRenderState* state)
+{
+  this->NumberOfRenderedProps = 0;
+  if (!this->DelegatePass)
+  {
+    vtkWarningMacro("There is no delegate to draw the scene.");
+    return;
+  }
+  if (state->GetRenderer()->GetSelector() || !this->RenderShafts(state))
+  {
+    this->DelegatePass->Render(state);
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+  }
+}
+
+bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
+{
+  Internals& own = *this->Implementation;
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  const int* size = renderer->GetSize();
+  if (!window || !vtkMath::AreBoundsInitialized(bounds) || size[0] < 1 || size[1] < 1)
+  {
+    return false;
+  }
+  if (!std::isfinite(this->Scattering) || !std::isfinite(this->Extinction) ||
+    !std::isfinite(this->Asymmetry) || !std::isfinite(this->Exposure) ||
+    !std::isfinite(this->Thickness) || !std::isfinite(this->Tolerance))
+  {
+    own.WarnOnce(this, "The medium's numbers are no medium; the scene is drawn without.");
+    return false;
+  }
+  const vtkBoundingBox box(bounds);
+  const double diagonal = box.GetDiagonalLength() > 0.0 ? box.GetDiagonalLength() : 1.0;
+  double center[3];
+  box.GetCenter(center);
+  double eye[3];
+  renderer->GetActiveCamera()->GetPosition(eye);
+
+  penumbra::ShaftSettings settings;
+  settings.Unit = diagonal;
+  settings.Range = std::sqrt(vtkMath::Distance2BetweenPoints(eye, center)) + diagonal;
+  settings.Scattering = this->Scattering >= 0.0 ? this->Scattering : DefaultOpticalDepth / diagonal;
+  settings.Extinction = std::max(this->Extinction, settings.Scattering);
+  settings.Phase = this->Phase;
+  settings.Asymmetry = this->Asymmetry;
+  settings.Exposure = this->Exposure;
+  settings.Radial = this->Estimator == RADIAL;
+  settings.Weight = this->Weight;
+  settings.Decay = this->Decay;
+  settings.Density = this->Density;
+  settings.SurfaceGlow = this->SurfaceGlow;
+  settings.Thickness = this->Thickness > 0.0 ? this->Thickness : MeanThickness(state, diagonal);
+  const double steps = std::ceil(StepsTimesTolerance / this->Tolerance);
+  settings.Steps =
+    this->Steps > 0 ? this->Steps : std::clamp(static_cast<int>(steps), FewestSteps, MostSteps);
+  settings.Block = this->Tolerance >= CoarseTolerance ? 2 : 1;
+  settings.DelegateDrawsBackground = !this->OpaqueOnly;
+
+  const int none[2] = { 0, 0 };
+  penumbra::ScreenView view = penumbra::ScreenView::Of(renderer, size, none);
+  view.Unit = settings.Unit;
+  const std::vector<vtkLight*> chosen(own.Lights.begin(), own.Lights.end());
+  const std::vector<penumbra::ShaftLight> lights =
+    penumbra::FindShaftLights(renderer, chosen, view);
+  if (lights.empty())
+  {
+    own.WarnOnce(this, "No light makes shafts (headlights and black lights make none).");
+    return false;
+  }
+  if (!(settings.Scattering > 0.0))
+  {
+    settings.Extinction = std::max(settings.Extinction, 1e-12 / diagonal);
+  }
+  if (this->OpaqueOnly)
+  {
+    const bool outside = std::any_of(lights.begin(), lights.end(),
+      [](const penumbra::ShaftLight& light) { return !light.InPicture; });
+    const double share = this->Margin >= 0.0 ? this->Margin : outside ? DefaultMargin : 0.0;
+    settings.Margin[0] = settings.Margin[1] =
+      static_cast<int>(std::ceil(share / 100.0 * std::max(size[0], size[1])));
+  }
+  if (own.Window != window)
+  {
+    if (own.Window)
+    {
+      this->ReleaseGraphicsResources(own.Window);
+    }
+    own.Window = window;
+  }
+  own.Last = &own.Views[renderer];
+  own.Steps = settings.Steps;
+  if (!own.Last->Render(state, this->DelegatePass, lights, settings))
+  {
+    own.WarnOnce(this, "OpenGL cannot do light shafts here; the scene is drawn without.");
+    return false;
+  }
+  this->NumberOfRenderedProps = own.Last->GetNumberOfRenderedProps();
+  return true;
+}
+
+void vtkPenumbraLightShaftPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  Internals& own = *this->Implementation;
+  for (auto& [renderer, view] : own.Views)
+  {
+    view.ReleaseGraphicsResources(window);
+  }
+  own.Views.clear();
+  own.Last = nullptr;
+  own.Window = nullptr;
+}
+
+vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
+{
+  Internals& own = *this->Implementation;
+  own.Statistics->Initialize();
+  if (own.Last)
+  {
+    AddValue(own.Statistics, "Lights/Shaft", own.Last->GetNumberOfLights());
+    AddValue(own.Statistics, "Shares/Found", static_cast<double>(own.Last->GetNewShares()));
+    AddValue(own.Statistics, "Samples/PerShare", own.Steps);
+  }
+  return own.Statistics;
+}
+
+void vtkPenumbraLightShaftPass::CopyShafts(vtkImageData* image)
+{
+  image->Initialize();
+  if (this->Implementation->Last)
+  {
+    this->Implementation->Window->MakeCurrent();
+    this->Implementation->Last->CopyTo(image);
+  }
+}
+
+void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Steps: " << this->Steps << "\n";
+  os << indent << "Scattering: " << this->Scattering << "\n";
+  os << indent << "Extinction: " << this->Extinction << "\n";
+  os << indent << "Phase: " << this->Phase << "\n";
+  os << indent << "Asymmetry: " << this->Asymmetry << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "Estimator: " << this->Estimator << "\n";
+  os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "Weight: " << this->Weight << "\n";
+  os << indent << "Decay: " << this->Decay << "\n";
+  os << indent << "Density: " << this->Density << "\n";
+  os << indent << "SurfaceGlow: " << this->SurfaceGlow << "\n";
+  os << indent << "Lights: " << this->Implementation->Lights.size() << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
+  os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
+}

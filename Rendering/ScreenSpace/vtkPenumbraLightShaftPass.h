@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraLightShaftPass
+ * @brief   Light shafts in haze, from colour and depth alone [Shafts].
+ *
+ * A homogeneous medium takes light away along every view ray and adds what it scatters of each light:
+ * what a lit ray scatters is a closed form [Shafts eq. 1], times the share of the ray that is lit
+ * (eq. 2). That share comes from depth: one march over the screen towards the light tells which
+ * distances of the view ray are shadowed. The paper's mean of a mask stays selectable. Parameters of
+ * the medium are those of vtkPenumbraMedium, the ray caster's, so that both make the same picture.
+ *
+ * AddTo() sets up everything on a renderer in one call, RemoveFrom() restores it. Lights are those of
+ * the renderer but for headlights, or those that AddLight() marks. A still scene is computed once.
+ */
+#ifndef vtkPenumbraLightShaftPass_h
+#define vtkPenumbraLightShaftPass_h
+
+#include "vtkImageProcessingPass.h"
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkFieldData;
+class vtkImageData;
+class vtkLight;
+class vtkRenderer;
+
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraLightShaftPass
+  : public vtkImageProcessingPass
+{
+public:
+  static vtkPenumbraLightShaftPass* New();
+  vtkTypeMacro(vtkPenumbraLightShaftPass, vtkImageProcessingPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Show light shafts in a renderer: under its translucent geometry, volumes and overlays, over
+   * ambient occlusion that it already has. Returns the pass at work, also when there is one already.
+   */
+  static vtkPenumbraLightShaftPass* AddTo(vtkRenderer* renderer);
+  static void RemoveFrom(vtkRenderer* renderer);
+  ///@}
+
+  ///@{
+  /**
+   * The error accepted in a colour, RMSE, 0.0001 to 1: it chooses Steps, and from 1/128 on lit shares
+   * are found once for 2x2 pixels. Default: 1/256.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /** Depths fetched for each light and lit share, 0 to 1024; 0: a quarter over Tolerance. Default: 0. */
+  vtkSetClampMacro(Steps, int, 0, 1024);
+  vtkGetMacro(Steps, int);
+  ///@}
+
+  ///@{
+  /** Share of light scattered per world unit; negative: a quarter over the bounds' diagonal. Default: -1. */
+  vtkSetMacro(Scattering, double);
+  vtkGetMacro(Scattering, double);
+  ///@}
+
+  ///@{
+  /** Share of light lost per world unit; less than Scattering means Scattering. Default: -1. */
+  vtkSetMacro(Extinction, double);
+  vtkGetMacro(Extinction, double);
+  ///@}
+
+  /** Where scattered light goes; as vtkPenumbraMedium::Phases. */
+  enum Phases
+  {
+    ISOTROPIC,
+    RAYLEIGH,
+    HENYEY_GREENSTEIN
+  };
+  ///@{
+  /** The phase function. Default: ISOTROPIC. */
+  vtkSetClampMacro(Phase, int, ISOTROPIC, HENYEY_GREENSTEIN);
+  vtkGetMacro(Phase, int);
+  ///@}
+
+  ///@{
+  /** HENYEY_GREENSTEIN: the mean cosine, -0.999 to 0.999; positive: forward. Default: 0.6. */
+  vtkSetClampMacro(Asymmetry, double, -0.999, 0.999);
+  vtkGetMacro(Asymmetry, double);
+  ///@}
+
+  ///@{
+  /** Scattered light is multiplied by this [Shafts eq. 4], 0 or more. Default: 1, physical. */
+  vtkSetClampMacro(Exposure, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  /** How the lit share of a view ray is found. */
+  enum Estimators
+  {
+    DEPTH, ///< which distances are shadowed, from depth along the way to the light
+    RADIAL ///< mean of a mask on the way to the light [Shafts eq. 3 and 4]
+  };
+  ///@{
+  /** Default: DEPTH. */
+  vtkSetClampMacro(Estimator, int, DEPTH, RADIAL);
+  vtkGetMacro(Estimator, int);
+  ///@}
+
+  ///@{
+  /**
+   * DEPTH: how far what is seen reaches back, in world units; 0: the mean of the props' smallest
+   * extents. Default: 0.
+   */
+  vtkSetClampMacro(Thickness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Thickness, double);
+  ///@}
+
+  ///@{
+  /** RADIAL: factor of each sample [Shafts eq. 4], 0 or more. Default: 1. */
+  vtkSetClampMacro(Weight, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Weight, double);
+  ///@}
+
+  ///@{
+  /** RADIAL: factor for each 1/64 of the way, 0 to 1. Default: 1. */
+  vtkSetClampMacro(Decay, double, 0.0, 1.0);
+  vtkGetMacro(Decay, double);
+  ///@}
+
+  ///@{
+  /** RADIAL: the way is this much shorter than that to the light, 1 to 1000. Default: 1. */
+  vtkSetClampMacro(Density, double, 1.0, 1000.0);
+  vtkGetMacro(Density, double);
+  ///@}
+
+  ///@{
+  /** RADIAL: what an occluder lets through, 0 (black) to 1: lowers its contrast. Default: 0. */
+  vtkSetClampMacro(SurfaceGlow, double, 0.0, 1.0);
+  vtkGetMacro(SurfaceGlow, double);
+  ///@}
+
+  ///@{
+  /**
+   * Only these lights of the renderer make shafts. Default: none marked, then all but headlights do.
+   */
+  void AddLight(vtkLight* light);
+  void RemoveAllLights();
+  ///@}
+
+  ///@{
+  /**
+   * Drawn around the picture so that occluders just outside count: per cent of its larger side, 0 to
+   * 100; negative: 20 while a light is outside of the picture, else none. Needs OpaqueOnly.
+   * Default: -1.
+   */
+  vtkSetClampMacro(Margin, double, -1.0, 100.0);
+  vtkGetMacro(Margin, double);
+  ///@}
+
+  ///@{
+  /** The delegate draws opaque props and nothing else; off: the whole picture. Default: off. */
+  vtkSetMacro(OpaqueOnly, bool);
+  vtkGetMacro(OpaqueOnly, bool);
+  vtkBooleanMacro(OpaqueOnly, bool);
+  ///@}
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Of the last frame, one value an array: `Lights/Shaft`, `Shares/Found` (lit shares found anew; 0 in
+   * a still scene), `Samples/PerShare` (depths fetched for each).
+   */
+  vtkFieldData* GetStatistics();
+
+  /** Fill `image` with the last frame's float arrays `LightShafts` (3, what is added) and `Transmittance`. */
+  void CopyShafts(vtkImageData* image);
+
+protected:
+  vtkPenumbraLightShaftPass();
+  ~vtkPenumbraLightShaftPass() override;
+
+private:
+  vtkPenumbraLightShaftPass(const vtkPenumbraLightShaftPass&) = delete;
+  void operator=(const vtkPenumbraLightShaftPass&) = delete;
+
+  bool RenderShafts(const vtkRenderState* state);
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+
+  double Tolerance = 1.0 / 256.0;
+  int Steps = 0;
+  double Scattering = -1.0;
+  double Extinction = -1.0;
+  int Phase = ISOTROPIC;
+  double Asymmetry = 0.6;
+  double Exposure = 1.0;
+  int Estimator = DEPTH;
+  double Thickness = 0.0;
+  double Weight = 1.0;
+  double Decay = 1.0;
+  double Density = 1.0;
+  double SurfaceGlow = 0.0;
+  double Margin = -1.0;
+  bool OpaqueOnly = false;
+};
+
+#endif

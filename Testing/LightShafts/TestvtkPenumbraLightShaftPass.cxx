@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The light shaft pass against closed forms and against the ray caster's marched reference.
+#include "ShaftScene.h"
+
+#include "vtkPenumbraTemporalSSAOPass.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+constexpr double WholeSphere = 12.566370614359172;
+
+double RelativeRmse(const std::vector<double>& values, const std::vector<double>& truth)
+{
+  double squares = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    squares += (values[i] - truth[i]) * (values[i] - truth[i]);
+    size += truth[i] * truth[i];
+  }
+  return std::sqrt(squares / size);
+}
+
+/// 96 x 72 pixels of solids over a floor.
+class LightShaftPass : public ::testing::Test
+{
+protected:
+  LightShaftPass()
+    : Scene(96, 72)
+  {
+    this->Scene.AddFloor(12.0);
+    this->Scene.AddSolids(10, 2);
+    this->Scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+    this->Scene.Fill(0.12, 0.12);
+  }
+
+  std::vector<unsigned char> Picture()
+  {
+    vtkNew<vtkUnsignedCharArray> bytes;
+    this->Scene.Window->Render();
+    this->Scene.Window->GetRGBACharPixelData(
+      0, 0, this->Scene.Width - 1, this->Scene.Height - 1, 0, bytes);
+    return { bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues() };
+  }
+
+  double Statistic(const char* name)
+  {
+    return this->Scene.Pass->GetStatistics()->GetArray(name)->GetTuple1(0);
+  }
+
+  ShaftScene Scene;
+};
+
+}
+
+TEST(LightShaftPassOverAFloor, IsEquationOne)
+{
+  ShaftScene scene(48, 36);
+  scene.AddFloor(20.0);
+  scene.Look({ 0.0, -6.0, 3.0 }, { 0.0, 0.0, 1.0 });
+  scene.AddSun({ 0.3, 0.2, 1.0 });
+  scene.Fill(0.1, 0.25);
+  const std::vector<double> light = scene.ByPass();
+  const std::vector<double> left = scene.Transmittance();
+  const std::vector<double> truth = scene.ByRays();
+  for (std::size_t i = 0; i < light.size(); ++i)
+  {
+    const double exact = 0.1 / 0.25 / WholeSphere * (1.0 - left[i]);
+    EXPECT_NEAR(truth[i], exact, 1e-5);
+    // A bin of 64 may be taken for shadow where the ray meets the floor.
+    EXPECT_NEAR(light[i], exact, exact / 64.0 + 1e-5);
+  }
+}
+
+TEST_F(LightShaftPass, AgreesWithTheMarchedReference)
+{
+  this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const std::vector<double> light = this->Scene.ByPass();
+  const std::vector<double> truth = this->Scene.ByRays(64);
+  std::vector<double> unshadowed = this->Scene.Transmittance();
+  for (double& value : unshadowed)
+  {
+    value = (1.0 - value) / WholeSphere;
+  }
+  const double error = RelativeRmse(light, truth);
+  EXPECT_LT(error, 0.025);
+  EXPECT_LT(error, 0.25 * RelativeRmse(unshadowed, truth));
+}
+
+TEST_F(LightShaftPass, AgreesWithItUnderALampAndInParallel)
+{
+  this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
+  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.08);
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.AddSun({ 1.0, 0.6, 0.9 });
+  this->Scene.Look({ 0.5, -9.0, 8.0 }, { 0.0, 0.0, 1.0 });
+  this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Scene.Renderer->GetActiveCamera()->SetParallelScale(3.5);
+  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.05);
+}
+
+TEST_F(LightShaftPass, FollowsThePhaseFunctionsOfTheReference)
+{
+  this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  for (const int phase :
+    { vtkPenumbraLightShaftPass::RAYLEIGH, vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN })
+  {
+    this->Scene.Pass->SetPhase(phase);
+    EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.03) << phase;
+  }
+}
+
+TEST_F(LightShaftPass, AddsItsLightsUp)
+{
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const vtkSmartPointer<vtkLight> lamp = this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
+  const std::vector<double> both = this->Scene.ByPass();
+  this->Scene.Pass->AddLight(lamp);
+  const std::vector<double> one = this->Scene.ByPass();
+  this->Scene.Pass->RemoveAllLights();
+  this->Scene.Pass->AddLight(sun);
+  const std::vector<double> other = this->Scene.ByPass();
+  for (std::size_t i = 0; i < both.size(); ++i)
+  {
+    EXPECT_NEAR(both[i], one[i] + other[i], 1e-6 + 2e-4 * both[i]);
+  }
+}
+
+TEST_F(LightShaftPass, ComputesAStillSceneOnce)
+{
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const std::vector<unsigned char> first = this->Picture();
+  EXPECT_GT(this->Statistic("Shares/Found"), 0.0);
+  EXPECT_EQ(this->Picture(), first);
+  EXPECT_EQ(this->Statistic("Shares/Found"), 0.0);
+  sun->SetPosition(0.3, 1.0, 0.32);
+  EXPECT_NE(this->Picture(), first);
+  EXPECT_GT(this->Statistic("Shares/Found"), 0.0);
+}
+
+TEST_F(LightShaftPass, TakesLightFromThePictureBehind)
+{
+  // A white wall across the view: what reaches the eye is exp(-0.12 * 6) of it and what is scattered.
+  ShaftScene scene(40, 30);
+  const vtkSmartPointer<vtkActor> wall = scene.AddBox({ 0.0, 0.5, 0.0 }, { 30.0, 1.0, 30.0 });
+  wall->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  scene.Look({ 0.0, -6.0, 0.0 }, { 0.0, 0.0, 0.0 });
+  scene.AddSun({ 0.0, -1.0, 0.5 });
+  scene.Fill(0.12, 0.12);
+  scene.Window->Render();
+  vtkNew<vtkUnsignedCharArray> bytes;
+  scene.Window->GetRGBACharPixelData(0, 0, 39, 29, 0, bytes);
+  const double left = std::exp(-0.12 * 6.0);
+  const double expected = left + (1.0 - left) / WholeSphere;
+  EXPECT_NEAR(bytes->GetTypedComponent(15 * 40 + 20, 0) / 255.0, expected, 0.006);
+}
+
+TEST_F(LightShaftPass, IsFiniteWhereverTheLightStands)
+{
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.0, 1.0, 0.0 });
+  for (const int estimator :
+    { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL })
+  {
+    this->Scene.Pass->SetEstimator(estimator);
+    for (int angle = 0; angle < 360; angle += 30)
+    {
+      const double a = angle * 0.017453292519943295;
+      sun->SetPosition(std::sin(a), std::cos(a), 0.0);
+      for (const double value : this->Scene.ByPass())
+      {
+        ASSERT_TRUE(value >= 0.0 && value < 1.0) << angle;
+      }
+    }
+  }
+}
+
+TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
+{
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  this->Scene.Renderer->SetBackground(0.2, 0.4, 0.6);
+  const std::vector<unsigned char> foggy = this->Picture();
+  vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
+  EXPECT_EQ(this->Scene.Renderer->GetPass(), nullptr);
+  const std::vector<unsigned char> plain = this->Picture();
+  EXPECT_NE(foggy, plain);
+
+  vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
+  pass->SetScattering(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(this->Picture(), plain);
+  pass->SetScattering(0.12);
+  sun->SetIntensity(0.0);
+  EXPECT_EQ(this->Picture(), plain);
+  sun->SetIntensity(std::numeric_limits<double>::infinity());
+  EXPECT_EQ(this->Picture(), plain);
+}
+
+TEST_F(LightShaftPass, LiesOverAmbientOcclusion)
+{
+  this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const std::vector<double> before = this->Scene.ByPass();
+  vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
+  vtkPenumbraTemporalSSAOPass::AddTo(this->Scene.Renderer);
+  this->Scene.Pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
+  this->Scene.Fill(0.12, 0.12);
+  const std::vector<double> after = this->Scene.ByPass();
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    EXPECT_NEAR(after[i], before[i], 1e-3);
+  }
+  vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
+  EXPECT_NE(this->Scene.Renderer->GetPass(), nullptr);
+  vtkPenumbraTemporalSSAOPass::RemoveFrom(this->Scene.Renderer);
+  EXPECT_EQ(this->Scene.Renderer->GetPass(), nullptr);
+}
