@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The parts of the light shaft benchmark. Each adds its figures to the table.
-#ifndef penumbra_Benchmark_h
-#define penumbra_Benchmark_h
+#ifndef penumbra_LightShaftBenchmark_h
+#define penumbra_LightShaftBenchmark_h
 
 #include "Table.h"
 
