@@ -51,6 +51,14 @@ struct Query
     rtcIntersect16(valid, tree, &rays, &this->Intersection);
   }
   void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &ray, &this->Occlusion); }
+  void Occluded(RTCScene tree, const int* valid, RTCRay8& rays)
+  {
+    rtcOccluded8(valid, tree, &rays, &this->Occlusion);
+  }
+  void Occluded(RTCScene tree, const int* valid, RTCRay16& rays)
+  {
+    rtcOccluded16(valid, tree, &rays, &this->Occlusion);
+  }
 };
 #else
 struct Query
@@ -72,6 +80,14 @@ struct Query
     rtcIntersect16(valid, tree, &this->Context, &rays);
   }
   void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &this->Context, &ray); }
+  void Occluded(RTCScene tree, const int* valid, RTCRay8& rays)
+  {
+    rtcOccluded8(valid, tree, &this->Context, &rays);
+  }
+  void Occluded(RTCScene tree, const int* valid, RTCRay16& rays)
+  {
+    rtcOccluded16(valid, tree, &this->Context, &rays);
+  }
 };
 #endif
 
@@ -174,28 +190,38 @@ void Fill(RTCRay& to, const Ray& from)
   to.flags = 0;
 }
 
-/// Nearest hits of as many rays as Packet, one of Embree's structures, holds.
+/// Fills as many rays as Packet, one of Embree's structures, holds, and which of them to trace.
+template <int Size, typename Packet>
+void Fill(Packet& to, int* valid, const Ray* rays)
+{
+  for (int i = 0; i < Size; ++i)
+  {
+    const Ray& ray = rays[i];
+    valid[i] = ray.Near <= ray.Far ? -1 : 0;
+    to.org_x[i] = ray.Origin.x;
+    to.org_y[i] = ray.Origin.y;
+    to.org_z[i] = ray.Origin.z;
+    to.tnear[i] = ray.Near;
+    to.dir_x[i] = ray.Direction.x;
+    to.dir_y[i] = ray.Direction.y;
+    to.dir_z[i] = ray.Direction.z;
+    to.time[i] = 0.f;
+    to.tfar[i] = ray.Far;
+    to.mask[i] = 0xffffffffu;
+    to.id[i] = 0;
+    to.flags[i] = 0;
+  }
+}
+
+/// Nearest hits of a packet of rays.
 template <typename Packet, int Size>
 void IntersectPacket(RTCScene tree, const Ray* rays, Hit* hits)
 {
   alignas(64) int valid[Size];
   alignas(64) Packet query;
+  Fill<Size>(query.ray, valid, rays);
   for (int i = 0; i < Size; ++i)
   {
-    const Ray& ray = rays[i];
-    valid[i] = ray.Near <= ray.Far ? -1 : 0;
-    query.ray.org_x[i] = ray.Origin.x;
-    query.ray.org_y[i] = ray.Origin.y;
-    query.ray.org_z[i] = ray.Origin.z;
-    query.ray.tnear[i] = ray.Near;
-    query.ray.dir_x[i] = ray.Direction.x;
-    query.ray.dir_y[i] = ray.Direction.y;
-    query.ray.dir_z[i] = ray.Direction.z;
-    query.ray.time[i] = 0.f;
-    query.ray.tfar[i] = ray.Far;
-    query.ray.mask[i] = 0xffffffffu;
-    query.ray.id[i] = 0;
-    query.ray.flags[i] = 0;
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
@@ -211,6 +237,20 @@ void IntersectPacket(RTCScene tree, const Ray* rays, Hit* hits)
       hits[i].V = query.hit.v[i];
       hits[i].Distance = query.ray.tfar[i];
     }
+  }
+}
+
+/// Which rays of a packet meet anything: Embree answers with a negative end.
+template <typename Packet, int Size>
+void OccludedPacket(RTCScene tree, const Ray* rays, bool* blocked)
+{
+  alignas(64) int valid[Size];
+  alignas(64) Packet query;
+  Fill<Size>(query, valid, rays);
+  Query(false).Occluded(tree, valid, query);
+  for (int i = 0; i < Size; ++i)
+  {
+    blocked[i] = valid[i] != 0 && query.tfar[i] < 0.f;
   }
 }
 
@@ -295,6 +335,17 @@ void RayScene::Intersect16(const Ray* rays, Hit* hits) const
   // Without instructions for 16 Embree would trace one ray after the other.
   IntersectPacket<RTCRayHit8, 8>(this->Tree, rays, hits);
   IntersectPacket<RTCRayHit8, 8>(this->Tree, rays + 8, hits + 8);
+}
+
+void RayScene::Occluded16(const Ray* rays, bool* blocked) const
+{
+  if (this->Wide)
+  {
+    OccludedPacket<RTCRay16, 16>(this->Tree, rays, blocked);
+    return;
+  }
+  OccludedPacket<RTCRay8, 8>(this->Tree, rays, blocked);
+  OccludedPacket<RTCRay8, 8>(this->Tree, rays + 8, blocked + 8);
 }
 
 bool RayScene::Occluded(const Ray& ray) const

@@ -59,6 +59,9 @@ public:
   /// Is anything met? Surfaces with ScreenSpace do not count.
   bool Occluded(const Ray& ray) const;
 
+  /// The same for 16 rays; those with Near > Far are not traced and not blocked.
+  void Occluded16(const Ray* rays, bool* blocked) const;
+
   const Scene& GetScene() const { return this->TracedScene; }
 
 private:

@@ -22,6 +22,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -224,6 +225,23 @@ vtkMTimeType GetSceneMTime(vtkRenderer* renderer)
   while (vtkProp* prop = props->GetNextProp(position))
   {
     latest.AddProp(prop);
+  }
+  return latest.Time;
+}
+
+vtkMTimeType GetGeometryMTime(vtkRenderer* renderer)
+{
+  Latest latest;
+  vtkPropCollection* props = renderer->GetViewProps();
+  latest.Add(props);
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (vtkProp3D::SafeDownCast(prop))
+    {
+      latest.AddProp(prop);
+    }
   }
   return latest.Time;
 }

@@ -33,6 +33,17 @@ class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraOcclusionEstimator : pub
 public:
   vtkAbstractTypeMacro(vtkPenumbraOcclusionEstimator, vtkObject);
 
+  ///@{
+  /**
+   * Estimators of other modules by name, as vtkPenumbraTemporalSSAOPass::SetKernelName() takes them:
+   * a module registers what makes them. New() gives null for a name that nobody registered.
+   */
+  using Maker = vtkPenumbraOcclusionEstimator* (*)();
+  static void Register(const char* name, Maker maker);
+  static bool IsRegistered(const char* name);
+  static vtkPenumbraOcclusionEstimator* New(const char* name);
+  ///@}
+
   /** What is asked for. */
   struct Request
   {
@@ -53,6 +64,9 @@ public:
    * many samples a pixel that were, 0 when it cannot.
    */
   virtual int Estimate(const Request& request, vtkTextureObject* target) = 0;
+
+  /** Is all that it needs of the renderer's scene at hand? Asked before every frame. */
+  virtual bool CanEstimate(vtkRenderer*) { return true; }
 
   /** Free what lives in the window's OpenGL context. */
   virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;

@@ -6,6 +6,7 @@
 #include "RendererStages.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
+#include "vtkPenumbraOcclusionEstimator.h"
 
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
@@ -20,6 +21,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +36,11 @@ using Pass = vtkPenumbraTemporalSSAOPass;
 
 /// The best of the kernels wherever depth is all there is.
 constexpr const char* AutomaticKernel = "march";
+
+/// What sees all of the scene, and the error of kernels that see one layer of it: from this
+/// tolerance on they will do. Measured: `./penumbra benchmark ambient-occlusion`.
+constexpr const char* TrueRays = "traced";
+constexpr double ErrorOfOneLayer = 0.05;
 
 /// The margin that follows the radius goes no farther than this share of the picture's larger side.
 constexpr double LargestMargin = 0.1;
@@ -138,9 +145,12 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   penumbra::OcclusionView* Last = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
+  vtkSmartPointer<vtkPenumbraOcclusionEstimator> Named; ///< registered by another module
+  std::string NameOfNamed;
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
+  std::map<vtkRenderer*, std::string> KernelsBefore;
   bool Warned = false;
 };
 
@@ -222,7 +232,8 @@ void vtkPenumbraTemporalSSAOPass::SetRadius(double radius)
 void vtkPenumbraTemporalSSAOPass::SetKernelName(const char* name)
 {
   const std::string wanted = name ? name : "";
-  if (wanted != "automatic" && vtkPenumbraKernels::Find(name) < 0)
+  if (wanted != "automatic" && vtkPenumbraKernels::Find(name) < 0 &&
+    !vtkPenumbraOcclusionEstimator::IsRegistered(name))
   {
     vtkErrorMacro("There is no kernel '" << wanted << "'; " << this->KernelName << " stays.");
   }
@@ -323,18 +334,10 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
     settings.Margin[0] = settings.Margin[1] = static_cast<int>(std::ceil(margin));
   }
 
-  vtkPenumbraOcclusionEstimator* estimator = own.Estimator;
-  if (!estimator)
-  {
-    const bool automatic = this->KernelName == "automatic";
-    own.ActiveKernel = automatic ? AutomaticKernel : this->KernelName;
-    own.Kernels->SetKernel(vtkPenumbraKernels::Find(own.ActiveKernel.c_str()));
-    estimator = own.Kernels;
-  }
-  else
-  {
-    own.ActiveKernel = estimator->GetClassName();
-  }
+  vtkPenumbraOcclusionEstimator* estimator =
+    this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
+  settings.Restart = settings.Restart || own.ActiveKernel != own.KernelsBefore[renderer];
+  own.KernelsBefore[renderer] = own.ActiveKernel;
   own.Last = &own.Views[renderer];
   if (!own.Last->Render(state, this->DelegatePass, estimator, settings))
   {
@@ -349,6 +352,34 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   return true;
 }
 
+vtkPenumbraOcclusionEstimator* vtkPenumbraTemporalSSAOPass::ChooseEstimator(
+  vtkRenderer* renderer, bool still)
+{
+  Internals& own = *this->Implementation;
+  if (own.Estimator)
+  {
+    own.ActiveKernel = own.Estimator->GetClassName();
+    return own.Estimator;
+  }
+  const bool automatic = this->KernelName == "automatic";
+  const std::string name = automatic ? TrueRays : this->KernelName;
+  if (own.NameOfNamed != name)
+  {
+    own.Named.TakeReference(vtkPenumbraOcclusionEstimator::New(name.c_str()));
+    own.NameOfNamed = name;
+  }
+  // What another pass or another rank has drawn may not be here: only depth is known of it.
+  const bool worthwhile = still && this->OpaqueOnly && this->Tolerance < ErrorOfOneLayer;
+  if (own.Named && (!automatic || (worthwhile && own.Named->CanEstimate(renderer))))
+  {
+    own.ActiveKernel = name;
+    return own.Named;
+  }
+  own.ActiveKernel = automatic ? AutomaticKernel : this->KernelName;
+  own.Kernels->SetKernel(vtkPenumbraKernels::Find(own.ActiveKernel.c_str()));
+  return own.Kernels;
+}
+
 void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
@@ -361,9 +392,12 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
   own.Last = nullptr;
   own.Window = nullptr;
   own.Kernels->ReleaseGraphicsResources(window);
-  if (own.Estimator)
+  for (vtkPenumbraOcclusionEstimator* estimator : { own.Estimator.Get(), own.Named.Get() })
   {
-    own.Estimator->ReleaseGraphicsResources(window);
+    if (estimator)
+    {
+      estimator->ReleaseGraphicsResources(window);
+    }
   }
 }
 
@@ -387,6 +421,10 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
     own.Window->MakeCurrent();
     const auto counts = own.Last->CountPixels();
     const double surface = static_cast<double>(std::max(counts.Surface, 1LL));
+    vtkNew<vtkStringArray> kernel;
+    kernel->SetName("Kernel");
+    kernel->InsertNextValue(own.ActiveKernel);
+    own.Statistics->AddArray(kernel);
     AddValue(own.Statistics, "Samples/PerPixel", own.Last->GetNewSamples());
     AddValue(own.Statistics, "Samples/Still", own.Last->GetConvergence().GetSamples());
     AddValue(own.Statistics, "Pixels/Kept", static_cast<double>(counts.Kept) / surface);

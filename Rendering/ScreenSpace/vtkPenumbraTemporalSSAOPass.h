@@ -85,12 +85,17 @@ public:
   ///@}
 
   ///@{
-  /** A kernel of vtkPenumbraKernels by name, or "automatic". Default: "automatic". */
+  /**
+   * A kernel of vtkPenumbraKernels by name, the name of a registered vtkPenumbraOcclusionEstimator
+   * ("traced": vtkPenumbraTracedEstimator), or "automatic": true rays, where they are registered, the
+   * scene is at hand and does not change from frame to frame and Tolerance asks for more than one
+   * layer of depth can tell; else a kernel. Default: "automatic".
+   */
   virtual void SetKernelName(const char* name);
   const char* GetKernelName() const { return this->KernelName.c_str(); }
   ///@}
 
-  /** The kernel, or the class of the estimator, that the last frame used. */
+  /** The name of the kernel or estimator that the last frame used; of SetEstimator()'s: its class. */
   const char* GetActiveKernelName();
 
   ///@{
@@ -196,7 +201,7 @@ public:
   double GetEstimatedError();
 
   /**
-   * Of the last frame, one value an array: `Samples/PerPixel` (new ones), `Samples/Still` (since the
+   * Of the last frame, one value an array: `Kernel` (the active one's name), `Samples/PerPixel` (new ones), `Samples/Still` (since the
    * last change), and shares of the surface's pixels `Pixels/Kept`, `Pixels/Disoccluded`,
    * `Pixels/Invalidated`, `Pixels/Converged`.
    */
@@ -217,6 +222,7 @@ private:
   void operator=(const vtkPenumbraTemporalSSAOPass&) = delete;
 
   bool RenderOcclusion(const vtkRenderState* state);
+  vtkPenumbraOcclusionEstimator* ChooseEstimator(vtkRenderer* renderer, bool still);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;

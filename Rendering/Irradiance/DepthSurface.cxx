@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DepthSurface.h"
+
+#include "CosineDirections.h"
+#include "ScreenView.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Eye depths beyond this are empty pixels: vtkPenumbraViewLib.glsl.
+constexpr float FarAway = 1e17f;
+
+/// Steps of a depth buffer of floats, near its far end; twice that, since the rasteriser rounds too.
+constexpr double DepthStep = 0x1p-23;
+
+/// The mesh is looked for so many steps of depth, and so many widths of a pixel, before and behind.
+constexpr double StepsAround = 16.0;
+constexpr double PixelsAround = 4.0;
+
+constexpr int PacketSize = 16;
+
+class SurfaceFinder
+{
+public:
+  SurfaceFinder(const std::vector<float>& eyeDepths, const ScreenView& view, const RayScene& rays)
+    : EyeDepths(eyeDepths),
+      View(view),
+      Rays(rays)
+  {
+    Matrix eyeToWorld;
+    vtkMatrix4x4::Invert(view.WorldToEye.data(), eyeToWorld.data());
+    const Scene& scene = rays.GetScene();
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        this->Turn[column][row] =
+          static_cast<float>(eyeToWorld[4 * row + column] * view.Unit * scene.Scale);
+      }
+      this->Eye[row] =
+        static_cast<float>((eyeToWorld[4 * row + 3] - scene.Origin[row]) * scene.Scale);
+    }
+    this->UnitLength = static_cast<float>(view.Unit * scene.Scale);
+    // See ScreenView::SetUniforms: how fast eye depth, or its inverse, changes with the buffer's.
+    this->Slope = std::abs(view.Parallel ? 2.0 / view.Projection[10] / view.Unit
+                                         : 2.0 / view.Projection[11] * view.Unit);
+  }
+
+  /// Packets of pixels of one row.
+  void FindRow(int row, SurfacePoint* points) const
+  {
+    for (int first = 0; first < this->View.Width; first += PacketSize)
+    {
+      const int count = std::min(PacketSize, this->View.Width - first);
+      Ray rays[PacketSize];
+      Hit hits[PacketSize];
+      for (int i = 0; i < PacketSize; ++i)
+      {
+        rays[i] = i < count ? this->RayNear(first + i, row) : Nothing();
+      }
+      this->Rays.Intersect16(rays, hits);
+      for (int i = 0; i < count; ++i)
+      {
+        if (rays[i].Near <= rays[i].Far)
+        {
+          points[first + i] = hits[i].IsHit() ? this->OnMesh(rays[i], hits[i])
+                                              : this->FromDepths(rays[i], first + i, row);
+        }
+      }
+    }
+  }
+
+private:
+  static Ray Nothing()
+  {
+    Ray ray;
+    ray.Far = -1.f;
+    return ray;
+  }
+
+  float DepthAt(int i, int j) const
+  {
+    i = std::clamp(i, 0, this->View.Width - 1);
+    j = std::clamp(j, 0, this->View.Height - 1);
+    return this->EyeDepths[static_cast<std::size_t>(j) * this->View.Width + i];
+  }
+
+  /// A pixel's centre on the plane at eye depth 1 (parallel: anywhere), in units of the view.
+  glm::vec2 OnPlane(int i, int j) const
+  {
+    const double unit = this->View.Parallel ? this->View.Unit : 1.0;
+    return glm::vec2((this->View.Scale[0] * (i + .5) + this->View.Offset[0]) / unit,
+      (this->View.Scale[1] * (j + .5) + this->View.Offset[1]) / unit);
+  }
+
+  glm::vec3 EyePosition(int i, int j, float depth) const
+  {
+    return glm::vec3(this->OnPlane(i, j) * (this->View.Parallel ? 1.f : depth), -depth);
+  }
+
+  /// How far off a depth may be.
+  float RoundingAt(float depth) const
+  {
+    const double scale = this->View.Parallel ? 1.0 : static_cast<double>(depth) * depth;
+    return static_cast<float>(scale * this->Slope * DepthStep);
+  }
+
+  /// Along the view through a pixel's centre, close to its depth.
+  Ray RayNear(int i, int j) const
+  {
+    const float depth = this->DepthAt(i, j);
+    if (!(depth < FarAway))
+    {
+      return Nothing();
+    }
+    const glm::vec2 plane = this->OnPlane(i, j);
+    const bool parallel = this->View.Parallel;
+    Ray ray;
+    ray.Origin = this->Eye + this->Turn * glm::vec3(parallel ? plane : glm::vec2(0.f), 0.f);
+    ray.Direction = this->Turn * glm::vec3(parallel ? glm::vec2(0.f) : plane, -1.f);
+    const double unit = parallel ? this->View.Unit : 1.0 / depth;
+    const auto around = static_cast<float>(
+      StepsAround * this->RoundingAt(depth) + PixelsAround * this->View.Scale[0] / unit);
+    ray.Near = std::max(depth - around, 0.f);
+    ray.Far = depth + around;
+    return ray;
+  }
+
+  SurfacePoint OnMesh(const Ray& ray, const Hit& hit) const
+  {
+    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+    const glm::vec3 a = surface.Positions[corners.x];
+    const glm::vec3 normal =
+      glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
+    return this->Facing(ray, ray.Origin + hit.Distance * ray.Direction, normal, 0.f);
+  }
+
+  /// `off`: how far the position may be from the surface.
+  SurfacePoint Facing(const Ray& ray, glm::vec3 position, glm::vec3 normal, float off) const
+  {
+    const float length = glm::length(normal);
+    SurfacePoint point;
+    point.Normal =
+      length > 0.f && std::isfinite(length) ? normal / length : -glm::normalize(ray.Direction);
+    point.Normal = glm::dot(point.Normal, ray.Direction) > 0.f ? -point.Normal : point.Normal;
+    point.Position = position + (GapAbove(position) + off) * point.Normal;
+    return point;
+  }
+
+  /// Of two neighbours, the way to the one that lies on the same surface, as far as depths tell.
+  glm::vec3 NearerNeighbour(glm::vec3 position, int i, int j, int right, int up) const
+  {
+    const glm::vec3 ahead =
+      this->EyePosition(i + right, j + up, this->DepthAt(i + right, j + up)) - position;
+    const glm::vec3 behind =
+      position - this->EyePosition(i - right, j - up, this->DepthAt(i - right, j - up));
+    const glm::vec3 nearer = std::abs(ahead.z) < std::abs(behind.z) ? ahead : behind;
+    return std::abs(nearer.z) < FarAway
+      ? nearer
+      : this->EyePosition(i + right, j + up, -position.z) - position;
+  }
+
+  SurfacePoint FromDepths(const Ray& ray, int i, int j) const
+  {
+    const float depth = this->DepthAt(i, j);
+    const glm::vec3 position = this->EyePosition(i, j, depth);
+    const glm::vec3 normal = glm::cross(
+      this->NearerNeighbour(position, i, j, 1, 0), this->NearerNeighbour(position, i, j, 0, 1));
+    return this->Facing(ray, this->Eye + this->Turn * position, this->Turn * normal,
+      2.f * this->RoundingAt(depth) * this->UnitLength);
+  }
+
+  const std::vector<float>& EyeDepths;
+  const ScreenView& View;
+  const RayScene& Rays;
+  glm::mat3 Turn{ 1.f };  ///< from eye to scene coordinates, lengths included
+  glm::vec3 Eye{ 0.f };   ///< in scene coordinates
+  float UnitLength = 1.f; ///< the view's unit in scene coordinates
+  double Slope = 0.0;
+};
+
+}
+
+std::vector<SurfacePoint> FindSurface(
+  const std::vector<float>& eyeDepths, const ScreenView& view, const RayScene& rays)
+{
+  std::vector<SurfacePoint> points(eyeDepths.size());
+  const SurfaceFinder finder(eyeDepths, view, rays);
+  vtkSMPTools::For(0, view.Height, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType row = begin; row < end; ++row)
+    {
+      finder.FindRow(static_cast<int>(row), points.data() + row * view.Width);
+    }
+  });
+  return points;
+}
+
+}

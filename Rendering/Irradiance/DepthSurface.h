@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The surface that a picture's depths show, pixel by pixel: where it is and which way it faces, in
+// the coordinates of the ray scene. Depths are rounded, so a ray through the pixel's centre looks for
+// the mesh close to its depth and takes place and normal from there; where it finds none (lines,
+// points, what only the depth buffer knows) the neighbours' depths have to do.
+#ifndef penumbra_DepthSurface_h
+#define penumbra_DepthSurface_h
+
+#include "RayScene.h"
+
+#include <vector>
+
+namespace penumbra
+{
+
+struct ScreenView;
+
+struct SurfacePoint
+{
+  glm::vec3 Position{ 0.f }; ///< lifted off the surface, so that it does not block itself
+  glm::vec3 Normal{ 0.f };   ///< unit, towards the eye; zero: an empty pixel
+};
+
+/// `eyeDepths`: of the view, in its unit, row after row.
+std::vector<SurfacePoint> FindSurface(
+  const std::vector<float>& eyeDepths, const ScreenView& view, const RayScene& rays);
+
+}
+#endif

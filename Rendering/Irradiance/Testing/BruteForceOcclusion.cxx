@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BruteForceOcclusion.h"
+
+#include "CosineDirections.h"
+#include "RayScene.h"
+#include "SceneExtraction.h"
+
+std::vector<float> BruteForceOcclusion(
+  vtkRenderer* renderer, int width, int height, double radius, int side)
+{
+  penumbra::ExtractionOptions options;
+  options.Resolution[0] = width;
+  options.Resolution[1] = height;
+  const penumbra::Scene scene = penumbra::ExtractScene(renderer, options);
+  const penumbra::RayScene tree(scene, 1);
+  std::vector<float> picture(static_cast<std::size_t>(width) * height, 0.f);
+  for (std::size_t pixel = 0; pixel < picture.size(); ++pixel)
+  {
+    const glm::dvec2 center(
+      static_cast<double>(pixel % width) + .5, static_cast<double>(pixel / width) + .5);
+    penumbra::Ray view;
+    view.Origin = scene.Eye.RayOrigin(center);
+    view.Direction = scene.Eye.RayDirection(center);
+    const penumbra::Hit hit = tree.Intersect(view);
+    if (!hit.IsHit())
+    {
+      continue;
+    }
+    const penumbra::Surface& surface = scene.Surfaces[hit.Surface];
+    const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+    const glm::vec3 a = surface.Positions[corners.x];
+    glm::vec3 normal = glm::normalize(
+      glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a));
+    normal = glm::dot(normal, view.Direction) > 0.f ? -normal : normal;
+    const glm::vec3 point = view.Origin + hit.Distance * view.Direction;
+    const glm::mat3 frame = penumbra::FrameOf(normal);
+    std::uint32_t state = penumbra::SeedOf(point, normal);
+    penumbra::Ray probe;
+    probe.Origin = point + penumbra::GapAbove(point) * normal;
+    probe.Far = static_cast<float>(radius * scene.Scale);
+    int blocked = 0;
+    for (int cell = 0; cell < side * side; ++cell)
+    {
+      const float u = static_cast<float>(cell % side) + penumbra::Uniform(state);
+      const float v = static_cast<float>(cell / side) + penumbra::Uniform(state);
+      const auto cells = static_cast<float>(side);
+      probe.Direction = frame * penumbra::ToHemisphere(penumbra::ToDisc(u / cells, v / cells));
+      blocked += tree.Occluded(probe);
+    }
+    picture[pixel] = static_cast<float>(blocked) / static_cast<float>(side * side);
+  }
+  return picture;
+}

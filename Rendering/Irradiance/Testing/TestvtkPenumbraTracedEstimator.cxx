@@ -1,0 +1,325 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Occlusion by true rays against closed forms and against brute force over the same meshes.
+#include "../../ScreenSpace/Testing/OcclusionScene.h"
+#include "vtkPenumbraTracedEstimator.h"
+
+#include "BruteForceOcclusion.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkProperty.h"
+#include "vtkSMPTools.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+void AddFloor(OcclusionScene& scene, double size = 20.0)
+{
+  scene.AddWall({ -size, -size, 0 }, { 2 * size, 0, 0 }, { 0, 2 * size, 0 });
+}
+
+/// Spheres at several heights over a floor.
+void AddSpheres(OcclusionScene& scene)
+{
+  AddFloor(scene);
+  for (int i = 0; i < 25; ++i)
+  {
+    const int x = i % 5;
+    const int y = i / 5;
+    scene.AddSphere({ x - 2.0, y - 2.0, .4 + .3 * ((7 * x + 3 * y) % 5) }, .6);
+  }
+  scene.Look({ 0, -7, 6 }, { 0, 0, 0 });
+}
+
+/// The scene with rays instead of a kernel.
+vtkPenumbraTemporalSSAOPass* Trace(OcclusionScene& scene, double radius)
+{
+  vtkNew<vtkPenumbraTracedEstimator> estimator;
+  estimator->SetSamplesPerRay(4);
+  vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(radius);
+  pass->SetEstimator(estimator);
+  return pass;
+}
+
+vtkPenumbraTracedEstimator* Estimator(OcclusionScene& scene)
+{
+  return vtkPenumbraTracedEstimator::SafeDownCast(scene.Pass->GetEstimator());
+}
+
+double Rmse(const std::vector<float>& some, const std::vector<float>& others)
+{
+  EXPECT_EQ(some.size(), others.size());
+  double squares = 0.0;
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    squares += std::pow(some[i] - others[i], 2.0);
+  }
+  return std::sqrt(squares / static_cast<double>(some.size()));
+}
+
+/// Largest difference over the picture.
+double Apart(const std::vector<float>& some, const std::vector<float>& others)
+{
+  EXPECT_EQ(some.size(), others.size());
+  double apart = 0.0;
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    apart = std::max(apart, static_cast<double>(std::abs(some[i] - others[i])));
+  }
+  return apart;
+}
+
+TEST(TracedEstimator, SeesNoOcclusionOnAnOpenPlane)
+{
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.Look({ 0, -4, 1 }, { 0, 0, 0 });
+  Trace(scene, 1.0);
+  scene.Window->Render();
+  for (const float value : scene.Array("AmbientOcclusion"))
+  {
+    ASSERT_EQ(value, 0.f);
+  }
+  EXPECT_GT(Estimator(scene)->GetNumberOfRays(), 0);
+}
+
+TEST(TracedEstimator, SeesHalfTheSkyAtTheFootOfAWall)
+{
+  // A wall on the plane y = 0 blocks the directions with w.y > a, a = distance / radius: the part of
+  // the unit disc beyond the line at a.
+  const auto truth = [](double a) {
+    return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
+  };
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  Trace(scene, 1.0)->SetTolerance(.004);
+  scene.Window->Render();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  const int foot = scene.Pixel({ 0, 0, 0 })[1];
+  double squares = 0.0;
+  for (int row = 0; row < foot; ++row)
+  {
+    const Vector floor = scene.OnFloor(80.5, row + .5);
+    const double error = occlusion[row * scene.Width + 80] - truth(-floor[1]);
+    EXPECT_NEAR(error, 0.0, .03) << "at y = " << floor[1];
+    squares += error * error;
+  }
+  EXPECT_LT(std::sqrt(squares / foot), .005);
+}
+
+TEST(TracedEstimator, SeesThreeQuartersBlockedInACorner)
+{
+  // Floor at the edge of two walls at a right angle: a quarter of the disc stays open.
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.AddWall({ 0, -20, 0 }, { 0, 40, 0 }, { 0, 0, 20 });
+  scene.Look({ -.03, -.04, .05 }, { 0, 0, 0 });
+  scene.Renderer->GetActiveCamera()->SetClippingRange(.001, 1.0);
+  Trace(scene, 5.0)->SetTolerance(.004);
+  scene.Window->Render();
+  EXPECT_NEAR(scene.At("AmbientOcclusion", { -.001, -.001, 0 }), .75, .01);
+}
+
+TEST(TracedEstimator, SeesTheShadowOfASphereOverAPlane)
+{
+  // h / (h^2 + rho^2)^1.5 for a unit sphere whose centre is h above the plane.
+  OcclusionScene scene;
+  AddFloor(scene, 200.0);
+  scene.AddSphere({ 0, 0, 1.5 }, 1.0);
+  scene.Look({ 0, -7, 4 }, { 0, 0, .6 });
+  Trace(scene, 100.0)->SetTolerance(.004);
+  scene.Window->Render();
+  for (const double rho : { 1.5, 2.0, 3.0 })
+  {
+    const double truth = 1.5 / std::pow(1.5 * 1.5 + rho * rho, 1.5);
+    EXPECT_NEAR(scene.At("AmbientOcclusion", { rho, 0, 0 }), truth, .015) << rho;
+  }
+}
+
+TEST(TracedEstimator, ConvergesToBruteForce)
+{
+  OcclusionScene scene(96, 72);
+  AddSpheres(scene);
+  vtkPenumbraTemporalSSAOPass* pass = Trace(scene, 1.0);
+  const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 24);
+  scene.Window->Render();
+  const double converged = Rmse(scene.Array("AmbientOcclusion"), truth);
+  EXPECT_LT(converged, .015);
+
+  // One ray a pixel and frame: filtered, the first frame is near already.
+  Estimator(scene)->SetSamplesPerRay(32);
+  pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  scene.Window->Render();
+  const double first = Rmse(scene.Array("AmbientOcclusion"), truth);
+  EXPECT_LT(first, .15);
+  for (int frame = 1; frame < 16; ++frame)
+  {
+    scene.Window->Render();
+  }
+  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .5 * first);
+}
+
+TEST(TracedEstimator, SeesTheSameWhateverTheClippingRange)
+{
+  std::vector<float> pictures[2];
+  for (const bool wide : { false, true })
+  {
+    OcclusionScene scene(96, 72);
+    AddSpheres(scene);
+    Trace(scene, 1.0);
+    scene.Renderer->GetActiveCamera()->SetClippingRange(wide ? .0005 : 1.0, 50.0);
+    scene.Window->Render();
+    pictures[wide] = scene.Array("AmbientOcclusion");
+  }
+  EXPECT_LT(Rmse(pictures[0], pictures[1]), .01);
+}
+
+TEST(TracedEstimator, SeesTheSameFarFromTheOrigin)
+{
+  std::vector<float> pictures[2];
+  for (const bool far : { false, true })
+  {
+    const Vector shift = far ? Vector{ 5e5, 5e6, 0 } : Vector{ 0, 0, 0 };
+    OcclusionScene scene;
+    scene.AddWall({ shift[0] - 20, shift[1] - 20, 0 }, { 40, 0, 0 }, { 0, 40, 0 });
+    scene.AddSphere({ shift[0], shift[1], .5 }, .5);
+    scene.Look({ shift[0], shift[1] - 4, 3 }, shift);
+    Trace(scene, 1.0);
+    scene.Window->Render();
+    pictures[far] = scene.Array("AmbientOcclusion");
+  }
+  EXPECT_LT(Rmse(pictures[0], pictures[1]), 1.0 / 255);
+}
+
+TEST(TracedEstimator, GivesTheSameBitsWithOneThreadAndWithMany)
+{
+  const auto draw = [](int threads) {
+    std::vector<float> result;
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, [&]() {
+      OcclusionScene scene(96, 72);
+      AddSpheres(scene);
+      Trace(scene, 1.0);
+      scene.Window->Render();
+      result = scene.Array("AmbientOcclusion");
+    });
+    return result;
+  };
+  EXPECT_EQ(Apart(draw(1), draw(4)), 0.0);
+}
+
+TEST(TracedEstimator, BuildsItsTreeAgainOnlyWhenTheSceneChanges)
+{
+  OcclusionScene scene;
+  AddFloor(scene);
+  vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  Trace(scene, 1.0);
+  scene.Window->Render();
+  scene.Look({ .5, -4, 3 }, { 0, 0, 0 });
+  scene.Window->Render();
+  EXPECT_EQ(Estimator(scene)->GetNumberOfTrees(), 1);
+  const double under = scene.At("AmbientOcclusion", { .4, -.4, 0 });
+  sphere->SetPosition(3, 0, .5);
+  scene.Window->Render();
+  EXPECT_EQ(Estimator(scene)->GetNumberOfTrees(), 2);
+  EXPECT_LT(scene.At("AmbientOcclusion", { .4, -.4, 0 }), .5 * under);
+}
+
+TEST(TracedEstimator, LeavesTranslucentThingsOut)
+{
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.AddSphere({ 0, 0, .5 }, .5)->GetProperty()->SetOpacity(.5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  Trace(scene, 1.0);
+  scene.Window->Render();
+  EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.6, 0 }), 0.0);
+}
+
+TEST(TracedEstimator, WorksUnderAParallelCamera)
+{
+  const auto truth = [](double a) {
+    return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
+  };
+  OcclusionScene scene;
+  AddFloor(scene);
+  scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(1.5);
+  Trace(scene, 1.0)->SetTolerance(.004);
+  scene.Window->Render();
+  for (const double y : { .2, .5, .8 })
+  {
+    const std::array<int, 2> pixel = scene.Pixel({ 0, -y, 0 });
+    const Vector seen = scene.OnFloor(pixel[0] + .5, pixel[1] + .5);
+    EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -y, 0 }), truth(-seen[1]), .015) << y;
+  }
+}
+
+TEST(TracedEstimator, IsTheKernelTracedOnceItIsRegistered)
+{
+  vtkPenumbraTracedEstimator::Register();
+  OcclusionScene scene(96, 72);
+  AddSpheres(scene);
+  scene.Occlude(1.0)->SetKernelName("traced");
+  EXPECT_STREQ(scene.Pass->GetKernelName(), "traced");
+  scene.Window->Render();
+  EXPECT_STREQ(scene.Pass->GetActiveKernelName(), "traced");
+  const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 16);
+  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .02);
+}
+
+TEST(TracedEstimator, IsChosenWhereItIsNeededAndPossible)
+{
+  vtkPenumbraTracedEstimator::Register();
+  OcclusionScene scene;
+  AddFloor(scene);
+  vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+  const auto choice = [&]() {
+    scene.Window->Render();
+    auto* kernel = vtkStringArray::SafeDownCast(pass->GetStatistics()->GetAbstractArray("Kernel"));
+    EXPECT_EQ(kernel->GetValue(0), pass->GetActiveKernelName());
+    return std::string(pass->GetActiveKernelName());
+  };
+  EXPECT_EQ(choice(), "traced");
+  // One layer of depth is good enough, and cheaper.
+  pass->SetTolerance(.1);
+  EXPECT_NE(choice(), "traced");
+  pass->SetTolerance(.01);
+  EXPECT_EQ(choice(), "traced");
+  // Between frames of something that moves there is no time for a tree.
+  pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  sphere->SetPosition(.1, 0, .5);
+  EXPECT_NE(choice(), "traced");
+  EXPECT_EQ(choice(), "traced");
+}
+
+TEST(TracedEstimator, DrawsAnEmptyScene)
+{
+  OcclusionScene scene;
+  scene.Occlude(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
+  vtkNew<vtkPenumbraTracedEstimator> estimator;
+  scene.Pass->SetEstimator(estimator);
+  scene.Window->Render();
+  for (const float value : scene.Array("AmbientOcclusion"))
+  {
+    ASSERT_EQ(value, 0.f);
+  }
+}
+
+}

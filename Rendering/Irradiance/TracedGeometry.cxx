@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TracedGeometry.h"
+
+#include "SceneExtraction.h"
+#include "SceneExtractionTime.h"
+
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCamera.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkProp3D.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Coordinates are relative to where the eye was when they were rounded. Once it has moved so many
+/// radii, their rounding might be seen.
+constexpr double FarthestMove = 1e4;
+
+/// Drawn by shaders alone: no rays can meet them.
+constexpr const char* Impostors[] = { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
+  "vtkPointGaussianMapper" };
+
+bool IsMesh(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  return actor &&
+    (!mapper ||
+      std::none_of(std::begin(Impostors), std::end(Impostors),
+        [mapper](const char* name) { return mapper->IsA(name); }));
+}
+
+/// Overlays and volumes leave no depth, or shall not count.
+bool HasMeshesOnly(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (!prop->GetVisibility() || !vtkProp3D::SafeDownCast(prop) || vtkVolume::SafeDownCast(prop))
+    {
+      continue;
+    }
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      if (!IsMesh(path->GetLastNode()->GetViewProp()))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool IsTransparent(const std::vector<glm::u8vec4>& colors)
+{
+  return std::any_of(
+    colors.begin(), colors.end(), [](const glm::u8vec4& color) { return color.a < 255; });
+}
+
+/// Depth passes leave out what is translucent, and so do the rays.
+bool IsTransparent(const Surface& surface)
+{
+  return surface.Front.Opacity < 1.f || IsTransparent(surface.PointColors) ||
+    IsTransparent(surface.CellColors);
+}
+
+/// Drops all that rays do not ask for.
+void Strip(Scene& scene)
+{
+  std::vector<Surface> surfaces;
+  for (Surface& surface : scene.Surfaces)
+  {
+    if (!IsTransparent(surface) && !surface.ScreenSpace)
+    {
+      Surface bare;
+      bare.Positions = std::move(surface.Positions);
+      bare.Triangles = std::move(surface.Triangles);
+      bare.Frontfaces = surface.Frontfaces;
+      bare.Backfaces = surface.Backfaces;
+      surfaces.push_back(std::move(bare));
+    }
+  }
+  scene.Surfaces = std::move(surfaces);
+}
+
+}
+
+bool TracedGeometry::Update(vtkRenderer* renderer, double radius)
+{
+  double eye[3];
+  renderer->GetActiveCamera()->GetPosition(eye);
+  const double moved = std::sqrt(vtkMath::Distance2BetweenPoints(eye, this->Eye));
+  if (this->Rays && GetGeometryMTime(renderer) == this->Time && moved <= FarthestMove * radius)
+  {
+    return false;
+  }
+  ExtractionOptions options;
+  const int* size = renderer->GetSize();
+  options.Resolution[0] = std::max(size[0], 1);
+  options.Resolution[1] = std::max(size[1], 1);
+  this->Rays.reset();
+  this->Meshes = std::make_unique<Scene>(ExtractScene(renderer, options));
+  this->Whole = HasMeshesOnly(renderer);
+  Strip(*this->Meshes);
+  this->Rays =
+    std::make_unique<RayScene>(*this->Meshes, vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->Time = GetGeometryMTime(renderer); // mappers may have made their colours meanwhile
+  std::copy_n(eye, 3, this->Eye);
+  return true;
+}
+
+}

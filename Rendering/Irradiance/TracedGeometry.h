@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A renderer's opaque meshes as a tree for rays, kept until they change: the eye may move on without
+// them.
+#ifndef penumbra_TracedGeometry_h
+#define penumbra_TracedGeometry_h
+
+#include "RayScene.h"
+
+#include "vtkType.h"
+
+#include <memory>
+
+class vtkRenderer;
+
+namespace penumbra
+{
+
+class TracedGeometry
+{
+public:
+  /// Brings the tree up to date for occluders within `radius` (world units). True when it was built
+  /// anew. Throws what RayScene throws.
+  bool Update(vtkRenderer* renderer, double radius);
+
+  const RayScene& GetRays() const { return *this->Rays; }
+  const Scene& GetScene() const { return *this->Meshes; }
+
+  /// All that is drawn opaque is among the meshes.
+  bool IsWhole() const { return this->Whole; }
+
+private:
+  std::unique_ptr<Scene> Meshes;
+  std::unique_ptr<RayScene> Rays;
+  vtkMTimeType Time = 0;
+  double Eye[3] = { 0.0, 0.0, 0.0 };
+  bool Whole = false;
+};
+
+}
+#endif

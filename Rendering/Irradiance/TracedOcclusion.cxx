@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TracedOcclusion.h"
+
+#include "CosineDirections.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Pixels repeat their directions after so many in x and y: as far as the filter of 5 x 5 pixels
+/// reaches, so that wherever it stands it sees each of 25 directions once.
+constexpr int Period = 5;
+
+/// Blocks of this side hold 16 pixels of each kind, whose rays go much the same way: a packet.
+constexpr int BlockSize = 4 * Period;
+constexpr int PacketSize = 16;
+
+double Fraction(double x)
+{
+  return x - std::floor(x);
+}
+
+/// A point of the unit square for a sample, common to all pixels: the additive sequence of the
+/// plastic number [Roberts 2018, R2], in which any run is even.
+glm::dvec2 SequencePoint(int sample)
+{
+  return { Fraction(.5 + sample * 0.75487766624669276),
+    Fraction(.5 + sample * 0.56984029099805327) };
+}
+
+/// How a kind of pixels shifts it: Hammersley's 25 points to the base 5. Pixels side by side are far
+/// apart among them.
+glm::dvec2 PixelShift(int i, int j)
+{
+  const int low = (i + 2 * j) % Period;
+  const int high = (2 * i + j) % Period;
+  return { (Period * high + low) / 25.0, (Period * low + high) / 25.0 };
+}
+
+class Tracer
+{
+public:
+  Tracer(const std::vector<SurfacePoint>& points, int width, const RayScene& rays,
+    const TracedSamples& samples, std::vector<float>& means)
+    : Points(points),
+      Width(width),
+      Rays(rays),
+      Samples(samples),
+      Means(means)
+  {
+  }
+
+  /// All rays of a block; returns their number.
+  long long Trace(const Rectangle& block) const
+  {
+    long long count = 0;
+    for (int j = 0; j < Period; ++j)
+    {
+      for (int i = 0; i < Period; ++i)
+      {
+        count += this->TraceKind(block, i, j);
+      }
+    }
+    return count;
+  }
+
+private:
+  std::size_t Index(int i, int j) const { return static_cast<std::size_t>(j) * this->Width + i; }
+
+  /// The pixels of a block that are i, j after a multiple of the period from its corner.
+  long long TraceKind(const Rectangle& block, int i, int j) const
+  {
+    std::size_t pixels[PacketSize];
+    int size = 0;
+    for (int y = j; y < block.Height; y += Period)
+    {
+      for (int x = i; x < block.Width; x += Period)
+      {
+        const std::size_t pixel = this->Index(block.X + x, block.Y + y);
+        if (this->Points[pixel].Normal != glm::vec3(0.f))
+        {
+          pixels[size++] = pixel;
+        }
+      }
+    }
+    if (size == 0)
+    {
+      return 0;
+    }
+    int blocked[PacketSize] = {};
+    for (int sample = 0; sample < this->Samples.Count; ++sample)
+    {
+      const glm::dvec2 shifted = SequencePoint(this->Samples.First + sample) +
+        PixelShift((block.X + i) % Period, (block.Y + j) % Period);
+      const glm::vec3 direction = ToHemisphere(
+        ToDisc(static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
+      this->TracePacket(pixels, size, direction, blocked);
+    }
+    for (int k = 0; k < size; ++k)
+    {
+      this->Means[pixels[k]] =
+        static_cast<float>(blocked[k]) / static_cast<float>(this->Samples.Count);
+    }
+    return static_cast<long long>(size) * this->Samples.Count;
+  }
+
+  void TracePacket(const std::size_t* pixels, int size, glm::vec3 direction, int* blocked) const
+  {
+    Ray rays[PacketSize];
+    bool met[PacketSize];
+    for (int k = 0; k < PacketSize; ++k)
+    {
+      rays[k].Far = -1.f;
+      if (k < size)
+      {
+        const SurfacePoint& point = this->Points[pixels[k]];
+        rays[k].Origin = point.Position;
+        rays[k].Direction = FrameOf(point.Normal) * direction;
+        rays[k].Far = this->Samples.Reach;
+      }
+    }
+    this->Rays.Occluded16(rays, met);
+    for (int k = 0; k < size; ++k)
+    {
+      blocked[k] += met[k];
+    }
+  }
+
+  const std::vector<SurfacePoint>& Points;
+  int Width;
+  const RayScene& Rays;
+  const TracedSamples& Samples;
+  std::vector<float>& Means;
+};
+
+/// What of the parts lies in the picture, as blocks.
+std::vector<Rectangle> BlocksOf(const std::vector<Rectangle>& parts, int width, int height)
+{
+  std::vector<Rectangle> blocks;
+  for (const Rectangle& part : parts)
+  {
+    const int right = std::min(part.X + part.Width, width);
+    const int top = std::min(part.Y + part.Height, height);
+    for (int y = part.Y; y < top; y += BlockSize)
+    {
+      for (int x = part.X; x < right; x += BlockSize)
+      {
+        blocks.push_back({ x, y, std::min(BlockSize, right - x), std::min(BlockSize, top - y) });
+      }
+    }
+  }
+  return blocks;
+}
+
+}
+
+long long TraceOcclusion(const std::vector<SurfacePoint>& points, int width, const RayScene& rays,
+  const TracedSamples& samples, const std::vector<Rectangle>& parts, std::vector<float>& means)
+{
+  const int height = static_cast<int>(points.size() / std::max(width, 1));
+  const std::vector<Rectangle> blocks = BlocksOf(parts, width, height);
+  const Tracer tracer(points, width, rays, samples, means);
+  std::atomic<long long> count{ 0 };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType block = begin; block < end; ++block)
+    {
+      count += tracer.Trace(blocks[block]);
+    }
+  });
+  return count;
+}
+
+}
