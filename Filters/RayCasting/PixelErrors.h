@@ -8,6 +8,7 @@
 #include "Sampler.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace penumbra
 {
@@ -23,6 +24,13 @@ inline constexpr float BorderErrorFloor = 1.5e-4f;
 // Measured on a smooth scan, so that 95 % of tiles err by less than is believed.
 inline constexpr float BelievedShare = 0.35f;
 inline constexpr float CurvatureDoubt = 3.f;
+
+// How much more than each of a pixel's four corners a sample may err that stands for a share `area` of
+// it, so that the independent errors of all samples add up to the same.
+inline double OcclusionSlack(double area)
+{
+  return 0.5 / std::sqrt(area);
+}
 
 inline float MaximumDifference(const glm::vec4& a, const glm::vec4& b)
 {

@@ -47,10 +47,11 @@ PixelIntegrator::PixelIntegrator(const Sampler& sampler, const CornerGrid& corne
 {
 }
 
-Sample PixelIntegrator::Trace(glm::dvec2 local)
+// A sample that stands for a share `area` of the pixel.
+Sample PixelIntegrator::Trace(glm::dvec2 local, double area)
 {
   ++this->Rays.Refinement;
-  return this->Source.At(glm::dvec2(this->X, this->Y) + local, this->Rays);
+  return this->Source.At(glm::dvec2(this->X, this->Y) + local, this->Rays, OcclusionSlack(area));
 }
 
 void PixelIntegrator::LoadCorners(int x, int y)

@@ -120,7 +120,7 @@ private:
   void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,
     const Sample& middle, glm::vec4& color, float& squaredError);
   const Sample& SampleAtFine(glm::ivec2 fine);
-  Sample Trace(glm::dvec2 local);
+  Sample Trace(glm::dvec2 local, double area = 1.0);
 
   /// An error of coverage and shading with what colours err by themselves: about four of them make
   /// a pixel.

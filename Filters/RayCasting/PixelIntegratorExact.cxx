@@ -239,7 +239,7 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
       : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
     return result;
   }
-  const Sample sample = this->Trace(face.Point);
+  const Sample sample = this->Trace(face.Point, face.Area);
   this->Deepen(sample);
   this->See(sample);
   result.Color = sample.Color;
@@ -286,7 +286,7 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
   {
     if (t.Face == static_cast<int>(index) && t.Area() > SmallestFace)
     {
-      const Sample middle = this->Trace(t.Centroid());
+      const Sample middle = this->Trace(t.Centroid(), t.Area());
       this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, middle, result.Color, squares);
       area += static_cast<float>(t.Area());
     }
@@ -327,7 +327,7 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   for (int i = 0; i < 4; ++i)
   {
     const glm::dvec2 at = low + half * CornerOffset(i);
-    quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half));
+    quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half), 0.25 * area);
     sum += static_cast<float>(share(at.x, half)) * quarters[i].Color;
     torn = torn || quarters[i].First.Surface != middle.First.Surface;
   }

@@ -19,6 +19,8 @@ namespace
 // The share of its contrast by which the mean of a square's corners errs, RMS over all straight
 // borders through it (measured: uniform samples of a half-plane).
 constexpr float ContrastError = 0.3f;
+// The share of a pixel that its middle stands for, when no more samples are needed.
+constexpr double LargestShare = 2.0 / 3.0;
 
 }
 
@@ -28,9 +30,17 @@ const Sample& PixelIntegrator::SampleAtFine(glm::ivec2 fine)
   {
     return *known;
   }
+  // The level of the squares that have this place for a corner first, whichever pixel asks.
+  int level = this->Settings.MaximumLevel;
+  for (glm::ivec2 p = fine; level > 1 && (p.x | p.y) % 2 == 0; p /= 2)
+  {
+    --level;
+  }
+  const double area = LargestShare * std::ldexp(1.0, -2 * (level - 1));
   const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
   ++this->Rays.Refinement;
-  return this->Cache.Insert(fine, this->Source.At(glm::dvec2(fine) * scale, this->Rays));
+  return this->Cache.Insert(
+    fine, this->Source.At(glm::dvec2(fine) * scale, this->Rays, OcclusionSlack(area)));
 }
 
 bool PixelIntegrator::NeedsDescent(const Square& square) const

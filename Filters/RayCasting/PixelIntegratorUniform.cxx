@@ -42,7 +42,8 @@ PixelResult PixelIntegrator::Uniform(int side)
       const int row = k / side;
       points[i] = glm::dvec2(this->X + (k % side + 0.5) / side, this->Y + (row + 0.5) / side);
     }
-    this->Source.AtPacket(points, (1u << count) - 1u, samples, this->Rays);
+    this->Source.AtPacket(
+      points, (1u << count) - 1u, samples, this->Rays, OcclusionSlack(1.0 / total));
     for (int i = 0; i < count; ++i)
     {
       const glm::dvec4 color(samples[i].Color);
@@ -55,7 +56,8 @@ PixelResult PixelIntegrator::Uniform(int side)
   result.Color = glm::vec4(mean);
   const glm::vec4 variance(glm::max(squares / static_cast<double>(total) - mean * mean, 0.0));
   const float largest = std::max(std::max(variance.r, variance.g), variance.b);
-  result.Error = std::sqrt(largest) * std::pow(static_cast<float>(total), RegularPower);
+  result.Error =
+    this->Believe(std::sqrt(largest) * std::pow(static_cast<float>(total), RegularPower), 0.f);
   return result;
 }
 
@@ -67,6 +69,7 @@ PixelResult PixelIntegrator::UniformAdaptive()
   PixelResult result;
   glm::vec4 sum(0.f);
   glm::vec4 squares(0.f);
+  const double slack = OcclusionSlack(1.0 / (Side * Side));
   bool hits =
     false; // where all miss something small is meant to be here, or it would not be asked for
   glm::dvec2 points[Sampler::PacketSize];
@@ -82,7 +85,7 @@ PixelResult PixelIntegrator::UniformAdaptive()
         points[i++] = glm::dvec2(this->X + (k % Side + 0.5) / Side, this->Y + (row + 0.5) / Side);
       }
     }
-    this->Source.AtPacket(points, 0xffffu, samples, this->Rays);
+    this->Source.AtPacket(points, 0xffffu, samples, this->Rays, slack);
     this->Rays.Refinement += Sampler::PacketSize;
     for (const Sample& sample : samples)
     {
@@ -94,7 +97,7 @@ PixelResult PixelIntegrator::UniformAdaptive()
     result.Color = sum / n;
     const glm::vec4 variance = glm::max(squares / n - result.Color * result.Color, 0.f);
     const float largest = std::max(std::max(variance.r, variance.g), variance.b);
-    result.Error = std::max(std::sqrt(largest) * std::pow(n, RegularPower),
+    result.Error = this->Believe(std::sqrt(largest) * std::pow(n, RegularPower),
       this->Segments.empty() ? ErrorFloor : HiddenError / n);
     if (this->Segments.empty() && hits && result.Error < DenseShare * this->Settings.Tolerance)
     {

@@ -65,14 +65,16 @@ glm::vec4 Sampler::Background(glm::dvec2 p) const
   return { c.r * c.a, c.g * c.a, c.b * c.a, c.a };
 }
 
-void Sampler::SetOcclusion(const vtkPenumbraIrradianceSource* source, double strength)
+void Sampler::SetOcclusion(
+  const vtkPenumbraIrradianceSource* source, double strength, double tolerance)
 {
+  this->OcclusionTolerance = tolerance;
   this->Occluder = source;
   this->OcclusionStrength = static_cast<float>(strength);
 }
 
 float Sampler::Occlusion(
-  const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts) const
+  const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts, double slack) const
 {
   const Scene& scene = this->GetScene();
   const glm::dvec3 point = scene.Origin +
@@ -80,7 +82,7 @@ float Sampler::Occlusion(
       scene.Scale;
   const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
   const vtkPenumbraIrradianceSource::Estimate estimate =
-    this->Occluder->Occlusion(&point.x, &normal.x);
+    this->Occluder->OcclusionWithin(&point.x, &normal.x, slack * this->OcclusionTolerance);
   counts.Occlusion += estimate.Rays;
   return static_cast<float>(estimate.Value);
 }
@@ -94,7 +96,8 @@ void Sampler::AddMedium(
   sample.Error += share * seen.Error;
 }
 
-void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts) const
+void Sampler::Complete(
+  glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double slack) const
 {
   glm::vec4& color = sample.Color;
   Hit hit = sample.First;
@@ -115,7 +118,7 @@ void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& 
       const float strength = this->OcclusionStrength >= 0.f ? this->OcclusionStrength
         : surface.ScalarColoring                            ? StrengthOnScalars
                                                             : 1.f;
-      const float open = 1.f - strength * this->Occlusion(ray, hit, seen, counts);
+      const float open = 1.f - strength * this->Occlusion(ray, hit, seen, counts, slack);
       c = glm::vec4(open * glm::vec3(c), c.a);
     }
     const float share = (1.f - color.a) * c.a;
@@ -139,17 +142,17 @@ void Sampler::Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& 
   }
 }
 
-Sample Sampler::At(glm::dvec2 p, RayCounts& counts) const
+Sample Sampler::At(glm::dvec2 p, RayCounts& counts, double slack) const
 {
   const Ray ray = this->MakeRay(p);
   Sample sample;
   sample.First = this->Rays.Intersect(ray);
-  this->Complete(p, ray, sample, counts);
+  this->Complete(p, ray, sample, counts, slack);
   return sample;
 }
 
-void Sampler::AtPacket(
-  const glm::dvec2* points, unsigned int active, Sample* samples, RayCounts& counts) const
+void Sampler::AtPacket(const glm::dvec2* points, unsigned int active, Sample* samples,
+  RayCounts& counts, double slack) const
 {
   Ray rays[PacketSize];
   Hit hits[PacketSize];
@@ -172,7 +175,7 @@ void Sampler::AtPacket(
     {
       samples[i] = Sample();
       samples[i].First = hits[i];
-      this->Complete(points[i], rays[i], samples[i], counts);
+      this->Complete(points[i], rays[i], samples[i], counts, slack);
     }
   }
 }

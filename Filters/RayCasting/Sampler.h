@@ -43,19 +43,21 @@ public:
 
   Sampler(const RayScene& rays, const Shading& shading, const Camera& camera);
 
-  /// What the ray through picture point p sees. Does not count that ray itself.
-  Sample At(glm::dvec2 p, RayCounts& counts) const;
+  /// What the ray through picture point p sees. Does not count that ray itself. `slack`: occlusion may
+  /// err by so many times the tolerance, because the sample will be averaged with others.
+  Sample At(glm::dvec2 p, RayCounts& counts, double slack = 1.0) const;
 
   /// The same for PacketSize points at once; points without a set bit in `active` are left out.
-  void AtPacket(
-    const glm::dvec2* points, unsigned int active, Sample* samples, RayCounts& counts) const;
+  void AtPacket(const glm::dvec2* points, unsigned int active, Sample* samples, RayCounts& counts,
+    double slack = 1.0) const;
 
   /// The first hit alone.
   Hit FirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
   /// Asks `source` (after its Begin()) for the blocked share of the sky wherever colour is wanted and
-  /// darkens by `strength`; a negative strength: 1, or less on surfaces coloured by data.
-  void SetOcclusion(const vtkPenumbraIrradianceSource* source, double strength);
+  /// darkens by `strength`; a negative strength: 1, or less on surfaces coloured by data. `tolerance`:
+  /// what Begin() was told.
+  void SetOcclusion(const vtkPenumbraIrradianceSource* source, double strength, double tolerance);
   bool HasOcclusion() const { return this->Occluder != nullptr; }
 
   /// Draws a medium around everything; `shafts` must outlive this object. Null: none.
@@ -63,7 +65,8 @@ public:
   bool HasShafts() const { return this->Shafts != nullptr; }
 
   /// The blocked share of the sky at a hit.
-  float Occlusion(const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts) const;
+  float Occlusion(const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts,
+    double slack = 1.0) const;
 
   Ray MakeRay(glm::dvec2 p) const;
 
@@ -76,7 +79,8 @@ public:
 
 private:
   void AddMedium(const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const;
-  void Complete(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts) const;
+  void Complete(
+    glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double slack) const;
 
   const RayScene& Rays;
   const Shading& Shades;
@@ -84,6 +88,7 @@ private:
   bool Transparent = false; ///< some surface lets light through
   const vtkPenumbraIrradianceSource* Occluder = nullptr;
   float OcclusionStrength = 1.f;
+  double OcclusionTolerance = 0.0;
   const LightShafts* Shafts = nullptr;
 };
 

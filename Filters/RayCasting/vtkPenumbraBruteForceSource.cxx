@@ -4,11 +4,13 @@
 
 #include "CosineDirections.h"
 #include "RayScene.h"
+#include "ScrambledSequence.h"
 
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 vtkStandardNewMacro(vtkPenumbraBruteForceSource);
 
@@ -19,70 +21,88 @@ using penumbra::Ray;
 using penumbra::RayScene;
 using Estimate = vtkPenumbraIrradianceSource::Estimate;
 
-/// Cells along a side of the first grid: 32 rays.
-constexpr int FirstGrid = 4;
+/// Rays of the first round.
+constexpr std::uint32_t FirstRays = 32;
 
 /// Even where all of n rays agree something may hide between them: its share is taken to be this
 /// over n.
 constexpr double HiddenShare = 0.25;
 
-/// Cells on a border that are counted as differing whatever their rays say; measured by the test
-/// ReportsAnErrorThatIsTrue.
-constexpr double LuckAllowance = 3.0;
+/// The error of the mean of n rays above half-planes and discs, over n^(-3/4), and over the error that
+/// independent pairs of rays would have (both measured over thousands of random ones; the test
+/// ReportsAnErrorThatIsTrue holds them to it).
+constexpr double MeanError = 0.42;
+constexpr double ShareOfPairs = 0.62;
 
-/// Asks rays above one point.
+/// Pairs on a border that are counted as differing whatever their rays say: some cells that a border
+/// crosses agree by chance, and stopping on such luck would make the reported error too small.
+constexpr double LuckAllowance = 2.0;
+
+/// Rays above one point.
 class Hemisphere
 {
 public:
   Hemisphere(const RayScene& rays, glm::vec3 point, glm::vec3 normal, float reach)
     : Rays(rays),
       Frame(penumbra::FrameOf(normal)),
-      State(penumbra::SeedOf(point, normal))
+      Directions(penumbra::SeedOf(point, normal))
   {
     this->Probe.Origin = point + penumbra::GapAbove(point) * normal;
     this->Probe.Far = reach;
   }
 
-  /// One grid of `side` x `side` cells, two rays a cell.
-  Estimate Ask(int side)
+  /// Asks rays until there are `count` of them, a power of two.
+  Estimate Ask(std::uint32_t count)
   {
-    int blocked = 0;
-    int differing = 0;
-    for (int i = 0; i < side * side; ++i)
+    while (this->Answers.size() < count)
     {
-      const bool first = this->IsBlocked(i % side, i / side, side);
-      const bool second = this->IsBlocked(i % side, i / side, side);
-      blocked += first + second;
-      differing += first != second;
+      const glm::vec2 at = this->Directions.At(static_cast<std::uint32_t>(this->Answers.size()));
+      this->Probe.Direction = this->Frame * penumbra::ToHemisphere(penumbra::ToDisc(at.x, at.y));
+      this->Answers.push_back(this->Rays.Occluded(this->Probe));
+      this->Blocked += this->Answers.back();
     }
-    // A cell's mean of two has the variance (difference / 2)^2 by the two's own evidence. Where a
-    // border is about, some cells that it crosses agree by chance; stopping on such luck would
-    // make the reported error too small, hence the allowance.
-    const double cells = static_cast<double>(side) * side;
-    const bool border = blocked > 0 && blocked < 2 * side * side;
+    const double differing = this->CountDifferingPairs();
+    const bool border = this->Blocked > 0 && this->Blocked < count;
+    const double seen =
+      ShareOfPairs * std::sqrt(differing + (border ? LuckAllowance : 0.0)) / count;
     Estimate result;
-    result.Rays = 2LL * side * side;
-    result.Value = blocked / (2.0 * cells);
-    result.Error = std::sqrt((differing + (border ? LuckAllowance : 0.0)) * .25) / cells;
+    result.Rays = count;
+    result.Value = static_cast<double>(this->Blocked) / count;
+    result.Error = std::hypot(seen, HiddenShare / count);
     return result;
   }
 
 private:
-  bool IsBlocked(int i, int j, int side)
+  /// Of the pairs of rays that share a cell, each cell holding two. Cells are boxes of the unit square
+  /// as near to squares as can be.
+  std::uint32_t CountDifferingPairs() const
   {
-    const float u =
-      (static_cast<float>(i) + penumbra::Uniform(this->State)) / static_cast<float>(side);
-    const float v =
-      (static_cast<float>(j) + penumbra::Uniform(this->State)) / static_cast<float>(side);
-    this->Probe.Direction = this->Frame * penumbra::ToHemisphere(penumbra::ToDisc(u, v));
-    return this->Rays.Occluded(this->Probe);
+    const auto count = static_cast<std::uint32_t>(this->Answers.size());
+    const std::uint32_t other = penumbra::ScrambledSequence::FindPartner(count);
+    std::uint32_t differing = 0;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      differing += this->Answers[i] != this->Answers[i ^ other];
+    }
+    return differing / 2;
   }
 
   const RayScene& Rays;
   glm::mat3 Frame;
+  penumbra::ScrambledSequence Directions;
   Ray Probe;
-  std::uint32_t State;
+  std::vector<char> Answers;
+  std::uint32_t Blocked = 0;
 };
+
+Hemisphere MakeHemisphere(
+  const RayScene& rays, double radius, const double point[3], const double normal[3])
+{
+  const penumbra::Scene& scene = rays.GetScene();
+  const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
+  return Hemisphere(rays, position, glm::vec3(normal[0], normal[1], normal[2]),
+    static_cast<float>(radius * scene.Scale));
+}
 
 }
 
@@ -97,31 +117,31 @@ void vtkPenumbraBruteForceSource::Begin(
 vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::Occlusion(
   const double point[3], const double normal[3]) const
 {
-  const penumbra::Scene& scene = this->Rays->GetScene();
-  const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
-  Hemisphere hemisphere(*this->Rays, position, glm::vec3(normal[0], normal[1], normal[2]),
-    static_cast<float>(this->Radius * scene.Scale));
+  return this->OcclusionWithin(point, normal, this->Tolerance);
+}
 
-  // The error of a grid falls with its rays to the power 3/4 (only cells on the border of an
-  // occluder contribute), so grids are averaged with weights of rays to the power 3/2.
-  Estimate total;
-  double weights = 0.0;
-  double variance = 0.0;
-  for (int side = FirstGrid;; side = side * 3 / 2)
+vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWithin(
+  const double point[3], const double normal[3], double tolerance) const
+{
+  Hemisphere hemisphere = MakeHemisphere(*this->Rays, this->Radius, point, normal);
+  const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
+  if (tolerance > this->Tolerance)
   {
-    const Estimate grid = hemisphere.Ask(side);
-    const auto rays = static_cast<double>(grid.Rays);
-    const double weight = std::pow(rays, 1.5);
-    weights += weight;
-    total.Value += (grid.Value - total.Value) * weight / weights;
-    variance += weight * weight * grid.Error * grid.Error;
-    total.Rays += grid.Rays;
-    const double seen = std::sqrt(variance) / weights;
-    const double hidden = HiddenShare / static_cast<double>(total.Rays);
-    total.Error = std::sqrt(seen * seen + hidden * hidden);
-    if (total.Error <= this->Tolerance || total.Rays >= this->MaximumRays)
+    // Few rays, their number chosen beforehand: to stop where few agree would be a bias.
+    const double needed = std::min<double>(std::pow(MeanError / tolerance, 4.0 / 3.0), limit / 2);
+    std::uint32_t count = 4;
+    while (count < needed)
     {
-      return total;
+      count *= 2;
+    }
+    return hemisphere.Ask(count);
+  }
+  for (std::uint32_t count = FirstRays;; count *= 2)
+  {
+    const Estimate answer = hemisphere.Ask(count);
+    if (answer.Error <= tolerance || count > limit / 2)
+    {
+      return answer;
     }
   }
 }

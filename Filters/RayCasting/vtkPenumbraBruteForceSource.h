@@ -4,9 +4,10 @@
  * @class   vtkPenumbraBruteForceSource
  * @brief   Occlusion by rays alone: no cache, no bias, the truth for every other source.
  *
- * The hemisphere is cut into a grid of cells of equal weight with two jittered rays each. Where
- * the two differ they tell the error; the grid is refined until the error is within the tolerance
- * or MaximumRays is reached. The jitter is a function of the point alone.
+ * Rays follow a scrambled low-discrepancy sequence that is a function of the point alone. Their
+ * number is doubled until the error is within the tolerance or MaximumRays is reached. The error is
+ * told by the pairs of rays that share a cell of the hemisphere: where an occluder's border passes
+ * through the cell, they differ.
  */
 #ifndef vtkPenumbraBruteForceSource_h
 #define vtkPenumbraBruteForceSource_h
@@ -22,13 +23,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** No more rays than about this for one point, 32 to 2^24. Default: 16384. */
+  /** No more rays than this for one point, 32 to 2^24. Default: 16384. */
   vtkSetClampMacro(MaximumRays, int, 32, 1 << 24);
   vtkGetMacro(MaximumRays, int);
   ///@}
 
   void Begin(const penumbra::RayScene& scene, double radius, double tolerance) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
+  Estimate OcclusionWithin(
+    const double point[3], const double normal[3], double tolerance) const override;
 
 protected:
   vtkPenumbraBruteForceSource() = default;

@@ -56,6 +56,17 @@ public:
    */
   virtual Estimate Occlusion(const double point[3], const double normal[3]) const = 0;
 
+  /**
+   * The same with a standard error of at most `tolerance` instead, for one of several points whose
+   * answers will be averaged: it must be no bias and independent from point to point. Default:
+   * Occlusion().
+   */
+  virtual Estimate OcclusionWithin(
+    const double point[3], const double normal[3], double vtkNotUsed(tolerance)) const
+  {
+    return this->Occlusion(point, normal);
+  }
+
   /** Adds counts since Begin() to `statistics`, one value an array. Default: none. */
   virtual void Report(vtkFieldData* vtkNotUsed(statistics)) const {}
 

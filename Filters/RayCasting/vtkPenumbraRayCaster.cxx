@@ -375,13 +375,14 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
   penumbra::Sampler sampler(*this->Prepared->Rays, shading, scene.Eye);
   const penumbra::PictureSettings settings = MakeSettings(self);
+  const double noise = OcclusionNoiseShare * self->Tolerance;
   if (self->AmbientOcclusion || self->GeometryArrays)
   {
-    this->BeginOcclusion(self, OcclusionNoiseShare * self->Tolerance);
+    this->BeginOcclusion(self, noise);
   }
   if (self->AmbientOcclusion)
   {
-    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
+    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
   }
 
   std::string warning;
@@ -434,7 +435,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
   if (self->GeometryArrays)
   {
-    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength);
+    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
     const auto aborted = [self](double) { return self->GetAbortExecute() != 0; };
     if (!penumbra::AddGeometryArrays(sampler, aborted, image, totals.Rays))
     {

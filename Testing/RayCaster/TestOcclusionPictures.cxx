@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Ambient occlusion in pictures against a closed form: a floor beside a sphere that hovers over it out
+// of view, as one square, as a chequerboard and as triangles smaller than pixels.
+#include "Measure.h"
+#include "TestScene.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr int Size = 64;
+// The view: x from 1.2 to 2.8, y as much around 0. The floor is larger.
+constexpr double Left = 1.2;
+constexpr double Side = 1.6;
+constexpr double FloorLeft = -3.6;
+constexpr double FloorSide = 9.6;
+// The sphere of radius 1 hovers at this height.
+constexpr double Height = 1.3;
+
+class OcclusionPicture : public testing::TestWithParam<int>
+{
+};
+
+// Cells smaller than pixels are of one colour: here occlusion is what matters.
+bool IsDark(int column, int row, int cells)
+{
+  return cells < Size * 6 && (column + row) % 2 == 1;
+}
+
+vtkSmartPointer<vtkRenderer> FloorBesideASphere(int cells)
+{
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(FloorLeft, -0.5 * FloorSide, 0.0);
+  plane->SetPoint1(FloorLeft + FloorSide, -0.5 * FloorSide, 0.0);
+  plane->SetPoint2(FloorLeft, 0.5 * FloorSide, 0.0);
+  plane->SetResolution(cells, cells);
+  plane->Update();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (int i = 0; i < cells * cells; ++i)
+  {
+    const double value = IsDark(i % cells, i / cells, cells) ? 51.0 : 255.0;
+    colors->InsertNextTuple3(value, value, value);
+  }
+  plane->GetOutput()->GetCellData()->SetScalars(colors);
+  AddMesh(renderer, plane->GetOutput(), false)->GetMapper()->ScalarVisibilityOn();
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetCenter(0.0, 0.0, Height);
+  sphere->SetThetaResolution(150);
+  sphere->SetPhiResolution(150);
+  sphere->Update();
+  AddMesh(renderer, sphere->GetOutput(), false);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(Left + 0.5 * Side, 0.0, 0.0);
+  camera->SetPosition(Left + 0.5 * Side, 0.0, 10.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * Side);
+  return renderer;
+}
+
+double ColorAt(glm::dvec2 p, int cells)
+{
+  const glm::dvec2 cell =
+    glm::floor((p - glm::dvec2(FloorLeft, -0.5 * FloorSide)) * (cells / FloorSide));
+  const double color =
+    IsDark(static_cast<int>(cell.x), static_cast<int>(cell.y), cells) ? 0.2 : 1.0;
+  return color * (1.0 - Height / std::pow(Height * Height + glm::dot(p, p), 1.5));
+}
+
+std::vector<glm::dvec3> Truth(int cells)
+{
+  constexpr int Samples = 40; // 80 cells have their borders between samples
+  std::vector<glm::dvec3> truth;
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < Samples * Samples; ++k)
+    {
+      const glm::dvec2 pixel(
+        i % Size + (k % Samples + 0.5) / Samples, i / Size + (k / Samples + 0.5) / Samples);
+      sum += ColorAt(glm::dvec2(Left, -0.5 * Side) + pixel * (Side / Size), cells);
+    }
+    truth.emplace_back(sum / (Samples * Samples));
+  }
+  return truth;
+}
+
+TEST_P(OcclusionPicture, IsWithinTheToleranceAndItsEstimateHonest)
+{
+  const vtkSmartPointer<vtkRenderer> renderer = FloorBesideASphere(GetParam());
+  const std::vector<glm::dvec3> truth = Truth(GetParam());
+  Honesty honesty;
+  for (const double tolerance : { 1.0 / 64.0, 1.0 / 256.0 })
+  {
+    double raysPerPixel = 0.0;
+    const Answer answer = Cast(renderer, Size, Size, [&](vtkPenumbraRayCaster* caster) {
+      caster->SetTolerance(tolerance);
+      caster->AmbientOcclusionOn();
+      caster->SetAmbientOcclusionRadius(1e4);
+      caster->SetAmbientOcclusionStrength(1.0);
+      caster->Update();
+      raysPerPixel =
+        caster->GetStatistics()->GetArray("Rays/Occlusion")->GetTuple1(0) / (Size * Size);
+    });
+    const Errors errors = Compare(answer.Colors, truth, std::vector<bool>(truth.size(), false));
+    EXPECT_LT(errors.Full, tolerance);
+    AddTiles(honesty, answer.Colors, truth, answer.Estimates, Size);
+    RecordProperty("Rays/Occlusion a pixel at 1/" + std::to_string(std::lround(1.0 / tolerance)),
+      std::to_string(raysPerPixel));
+    EXPECT_LT(raysPerPixel, 4000.0);
+  }
+  EXPECT_GE(honesty.HonestShare(), 0.95);
+  EXPECT_LE(honesty.MedianRatio(), 3.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(CellsOfTheFloor, OcclusionPicture, testing::Values(1, 80, 400));
+
+}
