@@ -91,6 +91,29 @@ std::vector<glm::vec4> MakeBand(vtkScalarBarActor* bar)
   return colors;
 }
 
+/// What a bar asks for and is not drawn, by name.
+void WarnOfBar(vtkScalarBarActor* bar, std::vector<std::string>& warnings)
+{
+  const struct
+  {
+    bool Asked;
+    const char* Name;
+  } parts[] = {
+    { bar->GetDrawNanAnnotation() != 0, "NaN swatches" },
+    { bar->GetDrawBelowRangeSwatch() != 0, "swatches below the range" },
+    { bar->GetDrawAboveRangeSwatch() != 0, "swatches above the range" },
+    { bar->GetDrawFrame() != 0, "frames" },
+    { bar->GetDrawBackground() != 0, "backgrounds" },
+  };
+  for (const auto& part : parts)
+  {
+    if (part.Asked)
+    {
+      warnings.push_back(std::string("Scalar bar: ") + part.Name + " are not supported; left out.");
+    }
+  }
+}
+
 /// The largest font size with which all of `texts` fit, at most the property's own.
 void FitFont(const std::vector<Label>& texts, glm::dvec2 room, int dpi, vtkTextProperty* look)
 {
@@ -261,6 +284,7 @@ bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene)
     return true;
   }
   bar->GetLookupTable()->Build();
+  WarnOfBar(bar, scene.Warnings);
   return Drawing(bar, dpi, scene).Draw();
 }
 

@@ -56,10 +56,7 @@ public:
   {
     while (this->Answers.size() < count)
     {
-      const glm::vec2 at = this->Directions.At(static_cast<std::uint32_t>(this->Answers.size()));
-      this->Probe.Direction = this->Frame * penumbra::ToHemisphere(penumbra::ToDisc(at.x, at.y));
-      this->Answers.push_back(this->Rays.Occluded(this->Probe));
-      this->Blocked += this->Answers.back();
+      this->AskPacket(count);
     }
     const double differing = this->CountDifferingPairs();
     const bool border = this->Blocked > 0 && this->Blocked < count;
@@ -73,6 +70,30 @@ public:
   }
 
 private:
+  static constexpr std::uint32_t PacketSize = 16;
+
+  /// Asks the next rays, up to `count` in all.
+  void AskPacket(std::uint32_t count)
+  {
+    const auto first = static_cast<std::uint32_t>(this->Answers.size());
+    const std::uint32_t size = std::min(count - first, PacketSize);
+    Ray rays[PacketSize];
+    bool blocked[PacketSize];
+    for (std::uint32_t i = 0; i < PacketSize; ++i)
+    {
+      rays[i] = this->Probe;
+      rays[i].Far = i < size ? this->Probe.Far : -1.f;
+      const glm::vec2 at = this->Directions.At(first + i);
+      rays[i].Direction = this->Frame * penumbra::ToHemisphere(penumbra::ToDisc(at.x, at.y));
+    }
+    this->Rays.Occluded16(rays, blocked);
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      this->Answers.push_back(blocked[i]);
+      this->Blocked += blocked[i];
+    }
+  }
+
   /// Of the pairs of rays that share a cell, each cell holding two. Cells are boxes of the unit square
   /// as near to squares as can be.
   std::uint32_t CountDifferingPairs() const

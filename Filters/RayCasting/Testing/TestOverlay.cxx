@@ -184,6 +184,24 @@ TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
   }
 }
 
+TEST(ScalarBar, NamesItsPartsThatAreLeftOut)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkLookupTable> table;
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(table);
+  renderer->AddViewProp(bar);
+  EXPECT_TRUE(ExtractScene(renderer, Options(100, 100)).Warnings.empty());
+  bar->DrawNanAnnotationOn();
+  bar->DrawFrameOn();
+  bar->DrawBackgroundOn();
+  bar->DrawBelowRangeSwatchOn();
+  bar->DrawAboveRangeSwatchOn();
+  const std::vector<std::string> warnings = ExtractScene(renderer, Options(100, 100)).Warnings;
+  ASSERT_EQ(warnings.size(), 5u);
+  EXPECT_NE(warnings[0].find("NaN swatches"), std::string::npos) << warnings[0];
+}
+
 TEST(ScalarBar, FormatsLabelsInBothOfVTKsStyles)
 {
   EXPECT_EQ(FormatLabel("%-#6.3g", 2.5), "2.50");
