@@ -8,6 +8,8 @@
 #include "Readers.h"
 #include "Subcommands.h"
 
+#include "vtkPenumbraKernels.h"
+
 #include <CLI/CLI.hpp>
 
 #include <iomanip>
@@ -35,6 +37,13 @@ int List()
   std::cout << "\n\nEngines\n"
                "  ray       antialiased ray casting; needs no OpenGL\n"
                "  raster    VTK's OpenGL, 8 samples a pixel\n"
+               "\nKernels of --ambient-occlusion (raster)\n"
+               "  automatic";
+  for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
+  {
+    std::cout << " " << vtkPenumbraKernels::GetName(kernel);
+  }
+  std::cout << "\n"
                "\nWindows of the raster engine (`penumbra info` tells which work here)\n"
                "  osmesa egl x\n";
   return Done;

@@ -4,11 +4,15 @@
 
 #include "Failure.h"
 #include "MessageLog.h"
+#include "Pictures.h"
 #include "RenderOptions.h"
 
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPenumbraTemporalSSAOPass.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -17,6 +21,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace penumbra
 {
@@ -50,6 +55,51 @@ vtkSmartPointer<vtkImageData> ToFloats(
   return image;
 }
 
+/// How strongly surfaces coloured by data are darkened, unless told.
+constexpr double StrengthOnData = 0.6;
+
+vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOptions& options)
+{
+  vtkPenumbraTemporalSSAOPass* pass = vtkPenumbraTemporalSSAOPass::AddTo(renderer);
+  pass->SetKernelName(options.AmbientOcclusionKernel.c_str());
+  pass->SetConvergeInOneRender(
+    options.Frames > 0 ? vtkPenumbraTemporalSSAOPass::NEVER : vtkPenumbraTemporalSSAOPass::ALWAYS);
+  pass->SetStrength(!std::isnan(options.AmbientOcclusionStrength)
+      ? options.AmbientOcclusionStrength
+      : (options.Coloring.Enabled ? StrengthOnData : 1.0));
+  if (options.AmbientOcclusionRadius > 0.0)
+  {
+    pass->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
+    pass->SetRadius(options.AmbientOcclusionRadius);
+  }
+  return pass;
+}
+
+/// What the pass knows of its last frame.
+void AddFindings(vtkPenumbraTemporalSSAOPass* pass, bool arrays, Picture& picture)
+{
+  vtkFieldData* statistics = pass->GetStatistics();
+  for (int i = 0; i < statistics->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = statistics->GetArray(i);
+    picture.Statistics[array->GetName()] = array->GetComponent(0, 0);
+  }
+  picture.Statistics["Occlusion/Kernel"] = pass->GetActiveKernelName();
+  if (pass->GetEstimatedError() <= 1.0)
+  {
+    picture.EstimatedError = pass->GetEstimatedError();
+  }
+  if (arrays)
+  {
+    vtkNew<vtkImageData> found;
+    pass->CopyOcclusion(found);
+    for (const char* name : { "AmbientOcclusion", "Depth" })
+    {
+      picture.Image->GetPointData()->AddArray(found->GetPointData()->GetArray(name));
+    }
+  }
+}
+
 }
 
 Picture RenderWithRaster(
@@ -68,7 +118,12 @@ Picture RenderWithRaster(
   window->SetSize(width, height);
   window->AddRenderer(renderer);
   TakeErrors();
-  window->Render();
+  vtkPenumbraTemporalSSAOPass* occlusion =
+    options.AmbientOcclusion ? AddOcclusion(renderer, options) : nullptr;
+  for (int frame = 0; frame < std::max(options.Frames, 1); ++frame)
+  {
+    window->Render();
+  }
   vtkNew<vtkUnsignedCharArray> bytes;
   window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, bytes);
   const std::vector<std::string> errors = TakeErrors();
@@ -88,6 +143,11 @@ Picture RenderWithRaster(
   picture.Image = ToFloats(bytes, width, height, options.Background);
   picture.Statistics = { { "Samples/PerPixel", window->GetMultiSamples() } };
   picture.EstimatedError = Unset;
+  if (occlusion)
+  {
+    AddFindings(occlusion, HoldsArrays(options.Output), picture);
+    vtkPenumbraTemporalSSAOPass::RemoveFrom(renderer);
+  }
   picture.Threads =
     options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
   picture.RenderSeconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -7,6 +7,8 @@
 #include "Pictures.h"
 #include "Worker.h"
 
+#include "vtkPenumbraKernels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -268,20 +270,36 @@ void RequireColoring(const CLI::App& app, const RenderOptions& options)
   }
 }
 
+std::vector<std::string> KernelNames()
+{
+  std::vector<std::string> names = { "automatic" };
+  for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
+  {
+    names.emplace_back(vtkPenumbraKernels::GetName(kernel));
+  }
+  return names;
+}
+
 void DeclareEffects(CLI::App& app, RenderOptions& options)
 {
   const std::string group = "Effects";
   app
     .add_flag("--ambient-occlusion", options.AmbientOcclusion,
-      "Darken what sees little of the sky: rgb * (1 - strength * occlusion) (ray)")
+      "Darken what sees little of the sky: rgb * (1 - strength * occlusion)")
     ->group(group);
   AddNumber(app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "R",
-    "Reach of an occluder in world units, inf: all; default: a tenth of the bounds' diagonal",
+    "Reach of an occluder in world units, inf (ray): all; default: a tenth of the bounds' diagonal",
     { 0.0, Infinity, true, true })
     ->default_str("")
     ->group(group);
   AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
     "Default: 1, on surfaces coloured by data 0.6", Unit)
+    ->group(group);
+  AddChoice(app, "--ambient-occlusion-kernel", options.AmbientOcclusionKernel, KernelNames(),
+    "How the depth buffer tells occlusion (raster)")
+    ->group(group);
+  AddInteger(app, "--frames", options.Frames,
+    "Successive frames of a still camera, 0: until converged (raster)", 0, 100000)
     ->group(group);
   app.add_flag("--shadows", options.Shadows, "Hard shadows of the lights (ray)")->group(group);
 }
@@ -293,8 +311,7 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
     return;
   }
   for (const char* name :
-    { "--tolerance", "--max-level", "--no-small-objects", "--ambient-occlusion",
-      "--ambient-occlusion-radius", "--ambient-occlusion-strength", "--shadows", "--light-shafts" })
+    { "--tolerance", "--max-level", "--no-small-objects", "--shadows", "--light-shafts" })
   {
     if (app.count(name) > 0)
     {
@@ -302,6 +319,11 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
         std::string(name) +
           " is not available in this version with --engine raster; use --engine ray");
     }
+  }
+  if (std::isinf(options.AmbientOcclusionRadius))
+  {
+    throw Failure(BadInput,
+      "--ambient-occlusion-radius: inf is not possible with --engine raster; use --engine ray");
   }
 }
 
@@ -378,6 +400,9 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
       "without --ambient-occlusion" },
     { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
+    { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
+    { "--ambient-occlusion-kernel", options.Engine == "ray", "with --engine ray" },
+    { "--frames", options.Engine == "ray", "with --engine ray" },
     { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
     { "--camera-view-angle", orthographic, "with --camera-orthographic" },
     { "--camera-zoom-factor", placed, "with --camera-position" },
@@ -401,8 +426,8 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
 
 const std::vector<std::string>& UnavailableOptions()
 {
-  static const std::vector<std::string> names = { "--ambient-occlusion-kernel", "--frames",
-    "--indirect", "--environment-color", "--albedo", "--bounces" };
+  static const std::vector<std::string> names = { "--indirect", "--environment-color", "--albedo",
+    "--bounces" };
   return names;
 }
 
