@@ -21,6 +21,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
+#include "vtkSSAAPass.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -73,17 +74,24 @@ double PixelAtFocus(vtkRenderer* renderer)
 struct Slot
 {
   vtkRenderer* Renderer = nullptr;
-  vtkImageProcessingPass* Outer = nullptr; ///< null: the renderer itself holds the pass
+  vtkImageProcessingPass* Outer = nullptr; ///< whose delegate it is
+  vtkSSAAPass* Fine = nullptr;             ///< or whose delegate; neither: the renderer's own
 
   vtkRenderPass* Get() const
   {
-    return this->Outer ? this->Outer->GetDelegatePass() : this->Renderer->GetPass();
+    return this->Outer ? this->Outer->GetDelegatePass()
+      : this->Fine     ? this->Fine->GetDelegatePass()
+                       : this->Renderer->GetPass();
   }
   void Set(vtkRenderPass* pass) const
   {
     if (this->Outer)
     {
       this->Outer->SetDelegatePass(pass);
+    }
+    else if (this->Fine)
+    {
+      this->Fine->SetDelegatePass(pass);
     }
     else
     {
@@ -94,16 +102,18 @@ struct Slot
 
 Slot FindSlot(vtkRenderer* renderer)
 {
-  Slot slot{ renderer, nullptr };
-  while (auto* pass = vtkImageProcessingPass::SafeDownCast(slot.Get()))
+  Slot slot{ renderer, nullptr, nullptr };
+  for (;;)
   {
-    if (Pass::SafeDownCast(pass))
+    auto* outer = vtkImageProcessingPass::SafeDownCast(slot.Get());
+    auto* fine = vtkSSAAPass::SafeDownCast(slot.Get());
+    if (Pass::SafeDownCast(outer) || (!outer && !fine))
     {
-      break;
+      return slot;
     }
-    slot.Outer = pass;
+    slot.Outer = outer;
+    slot.Fine = fine;
   }
-  return slot;
 }
 
 /// The stages that AddTo() made for a renderer without a pass, if `pass` is that.

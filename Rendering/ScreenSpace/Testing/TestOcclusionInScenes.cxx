@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The occlusion pass under what windows, cameras and scenes do to it.
+#include "OcclusionScene.h"
+
+#include "vtkActor2D.h"
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkHardwareSelector.h"
+#include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
+#include "vtkSelection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace
+{
+
+/// A sphere on a floor before a wall.
+void Furnish(OcclusionScene& scene, double unit = 1.0, const Vector& at = { 0, 0, 0 })
+{
+  const auto place = [&](double x, double y, double z) {
+    return Vector{ at[0] + unit * x, at[1] + unit * y, at[2] + unit * z };
+  };
+  scene.AddWall(place(-3, -3, 0), { 6 * unit, 0, 0 }, { 0, 4 * unit, 0 });
+  scene.AddWall(place(-3, 1, 0), { 6 * unit, 0, 0 }, { 0, 0, 2 * unit });
+  scene.AddSphere(place(0, 0, .5), .5 * unit);
+  scene.Look(place(0, -5, 3), place(0, 0, .4));
+}
+
+double Rms(const std::vector<float>& a, const std::vector<float>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+  {
+    sum += (static_cast<double>(a[i]) - b[i]) * (static_cast<double>(a[i]) - b[i]);
+  }
+  return a.size() == b.size() && !a.empty() ? std::sqrt(sum / static_cast<double>(a.size())) : 1e9;
+}
+
+int LargestDifference(const std::vector<int>& a, const std::vector<int>& b)
+{
+  int largest = a.size() == b.size() ? 0 : 255;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  }
+  return largest;
+}
+
+/// The share of pixels that differ by more than `limit`.
+double ShareOff(const std::vector<int>& a, const std::vector<int>& b, int limit)
+{
+  int off = 0;
+  for (std::size_t i = 0; i + 3 < a.size() && i + 3 < b.size(); i += 4)
+  {
+    off += std::abs(a[i] - b[i]) > limit;
+  }
+  return a.size() == b.size() ? 4.0 * off / static_cast<double>(a.size()) : 1.0;
+}
+
+TEST(OcclusionInScenes, IsTheSameAtEveryScaleAndPlace)
+{
+  OcclusionScene reference;
+  Furnish(reference);
+  reference.Occlude(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::SHARE_OF_BOUNDS);
+  reference.Pass->SetRadius(.1);
+  reference.Window->Render();
+  const std::vector<int> picture = reference.Picture();
+  const std::tuple<double, Vector> cases[] = { { 1e-6, { 0, 0, 0 } }, { 1e6, { 0, 0, 0 } } };
+  for (const auto& [unit, at] : cases)
+  {
+    OcclusionScene scene;
+    Furnish(scene, unit, at);
+    vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
+    scene.Window->Render();
+    EXPECT_LE(ShareOff(scene.Picture(), picture, 2), .01) << unit;
+  }
+}
+
+TEST(OcclusionInScenes, IsTheSameFarFromTheOrigin)
+{
+  // The scene stays near the origin, an actor's matrix moves it: VTK keeps its precision.
+  const auto draw = [](const Vector& at) {
+    OcclusionScene scene;
+    const auto floor = scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 4, 0 });
+    floor->SetPosition(at[0], at[1], at[2]);
+    scene.AddSphere({ at[0], at[1], at[2] + .5 }, .5);
+    scene.Look({ at[0], at[1] - 5, at[2] + 3 }, { at[0], at[1], at[2] + .4 });
+    scene.Occlude(1.0);
+    scene.Window->Render();
+    return scene.Array("AmbientOcclusion");
+  };
+  EXPECT_LT(Rms(draw({ 5e5, 5e6, 0 }), draw({ 0, 0, 0 })), .01);
+}
+
+TEST(OcclusionInScenes, DoesNotDependOnTheClippingPlanes)
+{
+  const auto draw = [](double nearPlane, double farPlane) {
+    OcclusionScene scene;
+    Furnish(scene);
+    if (nearPlane > 0.0)
+    {
+      scene.Renderer->GetActiveCamera()->SetClippingRange(nearPlane, farPlane);
+    }
+    scene.Occlude(1.0);
+    scene.Window->Render();
+    return scene.Array("AmbientOcclusion");
+  };
+  EXPECT_LT(Rms(draw(1e-3, 100.0), draw(0.0, 0.0)), .01); // 1 : 100,000
+}
+
+TEST(OcclusionInScenes, GoesOnBeyondThePicturesBorder)
+{
+  // The same things in the middle of a larger window and filling a small one.
+  const auto draw = [](int width, int height, double angle, double margin) {
+    OcclusionScene scene(width, height);
+    Furnish(scene);
+    scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
+    scene.Occlude(1.0)->SetMargin(margin);
+    scene.Pass->SetKernelName("horizon");
+    scene.Pass->SetTolerance(.003);
+    scene.Window->Render();
+    return scene.Array("AmbientOcclusion");
+  };
+  const double small = 20.0;
+  const double tangent = std::tan(small / 2.0 * std::acos(-1.0) / 180.0);
+  const double large = 2.0 * std::atan(2.0 * tangent) * 180.0 / std::acos(-1.0);
+  const std::vector<float> whole = draw(240, 200, large, 0.0);
+  std::vector<float> middle;
+  for (int j = 50; j < 150; ++j)
+  {
+    for (int i = 60; i < 180; ++i)
+    {
+      middle.push_back(whole[j * 240 + i]);
+    }
+  }
+  const double with = Rms(draw(120, 100, small, 50.0), middle);
+  EXPECT_LT(with, .01);
+  EXPECT_GT(Rms(draw(120, 100, small, 0.0), middle), 1.4 * with);
+}
+
+TEST(OcclusionInScenes, FollowsTheCameraWithoutStartingAgain)
+{
+  OcclusionScene scene;
+  Furnish(scene);
+  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  for (int frame = 0; frame < 30; ++frame)
+  {
+    scene.Window->Render();
+  }
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(.25);
+    scene.Window->Render();
+  }
+  const auto share = [&](const char* name) {
+    return scene.Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+  };
+  EXPECT_GT(share("Pixels/Kept"), .97);
+  EXPECT_LT(share("Pixels/Disoccluded"), .03);
+  const std::vector<float> moving = scene.Array("AmbientOcclusion");
+  scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
+  scene.Window->Render();
+  EXPECT_LT(Rms(moving, scene.Array("AmbientOcclusion")), .02);
+}
+
+TEST(OcclusionInScenes, ForgetsWhatAMovedActorShadowed)
+{
+  OcclusionScene scene;
+  scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+  const auto sphere = scene.AddSphere({ -.7, 0, .5 }, .5);
+  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    scene.Window->Render();
+  }
+  sphere->SetPosition(.7, 0, .5);
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    scene.Window->Render();
+  }
+  const std::vector<float> soon = scene.Array("AmbientOcclusion");
+  scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
+  scene.Pass->SetTolerance(.005); // settings changed: everything starts afresh
+  scene.Window->Render();
+  EXPECT_LT(Rms(soon, scene.Array("AmbientOcclusion")), .045);
+}
+
+TEST(OcclusionInScenes, IsTheSameWithTranslucentThingsVolumesAndPeelingBeforeIt)
+{
+  // What stands before the scene is drawn over it: where it is opaque nothing of the pass shows.
+  for (const bool peeling : { false, true })
+  {
+    OcclusionScene scene;
+    Furnish(scene);
+    const auto glass = scene.AddWall({ -3, -2, -3 }, { 6, 0, 0 }, { 0, 0, 6 });
+    glass->GetProperty()->SetOpacity(.5);
+    glass->GetProperty()->SetColor(1, 0, 0);
+    scene.Renderer->SetUseDepthPeeling(peeling);
+    scene.Window->Render();
+    const std::vector<int> plain = scene.Picture();
+    scene.Occlude(1.0);
+    scene.Window->Render();
+    const std::vector<int> darkened = scene.Picture();
+    const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+    for (std::size_t i = 0; i < occlusion.size(); ++i)
+    {
+      // Half red glass over white, darkened by a: (127.5 + 127.5 (1 - a), 127.5 (1 - a), ...).
+      const double green = plain[4 * i + 1] * (1.0 - occlusion[i]);
+      if (occlusion[i] > 0.f)
+      {
+        ASSERT_NEAR(darkened[4 * i + 1], green, 2.0) << i;
+        ASSERT_NEAR(darkened[4 * i], plain[4 * i] - plain[4 * i + 1] * occlusion[i], 2.0) << i;
+      }
+    }
+  }
+}
+
+TEST(OcclusionInScenes, StaysInItsViewport)
+{
+  OcclusionScene single(80, 120);
+  Furnish(single);
+  single.Occlude(1.0);
+  single.Window->Render();
+  const std::vector<int> alone = single.Picture();
+
+  OcclusionScene pair(160, 120);
+  Furnish(pair);
+  pair.Renderer->SetViewport(.5, 0, 1, 1);
+  vtkNew<vtkRenderer> left;
+  left->SetBackground(0, 1, 0);
+  left->SetViewport(0, 0, .5, 1);
+  pair.Window->AddRenderer(left);
+  pair.Renderer->ResetCameraClippingRange();
+  pair.Occlude(1.0);
+  vtkPenumbraTemporalSSAOPass::AddTo(left);
+  pair.Window->Render();
+  const std::vector<int> both = pair.Picture();
+  std::vector<int> right;
+  for (int j = 0; j < 120; ++j)
+  {
+    for (int i = 0; i < 80; ++i)
+    {
+      const std::size_t at = static_cast<std::size_t>(j) * 160 + i;
+      EXPECT_EQ(both[4 * at + 1], 255);
+      EXPECT_EQ(both[4 * at], 0);
+      right.insert(right.end(), &both[4 * (at + 80)], &both[4 * (at + 80)] + 4);
+    }
+  }
+  EXPECT_LE(LargestDifference(right, alone), 1);
+}
+
+TEST(OcclusionInScenes, SurvivesResizingAndLosingItsResources)
+{
+  OcclusionScene scene;
+  Furnish(scene);
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  const std::vector<float> first = scene.Array("AmbientOcclusion");
+  for (const auto& [width, height] : { std::pair<int, int>(1, 1), { 33, 7 }, { 301, 199 } })
+  {
+    scene.Window->SetSize(width, height);
+    scene.Window->Render();
+    EXPECT_EQ(scene.Array("Depth").size(), static_cast<std::size_t>(width) * height);
+  }
+  scene.Window->SetSize(160, 120);
+  scene.Pass->ReleaseGraphicsResources(scene.Window);
+  scene.Window->Render();
+  EXPECT_LT(Rms(scene.Array("AmbientOcclusion"), first), .01);
+}
+
+TEST(OcclusionInScenes, CanBeSwitchedOnAndOffManyTimes)
+{
+  OcclusionScene scene(40, 30);
+  Furnish(scene);
+  scene.Window->Render();
+  const std::vector<int> plain = scene.Picture();
+  for (int time = 0; time < 50; ++time)
+  {
+    vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer)->SetTolerance(.2);
+    scene.Window->Render();
+    vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
+  }
+  scene.Window->Render();
+  EXPECT_EQ(scene.Picture(), plain);
+}
+
+TEST(OcclusionInScenes, ChainsThePassesThatAreThere)
+{
+  // A vtkRenderStepsPass keeps its place, also below SSAA.
+  OcclusionScene scene;
+  Furnish(scene);
+  vtkNew<vtkRenderStepsPass> steps;
+  scene.Renderer->SetPass(steps);
+  vtkRenderPass* opaque = steps->GetOpaquePass();
+  vtkPenumbraTemporalSSAOPass* pass = vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
+  EXPECT_EQ(vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer), pass);
+  EXPECT_EQ(scene.Renderer->GetPass(), steps);
+  EXPECT_EQ(steps->GetOpaquePass(), pass);
+  scene.Pass = pass;
+  scene.Window->Render();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  EXPECT_GT(*std::max_element(occlusion.begin(), occlusion.end()), .3f);
+  vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
+  EXPECT_EQ(steps->GetOpaquePass(), opaque);
+
+  vtkNew<vtkSSAAPass> fine;
+  fine->SetDelegatePass(steps);
+  scene.Renderer->SetPass(fine);
+  pass = vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
+  scene.Window->Render();
+  EXPECT_EQ(steps->GetOpaquePass(), pass);
+  vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), fine);
+  EXPECT_EQ(steps->GetOpaquePass(), opaque);
+  fine->ReleaseGraphicsResources(scene.Window);
+}
+
+TEST(OcclusionInScenes, WorksWithEveryAntialiasing)
+{
+  for (const int samples : { 0, 4 })
+  {
+    for (const bool fxaa : { false, true })
+    {
+      for (const bool peeling : { false, true })
+      {
+        OcclusionScene scene(80, 60, samples);
+        Furnish(scene);
+        scene.Renderer->SetUseFXAA(fxaa);
+        scene.Renderer->SetUseDepthPeeling(peeling);
+        scene.Window->Render();
+        const std::vector<int> plain = scene.Picture();
+        scene.Occlude(1.0)->SetStrength(0.0);
+        scene.Window->Render();
+        EXPECT_LE(LargestDifference(scene.Picture(), plain), 2)
+          << samples << " samples, FXAA " << fxaa << ", peeling " << peeling;
+        scene.Pass->SetStrength(1.0);
+        scene.Window->Render();
+        // VTK's FXAA cannot read several samples: with both it shows the picture before, or none.
+        EXPECT_TRUE((fxaa && samples > 0) || LargestDifference(scene.Picture(), plain) > 80)
+          << samples << " samples, FXAA " << fxaa << ", peeling " << peeling;
+      }
+    }
+  }
+}
+
+TEST(OcclusionInScenes, LeavesHardwareSelectionAlone)
+{
+  OcclusionScene scene;
+  Furnish(scene);
+  const auto count = [&]() {
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    selector->SetArea(0, 0, 159, 119);
+    const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    return selection ? selection->GetNumberOfNodes() : 0u;
+  };
+  scene.Window->Render();
+  const unsigned int plain = count();
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  EXPECT_EQ(count(), plain);
+  EXPECT_GE(plain, 3u);
+}
+
+TEST(OcclusionInScenes, DrawsEmptyScenesAndRefusesBadNumbers)
+{
+  OcclusionScene scene;
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  EXPECT_NEAR(scene.Picture()[1], 76.5, 1.0); // the background's green
+  Furnish(scene);
+  scene.Pass->GlobalWarningDisplayOff();
+  scene.Pass->SetRadius(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(scene.Pass->GetRadius(), 1.0);
+  scene.Pass->SetRadius(-1.0);
+  EXPECT_EQ(scene.Pass->GetRadius(), 1.0);
+  scene.Pass->SetKernelName("steam");
+  EXPECT_STREQ(scene.Pass->GetKernelName(), "automatic");
+  scene.Pass->GlobalWarningDisplayOn();
+  scene.Window->Render();
+  for (const float value : scene.Array("AmbientOcclusion"))
+  {
+    ASSERT_TRUE(value >= 0.f && value <= 1.f);
+  }
+}
+
+}
