@@ -25,6 +25,8 @@ struct Part
 
 const Part Parts[] = {
   { "accuracy", penumbra::MeasureAccuracy },
+  { "cost", penumbra::MeasureCost },
+  { "noise", penumbra::MeasureNoise },
 };
 
 std::vector<std::string> Circumstances(const OcclusionBenchmark& benchmark)

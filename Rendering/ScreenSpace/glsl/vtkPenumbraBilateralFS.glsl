@@ -5,7 +5,7 @@
 //
 // One direction of the separable 5 x 5 cross-bilateral filter [TSSAO eq. 10-11]: neighbours count by
 // their distance in space and by their own convergence. Where a pixel has converged its neighbours
-// no longer count; the taps stay, since loops whose length differs from pixel to pixel cost more.
+// no longer count.
 //VTK::Penumbra::ViewLib
 uniform sampler2D eyeDepths;
 uniform sampler2D values;       // r: sum, g: number of samples
@@ -23,7 +23,9 @@ void main()
   float shrink = clamp(1.0 - own.g / convergedWeight, 0.0, 1.0);
   float width = distanceInPixels * pixelToEye.x * mix(1.0, depth, perspective);
   vec2 sum = own;
-  for (int i = -2; i <= 2; ++i)
+  // All taps or none: a block of pixels that has converged leaves the loop at once.
+  int last = shrink > 0.0 ? 2 : -3;
+  for (int i = -2; i <= last; ++i)
   {
     vec2 tap = pixel + float(i) * way;
     vec2 other = texture(values, tap * pixelSize).rg;

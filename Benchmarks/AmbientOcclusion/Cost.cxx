@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmark.h"
+
+#include "vtkCamera.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace penumbra
+{
+
+namespace
+{
+
+constexpr int WarmingFrames = 2;
+constexpr int Rounds = 5;
+
+/// Frames in motion until pixels have converged as far as the filter reaches.
+constexpr int HistoryFrames = 20;
+
+/// A window that draws its own copy of the scene in one way.
+struct Variant
+{
+  explicit Variant(const OcclusionBenchmarkScene& scene)
+    : Renderer(scene.Renderer),
+      View(std::make_unique<Screen>(scene.Renderer))
+  {
+  }
+
+  /// The next frame, the eye a little to one side and back.
+  void Draw(bool moves, bool counts)
+  {
+    if (moves)
+    {
+      this->Renderer->GetActiveCamera()->Azimuth(this->Side);
+      this->Side = -this->Side;
+    }
+    const double seconds = this->View->Draw();
+    if (counts)
+    {
+      this->Seconds.push_back(seconds);
+    }
+  }
+
+  double Median()
+  {
+    const auto middle = this->Seconds.begin() + static_cast<std::ptrdiff_t>(Rounds / 2);
+    std::nth_element(this->Seconds.begin(), middle, this->Seconds.end());
+    return *middle;
+  }
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::unique_ptr<Screen> View;
+  std::vector<double> Seconds;
+  double Side = .25;
+};
+
+}
+
+void MeasureCost(OcclusionBenchmark& benchmark)
+{
+  for (int index = 0; index < 2; ++index)
+  {
+    const auto scene = [&]() { return benchmark.Scenes()[index]; };
+    const std::string name = scene().Name;
+    const double radius = scene().Radius;
+    Variant plain(scene());
+    Variant horizon(scene());
+    Variant march(scene());
+    Variant still(scene());
+    Variant vtk32(scene());
+    Variant vtk256(scene());
+    for (Variant* ours : { &horizon, &march, &still })
+    {
+      ours->View->UseOurs(radius)->SetFirstSamples(8);
+      ours->View->Ours->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+      ours->View->Ours->SetKernelName(ours == &horizon ? "horizon" : "march");
+    }
+    still.View->Ours->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
+    for (int frame = 0; frame < HistoryFrames; ++frame)
+    {
+      horizon.Draw(true, false);
+      march.Draw(true, false);
+    }
+    vtk32.View->UseVtks(radius, 32);
+    vtk256.View->UseVtks(radius, 256);
+    for (int frame = -WarmingFrames; frame < Rounds; ++frame)
+    {
+      for (Variant* variant : { &plain, &horizon, &march, &still, &vtk32, &vtk256 })
+      {
+        variant->Draw(variant != &still, frame >= 0);
+      }
+    }
+    const double base = plain.Median();
+    const double peer = vtk32.Median() - base;
+    const double peer256 = vtk256.Median() - base;
+    Table& table = benchmark.Results;
+    table.Add(name, "plain frame, ms", 1e3 * base, Bar::None);
+    table.Add(name, "overhead of vtkSSAOPass 32, ms", 1e3 * peer, Bar::None);
+    for (Variant* ours : { &horizon, &march })
+    {
+      const std::string kernel = ours == &horizon ? "horizon" : "march";
+      const double overhead = ours->Median() - base;
+      table.Add(name, "overhead of " + kernel + ", moving, ms", 1e3 * overhead, Bar::None);
+      table.Add(name, kernel + " / vtkSSAOPass 32", overhead / peer, Bar::AtMost, .25,
+        "8 new samples a frame, everything on");
+      table.Add(name, kernel + " / vtkSSAOPass 256", overhead / peer256, Bar::AtMost, .05);
+    }
+    table.Add(name, "converged still frame / plain frame", still.Median() / base,
+      name == "S400" ? Bar::AtMost : Bar::None, 1.05);
+  }
+}
+
+}

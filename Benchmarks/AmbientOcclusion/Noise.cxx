@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmark.h"
+
+#include "vtkCamera.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Pass = vtkPenumbraTemporalSSAOPass;
+
+/// Over pixels that show a surface and that `chosen` takes.
+template <typename Choice>
+double Difference(const std::vector<float>& a, const std::vector<float>& b,
+  const std::vector<float>& depth, const Choice& chosen)
+{
+  double sum = 0.0;
+  double pixels = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    if (std::isfinite(depth[i]) && chosen(i))
+    {
+      sum += (static_cast<double>(a[i]) - b[i]) * (static_cast<double>(a[i]) - b[i]);
+      pixels += 1.0;
+    }
+  }
+  return pixels > 0.0 ? std::sqrt(sum / pixels) : 0.0;
+}
+
+/// What the pass converges to at this camera, nothing kept from before: a thousandth in every tile.
+std::vector<float> Limit(Screen& screen)
+{
+  screen.Ours->SetTolerance(1e-3);
+  screen.Ours->SetConvergeInOneRender(Pass::ALWAYS);
+  screen.Draw();
+  return screen.Array("AmbientOcclusion");
+}
+
+void Start(Screen& screen, double radius)
+{
+  screen.UseOurs(radius)->SetConvergeInOneRender(Pass::NEVER);
+}
+
+}
+
+void MeasureNoise(OcclusionBenchmark& benchmark)
+{
+  for (const OcclusionBenchmarkScene& scene : benchmark.Scenes())
+  {
+    const auto all = [](std::size_t) { return true; };
+    Table& table = benchmark.Results;
+    Screen screen(scene.Renderer);
+    Start(screen, scene.Radius);
+    for (int frame = 0; frame < 32; ++frame)
+    {
+      screen.Draw();
+    }
+    const std::vector<float> after32 = screen.Array("AmbientOcclusion");
+    const std::vector<float> depth = screen.Array("Depth");
+    while (!screen.Ours->IsConverged())
+    {
+      screen.Draw();
+    }
+    const std::vector<float> converged = screen.Array("AmbientOcclusion");
+    screen.Draw();
+    const double change = Difference(converged, screen.Array("AmbientOcclusion"), depth, all);
+    const double believed = screen.Ours->GetEstimatedError();
+    const std::vector<float> limit = Limit(screen);
+    table.Add(scene.Name, "noise after 32 still frames", Difference(after32, limit, depth, all),
+      Bar::AtMost, .006, "against its limit");
+    table.Add(scene.Name, "converged, against its limit", Difference(converged, limit, depth, all),
+      Bar::AtMost, .01, "believed of the worst 16x16 pixels: " + std::to_string(believed));
+    table.Add(scene.Name, "change once converged", change, Bar::AtMost, 0.0);
+
+    // A quarter of a degree a frame.
+    Start(screen, scene.Radius);
+    for (int frame = 0; frame < 24; ++frame)
+    {
+      scene.Renderer->GetActiveCamera()->Azimuth(.25);
+      screen.Draw();
+    }
+    const std::vector<float> moving = screen.Array("AmbientOcclusion");
+    const std::vector<float> movedDepth = screen.Array("Depth");
+    table.Add(scene.Name, "moving .25 degree a frame",
+      Difference(moving, Limit(screen), movedDepth, all), Bar::AtMost, .02, "against its limit");
+
+    // Then a jump: what comes into sight starts with nothing.
+    Start(screen, scene.Radius);
+    for (int frame = 0; frame < 16; ++frame)
+    {
+      screen.Draw();
+    }
+    scene.Renderer->GetActiveCamera()->Azimuth(4.0);
+    screen.Draw();
+    const std::vector<float> convergence = screen.Array("Convergence");
+    for (int frame = 1; frame < 4; ++frame)
+    {
+      screen.Draw();
+    }
+    const std::vector<float> after4 = screen.Array("AmbientOcclusion");
+    const std::vector<float> jumpedDepth = screen.Array("Depth");
+    const float fresh = 8.5f / static_cast<float>(screen.Ours->GetMaximumWeight());
+    table.Add(scene.Name, "disoccluded pixels after 4 frames",
+      Difference(
+        after4, Limit(screen), jumpedDepth, [&](std::size_t i) { return convergence[i] <= fresh; }),
+      Bar::AtMost, .03, "after a jump of 4 degrees, against their limit");
+  }
+}
+
+}
