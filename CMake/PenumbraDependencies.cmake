@@ -5,7 +5,7 @@ set(penumbra_vtk_components
   FiltersHybrid FiltersTexture
   ImagingCore ImagingSources InteractionStyle IOCore IOGeometry IOImage IOLegacy IOPLY IOXML IOImport IOExodus IOEnSight
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
-  RenderingContextOpenGL2 vtksys)
+  RenderingContextOpenGL2 RenderingVolume RenderingVolumeOpenGL2 vtksys)
 set(penumbra_vtk_readers IOCGNSReader IOHDF IOXdmf2)
 find_package(VTK REQUIRED
   COMPONENTS ${penumbra_vtk_components} OPTIONAL_COMPONENTS ${penumbra_vtk_readers})

@@ -38,7 +38,7 @@ bool FindSite(const RayScene& rays, int x, int y, Site& site)
   Hit hit = rays.Intersect(ray);
   while (hit.IsHit() && scene.Surfaces[hit.Surface].ScreenSpace)
   {
-    ray.Near = hit.Distance + std::max(hit.Distance * 4e-7f, 1e-30f);
+    ray.Near = hit.Beyond;
     hit = rays.Intersect(ray);
   }
   if (!hit.IsHit())

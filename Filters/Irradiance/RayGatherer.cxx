@@ -17,7 +17,7 @@ Hit PassMarks(const RayScene& rays, Ray ray, Hit hit)
 {
   while (hit.IsHit() && rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
   {
-    ray.Near = hit.Distance + std::max(hit.Distance * 4e-7f, 1e-30f);
+    ray.Near = hit.Beyond;
     hit = rays.Intersect(ray);
   }
   return hit;

@@ -5,6 +5,8 @@
 // `Query` below.
 #include "RayScene.h"
 
+#include "RayTriangle.h"
+
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -12,6 +14,8 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -24,6 +28,12 @@ namespace
 /// From so many triangles on memory counts more than the 10 to 20 percent of speed that Embree's
 /// compact trees cost: 10 million take 2.5 times less.
 constexpr std::size_t CompactFrom = 2000000;
+
+/// Where single and double precision differ by more, relatively, the triangle is an edge-on sliver.
+constexpr double SliverError = 1e-3;
+/// How far apart, in slacks of single precision, a ray may meet two triangles of one edge: those that
+/// it grazes.
+constexpr double TieReach = 64.0;
 
 static_assert(RTC_INVALID_GEOMETRY_ID == Hit::None, "a miss of Embree's is a miss of ours");
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree reads our arrays");
@@ -164,6 +174,13 @@ void Check(RTCDevice device)
   }
 }
 
+/// $PENUMBRA_EMBREE adds settings of Embree's own, such as isa=sse4.2: for tests.
+std::string DeviceSettings(int threads)
+{
+  const char* more = std::getenv("PENUMBRA_EMBREE");
+  return "threads=" + std::to_string(threads) + (more ? std::string(",") + more : "");
+}
+
 std::size_t CountTriangles(const Scene& scene)
 {
   std::size_t count = 0;
@@ -188,6 +205,70 @@ void Fill(RTCRay& to, const Ray& from)
   to.mask = 0xffffffffu;
   to.id = 0;
   to.flags = 0;
+}
+
+/// The lowest triangle of a surface, by number, of those that meet a ray in the same place. (Which of
+/// two surfaces in one place is seen remains Embree's choice: it is the same on edges and between.)
+struct Tie
+{
+  const Scene& TracedScene;
+  const Ray& TracedRay;
+  const RayTriangle& Met; ///< the place
+  Hit Lowest;             ///< its Surface and Triangle
+
+  /// Embree's call for a triangle near the place.
+  static bool Consider(RTCPointQueryFunctionArguments* args);
+};
+
+bool Tie::Consider(RTCPointQueryFunctionArguments* args)
+{
+  Tie& self = *static_cast<Tie*>(args->userPtr);
+  if (args->geomID != self.Lowest.Surface || args->primID >= self.Lowest.Triangle)
+  {
+    return false;
+  }
+  const Surface& surface = self.TracedScene.Surfaces[args->geomID];
+  const RayTriangle other(surface, args->primID, self.TracedRay);
+  const bool isMet = other.IsSound && other.ToEdge > -other.Slack &&
+    (other.IsFront ? surface.Frontfaces : surface.Backfaces);
+  if (isMet && other.Distance >= self.TracedRay.Near && other.Distance <= self.TracedRay.Far &&
+    std::abs(other.Distance - self.Met.Distance) * glm::length(self.TracedRay.Direction) <=
+      TieReach * self.Met.Slack)
+  {
+    self.Lowest.Triangle = args->primID;
+  }
+  return false;
+}
+
+/// What Embree found, made independent of the instructions that it chose: the numbers follow from the
+/// triangle, and at an edge the triangle is chosen by rule.
+Hit MakeHit(const Scene& scene, RTCScene tree, const Ray& ray, const Hit& found)
+{
+  Hit hit = found;
+  RayTriangle met(scene.Surfaces[hit.Surface], hit.Triangle, ray);
+  // Edge-on slivers say nothing: Embree's answer stands.
+  if (met.IsSound &&
+    std::abs(met.Distance - found.Distance) <= SliverError * std::abs(met.Distance))
+  {
+    if (met.IsAtEdge())
+    {
+      Tie tie{ scene, ray, met, hit };
+      const glm::vec3 place(glm::dvec3(ray.Origin) + met.Distance * glm::dvec3(ray.Direction));
+      RTCPointQuery query{ place.x, place.y, place.z, 0.f, static_cast<float>(4.0 * met.Slack) };
+      RTCPointQueryContext context;
+      rtcInitPointQueryContext(&context);
+      rtcPointQuery(tree, &query, &context, Tie::Consider, &tie);
+      hit.Triangle = tie.Lowest.Triangle;
+      met = RayTriangle(scene.Surfaces[hit.Surface], hit.Triangle, ray);
+    }
+    const double u = std::clamp(met.U, 0.0, 1.0);
+    hit.U = static_cast<float>(u);
+    hit.V = static_cast<float>(std::clamp(met.V, 0.0, 1.0 - u));
+    hit.Distance = static_cast<float>(met.Distance);
+  }
+  const float farther = std::max(hit.Distance, found.Distance);
+  hit.Beyond = farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
+  return hit;
 }
 
 /// Fills as many rays as Packet, one of Embree's structures, holds, and which of them to trace.
@@ -215,7 +296,7 @@ void Fill(Packet& to, int* valid, const Ray* rays)
 
 /// Nearest hits of a packet of rays.
 template <typename Packet, int Size>
-void IntersectPacket(RTCScene tree, const Ray* rays, Hit* hits)
+void IntersectPacket(const Scene& scene, RTCScene tree, const Ray* rays, Hit* hits)
 {
   alignas(64) int valid[Size];
   alignas(64) Packet query;
@@ -236,6 +317,7 @@ void IntersectPacket(RTCScene tree, const Ray* rays, Hit* hits)
       hits[i].U = query.hit.u[i];
       hits[i].V = query.hit.v[i];
       hits[i].Distance = query.ray.tfar[i];
+      hits[i] = MakeHit(scene, tree, rays[i], hits[i]);
     }
   }
 }
@@ -259,8 +341,7 @@ void OccludedPacket(RTCScene tree, const Ray* rays, bool* blocked)
 RayScene::RayScene(const Scene& scene, int threads)
   : TracedScene(scene)
 {
-  const std::string settings = threads > 0 ? "threads=" + std::to_string(threads) : "";
-  this->Device = rtcNewDevice(settings.c_str());
+  this->Device = rtcNewDevice(DeviceSettings(threads).c_str());
   Check(this->Device);
   this->Wide = rtcGetDeviceProperty(this->Device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   try
@@ -321,6 +402,7 @@ Hit RayScene::Intersect(const Ray& ray) const
     hit.U = query.hit.u;
     hit.V = query.hit.v;
     hit.Distance = query.ray.tfar;
+    hit = MakeHit(this->TracedScene, this->Tree, ray, hit);
   }
   return hit;
 }
@@ -329,12 +411,12 @@ void RayScene::Intersect16(const Ray* rays, Hit* hits) const
 {
   if (this->Wide)
   {
-    IntersectPacket<RTCRayHit16, 16>(this->Tree, rays, hits);
+    IntersectPacket<RTCRayHit16, 16>(this->TracedScene, this->Tree, rays, hits);
     return;
   }
   // Without instructions for 16 Embree would trace one ray after the other.
-  IntersectPacket<RTCRayHit8, 8>(this->Tree, rays, hits);
-  IntersectPacket<RTCRayHit8, 8>(this->Tree, rays + 8, hits + 8);
+  IntersectPacket<RTCRayHit8, 8>(this->TracedScene, this->Tree, rays, hits);
+  IntersectPacket<RTCRayHit8, 8>(this->TracedScene, this->Tree, rays + 8, hits + 8);
 }
 
 void RayScene::Occluded16(const Ray* rays, bool* blocked) const

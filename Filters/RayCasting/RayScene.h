@@ -25,7 +25,9 @@ struct Ray
   float Far = std::numeric_limits<float>::infinity();
 };
 
-/// Where a ray met a triangle first.
+/// Where a ray met a triangle first. U, V and Distance follow from the triangle in double, and on an
+/// edge the lowest triangle counts of those of the surface: nothing of it depends on the processor, as
+/// Embree's own answers do.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
@@ -34,6 +36,7 @@ struct Hit
   float U = 0.f;                 ///< weight of the triangle's second vertex
   float V = 0.f;                 ///< weight of its third vertex
   float Distance = std::numeric_limits<float>::infinity(); ///< in units of |Ray::Direction|
+  float Beyond = std::numeric_limits<float>::infinity();   ///< the Near that passes this triangle
 
   bool IsHit() const { return this->Surface != None; }
 };
@@ -52,8 +55,7 @@ public:
   /// Nearest hit of one ray; culled sides of surfaces are passed.
   Hit Intersect(const Ray& ray) const;
 
-  /// Nearest hits of 16 rays; rays with Near > Far are not traced. Where a ray meets two triangles
-  /// at the same distance (on a shared edge), which one it finds depends on the other rays.
+  /// Nearest hits of 16 rays; rays with Near > Far are not traced.
   void Intersect16(const Ray* rays, Hit* hits) const;
 
   /// Is anything met? Surfaces with ScreenSpace do not count.

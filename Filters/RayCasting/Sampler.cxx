@@ -129,7 +129,7 @@ void Sampler::Complete(
       break;
     }
     // On behind this hit; the smallest step that leaves the surface.
-    rest.Near = hit.Distance + std::max(std::abs(hit.Distance) * 4e-7f, 1e-30f);
+    rest.Near = hit.Beyond;
     hit = this->Rays.Intersect(rest);
   }
   if (this->Shafts && !hit.IsHit())

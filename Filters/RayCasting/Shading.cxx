@@ -312,7 +312,7 @@ float Shading::LightAlong(Ray ray, long long& shadowRays) const
       return left;
     }
     left *= this->LightThrough(hit, ray);
-    ray.Near = hit.Distance + gap;
+    ray.Near = hit.Beyond + gap;
   }
   return left;
 }

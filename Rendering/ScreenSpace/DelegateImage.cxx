@@ -16,7 +16,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace penumbra
 {
@@ -158,11 +157,7 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
     vtkRenderState inner(renderer);
     inner.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
     inner.SetFrameBuffer(this->Framebuffer);
-    std::optional<WiderCamera> wider;
-    if (this->Margin[0] > 0 || this->Margin[1] > 0)
-    {
-      wider.emplace(renderer, this->View);
-    }
+    const WiderCamera wider(renderer, this->View);
     delegate->Render(&inner);
     props = delegate->GetNumberOfRenderedProps();
     if (this->Samples > 1)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayScene.h"
+#include "RayTriangle.h"
 
 #include <gtest/gtest.h>
 
@@ -106,6 +107,78 @@ TEST(RayScene, PacketsAgreeWithSingleRays)
     }
   }
   EXPECT_GT(found, 3);
+}
+
+TEST(RayScene, TakesTheLowestTriangleAtAnEdge)
+{
+  // The diagonal of the square belongs to both of its triangles; a second square, further on, has it
+  // too.
+  for (const bool turned : { false, true })
+  {
+    Scene scene;
+    scene.Surfaces = { Square(-5.f), Square(-6.f) };
+    if (turned)
+    {
+      std::swap(scene.Surfaces[0].Triangles[0], scene.Surfaces[0].Triangles[1]);
+    }
+    const RayScene rays(scene, 1);
+    Ray packet[16];
+    Hit hits[16];
+    for (int i = 0; i < 16; ++i)
+    {
+      const float along = -.97f + .121f * i;
+      packet[i] = Down(along, along);
+    }
+    rays.Intersect16(packet, hits);
+    for (int i = 0; i < 16; ++i)
+    {
+      const Hit single = rays.Intersect(packet[i]);
+      for (const Hit& hit : { single, hits[i] })
+      {
+        EXPECT_EQ(hit.Surface, 0u) << i;
+        EXPECT_EQ(hit.Triangle, 0u) << i;
+        EXPECT_EQ(hit.Distance, 5.f) << i;
+        EXPECT_GT(hit.Beyond, 5.f) << i;
+      }
+      EXPECT_EQ(single.U, hits[i].U) << i;
+      EXPECT_EQ(single.V, hits[i].V) << i;
+    }
+  }
+}
+
+TEST(RayScene, TakesNoHiddenTriangleAtAnEdge)
+{
+  // The same diagonal a thousandth behind, of triangles that come first by number.
+  Surface surface = Square(-5.005f);
+  const Surface front = Square(-5.f);
+  surface.Positions.insert(surface.Positions.end(), front.Positions.begin(), front.Positions.end());
+  surface.Triangles.insert(surface.Triangles.end(), { { 4, 5, 6 }, { 4, 6, 7 } });
+  Scene scene;
+  scene.Surfaces = { surface };
+  const RayScene rays(scene, 1);
+  const Hit hit = rays.Intersect(Down(.25f, .25f));
+  EXPECT_EQ(hit.Triangle, 2u);
+  Ray behind = Down(.25f, .25f);
+  behind.Near = hit.Beyond;
+  EXPECT_EQ(rays.Intersect(behind).Triangle, 0u);
+}
+
+TEST(RayTriangle, KnowsTheDistanceToItsEdges)
+{
+  const Surface square = Square(-5.f);
+  // Below the diagonal by .1; above the lower edge by .2.
+  const RayTriangle inside(square, 0, Down(.3f, .3f - .1f * std::sqrt(2.f)));
+  EXPECT_TRUE(inside.IsSound);
+  EXPECT_TRUE(inside.IsFront);
+  EXPECT_NEAR(inside.ToEdge, .1, 1e-6);
+  EXPECT_NEAR(inside.Distance, 5.0, 1e-12);
+  const RayTriangle low(square, 0, Down(.3f, -.8f));
+  EXPECT_NEAR(low.ToEdge, .2, 1e-6);
+  const RayTriangle outside(square, 1, Down(.3f, .3f - .1f * std::sqrt(2.f)));
+  EXPECT_NEAR(outside.ToEdge, -.1, 1e-6);
+  EXPECT_FALSE(outside.IsAtEdge());
+  EXPECT_TRUE(RayTriangle(square, 1, Down(.3f, .3f)).IsAtEdge());
+  EXPECT_FALSE(RayTriangle(square, 0, { { 0.f, 0.f, 0.f }, { 1.f, 0.f, 0.f } }).IsSound);
 }
 
 TEST(RayScene, PassesCulledSides)

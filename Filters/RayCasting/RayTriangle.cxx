@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayTriangle.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Roundings of single precision between the ray's origin and a corner, at most; times half a unit in
+/// the last place.
+constexpr double Roundings = 16.0;
+
+/// The distance of two lines whose directions have the cross product `normal` and whose volume is
+/// `volume`; parallel lines are far.
+double LineDistance(double volume, const glm::dvec3& normal)
+{
+  const double length = glm::length(normal);
+  return length > 0.0 ? volume / length : std::numeric_limits<double>::infinity();
+}
+
+}
+
+RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const Ray& ray)
+{
+  const glm::uvec3 corners = surface.Triangles[triangle];
+  const glm::dvec3 a(surface.Positions[corners.x]);
+  const glm::dvec3 ab = glm::dvec3(surface.Positions[corners.y]) - a;
+  const glm::dvec3 ac = glm::dvec3(surface.Positions[corners.z]) - a;
+  const glm::dvec3 direction(ray.Direction);
+  const glm::dvec3 fromA = glm::dvec3(ray.Origin) - a;
+  const glm::dvec3 p = glm::cross(direction, ac);
+  const glm::dvec3 q = glm::cross(fromA, ab);
+  const double volume = glm::dot(ab, p);
+  this->IsSound = volume != 0.0;
+  if (!this->IsSound)
+  {
+    return;
+  }
+  this->IsFront = volume > 0.0;
+  const double sign = this->IsFront ? 1.0 : -1.0;
+  const double second = glm::dot(fromA, p);
+  const double third = glm::dot(direction, q);
+  this->U = second / volume;
+  this->V = third / volume;
+  this->Distance = glm::dot(ac, q) / volume;
+  this->ToEdge = std::min(
+    { LineDistance(sign * second, p), LineDistance(sign * third, glm::cross(direction, ab)),
+      LineDistance(sign * (volume - second - third), glm::cross(direction, ac - ab)) });
+  const glm::dvec3 reach = glm::abs(fromA) + glm::max(glm::abs(ab), glm::abs(ac));
+  this->Slack = Roundings * 0.5 * std::numeric_limits<float>::epsilon() *
+    std::max({ reach.x, reach.y, reach.z });
+}
+
+}

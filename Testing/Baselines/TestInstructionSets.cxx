@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The ray caster's pictures have the same bits whatever the instructions that Embree uses and whatever
+// the number of threads.
+#include "Gallery.h"
+#include "vtkPenumbraRayCaster.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr const char* Variable = "PENUMBRA_EMBREE";
+
+/// Empty where the processor lacks the instructions.
+vtkSmartPointer<vtkImageData> Draw(const Exhibit& exhibit, const std::string& isa, int threads)
+{
+  setenv(Variable, ("isa=" + isa).c_str(), 1);
+  const int warnings = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(exhibit.Make());
+  caster->SetResolution(exhibit.AddsLight ? 24 : 96, exhibit.AddsLight ? 18 : 72);
+  caster->SetShadows(exhibit.AddsLight);
+  caster->SetAmbientOcclusion(exhibit.AddsLight);
+  caster->SetTolerance(exhibit.AddsLight ? 0.1 : 1.0 / 256.0);
+  caster->SetNumberOfThreads(threads);
+  caster->GeometryArraysOn();
+  caster->Update();
+  vtkObject::SetGlobalWarningDisplay(warnings);
+  unsetenv(Variable);
+  return caster->GetOutput();
+}
+
+void ExpectSameBits(vtkImageData* a, vtkImageData* b, const std::string& what)
+{
+  vtkPointData* arrays = a->GetPointData();
+  ASSERT_GT(arrays->GetNumberOfArrays(), 0) << what;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* one = arrays->GetArray(i);
+    vtkDataArray* other = b->GetPointData()->GetArray(one->GetName());
+    ASSERT_TRUE(other) << what << ", " << one->GetName();
+    const auto bytes = static_cast<std::size_t>(one->GetNumberOfValues()) * one->GetDataTypeSize();
+    EXPECT_EQ(std::memcmp(one->GetVoidPointer(0), other->GetVoidPointer(0), bytes), 0)
+      << what << ", " << one->GetName();
+  }
+}
+
+TEST(InstructionSets, ChangeNoBitOfAPicture)
+{
+  for (const Exhibit& exhibit : Gallery())
+  {
+    if (!exhibit.ByRays)
+    {
+      continue;
+    }
+    const auto reference = Draw(exhibit, "sse2", 1);
+    for (const char* isa : { "sse4.2", "avx", "avx2", "avx512" })
+    {
+      const auto picture = Draw(exhibit, isa, 3);
+      if (picture->GetPointData()->GetNumberOfArrays() > 0)
+      {
+        ExpectSameBits(picture, reference, exhibit.Name + " by " + isa);
+      }
+    }
+  }
+}
+
+}
