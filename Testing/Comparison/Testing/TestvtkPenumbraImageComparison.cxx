@@ -8,6 +8,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPNGReader.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -270,6 +273,54 @@ TEST(vtkPenumbraImageComparison, ForgivesOnePixelOfATileAndNoneAtTolerance0)
   EXPECT_FALSE(IsNear(pixels(15), nothing));
   EXPECT_TRUE(IsNear(nothing, nothing, 0.0));
   EXPECT_FALSE(IsNear(Bytes(100, 100, Constant({ 0, 0, 1 })), nothing, 0.0));
+}
+
+Image Recorded(const std::string& name)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((PENUMBRA_PAIRS "/" + name + ".png").c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+TEST(vtkPenumbraImageComparison, AcceptsWhatDriversAndProcessorsDrawDifferently)
+{
+  const std::pair<const char*, const char*> pairs[] = { { "scalars", "softpipe" },
+    { "edges", "softpipe" }, { "occlusion", "sse2" }, { "texture", "sse2" } };
+  for (const auto& [scene, other] : pairs)
+  {
+    const Image one = Recorded(std::string(scene) + "-llvmpipe");
+    const Image two = Recorded(std::string(scene) + "-" + other);
+    EXPECT_GT(Value(one, two, Comparison::MAXIMUM), 0.0) << scene;
+    EXPECT_TRUE(IsNear(one, two)) << scene;
+    EXPECT_TRUE(IsNear(two, one)) << scene;
+  }
+  EXPECT_FALSE(IsNear(Recorded("wires-llvmpipe"), Recorded("wires-softpipe")));
+  EXPECT_FALSE(IsNear(Recorded("edges-llvmpipe"), Recorded("scalars-llvmpipe")));
+}
+
+TEST(vtkPenumbraImageComparison, RejectsARecordedPictureWithSwappedColorsOrALostLine)
+{
+  const Image picture = Recorded("scalars-llvmpipe");
+  vtkDataArray* pixels = picture->GetPointData()->GetScalars();
+  const int width = picture->GetDimensions()[0];
+  const auto change = [&](const std::function<vtkIdType(vtkIdType, int)>& source) {
+    return Bytes(width, picture->GetDimensions()[1], [&, source](int x, int y) {
+      Color color;
+      for (int c = 0; c < 3; ++c)
+      {
+        const vtkIdType from = source(static_cast<vtkIdType>(y) * width + x, c);
+        color.push_back(pixels->GetComponent(from / 3, static_cast<int>(from % 3)));
+      }
+      return color;
+    });
+  };
+  EXPECT_TRUE(IsNear(picture, change([](vtkIdType i, int c) { return 3 * i + c; })));
+  EXPECT_FALSE(IsNear(picture, change([](vtkIdType i, int c) { return 3 * i + 2 - c; })));
+  // The row of pixels in the middle is gone, its neighbour is there twice.
+  const vtkIdType middle = picture->GetDimensions()[1] / 2;
+  EXPECT_FALSE(IsNear(picture,
+    change([&](vtkIdType i, int c) { return 3 * (i / width == middle ? i - width : i) + c; })));
 }
 
 TEST(vtkPenumbraImageComparison, LeavesOutWhatTheMaskLeavesOut)
