@@ -12,6 +12,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
@@ -75,6 +76,24 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
   return pass;
 }
 
+void AddShafts(vtkRenderer* renderer, const RenderOptions& options, Picture& picture)
+{
+  if (options.Lights.empty())
+  {
+    picture.Warnings.emplace_back("No light makes shafts (headlights make none): give "
+                                  "--light-position; no light shafts are drawn.");
+    return;
+  }
+  const ShaftOptions& shafts = options.Shafts;
+  vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(renderer);
+  pass->SetScattering(std::isnan(shafts.Scattering) ? -1.0 : shafts.Scattering);
+  pass->SetExtinction(std::isnan(shafts.Extinction) ? -1.0 : shafts.Extinction);
+  pass->SetPhase(shafts.Phase == "rayleigh" ? vtkPenumbraLightShaftPass::RAYLEIGH
+      : shafts.Phase == "hg"                ? vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN
+                                            : vtkPenumbraLightShaftPass::ISOTROPIC);
+  pass->SetAsymmetry(shafts.Asymmetry);
+}
+
 /// What the pass knows of its last frame.
 void AddFindings(vtkPenumbraTemporalSSAOPass* pass, bool arrays, Picture& picture)
 {
@@ -120,6 +139,11 @@ Picture RenderWithRaster(
   TakeErrors();
   vtkPenumbraTemporalSSAOPass* occlusion =
     options.AmbientOcclusion ? AddOcclusion(renderer, options) : nullptr;
+  Picture picture;
+  if (options.Shafts.Enabled)
+  {
+    AddShafts(renderer, options, picture);
+  }
   for (int frame = 0; frame < std::max(options.Frames, 1); ++frame)
   {
     window->Render();
@@ -139,7 +163,6 @@ Picture RenderWithRaster(
   }
   progress(1.0);
 
-  Picture picture;
   picture.Image = ToFloats(bytes, width, height, options.Background);
   picture.Statistics = { { "Samples/PerPixel", window->GetMultiSamples() } };
   picture.EstimatedError = Unset;

@@ -209,7 +209,7 @@ void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
   const std::string group = "Effects";
   app
     .add_flag("--light-shafts", shafts.Enabled,
-      "Fog in which --light-position makes light and shadow visible (ray)")
+      "Fog in which --light-position makes light and shadow visible")
     ->group(group);
   AddNumber(app, "--shafts-scattering", shafts.Scattering, "S",
     "Share of light scattered per world unit; default: a quarter over the bounds' diagonal",
@@ -310,8 +310,7 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     return;
   }
-  for (const char* name :
-    { "--tolerance", "--max-level", "--no-small-objects", "--shadows", "--light-shafts" })
+  for (const char* name : { "--tolerance", "--max-level", "--no-small-objects", "--shadows" })
   {
     if (app.count(name) > 0)
     {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What light shafts cost over a plain frame: 400 spheres, 1024x768, medians of alternating frames.
+// What light shafts cost over a plain frame: 400 spheres, 1024x768, the least of alternating frames, in seconds of the drawing thread.
 #include "Benchmark.h"
 
 #include "vtkActor.h"
@@ -18,7 +18,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cstdio>
+#include <ctime>
 #include <vector>
 
 namespace penumbra
@@ -28,6 +29,14 @@ namespace
 {
 
 constexpr int Frames = 9;
+
+/// OSMesa draws on this thread; others may keep the machine busy.
+double ThreadSeconds()
+{
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 /// A window with the scene S400.
 struct SphereScene
@@ -87,20 +96,20 @@ struct SphereScene
   double Frame(double azimuth)
   {
     this->Renderer->GetActiveCamera()->Azimuth(azimuth);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = ThreadSeconds();
     this->Window->Render();
     this->Window->WaitForCompletion();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return ThreadSeconds() - start;
   }
 
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
 };
 
-double Median(std::vector<double> values)
+/// The least disturbed of some frames: other work on the machine only adds.
+double Least(const std::vector<double>& times)
 {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
+  return *std::min_element(times.begin(), times.end());
 }
 
 }
@@ -108,20 +117,21 @@ double Median(std::vector<double> values)
 void MeasureCost(ShaftBenchmark& benchmark)
 {
   SphereScene plain;
-  plain.AddLight(6.0, 24.0, 4.0);
+  SphereScene plainOfTwo;
   SphereScene one;
   SphereScene two;
-  two.AddLight(6.0, 24.0, 4.0);
   SphereScene full;
+  plainOfTwo.AddLight(6.0, 24.0, 4.0);
+  two.AddLight(6.0, 24.0, 4.0);
   vtkPenumbraLightShaftPass::AddTo(one.Renderer)->SetTolerance(1.0 / 64.0);
   vtkPenumbraLightShaftPass::AddTo(two.Renderer)->SetTolerance(1.0 / 64.0);
   vtkPenumbraLightShaftPass::AddTo(full.Renderer)->SetTolerance(1.0 / 256.0);
-  SphereScene* const scenes[4] = { &plain, &one, &two, &full };
-  std::vector<double> moving[4];
-  std::vector<double> still[4];
+  SphereScene* const scenes[5] = { &plain, &plainOfTwo, &one, &two, &full };
+  std::vector<double> moving[5];
+  std::vector<double> still[5];
   for (int frame = -2; frame < Frames; ++frame)
   {
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 5; ++i)
     {
       const double time = scenes[i]->Frame(0.1);
       const double again = scenes[i]->Frame(0.0);
@@ -132,16 +142,21 @@ void MeasureCost(ShaftBenchmark& benchmark)
       }
     }
   }
-  const double base = Median(moving[0]);
-  const double first = Median(moving[1]) - base;
+  for (int i = 0; i < 5; ++i)
+  {
+    std::printf("  scene %d: moving %.3f s, still %.3f s\n", i, Least(moving[i]), Least(still[i]));
+  }
+  const double base = Least(moving[0]);
+  const double first = Least(moving[2]) - base;
+  const double second = Least(moving[3]) - Least(moving[1]);
   Table& table = benchmark.Results;
   table.Add("S400, 1024x768", "seconds of a plain frame", base, Bar::None);
   table.Add("S400, tolerance 1/64", "overhead, plain frames", first / base, Bar::AtMost, 0.35);
-  table.Add("S400, tolerance 1/64", "overhead of two lights over that of one",
-    (Median(moving[2]) - base) / first, Bar::AtMost, 1.6);
-  table.Add("S400, tolerance 1/256, 64 steps in every pixel", "overhead, plain frames",
-    (Median(moving[3]) - base) / base, Bar::None);
-  table.Add("S400, still", "plain frames", Median(still[1]) / Median(still[0]), Bar::AtMost, 1.05);
+  table.Add("S400, tolerance 1/64", "overhead of two lights over that of one", second / first,
+    Bar::AtMost, 1.6);
+  table.Add("S400, tolerance 1/256: 64 steps in every pixel", "overhead, plain frames",
+    (Least(moving[4]) - base) / base, Bar::None);
+  table.Add("S400, still", "plain frames", Least(still[2]) / Least(still[0]), Bar::AtMost, 1.05);
 
   vtkNew<vtkUnsignedCharArray> before;
   vtkNew<vtkUnsignedCharArray> after;

@@ -4,14 +4,13 @@
 
 #include "GeometryArrays.h"
 #include "MediumExtraction.h"
-#include "PicturePart.h"
+#include "PictureImage.h"
 #include "SceneExtraction.h"
 #include "SceneExtractionTime.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,7 +18,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
 #include "vtkPenumbraMedium.h"
-#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -32,11 +30,6 @@
 
 namespace
 {
-
-// Parts of a picture are rendered one after the other, so that memory stays bounded: whole rows of
-// tiles with about this many pixels.
-constexpr int PixelsPerPart = 1 << 22;
-constexpr int Alignment = 32;
 
 // Reach of an occluder as a share of the scene's diagonal, where none is given.
 constexpr double DefaultRadiusShare = 0.1;
@@ -63,44 +56,6 @@ double GetDiagonal(const penumbra::Scene& scene)
     }
   }
   return bounds.IsValid() ? bounds.GetDiagonalLength() / scene.Scale : 1.0;
-}
-
-void AddFloatArray(vtkImageData* image, const char* name, int components)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(image->GetNumberOfPoints());
-  image->GetPointData()->AddArray(array);
-}
-
-/// Those rows of `part` that belong to `image`, with `over` over them; the sum of their squared errors.
-double CopyRows(penumbra::PicturePart& part, const penumbra::Overlay& over, vtkImageData* image)
-{
-  const auto find = [image](const char* name) {
-    return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
-  };
-  vtkFloatArray* color = find("Color");
-  vtkFloatArray* rays = find("Rays");
-  vtkFloatArray* errors = find("EstimatedError");
-  int extent[6];
-  image->GetExtent(extent);
-  const int width = extent[1] - extent[0] + 1;
-  double squaredError = 0.0;
-  for (int y = std::max(part.Low.y, extent[2]); y < std::min(part.High.y, extent[3] + 1); ++y)
-  {
-    const std::size_t from = part.Index(extent[0], y);
-    const vtkIdType to = static_cast<vtkIdType>(y - extent[2]) * width;
-    over.PutOver(extent[0], y, width, &part.Colors[from]);
-    std::copy_n(&part.Colors[from].x, 4 * width, color->GetPointer(4 * to));
-    std::copy_n(&part.RayShares[from], width, rays->GetPointer(to));
-    std::copy_n(&part.Errors[from], width, errors->GetPointer(to));
-    for (int x = 0; x < width; ++x)
-    {
-      squaredError += static_cast<double>(part.Errors[from + x]) * part.Errors[from + x];
-    }
-  }
-  return squaredError;
 }
 
 }
@@ -394,45 +349,17 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     vtkWarningWithObjectMacro(self, << warning);
   }
 
-  AddFloatArray(image, "Color", 4);
-  AddFloatArray(image, "Rays", 1);
-  AddFloatArray(image, "EstimatedError", 1);
-  image->GetPointData()->SetActiveScalars("Color");
-
-  int extent[6];
-  image->GetExtent(extent);
-  const int width = extent[1] - extent[0] + 1;
-  const int height = extent[3] - extent[2] + 1;
-  const int left = extent[0] / Alignment * Alignment;
-  const int right = std::min((extent[1] / Alignment + 1) * Alignment, self->Resolution[0]);
-  const int bottom = extent[2] / Alignment * Alignment;
-  const int rows = std::max(PixelsPerPart / std::max(right - left, 1) / Alignment, 1) * Alignment;
-
+  const auto progress = [self](double done) {
+    self->UpdateProgress(done);
+    return self->GetAbortExecute() != 0;
+  };
   penumbra::PicturePart totals;
   double squaredError = 0.0;
-  for (int low = bottom; low <= extent[3]; low += rows)
+  if (!penumbra::RenderImage(
+        sampler, this->Prepared->Edges, settings, progress, image, totals, squaredError))
   {
-    const int high =
-      std::min({ low + rows, (extent[3] / Alignment + 1) * Alignment, self->Resolution[1] });
-    penumbra::PicturePart part;
-    part.Low = { left, low };
-    part.High = { right, high };
-    const double done = static_cast<double>(std::max(low, extent[2]) - extent[2]) / height;
-    const double share = static_cast<double>(high - low) / height;
-    const auto progress = [&](double inPart) {
-      self->UpdateProgress(std::min(done + share * inPart, 1.0));
-      return self->GetAbortExecute() != 0;
-    };
-    if (!penumbra::RenderPart(sampler, this->Prepared->Edges, settings, progress, part))
-    {
-      return false;
-    }
-    squaredError += CopyRows(part, scene.Over, image);
-    totals.Rays += part.Rays;
-    totals.Pixels += part.Pixels;
-    totals.Edges = std::max(totals.Edges, part.Edges);
+    return false;
   }
-  const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
   if (self->GeometryArrays)
   {
     sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
@@ -442,7 +369,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
       return false;
     }
   }
-  this->Report(totals, squaredError, pixels);
+  this->Report(totals, squaredError, image->GetNumberOfPoints());
   if (self->AmbientOcclusion || self->GeometryArrays)
   {
     this->IrradianceSource->Report(this->Statistics);

@@ -16,6 +16,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace penumbra
 {
@@ -157,7 +158,11 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
     vtkRenderState inner(renderer);
     inner.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
     inner.SetFrameBuffer(this->Framebuffer);
-    const WiderCamera wider(renderer, this->View);
+    std::optional<WiderCamera> wider;
+    if (this->Margin[0] > 0 || this->Margin[1] > 0)
+    {
+      wider.emplace(renderer, this->View);
+    }
     delegate->Render(&inner);
     props = delegate->GetNumberOfRenderedProps();
     if (this->Samples > 1)

@@ -108,9 +108,12 @@ bool IsUsable(const ShaftLight& light)
 void ShaftLight::SetUniforms(vtkShaderProgram* program) const
 {
   program->SetUniform4f("light", this->Place);
-  program->SetUniform3f("attenuation", this->Attenuation);
-  program->SetUniform4f("cone", this->Cone);
-  program->SetUniformf("coneExponent", this->Exponent);
+  if (this->Place[3] > 0.f)
+  {
+    program->SetUniform3f("attenuation", this->Attenuation);
+    program->SetUniform4f("cone", this->Cone);
+    program->SetUniformf("coneExponent", this->Exponent);
+  }
 }
 
 bool ShaftLight::operator==(const ShaftLight& other) const

@@ -10,11 +10,13 @@
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraShaftCompositeFS.h"
 #include "vtkPenumbraShaftDepthLib.h"
+#include "vtkPenumbraShaftLampLib.h"
 #include "vtkPenumbraShaftLib.h"
 #include "vtkPenumbraShaftPictureLib.h"
 #include "vtkPenumbraShaftRadialLib.h"
 #include "vtkPenumbraShaftSamplesLib.h"
 #include "vtkPenumbraShaftScatterFS.h"
+#include "vtkPenumbraShaftSunLib.h"
 #include "vtkPenumbraShaftVisibilityFS.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkPointData.h"
@@ -46,6 +48,16 @@ void SetSize(vtkShaderProgram* program, const char* name, double width, double h
 void SetNumber(vtkShaderProgram* program, const char* name, double value)
 {
   program->SetUniformf(name, static_cast<float>(value));
+}
+
+/// A shader with the pieces for a kind of light.
+std::string AssembleFor(
+  bool lamp, const char* source, std::vector<std::pair<std::string, std::string>> pieces)
+{
+  pieces.insert(pieces.begin(),
+    { { "ViewLib", vtkPenumbraViewLib }, { "ShaftLib", vtkPenumbraShaftLib },
+      { "Light", lamp ? vtkPenumbraShaftLampLib : vtkPenumbraShaftSunLib } });
+  return Assemble(source, pieces);
 }
 
 }
@@ -90,7 +102,7 @@ bool ShaftView::Compute()
   const int block = this->Settings.Block;
   Allocate(this->Shafts, this->Window, view.Width, view.Height, 4);
   Allocate(this->LitShares, this->Window, (view.Width + block - 1) / block,
-    (view.Height + block - 1) / block, 1);
+    (view.Height + block - 1) / block, 2);
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     if (!this->FindLit(this->Lights[i]) || !this->Scatter(this->Lights[i], i == 0))
@@ -112,16 +124,12 @@ void ShaftView::SetMedium(vtkShaderProgram* program) const
 
 bool ShaftView::FindLit(const ShaftLight& light)
 {
-  static const auto assemble = [](const char* estimator) {
-    return Assemble(vtkPenumbraShaftVisibilityFS,
-      { { "ViewLib", vtkPenumbraViewLib }, { "ShaftLib", vtkPenumbraShaftLib },
-        { "Estimator", estimator } });
-  };
-  static const std::string byDepth = assemble(vtkPenumbraShaftDepthLib);
-  static const std::string radial = assemble(vtkPenumbraShaftRadialLib);
   const ShaftSettings& settings = this->Settings;
-  vtkShaderProgram* program =
-    this->Visibility.Ready(this->Window, settings.Radial ? radial : byDepth);
+  const bool lamp = light.Place[3] > 0.f;
+  Stage& stage = this->Visibility[lamp];
+  const char* estimator = settings.Radial ? vtkPenumbraShaftRadialLib : vtkPenumbraShaftDepthLib;
+  vtkShaderProgram* program = stage.Ready(
+    this->Window, AssembleFor(lamp, vtkPenumbraShaftVisibilityFS, { { "Estimator", estimator } }));
   const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->LitShares });
   if (!program || !target.IsComplete())
   {
@@ -144,8 +152,8 @@ bool ShaftView::FindLit(const ShaftLight& light)
     SetNumber(program, "thickness", settings.Thickness / settings.Unit);
     SetNumber(program, "range", settings.Range / settings.Unit);
   }
-  this->Visibility.Read("eyeDepths", this->Depth.GetCurrent());
-  this->Visibility.Draw();
+  stage.Read("eyeDepths", this->Depth.GetCurrent());
+  stage.Draw();
   this->NewShares +=
     static_cast<long long>(this->LitShares->GetWidth()) * this->LitShares->GetHeight();
   return true;
@@ -153,9 +161,10 @@ bool ShaftView::FindLit(const ShaftLight& light)
 
 bool ShaftView::Scatter(const ShaftLight& light, bool first)
 {
-  static const std::string source = Assemble(vtkPenumbraShaftScatterFS,
-    { { "ViewLib", vtkPenumbraViewLib }, { "ShaftLib", vtkPenumbraShaftLib } });
-  vtkShaderProgram* program = this->Addition.Ready(this->Window, source);
+  const bool lamp = light.Place[3] > 0.f;
+  Stage& stage = this->Addition[lamp];
+  vtkShaderProgram* program =
+    stage.Ready(this->Window, AssembleFor(lamp, vtkPenumbraShaftScatterFS, {}));
   const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->Shafts });
   if (!program || !target.IsComplete())
   {
@@ -178,9 +187,9 @@ bool ShaftView::Scatter(const ShaftLight& light, bool first)
   SetNumber(program, "block", this->Settings.Block);
   SetNumber(program, "transmittance", first ? 1.0 : 0.0);
   SetSize(program, "texelSize", this->LitShares->GetWidth(), this->LitShares->GetHeight());
-  this->Addition.Read("eyeDepths", this->Depth.GetCurrent());
-  this->Addition.Read("litShares", this->LitShares);
-  this->Addition.Draw();
+  stage.Read("eyeDepths", this->Depth.GetCurrent());
+  stage.Read("litShares", this->LitShares);
+  stage.Draw();
   return true;
 }
 
@@ -267,7 +276,8 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Image.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
-  for (Stage* stage : { &this->Visibility, &this->Addition, &this->Composition })
+  for (Stage* stage : { &this->Visibility[0], &this->Visibility[1], &this->Addition[0],
+         &this->Addition[1], &this->Composition })
   {
     stage->ReleaseGraphicsResources(window);
   }

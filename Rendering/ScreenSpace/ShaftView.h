@@ -71,11 +71,11 @@ private:
   std::vector<ShaftLight> Lights;
   DelegateImage Image;
   EyeDepth Depth;
-  Stage Visibility;
-  Stage Addition;
+  Stage Visibility[2]; ///< by a sun, by a lamp
+  Stage Addition[2];
   Stage Composition;
-  vtkSmartPointer<vtkTextureObject> LitShares;
-  vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: scattered light, a: transmittance
+  vtkSmartPointer<vtkTextureObject> LitShares; ///< r: share, g: eye depth
+  vtkSmartPointer<vtkTextureObject> Shafts;    ///< rgb: scattered light, a: transmittance
   long long NewShares = 0;
   int Props = 0;
   bool Known = false; ///< Shafts holds the picture of Settings and Lights

@@ -82,8 +82,6 @@ const Row Rows[] = {
     { "--indirect", "not available in this version" } },
   { "OptionOfALaterVersionWithValue", 2, Square, "stl", { "--albedo=0.5" },
     { "--albedo", "not available in this version" } },
-  { "ShaftsByRaster", 2, Square, "stl", { "--engine", "raster", "--light-shafts" },
-    { "--light-shafts", "--engine ray" } },
   { "PhaseWithoutShafts", 2, Square, "stl", { "--shafts-phase", "rayleigh" },
     { "--shafts-phase", "--light-shafts" } },
   { "UnknownPhase", 2, Square, "stl", { "--light-shafts", "--shafts-phase", "mie" },

@@ -291,15 +291,31 @@ TEST(Render, DrawsLightShaftsInFog)
   EXPECT_NEAR(PixelAt(image, 20, 15)[0], light * (1.0 - std::exp(-0.5 * depth)), 1e-5);
 }
 
+TEST(Render, DrawsMuchTheSameLightShaftsByBothEngines)
+{
+  const Folder folder("engines");
+  for (const std::string engine : { "ray", "raster" })
+  {
+    const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+      "--resolution", "120,90", "--engine", engine, "--output", folder / (engine + ".png"),
+      "--light-shafts", "--shafts-phase", "hg:0.6", "--light-position=0.6,0.8,-1,0" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  }
+  EXPECT_LT(Compare(folder / "raster.png", folder / "ray.png")["metrics"]["rmse"], 0.02);
+}
+
 TEST(Render, WarnsWhereAHeadlightMakesNoShafts)
 {
   const Folder folder("headlight");
   WriteText(folder / "square.stl", SquareStl());
-  const Outcome outcome =
-    RunProgram({ "render", folder / "square.stl", "--output", folder / "p.png", "--light-shafts" });
-  EXPECT_EQ(outcome.Status, 0);
-  EXPECT_EQ(CountLines(outcome.Errors), 1);
-  EXPECT_NE(outcome.Errors.find("light"), std::string::npos);
+  for (const char* engine : { "ray", "raster" })
+  {
+    const Outcome outcome = RunProgram({ "render", folder / "square.stl", "--output",
+      folder / "p.png", "--light-shafts", "--engine", engine });
+    EXPECT_EQ(outcome.Status, 0);
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("light"), std::string::npos);
+  }
 }
 
 TEST(Render, LeavesTheBackgroundOut)

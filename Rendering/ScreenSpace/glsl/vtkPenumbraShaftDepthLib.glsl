@@ -27,15 +27,6 @@ uvec2 bitsBetween(float low, float high)
   return uvec2(lowBits(last) & ~lowBits(first), lowBits(last - 32.0) & ~lowBits(first - 32.0));
 }
 
-float countBits(uvec2 bits)
-{
-  bits = (bits & 0x55555555u) + ((bits >> 1) & 0x55555555u);
-  bits = (bits & 0x33333333u) + ((bits >> 2) & 0x33333333u);
-  bits = (bits & 0x0f0f0f0fu) + ((bits >> 4) & 0x0f0f0f0fu);
-  bits = (bits * 0x01010101u) >> 24;
-  return float(bits.x + bits.y);
-}
-
 // First and last depth of the view ray that a surface at `depth` shadows at q.
 vec2 shadowedDepths(float depth, float q)
 {
@@ -85,16 +76,5 @@ float litShareOf(Sight sight, vec2 pixel, float eyeDepth)
     before = depth;
     last = depths;
   }
-  if (light.w < 0.5)
-  {
-    return 1.0 - countBits(shadowed) / 64.0;
-  }
-  vec2 sums = vec2(0.0);
-  for (int i = 0; i < 64; ++i)
-  {
-    float amount = lampScatters(sight, (float(i) + 0.5) / 64.0);
-    uint word = i < 32 ? shadowed.x : shadowed.y;
-    sums += amount * vec2(1.0, float(1u - ((word >> uint(i & 31)) & 1u)));
-  }
-  return sums.x > 0.0 ? sums.y / sums.x : 1.0;
+  return litOf(sight, shadowed);
 }

@@ -8,7 +8,7 @@
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::ShaftLib
 uniform sampler2D eyeDepths;
-uniform sampler2D litShares;
+uniform sampler2D litShares;   // r: share, g: eye depth
 uniform vec2 texelSize;       // of litShares
 uniform float block;          // pixels a side of a texel
 uniform vec3 color;           // the light's, exposure included
@@ -22,20 +22,16 @@ float litShareAt(vec2 pixel, float eyeDepth)
   vec2 at = (pixel - 0.5) / block;
   vec2 corner = floor(at);
   vec2 share = at - corner;
-  float sum = 0.0;
-  float weights = 0.0;
+  vec2 sums = vec2(1e-9);
   for (int i = 0; i < 4; ++i)
   {
     vec2 offset = vec2(float(i % 2), float(i / 2));
-    vec2 tap = corner + offset;
-    float seen = texture(eyeDepths, (tap * block + 0.5) * pixelSize).r;
     vec2 near = mix(1.0 - share, share, offset);
-    float other = abs(seen - eyeDepth) / (apart * min(seen, eyeDepth));
-    float weight = (near.x * near.y + 1e-4) / (1.0 + other * other);
-    sum += weight * texture(litShares, (tap + 0.5) * texelSize).r;
-    weights += weight;
+    vec2 found = texture(litShares, (corner + offset + 0.5) * texelSize).rg;
+    float other = (found.g - eyeDepth) / (apart * min(found.g, eyeDepth));
+    sums += (near.x * near.y + 1e-4) / (1.0 + other * other) * vec2(found.r, 1.0);
   }
-  return sum / weights;
+  return sums.x / sums.y;
 }
 
 void main()

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One idea: light shafts. A medium fills the scene, and the light that it scatters is seen wherever
+// nothing stands between it and the sun. vtkPenumbraLightShaftPass::AddTo(renderer) shows the same
+// medium in an OpenGL window.
+#include "vtkPenumbraMedium.h"
+#include "vtkPenumbraRayCaster.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCylinderSource.h>
+#include <vtkImageData.h>
+#include <vtkImageShiftScale.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace
+{
+
+void Add(vtkRenderer* renderer, vtkAlgorithm* source, double red, double green, double blue)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(red, green, blue);
+  actor->GetProperty()->SetAmbient(0.2);
+  renderer->AddActor(actor);
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkCylinderSource> trunk;
+  trunk->SetRadius(0.12);
+  trunk->SetHeight(2.0);
+  trunk->SetResolution(24);
+  Add(renderer, trunk, 0.4, 0.25, 0.15);
+  // Leaves on a spiral around the top.
+  for (int i = 0; i < 60; ++i)
+  {
+    const double up = (i + 0.5) / 60.0;
+    const double away = 1.1 * std::sqrt(up * (1.0 - up)) + 0.1;
+    vtkNew<vtkSphereSource> leaf;
+    leaf->SetCenter(away * std::cos(2.4 * i), 0.8 + 1.6 * up, away * std::sin(2.4 * i));
+    leaf->SetRadius(0.13);
+    leaf->SetThetaResolution(16);
+    leaf->SetPhiResolution(12);
+    Add(renderer, leaf, 0.2, 0.5, 0.15);
+  }
+  renderer->GetActiveCamera()->SetPosition(0.0, 0.2, 7.0);
+  renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.9, 0.0);
+
+  // The sun stands behind the tree.
+  vtkNew<vtkLight> sun;
+  sun->SetPosition(0.05, 0.35, -1.0);
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  sun->SetIntensity(2.0);
+  sun->SetDiffuseColor(1.0, 0.85, 0.6);
+  renderer->AddLight(sun);
+
+  vtkNew<vtkPenumbraMedium> haze;
+  haze->SetScattering(0.12); // a world unit
+  haze->SetPhase(vtkPenumbraMedium::HENYEY_GREENSTEIN);
+  haze->SetAsymmetry(0.5); // forward
+
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetMedium(haze);
+  caster->SetResolution(400, 300);
+  caster->Update();
+
+  vtkNew<vtkImageShiftScale> bytes;
+  bytes->SetInputConnection(caster->GetOutputPort());
+  bytes->SetScale(255.0);
+  bytes->SetShift(0.5 / 255.0);
+  bytes->SetOutputScalarTypeToUnsignedChar();
+  bytes->ClampOverflowOn();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(bytes->GetOutputPort());
+  writer->SetFileName(argc > 1 ? argv[1] : "SunBehindATree.png");
+  writer->Write();
+  return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From a traced scene to the arrays of an image, part by part, so that memory stays bounded.
+#ifndef penumbra_PictureImage_h
+#define penumbra_PictureImage_h
+
+#include "PicturePart.h"
+
+class vtkImageData;
+
+namespace penumbra
+{
+
+/**
+ * Adds `Color`, `Rays` and `EstimatedError` to `image`, which has its extent, with what lies over the
+ * picture. `totals` collects counts; `squaredError` the sum over all pixels. False when `progress`
+ * stopped it.
+ */
+bool RenderImage(const Sampler& sampler, const SceneEdges& meshes, const PictureSettings& settings,
+  const ProgressCallback& progress, vtkImageData* image, PicturePart& totals, double& squaredError);
+
+}
+#endif
