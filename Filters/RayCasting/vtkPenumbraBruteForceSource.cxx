@@ -26,7 +26,7 @@ constexpr std::uint32_t FirstRays = 32;
 
 /// Even where all of n rays agree something may hide between them: its share is taken to be this
 /// over n.
-constexpr double HiddenShare = 0.25;
+constexpr double HiddenShare = 0.5;
 
 /// The error of the mean of n rays above half-planes and discs, over n^(-3/4), and over the error that
 /// independent pairs of rays would have (both measured over thousands of random ones; the test
