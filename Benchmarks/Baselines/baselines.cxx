@@ -9,6 +9,7 @@
 #include "vtkPenumbraImageComparison.h"
 #include "vtkPenumbraRayCaster.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"

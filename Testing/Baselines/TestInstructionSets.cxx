@@ -6,6 +6,7 @@
 #include "Gallery.h"
 #include "vtkPenumbraRayCaster.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
