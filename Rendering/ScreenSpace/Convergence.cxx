@@ -17,9 +17,10 @@ constexpr int TileSide = 16;
 /// The first comparison is not worth its reading before this many samples.
 constexpr int FirstReading = 32;
 
-/// With an error that falls as the samples to the power 0.85 - measured, scenes of the tests - the
-/// mean of 2 n samples is off by this share of its difference to the mean of n.
-constexpr double ErrorOfDifference = 0.5;
+/// The mean of 2 n samples is off by about its difference to the mean of n: with independent samples
+/// exactly, with a sequence of low discrepancy by less; measured, `./penumbra benchmark
+/// ambient-occlusion --only noise`.
+constexpr double ErrorOfDifference = 1.0;
 
 }
 

@@ -108,7 +108,8 @@ void DelegateImage::ResolveDepth(vtkOpenGLRenderWindow* window)
   gl->PopDrawFramebufferBinding();
 }
 
-int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2])
+int DelegateImage::Draw(
+  const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2], bool oneSample)
 {
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -131,7 +132,7 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
   this->Margin[0] = margin[0];
   this->Margin[1] = margin[1];
   this->View = ScreenView::Of(renderer, this->Viewport + 2, margin);
-  this->Prepare(window, std::max(samples, 1));
+  this->Prepare(window, oneSample ? 1 : std::max(samples, 1));
 
   vtkOpenGLState* gl = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(gl);

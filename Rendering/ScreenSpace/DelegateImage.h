@@ -28,8 +28,10 @@ public:
   ~DelegateImage();
 
   /// Draws the delegate for the renderer of `state`; `margin` in pixels on each side, in x and y.
-  /// Returns the number of props drawn, -1 when OpenGL refuses.
-  int Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2]);
+  /// With as many samples a pixel as the target, or one. Returns the number of props drawn, -1 when
+  /// OpenGL refuses.
+  int Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2],
+    bool oneSample = false);
 
   /// One depth a pixel, also of pictures with several samples (of these the first).
   vtkTextureObject* GetDepth() const { return this->Depth; }

@@ -4,19 +4,13 @@
 
 #include "vtkPenumbraOcclusionEstimator.h"
 
-#include "OpenGLFunctions.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkPenumbraCompositeFS.h"
-#include "vtkPenumbraCompositeSamplesFS.h"
-#include "vtkPenumbraViewLib.h"
 #include "vtkPointData.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -101,7 +95,8 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
       return false;
     }
   }
-  return this->Composite();
+  return this->Darken.Draw(this->Window, this->Image, this->Depth, this->Image.GetColor(),
+    this->Estimates, settings.Strength, settings.DelegateDrawsBackground);
 }
 
 bool OcclusionView::Estimate(EyeDepth::Change change)
@@ -172,57 +167,6 @@ bool OcclusionView::Filter()
   return this->Smoother.Apply(this->Window, this->Image, this->Depth.GetView(),
     this->Depth.GetCurrent(), this->History.GetTexture(), this->History.GetSpare(), this->Estimates,
     settings);
-}
-
-bool OcclusionView::Composite()
-{
-  static const std::string samplesSource =
-    Assemble(vtkPenumbraCompositeSamplesFS, { { "ViewLib", vtkPenumbraViewLib } });
-  const bool manySamples = this->Image.GetSamples() > 1;
-  vtkShaderProgram* program =
-    this->Darken.Ready(this->Window, manySamples ? samplesSource : vtkPenumbraCompositeFS);
-  if (!program)
-  {
-    return false;
-  }
-  vtkOpenGLState* gl = this->Window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(gl);
-  const vtkOpenGLState::ScopedglScissor scissor(gl);
-  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
-  const int* at = this->Image.GetViewport();
-  const int* margin = this->Image.GetMargin();
-  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
-  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
-  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(gl);
-  gl->vtkglDisable(GL_BLEND);
-  if (manySamples && !this->Settings.DelegateDrawsBackground)
-  {
-    gl->vtkglEnable(GL_BLEND);
-    gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
-  gl->vtkglEnable(GL_DEPTH_TEST);
-  gl->vtkglDepthMask(GL_TRUE);
-  gl->vtkglDepthFunc(GL_ALWAYS);
-  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-
-  const float offset[2] = { static_cast<float>(margin[0] - at[0]),
-    static_cast<float>(margin[1] - at[1]) };
-  program->SetUniform2f("offset", offset);
-  this->Depth.GetView().SetUniforms(program);
-  program->SetUniformf("strength", static_cast<float>(this->Settings.Strength));
-  program->SetUniformf("background", this->Settings.DelegateDrawsBackground ? 1.f : 0.f);
-  this->Darken.Read("colors", this->Image.GetColor());
-  this->Darken.Read(manySamples ? "depthSamples" : "depthBuffer", this->Image.GetSampleDepth());
-  if (manySamples)
-  {
-    program->SetUniformi("sampleCount", this->Image.GetSamples());
-    this->Darken.Read("eyeDepths", this->Depth.GetCurrent());
-  }
-  this->Darken.Read("occlusions", this->Estimates);
-  this->Darken.Draw();
-  gl->vtkglDepthFunc(GL_LEQUAL);
-  return true;
 }
 
 std::vector<float> OcclusionView::ReadMeans() const

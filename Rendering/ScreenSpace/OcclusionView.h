@@ -7,6 +7,7 @@
 #define penumbra_OcclusionView_h
 
 #include "BilateralFilter.h"
+#include "Composite.h"
 #include "Convergence.h"
 #include "DelegateImage.h"
 #include "EyeDepth.h"
@@ -76,7 +77,6 @@ private:
   bool Estimate(EyeDepth::Change change);
   bool JoinHistory(EyeDepth::Change change, int samples);
   bool Filter();
-  bool Composite();
   std::vector<float> ReadMeans() const;
   bool MeetsTolerance() const;
 
@@ -89,7 +89,7 @@ private:
   TemporalHistory History;
   BilateralFilter Smoother;
   Convergence Still;
-  Stage Darken;
+  Composite Darken;
   vtkSmartPointer<vtkTextureObject> Estimates; ///< new ones, then the filtered result
   int TotalSamples = 0;                        ///< place in the sample sequence
   int SettledSamples = 0;                      ///< since the last cut

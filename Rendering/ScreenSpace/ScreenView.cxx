@@ -3,11 +3,13 @@
 #include "ScreenView.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace penumbra
 {
@@ -99,6 +101,18 @@ bool ScreenView::SeesLike(const ScreenView& other) const
     this->Parallel == other.Parallel && this->Unit == other.Unit &&
     this->WorldToEye == other.WorldToEye && std::equal(this->Scale, this->Scale + 2, other.Scale) &&
     std::equal(this->Offset, this->Offset + 2, other.Offset);
+}
+
+double PixelAtFocus(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double height = std::max(renderer->GetSize()[1], 1);
+  if (camera->GetParallelProjection())
+  {
+    return 2.0 * camera->GetParallelScale() / height;
+  }
+  const double half = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0;
+  return 2.0 * camera->GetDistance() * std::tan(half) / height;
 }
 
 }

@@ -44,5 +44,8 @@ struct ScreenView
   bool SeesLike(const ScreenView& other) const;
 };
 
+/// World length of a pixel at the camera's focal point.
+double PixelAtFocus(vtkRenderer* renderer);
+
 }
 #endif

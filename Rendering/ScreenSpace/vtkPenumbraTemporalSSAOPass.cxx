@@ -8,7 +8,6 @@
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
-#include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -55,19 +54,6 @@ vtkMTimeType ChangeTime(const vtkRenderState* state)
     time = std::max(time, state->GetPropArray()[i]->GetRedrawMTime());
   }
   return time;
-}
-
-/// World length of a pixel at the camera's focal point.
-double PixelAtFocus(vtkRenderer* renderer)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double height = std::max(renderer->GetSize()[1], 1);
-  if (camera->GetParallelProjection())
-  {
-    return 2.0 * camera->GetParallelScale() / height;
-  }
-  const double half = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0;
-  return 2.0 * camera->GetDistance() * std::tan(half) / height;
 }
 
 /// Where a pass hangs: the outermost image-processing passes are walked through.
@@ -298,7 +284,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   const double diagonal = vtkMath::AreBoundsInitialized(bounds)
     ? std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])
     : 0.0;
-  const double pixel = PixelAtFocus(renderer);
+  const double pixel = penumbra::PixelAtFocus(renderer);
   const double units[3] = { diagonal, 1.0, pixel };
   penumbra::OcclusionSettings settings;
   settings.Radius = this->Radius * units[this->RadiusUnit];

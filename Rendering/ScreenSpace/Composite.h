@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The last step of a pass: the delegate's picture, darkened, with its own depth, into whatever is
+// bound.
+#ifndef penumbra_Composite_h
+#define penumbra_Composite_h
+
+#include "EyeDepth.h"
+#include "Stage.h"
+
+namespace penumbra
+{
+
+class Composite
+{
+public:
+  /// `colors * (1 - strength * occlusions)`; without occlusions strength must be 0. `background`:
+  /// pixels without a surface are drawn, too, else they stay. False when OpenGL refuses.
+  bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, const EyeDepth& depth,
+    vtkTextureObject* colors, vtkTextureObject* occlusions, double strength, bool background);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  Stage Darken;
+};
+
+}
+#endif
