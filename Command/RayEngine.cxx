@@ -6,6 +6,7 @@
 #include "MessageLog.h"
 #include "Pictures.h"
 #include "RenderOptions.h"
+#include "Report.h"
 #include "Surfaces.h"
 
 #include "vtkActor.h"
@@ -17,6 +18,7 @@
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
@@ -62,23 +64,6 @@ void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
   {
     static_cast<std::vector<std::string>*>(clientData)->push_back(warning);
   }
-}
-
-nlohmann::json ToJson(vtkFieldData* statistics)
-{
-  nlohmann::json json = nlohmann::json::object();
-  for (int i = 0; i < statistics->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = statistics->GetArray(i);
-    if (array && array->GetName() && array->GetNumberOfTuples() > 0)
-    {
-      const double value = array->GetComponent(0, 0);
-      const bool isCount = value == std::floor(value);
-      json[array->GetName()] =
-        isCount ? nlohmann::json(static_cast<long long>(value)) : nlohmann::json(value);
-    }
-  }
-  return json;
 }
 
 // `CellId` of surfaces that were extracted from another data set: the id in that one.
@@ -143,6 +128,10 @@ Picture RenderWithRays(
     std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));
   caster->SetAmbientOcclusionStrength(
     std::isnan(options.AmbientOcclusionStrength) ? -1.0 : options.AmbientOcclusionStrength);
+  if (options.AmbientOcclusion)
+  {
+    caster->SetIrradianceSource(vtkNew<vtkPenumbraIrradianceCache>());
+  }
   caster->SetBackground(options.Background);
   caster->SetDPI(options.DotsPerInch);
   caster->SetGeometryArrays(HoldsArrays(options.Output));

@@ -9,6 +9,7 @@
 #include "Pictures.h"
 #include "ProgressLine.h"
 #include "RenderOptions.h"
+#include "Report.h"
 #include "SceneBuilder.h"
 #include "Subcommands.h"
 #include "Surfaces.h"
@@ -27,8 +28,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-
-#include <sys/resource.h>
 
 namespace penumbra
 {
@@ -100,26 +99,6 @@ std::string ExplainEmptiness(
     ? "nothing to see: the picture shows only the background; check the --camera options, the "
       "colours and the lights"
     : "what is in view cannot be told from the background; check the colours and the lights";
-}
-
-void SayWarnings(const std::vector<std::string>& warnings)
-{
-  std::string line;
-  for (const std::string& warning : warnings)
-  {
-    line += (line.empty() ? "warning: " : "; ") + warning;
-  }
-  if (!line.empty())
-  {
-    Say(line);
-  }
-}
-
-unsigned long long PeakMemory()
-{
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<unsigned long long>(usage.ru_maxrss) * 1024;
 }
 
 std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(

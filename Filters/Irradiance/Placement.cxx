@@ -4,7 +4,7 @@
 
 #include "CosineDirections.h"
 
-#include "vtkSMPTools.h"
+#include <memory>
 
 namespace penumbra
 {
@@ -36,6 +36,14 @@ constexpr float ShareOfRim = .5f;
 /// about the .3 that is usual at a tolerance of .005.
 constexpr double SplitSphereAccuracy = 4.0;
 
+/// Nor further than this share of reach: what lies beyond reach was not seen.
+constexpr float ShareOfReach = .25f;
+
+/// A record that should reach less than this share of the least radius does not serve: its error
+/// would be above twice the tolerance. It keeps others from being made in so many least radii.
+constexpr double LeastShare = .7;
+constexpr double IdleRadii = 2.0;
+
 int RoundSide(double side)
 {
   const int steps = static_cast<int>(std::lround(side / HemisphereGrid::Step));
@@ -63,11 +71,6 @@ float Placement::NormalAngleFor(double tolerance)
   // Turning by an angle a leaves out at most about a^2 / 2 of the mean.
   const double angle = ReachOfOverlap * std::sqrt(2.0 * tolerance);
   return static_cast<float>(std::clamp(angle, .05, .7));
-}
-
-bool Placement::IsServed(const Place& place) const
-{
-  return this->Tree.LookUp(place).Greatest > LeastWeight;
 }
 
 Record Placement::Gather(const Site& site, long long& rays) const
@@ -98,65 +101,67 @@ Record Placement::Gather(const Site& site, long long& rays) const
       break;
     }
   }
-  record.Radius = this->RadiusOf(record.Found, site);
+  const double least = this->Settings.LeastPixels * site.Pixel;
+  const double radius =
+    std::min(this->RadiusOf(record.Found), double(ShareOfReach) * this->Source.GetReach());
+  record.Serves = radius >= LeastShare * least;
+  record.Radius = static_cast<float>(record.Serves
+      ? std::clamp(radius, least, std::max(least, this->Settings.MostPixels * site.Pixel))
+      : IdleRadii * least);
+  record.Lean = std::max(static_cast<float>(this->Settings.OffSurface) * record.Radius, site.Pixel);
   return record;
 }
 
-float Placement::RadiusOf(const Derived& found, const Site& site) const
+double Placement::RadiusOf(const Derived& found) const
 {
-  const double least = this->Settings.LeastPixels * site.Pixel;
-  const double most = this->Settings.MostPixels * site.Pixel;
   const double accuracy = std::min(1.0, SplitSphereAccuracy * std::sqrt(this->Settings.Tolerance));
-  double radius = most;
   switch (this->Settings.Rule)
   {
     case RadiusRules::NearestHit:
-      radius = accuracy * found.Nearest;
-      break;
+      return accuracy * found.Nearest;
     case RadiusRules::HarmonicMean:
-      radius = accuracy * found.HarmonicMean;
-      break;
-    case RadiusRules::Hessian:
-      radius = found.Bend > 0.f
-        ? std::min(ReachOfOverlap * std::sqrt(2.0 * this->Settings.Tolerance / found.Bend),
-            static_cast<double>(ShareOfRim * found.RimDistance))
-        : most;
-      break;
+      return accuracy * found.HarmonicMean;
+    default:
+      return std::min(
+        ReachOfOverlap * std::sqrt(2.0 * this->Settings.Tolerance / std::max(found.Bend, 1e-30f)),
+        static_cast<double>(ShareOfRim * found.RimDistance));
   }
-  return static_cast<float>(std::clamp(radius, least, most));
 }
 
-std::size_t Placement::AddLevel(const std::vector<Site>& sites)
+bool Placement::IsCovered(const RecordTree& tree, const Place& place)
+{
+  return tree.Cover(place) > LeastWeight;
+}
+
+bool Placement::AddLevel(const std::vector<Site>& sites, const ProgressCallback& progress)
 {
   struct Outcome
   {
-    bool Added = false;
+    std::unique_ptr<Record> Made;
     long long Rays = 0;
-    Record Made;
   };
   std::vector<Outcome> outcomes(sites.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(sites.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      if (!this->IsServed(sites[i]))
-      {
-        outcomes[i].Made = this->Gather(sites[i], outcomes[i].Rays);
-        outcomes[i].Added = true;
-      }
-    }
-  });
-  std::size_t added = 0;
+  if (!InBatches(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
+        if (!IsCovered(this->Tree, sites[i]))
+        {
+          outcomes[i].Made = std::make_unique<Record>(this->Gather(sites[i], outcomes[i].Rays));
+        }
+      }))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    if (outcomes[i].Added)
+    if (outcomes[i].Made)
     {
+      const Record& made = *outcomes[i].Made;
       this->Tree.InsertClamped(
-        outcomes[i].Made, static_cast<float>(this->Settings.LeastPixels) * sites[i].Pixel);
+        made, static_cast<float>(this->Settings.LeastPixels) * sites[i].Pixel);
       this->Rays += outcomes[i].Rays;
-      ++added;
+      this->Idle += made.Serves ? 0 : 1;
     }
   }
-  return added;
+  return true;
 }
 
 }

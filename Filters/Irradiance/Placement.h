@@ -7,6 +7,7 @@
 #ifndef penumbra_Placement_h
 #define penumbra_Placement_h
 
+#include "Batches.h"
 #include "Gatherer.h"
 #include "RecordTree.h"
 
@@ -27,6 +28,7 @@ struct PlacementSettings
   RadiusRules Rule = RadiusRules::Hessian;
   double LeastPixels = 3.0; ///< [IC] 2 - 4
   double MostPixels = 64.0; ///< [IC] 20 - 64
+  double OffSurface = .1;   ///< how far off the surface a record serves, of its radius
   int Side = 0;             ///< cells along the gatherer's grid; 0: from Tolerance
 };
 
@@ -41,26 +43,31 @@ class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Placement
 public:
   Placement(const Gatherer& gatherer, const PlacementSettings& settings, RecordTree& tree);
 
-  /// Sites where no record serves, or hardly, become records. Returns how many.
-  std::size_t AddLevel(const std::vector<Site>& sites);
+  /// Sites that no record covers, or hardly, become records. False when `progress` stopped it.
+  bool AddLevel(const std::vector<Site>& sites, const ProgressCallback& progress = {});
+
+  /// Is another record not worth while at `place`?
+  static bool IsCovered(const RecordTree& tree, const Place& place);
 
   /// A record at `site`; adds the directions asked for to `rays`.
   Record Gather(const Site& site, long long& rays) const;
 
-  bool IsServed(const Place& place) const;
-
   long long GetRays() const { return this->Rays; }
+
+  /// Of the records made so far, those that do not serve.
+  std::size_t GetIdle() const { return this->Idle; }
   static int SideFor(double tolerance);
   /// How much normals may differ, in radians, so that what turning leaves out is within tolerance.
   static float NormalAngleFor(double tolerance);
 
 private:
-  float RadiusOf(const Derived& found, const Site& site) const;
+  double RadiusOf(const Derived& found) const;
 
   const Gatherer& Source;
   PlacementSettings Settings;
   RecordTree& Tree;
   long long Rays = 0;
+  std::size_t Idle = 0;
 };
 
 }

@@ -23,12 +23,14 @@ struct Place
 struct Record : Place
 {
   float Radius = 0.f;
+  bool Serves = true; ///< false: things change too fast here; brute force is to answer around it
+  float Lean = 0.f;   ///< how far off the surface through it a place may lie, along the normals
   glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< the clearance's sectors begin here
   Derived Found;
 
   /// Weight at `place`, 0 to 1 [Tabellion, Lamorlette, after IC]: 1 - max(perr, nerr), with
   /// perr = |p - p_i| / R_i and nerr = normalFactor * sqrt(1 - n.n_i). 0 also behind a wall, and off
-  /// the surface: further along the normals than `LeastLean` of the radius.
+  /// the surface.
   float Weight(const Place& place, float normalFactor) const
   {
     const glm::vec3 d = place.Position - this->Position;
@@ -62,11 +64,9 @@ struct Record : Place
 
 private:
   /// On a smooth surface the chord is square to the mean of both normals up to the third order.
-  static constexpr float LeastLean = .1f;
-
   bool IsOff(glm::vec3 d, glm::vec3 normal) const
   {
-    return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * LeastLean * this->Radius;
+    return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * this->Lean;
   }
 
   bool IsBehindWall(glm::vec3 d) const

@@ -29,6 +29,7 @@ struct Column
 constexpr Column Columns[] = {
   { "Normals", 3, false, 0 },
   { "Radius", 1, false, 1 },
+  { "Lean", 1, false, 1 },
   { "TranslationGradient", 3, true, -1 },
   { "RotationGradient", 3, true, 0 },
   { "Tangent", 3, false, 0 },
@@ -58,14 +59,16 @@ float* Numbers(Record& record, int column, int channel)
     case 1:
       return &record.Radius;
     case 2:
-      return &record.Found.Translation[channel].x;
+      return &record.Lean;
     case 3:
-      return &record.Found.Rotation[channel].x;
+      return &record.Found.Translation[channel].x;
     case 4:
-      return &record.Tangent.x;
+      return &record.Found.Rotation[channel].x;
     case 5:
-      return record.Found.Clearance.data();
+      return &record.Tangent.x;
     case 6:
+      return record.Found.Clearance.data();
+    case 7:
       return &record.Found.Bend;
     default:
       return &record.Found.Error;
@@ -75,7 +78,8 @@ float* Numbers(Record& record, int column, int channel)
 /// From scene units to those of the file.
 float FactorOf(const Column& column, Quantities quantity, double scale)
 {
-  const bool ofValue = column.PerChannel || column.LengthPower < 0 || &column == &Columns[7];
+  const bool ofValue =
+    column.PerChannel || column.LengthPower < 0 || &column == &Columns[ColumnCount - 1];
   const float value = ofValue && quantity == Quantities::Irradiance ? Pi : 1.f;
   return value * static_cast<float>(std::pow(scale, -column.LengthPower));
 }

@@ -74,7 +74,7 @@ void RecordTree::InsertClamped(Record record, float least)
   {
     Record& other = this->Records[index];
     const float distance = glm::distance(other.Position, record.Position);
-    if (distance < other.Radius && glm::dot(other.Normal, record.Normal) > .5f)
+    if (other.Serves && distance < other.Radius && glm::dot(other.Normal, record.Normal) > .5f)
     {
       record.Radius = std::min(record.Radius, std::max(other.Radius + distance, least));
     }
@@ -154,7 +154,7 @@ Interpolated RecordTree::LookUp(const Place& place) const
   for (const std::uint32_t index : this->LeafAt(place.Position).References)
   {
     const Record& record = this->Records[index];
-    const float weight = record.Weight(place, this->NormalFactor);
+    const float weight = record.Serves ? record.Weight(place, this->NormalFactor) : 0.f;
     if (weight > 0.f)
     {
       const glm::vec3 d = place.Position - record.Position;
@@ -172,6 +172,29 @@ Interpolated RecordTree::LookUp(const Place& place) const
     result.Error = std::sqrt(noise / (weights * weights) + bias * bias);
   }
   return result;
+}
+
+float RecordTree::Cover(const Place& place) const
+{
+  float greatest = 0.f;
+  for (const std::uint32_t index : this->LeafAt(place.Position).References)
+  {
+    greatest = std::max(greatest, this->Records[index].Weight(place, this->NormalFactor));
+  }
+  return greatest;
+}
+
+const Record* RecordTree::FindAt(const Place& place) const
+{
+  for (const std::uint32_t index : this->LeafAt(place.Position).References)
+  {
+    const Record& record = this->Records[index];
+    if (record.Position == place.Position && record.Normal == place.Normal)
+    {
+      return &record;
+    }
+  }
+  return nullptr;
 }
 
 std::size_t RecordTree::GetBytes() const

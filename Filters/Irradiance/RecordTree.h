@@ -37,7 +37,14 @@ public:
   /// [Krivanek et al., neighbour clamping], then insert it.
   void InsertClamped(Record record, float least);
 
+  /// Blends the records that serve.
   Interpolated LookUp(const Place& place) const;
+
+  /// The greatest weight of any record at `place`, whether it serves or not.
+  float Cover(const Place& place) const;
+
+  /// The record that was made exactly at `place`, or null.
+  const Record* FindAt(const Place& place) const;
 
   const std::vector<Record>& GetRecords() const { return this->Records; }
   std::size_t GetBytes() const;

@@ -27,10 +27,10 @@ using namespace penumbra;
 constexpr double SharedError = 0.5;
 constexpr double LeastTolerance = 1e-4;
 
-/// On strides up to this, records that serve hardly anyone but themselves cost more than brute
-/// force: a level of which more than a share of sites became records is the last.
-constexpr int FineStride = 16;
-constexpr double MostNewRecords = 0.6;
+/// Where after the coarse levels more than this share of records does not serve, the rest is left
+/// to brute force.
+constexpr double MostIdle = 0.7;
+constexpr int CoarseStride = 16;
 
 void AddStatistic(vtkFieldData* statistics, const char* name, double value)
 {
@@ -64,6 +64,7 @@ struct vtkPenumbraIrradianceCache::Internals
 {
   const RayScene* Rays = nullptr;
   const Gatherer* Foreign = nullptr;
+  double Accepted = 0.0; ///< by Begin(), for a single answer
   std::unique_ptr<OcclusionGatherer> Own;
   std::unique_ptr<Placement> Places;
   RecordTree Tree;
@@ -134,6 +135,7 @@ void vtkPenumbraIrradianceCache::Begin(
 
   self.Rays = &rays;
   self.Own = std::make_unique<OcclusionGatherer>(rays, static_cast<float>(radius * scene.Scale));
+  self.Accepted = tolerance;
   self.BruteForce->Begin(rays, radius, tolerance);
   Enclose(scene, self.Tree);
   self.Tree.SetNormalAngle(this->NormalAngle > 0.0
@@ -165,11 +167,12 @@ void vtkPenumbraIrradianceCache::Internals::PlaceRecords()
 {
   for (int level = 0; level < PictureLevels; ++level)
   {
-    const std::vector<Site> sites = SitesOfPicture(*this->Rays, level);
-    const std::size_t added = this->Places->AddLevel(sites);
-    if (StrideOf(level) <= FineStride && added > MostNewRecords * sites.size())
+    this->Places->AddLevel(SitesOfPicture(*this->Rays, level));
+    const auto made = static_cast<double>(this->Tree.GetRecords().size());
+    if (StrideOf(level) <= CoarseStride &&
+      static_cast<double>(this->Places->GetIdle()) > MostIdle * made)
     {
-      break;
+      return;
     }
   }
 }
@@ -183,6 +186,12 @@ float vtkPenumbraIrradianceCache::Internals::PixelAt(glm::vec3 position) const
 
 vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::Occlusion(
   const double point[3], const double normal[3]) const
+{
+  return this->OcclusionWithin(point, normal, this->Implementation->Accepted);
+}
+
+vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::OcclusionWithin(
+  const double point[3], const double normal[3], double tolerance) const
 {
   Internals& self = *this->Implementation;
   const Scene& scene = self.Rays->GetScene();
@@ -204,7 +213,7 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::Occlusion(
   }
   if (!found.Found())
   {
-    return self.BruteForce->Occlusion(point, normal);
+    return self.BruteForce->OcclusionWithin(point, normal, tolerance);
   }
   estimate.Value = std::min(found.Mean.x, 1.f);
   estimate.Error = found.Error;

@@ -101,6 +101,9 @@ public:
 
   void Begin(const penumbra::RayScene& scene, double radius, double tolerance) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
+  /** `tolerance` is for brute force, where no record serves. */
+  Estimate OcclusionWithin(
+    const double point[3], const double normal[3], double tolerance) const override;
 
   /** `Cache/Records`, `Cache/Bytes`, `Rays/Gather`. */
   void Report(vtkFieldData* statistics) const override;

@@ -21,9 +21,6 @@ using penumbra::Ray;
 using penumbra::RayScene;
 using Estimate = vtkPenumbraIrradianceSource::Estimate;
 
-/// Rays of the first round.
-constexpr std::uint32_t FirstRays = 32;
-
 /// Even where all of n rays agree something may hide between them: its share is taken to be this
 /// over n.
 constexpr double HiddenShare = 0.5;
@@ -157,7 +154,12 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWith
     }
     return hemisphere.Ask(count);
   }
-  for (std::uint32_t count = FirstRays;; count *= 2)
+  std::uint32_t first = 8;
+  while (first < static_cast<std::uint32_t>(this->MinimumRays))
+  {
+    first *= 2;
+  }
+  for (std::uint32_t count = first;; count *= 2)
   {
     const Estimate answer = hemisphere.Ask(count);
     if (answer.Error <= tolerance || count > limit / 2)
@@ -170,5 +172,6 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWith
 void vtkPenumbraBruteForceSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "MinimumRays: " << this->MinimumRays << "\n";
   os << indent << "MaximumRays: " << this->MaximumRays << "\n";
 }

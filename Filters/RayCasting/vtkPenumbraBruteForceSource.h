@@ -28,6 +28,12 @@ public:
   vtkGetMacro(MaximumRays, int);
   ///@}
 
+  ///@{
+  /** Rays of the first round, a power of two, 8 to 65536: what hides from them goes unseen. Default: 32. */
+  vtkSetClampMacro(MinimumRays, int, 8, 65536);
+  vtkGetMacro(MinimumRays, int);
+  ///@}
+
   void Begin(const penumbra::RayScene& scene, double radius, double tolerance) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
   Estimate OcclusionWithin(
@@ -45,6 +51,7 @@ private:
   double Radius = 0.0;
   double Tolerance = 0.01;
   int MaximumRays = 16384;
+  int MinimumRays = 32;
 };
 
 #endif

@@ -310,7 +310,11 @@ TEST(BadUse, IsToldInOneLine)
   const std::vector<std::vector<std::string>> commands = {
     {},
     { "animate" },
-    { "bake", folder / "square.stl", "--output", folder / "baked.vtp" },
+    { "bake", folder / "square.stl" },
+    { "bake", folder / "square.stl", "--output", folder / "baked.png" },
+    { "bake", folder / "square.stl", "--output", folder / "baked.vtp", "--radius", "0" },
+    { "bake", folder / "square.stl", "--output", folder / "baked.vtp", "--tolerance", "-1" },
+    { "bake", folder / "missing.stl", "--output", folder / "baked.vtp" },
     { "chart" },
     { "render" },
     { "render", folder / "square.stl" },

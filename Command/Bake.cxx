@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// penumbra bake: ambient occlusion as an array of a mesh.
+#include "Arguments.h"
+#include "Failure.h"
+#include "MessageLog.h"
+#include "PendingFile.h"
+#include "ProgressLine.h"
+#include "Report.h"
+#include "Subcommands.h"
+#include "Surfaces.h"
+#include "Worker.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPLYWriter.h"
+#include "vtkPenumbraIrradianceFilter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+struct BakeOptions
+{
+  std::string File;
+  std::string Output;
+  std::string Quantity = "ambient-occlusion";
+  double Tolerance = 0.01;
+  double Radius = 0.0; ///< 0: from the bounds
+  std::string Normals = "file";
+  double PointRadius = 0.0;
+  int Threads = 0;
+  std::string Statistics;
+  std::string Progress = "auto";
+};
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string Extension(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+void CheckMeshExtension(const std::string& path)
+{
+  const std::string extension = Extension(path);
+  if (extension != ".vtp" && extension != ".vtu" && extension != ".vtk" && extension != ".ply")
+  {
+    throw Failure(BadInput,
+      "--output: " + path + " is no mesh that can be written; use .vtp .vtu .vtk or .ply");
+  }
+}
+
+/// All surfaces of the file as one mesh.
+vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::string>& warnings)
+{
+  const Surfaces surfaces = ReadSurfaces(path);
+  if (surfaces.DroppedPoints > 0)
+  {
+    warnings.push_back(path + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
+      std::to_string(surfaces.Points) +
+      " points are not finite: left out, with the cells around them");
+  }
+  vtkSmartPointer<vtkPolyData> mesh = surfaces.Meshes.front();
+  if (surfaces.Meshes.size() > 1)
+  {
+    vtkNew<vtkAppendPolyData> append;
+    for (const vtkSmartPointer<vtkPolyData>& part : surfaces.Meshes)
+    {
+      append->AddInputData(part);
+    }
+    append->Update();
+    mesh = append->GetOutput();
+  }
+  mesh->GetCellData()->RemoveArray(OriginalCellIds);
+  return mesh;
+}
+
+/// PLY files hold colours, not arrays: grey, white where open.
+void AddGrey(vtkPolyData* mesh)
+{
+  vtkDataArray* occlusion = mesh->GetPointData()->GetArray("AmbientOcclusion");
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Grey");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(occlusion->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < occlusion->GetNumberOfTuples(); ++i)
+  {
+    const double grey = std::round(255.0 * (1.0 - occlusion->GetComponent(i, 0)));
+    colors->SetTuple3(i, grey, grey, grey);
+  }
+  mesh->GetPointData()->AddArray(colors);
+}
+
+template <typename Writer>
+bool Write(Writer* writer, vtkDataObject* data, const std::string& path)
+{
+  writer->SetInputData(data);
+  writer->SetFileName(path.c_str());
+  return writer->Write() != 0 && writer->GetErrorCode() == 0;
+}
+
+bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string& path)
+{
+  if (extension == ".vtp")
+  {
+    return Write(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, path);
+  }
+  if (extension == ".vtk")
+  {
+    vtkNew<vtkPolyDataWriter> writer;
+    writer->SetFileTypeToBinary();
+    return Write(writer.Get(), mesh, path);
+  }
+  if (extension == ".ply")
+  {
+    AddGrey(mesh);
+    vtkNew<vtkPLYWriter> writer;
+    writer->SetArrayName("Grey");
+    // The writer takes no other ending.
+    const std::string named = path + ".ply";
+    const bool written = Write(writer.Get(), mesh, named);
+    std::error_code error;
+    std::filesystem::rename(named, path, error);
+    return written && !error;
+  }
+  vtkNew<vtkAppendFilter> convert;
+  convert->SetInputData(mesh);
+  convert->Update();
+  return Write(vtkNew<vtkXMLUnstructuredGridWriter>().Get(), convert->GetOutput(), path);
+}
+
+void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
+{
+  static_cast<ProgressLine*>(clientData)->Show("baking", *static_cast<double*>(callData));
+}
+
+void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
+{
+  static_cast<std::vector<std::string>*>(clientData)
+    ->push_back(StripFrame(static_cast<const char*>(callData)));
+}
+
+int Bake(const BakeOptions& options, Clock::time_point start)
+{
+  PendingFile output(options.Output, "--output");
+  std::optional<PendingFile> statistics;
+  if (!options.Statistics.empty())
+  {
+    statistics.emplace(options.Statistics, "--statistics");
+  }
+  ProgressLine progress(options.Progress);
+  progress.Show("reading", 0.0);
+  std::vector<std::string> warnings;
+  EnterPhase(options.File, BadInput);
+  Clock::time_point lap = Clock::now();
+  const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(options.File, warnings);
+  const double readSeconds = SecondsSince(lap);
+  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0 && !(options.PointRadius > 0.0))
+  {
+    throw Failure(BadInput, options.File + ": it has no polygons; give points a --point-radius");
+  }
+
+  EnterPhase("baking " + options.Output, MachineCannot);
+  lap = Clock::now();
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetTolerance(options.Tolerance);
+  filter->SetRadius(std::min(options.Radius, std::numeric_limits<double>::max()));
+  filter->SetComputeNormals(options.Normals == "computed");
+  filter->SetPointRadius(options.PointRadius);
+  filter->SetNumberOfThreads(options.Threads);
+  vtkNew<vtkCallbackCommand> progressObserver;
+  progressObserver->SetCallback(OnProgress);
+  progressObserver->SetClientData(&progress);
+  filter->AddObserver(vtkCommand::ProgressEvent, progressObserver);
+  vtkNew<vtkCallbackCommand> warningObserver;
+  warningObserver->SetCallback(OnWarning);
+  warningObserver->SetClientData(&warnings);
+  filter->AddObserver(vtkCommand::WarningEvent, warningObserver);
+  TakeErrors();
+  filter->Update();
+  const std::vector<std::string> errors = TakeErrors();
+  if (TellOfMemory(errors))
+  {
+    throw std::bad_alloc();
+  }
+  if (!errors.empty())
+  {
+    throw Failure(BadInput, options.File + ": " + errors.front());
+  }
+  const double bakeSeconds = SecondsSince(lap);
+
+  EnterPhase("writing " + options.Output, MachineCannot);
+  lap = Clock::now();
+  vtkPolyData* baked = vtkPolyData::SafeDownCast(filter->GetOutput());
+  if (!WriteAs(Extension(options.Output), baked, output.TemporaryPath()))
+  {
+    output.Fail("it cannot be written whole");
+  }
+  const double writeSeconds = SecondsSince(lap);
+  if (statistics)
+  {
+    const int threads =
+      options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
+    const nlohmann::json report = { { "statistics", ToJson(filter->GetStatistics()) },
+      { "estimated_error", filter->GetEstimatedError() }, { "tolerance", options.Tolerance },
+      { "threads", threads },
+      { "seconds",
+        { { "read", readSeconds }, { "bake", bakeSeconds }, { "write", writeSeconds },
+          { "total", SecondsSince(start) } } },
+      { "peak_memory_bytes", PeakMemory() } };
+    statistics->Write(report.dump(2) + "\n");
+    statistics->Commit();
+  }
+  output.Commit();
+  progress.Clear();
+  SayWarnings(warnings);
+  return Done;
+}
+
+void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
+{
+  app.add_option("FILE", options.File, "Mesh; `penumbra list` names the formats")
+    ->required()
+    ->type_name("");
+  app
+    .add_option("--output", options.Output,
+      "Mesh with the array AmbientOcclusion: .vtp .vtu .vtk; .ply: grey, white where open")
+    ->required()
+    ->type_name("MESH")
+    ->take_last();
+  AddChoice(app, "--quantity", options.Quantity, { "ambient-occlusion" },
+    "ambient-occlusion: the blocked share of the sky, 0 open, 1 blocked");
+  AddNumber(app, "--tolerance", options.Tolerance, "X", "Error accepted: RMSE over all points",
+    { 1e-4, 1.0 });
+  AddNumber(app, "--radius", options.Radius, "R",
+    "Reach of an occluder in world units, inf: all; default: a tenth of the bounds' diagonal",
+    { 0.0, Infinity, true, true })
+    ->default_str("");
+  AddChoice(app, "--normals", options.Normals, { "file", "computed" },
+    "About which the hemispheres are; file: computed where the file has none");
+  AddNumber(app, "--point-radius", options.PointRadius, "R",
+    "Radius of the discs that stand for points where there are no polygons", { 0.0, 1e30, true })
+    ->default_str("");
+  AddInteger(
+    app, "--threads", options.Threads, "Threads, 0: all; the values are the same", 0, 1024);
+  app
+    .add_option("--statistics", options.Statistics,
+      "Write records, rays, error, times and memory to this file")
+    ->type_name("FILE.json")
+    ->take_last();
+  AddChoice(app, "--progress", options.Progress, { "auto", "bar", "plain", "none" },
+    "How progress is shown on stderr; auto: a bar on a terminal");
+}
+
+}
+
+Action DeclareBake(CLI::App& program)
+{
+  const Clock::time_point start = Clock::now();
+  const auto options = std::make_shared<BakeOptions>();
+  CLI::App* app =
+    program.add_subcommand("bake", "Compute ambient occlusion on the points of a mesh");
+  DeclareBakeOptions(*app, *options);
+  return [options, start]() {
+    CheckMeshExtension(options->Output);
+    if (options->Statistics == options->Output)
+    {
+      throw Failure(BadInput,
+        "--statistics " + options->Statistics + ": this is the --output; name another file");
+    }
+    return RunWorkers(
+      1, 1, [&](int) { return Bake(*options, start); }, [](int) {});
+  };
+}
+
+}

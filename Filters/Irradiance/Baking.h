@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Values at many places at once: records from coarse to fine as long as they pay, interpolation, and
+// brute force for what is left.
+#ifndef penumbra_Baking_h
+#define penumbra_Baking_h
+
+#include "Batches.h"
+#include "Placement.h"
+
+#include <functional>
+
+namespace penumbra
+{
+
+/// The mean over the hemisphere at one place, and its standard error.
+struct BakedValue
+{
+  glm::vec3 Mean{ 0.f };
+  float Error = 0.f;
+};
+
+/// Answers without records; adds the rays traced to its argument.
+using BruteForceAnswer = std::function<BakedValue(const Site& site, long long& rays)>;
+
+struct BakedValues
+{
+  std::vector<BakedValue> Values; ///< one for each site
+  std::size_t Interpolated = 0;
+  std::size_t BruteForce = 0; ///< the rest are places of records that serve nobody else
+  long long BruteForceRays = 0;
+};
+
+/**
+ * Sites' Pixel is their distance from neighbours. `records`: false leaves them out. False when
+ * `progress` stopped it.
+ */
+bool Bake(const std::vector<Site>& sites, float spacing, bool records, Placement& places,
+  const RecordTree& tree, const BruteForceAnswer& bruteForce, const ProgressCallback& progress,
+  BakedValues& result);
+
+}
+#endif

@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshSites.h"
+
+#include "CosineDirections.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+
+namespace penumbra
+{
+namespace
+{
+
+/// Sides of the discs that stand for points.
+constexpr unsigned int DiscSides = 6;
+
+/// Of the radius of those discs: how high above a point rays start, so that the discs of its
+/// neighbours on a convex surface do not block it.
+constexpr float LiftOfDiscs = .5f;
+
+bool IsFinite(const double x[3])
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+/// Polygons of `data`; its points stay the same points, or are named in `vtkOriginalPointIds`.
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkPointSet* data)
+{
+  vtkPolyData* poly = vtkPolyData::SafeDownCast(data);
+  if (poly)
+  {
+    return poly;
+  }
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(data);
+  surface->PassThroughPointIdsOn();
+  surface->PassThroughCellIdsOn();
+  surface->Update();
+  return surface->GetOutput();
+}
+
+/// Ids of the data set that the points or cells of its surface come from; none: the same.
+vtkIdTypeArray* OriginalIds(vtkFieldData* attributes, const char* name, vtkPointSet* data)
+{
+  return vtkPolyData::SafeDownCast(data)
+    ? nullptr
+    : vtkIdTypeArray::SafeDownCast(attributes->GetAbstractArray(name));
+}
+
+/// Per point; neighbours are turned the same way round.
+vtkSmartPointer<vtkDataArray> ComputedNormals(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(surface->GetPoints());
+  polygons->SetPolys(surface->GetPolys());
+  polygons->SetStrips(surface->GetStrips());
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(polygons);
+  normals->SplittingOff();
+  normals->ConsistencyOn();
+  normals->Update();
+  vtkDataArray* found = normals->GetOutput()->GetPointData()->GetNormals();
+  return found && found->GetNumberOfTuples() == surface->GetNumberOfPoints() ? found : nullptr;
+}
+
+/// A mesh on its way into a scene.
+class MeshReading
+{
+public:
+  MeshReading(vtkPointSet* data, const MeshChoices& choices)
+    : Data(data),
+      Choices(choices),
+      Mesh(SurfaceOf(data))
+  {
+  }
+
+  MeshSites Read()
+  {
+    this->Center();
+    this->AddTriangles();
+    if (this->Triangles.empty() && this->Choices.PointRadius > 0.0)
+    {
+      this->FindNormals();
+      this->AddDiscs();
+    }
+    else if (this->Choices.OfCells)
+    {
+      this->AddCells();
+    }
+    else
+    {
+      this->FindNormals();
+      this->AddPoints();
+    }
+    this->Finish();
+    return std::move(this->Result);
+  }
+
+private:
+  void Center()
+  {
+    vtkBoundingBox bounds;
+    for (vtkIdType i = 0; i < this->Mesh->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      this->Mesh->GetPoint(i, x);
+      if (IsFinite(x))
+      {
+        bounds.AddPoint(x);
+      }
+    }
+    double center[3] = { 0.0, 0.0, 0.0 };
+    if (bounds.IsValid())
+    {
+      bounds.GetCenter(center);
+      this->Result.Diagonal = bounds.GetDiagonalLength();
+    }
+    Scene& scene = this->Result.Blocking;
+    scene.Origin = { center[0], center[1], center[2] };
+    scene.Scale = this->Result.Diagonal > 0.0 ? 1.0 / this->Result.Diagonal : 1.0;
+    this->Positions.reserve(this->Mesh->GetNumberOfPoints() + 1);
+    for (vtkIdType i = 0; i < this->Mesh->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      this->Mesh->GetPoint(i, x);
+      this->Positions.emplace_back((glm::dvec3(x[0], x[1], x[2]) - scene.Origin) * scene.Scale);
+    }
+    this->Finite.resize(this->Positions.size());
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      const glm::vec3 p = this->Positions[i];
+      this->Finite[i] = std::isfinite(p.x + p.y + p.z);
+      this->Positions[i] = this->Finite[i] ? p : glm::vec3(0.f);
+    }
+  }
+
+  void AddTriangles()
+  {
+    vtkNew<vtkTriangleFilter> filter;
+    filter->SetInputData(this->Mesh);
+    filter->PassLinesOff();
+    filter->PassVertsOff();
+    filter->Update();
+    vtkCellArray* cells = filter->GetOutput()->GetPolys();
+    this->EdgeSums.assign(this->Positions.size(), 0.f);
+    this->EdgeCounts.assign(this->Positions.size(), 0);
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, ids);
+      if (ids->GetNumberOfIds() != 3)
+      {
+        continue;
+      }
+      const glm::uvec3 corners(ids->GetId(0), ids->GetId(1), ids->GetId(2));
+      if (!this->Finite[corners.x] || !this->Finite[corners.y] || !this->Finite[corners.z])
+      {
+        continue;
+      }
+      this->Triangles.push_back(corners);
+      for (int k = 0; k < 3; ++k)
+      {
+        const unsigned int from = corners[k];
+        const unsigned int to = corners[(k + 1) % 3];
+        const float length = glm::distance(this->Positions[from], this->Positions[to]);
+        for (const unsigned int end : { from, to })
+        {
+          this->EdgeSums[end] += length;
+          ++this->EdgeCounts[end];
+        }
+      }
+    }
+  }
+
+  void FindNormals()
+  {
+    vtkDataArray* own = this->Mesh->GetPointData()->GetNormals();
+    const bool usable = own && own->GetNumberOfComponents() == 3;
+    this->Normals = usable ? own : nullptr;
+    if (!usable || this->Choices.ComputeNormals)
+    {
+      this->Normals = ComputedNormals(this->Mesh);
+    }
+  }
+
+  /// Unit normal of a point; 0 where there is none.
+  glm::vec3 NormalOf(vtkIdType point)
+  {
+    double n[3] = { 0.0, 0.0, 0.0 };
+    if (this->Normals)
+    {
+      this->Normals->GetTuple(point, n);
+    }
+    const glm::dvec3 normal(n[0], n[1], n[2]);
+    const double length = glm::length(normal);
+    return length > 0.0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0.f);
+  }
+
+  void AddSite(vtkIdType id, glm::vec3 position, glm::vec3 normal, float spacing)
+  {
+    if (normal == glm::vec3(0.f))
+    {
+      ++this->Result.NotFinite;
+      return;
+    }
+    Site site;
+    site.Position = position;
+    site.Normal = normal;
+    site.Pixel = spacing;
+    this->Result.Sites.push_back(site);
+    this->Result.Ids.push_back(id);
+  }
+
+  void AddPoints()
+  {
+    vtkIdTypeArray* ids =
+      OriginalIds(this->Mesh->GetPointData(), "vtkOriginalPointIds", this->Data);
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      const auto point = static_cast<vtkIdType>(i);
+      if (!this->Finite[i])
+      {
+        ++this->Result.NotFinite;
+      }
+      else if (this->EdgeCounts[i] > 0)
+      {
+        this->AddSite(ids ? ids->GetValue(point) : point, this->Positions[i], this->NormalOf(point),
+          this->EdgeSums[i] / static_cast<float>(this->EdgeCounts[i]));
+      }
+    }
+    this->Result.Unused = this->Data->GetNumberOfPoints() -
+      static_cast<vtkIdType>(this->Result.Sites.size()) - this->Result.NotFinite;
+  }
+
+  void AddCells()
+  {
+    vtkIdTypeArray* ids = OriginalIds(this->Mesh->GetCellData(), "vtkOriginalCellIds", this->Data);
+    for (vtkIdType cell = 0; cell < this->Mesh->GetNumberOfCells(); ++cell)
+    {
+      vtkCell* polygon = this->Mesh->GetCell(cell);
+      if (polygon->GetCellDimension() != 2)
+      {
+        continue;
+      }
+      glm::vec3 center(0.f);
+      bool finite = true;
+      const vtkIdType count = polygon->GetNumberOfPoints();
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        finite = finite && this->Finite[polygon->GetPointId(k)];
+        center += this->Positions[polygon->GetPointId(k)] / static_cast<float>(count);
+      }
+      if (!finite)
+      {
+        ++this->Result.NotFinite;
+        continue;
+      }
+      double n[3];
+      vtkPolygon::ComputeNormal(polygon->GetPoints(), n);
+      const glm::vec3 normal(n[0], n[1], n[2]);
+      float size = 0.f;
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        size = std::max(size, glm::distance(center, this->Positions[polygon->GetPointId(k)]));
+      }
+      if (normal != glm::vec3(0.f))
+      {
+        this->AddSite(ids ? ids->GetValue(cell) : cell, center, glm::normalize(normal), size);
+      }
+    }
+    this->Result.Unused = this->Data->GetNumberOfCells() -
+      static_cast<vtkIdType>(this->Result.Sites.size()) - this->Result.NotFinite;
+  }
+
+  void AddDiscs()
+  {
+    const auto radius = static_cast<float>(this->Choices.PointRadius * this->Result.Blocking.Scale);
+    const auto count = static_cast<vtkIdType>(this->Positions.size());
+    for (vtkIdType point = 0; point < count; ++point)
+    {
+      const glm::vec3 normal = this->NormalOf(point);
+      if (!this->Finite[point] || normal == glm::vec3(0.f))
+      {
+        ++this->Result.NotFinite;
+        continue;
+      }
+      const glm::vec3 center = this->Positions[point];
+      const glm::mat3 frame = FrameOf(normal);
+      const auto first = static_cast<unsigned int>(this->Positions.size());
+      for (unsigned int k = 0; k < DiscSides; ++k)
+      {
+        const float angle = 6.2831853f * static_cast<float>(k) / DiscSides;
+        this->Positions.push_back(
+          center + radius * (std::cos(angle) * frame[0] + std::sin(angle) * frame[1]));
+        this->Triangles.emplace_back(
+          static_cast<unsigned int>(point), first + k, first + (k + 1) % DiscSides);
+      }
+      this->AddSite(point, center + LiftOfDiscs * radius * normal, normal, radius);
+    }
+  }
+
+  void Finish()
+  {
+    double sum = 0.0;
+    for (const Site& site : this->Result.Sites)
+    {
+      sum += site.Pixel;
+    }
+    if (!this->Result.Sites.empty())
+    {
+      this->Result.Spacing =
+        static_cast<float>(sum / static_cast<double>(this->Result.Sites.size()));
+    }
+    Surface surface;
+    surface.Positions = std::move(this->Positions);
+    surface.Triangles = std::move(this->Triangles);
+    this->Result.Blocking.Surfaces.push_back(std::move(surface));
+  }
+
+  vtkPointSet* Data;
+  const MeshChoices& Choices;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  MeshSites Result;
+  vtkSmartPointer<vtkDataArray> Normals;
+  std::vector<glm::vec3> Positions;
+  std::vector<char> Finite;
+  std::vector<glm::uvec3> Triangles;
+  std::vector<float> EdgeSums; ///< per point: lengths of the edges of its triangles
+  std::vector<int> EdgeCounts;
+};
+
+}
+
+MeshSites FindMeshSites(vtkPointSet* data, const MeshChoices& choices)
+{
+  return MeshReading(data, choices).Read();
+}
+
+}

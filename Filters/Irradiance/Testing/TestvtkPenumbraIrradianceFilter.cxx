@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Baked occlusion against closed forms.
+#include "vtkPenumbraIrradianceFilter.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+/// A floor of half side 6 and, touching it, a unit sphere; both with normals.
+vtkSmartPointer<vtkPolyData> SphereOnFloor(int side)
+{
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetOrigin(-6.0, -6.0, 0.0);
+  floor->SetPoint1(6.0, -6.0, 0.0);
+  floor->SetPoint2(-6.0, 6.0, 0.0);
+  floor->SetResolution(side, side);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetCenter(0.0, 0.0, 1.0);
+  sphere->SetThetaResolution(64);
+  sphere->SetPhiResolution(64);
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputConnection(floor->GetOutputPort());
+  append->AddInputConnection(sphere->GetOutputPort());
+  append->Update();
+  return append->GetOutput();
+}
+
+/// RMSE over the points of the floor: the sphere blocks (1 + rho^2)^(-3/2).
+double FloorError(vtkPointSet* baked)
+{
+  vtkDataArray* values = baked->GetPointData()->GetArray("AmbientOcclusion");
+  double square = 0.0;
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < baked->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    baked->GetPoint(i, x);
+    if (x[2] == 0.0 && std::hypot(x[0], x[1]) > .1)
+    {
+      const double truth = std::pow(1.0 + x[0] * x[0] + x[1] * x[1], -1.5);
+      square += std::pow(values->GetComponent(i, 0) - truth, 2.0);
+      ++count;
+    }
+  }
+  return std::sqrt(square / static_cast<double>(count));
+}
+
+double CountOf(vtkPenumbraIrradianceFilter* filter, const char* name)
+{
+  return filter->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+}
+
+vtkPolyData* OutputOf(vtkPenumbraIrradianceFilter* filter)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutput());
+}
+
+}
+
+TEST(vtkPenumbraIrradianceFilter, KeepsItsToleranceBesideASphere)
+{
+  const auto mesh = SphereOnFloor(120);
+  for (const double tolerance : { .03, .01 })
+  {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(mesh);
+    filter->SetTolerance(tolerance);
+    filter->SetRadius(VTK_DOUBLE_MAX);
+    filter->Update();
+    EXPECT_LE(FloorError(OutputOf(filter)), tolerance);
+    EXPECT_LT(CountOf(filter, "Cache/Records"), .3 * CountOf(filter, "Points/Total"));
+    EXPECT_GT(CountOf(filter, "Points/Interpolated"), .5 * CountOf(filter, "Points/Total"));
+    EXPECT_LE(filter->GetEstimatedError(), 1.5 * tolerance);
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, AgreesWithBruteForce)
+{
+  const auto mesh = SphereOnFloor(40);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetMethod(vtkPenumbraIrradianceFilter::BRUTE_FORCE);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->Update();
+  EXPECT_LE(FloorError(OutputOf(filter)), .01);
+  EXPECT_EQ(CountOf(filter, "Cache/Records"), 0);
+}
+
+TEST(vtkPenumbraIrradianceFilter, GivesTheSameValuesOnAnyNumberOfThreads)
+{
+  const auto mesh = SphereOnFloor(30);
+  vtkSmartPointer<vtkDataArray> first;
+  for (const int threads : { 1, 3 })
+  {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(mesh);
+    filter->SetNumberOfThreads(threads);
+    filter->SetTolerance(.05);
+    filter->Update();
+    vtkDataArray* values = OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion");
+    if (!first)
+    {
+      first = values;
+      continue;
+    }
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_EQ(values->GetComponent(i, 0), first->GetComponent(i, 0));
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, IsExactOnAnOpenPlaneAndInsideAClosedSphere)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(20, 20);
+  vtkNew<vtkSphereSource> inside;
+  inside->SetThetaResolution(20);
+  inside->SetPhiResolution(20);
+  inside->Update();
+  vtkDataArray* normals = inside->GetOutput()->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const double* n = normals->GetTuple3(i);
+    normals->SetTuple3(i, -n[0], -n[1], -n[2]);
+  }
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->SetInputConnection(plane->GetOutputPort());
+  filter->Update();
+  double range[2];
+  OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion")->GetRange(range);
+  EXPECT_EQ(range[1], 0.0);
+  filter->SetInputData(inside->GetOutput());
+  filter->Update();
+  OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion")->GetRange(range);
+  EXPECT_EQ(range[0], 1.0);
+}
+
+TEST(vtkPenumbraIrradianceFilter, GivesZeroWhereNothingCanBeAsked)
+{
+  vtkNew<vtkPolyData> mesh;
+  mesh->DeepCopy(SphereOnFloor(10));
+  const vtkIdType unused = mesh->GetPoints()->InsertNextPoint(0.0, 0.0, .01);
+  mesh->GetPoints()->SetPoint(0, std::nan(""), 0.0, 0.0);
+  vtkNew<vtkFloatArray> normals;
+  normals->DeepCopy(mesh->GetPointData()->GetNormals());
+  normals->InsertNextTuple3(0.0, 0.0, 1.0);
+  mesh->GetPointData()->SetNormals(normals);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  vtkNew<vtkCallbackCommand> quiet;
+  filter->AddObserver(vtkCommand::WarningEvent, quiet);
+  filter->Update();
+  vtkDataArray* values = OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion");
+  ASSERT_EQ(values->GetNumberOfTuples(), mesh->GetNumberOfPoints());
+  EXPECT_EQ(values->GetComponent(unused, 0), 0.0);
+  EXPECT_EQ(values->GetComponent(0, 0), 0.0);
+  EXPECT_EQ(CountOf(filter, "Points/Unused"), 1);
+  EXPECT_EQ(CountOf(filter, "Points/NotFinite"), 1);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_TRUE(std::isfinite(values->GetComponent(i, 0)));
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, BakesCellsAndVolumesToo)
+{
+  const auto mesh = SphereOnFloor(24);
+  vtkNew<vtkPenumbraIrradianceFilter> cells;
+  cells->SetInputData(mesh);
+  cells->OnCellsOn();
+  cells->SetRadius(VTK_DOUBLE_MAX);
+  cells->Update();
+  vtkDataArray* values = OutputOf(cells)->GetCellData()->GetArray("AmbientOcclusion");
+  ASSERT_TRUE(values);
+  ASSERT_EQ(values->GetNumberOfTuples(), mesh->GetNumberOfCells());
+  // The cell at the corner (-5.75, -5.75).
+  EXPECT_NEAR(values->GetComponent(0, 0), std::pow(1.0 + 2.0 * 5.75 * 5.75, -1.5), .01);
+
+  vtkNew<vtkAppendFilter> grid;
+  grid->AddInputData(mesh);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputConnection(grid->GetOutputPort());
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->Update();
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutput());
+  ASSERT_TRUE(output);
+  EXPECT_LE(FloorError(output), .015); // few points, where values change most
+}
+
+TEST(vtkPenumbraIrradianceFilter, LetsDiscsStandForPoints)
+{
+  vtkNew<vtkPolyData> cloud;
+  cloud->DeepCopy(SphereOnFloor(80));
+  cloud->SetPolys(vtkNew<vtkCellArray>());
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(cloud);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->SetPointRadius(.11);
+  filter->Update();
+  // The discs stand a little out of the sphere.
+  EXPECT_LE(FloorError(OutputOf(filter)), .04);
+}
+
+TEST(vtkPenumbraIrradianceFilter, LeavesNoArrayWhenAborted)
+{
+  const auto mesh = SphereOnFloor(60);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    static_cast<vtkPenumbraIrradianceFilter*>(caller)->SetAbortExecute(1);
+  });
+  filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  filter->Update();
+  EXPECT_FALSE(OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion"));
+}
+
+TEST(vtkPenumbraIrradianceFilter, TakesAnEmptyMesh)
+{
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(empty);
+  filter->Update();
+  EXPECT_EQ(OutputOf(filter)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetEstimatedError(), 0.0);
+}

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraIrradianceFilter
+ * @brief   Bakes ambient occlusion onto a mesh: a point or cell array, to a tolerance.
+ *
+ * Adds the array `AmbientOcclusion` (0 open, 1 blocked) to a copy of the input: any vtkPointSet with
+ * a surface, or points alone with PointRadius. The hemisphere of a point is about its normal, as the
+ * file has it, or as computed from the polygons; surfaces block from both sides.
+ *
+ * Values are interpolated between the records of a cache as long as that is cheaper than rays at
+ * every point, which it finds out by itself. Points of no cell and points that are not finite get 0
+ * and are counted. When aborted, the output is the input without the array.
+ */
+#ifndef vtkPenumbraIrradianceFilter_h
+#define vtkPenumbraIrradianceFilter_h
+
+#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkPenumbraFiltersIrradianceModule.h" // for export macro
+#include "vtkSmartPointer.h"                    // for members
+
+class vtkFieldData;
+class vtkPointSet;
+
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT vtkPenumbraIrradianceFilter
+  : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkPenumbraIrradianceFilter* New();
+  vtkTypeMacro(vtkPenumbraIrradianceFilter, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Error accepted: the RMSE over all points, in the array's unit, 1e-4 to 1. Default: 0.01. */
+  vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /** Reach of an occluder in world units, may be infinite; 0: a tenth of the diagonal of the bounds. Default: 0. */
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Bake at the centres of cells, about their own normals, not at points. Default: off. */
+  vtkSetMacro(OnCells, bool);
+  vtkGetMacro(OnCells, bool);
+  vtkBooleanMacro(OnCells, bool);
+  ///@}
+
+  ///@{
+  /** Compute normals even where the input has some. Default: off. */
+  vtkSetMacro(ComputeNormals, bool);
+  vtkGetMacro(ComputeNormals, bool);
+  vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /** Radius of the discs that stand for points where there are no polygons, world units; they need normals. Default: 0, none. */
+  vtkSetClampMacro(PointRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(PointRadius, double);
+  ///@}
+
+  /** How values are found. */
+  enum Methods
+  {
+    AUTOMATIC,  ///< by records where they pay, else by rays
+    BRUTE_FORCE ///< by rays at every point, for comparison
+  };
+  ///@{
+  /** How values are found. Default: AUTOMATIC. */
+  vtkSetClampMacro(Method, int, AUTOMATIC, BRUTE_FORCE);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /** Threads, 0: all. The values do not depend on it. Default: 0. */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  /**
+   * Counts of the last execution, one value an array: `Points/Total`, `Points/Interpolated`,
+   * `Points/BruteForce`, `Points/Unused`, `Points/NotFinite` (cells likewise), `Cache/Records`,
+   * `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`, `Rays/Total`. Also in the output's field data.
+   */
+  vtkFieldData* GetStatistics();
+
+  /** RMS over all points of the error that the algorithm believes it made. NaN before it ran. */
+  vtkGetMacro(EstimatedError, double);
+
+protected:
+  vtkPenumbraIrradianceFilter();
+  ~vtkPenumbraIrradianceFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  vtkPenumbraIrradianceFilter(const vtkPenumbraIrradianceFilter&) = delete;
+  void operator=(const vtkPenumbraIrradianceFilter&) = delete;
+
+  bool Execute(vtkPointSet* input, vtkPointSet* output);
+
+  double Tolerance = 0.01;
+  double Radius = 0.0;
+  bool OnCells = false;
+  bool ComputeNormals = false;
+  double PointRadius = 0.0;
+  int Method = AUTOMATIC;
+  int NumberOfThreads = 0;
+  vtkSmartPointer<vtkFieldData> Statistics;
+  double EstimatedError;
+};
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// penumbra bake, from file to file.
+#include "Program.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPLYReader.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataReader.h"
+#include "vtkSphereSource.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <gtest/gtest.h>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+const std::string Head = std::string(PENUMBRA_SOURCE_DIR) + "/Data/head.ply";
+
+void WriteSphere(const std::string& path)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputConnection(sphere->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  writer->Write();
+}
+
+/// The values that `Reader` finds in a file.
+template <typename Reader>
+vtkSmartPointer<vtkDataArray> ValuesIn(const std::string& path)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput()->GetPointData()->GetArray("AmbientOcclusion");
+}
+
+}
+
+TEST(Bake, WritesTheSameValuesIntoEveryFormat)
+{
+  const Folder folder("bake");
+  WriteSphere(folder / "sphere.vtp");
+  for (const char* name : { "baked.vtp", "baked.vtu", "baked.vtk", "baked.ply" })
+  {
+    const Outcome outcome =
+      RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / name });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+  }
+  const auto poly = ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp");
+  const auto grid = ValuesIn<vtkXMLUnstructuredGridReader>(folder / "baked.vtu");
+  const auto legacy = ValuesIn<vtkPolyDataReader>(folder / "baked.vtk");
+  ASSERT_TRUE(poly && grid && legacy);
+  ASSERT_EQ(poly->GetNumberOfTuples(), 50);
+  for (vtkIdType i = 0; i < 50; ++i)
+  {
+    EXPECT_EQ(poly->GetComponent(i, 0), 0.0); // a convex body sees the whole sky
+    EXPECT_EQ(grid->GetComponent(i, 0), poly->GetComponent(i, 0));
+    EXPECT_EQ(legacy->GetComponent(i, 0), poly->GetComponent(i, 0));
+  }
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName((folder / "baked.ply").c_str());
+  reader->Update();
+  vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_TRUE(colors);
+  EXPECT_EQ(colors->GetComponent(7, 0), 255.0);
+}
+
+TEST(Bake, ReportsWhatItDid)
+{
+  const Folder folder("bake-report");
+  const Outcome outcome = RunProgram({ "bake", Head, "--output", folder / "head.vtp", "--tolerance",
+    ".05", "--statistics", folder / "report.json" });
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  const nlohmann::json report = ReadJson(folder / "report.json");
+  const nlohmann::json& s = report["statistics"];
+  EXPECT_EQ(report["tolerance"], .05);
+  EXPECT_GT(report["estimated_error"], 0.0);
+  EXPECT_LE(report["estimated_error"], .05);
+  EXPECT_GT(s["Points/Total"], 1000);
+  EXPECT_LE(s["Points/Interpolated"].get<double>() + s["Points/BruteForce"].get<double>(),
+    s["Points/Total"].get<double>());
+  EXPECT_EQ(s["Rays/Total"].get<double>(),
+    s["Rays/Gather"].get<double>() + s["Rays/Occlusion"].get<double>());
+  EXPECT_LT(s["Rays/Total"].get<double>(), 700.0 * s["Points/Total"].get<double>());
+}
+
+TEST(Bake, NeedsPolygonsOrAPointRadius)
+{
+  const Folder folder("bake-points");
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(5, 5);
+  plane->Update();
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(plane->GetOutput()->GetPoints());
+  cloud->GetPointData()->SetNormals(plane->GetOutput()->GetPointData()->GetNormals());
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    vertices->InsertNextCell(1, &i);
+  }
+  cloud->SetVerts(vertices);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(cloud);
+  writer->SetFileName((folder / "cloud.vtp").c_str());
+  writer->Write();
+  const Outcome without =
+    RunProgram({ "bake", folder / "cloud.vtp", "--output", folder / "baked.vtp" });
+  EXPECT_EQ(without.Status, 2);
+  EXPECT_NE(without.Errors.find("--point-radius"), std::string::npos) << without.Errors;
+  const Outcome with = RunProgram(
+    { "bake", folder / "cloud.vtp", "--output", folder / "baked.vtp", "--point-radius", ".1" });
+  EXPECT_EQ(with.Status, 0) << with.Errors;
+  EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp"));
+}
