@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmark.h"
+
+#include "Measure.h"
+#include "MeshSites.h"
+#include "Meshes.h"
+#include "RayScene.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkLoopSubdivisionFilter.h"
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraIrradianceFilter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Every so many points has a truth of 16,384 rays.
+constexpr std::size_t TruthStep = 400;
+
+struct Truth
+{
+  std::vector<vtkIdType> Ids;
+  std::vector<double> Values;
+};
+
+Truth FindTruth(vtkPolyData* mesh)
+{
+  const MeshSites found = FindMeshSites(mesh, MeshChoices());
+  const Scene& scene = found.Blocking;
+  const RayScene rays(scene, 1);
+  vtkNew<vtkPenumbraBruteForceSource> source;
+  source->SetMinimumRays(16384);
+  source->Begin(rays, VTK_DOUBLE_MAX, 1.0);
+  Truth truth;
+  for (std::size_t i = 0; i < found.Sites.size(); i += TruthStep)
+  {
+    const glm::dvec3 world = glm::dvec3(found.Sites[i].Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 normal(found.Sites[i].Normal);
+    truth.Ids.push_back(found.Ids[i]);
+    truth.Values.push_back(source->Occlusion(&world.x, &normal.x).Value);
+  }
+  return truth;
+}
+
+struct Baked
+{
+  double Error = 0.0;
+  double Seconds = 0.0;
+  double Records = 0.0;
+  double Rays = 0.0;
+};
+
+Baked BakeIt(vtkPolyData* mesh, double tolerance, int method, const Truth& truth)
+{
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetTolerance(tolerance);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->SetMethod(method);
+  filter->SetNumberOfThreads(1);
+  const double start = Seconds();
+  filter->Update();
+  Baked baked;
+  baked.Seconds = Seconds() - start;
+  vtkDataArray* values =
+    vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("AmbientOcclusion");
+  for (std::size_t i = 0; i < truth.Ids.size(); ++i)
+  {
+    baked.Error += std::pow(values->GetComponent(truth.Ids[i], 0) - truth.Values[i], 2.0);
+  }
+  baked.Error = std::sqrt(baked.Error / static_cast<double>(truth.Ids.size()));
+  const auto count = [&](const char* name) {
+    return filter->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+  };
+  baked.Records = count("Cache/Records");
+  baked.Rays = count("Rays/Total");
+  return baked;
+}
+
+}
+
+void MeasureBaking(IrradianceBenchmark& benchmark)
+{
+  Table& table = benchmark.Results;
+  vtkNew<vtkLoopSubdivisionFilter> subdivision;
+  subdivision->SetInputData(ReadOff(benchmark.Meshes + "/armadillo.off"));
+  subdivision->SetNumberOfSubdivisions(1);
+  subdivision->Update();
+  const vtkSmartPointer<vtkPolyData> mesh = Smooth(subdivision->GetOutput());
+  const Truth truth = FindTruth(mesh);
+
+  std::vector<glm::dvec2> ladder;
+  std::vector<Baked> cached;
+  double slowest = 0.0;
+  const std::string name = "armadillo, 104 thousand points";
+  for (const double tolerance : { .03, .01, .006 })
+  {
+    const Baked brute = BakeIt(mesh, tolerance, vtkPenumbraIrradianceFilter::BRUTE_FORCE, truth);
+    ladder.emplace_back(brute.Error, brute.Seconds);
+    cached.push_back(BakeIt(mesh, tolerance, vtkPenumbraIrradianceFilter::AUTOMATIC, truth));
+    const Baked& baked = cached.back();
+    slowest = std::max(slowest, baked.Seconds / brute.Seconds);
+    table.Add(name, "RMSE at tolerance " + std::to_string(tolerance).substr(0, 5), baked.Error,
+      Bar::AtMost, tolerance,
+      std::to_string(static_cast<int>(baked.Records)) + " records, " +
+        std::to_string(baked.Rays * 1e-6).substr(0, 4) + " M rays; brute force alone " +
+        std::to_string(brute.Error).substr(0, 6) + ", " +
+        std::to_string(brute.Rays * 1e-6).substr(0, 4) + " M rays");
+  }
+  table.Add(name, "time at equal RMSE, cache over brute force",
+    cached[2].Seconds / CostAtError(ladder, cached[2].Error), Bar::AtMost, .5,
+    "at an RMSE of " + std::to_string(cached[2].Error).substr(0, 6));
+  table.Add(
+    name, "greatest time at equal tolerance, cache over brute force", slowest, Bar::AtMost, 1.0);
+}
+
+}

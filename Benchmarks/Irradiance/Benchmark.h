@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parts of the benchmark of the irradiance cache. Each adds its figures to the table.
+#ifndef penumbra_irradiance_Benchmark_h
+#define penumbra_irradiance_Benchmark_h
+
+#include "Table.h"
+
+#include <ctime>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+struct IrradianceBenchmark
+{
+  std::string Meshes; ///< folder with the .off files of Debian's libcgal-demo
+  std::string Output; ///< folder for results
+  Table Results;
+};
+
+/// A unit sphere on and above a plane, 1024 x 1024 pixels, against closed forms and brute force; and
+/// whether the tolerance is kept from .05 to .002.
+void MeasureSpheres(IrradianceBenchmark& benchmark);
+
+/// A scan of 104 thousand points against many rays.
+void MeasureBaking(IrradianceBenchmark& benchmark);
+
+/// A tree of a million records.
+void MeasureRecords(IrradianceBenchmark& benchmark);
+
+/// CPU seconds of this process.
+inline double Seconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}
+#endif
