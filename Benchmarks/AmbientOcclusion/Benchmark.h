@@ -34,6 +34,9 @@ struct OcclusionBenchmark
 /// Every kernel, converged, against rays; and vtkSSAOPass.
 void MeasureAccuracy(OcclusionBenchmark& benchmark);
 
+/// True rays: after one frame, after 16, converged, and what a frame costs.
+void MeasureTraced(OcclusionBenchmark& benchmark);
+
 /// Times of frames: plain, with our pass, converged, with vtkSSAOPass.
 void MeasureCost(OcclusionBenchmark& benchmark);
 

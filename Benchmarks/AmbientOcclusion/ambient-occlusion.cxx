@@ -27,6 +27,7 @@ const Part Parts[] = {
   { "accuracy", penumbra::MeasureAccuracy },
   { "cost", penumbra::MeasureCost },
   { "noise", penumbra::MeasureNoise },
+  { "traced", penumbra::MeasureTraced },
 };
 
 std::vector<std::string> Circumstances(const OcclusionBenchmark& benchmark)
