@@ -42,6 +42,8 @@ public:
   /** Are all opaque props of the renderer meshes that rays can meet? */
   bool CanEstimate(vtkRenderer* renderer) override;
 
+  bool NeedsMargin() override { return false; }
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /** Rays traced, and trees built, since this object exists. */

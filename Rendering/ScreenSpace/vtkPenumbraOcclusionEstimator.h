@@ -68,6 +68,9 @@ public:
   /** Is all that it needs of the renderer's scene at hand? Asked before every frame. */
   virtual bool CanEstimate(vtkRenderer*) { return true; }
 
+  /** Does it help to draw more than the picture, so that occluders just outside are seen? */
+  virtual bool NeedsMargin() { return true; }
+
   /** Free what lives in the window's OpenGL context. */
   virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;
 

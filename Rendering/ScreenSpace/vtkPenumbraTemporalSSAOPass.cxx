@@ -321,19 +321,18 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   own.SceneTimes[renderer] = sceneTime;
   settings.Restart = this->GetMTime() != own.SettingTimes[renderer];
   own.SettingTimes[renderer] = this->GetMTime();
-  if (this->OpaqueOnly)
-  {
-    const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
-    const double margin = this->Margin >= 0.0
-      ? this->Margin / 100.0 * side
-      : std::min(settings.Radius / pixel, LargestMargin * side);
-    settings.Margin[0] = settings.Margin[1] = static_cast<int>(std::ceil(margin));
-  }
-
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
   settings.Restart = settings.Restart || own.ActiveKernel != own.KernelsBefore[renderer];
   own.KernelsBefore[renderer] = own.ActiveKernel;
+  if (this->OpaqueOnly)
+  {
+    const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
+    const double needed =
+      estimator->NeedsMargin() ? std::min(settings.Radius / pixel, LargestMargin * side) : 0.0;
+    const double margin = this->Margin >= 0.0 ? this->Margin / 100.0 * side : needed;
+    settings.Margin[0] = settings.Margin[1] = static_cast<int>(std::ceil(margin));
+  }
   own.Last = &own.Views[renderer];
   if (!own.Last->Render(state, this->DelegatePass, estimator, settings))
   {

@@ -162,7 +162,7 @@ public:
   ///@{
   /**
    * Drawn around the picture so that occluders just outside count: per cent of its larger side, 0 to
-   * 50; negative: the radius, at most 10. Needs OpaqueOnly. Default: -1.
+   * 50; negative: the radius, at most 10, and nothing for true rays. Needs OpaqueOnly. Default: -1.
    */
   vtkSetClampMacro(Margin, double, -1.0, 50.0);
   vtkGetMacro(Margin, double);
