@@ -38,7 +38,7 @@ int List()
                "  ray       antialiased ray casting; needs no OpenGL\n"
                "  raster    VTK's OpenGL, 8 samples a pixel\n"
                "\nKernels of --ambient-occlusion (raster)\n"
-               "  automatic";
+               "  automatic traced";
   for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
   {
     std::cout << " " << vtkPenumbraKernels::GetName(kernel);

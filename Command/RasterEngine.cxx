@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
+#include "vtkPenumbraTracedEstimator.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -61,6 +62,7 @@ constexpr double StrengthOnData = 0.6;
 
 vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOptions& options)
 {
+  vtkPenumbraTracedEstimator::Register();
   vtkPenumbraTemporalSSAOPass* pass = vtkPenumbraTemporalSSAOPass::AddTo(renderer);
   pass->SetKernelName(options.AmbientOcclusionKernel.c_str());
   pass->SetConvergeInOneRender(
@@ -100,8 +102,10 @@ void AddFindings(vtkPenumbraTemporalSSAOPass* pass, bool arrays, Picture& pictur
   vtkFieldData* statistics = pass->GetStatistics();
   for (int i = 0; i < statistics->GetNumberOfArrays(); ++i)
   {
-    vtkDataArray* array = statistics->GetArray(i);
-    picture.Statistics[array->GetName()] = array->GetComponent(0, 0);
+    if (vtkDataArray* array = statistics->GetArray(i))
+    {
+      picture.Statistics[array->GetName()] = array->GetComponent(0, 0);
+    }
   }
   picture.Statistics["Occlusion/Kernel"] = pass->GetActiveKernelName();
   if (pass->GetEstimatedError() <= 1.0)
@@ -137,6 +141,10 @@ Picture RenderWithRaster(
   window->SetSize(width, height);
   window->AddRenderer(renderer);
   TakeErrors();
+  if (options.Threads > 0)
+  {
+    vtkSMPTools::Initialize(options.Threads);
+  }
   vtkPenumbraTemporalSSAOPass* occlusion =
     options.AmbientOcclusion ? AddOcclusion(renderer, options) : nullptr;
   Picture picture;

@@ -272,7 +272,7 @@ void RequireColoring(const CLI::App& app, const RenderOptions& options)
 
 std::vector<std::string> KernelNames()
 {
-  std::vector<std::string> names = { "automatic" };
+  std::vector<std::string> names = { "automatic", "traced" };
   for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
   {
     names.emplace_back(vtkPenumbraKernels::GetName(kernel));
@@ -296,7 +296,7 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
     "Default: 1, on surfaces coloured by data 0.6", Unit)
     ->group(group);
   AddChoice(app, "--ambient-occlusion-kernel", options.AmbientOcclusionKernel, KernelNames(),
-    "How the depth buffer tells occlusion (raster)")
+    "How occlusion is found: by true rays or from the depth buffer (raster)")
     ->group(group);
   AddInteger(app, "--frames", options.Frames,
     "Successive frames of a still camera, 0: until converged (raster)", 0, 100000)

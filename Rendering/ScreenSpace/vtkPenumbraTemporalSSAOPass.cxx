@@ -417,7 +417,7 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
     const auto counts = own.Last->CountPixels();
     const double surface = static_cast<double>(std::max(counts.Surface, 1LL));
     vtkNew<vtkStringArray> kernel;
-    kernel->SetName("Kernel");
+    kernel->SetName("Occlusion/Kernel");
     kernel->InsertNextValue(own.ActiveKernel);
     own.Statistics->AddArray(kernel);
     AddValue(own.Statistics, "Samples/PerPixel", own.Last->GetNewSamples());

@@ -201,9 +201,9 @@ public:
   double GetEstimatedError();
 
   /**
-   * Of the last frame, one value an array: `Kernel` (the active one's name), `Samples/PerPixel` (new ones), `Samples/Still` (since the
-   * last change), and shares of the surface's pixels `Pixels/Kept`, `Pixels/Disoccluded`,
-   * `Pixels/Invalidated`, `Pixels/Converged`.
+   * Of the last frame, one value an array: `Occlusion/Kernel` (the active one's name),
+   * `Samples/PerPixel` (new ones), `Samples/Still` (since the last change), and shares of the
+   * surface's pixels `Pixels/Kept`, `Pixels/Disoccluded`, `Pixels/Invalidated`, `Pixels/Converged`.
    */
   vtkFieldData* GetStatistics();
 

@@ -400,7 +400,7 @@ TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
   EXPECT_LT(std::sqrt(errors[0] / pixels), 0.5); // of a part 100 units wide
   EXPECT_LT(std::sqrt(errors[1] / pixels), 0.15);
   const nlohmann::json report = ReadJson(folder / "raster.json");
-  EXPECT_EQ(report["statistics"]["Occlusion/Kernel"], "march");
+  EXPECT_EQ(report["statistics"]["Occlusion/Kernel"], "traced");
   EXPECT_LE(report["estimated_error"], 0.01);
 }
 

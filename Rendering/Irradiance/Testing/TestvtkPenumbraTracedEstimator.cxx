@@ -292,7 +292,8 @@ TEST(TracedEstimator, IsChosenWhereItIsNeededAndPossible)
   vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
   const auto choice = [&]() {
     scene.Window->Render();
-    auto* kernel = vtkStringArray::SafeDownCast(pass->GetStatistics()->GetAbstractArray("Kernel"));
+    auto* kernel =
+      vtkStringArray::SafeDownCast(pass->GetStatistics()->GetAbstractArray("Occlusion/Kernel"));
     EXPECT_EQ(kernel->GetValue(0), pass->GetActiveKernelName());
     return std::string(pass->GetActiveKernelName());
   };
