@@ -249,6 +249,9 @@ TEST(Workers, AreMissedWhereNoMoreProcessesAreAllowed)
   {
     GTEST_SKIP() << "The limit is for a user that nobody else works as.";
   }
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "LeakSanitizer itself needs another process.";
+#endif
   const Folder folder("processes");
   WriteText(folder / "square.stl", SquareStl());
   std::filesystem::permissions(folder.Path, std::filesystem::perms::all);
