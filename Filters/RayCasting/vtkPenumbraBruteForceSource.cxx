@@ -146,7 +146,8 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWith
   if (tolerance > this->Tolerance)
   {
     // Few rays, their number chosen beforehand: to stop where few agree would be a bias.
-    const double needed = std::min<double>(std::pow(MeanError / tolerance, 4.0 / 3.0), limit / 2);
+    const std::uint32_t most = limit / 2;
+    const double needed = std::min<double>(std::pow(MeanError / tolerance, 4.0 / 3.0), most);
     std::uint32_t count = 4;
     while (count < needed)
     {

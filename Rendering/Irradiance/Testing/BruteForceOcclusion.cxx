@@ -17,8 +17,9 @@ std::vector<float> BruteForceOcclusion(
   std::vector<float> picture(static_cast<std::size_t>(width) * height, 0.f);
   for (std::size_t pixel = 0; pixel < picture.size(); ++pixel)
   {
-    const glm::dvec2 center(
-      static_cast<double>(pixel % width) + .5, static_cast<double>(pixel / width) + .5);
+    const std::size_t line = pixel / width;
+    const std::size_t column = pixel % width;
+    const glm::dvec2 center(static_cast<double>(column) + .5, static_cast<double>(line) + .5);
     penumbra::Ray view;
     view.Origin = scene.Eye.RayOrigin(center);
     view.Direction = scene.Eye.RayDirection(center);
@@ -42,8 +43,9 @@ std::vector<float> BruteForceOcclusion(
     int blocked = 0;
     for (int cell = 0; cell < side * side; ++cell)
     {
+      const int row = cell / side;
       const float u = static_cast<float>(cell % side) + penumbra::Uniform(state);
-      const float v = static_cast<float>(cell / side) + penumbra::Uniform(state);
+      const float v = static_cast<float>(row) + penumbra::Uniform(state);
       const auto cells = static_cast<float>(side);
       probe.Direction = frame * penumbra::ToHemisphere(penumbra::ToDisc(u / cells, v / cells));
       blocked += tree.Occluded(probe);

@@ -11,6 +11,8 @@
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cmath>
+
 namespace
 {
 
@@ -48,6 +50,11 @@ vtkSmartPointer<vtkActor> OcclusionScene::AddWall(
   auto actor = NewActor(plane);
   this->Renderer->AddActor(actor);
   return actor;
+}
+
+vtkSmartPointer<vtkActor> OcclusionScene::AddFloor(double size)
+{
+  return this->AddWall({ -size, -size, 0 }, { 2 * size, 0, 0 }, { 0, 2 * size, 0 });
 }
 
 vtkSmartPointer<vtkActor> OcclusionScene::AddSphere(const Vector& center, double radius)
@@ -137,4 +144,38 @@ double OcclusionScene::At(const std::string& name, const Vector& position)
   const std::vector<float> values = this->Array(name);
   const int at = pixel[1] * this->Width + pixel[0];
   return at >= 0 && at < static_cast<int>(values.size()) ? values[at] : -1.0;
+}
+
+double BehindWall(double distance)
+{
+  // The wall blocks the directions with w.y > distance: that part of the unit disc.
+  const double a = distance;
+  return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
+}
+
+std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(double))
+{
+  scene.AddFloor();
+  scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Window->Render();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  const int foot = scene.Pixel({ 0, 0, 0 })[1];
+  std::vector<double> errors;
+  for (int row = 0; row < foot; ++row)
+  {
+    const Vector floor = scene.OnFloor(80.5, row + .5);
+    errors.push_back(occlusion[row * scene.Width + 80] - truth(-floor[1]));
+  }
+  return errors;
+}
+
+double RootMeanSquare(const std::vector<double>& values)
+{
+  double squares = 0.0;
+  for (const double value : values)
+  {
+    squares += value * value;
+  }
+  return std::sqrt(squares / static_cast<double>(values.size()));
 }

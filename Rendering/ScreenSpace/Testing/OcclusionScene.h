@@ -28,6 +28,8 @@ public:
 
   /// A parallelogram with one corner and two sides, unlit white.
   vtkSmartPointer<vtkActor> AddWall(const Vector& corner, const Vector& side, const Vector& other);
+  /// The square of the plane z = 0 within +-size.
+  vtkSmartPointer<vtkActor> AddFloor(double size = 20.0);
   vtkSmartPointer<vtkActor> AddSphere(const Vector& center, double radius);
 
   void Look(const Vector& from, const Vector& at, const Vector& up = { 0.0, 0.0, 1.0 });
@@ -56,5 +58,14 @@ public:
   int Height;
   vtkPenumbraTemporalSSAOPass* Pass = nullptr;
 };
+
+/// Occlusion with reach 1 of a floor at a distance from an endless wall, D = 1.
+double BehindWall(double distance);
+
+/// Adds a floor and a wall on the plane y = 0 to a scene with an occlusion of radius 1, draws it, and
+/// compares one column of floor, up to the wall, with the truth; a value a row of pixels.
+std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(double) = BehindWall);
+
+double RootMeanSquare(const std::vector<double>& values);
 
 #endif
