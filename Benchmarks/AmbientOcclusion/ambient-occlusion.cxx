@@ -4,88 +4,36 @@
 // Prints the figures that ambient occlusion in OpenGL pictures has to reach, each beside its bar. Run
 // it by `./penumbra benchmark ambient-occlusion`, which also fetches what it needs.
 #include "Benchmark.h"
+#include "Program.h"
 
-#include "vtkVersion.h"
-
-#include <cstring>
-#include <ctime>
-#include <exception>
 #include <iostream>
-
-namespace
-{
-
-using penumbra::OcclusionBenchmark;
-
-struct Part
-{
-  const char* Name;
-  void (*Measure)(OcclusionBenchmark&);
-};
-
-const Part Parts[] = {
-  { "accuracy", penumbra::MeasureAccuracy },
-  { "cost", penumbra::MeasureCost },
-  { "noise", penumbra::MeasureNoise },
-  { "traced", penumbra::MeasureTraced },
-};
-
-std::vector<std::string> Circumstances(const OcclusionBenchmark& benchmark)
-{
-  char date[16];
-  const std::time_t now = std::time(nullptr);
-  std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  return { "OSMesa, one thread; 1024x768; date: " + std::string(date),
-    "VTK " + std::string(vtkVersion::GetVTKVersion()) + ", compiler " __VERSION__,
-    "truth: " + std::to_string(benchmark.Rays * benchmark.Rays) + " rays at every " +
-      std::to_string(benchmark.Stride) + "th foreground pixel in both directions" };
-}
-
-}
 
 int main(int argc, char** argv)
 {
+  using namespace penumbra;
   OcclusionBenchmark benchmark;
-  std::string only;
-  for (int i = 1; i < argc; ++i)
-  {
-    const auto is = [&](const char* name) { return std::strcmp(argv[i], name) == 0; };
-    if (is("--diagnose"))
-    {
-      benchmark.Diagnose = true;
-    }
-    else if (i + 1 < argc && (is("--meshes") || is("--output") || is("--only")))
-    {
-      (is("--meshes") ? benchmark.Meshes : is("--output") ? benchmark.Output : only) = argv[i + 1];
-      ++i;
-    }
-    else
-    {
-      std::cerr << "ambient-occlusion: " << argv[i]
-                << " is not one of --meshes, --output, --only, --diagnose\n";
-      return 2;
-    }
-  }
-  try
-  {
-    for (const Part& part : Parts)
-    {
-      if (only.empty() || only == part.Name)
-      {
-        part.Measure(benchmark);
-      }
-    }
-  }
-  catch (const std::exception& problem)
-  {
-    std::cerr << "ambient-occlusion: " << problem.what() << "\n";
-    return 2;
-  }
-  benchmark.Results.Write(benchmark.Output + "/ambient-occlusion",
-    "Ambient occlusion in OpenGL pictures: figures and bars", Circumstances(benchmark));
+  Program program;
+  program.Name = "ambient-occlusion";
+  program.Title = "Ambient occlusion in OpenGL pictures: figures and bars";
+  program.Usage = "--meshes FOLDER --output FOLDER\n"
+                  "         [--only accuracy|cost|noise|traced] [--diagnose]";
+  program.Values = { { "--meshes", &benchmark.Meshes, true },
+    { "--output", &benchmark.Output, true } };
+  program.Switches = { { "--diagnose", &benchmark.Diagnose } };
+  program.Parts = {
+    { "accuracy", [&] { MeasureAccuracy(benchmark); } },
+    { "cost", [&] { MeasureCost(benchmark); } },
+    { "noise", [&] { MeasureNoise(benchmark); } },
+    { "traced", [&] { MeasureTraced(benchmark); } },
+  };
+  const int status = program.Run(argc, argv, benchmark.Results, benchmark.Output, [&] {
+    return std::vector<std::string>{ "OSMesa, one thread; 1024x768; " + DateLine(), VersionLine(),
+      "truth: " + std::to_string(benchmark.Rays * benchmark.Rays) + " rays at every " +
+        std::to_string(benchmark.Stride) + "th foreground pixel in both directions" };
+  });
   for (const std::string& missed : benchmark.Results.GetMissed())
   {
     std::cout << "missed: " << missed << "\n";
   }
-  return 0;
+  return status == 2 ? 2 : 0;
 }

@@ -4,18 +4,15 @@
 // Prints the figures that the antialiasing has to reach, each beside its bar. Run it by
 // `./penumbra benchmark antialiasing`, which also fetches what it needs.
 #include "Benchmark.h"
+#include "Program.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <ctime>
-#include <exception>
 #include <fstream>
 #include <numeric>
 
@@ -90,6 +87,20 @@ void Diagnose(const Benchmark& benchmark, const std::string& scene, const Answer
   }
 }
 
+void SumUpTiles(Benchmark& benchmark)
+{
+  if (benchmark.Estimates.Tiles > 0)
+  {
+    Table& table = benchmark.Results;
+    table.Add("tiles of all scenes", "share with estimate >= error",
+      benchmark.Estimates.HonestShare(), Bar::AtLeast, 0.95,
+      std::to_string(benchmark.Estimates.Tiles) + " tiles");
+    table.Add("tiles of all scenes", "median of estimate / error",
+      benchmark.Estimates.MedianRatio(), Bar::AtMost, 3.0,
+      std::to_string(benchmark.Estimates.Ratios.size()) + " tiles with an error above 1e-4");
+  }
+}
+
 std::vector<std::string> Circumstances(const Benchmark& benchmark)
 {
   std::string processor = "unknown processor";
@@ -102,11 +113,7 @@ std::vector<std::string> Circumstances(const Benchmark& benchmark)
       break;
     }
   }
-  char date[16];
-  const std::time_t now = std::time(nullptr);
-  std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  return { "machine: " + processor + ", one thread", "date: " + std::string(date),
-    "VTK " + std::string(vtkVersion::GetVTKVersion()) + ", compiler " __VERSION__,
+  return { "machine: " + processor + ", one thread", DateLine(), VersionLine(),
     "peer: " + (benchmark.PovRay.empty() ? "none" : "POV-Ray, `" + benchmark.PovRay + "`"),
     "truth: exact coverage for flat shapes; " + std::to_string(benchmark.TruthSamples) + " x " +
       std::to_string(benchmark.TruthSamples) +
@@ -138,80 +145,23 @@ int main(int argc, char** argv)
 {
   using namespace penumbra;
   Benchmark benchmark;
-  std::string only;
-  bool usage = argc < 2;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string option = argv[i];
-    std::string* value = option == "--meshes" ? &benchmark.Meshes
-      : option == "--output"                  ? &benchmark.Output
-      : option == "--povray"                  ? &benchmark.PovRay
-      : option == "--only"                    ? &only
-                                              : nullptr;
-    if (value && i + 1 < argc)
-    {
-      *value = argv[++i];
-    }
-    else if (option == "--diagnose")
-    {
-      benchmark.Diagnose = true;
-    }
-    else if (option == "--no-peers")
-    {
-      benchmark.Peers = false;
-    }
-    else
-    {
-      usage = true;
-    }
-  }
-  if (usage || benchmark.Meshes.empty() || benchmark.Output.empty())
-  {
-    std::fprintf(stderr,
-      "usage: penumbra-benchmark-antialiasing --meshes FOLDER --output FOLDER [--povray PROGRAM]\n"
-      "         [--only memory|flat|lit|dense|packets] [--diagnose] [--no-peers]\n");
-    return 2;
-  }
-  try
-  {
-    const auto chosen = [&](const char* part) { return only.empty() || only == part; };
-    if (chosen("memory")) // first, while nothing else has touched the heap
-    {
-      MeasureMemory(benchmark);
-    }
-    if (chosen("flat"))
-    {
-      MeasureFlatShapes(benchmark);
-    }
-    if (chosen("packets"))
-    {
-      MeasureBasePass(benchmark);
-    }
-    if (chosen("dense"))
-    {
-      MeasureDenseMesh(benchmark);
-    }
-    if (chosen("lit"))
-    {
-      MeasureLitMeshes(benchmark);
-    }
-    if (benchmark.Estimates.Tiles > 0)
-    {
-      Table& table = benchmark.Results;
-      table.Add("tiles of all scenes", "share with estimate >= error",
-        benchmark.Estimates.HonestShare(), Bar::AtLeast, 0.95,
-        std::to_string(benchmark.Estimates.Tiles) + " tiles");
-      table.Add("tiles of all scenes", "median of estimate / error",
-        benchmark.Estimates.MedianRatio(), Bar::AtMost, 3.0,
-        std::to_string(benchmark.Estimates.Ratios.size()) + " tiles with an error above 1e-4");
-    }
-  }
-  catch (const std::exception& problem)
-  {
-    std::fprintf(stderr, "penumbra-benchmark-antialiasing: %s\n", problem.what());
-    return 2;
-  }
-  benchmark.Results.Write(
-    benchmark.Output + "/antialiasing", "Antialiasing: figures and bars", Circumstances(benchmark));
-  return benchmark.Results.GetMissed().empty() ? 0 : 1;
+  Program program;
+  program.Name = "antialiasing";
+  program.Title = "Antialiasing: figures and bars";
+  program.Usage = "--meshes FOLDER --output FOLDER [--povray PROGRAM]\n"
+                  "         [--only memory|flat|lit|dense|packets] [--diagnose] [--no-peers]";
+  program.Values = { { "--meshes", &benchmark.Meshes, true },
+    { "--output", &benchmark.Output, true }, { "--povray", &benchmark.PovRay } };
+  program.Switches = { { "--diagnose", &benchmark.Diagnose },
+    { "--no-peers", &benchmark.Peers, false } };
+  program.Parts = {
+    { "memory", [&] { MeasureMemory(benchmark); } }, // first: nothing else has touched the heap
+    { "flat", [&] { MeasureFlatShapes(benchmark); } },
+    { "packets", [&] { MeasureBasePass(benchmark); } },
+    { "dense", [&] { MeasureDenseMesh(benchmark); } },
+    { "lit", [&] { MeasureLitMeshes(benchmark); } },
+    { "", [&] { SumUpTiles(benchmark); } },
+  };
+  return program.Run(
+    argc, argv, benchmark.Results, benchmark.Output, [&] { return Circumstances(benchmark); });
 }
