@@ -44,8 +44,11 @@ using ProgressListener = std::function<void(double share)>;
 
 Picture RenderWithRays(
   vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
-Picture RenderWithRaster(
-  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
+
+/// A window about `renderer`, with the passes that are asked for. Each call draws what `renderer` then
+/// shows; the occlusion of one picture helps the next.
+std::function<Picture(const ProgressListener& progress)> PrepareRaster(
+  vtkRenderer* renderer, const RenderOptions& options);
 
 /// Make OpenGL windows of the kind that options.Window asks for, tried first in a process of its
 /// own. Throws Failure when the machine has none.

@@ -88,6 +88,7 @@ PendingFile::~PendingFile()
   if (!this->Temporary.empty())
   {
     unlink(this->Temporary.c_str());
+    KeepOnCrash(this->Temporary);
   }
 }
 
@@ -115,6 +116,7 @@ void PendingFile::Commit()
   {
     this->Fail(strerror(errno));
   }
+  KeepOnCrash(this->Temporary);
   this->Temporary.clear();
 }
 

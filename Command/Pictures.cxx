@@ -37,6 +37,9 @@ namespace penumbra
 namespace
 {
 
+// Keyword of the note in the text of a .png.
+constexpr const char* NoteKey = "Penumbra";
+
 // VTK's writer keeps the resolution for its subclasses.
 class TiffWriter : public vtkTIFFWriter
 {
@@ -184,8 +187,8 @@ bool HoldsArrays(const std::string& path)
   return Extension(path) == ".vti";
 }
 
-void WritePicture(
-  vtkImageData* image, PendingFile& file, const std::string& path, bool alpha, int dotsPerInch)
+void WritePicture(vtkImageData* image, PendingFile& file, const std::string& path, bool alpha,
+  int dotsPerInch, const std::string& note)
 {
   const std::string extension = Extension(path);
   TakeErrors();
@@ -216,10 +219,30 @@ void WritePicture(
   else
   {
     vtkNew<vtkPNGWriter> writer;
+    if (!note.empty())
+    {
+      writer->AddText(NoteKey, note.c_str());
+    }
     bytes = Encode(quantized, writer.Get());
     SetDensityOfPng(bytes, dotsPerInch);
   }
   file.Write(bytes);
+}
+
+std::string ReadNote(const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    return std::string();
+  }
+  TakeErrors();
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  int chunks[2] = { 0, 0 };
+  reader->GetTextChunks(NoteKey, chunks);
+  return TakeErrors().empty() && chunks[1] > chunks[0] ? reader->GetTextValue(chunks[0]) : "";
 }
 
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)

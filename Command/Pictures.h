@@ -29,9 +29,12 @@ bool HoldsAlpha(const std::string& path);
 bool HoldsArrays(const std::string& path);
 
 /// Write `image`, whose point array `Color` has 4 floats, in the format that `path` names.
-/// Without `alpha` the 8-bit formats get three channels.
-void WritePicture(
-  vtkImageData* image, PendingFile& file, const std::string& path, bool alpha, int dotsPerInch);
+/// Without `alpha` the 8-bit formats get three channels. `note` goes into the text of a .png.
+void WritePicture(vtkImageData* image, PendingFile& file, const std::string& path, bool alpha,
+  int dotsPerInch, const std::string& note = std::string());
+
+/// The note in a .png; empty where there is no such file, no note in it, or it is damaged.
+std::string ReadNote(const std::string& path);
 
 /// Throws Failure when `path` holds no picture.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path);

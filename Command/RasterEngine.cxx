@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 namespace penumbra
 {
@@ -78,12 +79,13 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
   return pass;
 }
 
-void AddShafts(vtkRenderer* renderer, const RenderOptions& options, Picture& picture)
+void AddShafts(
+  vtkRenderer* renderer, const RenderOptions& options, std::vector<std::string>& warnings)
 {
   if (options.Lights.empty())
   {
-    picture.Warnings.emplace_back("No light makes shafts (headlights make none): give "
-                                  "--light-position; no light shafts are drawn.");
+    warnings.emplace_back("No light makes shafts (headlights make none): give --light-position; no "
+                          "light shafts are drawn.");
     return;
   }
   const ShaftOptions& shafts = options.Shafts;
@@ -123,43 +125,72 @@ void AddFindings(vtkPenumbraTemporalSSAOPass* pass, bool arrays, Picture& pictur
   }
 }
 
-}
-
-Picture RenderWithRaster(
-  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress)
+// The window about a renderer, and its passes.
+class RasterDrawing
 {
-  using Clock = std::chrono::steady_clock;
-  const int width = options.Resolution[0];
-  const int height = options.Resolution[1];
-  const Clock::time_point start = Clock::now();
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetShowWindow(false);
-  window->SetMultiSamples(MultiSamples);
-  window->SetAlphaBitPlanes(1);
-  window->SetDPI(options.DotsPerInch);
-  window->SetSize(width, height);
-  window->AddRenderer(renderer);
-  TakeErrors();
+public:
+  RasterDrawing(vtkRenderer* renderer, const RenderOptions& options);
+  ~RasterDrawing();
+  RasterDrawing(const RasterDrawing&) = delete;
+  void operator=(const RasterDrawing&) = delete;
+
+  Picture Draw(const ProgressListener& progress);
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  const RenderOptions Options;
+  vtkNew<vtkRenderWindow> Window;
+  vtkPenumbraTemporalSSAOPass* Occlusion = nullptr;
+  std::vector<std::string> Warnings;
+};
+
+RasterDrawing::RasterDrawing(vtkRenderer* renderer, const RenderOptions& options)
+  : Renderer(renderer),
+    Options(options)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetShowWindow(false);
+  this->Window->SetMultiSamples(MultiSamples);
+  this->Window->SetAlphaBitPlanes(1);
+  this->Window->SetDPI(options.DotsPerInch);
+  this->Window->SetSize(options.Resolution[0], options.Resolution[1]);
+  this->Window->AddRenderer(renderer);
   if (options.Threads > 0)
   {
     vtkSMPTools::Initialize(options.Threads);
   }
-  vtkPenumbraTemporalSSAOPass* occlusion =
-    options.AmbientOcclusion ? AddOcclusion(renderer, options) : nullptr;
-  Picture picture;
+  if (options.AmbientOcclusion)
+  {
+    this->Occlusion = AddOcclusion(renderer, options);
+  }
   if (options.Shafts.Enabled)
   {
-    AddShafts(renderer, options, picture);
+    AddShafts(renderer, options, this->Warnings);
   }
-  for (int frame = 0; frame < std::max(options.Frames, 1); ++frame)
+}
+
+RasterDrawing::~RasterDrawing()
+{
+  if (this->Occlusion)
   {
-    window->Render();
+    vtkPenumbraTemporalSSAOPass::RemoveFrom(this->Renderer);
+  }
+}
+
+Picture RasterDrawing::Draw(const ProgressListener& progress)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const int width = this->Options.Resolution[0];
+  const int height = this->Options.Resolution[1];
+  TakeErrors();
+  for (int frame = 0; frame < std::max(this->Options.Frames, 1); ++frame)
+  {
+    this->Window->Render();
   }
   vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, bytes);
+  this->Window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, bytes);
   const std::vector<std::string> errors = TakeErrors();
-  const int* size = window->GetActualSize();
+  const int* size = this->Window->GetActualSize();
   const bool complete = size[0] == width && size[1] == height &&
     bytes->GetNumberOfTuples() == static_cast<vtkIdType>(width) * height;
   if (!errors.empty() || !complete)
@@ -171,18 +202,29 @@ Picture RenderWithRaster(
   }
   progress(1.0);
 
-  picture.Image = ToFloats(bytes, width, height, options.Background);
-  picture.Statistics = { { "Samples/PerPixel", window->GetMultiSamples() } };
+  Picture picture;
+  picture.Warnings = this->Warnings;
+  picture.Image = ToFloats(bytes, width, height, this->Options.Background);
+  picture.Statistics = { { "Samples/PerPixel", this->Window->GetMultiSamples() } };
   picture.EstimatedError = Unset;
-  if (occlusion)
+  if (this->Occlusion)
   {
-    AddFindings(occlusion, HoldsArrays(options.Output), picture);
-    vtkPenumbraTemporalSSAOPass::RemoveFrom(renderer);
+    AddFindings(this->Occlusion, HoldsArrays(this->Options.Output), picture);
   }
   picture.Threads =
-    options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
-  picture.RenderSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+    this->Options.Threads > 0 ? this->Options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
+  picture.RenderSeconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return picture;
+}
+
+}
+
+std::function<Picture(const ProgressListener& progress)> PrepareRaster(
+  vtkRenderer* renderer, const RenderOptions& options)
+{
+  const auto drawing = std::make_shared<RasterDrawing>(renderer, options);
+  return [drawing](const ProgressListener& progress) { return drawing->Draw(progress); };
 }
 
 }

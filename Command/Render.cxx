@@ -2,31 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra render: meshes to pictures.
+#include "Drawing.h"
 #include "Engine.h"
 #include "Failure.h"
 #include "MessageLog.h"
-#include "PendingFile.h"
-#include "Pictures.h"
 #include "ProgressLine.h"
 #include "RenderOptions.h"
 #include "Report.h"
 #include "SceneBuilder.h"
 #include "Subcommands.h"
-#include "Surfaces.h"
 #include "Worker.h"
 
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 
-#include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
 
 namespace penumbra
@@ -34,13 +26,6 @@ namespace penumbra
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::string ReplaceName(const std::string& pattern, const std::string& file)
 {
@@ -58,78 +43,10 @@ bool HasName(const std::string& pattern)
   return pattern.find("{name}") != std::string::npos;
 }
 
-// Every pixel has the colour of the background, or none at all.
-bool ShowsOnlyBackground(vtkImageData* image, vtkRenderer* renderer, bool background)
-{
-  vtkDataArray* color = image->GetPointData()->GetArray("Color");
-  if (!background)
-  {
-    return color->GetRange(3)[1] <= 0.0;
-  }
-  const double* expected = renderer->GetBackground();
-  for (int c = 0; c < 3; ++c)
-  {
-    const double* range = color->GetRange(c);
-    if (std::max(expected[c] - range[0], range[1] - expected[c]) > 0.5 / 255.0)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Why a picture shows nothing; empty where it shows something.
-std::string ExplainEmptiness(
-  const Picture& picture, vtkRenderer* renderer, const RenderOptions& options)
-{
-  const bool empty = picture.Coverage == Picture::Coverages::Empty;
-  if (!empty && !ShowsOnlyBackground(picture.Image, renderer, options.Background))
-  {
-    return std::string();
-  }
-  if (options.Opacity == 0.0)
-  {
-    return "everything is transparent: the picture shows only the background; raise --opacity";
-  }
-  if (empty)
-  {
-    return "nothing in view; check the --camera options";
-  }
-  return picture.Coverage == Picture::Coverages::Unknown
-    ? "nothing to see: the picture shows only the background; check the --camera options, the "
-      "colours and the lights"
-    : "what is in view cannot be told from the background; check the colours and the lights";
-}
-
-std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
-  const std::vector<std::string>& files, ProgressLine& progress, std::vector<std::string>& warnings)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
-  for (std::size_t i = 0; i < files.size(); ++i)
-  {
-    progress.Show("reading", static_cast<double>(i) / files.size());
-    EnterPhase(files[i], BadInput);
-    const Surfaces surfaces = ReadSurfaces(files[i]);
-    meshes.insert(meshes.end(), surfaces.Meshes.begin(), surfaces.Meshes.end());
-    if (surfaces.DroppedPoints > 0)
-    {
-      warnings.push_back(files[i] + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
-        std::to_string(surfaces.Points) +
-        " points are not finite: left out, with the cells around them");
-    }
-  }
-  return meshes;
-}
-
 // One picture, in its own process.
 int RenderPicture(const RenderOptions& options, Clock::time_point start)
 {
-  PendingFile output(options.Output, "--output");
-  std::optional<PendingFile> statistics;
-  if (!options.Statistics.empty())
-  {
-    statistics.emplace(options.Statistics, "--statistics");
-  }
+  PictureFiles files(options);
   const bool rays = options.Engine == "ray";
   if (!rays)
   {
@@ -141,66 +58,26 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
   }
 
   ProgressLine progress(options.Progress);
+  Preparation preparation{ start };
   std::vector<std::string> warnings;
   Clock::time_point lap = Clock::now();
   const auto meshes = ReadMeshes(options.Files, progress, warnings);
-  const double readSeconds = SecondsSince(lap);
+  preparation.ReadSeconds = SecondsSince(lap);
 
   EnterPhase("drawing " + options.Output, MachineCannot);
   lap = Clock::now();
   const vtkSmartPointer<vtkRenderer> renderer =
     BuildScene(meshes, options, rays ? 1.0 : options.DotsPerInch / 72.0);
-  const double sceneSeconds = SecondsSince(lap);
+  preparation.SceneSeconds = SecondsSince(lap);
   const auto listener = [&progress](double share) { progress.Show("drawing", share); };
-  const Picture picture = rays ? RenderWithRays(renderer, options, listener)
-                               : RenderWithRaster(renderer, options, listener);
-  warnings.insert(warnings.end(), picture.Warnings.begin(), picture.Warnings.end());
-  const std::string emptiness = ExplainEmptiness(picture, renderer, options);
-  if (!emptiness.empty())
-  {
-    warnings.push_back(emptiness);
-  }
-
-  EnterPhase("writing " + options.Output, MachineCannot);
+  const Picture picture =
+    rays ? RenderWithRays(renderer, options, listener) : PrepareRaster(renderer, options)(listener);
   progress.Show("writing", 1.0);
-  lap = Clock::now();
-  WritePicture(picture.Image, output, options.Output, !options.Background, options.DotsPerInch);
-  const double writeSeconds = SecondsSince(lap);
-  if (statistics)
-  {
-    const nlohmann::json report = { { "statistics", picture.Statistics },
-      { "estimated_error", picture.EstimatedError }, { "tolerance", options.Tolerance },
-      { "threads", picture.Threads },
-      { "seconds",
-        { { "read", readSeconds }, { "build", sceneSeconds + picture.BuildSeconds },
-          { "render", picture.RenderSeconds }, { "write", writeSeconds },
-          { "total", SecondsSince(start) } } },
-      { "peak_memory_bytes", PeakMemory() } };
-    statistics->Write(report.dump(2) + "\n");
-    statistics->Commit();
-  }
-  output.Commit();
+  const std::vector<std::string> more = files.Save(picture, renderer, options, preparation);
+  warnings.insert(warnings.end(), more.begin(), more.end());
   progress.Clear();
   SayWarnings(warnings);
   return Done;
-}
-
-// Nothing that is read or written may be written over.
-void CheckFiles(const RenderOptions& picture, const std::vector<std::string>& inputs)
-{
-  RefuseInput(picture.Output, "--output", inputs);
-  if (picture.Statistics.empty())
-  {
-    return;
-  }
-  RefuseInput(picture.Statistics, "--statistics", inputs);
-  std::error_code ignored;
-  if (std::filesystem::weakly_canonical(picture.Statistics, ignored) ==
-    std::filesystem::weakly_canonical(picture.Output, ignored))
-  {
-    throw Failure(
-      BadInput, "--statistics " + picture.Statistics + ": this is the --output; name another file");
-  }
 }
 
 // One picture of all files, or one of each where the output's name holds {name}.
@@ -288,7 +165,16 @@ Action DeclareRender(CLI::App& program)
     const int status = Render(*options, start);
     if (status == Done)
     {
-      for (const std::string& warning : FindIdleOptions(*app, *options))
+      std::vector<std::string> idle = FindIdleOptions(*app, *options);
+      if (app->count("--frames") > 0 && options->Engine == "ray")
+      {
+        idle.emplace_back("--frames has no effect with --engine ray");
+      }
+      if (app->count("--jobs") > 0 && !(HasName(options->Output) && options->Files.size() > 1))
+      {
+        idle.emplace_back("--jobs has no effect without several files and {name} in --output");
+      }
+      for (const std::string& warning : idle)
       {
         Say("warning: " + warning);
       }

@@ -388,7 +388,6 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
 {
   const bool orthographic = options.Camera.Orthographic;
   const bool placed = options.Camera.Position.has_value();
-  const bool many = options.Output.find("{name}") != std::string::npos && options.Files.size() > 1;
   const bool lights = options.Lighting && !options.Lights.empty();
   const struct
   {
@@ -401,7 +400,6 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-kernel", options.Engine == "ray", "with --engine ray" },
-    { "--frames", options.Engine == "ray", "with --engine ray" },
     { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
     { "--camera-view-angle", orthographic, "with --camera-orthographic" },
     { "--camera-zoom-factor", placed, "with --camera-position" },
@@ -410,7 +408,6 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--light-position", !options.Lighting, "with --no-lighting" },
     { "--shadows", !lights, "without --light-position: the headlight casts none" },
     { "--window", options.Engine == "ray", "with --engine ray" },
-    { "--jobs", !many, "without several files and {name} in --output" },
   };
   std::vector<std::string> sentences;
   for (const auto& row : rows)

@@ -19,6 +19,7 @@ namespace penumbra
 using Action = std::function<int()>;
 
 Action DeclareRender(CLI::App& program);
+Action DeclareAnimate(CLI::App& program);
 Action DeclareBake(CLI::App& program);
 Action DeclareCompare(CLI::App& program);
 Action DeclareList(CLI::App& program);

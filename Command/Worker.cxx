@@ -293,6 +293,17 @@ void RemoveOnCrash(const std::string& path)
   }
 }
 
+void KeepOnCrash(const std::string& path)
+{
+  for (int i = 0; Mine && i < 2; ++i)
+  {
+    if (path == Mine->Temporary[i])
+    {
+      *Mine->Temporary[i] = '\0';
+    }
+  }
+}
+
 int RunGuarded(const std::function<int()>& body)
 {
   try

@@ -16,8 +16,11 @@ namespace penumbra
 /// `blame`: BadInput where a crash means a damaged file, else MachineCannot.
 void EnterPhase(const std::string& what, int blame);
 
-/// Remove `path` should the worker die before `path` is renamed to its final name.
+/// Remove `path` should the worker die before `path` is renamed to its final name; two at most.
 void RemoveOnCrash(const std::string& path);
+
+/// No longer: it was renamed, or removed.
+void KeepOnCrash(const std::string& path);
 
 /// Do count tasks, each in a process of its own, `jobs` at a time; `finished` hears after each.
 /// `task` returns an exit status or throws Failure, whose message is said. Returns the largest

@@ -60,8 +60,9 @@ int Run(int argc, char** argv)
     "Exit status: 0 done, 1 comparison above its threshold, 2 bad use or bad input, 3 the "
     "machine cannot.\nThe commands' own options: penumbra COMMAND --help");
   const std::map<std::string, Action> actions = { { "render", DeclareRender(program) },
-    { "bake", DeclareBake(program) }, { "compare", DeclareCompare(program) },
-    { "list", DeclareList(program) }, { "info", DeclareInfo(program) } };
+    { "animate", DeclareAnimate(program) }, { "bake", DeclareBake(program) },
+    { "compare", DeclareCompare(program) }, { "list", DeclareList(program) },
+    { "info", DeclareInfo(program) } };
   program.require_subcommand(1);
   try
   {

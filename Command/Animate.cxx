@@ -1,0 +1,418 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// penumbra animate: an orbit, moving parts or a time series to numbered pictures.
+//
+// The pictures are made in groups of successive ones, each group by a process of its own: within it
+// a picture may use what was found for the one before. The groups do not depend on --jobs, and a group
+// of which pictures are missing is drawn again from its first, so that the pictures are the same
+// however often the work was interrupted.
+#include "Drawing.h"
+#include "Engine.h"
+#include "Failure.h"
+#include "FixedView.h"
+#include "MessageLog.h"
+#include "Pictures.h"
+#include "ProgressLine.h"
+#include "RenderOptions.h"
+#include "Report.h"
+#include "SceneBuilder.h"
+#include "Subcommands.h"
+#include "Worker.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkVersion.h"
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+constexpr int PicturesOfAGroup = 8;
+
+/// A file's surfaces and how far they move.
+struct Movement
+{
+  int File = 0; ///< from 0
+  Triple Way{};
+};
+
+struct AnimationOptions
+{
+  RenderOptions Picture;
+  int Frames = 60;
+  double Orbit = Unset; ///< degrees
+  std::vector<Movement> Movements;
+  bool TimeSeries = false;
+  bool Resume = false;
+  std::string Description; ///< all options that change a picture
+};
+
+constexpr const char* FramePlace = "{frame}";
+
+bool HasFrame(const std::string& pattern)
+{
+  return pattern.find(FramePlace) != std::string::npos;
+}
+
+std::string ReplaceFrame(const std::string& pattern, int frame)
+{
+  std::string number = std::to_string(frame);
+  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+  std::string path = pattern;
+  for (std::size_t at = 0; (at = path.find(FramePlace, at)) != std::string::npos;
+       at += number.size())
+  {
+    path.replace(at, std::string(FramePlace).size(), number);
+  }
+  return path;
+}
+
+/// Where the animation is at a picture, from 0 to 1. The last picture of whole turns is not the first
+/// one again; that of other motions is their end.
+double TimeOf(const AnimationOptions& options, int frame)
+{
+  const bool turns = options.Movements.empty() && std::fmod(options.Orbit, 360.0) == 0.0;
+  return frame / static_cast<double>(std::max(turns ? options.Frames : options.Frames - 1, 1));
+}
+
+// 64 bits of Fowler, Noll and Vo's hash (FNV-1a).
+std::string Hash(const std::string& text)
+{
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char byte : text)
+  {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  }
+  std::ostringstream digits;
+  digits << std::hex << hash;
+  return digits.str();
+}
+
+/// Tells one picture from all that were made of other files or with other options.
+std::string Fingerprint(const AnimationOptions& options, int frame)
+{
+  std::ostringstream text;
+  text << PENUMBRA_VERSION << ' ' << vtkVersion::GetVTKVersion() << ' ' << frame << '\n'
+       << options.Description;
+  for (const std::string& file : options.Picture.Files)
+  {
+    std::error_code ignored;
+    text << file << ' ' << std::filesystem::file_size(file, ignored) << ' '
+         << std::filesystem::last_write_time(file, ignored).time_since_epoch().count() << '\n';
+  }
+  return "animate " + Hash(text.str());
+}
+
+/// The options of one picture.
+RenderOptions OptionsOf(const AnimationOptions& options, int frame)
+{
+  RenderOptions one = options.Picture;
+  one.Output = ReplaceFrame(options.Picture.Output, frame);
+  one.Statistics = ReplaceFrame(options.Picture.Statistics, frame);
+  return one;
+}
+
+bool IsMade(const AnimationOptions& options, int frame)
+{
+  const RenderOptions one = OptionsOf(options, frame);
+  return options.Resume && ReadNote(one.Output) == Fingerprint(options, frame) &&
+    (one.Statistics.empty() || std::filesystem::exists(one.Statistics));
+}
+
+/// A scene, and how many of its actors come from each file.
+struct AnimatedScene
+{
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::vector<int> Actors;
+};
+
+AnimatedScene ReadScene(const RenderOptions& options, const std::vector<std::string>& files,
+  std::vector<std::string>& warnings)
+{
+  ProgressLine silent("none");
+  AnimatedScene scene;
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  for (const std::string& file : files)
+  {
+    const auto more = ReadMeshes({ file }, silent, warnings);
+    meshes.insert(meshes.end(), more.begin(), more.end());
+    scene.Actors.push_back(static_cast<int>(more.size()));
+  }
+  EnterPhase("drawing " + options.Output, MachineCannot);
+  scene.Renderer =
+    BuildScene(meshes, options, options.Engine == "ray" ? 1.0 : options.DotsPerInch / 72.0);
+  return scene;
+}
+
+/// Brings actors and camera to a picture. The view of `fixed` is that of the first picture.
+void Move(const AnimatedScene& scene, const AnimationOptions& options, const RenderOptions& fixed,
+  int frame)
+{
+  const double time = TimeOf(options, frame);
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  for (const Movement& movement : options.Movements)
+  {
+    int first = 0;
+    for (int file = 0; file < movement.File; ++file)
+    {
+      first += scene.Actors[file];
+    }
+    for (int i = first; i < first + scene.Actors[movement.File]; ++i)
+    {
+      vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+      actor->SetPosition(time * movement.Way[0], time * movement.Way[1], time * movement.Way[2]);
+    }
+  }
+  CameraOptions camera = fixed.Camera;
+  camera.Azimuth = time * options.Orbit;
+  PlaceCamera(
+    scene.Renderer, camera, static_cast<double>(fixed.Resolution[0]) / fixed.Resolution[1]);
+}
+
+/// The pictures [first, last), one after the other.
+int DrawGroup(const AnimationOptions& options, int first, int last)
+{
+  const RenderOptions& all = options.Picture;
+  const bool rays = all.Engine == "ray";
+  if (!rays)
+  {
+    ChooseWindow(all.Window);
+  }
+  if (all.Threads > 0)
+  {
+    vtkSMPTools::Initialize(all.Threads);
+  }
+  const std::vector<std::string> files =
+    options.TimeSeries ? std::vector<std::string>{ all.Files.front() } : all.Files;
+  Preparation preparation{ Clock::now() };
+  std::vector<std::string> warnings;
+  AnimatedScene scene = ReadScene(all, files, warnings);
+  RenderOptions fixed = all;
+  FixView(scene.Renderer, fixed);
+  if (options.TimeSeries && first > 0)
+  {
+    warnings.clear();
+    scene = ReadScene(fixed, { all.Files[first] }, warnings);
+  }
+  preparation.ReadSeconds = SecondsSince(preparation.Start);
+  std::function<Picture(const ProgressListener&)> draw;
+  if (!rays)
+  {
+    draw = PrepareRaster(scene.Renderer, fixed);
+  }
+  for (int frame = first; frame < last; ++frame)
+  {
+    RenderOptions one = OptionsOf(options, frame);
+    fixed.Output = one.Output;
+    fixed.Statistics = one.Statistics;
+    Move(scene, options, fixed, frame);
+    const bool made = IsMade(options, frame);
+    if (made && rays)
+    {
+      continue;
+    }
+    PictureFiles output(fixed);
+    EnterPhase("drawing " + fixed.Output, MachineCannot);
+    const ProgressListener silent = [](double) {};
+    const Picture picture = rays ? RenderWithRays(scene.Renderer, fixed, silent) : draw(silent);
+    if (!made)
+    {
+      for (const std::string& warning :
+        output.Save(picture, scene.Renderer, fixed, preparation, Fingerprint(options, frame)))
+      {
+        warnings.push_back(fixed.Output + ": " + warning);
+      }
+    }
+    preparation = { Clock::now() };
+  }
+  SayWarnings(warnings);
+  return Done;
+}
+
+/// The pictures that are missing, group by group.
+int Animate(AnimationOptions& options)
+{
+  RenderOptions& all = options.Picture;
+  const int size = options.TimeSeries ? 1 : PicturesOfAGroup;
+  std::vector<int> firsts;
+  int missing = 0;
+  for (int first = 0; first < options.Frames; first += size)
+  {
+    const int before = missing;
+    for (int frame = first; frame < std::min(first + size, options.Frames); ++frame)
+    {
+      CheckFiles(OptionsOf(options, frame), all.Files);
+      missing += IsMade(options, frame) ? 0 : 1;
+    }
+    if (missing > before)
+    {
+      firsts.push_back(first);
+    }
+  }
+  const int count = static_cast<int>(firsts.size());
+  const int jobs = std::max(1, std::min(all.Jobs, count));
+  if (jobs > 1 && all.Threads == 0)
+  {
+    all.Threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads() / jobs);
+  }
+  ProgressLine progress(all.Progress);
+  const auto finished = [&](int done) {
+    const int made = options.Frames - missing + std::min(done * size, missing);
+    progress.Show(std::to_string(made) + " of " + std::to_string(options.Frames) + " pictures",
+      static_cast<double>(made) / options.Frames);
+  };
+  return RunWorkers(
+    count, jobs,
+    [&](
+      int i) { return DrawGroup(options, firsts[i], std::min(firsts[i] + size, options.Frames)); },
+    finished);
+}
+
+void DeclareMotion(CLI::App& app, AnimationOptions& options)
+{
+  const std::string group = "Motion";
+  AddInteger(
+    app, "--frames", options.Frames, "Pictures; of a time series: one for each file", 1, 1000000)
+    ->group(group);
+  AddNumber(app, "--orbit", options.Orbit, "DEG",
+    "The camera turns around the focal point, to the right; default: 360 where nothing else moves",
+    { -1e6, 1e6 })
+    ->default_str("")
+    ->group(group);
+  const auto storeMovements = [&options](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts)
+    {
+      const std::size_t colon = text.find(':');
+      if (colon == std::string::npos)
+      {
+        throw CLI::ValidationError("--move", "'" + text + "' is not of the form N:X,Y,Z");
+      }
+      const double file = ParseNumbers("--move", text.substr(0, colon), 1, 1, { 1.0, 1e6 })[0];
+      const std::vector<double> way =
+        ParseNumbers("--move", text.substr(colon + 1), 3, 3, { -1e100, 1e100 });
+      options.Movements.push_back({ static_cast<int>(file) - 1, { way[0], way[1], way[2] } });
+    }
+  };
+  app
+    .add_option_function<std::vector<std::string>>("--move", storeMovements,
+      "File number N (1: the first) moves by X,Y,Z in world units until the end; repeatable")
+    ->type_name("N:X,Y,Z")
+    ->allow_extra_args(false)
+    ->group(group);
+  app
+    .add_flag("--time-series", options.TimeSeries,
+      "Each file is a step; camera and colours are those of the first")
+    ->group(group);
+  app
+    .add_flag("--resume", options.Resume,
+      "Keep the pictures that were made of these files with these options (.png)")
+    ->group("Output");
+}
+
+void CheckMotion(const CLI::App& app, AnimationOptions& options)
+{
+  const RenderOptions& picture = options.Picture;
+  if (!HasFrame(picture.Output))
+  {
+    throw Failure(
+      BadInput, "--output " + picture.Output + ": pictures need {frame} in it, for their numbers");
+  }
+  if (!picture.Statistics.empty() && !HasFrame(picture.Statistics))
+  {
+    throw Failure(
+      BadInput, "--statistics " + picture.Statistics + ": several pictures need {frame} in it");
+  }
+  if (options.Resume && std::filesystem::path(picture.Output).extension() != ".png")
+  {
+    throw Failure(
+      BadInput, "--resume: only .png tells how a picture was made; end --output in .png");
+  }
+  for (const Movement& movement : options.Movements)
+  {
+    if (movement.File >= static_cast<int>(picture.Files.size()))
+    {
+      throw Failure(BadInput,
+        "--move " + std::to_string(movement.File + 1) + ": there are " +
+          std::to_string(picture.Files.size()) + " files");
+    }
+  }
+  if (options.TimeSeries)
+  {
+    if (app.count("--frames") > 0 || !options.Movements.empty())
+    {
+      throw Failure(
+        BadInput, "--time-series: each file is a picture; leave --frames and --move out");
+    }
+    options.Frames = static_cast<int>(picture.Files.size());
+  }
+  if (std::isnan(options.Orbit))
+  {
+    options.Orbit = options.TimeSeries || !options.Movements.empty() ? 0.0 : 360.0;
+  }
+}
+
+/// All options but those that change no picture, and the places of the files.
+std::string Describe(const CLI::App& app)
+{
+  const std::vector<std::string> others = { "output", "resume", "jobs", "threads", "progress",
+    "statistics", "FILE" };
+  std::istringstream lines(app.config_to_str(true, false));
+  std::string description;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::string name = line.substr(0, line.find('='));
+    if (std::find(others.begin(), others.end(), name) == others.end())
+    {
+      description += line + '\n';
+    }
+  }
+  return description;
+}
+
+}
+
+Action DeclareAnimate(CLI::App& program)
+{
+  const auto options = std::make_shared<AnimationOptions>();
+  CLI::App* app = program.add_subcommand("animate", "Draw an orbit, moving parts or a time series");
+  DeclareRenderOptions(*app, options->Picture);
+  app->remove_option(app->get_option("--frames")); // of a still camera
+  DeclareMotion(*app, *options);
+  app->get_option("--output")
+    ->description(
+      "Pictures, {frame} in it stands for their numbers: .png .jpg .tif .bmp (8 bit) or .vti");
+  app->get_option("--statistics")
+    ->description("Write rays, error, times and memory to these files; {frame} as in --output");
+  app->get_option("--jobs")->description("Groups of pictures made at a time");
+  return [options, app]() {
+    RenderOptions& picture = options->Picture;
+    picture.Coloring.Enabled = picture.Coloring.Enabled || !picture.Coloring.Array.empty();
+    CheckRenderOptions(*app, picture);
+    CheckMotion(*app, *options);
+    options->Description = Describe(*app);
+    const int status = Animate(*options);
+    if (status == Done)
+    {
+      for (const std::string& warning : FindIdleOptions(*app, picture))
+      {
+        Say("warning: " + warning);
+      }
+    }
+    return status;
+  };
+}
+
+}
