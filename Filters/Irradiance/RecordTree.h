@@ -51,16 +51,27 @@ public:
   void Clear();
 
 private:
+  /// Names a record, and holds what tells most of them to be out of reach: records themselves lie
+  /// scattered in memory.
+  struct Reference
+  {
+    glm::vec3 Position;
+    float SquaredRadius;
+    std::uint32_t Index;
+  };
   struct Node
   {
     std::int32_t FirstChild = -1; ///< of eight; -1: a leaf
-    std::vector<std::uint32_t> References;
+    std::vector<Reference> References;
   };
 
-  void Add(std::uint32_t record);
-  void AddBelow(std::size_t node, glm::vec3 center, float half, std::uint32_t record);
+  void AddBelow(std::size_t node, glm::vec3 center, float half, const Reference& reference);
   void Split(std::size_t node, glm::vec3 center, float half);
   const Node& LeafAt(glm::vec3 position) const;
+
+  /// Calls `work` with each record of whose sphere `position` lies inside.
+  template <typename Work>
+  void ForEachAround(glm::vec3 position, const Work& work) const;
 
   std::vector<Record> Records;
   std::vector<Node> Nodes{ Node() };

@@ -62,6 +62,21 @@ void Enclose(const Scene& scene, RecordTree& tree)
 
 struct vtkPenumbraIrradianceCache::Internals
 {
+  /// What the records were made for.
+  struct Purpose
+  {
+    std::uint64_t Scene = 0;
+    double Radius = 0.0;
+    double Tolerance = 0.0;
+    vtkMTimeType Settings = 0;
+    bool operator==(const Purpose& other) const
+    {
+      return this->Scene == other.Scene && this->Radius == other.Radius &&
+        this->Tolerance == other.Tolerance && this->Settings == other.Settings;
+    }
+  };
+
+  Purpose Made;
   const RayScene* Rays = nullptr;
   const Gatherer* Foreign = nullptr;
   double Accepted = 0.0; ///< by Begin(), for a single answer
@@ -73,7 +88,7 @@ struct vtkPenumbraIrradianceCache::Internals
   vtkNew<vtkPenumbraBruteForceSource> BruteForce;
   vtkSmartPointer<vtkPolyData> InitialRecords;
 
-  void PlaceRecords();
+  bool PlaceRecords(const Progress& progress);
   float PixelAt(glm::vec3 position) const;
 };
 
@@ -118,10 +133,16 @@ void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
   }
 }
 
-void vtkPenumbraIrradianceCache::Begin(
-  const penumbra::RayScene& rays, double radius, double tolerance)
+bool vtkPenumbraIrradianceCache::Begin(
+  const penumbra::RayScene& rays, double radius, double tolerance, const Progress& progress)
 {
   Internals& self = *this->Implementation;
+  const Internals::Purpose purpose{ rays.GetId(), radius, tolerance, this->GetMTime() };
+  if (self.Made == purpose)
+  {
+    return true;
+  }
+  self.Made = Internals::Purpose();
   const Scene& scene = rays.GetScene();
   const double accepted =
     std::max(this->Tolerance > 0.0 ? this->Tolerance : SharedError * tolerance, LeastTolerance);
@@ -157,24 +178,33 @@ void vtkPenumbraIrradianceCache::Begin(
       vtkWarningMacro("InitialRecords are not used: " << problem << ".");
     }
   }
-  if (this->Order == LEVELS)
+  if (this->Order == LEVELS && !self.PlaceRecords(progress))
   {
-    self.PlaceRecords();
+    return false;
   }
+  self.Made = purpose;
+  return true;
 }
 
-void vtkPenumbraIrradianceCache::Internals::PlaceRecords()
+bool vtkPenumbraIrradianceCache::Internals::PlaceRecords(const Progress& progress)
 {
   for (int level = 0; level < PictureLevels; ++level)
   {
-    this->Places->AddLevel(SitesOfPicture(*this->Rays, level));
+    const auto step = [&](double share) {
+      return progress && progress((level + share) / PictureLevels);
+    };
+    if (!this->Places->AddLevel(SitesOfPicture(*this->Rays, level), step))
+    {
+      return false;
+    }
     const auto made = static_cast<double>(this->Tree.GetRecords().size());
     if (StrideOf(level) <= CoarseStride &&
       static_cast<double>(this->Places->GetIdle()) > MostIdle * made)
     {
-      return;
+      break;
     }
   }
+  return true;
 }
 
 float vtkPenumbraIrradianceCache::Internals::PixelAt(glm::vec3 position) const

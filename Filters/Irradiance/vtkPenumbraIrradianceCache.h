@@ -99,7 +99,8 @@ public:
   /** The records as points with arrays, in world coordinates: position, normal, `Radius`, ... */
   void GetRecords(vtkPolyData* records) const;
 
-  void Begin(const penumbra::RayScene& scene, double radius, double tolerance) override;
+  bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+    const Progress& progress = {}) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
   /** `tolerance` is for brute force, where no record serves. */
   Estimate OcclusionWithin(

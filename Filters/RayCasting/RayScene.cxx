@@ -14,6 +14,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <new>
@@ -336,10 +337,18 @@ void OccludedPacket(RTCScene tree, const Ray* rays, bool* blocked)
   }
 }
 
+/// From 1 on.
+std::uint64_t NextId()
+{
+  static std::atomic<std::uint64_t> last(0);
+  return ++last;
+}
+
 }
 
 RayScene::RayScene(const Scene& scene, int threads)
-  : TracedScene(scene)
+  : TracedScene(scene),
+    Id(NextId())
 {
   this->Device = rtcNewDevice(DeviceSettings(threads).c_str());
   Check(this->Device);

@@ -66,10 +66,14 @@ public:
 
   const Scene& GetScene() const { return this->TracedScene; }
 
+  /// No other scene of this process has the same.
+  std::uint64_t GetId() const { return this->Id; }
+
 private:
   void Release();
 
   const Scene& TracedScene;
+  std::uint64_t Id;
   RTCDeviceTy* Device = nullptr;
   RTCSceneTy* Tree = nullptr;
   bool Wide = false; ///< this machine traces 16 rays at once, not 8

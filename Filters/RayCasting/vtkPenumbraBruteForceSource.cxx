@@ -124,12 +124,13 @@ Hemisphere MakeHemisphere(
 
 }
 
-void vtkPenumbraBruteForceSource::Begin(
-  const penumbra::RayScene& scene, double radius, double tolerance)
+bool vtkPenumbraBruteForceSource::Begin(
+  const penumbra::RayScene& scene, double radius, double tolerance, const Progress&)
 {
   this->Rays = &scene;
   this->Radius = radius;
   this->Tolerance = tolerance;
+  return true;
 }
 
 vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::Occlusion(

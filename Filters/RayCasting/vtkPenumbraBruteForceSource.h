@@ -34,7 +34,8 @@ public:
   vtkGetMacro(MinimumRays, int);
   ///@}
 
-  void Begin(const penumbra::RayScene& scene, double radius, double tolerance) override;
+  bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+    const Progress& progress = {}) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
   Estimate OcclusionWithin(
     const double point[3], const double normal[3], double tolerance) const override;

@@ -23,6 +23,8 @@
 #include "vtkObject.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
 
+#include <functional> // for progress
+
 class vtkFieldData;
 
 namespace penumbra
@@ -43,12 +45,17 @@ public:
     long long Rays = 0;
   };
 
+  /** Told the share of the work that is done; true asks to stop. */
+  using Progress = std::function<bool(double)>;
+
   /**
    * Questions about `scene` follow: occluders within `radius` (world units, may be infinite),
    * answers with a standard error of at most `tolerance`. No question follows once the scene is
-   * gone.
+   * gone. What was found for the same scene and the same arguments may be kept: every part of a
+   * picture begins anew. False when `progress` stopped it; then no question follows.
    */
-  virtual void Begin(const penumbra::RayScene& scene, double radius, double tolerance) = 0;
+  virtual bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+    const Progress& progress = {}) = 0;
 
   /**
    * Occlusion at `point` (world coordinates) under the hemisphere about `normal` (unit). The

@@ -35,6 +35,8 @@ namespace
 constexpr double DefaultRadiusShare = 0.1;
 // A pixel is the mean of about four answers of the irradiance source, so each may err twice as much.
 constexpr double OcclusionNoiseShare = 2.0;
+// Of the progress: what the irradiance source prepares.
+constexpr double ProgressOfSource = 0.25;
 
 void AddStatistic(vtkFieldData* statistics, const char* name, double value)
 {
@@ -81,7 +83,7 @@ struct vtkPenumbraRayCaster::Internals
   void Forget();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
-  void BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance);
+  bool BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance);
   void Report(const penumbra::PicturePart& totals, double squaredError, vtkIdType pixels);
   static penumbra::PictureSettings MakeSettings(vtkPenumbraRayCaster* self);
 };
@@ -311,7 +313,7 @@ penumbra::PictureSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenum
   return settings;
 }
 
-void vtkPenumbraRayCaster::Internals::BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance)
+bool vtkPenumbraRayCaster::Internals::BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance)
 {
   if (!this->IrradianceSource)
   {
@@ -320,7 +322,11 @@ void vtkPenumbraRayCaster::Internals::BeginOcclusion(vtkPenumbraRayCaster* self,
   const double radius = self->AmbientOcclusionRadius > 0.0
     ? self->AmbientOcclusionRadius
     : DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
-  this->IrradianceSource->Begin(*this->Prepared->Rays, radius, tolerance);
+  return this->IrradianceSource->Begin(
+    *this->Prepared->Rays, radius, tolerance, [self](double share) {
+      self->UpdateProgress(ProgressOfSource * share);
+      return self->GetAbortExecute() != 0;
+    });
 }
 
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
@@ -331,9 +337,10 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   penumbra::Sampler sampler(*this->Prepared->Rays, shading, scene.Eye);
   const penumbra::PictureSettings settings = MakeSettings(self);
   const double noise = OcclusionNoiseShare * self->Tolerance;
-  if (self->AmbientOcclusion || self->GeometryArrays)
+  const bool asks = self->AmbientOcclusion || self->GeometryArrays;
+  if (asks && !this->BeginOcclusion(self, noise))
   {
-    this->BeginOcclusion(self, noise);
+    return false;
   }
   if (self->AmbientOcclusion)
   {
@@ -349,8 +356,9 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     vtkWarningWithObjectMacro(self, << warning);
   }
 
-  const auto progress = [self](double done) {
-    self->UpdateProgress(done);
+  const double begun = asks ? ProgressOfSource : 0.0;
+  const auto progress = [self, begun](double done) {
+    self->UpdateProgress(begun + (1.0 - begun) * done);
     return self->GetAbortExecute() != 0;
   };
   penumbra::PicturePart totals;
@@ -370,7 +378,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     }
   }
   this->Report(totals, squaredError, image->GetNumberOfPoints());
-  if (self->AmbientOcclusion || self->GeometryArrays)
+  if (asks)
   {
     this->IrradianceSource->Report(this->Statistics);
     vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");

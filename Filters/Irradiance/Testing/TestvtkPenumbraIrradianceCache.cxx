@@ -237,3 +237,37 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceInTheLazyOrder)
   EXPECT_LE(ErrorOf(cache, { scene, AllSites(rays) }, TruthBelowSphere(1.5)), .02);
   EXPECT_GT(CountOf(cache, "Cache/Records"), 50);
 }
+
+TEST(vtkPenumbraIrradianceCache, MakesItsRecordsOnceForAllPartsOfAPicture)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.0);
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  int calls = 0;
+  const auto count = [&calls](double) {
+    ++calls;
+    return false;
+  };
+  ASSERT_TRUE(cache->Begin(rays, 1.0, .02, count));
+  const int callsOfTheFirst = calls;
+  EXPECT_GT(callsOfTheFirst, 0);
+  ASSERT_TRUE(cache->Begin(rays, 1.0, .02, count));
+  EXPECT_EQ(calls, callsOfTheFirst);
+  const RayScene another(scene, 0);
+  ASSERT_TRUE(cache->Begin(another, 1.0, .02, count));
+  EXPECT_EQ(calls, 2 * callsOfTheFirst);
+}
+
+TEST(vtkPenumbraIrradianceCache, BeginsAnewAfterItWasStopped)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.0);
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  EXPECT_FALSE(cache->Begin(rays, 1.0, .02, [](double share) { return share > .3; }));
+  vtkNew<vtkPenumbraIrradianceCache> fresh;
+  ASSERT_TRUE(cache->Begin(rays, 1.0, .02));
+  ASSERT_TRUE(fresh->Begin(rays, 1.0, .02));
+  EXPECT_EQ(CountOf(cache, "Cache/Records"), CountOf(fresh, "Cache/Records"));
+}
