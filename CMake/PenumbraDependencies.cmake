@@ -7,6 +7,11 @@ set(penumbra_vtk_components
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
   RenderingContextOpenGL2 RenderingVolume RenderingVolumeOpenGL2 vtksys)
 set(penumbra_vtk_readers IOCGNSReader IOHDF IOXdmf2)
+# ParaView brings its VTK along, which needs the Python that ParaView was built with.
+if (PENUMBRA_BUILD_PLUGIN)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
+endif ()
 find_package(VTK REQUIRED
   COMPONENTS ${penumbra_vtk_components} OPTIONAL_COMPONENTS ${penumbra_vtk_readers})
 list(APPEND CMAKE_INSTALL_RPATH "$<TARGET_FILE_DIR:VTK::vtksys>")

@@ -4,6 +4,7 @@ include(CTest)
 
 option(PENUMBRA_BUILD_COMMAND "Build the program `penumbra`." ON)
 option(PENUMBRA_BUILD_BENCHMARKS "Build the benchmarks, beside the tests." ON)
+option(PENUMBRA_BUILD_PLUGIN "Build the plugin for ParaView, whose VTK has to be the one in use." OFF)
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
 option(PENUMBRA_SANITIZERS "Watch our own code with AddressSanitizer and UBSan." OFF)
 set(PENUMBRA_WINDOW vtkOSOpenGLRenderWindow CACHE STRING

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters of the plugin against closed forms."""
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from plugin import *
+from paraview import smstate
+
+
+class BakeAmbientOcclusionFilter(unittest.TestCase):
+    def setUp(self):
+        start()
+
+    def check_plane(self, data, height=SPHERE_HEIGHT, tolerance=0.01):
+        points, values = arrays(data)
+        on_plane = numpy.abs(points[:, 2]) < 1e-6
+        self.assertEqual(numpy.count_nonzero(on_plane), 25 * 25)
+        truth = occlusion_under_ball(points[on_plane], height)
+        self.assertLess(rmse(values[on_plane], truth), tolerance)
+        self.assertGreater(values[on_plane].max(), 0.3)
+
+    def test_matches_the_closed_form_under_a_sphere(self):
+        scene = AppendGeometry(Input=[plane(), ball()])
+        baked = BakeAmbientOcclusion(Input=scene, Radius=100)
+        data = servermanager.Fetch(baked)
+        self.check_plane(data)
+        self.assertEqual(statistic(data, "Points/Total"), data.GetNumberOfPoints())
+        self.assertGreater(statistic(data, "Rays/Total"), 0)
+        baked.UpdatePropertyInformation()
+        error = baked.SMProxy.GetProperty("EstimatedError").GetElement(0)
+        self.assertTrue(0.0 < error < 0.01, error)
+
+    def test_takes_the_surface_of_an_unstructured_grid(self):
+        scene = AppendDatasets(Input=[plane(), ball()])
+        baked = BakeAmbientOcclusion(Input=scene, Radius=100)
+        self.check_plane(servermanager.Fetch(baked))
+
+    def test_follows_a_time_series(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.check_series(folder)
+
+    def check_series(self, folder):
+        scene = AppendGeometry(Input=[rising_ball(folder), plane()])
+        baked = BakeAmbientOcclusion(Input=scene, Radius=100)
+        for time, least in ((0.0, 0.3), (1.0, 0.05)):
+            baked.UpdatePipeline(time)
+            points, values = arrays(data_of(baked))
+            on_plane = numpy.abs(points[:, 2]) < 1e-6
+            truth = occlusion_under_ball(points[on_plane], 0.8 + time)
+            self.assertLess(rmse(values[on_plane], truth), 0.01)
+            self.assertGreater(values[on_plane].max(), least)
+
+    def test_bakes_onto_cells_when_asked(self):
+        scene = AppendGeometry(Input=[plane(), ball()])
+        baked = BakeAmbientOcclusion(Input=scene, Radius=100, BakeOn="Cells")
+        data = servermanager.Fetch(baked)
+        self.assertIsNone(data.GetPointData().GetArray("AmbientOcclusion"))
+        values = vtk_to_numpy(data.GetCellData().GetArray("AmbientOcclusion"))[: 24 * 24]
+        step = 6 / 24
+        x = -3 + step * (numpy.arange(24) + 0.5)
+        centres = numpy.array([(a, b, 0) for b in x for a in x])
+        self.assertLess(rmse(values, occlusion_under_ball(centres)), 0.01)
+
+    def test_has_the_defaults_of_its_class(self):
+        baked = BakeAmbientOcclusion(Input=ball())
+        text = str(baked.SMProxy.GetClientSideObject())
+        for name in ("Tolerance", "Radius", "OnCells", "ComputeNormals", "PointRadius", "Method",
+                     "NumberOfThreads"):
+            shown = baked.SMProxy.GetProperty(name).GetElement(0)
+            self.assertIn(f"  {name}: {shown:g}\n", text)
+
+    def test_keeps_its_settings_in_a_state_and_in_a_script(self):
+        BakeAmbientOcclusion(
+            registrationName="Baked", Input=ball(), Tolerance=0.02, Radius=3.5, BakeOn="Cells")
+        script = smstate.get_state()
+        self.assertIn("BakeAmbientOcclusion(registrationName='Baked'", script)
+        for setting in (".Tolerance = 0.02\n", ".Radius = 3.5\n", ".BakeOn = 'Cells'\n"):
+            self.assertIn(setting, script)
+        with tempfile.TemporaryDirectory() as folder:
+            state = os.path.join(folder, "state.pvsm")
+            SaveState(state)
+            start()
+            LoadState(state)
+        again = FindSource("Baked")
+        self.assertEqual((again.Tolerance, again.Radius, again.BakeOn), (0.02, 3.5, "Cells"))
+
+    def test_returns_an_input_without_points_as_it_is(self):
+        nothing = Threshold(Input=AppendDatasets(Input=[ball()]), LowerThreshold=9, UpperThreshold=9)
+        nothing.Scalars = ["POINTS", "Normals"]
+        data = servermanager.Fetch(BakeAmbientOcclusion(Input=nothing))
+        self.assertEqual(data.GetNumberOfPoints(), 0)
+
+
+run_tests()
