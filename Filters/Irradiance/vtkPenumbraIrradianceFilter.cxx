@@ -3,11 +3,13 @@
 #include "vtkPenumbraIrradianceFilter.h"
 
 #include "Baking.h"
+#include "Blocks.h"
 #include "MeshSites.h"
 #include "RayGatherer.h"
 #include "RayScene.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -91,21 +93,19 @@ vtkFieldData* vtkPenumbraIrradianceFilter::GetStatistics()
 int vtkPenumbraIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
 int vtkPenumbraIrradianceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
-  vtkPointSet* output = vtkPointSet::GetData(outputs);
-  output->ShallowCopy(input);
   this->Statistics->Initialize();
   this->EstimatedError = std::nan("");
   try
   {
     vtkSMPTools::LocalScope(
-      vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(input, output); });
+      vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(inputs[0], outputs); });
   }
   catch (const std::bad_alloc&)
   {
@@ -120,7 +120,36 @@ int vtkPenumbraIrradianceFilter::RequestData(
   return 1;
 }
 
-bool vtkPenumbraIrradianceFilter::Execute(vtkPointSet* input, vtkPointSet* output)
+void vtkPenumbraIrradianceFilter::Execute(
+  vtkInformationVector* inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  if (auto* composite = vtkCompositeDataSet::GetData(inputs))
+  {
+    const Blocks blocks(composite);
+    if (blocks.GetNumberOfOthers() > 0)
+    {
+      vtkWarningMacro(<< blocks.GetNumberOfOthers() << " blocks are no meshes: they take no part.");
+    }
+    vtkPointSet* joined = blocks.GetJoined();
+    const auto baked = vtkSmartPointer<vtkPointSet>::Take(joined->NewInstance());
+    baked->ShallowCopy(joined);
+    this->BakeOnto(joined, baked);
+    blocks.Distribute(baked, vtkCompositeDataSet::SafeDownCast(output));
+  }
+  else
+  {
+    vtkPointSet* input = vtkPointSet::GetData(inputs);
+    output->ShallowCopy(input);
+    this->BakeOnto(input, vtkPointSet::SafeDownCast(output));
+  }
+  for (int i = 0; i < this->Statistics->GetNumberOfArrays(); ++i)
+  {
+    output->GetFieldData()->AddArray(this->Statistics->GetAbstractArray(i));
+  }
+}
+
+void vtkPenumbraIrradianceFilter::BakeOnto(vtkPointSet* input, vtkPointSet* output)
 {
   MeshChoices choices;
   choices.OfCells = this->OnCells;
@@ -170,7 +199,7 @@ bool vtkPenumbraIrradianceFilter::Execute(vtkPointSet* input, vtkPointSet* outpu
   if (!Bake(mesh.Sites, mesh.Spacing, this->Method == AUTOMATIC, places, tree, bruteForce, progress,
         baked))
   {
-    return false;
+    return;
   }
 
   vtkDataSetAttributes* attributes = this->OnCells
@@ -198,11 +227,6 @@ bool vtkPenumbraIrradianceFilter::Execute(vtkPointSet* input, vtkPointSet* outpu
   AddStatistic(s, "Rays/Gather", static_cast<double>(places.GetRays()));
   AddStatistic(s, "Rays/Occlusion", static_cast<double>(baked.BruteForceRays));
   AddStatistic(s, "Rays/Total", static_cast<double>(places.GetRays() + baked.BruteForceRays));
-  for (int i = 0; i < s->GetNumberOfArrays(); ++i)
-  {
-    output->GetFieldData()->AddArray(s->GetAbstractArray(i));
-  }
-  return true;
 }
 
 void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -6,7 +6,8 @@
  *
  * Adds the array `AmbientOcclusion` (0 open, 1 blocked) to a copy of the input: any vtkPointSet with
  * a surface, or points alone with PointRadius. The hemisphere of a point is about its normal, as the
- * file has it, or as computed from the polygons; surfaces block from both sides.
+ * file has it, or as computed from the polygons; surfaces block from both sides. The blocks of a
+ * composite data set are one scene: each may block all others.
  *
  * Values are interpolated between the records of a cache as long as that is cheaper than rays at
  * every point, which it finds out by itself. Points of no cell and points that are not finite get 0
@@ -102,7 +103,8 @@ private:
   vtkPenumbraIrradianceFilter(const vtkPenumbraIrradianceFilter&) = delete;
   void operator=(const vtkPenumbraIrradianceFilter&) = delete;
 
-  bool Execute(vtkPointSet* input, vtkPointSet* output);
+  void Execute(vtkInformationVector* inputs, vtkInformationVector* outputs);
+  void BakeOnto(vtkPointSet* input, vtkPointSet* output);
 
   double Tolerance = 0.01;
   double Radius = 0.0;

@@ -39,6 +39,10 @@ class BakeAmbientOcclusionFilter(unittest.TestCase):
         baked = BakeAmbientOcclusion(Input=scene, Radius=100)
         self.check_plane(servermanager.Fetch(baked))
 
+    def test_lets_blocks_block_one_another(self):
+        baked = BakeAmbientOcclusion(Input=GroupDatasets(Input=[plane(), ball()]), Radius=100)
+        self.check_plane(servermanager.Fetch(baked).GetBlock(0))
+
     def test_follows_a_time_series(self):
         with tempfile.TemporaryDirectory() as folder:
             self.check_series(folder)

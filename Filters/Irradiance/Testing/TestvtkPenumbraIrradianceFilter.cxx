@@ -11,7 +11,9 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -28,22 +30,35 @@
 namespace
 {
 
-/// A floor of half side 6 and, touching it, a unit sphere; both with normals.
-vtkSmartPointer<vtkPolyData> SphereOnFloor(int side)
+/// A square of half side 6, with normals.
+vtkSmartPointer<vtkPlaneSource> Floor(int side)
 {
-  vtkNew<vtkPlaneSource> floor;
+  auto floor = vtkSmartPointer<vtkPlaneSource>::New();
   floor->SetOrigin(-6.0, -6.0, 0.0);
   floor->SetPoint1(6.0, -6.0, 0.0);
   floor->SetPoint2(-6.0, 6.0, 0.0);
   floor->SetResolution(side, side);
-  vtkNew<vtkSphereSource> sphere;
+  floor->Update();
+  return floor;
+}
+
+/// A unit sphere that touches the floor, with normals.
+vtkSmartPointer<vtkSphereSource> Ball()
+{
+  auto sphere = vtkSmartPointer<vtkSphereSource>::New();
   sphere->SetRadius(1.0);
   sphere->SetCenter(0.0, 0.0, 1.0);
   sphere->SetThetaResolution(64);
   sphere->SetPhiResolution(64);
+  sphere->Update();
+  return sphere;
+}
+
+vtkSmartPointer<vtkPolyData> SphereOnFloor(int side)
+{
   vtkNew<vtkAppendPolyData> append;
-  append->AddInputConnection(floor->GetOutputPort());
-  append->AddInputConnection(sphere->GetOutputPort());
+  append->AddInputData(Floor(side)->GetOutput());
+  append->AddInputData(Ball()->GetOutput());
   append->Update();
   return append->GetOutput();
 }
@@ -107,6 +122,54 @@ TEST(vtkPenumbraIrradianceFilter, AgreesWithBruteForce)
   filter->Update();
   EXPECT_LE(FloorError(OutputOf(filter)), .01);
   EXPECT_EQ(CountOf(filter, "Cache/Records"), 0);
+}
+
+TEST(vtkPenumbraIrradianceFilter, LetsTheBlocksOfACompositeDataSetBlockOneAnother)
+{
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, Ball()->GetOutput());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, inner);
+  blocks->SetBlock(2, Floor(40)->GetOutput());
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(blocks);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->Update();
+  auto* baked = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_EQ(baked->GetNumberOfBlocks(), 3u);
+  EXPECT_EQ(baked->GetBlock(1), nullptr);
+  auto* floor = vtkPolyData::SafeDownCast(baked->GetBlock(2));
+  EXPECT_LE(FloorError(floor), .01);
+  EXPECT_FALSE(
+    vtkPolyData::SafeDownCast(blocks->GetBlock(2))->GetPointData()->HasArray("AmbientOcclusion"));
+  auto* ball =
+    vtkPolyData::SafeDownCast(vtkMultiBlockDataSet::SafeDownCast(baked->GetBlock(0))->GetBlock(0));
+  vtkDataArray* values = ball->GetPointData()->GetArray("AmbientOcclusion");
+  for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    ball->GetPoint(i, x);
+    const double up = x[2] - 1.0;
+    if (up < -.85 && up > -.99)
+    {
+      // An endless floor hides all below the horizon.
+      EXPECT_NEAR(values->GetComponent(i, 0), (1.0 - up) / 2.0, .06) << up;
+    }
+  }
+  EXPECT_TRUE(baked->GetFieldData()->HasArray("Rays/Total"));
+}
+
+TEST(vtkPenumbraIrradianceFilter, PassesBlocksThatAreNoMeshes)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(blocks);
+  filter->Update();
+  auto* baked = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_TRUE(vtkImageData::SafeDownCast(baked->GetBlock(0)));
 }
 
 TEST(vtkPenumbraIrradianceFilter, GivesTheSameValuesOnAnyNumberOfThreads)
