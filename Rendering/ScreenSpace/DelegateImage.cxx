@@ -10,6 +10,8 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace penumbra
 {
@@ -49,6 +52,23 @@ private:
   vtkRenderer* Renderer;
   vtkSmartPointer<vtkCamera> Saved;
 };
+
+/// All that may be seen, what the renderer has culled included.
+std::vector<vtkProp*> VisibleProps(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> visible;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (prop->GetVisibility())
+    {
+      visible.push_back(prop);
+    }
+  }
+  return visible;
+}
 
 }
 
@@ -160,9 +180,12 @@ int DelegateImage::Draw(
     inner.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
     inner.SetFrameBuffer(this->Framebuffer);
     std::optional<WiderCamera> wider;
+    std::vector<vtkProp*> visible;
     if (this->Margin[0] > 0 || this->Margin[1] > 0)
     {
       wider.emplace(renderer, this->View);
+      visible = VisibleProps(renderer);
+      inner.SetPropArrayAndCount(visible.data(), static_cast<int>(visible.size()));
     }
     delegate->Render(&inner);
     props = delegate->GetNumberOfRenderedProps();

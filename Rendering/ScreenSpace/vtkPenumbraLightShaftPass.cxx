@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraLightShaftPass.h"
 
-#include "RendererStages.h"
+#include "PassPlaces.h"
 #include "ShaftView.h"
+#include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -15,11 +15,9 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -70,40 +68,11 @@ double MeanThickness(const vtkRenderState* state, double diagonal)
   return count > 0 ? sum / count : ThicknessOfThin * diagonal;
 }
 
-/// The stages that an AddTo() made for a renderer without a pass, if `pass` is that.
-penumbra::RendererStages* OwnStages(vtkRenderPass* pass)
+Pass* FindShafts(const std::vector<penumbra::PassPlace>& places)
 {
-  auto* camera = vtkCameraPass::SafeDownCast(pass);
-  return camera ? dynamic_cast<penumbra::RendererStages*>(camera->GetDelegatePass()) : nullptr;
-}
-
-/// The pass that draws opaque props within a renderer's pass; null: it cannot be told apart.
-vtkRenderPass* OpaquePassOf(vtkRenderPass* whole)
-{
-  if (penumbra::RendererStages* stages = OwnStages(whole))
-  {
-    return stages->GetOpaquePass();
-  }
-  auto* steps = vtkRenderStepsPass::SafeDownCast(whole);
-  return steps ? steps->GetOpaquePass() : nullptr;
-}
-
-void SetOpaquePassOf(vtkRenderPass* whole, vtkRenderPass* opaque)
-{
-  if (penumbra::RendererStages* stages = OwnStages(whole))
-  {
-    stages->SetOpaquePass(opaque);
-  }
-  else if (auto* steps = vtkRenderStepsPass::SafeDownCast(whole))
-  {
-    steps->SetOpaquePass(opaque);
-  }
-}
-
-Pass* FindPass(vtkRenderer* renderer)
-{
-  vtkRenderPass* opaque = OpaquePassOf(renderer->GetPass());
-  return Pass::SafeDownCast(opaque ? opaque : renderer->GetPass());
+  const penumbra::PassPlace* place = penumbra::FindPass(
+    places, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
+  return place ? Pass::SafeDownCast(place->Pass) : nullptr;
 }
 
 void AddValue(vtkFieldData* data, const char* name, double value)
@@ -145,59 +114,26 @@ vtkPenumbraLightShaftPass::~vtkPenumbraLightShaftPass() = default;
 
 Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 {
-  if (Pass* present = FindPass(renderer))
+  if (Pass* present = FindShafts(penumbra::FindPassPlaces(renderer)))
   {
     return present;
   }
+  const std::vector<penumbra::PassPlace> places = penumbra::MakePassPlaces(renderer);
+  const penumbra::PassPlace* occlusion = penumbra::FindPass(places,
+    [](vtkRenderPass* pass) { return vtkPenumbraTemporalSSAOPass::SafeDownCast(pass) != nullptr; });
+  const penumbra::PassPlace& place = occlusion ? *occlusion : places.back();
   vtkNew<Pass> pass;
-  vtkRenderPass* whole = renderer->GetPass();
-  if (!whole)
-  {
-    vtkNew<vtkOpaquePass> opaque;
-    vtkNew<penumbra::RendererStages> stages;
-    stages->SetOpaquePass(opaque);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(stages);
-    renderer->SetPass(camera);
-    whole = camera;
-  }
-  if (vtkRenderPass* opaque = OpaquePassOf(whole))
-  {
-    pass->SetDelegatePass(opaque);
-    pass->OpaqueOnlyOn();
-    SetOpaquePassOf(whole, pass);
-  }
-  else
-  {
-    pass->SetDelegatePass(whole);
-    renderer->SetPass(pass);
-  }
-  return FindPass(renderer);
+  pass->SetDelegatePass(place.Pass);
+  pass->SetOpaqueOnly(place.OpaqueOnly);
+  place.Set(pass);
+  return pass;
 }
 
 void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)
 {
-  const vtkSmartPointer<Pass> pass = FindPass(renderer);
-  if (!pass)
+  if (Pass* pass = FindShafts(penumbra::FindPassPlaces(renderer)))
   {
-    return;
-  }
-  if (renderer->GetRenderWindow())
-  {
-    renderer->GetPass()->ReleaseGraphicsResources(renderer->GetRenderWindow());
-  }
-  vtkRenderPass* whole = renderer->GetPass();
-  if (whole == pass)
-  {
-    renderer->SetPass(pass->GetDelegatePass());
-  }
-  else if (OwnStages(whole) && vtkOpaquePass::SafeDownCast(pass->GetDelegatePass()))
-  {
-    renderer->SetPass(nullptr);
-  }
-  else
-  {
-    SetOpaquePassOf(whole, pass->GetDelegatePass());
+    penumbra::RemovePass(renderer, pass);
   }
 }
 

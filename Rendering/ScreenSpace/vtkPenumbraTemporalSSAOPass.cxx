@@ -3,24 +3,20 @@
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "OcclusionView.h"
-#include "RendererStages.h"
+#include "PassPlaces.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
-#include "vtkCameraPass.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
-#include "vtkSSAAPass.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -56,71 +52,11 @@ vtkMTimeType ChangeTime(const vtkRenderState* state)
   return time;
 }
 
-/// Where a pass hangs: the outermost image-processing passes are walked through.
-struct Slot
+Pass* FindOcclusion(const std::vector<penumbra::PassPlace>& places)
 {
-  vtkRenderer* Renderer = nullptr;
-  vtkImageProcessingPass* Outer = nullptr; ///< whose delegate it is
-  vtkSSAAPass* Fine = nullptr;             ///< or whose delegate; neither: the renderer's own
-
-  vtkRenderPass* Get() const
-  {
-    return this->Outer ? this->Outer->GetDelegatePass()
-      : this->Fine     ? this->Fine->GetDelegatePass()
-                       : this->Renderer->GetPass();
-  }
-  void Set(vtkRenderPass* pass) const
-  {
-    if (this->Outer)
-    {
-      this->Outer->SetDelegatePass(pass);
-    }
-    else if (this->Fine)
-    {
-      this->Fine->SetDelegatePass(pass);
-    }
-    else
-    {
-      this->Renderer->SetPass(pass);
-    }
-  }
-};
-
-Slot FindSlot(vtkRenderer* renderer)
-{
-  Slot slot{ renderer, nullptr, nullptr };
-  for (;;)
-  {
-    auto* outer = vtkImageProcessingPass::SafeDownCast(slot.Get());
-    auto* fine = vtkSSAAPass::SafeDownCast(slot.Get());
-    if (Pass::SafeDownCast(outer) || (!outer && !fine))
-    {
-      return slot;
-    }
-    slot.Outer = outer;
-    slot.Fine = fine;
-  }
-}
-
-/// The stages that AddTo() made for a renderer without a pass, if `pass` is that.
-penumbra::RendererStages* OwnStages(vtkRenderPass* pass)
-{
-  auto* camera = vtkCameraPass::SafeDownCast(pass);
-  return camera ? dynamic_cast<penumbra::RendererStages*>(camera->GetDelegatePass()) : nullptr;
-}
-
-/// The occlusion pass that hangs in a slot, if there is one.
-Pass* FindPass(vtkRenderPass* pass)
-{
-  if (penumbra::RendererStages* stages = OwnStages(pass))
-  {
-    return Pass::SafeDownCast(stages->GetOpaquePass());
-  }
-  if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
-  {
-    return Pass::SafeDownCast(steps->GetOpaquePass());
-  }
-  return Pass::SafeDownCast(pass);
+  const penumbra::PassPlace* place = penumbra::FindPass(
+    places, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
+  return place ? Pass::SafeDownCast(place->Pass) : nullptr;
 }
 
 void AddValue(vtkFieldData* data, const char* name, double value)
@@ -159,56 +95,23 @@ vtkPenumbraTemporalSSAOPass::~vtkPenumbraTemporalSSAOPass() = default;
 
 Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 {
-  const Slot slot = FindSlot(renderer);
-  if (Pass* present = FindPass(slot.Get()))
+  if (Pass* present = FindOcclusion(penumbra::FindPassPlaces(renderer)))
   {
     return present;
   }
+  const penumbra::PassPlace place = penumbra::MakePassPlaces(renderer).back();
   vtkNew<Pass> pass;
-  if (auto* steps = vtkRenderStepsPass::SafeDownCast(slot.Get()))
-  {
-    pass->SetDelegatePass(steps->GetOpaquePass());
-    pass->OpaqueOnlyOn();
-    steps->SetOpaquePass(pass);
-  }
-  else if (vtkRenderPass* whole = slot.Get())
-  {
-    pass->SetDelegatePass(whole);
-    slot.Set(pass);
-  }
-  else
-  {
-    vtkNew<vtkOpaquePass> opaque;
-    pass->SetDelegatePass(opaque);
-    pass->OpaqueOnlyOn();
-    vtkNew<penumbra::RendererStages> stages;
-    stages->SetOpaquePass(pass);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(stages);
-    slot.Set(camera);
-  }
-  return FindPass(slot.Get());
+  pass->SetDelegatePass(place.Pass);
+  pass->SetOpaqueOnly(place.OpaqueOnly);
+  place.Set(pass);
+  return pass;
 }
 
 void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)
 {
-  const Slot slot = FindSlot(renderer);
-  const vtkSmartPointer<Pass> pass = FindPass(slot.Get());
-  if (!pass)
+  if (Pass* pass = FindOcclusion(penumbra::FindPassPlaces(renderer)))
   {
-    return;
-  }
-  if (renderer->GetRenderWindow())
-  {
-    slot.Get()->ReleaseGraphicsResources(renderer->GetRenderWindow());
-  }
-  if (auto* steps = vtkRenderStepsPass::SafeDownCast(slot.Get()))
-  {
-    steps->SetOpaquePass(pass->GetDelegatePass());
-  }
-  else
-  {
-    slot.Set(OwnStages(slot.Get()) ? nullptr : pass->GetDelegatePass());
+    penumbra::RemovePass(renderer, pass);
   }
 }
 

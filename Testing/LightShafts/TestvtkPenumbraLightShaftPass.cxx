@@ -207,8 +207,9 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
   EXPECT_EQ(this->Picture(), plain);
 }
 
-TEST_F(LightShaftPass, LiesOverAmbientOcclusion)
+TEST_F(LightShaftPass, LiesOverAmbientOcclusionWhicheverCameFirst)
 {
+  this->Scene.Renderer->SetBackground(0.5, 0.5, 0.5);
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const std::vector<double> before = this->Scene.ByPass();
   vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
@@ -216,12 +217,30 @@ TEST_F(LightShaftPass, LiesOverAmbientOcclusion)
   this->Scene.Pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
   this->Scene.Fill(0.12, 0.12);
   const std::vector<double> after = this->Scene.ByPass();
+  const std::vector<unsigned char> one = this->Picture();
   for (std::size_t i = 0; i < before.size(); ++i)
   {
     EXPECT_NEAR(after[i], before[i], 1e-3);
   }
+  vtkPenumbraTemporalSSAOPass::RemoveFrom(this->Scene.Renderer);
+  EXPECT_EQ(vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer), this->Scene.Pass);
+  vtkPenumbraTemporalSSAOPass::AddTo(this->Scene.Renderer);
+  EXPECT_EQ(this->Picture(), one);
   vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
   EXPECT_NE(this->Scene.Renderer->GetPass(), nullptr);
   vtkPenumbraTemporalSSAOPass::RemoveFrom(this->Scene.Renderer);
   EXPECT_EQ(this->Scene.Renderer->GetPass(), nullptr);
+}
+
+TEST_F(LightShaftPass, KnowsAnOccluderThatHasLeftThePicture)
+{
+  // Half the width of the picture is 5.9 world units where the ball is; a fifth of it is the margin.
+  this->Scene.Renderer->RemoveAllViewProps();
+  this->Scene.AddFloor(12.0);
+  const vtkSmartPointer<vtkActor> ball = this->Scene.AddSphere({ 7.0, 0.0, 2.0 }, 0.8);
+  this->Scene.AddSun({ 0.6, 1.0, 0.2 });
+  const std::vector<double> truth = this->Scene.ByRays(64);
+  const double error = RelativeRmse(this->Scene.ByPass(), truth);
+  ball->VisibilityOff();
+  EXPECT_LT(error, 0.5 * RelativeRmse(this->Scene.ByPass(), truth));
 }

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PassPlaces.h"
+
+#include "RendererStages.h"
+
+#include "vtkCameraPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkNew.h"
+#include "vtkOpaquePass.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSSAAPass.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// The stages that were made for a renderer without a pass, if `pass` is the camera's around them.
+RendererStages* OwnStages(vtkRenderPass* pass)
+{
+  auto* camera = vtkCameraPass::SafeDownCast(pass);
+  return camera ? dynamic_cast<RendererStages*>(camera->GetDelegatePass()) : nullptr;
+}
+
+/// What hangs within the pass of a place.
+std::optional<PassPlace> NextPlace(const PassPlace& place)
+{
+  if (auto* image = vtkImageProcessingPass::SafeDownCast(place.Pass))
+  {
+    return PassPlace{ image->GetDelegatePass(),
+      [image](vtkRenderPass* pass) { image->SetDelegatePass(pass); }, place.OpaqueOnly };
+  }
+  if (auto* fine = vtkSSAAPass::SafeDownCast(place.Pass))
+  {
+    return PassPlace{ fine->GetDelegatePass(),
+      [fine](vtkRenderPass* pass) { fine->SetDelegatePass(pass); }, place.OpaqueOnly };
+  }
+  if (RendererStages* stages = OwnStages(place.Pass))
+  {
+    return PassPlace{ stages->GetOpaquePass(),
+      [stages](vtkRenderPass* pass) { stages->SetOpaquePass(pass); }, true };
+  }
+  if (auto* steps = vtkRenderStepsPass::SafeDownCast(place.Pass))
+  {
+    return PassPlace{ steps->GetOpaquePass(),
+      [steps](vtkRenderPass* pass) { steps->SetOpaquePass(pass); }, true };
+  }
+  return std::nullopt;
+}
+
+}
+
+std::vector<PassPlace> FindPassPlaces(vtkRenderer* renderer)
+{
+  std::vector<PassPlace> places;
+  std::optional<PassPlace> next = PassPlace{ renderer->GetPass(),
+    [renderer](vtkRenderPass* pass) { renderer->SetPass(pass); }, false };
+  while (next)
+  {
+    places.push_back(*next);
+    next = NextPlace(places.back());
+  }
+  return places;
+}
+
+const PassPlace* FindPass(
+  const std::vector<PassPlace>& places, const std::function<bool(vtkRenderPass*)>& isWanted)
+{
+  const auto found = std::find_if(places.begin(), places.end(),
+    [&](const PassPlace& place) { return place.Pass && isWanted(place.Pass); });
+  return found == places.end() ? nullptr : &*found;
+}
+
+std::vector<PassPlace> MakePassPlaces(vtkRenderer* renderer)
+{
+  std::vector<PassPlace> places = FindPassPlaces(renderer);
+  if (!places.back().Pass && !places.back().OpaqueOnly)
+  {
+    vtkNew<vtkOpaquePass> opaque;
+    vtkNew<RendererStages> stages;
+    stages->SetOpaquePass(opaque);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(stages);
+    places.back().Set(camera);
+    places = FindPassPlaces(renderer);
+  }
+  return places;
+}
+
+void RemovePass(vtkRenderer* renderer, vtkImageProcessingPass* pass)
+{
+  const vtkSmartPointer<vtkImageProcessingPass> kept = pass;
+  const std::vector<PassPlace> places = FindPassPlaces(renderer);
+  if (renderer->GetRenderWindow())
+  {
+    renderer->GetPass()->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
+  FindPass(places, [&](vtkRenderPass* found) {
+    return found == pass;
+  })->Set(pass->GetDelegatePass());
+  const PassPlace* own = FindPass(places, [](vtkRenderPass* found) { return OwnStages(found); });
+  if (own && vtkOpaquePass::SafeDownCast(OwnStages(own->Pass)->GetOpaquePass()))
+  {
+    own->Set(nullptr);
+  }
+}
+
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where the passes of a renderer hang, and so where those of ours belong: as close to the opaque
+// geometry as can be, light shafts around ambient occlusion, whichever came first.
+#ifndef penumbra_PassPlaces_h
+#define penumbra_PassPlaces_h
+
+#include <functional>
+#include <vector>
+
+class vtkImageProcessingPass;
+class vtkRenderPass;
+class vtkRenderer;
+
+namespace penumbra
+{
+
+struct PassPlace
+{
+  vtkRenderPass* Pass = nullptr;           ///< what hangs here
+  std::function<void(vtkRenderPass*)> Set; ///< hangs another pass here
+  bool OpaqueOnly = false;                 ///< what hangs here draws opaque props alone
+};
+
+/// From the renderer's own pass inwards, through image processing, supersampling and the stages of a
+/// renderer, to what draws; that last one has no pass where the renderer has none.
+std::vector<PassPlace> FindPassPlaces(vtkRenderer* renderer);
+
+/// The first place whose pass `isWanted`; null if there is none.
+const PassPlace* FindPass(
+  const std::vector<PassPlace>& places, const std::function<bool(vtkRenderPass*)>& isWanted);
+
+/// Stages like those of a renderer without a pass, if it has none; then the places.
+std::vector<PassPlace> MakePassPlaces(vtkRenderer* renderer);
+
+/// Takes `pass` out, and with the last pass of ours the stages that were made for it.
+void RemovePass(vtkRenderer* renderer, vtkImageProcessingPass* pass);
+
+}
+#endif
