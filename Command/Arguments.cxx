@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
 
+#include "vtkNamedColors.h"
+#include "vtkNew.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -13,10 +16,12 @@ namespace penumbra
 namespace
 {
 
+// `option`: the name, and others after commas.
 [[noreturn]] void Refuse(
   const std::string& option, const std::string& text, const std::string& expected)
 {
-  throw CLI::ValidationError(option, "'" + text + "' is not " + expected);
+  throw CLI::ValidationError(
+    option.substr(0, option.find(',')), "'" + text + "' is not " + expected);
 }
 
 std::string Describe(const Range& range)
@@ -93,7 +98,57 @@ CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Tri
     target = Triple{ numbers[0], numbers[1], numbers[2] };
   };
   return app.add_option_function<std::string>(name, store, description)
-    ->type_name(range.Least < 0.0 ? "X,Y,Z" : "R,G,B")
+    ->type_name("X,Y,Z")
+    ->take_last();
+}
+
+CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+  const std::string& description)
+{
+  const auto store = [name, &target](const std::string& text) {
+    const std::string axes = "xyz";
+    const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
+    const std::size_t axis =
+      text.size() == sign + 1 ? axes.find(static_cast<char>(std::tolower(text[sign]))) : axes.npos;
+    target = Triple{};
+    if (axis != axes.npos)
+    {
+      (*target)[axis] = text[0] == '-' ? -1.0 : 1.0;
+      return;
+    }
+    const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, {});
+    std::copy(numbers.begin(), numbers.end(), target->begin());
+  };
+  return app.add_option_function<std::string>(name, store, description)
+    ->type_name("X,Y,Z|+X|-X|...")
+    ->take_last();
+}
+
+CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+  const std::string& description)
+{
+  const auto store = [name, &target](const std::string& text) {
+    target = Triple{};
+    vtkNew<vtkNamedColors> names;
+    if (names->ColorExists(text))
+    {
+      names->GetColorRGB(text, target->data());
+      return;
+    }
+    unsigned int bytes = 0;
+    const char* end = text.c_str() + text.size();
+    const bool hexadecimal = text.size() == 7 && text[0] == '#' &&
+      std::from_chars(text.c_str() + 1, end, bytes, 16).ptr == end;
+    if (hexadecimal)
+    {
+      target = Triple{ (bytes >> 16) / 255.0, (bytes >> 8 & 255u) / 255.0, (bytes & 255u) / 255.0 };
+      return;
+    }
+    const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, { 0.0, 1.0 });
+    std::copy(numbers.begin(), numbers.end(), target->begin());
+  };
+  return app.add_option_function<std::string>(name, store, description)
+    ->type_name("R,G,B|#RRGGBB|NAME")
     ->take_last();
 }
 

@@ -34,9 +34,13 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   std::size_t least, std::size_t most, const Range& range);
 
 ///@{
-/// Declare an option; of several uses the last one wins.
+/// Declare an option; of several uses the last one wins. `name`: "--name", or several with commas.
 CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Triple>& target,
   const std::string& description, const Range& range = {});
+CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+  const std::string& description);
+CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+  const std::string& description);
 CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
   const std::string& unit, const std::string& description, const Range& range = {});
 CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,

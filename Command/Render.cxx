@@ -17,7 +17,9 @@
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 
@@ -27,20 +29,27 @@ namespace penumbra
 namespace
 {
 
+// What stands for the name of a file; the second one is F3D's.
+const std::string NamePlaces[] = { "{name}", "{model}" };
+
 std::string ReplaceName(const std::string& pattern, const std::string& file)
 {
   const std::string name = std::filesystem::path(file).stem().string();
   std::string path = pattern;
-  for (std::size_t at = 0; (at = path.find("{name}", at)) != std::string::npos; at += name.size())
+  for (const std::string& place : NamePlaces)
   {
-    path.replace(at, 6, name);
+    for (std::size_t at = 0; (at = path.find(place, at)) != std::string::npos; at += name.size())
+    {
+      path.replace(at, place.size(), name);
+    }
   }
   return path;
 }
 
 bool HasName(const std::string& pattern)
 {
-  return pattern.find("{name}") != std::string::npos;
+  return std::any_of(std::begin(NamePlaces), std::end(NamePlaces),
+    [&](const std::string& place) { return pattern.find(place) != std::string::npos; });
 }
 
 // One picture, in its own process.

@@ -93,7 +93,7 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
     ->group("Engine");
   AddInteger(app, "--threads", options.Threads, "Threads, 0: all; the picture is the same", 0, 1024)
     ->group("Engine");
-  AddChoice(app, "--window", options.Window, { "osmesa", "egl", "x", "auto" },
+  AddChoice(app, "--window,--rendering-backend", options.Window, { "osmesa", "egl", "x", "auto" },
     "OpenGL window (raster); auto: the first that works")
     ->group("Engine");
 }
@@ -104,8 +104,8 @@ void DeclareCamera(CLI::App& app, CameraOptions& camera)
     app, "--camera-position", camera.Position, "Where the eye is; default: all is in view", Place);
   AddTriple(app, "--camera-focal-point", camera.FocalPoint,
     "What it looks at; default: the centre of the bounds", Place);
-  AddTriple(app, "--camera-view-up", camera.ViewUp, "What is up; default: 0,1,0");
-  AddTriple(app, "--camera-direction", camera.Direction,
+  AddDirection(app, "--camera-view-up", camera.ViewUp, "What is up; default: 0,1,0");
+  AddDirection(app, "--camera-direction", camera.Direction,
     "Where it looks, all in view; default: 0,0,-1; not used with --camera-position");
   AddNumber(
     app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical angle of view", { 1e-6, 179.0 });
@@ -128,15 +128,14 @@ void DeclareCamera(CLI::App& app, CameraOptions& camera)
 void DeclareLook(CLI::App& app, RenderOptions& options)
 {
   const std::string look = "Look";
-  AddTriple(app, "--color", options.Color, "Colour of the surface; default: 1,1,1", Unit)
-    ->group(look);
+  AddColor(app, "--color", options.Color, "Colour of the surface; default: 1,1,1")->group(look);
   AddNumber(app, "--opacity", options.Opacity, "A", "Opacity of the surface", Unit)->group(look);
-  AddTriple(app, "--background-color", options.BackgroundColor, "Default: 0,0,0", Unit)
-    ->group(look);
+  AddColor(app, "--background-color", options.BackgroundColor, "Default: 0,0,0")->group(look);
   AddNegation(app, "--no-background", options.Background,
     "Leave the background out: alpha is the covered share (.png .tif .vti)")
     ->group(look);
-  AddNegation(app, "--no-lighting", options.Lighting, "Plain colours, no light")->group(look);
+  AddNegation(app, "--no-lighting,--unlit", options.Lighting, "Plain colours, no light")
+    ->group(look);
   const auto storeLights = [&options](const std::vector<std::string>& texts) {
     options.Lights.clear();
     for (const std::string& text : texts)
@@ -152,11 +151,14 @@ void DeclareLook(CLI::App& app, RenderOptions& options)
     ->type_name("X,Y,Z[,W]")
     ->allow_extra_args(false)
     ->group(look);
+  AddNumber(app, "--light-intensity", options.LightIntensity, "I", "Of every light", { 0.0, 1e6 })
+    ->group(look);
   AddNumber(app, "--feature-angle", options.FeatureAngle, "DEG",
     "Compute smooth normals, edges sharper than this stay; default: the file's normals, else flat",
     { 0.0, 180.0 })
     ->group(look);
-  app.add_flag("--show-edges", options.ShowEdges, "Draw the edges of the cells")->group(look);
+  app.add_flag("-e,--show-edges,--edges", options.ShowEdges, "Draw the edges of the cells")
+    ->group(look);
   AddChoice(app, "--representation", options.Representation, { "surface", "wireframe", "points" },
     "What of the mesh is drawn")
     ->group(look);
@@ -170,7 +172,7 @@ void DeclareLook(CLI::App& app, RenderOptions& options)
 void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
 {
   const std::string group = "Colouring by data";
-  app.add_flag("--scalar-coloring", coloring.Enabled, "Colour by an array of the file")
+  app.add_flag("-s,--scalar-coloring", coloring.Enabled, "Colour by an array of the file")
     ->group(group);
   app
     .add_option("--coloring-array", coloring.Array,
@@ -200,7 +202,7 @@ void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
   AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(), "Colours")
     ->type_name("NAME")
     ->group(group);
-  app.add_flag("--coloring-scalar-bar", coloring.ScalarBar, "Draw the colours' legend")
+  app.add_flag("-b,--coloring-scalar-bar", coloring.ScalarBar, "Draw the colours' legend")
     ->group(group);
 }
 
@@ -284,7 +286,7 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
 {
   const std::string group = "Effects";
   app
-    .add_flag("--ambient-occlusion", options.AmbientOcclusion,
+    .add_flag("-q,--ambient-occlusion", options.AmbientOcclusion,
       "Darken what sees little of the sky: rgb * (1 - strength * occlusion)")
     ->group(group);
   AddNumber(app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "R",

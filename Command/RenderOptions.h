@@ -73,6 +73,7 @@ struct RenderOptions
   bool Background = true;
   bool Lighting = true;
   std::vector<std::array<double, 4>> Lights; ///< w = 0: a direction
+  double LightIntensity = 1.0;
   double FeatureAngle = Unset;
   bool ShowEdges = false;
   std::string Representation = "surface";

@@ -79,6 +79,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   {
     vtkNew<vtkLight> headlight;
     headlight->SetLightTypeToHeadlight();
+    headlight->SetIntensity(options.LightIntensity);
     renderer->AddLight(headlight);
   }
   for (const std::array<double, 4>& position : options.Lights)
@@ -94,6 +95,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
     light->SetFocalPoint(0.0, 0.0, 0.0);
     light->SetPositional(positional);
     light->SetConeAngle(180.0);
+    light->SetIntensity(options.LightIntensity);
     renderer->AddLight(light);
   }
 }

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <sstream>
 
 using namespace penumbra_testing;
 
@@ -481,6 +482,62 @@ TEST(Help, NamesEveryOptionThatTheDocumentationNames)
   {
     const bool placeholder = option == "--option" || option == "--indirect";
     EXPECT_TRUE(placeholder || offered.count(option)) << option << " is not offered";
+  }
+}
+
+TEST(F3D, OptionsOfItsPageAreUnderstood)
+{
+  const Folder folder("f3d");
+  WriteSphereWithArrays(folder / "sphere.vtp");
+  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/F3D.md"));
+  int rows = 0;
+  bool understood = false;
+  for (std::string line; std::getline(page, line);)
+  {
+    if (line.rfind("## ", 0) == 0)
+    {
+      understood = line == "## Understood as they are";
+    }
+    if (!understood || line.rfind("| `--", 0) != 0)
+    {
+      continue;
+    }
+    ++rows;
+    std::istringstream words(line.substr(3, line.find('`', 3) - 3));
+    std::vector<std::string> arguments = { "render", folder / "sphere.vtp", "--resolution", "80,60",
+      "--output", folder / "p.png" };
+    for (std::string word; words >> word;)
+    {
+      arguments.push_back(
+        word.rfind("--output", 0) == 0 ? "--output=" + folder / "picture.png" : word);
+    }
+    const Outcome outcome = RunProgram(arguments);
+    EXPECT_EQ(outcome.Status, 0) << line << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "") << line;
+  }
+  EXPECT_EQ(rows, 26);
+}
+
+TEST(Render, TakesColoursAndDirectionsByName)
+{
+  const Folder folder("names");
+  WriteText(folder / "square.stl", SquareStl());
+  const auto draw = [&](const std::string& color, const std::string& direction) {
+    const Outcome outcome =
+      RunProgram({ "render", folder / "square.stl", "--unlit", "--resolution", "9,9", "--output",
+        folder / "{model}.png", "--color", color, "--camera-direction", direction });
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    return PixelAt(ReadImage(folder / "square.png"), 4, 4);
+  };
+  EXPECT_EQ(draw("lime", "-Z"), (Pixel{ 0, 1, 0 }));
+  EXPECT_EQ(draw("#FF00ff", "0,0,-1"), (Pixel{ 1, 0, 1 }));
+  EXPECT_EQ(draw("1,0,0", "+x"), (Pixel{ 0, 0, 0 })); // seen from its edge
+  for (const char* wrong : { "nocolour", "#12345", "#12345g", "1,2,3" })
+  {
+    const Outcome outcome = RunProgram(
+      { "render", folder / "square.stl", "--color", wrong, "--output", folder / "w.png" });
+    EXPECT_EQ(outcome.Status, 2) << wrong;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
   }
 }
 
