@@ -7,6 +7,7 @@
 #define penumbra_Stage_h
 
 #include "vtkOpenGLQuadHelper.h"
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro, which tests need
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
@@ -24,7 +25,7 @@ namespace penumbra
 {
 
 /// Shader text with every line `//VTK::Penumbra::NAME` replaced by the piece of that name.
-std::string Assemble(
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::string Assemble(
   std::string source, const std::vector<std::pair<std::string, std::string>>& pieces);
 
 /// Part of a picture, in pixels.
@@ -36,7 +37,7 @@ struct Rectangle
   int Height = 0;
 };
 
-class Stage
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT Stage
 {
 public:
   Stage();
@@ -66,7 +67,7 @@ private:
 
 /// While it lives, stages draw into textures: all of them, all at once, without blending. With a
 /// depth texture only pixels that show a surface are drawn; it stays as it is.
-class DrawInto
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DrawInto
 {
 public:
   DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
@@ -88,11 +89,11 @@ private:
 
 /// A texture of floats, sampled at the nearest pixel; cleared to zero. Kept while its size is right.
 /// True when it is new.
-bool Allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window, int width,
-  int height, int components);
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT bool Allocate(vtkSmartPointer<vtkTextureObject>& texture,
+  vtkOpenGLRenderWindow* window, int width, int height, int components);
 
 /// All values of a texture of floats, row after row.
-std::vector<float> ReadBack(vtkTextureObject* texture);
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<float> ReadBack(vtkTextureObject* texture);
 
 }
 #endif

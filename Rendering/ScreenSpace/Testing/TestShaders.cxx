@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// GLSL functions on the GPU with known values: each expression is drawn into a texture and read back.
+#include "Stage.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+namespace
+{
+
+std::string Shader(const std::string& name)
+{
+  std::stringstream text;
+  text << std::ifstream(PENUMBRA_SHADERS "/" + name).rdbuf();
+  return text.str();
+}
+
+/// The libraries of the estimating stage, as it joins them, without its main function.
+std::string Estimate(const std::string& kernel)
+{
+  std::string text = penumbra::Assemble(Shader("vtkPenumbraEstimateFS.glsl"),
+    { { "ViewLib", Shader("vtkPenumbraViewLib.glsl") },
+      { "SurfaceLib", Shader("vtkPenumbraSurfaceLib.glsl") },
+      { "Kernel", Shader("vtkPenumbraEstimate" + kernel + "FS.glsl") },
+      { "HemisphereLib", Shader("vtkPenumbraHemisphereLib.glsl") } });
+  return text.substr(0, text.rfind("void main()"));
+}
+
+class Shaders : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetSize(8, 8);
+    this->Window->AddRenderer(this->Renderer);
+    this->Window->Render();
+    this->Context = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
+    ASSERT_TRUE(this->Context);
+    this->Framebuffer->SetContext(this->Context);
+    penumbra::Allocate(this->Target, this->Context, 4, 4, 1);
+    penumbra::Allocate(this->Depths, this->Context, 4, 4, 1);
+  }
+  void TearDown() override { this->Parallel = false; }
+
+  /// The value of a GLSL expression after the declarations of the estimating stage.
+  double Value(const std::string& expression, const std::string& kernel = "Horizon")
+  {
+    const std::string source =
+      Estimate(kernel) + "void main() { gl_FragData[0] = vec4(float(" + expression + ")); }\n";
+    penumbra::Stage stage;
+    vtkShaderProgram* program = stage.Ready(this->Context, source);
+    if (!program)
+    {
+      ADD_FAILURE() << "does not compile: " << expression;
+      return 0.0;
+    }
+    const float pixelToEye[4] = { .5f, .5f, -1.f, -1.f };
+    const float pixelSize[2] = { .25f, .25f };
+    const float depthToEye[2] = { .1f, .9f };
+    program->SetUniform4f("pixelToEye", pixelToEye);
+    program->SetUniform2f("pixelSize", pixelSize);
+    program->SetUniform2f("depthToEye", depthToEye);
+    program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
+    program->SetUniformf("thickness", 1.f);
+    program->SetUniformf("pixelRotation", 1.f);
+    {
+      const penumbra::DrawInto into(this->Context, this->Framebuffer, { this->Target });
+      stage.Read("eyeDepths", this->Depths);
+      stage.Draw();
+    }
+    stage.ReleaseGraphicsResources(this->Window);
+    return penumbra::ReadBack(this->Target).front();
+  }
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkOpenGLRenderWindow* Context = nullptr;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSmartPointer<vtkTextureObject> Target;
+  vtkSmartPointer<vtkTextureObject> Depths;
+  bool Parallel = false;
+};
+
+TEST_F(Shaders, TurnDepthsIntoDistances)
+{
+  // 1 / (0.1 + 0.9 (1 - z)): from 1 at the near plane to 10 at the far one.
+  EXPECT_NEAR(this->Value("eyeDepthOfBuffer(0.0)"), 1.0, 1e-6);
+  EXPECT_NEAR(this->Value("eyeDepthOfBuffer(0.5)"), 1.0 / .55, 1e-6);
+  EXPECT_GT(this->Value("eyeDepthOfBuffer(1.0)"), 1e17);
+  this->Parallel = true;
+  EXPECT_NEAR(this->Value("eyeDepthOfBuffer(0.5)"), .55, 1e-6);
+}
+
+TEST_F(Shaders, GoFromPixelsToPositionsAndBack)
+{
+  EXPECT_NEAR(this->Value("eyePosition(vec2(3.0, 1.0), 4.0).x"), 2.0, 1e-6);
+  EXPECT_NEAR(this->Value("eyePosition(vec2(3.0, 1.0), 4.0).y"), -2.0, 1e-6);
+  EXPECT_NEAR(this->Value("eyePosition(vec2(3.0, 1.0), 4.0).z"), -4.0, 1e-6);
+  EXPECT_NEAR(this->Value("pixelOfPosition(eyePosition(vec2(3.3, 1.7), 4.0)).x"), 3.3, 1e-5);
+  EXPECT_NEAR(this->Value("towardsEye(vec3(3.0, 0.0, -4.0)).x"), -.6, 1e-6);
+  this->Parallel = true;
+  EXPECT_NEAR(this->Value("eyePosition(vec2(3.0, 1.0), 4.0).x"), .5, 1e-6);
+  EXPECT_NEAR(this->Value("towardsEye(vec3(3.0, 0.0, -4.0)).z"), 1.0, 1e-6);
+}
+
+TEST_F(Shaders, IntegrateTheCosineOverASlice)
+{
+  // All of a slice whose normal is tilted by t: cos t + t sin t; of t = 0, up to an angle: sin^2 / 2.
+  for (const double tilt : { 0.0, .3, -1.1 })
+  {
+    const std::string t = "(" + std::to_string(tilt) + ")";
+    const std::string all =
+      "arc(" + t + " + 0.5 * pi, " + t + ") - arc(" + t + " - 0.5 * pi, " + t + ")";
+    EXPECT_NEAR(this->Value(all), std::cos(tilt) + tilt * std::sin(tilt), 1e-5) << tilt;
+  }
+  EXPECT_NEAR(this->Value("arc(0.7, 0.0)"), std::sin(.7) * std::sin(.7) / 2.0, 1e-6);
+  EXPECT_NEAR(this->Value("arc(-0.7, 0.0)"), -std::sin(.7) * std::sin(.7) / 2.0, 1e-6);
+  // Drivers take arc cosines from polynomials.
+  EXPECT_NEAR(this->Value("angleOfLevel(0.5)"), std::acos(.5), 2e-4);
+  EXPECT_NEAR(this->Value("angleOfLevel(1.5)"), -std::acos(.5), 2e-4);
+}
+
+TEST_F(Shaders, MakeFramesOfNormals)
+{
+  const std::string frame = "frameOf(normalize(vec3(1.0, 2.0, 2.0)))";
+  EXPECT_NEAR(this->Value(frame + "[2].x", "Volumetric"), 1.0 / 3.0, 1e-6);
+  EXPECT_NEAR(this->Value("dot(" + frame + "[0], " + frame + "[2])", "Volumetric"), 0.0, 1e-6);
+  EXPECT_NEAR(
+    this->Value("dot(cross(" + frame + "[0], " + frame + "[1]), " + frame + "[2])", "Volumetric"),
+    1.0, 1e-6);
+}
+
+TEST_F(Shaders, KeepPixelNoiseInTheUnitInterval)
+{
+  for (const char* pixel : { "vec2(0.0, 0.0)", "vec2(12.0, 7.0)", "vec2(1023.0, 767.0)" })
+  {
+    const double noise = this->Value(std::string("pixelNoise(") + pixel + ")");
+    EXPECT_GE(noise, 0.0);
+    EXPECT_LT(noise, 1.0);
+  }
+}
+
+}
