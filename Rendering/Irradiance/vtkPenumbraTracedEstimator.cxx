@@ -4,6 +4,7 @@
 
 #include "DelegateImage.h"
 #include "EyeDepth.h"
+#include "SceneExtractionTime.h"
 #include "TracedGeometry.h"
 #include "TracedOcclusion.h"
 
@@ -103,6 +104,11 @@ try
 catch (const std::exception&)
 {
   return false;
+}
+
+vtkMTimeType vtkPenumbraTracedEstimator::GetSceneMTime(vtkRenderer* renderer)
+{
+  return penumbra::GetGeometryMTime(renderer);
 }
 
 void vtkPenumbraTracedEstimator::ReleaseGraphicsResources(vtkWindow*)

@@ -41,6 +41,7 @@ public:
 
   /** Are all opaque props of the renderer meshes that rays can meet? */
   bool CanEstimate(vtkRenderer* renderer) override;
+  vtkMTimeType GetSceneMTime(vtkRenderer* renderer) override;
 
   bool NeedsMargin() override { return false; }
 

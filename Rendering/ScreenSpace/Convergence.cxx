@@ -24,9 +24,10 @@ constexpr double ErrorOfDifference = 1.0;
 
 }
 
-void Convergence::Restart()
+void Convergence::Restart(double carried)
 {
   *this = Convergence();
+  this->Carried = carried;
 }
 
 void Convergence::Add(
@@ -49,6 +50,10 @@ void Convergence::Add(
 void Convergence::Judge(const std::vector<float>& now, int width, double tolerance)
 {
   const int height = static_cast<int>(now.size()) / width;
+  // Of c samples carried over, wrong by e, c e / (c + 2 n) is left after 2 n new ones: the change since
+  // n new ones, times 1 + c / n.
+  const double scale =
+    ErrorOfDifference * (1.0 + this->Carried / std::max(this->SamplesAtReading, 1));
   const int columns = (width + TileSide - 1) / TileSide;
   const int rows = (height + TileSide - 1) / TileSide;
   std::vector<double> sums(static_cast<std::size_t>(columns) * rows, 0.0);
@@ -59,8 +64,7 @@ void Convergence::Judge(const std::vector<float>& now, int width, double toleran
     {
       const std::size_t at = static_cast<std::size_t>(j) * width + i;
       const std::size_t tile = static_cast<std::size_t>(j / TileSide) * columns + i / TileSide;
-      const double difference =
-        ErrorOfDifference * (static_cast<double>(now[at]) - this->Reading[at]);
+      const double difference = scale * (static_cast<double>(now[at]) - this->Reading[at]);
       sums[tile] += now[at] >= 0.f ? difference * difference : 0.0;
       counts[tile] += now[at] >= 0.f;
     }

@@ -20,8 +20,9 @@ namespace penumbra
 class Convergence
 {
 public:
-  /// The picture has moved: nothing is known, all is open.
-  void Restart();
+  /// The picture has moved: nothing is known, all is open. `carried` samples of before still weigh
+  /// in the mean, and may be wrong.
+  void Restart(double carried = 0.0);
 
   /// Tells of `samples` more samples in the open tiles; `read` fetches the picture when it is
   /// needed: one value a pixel, row after row, negative where there is nothing.
@@ -48,6 +49,7 @@ public:
 private:
   void Judge(const std::vector<float>& now, int width, double tolerance);
 
+  double Carried = 0.0;
   int Samples = 0;
   int SamplesAtReading = 0;
   bool Known = false;

@@ -15,7 +15,7 @@ namespace penumbra
 {
 
 EyeDepth::Change EyeDepth::Update(
-  vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view)
+  vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view, bool moved)
 {
   bool isNew = false;
   for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
@@ -24,7 +24,7 @@ EyeDepth::Change EyeDepth::Update(
   }
   const ScreenView& last = this->GetView();
   const bool comparable = this->Filled && !isNew && last.Parallel == view.Parallel;
-  if (comparable && last.SeesLike(view))
+  if (comparable && !moved && last.SeesLike(view))
   {
     this->Views[this->Current] = view; // the clipping planes may have changed
     if (this->IsUnchanged(window, image))

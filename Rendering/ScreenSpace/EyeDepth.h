@@ -25,7 +25,9 @@ public:
   };
 
   /// `view`: that of the image, with the unit of length that the depths shall have.
-  Change Update(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view);
+  /// `moved`: something that depth does not show is known to have changed.
+  Change Update(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view,
+    bool moved = false);
 
   vtkTextureObject* GetCurrent() const { return this->Textures[this->Current]; }
   vtkTextureObject* GetPrevious() const { return this->Textures[1 - this->Current]; }

@@ -68,15 +68,18 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     this->Depth.Forget();
   }
-  const EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view);
+  EyeDepth::Change change =
+    this->Depth.Update(this->Window, this->Image, view, settings.HiddenChanged);
   if (change == EyeDepth::Change::Failed)
   {
     return false;
   }
   if (change != EyeDepth::Change::None)
   {
+    // What is to converge at once takes nothing over: a mean with old samples is late to be right.
+    change = settings.InOneRender ? EyeDepth::Change::All : change;
     this->Converged = false;
-    this->Still.Restart();
+    this->Still.Restart(change == EyeDepth::Change::All ? 0.0 : settings.InvalidationWeight);
   }
   if (change == EyeDepth::Change::All)
   {

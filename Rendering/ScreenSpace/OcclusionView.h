@@ -37,6 +37,7 @@ struct OcclusionSettings
   bool InOneRender = false;
   bool DelegateDrawsBackground = true;
   bool SceneChanged = true; ///< something besides the eye may have moved since the last frame
+  bool HiddenChanged = false; ///< something that the estimator sees and depth does not has changed
   bool Restart = false;     ///< settings changed: what is known is worth nothing
   int Margin[2] = { 0, 0 };
 };

@@ -68,6 +68,9 @@ public:
   /** Is all that it needs of the renderer's scene at hand? Asked before every frame. */
   virtual bool CanEstimate(vtkRenderer*) { return true; }
 
+  /** Another number whenever what it sees of the scene beside depth has changed; 0: it sees depth alone. */
+  virtual vtkMTimeType GetSceneMTime(vtkRenderer*) { return 0; }
+
   /** Does it help to draw more than the picture, so that occluders just outside are seen? */
   virtual bool NeedsMargin() { return true; }
 

@@ -71,9 +71,16 @@ void AddValue(vtkFieldData* data, const char* name, double value)
 
 struct vtkPenumbraTemporalSSAOPass::Internals
 {
-  std::map<vtkRenderer*, penumbra::OcclusionView> Views;
-  std::map<vtkRenderer*, vtkMTimeType> SceneTimes;
-  std::map<vtkRenderer*, vtkMTimeType> SettingTimes;
+  /// What is kept of a renderer.
+  struct Known
+  {
+    penumbra::OcclusionView View;
+    vtkMTimeType SceneTime = 0;
+    vtkMTimeType SettingTime = 0;
+    vtkMTimeType HiddenTime = 0; ///< the estimator's
+    std::string Kernel;
+  };
+  std::map<vtkRenderer*, Known> Renderers;
   penumbra::OcclusionView* Last = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
@@ -82,7 +89,6 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
-  std::map<vtkRenderer*, std::string> KernelsBefore;
   bool Warned = false;
 };
 
@@ -220,14 +226,15 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   // After compositing of several ranks nobody knows what moved.
   const vtkMTimeType sceneTime = ChangeTime(state);
-  settings.SceneChanged = !this->OpaqueOnly || sceneTime != own.SceneTimes[renderer];
-  own.SceneTimes[renderer] = sceneTime;
-  settings.Restart = this->GetMTime() != own.SettingTimes[renderer];
-  own.SettingTimes[renderer] = this->GetMTime();
+  Internals::Known& known = own.Renderers[renderer];
+  settings.SceneChanged = !this->OpaqueOnly || sceneTime != known.SceneTime;
+  known.SceneTime = sceneTime;
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
-  settings.Restart = settings.Restart || own.ActiveKernel != own.KernelsBefore[renderer];
-  own.KernelsBefore[renderer] = own.ActiveKernel;
+  settings.Restart = this->GetMTime() != known.SettingTime || own.ActiveKernel != known.Kernel;
+  settings.HiddenChanged = estimator->GetSceneMTime(renderer) != known.HiddenTime;
+  known.SettingTime = this->GetMTime();
+  known.Kernel = own.ActiveKernel;
   if (this->OpaqueOnly)
   {
     const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
@@ -236,7 +243,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
     const double margin = this->Margin >= 0.0 ? this->Margin / 100.0 * side : needed;
     settings.Margin[0] = settings.Margin[1] = static_cast<int>(std::ceil(margin));
   }
-  own.Last = &own.Views[renderer];
+  own.Last = &known.View;
   if (!own.Last->Render(state, this->DelegatePass, estimator, settings))
   {
     if (!own.Warned)
@@ -246,6 +253,8 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
     }
     return false;
   }
+  // Only now: whoever draws or traces the scene may bring its pipelines up to date first.
+  known.HiddenTime = estimator->GetSceneMTime(renderer);
   this->NumberOfRenderedProps = own.Last->GetNumberOfRenderedProps();
   return true;
 }
@@ -282,11 +291,11 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   Internals& own = *this->Implementation;
-  for (auto& [renderer, view] : own.Views)
+  for (auto& [renderer, known] : own.Renderers)
   {
-    view.ReleaseGraphicsResources(window);
+    known.View.ReleaseGraphicsResources(window);
   }
-  own.Views.clear();
+  own.Renderers.clear();
   own.Last = nullptr;
   own.Window = nullptr;
   own.Kernels->ReleaseGraphicsResources(window);

@@ -218,6 +218,25 @@ TEST(TracedEstimator, BuildsItsTreeAgainOnlyWhenTheSceneChanges)
   EXPECT_LT(scene.At("AmbientOcclusion", { .4, -.4, 0 }), .5 * under);
 }
 
+TEST(TracedEstimator, NoticesWhatMovesOutOfSight)
+{
+  // Beyond the picture's border: no depth tells of it, but the floor's edge lies in its shadow.
+  const auto draw = [](bool moved) {
+    OcclusionScene scene;
+    scene.AddFloor();
+    const auto sphere = scene.AddSphere({ moved ? 9.0 : 2.4, 0, .5 }, .5);
+    scene.Look({ 0, -2, 6 }, { 0, 0, 0 });
+    Trace(scene, 1.5);
+    scene.Window->Render();
+    sphere->SetPosition(2.4, 0, .5);
+    scene.Window->Render();
+    return scene.Array("AmbientOcclusion");
+  };
+  const std::vector<float> always = draw(false);
+  EXPECT_GT(*std::max_element(always.begin(), always.end()), .05f);
+  EXPECT_LT(Rmse(draw(true), always), .01); // the accepted error
+}
+
 TEST(TracedEstimator, LeavesTranslucentThingsOut)
 {
   OcclusionScene scene;

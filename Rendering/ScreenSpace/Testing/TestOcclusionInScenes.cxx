@@ -197,6 +197,51 @@ TEST(OcclusionInScenes, ForgetsWhatAMovedActorShadowed)
   EXPECT_LT(Rms(soon, scene.Array("AmbientOcclusion")), .045);
 }
 
+TEST(OcclusionInScenes, ForgetsAllOfItBeforeItConvergesInOneRender)
+{
+  // As a picture that was never anything else, to the accepted error.
+  const auto draw = [](bool moved) {
+    OcclusionScene scene;
+    scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+    const auto sphere = scene.AddSphere({ moved ? -.5 : .5, 0, .5 }, .5);
+    scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+    scene.Occlude(1.0)->SetTolerance(.003);
+    for (int frame = 0; moved && frame < 3; ++frame)
+    {
+      scene.Window->Render();
+    }
+    sphere->SetPosition(.5, 0, .5);
+    scene.Window->Render();
+    EXPECT_TRUE(scene.Pass->IsConverged());
+    return scene.Array("AmbientOcclusion");
+  };
+  EXPECT_LT(Rms(draw(true), draw(false)), .003);
+}
+
+TEST(OcclusionInScenes, BelievesNoMeanThatStillHoldsOldSamples)
+{
+  OcclusionScene scene;
+  scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+  const auto sphere = scene.AddSphere({ -.5, 0, .5 }, .5);
+  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    scene.Window->Render();
+  }
+  sphere->SetPosition(.5, 0, .5);
+  for (int frame = 0; frame < 200 && (frame < 2 || !scene.Pass->IsConverged()); ++frame)
+  {
+    scene.Window->Render();
+  }
+  ASSERT_TRUE(scene.Pass->IsConverged());
+  const std::vector<float> spread = scene.Array("AmbientOcclusion");
+  scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
+  scene.Pass->SetTolerance(.002); // settings changed: everything starts afresh
+  scene.Window->Render();
+  EXPECT_LT(Rms(spread, scene.Array("AmbientOcclusion")), .01);
+}
+
 TEST(OcclusionInScenes, IsTheSameWithTranslucentThingsVolumesAndPeelingBeforeIt)
 {
   // What stands before the scene is drawn over it: where it is opaque nothing of the pass shows.
