@@ -91,9 +91,29 @@ void Stage::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
+// What the start of a framebuffer of VTK's sets.
+struct DrawInto::SavedState
+{
+  explicit SavedState(vtkOpenGLState* state)
+    : Viewport(state),
+      Scissor(state),
+      ScissorTest(state, GL_SCISSOR_TEST),
+      Blend(state, GL_BLEND),
+      DepthTest(state, GL_DEPTH_TEST)
+  {
+  }
+
+  const vtkOpenGLState::ScopedglViewport Viewport;
+  const vtkOpenGLState::ScopedglScissor Scissor;
+  const vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+  const vtkOpenGLState::ScopedglEnableDisable Blend;
+  const vtkOpenGLState::ScopedglEnableDisable DepthTest;
+};
+
 DrawInto::DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
   const std::vector<vtkTextureObject*>& targets, vtkTextureObject* depth)
   : Window(window),
+    Saved(std::make_unique<SavedState>(window->GetState())),
     Framebuffer(framebuffer),
     Count(static_cast<unsigned int>(targets.size())),
     Depth(depth != nullptr)

@@ -66,7 +66,7 @@ private:
 };
 
 /// While it lives, stages draw into textures: all of them, all at once, without blending. With a
-/// depth texture only pixels that show a surface are drawn; it stays as it is.
+/// depth texture only pixels that show a surface are drawn; it stays as it is. Then OpenGL is as it was.
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DrawInto
 {
 public:
@@ -80,7 +80,10 @@ public:
   bool IsComplete() const { return this->Complete; }
 
 private:
+  struct SavedState;
+
   vtkOpenGLRenderWindow* Window;
+  std::unique_ptr<SavedState> Saved;
   vtkOpenGLFramebufferObject* Framebuffer;
   unsigned int Count;
   bool Depth;

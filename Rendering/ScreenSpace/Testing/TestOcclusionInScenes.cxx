@@ -10,7 +10,10 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHardwareSelector.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
+#include "vtkProperty2D.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
 #include "vtkSelection.h"
@@ -66,6 +69,48 @@ double ShareOff(const std::vector<int>& a, const std::vector<int>& b, int limit)
     off += std::abs(a[i] - b[i]) > limit;
   }
   return a.size() == b.size() ? 4.0 * off / static_cast<double>(a.size()) : 1.0;
+}
+
+TEST(OcclusionInScenes, LeavesAnOverlayWhereAndAsItIs)
+{
+  OcclusionScene scene;
+  Furnish(scene);
+  vtkNew<vtkPlaneSource> label; // in pixels, across the border of the scene
+  label->SetOrigin(10, 80, 0);
+  label->SetPoint1(60, 80, 0);
+  label->SetPoint2(10, 115, 0);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputConnection(label->GetOutputPort());
+  vtkNew<vtkActor2D> overlay;
+  overlay->SetMapper(mapper);
+  overlay->GetProperty()->SetColor(1.0, 0.5, 0.0);
+  overlay->GetProperty()->SetOpacity(0.5);
+  const auto labelled = [&]() {
+    overlay->VisibilityOff();
+    scene.Window->Render();
+    const std::vector<int> without = scene.Picture();
+    overlay->VisibilityOn();
+    scene.Window->Render();
+    const std::vector<int> with = scene.Picture();
+    int largest = 0;
+    for (int y = 82; y < 113; ++y)
+    {
+      for (int x = 12; x < 58; ++x)
+      {
+        const std::size_t at = 4 * (static_cast<std::size_t>(y) * scene.Width + x);
+        const int color[3] = { 255, 128, 0 };
+        for (int c = 0; c < 3; ++c)
+        {
+          largest = std::max(largest, std::abs(with[at + c] - (without[at + c] + color[c]) / 2));
+        }
+      }
+    }
+    return largest;
+  };
+  scene.Renderer->AddViewProp(overlay);
+  EXPECT_LE(labelled(), 1);
+  scene.Occlude(1.0);
+  EXPECT_LE(labelled(), 1);
 }
 
 TEST(OcclusionInScenes, IsTheSameAtEveryScaleAndPlace)
