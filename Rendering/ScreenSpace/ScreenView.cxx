@@ -55,6 +55,19 @@ ScreenView ScreenView::Of(vtkRenderer* renderer, const int size[2], const int ma
   return view;
 }
 
+ScreenView ScreenView::Coarse(int block) const
+{
+  ScreenView view = *this;
+  view.Width = (this->Width + block - 1) / block;
+  view.Height = (this->Height + block - 1) / block;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    view.Scale[axis] = this->Scale[axis] * block;
+    view.Offset[axis] += this->Scale[axis] * (block / 2 + 0.5 - 0.5 * block);
+  }
+  return view;
+}
+
 void ScreenView::SetUniforms(vtkShaderProgram* program) const
 {
   const double unit = this->Parallel ? this->Unit : 1.0;

@@ -33,6 +33,10 @@ struct ScreenView
   /// `margin` pixels.
   static ScreenView Of(vtkRenderer* renderer, const int size[2], const int margin[2]);
 
+  /// The view of one pixel in each block of this one's, `block` pixels a side: that in the middle, of
+  /// two the latter.
+  ScreenView Coarse(int block) const;
+
   /// Sets the uniforms of vtkPenumbraViewLib.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
 

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPenumbraShaftCoarseDepthFS.h"
 #include "vtkPenumbraShaftCompositeFS.h"
 #include "vtkPenumbraShaftDepthLib.h"
 #include "vtkPenumbraShaftLampLib.h"
@@ -101,8 +102,12 @@ bool ShaftView::Compute()
   const ScreenView& view = this->Depth.GetView();
   const int block = this->Settings.Block;
   Allocate(this->Shafts, this->Window, view.Width, view.Height, 4);
-  Allocate(this->LitShares, this->Window, (view.Width + block - 1) / block,
-    (view.Height + block - 1) / block, 2);
+  this->Coarse = view.Coarse(block);
+  Allocate(this->LitShares, this->Window, this->Coarse.Width, this->Coarse.Height, 2);
+  if (block > 1 && !this->FillCoarseDepths())
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     if (!this->FindLit(this->Lights[i]) || !this->Scatter(this->Lights[i], i == 0))
@@ -110,6 +115,22 @@ bool ShaftView::Compute()
       return false;
     }
   }
+  return true;
+}
+
+bool ShaftView::FillCoarseDepths()
+{
+  Allocate(this->CoarseDepths, this->Window, this->Coarse.Width, this->Coarse.Height, 1);
+  vtkShaderProgram* program = this->Thinning.Ready(this->Window, vtkPenumbraShaftCoarseDepthFS);
+  const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->CoarseDepths });
+  if (!program || !target.IsComplete())
+  {
+    return false;
+  }
+  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetNumber(program, "block", this->Settings.Block);
+  this->Thinning.Read("eyeDepths", this->Depth.GetCurrent());
+  this->Thinning.Draw();
   return true;
 }
 
@@ -135,10 +156,9 @@ bool ShaftView::FindLit(const ShaftLight& light)
   {
     return false;
   }
-  this->Depth.GetView().SetUniforms(program);
+  this->Coarse.SetUniforms(program);
   this->SetMedium(program);
   light.SetUniforms(program);
-  SetNumber(program, "block", settings.Block);
   program->SetUniformi("steps", settings.Steps);
   if (settings.Radial)
   {
@@ -152,7 +172,7 @@ bool ShaftView::FindLit(const ShaftLight& light)
     SetNumber(program, "thickness", settings.Thickness / settings.Unit);
     SetNumber(program, "range", settings.Range / settings.Unit);
   }
-  stage.Read("eyeDepths", this->Depth.GetCurrent());
+  stage.Read("eyeDepths", settings.Block > 1 ? this->CoarseDepths.Get() : this->Depth.GetCurrent());
   stage.Draw();
   this->NewShares +=
     static_cast<long long>(this->LitShares->GetWidth()) * this->LitShares->GetHeight();
@@ -276,12 +296,13 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Image.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
-  for (Stage* stage : { &this->Visibility[0], &this->Visibility[1], &this->Addition[0],
-         &this->Addition[1], &this->Composition })
+  for (Stage* stage : { &this->Thinning, &this->Visibility[0], &this->Visibility[1],
+         &this->Addition[0], &this->Addition[1], &this->Composition })
   {
     stage->ReleaseGraphicsResources(window);
   }
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->LitShares, &this->Shafts })
+  for (vtkSmartPointer<vtkTextureObject>* texture :
+    { &this->CoarseDepths, &this->LitShares, &this->Shafts })
   {
     if (*texture)
     {

@@ -31,7 +31,7 @@ struct ShaftSettings
   double SurfaceGlow = 0.0;
   double Thickness = 1.0;
   int Steps = 64;
-  int Block = 1;      ///< pixels a side for which lit shares are found once
+  int Block = 1;      ///< pixels a side of the blocks for which lit shares are found
   double Unit = 1.0;  ///< what shaders call 1
   double Range = 1.0; ///< no surface is farther from the eye
   bool DelegateDrawsBackground = true;
@@ -61,6 +61,7 @@ public:
 
 private:
   bool Compute();
+  bool FillCoarseDepths();
   bool FindLit(const ShaftLight& light);
   bool Scatter(const ShaftLight& light, bool first);
   bool Composite();
@@ -71,9 +72,12 @@ private:
   std::vector<ShaftLight> Lights;
   DelegateImage Image;
   EyeDepth Depth;
+  ScreenView Coarse; ///< of one pixel in each block
+  Stage Thinning;
   Stage Visibility[2]; ///< by a sun, by a lamp
   Stage Addition[2];
   Stage Composition;
+  vtkSmartPointer<vtkTextureObject> CoarseDepths;
   vtkSmartPointer<vtkTextureObject> LitShares; ///< r: share, g: eye depth
   vtkSmartPointer<vtkTextureObject> Shafts;    ///< rgb: scattered light, a: transmittance
   long long NewShares = 0;

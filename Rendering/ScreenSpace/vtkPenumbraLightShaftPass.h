@@ -45,15 +45,15 @@ public:
 
   ///@{
   /**
-   * The error accepted in a colour, RMSE, 0.0001 to 1: it chooses Steps, and from 1/128 on lit shares
-   * are found once for 2x2 pixels. Default: 1/256.
+   * The error accepted in a colour, RMSE, 0.0001 to 1: it chooses Steps, and from 1/512 on lit shares
+   * are found for 3x3, from 1/64 on for 4x4 pixels together. Default: 1/256.
    */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** Depths fetched for each light and lit share, 0 to 1024; 0: a quarter over Tolerance. Default: 0. */
+  /** Depths fetched for each light and lit share, 0 to 1024; 0: an eighth over Tolerance. Default: 0. */
   vtkSetClampMacro(Steps, int, 0, 1024);
   vtkGetMacro(Steps, int);
   ///@}

@@ -127,6 +127,7 @@ TEST_F(LightShaftPass, AddsItsLightsUp)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const vtkSmartPointer<vtkLight> lamp = this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
+  this->Scene.Pass->SetMargin(0.0); // that of a light outside of the picture would be for all
   const std::vector<double> both = this->Scene.ByPass();
   this->Scene.Pass->AddLight(lamp);
   const std::vector<double> one = this->Scene.ByPass();
@@ -242,5 +243,5 @@ TEST_F(LightShaftPass, KnowsAnOccluderThatHasLeftThePicture)
   const std::vector<double> truth = this->Scene.ByRays(64);
   const double error = RelativeRmse(this->Scene.ByPass(), truth);
   ball->VisibilityOff();
-  EXPECT_LT(error, 0.5 * RelativeRmse(this->Scene.ByPass(), truth));
+  EXPECT_LT(error, 0.7 * RelativeRmse(this->Scene.ByPass(), truth));
 }

@@ -17,9 +17,13 @@ uniform float transmittance;  // 1: alpha is what is left of the picture; 0: alp
 // Depths this much apart, relatively, are other surfaces.
 const float apart = 0.02;
 
+// Texels count by their distance, and this much besides: less noise, and less change from frame to
+// frame. Measured: ./penumbra benchmark light-shafts.
+const float evenly = 0.25;
+
 float litShareAt(vec2 pixel, float eyeDepth)
 {
-  vec2 at = (pixel - 0.5) / block;
+  vec2 at = (pixel - floor(0.5 * block) - 0.5) / block;
   vec2 corner = floor(at);
   vec2 share = at - corner;
   vec2 sums = vec2(1e-9);
@@ -29,7 +33,7 @@ float litShareAt(vec2 pixel, float eyeDepth)
     vec2 near = mix(1.0 - share, share, offset);
     vec2 found = texture(litShares, (corner + offset + 0.5) * texelSize).rg;
     float other = (found.g - eyeDepth) / (apart * min(found.g, eyeDepth));
-    sums += (near.x * near.y + 1e-4) / (1.0 + other * other) * vec2(found.r, 1.0);
+    sums += (near.x * near.y + evenly) / (1.0 + other * other) * vec2(found.r, 1.0);
   }
   return sums.x / sums.y;
 }
