@@ -8,6 +8,10 @@ set(penumbra_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/ScreenSpace/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Comparison/vtk.module")
 
+if (PENUMBRA_BUILD_PLUGIN)
+  list(APPEND penumbra_module_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/View/vtk.module")
+endif ()
+
 vtk_module_scan(
   MODULE_FILES ${penumbra_module_files}
   PROVIDES_MODULES penumbra_modules
@@ -25,6 +29,8 @@ vtk_module_build(
   SOVERSION 0
   TEST_DIRECTORY_NAME Testing)
 
+set(penumbra_python_modules ${penumbra_modules})
+list(REMOVE_ITEM penumbra_python_modules Penumbra::TestingComparison)
 foreach (module IN LISTS penumbra_modules)
   _vtk_module_real_target(penumbra_target ${module})
   penumbra_warnings(${penumbra_target})

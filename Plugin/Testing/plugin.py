@@ -6,9 +6,11 @@ import sys
 import unittest
 
 import numpy
+import paraview.simple
 from paraview import servermanager
 from paraview.simple import *  # noqa: F401,F403
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 SPHERE_RADIUS = 0.5
 SPHERE_HEIGHT = 0.8
@@ -17,6 +19,7 @@ SPHERE_HEIGHT = 0.8
 def start():
     """An empty ParaView with the plugin."""
     ResetSession()
+    paraview.simple._DisableFirstRenderCameraReset()
     LoadPlugin(os.environ["PENUMBRA_PLUGIN"], remote=False, ns=sys.modules["__main__"].__dict__)
 
 
@@ -30,6 +33,61 @@ def plane(resolution=24):
 def ball(height=SPHERE_HEIGHT):
     return Sphere(
         Center=[0, 0, height], Radius=SPHERE_RADIUS, ThetaResolution=120, PhiResolution=120)
+
+
+def view_of_ball(kind, size=(200, 200)):
+    """Plane and ball from above and aside, without lights: pixels show 1 - occlusion."""
+    view = CreateView(kind)
+    view.ViewSize = size
+    view.OrientationAxesVisibility = 0
+    view.CameraPosition = [0, -6, 8]
+    view.CameraFocalPoint = [0, 0, 0]
+    view.CameraViewUp = [0, 0, 1]
+    for source in (plane(), ball()):
+        shown = Show(source, view)
+        shown.Ambient = 1
+        shown.Diffuse = 0
+        shown.AmbientColor = [1, 1, 1]
+        shown.DiffuseColor = [1, 1, 1]
+    return view
+
+
+def screenshot(view, folder, **options):
+    """What SaveScreenshot writes."""
+    path = os.path.join(folder, "picture.png")
+    SaveScreenshot(path, view, **options)
+    return read_picture(path)
+
+
+def read_picture(path):
+    """Rows from bottom to top."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1).copy()
+
+
+def plane_pixels(view):
+    """Which pixels show the plane, four pixels away from other things, and its points there."""
+    width, height = view.ViewSize
+    eye = numpy.array(view.CameraPosition, float)
+    axis = numpy.array(view.CameraFocalPoint) - eye
+    axis /= numpy.linalg.norm(axis)
+    right = numpy.cross(axis, view.CameraViewUp)
+    right /= numpy.linalg.norm(right)
+    slope = numpy.tan(numpy.radians(view.CameraViewAngle) / 2)
+    x = (2 * (numpy.arange(width) + 0.5) - width) / height * slope
+    y = (2 * (numpy.arange(height) + 0.5) - height) / height * slope
+    ways = axis + x[None, :, None] * right + y[:, None, None] * numpy.cross(right, axis)
+    points = eye - ways * (eye[2] / ways[..., 2:])
+    margin = 4 * 2 * slope / height * numpy.linalg.norm(eye)
+    to_ball = eye - [0, 0, SPHERE_HEIGHT]
+    along = -(ways @ to_ball) / (ways**2).sum(axis=2)
+    nearest = numpy.linalg.norm(to_ball + along[..., None] * ways, axis=2)
+    seen = (numpy.abs(points[..., :2]).max(axis=2) < 3 - margin) & (nearest > SPHERE_RADIUS + margin)
+    return seen, points[seen]
 
 
 def rising_ball(folder):

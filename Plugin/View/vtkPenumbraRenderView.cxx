@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPenumbraRenderView.h"
+
+#include "ViewPass.h"
+
+#include "vtkCollectionRange.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkPenumbraKernels.h"
+#include "vtkPenumbraMedium.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkPenumbraRenderView);
+
+struct vtkPenumbraRenderView::Internals
+{
+  vtkNew<penumbra::ViewPass> Pass;
+  vtkNew<vtkLight> Sun;
+  vtkNew<vtkPenumbraMedium> Medium;
+  bool Warned = false;
+};
+
+vtkPenumbraRenderView::vtkPenumbraRenderView()
+  : Implementation(std::make_unique<Internals>())
+{
+  this->Implementation->Sun->SetLightTypeToSceneLight();
+}
+
+vtkPenumbraRenderView::~vtkPenumbraRenderView()
+{
+  // The superclass' pass outlives this object's members.
+  if (this->SynchronizedRenderers->GetImageProcessingPass() == this->Implementation->Pass)
+  {
+    this->SynchronizedRenderers->SetImageProcessingPass(nullptr);
+  }
+}
+
+void vtkPenumbraRenderView::SetOcclusionKernel(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (vtkPenumbraKernels::Find(wanted.c_str()) < 0)
+  {
+    vtkErrorMacro("There is no kernel '" << wanted << "'; " << this->OcclusionKernel << " stays.");
+  }
+  else if (wanted != this->OcclusionKernel)
+  {
+    this->OcclusionKernel = wanted;
+    this->Modified();
+  }
+}
+
+void vtkPenumbraRenderView::PlaceSun()
+{
+  vtkLight* sun = this->Implementation->Sun;
+  vtkRenderer* renderer = this->GetRenderer();
+  const bool shines = this->LightShafts && this->SunIntensity > 0.0;
+  if (shines != static_cast<bool>(renderer->GetLights()->IsItemPresent(sun)))
+  {
+    shines ? renderer->AddLight(sun) : renderer->RemoveLight(sun);
+  }
+  double center[3] = { 0.0, 0.0, 0.0 };
+  if (this->GeometryBounds.IsValid())
+  {
+    this->GeometryBounds.GetCenter(center);
+  }
+  sun->SetFocalPoint(center);
+  sun->SetPosition(center[0] + this->SunDirection[0], center[1] + this->SunDirection[1],
+    center[2] + this->SunDirection[2]);
+  sun->SetIntensity(this->SunIntensity);
+}
+
+void vtkPenumbraRenderView::Configure(bool interactive)
+{
+  penumbra::ViewPass* pass = this->Implementation->Pass;
+  const double diagonal =
+    this->GeometryBounds.IsValid() ? this->GeometryBounds.GetDiagonalLength() : 0.0;
+  pass->UseOcclusion = this->AmbientOcclusion && diagonal > 0.0;
+  pass->UseShafts = this->LightShafts && diagonal > 0.0;
+  pass->UseRays = this->StillByRays && !interactive && !this->SynchronizedRenderers->GetEnabled();
+  if (diagonal <= 0.0)
+  {
+    return;
+  }
+
+  vtkPenumbraTemporalSSAOPass* occlusion = pass->Occlusion;
+  occlusion->SetTolerance(this->PenumbraTolerance);
+  occlusion->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
+  occlusion->SetRadius(this->OcclusionRadius * diagonal);
+  occlusion->SetStrength(this->OcclusionStrength);
+  occlusion->SetKernelName(this->OcclusionKernel.c_str());
+  occlusion->SetConvergeInOneRender(
+    interactive ? vtkPenumbraTemporalSSAOPass::NEVER : vtkPenumbraTemporalSSAOPass::ALWAYS);
+
+  vtkPenumbraLightShaftPass* shafts = pass->Shafts;
+  shafts->SetTolerance(this->PenumbraTolerance);
+  shafts->SetScattering(this->ShaftDensity / diagonal);
+  shafts->SetExposure(this->ShaftExposure);
+  shafts->SetThickness(this->ShaftThickness * diagonal);
+  shafts->RemoveAllLights();
+  shafts->AddLight(
+    this->Implementation->Sun); // Without any, lights that follow the camera would do.
+  for (vtkLight* light : vtk::Range(this->GetRenderer()->GetLights()))
+  {
+    if (light->LightTypeIsSceneLight())
+    {
+      shafts->AddLight(light);
+    }
+  }
+
+  vtkPenumbraRayCaster* caster = pass->Caster;
+  caster->SetAmbientOcclusion(this->AmbientOcclusion);
+  caster->SetAmbientOcclusionRadius(this->OcclusionRadius * diagonal);
+  caster->SetAmbientOcclusionStrength(this->OcclusionStrength);
+  this->Implementation->Medium->SetScattering(this->ShaftDensity / diagonal);
+  caster->SetMedium(this->LightShafts ? this->Implementation->Medium.Get() : nullptr);
+  caster->SetShadows(this->LightShafts);
+}
+
+void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
+{
+  this->Superclass::AboutToRenderOnLocalProcess(interactive);
+  this->PlaceSun();
+  this->Configure(interactive);
+  penumbra::ViewPass* pass = this->Implementation->Pass;
+  vtkImageProcessingPass* present = this->SynchronizedRenderers->GetImageProcessingPass();
+  const bool hasWork = pass->UseOcclusion || pass->UseShafts || pass->UseRays;
+  if (hasWork && present && present != pass)
+  {
+    if (!this->Implementation->Warned)
+    {
+      vtkWarningMacro("Tone mapping is on: ambient occlusion and light shafts are left out.");
+      this->Implementation->Warned = true;
+    }
+    return;
+  }
+  // Where pictures of several ranks are put together, one of them gets the result.
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  const bool shows = !controller || controller->GetLocalProcessId() == 0;
+  const bool wanted = hasWork && shows && !this->GetMakingSelection();
+  this->SynchronizedRenderers->SetUseDepthBuffer(wanted);
+  this->SynchronizedRenderers->SetImageProcessingPass(wanted ? pass : nullptr);
+}
+
+void vtkPenumbraRenderView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PenumbraTolerance: " << this->PenumbraTolerance << "\n";
+  os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";
+  os << indent << "OcclusionRadius: " << this->OcclusionRadius << "\n";
+  os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";
+  os << indent << "OcclusionKernel: " << this->OcclusionKernel << "\n";
+  os << indent << "LightShafts: " << this->LightShafts << "\n";
+  os << indent << "ShaftDensity: " << this->ShaftDensity << "\n";
+  os << indent << "ShaftExposure: " << this->ShaftExposure << "\n";
+  os << indent << "ShaftThickness: " << this->ShaftThickness << "\n";
+  os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", "
+     << this->SunDirection[2] << "\n";
+  os << indent << "SunIntensity: " << this->SunIntensity << "\n";
+  os << indent << "StillByRays: " << this->StillByRays << "\n";
+}
