@@ -13,7 +13,8 @@ namespace penumbra
 
 bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
-  vtkTextureObject* between, vtkTextureObject* target, const BilateralSettings& settings)
+  vtkTextureObject* between, vtkTextureObject* target, const BilateralSettings& settings,
+  const std::vector<Rectangle>& parts)
 {
   static const std::string source =
     Assemble(vtkPenumbraBilateralFS, { { "ViewLib", vtkPenumbraViewLib } });
@@ -34,13 +35,13 @@ bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& 
     program->SetUniformf("mean", direction == 0 ? 0.f : 1.f);
     this->Smooth.Read("eyeDepths", eyeDepths);
     this->Smooth.Read("values", direction == 0 ? values : between);
-    this->Smooth.Draw();
+    this->Smooth.Draw(parts);
   }
   return true;
 }
 
 bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  vtkTextureObject* values, vtkTextureObject* target)
+  vtkTextureObject* values, vtkTextureObject* target, const std::vector<Rectangle>& parts)
 {
   vtkShaderProgram* program = this->Mean.Ready(window, vtkPenumbraMeanFS);
   const DrawInto into(window, image.GetFramebuffer(), { target }, image.GetDepth());
@@ -52,7 +53,7 @@ bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& i
     1.f / static_cast<float>(target->GetHeight()) };
   program->SetUniform2f("pixelSize", pixelSize);
   this->Mean.Read("values", values);
-  this->Mean.Draw();
+  this->Mean.Draw(parts);
   return true;
 }
 

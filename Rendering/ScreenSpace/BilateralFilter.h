@@ -22,14 +22,15 @@ class BilateralFilter
 public:
   /// From `values` (r: sum, g: number of samples) over `between` (two floats) to means in
   /// `target`.
-  /// `view` is that of `eyeDepths`. False when OpenGL refuses.
+  /// `view` is that of `eyeDepths`. Only within `parts`. False when OpenGL refuses.
   bool Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view,
     vtkTextureObject* eyeDepths, vtkTextureObject* values, vtkTextureObject* between,
-    vtkTextureObject* target, const BilateralSettings& settings);
+    vtkTextureObject* target, const BilateralSettings& settings,
+    const std::vector<Rectangle>& parts);
 
   /// The mean of `values` as it is, for pictures that need no filter.
   bool Copy(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* values,
-    vtkTextureObject* target);
+    vtkTextureObject* target, const std::vector<Rectangle>& parts);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

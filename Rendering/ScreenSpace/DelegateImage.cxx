@@ -128,17 +128,20 @@ void DelegateImage::ResolveDepth(vtkOpenGLRenderWindow* window)
   gl->PopDrawFramebufferBinding();
 }
 
-int DelegateImage::Draw(
-  const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2], bool oneSample)
+int DelegateImage::SamplesOf(const vtkRenderState* state)
+{
+  auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer());
+  return outer ? outer->GetMultiSamples()
+               : state->GetRenderer()->GetRenderWindow()->GetMultiSamples();
+}
+
+bool DelegateImage::Aim(const vtkRenderState* state, const int margin[2])
 {
   vtkRenderer* renderer = state->GetRenderer();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  int samples = window->GetMultiSamples();
   this->Viewport[0] = this->Viewport[1] = 0;
   if (auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer()))
   {
     outer->GetLastSize(this->Viewport + 2);
-    samples = outer->GetMultiSamples();
   }
   else
   {
@@ -147,12 +150,24 @@ int DelegateImage::Draw(
   }
   if (this->Viewport[2] < 1 || this->Viewport[3] < 1)
   {
-    return -1;
+    return false;
   }
   this->Margin[0] = margin[0];
   this->Margin[1] = margin[1];
   this->View = ScreenView::Of(renderer, this->Viewport + 2, margin);
-  this->Prepare(window, oneSample ? 1 : std::max(samples, 1));
+  return true;
+}
+
+int DelegateImage::Draw(
+  const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2], bool oneSample)
+{
+  if (!this->Aim(state, margin))
+  {
+    return -1;
+  }
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Prepare(window, oneSample ? 1 : std::max(SamplesOf(state), 1));
 
   vtkOpenGLState* gl = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(gl);

@@ -27,6 +27,9 @@ public:
   DelegateImage();
   ~DelegateImage();
 
+  /// Finds out what Draw() would draw where: the view, the viewport. False when that is nothing.
+  bool Aim(const vtkRenderState* state, const int margin[2]);
+
   /// Draws the delegate for the renderer of `state`; `margin` in pixels on each side, in x and y.
   /// With as many samples a pixel as the target, or one. Returns the number of props drawn, -1 when
   /// OpenGL refuses.
@@ -55,6 +58,7 @@ public:
 
 private:
   void Prepare(vtkOpenGLRenderWindow* window, int samples);
+  static int SamplesOf(const vtkRenderState* state);
   void ResolveDepth(vtkOpenGLRenderWindow* window);
 
   vtkSmartPointer<vtkTextureObject> Color;

@@ -56,13 +56,26 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   this->Estimator = estimator;
   this->Settings = settings;
   this->NewSamples = 0;
-  this->Props = this->Image.Draw(state, delegate, settings.Margin);
-  if (this->Props < 0)
+  if (!this->Image.Aim(state, settings.Margin))
   {
     return false;
   }
   ScreenView view = this->Image.GetView();
   view.Unit = settings.Radius;
+  if (this->ShowsWhatIsKnown(view) &&
+    this->Picture.Draw(state, delegate, this->Image, this->GetDarkness()))
+  {
+    this->Props = this->Picture.GetNumberOfRenderedProps();
+    return true;
+  }
+  this->Picture.Forget();
+  this->Props = this->Image.Draw(state, delegate, settings.Margin);
+  if (this->Props < 0)
+  {
+    return false;
+  }
+  const int* at = this->Image.GetViewport();
+  this->Inside = { { settings.Margin[0], settings.Margin[1], at[2], at[3] } };
   Allocate(this->Estimates, this->Window, view.Width, view.Height, 1);
   if (settings.Restart)
   {
@@ -85,21 +98,39 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     this->SettledSamples = 0;
   }
-  if (!this->Converged)
+  if (!this->Converged && !this->Converge(change))
   {
-    bool done = this->Estimate(change);
-    while (done && settings.InOneRender && !this->MeetsTolerance())
-    {
-      done = this->Estimate(EyeDepth::Change::None);
-    }
-    this->Converged = this->MeetsTolerance();
-    if (!done || !this->Filter())
-    {
-      return false;
-    }
+    return false;
+  }
+  // From now on pictures are drawn straight into their target, this one already, so that all are alike.
+  if (this->Converged && this->Picture.Draw(state, delegate, this->Image, this->GetDarkness()))
+  {
+    return true;
   }
   return this->Darken.Draw(this->Window, this->Image, this->Depth, this->Image.GetColor(),
     this->Estimates, settings.Strength, settings.DelegateDrawsBackground);
+}
+
+bool OcclusionView::ShowsWhatIsKnown(const ScreenView& view) const
+{
+  return this->Converged && this->Picture.IsKnown() && !this->Settings.Restart &&
+    !this->Settings.HiddenChanged && this->Depth.GetView().SeesLike(view);
+}
+
+StillPicture::Darkness OcclusionView::GetDarkness() const
+{
+  return { this->Estimates, this->Settings.Strength, this->History.GetSpare() };
+}
+
+bool OcclusionView::Converge(EyeDepth::Change change)
+{
+  bool done = this->Estimate(change);
+  while (done && this->Settings.InOneRender && !this->MeetsTolerance())
+  {
+    done = this->Estimate(EyeDepth::Change::None);
+  }
+  this->Converged = done && this->MeetsTolerance();
+  return done && this->Filter();
 }
 
 bool OcclusionView::Estimate(EyeDepth::Change change)
@@ -116,7 +147,7 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   request.FirstSample = this->TotalSamples;
   const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
   request.Samples = many ? settings.FirstSamples : settings.Samples;
-  request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : nullptr;
+  request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : &this->Inside;
   request.TurnPixels = convergence < settings.RotationConvergence;
   const int samples = this->Estimator->Estimate(request, this->Estimates);
   if (samples < 1)
@@ -124,7 +155,7 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
     return false;
   }
   const bool added = refine
-    ? this->History.AddTo(this->Window, this->Image, this->Estimates, samples, request.Parts)
+    ? this->History.AddTo(this->Window, this->Image, this->Estimates, samples, *request.Parts)
     : this->JoinHistory(change, samples);
   if (!added)
   {
@@ -153,8 +184,8 @@ bool OcclusionView::JoinHistory(EyeDepth::Change change, int samples)
     // What came along from frames in motion is a little blurred: it shall not weigh for long.
     temporal.WeightCap = this->Settings.InvalidationWeight;
   }
-  return this->History.Add(
-    this->Window, this->Image, this->Depth, change, this->Estimates, samples, temporal);
+  return this->History.Add(this->Window, this->Image, this->Depth, change, this->Estimates, samples,
+    temporal, this->Inside);
 }
 
 bool OcclusionView::Filter()
@@ -165,21 +196,25 @@ bool OcclusionView::Filter()
   {
     // Every pixel is beyond the filter's reach.
     return this->Smoother.Copy(
-      this->Window, this->Image, this->History.GetTexture(), this->Estimates);
+      this->Window, this->Image, this->History.GetTexture(), this->Estimates, this->Inside);
   }
   return this->Smoother.Apply(this->Window, this->Image, this->Depth.GetView(),
     this->Depth.GetCurrent(), this->History.GetTexture(), this->History.GetSpare(), this->Estimates,
-    settings);
+    settings, this->Inside);
 }
 
 std::vector<float> OcclusionView::ReadMeans() const
 {
   const std::vector<float> depths = ReadBack(this->Depth.GetCurrent());
   const std::vector<float> history = ReadBack(this->History.GetTexture());
-  std::vector<float> values(depths.size());
+  std::vector<float> values(depths.size(), -1.f);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    values[i] = depths[i] < FarAway ? history[2 * i] / std::max(history[2 * i + 1], 1e-6f) : -1.f;
+    // Nothing has a weight outside of the picture proper.
+    if (depths[i] < FarAway && history[2 * i + 1] > 0.f)
+    {
+      values[i] = history[2 * i] / history[2 * i + 1];
+    }
   }
   return values;
 }
@@ -261,6 +296,7 @@ void OcclusionView::ReleaseGraphicsResources(vtkWindow* window)
   this->History.ReleaseGraphicsResources(window);
   this->Smoother.ReleaseGraphicsResources(window);
   this->Darken.ReleaseGraphicsResources(window);
+  this->Picture.ReleaseGraphicsResources(window);
   if (this->Estimates)
   {
     this->Estimates->ReleaseGraphicsResources(window);

@@ -11,6 +11,7 @@
 #include "Convergence.h"
 #include "DelegateImage.h"
 #include "EyeDepth.h"
+#include "StillPicture.h"
 #include "TemporalHistory.h"
 
 class vtkImageData;
@@ -36,9 +37,9 @@ struct OcclusionSettings
   bool Filter = true;
   bool InOneRender = false;
   bool DelegateDrawsBackground = true;
-  bool SceneChanged = true; ///< something besides the eye may have moved since the last frame
+  bool SceneChanged = true;   ///< something besides the eye may have moved since the last frame
   bool HiddenChanged = false; ///< something that the estimator sees and depth does not has changed
-  bool Restart = false;     ///< settings changed: what is known is worth nothing
+  bool Restart = false;       ///< settings changed: what is known is worth nothing
   int Margin[2] = { 0, 0 };
 };
 
@@ -75,6 +76,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  bool ShowsWhatIsKnown(const ScreenView& view) const;
+  StillPicture::Darkness GetDarkness() const;
+  bool Converge(EyeDepth::Change change);
   bool Estimate(EyeDepth::Change change);
   bool JoinHistory(EyeDepth::Change change, int samples);
   bool Filter();
@@ -91,6 +95,8 @@ private:
   BilateralFilter Smoother;
   Convergence Still;
   Composite Darken;
+  StillPicture Picture;
+  std::vector<Rectangle> Inside; ///< the picture without its margin: nobody sees the rest
   vtkSmartPointer<vtkTextureObject> Estimates; ///< new ones, then the filtered result
   int TotalSamples = 0;                        ///< place in the sample sequence
   int SettledSamples = 0;                      ///< since the last cut

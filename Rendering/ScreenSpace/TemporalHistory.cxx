@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraAccumulateFS.h"
 #include "vtkPenumbraHistoryFS.h"
+#include "vtkPenumbraNeighbourLib.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
@@ -36,18 +37,27 @@ void SetMotion(vtkShaderProgram* program, const EyeDepth& depth, const TemporalS
     static_cast<float>(before.Offset[1] / unit) };
   program->SetUniform4f("previousPixelToEye", pixelToEye);
   program->SetUniformf("depthTolerance", static_cast<float>(settings.DepthTolerance));
-  program->SetUniformf("neighbourValidation", settings.NeighbourValidation ? 1.f : 0.f);
-  program->SetUniformf("invalidationWeight", static_cast<float>(settings.InvalidationWeight));
+  if (settings.NeighbourValidation)
+  {
+    program->SetUniformf("invalidationWeight", static_cast<float>(settings.InvalidationWeight));
+  }
 }
 
 }
 
 bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const EyeDepth& depth, EyeDepth::Change change, vtkTextureObject* estimates, int samples,
-  const TemporalSettings& settings)
+  const TemporalSettings& settings, const std::vector<Rectangle>& parts)
 {
-  static const std::string reproject = Assemble(vtkPenumbraHistoryFS,
-    { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib } });
+  // Two programs: on some drivers what is skipped costs as much as what is done.
+  const auto assemble = [](const char* neighbours) {
+    return Assemble(vtkPenumbraHistoryFS,
+      { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
+        { "NeighbourLib", neighbours } });
+  };
+  static const std::string reproject =
+    assemble("float neighbourTrust(SurfacePoint point, vec3 before) { return maximumWeight; }");
+  static const std::string validate = assemble(vtkPenumbraNeighbourLib);
 
   const ScreenView& view = depth.GetView();
   bool isNew = false;
@@ -57,11 +67,16 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   }
   const bool moved = change == EyeDepth::Change::Some && !isNew;
   const bool fresh = change == EyeDepth::Change::All || isNew;
-  Stage& stage = moved ? this->Reproject : this->Accumulate;
+  Stage& stage = !moved            ? this->Accumulate
+    : settings.NeighbourValidation ? this->Validate
+                                   : this->Reproject;
   vtkTextureObject* last = this->GetTexture();
   this->Current = 1 - this->Current;
 
-  vtkShaderProgram* program = stage.Ready(window, moved ? reproject : vtkPenumbraAccumulateFS);
+  vtkShaderProgram* program = stage.Ready(window,
+    !moved                           ? vtkPenumbraAccumulateFS
+      : settings.NeighbourValidation ? validate
+                                     : reproject);
   const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
   {
@@ -79,12 +94,12 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
     stage.Read("eyeDepths", depth.GetCurrent());
     stage.Read("previousEyeDepths", depth.GetPrevious());
   }
-  stage.Draw();
+  stage.Draw(parts);
   return true;
 }
 
 bool TemporalHistory::AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  vtkTextureObject* estimates, int samples, const std::vector<Rectangle>* parts)
+  vtkTextureObject* estimates, int samples, const std::vector<Rectangle>& parts)
 {
   vtkShaderProgram* program = this->Sum.Ready(window, vtkPenumbraSumFS);
   const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
@@ -103,14 +118,7 @@ bool TemporalHistory::AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& 
   const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  if (parts)
-  {
-    this->Sum.Draw(*parts);
-  }
-  else
-  {
-    this->Sum.Draw();
-  }
+  this->Sum.Draw(parts);
   return true;
 }
 
@@ -125,6 +133,7 @@ void TemporalHistory::ReleaseGraphicsResources(vtkWindow* window)
     }
   }
   this->Reproject.ReleaseGraphicsResources(window);
+  this->Validate.ReleaseGraphicsResources(window);
   this->Accumulate.ReleaseGraphicsResources(window);
   this->Sum.ReleaseGraphicsResources(window);
 }

@@ -26,14 +26,14 @@ class TemporalHistory
 public:
   /// Joins `samples` new samples a pixel, whose mean is `estimates`, with the history. After
   /// Change::None pixel by pixel, after Change::Some where the points were before, after
-  /// Change::All there is no history. False when OpenGL refuses.
+  /// Change::All there is no history. Only within `parts`. False when OpenGL refuses.
   bool Add(vtkOpenGLRenderWindow* window, const DelegateImage& image, const EyeDepth& depth,
     EyeDepth::Change change, vtkTextureObject* estimates, int samples,
-    const TemporalSettings& settings);
+    const TemporalSettings& settings, const std::vector<Rectangle>& parts);
 
-  /// The same where nothing changed, only within `parts`, or everywhere if null.
+  /// The same where nothing changed.
   bool AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* estimates,
-    int samples, const std::vector<Rectangle>* parts);
+    int samples, const std::vector<Rectangle>& parts);
 
   vtkTextureObject* GetTexture() const { return this->Textures[this->Current]; }
 
@@ -46,6 +46,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Textures[2];
   int Current = 0;
   Stage Reproject;
+  Stage Validate; ///< the same, and looks whether neighbours have moved
   Stage Accumulate;
   Stage Sum;
 };

@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,43 @@ TEST(TemporalSSAOPass, FreezesOnceConverged)
   scene.Look({ .1, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   EXPECT_GT(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
+}
+
+TEST(TemporalSSAOPass, FollowsColoursWithoutNewSamples)
+{
+  // Once converged the scene is drawn as it is and only multiplied by what is known; in a part of the
+  // window as in all of it.
+  OcclusionScene scene;
+  scene.AddFloor();
+  const auto sphere = scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Renderer->SetViewport(.25, .25, 1, 1);
+  scene.Occlude(1.0);
+  scene.Window->Render();
+  ASSERT_TRUE(scene.Pass->IsConverged());
+  sphere->GetProperty()->SetColor(0, .5, 1);
+  scene.Window->Render();
+  EXPECT_EQ(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
+  const std::vector<int> darkened = scene.Picture();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
+  scene.Window->Render();
+  const std::vector<int> plain = scene.Picture();
+  const int left = 40;
+  const int bottom = 30;
+  ASSERT_EQ(occlusion.size(), 120u * 90u);
+  for (int j = 0; j < 90; ++j)
+  {
+    for (int i = 0; i < 120; ++i)
+    {
+      const float open = 1.f - occlusion[j * 120 + i];
+      for (int c = 0; c < 3; ++c)
+      {
+        const int at = 4 * ((j + bottom) * scene.Width + i + left) + c;
+        ASSERT_NEAR(darkened[at], open * plain[at], 1.5) << i << ", " << j;
+      }
+    }
+  }
 }
 
 TEST(TemporalSSAOPass, LeavesThePictureExactlyAsItWasWhenRemoved)

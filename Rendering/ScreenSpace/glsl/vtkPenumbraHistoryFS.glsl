@@ -18,10 +18,6 @@ uniform float newSamples;
 uniform float maximumWeight;
 uniform float weightCap;           // no more of the history counts in this frame
 uniform float depthTolerance;      // relative, eq. 8
-uniform float neighbourValidation; // 1: something may have moved, look at the neighbours (eq. 9)
-uniform float invalidationWeight;  // eq. 9 pulls no weight below this
-
-const int neighbours = 8;
 
 vec2 previousPlane(vec2 pixel)
 {
@@ -76,29 +72,7 @@ vec2 keptHistory(vec3 position, vec3 normal)
   return sum / weights;
 }
 
-// How far the distances between the point and what surrounds it have changed, in radii: the largest
-// of a ring of neighbours [TSSAO eq. 9].
-float neighbourChange(SurfacePoint point, vec3 before)
-{
-  vec2 reach = 1.0 / (pixelToEye.xy * mix(1.0, -point.position.z, perspective));
-  float turn = 6.2831853 * fract(52.9829189 * fract(dot(floor(point.pixel), vec2(0.06711056, 0.00583715))));
-  float change = 0.0;
-  for (int i = 0; i < neighbours; ++i)
-  {
-    float angle = turn + 2.3999632 * float(i); // the golden angle
-    float away = sqrt((float(i) + 0.5) / float(neighbours));
-    vec2 pixel = point.pixel + away * reach * vec2(cos(angle), sin(angle));
-    vec3 now = eyePositionAt(pixel);
-    vec3 then = (toPreviousEye * vec4(now, 1.0)).xyz;
-    vec2 was = previousPixel(then);
-    vec3 found = vec3(previousPlane(was), -1.0) * vec3(vec2(mix(1.0, previousDepthAt(was), perspective)), previousDepthAt(was));
-    float span = min(length(now - point.position), 1.0);
-    float spanBefore = min(length(found - before), 1.0);
-    bool seen = isInside(pixel) && isInside(was);
-    change = max(change, seen ? abs(span - spanBefore) : 0.0);
-  }
-  return change;
-}
+//VTK::Penumbra::NeighbourLib
 
 void main()
 {
@@ -106,12 +80,7 @@ void main()
   vec3 before = (toPreviousEye * vec4(point.position, 1.0)).xyz;
   vec2 kept = keptHistory(before, mat3(toPreviousEye) * point.normal);
   float weight = min(kept.g, weightCap);
-  if (neighbourValidation > 0.5)
-  {
-    // Full trust below a hundredth of the radius, none above a tenth.
-    float trust = 1.0 - smoothstep(0.01, 0.1, neighbourChange(point, before));
-    weight = min(weight, mix(invalidationWeight, maximumWeight, trust));
-  }
+  weight = min(weight, neighbourTrust(point, before));
   float estimate = texture(estimates, gl_FragCoord.xy * pixelSize).r;
   weight = min(weight, maximumWeight - newSamples);
   kept *= weight / max(kept.g, 1e-6);

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StillPicture.h"
+
+#include "OpenGLFunctions.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPenumbraStillCopyFS.h"
+#include "vtkPenumbraStillDarkenFS.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Where a frame goes; null unless its colours and depths are textures with one sample a pixel.
+vtkOpenGLFramebufferObject* ReadableTarget(
+  const vtkRenderState* state, vtkOpenGLRenderWindow* window)
+{
+  auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer());
+  vtkOpenGLFramebufferObject* target = outer ? outer : window->GetRenderFramebuffer();
+  const bool readable = target && target->GetMultiSamples() <= 1 &&
+    (outer || window->GetMultiSamples() <= 1) && target->GetColorAttachmentAsTextureObject(0) &&
+    target->GetDepthAttachmentAsTextureObject();
+  return readable ? target : nullptr;
+}
+
+void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
+{
+  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
+  program->SetUniform2f(name, values);
+}
+
+void SetPixelSize(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
+{
+  SetVector(program, name, 1.0 / texture->GetWidth(), 1.0 / texture->GetHeight());
+}
+
+}
+
+bool StillPicture::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
+  const DelegateImage& image, const Darkness& darkness)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+  vtkOpenGLFramebufferObject* target = ReadableTarget(state, window);
+  if (!target)
+  {
+    this->Known = false;
+    return false;
+  }
+  delegate->Render(state);
+  this->Props = delegate->GetNumberOfRenderedProps();
+  vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();
+  this->Known = this->Known || this->Remember(window, image, depth, darkness);
+  this->Known = this->Known && this->Darken(window, image, target, darkness.Memory);
+  return this->Known;
+}
+
+bool StillPicture::Remember(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkTextureObject* depth, const Darkness& darkness)
+{
+  vtkShaderProgram* program = this->Copy.Ready(window, vtkPenumbraStillCopyFS);
+  const DrawInto into(window, image.GetFramebuffer(), { darkness.Memory });
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const int* at = image.GetViewport();
+  const int* margin = image.GetMargin();
+  SetVector(program, "offset", at[0] - margin[0], at[1] - margin[1]);
+  SetPixelSize(program, "targetPixelSize", depth);
+  SetPixelSize(program, "pixelSize", darkness.Occlusions);
+  program->SetUniformf("strength", static_cast<float>(darkness.Strength));
+  this->Copy.Read("depthBuffer", depth);
+  this->Copy.Read("occlusions", darkness.Occlusions);
+  this->Copy.Draw({ { margin[0], margin[1], at[2], at[3] } });
+  return true;
+}
+
+bool StillPicture::Darken(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkOpenGLFramebufferObject* target, vtkTextureObject* memory)
+{
+  vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();
+  vtkShaderProgram* program = this->Multiply.Ready(window, vtkPenumbraStillDarkenFS);
+  const DrawInto into(
+    window, image.GetFramebuffer(), { target->GetColorAttachmentAsTextureObject(0) });
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const int* at = image.GetViewport();
+  const int* margin = image.GetMargin();
+  SetVector(program, "offset", margin[0] - at[0], margin[1] - at[1]);
+  SetPixelSize(program, "targetPixelSize", depth);
+  SetPixelSize(program, "pixelSize", memory);
+  this->Multiply.Read("depthBuffer", depth);
+  this->Multiply.Read("memory", memory);
+
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate function(gl);
+  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
+  gl->vtkglEnable(GL_BLEND);
+  gl->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  GLuint query = 0;
+  GLuint unchanged = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  this->Multiply.Draw();
+  glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &unchanged);
+  glDeleteQueries(1, &query);
+  return unchanged == static_cast<GLuint>(at[2]) * static_cast<GLuint>(at[3]);
+}
+
+void StillPicture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Copy.ReleaseGraphicsResources(window);
+  this->Multiply.ReleaseGraphicsResources(window);
+  this->Known = false;
+}
+
+}

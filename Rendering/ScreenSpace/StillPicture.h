@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The cheap way to draw a picture whose occlusion is known: the delegate draws straight into the
+// target, which is then darkened. Depth tells whether it is still the picture that was known.
+#ifndef penumbra_StillPicture_h
+#define penumbra_StillPicture_h
+
+#include "DelegateImage.h"
+#include "Stage.h"
+
+namespace penumbra
+{
+
+class StillPicture
+{
+public:
+  /// What a picture is darkened by, and where that is remembered.
+  struct Darkness
+  {
+    vtkTextureObject* Occlusions;
+    double Strength;
+    vtkTextureObject* Memory; ///< two floats a pixel, nobody else's until Forget()
+  };
+
+  /// Draws the delegate into the target of `state` and multiplies it by 1 - strength * occlusion,
+  /// where there is a surface. The first picture after Forget() is remembered; of others it is false
+  /// when any depth differs, and false where the target's depth cannot be read: then the target's
+  /// content is to be drawn over. `image`: aimed at the target.
+  bool Draw(const vtkRenderState* state, vtkRenderPass* delegate, const DelegateImage& image,
+    const Darkness& darkness);
+
+  /// Is there a picture to compare with?
+  bool IsKnown() const { return this->Known; }
+  void Forget() { this->Known = false; }
+
+  int GetNumberOfRenderedProps() const { return this->Props; }
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool Remember(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* depth,
+    const Darkness& darkness);
+  bool Darken(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+    vtkOpenGLFramebufferObject* target, vtkTextureObject* memory);
+
+  Stage Copy;
+  Stage Multiply;
+  int Props = 0;
+  bool Known = false;
+};
+
+}
+#endif
