@@ -7,6 +7,10 @@ set(penumbra_vtk_components
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
   RenderingContextOpenGL2 RenderingVolume RenderingVolumeOpenGL2 vtksys)
 set(penumbra_vtk_readers IOCGNSReader IOHDF IOXdmf2)
+if (PENUMBRA_BUILD_PYTHON)
+  find_package(Python3 3.12 REQUIRED COMPONENTS Interpreter Development.Module)
+  list(APPEND penumbra_vtk_components Python WrappingPythonCore)
+endif ()
 # ParaView brings its VTK along, which needs the Python that ParaView was built with.
 if (PENUMBRA_BUILD_PLUGIN)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
@@ -14,7 +18,9 @@ if (PENUMBRA_BUILD_PLUGIN)
 endif ()
 find_package(VTK REQUIRED
   COMPONENTS ${penumbra_vtk_components} OPTIONAL_COMPONENTS ${penumbra_vtk_readers})
-list(APPEND CMAKE_INSTALL_RPATH "$<TARGET_FILE_DIR:VTK::vtksys>")
+if (NOT PENUMBRA_BUILD_PYTHON)
+  list(APPEND CMAKE_INSTALL_RPATH "$<TARGET_FILE_DIR:VTK::vtksys>")
+endif ()
 
 find_package(embree 4 CONFIG QUIET)
 if (NOT embree_FOUND)

@@ -5,6 +5,7 @@ include(CTest)
 option(PENUMBRA_BUILD_COMMAND "Build the program `penumbra`." ON)
 option(PENUMBRA_BUILD_BENCHMARKS "Build the benchmarks, beside the tests." ON)
 option(PENUMBRA_BUILD_PLUGIN "Build the plugin for ParaView, whose VTK has to be the one in use." OFF)
+option(PENUMBRA_BUILD_PYTHON "Build the wheel for CPython 3.12 and newer." OFF)
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
 option(PENUMBRA_SANITIZERS "Watch our own code with AddressSanitizer and UBSan." OFF)
 set(PENUMBRA_WINDOW vtkOSOpenGLRenderWindow CACHE STRING
@@ -26,6 +27,14 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}"
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# Inside a wheel, libraries find each other and VTK beside themselves; what they bring does so, too.
+if (PENUMBRA_BUILD_PYTHON)
+  set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
+  set(CMAKE_INSTALL_RPATH_USE_LINK_PATH OFF)
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../cvista")
+  add_link_options(-Wl,--disable-new-dtags)
+endif ()
 
 # One arithmetic everywhere: a multiplication and an addition are never contracted into one
 # rounding, so that a picture does not depend on the compiler's choice.

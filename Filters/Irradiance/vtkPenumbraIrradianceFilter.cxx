@@ -21,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <new>
 
@@ -124,6 +125,13 @@ void vtkPenumbraIrradianceFilter::Execute(
   vtkInformationVector* inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
+  const int pieces = outputs->GetInformationObject(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  if (pieces > 1)
+  {
+    vtkWarningMacro(
+      "This is one of " << pieces << " pieces: what the others hold does not block it.");
+  }
   if (auto* composite = vtkCompositeDataSet::GetData(inputs))
   {
     const Blocks blocks(composite);

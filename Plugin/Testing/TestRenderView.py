@@ -91,6 +91,18 @@ class RenderViewPenumbra(unittest.TestCase):
         self.view.SunIntensity = 5
         self.assertGreater((self.picture()[seen] / 255 - dimmed[seen] / 255).max(), 0.02)
 
+    def test_keeps_its_memory_over_500_frames(self):
+        self.view.ViewSize = [64, 64]
+        self.view.Tolerance = 0.1
+        self.view.LightShafts = 1
+        for frame in range(500):
+            angle = 2 * numpy.pi * frame / 500
+            self.view.CameraPosition = [6 * numpy.sin(angle), -6 * numpy.cos(angle), 8]
+            Render(self.view)
+            if frame == 100:
+                before = resident_megabytes()
+        self.assertLess(resident_megabytes() - before, 10)
+
     def test_has_the_defaults_of_its_class(self):
         shown = CreateView("PenumbraRenderView")
         text = str(shown.SMProxy.GetClientSideObject())

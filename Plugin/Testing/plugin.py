@@ -119,6 +119,11 @@ def statistic(data, name):
     return data.GetFieldData().GetArray(name).GetValue(0)
 
 
+def resident_megabytes():
+    with open("/proc/self/statm") as numbers:
+        return int(numbers.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
 def rmse(a, b):
     return float(numpy.sqrt(numpy.mean((numpy.asarray(a, float) - numpy.asarray(b, float)) ** 2)))
 

@@ -143,6 +143,11 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool shows = !controller || controller->GetLocalProcessId() == 0;
   const bool wanted = hasWork && shows && !this->GetMakingSelection();
+  if (wanted && !this->SynchronizedRenderers->GetEnabled())
+  {
+    // Edges are smoothed once, when the pass is done: what ParaView does after putting pictures together.
+    this->GetRenderer()->SetUseFXAA(false);
+  }
   this->SynchronizedRenderers->SetUseDepthBuffer(wanted);
   this->SynchronizedRenderers->SetImageProcessingPass(wanted ? pass : nullptr);
 }

@@ -28,6 +28,9 @@ public:
   /** Make it known to vtkPenumbraTemporalSSAOPass as the kernel "traced". */
   static void Register();
 
+  /** The same by a name that wrapped languages show. */
+  static void MakeKnown() { vtkPenumbraTracedEstimator::Register(); }
+
   ///@{
   /**
    * One ray a pixel for so many samples asked for (at least one ray), 1 to 512: a ray costs about

@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scanned head: how open does each of its points lie? Baked once, shown by rays."""
+import pathlib
+
+import matplotlib.image
+import penumbra  # noqa: F401
+import pyvista as pv
+
+data = pathlib.Path(__file__).parents[2] / "Data"
+head = pv.read(data / "head.ply")
+baked = head.penumbra.bake_ambient_occlusion(tolerance=0.02)
+records, points = (baked.field_data[name][0] for name in ("Cache/Records", "Points/Total"))
+print(f"{points:.0f} points, {records:.0f} records, error {baked.field_data['EstimatedError'][0]:.3f}")
+
+plotter = pv.Plotter(off_screen=True, window_size=(480, 480))
+plotter.add_mesh(baked, scalars="AmbientOcclusion", cmap="bone_r", clim=(0, 1), show_scalar_bar=False)
+picture = plotter.penumbra.ray_cast(tolerance=1 / 128)
+
+matplotlib.image.imsave("scanned_mesh.png", picture)
+
+values = baked["AmbientOcclusion"]
+assert 0.0 <= values.min() and values.max() <= 1.0 and 0.05 < values.mean() < 0.6

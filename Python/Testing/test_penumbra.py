@@ -1,0 +1,215 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The wheel, as a user has it: installed beside cvista and PyVista, no display."""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+import pyvista
+
+import penumbra
+from penumbra.statistics import counts_of
+
+
+def rmse(a, b):
+    return float(numpy.sqrt(numpy.mean((numpy.asarray(a, float) - numpy.asarray(b, float)) ** 2)))
+
+
+def plane():
+    return pyvista.Plane(i_size=6, j_size=6, i_resolution=24, j_resolution=24)
+
+
+def ball():
+    return pyvista.Sphere(
+        radius=0.5, center=(0, 0, 0.8), theta_resolution=120, phi_resolution=120)
+
+
+def scene(**options):
+    plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
+    for mesh in (plane(), ball()):
+        plotter.add_mesh(mesh, color="white", **options)
+    plotter.camera_position = [(2.0, -4.0, 3.0), (0.0, 0.0, 0.3), (0.0, 0.0, 1.0)]
+    return plotter
+
+
+def closed_form(points):
+    """The share of a hemisphere about +z that the ball covers."""
+    return 0.25 * 0.8 / numpy.linalg.norm(points - [0, 0, 0.8], axis=1) ** 3
+
+
+class BakedOcclusion(unittest.TestCase):
+    def check(self, baked):
+        values = baked["AmbientOcclusion"]
+        self.assertLess(rmse(values, closed_form(baked.points)), 0.01)
+        self.assertGreater(values.max(), 0.3)
+
+    def test_matches_the_closed_form_under_a_sphere(self):
+        both = plane().merge(ball(), merge_points=False)
+        baked = both.penumbra.bake_ambient_occlusion(radius=math.inf)
+        on_plane = numpy.abs(baked.points[:, 2]) < 1e-6
+        truth = closed_form(baked.points[on_plane])
+        self.assertLess(rmse(baked["AmbientOcclusion"][on_plane], truth), 0.01)
+        self.assertGreater(baked.field_data["Rays/Total"][0], 0)
+        self.assertLess(baked.field_data["EstimatedError"][0], 0.01)
+        self.assertNotIn("AmbientOcclusion", both.array_names)
+
+    def test_lets_blocks_block_one_another(self):
+        blocks = pyvista.MultiBlock([plane(), ball()])
+        self.check(blocks.penumbra.bake_ambient_occlusion(radius=100.0)[0])
+
+    def test_can_go_into_the_mesh_itself(self):
+        mesh = ball()
+        self.assertIs(mesh.penumbra.bake_ambient_occlusion(inplace=True), mesh)
+        self.assertEqual(len(mesh["AmbientOcclusion"]), mesh.n_points)
+
+    def test_can_go_onto_cells(self):
+        baked = ball().penumbra.bake_ambient_occlusion(on="cells")
+        self.assertEqual(len(baked.cell_data["AmbientOcclusion"]), baked.n_cells)
+
+    def test_shares_its_values_with_vtk(self):
+        baked = ball().penumbra.bake_ambient_occlusion()
+        baked["AmbientOcclusion"][0] = 0.75
+        array = baked.GetPointData().GetArray("AmbientOcclusion")
+        self.assertEqual(array.GetValue(0), 0.75)
+
+    def test_refuses_what_makes_no_sense(self):
+        bake = ball().penumbra.bake_ambient_occlusion
+        for wrong in ({"tolerance": 0.0}, {"radius": -1.0}, {"radius": math.nan}, {"on": "edges"}):
+            with self.assertRaises(ValueError):
+                bake(**wrong)
+        with self.assertRaisesRegex(TypeError, "extract_surface"):
+            pyvista.ImageData(dimensions=(3, 3, 3)).penumbra.bake_ambient_occlusion()
+
+
+class RayCastPicture(unittest.TestCase):
+    def test_covers_the_exact_share_of_every_pixel(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))
+        square = pyvista.Plane(i_size=0.73, j_size=0.41, i_resolution=1, j_resolution=1)
+        plotter.add_mesh(square, color="white", lighting=False)
+        plotter.camera_position = "xy"
+        plotter.enable_parallel_projection()
+        plotter.camera.parallel_scale = 0.5
+        picture = plotter.penumbra.ray_cast(transparent_background=True, as_float=True)
+        self.assertEqual(picture.shape, (20, 20, 4))
+        self.assertAlmostEqual(float(picture[..., 3].sum()), 0.73 * 0.41 * 400, places=3)
+
+    def test_agrees_with_the_window_away_from_edges(self):
+        plotter = scene()
+        picture = plotter.penumbra.ray_cast()
+        window = plotter.screenshot(return_img=True)
+        self.assertEqual(picture.shape, window.shape)
+        self.assertEqual(picture.dtype, window.dtype)
+        off = numpy.abs(picture.astype(int) - window.astype(int)).max(axis=2)
+        self.assertLess(numpy.count_nonzero(off > 4), 0.05 * off.size)
+
+    def test_tells_its_error_and_its_work(self):
+        _, counts = scene().penumbra.ray_cast(return_statistics=True)
+        self.assertGreater(counts["Rays/Total"], 0)
+        self.assertLess(counts["EstimatedError"], 1 / 256)
+
+    def test_darkens_where_the_ball_hides_the_sky(self):
+        plotter = scene()
+        plain = plotter.penumbra.ray_cast(as_float=True)
+        dark = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=100.0, as_float=True)
+        self.assertTrue((dark <= plain + 1 / 128).all())
+        self.assertLess((dark / plain).min(), 0.7)
+
+
+class TemporalOcclusion(unittest.TestCase):
+    def test_comes_near_to_rays(self):
+        plotter = scene(lighting=False)
+        plain = plotter.screenshot(return_img=True).astype(float)
+        occlusion = plotter.penumbra.enable_temporal_ssao(radius=1.0)
+        dark = plotter.screenshot(return_img=True).astype(float)
+        self.assertTrue(occlusion.IsConverged())
+        self.assertEqual(occlusion.GetActiveKernelName(), "traced")
+        self.assertGreater(counts_of(occlusion)["Samples/Still"], 0)
+        truth = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=1.0).astype(float)
+        edges = numpy.abs(plain - plotter.penumbra.ray_cast()).max(axis=2) > 4
+        self.assertLess(rmse(dark[~edges], truth[~edges]), 0.02 * 255)
+        self.assertGreater(rmse(plain, dark), 0.03 * 255)
+
+    def test_can_be_switched_off_again(self):
+        plotter = scene()
+        plain = plotter.screenshot(return_img=True)
+        plotter.penumbra.enable_temporal_ssao()
+        plotter.render()
+        plotter.penumbra.disable_temporal_ssao()
+        numpy.testing.assert_array_equal(plotter.screenshot(return_img=True), plain)
+
+    def test_refuses_what_makes_no_sense(self):
+        plotter = scene()
+        for wrong in ({"radius": -1.0}, {"tolerance": 2.0}, {"strength": 3.0}):
+            with self.assertRaises(ValueError):
+                plotter.penumbra.enable_temporal_ssao(**wrong)
+
+
+class LightShafts(unittest.TestCase):
+    def test_add_light_to_the_picture(self):
+        plotter = scene()
+        plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
+        plain = plotter.screenshot(return_img=True).astype(int)
+        plotter.penumbra.enable_light_shafts()
+        hazy = plotter.screenshot(return_img=True).astype(int)
+        self.assertGreater(numpy.abs(hazy - plain).max(), 8)
+        with self.assertRaisesRegex(ValueError, "phase"):
+            plotter.penumbra.enable_light_shafts(phase="mie")
+
+
+class RenderPassesProvider(unittest.TestCase):
+    def test_is_found_and_darkens(self):
+        plotter = scene()
+        passes = plotter.render_passes
+        self.assertEqual(dict(passes.provider_errors), {})
+        plain = plotter.screenshot(return_img=True).astype(int)
+        passes.set_state({"providers": {"penumbra": {"ambient_occlusion": True}}})
+        plotter.render()
+        dark = plotter.screenshot(return_img=True).astype(int)
+        self.assertGreater((plain - dark).max(), 32)
+
+
+class Package(unittest.TestCase):
+    def run_script(self, script, **environment):
+        return subprocess.run(
+            [sys.executable, "-c", script], capture_output=True, text=True,
+            env={name: value for name, value in os.environ.items() if name != "DISPLAY"}
+            | environment)
+
+    def test_draws_from_a_plain_script_without_a_display(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "picture.png")
+            run = self.run_script(
+                "import penumbra, pyvista\n"
+                "plotter = pyvista.Plotter(off_screen=True, window_size=(64, 48))\n"
+                "plotter.add_mesh(pyvista.Sphere())\n"
+                "plotter.penumbra.enable_temporal_ssao()\n"
+                f"plotter.screenshot({path!r})\n")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertGreater(numpy.ptp(pyvista.read(path).active_scalars), 50)
+
+    def test_says_what_is_missing_without_its_vtk(self):
+        run = self.run_script(
+            "import sys\n"
+            "sys.modules['cvista'] = None\n"
+            "import penumbra\n")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("pip install 'cvista[all]'", run.stderr.splitlines()[-1])
+
+    def test_refuses_a_pyvista_on_another_vtk(self):
+        run = self.run_script("import penumbra", PYVISTA_VTK_BACKEND="vtk")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("same VTK", run.stderr.splitlines()[-1])
+
+    def test_has_docstrings_and_type_stubs(self):
+        self.assertIn("ray casting", penumbra.vtkPenumbraRayCaster.__doc__)
+        folder = os.path.dirname(penumbra.__file__)
+        with open(os.path.join(folder, "vtkPenumbraFiltersRayCasting.pyi")) as stub:
+            self.assertIn("def SetTolerance(self, _arg:float) -> None", stub.read())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""How much of it is visible? Ambient occlusion, light shafts and flawless antialiasing for VTK.
+
+All public classes of Penumbra are here under their VTK names. With PyVista they are also
+``plotter.penumbra`` and ``mesh.penumbra``, see :mod:`penumbra.plotter` and :mod:`penumbra.mesh`.
+"""
+import importlib.util as _util
+import os as _os
+
+try:
+    # Windows of this VTK draw, and its libraries are loaded, only once these are imported.
+    from cvista import vtkFiltersGeometry, vtkFiltersGeneral, vtkRenderingAnnotation  # noqa: F401
+    from cvista import vtkRenderingFreeType, vtkRenderingOpenGL2  # noqa: F401
+except ImportError as error:
+    raise ImportError(
+        "penumbra needs VTK with rendering as the package cvista; install it by "
+        "pip install 'cvista[all]'"
+    ) from error
+
+if _os.environ.get("PYVISTA_VTK_BACKEND", "cvista") != "cvista":
+    raise ImportError(
+        "penumbra and PyVista have to use the same VTK: leave PYVISTA_VTK_BACKEND unset, or set it "
+        "to cvista"
+    )
+
+from .vtkPenumbraFiltersRayCasting import *  # noqa: E402,F401,F403
+from .vtkPenumbraFiltersIrradiance import *  # noqa: E402,F401,F403
+from .vtkPenumbraRenderingScreenSpace import *  # noqa: E402,F401,F403
+from .vtkPenumbraRenderingIrradiance import *  # noqa: E402,F401,F403
+
+vtkPenumbraTracedEstimator.MakeKnown()  # noqa: F405
+
+if _util.find_spec("pyvista"):
+    import pyvista as _pyvista
+
+    from .mesh import MeshAccessor
+    from .plotter import PlotterAccessor
+
+    _pyvista.register_plotter_component("penumbra")(PlotterAccessor)
+    for _target in (_pyvista.DataSet, _pyvista.MultiBlock):
+        _pyvista.register_dataset_accessor("penumbra", _target)(MeshAccessor)

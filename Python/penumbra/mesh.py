@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""``mesh.penumbra``: visibility baked onto PyVista's meshes."""
+import pyvista
+
+from .statistics import counts_of, update
+from .vtkPenumbraFiltersIrradiance import vtkPenumbraIrradianceFilter
+
+
+class MeshAccessor:
+    """Registered as ``mesh.penumbra`` for PyVista's data sets and multiblocks."""
+
+    def __init__(self, mesh):
+        self._mesh = mesh
+
+    def bake_ambient_occlusion(
+        self, *, tolerance=0.01, radius=None, on="points", compute_normals=False, point_radius=0.0,
+        inplace=False,
+    ):
+        """Return the mesh with the array ``AmbientOcclusion``: 0 open, 1 blocked.
+
+        Parameters
+        ----------
+        tolerance : float
+            The error that you accept: RMSE over all points, 0.0001 to 1.
+        radius : float, optional
+            Reach of an occluder in the mesh's own unit, may be ``inf``; default: a tenth of the
+            diagonal of its bounds.
+        on : {"points", "cells"}
+            A value for every point, or for the centre of every cell.
+        compute_normals : bool
+            Compute normals even where the mesh brings some.
+        point_radius : float
+            Where there are no polygons: the radius of the discs that stand for points.
+        inplace : bool
+            Add the array to this mesh instead of to a copy.
+
+        The blocks of a multiblock may block one another. Counts of the work done are in the field
+        data; ``EstimatedError`` among them is the error that the filter believes it made.
+        """
+        if on not in ("points", "cells"):
+            raise ValueError(f"on is 'points' or 'cells', not {on!r}")
+        if not 1e-4 <= tolerance <= 1.0:
+            raise ValueError(f"tolerance is 0.0001 to 1, not {tolerance!r}")
+        if radius is not None and not radius > 0.0:
+            raise ValueError(f"radius is a length, not {radius!r}")
+        if isinstance(self._mesh, pyvista.Grid):
+            raise TypeError(
+                f"{type(self._mesh).__name__} has no surface of its own: use its extract_surface()")
+        bake = vtkPenumbraIrradianceFilter()
+        bake.SetInputDataObject(self._mesh)
+        bake.SetTolerance(tolerance)
+        bake.SetRadius(0.0 if radius is None else min(radius, 1e299))
+        bake.SetOnCells(on == "cells")
+        bake.SetComputeNormals(compute_normals)
+        bake.SetPointRadius(point_radius)
+        update(bake)
+        baked = pyvista.wrap(bake.GetOutputDataObject(0))
+        for name, count in counts_of(bake).items():
+            baked.field_data[name] = [count]
+        baked.field_data["EstimatedError"] = [bake.GetEstimatedError()]
+        if inplace:
+            self._mesh.copy_from(baked) if isinstance(self._mesh, pyvista.DataSet) else (
+                self._mesh.shallow_copy(baked))
+            return self._mesh
+        return baked

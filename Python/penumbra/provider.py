@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ambient occlusion and light shafts for the chain of pyvista-render-passes."""
+from pyvista_render_passes import BasePassProvider
+
+from . import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
+
+DEFAULTS = {
+    "ambient_occlusion": False,
+    "radius": None,
+    "strength": 1.0,
+    "tolerance": 0.01,
+    "light_shafts": False,
+}
+
+
+class OcclusionProvider(BasePassProvider):
+    """Found by its entry point; off until switched on::
+
+        plotter.render_passes.set_state({"providers": {"penumbra": {"ambient_occlusion": True}}})
+    """
+
+    name = "penumbra"
+    stages = ("base",)
+
+    def __init__(self):
+        self._state = dict(DEFAULTS)
+
+    def default_state(self):
+        return dict(DEFAULTS)
+
+    def get_state(self):
+        return dict(self._state)
+
+    def set_state(self, state):
+        self._state.update({name: state[name] for name in DEFAULTS if name in state})
+
+    def veto(self, settings):
+        if settings.get("ssao") and self._state["ambient_occlusion"]:
+            return "the scene would be darkened twice: switch one ambient occlusion off"
+        return None
+
+    def build_pass(self, stage, renderer, chain, delegate):
+        state = self._state
+        whole = delegate
+        if state["ambient_occlusion"]:
+            occlusion = vtkPenumbraTemporalSSAOPass()
+            if state["radius"] is not None:
+                occlusion.SetRadiusUnit(occlusion.WORLD)
+                occlusion.SetRadius(state["radius"])
+            occlusion.SetStrength(state["strength"])
+            occlusion.SetTolerance(state["tolerance"])
+            occlusion.SetDelegatePass(whole)
+            whole = occlusion
+        if state["light_shafts"]:
+            shafts = vtkPenumbraLightShaftPass()
+            shafts.SetDelegatePass(whole)
+            whole = shafts
+        return whole
