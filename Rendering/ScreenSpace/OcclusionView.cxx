@@ -63,7 +63,8 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   ScreenView view = this->Image.GetView();
   view.Unit = settings.Radius;
   if (this->ShowsWhatIsKnown(view) &&
-    this->Picture.Draw(state, delegate, this->Image, this->GetDarkness()))
+    this->Picture.Draw(
+      state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
   {
     this->Props = this->Picture.GetNumberOfRenderedProps();
     return true;
@@ -103,7 +104,9 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
     return false;
   }
   // From now on pictures are drawn straight into their target, this one already, so that all are alike.
-  if (this->Converged && this->Picture.Draw(state, delegate, this->Image, this->GetDarkness()))
+  if (this->Converged &&
+    this->Picture.Draw(
+      state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
   {
     return true;
   }

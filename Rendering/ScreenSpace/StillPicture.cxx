@@ -31,6 +31,21 @@ vtkOpenGLFramebufferObject* ReadableTarget(
   return readable ? target : nullptr;
 }
 
+/// Whoever draws the whole picture finds what DelegateImage offers, too.
+void Clear(vtkOpenGLState* gl, const int at[4])
+{
+  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
+  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
+  gl->vtkglEnable(GL_SCISSOR_TEST);
+  gl->vtkglEnable(GL_DEPTH_TEST);
+  gl->vtkglDepthFunc(GL_LEQUAL);
+  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl->vtkglDepthMask(GL_TRUE);
+  gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
+  gl->vtkglClearDepth(1.0);
+  gl->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
 {
   const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
@@ -45,7 +60,7 @@ void SetPixelSize(vtkShaderProgram* program, const char* name, vtkTextureObject*
 }
 
 bool StillPicture::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
-  const DelegateImage& image, const Darkness& darkness)
+  const DelegateImage& image, const Darkness& darkness, bool clear)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
   vtkOpenGLFramebufferObject* target = ReadableTarget(state, window);
@@ -53,6 +68,15 @@ bool StillPicture::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     this->Known = false;
     return false;
+  }
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
+  if (clear)
+  {
+    Clear(gl, image.GetViewport());
   }
   delegate->Render(state);
   this->Props = delegate->GetNumberOfRenderedProps();

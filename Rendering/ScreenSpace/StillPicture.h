@@ -26,9 +26,9 @@ public:
   /// Draws the delegate into the target of `state` and multiplies it by 1 - strength * occlusion,
   /// where there is a surface. The first picture after Forget() is remembered; of others it is false
   /// when any depth differs, and false where the target's depth cannot be read: then the target's
-  /// content is to be drawn over. `image`: aimed at the target.
+  /// content is to be drawn over. `image`: aimed at the target, which is cleared first if asked for.
   bool Draw(const vtkRenderState* state, vtkRenderPass* delegate, const DelegateImage& image,
-    const Darkness& darkness);
+    const Darkness& darkness, bool clear);
 
   /// Is there a picture to compare with?
   bool IsKnown() const { return this->Known; }

@@ -90,6 +90,11 @@ void vtkPenumbraKernelEstimator::SetKernel(int kernel)
   }
 }
 
+double vtkPenumbraKernelEstimator::GetBias()
+{
+  return vtkPenumbraKernels::GetBias(this->Kernel);
+}
+
 double vtkPenumbraKernelEstimator::ThicknessOf(const penumbra::EyeDepth& depth)
 {
   Internals& state = *this->Implementation;

@@ -34,6 +34,8 @@ public:
   vtkGetMacro(Thickness, double);
   ///@}
 
+  /** As vtkPenumbraKernels knows it. */
+  double GetBias() override;
   int Estimate(const Request& request, vtkTextureObject* target) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -22,16 +22,17 @@ struct Kernel
   const char* Name;
   const char* Source;
   const char* FallOff;
+  double Bias;
   int FetchesPerPoint;
   const char* Shader;
 };
 
 const Kernel Table[] = {
-  { "volumetric", "[TSSAO eq. 3, 14]", "1 - t", 1, vtkPenumbraEstimateVolumetricFS },
-  { "patch", "[TSSAO eq. 12-13]", "", 1, vtkPenumbraEstimatePatchFS },
-  { "depth-difference", "[ISAO eq. 2]", "", 1, vtkPenumbraEstimateDepthDifferenceFS },
-  { "horizon", "[GTAO eq. 7]; [TSSAO eq. 1]", "1", 8, vtkPenumbraEstimateHorizonFS },
-  { "march", "[TSSAO eq. 1], rays through one layer", "1", 8, vtkPenumbraEstimateMarchFS },
+  { "volumetric", "[TSSAO eq. 3, 14]", "1 - t", 0.25, 1, vtkPenumbraEstimateVolumetricFS },
+  { "patch", "[TSSAO eq. 12-13]", "", 0.26, 1, vtkPenumbraEstimatePatchFS },
+  { "depth-difference", "[ISAO eq. 2]", "", 0.15, 1, vtkPenumbraEstimateDepthDifferenceFS },
+  { "horizon", "[GTAO eq. 7]; [TSSAO eq. 1]", "1", 0.13, 8, vtkPenumbraEstimateHorizonFS },
+  { "march", "[TSSAO eq. 1], rays through one layer", "1", 0.085, 8, vtkPenumbraEstimateMarchFS },
 };
 
 const Kernel* Row(int kernel)
@@ -72,6 +73,11 @@ const char* vtkPenumbraKernels::GetSource(int kernel)
 const char* vtkPenumbraKernels::GetFallOff(int kernel)
 {
   return Row(kernel) ? Row(kernel)->FallOff : nullptr;
+}
+
+double vtkPenumbraKernels::GetBias(int kernel)
+{
+  return Row(kernel) ? Row(kernel)->Bias : 0.0;
 }
 
 int vtkPenumbraKernels::GetFetchesPerPoint(int kernel)

@@ -37,6 +37,12 @@ public:
    */
   static const char* GetFallOff(int kernel);
 
+  /**
+   * The error that remains however many samples are taken: RMSE against rays in the worst of the
+   * scenes of `./penumbra benchmark ambient-occlusion`.
+   */
+  static double GetBias(int kernel);
+
   /** Depths fetched for one point of the sample sequence: what counts as that many samples. */
   static int GetFetchesPerPoint(int kernel);
 

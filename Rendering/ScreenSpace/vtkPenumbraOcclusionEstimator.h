@@ -71,6 +71,9 @@ public:
   /** Another number whenever what it sees of the scene beside depth has changed; 0: it sees depth alone. */
   virtual vtkMTimeType GetSceneMTime(vtkRenderer*) { return 0; }
 
+  /** The error that it believes to remain however many samples are taken. */
+  virtual double GetBias() { return 0.0; }
+
   /** Does it help to draw more than the picture, so that occluders just outside are seen? */
   virtual bool NeedsMargin() { return true; }
 

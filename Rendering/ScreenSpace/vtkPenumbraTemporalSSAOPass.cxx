@@ -33,10 +33,8 @@ using Pass = vtkPenumbraTemporalSSAOPass;
 /// The best of the kernels wherever depth is all there is.
 constexpr const char* AutomaticKernel = "march";
 
-/// What sees all of the scene, and the error of kernels that see one layer of it: from this
-/// tolerance on they will do. Measured: `./penumbra benchmark ambient-occlusion`.
+/// What sees all of the scene.
 constexpr const char* TrueRays = "traced";
-constexpr double ErrorOfOneLayer = 0.05;
 
 /// The margin that follows the radius goes no farther than this share of the picture's larger side.
 constexpr double LargestMargin = 0.1;
@@ -275,15 +273,17 @@ vtkPenumbraOcclusionEstimator* vtkPenumbraTemporalSSAOPass::ChooseEstimator(
     own.Named.TakeReference(vtkPenumbraOcclusionEstimator::New(name.c_str()));
     own.NameOfNamed = name;
   }
-  // What another pass or another rank has drawn may not be here: only depth is known of it.
-  const bool worthwhile = still && this->OpaqueOnly && this->Tolerance < ErrorOfOneLayer;
+  own.Kernels->SetKernel(
+    vtkPenumbraKernels::Find(automatic ? AutomaticKernel : this->KernelName.c_str()));
+  // What another pass or another rank has drawn may not be here: only depth is known of it. And what is
+  // cheaper and good enough is taken.
+  const bool worthwhile = still && this->OpaqueOnly && this->Tolerance < own.Kernels->GetBias();
   if (own.Named && (!automatic || (worthwhile && own.Named->CanEstimate(renderer))))
   {
     own.ActiveKernel = name;
     return own.Named;
   }
   own.ActiveKernel = automatic ? AutomaticKernel : this->KernelName;
-  own.Kernels->SetKernel(vtkPenumbraKernels::Find(own.ActiveKernel.c_str()));
   return own.Kernels;
 }
 

@@ -59,9 +59,11 @@ TEST(KernelTable, HasATestRowAndAParagraphForEveryKernel)
     EXPECT_NE(page.str().find("\n## " + name + "\n"), std::string::npos) << name;
     EXPECT_EQ(vtkPenumbraKernels::Find(name.c_str()), kernel);
     EXPECT_GE(vtkPenumbraKernels::GetFetchesPerPoint(kernel), 1);
+    EXPECT_GT(vtkPenumbraKernels::GetBias(kernel), 0.0) << name;
   }
   EXPECT_EQ(vtkPenumbraKernels::Find("steam"), -1);
   EXPECT_EQ(vtkPenumbraKernels::GetName(-1), nullptr);
+  EXPECT_EQ(vtkPenumbraKernels::GetBias(-1), 0.0);
 }
 
 TEST_P(Kernels, SeeNoOcclusionOnAnOpenPlane)
