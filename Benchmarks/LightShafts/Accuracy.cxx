@@ -53,22 +53,6 @@ double Correlation(const std::vector<double>& a, const std::vector<double>& b)
     std::sqrt((sums[2] - sums[0] * sums[0]) * (sums[3] - sums[1] * sums[1]));
 }
 
-void WritePicture(const std::string& path, const std::vector<double>& values, int width)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(width, static_cast<int>(values.size()) / width, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    bytes[i] = static_cast<unsigned char>(std::clamp(values[i] * WholeSphere * 255.0, 0.0, 255.0));
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(image);
-  writer->Write();
-}
-
 struct Accuracy
 {
   double All = 0.0;
@@ -102,14 +86,33 @@ Accuracy Compare(ShaftBenchmark& benchmark, ShaftScene& scene, const std::string
   result.Correlation = Correlation(missing, missed);
   if (benchmark.Diagnose)
   {
-    WritePicture(benchmark.Output + "/" + name + "-pass.png", ours, scene.Width);
-    WritePicture(benchmark.Output + "/" + name + "-rays.png", truth, scene.Width);
+    WritePicture(benchmark.Output + "/" + name + ".png", { ours, truth }, scene.Width);
   }
   std::printf("  %s: %.4f all, %.4f away from edges, %.4f without shadows, correlation %.4f\n",
     name.c_str(), result.All, result.AwayFromEdges, result.Unshadowed, result.Correlation);
   return result;
 }
 
+}
+
+void WritePicture(const std::string& path, const std::vector<std::vector<double>>& parts, int width)
+{
+  const int count = static_cast<int>(parts.size());
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(count * width, static_cast<int>(parts.front().size()) / width, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType x = i % (count * width);
+    const vtkIdType y = i / (count * width);
+    const double value = parts[x / width][y * width + x % width];
+    bytes[i] = static_cast<unsigned char>(std::clamp(value * WholeSphere * 255.0, 0.0, 255.0));
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
 }
 
 void MeasureAccuracy(ShaftBenchmark& benchmark)

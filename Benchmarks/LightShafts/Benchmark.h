@@ -8,6 +8,7 @@
 #include "Table.h"
 
 #include <string>
+#include <vector>
 
 namespace penumbra
 {
@@ -20,11 +21,18 @@ struct ShaftBenchmark
   Table Results;
 };
 
+/// Scattered light of some pictures side by side, white where fog hides all, `width` pixels each.
+void WritePicture(
+  const std::string& path, const std::vector<std::vector<double>>& parts, int width);
+
 /// The marched reference against the closed form, and its speed against POV-Ray's media.
 void MeasureMarched(ShaftBenchmark& benchmark);
 
 /// The pass against the marched reference.
 void MeasureAccuracy(ShaftBenchmark& benchmark);
+
+/// Chained passes against one long loop.
+void MeasureChained(ShaftBenchmark& benchmark);
 
 /// What the pass costs, still and moving.
 void MeasureCost(ShaftBenchmark& benchmark);

@@ -14,12 +14,13 @@ int main(int argc, char** argv)
   program.Name = "light-shafts";
   program.Title = "Light shafts: figures and bars";
   program.Usage = "--output FOLDER [--povray PROGRAM]\n"
-                  "         [--only marched|accuracy|cost|motion] [--diagnose]";
+                  "         [--only marched|accuracy|chained|cost|motion] [--diagnose]";
   program.Values = { { "--output", &benchmark.Output, true }, { "--povray", &benchmark.PovRay } };
   program.Switches = { { "--diagnose", &benchmark.Diagnose } };
   program.Parts = {
     { "marched", [&] { MeasureMarched(benchmark); } },
     { "accuracy", [&] { MeasureAccuracy(benchmark); } },
+    { "chained", [&] { MeasureChained(benchmark); } },
     { "cost", [&] { MeasureCost(benchmark); } },
     { "motion", [&] { MeasureMotion(benchmark); } },
   };

@@ -79,7 +79,8 @@ void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
 {
   const bool isRight = this->Color && this->Color->GetContext() == window &&
     static_cast<int>(this->Color->GetWidth()) == this->View.Width &&
-    static_cast<int>(this->Color->GetHeight()) == this->View.Height && this->Samples == samples;
+    static_cast<int>(this->Color->GetHeight()) == this->View.Height && this->Samples == samples &&
+    !this->Straight;
   const auto create = [&](int count) {
     auto texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(window);
@@ -90,6 +91,7 @@ void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
   };
   if (!isRight)
   {
+    this->Straight = false;
     this->Samples = samples;
     this->Color = create(samples);
     this->Color->Allocate2D(this->View.Width, this->View.Height, 4, VTK_UNSIGNED_CHAR);
@@ -103,6 +105,11 @@ void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
         this->View.Width, this->View.Height, vtkTextureObject::Float32);
     }
   }
+  this->PrepareFramebuffers(window);
+}
+
+void DelegateImage::PrepareFramebuffers(vtkOpenGLRenderWindow* window)
+{
   for (vtkSmartPointer<vtkOpenGLFramebufferObject>* framebuffer :
     { &this->Framebuffer, &this->Resolved })
   {
@@ -215,17 +222,54 @@ int DelegateImage::Draw(
   return props;
 }
 
+vtkOpenGLFramebufferObject* DelegateImage::GetReadableTarget(const vtkRenderState* state)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+  auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer());
+  vtkOpenGLFramebufferObject* target = outer ? outer : window->GetRenderFramebuffer();
+  const bool readable = target && target->GetMultiSamples() <= 1 &&
+    (outer || window->GetMultiSamples() <= 1) && target->GetColorAttachmentAsTextureObject(0) &&
+    target->GetDepthAttachmentAsTextureObject();
+  return readable ? target : nullptr;
+}
+
+int DelegateImage::DrawStraight(const vtkRenderState* state, vtkRenderPass* delegate)
+{
+  const int none[2] = { 0, 0 };
+  vtkOpenGLFramebufferObject* target = GetReadableTarget(state);
+  if (!target || !this->Aim(state, none))
+  {
+    return -1;
+  }
+  vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();
+  if (static_cast<int>(depth->GetWidth()) != this->View.Width ||
+    static_cast<int>(depth->GetHeight()) != this->View.Height)
+  {
+    return -1;
+  }
+  this->PrepareFramebuffers(
+    static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow()));
+  delegate->Render(state);
+  this->Straight = true;
+  this->Samples = 1;
+  this->Color = target->GetColorAttachmentAsTextureObject(0);
+  this->Depth = depth;
+  this->SampleDepth = depth;
+  return delegate->GetNumberOfRenderedProps();
+}
+
 void DelegateImage::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkSmartPointer<vtkTextureObject>* texture :
     { &this->Color, &this->Depth, &this->SampleDepth })
   {
-    if (*texture)
+    if (*texture && !this->Straight)
     {
       (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
     }
+    *texture = nullptr;
   }
+  this->Straight = false;
   for (vtkSmartPointer<vtkOpenGLFramebufferObject>* framebuffer :
     { &this->Framebuffer, &this->Resolved })
   {

@@ -36,6 +36,11 @@ public:
   int Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2],
     bool oneSample = false);
 
+  /// The same straight into the target of `state`, whose depth is then GetDepth(); there is no colour
+  /// to read, and no margin. Nothing is drawn, and -1 returned, unless the target's depth is a texture
+  /// of the picture's size with one sample a pixel.
+  int DrawStraight(const vtkRenderState* state, vtkRenderPass* delegate);
+
   /// One depth a pixel, also of pictures with several samples (of these the first).
   vtkTextureObject* GetDepth() const { return this->Depth; }
 
@@ -56,7 +61,11 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  /// Where a frame goes; null unless its colours and depths are textures with one sample a pixel.
+  static vtkOpenGLFramebufferObject* GetReadableTarget(const vtkRenderState* state);
+
 private:
+  void PrepareFramebuffers(vtkOpenGLRenderWindow* window);
   void Prepare(vtkOpenGLRenderWindow* window, int samples);
   static int SamplesOf(const vtkRenderState* state);
   void ResolveDepth(vtkOpenGLRenderWindow* window);
@@ -67,6 +76,7 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;
   int Samples = 1;
+  bool Straight = false; ///< Color and Depth belong to the target
   ScreenView View;
   int Viewport[4] = { 0, 0, 0, 0 };
   int Margin[2] = { 0, 0 };

@@ -8,16 +8,21 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPenumbraShaftBoxLib.h"
+#include "vtkPenumbraShaftBoxedSunLib.h"
 #include "vtkPenumbraShaftCoarseDepthFS.h"
+#include "vtkPenumbraShaftColorShareLib.h"
 #include "vtkPenumbraShaftCompositeFS.h"
 #include "vtkPenumbraShaftDepthLib.h"
+#include "vtkPenumbraShaftEndlessLib.h"
 #include "vtkPenumbraShaftLampLib.h"
 #include "vtkPenumbraShaftLib.h"
 #include "vtkPenumbraShaftPictureLib.h"
-#include "vtkPenumbraShaftRadialLib.h"
 #include "vtkPenumbraShaftSamplesLib.h"
 #include "vtkPenumbraShaftScatterFS.h"
+#include "vtkPenumbraShaftShareLib.h"
 #include "vtkPenumbraShaftSunLib.h"
+#include "vtkPenumbraShaftVeilFS.h"
 #include "vtkPenumbraShaftVisibilityFS.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkPointData.h"
@@ -26,6 +31,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace penumbra
@@ -36,8 +42,8 @@ namespace
 
 auto AsTuple(const ShaftSettings& s)
 {
-  return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial, s.Weight,
-    s.Decay, s.Density, s.SurfaceGlow, s.Thickness, s.Steps, s.Block, s.Unit, s.Range);
+  return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial, s.Paper,
+    s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.AutomaticTone, s.Unit, s.Range);
 }
 
 void SetSize(vtkShaderProgram* program, const char* name, double width, double height)
@@ -51,13 +57,17 @@ void SetNumber(vtkShaderProgram* program, const char* name, double value)
   program->SetUniformf(name, static_cast<float>(value));
 }
 
-/// A shader with the pieces for a kind of light.
-std::string AssembleFor(
-  bool lamp, const char* source, std::vector<std::pair<std::string, std::string>> pieces)
+/// A shader with the pieces for a kind of light and of medium.
+std::string AssembleFor(bool lamp, bool bounded, const char* source,
+  std::vector<std::pair<std::string, std::string>> pieces)
 {
   pieces.insert(pieces.begin(),
     { { "ViewLib", vtkPenumbraViewLib }, { "ShaftLib", vtkPenumbraShaftLib },
-      { "Light", lamp ? vtkPenumbraShaftLampLib : vtkPenumbraShaftSunLib } });
+      { "Medium", bounded ? vtkPenumbraShaftBoxLib : vtkPenumbraShaftEndlessLib },
+      { "Light",
+        lamp        ? vtkPenumbraShaftLampLib
+          : bounded ? vtkPenumbraShaftBoxedSunLib
+                    : vtkPenumbraShaftSunLib } });
   return Assemble(source, pieces);
 }
 
@@ -73,7 +83,14 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
 {
   this->Window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
   this->NewShares = 0;
-  this->Props = this->Image.Draw(state, delegate, settings.Margin);
+  const bool simple = !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
+    settings.Margin[1] == 0 && !settings.Radial && !settings.AutomaticTone;
+  this->Props = simple ? this->Image.DrawStraight(state, delegate) : -1;
+  this->Straight = this->Props >= 0;
+  if (!this->Straight)
+  {
+    this->Props = this->Image.Draw(state, delegate, settings.Margin);
+  }
   if (this->Props < 0)
   {
     return false;
@@ -85,16 +102,17 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     return false;
   }
-  // A still scene is not computed again.
-  this->Known = this->Known && change == EyeDepth::Change::None && settings == this->Settings &&
-    lights == this->Lights;
+  // A still scene is not computed again, unless colours count.
+  const bool colored = settings.Radial && settings.Paper.ReadsColors();
+  this->Known = this->Known && !colored && change == EyeDepth::Change::None &&
+    settings == this->Settings && lights == this->Lights;
   this->Settings = settings;
   this->Lights = lights;
   if (!this->Known)
   {
     this->Known = this->Compute();
   }
-  return this->Known && this->Composite();
+  return this->Known && (this->Straight ? this->CompositeStraight() : this->Composite());
 }
 
 bool ShaftView::Compute()
@@ -103,8 +121,14 @@ bool ShaftView::Compute()
   const int block = this->Settings.Block;
   Allocate(this->Shafts, this->Window, view.Width, view.Height, 4);
   this->Coarse = view.Coarse(block);
-  Allocate(this->LitShares, this->Window, this->Coarse.Width, this->Coarse.Height, 2);
+  Allocate(this->LitShares, this->Window, this->Coarse.Width, this->Coarse.Height,
+    this->Settings.Radial ? 4 : 2);
   if (block > 1 && !this->FillCoarseDepths())
+  {
+    return false;
+  }
+  if (this->Settings.Radial &&
+    !this->Paper.FillGlow(this->Window, this->Image, this->Coarse, this->Settings.Paper))
   {
     return false;
   }
@@ -115,7 +139,13 @@ bool ShaftView::Compute()
       return false;
     }
   }
-  return true;
+  if (!this->Settings.AutomaticTone)
+  {
+    this->Tone.Forget();
+    return true;
+  }
+  return this->Tone.Look(this->Window, this->Image, this->Shafts,
+    this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data());
 }
 
 bool ShaftView::FillCoarseDepths()
@@ -134,6 +164,34 @@ bool ShaftView::FillCoarseDepths()
   return true;
 }
 
+void ShaftView::SetBox(vtkShaderProgram* program) const
+{
+  const ScreenView& view = this->Depth.GetView();
+  const Matrix& toEye = view.WorldToEye;
+  float turn[16] = {};
+  float low[3];
+  float high[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double eye = 0.0;
+    for (int row = 0; row < 3; ++row)
+    {
+      const double entry = toEye[4 * row + axis];
+      eye -= entry * toEye[4 * row + 3];
+      turn[4 * row + axis] = static_cast<float>(row == 2 ? -entry : entry);
+    }
+    const auto fromEye = [&](double bound) {
+      return static_cast<float>(std::clamp((bound - eye) / view.Unit, -1e30, 1e30));
+    };
+    low[axis] = fromEye(this->Settings.Bounds[2 * axis]);
+    high[axis] = fromEye(this->Settings.Bounds[2 * axis + 1]);
+  }
+  turn[15] = 1.f;
+  program->SetUniformMatrix4x4("eyeToWorld", turn);
+  program->SetUniform3f("low", low);
+  program->SetUniform3f("high", high);
+}
+
 void ShaftView::SetMedium(vtkShaderProgram* program) const
 {
   const ShaftSettings& settings = this->Settings;
@@ -141,16 +199,29 @@ void ShaftView::SetMedium(vtkShaderProgram* program) const
   SetNumber(program, "extinction", settings.Extinction * settings.Unit);
   program->SetUniformi("phase", settings.Phase);
   SetNumber(program, "asymmetry", settings.Asymmetry);
+  if (settings.Bounded)
+  {
+    this->SetBox(program);
+  }
 }
 
 bool ShaftView::FindLit(const ShaftLight& light)
 {
   const ShaftSettings& settings = this->Settings;
+  vtkTextureObject* depths =
+    settings.Block > 1 ? this->CoarseDepths.Get() : this->Depth.GetCurrent();
+  this->NewShares +=
+    static_cast<long long>(this->LitShares->GetWidth()) * this->LitShares->GetHeight();
+  if (settings.Radial)
+  {
+    return this->Paper.Find(
+      this->Window, this->Image, this->Coarse, depths, light, settings.Paper, this->LitShares);
+  }
   const bool lamp = light.Place[3] > 0.f;
   Stage& stage = this->Visibility[lamp];
-  const char* estimator = settings.Radial ? vtkPenumbraShaftRadialLib : vtkPenumbraShaftDepthLib;
-  vtkShaderProgram* program = stage.Ready(
-    this->Window, AssembleFor(lamp, vtkPenumbraShaftVisibilityFS, { { "Estimator", estimator } }));
+  vtkShaderProgram* program = stage.Ready(this->Window,
+    AssembleFor(lamp, settings.Bounded, vtkPenumbraShaftVisibilityFS,
+      { { "Estimator", vtkPenumbraShaftDepthLib } }));
   const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->LitShares });
   if (!program || !target.IsComplete())
   {
@@ -160,22 +231,10 @@ bool ShaftView::FindLit(const ShaftLight& light)
   this->SetMedium(program);
   light.SetUniforms(program);
   program->SetUniformi("steps", settings.Steps);
-  if (settings.Radial)
-  {
-    SetNumber(program, "weight", settings.Weight);
-    SetNumber(program, "decay", settings.Decay);
-    SetNumber(program, "density", settings.Density);
-    SetNumber(program, "surfaceGlow", settings.SurfaceGlow);
-  }
-  else
-  {
-    SetNumber(program, "thickness", settings.Thickness / settings.Unit);
-    SetNumber(program, "range", settings.Range / settings.Unit);
-  }
-  stage.Read("eyeDepths", settings.Block > 1 ? this->CoarseDepths.Get() : this->Depth.GetCurrent());
+  SetNumber(program, "thickness", settings.Thickness / settings.Unit);
+  SetNumber(program, "range", settings.Range / settings.Unit);
+  stage.Read("eyeDepths", depths);
   stage.Draw();
-  this->NewShares +=
-    static_cast<long long>(this->LitShares->GetWidth()) * this->LitShares->GetHeight();
   return true;
 }
 
@@ -183,8 +242,10 @@ bool ShaftView::Scatter(const ShaftLight& light, bool first)
 {
   const bool lamp = light.Place[3] > 0.f;
   Stage& stage = this->Addition[lamp];
-  vtkShaderProgram* program =
-    stage.Ready(this->Window, AssembleFor(lamp, vtkPenumbraShaftScatterFS, {}));
+  const char* share =
+    this->Settings.Radial ? vtkPenumbraShaftColorShareLib : vtkPenumbraShaftShareLib;
+  vtkShaderProgram* program = stage.Ready(this->Window,
+    AssembleFor(lamp, this->Settings.Bounded, vtkPenumbraShaftScatterFS, { { "Share", share } }));
   const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->Shafts });
   if (!program || !target.IsComplete())
   {
@@ -245,6 +306,7 @@ bool ShaftView::Composite()
     static_cast<float>(margin[1] - at[1]) };
   program->SetUniform2f("offset", offset);
   SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetNumber(program, "gain", this->GetGain());
   SetNumber(program, "background", this->Settings.DelegateDrawsBackground ? 1.0 : 0.0);
   this->Composition.Read("colors", this->Image.GetColor());
   this->Composition.Read("depthBuffer", this->Image.GetDepth());
@@ -256,6 +318,36 @@ bool ShaftView::Composite()
   }
   this->Composition.Draw();
   gl->vtkglDepthFunc(GL_LEQUAL);
+  return true;
+}
+
+bool ShaftView::CompositeStraight()
+{
+  vtkShaderProgram* program = this->Veil.Ready(this->Window, vtkPenumbraShaftVeilFS);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* gl = this->Window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(gl);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglDepthMask depthMask(gl);
+  const int* at = this->Image.GetViewport();
+  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
+  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
+  gl->vtkglEnable(GL_BLEND);
+  gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl->vtkglDisable(GL_DEPTH_TEST);
+  gl->vtkglDepthMask(GL_FALSE);
+  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const float offset[2] = { -static_cast<float>(at[0]), -static_cast<float>(at[1]) };
+  program->SetUniform2f("offset", offset);
+  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  this->Veil.Read("shafts", this->Shafts);
+  this->Veil.Draw();
   return true;
 }
 
@@ -286,7 +378,10 @@ void ShaftView::CopyTo(vtkImageData* image) const
         (static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * width + i +
           this->Image.GetMargin()[0]);
       const vtkIdType to = static_cast<vtkIdType>(j) * size[0] + i;
-      shafts->SetTypedTuple(to, &values[at]);
+      for (int k = 0; k < 3; ++k)
+      {
+        shafts->SetTypedComponent(to, k, static_cast<float>(this->GetGain()) * values[at + k]);
+      }
       transmittance->SetValue(to, values[at + 3]);
     }
   }
@@ -296,8 +391,10 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Image.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
+  this->Paper.ReleaseGraphicsResources(window);
+  this->Tone.ReleaseGraphicsResources(window);
   for (Stage* stage : { &this->Thinning, &this->Visibility[0], &this->Visibility[1],
-         &this->Addition[0], &this->Addition[1], &this->Composition })
+         &this->Addition[0], &this->Addition[1], &this->Composition, &this->Veil })
   {
     stage->ReleaseGraphicsResources(window);
   }

@@ -10,6 +10,10 @@
 #include "DelegateImage.h"
 #include "EyeDepth.h"
 #include "ShaftLights.h"
+#include "ShaftRadial.h"
+#include "ShaftTone.h"
+
+#include <array>
 
 class vtkImageData;
 
@@ -25,13 +29,14 @@ struct ShaftSettings
   double Asymmetry = 0.0;
   double Exposure = 1.0;
   bool Radial = false;
-  double Weight = 1.0;
-  double Decay = 1.0;
-  double Density = 1.0;
-  double SurfaceGlow = 0.0;
+  RadialSettings Paper; ///< where Radial
   double Thickness = 1.0;
   int Steps = 64;
-  int Block = 1;      ///< pixels a side of the blocks for which lit shares are found
+  int Block = 1; ///< pixels a side of the blocks for which lit shares are found
+  bool Bounded = false;
+  std::array<double, 6> Bounds{}; ///< where Bounded: xmin, xmax, ymin, ...
+  bool AutomaticTone = false;
+  std::array<double, 3> Background{};
   double Unit = 1.0;  ///< what shaders call 1
   double Range = 1.0; ///< no surface is farther from the eye
   bool DelegateDrawsBackground = true;
@@ -53,6 +58,9 @@ public:
   long long GetNewShares() const { return this->NewShares; }
   int GetNumberOfLights() const { return static_cast<int>(this->Lights.size()); }
 
+  /// What scattered light is multiplied by.
+  double GetGain() const { return this->Settings.AutomaticTone ? this->Tone.GetGain() : 1.0; }
+
   /// Adds the float arrays LightShafts (3) and Transmittance to an image of the picture without
   /// margin.
   void CopyTo(vtkImageData* image) const;
@@ -65,6 +73,8 @@ private:
   bool FindLit(const ShaftLight& light);
   bool Scatter(const ShaftLight& light, bool first);
   bool Composite();
+  bool CompositeStraight();
+  void SetBox(vtkShaderProgram* program) const;
   void SetMedium(vtkShaderProgram* program) const;
 
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -74,15 +84,19 @@ private:
   EyeDepth Depth;
   ScreenView Coarse; ///< of one pixel in each block
   Stage Thinning;
+  ShaftRadial Paper;
+  ShaftTone Tone;
   Stage Visibility[2]; ///< by a sun, by a lamp
   Stage Addition[2];
   Stage Composition;
+  Stage Veil;
   vtkSmartPointer<vtkTextureObject> CoarseDepths;
-  vtkSmartPointer<vtkTextureObject> LitShares; ///< r: share, g: eye depth
+  vtkSmartPointer<vtkTextureObject> LitShares; ///< share (Radial: rgb), eye depth
   vtkSmartPointer<vtkTextureObject> Shafts;    ///< rgb: scattered light, a: transmittance
   long long NewShares = 0;
   int Props = 0;
-  bool Known = false; ///< Shafts holds the picture of Settings and Lights
+  bool Straight = false; ///< the delegate has drawn into the target
+  bool Known = false;    ///< Shafts holds the picture of Settings and Lights
 };
 
 }

@@ -19,18 +19,6 @@ namespace penumbra
 namespace
 {
 
-/// Where a frame goes; null unless its colours and depths are textures with one sample a pixel.
-vtkOpenGLFramebufferObject* ReadableTarget(
-  const vtkRenderState* state, vtkOpenGLRenderWindow* window)
-{
-  auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer());
-  vtkOpenGLFramebufferObject* target = outer ? outer : window->GetRenderFramebuffer();
-  const bool readable = target && target->GetMultiSamples() <= 1 &&
-    (outer || window->GetMultiSamples() <= 1) && target->GetColorAttachmentAsTextureObject(0) &&
-    target->GetDepthAttachmentAsTextureObject();
-  return readable ? target : nullptr;
-}
-
 /// Whoever draws the whole picture finds what DelegateImage offers, too.
 void Clear(vtkOpenGLState* gl, const int at[4])
 {
@@ -63,7 +51,7 @@ bool StillPicture::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
   const DelegateImage& image, const Darkness& darkness, bool clear)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
-  vtkOpenGLFramebufferObject* target = ReadableTarget(state, window);
+  vtkOpenGLFramebufferObject* target = DelegateImage::GetReadableTarget(state);
   if (!target)
   {
     this->Known = false;

@@ -187,6 +187,16 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
     own.WarnOnce(this, "The medium's numbers are no medium; the scene is drawn without.");
     return false;
   }
+  bool boxed = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    boxed = boxed && this->Bounds[2 * axis] < this->Bounds[2 * axis + 1];
+  }
+  if (!boxed)
+  {
+    own.WarnOnce(this, "The medium's bounds hold nothing; the scene is drawn without.");
+    return false;
+  }
   const vtkBoundingBox box(bounds);
   const double diagonal = box.GetDiagonalLength() > 0.0 ? box.GetDiagonalLength() : 1.0;
   double center[3];
@@ -203,10 +213,6 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
   settings.Asymmetry = this->Asymmetry;
   settings.Exposure = this->Exposure;
   settings.Radial = this->Estimator == RADIAL;
-  settings.Weight = this->Weight;
-  settings.Decay = this->Decay;
-  settings.Density = this->Density;
-  settings.SurfaceGlow = this->SurfaceGlow;
   settings.Thickness = this->Thickness > 0.0 ? this->Thickness : MeanThickness(state, diagonal);
   const double steps = std::ceil(StepsTimesTolerance / this->Tolerance);
   settings.Steps =
@@ -215,6 +221,23 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
     : this->Tolerance >= SmallBlockTolerance              ? SmallBlock
                                                           : 1;
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
+  penumbra::RadialSettings& paper = settings.Paper;
+  paper.Steps = settings.Steps;
+  paper.Passes = this->Passes;
+  paper.Geometric = this->Spacing == GEOMETRIC;
+  paper.Weight = this->Weight;
+  paper.Decay = this->Decay;
+  paper.Density = this->Density;
+  paper.SurfaceGlow = this->Occlusion == CONTRAST ? this->SurfaceGlow : 0.0;
+  paper.SkyIsPicture = this->Sky == PICTURE;
+  paper.Block = settings.Block;
+  paper.DelegateDrawsBackground = settings.DelegateDrawsBackground;
+
+  settings.Bounded =
+    std::any_of(this->Bounds, this->Bounds + 6, [](double bound) { return std::isfinite(bound); });
+  std::copy_n(this->Bounds, 6, settings.Bounds.begin());
+  settings.AutomaticTone = this->AutomaticTone;
+  renderer->GetBackground(settings.Background.data());
 
   const int none[2] = { 0, 0 };
   penumbra::ScreenView view = penumbra::ScreenView::Of(renderer, size, none);
@@ -280,6 +303,7 @@ vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
     AddValue(own.Statistics, "Lights/Shaft", own.Last->GetNumberOfLights());
     AddValue(own.Statistics, "Shares/Found", static_cast<double>(own.Last->GetNewShares()));
     AddValue(own.Statistics, "Samples/PerShare", own.Steps);
+    AddValue(own.Statistics, "Light/Gain", own.Last->GetGain());
   }
   return own.Statistics;
 }
@@ -304,11 +328,21 @@ void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "Asymmetry: " << this->Asymmetry << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
-  os << indent << "Estimator: " << this->Estimator << "\n";
+  os << indent << "AutomaticTone: " << this->AutomaticTone << "\n";
+  os << indent << "Bounds:";
+  for (const double bound : this->Bounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n" << indent << "Estimator: " << this->Estimator << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
   os << indent << "Weight: " << this->Weight << "\n";
   os << indent << "Decay: " << this->Decay << "\n";
   os << indent << "Density: " << this->Density << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Passes: " << this->Passes << "\n";
+  os << indent << "Occlusion: " << this->Occlusion << "\n";
+  os << indent << "Sky: " << this->Sky << "\n";
   os << indent << "SurfaceGlow: " << this->SurfaceGlow << "\n";
   os << indent << "Lights: " << this->Implementation->Lights.size() << "\n";
   os << indent << "Margin: " << this->Margin << "\n";

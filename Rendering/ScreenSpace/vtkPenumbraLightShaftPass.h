@@ -19,6 +19,7 @@
 #include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 
+#include <limits> // for infinite bounds
 #include <memory> // for std::unique_ptr
 
 class vtkFieldData;
@@ -95,6 +96,26 @@ public:
   vtkGetMacro(Exposure, double);
   ///@}
 
+  ///@{
+  /**
+   * Chooses a gain for scattered light [Shafts 13.8], so that its brightest has room over the mean
+   * picture: neither too bright nor too dim. The first picture settles it, later ones move it little
+   * by little. For pictures to look at; off: light as Exposure says. Default: off.
+   */
+  vtkSetMacro(AutomaticTone, bool);
+  vtkGetMacro(AutomaticTone, bool);
+  vtkBooleanMacro(AutomaticTone, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The box that the medium fills, in world coordinates (xmin, xmax, ymin, ...), any of them infinite.
+   * Default: everywhere.
+   */
+  vtkSetVector6Macro(Bounds, double);
+  vtkGetVector6Macro(Bounds, double);
+  ///@}
+
   /** How the lit share of a view ray is found. */
   enum Estimators
   {
@@ -134,10 +155,55 @@ public:
   vtkGetMacro(Density, double);
   ///@}
 
+  /** RADIAL: the distances between samples. */
+  enum Spacings
+  {
+    EVEN,
+    GEOMETRIC ///< each step covers the same share of what is left of the way to the light
+  };
   ///@{
-  /** RADIAL: what an occluder lets through, 0 (black) to 1: lowers its contrast. Default: 0. */
+  /** Default: EVEN. */
+  vtkSetClampMacro(Spacing, int, EVEN, GEOMETRIC);
+  vtkGetMacro(Spacing, int);
+  ///@}
+
+  ///@{
+  /**
+   * RADIAL: chained passes of Steps samples, each over the one before, do the work of
+   * Steps^Passes samples [Shafts 13.8]; more than one means GEOMETRIC. 1 to 6. Default: 1.
+   */
+  vtkSetClampMacro(Passes, int, 1, 6);
+  vtkGetMacro(Passes, int);
+  ///@}
+
+  /** RADIAL: how occluders are kept from glowing [Shafts 13.5]. */
+  enum Occlusions
+  {
+    MASK,    ///< depth tells what is sky, all else is black
+    CONTRAST ///< they glow in their own colours times SurfaceGlow
+  };
+  ///@{
+  /** Default: MASK. */
+  vtkSetClampMacro(Occlusion, int, MASK, CONTRAST);
+  vtkGetMacro(Occlusion, int);
+  ///@}
+
+  ///@{
+  /** RADIAL with CONTRAST: what is left of an occluder's colour, 0 to 1. Default: 0.2. */
   vtkSetClampMacro(SurfaceGlow, double, 0.0, 1.0);
   vtkGetMacro(SurfaceGlow, double);
+  ///@}
+
+  /** RADIAL: what glows in the sky, times the light's colour. */
+  enum Skies
+  {
+    WHITE,  ///< all of it
+    PICTURE ///< as the picture behind the scene shows it
+  };
+  ///@{
+  /** Default: WHITE. */
+  vtkSetClampMacro(Sky, int, WHITE, PICTURE);
+  vtkGetMacro(Sky, int);
   ///@}
 
   ///@{
@@ -170,7 +236,8 @@ public:
 
   /**
    * Of the last frame, one value an array: `Lights/Shaft`, `Shares/Found` (lit shares found anew; 0 in
-   * a still scene), `Samples/PerShare` (depths fetched for each).
+   * a still scene), `Samples/PerShare` (depths fetched for each), `Light/Gain` (1 without
+   * AutomaticTone).
    */
   vtkFieldData* GetStatistics();
 
@@ -197,12 +264,19 @@ private:
   int Phase = ISOTROPIC;
   double Asymmetry = 0.6;
   double Exposure = 1.0;
+  bool AutomaticTone = false;
+  static constexpr double Endless = std::numeric_limits<double>::infinity();
+  double Bounds[6] = { -Endless, Endless, -Endless, Endless, -Endless, Endless };
   int Estimator = DEPTH;
   double Thickness = 0.0;
   double Weight = 1.0;
   double Decay = 1.0;
   double Density = 1.0;
-  double SurfaceGlow = 0.0;
+  int Spacing = EVEN;
+  int Passes = 1;
+  int Occlusion = MASK;
+  double SurfaceGlow = 0.2;
+  int Sky = WHITE;
   double Margin = -1.0;
   bool OpaqueOnly = false;
 };

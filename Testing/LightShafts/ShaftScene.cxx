@@ -168,6 +168,7 @@ std::vector<double> ShaftScene::ByRays(int steps, long long* shadowRays)
   medium->SetExtinction(this->Pass->GetExtinction());
   medium->SetPhase(this->Pass->GetPhase());
   medium->SetAsymmetry(this->Pass->GetAsymmetry());
+  medium->SetBounds(this->Pass->GetBounds());
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(this->Renderer);
   caster->SetResolution(this->Width, this->Height);

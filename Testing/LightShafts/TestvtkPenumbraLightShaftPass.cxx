@@ -6,14 +6,18 @@
 
 #include "vtkPenumbraTemporalSSAOPass.h"
 
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -206,6 +210,164 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
   EXPECT_EQ(this->Picture(), plain);
   sun->SetIntensity(std::numeric_limits<double>::infinity());
   EXPECT_EQ(this->Picture(), plain);
+  sun->SetIntensity(1.0);
+  pass->SetBounds(1.0, -1.0, 0.0, 1.0, 0.0, 1.0);
+  EXPECT_EQ(this->Picture(), plain);
+  const double endless = std::numeric_limits<double>::infinity();
+  pass->SetBounds(-endless, endless, -endless, endless, -endless, endless);
+  EXPECT_NE(this->Picture(), plain);
+  // A lamp in the eye.
+  sun->PositionalOn();
+  sun->SetPosition(this->Scene.Renderer->GetActiveCamera()->GetPosition());
+  EXPECT_EQ(this->Picture(), plain);
+  // As far as numbers go.
+  sun->PositionalOff();
+  sun->SetPosition(1e30, 5e30, 1.6e30);
+  EXPECT_NE(this->Picture(), plain);
+  this->Scene.Renderer->SetViewport(0.5, 0.5, 0.5, 0.5);
+  this->Picture();
+}
+
+TEST_F(LightShaftPass, AgreesWithTheReferenceInAMediumWithBounds)
+{
+  this->Scene.Pass->SetBounds(-5.0, 3.0, -6.0, 7.0, 0.0, 4.5);
+  this->Scene.Fill(0.2, 0.3);
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.5 });
+  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.06);
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
+  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.08);
+}
+
+TEST_F(LightShaftPass, ChainsPassesThatAreOneLongLoop)
+{
+  this->Scene.AddSun({ 0.1, 1.0, 0.1 });
+  this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
+  this->Scene.Pass->SetSpacing(vtkPenumbraLightShaftPass::GEOMETRIC);
+  this->Scene.Pass->SetDecay(0.99);
+  this->Scene.Pass->SetSteps(64);
+  const std::vector<double> loop = this->Scene.ByPass();
+  this->Scene.Pass->SetSteps(8);
+  const std::vector<double> few = this->Scene.ByPass();
+  this->Scene.Pass->SetPasses(2);
+  const std::vector<double> chain = this->Scene.ByPass();
+  EXPECT_LT(RelativeRmse(chain, loop), 0.01);
+  EXPECT_GT(RelativeRmse(few, loop), 0.02);
+}
+
+TEST_F(LightShaftPass, GlowsInTheColoursOfThePictureBehind)
+{
+  this->Scene.AddSun({ 0.1, 1.0, 0.1 });
+  this->Scene.Renderer->SetBackground(0.8, 0.4, 0.0);
+  this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
+  const std::vector<double> white = this->Scene.ByPass();
+  this->Scene.Pass->SetSky(vtkPenumbraLightShaftPass::PICTURE);
+  const std::vector<double> red = this->Scene.ByPass();
+  vtkNew<vtkImageData> image;
+  this->Scene.Pass->CopyShafts(image);
+  vtkDataArray* light = image->GetPointData()->GetArray("LightShafts");
+  for (std::size_t i = 0; i < red.size(); ++i)
+  {
+    const auto at = static_cast<vtkIdType>(i);
+    EXPECT_NEAR(red[i], 0.8 * white[i], 1e-3 * white[i]);
+    EXPECT_NEAR(light->GetComponent(at, 1), 0.5 * red[i], 3e-3 * red[i]);
+    EXPECT_EQ(light->GetComponent(at, 2), 0.0);
+  }
+}
+
+TEST_F(LightShaftPass, TakesNoStreaksFromSurfacesBeyondSurfaceGlow)
+{
+  this->Scene.AddSun({ 0.1, 1.0, 0.1 });
+  this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
+  const auto paint = [this](bool white) {
+    vtkActorCollection* actors = this->Scene.Renderer->GetActors();
+    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    {
+      const double shade = white && i % 2 == 0 ? 1.0 : 0.0;
+      vtkActor::SafeDownCast(actors->GetItemAsObject(i))
+        ->GetProperty()
+        ->SetColor(shade, shade, shade);
+    }
+    return this->Scene.ByPass();
+  };
+  EXPECT_EQ(paint(true), paint(false));
+  this->Scene.Pass->SetOcclusion(vtkPenumbraLightShaftPass::CONTRAST);
+  this->Scene.Pass->SetSurfaceGlow(0.1);
+  const std::vector<double> black = paint(false);
+  const std::vector<double> white = paint(true);
+  const std::vector<double> left = this->Scene.Transmittance();
+  double most = 0.0;
+  for (std::size_t i = 0; i < black.size(); ++i)
+  {
+    most = std::max(most, (white[i] - black[i]) / ((1.0 - left[i]) / WholeSphere));
+  }
+  EXPECT_GT(most, 0.01);
+  EXPECT_LT(most, 0.101);
+}
+
+TEST_F(LightShaftPass, LaysNoMoreLightOverAForegroundThanItsAirScatters)
+{
+  // A box a world unit before the eye, half the picture; the sun and all that is lit are far behind.
+  this->Scene.AddBox({ 1.7, -8.5, 2.5 }, { 2.0, 3.0, 6.0 });
+  this->Scene.AddSun({ 0.1, 1.0, 0.1 });
+  for (const int estimator :
+    { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL })
+  {
+    this->Scene.Pass->SetEstimator(estimator);
+    const std::vector<double> light = this->Scene.ByPass();
+    const std::vector<double> left = this->Scene.Transmittance();
+    for (std::size_t i = 0; i < light.size(); ++i)
+    {
+      ASSERT_LE(light[i], (1.0 - left[i]) / WholeSphere + 1e-6) << estimator;
+    }
+    EXPECT_LT(light[36 * 96 + 90], 0.15 / WholeSphere);
+  }
+}
+
+TEST_F(LightShaftPass, SweepsSteadilyPastTheCameraPlane)
+{
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.0, 1.0, 0.2 });
+  for (const int estimator :
+    { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL })
+  {
+    this->Scene.Pass->SetEstimator(estimator);
+    std::vector<double> before;
+    for (int angle = 84; angle <= 96; ++angle)
+    {
+      const double a = angle * 0.017453292519943295;
+      sun->SetPosition(std::sin(a), std::cos(a), 0.2);
+      const std::vector<double> now = this->Scene.ByPass();
+      for (std::size_t i = 0; i < before.size(); ++i)
+      {
+        ASSERT_LE(std::abs(now[i] - before[i]), 3.0 / 255.0) << estimator << " " << angle;
+      }
+      before = now;
+    }
+  }
+}
+
+TEST_F(LightShaftPass, BalancesItsToneAndHoldsIt)
+{
+  const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const auto largest = [this]() {
+    const std::vector<double> light = this->Scene.ByPass();
+    return *std::max_element(light.begin(), light.end());
+  };
+  sun->SetIntensity(100.0);
+  EXPECT_GT(largest(), 2.0); // white is 1
+  this->Scene.Pass->AutomaticToneOn();
+  // The picture behind is black.
+  EXPECT_NEAR(largest(), 1.0, 1e-3);
+  const double gain = this->Statistic("Light/Gain");
+  EXPECT_NEAR(largest(), 1.0, 1e-3);
+  EXPECT_EQ(this->Statistic("Light/Gain"), gain);
+  // A flash of four times the light is not taken away at once.
+  sun->SetIntensity(400.0);
+  EXPECT_NEAR(largest(), std::pow(4.0, 0.9), 0.05);
+  sun->SetIntensity(0.01);
+  EXPECT_GT(largest(), 0.0);
+  this->Scene.Pass->AutomaticToneOff();
+  EXPECT_LT(largest(), 0.001);
 }
 
 TEST_F(LightShaftPass, LiesOverAmbientOcclusionWhicheverCameFirst)

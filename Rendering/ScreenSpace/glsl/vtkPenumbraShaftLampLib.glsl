@@ -8,19 +8,14 @@ uniform float coneExponent;
 
 const float endOfSight = 18.0; // mean free paths after which nothing is left
 
-vec3 startOf(vec2 plane)
-{
-  return perspective > 0.5 ? vec3(0.0) : vec3(plane, 0.0);
-}
-
 Sight sightThrough(vec2 pixel, float eyeDepth)
 {
   Sight sight = sightAlong(pixel, eyeDepth);
-  sight.end = min(sight.end, endOfSight / extinction);
-  vec3 towards = light.xyz - startOf(sight.plane);
+  sight.end = min(sight.end, sight.begin + endOfSight / extinction);
+  vec3 towards = light.xyz - sight.start;
   sight.closest = dot(towards, sight.direction);
   sight.pass = max(length(towards - sight.closest * sight.direction), 1e-5 * sight.end);
-  sight.angles = atan((vec2(0.0, sight.end) - sight.closest) / sight.pass);
+  sight.angles = atan((vec2(sight.begin, sight.end) - sight.closest) / sight.pass);
   return sight;
 }
 
@@ -37,7 +32,8 @@ float lampScatters(Sight sight, float share)
   float angle = mix(sight.angles.x, sight.angles.y, share);
   float aside = sight.pass * tan(angle);
   float span = sight.closest + aside;
-  vec3 way = light.xyz - startOf(sight.plane) - span * sight.direction;
+  vec3 point = sight.start + span * sight.direction;
+  vec3 way = light.xyz - point;
   float away = length(way);
   vec3 towards = way / away;
   float cosine = -dot(towards, cone.xyz);
@@ -45,7 +41,7 @@ float lampScatters(Sight sight, float share)
   float strength = spot / max(dot(attenuation, vec3(1.0, away, away * away)), 1e-20);
   float stretch = (sight.pass + aside * aside / sight.pass) * (sight.angles.y - sight.angles.x);
   return stretch * strength * scattering * phaseFunction(dot(towards, sight.direction)) *
-    exp(-extinction * (span + away));
+    exp(-extinction * (span - sight.begin + wayInMedium(point, towards, away)));
 }
 
 // What a lit ray scatters in all, but for the light's colour.

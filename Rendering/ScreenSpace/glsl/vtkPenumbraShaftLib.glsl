@@ -17,9 +17,12 @@ const float thin = 1e-3; // optical depth below which exp(-x) = 1 - x
 struct Sight
 {
   vec2 plane;     // where the ray meets the plane at distance 1 (parallel: anywhere)
+  vec3 start;     // of the ray
   vec3 direction; // unit
   float reach;    // length for each unit of depth
-  float end;      // length at which the ray ends
+  float begin;    // length at which the ray enters the medium
+  float end;      // and at which it ends or leaves it
+  float through;  // between, in the medium
   float closest;  // lamps: length at which it passes the light, and how far from it
   float pass;
   vec2 angles;    // lamps: from the light, of beginning and end
@@ -40,6 +43,8 @@ float phaseFunction(float cosine)
   return value / wholeSphere;
 }
 
+//VTK::Penumbra::Medium
+
 Sight sightAlong(vec2 pixel, float eyeDepth)
 {
   Sight sight;
@@ -47,7 +52,11 @@ Sight sightAlong(vec2 pixel, float eyeDepth)
   vec3 way = vec3(perspective * sight.plane, 1.0);
   sight.reach = length(way);
   sight.direction = way / sight.reach;
-  sight.end = eyeDepth * sight.reach;
+  sight.start = perspective > 0.5 ? vec3(0.0) : vec3(sight.plane, 0.0);
+  vec2 span = spanInMedium(sight.start, sight.direction, eyeDepth * sight.reach);
+  sight.begin = span.x;
+  sight.end = span.y;
+  sight.through = span.y - span.x;
   return sight;
 }
 

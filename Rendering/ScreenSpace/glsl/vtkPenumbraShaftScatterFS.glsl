@@ -8,7 +8,7 @@
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::ShaftLib
 uniform sampler2D eyeDepths;
-uniform sampler2D litShares;   // r: share, g: eye depth
+uniform sampler2D litShares;
 uniform vec2 texelSize;       // of litShares
 uniform float block;          // pixels a side of a texel
 uniform vec3 color;           // the light's, exposure included
@@ -21,21 +21,24 @@ const float apart = 0.02;
 // frame. Measured: ./penumbra benchmark light-shafts.
 const float evenly = 0.25;
 
-float litShareAt(vec2 pixel, float eyeDepth)
+//VTK::Penumbra::Share
+
+vec3 litShareAt(vec2 pixel, float eyeDepth)
 {
   vec2 at = (pixel - floor(0.5 * block) - 0.5) / block;
   vec2 corner = floor(at);
   vec2 share = at - corner;
-  vec2 sums = vec2(1e-9);
+  vec4 sums = vec4(0.0);
   for (int i = 0; i < 4; ++i)
   {
     vec2 offset = vec2(float(i % 2), float(i / 2));
     vec2 near = mix(1.0 - share, share, offset);
-    vec2 found = texture(litShares, (corner + offset + 0.5) * texelSize).rg;
-    float other = (found.g - eyeDepth) / (apart * min(found.g, eyeDepth));
-    sums += (near.x * near.y + evenly) / (1.0 + other * other) * vec2(found.r, 1.0);
+    vec4 found = foundShare((corner + offset + 0.5) * texelSize);
+    float other = (found.a - eyeDepth) / (apart * min(found.a, eyeDepth));
+    float alike = max(1.0 / (1.0 + other * other), 1e-6);
+    sums += (near.x * near.y + evenly) * alike * vec4(found.rgb, 1.0);
   }
-  return sums.x / sums.y;
+  return sums.rgb / sums.a;
 }
 
 void main()
@@ -43,7 +46,7 @@ void main()
   vec2 pixel = gl_FragCoord.xy;
   float eyeDepth = texture(eyeDepths, pixel * pixelSize).r;
   Sight sight = sightThrough(pixel, eyeDepth);
-  float lit = block > 1.5 ? litShareAt(pixel, eyeDepth) : texture(litShares, pixel * texelSize).r;
-  float left = exp(-min(extinction * eyeDepth * sight.reach, 80.0));
+  vec3 lit = block > 1.5 ? litShareAt(pixel, eyeDepth) : foundShare(pixel * texelSize).rgb;
+  float left = exp(-min(extinction * sight.through, 80.0));
   gl_FragData[0] = vec4(color * (lit * scatteredIn(sight)), transmittance * left);
 }

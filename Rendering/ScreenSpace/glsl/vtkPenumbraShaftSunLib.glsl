@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light from infinitely far: all in closed form.
+// Light from infinitely far in a medium without end: all in closed form.
 
 Sight sightThrough(vec2 pixel, float eyeDepth)
 {
