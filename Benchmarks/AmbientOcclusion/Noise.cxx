@@ -104,6 +104,13 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     }
     const std::vector<float> after4 = screen.Array("AmbientOcclusion");
     const std::vector<float> jumpedDepth = screen.Array("Depth");
+    if (benchmark.Diagnose)
+    {
+      const std::string path = benchmark.Output + "/" + scene.Name;
+      WritePicture(path + "-moving.png", moving);
+      WritePicture(path + "-convergence.png", convergence); // black: as far as it goes
+      WritePicture(path + "-jumped.png", after4);
+    }
     const float fresh = 8.5f / static_cast<float>(screen.Ours->GetMaximumWeight());
     table.Add(scene.Name, "disoccluded pixels after 4 frames",
       Difference(

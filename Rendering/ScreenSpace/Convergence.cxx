@@ -18,9 +18,9 @@ constexpr int TileSide = 16;
 constexpr int FirstReading = 32;
 
 /// The mean of 2 n samples is off by about its difference to the mean of n: with independent samples
-/// exactly, with a sequence of low discrepancy by less; measured, `./penumbra benchmark
-/// ambient-occlusion --only noise`.
-constexpr double ErrorOfDifference = 1.0;
+/// exactly. More, because tiles are closed where that difference happens to be small; measured,
+/// `./penumbra benchmark ambient-occlusion --only noise`.
+constexpr double ErrorOfDifference = 1.25;
 
 }
 

@@ -140,6 +140,12 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
 {
   const OcclusionSettings& settings = this->Settings;
   const bool refine = change == EyeDepth::Change::None && this->Still.GetSamples() > 0;
+  if (change == EyeDepth::Change::None && !refine)
+  {
+    // The eye has just stopped: JoinHistory() leaves little of what came along.
+    this->SettledSamples =
+      std::min(this->SettledSamples, static_cast<int>(settings.InvalidationWeight));
+  }
   const double convergence = this->SettledSamples / settings.MaximumWeight;
   vtkPenumbraOcclusionEstimator::Request request;
   request.Window = this->Window;
@@ -151,7 +157,9 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
   request.Samples = many ? settings.FirstSamples : settings.Samples;
   request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : &this->Inside;
-  request.TurnPixels = convergence < settings.RotationConvergence;
+  // In motion there are always pixels that have just come into sight.
+  request.TurnPixels =
+    change == EyeDepth::Change::Some || convergence < settings.RotationConvergence;
   const int samples = this->Estimator->Estimate(request, this->Estimates);
   if (samples < 1)
   {

@@ -273,8 +273,12 @@ vtkPenumbraOcclusionEstimator* vtkPenumbraTemporalSSAOPass::ChooseEstimator(
     own.Named.TakeReference(vtkPenumbraOcclusionEstimator::New(name.c_str()));
     own.NameOfNamed = name;
   }
-  own.Kernels->SetKernel(
-    vtkPenumbraKernels::Find(automatic ? AutomaticKernel : this->KernelName.c_str()));
+  const int kernel =
+    vtkPenumbraKernels::Find(automatic ? AutomaticKernel : this->KernelName.c_str());
+  if (kernel >= 0)
+  {
+    own.Kernels->SetKernel(kernel);
+  }
   // What another pass or another rank has drawn may not be here: only depth is known of it. And what is
   // cheaper and good enough is taken.
   const bool worthwhile = still && this->OpaqueOnly && this->Tolerance < own.Kernels->GetBias();

@@ -179,3 +179,13 @@ double RootMeanSquare(const std::vector<double>& values)
   }
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
+
+double Rms(const std::vector<float>& a, const std::vector<float>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+  {
+    sum += (static_cast<double>(a[i]) - b[i]) * (static_cast<double>(a[i]) - b[i]);
+  }
+  return a.size() == b.size() && !a.empty() ? std::sqrt(sum / static_cast<double>(a.size())) : 1e9;
+}

@@ -68,4 +68,7 @@ std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(dou
 
 double RootMeanSquare(const std::vector<double>& values);
 
+/// Of the differences of two arrays; huge where there is nothing to compare.
+double Rms(const std::vector<float>& a, const std::vector<float>& b);
+
 #endif

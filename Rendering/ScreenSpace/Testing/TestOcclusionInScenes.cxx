@@ -40,16 +40,6 @@ void Furnish(OcclusionScene& scene, double unit = 1.0, const Vector& at = { 0, 0
   scene.Look(place(0, -5, 3), place(0, 0, .4));
 }
 
-double Rms(const std::vector<float>& a, const std::vector<float>& b)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
-  {
-    sum += (static_cast<double>(a[i]) - b[i]) * (static_cast<double>(a[i]) - b[i]);
-  }
-  return a.size() == b.size() && !a.empty() ? std::sqrt(sum / static_cast<double>(a.size())) : 1e9;
-}
-
 int LargestDifference(const std::vector<int>& a, const std::vector<int>& b)
 {
   int largest = a.size() == b.size() ? 0 : 255;
@@ -219,6 +209,34 @@ TEST(OcclusionInScenes, FollowsTheCameraWithoutStartingAgain)
   EXPECT_LT(Rms(moving, scene.Array("AmbientOcclusion")), .02);
 }
 
+TEST(OcclusionInScenes, StaysSmoothWhenTheEyeStops)
+{
+  // The first still frames drop most of what came along: they may not fall back to a few directions
+  // that all pixels share.
+  OcclusionScene scene;
+  Furnish(scene);
+  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  scene.Pass->SetKernelName("march");
+  for (int frame = 0; frame < 28; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(.25);
+    scene.Window->Render();
+  }
+  std::vector<std::vector<float>> frames;
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    scene.Window->Render();
+    frames.push_back(scene.Array("AmbientOcclusion"));
+  }
+  scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
+  scene.Pass->SetTolerance(.003);
+  scene.Window->Render();
+  for (const std::vector<float>& frame : frames)
+  {
+    EXPECT_LT(Rms(frame, scene.Array("AmbientOcclusion")), .02);
+  }
+}
+
 TEST(OcclusionInScenes, ForgetsWhatAMovedActorShadowed)
 {
   OcclusionScene scene;
@@ -240,51 +258,6 @@ TEST(OcclusionInScenes, ForgetsWhatAMovedActorShadowed)
   scene.Pass->SetTolerance(.005); // settings changed: everything starts afresh
   scene.Window->Render();
   EXPECT_LT(Rms(soon, scene.Array("AmbientOcclusion")), .045);
-}
-
-TEST(OcclusionInScenes, ForgetsAllOfItBeforeItConvergesInOneRender)
-{
-  // As a picture that was never anything else, to the accepted error.
-  const auto draw = [](bool moved) {
-    OcclusionScene scene;
-    scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
-    const auto sphere = scene.AddSphere({ moved ? -.5 : .5, 0, .5 }, .5);
-    scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-    scene.Occlude(1.0)->SetTolerance(.003);
-    for (int frame = 0; moved && frame < 3; ++frame)
-    {
-      scene.Window->Render();
-    }
-    sphere->SetPosition(.5, 0, .5);
-    scene.Window->Render();
-    EXPECT_TRUE(scene.Pass->IsConverged());
-    return scene.Array("AmbientOcclusion");
-  };
-  EXPECT_LT(Rms(draw(true), draw(false)), .003);
-}
-
-TEST(OcclusionInScenes, BelievesNoMeanThatStillHoldsOldSamples)
-{
-  OcclusionScene scene;
-  scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
-  const auto sphere = scene.AddSphere({ -.5, 0, .5 }, .5);
-  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-  for (int frame = 0; frame < 20; ++frame)
-  {
-    scene.Window->Render();
-  }
-  sphere->SetPosition(.5, 0, .5);
-  for (int frame = 0; frame < 200 && (frame < 2 || !scene.Pass->IsConverged()); ++frame)
-  {
-    scene.Window->Render();
-  }
-  ASSERT_TRUE(scene.Pass->IsConverged());
-  const std::vector<float> spread = scene.Array("AmbientOcclusion");
-  scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
-  scene.Pass->SetTolerance(.002); // settings changed: everything starts afresh
-  scene.Window->Render();
-  EXPECT_LT(Rms(spread, scene.Array("AmbientOcclusion")), .01);
 }
 
 TEST(OcclusionInScenes, IsTheSameWithTranslucentThingsVolumesAndPeelingBeforeIt)

@@ -83,6 +83,51 @@ TEST(TemporalSSAOPass, FreezesOnceConverged)
   EXPECT_GT(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
 }
 
+TEST(TemporalSSAOPass, ForgetsAllOfItBeforeItConvergesInOneRender)
+{
+  // As a picture that was never anything else, to the accepted error.
+  const auto draw = [](bool moved) {
+    OcclusionScene scene;
+    scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+    const auto sphere = scene.AddSphere({ moved ? -.5 : .5, 0, .5 }, .5);
+    scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+    scene.Occlude(1.0)->SetTolerance(.003);
+    for (int frame = 0; moved && frame < 3; ++frame)
+    {
+      scene.Window->Render();
+    }
+    sphere->SetPosition(.5, 0, .5);
+    scene.Window->Render();
+    EXPECT_TRUE(scene.Pass->IsConverged());
+    return scene.Array("AmbientOcclusion");
+  };
+  EXPECT_LT(Rms(draw(true), draw(false)), .003);
+}
+
+TEST(TemporalSSAOPass, BelievesNoMeanThatStillHoldsOldSamples)
+{
+  OcclusionScene scene;
+  scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+  const auto sphere = scene.AddSphere({ -.5, 0, .5 }, .5);
+  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    scene.Window->Render();
+  }
+  sphere->SetPosition(.5, 0, .5);
+  for (int frame = 0; frame < 600 && (frame < 2 || !scene.Pass->IsConverged()); ++frame)
+  {
+    scene.Window->Render();
+  }
+  ASSERT_TRUE(scene.Pass->IsConverged());
+  const std::vector<float> spread = scene.Array("AmbientOcclusion");
+  scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
+  scene.Pass->SetTolerance(.002); // settings changed: everything starts afresh
+  scene.Window->Render();
+  EXPECT_LT(Rms(spread, scene.Array("AmbientOcclusion")), .01);
+}
+
 TEST(TemporalSSAOPass, FollowsColoursWithoutNewSamples)
 {
   // Once converged the scene is drawn as it is and only multiplied by what is known; in a part of the
