@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every row of the failure catalogue keeps its bound, and would not without what it guards.
+#include "Scenario.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+using namespace penumbra;
+
+namespace penumbra
+{
+
+void PrintTo(const Scenario& row, std::ostream* out)
+{
+  *out << row.Scene << ", " << row.Motion;
+}
+
+}
+
+namespace
+{
+
+class Stability : public testing::TestWithParam<Scenario>
+{
+};
+
+}
+
+TEST_P(Stability, KeepsItsBoundAndWouldNotWithoutItsMechanism)
+{
+  const Scenario& row = GetParam();
+  const std::string metric = TextOf(row.Measured).Name;
+  const double ours = row.Measure(Variant::Ours).Value;
+  if (row.IsOpen)
+  {
+    EXPECT_GT(ours, row.Bound) << metric << ": this row is no longer open, say so in its table";
+  }
+  else
+  {
+    EXPECT_LE(ours, row.Bound) << metric;
+  }
+  EXPECT_GT(row.Measure(Variant::Broken).Value, row.Bound) << metric << ": " << row.Broken;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Stability, testing::ValuesIn(Catalogue()),
+  [](const testing::TestParamInfo<Scenario>& row) { return row.param.Name; });
