@@ -1,10 +1,10 @@
 # VTK of the builder's own choice (CMAKE_PREFIX_PATH, VTK_DIR), and the libraries beside it.
 set(penumbra_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
+  ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   FiltersHybrid FiltersTexture
   ImagingCore ImagingSources InteractionStyle IOCore IOGeometry IOImage IOLegacy IOPLY IOXML IOImport IOExodus IOEnSight
-  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
+  RenderingAnnotation RenderingContext2D RenderingCore RenderingFreeType RenderingOpenGL2 RenderingLabel
   RenderingContextOpenGL2 RenderingVolume RenderingVolumeOpenGL2 vtksys)
 set(penumbra_vtk_readers IOCGNSReader IOHDF IOXdmf2)
 if (PENUMBRA_BUILD_PYTHON)

@@ -21,6 +21,7 @@ using Action = std::function<int()>;
 Action DeclareRender(CLI::App& program);
 Action DeclareAnimate(CLI::App& program);
 Action DeclareBake(CLI::App& program);
+Action DeclareChart(CLI::App& program);
 Action DeclareCompare(CLI::App& program);
 Action DeclareList(CLI::App& program);
 Action DeclareInfo(CLI::App& program);

@@ -61,8 +61,8 @@ int Run(int argc, char** argv)
     "machine cannot.\nThe commands' own options: penumbra COMMAND --help");
   const std::map<std::string, Action> actions = { { "render", DeclareRender(program) },
     { "animate", DeclareAnimate(program) }, { "bake", DeclareBake(program) },
-    { "compare", DeclareCompare(program) }, { "list", DeclareList(program) },
-    { "info", DeclareInfo(program) } };
+    { "chart", DeclareChart(program) }, { "compare", DeclareCompare(program) },
+    { "list", DeclareList(program) }, { "info", DeclareInfo(program) } };
   program.require_subcommand(1);
   try
   {

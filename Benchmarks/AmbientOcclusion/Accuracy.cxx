@@ -13,7 +13,7 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
 {
   const std::map<std::string, double> bars = { { "Scans", .045 }, { "S400", .065 },
     { "Sticks", .085 } };
-  for (const OcclusionBenchmarkScene& scene : benchmark.Scenes())
+  for (const SceneUnderOcclusion& scene : benchmark.Scenes())
   {
     const OcclusionTruth truth =
       TraceOcclusion(scene.Renderer, Screen::Size, scene.Radius, benchmark.Stride, benchmark.Rays);

@@ -16,6 +16,9 @@
 namespace penumbra
 {
 
+/// Three scanned meshes on a plane; `folder` holds the files of libcgal-demo.
+SceneUnderOcclusion Scans(const std::string& folder);
+
 struct OcclusionBenchmark
 {
   std::string Meshes; ///< folder with the .off files of libcgal-demo
@@ -25,7 +28,7 @@ struct OcclusionBenchmark
   int Rays = 32;  ///< squared: per such pixel
   Table Results;
 
-  std::vector<OcclusionBenchmarkScene> Scenes() const
+  std::vector<SceneUnderOcclusion> Scenes() const
   {
     return { penumbra::Scans(this->Meshes), Spheres400(), Sticks() };
   }

@@ -22,7 +22,7 @@ constexpr int HistoryFrames = 20;
 /// A window that draws its own copy of the scene in one way.
 struct Variant
 {
-  explicit Variant(const OcclusionBenchmarkScene& scene)
+  explicit Variant(const SceneUnderOcclusion& scene)
     : Renderer(scene.Renderer),
       View(std::make_unique<Screen>(scene.Renderer))
   {

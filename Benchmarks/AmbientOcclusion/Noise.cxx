@@ -50,7 +50,7 @@ void Start(Screen& screen, double radius)
 
 void MeasureNoise(OcclusionBenchmark& benchmark)
 {
-  for (const OcclusionBenchmarkScene& scene : benchmark.Scenes())
+  for (const SceneUnderOcclusion& scene : benchmark.Scenes())
   {
     const auto all = [](std::size_t) { return true; };
     Table& table = benchmark.Results;

@@ -57,7 +57,7 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
     { "S400", { .065, .020 } }, { "Sticks", { .050, .015 } } };
   vtkPenumbraTracedEstimator::Register();
   vtkSMPTools::Initialize(1);
-  for (const OcclusionBenchmarkScene& scene : benchmark.Scenes())
+  for (const SceneUnderOcclusion& scene : benchmark.Scenes())
   {
     const OcclusionTruth truth =
       TraceOcclusion(scene.Renderer, Screen::Size, scene.Radius, benchmark.Stride, benchmark.Rays);

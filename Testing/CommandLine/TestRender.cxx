@@ -467,7 +467,7 @@ TEST(Help, NamesEveryOptionThatTheDocumentationNames)
   const std::string page = ReadText(PENUMBRA_SOURCE_DIR "/Documentation/CommandLine.md");
   const std::set<std::string> documented = FindOptions(page);
   std::set<std::string> offered = FindOptions(RunProgram({ "--help" }).Output);
-  for (const char* command : { "render", "animate", "bake", "compare", "list", "info" })
+  for (const char* command : { "render", "animate", "bake", "chart", "compare", "list", "info" })
   {
     const Outcome help = RunProgram({ command, "--help" });
     EXPECT_EQ(help.Status, 0);

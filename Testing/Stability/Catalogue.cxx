@@ -9,7 +9,9 @@ const std::vector<Scenario>& Catalogue()
 {
   static const std::vector<Scenario> catalogue = [] {
     std::vector<Scenario> rows;
-    for (const auto& part : { CoverageScenarios() })
+    for (const auto& part : { CoverageScenarios(), GeometryScenarios(), OcclusionStillScenarios(),
+           OcclusionOverlayScenarios(), OcclusionMotionScenarios(), ShaftScenarios(),
+           IrradianceScenarios() })
     {
       rows.insert(rows.end(), part.begin(), part.end());
     }

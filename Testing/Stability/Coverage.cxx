@@ -8,10 +8,15 @@
 
 #include "TestScene.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -154,6 +159,43 @@ Outcome PaperSubdivision(Variant variant)
   return { LargestDifference(picture.Values, TruthOf(HalfPlane(Size, Size)).Values), picture };
 }
 
+/// A chequerboard of cells of one mesh, turned: borders of colours, not of objects.
+Outcome ColorJumps(Variant variant)
+{
+  std::vector<Shape> cells;
+  std::vector<Shape> white;
+  for (int i = 0; i < 100; ++i)
+  {
+    const auto at = [&](double x, double y) {
+      return glm::dvec2(20.0, 9.0) + (i % 10 + x) * glm::dvec2(7.3, 2.1) +
+        (i / 10 + y) * glm::dvec2(-1.1, 7.7);
+    };
+    cells.push_back({ at(.5, .5), { at(0, 0), at(1, 0), at(1, 1), at(0, 1) } });
+    if ((i % 10 + i / 10) % 2)
+    {
+      white.push_back(cells.back());
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> mesh = MeshOf(cells);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
+  {
+    const vtkIdType cell = i / 4;
+    const double value = (cell % 10 + cell / 10) % 2 ? 255.0 : 0.0;
+    colors->InsertNextTuple3(value, value, value);
+  }
+  mesh->GetCellData()->SetScalars(colors);
+  const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, mesh, false)->GetMapper()->ScalarVisibilityOn();
+  LookAtPicture(renderer, Size, Size);
+  const Frame picture = Draw(renderer, Size, Size, variant, [](vtkPenumbraRayCaster* caster) {
+    AsPrinted(caster);
+    caster->SetTolerance(1.0);
+  });
+  return { Rmse(picture.Values, TruthOf(white).Values), picture };
+}
+
 /// A picture, and the means of one of twice the size.
 Outcome TwoResolutions(Variant variant)
 {
@@ -204,6 +246,9 @@ std::vector<Scenario> CoverageScenarios()
     { "SlantedBorder", "half of the picture, by [AA]'s subdivision to level 3", "still",
       Metric::Sameness, .13, "levels: none", "[AA] drops sub-pixels of case 3 at L_max", "",
       PaperSubdivision },
+    { "ColourJumpsWithinOneObject", "a chequerboard of cells of one mesh", "still", Metric::Bias,
+      .006, "refinement by estimated error: [AA] as printed", "[AA] no borders inside an object",
+      OpenGL, ColorJumps },
     { "StraightEdge", "half of the picture", "still", Metric::CoverageMiss, 1e-6, sample, "",
       OpenGL, Still(edge, OneSample, CoverageMiss) },
     { "OddSizes", "a disc in pictures of 1x1, 1x64, 127x3, 33x7, ...", "still", Metric::Sameness,

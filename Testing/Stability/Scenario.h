@@ -50,6 +50,12 @@ const std::vector<Scenario>& Catalogue();
 ///@{
 /// Rows by subject.
 std::vector<Scenario> CoverageScenarios();
+std::vector<Scenario> GeometryScenarios();
+std::vector<Scenario> IrradianceScenarios();
+std::vector<Scenario> OcclusionMotionScenarios();
+std::vector<Scenario> OcclusionOverlayScenarios();
+std::vector<Scenario> OcclusionStillScenarios();
+std::vector<Scenario> ShaftScenarios();
 ///@}
 
 }

@@ -20,6 +20,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <cmath>
 #include <ctime>
 
 namespace penumbra
@@ -39,6 +40,52 @@ vtkSmartPointer<vtkPolyData> MeshOf(const std::vector<Shape>& shapes)
       points->InsertNextPoint(shape.Outline[i].x, shape.Outline[i].y, 0.0);
       const vtkIdType triangle[3] = { center, center + 1 + i, center + 1 + (i + 1) % count };
       triangles->InsertNextCell(3, triangle);
+    }
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(triangles);
+  return mesh;
+}
+
+vtkSmartPointer<vtkPolyData> Burr(int sides)
+{
+  const double pi = std::acos(-1.0);
+  const int rings = 2 * sides / 3;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const auto insert = [&](double polar, double turn) {
+    const double z = .5 * std::cos(polar);
+    const double bump = 1.0 + .5 * std::sin(6.0 * turn) * std::sin(8.0 * z);
+    const double side = .5 * std::sin(polar) * bump;
+    return points->InsertNextPoint(side * std::cos(turn), side * std::sin(turn), z * bump);
+  };
+  vtkNew<vtkCellArray> triangles;
+  const auto connect = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+    const vtkIdType corners[3] = { a, b, c };
+    triangles->InsertNextCell(3, corners);
+  };
+  const vtkIdType top = insert(0.0, 0.0);
+  const vtkIdType bottom = insert(pi, 0.0);
+  for (int ring = 1; ring < rings; ++ring)
+  {
+    for (int i = 0; i < sides; ++i)
+    {
+      const vtkIdType corner = insert(pi * ring / rings, 2.0 * pi * i / sides);
+      const vtkIdType next = corner - i + (i + 1) % sides;
+      if (ring == 1)
+      {
+        connect(top, corner, next);
+      }
+      else
+      {
+        connect(corner - sides, corner, next);
+        connect(corner - sides, next, next - sides);
+      }
+      if (ring == rings - 1)
+      {
+        connect(bottom, next, corner);
+      }
     }
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();

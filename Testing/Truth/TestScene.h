@@ -25,6 +25,9 @@ namespace penumbra
 /// A mesh of triangles that fan out from the shapes' centres.
 vtkSmartPointer<vtkPolyData> MeshOf(const std::vector<Shape>& shapes);
 
+/// A sphere of diameter 1 with deep bumps, `sides` around: most of its borders lie before itself.
+vtkSmartPointer<vtkPolyData> Burr(int sides = 48);
+
 /// An empty renderer with a black background.
 vtkSmartPointer<vtkRenderer> NewRenderer();
 

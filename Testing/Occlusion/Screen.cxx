@@ -20,12 +20,12 @@
 namespace penumbra
 {
 
-Screen::Screen(vtkRenderer* renderer)
+Screen::Screen(vtkRenderer* renderer, int width, int height)
   : Renderer(renderer)
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(0);
-  this->Window->SetSize(Size[0], Size[1]);
+  this->Window->SetSize(width, height);
   this->Window->AddRenderer(renderer);
 }
 
@@ -97,7 +97,8 @@ std::vector<float> Screen::Array(const std::string& name)
 std::vector<float> Screen::Darkness()
 {
   vtkNew<vtkUnsignedCharArray> bytes;
-  this->Window->GetPixelData(0, 0, Size[0] - 1, Size[1] - 1, 0, bytes);
+  const int* size = this->Window->GetSize();
+  this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
   std::vector<float> values(static_cast<std::size_t>(bytes->GetNumberOfTuples()));
   for (std::size_t i = 0; i < values.size(); ++i)
   {

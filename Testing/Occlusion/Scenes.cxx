@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
-#include "Meshes.h"
-
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
@@ -22,8 +20,14 @@
 namespace penumbra
 {
 
-namespace
+vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, vtkTransform* transform)
 {
+  vtkNew<vtkTransformFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetTransform(transform);
+  filter->Update();
+  return vtkPolyData::SafeDownCast(filter->GetOutput());
+}
 
 void Show(vtkRenderer* renderer, vtkPolyData* mesh)
 {
@@ -58,41 +62,9 @@ void ShowPlane(vtkRenderer* renderer, double low, double high, double z)
   Show(renderer, plane->GetOutput());
 }
 
-vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, vtkTransform* transform)
+SceneUnderOcclusion Spheres400()
 {
-  vtkNew<vtkTransformFilter> filter;
-  filter->SetInputData(mesh);
-  filter->SetTransform(transform);
-  filter->Update();
-  return vtkPolyData::SafeDownCast(filter->GetOutput());
-}
-
-/// With its largest extent as given, centred at x, y, standing on z = 0.
-vtkSmartPointer<vtkPolyData> Placed(
-  vtkPolyData* mesh, bool yIsUp, double extent, double x, double y)
-{
-  vtkNew<vtkTransform> upright;
-  if (yIsUp)
-  {
-    upright->RotateX(90.0); // (x, y, z) -> (x, -z, y)
-  }
-  vtkSmartPointer<vtkPolyData> standing = Moved(mesh, upright);
-  double bounds[6];
-  standing->GetBounds(bounds);
-  const double scale =
-    extent / std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  vtkNew<vtkTransform> placed;
-  placed->Translate(x, y, 0.0);
-  placed->Scale(scale, scale, scale);
-  placed->Translate(-(bounds[0] + bounds[1]) / 2.0, -(bounds[2] + bounds[3]) / 2.0, -bounds[4]);
-  return Moved(standing, placed);
-}
-
-}
-
-OcclusionBenchmarkScene Spheres400()
-{
-  OcclusionBenchmarkScene scene{ "S400", vtkSmartPointer<vtkRenderer>::New(), 1.0 };
+  SceneUnderOcclusion scene{ "S400", vtkSmartPointer<vtkRenderer>::New(), 1.0 };
   vtkNew<vtkAppendPolyData> spheres;
   for (int i = 0; i < 20; ++i)
   {
@@ -115,23 +87,9 @@ OcclusionBenchmarkScene Spheres400()
   return scene;
 }
 
-OcclusionBenchmarkScene Scans(const std::string& folder)
+SceneUnderOcclusion Sticks()
 {
-  OcclusionBenchmarkScene scene{ "Scans", vtkSmartPointer<vtkRenderer>::New(), .25 };
-  const auto read = [&](const char* name) { return ReadOff(folder + "/" + name); };
-  Show(scene.Renderer, Placed(read("ChineseDragon-10kv.off"), false, 2.2, .2, 0.0));
-  Show(scene.Renderer, Placed(read("armadillo.off"), true, 1.6, -1.2, .6));
-  Show(scene.Renderer, Placed(read("refined_elephant.off"), true, 1.3, 1.3, -.6));
-  ShowPlane(scene.Renderer, -3.0, 3.0, 0.0);
-  const double eye[3] = { .5, -4.2, 2.2 };
-  const double target[3] = { 0.0, 0.0, .5 };
-  Look(scene.Renderer, eye, target, 35.0);
-  return scene;
-}
-
-OcclusionBenchmarkScene Sticks()
-{
-  OcclusionBenchmarkScene scene{ "Sticks", vtkSmartPointer<vtkRenderer>::New(), .5 };
+  SceneUnderOcclusion scene{ "Sticks", vtkSmartPointer<vtkRenderer>::New(), .5 };
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(4);
   const auto between = [&](double low, double high) {

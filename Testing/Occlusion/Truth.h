@@ -3,8 +3,8 @@
 //
 // Ambient occlusion of a picture by rays from the ray caster's own scene: [TSSAO eq. 1] at the
 // centres of some pixels.
-#ifndef penumbra_Truth_h
-#define penumbra_Truth_h
+#ifndef penumbra_occlusion_Truth_h
+#define penumbra_occlusion_Truth_h
 
 #include <vector>
 
@@ -12,6 +12,19 @@ class vtkRenderer;
 
 namespace penumbra
 {
+
+class RayScene;
+
+/// What the middle of a pixel shows.
+struct SurfacePoint
+{
+  int Pixel;          ///< row * width + column
+  double Position[3]; ///< world
+  double Normal[3];   ///< unit, geometric, facing the eye
+};
+
+/// Every `stride`-th pixel in both directions that shows a surface.
+std::vector<SurfacePoint> PointsInPicture(const RayScene& rays, int stride);
 
 /// D of [TSSAO eq. 1] within the radius.
 enum class FallOff

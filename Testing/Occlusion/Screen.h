@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A window of the benchmark's size that draws a scene plainly, with our pass or with VTK's own.
-#ifndef penumbra_Screen_h
-#define penumbra_Screen_h
+// A window that draws a scene plainly, with our pass or with VTK's own.
+#ifndef penumbra_occlusion_Screen_h
+#define penumbra_occlusion_Screen_h
 
 #include "vtkNew.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
@@ -19,9 +19,10 @@ namespace penumbra
 class Screen
 {
 public:
+  /// The size of the benchmark's pictures.
   static constexpr int Size[2] = { 1024, 768 };
 
-  explicit Screen(vtkRenderer* renderer);
+  explicit Screen(vtkRenderer* renderer, int width = Size[0], int height = Size[1]);
   ~Screen();
 
   /// Shows occlusion by our pass; a radius in world units.
@@ -49,7 +50,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-/// A picture of one array, white for 0, black for `black`.
+/// A picture of one array of the benchmark's size, white for 0, black for `black`.
 void WritePicture(const std::string& path, const std::vector<float>& values, double black = 1.0);
 
 }

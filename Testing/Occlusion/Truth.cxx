@@ -26,6 +26,31 @@ glm::vec3 NormalTowardsEye(const Scene& scene, const Hit& hit, glm::vec3 directi
 
 }
 
+std::vector<SurfacePoint> PointsInPicture(const RayScene& rays, int stride)
+{
+  const Scene& scene = rays.GetScene();
+  std::vector<SurfacePoint> points;
+  for (int j = stride / 2; j < scene.Eye.Height; j += stride)
+  {
+    for (int i = stride / 2; i < scene.Eye.Width; i += stride)
+    {
+      Ray primary;
+      primary.Origin = scene.Eye.RayOrigin({ i + .5, j + .5 });
+      primary.Direction = scene.Eye.RayDirection({ i + .5, j + .5 });
+      const Hit hit = rays.Intersect(primary);
+      if (hit.IsHit())
+      {
+        const glm::dvec3 point = primary.Origin + hit.Distance * primary.Direction;
+        const glm::dvec3 world = point / scene.Scale + scene.Origin;
+        const glm::vec3 normal = NormalTowardsEye(scene, hit, primary.Direction);
+        points.push_back({ j * scene.Eye.Width + i, { world.x, world.y, world.z },
+          { normal.x, normal.y, normal.z } });
+      }
+    }
+  }
+  return points;
+}
+
 OcclusionTruth TraceOcclusion(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays)
 {
@@ -37,43 +62,30 @@ OcclusionTruth TraceOcclusion(
   const auto reach = static_cast<float>(radius * scene.Scale);
   OcclusionTruth truth;
   truth.Width = size[0];
-  for (int j = stride / 2; j < size[1]; j += stride)
+  for (const SurfacePoint& seen : PointsInPicture(tracer, stride))
   {
-    for (int i = stride / 2; i < size[0]; i += stride)
+    const glm::dvec3 world(seen.Position[0], seen.Position[1], seen.Position[2]);
+    const glm::vec3 point((world - scene.Origin) * scene.Scale);
+    const glm::vec3 normal(seen.Normal[0], seen.Normal[1], seen.Normal[2]);
+    const glm::mat3 frame = FrameOf(normal);
+    std::uint32_t state = SeedOf(point, normal);
+    Ray probe;
+    probe.Origin = point + GapAbove(point) * normal;
+    probe.Far = reach;
+    double constant = 0.0;
+    double linear = 0.0;
+    for (int ray = 0; ray < rays * rays; ++ray)
     {
-      const glm::dvec2 center(i + .5, j + .5);
-      Ray primary;
-      primary.Origin = scene.Eye.RayOrigin(center);
-      primary.Direction = scene.Eye.RayDirection(center);
-      const Hit hit = tracer.Intersect(primary);
-      if (!hit.IsHit())
-      {
-        continue;
-      }
-      const glm::vec3 point = primary.Origin + hit.Distance * primary.Direction;
-      const glm::vec3 normal = NormalTowardsEye(scene, hit, primary.Direction);
-      const glm::mat3 frame = FrameOf(normal);
-      std::uint32_t state = SeedOf(point, normal);
-      Ray probe;
-      probe.Origin = point + GapAbove(point) * normal;
-      probe.Far = reach;
-      double constant = 0.0;
-      double linear = 0.0;
-      for (int ray = 0; ray < rays * rays; ++ray)
-      {
-        const float u =
-          (static_cast<float>(ray % rays) + Uniform(state)) / static_cast<float>(rays);
-        const float v =
-          (static_cast<float>(ray / rays) + Uniform(state)) / static_cast<float>(rays);
-        probe.Direction = frame * ToHemisphere(ToDisc(u, v));
-        const Hit met = tracer.Intersect(probe);
-        constant += met.IsHit();
-        linear += met.IsHit() ? 1.0 - met.Distance / reach : 0.0;
-      }
-      truth.Pixels.push_back(j * size[0] + i);
-      truth.Constant.push_back(static_cast<float>(constant / (rays * rays)));
-      truth.Linear.push_back(static_cast<float>(linear / (rays * rays)));
+      const float u = (static_cast<float>(ray % rays) + Uniform(state)) / static_cast<float>(rays);
+      const float v = (static_cast<float>(ray / rays) + Uniform(state)) / static_cast<float>(rays);
+      probe.Direction = frame * ToHemisphere(ToDisc(u, v));
+      const Hit met = tracer.Intersect(probe);
+      constant += met.IsHit();
+      linear += met.IsHit() ? 1.0 - met.Distance / reach : 0.0;
     }
+    truth.Pixels.push_back(seen.Pixel);
+    truth.Constant.push_back(static_cast<float>(constant / (rays * rays)));
+    truth.Linear.push_back(static_cast<float>(linear / (rays * rays)));
   }
   return truth;
 }

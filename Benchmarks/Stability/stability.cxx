@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Measures every row of the failure catalogue, the broken variant and VTK's own way included, and
+// writes the document about it. Run it by `./penumbra benchmark stability`.
+#include "Program.h"
+#include "Scenario.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace
+{
+
+using namespace penumbra;
+
+struct Measured
+{
+  Scenario Row;
+  std::vector<Outcome> Outcomes; ///< ours, broken, and VTK's where it has one
+};
+
+std::string Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, value >= 1e6 ? "fails" : "%.2g", value);
+  return text;
+}
+
+/// Pictures side by side, with a gap between them.
+void WritePicture(const std::string& path, const std::vector<Outcome>& outcomes)
+{
+  constexpr int gap = 4;
+  int width = -gap;
+  int height = 0;
+  for (const Outcome& outcome : outcomes)
+  {
+    width += outcome.Picture.Width + gap;
+    height = std::max(height, outcome.Picture.Height);
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill(bytes, bytes + static_cast<std::size_t>(width) * height, 255);
+  int left = 0;
+  for (const Outcome& outcome : outcomes)
+  {
+    const Frame& frame = outcome.Picture;
+    for (int i = 0; i < frame.Width * frame.Height; ++i)
+    {
+      const double value = std::clamp(frame.Values[i], 0.0, 1.0);
+      bytes[i / frame.Width * width + left + i % frame.Width] =
+        static_cast<unsigned char>(255.0 * value + .5);
+    }
+    left += frame.Width + gap;
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+}
+
+std::vector<Measured> MeasureAll(const std::string& pictures)
+{
+  std::vector<Measured> rows;
+  for (const Scenario& row : Catalogue())
+  {
+    Measured measured{ row, {} };
+    for (const Variant variant : { Variant::Ours, Variant::Broken, Variant::Peer })
+    {
+      if (variant != Variant::Peer || !row.Peer.empty())
+      {
+        measured.Outcomes.push_back(row.Measure(variant));
+      }
+    }
+    WritePicture(pictures + "/" + row.Name + ".png", measured.Outcomes);
+    std::printf("%-26s %-18s bound %-8s ours %-8s broken %-8s %s%s\n", row.Name.c_str(),
+      TextOf(row.Measured).Name.c_str(), Number(row.Bound).c_str(),
+      Number(measured.Outcomes[0].Value).c_str(), Number(measured.Outcomes[1].Value).c_str(),
+      row.Peer.empty() ? "" : ("VTK " + Number(measured.Outcomes[2].Value)).c_str(),
+      row.IsOpen ? " OPEN" : "");
+    std::fflush(stdout);
+    rows.push_back(measured);
+  }
+  return rows;
+}
+
+void WriteMetrics(std::ostream& out, const std::vector<Measured>& rows)
+{
+  out << "## Metrics\n\n| metric | is |\n|---|---|\n";
+  std::set<Metric> seen;
+  for (const Measured& row : rows)
+  {
+    if (seen.insert(row.Row.Measured).second)
+    {
+      const MetricText text = TextOf(row.Row.Measured);
+      out << "| " << text.Name << " | " << text.Definition << " |\n";
+    }
+  }
+}
+
+void WriteOpenRows(std::ostream& out, const std::vector<Measured>& rows)
+{
+  const auto isOpen = [](const Measured& row) { return row.Row.IsOpen; };
+  out << "\n## Open\n\n";
+  if (std::none_of(rows.begin(), rows.end(), isOpen))
+  {
+    out << "No row is above its bound.\n";
+  }
+  for (const Measured& row : rows)
+  {
+    if (isOpen(row))
+    {
+      out << "- **" << row.Row.Name << "** (" << row.Row.Scene << "; " << row.Row.Motion
+          << "): " << TextOf(row.Row.Measured).Name << " " << Number(row.Outcomes[0].Value)
+          << ", bound " << Number(row.Row.Bound) << ".\n";
+    }
+  }
+}
+
+void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
+{
+  out << "\n## Rows\n\nPictures: ours, without the mechanism, and VTK's own where there is one.\n\n"
+         "| scenario | pictures | metric | bound | ours | without | VTK's |\n"
+         "|---|---|---|---|---|---|---|\n";
+  for (const Measured& measured : rows)
+  {
+    const Scenario& row = measured.Row;
+    const auto& outcomes = measured.Outcomes;
+    out << "| **" << row.Name << "**" << (row.IsOpen ? " (open)" : "") << "<br>" << row.Scene
+        << "; " << row.Motion << (row.Source.empty() ? "" : ".<br>" + row.Source)
+        << " | ![](Pictures/Stability/" << row.Name << ".png) | " << TextOf(row.Measured).Name
+        << " | " << Number(row.Bound) << " | " << Number(outcomes[0].Value) << " | "
+        << Number(outcomes[1].Value) << "<br>" << row.Broken << " | "
+        << (row.Peer.empty() ? std::string("–") : Number(outcomes[2].Value) + "<br>" + row.Peer)
+        << " |\n";
+  }
+}
+
+void WriteDocument(const std::string& path, const std::vector<Measured>& rows)
+{
+  std::ofstream out(path);
+  out
+    << "# Where methods fail\n\n"
+       "Every row is a situation in which rendering methods of this kind are known to fail, with "
+       "a\n"
+       "metric, a bound that ours keep, and the value without the mechanism that the row guards:\n"
+       "it must be above the bound, so that no row is one that cannot fail. `Testing/Stability/`\n"
+       "holds the table and runs it as tests; `./penumbra benchmark stability` writes this "
+       "page.\n\n"
+    << "- " << rows.size() << " rows, " << DateLine() << "\n- " << VersionLine() << "\n\n";
+  WriteMetrics(out, rows);
+  WriteOpenRows(out, rows);
+  WriteRows(out, rows);
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  if (argc != 2)
+  {
+    std::fprintf(stderr, "usage: penumbra-benchmark-stability DOCUMENTATION\n");
+    return 2;
+  }
+  const std::string folder = argv[1];
+  std::filesystem::create_directories(folder + "/Pictures/Stability");
+  WriteDocument(folder + "/Stability.md", MeasureAll(folder + "/Pictures/Stability"));
+  return 0;
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What `penumbra chart` measures: families of methods that make the same thing, each method at a
+// ladder of settings, on scenes whose truth is known. Times are CPU seconds of one thread.
+#ifndef penumbra_ChartFamilies_h
+#define penumbra_ChartFamilies_h
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace penumbra
+{
+
+struct Measurement
+{
+  double Error = 0.0;
+  double Seconds = 0.0;
+  double Count = 0.0;
+};
+
+struct ChartStep
+{
+  std::string Scene;
+  std::string Method;
+  std::string Setting;
+  double Asked; ///< tolerance; 0: none
+  std::function<Measurement()> Measure;
+};
+
+struct ChartFamily
+{
+  std::string Name;
+  std::string Title;
+  std::string ErrorTitle; ///< of the axis
+  std::string CountTitle;
+  std::string Truth; ///< in one line
+  std::vector<ChartStep> Steps;
+};
+
+struct ChartMesh
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Mesh;
+};
+
+struct ChartRequest
+{
+  std::vector<ChartMesh> Meshes; ///< empty: the built-in scenes
+  bool Quick = false;            ///< small pictures, few steps
+};
+
+ChartFamily AntialiasingFamily(const ChartRequest& request);
+ChartFamily OcclusionFamily(const ChartRequest& request);
+ChartFamily IrradianceFamily(const ChartRequest& request);
+ChartFamily ShaftFamily(const ChartRequest& request);
+
+/// CPU seconds of this process so far.
+double CpuSeconds();
+
+/// A value that is made when it is first asked for.
+template <typename Value>
+std::function<Value&()> Lazily(std::function<std::shared_ptr<Value>()> make)
+{
+  auto kept = std::make_shared<std::shared_ptr<Value>>();
+  return [kept, make]() -> Value& {
+    if (!*kept)
+    {
+      *kept = make();
+    }
+    return **kept;
+  };
+}
+
+}
+#endif

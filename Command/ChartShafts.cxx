@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Light shafts: the paper's mean of a mask, depth along the way to the light in every pixel and for
+// 2x2, marched shadow rays. Error relative to the RMS of the added light, against 512 shadow rays a
+// pixel; programs of shaders are warm.
+#include "ChartFamilies.h"
+
+#include "ShaftScene.h"
+
+#include "vtkRenderWindow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Pass = vtkPenumbraLightShaftPass;
+
+struct Subject
+{
+  std::unique_ptr<ShaftScene> Scene;
+  vtkSmartPointer<vtkLight> Sun;
+  std::vector<double> Truth;
+};
+
+using Subjects = std::function<Subject&()>;
+
+Subjects SolidsInHaze(const Vector& sun, bool quick)
+{
+  return Lazily<Subject>([=] {
+    auto subject = std::make_shared<Subject>();
+    subject->Scene = std::make_unique<ShaftScene>(quick ? 96 : 384, quick ? 72 : 288);
+    ShaftScene& scene = *subject->Scene;
+    scene.AddFloor(12.0);
+    scene.AddSolids(14, 1);
+    scene.Look({ .5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+    subject->Sun = scene.AddSun(sun);
+    scene.Fill(.12, .12);
+    subject->Truth = scene.ByRays(quick ? 64 : 512);
+    return subject;
+  });
+}
+
+double ErrorOf(const Subject& subject, const std::vector<double>& light)
+{
+  double squares = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 0; i < light.size(); ++i)
+  {
+    squares += std::pow(light[i] - subject.Truth[i], 2.0);
+    size += subject.Truth[i] * subject.Truth[i];
+  }
+  return std::sqrt(squares / size);
+}
+
+Measurement MeasurePass(Subject& subject, int estimator, double tolerance, int steps)
+{
+  Pass* pass = subject.Scene->Pass;
+  pass->SetEstimator(estimator);
+  pass->SetTolerance(tolerance);
+  pass->SetSteps(steps);
+  Measurement result;
+  result.Seconds = std::numeric_limits<double>::infinity();
+  for (int frame = -1; frame < 3; ++frame)
+  {
+    subject.Sun->Modified(); // a still scene is computed once
+    const double start = CpuSeconds();
+    subject.Scene->Window->Render();
+    subject.Scene->Window->WaitForCompletion();
+    result.Seconds = frame < 0 ? result.Seconds : std::min(result.Seconds, CpuSeconds() - start);
+  }
+  result.Error = ErrorOf(subject, subject.Scene->ByPass());
+  // Half of the resolution in both directions from this tolerance on.
+  result.Count = (steps > 0 ? steps : .25 / tolerance) / (tolerance >= 1.0 / 128.0 ? 4.0 : 1.0);
+  return result;
+}
+
+Measurement MeasureRays(Subject& subject, int steps)
+{
+  long long rays = 0;
+  const double start = CpuSeconds();
+  const std::vector<double> light = subject.Scene->ByRays(steps, &rays);
+  const double seconds = CpuSeconds() - start;
+  return { ErrorOf(subject, light), seconds,
+    static_cast<double>(rays) / static_cast<double>(light.size()) };
+}
+
+void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& subject, bool quick)
+{
+  const std::vector<int> ladder =
+    quick ? std::vector<int>{ 8, 32 } : std::vector<int>{ 4, 8, 16, 32, 64, 128, 256 };
+  const struct
+  {
+    const char* Method;
+    int Estimator;
+    double Tolerance;
+  } methods[] = { { "mean of a mask [Shafts]", Pass::RADIAL, 1.0 / 256.0 },
+    { "depth in every pixel", Pass::DEPTH, 1.0 / 256.0 },
+    { "depth at half resolution", Pass::DEPTH, 1.0 / 64.0 } };
+  for (const auto& method : methods)
+  {
+    for (const int steps : ladder)
+    {
+      family.Steps.push_back({ scene, method.Method, std::to_string(steps) + " steps", 0.0,
+        [=] { return MeasurePass(subject(), method.Estimator, method.Tolerance, steps); } });
+    }
+  }
+  for (const int steps : quick ? std::vector<int>{ 8 } : std::vector<int>{ 2, 4, 8, 16, 32, 64 })
+  {
+    family.Steps.push_back({ scene, "shadow rays", std::to_string(steps) + " steps", 0.0,
+      [=] { return MeasureRays(subject(), steps); } });
+  }
+  for (const int inverse :
+    quick ? std::vector<int>{ 64, 256 } : std::vector<int>{ 16, 64, 128, 256, 1024 })
+  {
+    // The tolerance is of a colour; the error here is relative to the light that is added.
+    family.Steps.push_back(
+      { scene, "Penumbra automatic", "--tolerance 1/" + std::to_string(inverse), 0.0,
+        [=] { return MeasurePass(subject(), Pass::DEPTH, 1.0 / inverse, 0); } });
+  }
+}
+
+}
+
+ChartFamily ShaftFamily(const ChartRequest& request)
+{
+  ChartFamily family{ "shafts",
+    std::string("Light shafts, ") + (request.Quick ? "96x72" : "384x288"),
+    "RMSE over RMS of the added light", "depths or shadow rays a pixel",
+    std::string(request.Quick ? "64" : "512") + " shadow rays a pixel", {} };
+  AddSteps(family, "sun in view", SolidsInHaze({ .2, 1.0, .32 }, request.Quick), request.Quick);
+  if (!request.Quick)
+  {
+    AddSteps(family, "sun outside of the picture", SolidsInHaze({ .72, 1.0, .32 }, false), false);
+  }
+  return family;
+}
+
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The measured steps of a chart, kept in a CSV file that grows row by row: an interrupted run goes on
+// where it ended.
+#ifndef penumbra_ChartTable_h
+#define penumbra_ChartTable_h
+
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+struct ChartRow
+{
+  std::string Scene;
+  std::string Method;
+  std::string Setting;
+  double Asked = 0.0; ///< tolerance; 0: the method takes none
+  double Error = 0.0;
+  double Seconds = 0.0; ///< CPU
+  double Count = 0.0;   ///< rays or samples a pixel
+};
+
+class ChartTable
+{
+public:
+  /// Rows that an earlier run left at `path`. `subject`: what is measured; `remarks`: machine, date.
+  /// Throws Failure where the file is of another subject or no chart's, or cannot be written.
+  ChartTable(
+    const std::string& path, const std::string& subject, const std::vector<std::string>& remarks);
+
+  bool Has(const std::string& scene, const std::string& method, const std::string& setting) const;
+
+  /// Writes it at once.
+  void Add(const ChartRow& row);
+
+  const std::vector<ChartRow>& GetRows() const { return this->Rows; }
+
+private:
+  void Read(const std::string& subject);
+
+  std::string Path;
+  std::vector<ChartRow> Rows;
+};
+
+/// Rows that no other row beats in error and in `cost`, by falling error.
+std::vector<ChartRow> ParetoFront(std::vector<ChartRow> rows, double ChartRow::*cost);
+
+}
+#endif

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `penumbra chart` through the real program, at its quickest.
+#include "Meshes.h"
+#include "Pictures.h"
+#include "Program.h"
+
+#include "vtkImageData.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+struct Row
+{
+  std::string Line;
+  double Asked = 0.0;
+  double Error = 0.0;
+  double Seconds = 0.0;
+  double Count = 0.0;
+};
+
+/// The rows of a chart's table by method and setting.
+std::map<std::string, Row> ReadRows(const std::string& path)
+{
+  std::map<std::string, Row> rows;
+  std::istringstream text(ReadText(path));
+  for (std::string line; std::getline(text, line);)
+  {
+    std::istringstream fields(line);
+    std::string field[7];
+    for (std::string& each : field)
+    {
+      std::getline(fields, each, ',');
+    }
+    if (line[0] != '#' && field[0] != "scene")
+    {
+      rows[field[1] + ", " + field[2]] = { line, std::stod(field[3]), std::stod(field[4]),
+        std::stod(field[5]), std::stod(field[6]) };
+    }
+  }
+  return rows;
+}
+
+Outcome RunChart(const Folder& folder, const std::string& family)
+{
+  return RunProgram({ "chart", "--quick", "--family", family, "--output", folder / "charts" });
+}
+
+TEST(Chart, ShowsThatExactBordersBeatSamples)
+{
+  const Folder folder("chart");
+  const Outcome outcome = RunChart(folder, "aa");
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+  std::map<std::string, Row> rows = ReadRows(folder / "charts/aa.csv");
+  EXPECT_EQ(rows.size(), 10u);
+  for (const auto& [name, row] : rows)
+  {
+    EXPECT_GT(row.Seconds, 0.0) << name;
+    EXPECT_GE(row.Count, 1.0) << name;
+    EXPECT_LT(row.Error, 1.0) << name;
+  }
+  const Row& ours = rows["Penumbra automatic, --tolerance 1/256"];
+  EXPECT_NEAR(ours.Asked, 1.0 / 256.0, 1e-6);
+  EXPECT_LT(ours.Error, 1e-4);
+  EXPECT_GT(rows["rays on a grid, 4 x 4"].Error, 0.01);
+  EXPECT_LT(ours.Count, rows["rays on a grid, 4 x 4"].Count);
+
+  const auto picture = ReadImage(folder / "charts/aa.png");
+  EXPECT_GT(picture->GetDimensions()[0], 1000);
+  EXPECT_NE(ReadText(folder / "charts/aa.svg").find("<svg"), std::string::npos);
+}
+
+TEST(Chart, GoesOnWhereItEnded)
+{
+  const Folder folder("chart-resume");
+  ASSERT_EQ(RunChart(folder, "irradiance").Status, 0);
+  const std::string path = folder / "charts/irradiance.csv";
+  const std::string whole = ReadText(path);
+  const std::map<std::string, Row> before = ReadRows(path);
+  // Without its last row.
+  WriteText(path, whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1));
+  ASSERT_EQ(RunChart(folder, "irradiance").Status, 0);
+  const std::map<std::string, Row> after = ReadRows(path);
+  ASSERT_EQ(after.size(), before.size());
+  int measuredAgain = 0;
+  for (const auto& [name, row] : before)
+  {
+    measuredAgain += after.at(name).Line != row.Line;
+    EXPECT_EQ(after.at(name).Error, row.Error) << name;
+  }
+  EXPECT_LE(measuredAgain, 1);
+}
+
+TEST(Chart, RefusesFoldersAndMeshesThatDoNotSuit)
+{
+  const Folder folder("chart-bad");
+  WriteText(folder / "aa.csv", "something else\n");
+  const Outcome other =
+    RunProgram({ "chart", "--quick", "--family", "aa", "--output", folder / "." });
+  EXPECT_EQ(other.Status, 2);
+  EXPECT_EQ(CountLines(other.Errors), 1) << other.Errors;
+  EXPECT_EQ(ReadText(folder / "aa.csv"), "something else\n");
+  const Outcome none = RunProgram(
+    { "chart", folder / "none.ply", "--quick", "--family", "aa", "--output", folder / "x" });
+  EXPECT_EQ(none.Status, 2);
+  EXPECT_EQ(CountLines(none.Errors), 1) << none.Errors;
+  EXPECT_EQ(RunProgram({ "chart" }).Status, 2);
+}
+
+}

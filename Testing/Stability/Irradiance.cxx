@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where interpolated occlusion fails: contacts, thin walls, corners, and answers that depend on who
+// asked before. The cache against closed forms at the places that a picture sees; baked meshes.
+#include "Scenario.h"
+#include "Stage.h"
+
+#include "PictureSites.h"
+#include "RayScene.h"
+#include "Solids.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraIrradianceCache.h"
+#include "vtkPenumbraIrradianceFilter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+using Cache = vtkPenumbraIrradianceCache;
+using Truth = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
+
+/// What [IC] does: the harmonic mean of the distances, or the nearest of them, and far-reaching
+/// records.
+void AsPrinted(Cache* cache)
+{
+  cache->SetRadiusRule(Cache::HARMONIC_MEAN);
+  cache->SetMinimumRadius(16.0);
+  cache->SetMaximumRadius(1000.0);
+}
+
+glm::dvec3 World(const Scene& scene, const Site& site)
+{
+  return glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+}
+
+double Ask(const vtkPenumbraIrradianceSource* source, glm::dvec3 position, glm::dvec3 normal)
+{
+  return source->Occlusion(&position.x, &normal.x).Value;
+}
+
+/// Answers of a source at what the middle of every second pixel sees; 0 elsewhere.
+Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceSource* source, const Truth& truth,
+  double& error)
+{
+  const Scene& scene = rays.GetScene();
+  const int side = scene.Eye.Width / 2;
+  Frame picture{ side, side, std::vector<double>(side * side, 1.0) };
+  double squares = 0.0;
+  double count = 0.0;
+  for (int i = 0; i < side * side; ++i)
+  {
+    Ray ray;
+    ray.Direction = scene.Eye.RayDirection({ 2 * (i % side) + 1.0, 2 * (i / side) + 1.0 });
+    const Hit hit = rays.Intersect(ray);
+    if (!hit.IsHit())
+    {
+      continue;
+    }
+    const Surface& surface = scene.Surfaces[hit.Surface];
+    const glm::uvec3 triangle = surface.Triangles[hit.Triangle];
+    const glm::dvec3 a = surface.Positions[triangle.x];
+    glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(surface.Positions[triangle.y]) - a,
+      glm::dvec3(surface.Positions[triangle.z]) - a));
+    normal *= glm::dot(normal, glm::dvec3(ray.Direction)) > 0.0 ? -1.0 : 1.0;
+    const glm::dvec3 position = double(hit.Distance) * glm::dvec3(ray.Direction) + scene.Origin;
+    const double answer = Ask(source, position, normal);
+    picture.Values[i] = 1.0 - answer;
+    squares += std::pow(answer - truth(position, normal), 2.0);
+    count += 1.0;
+  }
+  error = std::sqrt(squares / count);
+  return picture;
+}
+
+/// A unit sphere, its centre at `height` above a floor: contact at 1. Seen in a picture of `size`.
+std::function<Outcome(Variant)> Sphere(double height, int size)
+{
+  return [height, size](Variant variant) {
+    Scene scene;
+    AddFloor(scene, 1000.f);
+    AddSphere(scene, { 0.0, 0.0, height }, 1.0, 100);
+    LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, size, size);
+    const RayScene rays(scene, 1);
+    vtkNew<Cache> cache;
+    cache->SetTolerance(.01);
+    if (variant == Variant::Broken)
+    {
+      AsPrinted(cache);
+    }
+    cache->Begin(rays, Infinity, .02);
+    Outcome outcome{ 0.0, {} };
+    outcome.Picture = Picture(
+      rays, cache,
+      [height](glm::dvec3 position, glm::dvec3 normal) {
+        const double square = position.x * position.x + position.y * position.y;
+        return normal.z > .99999 && position.z < 1e-3
+          ? height / std::pow(height * height + square, 1.5)
+          : .5 * (1.0 - normal.z);
+      },
+      outcome.Value);
+    return outcome;
+  };
+}
+
+/// A corner of a floor and a wall: [IC] gives records there no radius, or too large ones.
+Outcome ConcaveCorner(Variant variant)
+{
+  Scene scene;
+  AddRectangle(scene, { -500.f, -500.f, 0.f }, { 1000.f, 0.f, 0.f }, { 0.f, 500.f, 0.f });
+  AddRectangle(scene, { -500.f, 0.f, 0.f }, { 1000.f, 0.f, 0.f }, { 0.f, 0.f, 500.f });
+  LookAt(scene, { 0.0, -4.0, 3.0 }, { 0.0, -.2, .2 }, 30.0, 128, 128);
+  const RayScene rays(scene, 1);
+  vtkNew<Cache> cache;
+  cache->SetTolerance(.01);
+  if (variant == Variant::Broken)
+  {
+    AsPrinted(cache);
+  }
+  cache->Begin(rays, 1.0, .02);
+  Outcome outcome{ 0.0, {} };
+  outcome.Picture = Picture(
+    rays, cache,
+    [](glm::dvec3 position, glm::dvec3 normal) {
+      const double a = normal.z > .5 ? -position.y : position.z;
+      return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
+    },
+    outcome.Value);
+  return outcome;
+}
+
+/// A room that is open above beside one with a low lid, a sheet between them; a record of one must not
+/// serve the other.
+Outcome ThinWall(Variant variant)
+{
+  Scene scene;
+  AddFloor(scene, 4.f);
+  AddRectangle(scene, { 0.f, -4.f, 0.f }, { 0.f, 8.f, 0.f }, { 0.f, 0.f, 4.f });
+  AddRectangle(scene, { -4.f, -4.f, .5f }, { 4.f, 0.f, 0.f }, { 0.f, 8.f, 0.f });
+  LookAt(scene, { 1.0, -9.0, 5.0 }, { 0.0, 0.0, 0.0 }, 40.0, 128, 128);
+  const RayScene rays(scene, 1);
+  vtkNew<Cache> cache;
+  if (variant == Variant::Broken)
+  {
+    AsPrinted(cache);
+  }
+  cache->Begin(rays, Infinity, .01);
+  double ignored = 0.0;
+  Outcome outcome{ 0.0,
+    Picture(
+      rays, cache, [](glm::dvec3, glm::dvec3) { return 0.0; }, ignored) };
+  vtkNew<vtkPenumbraBruteForceSource> truth;
+  truth->Begin(rays, Infinity, .01);
+  for (int i = 1; i < 60; ++i)
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      const glm::dvec3 place(side * .01 * i, -3.2, 0.0);
+      const glm::dvec3 up(0.0, 0.0, 1.0);
+      outcome.Value =
+        std::max(outcome.Value, std::abs(Ask(cache, place, up) - Ask(truth, place, up)));
+    }
+  }
+  return outcome;
+}
+
+/// All of the sky is blocked.
+Outcome ClosedBox(Variant variant)
+{
+  Scene scene;
+  AddBox(scene, { -3.f, -8.f, -1.f }, { 3.f, 4.f, 5.f });
+  if (variant == Variant::Broken)
+  {
+    scene.Surfaces.pop_back();
+  }
+  LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, 128, 128);
+  const RayScene rays(scene, 1);
+  vtkNew<Cache> cache;
+  cache->Begin(rays, Infinity, .01);
+  double ignored = 0.0;
+  const Frame picture = Picture(
+    rays, cache, [](glm::dvec3, glm::dvec3) { return 1.0; }, ignored);
+  return { *std::max_element(picture.Values.begin(), picture.Values.end()), picture };
+}
+
+/// The i-th question of `count`, in another order than from first to last.
+using OrderOfQuestions = std::size_t (*)(std::size_t i, std::size_t count);
+
+std::size_t Backwards(std::size_t i, std::size_t count)
+{
+  return count - 1 - i;
+}
+
+/// Every second part of a picture before the others.
+std::size_t InTwoPieces(std::size_t i, std::size_t count)
+{
+  const std::size_t even = (count + 1) / 2;
+  return i < even ? 2 * i : 2 * (i - even) + 1;
+}
+
+/// As five threads would ask that share the picture.
+std::size_t InFiveThreads(std::size_t i, std::size_t count)
+{
+  const std::size_t share = count / 5;
+  return i < 5 * share ? i % 5 * share + i / 5 : i;
+}
+
+/// The same questions in two orders, records made on one thread and on five.
+std::function<Outcome(Variant)> AskedAgain(OrderOfQuestions other)
+{
+  return [other](Variant variant) {
+    Scene scene;
+    AddFloor(scene, 1000.f);
+    AddSphere(scene, { 0.0, 0.0, 1.0 }, 1.0, 100);
+    LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, 128, 128);
+    const RayScene rays(scene, 1);
+    const std::vector<Site> sites = SitesOfPicture(rays, 6);
+    std::vector<double> answers[2];
+    Frame picture;
+    for (const bool again : { false, true })
+    {
+      vtkNew<Cache> cache;
+      cache->SetOrder(variant == Variant::Broken ? Cache::LAZY : Cache::LEVELS);
+      vtkSMPTools::LocalScope(
+        vtkSMPTools::Config(again ? 5 : 1), [&]() { cache->Begin(rays, Infinity, .02); });
+      answers[again].resize(sites.size());
+      for (std::size_t i = 0; i < sites.size(); ++i)
+      {
+        const std::size_t question = again ? other(i, sites.size()) : i;
+        const Site& site = sites[question];
+        answers[again][question] = Ask(cache, World(scene, site), site.Normal);
+      }
+      double ignored = 0.0;
+      picture = Picture(
+        rays, cache, [](glm::dvec3, glm::dvec3) { return 0.0; }, ignored);
+    }
+    return Outcome{ LargestDifference(answers[0], answers[1]), picture };
+  };
+}
+
+/// The inside of a sphere whose file has its normals turned outwards.
+Outcome InvertedNormals(Variant variant)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(24);
+  source->SetPhiResolution(24);
+  const auto sphere = DataOf(source);
+  vtkDataArray* normals = sphere->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const double* n = normals->GetTuple3(i);
+    normals->SetTuple3(i, -n[0], -n[1], -n[2]);
+  }
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(sphere);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->SetComputeNormals(variant == Variant::Ours);
+  filter->SetNumberOfThreads(1);
+  filter->Update();
+  vtkDataArray* values =
+    vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("AmbientOcclusion");
+  Frame picture{ 24, static_cast<int>(values->GetNumberOfTuples()) / 24, {} };
+  double worst = 0.0;
+  for (int i = 0; i < picture.Width * picture.Height; ++i)
+  {
+    picture.Values.push_back(1.0 - values->GetComponent(i, 0));
+    worst = std::max(worst, values->GetComponent(i, 0));
+  }
+  return { worst, picture };
+}
+
+/// A mesh in two units; broken: a radius in world units.
+Outcome BakedUnits(Variant variant)
+{
+  std::vector<double> baked[2];
+  for (const bool tiny : { false, true })
+  {
+    vtkNew<vtkSphereSource> source;
+    source->SetThetaResolution(24);
+    source->SetPhiResolution(24);
+    const auto dented = Deformed(DataOf(source), [&](glm::dvec3 p) {
+      return (tiny ? 1e-6 : 1.0) * p * (1.0 - .6 * std::exp(-20.0 * (1.0 - 2.0 * p.z)));
+    });
+    dented->GetPointData()->Initialize();
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(dented);
+    filter->SetRadius(variant == Variant::Broken ? .2 : 0.0);
+    filter->SetNumberOfThreads(1);
+    filter->Update();
+    vtkDataArray* values =
+      vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("AmbientOcclusion");
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      baked[tiny].push_back(values->GetComponent(i, 0));
+    }
+  }
+  Frame picture{ 24, static_cast<int>(baked[1].size()) / 24, baked[1] };
+  picture.Values.resize(static_cast<std::size_t>(picture.Width) * picture.Height);
+  return { Rmse(baked[0], baked[1]), picture };
+}
+
+}
+
+std::vector<Scenario> IrradianceScenarios()
+{
+  const std::string printed =
+    "radii from the second derivative, and their limits: the harmonic mean, 16 to 1000 pixels";
+  const std::string lazy = "records before questions: [IC]'s lazy order";
+  const std::string dependent = "[IC] depends on the order of questions";
+  const std::string plane = " against the closed form";
+  return {
+    { "CacheContact", "a sphere on a floor" + plane, "still", Metric::Bias, .01, printed,
+      "[IC] distant records overrule a contact shadow", "", Sphere(1.0, 256) },
+    { "CacheHovering", "a sphere over a floor" + plane, "still", Metric::Bias, .01, printed,
+      "[IC] radii without bounds", "", Sphere(1.5, 256) },
+    { "CacheSmallPicture", "a sphere on a floor, in a picture of 128x128" + plane, "still",
+      Metric::Bias, .01, printed, "", "", Sphere(1.0, 128), true },
+    { "CacheConcaveCorner", "a floor and a wall" + plane, "still", Metric::Bias, .006, printed,
+      "[IC] radius 0 on concave surfaces", "", ConcaveCorner },
+    { "CacheThinWall", "a dark room and a bright one, a sheet between", "still", Metric::Leak, .05,
+      printed, "[IC] records leak through thin walls", "", ThinWall },
+    { "CacheClosedBox", "the inside of a closed box", "still", Metric::Leak, 0.0,
+      "a wall: one is left out", "[IC] leaks", "", ClosedBox },
+    { "CacheOrderOfQuestions", "a sphere on a floor, asked from first to last and back", "still",
+      Metric::Sameness, 0.0, lazy, dependent, "", AskedAgain(Backwards) },
+    { "CacheTiles", "the same, asked at once and in two pieces", "still", Metric::Sameness, 0.0,
+      lazy, dependent, "", AskedAgain(InTwoPieces) },
+    { "CacheThreads", "the same, asked by one thread and as by five", "still", Metric::Sameness,
+      0.0, lazy, dependent, "", AskedAgain(InFiveThreads) },
+    { "BakedInvertedNormals", "an open sphere whose normals point inwards", "still",
+      Metric::Sameness, 0.0, "computed normals: those of the file", "", "", InvertedNormals },
+    { "BakedUnit", "a dented sphere of size 1e-6", "still", Metric::UnitIndependence, .01,
+      "a radius from the bounds: .2", "[ISAO] distances in scene units", "", BakedUnits },
+  };
+}
+
+}

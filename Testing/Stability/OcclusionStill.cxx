@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The occlusion pass in windows and scenes that are difficult without any motion: borders of the
+// picture, viewports, other projections, units, distances.
+#include "OcclusionStage.h"
+#include "Scenario.h"
+
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkPenumbraBilateralFilterPass.h"
+#include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Pass = vtkPenumbraTemporalSSAOPass;
+
+/// One frame of eight samples a pixel, no filter: what history and filter are for.
+void OneFrame(Pass* pass)
+{
+  pass->SetConvergeInOneRender(Pass::NEVER);
+  pass->SetFirstSamples(8);
+  pass->FilterOff();
+}
+
+Frame Drawn(OcclusionScene& scene)
+{
+  scene.Window->Render();
+  return OcclusionOf(scene);
+}
+
+/// A view that has converged, frame by frame.
+Outcome StillView(Variant variant)
+{
+  OcclusionScene scene(96, 72);
+  Furnish(scene);
+  if (variant == Variant::Broken)
+  {
+    scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  }
+  else if (variant == Variant::Ours)
+  {
+    scene.Occlude(1.0);
+  }
+  std::vector<std::vector<double>> times;
+  Frame picture;
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    picture = variant == Variant::Peer ? OcclusionByVtk(scene, 1.0) : Drawn(scene);
+    times.push_back(picture.Values);
+  }
+  return { Flicker(times), Inverted(picture) };
+}
+
+/// A floor before a wall, against the closed form, in one column of pixels.
+Outcome Wall(OcclusionScene& scene, Variant variant)
+{
+  scene.Occlude(1.0)->SetTolerance(.005);
+  if (variant == Variant::Broken)
+  {
+    OneFrame(scene.Pass);
+  }
+  const std::vector<double> errors = ErrorsBeforeAWall(scene);
+  return { RootMeanSquare(errors), OpennessOf(scene) };
+}
+
+Outcome InPerspective(Variant variant)
+{
+  OcclusionScene scene(160, 96);
+  return Wall(scene, variant);
+}
+
+Outcome InParallel(Variant variant)
+{
+  OcclusionScene scene(160, 96);
+  scene.UseParallelProjection(true, 1.6);
+  return Wall(scene, variant);
+}
+
+Outcome AtAWideAngle(Variant variant)
+{
+  OcclusionScene scene(160, 160);
+  scene.Renderer->GetActiveCamera()->SetViewAngle(150.0);
+  return Wall(scene, variant);
+}
+
+/// With near and far as 1 : 1e6; broken: as 1 : 1e9, which no depth buffer can hold.
+Outcome NearAndFar(Variant variant)
+{
+  const auto draw = [](double nearPlane, double farPlane) {
+    OcclusionScene scene(96, 72);
+    Furnish(scene);
+    if (nearPlane > 0.0)
+    {
+      scene.Renderer->GetActiveCamera()->SetClippingRange(nearPlane, farPlane);
+    }
+    scene.Occlude(1.0)->SetTolerance(.005);
+    return Drawn(scene);
+  };
+  const double nearPlane = variant == Variant::Broken ? 1e-6 : 1e-4;
+  const Frame picture = draw(nearPlane, variant == Variant::Broken ? 1e3 : 1e2);
+  return { Rmse(picture.Values, draw(0.0, 0.0).Values), Inverted(picture) };
+}
+
+/// The scene moved by 5,000 km: as an actor; broken: in its points, which are floats.
+Outcome FarFromOrigin(Variant variant)
+{
+  const auto draw = [&](const Vector& at) {
+    OcclusionScene scene(96, 72);
+    const bool inPoints = variant == Variant::Broken;
+    const auto floor = inPoints
+      ? scene.AddWall({ at[0] - 3, at[1] - 3, 0 }, { 6, 0, 0 }, { 0, 4, 0 })
+      : scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 4, 0 });
+    floor->SetPosition(inPoints ? 0.0 : at[0], inPoints ? 0.0 : at[1], 0.0);
+    const auto wall = scene.AddWall({ at[0] - 2, at[1] + .7, 0 }, { 4, .3, 0 }, { 0, 0, 1 });
+    if (!inPoints)
+    {
+      scene.Renderer->RemoveActor(wall);
+      scene.AddWall({ -2, .7, 0 }, { 4, .3, 0 }, { 0, 0, 1 })->SetPosition(at[0], at[1], 0.0);
+    }
+    scene.Look({ at[0], at[1] - 5, 3 }, { at[0], at[1], .4 });
+    scene.Occlude(1.0)->SetTolerance(.005);
+    return Drawn(scene);
+  };
+  const Frame picture = draw({ 5e5, 5e6, 0 });
+  return { Rmse(picture.Values, draw({ 0, 0, 0 }).Values), Inverted(picture) };
+}
+
+/// The bilateral filter over a black plate before a white wall; broken: at any distance.
+Outcome FilterAcrossAnEdge(Variant variant)
+{
+  OcclusionScene scene(96, 72);
+  scene.AddWall({ -20, 1, -20 }, { 40, 0, 0 }, { 0, 0, 40 });
+  scene.AddWall({ -40, 0, -20 }, { 40, 0, 0 }, { 0, 0, 40 })->GetProperty()->SetColor(0, 0, 0);
+  scene.Look({ 0, -5, 0 }, { 0, 0, 0 });
+  const auto draw = [&] {
+    scene.Window->Render();
+    Frame frame{ scene.Width, scene.Height, {} };
+    const std::vector<int> bytes = scene.Picture();
+    for (std::size_t i = 1; i < bytes.size(); i += 4)
+    {
+      frame.Values.push_back(bytes[i] / 255.0);
+    }
+    return frame;
+  };
+  const Frame plain = draw();
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkPenumbraBilateralFilterPass> filter;
+  filter->SetDelegatePass(steps);
+  filter->SetReach(4);
+  filter->SetDistance(variant == Variant::Broken ? 1e3 : 0.0);
+  scene.Renderer->SetPass(filter);
+  const Frame filtered = draw();
+  filter->ReleaseGraphicsResources(scene.Window);
+  scene.Renderer->SetPass(nullptr);
+  return { LargestDifference(plain.Values, filtered.Values), filtered };
+}
+
+std::function<Outcome(Variant)> Units(double unit)
+{
+  return [unit](Variant variant) {
+    const auto draw = [&](double scale) {
+      OcclusionScene scene(96, 72);
+      Furnish(scene, scale);
+      if (variant == Variant::Peer)
+      {
+        return OcclusionByVtk(scene, .5); // its default radius, which is in world units
+      }
+      scene.Occlude(.5)->SetTolerance(.005);
+      if (variant == Variant::Ours)
+      {
+        scene.Pass->SetRadiusUnit(Pass::SHARE_OF_BOUNDS);
+        scene.Pass->SetRadius(.1);
+      }
+      return Drawn(scene);
+    };
+    const Frame picture = draw(unit);
+    return Outcome{ Rmse(picture.Values, draw(1.0).Values), Inverted(picture) };
+  };
+}
+
+/// The scene mirrored in the plane x = 0, or the camera turned by 90 degrees.
+std::function<Outcome(Variant)> Transformed(bool mirrors)
+{
+  return [mirrors](Variant variant) {
+    const auto draw = [&](bool transformed) {
+      OcclusionScene scene(96, 96);
+      const double side = mirrors && transformed ? -1.0 : 1.0;
+      Furnish(scene);
+      scene.AddSphere({ side * -.9, -.5, .3 }, .3);
+      scene.AddWall({ side * 1.2, -2.0, 0.0 }, { 0.0, 3.0, 0.0 }, { 0.0, 0.0, 1.0 });
+      if (!mirrors && transformed)
+      {
+        scene.Renderer->GetActiveCamera()->Roll(90.0);
+      }
+      if (variant == Variant::Peer)
+      {
+        return OcclusionByVtk(scene, 1.0);
+      }
+      scene.Occlude(1.0)->SetTolerance(.005);
+      if (variant == Variant::Broken)
+      {
+        OneFrame(scene.Pass);
+      }
+      return Drawn(scene);
+    };
+    const Frame plain = draw(false);
+    const Frame other = draw(true);
+    return Outcome{ Rmse(mirrors ? Mirrored(plain).Values : Turned(plain).Values, other.Values),
+      Inverted(other) };
+  };
+}
+
+Outcome TwoResolutions(Variant variant)
+{
+  const auto draw = [&](int times) {
+    OcclusionScene scene(80 * times, 60 * times);
+    Furnish(scene);
+    if (variant == Variant::Peer)
+    {
+      return OcclusionByVtk(scene, 1.0);
+    }
+    scene.Occlude(1.0)->SetTolerance(.005);
+    if (variant == Variant::Broken)
+    {
+      OneFrame(scene.Pass);
+    }
+    return Drawn(scene);
+  };
+  const Frame small = draw(1);
+  return { Rmse(small.Values, Halved(draw(2)).Values), Inverted(small) };
+}
+
+/// The same view filling a small picture and in the middle of a larger one.
+Outcome PictureBorder(Variant variant)
+{
+  constexpr double small = 20.0;
+  const double tangent = std::tan(small / 2.0 * std::acos(-1.0) / 180.0);
+  const double large = 2.0 * std::atan(2.0 * tangent) * 180.0 / std::acos(-1.0);
+  const auto draw = [](int width, int height, double angle, double margin) {
+    OcclusionScene scene(width, height);
+    Furnish(scene);
+    scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
+    scene.Occlude(1.0)->SetMargin(margin);
+    scene.Pass->SetTolerance(.005);
+    return Drawn(scene);
+  };
+  const Frame whole = draw(192, 160, large, 0.0);
+  const Frame part = draw(96, 80, small, variant == Variant::Broken ? 0.0 : 50.0);
+  std::vector<double> middle;
+  for (int i = 0; i < 96 * 80; ++i)
+  {
+    middle.push_back(whole.Values[(40 + i / 96) * 192 + 48 + i % 96]);
+  }
+  return { Rmse(part.Values, middle), Inverted(part) };
+}
+
+/// A rod two radii before a wall: beside it, the wall is open.
+Outcome Halo(Variant variant)
+{
+  OcclusionScene scene(96, 72);
+  scene.AddWall({ -6, 3, -4 }, { 12, 0, 0 }, { 0, 0, 8 });
+  scene.AddWall({ -.1, 0, -4 }, { .2, 0, 0 }, { 0, 0, 8 });
+  scene.Look({ 0, -5, 0 }, { 0, 0, 0 });
+  Frame picture;
+  if (variant == Variant::Peer)
+  {
+    picture = OcclusionByVtk(scene, 1.0);
+  }
+  else
+  {
+    scene.Occlude(1.0)->SetTolerance(.005);
+    if (variant == Variant::Broken)
+    {
+      scene.Pass->SetKernelName("volumetric");
+    }
+    picture = Drawn(scene);
+  }
+  double dark = 0.0;
+  for (int x = 0; x < 48; ++x)
+  {
+    dark += picture.Values[36 * 96 + x] > .03;
+  }
+  return { dark, Inverted(picture) };
+}
+
+/// The right half of a window, and the same picture alone.
+Outcome Viewports(Variant variant)
+{
+  OcclusionScene single(64, 72);
+  Furnish(single);
+  single.Occlude(1.0)->SetTolerance(.005);
+  const Frame alone = Drawn(single);
+  OcclusionScene pair(128, 72);
+  Furnish(pair);
+  pair.Renderer->SetViewport(.5, 0, 1, 1);
+  vtkNew<vtkRenderer> left;
+  left->SetViewport(0, 0, .5, 1);
+  pair.Window->AddRenderer(left);
+  pair.Renderer->ResetCameraClippingRange();
+  pair.Occlude(1.0)->SetTolerance(.005);
+  Pass::AddTo(left);
+  if (variant == Variant::Broken)
+  {
+    pair.Pass->SetMargin(0.0);
+  }
+  pair.Window->Render();
+  const std::vector<float> values = pair.Array("AmbientOcclusion");
+  const Frame half{ 64, 72, { values.begin(), values.end() } };
+  return { LargestDifference(half.Values, alone.Values), Inverted(half) };
+}
+
+/// The window grows while a view converges.
+Outcome Resize(Variant variant)
+{
+  OcclusionScene scene(96, 72);
+  Furnish(scene);
+  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  scene.Window->SetSize(48, 36);
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    scene.Window->Render();
+  }
+  scene.Window->SetSize(96, 72);
+  if (variant == Variant::Broken)
+  {
+    OneFrame(scene.Pass);
+  }
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    if (variant == Variant::Ours || frame == 0)
+    {
+      scene.Window->Render();
+    }
+  }
+  const Frame picture = OcclusionOf(scene);
+  return { Rmse(picture.Values, Limit(scene).Values), Inverted(picture) };
+}
+
+Outcome TinyPictures(Variant variant)
+{
+  double worst = 0.0;
+  Frame picture;
+  for (const auto& [width, height] : { std::pair<int, int>(1, 1), { 2, 1 }, { 33, 7 }, { 7, 33 } })
+  {
+    OcclusionScene scene(width, height);
+    Furnish(scene);
+    scene.Occlude(1.0)->SetTolerance(.005);
+    if (variant == Variant::Broken)
+    {
+      OneFrame(scene.Pass);
+    }
+    picture = Drawn(scene);
+    worst = std::max(worst, Rmse(picture.Values, Limit(scene).Values));
+  }
+  return { worst, Inverted(picture) };
+}
+
+}
+
+std::vector<Scenario> OcclusionStillScenarios()
+{
+  const std::string frame = "convergence: one frame of 8 samples, unfiltered";
+  const std::string scene = "a ball on a floor before a wall";
+  const std::string volumetric = "rays through the layer: the volumetric kernel [TSSAO eq. 3]";
+  return {
+    { "OcclusionStillView", scene, "still", Metric::Flicker, 0.0, "converging within one render",
+      "[TSSAO] an exponential cap never stops flickering", VtksOcclusion, StillView },
+    { "OcclusionBeforeAWall", "a floor before a wall, against the closed form", "still",
+      Metric::Bias, .04, frame, "[ISAO] one layer of depth", "", InPerspective },
+    { "OcclusionInParallel", "the same in parallel projection", "still", Metric::Bias, .04, frame,
+      "[TSSAO] parallel projection", "", InParallel },
+    { "OcclusionAtAWideAngle", "the same at 150 degrees", "still", Metric::Bias, .025, frame, "",
+      "", AtAWideAngle },
+    { "OcclusionNearAndFar", "clipping planes as 1 : 1,000,000", "still", Metric::Bias, .02,
+      "depths that are told apart: planes as 1 : 1e9", "[ISAO] depth alone", "", NearAndFar, true },
+    { "OcclusionFarFromTheOrigin", "a floor and a wall at 5e6", "still", Metric::Bias, .01,
+      "positions relative to the eye: 5e6 in the points themselves",
+      "[TSSAO] large scenes lose precision", "", FarFromOrigin },
+    { "FilterAcrossAnEdge", "a plate before a wall, filtered", "still", Metric::Leak, .02,
+      "weights by distance: none", "[ISAO] surfaces bleed into one another", "",
+      FilterAcrossAnEdge },
+    { "OcclusionTinyUnit", "a ball of size 1e-6", "still", Metric::UnitIndependence, .01,
+      "a radius from the bounds: .5", "[ISAO] distances in scene units", VtksOcclusion,
+      Units(1e-6) },
+    { "OcclusionHugeUnit", "a ball of size 1e3", "still", Metric::UnitIndependence, .01,
+      "a radius from the bounds: .5", "[ISAO] distances in scene units", VtksOcclusion,
+      Units(1e3) },
+    { "OcclusionMirrored", "two balls, floor and walls", "mirrored", Metric::Symmetry, .02, frame,
+      "", VtksOcclusion, Transformed(true) },
+    { "OcclusionTurned", "two balls, floor and walls", "the camera turned by 90 degrees",
+      Metric::Rotation, .02, frame, "", VtksOcclusion, Transformed(false) },
+    { "OcclusionTwoResolutions", scene, "still", Metric::Resolution, .04, frame, "", VtksOcclusion,
+      TwoResolutions },
+    { "OcclusionPictureBorder", "a view, and the same within a larger one", "still", Metric::Bias,
+      .008, "a margin around the picture: none", "[TSSAO] the image border", "", PictureBorder },
+    { "OcclusionHalo", "a rod three radii before a wall", "still", Metric::HaloWidth, 1, volumetric,
+      "[TSSAO] dark halos", VtksOcclusion, Halo },
+    { "OcclusionViewports", "half of a window", "still", Metric::Sameness, .01,
+      "a margin around the viewport: none", "[TSSAO] several viewports", "", Viewports },
+    { "OcclusionResize", scene, "the window is resized on the way to convergence", Metric::Bias,
+      .02, frame, "[TSSAO] resized window", "", Resize },
+    { "OcclusionTinyPictures", "pictures of 1x1, 2x1, 33x7, 7x33", "still", Metric::Bias, .01,
+      frame, "", "", TinyPictures },
+  };
+}
+
+}
