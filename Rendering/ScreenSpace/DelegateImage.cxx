@@ -3,15 +3,11 @@
 #include "DelegateImage.h"
 
 #include "OpenGLFunctions.h"
-#include "vtkCamera.h"
+#include "WiderCamera.h"
 #include "vtkFrameBufferObjectBase.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProp.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -23,54 +19,6 @@
 
 namespace penumbra
 {
-
-namespace
-{
-
-/// While it lives the renderer looks through a wider copy of its camera. The renderer's own camera
-/// is never touched, and the lights that follow it see no difference.
-class WiderCamera
-{
-public:
-  WiderCamera(vtkRenderer* renderer, const ScreenView& view)
-    : Renderer(renderer),
-      Saved(renderer->GetActiveCamera())
-  {
-    vtkSmartPointer<vtkCamera> wide = vtkSmartPointer<vtkCamera>::Take(this->Saved->NewInstance());
-    wide->DeepCopy(this->Saved);
-    vtkNew<vtkMatrix4x4> projection;
-    projection->DeepCopy(view.Projection.data());
-    wide->SetExplicitProjectionTransformMatrix(projection);
-    wide->UseExplicitProjectionTransformMatrixOn();
-    renderer->SetActiveCamera(wide);
-  }
-  ~WiderCamera() { this->Renderer->SetActiveCamera(this->Saved); }
-  WiderCamera(const WiderCamera&) = delete;
-  void operator=(const WiderCamera&) = delete;
-
-private:
-  vtkRenderer* Renderer;
-  vtkSmartPointer<vtkCamera> Saved;
-};
-
-/// All that may be seen, what the renderer has culled included.
-std::vector<vtkProp*> VisibleProps(vtkRenderer* renderer)
-{
-  std::vector<vtkProp*> visible;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator position;
-  props->InitTraversal(position);
-  while (vtkProp* prop = props->GetNextProp(position))
-  {
-    if (prop->GetVisibility())
-    {
-      visible.push_back(prop);
-    }
-  }
-  return visible;
-}
-
-}
 
 DelegateImage::DelegateImage() = default;
 DelegateImage::~DelegateImage() = default;

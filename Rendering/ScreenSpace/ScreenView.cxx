@@ -64,6 +64,16 @@ ScreenView ScreenView::Coarse(int block) const
   {
     view.Scale[axis] = this->Scale[axis] * block;
     view.Offset[axis] += this->Scale[axis] * (block / 2 + 0.5 - 0.5 * block);
+    // Clip coordinates: the blocks may reach beyond the picture.
+    const int sides[2] = { this->Width, this->Height };
+    const int blocks[2] = { view.Width, view.Height };
+    const double wider = static_cast<double>(block) * blocks[axis] / sides[axis];
+    const double shift = wider + (2.0 * (block / 2) + 1.0 - block) / sides[axis] - 1.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      double& entry = view.Projection[4 * axis + k];
+      entry = (entry - shift * view.Projection[12 + k]) / wider;
+    }
   }
   return view;
 }

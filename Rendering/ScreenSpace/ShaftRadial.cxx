@@ -114,7 +114,7 @@ bool ShaftRadial::CopyBehind(vtkOpenGLRenderWindow* window, const DelegateImage&
 }
 
 bool ShaftRadial::FillGlow(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  const ScreenView& coarse, const RadialSettings& settings)
+  const ScreenView& coarse, vtkTextureObject* emitters, const RadialSettings& settings)
 {
   static const std::string oneSample =
     Assemble(vtkPenumbraShaftGlowFS, { { "Picture", vtkPenumbraShaftPictureLib } });
@@ -140,15 +140,19 @@ bool ShaftRadial::FillGlow(vtkOpenGLRenderWindow* window, const DelegateImage& i
     -static_cast<float>(margin[0]) / static_cast<float>(size[0]),
     -static_cast<float>(margin[1]) / static_cast<float>(size[1]) };
   SetSize(program, "pixelSize", image.GetView().Width, image.GetView().Height);
+  SetSize(program, "texelSize", coarse.Width, coarse.Height);
+  SetNumber(program, "glowing", emitters ? 1.0 : 0.0);
   program->SetUniform4f("toBehind", toBehind);
   SetNumber(program, "block", settings.Block);
   SetNumber(program, "background", settings.DelegateDrawsBackground ? 1.0 : 0.0);
   SetNumber(program, "surfaceGlow", settings.SurfaceGlow);
-  const float sky[2] = { settings.SkyIsPicture ? 0.f : 1.f, settings.SkyIsPicture ? 1.f : 0.f };
+  const bool white = !settings.SkyIsPicture && !emitters;
+  const float sky[2] = { white ? 1.f : 0.f, settings.SkyIsPicture ? 1.f : 0.f };
   program->SetUniform2f("sky", sky);
   this->Glow.Read("depthBuffer", image.GetDepth());
   this->Glow.Read("colors", image.GetColor());
   this->Glow.Read("behind", readsBehind ? this->Behind.Get() : image.GetDepth());
+  this->Glow.Read("emitters", emitters ? emitters : image.GetDepth());
   if (many)
   {
     program->SetUniformi("sampleCount", image.GetSamples());

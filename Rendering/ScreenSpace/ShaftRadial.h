@@ -23,7 +23,7 @@ struct RadialSettings
   double Decay = 1.0;
   double Density = 1.0;
   double SurfaceGlow = 0.0;  ///< 0: occluders are black
-  bool SkyIsPicture = false; ///< else white
+  bool SkyIsPicture = false; ///< else white, or black where emitters are chosen
   int Block = 1;             ///< pixels a side of the blocks for which lit shares are found
   bool DelegateDrawsBackground = true;
 
@@ -37,9 +37,9 @@ class ShaftRadial
 {
 public:
   /// Finds out what glows in the delegate's picture; before anything is drawn over the picture behind
-  /// it. `coarse` is the view of the blocks.
+  /// it. `coarse` is the view of the blocks. `emitters`: their picture, null: there are none.
   bool FillGlow(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& coarse,
-    const RadialSettings& settings);
+    vtkTextureObject* emitters, const RadialSettings& settings);
 
   /// rgb: lit share, a: eye depth, of each block into `target`.
   bool Find(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& coarse,

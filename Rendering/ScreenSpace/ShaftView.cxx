@@ -43,7 +43,8 @@ namespace
 auto AsTuple(const ShaftSettings& s)
 {
   return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial, s.Paper,
-    s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.AutomaticTone, s.Unit, s.Range);
+    s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.Prepass, s.Emitters, s.AutomaticTone,
+    s.Unit, s.Range);
 }
 
 void SetSize(vtkShaderProgram* program, const char* name, double width, double height)
@@ -103,19 +104,20 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
     return false;
   }
   // A still scene is not computed again, unless colours count.
-  const bool colored = settings.Radial && settings.Paper.ReadsColors();
+  const bool colored =
+    settings.Radial && (settings.Paper.ReadsColors() || !settings.Emitters.empty());
   this->Known = this->Known && !colored && change == EyeDepth::Change::None &&
     settings == this->Settings && lights == this->Lights;
   this->Settings = settings;
   this->Lights = lights;
   if (!this->Known)
   {
-    this->Known = this->Compute();
+    this->Known = this->Compute(state);
   }
   return this->Known && (this->Straight ? this->CompositeStraight() : this->Composite());
 }
 
-bool ShaftView::Compute()
+bool ShaftView::Compute(const vtkRenderState* state)
 {
   const ScreenView& view = this->Depth.GetView();
   const int block = this->Settings.Block;
@@ -127,8 +129,7 @@ bool ShaftView::Compute()
   {
     return false;
   }
-  if (this->Settings.Radial &&
-    !this->Paper.FillGlow(this->Window, this->Image, this->Coarse, this->Settings.Paper))
+  if (this->Settings.Radial && !this->FillGlow(state))
   {
     return false;
   }
@@ -146,6 +147,19 @@ bool ShaftView::Compute()
   }
   return this->Tone.Look(this->Window, this->Image, this->Shafts,
     this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data());
+}
+
+bool ShaftView::FillGlow(const vtkRenderState* state)
+{
+  const bool any = !this->Settings.Emitters.empty();
+  if (any &&
+    !this->Emitters.Draw(state, this->Image, this->Coarse, this->Settings.Block,
+      this->Settings.Emitters, this->Settings.Prepass))
+  {
+    return false;
+  }
+  return this->Paper.FillGlow(this->Window, this->Image, this->Coarse,
+    any ? this->Emitters.GetColor() : nullptr, this->Settings.Paper);
 }
 
 bool ShaftView::FillCoarseDepths()
@@ -393,6 +407,7 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
   this->Depth.ReleaseGraphicsResources(window);
   this->Paper.ReleaseGraphicsResources(window);
   this->Tone.ReleaseGraphicsResources(window);
+  this->Emitters.ReleaseGraphicsResources(window);
   for (Stage* stage : { &this->Thinning, &this->Visibility[0], &this->Visibility[1],
          &this->Addition[0], &this->Addition[1], &this->Composition, &this->Veil })
   {

@@ -8,6 +8,7 @@
 #define penumbra_ShaftView_h
 
 #include "DelegateImage.h"
+#include "EmitterImage.h"
 #include "EyeDepth.h"
 #include "ShaftLights.h"
 #include "ShaftRadial.h"
@@ -37,8 +38,10 @@ struct ShaftSettings
   std::array<double, 6> Bounds{}; ///< where Bounded: xmin, xmax, ymin, ...
   bool AutomaticTone = false;
   std::array<double, 3> Background{};
-  double Unit = 1.0;  ///< what shaders call 1
-  double Range = 1.0; ///< no surface is farther from the eye
+  double Unit = 1.0;              ///< what shaders call 1
+  double Range = 1.0;             ///< no surface is farther from the eye
+  bool Prepass = false;           ///< Radial: occluders are drawn black for their own sake
+  std::vector<vtkProp*> Emitters; ///< Radial
   bool DelegateDrawsBackground = true;
   int Margin[2] = { 0, 0 };
 
@@ -68,7 +71,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool Compute();
+  bool Compute(const vtkRenderState* state);
+  bool FillGlow(const vtkRenderState* state);
   bool FillCoarseDepths();
   bool FindLit(const ShaftLight& light);
   bool Scatter(const ShaftLight& light, bool first);
@@ -85,6 +89,7 @@ private:
   ScreenView Coarse; ///< of one pixel in each block
   Stage Thinning;
   ShaftRadial Paper;
+  EmitterImage Emitters;
   ShaftTone Tone;
   Stage Visibility[2]; ///< by a sun, by a lamp
   Stage Addition[2];

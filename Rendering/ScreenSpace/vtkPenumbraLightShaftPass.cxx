@@ -95,6 +95,7 @@ struct vtkPenumbraLightShaftPass::Internals
   penumbra::ShaftView* Last = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
+  std::vector<vtkSmartPointer<vtkProp>> Emitters;
   vtkNew<vtkFieldData> Statistics;
   int Steps = 0;
   std::string Warned;
@@ -150,6 +151,18 @@ void vtkPenumbraLightShaftPass::AddLight(vtkLight* light)
 void vtkPenumbraLightShaftPass::RemoveAllLights()
 {
   this->Implementation->Lights.clear();
+  this->Modified();
+}
+
+void vtkPenumbraLightShaftPass::AddEmitter(vtkProp* prop)
+{
+  this->Implementation->Emitters.emplace_back(prop);
+  this->Modified();
+}
+
+void vtkPenumbraLightShaftPass::RemoveAllEmitters()
+{
+  this->Implementation->Emitters.clear();
   this->Modified();
 }
 
@@ -222,6 +235,8 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
                                                           : 1;
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   penumbra::RadialSettings& paper = settings.Paper;
+  settings.Prepass = this->Occlusion == PREPASS;
+  settings.Emitters.assign(own.Emitters.begin(), own.Emitters.end());
   paper.Steps = settings.Steps;
   paper.Passes = this->Passes;
   paper.Geometric = this->Spacing == GEOMETRIC;
@@ -345,6 +360,7 @@ void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sky: " << this->Sky << "\n";
   os << indent << "SurfaceGlow: " << this->SurfaceGlow << "\n";
   os << indent << "Lights: " << this->Implementation->Lights.size() << "\n";
+  os << indent << "Emitters: " << this->Implementation->Emitters.size() << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
 }

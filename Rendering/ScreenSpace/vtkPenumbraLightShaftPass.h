@@ -25,6 +25,7 @@
 class vtkFieldData;
 class vtkImageData;
 class vtkLight;
+class vtkProp;
 class vtkRenderer;
 
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraLightShaftPass
@@ -179,7 +180,8 @@ public:
   /** RADIAL: how occluders are kept from glowing [Shafts 13.5]. */
   enum Occlusions
   {
-    MASK,    ///< depth tells what is sky, all else is black
+    MASK,    ///< depth tells what is sky and what stands before emitters
+    PREPASS, ///< with emitters: occluders are drawn black first, a second drawing of the scene
     CONTRAST ///< they glow in their own colours times SurfaceGlow
   };
   ///@{
@@ -197,13 +199,19 @@ public:
   /** RADIAL: what glows in the sky, times the light's colour. */
   enum Skies
   {
-    WHITE,  ///< all of it
+    WHITE,  ///< all of it; nothing where there are emitters
     PICTURE ///< as the picture behind the scene shows it
   };
   ///@{
   /** Default: WHITE. */
   vtkSetClampMacro(Sky, int, WHITE, PICTURE);
   vtkGetMacro(Sky, int);
+  ///@}
+
+  ///@{
+  /** RADIAL: props that glow as they are seen. Default: none. */
+  void AddEmitter(vtkProp* prop);
+  void RemoveAllEmitters();
   ///@}
 
   ///@{

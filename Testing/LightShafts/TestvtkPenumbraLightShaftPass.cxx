@@ -275,6 +275,40 @@ TEST_F(LightShaftPass, GlowsInTheColoursOfThePictureBehind)
   }
 }
 
+TEST_F(LightShaftPass, LetsChosenActorsGlowWhereTheyAreSeen)
+{
+  // A green plate half behind a black box.
+  ShaftScene scene(96, 72);
+  scene.AddBox({ 1.5, 0.0, 2.0 }, { 3.0, 0.5, 4.0 });
+  const vtkSmartPointer<vtkActor> plate = scene.AddBox({ 0.0, 2.0, 2.0 }, { 4.0, 0.5, 2.0 });
+  plate->GetProperty()->SetColor(0.0, 1.0, 0.0);
+  scene.Look({ 0.0, -11.0, 2.0 }, { 0.0, 0.0, 2.0 });
+  scene.AddSun({ 0.0, 1.0, 0.0 });
+  scene.Fill(0.12, 0.12);
+  scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
+  scene.Pass->SetDensity(1000.0); // what glows itself, hardly blurred
+  scene.Pass->AddEmitter(plate);
+  const auto greens = [&scene]() {
+    EXPECT_EQ(scene.ByPass()[36 * 96 + 30], 0.0); // no red
+    vtkNew<vtkImageData> image;
+    scene.Pass->CopyShafts(image);
+    vtkDataArray* light = image->GetPointData()->GetArray("LightShafts");
+    std::vector<double> green(96 * 72);
+    for (std::size_t i = 0; i < green.size(); ++i)
+    {
+      green[i] = light->GetComponent(static_cast<vtkIdType>(i), 1);
+    }
+    return green;
+  };
+  const std::vector<double> masked = greens();
+  EXPECT_GT(masked[36 * 96 + 40], 0.5 / WholeSphere); // the plate
+  EXPECT_EQ(masked[36 * 96 + 56], 0.0);               // the box before it
+  EXPECT_EQ(masked[66 * 96 + 40], 0.0);               // the sky
+  scene.Pass->SetOcclusion(vtkPenumbraLightShaftPass::PREPASS);
+  const std::vector<double> drawn = greens();
+  EXPECT_LT(RelativeRmse(drawn, masked), 0.02);
+}
+
 TEST_F(LightShaftPass, TakesNoStreaksFromSurfacesBeyondSurfaceGlow)
 {
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EmitterImage.h"
+
+#include "OpenGLFunctions.h"
+#include "WiderCamera.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPenumbraShaftDepthCopyFS.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+
+void EmitterImage::Allocate(vtkOpenGLRenderWindow* window, const ScreenView& view)
+{
+  if (this->Color && this->Color->GetContext() == window &&
+    static_cast<int>(this->Color->GetWidth()) == view.Width &&
+    static_cast<int>(this->Color->GetHeight()) == view.Height)
+  {
+    return;
+  }
+  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Color, &this->Depth })
+  {
+    *texture = vtkSmartPointer<vtkTextureObject>::New();
+    (*texture)->SetContext(window);
+    (*texture)->SetWrapS(vtkTextureObject::ClampToEdge);
+    (*texture)->SetWrapT(vtkTextureObject::ClampToEdge);
+  }
+  this->Color->Allocate2D(view.Width, view.Height, 4, VTK_UNSIGNED_CHAR);
+  this->Depth->AllocateDepth(view.Width, view.Height, vtkTextureObject::Float32);
+  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->Framebuffer->SetContext(window);
+}
+
+bool EmitterImage::CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage& image, int block)
+{
+  vtkShaderProgram* program = this->Depths.Ready(window, vtkPenumbraShaftDepthCopyFS);
+  if (!program)
+  {
+    return false;
+  }
+  const float pixelSize[2] = { 1.f / static_cast<float>(image.GetView().Width),
+    1.f / static_cast<float>(image.GetView().Height) };
+  program->SetUniform2f("pixelSize", pixelSize);
+  program->SetUniformf("block", static_cast<float>(block));
+  this->Depths.Read("depthBuffer", image.GetDepth());
+  window->GetState()->vtkglDepthFunc(GL_ALWAYS);
+  this->Depths.Draw();
+  window->GetState()->vtkglDepthFunc(GL_LEQUAL);
+  return true;
+}
+
+bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
+  const ScreenView& view, int block, const std::vector<vtkProp*>& emitters, bool prepass)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Allocate(window, view);
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  gl->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  bool drawn = this->Framebuffer->StartNonOrtho(view.Width, view.Height);
+  if (drawn)
+  {
+    gl->vtkglViewport(0, 0, view.Width, view.Height);
+    gl->vtkglScissor(0, 0, view.Width, view.Height);
+    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->vtkglDepthMask(GL_TRUE);
+    gl->vtkglEnable(GL_DEPTH_TEST);
+    gl->vtkglDepthFunc(GL_LEQUAL);
+    gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
+    gl->vtkglClearDepth(1.0);
+    gl->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const WiderCamera camera(renderer, view);
+    const auto glows = [&](vtkProp* prop) {
+      return std::find(emitters.begin(), emitters.end(), prop) != emitters.end();
+    };
+    gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawn = prepass || this->CopyDepth(window, image, block);
+    const std::vector<vtkProp*> props = VisibleProps(renderer);
+    for (vtkProp* prop : props)
+    {
+      if (prepass && !glows(prop))
+      {
+        prop->RenderOpaqueGeometry(renderer);
+      }
+    }
+    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    for (vtkProp* prop : props)
+    {
+      if (glows(prop))
+      {
+        prop->RenderOpaqueGeometry(renderer);
+      }
+    }
+  }
+  this->Framebuffer->RemoveColorAttachments(1);
+  this->Framebuffer->RemoveDepthAttachment();
+  gl->PopFramebufferBindings();
+  return drawn;
+}
+
+void EmitterImage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depths.ReleaseGraphicsResources(window);
+  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Color, &this->Depth })
+  {
+    if (*texture)
+    {
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
+    }
+  }
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Framebuffer = nullptr;
+  }
+}
+
+}
