@@ -99,4 +99,31 @@ class BakeAmbientOcclusionFilter(unittest.TestCase):
         self.assertEqual(data.GetNumberOfPoints(), 0)
 
 
+class AdaptiveRayCastFilter(unittest.TestCase):
+    def setUp(self):
+        start()
+
+    def test_covers_the_exact_share_of_its_picture(self):
+        cast = AdaptiveRayCast(Input=[plane()], Resolution=[90, 90], Background=0)
+        image = servermanager.Fetch(cast)
+        self.assertEqual(image.GetDimensions(), (90, 90, 1))
+        covered = vtk_to_numpy(image.GetPointData().GetArray("Color"))[:, 3].mean()
+        # The view holds the sphere around the bounds, seen under 30 degrees.
+        half_height = numpy.hypot(3, 3) / numpy.cos(numpy.radians(15))
+        self.assertAlmostEqual(float(covered), (3 / half_height) ** 2, places=4)
+        self.assertGreater(statistic(image, "Rays/Total"), 0)
+
+    def test_draws_all_its_inputs_and_their_blocks(self):
+        separately = AdaptiveRayCast(
+            Input=[plane(), ball()], Resolution=[60, 60], GeometryArrays=1, AmbientOcclusion=1)
+        together = AdaptiveRayCast(
+            Input=[GroupDatasets(Input=[plane(), ball()])], Resolution=[60, 60], GeometryArrays=1,
+            AmbientOcclusion=1)
+        pictures = [vtk_to_numpy(servermanager.Fetch(cast).GetPointData().GetArray("Color"))
+                    for cast in (separately, together)]
+        numpy.testing.assert_array_equal(*pictures)
+        normals = servermanager.Fetch(together).GetPointData().GetArray("Normal")
+        self.assertGreater(numpy.ptp(vtk_to_numpy(normals)), 0.5)
+
+
 run_tests()
