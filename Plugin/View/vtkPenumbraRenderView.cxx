@@ -92,6 +92,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   occlusion->SetTolerance(this->PenumbraTolerance);
   occlusion->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
   occlusion->SetRadius(this->OcclusionRadius * diagonal);
+  occlusion->DelegateOnceOn(); // It puts the pictures of all ranks together.
   occlusion->SetStrength(this->OcclusionStrength);
   occlusion->SetKernelName(this->OcclusionKernel.c_str());
   occlusion->SetConvergeInOneRender(

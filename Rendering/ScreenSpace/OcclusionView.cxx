@@ -62,7 +62,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   }
   ScreenView view = this->Image.GetView();
   view.Unit = settings.Radius;
-  if (this->ShowsWhatIsKnown(view) &&
+  if (!settings.DelegateOnce && this->ShowsWhatIsKnown(view) &&
     this->Picture.Draw(
       state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
   {
@@ -104,7 +104,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
     return false;
   }
   // From now on pictures are drawn straight into their target, this one already, so that all are alike.
-  if (this->Converged &&
+  if (!settings.DelegateOnce && this->Converged &&
     this->Picture.Draw(
       state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
   {

@@ -37,6 +37,7 @@ struct OcclusionSettings
   bool Filter = true;
   bool InOneRender = false;
   bool DelegateDrawsBackground = true;
+  bool DelegateOnce = false;  ///< it is drawn once in every picture, neither more nor less
   bool SceneChanged = true;   ///< something besides the eye may have moved since the last frame
   bool HiddenChanged = false; ///< something that the estimator sees and depth does not has changed
   bool Restart = false;       ///< settings changed: what is known is worth nothing

@@ -222,6 +222,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
     (this->ConvergeInOneRender == OFFSCREEN &&
       (window->GetOffScreenRendering() || !window->GetShowWindow()));
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
+  settings.DelegateOnce = this->DelegateOnce;
   // After compositing of several ranks nobody knows what moved.
   const vtkMTimeType sceneTime = ChangeTime(state);
   Internals::Known& known = own.Renderers[renderer];
@@ -378,5 +379,6 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Filter: " << this->Filter << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
+  os << indent << "DelegateOnce: " << this->DelegateOnce << "\n";
   os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";
 }

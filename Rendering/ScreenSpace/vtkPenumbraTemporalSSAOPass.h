@@ -178,6 +178,16 @@ public:
   vtkBooleanMacro(OpaqueOnly, bool);
   ///@}
 
+  ///@{
+  /**
+   * Every Render() draws the delegate exactly once, as a delegate needs that waits for other ranks; off:
+   * a still picture may be drawn in a cheaper way, which may take it a second time. Default: off.
+   */
+  vtkSetMacro(DelegateOnce, bool);
+  vtkGetMacro(DelegateOnce, bool);
+  vtkBooleanMacro(DelegateOnce, bool);
+  ///@}
+
   /** When a single Render() converges. */
   enum ConvergeModes
   {
@@ -243,6 +253,7 @@ private:
   bool Filter = true;
   double Margin = -1.0;
   bool OpaqueOnly = false;
+  bool DelegateOnce = false;
   int ConvergeInOneRender = OFFSCREEN;
 };
 
