@@ -40,7 +40,8 @@ MetricText TextOf(Metric metric)
     case Metric::Leak:
       return { "leak", "largest share of what lies behind that shines through a closed surface" };
     case Metric::CoverageMiss:
-      return { "coverage miss", "sum of |covered share - truth| over the sum of the truth" };
+      return { "coverage miss",
+        "sum of the differences of covered shares from the truth, over the sum of the truth" };
     case Metric::Bias:
       return { "bias", "RMSE against the truth" };
     case Metric::Drift:
