@@ -22,7 +22,6 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
-#include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -71,13 +70,7 @@ std::string ReplaceFrame(const std::string& pattern, int frame)
 {
   std::string number = std::to_string(frame);
   number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-  std::string path = pattern;
-  for (std::size_t at = 0; (at = path.find(FramePlace, at)) != std::string::npos;
-       at += number.size())
-  {
-    path.replace(at, std::string(FramePlace).size(), number);
-  }
-  return path;
+  return ReplaceAll(pattern, FramePlace, number);
 }
 
 /// Where the animation is at a picture, from 0 to 1. The last picture of whole turns is not the first

@@ -75,6 +75,15 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+std::string ReplaceAll(std::string pattern, const std::string& place, const std::string& value)
+{
+  for (std::size_t at = 0; (at = pattern.find(place, at)) != std::string::npos; at += value.size())
+  {
+    pattern.replace(at, place.size(), value);
+  }
+  return pattern;
+}
+
 std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
   const std::vector<std::string>& files, ProgressLine& progress, std::vector<std::string>& warnings)
 {

@@ -24,6 +24,9 @@ using Clock = std::chrono::steady_clock;
 
 double SecondsSince(Clock::time_point start);
 
+/// `pattern` with every `place` in it replaced by `value`.
+std::string ReplaceAll(std::string pattern, const std::string& place, const std::string& value);
+
 /// The surfaces of all files, one after the other; what was left out of them goes to `warnings`.
 std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::string>& files,
   ProgressLine& progress, std::vector<std::string>& warnings);

@@ -38,10 +38,7 @@ std::string ReplaceName(const std::string& pattern, const std::string& file)
   std::string path = pattern;
   for (const std::string& place : NamePlaces)
   {
-    for (std::size_t at = 0; (at = path.find(place, at)) != std::string::npos; at += name.size())
-    {
-      path.replace(at, place.size(), name);
-    }
+    path = ReplaceAll(path, place, name);
   }
   return path;
 }
