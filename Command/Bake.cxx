@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra bake: ambient occlusion as an array of a mesh.
+// penumbra bake: ambient occlusion or irradiance as an array of a mesh.
 #include "Arguments.h"
 #include "Failure.h"
 #include "MessageLog.h"
@@ -49,7 +49,10 @@ struct BakeOptions
   std::string Output;
   std::string Quantity = "ambient-occlusion";
   double Tolerance = 0.01;
-  double Radius = 0.0; ///< 0: from the bounds
+  double Radius = 0.0;                    ///< 0: from the bounds
+  std::optional<Triple> EnvironmentColor; ///< unset: white
+  double Albedo = 0.5;
+  int Bounces = 3;
   std::string Normals = "file";
   double PointRadius = 0.0;
   int Threads = 0;
@@ -105,18 +108,26 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
   return mesh;
 }
 
-/// PLY files hold colours, not arrays: grey, white where open.
-void AddGrey(vtkPolyData* mesh)
+constexpr double Pi = 3.14159265358979323846;
+
+/// PLY files hold colours, not arrays: white where open, or the light that a white surface sends out
+/// under it, as far as 8 bits hold it.
+void AddColors(vtkPolyData* mesh)
 {
   vtkDataArray* occlusion = mesh->GetPointData()->GetArray("AmbientOcclusion");
+  vtkDataArray* light = mesh->GetPointData()->GetArray("Irradiance");
   vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("Grey");
+  colors->SetName("Baked");
   colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(occlusion->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < occlusion->GetNumberOfTuples(); ++i)
+  colors->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    const double grey = std::round(255.0 * (1.0 - occlusion->GetComponent(i, 0)));
-    colors->SetTuple3(i, grey, grey, grey);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double share =
+        light ? light->GetComponent(i, c) / Pi : 1.0 - occlusion->GetComponent(i, 0);
+      colors->SetComponent(i, c, std::round(255.0 * std::min(share, 1.0)));
+    }
   }
   mesh->GetPointData()->AddArray(colors);
 }
@@ -143,9 +154,9 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string&
   }
   if (extension == ".ply")
   {
-    AddGrey(mesh);
+    AddColors(mesh);
     vtkNew<vtkPLYWriter> writer;
-    writer->SetArrayName("Grey");
+    writer->SetArrayName("Baked");
     // The writer takes no other ending.
     const std::string named = path + ".ply";
     const bool written = Write(writer.Get(), mesh, named);
@@ -195,6 +206,14 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   vtkNew<vtkPenumbraIrradianceFilter> filter;
   filter->SetInputData(mesh);
   filter->SetTolerance(options.Tolerance);
+  if (options.Quantity == "irradiance")
+  {
+    filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
+  }
+  const Triple environment = options.EnvironmentColor.value_or(Triple{ 1.0, 1.0, 1.0 });
+  filter->SetEnvironmentColor(environment[0], environment[1], environment[2]);
+  filter->SetAlbedo(options.Albedo);
+  filter->SetBounces(options.Bounces);
   filter->SetRadius(std::min(options.Radius, std::numeric_limits<double>::max()));
   filter->SetComputeNormals(options.Normals == "computed");
   filter->SetPointRadius(options.PointRadius);
@@ -255,18 +274,25 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     ->type_name("");
   app
     .add_option("--output", options.Output,
-      "Mesh with the array AmbientOcclusion: .vtp .vtu .vtk; .ply: grey, white where open")
+      "Mesh with the array: .vtp .vtu .vtk; .ply: colours, white where open or where E is pi")
     ->required()
     ->type_name("MESH")
     ->take_last();
-  AddChoice(app, "--quantity", options.Quantity, { "ambient-occlusion" },
-    "ambient-occlusion: the blocked share of the sky, 0 open, 1 blocked");
+  AddChoice(app, "--quantity", options.Quantity, { "ambient-occlusion", "irradiance" },
+    "The blocked share of the sky, or the light that arrives: array AmbientOcclusion or "
+    "Irradiance");
   AddNumber(app, "--tolerance", options.Tolerance, "X", "Error accepted: RMSE over all points",
     { 1e-4, 1.0 });
   AddNumber(app, "--radius", options.Radius, "R",
     "Reach of an occluder in world units, inf: all; default: a tenth of the bounds' diagonal",
     { 0.0, Infinity, true, true })
     ->default_str("");
+  AddTriple(app, "--environment-color", options.EnvironmentColor,
+    "irradiance: radiance from where nothing is; default: 1,1,1", { 0.0, 1e6 });
+  AddNumber(app, "--albedo", options.Albedo, "A",
+    "irradiance: share of light that the surface throws back", { 0.0, 1.0 });
+  AddInteger(app, "--bounces", options.Bounces,
+    "irradiance: reflections up to the eye's, which is the last; 1: straight light alone", 1, 64);
   AddChoice(app, "--normals", options.Normals, { "file", "computed" },
     "About which the hemispheres are; file: computed where the file has none");
   AddNumber(app, "--point-radius", options.PointRadius, "R",
@@ -289,8 +315,8 @@ Action DeclareBake(CLI::App& program)
 {
   const Clock::time_point start = Clock::now();
   const auto options = std::make_shared<BakeOptions>();
-  CLI::App* app =
-    program.add_subcommand("bake", "Compute ambient occlusion on the points of a mesh");
+  CLI::App* app = program.add_subcommand(
+    "bake", "Compute ambient occlusion or irradiance on the points of a mesh");
   DeclareBakeOptions(*app, *options);
   return [options, start]() {
     CheckMeshExtension(options->Output);

@@ -128,7 +128,14 @@ Picture RenderWithRays(
     std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));
   caster->SetAmbientOcclusionStrength(
     std::isnan(options.AmbientOcclusionStrength) ? -1.0 : options.AmbientOcclusionStrength);
-  if (options.AmbientOcclusion)
+  const LightOptions& light = options.Light;
+  caster->SetIndirectLight(light.Indirect);
+  const Triple environment =
+    light.EnvironmentColor.value_or(options.BackgroundColor.value_or(Triple{ 0.0, 0.0, 0.0 }));
+  caster->SetEnvironmentColor(environment[0], environment[1], environment[2]);
+  caster->SetAlbedo(light.Albedo);
+  caster->SetBounces(light.Bounces);
+  if (options.AmbientOcclusion || light.Indirect)
   {
     caster->SetIrradianceSource(vtkNew<vtkPenumbraIrradianceCache>());
   }

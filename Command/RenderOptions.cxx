@@ -244,6 +244,24 @@ void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
     ->group(group);
 }
 
+void DeclareLight(CLI::App& app, LightOptions& light)
+{
+  const std::string group = "Effects";
+  app
+    .add_flag("--indirect", light.Indirect,
+      "Add the light from surface to surface and from the environment (ray)")
+    ->group(group);
+  AddTriple(app, "--environment-color", light.EnvironmentColor,
+    "Radiance from where nothing is; default: the background's colour", { 0.0, 1e6 })
+    ->group(group);
+  AddNumber(app, "--albedo", light.Albedo, "A",
+    "Share of the indirect light that a white surface throws back", Unit)
+    ->group(group);
+  AddInteger(
+    app, "--bounces", light.Bounces, "Reflections up to the eye's, which is the last", 1, 64)
+    ->group(group);
+}
+
 void RequireShafts(const CLI::App& app, const ShaftOptions& shafts)
 {
   for (const char* name : { "--shafts-scattering", "--shafts-extinction", "--shafts-phase" })
@@ -312,7 +330,8 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     return;
   }
-  for (const char* name : { "--tolerance", "--max-level", "--no-small-objects", "--shadows" })
+  for (const char* name :
+    { "--tolerance", "--max-level", "--no-small-objects", "--shadows", "--indirect" })
   {
     if (app.count(name) > 0)
     {
@@ -338,6 +357,7 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
   DeclareLook(app, options);
   DeclareColoring(app, options.Coloring);
   DeclareEffects(app, options);
+  DeclareLight(app, options.Light);
   DeclareShafts(app, options.Shafts);
 }
 
@@ -402,6 +422,9 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-kernel", options.Engine == "ray", "with --engine ray" },
+    { "--environment-color", !options.Light.Indirect, "without --indirect" },
+    { "--albedo", !options.Light.Indirect, "without --indirect" },
+    { "--bounces", !options.Light.Indirect, "without --indirect" },
     { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
     { "--camera-view-angle", orthographic, "with --camera-orthographic" },
     { "--camera-zoom-factor", placed, "with --camera-position" },
@@ -420,13 +443,6 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     }
   }
   return sentences;
-}
-
-const std::vector<std::string>& UnavailableOptions()
-{
-  static const std::vector<std::string> names = { "--indirect", "--environment-color", "--albedo",
-    "--bounces" };
-  return names;
 }
 
 }

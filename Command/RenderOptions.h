@@ -53,6 +53,15 @@ struct ShaftOptions
   double Asymmetry = 0.0; ///< of phase hg
 };
 
+/// Light from surface to surface and from the environment.
+struct LightOptions
+{
+  bool Indirect = false;
+  std::optional<Triple> EnvironmentColor; ///< unset: the background's
+  double Albedo = 0.5;
+  int Bounces = 3;
+};
+
 struct RenderOptions
 {
   std::vector<std::string> Files;
@@ -87,6 +96,7 @@ struct RenderOptions
   std::string AmbientOcclusionKernel = "automatic"; ///< raster
   int Frames = 0; ///< raster, of a still camera; 0: until converged
   bool Shadows = false;
+  LightOptions Light;
   ShaftOptions Shafts;
 
   std::string Statistics;
@@ -103,9 +113,6 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options);
 
 /// What was asked for and changes nothing, one sentence each. Call after parsing.
 std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOptions& options);
-
-/// Options of `render` that later versions will have.
-const std::vector<std::string>& UnavailableOptions();
 
 }
 #endif

@@ -37,11 +37,7 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error)
     {
       return first + ": unknown subcommand" + hint;
     }
-    const std::vector<std::string>& later = UnavailableOptions();
-    return option +
-      (std::count(later.begin(), later.end(), option) ? " is not available in this version"
-                                                      : ": unknown option") +
-      hint;
+    return option + ": unknown option" + hint;
   }
   if (lacking)
   {

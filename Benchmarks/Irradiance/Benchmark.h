@@ -28,6 +28,9 @@ void MeasureSpheres(IrradianceBenchmark& benchmark);
 /// A scan of 104 thousand points against many rays.
 void MeasureBaking(IrradianceBenchmark& benchmark);
 
+/// Light of several reflections in a room and in closed cubes.
+void MeasureLight(IrradianceBenchmark& benchmark);
+
 /// A tree of a million records.
 void MeasureRecords(IrradianceBenchmark& benchmark);
 

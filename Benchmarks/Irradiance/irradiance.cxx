@@ -16,11 +16,12 @@ int main(int argc, char** argv)
   program.Name = "irradiance";
   program.Title = "Irradiance cache: figures and bars";
   program.Usage = "--meshes FOLDER --output FOLDER\n"
-                  "         [--only spheres|baking|records]";
+                  "         [--only spheres|light|baking|records]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
     { "--output", &benchmark.Output, true } };
   program.Parts = {
     { "spheres", [&] { MeasureSpheres(benchmark); } },
+    { "light", [&] { MeasureLight(benchmark); } },
     { "baking", [&] { MeasureBaking(benchmark); } },
     { "records", [&] { MeasureRecords(benchmark); } },
   };

@@ -76,7 +76,8 @@ public:
     {
       return;
     }
-    this->Variance += step * step * VariancePerSide;
+    this->Variance += step * step *
+      (.5f * VariancePerSide * (this->Sights[one].Variance + this->Sights[other].Variance));
     const glm::vec3 w = glm::normalize(from + to);
     glm::vec3 across = glm::cross(w, to - from); // e dl
     const glm::vec3 apart = this->Directions[far] - this->Directions[near];

@@ -21,6 +21,17 @@ struct Sight
   float Distance = std::numeric_limits<float>::infinity(); ///< infinity: nothing within reach
   glm::vec3 Normal{ 0.f };   ///< of what was met, unit, either side; 0 where unknown
   glm::vec3 Radiance{ 0.f }; ///< that comes from there; under occlusion 1 where blocked, else 0
+  float Variance = 1.f;      ///< of Radiance, over that of a single ray in its cell
+};
+
+/// Where a lamp may be seen that is smaller than a cell.
+struct Beam
+{
+  glm::vec3 Direction; ///< unit, scene coordinates
+  float Distance;
+  float Strength; ///< radiance, greatest channel
+  float Share;    ///< of the mean over the hemisphere, if nothing lies between, over the cosine
+  int Lamp;       ///< beams of one lamp follow each other
 };
 
 class Gatherer
@@ -28,11 +39,14 @@ class Gatherer
 public:
   virtual ~Gatherer() = default;
 
+  /// Appends what of lamps may be seen from `point`, whatever lies between.
+  virtual void FindBeams(glm::vec3 /*point*/, std::vector<Beam>& /*beams*/) const {}
+
   /// What `directions` (unit, scene coordinates) see from `point`, a point just above a surface with
-  /// `normal`. Fills `sights`, one for each direction. Called from many threads at once; the answer
-  /// depends on nothing but the arguments.
-  virtual void Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
-    std::vector<Sight>& sights) const = 0;
+  /// `normal`. Fills `sights`, one for each direction, and returns how many rays that took. Called
+  /// from many threads at once; the answer depends on nothing but the arguments.
+  virtual long long Gather(glm::vec3 point, glm::vec3 normal,
+    const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const = 0;
 
   /// How far it looks, in scene units; infinite without a limit.
   virtual float GetReach() const = 0;

@@ -105,4 +105,18 @@ void HemisphereGrid::Scatter(std::uint32_t seed, std::vector<glm::vec3>& directi
   }
 }
 
+void HemisphereGrid::ScatterWithin(
+  int cell, int finer, std::uint32_t& random, std::vector<glm::vec3>& directions) const
+{
+  const auto length = static_cast<float>(this->Side * finer);
+  for (int k = 0; k < finer * finer; ++k)
+  {
+    const int i = cell % this->Side * finer + k % finer;
+    const int j = cell / this->Side * finer + k / finer;
+    const float u = (static_cast<float>(i) + Uniform(random)) / length;
+    const float v = (static_cast<float>(j) + Uniform(random)) / length;
+    directions.push_back(ToHemisphere(ToDisc(u, v)));
+  }
+}
+
 }

@@ -34,6 +34,10 @@ struct HemisphereGrid
   /// One direction a cell, jittered by `seed`.
   void Scatter(std::uint32_t seed, std::vector<glm::vec3>& directions) const;
 
+  /// `finer` * `finer` directions of one cell, appended to `directions`.
+  void ScatterWithin(
+    int cell, int finer, std::uint32_t& random, std::vector<glm::vec3>& directions) const;
+
   /// The grid of `side`, made once.
   VTKPENUMBRAFILTERSIRRADIANCE_EXPORT static const HemisphereGrid& Of(int side);
 };

@@ -14,6 +14,10 @@ namespace
 /// Surfaces seen more edge-on than this (cosine) do not make pixels still larger.
 constexpr double LeastCosine = .02;
 
+/// No record reaches nearer to the eye than this share of its own distance, where its radius would be
+/// many more pixels: one that misses everything far away says nothing there.
+constexpr double NearestShare = .5;
+
 bool IsOfLevel(int x, int y, int stride, int level)
 {
   if (level == 0)
@@ -61,6 +65,11 @@ bool FindSite(const RayScene& rays, int x, int y, Site& site)
   const double cosine = std::abs(facing) / (length * glm::length(glm::dvec3(ray.Direction)));
   const double pixel = eye.PixelSize * (eye.Parallel ? 1.0 : hit.Distance);
   site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, LeastCosine)));
+  if (!eye.Parallel)
+  {
+    site.Most = static_cast<float>(
+      (1.0 - NearestShare) * hit.Distance * glm::length(glm::dvec3(ray.Direction)));
+  }
   return true;
 }
 

@@ -36,6 +36,11 @@ constexpr float ShareOfRim = .5f;
 /// about the .3 that is usual at a tolerance of .005.
 constexpr double SplitSphereAccuracy = 4.0;
 
+/// Nor further than this share of the way to where a lamp is hidden or comes into sight. What is
+/// nearer than this share of a lamp's distance hides it.
+constexpr double ShareOfShadow = .5;
+constexpr float ShareOfLamp = .97f;
+
 /// Nor further than this share of reach: what lies beyond reach was not seen.
 constexpr float ShareOfReach = .25f;
 
@@ -43,6 +48,172 @@ constexpr float ShareOfReach = .25f;
 /// would be above twice the tolerance. It keeps others from being made in so many least radii.
 constexpr double LeastShare = .7;
 constexpr double IdleRadii = 2.0;
+
+/// Of the tolerance: what the noise of one record may be, where cells are looked at closer.
+constexpr double NoiseShare = .5;
+
+/// No cell is cut finer than this, and all of them together take at most so many times their number of
+/// rays.
+constexpr int Finest = 12;
+constexpr double MostRays = 3.0;
+
+/// What the one sample of a cell may be off its mean, by its neighbours: the share of a cell that a
+/// straight boundary cuts varies by 1/6.
+float VarianceOf(const HemisphereGrid& grid, const std::vector<Sight>& sights, int cell)
+{
+  const int i = cell % grid.Side;
+  const int j = cell / grid.Side;
+  float most = 0.f;
+  for (const int other : { i > 0 ? cell - 1 : cell, i + 1 < grid.Side ? cell + 1 : cell,
+         j > 0 ? cell - grid.Side : cell, j + 1 < grid.Side ? cell + grid.Side : cell })
+  {
+    const glm::vec3 step = glm::abs(sights[other].Radiance - sights[cell].Radiance);
+    most = std::max({ most, step.x, step.y, step.z });
+  }
+  return most * most / 6.f;
+}
+
+/// Which of them looks along `direction` (local); -1 below the horizon.
+int CellOf(const HemisphereGrid& grid, glm::vec3 direction)
+{
+  if (direction.z < 0.f)
+  {
+    return -1;
+  }
+  const glm::ivec2 at(FromDisc(glm::vec2(direction)) * static_cast<float>(grid.Side));
+  const glm::ivec2 in = glm::clamp(at, glm::ivec2(0), glm::ivec2(grid.Side - 1));
+  return in.y * grid.Side + in.x;
+}
+
+/// A lamp of `strength` may be seen in and around the cell of `direction` (local), though no ray met
+/// it: what is uncertain must not depend on luck, or small lamps would be too dark on average.
+void Expect(
+  const HemisphereGrid& grid, glm::vec3 direction, float strength, std::vector<float>& variances)
+{
+  const int cell = CellOf(grid, direction);
+  if (cell < 0)
+  {
+    return;
+  }
+  const glm::ivec2 middle(cell % grid.Side, cell / grid.Side);
+  const glm::ivec2 low = glm::max(middle - 1, 0);
+  const glm::ivec2 high = glm::min(middle + 1, grid.Side - 1);
+  for (int j = low.y; j <= high.y; ++j)
+  {
+    for (int i = low.x; i <= high.x; ++i)
+    {
+      float& variance = variances[j * grid.Side + i];
+      variance = std::max(variance, strength * strength / 6.f);
+    }
+  }
+}
+
+/// How far one may go until `beam` is blocked, or no longer blocked: until the edge of what blocks has
+/// moved so far before what lies behind.
+double ShadowDistance(const std::vector<glm::vec3>& directions, const std::vector<Sight>& sights,
+  const Beam& beam, int cell)
+{
+  const float reach = ShareOfLamp * beam.Distance;
+  const float here = sights[cell].Distance;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    if ((sights[i].Distance >= reach) != (here >= reach))
+    {
+      const double edge = std::min(here, sights[i].Distance);
+      const double angle = glm::distance(directions[i], beam.Direction);
+      least = std::min(least, angle / (1.0 / edge - 1.0 / beam.Distance));
+    }
+  }
+  return least;
+}
+
+/// The same for whole lamps that matter. One that is seen in part does not count: its border is among
+/// those that make derivatives.
+double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
+  const std::vector<glm::vec3>& directions, const std::vector<Sight>& sights,
+  const std::vector<Beam>& beams, double tolerance)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (auto begin = beams.begin(); begin != beams.end();)
+  {
+    const auto end =
+      std::find_if(begin, beams.end(), [&](const Beam& beam) { return beam.Lamp != begin->Lamp; });
+    double share = 0.0;
+    bool seen = false;
+    bool blocked = false;
+    for (auto beam = begin; beam != end; ++beam)
+    {
+      const glm::vec3 local = glm::transpose(frame) * beam->Direction;
+      const int cell = CellOf(grid, local);
+      share += beam->Share * std::max(local.z, 0.f);
+      if (cell >= 0)
+      {
+        const bool here = sights[cell].Distance >= ShareOfLamp * beam->Distance;
+        seen = seen || here;
+        blocked = blocked || !here;
+      }
+    }
+    for (auto beam = begin; beam != end && seen != blocked && share > tolerance; ++beam)
+    {
+      const int cell = CellOf(grid, glm::transpose(frame) * beam->Direction);
+      least = cell < 0 ? least : std::min(least, ShadowDistance(directions, sights, *beam, cell));
+    }
+    begin = end;
+  }
+  return least;
+}
+
+/// Into how many parts along each side cells are cut, so that the sum of their variances is `allowed`
+/// at the least cost: m * m rays in a cell that a boundary cuts leave m^-3 of its variance, which is
+/// best shared out by m^5 in proportion to the variance.
+std::vector<int> ShareOut(const std::vector<float>& variances, double allowed)
+{
+  std::vector<int> finer(variances.size(), 1);
+  const double most = MostRays * static_cast<double>(variances.size());
+  double unit = *std::max_element(variances.begin(), variances.end());
+  while (unit > 0.0)
+  {
+    double rays = 0.0;
+    double sum = 0.0;
+    std::vector<int> tried(variances.size());
+    for (std::size_t i = 0; i < variances.size(); ++i)
+    {
+      const int m = static_cast<int>(std::pow(variances[i] / unit, .2) + .5);
+      tried[i] = std::clamp(m, 1, Finest);
+      rays += tried[i] > 1 ? tried[i] * tried[i] : 0;
+      sum += variances[i] / std::pow(tried[i], 3.0);
+    }
+    if (rays > most)
+    {
+      break;
+    }
+    finer = std::move(tried);
+    if (sum <= allowed)
+    {
+      break;
+    }
+    unit *= .25;
+  }
+  return finer;
+}
+
+/// The next m * m of `closer` become one.
+void Merge(int m, std::vector<Sight>::const_iterator& closer, Sight& sight)
+{
+  const auto share = 1.f / static_cast<float>(m * m);
+  sight.Radiance = glm::vec3(0.f);
+  for (int k = 0; k < m * m; ++k, ++closer)
+  {
+    sight.Radiance += share * closer->Radiance;
+    if (closer->Distance < sight.Distance)
+    {
+      sight.Distance = closer->Distance;
+      sight.Normal = closer->Normal;
+    }
+  }
+  sight.Variance = 1.f / static_cast<float>(m * m * m);
+}
 
 int RoundSide(double side)
 {
@@ -84,7 +255,13 @@ Record Placement::Gather(const Site& site, long long& rays) const
   std::vector<glm::vec3> local;
   std::vector<glm::vec3> directions;
   std::vector<Sight> sights;
-  for (int side = FirstSide;; side = this->Settings.Side)
+  std::vector<Beam> beams;
+  if (this->Settings.Refine)
+  {
+    this->Source.FindBeams(site.Position, beams);
+  }
+  const int first = this->Settings.Refine ? this->Settings.Side : FirstSide;
+  for (int side = first;; side = this->Settings.Side)
   {
     const HemisphereGrid& grid = HemisphereGrid::Of(side);
     grid.Scatter(Mix(seed + static_cast<std::uint32_t>(side)), local);
@@ -93,8 +270,11 @@ Record Placement::Gather(const Site& site, long long& rays) const
     {
       directions.push_back(frame * direction);
     }
-    this->Source.Gather(site.Position, site.Normal, directions, sights);
-    rays += grid.Cells();
+    rays += this->Source.Gather(site.Position, site.Normal, directions, sights);
+    if (this->Settings.Refine && side >= this->Settings.Side)
+    {
+      rays += this->LookCloser(site, frame, grid, beams, sights);
+    }
     record.Found = Derive(grid, frame, local, sights, this->Source.GetReach());
     if (side >= this->Settings.Side || record.Found.Error == 0.f)
     {
@@ -102,14 +282,62 @@ Record Placement::Gather(const Site& site, long long& rays) const
     }
   }
   const double least = this->Settings.LeastPixels * site.Pixel;
-  const double radius =
-    std::min(this->RadiusOf(record.Found), double(ShareOfReach) * this->Source.GetReach());
-  record.Serves = radius >= LeastShare * least;
-  record.Radius = static_cast<float>(record.Serves
-      ? std::clamp(radius, least, std::max(least, this->Settings.MostPixels * site.Pixel))
-      : IdleRadii * least);
+  const double radius = std::min({ this->RadiusOf(record.Found),
+    double(ShareOfReach) * this->Source.GetReach(), double(site.Most) });
+  record.Serves = this->Settings.AllServe || radius >= LeastShare * least;
+  const double shadow = ShareOfShadow *
+    ShadowDistance(HemisphereGrid::Of(this->Settings.Side), frame, directions, sights, beams,
+      this->Settings.Tolerance);
+  record.Radius =
+    static_cast<float>(record.Serves ? std::clamp(std::min(radius, shadow), least,
+                                         std::max(least, this->Settings.MostPixels * site.Pixel))
+                                     : IdleRadii * least);
   record.Lean = std::max(static_cast<float>(this->Settings.OffSurface) * record.Radius, site.Pixel);
   return record;
+}
+
+long long Placement::LookCloser(const Site& site, const glm::mat3& frame,
+  const HemisphereGrid& grid, const std::vector<Beam>& beams, std::vector<Sight>& sights) const
+{
+  std::vector<float> variances(sights.size());
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    variances[cell] = VarianceOf(grid, sights, cell);
+  }
+  for (const Beam& beam : beams)
+  {
+    Expect(grid, glm::transpose(frame) * beam.Direction, beam.Strength, variances);
+  }
+  const double allowed = std::pow(NoiseShare * this->Settings.Tolerance * grid.Cells(), 2.0);
+  const std::vector<int> finer = ShareOut(variances, allowed);
+  std::uint32_t random = SeedOf(site.Position, -site.Normal);
+  std::vector<glm::vec3> directions;
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    if (finer[cell] > 1)
+    {
+      grid.ScatterWithin(cell, finer[cell], random, directions);
+    }
+  }
+  if (directions.empty())
+  {
+    return 0;
+  }
+  for (glm::vec3& direction : directions)
+  {
+    direction = frame * direction;
+  }
+  std::vector<Sight> closer;
+  const long long rays = this->Source.Gather(site.Position, site.Normal, directions, closer);
+  std::vector<Sight>::const_iterator next = closer.begin();
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    if (finer[cell] > 1)
+    {
+      Merge(finer[cell], next, sights[cell]);
+    }
+  }
+  return rays;
 }
 
 double Placement::RadiusOf(const Derived& found) const

@@ -30,12 +30,15 @@ struct PlacementSettings
   double MostPixels = 64.0; ///< [IC] 20 - 64
   double OffSurface = .1;   ///< how far off the surface a record serves, of its radius
   int Side = 0;             ///< cells along the gatherer's grid; 0: from Tolerance
+  bool Refine = false;   ///< look closer where neighbouring cells differ most: small bright lights
+  bool AllServe = false; ///< even those whose radius the least one makes too large
 };
 
 /// A place where a record may be needed.
 struct Site : Place
 {
   float Pixel = 0.f; ///< side of a pixel there, or what stands for it on a mesh
+  float Most = std::numeric_limits<float>::infinity(); ///< no radius above this
 };
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Placement
@@ -61,6 +64,9 @@ public:
   static float NormalAngleFor(double tolerance);
 
 private:
+  /// Cells that make the mean uncertain get more rays, until it is certain enough; returns how many.
+  long long LookCloser(const Site& site, const glm::mat3& frame, const HemisphereGrid& grid,
+    const std::vector<Beam>& beams, std::vector<Sight>& sights) const;
   double RadiusOf(const Derived& found) const;
 
   const Gatherer& Source;

@@ -4,6 +4,7 @@
 
 #include "CosineDirections.h"
 #include "RayScene.h"
+#include "RecordTree.h"
 
 namespace penumbra
 {
@@ -11,6 +12,12 @@ namespace
 {
 
 constexpr std::size_t PacketSize = 16;
+
+/// Points along the sides of a triangle that shines.
+constexpr int BeamsAlong = 4;
+constexpr float BeamsOfLamp = .5f * BeamsAlong * (BeamsAlong + 1);
+
+constexpr float Pi = 3.14159265f;
 
 /// On past lines and points, which block nothing.
 Hit PassMarks(const RayScene& rays, Ray ray, Hit hit)
@@ -23,7 +30,32 @@ Hit PassMarks(const RayScene& rays, Ray ray, Hit hit)
   return hit;
 }
 
-/// Unit normal of the triangle that was hit, either side.
+/// Traces rays along `directions` and calls `work` with the number of each, itself and what it hit.
+template <typename Work>
+void ForEachHit(const RayScene& scene, glm::vec3 point, glm::vec3 normal, float reach,
+  const std::vector<glm::vec3>& directions, const Work& work)
+{
+  const glm::vec3 origin = point + GapAbove(point) * normal;
+  Ray rays[PacketSize];
+  Hit hits[PacketSize];
+  for (std::size_t first = 0; first < directions.size(); first += PacketSize)
+  {
+    const std::size_t count = std::min(PacketSize, directions.size() - first);
+    for (std::size_t i = 0; i < PacketSize; ++i)
+    {
+      rays[i] = i < count ? Ray{ origin, directions[first + i], 0.f, reach }
+                          : Ray{ origin, normal, 1.f, 0.f };
+    }
+    scene.Intersect16(rays, hits);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      work(first + i, rays[i], hits[i]);
+    }
+  }
+}
+
+}
+
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
 {
   const Surface& surface = scene.Surfaces[hit.Surface];
@@ -35,43 +67,95 @@ glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
   return length > 0.f ? n / length : glm::vec3(0.f);
 }
 
-}
-
 OcclusionGatherer::OcclusionGatherer(const RayScene& scene, float reach)
   : Rays(scene),
     Reach(reach)
 {
 }
 
-void OcclusionGatherer::Gather(glm::vec3 point, glm::vec3 normal,
+long long OcclusionGatherer::Gather(glm::vec3 point, glm::vec3 normal,
   const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
 {
-  sights.resize(directions.size());
-  const glm::vec3 origin = point + GapAbove(point) * normal;
-  Ray rays[PacketSize];
-  Hit hits[PacketSize];
-  for (std::size_t first = 0; first < directions.size(); first += PacketSize)
-  {
-    const std::size_t count = std::min(PacketSize, directions.size() - first);
-    for (std::size_t i = 0; i < PacketSize; ++i)
-    {
-      rays[i] = i < count ? Ray{ origin, directions[first + i], 0.f, this->Reach }
-                          : Ray{ origin, normal, 1.f, 0.f };
-    }
-    this->Rays.Intersect16(rays, hits);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Hit hit = PassMarks(this->Rays, rays[i], hits[i]);
-      Sight& sight = sights[first + i];
-      sight = Sight();
+  sights.assign(directions.size(), Sight());
+  ForEachHit(this->Rays, point, normal, this->Reach, directions,
+    [&](std::size_t i, const Ray& ray, Hit hit) {
+      hit = PassMarks(this->Rays, ray, hit);
       if (hit.IsHit())
       {
-        sight.Distance = hit.Distance;
-        sight.Normal = NormalAt(this->Rays.GetScene(), hit);
-        sight.Radiance = glm::vec3(1.f);
+        sights[i].Distance = hit.Distance;
+        sights[i].Normal = NormalAt(this->Rays.GetScene(), hit);
+        sights[i].Radiance = glm::vec3(1.f);
+      }
+    });
+  return static_cast<long long>(directions.size());
+}
+
+LightGatherer::LightGatherer(const Illumination& light, const RecordTree* arriving, int bounces)
+  : Light(light),
+    Records(arriving),
+    Bounces(bounces)
+{
+}
+
+void LightGatherer::FindBeams(glm::vec3 point, std::vector<Beam>& beams) const
+{
+  int lamp = 0;
+  for (const Emitter& emitter : this->Light.GetEmitters())
+  {
+    ++lamp;
+    const glm::vec3 side = emitter.Corners[1] - emitter.Corners[0];
+    const glm::vec3 other = emitter.Corners[2] - emitter.Corners[0];
+    const glm::vec3 area = glm::cross(side, other) / (2.f * BeamsOfLamp * Pi);
+    for (int i = 0; i < BeamsAlong; ++i)
+    {
+      for (int j = 0; j < BeamsAlong - i; ++j)
+      {
+        const float u = (static_cast<float>(i) + .333f) / BeamsAlong;
+        const float v = (static_cast<float>(j) + .333f) / BeamsAlong;
+        const glm::vec3 to = emitter.Corners[0] + u * side + v * other - point;
+        const float length = glm::length(to);
+        if (length > 0.f)
+        {
+          const glm::vec3 direction = to / length;
+          const float share =
+            emitter.Strength * std::abs(glm::dot(area, direction)) / (length * length);
+          beams.push_back({ direction, length, emitter.Strength, share, lamp });
+        }
       }
     }
   }
+}
+
+long long LightGatherer::Gather(glm::vec3 point, glm::vec3 normal,
+  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+{
+  sights.assign(directions.size(), Sight());
+  const RayScene& rays = this->Light.GetRays();
+  auto count = static_cast<long long>(directions.size());
+  std::uint32_t random = Mix(SeedOf(point, normal) + static_cast<std::uint32_t>(count));
+  Illumination::Arriving arriving;
+  if (this->Records)
+  {
+    arriving = [&](glm::vec3 at, glm::vec3 about) {
+      Place place;
+      place.Position = at;
+      place.Normal = about;
+      const Interpolated found = this->Records->LookUp(place);
+      return found.Found() ? found.Mean
+                           : this->Light.FollowPath(at, about, this->Bounces, random, count);
+    };
+  }
+  ForEachHit(
+    rays, point, normal, this->GetReach(), directions, [&](std::size_t i, const Ray& ray, Hit hit) {
+      hit = PassMarks(rays, ray, hit);
+      if (hit.IsHit())
+      {
+        sights[i].Distance = hit.Distance;
+        sights[i].Normal = NormalAt(rays.GetScene(), hit);
+      }
+      sights[i].Radiance = this->Light.Along(ray, hit, arriving, count);
+    });
+  return count;
 }
 
 }

@@ -6,12 +6,16 @@
 #define penumbra_RayGatherer_h
 
 #include "Gatherer.h"
+#include "Illumination.h"
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro, which tests need
 
 namespace penumbra
 {
 
-class RayScene;
+class RecordTree;
+
+/// Unit normal of the triangle that was hit, either side; 0 of one without area.
+glm::vec3 NormalAt(const Scene& scene, const Hit& hit);
 
 /// Occlusion: radiance is 1 where something lies within reach, 0 elsewhere. Lines and points do not
 /// block.
@@ -21,13 +25,34 @@ public:
   /// `scene` must outlive this object; `reach` in scene units.
   OcclusionGatherer(const RayScene& scene, float reach);
 
-  void Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
+  long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
     std::vector<Sight>& sights) const override;
   float GetReach() const override { return this->Reach; }
 
 private:
   const RayScene& Rays;
   float Reach;
+};
+
+/// Light: what surfaces emit, reflect of the lights and, where `arriving` holds records, of what
+/// arrives at them; the environment elsewhere. Looks through lines and points.
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public Gatherer
+{
+public:
+  /// `arriving`: the light that arrives at surfaces after at most `bounces` - 1 reflections; where
+  /// none of its records serves, a single path answers. Null: none arrives. Both must outlive this
+  /// object.
+  LightGatherer(const Illumination& light, const RecordTree* arriving, int bounces);
+
+  void FindBeams(glm::vec3 point, std::vector<Beam>& beams) const override;
+  long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
+    std::vector<Sight>& sights) const override;
+  float GetReach() const override { return std::numeric_limits<float>::infinity(); }
+
+private:
+  const Illumination& Light;
+  const RecordTree* Records;
+  int Bounces;
 };
 
 }

@@ -104,6 +104,11 @@ bool IsSound(const Record& record)
 
 }
 
+bool HoldsRecords(vtkPolyData* data, Quantities quantity)
+{
+  return data->GetPointData()->HasArray(ValueName(quantity)) != 0;
+}
+
 void ToPolyData(
   const std::vector<Record>& records, Quantities quantity, const Scene& scene, vtkPolyData* data)
 {

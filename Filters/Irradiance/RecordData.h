@@ -27,6 +27,9 @@ enum class Quantities
   Irradiance ///< pi times its mean, three channels
 };
 
+/// Has `data` the array of that quantity?
+bool HoldsRecords(vtkPolyData* data, Quantities quantity);
+
 /// Replaces what `data` holds.
 void ToPolyData(
   const std::vector<Record>& records, Quantities quantity, const Scene& scene, vtkPolyData* data);

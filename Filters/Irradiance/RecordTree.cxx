@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordTree.h"
 
+#include "Scene.h"
+
+#include <limits>
+
 namespace penumbra
 {
 namespace
@@ -72,6 +76,23 @@ void RecordTree::Initialize(glm::vec3 center, float halfSide)
   this->Clear();
   this->Half = RootGrowth * std::max(halfSide, 1e-30f);
   this->Center = center + RootShift * this->Half;
+}
+
+void RecordTree::Enclose(const Scene& scene)
+{
+  glm::vec3 low(std::numeric_limits<float>::max());
+  glm::vec3 high(std::numeric_limits<float>::lowest());
+  for (const Surface& surface : scene.Surfaces)
+  {
+    for (const glm::vec3& p : surface.Positions)
+    {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+  const glm::vec3 size = glm::max(high - low, glm::vec3(0.f));
+  this->Initialize(low.x <= high.x ? .5f * (low + high) : glm::vec3(0.f),
+    .5f * std::max({ size.x, size.y, size.z }));
 }
 
 void RecordTree::SetNormalAngle(float angle)

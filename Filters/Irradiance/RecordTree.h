@@ -13,6 +13,8 @@
 namespace penumbra
 {
 
+struct Scene;
+
 /// What the cache says about a place.
 struct Interpolated
 {
@@ -27,6 +29,9 @@ class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordTree
 public:
   /// A cube that holds most of what comes; records outside are found, only more slowly.
   void Initialize(glm::vec3 center, float halfSide);
+
+  /// A cube as large as the scene.
+  void Enclose(const Scene& scene);
 
   /// How much two normals may differ, in radians, below pi.
   void SetNormalAngle(float angle);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceCache.h"
 
+#include "Interreflection.h"
+#include "PictureRecords.h"
 #include "PictureSites.h"
-#include "RayGatherer.h"
 #include "RayScene.h"
 #include "RecordData.h"
 
@@ -16,8 +17,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <mutex>
-
 namespace
 {
 
@@ -27,10 +26,11 @@ using namespace penumbra;
 constexpr double SharedError = 0.5;
 constexpr double LeastTolerance = 1e-4;
 
-/// Where after the coarse levels more than this share of records does not serve, the rest is left
-/// to brute force.
-constexpr double MostIdle = 0.7;
-constexpr int CoarseStride = 16;
+/// The picture's pixels from whose places light is followed backwards have this stride or more.
+constexpr int StrideOfViewpoints = 16;
+
+/// Of the progress of irradiance: the reflections but the last.
+constexpr double ProgressOfReflections = 0.5;
 
 void AddStatistic(vtkFieldData* statistics, const char* name, double value)
 {
@@ -40,56 +40,77 @@ void AddStatistic(vtkFieldData* statistics, const char* name, double value)
   statistics->AddArray(array);
 }
 
-/// Makes the tree's root as large as the scene.
-void Enclose(const Scene& scene, RecordTree& tree)
+std::vector<Site> Viewpoints(const RayScene& rays)
 {
-  glm::vec3 low(std::numeric_limits<float>::max());
-  glm::vec3 high(std::numeric_limits<float>::lowest());
-  for (const Surface& surface : scene.Surfaces)
+  std::vector<Site> all;
+  for (int level = 0; StrideOf(level) >= StrideOfViewpoints; ++level)
   {
-    for (const glm::vec3& p : surface.Positions)
-    {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
+    const std::vector<Site> sites = SitesOfPicture(rays, level);
+    all.insert(all.end(), sites.begin(), sites.end());
   }
-  const glm::vec3 size = glm::max(high - low, glm::vec3(0.f));
-  tree.Initialize(low.x <= high.x ? .5f * (low + high) : glm::vec3(0.f),
-    .5f * std::max({ size.x, size.y, size.z }));
+  return all;
 }
 
 }
 
 struct vtkPenumbraIrradianceCache::Internals
 {
-  /// What the records were made for.
+  /// What records were made for.
   struct Purpose
   {
     std::uint64_t Scene = 0;
     double Radius = 0.0;
+    IlluminationSettings Light;
     double Tolerance = 0.0;
     vtkMTimeType Settings = 0;
     bool operator==(const Purpose& other) const
     {
       return this->Scene == other.Scene && this->Radius == other.Radius &&
-        this->Tolerance == other.Tolerance && this->Settings == other.Settings;
+        this->Light == other.Light && this->Tolerance == other.Tolerance &&
+        this->Settings == other.Settings;
     }
   };
 
-  Purpose Made;
-  const RayScene* Rays = nullptr;
-  const Gatherer* Foreign = nullptr;
+  /// One of the two quantities.
+  struct Half
+  {
+    Purpose Made;
+    const RayScene* Rays = nullptr;
+    std::unique_ptr<PictureRecords> Records;
+
+    /// From world coordinates.
+    Place PlaceOf(const double point[3], const double normal[3]) const
+    {
+      const Scene& scene = this->Rays->GetScene();
+      Place place;
+      place.Position = (glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale;
+      place.Normal = glm::vec3(normal[0], normal[1], normal[2]);
+      return place;
+    }
+
+    Interpolated Ask(const double point[3], const double normal[3], bool lazily) const
+    {
+      const Place place = this->PlaceOf(point, normal);
+      return lazily ? this->Records->LookUpOrGather(place) : this->Records->LookUp(place);
+    }
+  };
+
+  Half Occlusion;
+  std::unique_ptr<OcclusionGatherer> Occluders;
   double Accepted = 0.0; ///< by Begin(), for a single answer
-  std::unique_ptr<OcclusionGatherer> Own;
-  std::unique_ptr<Placement> Places;
-  RecordTree Tree;
-  std::mutex Lock; ///< LAZY: of Tree and LazyRays
-  long long LazyRays = 0;
   vtkNew<vtkPenumbraBruteForceSource> BruteForce;
+
+  Half Irradiance;
+  std::unique_ptr<Interreflection> Light;
+
+  const Gatherer* Foreign = nullptr;
   vtkSmartPointer<vtkPolyData> InitialRecords;
 
-  bool PlaceRecords(const Progress& progress);
-  float PixelAt(glm::vec3 position) const;
+  static PlacementSettings MakeSettings(vtkPenumbraIrradianceCache* self, double accepted);
+  static float NormalAngle(vtkPenumbraIrradianceCache* self, const PlacementSettings& settings);
+  bool MakeRecords(vtkPenumbraIrradianceCache* self, penumbra::Quantities quantity,
+    const RayScene& rays, const Gatherer& gatherer, const PlacementSettings& settings,
+    const Progress& progress);
 };
 
 vtkStandardNewMacro(vtkPenumbraIrradianceCache);
@@ -126,92 +147,90 @@ void vtkPenumbraIrradianceCache::SetGatherer(const penumbra::Gatherer* gatherer)
 
 void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
 {
-  const Internals& self = *this->Implementation;
-  if (self.Rays)
+  const Internals::Half& half = this->Implementation->Occlusion;
+  if (half.Records)
   {
-    ToPolyData(self.Tree.GetRecords(), Quantities::Occlusion, self.Rays->GetScene(), records);
+    ToPolyData(
+      half.Records->GetTree().GetRecords(), Quantities::Occlusion, half.Rays->GetScene(), records);
   }
+}
+
+void vtkPenumbraIrradianceCache::GetIrradianceRecords(vtkPolyData* records) const
+{
+  const Internals::Half& half = this->Implementation->Irradiance;
+  if (half.Records)
+  {
+    ToPolyData(
+      half.Records->GetTree().GetRecords(), Quantities::Irradiance, half.Rays->GetScene(), records);
+  }
+}
+
+PlacementSettings vtkPenumbraIrradianceCache::Internals::MakeSettings(
+  vtkPenumbraIrradianceCache* self, double accepted)
+{
+  PlacementSettings settings;
+  settings.Tolerance =
+    std::max(self->Tolerance > 0.0 ? self->Tolerance : SharedError * accepted, LeastTolerance);
+  settings.Rule = static_cast<penumbra::RadiusRules>(self->RadiusRule);
+  settings.LeastPixels = self->MinimumRadius;
+  settings.MostPixels = std::max(self->MinimumRadius, self->MaximumRadius);
+  settings.Side = static_cast<int>(std::lround(std::sqrt(self->RaysPerRecord)));
+  return settings;
+}
+
+float vtkPenumbraIrradianceCache::Internals::NormalAngle(
+  vtkPenumbraIrradianceCache* self, const PlacementSettings& settings)
+{
+  return self->NormalAngle > 0.0
+    ? static_cast<float>(vtkMath::RadiansFromDegrees(self->NormalAngle))
+    : Placement::NormalAngleFor(settings.Tolerance);
+}
+
+bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCache* self,
+  penumbra::Quantities quantity, const RayScene& rays, const Gatherer& gatherer,
+  const PlacementSettings& settings, const Progress& progress)
+{
+  Half& half = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
+  std::vector<Record> initial;
+  const auto other =
+    quantity == Quantities::Occlusion ? Quantities::Irradiance : Quantities::Occlusion;
+  if (this->InitialRecords && !HoldsRecords(this->InitialRecords, other))
+  {
+    std::string problem;
+    initial = FromPolyData(this->InitialRecords, quantity, rays.GetScene(), problem);
+    if (!problem.empty())
+    {
+      vtkWarningWithObjectMacro(self, "InitialRecords are not used: " << problem << ".");
+    }
+  }
+  half.Rays = &rays;
+  half.Records = std::make_unique<PictureRecords>(
+    rays, gatherer, settings, NormalAngle(self, settings), initial);
+  return self->Order == LAZY || half.Records->PlaceLevels(progress);
 }
 
 bool vtkPenumbraIrradianceCache::Begin(
   const penumbra::RayScene& rays, double radius, double tolerance, const Progress& progress)
 {
   Internals& self = *this->Implementation;
-  const Internals::Purpose purpose{ rays.GetId(), radius, tolerance, this->GetMTime() };
-  if (self.Made == purpose)
+  const Internals::Purpose purpose{ rays.GetId(), radius, {}, tolerance, this->GetMTime() };
+  if (self.Occlusion.Made == purpose)
   {
     return true;
   }
-  self.Made = Internals::Purpose();
-  const Scene& scene = rays.GetScene();
-  const double accepted =
-    std::max(this->Tolerance > 0.0 ? this->Tolerance : SharedError * tolerance, LeastTolerance);
-
-  PlacementSettings settings;
-  settings.Tolerance = accepted;
-  settings.Rule = static_cast<penumbra::RadiusRules>(this->RadiusRule);
-  settings.LeastPixels = this->MinimumRadius;
-  settings.MostPixels = std::max(this->MinimumRadius, this->MaximumRadius);
-  settings.Side = static_cast<int>(std::lround(std::sqrt(this->RaysPerRecord)));
-
-  self.Rays = &rays;
-  self.Own = std::make_unique<OcclusionGatherer>(rays, static_cast<float>(radius * scene.Scale));
+  self.Occlusion.Made = Internals::Purpose();
   self.Accepted = tolerance;
   self.BruteForce->Begin(rays, radius, tolerance);
-  Enclose(scene, self.Tree);
-  self.Tree.SetNormalAngle(this->NormalAngle > 0.0
-      ? static_cast<float>(vtkMath::RadiansFromDegrees(this->NormalAngle))
-      : Placement::NormalAngleFor(accepted));
-  const Gatherer& gatherer = self.Foreign ? *self.Foreign : *self.Own;
-  self.Places = std::make_unique<Placement>(gatherer, settings, self.Tree);
-  self.LazyRays = 0;
-  if (self.InitialRecords)
-  {
-    std::string problem;
-    for (const Record& record :
-      FromPolyData(self.InitialRecords, Quantities::Occlusion, scene, problem))
-    {
-      self.Tree.Insert(record);
-    }
-    if (!problem.empty())
-    {
-      vtkWarningMacro("InitialRecords are not used: " << problem << ".");
-    }
-  }
-  if (this->Order == LEVELS && !self.PlaceRecords(progress))
+  self.Occluders =
+    std::make_unique<OcclusionGatherer>(rays, static_cast<float>(radius * rays.GetScene().Scale));
+  const Gatherer& gatherer = self.Foreign ? *self.Foreign : *self.Occluders;
+  if (!self.MakeRecords(this, Quantities::Occlusion, rays, gatherer,
+        Internals::MakeSettings(this, tolerance), progress))
   {
     return false;
   }
-  self.Made = purpose;
+  self.Occlusion.Made = purpose;
   return true;
-}
-
-bool vtkPenumbraIrradianceCache::Internals::PlaceRecords(const Progress& progress)
-{
-  for (int level = 0; level < PictureLevels; ++level)
-  {
-    const auto step = [&](double share) {
-      return progress && progress((level + share) / PictureLevels);
-    };
-    if (!this->Places->AddLevel(SitesOfPicture(*this->Rays, level), step))
-    {
-      return false;
-    }
-    const auto made = static_cast<double>(this->Tree.GetRecords().size());
-    if (StrideOf(level) <= CoarseStride &&
-      static_cast<double>(this->Places->GetIdle()) > MostIdle * made)
-    {
-      break;
-    }
-  }
-  return true;
-}
-
-float vtkPenumbraIrradianceCache::Internals::PixelAt(glm::vec3 position) const
-{
-  const Camera& eye = this->Rays->GetScene().Eye;
-  const double depth = eye.Parallel ? 1.0 : eye.Depth(position);
-  return static_cast<float>(eye.PixelSize * std::abs(depth));
 }
 
 vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::Occlusion(
@@ -223,40 +242,94 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::Occlusion(
 vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::OcclusionWithin(
   const double point[3], const double normal[3], double tolerance) const
 {
-  Internals& self = *this->Implementation;
-  const Scene& scene = self.Rays->GetScene();
-  Site site;
-  site.Position = (glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale;
-  site.Normal = glm::vec3(normal[0], normal[1], normal[2]);
-  std::unique_lock<std::mutex> lock(self.Lock, std::defer_lock);
-  if (this->Order == LAZY)
-  {
-    lock.lock();
-  }
-  Estimate estimate;
-  Interpolated found = self.Tree.LookUp(site);
-  if (!found.Found() && this->Order == LAZY)
-  {
-    site.Pixel = self.PixelAt(site.Position);
-    self.Tree.Insert(self.Places->Gather(site, self.LazyRays));
-    found = self.Tree.LookUp(site);
-  }
+  const Internals& self = *this->Implementation;
+  const Interpolated found = self.Occlusion.Ask(point, normal, this->Order == LAZY);
   if (!found.Found())
   {
     return self.BruteForce->OcclusionWithin(point, normal, tolerance);
   }
+  Estimate estimate;
   estimate.Value = std::min(found.Mean.x, 1.f);
   estimate.Error = found.Error;
   return estimate;
 }
 
+bool vtkPenumbraIrradianceCache::BeginIrradiance(
+  const penumbra::Illumination& light, double tolerance, const Progress& progress)
+{
+  Internals& self = *this->Implementation;
+  const RayScene& rays = light.GetRays();
+  const Internals::Purpose purpose{ rays.GetId(), 0.0, light.GetSettings(), tolerance,
+    this->GetMTime() };
+  if (self.Irradiance.Made == purpose)
+  {
+    return true;
+  }
+  self.Irradiance.Made = Internals::Purpose();
+  PlacementSettings settings = Internals::MakeSettings(this, tolerance / vtkMath::Pi());
+  settings.Refine = true;
+  settings.AllServe = true;
+  self.Light =
+    std::make_unique<Interreflection>(light, settings, Internals::NormalAngle(this, settings));
+  const auto before = [&](double share) {
+    return progress && progress(ProgressOfReflections * share);
+  };
+  const auto after = [&](double share) {
+    return progress && progress(ProgressOfReflections + (1.0 - ProgressOfReflections) * share);
+  };
+  if (!self.Light->Build(Viewpoints(rays), before) ||
+    !self.MakeRecords(
+      this, Quantities::Irradiance, rays, self.Light->GetGatherer(), settings, after))
+  {
+    return false;
+  }
+  self.Irradiance.Made = purpose;
+  return true;
+}
+
+vtkPenumbraIrradianceSource::Light vtkPenumbraIrradianceCache::Irradiance(
+  const double point[3], const double normal[3], double tolerance) const
+{
+  const Internals& self = *this->Implementation;
+  Light light;
+  Interpolated found = self.Irradiance.Ask(point, normal, this->Order == LAZY);
+  if (!found.Found())
+  {
+    found = self.Irradiance.Records->Gather(self.Irradiance.PlaceOf(point, normal),
+      std::max(tolerance / vtkMath::Pi(), LeastTolerance), light.Rays);
+  }
+  light.Error = vtkMath::Pi() * found.Error;
+  for (int c = 0; c < 3; ++c)
+  {
+    light.Value[c] = vtkMath::Pi() * found.Mean[c];
+  }
+  return light;
+}
+
 void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
 {
   const Internals& self = *this->Implementation;
-  AddStatistic(statistics, "Cache/Records", static_cast<double>(self.Tree.GetRecords().size()));
-  AddStatistic(statistics, "Cache/Bytes", static_cast<double>(self.Tree.GetBytes()));
-  AddStatistic(statistics, "Rays/Gather",
-    static_cast<double>(self.LazyRays + (self.Places ? self.Places->GetRays() : 0)));
+  std::size_t records = 0;
+  std::size_t bytes = 0;
+  long long rays = 0;
+  for (const Internals::Half* half : { &self.Occlusion, &self.Irradiance })
+  {
+    if (half->Records)
+    {
+      records += half->Records->GetTree().GetRecords().size();
+      bytes += half->Records->GetTree().GetBytes();
+      rays += half->Records->GetRays();
+    }
+  }
+  if (self.Light)
+  {
+    records += self.Light->GetRecords();
+    bytes += self.Light->GetBytes();
+    rays += self.Light->GetRays();
+  }
+  AddStatistic(statistics, "Cache/Records", static_cast<double>(records));
+  AddStatistic(statistics, "Cache/Bytes", static_cast<double>(bytes));
+  AddStatistic(statistics, "Rays/Gather", static_cast<double>(rays));
 }
 
 void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceCache
- * @brief   Occlusion gathered at few points and interpolated between them, to a tolerance [IC].
+ * @brief   Occlusion and irradiance gathered at few points and interpolated between them [IC].
  *
  * Give it to vtkPenumbraRayCaster::SetIrradianceSource(). Records hold what was gathered with its
  * gradients; how far a record serves follows from its second derivative, so that Tolerance is an
  * error of the result. Where no record serves, brute force answers.
+ *
+ * Light of several reflections has records for each: those of the first lie where rays from the picture
+ * end, the next ones look them up.
  *
  * Which records there are is a function of scene, camera and whole picture: never of the order of
  * questions, of threads or of tiles. Only the paper's LAZY order is outside that promise.
@@ -36,8 +39,9 @@ public:
 
   ///@{
   /**
-   * Error accepted, as the RMSE of occlusion over 16x16 pixels, 1e-4 to 1; 0: half of what Begin()
-   * asks for, since errors of neighbours are alike here and do not average out. Default: 0.
+   * Error accepted, as the RMSE of occlusion or of irradiance over pi in 16x16 pixels, 1e-4 to 1; 0:
+   * half of what Begin() asks for, since errors of neighbours are alike here and do not average out.
+   * Default: 0.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -90,7 +94,8 @@ public:
 
   ///@{
   /**
-   * Records to begin with, as GetRecords() gave them for the same scene and reach. Default: none.
+   * Records to begin with, as GetRecords() or GetIrradianceRecords() gave them for the same scene and
+   * reach or light. Default: none.
    */
   virtual void SetInitialRecords(vtkPolyData* records);
   vtkPolyData* GetInitialRecords();
@@ -98,6 +103,8 @@ public:
 
   /** The records as points with arrays, in world coordinates: position, normal, `Radius`, ... */
   void GetRecords(vtkPolyData* records) const;
+  /** Those of the last reflection, likewise. */
+  void GetIrradianceRecords(vtkPolyData* records) const;
 
   bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
     const Progress& progress = {}) override;
@@ -106,10 +113,15 @@ public:
   Estimate OcclusionWithin(
     const double point[3], const double normal[3], double tolerance) const override;
 
+  bool BeginIrradiance(
+    const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) override;
+  /** Where no record serves, a gather of its own answers. */
+  Light Irradiance(const double point[3], const double normal[3], double tolerance) const override;
+
   /** `Cache/Records`, `Cache/Bytes`, `Rays/Gather`. */
   void Report(vtkFieldData* statistics) const override;
 
-  /** Looks around instead of rays, from the next Begin() on; null: rays. Not kept alive. */
+  /** Looks around for occlusion instead of rays, from the next Begin() on; null: rays. Not kept alive. */
   VTK_WRAPEXCLUDE void SetGatherer(const penumbra::Gatherer* gatherer);
 
 protected:

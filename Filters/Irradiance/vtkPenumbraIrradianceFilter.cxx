@@ -4,6 +4,7 @@
 
 #include "Baking.h"
 #include "Blocks.h"
+#include "Interreflection.h"
 #include "MeshSites.h"
 #include "RayGatherer.h"
 #include "RayScene.h"
@@ -23,6 +24,8 @@
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <cmath>
+#include <memory>
 #include <new>
 
 namespace
@@ -59,22 +62,47 @@ void AddStatistic(vtkFieldData* statistics, const std::string& name, double valu
   statistics->AddArray(array);
 }
 
-/// One value for every point or cell, 0 where nothing asked.
-vtkSmartPointer<vtkFloatArray> ArrayOf(
-  const MeshSites& mesh, const BakedValues& baked, vtkIdType size)
+constexpr double Pi = 3.14159265358979323846;
+
+/// Of the progress of irradiance: the reflections but the last.
+constexpr double ProgressOfReflections = 0.4;
+
+/// Of the points, every so manieth looks for others, see Interreflection.
+constexpr std::size_t MostViewpoints = 256;
+
+/// `scale` times the means at every point or cell, 0 where nothing asked.
+vtkSmartPointer<vtkFloatArray> ArrayOf(const MeshSites& mesh, const BakedValues& baked,
+  vtkIdType size, const char* name, int components, float scale)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName("AmbientOcclusion");
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(size);
   array->Fill(0.0);
   for (std::size_t i = 0; i < mesh.Ids.size(); ++i)
   {
-    array->SetValue(mesh.Ids[i], glm::clamp(baked.Values[i].Mean.x, 0.f, 1.f));
+    for (int c = 0; c < components; ++c)
+    {
+      array->SetTypedComponent(mesh.Ids[i], c, scale * baked.Values[i].Mean[c]);
+    }
   }
   return array;
 }
 
 }
+
+/// A mesh in the making.
+struct vtkPenumbraIrradianceFilter::Work
+{
+  MeshSites Mesh;
+  std::unique_ptr<RayScene> Rays;
+  PlacementSettings Settings;
+  RecordTree Tree;
+  BakedValues Baked;
+  std::unique_ptr<Interreflection> Reflections; ///< of irradiance
+  long long GatherRays = 0;
+  ProgressCallback Progress;
+};
 
 vtkStandardNewMacro(vtkPenumbraIrradianceFilter);
 
@@ -163,7 +191,9 @@ void vtkPenumbraIrradianceFilter::BakeOnto(vtkPointSet* input, vtkPointSet* outp
   choices.OfCells = this->OnCells;
   choices.ComputeNormals = this->ComputeNormals;
   choices.PointRadius = this->PointRadius;
-  MeshSites mesh = FindMeshSites(input, choices);
+  Work work;
+  MeshSites& mesh = work.Mesh;
+  mesh = FindMeshSites(input, choices);
   for (Site& site : mesh.Sites)
   {
     site.Pixel *= PixelOfSpacing;
@@ -174,23 +204,41 @@ void vtkPenumbraIrradianceFilter::BakeOnto(vtkPointSet* input, vtkPointSet* outp
                     << " are of no surface and " << mesh.NotFinite
                     << " are not finite or have no normal: their value is 0.");
   }
+  work.Rays = std::make_unique<RayScene>(mesh.Blocking, this->NumberOfThreads);
+  work.Tree.Initialize(glm::vec3(0.f), .5f);
+  work.Settings.MostPixels = MostPixels;
+  work.Settings.OffSurface = OffSurface;
+  work.Progress = [this](double share) {
+    this->UpdateProgress(share);
+    return this->GetAbortExecute() != 0;
+  };
+  const bool light = this->Quantity == IRRADIANCE;
+  if (!(light ? this->BakeIrradiance(work) : this->BakeOcclusion(work)))
+  {
+    return;
+  }
+  vtkDataSetAttributes* attributes = this->OnCells
+    ? static_cast<vtkDataSetAttributes*>(output->GetCellData())
+    : static_cast<vtkDataSetAttributes*>(output->GetPointData());
+  const vtkIdType size = this->OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
+  attributes->AddArray(light
+      ? ArrayOf(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(Pi))
+      : ArrayOf(mesh, work.Baked, size, "AmbientOcclusion", 1, 1.f));
+  this->Report(work, size);
+}
 
-  const RayScene rays(mesh.Blocking, this->NumberOfThreads);
-  const double radius = this->Radius > 0.0 ? this->Radius : DefaultRadiusShare * mesh.Diagonal;
-  const OcclusionGatherer gatherer(rays, static_cast<float>(radius * mesh.Blocking.Scale));
-  PlacementSettings settings;
-  settings.Tolerance = BendShare * this->Tolerance;
-  settings.MostPixels = MostPixels;
-  settings.OffSurface = OffSurface;
-  settings.Side = Placement::SideFor(NoiseOfRecords * this->Tolerance);
-  RecordTree tree;
-  tree.Initialize(glm::vec3(0.f), .5f);
-  tree.SetNormalAngle(Placement::NormalAngleFor(TurnShare * this->Tolerance));
-  Placement places(gatherer, settings, tree);
+bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
+{
+  const Scene& scene = work.Mesh.Blocking;
+  const double radius = this->Radius > 0.0 ? this->Radius : DefaultRadiusShare * work.Mesh.Diagonal;
+  const OcclusionGatherer gatherer(*work.Rays, static_cast<float>(radius * scene.Scale));
+  work.Settings.Tolerance = BendShare * this->Tolerance;
+  work.Settings.Side = Placement::SideFor(NoiseOfRecords * this->Tolerance);
+  work.Tree.SetNormalAngle(Placement::NormalAngleFor(TurnShare * this->Tolerance));
+  Placement places(gatherer, work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceSource> source;
   source->SetMinimumRays(LeastRays);
-  source->Begin(rays, radius, NoiseOfAnswers * this->Tolerance);
-  const Scene& scene = mesh.Blocking;
+  source->Begin(*work.Rays, radius, NoiseOfAnswers * this->Tolerance);
   const auto bruteForce = [&](const Site& site, long long& count) {
     const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
     const glm::dvec3 normal(site.Normal);
@@ -199,47 +247,115 @@ void vtkPenumbraIrradianceFilter::BakeOnto(vtkPointSet* input, vtkPointSet* outp
     return BakedValue{ glm::vec3(static_cast<float>(answer.Value)),
       static_cast<float>(answer.Error) };
   };
-  const auto progress = [this](double share) {
-    this->UpdateProgress(share);
-    return this->GetAbortExecute() != 0;
-  };
-  BakedValues baked;
-  if (!Bake(mesh.Sites, mesh.Spacing, this->Method == AUTOMATIC, places, tree, bruteForce, progress,
-        baked))
+  const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, this->Method == AUTOMATIC, places,
+    work.Tree, bruteForce, work.Progress, work.Baked);
+  for (BakedValue& value : work.Baked.Values)
   {
-    return;
+    value.Mean = glm::clamp(value.Mean, 0.f, 1.f);
   }
+  work.GatherRays = places.GetRays();
+  return done;
+}
 
-  vtkDataSetAttributes* attributes = this->OnCells
-    ? static_cast<vtkDataSetAttributes*>(output->GetCellData())
-    : static_cast<vtkDataSetAttributes*>(output->GetPointData());
-  const vtkIdType size = this->OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
-  attributes->AddArray(ArrayOf(mesh, baked, size));
+bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
+{
+  const Scene& scene = work.Mesh.Blocking;
+  IlluminationSettings settings;
+  settings.Environment = glm::max(
+    glm::vec3(this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2]),
+    glm::vec3(0.f));
+  settings.Albedo = static_cast<float>(this->Albedo);
+  settings.Bounces = this->Bounces;
+  const Illumination light(*work.Rays, settings);
+  const double tolerance = this->Tolerance / Pi; // of the mean over the hemisphere
+  work.Settings.Tolerance = BendShare * tolerance;
+  work.Settings.Side = Placement::SideFor(NoiseOfRecords * tolerance);
+  const float angle = Placement::NormalAngleFor(TurnShare * tolerance);
+  work.Tree.SetNormalAngle(angle);
 
+  const bool records = this->Method == AUTOMATIC;
+  const bool several = records && this->Bounces > 1;
+  work.Reflections = std::make_unique<Interreflection>(light, work.Settings, angle);
+  std::vector<Site> viewpoints;
+  const std::size_t step = std::max<std::size_t>(work.Mesh.Sites.size() / MostViewpoints, 1);
+  for (std::size_t i = 0; i < work.Mesh.Sites.size(); i += step)
+  {
+    viewpoints.push_back(work.Mesh.Sites[i]);
+  }
+  const auto before = [&](double share) { return work.Progress(ProgressOfReflections * share); };
+  if (several && !work.Reflections->Build(viewpoints, before))
+  {
+    return false;
+  }
+  const auto after = [&](double share) {
+    return work.Progress(
+      several ? ProgressOfReflections + (1.0 - ProgressOfReflections) * share : share);
+  };
+  Placement places(work.Reflections->GetGatherer(), work.Settings, work.Tree);
+  vtkNew<vtkPenumbraBruteForceSource> source;
+  source->SetMinimumRays(LeastRays);
+  source->BeginIrradiance(light, this->Tolerance);
+  const auto bruteForce = [&](const Site& site, long long& count) {
+    if (records)
+    {
+      const Derived found = places.Gather(site, count).Found;
+      return BakedValue{ found.Mean, found.Error };
+    }
+    const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 normal(site.Normal);
+    const auto answer = source->Irradiance(&world.x, &normal.x, NoiseOfAnswers * this->Tolerance);
+    count += answer.Rays;
+    return BakedValue{ glm::vec3(answer.Value[0], answer.Value[1], answer.Value[2]) /
+        static_cast<float>(Pi),
+      static_cast<float>(answer.Error / Pi) };
+  };
+  const bool done = Bake(
+    work.Mesh.Sites, work.Mesh.Spacing, records, places, work.Tree, bruteForce, after, work.Baked);
+  work.GatherRays = places.GetRays() + work.Reflections->GetRays();
+  return done;
+}
+
+void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
+{
+  const BakedValues& baked = work.Baked;
+  const double unit = this->Quantity == IRRADIANCE ? Pi : 1.0;
   double square = 0.0;
   for (const BakedValue& value : baked.Values)
   {
-    square += static_cast<double>(value.Error) * value.Error;
+    square += std::pow(unit * value.Error, 2.0);
   }
   this->EstimatedError =
     baked.Values.empty() ? 0.0 : std::sqrt(square / static_cast<double>(baked.Values.size()));
+  std::size_t records = work.Tree.GetRecords().size();
+  std::size_t bytes = work.Tree.GetBytes();
+  if (work.Reflections)
+  {
+    records += work.Reflections->GetRecords();
+    bytes += work.Reflections->GetBytes();
+  }
   const std::string what = this->OnCells ? "Cells/" : "Points/";
   vtkFieldData* s = this->Statistics;
   AddStatistic(s, what + "Total", static_cast<double>(size));
   AddStatistic(s, what + "Interpolated", static_cast<double>(baked.Interpolated));
   AddStatistic(s, what + "BruteForce", static_cast<double>(baked.BruteForce));
-  AddStatistic(s, what + "Unused", static_cast<double>(mesh.Unused));
-  AddStatistic(s, what + "NotFinite", static_cast<double>(mesh.NotFinite));
-  AddStatistic(s, "Cache/Records", static_cast<double>(tree.GetRecords().size()));
-  AddStatistic(s, "Cache/Bytes", static_cast<double>(tree.GetBytes()));
-  AddStatistic(s, "Rays/Gather", static_cast<double>(places.GetRays()));
-  AddStatistic(s, "Rays/Occlusion", static_cast<double>(baked.BruteForceRays));
-  AddStatistic(s, "Rays/Total", static_cast<double>(places.GetRays() + baked.BruteForceRays));
+  AddStatistic(s, what + "Unused", static_cast<double>(work.Mesh.Unused));
+  AddStatistic(s, what + "NotFinite", static_cast<double>(work.Mesh.NotFinite));
+  AddStatistic(s, "Cache/Records", static_cast<double>(records));
+  AddStatistic(s, "Cache/Bytes", static_cast<double>(bytes));
+  AddStatistic(s, "Rays/Gather", static_cast<double>(work.GatherRays));
+  AddStatistic(s, this->Quantity == IRRADIANCE ? "Rays/Indirect" : "Rays/Occlusion",
+    static_cast<double>(baked.BruteForceRays));
+  AddStatistic(s, "Rays/Total", static_cast<double>(work.GatherRays + baked.BruteForceRays));
 }
 
 void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Quantity: " << this->Quantity << "\n";
+  os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "
+     << this->EnvironmentColor[1] << " " << this->EnvironmentColor[2] << "\n";
+  os << indent << "Albedo: " << this->Albedo << "\n";
+  os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "OnCells: " << this->OnCells << "\n";

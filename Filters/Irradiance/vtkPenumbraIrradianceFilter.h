@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceFilter
- * @brief   Bakes ambient occlusion onto a mesh: a point or cell array, to a tolerance.
+ * @brief   Bakes ambient occlusion or irradiance onto a mesh: a point or cell array, to a tolerance.
  *
- * Adds the array `AmbientOcclusion` (0 open, 1 blocked) to a copy of the input: any vtkPointSet with
+ * Adds the array `AmbientOcclusion` (0 open, 1 blocked) or `Irradiance` (red, green and blue; pi under a
+ * white sky) to a copy of the input: any vtkPointSet with
  * a surface, or points alone with PointRadius. The hemisphere of a point is about its normal, as the
  * file has it, or as computed from the polygons; surfaces block from both sides. The blocks of a
  * composite data set are one scene: each may block all others.
@@ -31,6 +32,18 @@ public:
   vtkTypeMacro(vtkPenumbraIrradianceFilter, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** What is baked. */
+  enum Quantities
+  {
+    AMBIENT_OCCLUSION, ///< the blocked share of the sky within Radius
+    IRRADIANCE         ///< light from the environment, straight and from surface to surface
+  };
+  ///@{
+  /** What is baked. Default: AMBIENT_OCCLUSION. */
+  vtkSetClampMacro(Quantity, int, AMBIENT_OCCLUSION, IRRADIANCE);
+  vtkGetMacro(Quantity, int);
+  ///@}
+
   ///@{
   /** Error accepted: the RMSE over all points, in the array's unit, 1e-4 to 1. Default: 0.01. */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
@@ -41,6 +54,24 @@ public:
   /** Reach of an occluder in world units, may be infinite; 0: a tenth of the diagonal of the bounds. Default: 0. */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Irradiance: radiance that comes from where nothing is, 0 up. Default: 1, 1, 1. */
+  vtkSetVector3Macro(EnvironmentColor, double);
+  vtkGetVector3Macro(EnvironmentColor, double);
+  ///@}
+
+  ///@{
+  /** Irradiance: share of light that the surface throws back, in [0, 1]. Default: 0.5. */
+  vtkSetClampMacro(Albedo, double, 0.0, 1.0);
+  vtkGetMacro(Albedo, double);
+  ///@}
+
+  ///@{
+  /** Irradiance: reflections up to the eye's, which is the last, 1 to 64; 1: straight light. Default: 3. */
+  vtkSetClampMacro(Bounces, int, 1, 64);
+  vtkGetMacro(Bounces, int);
   ///@}
 
   ///@{
@@ -103,10 +134,18 @@ private:
   vtkPenumbraIrradianceFilter(const vtkPenumbraIrradianceFilter&) = delete;
   void operator=(const vtkPenumbraIrradianceFilter&) = delete;
 
+  struct Work;
   void Execute(vtkInformationVector* inputs, vtkInformationVector* outputs);
   void BakeOnto(vtkPointSet* input, vtkPointSet* output);
+  bool BakeOcclusion(Work& work);
+  bool BakeIrradiance(Work& work);
+  void Report(const Work& work, vtkIdType size);
 
   double Tolerance = 0.01;
+  int Quantity = AMBIENT_OCCLUSION;
+  double EnvironmentColor[3] = { 1.0, 1.0, 1.0 };
+  double Albedo = 0.5;
+  int Bounces = 3;
   double Radius = 0.0;
   bool OnCells = false;
   bool ComputeNormals = false;

@@ -63,6 +63,29 @@ inline glm::vec2 ToDisc(float u, float v)
   return radius * glm::vec2(std::cos(angle), std::sin(angle));
 }
 
+/// The other way round.
+inline glm::vec2 FromDisc(glm::vec2 disc)
+{
+  if (disc == glm::vec2(0.f))
+  {
+    return glm::vec2(.5f);
+  }
+  const float quarter = 0.785398163f;
+  const float length = glm::length(disc);
+  glm::vec2 at;
+  if (std::abs(disc.x) > std::abs(disc.y))
+  {
+    at.x = std::copysign(length, disc.x);
+    at.y = at.x * std::atan(disc.y / disc.x) / quarter;
+  }
+  else
+  {
+    at.y = std::copysign(length, disc.y);
+    at.x = at.y * std::atan(disc.x / disc.y) / quarter;
+  }
+  return .5f * at + .5f;
+}
+
 /// From the disc up to the hemisphere about +z.
 inline glm::vec3 ToHemisphere(glm::vec2 disc)
 {

@@ -204,7 +204,7 @@ bool PixelIntegrator::IsConstant(const Sample& sample) const
 bool PixelIntegrator::IsConstantBehindMedium(const Sample& sample) const
 {
   return !sample.First.IsHit() ||
-    (!this->Source.IsTransparent() && !this->Source.HasOcclusion() &&
+    (!this->Source.IsTransparent() && !this->Source.AsksSource() &&
       this->Source.GetShading().IsConstantPerTriangle(sample.First.Surface));
 }
 
@@ -265,7 +265,7 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
   // Answers about occlusion and shafts are dear, and they seldom jump: there no face is split on
   // suspicion.
-  const bool dear = this->Source.HasOcclusion() || this->Source.HasShafts();
+  const bool dear = this->Source.AsksSource() || this->Source.HasShafts();
   const bool suspicion = unknown && dear && variation <= UnknownVariation;
   if (variation * area > limit && !suspicion)
   {

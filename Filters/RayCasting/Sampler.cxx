@@ -18,6 +18,15 @@ constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
 // How much occlusion may darken colours that stand for data.
 constexpr float StrengthOnScalars = 0.6f;
 
+constexpr float Pi = 3.14159265f;
+
+glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
+{
+  return scene.Origin +
+    (glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction)) /
+    scene.Scale;
+}
+
 bool LetsLightThrough(const Surface& surface)
 {
   const auto translucent = [](const std::vector<glm::u8vec4>& colors) {
@@ -38,6 +47,7 @@ RayCounts& RayCounts::operator+=(const RayCounts& other)
   this->Shadow += other.Shadow;
   this->Shaft += other.Shaft;
   this->Occlusion += other.Occlusion;
+  this->Indirect += other.Indirect;
   return *this;
 }
 
@@ -73,18 +83,39 @@ void Sampler::SetOcclusion(
   this->OcclusionStrength = static_cast<float>(strength);
 }
 
+void Sampler::SetIndirectLight(
+  const vtkPenumbraIrradianceSource* source, float albedo, double tolerance)
+{
+  this->Lighter = source;
+  this->Albedo = albedo;
+  this->IrradianceTolerance = tolerance;
+}
+
 float Sampler::Occlusion(
   const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts, double slack) const
 {
-  const Scene& scene = this->GetScene();
-  const glm::dvec3 point = scene.Origin +
-    (glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction)) /
-      scene.Scale;
+  const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
   const vtkPenumbraIrradianceSource::Estimate estimate =
     this->Occluder->OcclusionWithin(&point.x, &normal.x, slack * this->OcclusionTolerance);
   counts.Occlusion += estimate.Rays;
   return static_cast<float>(estimate.Value);
+}
+
+glm::vec3 Sampler::Indirect(
+  const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts, double slack) const
+{
+  const glm::vec3 reflectance = this->Albedo * seen.Reflectance;
+  if (reflectance == glm::vec3(0.f))
+  {
+    return reflectance;
+  }
+  const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
+  const vtkPenumbraIrradianceSource::Light light =
+    this->Lighter->Irradiance(&point.x, &normal.x, slack * this->IrradianceTolerance);
+  counts.Indirect += light.Rays;
+  return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / Pi;
 }
 
 void Sampler::AddMedium(
@@ -120,6 +151,10 @@ void Sampler::Complete(
                                                             : 1.f;
       const float open = 1.f - strength * this->Occlusion(ray, hit, seen, counts, slack);
       c = glm::vec4(open * glm::vec3(c), c.a);
+    }
+    if (this->Lighter && !surface.ScreenSpace)
+    {
+      c += glm::vec4(this->Indirect(ray, hit, seen, counts, slack), 0.f);
     }
     const float share = (1.f - color.a) * c.a;
     color += glm::vec4(share * c.r, share * c.g, share * c.b, share);

@@ -23,6 +23,7 @@ struct RayCounts
   long long Shadow = 0;
   long long Shaft = 0;     ///< to lights, from the medium
   long long Occlusion = 0; ///< asked for by the irradiance source
+  long long Indirect = 0;  ///< asked for by it, for light
 
   long long InPicture() const { return this->Primary + this->Refinement; }
   RayCounts& operator+=(const RayCounts& other);
@@ -58,7 +59,13 @@ public:
   /// darkens by `strength`; a negative strength: 1, or less on surfaces coloured by data. `tolerance`:
   /// what Begin() was told.
   void SetOcclusion(const vtkPenumbraIrradianceSource* source, double strength, double tolerance);
-  bool HasOcclusion() const { return this->Occluder != nullptr; }
+
+  /// Asks `source` (after its BeginIrradiance()) for the light that arrives, to the error `tolerance`,
+  /// and adds what of it surfaces of `albedo` times their colour throw back. Null: none.
+  void SetIndirectLight(const vtkPenumbraIrradianceSource* source, float albedo, double tolerance);
+
+  /// Is a source asked about every sample? Such samples are dear.
+  bool AsksSource() const { return this->Occluder || this->Lighter; }
 
   /// Draws a medium around everything; `shafts` must outlive this object. Null: none.
   void SetShafts(const LightShafts* shafts) { this->Shafts = shafts; }
@@ -79,6 +86,8 @@ public:
 
 private:
   void AddMedium(const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const;
+  glm::vec3 Indirect(
+    const Ray& ray, const Hit& hit, const Appearance& seen, RayCounts& counts, double slack) const;
   void Complete(
     glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double slack) const;
 
@@ -89,6 +98,9 @@ private:
   const vtkPenumbraIrradianceSource* Occluder = nullptr;
   float OcclusionStrength = 1.f;
   double OcclusionTolerance = 0.0;
+  const vtkPenumbraIrradianceSource* Lighter = nullptr;
+  float Albedo = 0.f;
+  double IrradianceTolerance = 0.0;
   const LightShafts* Shafts = nullptr;
 };
 

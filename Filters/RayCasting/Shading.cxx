@@ -172,6 +172,16 @@ bool Shading::IsConstant(const Surface& surface, const Look& look) const
 
 Appearance Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
+  return this->ShadeAs(false, ray, hit, shadowRays);
+}
+
+Appearance Shading::ShadeMatte(const Ray& ray, const Hit& hit, long long& shadowRays) const
+{
+  return this->ShadeAs(true, ray, hit, shadowRays);
+}
+
+Appearance Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const
+{
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
   const Look& look = this->Looks[hit.Surface];
@@ -192,22 +202,28 @@ Appearance Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays)
   at.Normal = LightingNormal(surface, hit, corners, weights, front, at.GeometricNormal, forward);
 
   const Finish* known = front ? &look.Front : &look.Back;
-  Finish colored;
+  Finish colored = *known;
   if (look.Colored)
   {
     const glm::vec4 own = OwnColor(surface, hit, corners, weights);
-    colored = *known;
     colored.Ambient = look.AmbientShare * glm::vec3(own);
     colored.Diffuse = look.DiffuseShare * glm::vec3(own);
     colored.Opacity *= own.a;
     known = &colored;
   }
+  if (matte)
+  {
+    colored.Specular = glm::vec3(0.f);
+    known = &colored;
+  }
   const Finish& finish = *known;
+  at.Reflectance = surface.Front.Lighting ? finish.Diffuse : glm::vec3(0.f);
 
   glm::vec3 rgb;
   if (!look.Lit)
   {
-    rgb = finish.Ambient + finish.Diffuse;
+    rgb =
+      matte ? finish.Ambient + finish.Diffuse - at.Reflectance : finish.Ambient + finish.Diffuse;
   }
   else if (this->OneHeadlight)
   {
@@ -227,8 +243,10 @@ Appearance Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays)
   at.Color = glm::vec4(rgb, finish.Opacity);
   if (surface.LitTexture && (front || surface.TextureOnBackfaces))
   {
-    at.Color *=
+    const glm::vec4 texel =
       Sample(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights));
+    at.Color *= texel;
+    at.Reflectance *= glm::vec3(texel);
   }
   return at;
 }

@@ -17,6 +17,7 @@ struct Appearance
   glm::vec4 Color{ 0.f };           ///< straight rgb (unclamped) and opacity
   glm::vec3 Normal{ 0.f };          ///< shading normal, unit, as VTK's lighting uses it
   glm::vec3 GeometricNormal{ 0.f }; ///< of the triangle, of any length, facing the eye
+  glm::vec3 Reflectance{ 0.f };     ///< diffuse; 0 on surfaces without lighting
 };
 
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Shading
@@ -27,6 +28,9 @@ public:
 
   /// Colour at a hit of `ray`. Adds the shadow rays it traced to `shadowRays`.
   Appearance Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const;
+
+  /// What leaves the hit diffusely: no highlights, and nothing where no light shines.
+  Appearance ShadeMatte(const Ray& ray, const Hit& hit, long long& shadowRays) const;
 
   /// The share of light that reaches the origin of `ray` from its far end.
   float LightAlong(Ray ray, long long& shadowRays) const;
@@ -62,6 +66,7 @@ private:
     bool Constant;
   };
 
+  Appearance ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const;
   static Finish MakeFinish(const Material& material);
   bool IsConstant(const Surface& surface, const Look& look) const;
   glm::vec3 Lighten(

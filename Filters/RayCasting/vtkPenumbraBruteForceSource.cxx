@@ -3,6 +3,7 @@
 #include "vtkPenumbraBruteForceSource.h"
 
 #include "CosineDirections.h"
+#include "Illumination.h"
 #include "RayScene.h"
 #include "ScrambledSequence.h"
 
@@ -14,12 +15,17 @@
 
 vtkStandardNewMacro(vtkPenumbraBruteForceSource);
 
+vtkPenumbraBruteForceSource::vtkPenumbraBruteForceSource() = default;
+vtkPenumbraBruteForceSource::~vtkPenumbraBruteForceSource() = default;
+
 namespace
 {
 
 using penumbra::Ray;
 using penumbra::RayScene;
 using Estimate = vtkPenumbraIrradianceSource::Estimate;
+
+constexpr double Pi = 3.14159265358979323846;
 
 /// Even where all of n rays agree something may hide between them: its share is taken to be this
 /// over n.
@@ -34,6 +40,20 @@ constexpr double ShareOfPairs = 0.62;
 /// Pairs on a border that are counted as differing whatever their rays say: some cells that a border
 /// crosses agree by chance, and stopping on such luck would make the reported error too small.
 constexpr double LuckAllowance = 2.0;
+
+/// Paths of the first round, over MinimumRays: lights are smaller than occluders.
+constexpr std::uint32_t PathsPerRay = 8;
+
+/// A power of two.
+std::uint32_t FirstRound(int minimumRays)
+{
+  std::uint32_t count = 8;
+  while (count < static_cast<std::uint32_t>(minimumRays))
+  {
+    count *= 2;
+  }
+  return count;
+}
 
 /// Rays above one point.
 class Hemisphere
@@ -156,12 +176,7 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWith
     }
     return hemisphere.Ask(count);
   }
-  std::uint32_t first = 8;
-  while (first < static_cast<std::uint32_t>(this->MinimumRays))
-  {
-    first *= 2;
-  }
-  for (std::uint32_t count = first;; count *= 2)
+  for (std::uint32_t count = FirstRound(this->MinimumRays);; count *= 2)
   {
     const Estimate answer = hemisphere.Ask(count);
     if (answer.Error <= tolerance || count > limit / 2)
@@ -169,6 +184,65 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWith
       return answer;
     }
   }
+}
+
+bool vtkPenumbraBruteForceSource::BeginIrradiance(
+  const penumbra::Illumination& light, double, const Progress&)
+{
+  this->Lighting = std::make_unique<penumbra::Illumination>(light);
+  return true;
+}
+
+vtkPenumbraIrradianceSource::Light vtkPenumbraBruteForceSource::Irradiance(
+  const double point[3], const double normal[3], double tolerance) const
+{
+  const penumbra::Illumination& lighting = *this->Lighting;
+  const penumbra::Scene& scene = lighting.GetRays().GetScene();
+  const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
+  const glm::vec3 up(normal[0], normal[1], normal[2]);
+  const glm::mat3 frame = penumbra::FrameOf(up);
+  const std::uint32_t seed = penumbra::SeedOf(position, up);
+  const penumbra::ScrambledSequence directions(seed);
+  const int bounces = lighting.GetSettings().Bounces;
+  std::uint32_t random = penumbra::Mix(seed);
+  Light result;
+  const penumbra::Illumination::Arriving arriving = [&](glm::vec3 at, glm::vec3 about) {
+    return lighting.FollowPath(at, about, bounces - 1, random, result.Rays);
+  };
+
+  glm::dvec3 sum(0.0);
+  std::vector<float> greys;
+  const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
+  for (std::uint32_t count = PathsPerRay * FirstRound(this->MinimumRays);; count *= 2)
+  {
+    while (greys.size() < count)
+    {
+      const glm::vec2 at = directions.At(static_cast<std::uint32_t>(greys.size()));
+      const Ray ray = penumbra::Illumination::RayFrom(
+        position, up, frame * penumbra::ToHemisphere(penumbra::ToDisc(at.x, at.y)));
+      const glm::vec3 light = lighting.Along(ray, lighting.GetRays().Intersect(ray),
+        bounces > 1 ? arriving : penumbra::Illumination::Arriving(), result.Rays);
+      ++result.Rays;
+      sum += light;
+      greys.push_back((light.x + light.y + light.z) / 3.f);
+    }
+    const std::uint32_t partner = penumbra::ScrambledSequence::FindPartner(count);
+    double differences = 0.0;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      differences += .5 * std::pow(greys[i] - greys[i ^ partner], 2.0);
+    }
+    result.Error = Pi * std::sqrt(differences) / count;
+    if (result.Error <= tolerance || count > limit / 2)
+    {
+      break;
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    result.Value[c] = Pi * sum[c] / static_cast<double>(greys.size());
+  }
+  return result;
 }
 
 void vtkPenumbraBruteForceSource::PrintSelf(ostream& os, vtkIndent indent)

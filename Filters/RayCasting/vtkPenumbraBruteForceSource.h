@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraBruteForceSource
- * @brief   Occlusion by rays alone: no cache, no bias, the truth for every other source.
+ * @brief   Occlusion and irradiance by rays alone: no cache, no bias, the truth for every other source.
  *
  * Rays follow a scrambled low-discrepancy sequence that is a function of the point alone. Their
  * number is doubled until the error is within the tolerance or MaximumRays is reached. The error is
  * told by the pairs of rays that share a cell of the hemisphere: where an occluder's border passes
- * through the cell, they differ.
+ * through the cell, they differ. For irradiance every ray becomes a path.
  */
 #ifndef vtkPenumbraBruteForceSource_h
 #define vtkPenumbraBruteForceSource_h
 
 #include "vtkPenumbraIrradianceSource.h"
+
+#include <memory> // for std::unique_ptr
 
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraBruteForceSource
   : public vtkPenumbraIrradianceSource
@@ -40,9 +42,13 @@ public:
   Estimate OcclusionWithin(
     const double point[3], const double normal[3], double tolerance) const override;
 
+  bool BeginIrradiance(
+    const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) override;
+  Light Irradiance(const double point[3], const double normal[3], double tolerance) const override;
+
 protected:
-  vtkPenumbraBruteForceSource() = default;
-  ~vtkPenumbraBruteForceSource() override = default;
+  vtkPenumbraBruteForceSource();
+  ~vtkPenumbraBruteForceSource() override;
 
 private:
   vtkPenumbraBruteForceSource(const vtkPenumbraBruteForceSource&) = delete;
@@ -53,6 +59,7 @@ private:
   double Tolerance = 0.01;
   int MaximumRays = 16384;
   int MinimumRays = 32;
+  std::unique_ptr<penumbra::Illumination> Lighting;
 };
 
 #endif

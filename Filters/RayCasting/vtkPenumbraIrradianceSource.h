@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceSource
- * @brief   Who answers: how much of the sky does a point not see?
+ * @brief   Who answers: how much of the sky does a point not see, and how much light arrives there?
  *
  * Shading asks a source for the occlusion of points: the share of the cosine-weighted hemisphere
  * above the point in which something is met nearer than a radius,
@@ -13,7 +13,11 @@
  * and points do not block. The default source, vtkPenumbraBruteForceSource, shoots rays for every
  * point; a source may also keep what it found and interpolate.
  *
- * Use: Begin() once per picture, then Occlusion() from any number of threads at once. The same
+ * and for the irradiance there, E = the integral of the radiance that comes from w, times w.n: pi
+ * under a sky of radiance 1.
+ *
+ * Use: Begin() once per picture, then Occlusion() from any number of threads at once; likewise
+ * BeginIrradiance() and Irradiance(). The same
  * point must get the same answer whatever was asked before, on any thread: pictures must not
  * depend on the number of threads or on tiles.
  */
@@ -29,6 +33,7 @@ class vtkFieldData;
 
 namespace penumbra
 {
+class Illumination;
 class RayScene;
 }
 
@@ -73,6 +78,25 @@ public:
   {
     return this->Occlusion(point, normal);
   }
+
+  /** Light that arrives: irradiance in red, green and blue, its standard error, rays traced for it. */
+  struct Light
+  {
+    double Value[3] = { 0.0, 0.0, 0.0 };
+    double Error = 0.0;
+    long long Rays = 0;
+  };
+
+  /**
+   * The same as Begin() for questions about `light`, `tolerance` in the unit of irradiance. What `light`
+   * refers to must last as long as questions follow; it itself need not.
+   */
+  virtual bool BeginIrradiance(
+    const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) = 0;
+
+  /** Irradiance at `point` (world) about `normal` (unit), with a standard error of at most `tolerance`. */
+  virtual Light Irradiance(
+    const double point[3], const double normal[3], double tolerance) const = 0;
 
   /** Adds counts since Begin() to `statistics`, one value an array. Default: none. */
   virtual void Report(vtkFieldData* vtkNotUsed(statistics)) const {}

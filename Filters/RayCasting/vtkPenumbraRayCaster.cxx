@@ -3,6 +3,7 @@
 #include "vtkPenumbraRayCaster.h"
 
 #include "GeometryArrays.h"
+#include "Illumination.h"
 #include "MediumExtraction.h"
 #include "PictureImage.h"
 #include "SceneExtraction.h"
@@ -14,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
@@ -83,7 +85,7 @@ struct vtkPenumbraRayCaster::Internals
   void Forget();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
-  bool BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance);
+  bool BeginSource(vtkPenumbraRayCaster* self, penumbra::Sampler& sampler);
   void Report(const penumbra::PicturePart& totals, double squaredError, vtkIdType pixels);
   static penumbra::PictureSettings MakeSettings(vtkPenumbraRayCaster* self);
 };
@@ -309,24 +311,56 @@ penumbra::PictureSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenum
   settings.Integration.SmallObjects = self->SmallObjects;
   settings.Integration.Shadows = self->Shadows;
   settings.Integration.UniformSamples = self->UniformSamples;
-  settings.Integration.Noise = self->AmbientOcclusion ? OcclusionNoiseShare * self->Tolerance : 0.0;
+  settings.Integration.Noise =
+    self->AmbientOcclusion || self->IndirectLight ? OcclusionNoiseShare * self->Tolerance : 0.0;
   return settings;
 }
 
-bool vtkPenumbraRayCaster::Internals::BeginOcclusion(vtkPenumbraRayCaster* self, double tolerance)
+bool vtkPenumbraRayCaster::Internals::BeginSource(
+  vtkPenumbraRayCaster* self, penumbra::Sampler& sampler)
 {
   if (!this->IrradianceSource)
   {
     this->IrradianceSource = vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
   }
-  const double radius = self->AmbientOcclusionRadius > 0.0
-    ? self->AmbientOcclusionRadius
-    : DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
-  return this->IrradianceSource->Begin(
-    *this->Prepared->Rays, radius, tolerance, [self](double share) {
-      self->UpdateProgress(ProgressOfSource * share);
-      return self->GetAbortExecute() != 0;
-    });
+  const double noise = OcclusionNoiseShare * self->Tolerance;
+  const bool occlusion = self->AmbientOcclusion || self->GeometryArrays;
+  const double half = occlusion && self->IndirectLight ? .5 : 1.0;
+  double done = 0.0;
+  const auto progress = [&](double share) {
+    self->UpdateProgress(ProgressOfSource * (done + half * share));
+    return self->GetAbortExecute() != 0;
+  };
+  if (occlusion)
+  {
+    const double radius = self->AmbientOcclusionRadius > 0.0
+      ? self->AmbientOcclusionRadius
+      : DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
+    if (!this->IrradianceSource->Begin(*this->Prepared->Rays, radius, noise, progress))
+    {
+      return false;
+    }
+    done = half;
+  }
+  if (self->AmbientOcclusion)
+  {
+    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
+  }
+  if (self->IndirectLight && self->Albedo > 0.0)
+  {
+    const double* color = self->EnvironmentColor;
+    penumbra::IlluminationSettings settings;
+    settings.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
+    settings.Albedo = static_cast<float>(self->Albedo);
+    settings.Bounces = self->Bounces;
+    settings.Shadows = self->Shadows;
+    const penumbra::Illumination light(*this->Prepared->Rays, settings);
+    // Of the irradiance, Albedo / pi is seen.
+    const double tolerance = noise * vtkMath::Pi() / self->Albedo;
+    sampler.SetIndirectLight(this->IrradianceSource, settings.Albedo, tolerance);
+    return this->IrradianceSource->BeginIrradiance(light, tolerance, progress);
+  }
+  return true;
 }
 
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
@@ -336,15 +370,10 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
   penumbra::Sampler sampler(*this->Prepared->Rays, shading, scene.Eye);
   const penumbra::PictureSettings settings = MakeSettings(self);
-  const double noise = OcclusionNoiseShare * self->Tolerance;
-  const bool asks = self->AmbientOcclusion || self->GeometryArrays;
-  if (asks && !this->BeginOcclusion(self, noise))
+  const bool asks = self->AmbientOcclusion || self->IndirectLight || self->GeometryArrays;
+  if (asks && !this->BeginSource(self, sampler))
   {
     return false;
-  }
-  if (self->AmbientOcclusion)
-  {
-    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
   }
 
   std::string warning;
@@ -370,7 +399,8 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   if (self->GeometryArrays)
   {
-    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
+    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,
+      OcclusionNoiseShare * self->Tolerance);
     const auto aborted = [self](double) { return self->GetAbortExecute() != 0; };
     if (!penumbra::AddGeometryArrays(sampler, aborted, image, totals.Rays))
     {
@@ -403,9 +433,11 @@ void vtkPenumbraRayCaster::Internals::Report(
   AddStatistic(s, "Rays/Shadow", rays.Shadow);
   AddStatistic(s, "Rays/Shaft", rays.Shaft);
   AddStatistic(s, "Rays/Occlusion", rays.Occlusion);
+  AddStatistic(s, "Rays/Indirect", rays.Indirect);
   AddStatistic(s, "Rays/Auxiliary", rays.Auxiliary);
   AddStatistic(s, "Rays/Total",
-    rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Auxiliary);
+    rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Indirect +
+      rays.Auxiliary);
   AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.InPicture()) / pixels);
   AddStatistic(s, "Pixels/Total", pixels);
   AddStatistic(s, "Pixels/Empty", totals.Pixels.Empty);
@@ -435,6 +467,11 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << "\n";
+  os << indent << "IndirectLight: " << this->IndirectLight << "\n";
+  os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "
+     << this->EnvironmentColor[1] << " " << this->EnvironmentColor[2] << "\n";
+  os << indent << "Albedo: " << this->Albedo << "\n";
+  os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "GeometryArrays: " << this->GeometryArrays << "\n";
   os << indent << "Background: " << this->Background << "\n";
   os << indent << "Packets: " << this->Packets << "\n";

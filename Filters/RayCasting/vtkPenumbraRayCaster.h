@@ -143,7 +143,35 @@ public:
   ///@}
 
   ///@{
-  /** Who answers for occlusion. Default: brute-force rays. */
+  /**
+   * Add the light that surfaces throw at each other and that comes from the environment: rgb +=
+   * Albedo * diffuse colour * E / pi, E the irradiance. Default: off.
+   */
+  vtkSetMacro(IndirectLight, bool);
+  vtkGetMacro(IndirectLight, bool);
+  vtkBooleanMacro(IndirectLight, bool);
+  ///@}
+
+  ///@{
+  /** Radiance that comes from where nothing is, 0 up. Default: 0, 0, 0. */
+  vtkSetVector3Macro(EnvironmentColor, double);
+  vtkGetVector3Macro(EnvironmentColor, double);
+  ///@}
+
+  ///@{
+  /** Share of indirect light that a white surface throws back, in [0, 1]. Default: 0.5. */
+  vtkSetClampMacro(Albedo, double, 0.0, 1.0);
+  vtkGetMacro(Albedo, double);
+  ///@}
+
+  ///@{
+  /** Diffuse reflections of indirect light on its way to the eye, 1 to 64, the last one included. Default: 3. */
+  vtkSetClampMacro(Bounces, int, 1, 64);
+  vtkGetMacro(Bounces, int);
+  ///@}
+
+  ///@{
+  /** Who answers for occlusion and indirect light. Default: brute-force rays. */
   virtual void SetIrradianceSource(vtkPenumbraIrradianceSource* source);
   vtkPenumbraIrradianceSource* GetIrradianceSource();
   ///@}
@@ -222,6 +250,10 @@ private:
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;
   double AmbientOcclusionStrength = -1.0;
+  bool IndirectLight = false;
+  double EnvironmentColor[3] = { 0.0, 0.0, 0.0 };
+  double Albedo = 0.5;
+  int Bounces = 3;
   bool GeometryArrays = false;
   bool Background = true;
   bool Packets = true;

@@ -38,12 +38,13 @@ void WriteSphere(const std::string& path)
 
 /// The values that `Reader` finds in a file.
 template <typename Reader>
-vtkSmartPointer<vtkDataArray> ValuesIn(const std::string& path)
+vtkSmartPointer<vtkDataArray> ValuesIn(
+  const std::string& path, const char* name = "AmbientOcclusion")
 {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  return reader->GetOutput()->GetPointData()->GetArray("AmbientOcclusion");
+  return reader->GetOutput()->GetPointData()->GetArray(name);
 }
 
 }
@@ -124,4 +125,33 @@ TEST(Bake, NeedsPolygonsOrAPointRadius)
     { "bake", folder / "cloud.vtp", "--output", folder / "baked.vtp", "--point-radius", ".1" });
   EXPECT_EQ(with.Status, 0) << with.Errors;
   EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp"));
+}
+
+TEST(Bake, WritesTheLightOfTheSkyOntoAConvexBody)
+{
+  const Folder folder("bakelight");
+  WriteSphere(folder / "sphere.vtp");
+  for (const char* name : { "baked.vtp", "baked.ply" })
+  {
+    const Outcome outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / name,
+      "--quantity", "irradiance", "--environment-color", "1,0.5,0", "--albedo", "0.8" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+  }
+  const auto light = ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp", "Irradiance");
+  ASSERT_TRUE(light);
+  ASSERT_EQ(light->GetNumberOfComponents(), 3);
+  for (vtkIdType i = 0; i < light->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_NEAR(light->GetComponent(i, 0), 3.14159265, 1e-5);
+    EXPECT_NEAR(light->GetComponent(i, 1), 3.14159265 / 2.0, 1e-5);
+    EXPECT_EQ(light->GetComponent(i, 2), 0.0);
+  }
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName((folder / "baked.ply").c_str());
+  reader->Update();
+  vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_TRUE(colors);
+  EXPECT_EQ(colors->GetComponent(7, 0), 255.0);
+  EXPECT_EQ(colors->GetComponent(7, 1), 128.0);
 }

@@ -480,8 +480,7 @@ TEST(Help, NamesEveryOptionThatTheDocumentationNames)
   }
   for (const std::string& option : documented)
   {
-    const bool placeholder = option == "--option" || option == "--indirect";
-    EXPECT_TRUE(placeholder || offered.count(option)) << option << " is not offered";
+    EXPECT_TRUE(option == "--option" || offered.count(option)) << option << " is not offered";
   }
 }
 
@@ -539,6 +538,20 @@ TEST(Render, TakesColoursAndDirectionsByName)
     EXPECT_EQ(outcome.Status, 2) << wrong;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
   }
+}
+
+TEST(Render, AddsTheLightOfTheEnvironment)
+{
+  const Folder folder("indirect");
+  const Pixel dark = PixelAt(RenderSquare(folder, "dark.vti", { "--color", "1,0.5,0.25" }), 20, 15);
+  const Pixel light = PixelAt(RenderSquare(folder, "light.vti",
+                                { "--color", "1,0.5,0.25", "--indirect", "--environment-color",
+                                  "0.5,1,2", "--albedo", "0.8", "--bounces", "4" }),
+    20, 15);
+  // A flat square sees nothing of itself.
+  EXPECT_NEAR(light[0] - dark[0], .8 * 1.0 * .5, 1e-5);
+  EXPECT_NEAR(light[1] - dark[1], .8 * .5 * 1.0, 1e-5);
+  EXPECT_NEAR(light[2] - dark[2], .8 * .25 * 2.0, 1e-5);
 }
 
 TEST(Render, ShowsProgressWhenAsked)

@@ -28,7 +28,7 @@ public:
   {
   }
 
-  void Gather(glm::vec3 point, glm::vec3, const std::vector<glm::vec3>& directions,
+  long long Gather(glm::vec3 point, glm::vec3, const std::vector<glm::vec3>& directions,
     std::vector<Sight>& sights) const override
   {
     sights.clear();
@@ -42,6 +42,7 @@ public:
       sight.Radiance = glm::vec3(std::isinf(sight.Distance) ? 0.f : 1.f);
       sights.push_back(sight);
     }
+    return static_cast<long long>(directions.size());
   }
   float GetReach() const override { return this->Reach; }
 

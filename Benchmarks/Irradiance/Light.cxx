@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Light of several reflections: a room against independent paths, closed cubes against closed forms.
+#include "Benchmark.h"
+
+#include "Illumination.h"
+#include "PathTracer.h"
+#include "RayScene.h"
+#include "Solids.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPenumbraIrradianceCache.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr int Size = 256;
+constexpr int TruthStep = 8; ///< every so many pixels in both directions have a truth
+constexpr int Paths = 16384;
+
+/// What the room's picture is accepted to err, as irradiance over pi: about 1.5 % of its mean.
+constexpr double RoomTolerance = .003;
+
+struct Asked
+{
+  glm::dvec3 Position;
+  glm::dvec3 Normal;
+};
+
+/// What the middle of every `step`-th pixel sees, what shines left out.
+std::vector<Asked> Look(const RayScene& rays, int step)
+{
+  const Scene& scene = rays.GetScene();
+  std::vector<Asked> places;
+  for (int y = step / 2; y < Size; y += step)
+  {
+    for (int x = step / 2; x < Size; x += step)
+    {
+      Ray ray;
+      ray.Direction = scene.Eye.RayDirection({ x + .5, y + .5 });
+      const Hit hit = rays.Intersect(ray);
+      if (!hit.IsHit() || scene.Surfaces[hit.Surface].Front.AmbientColor.x > 0.f)
+      {
+        continue;
+      }
+      const Surface& surface = scene.Surfaces[hit.Surface];
+      const glm::dvec3 a(surface.Positions[0]);
+      const glm::dvec3 normal = glm::normalize(
+        glm::cross(glm::dvec3(surface.Positions[1]) - a, glm::dvec3(surface.Positions[2]) - a));
+      const bool away = glm::dot(normal, glm::dvec3(ray.Direction)) > 0.0;
+      places.push_back({ double(hit.Distance) * glm::dvec3(ray.Direction) + scene.Origin,
+        away ? -normal : normal });
+    }
+  }
+  return places;
+}
+
+glm::dvec3 Ask(const vtkPenumbraIrradianceSource* source, const Asked& place, long long& rays)
+{
+  const auto light = source->Irradiance(&place.Position.x, &place.Normal.x, 0.0);
+  rays += light.Rays;
+  return { light.Value[0], light.Value[1], light.Value[2] };
+}
+
+double CountOf(const vtkPenumbraIrradianceCache* cache, const char* name)
+{
+  vtkNew<vtkFieldData> statistics;
+  cache->Report(statistics);
+  return statistics->GetArray(name)->GetComponent(0, 0);
+}
+
+void MeasureRoom(Table& table)
+{
+  const PathTracer truth{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) };
+  Scene scene;
+  AddSurfaces(scene, truth.Panels);
+  LookAt(scene, { .51, -1.3, .47 }, { .5, 0.0, .5 }, 41.0, Size, Size);
+  const RayScene rays(scene, 1);
+  IlluminationSettings settings;
+  settings.Albedo = static_cast<float>(truth.Albedo);
+  settings.Bounces = truth.Bounces;
+  const Illumination light(rays, settings);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetTolerance(RoomTolerance);
+  const double start = Seconds();
+  cache->BeginIrradiance(light, 1.0);
+  const double placing = Seconds() - start;
+  long long own = 0;
+  for (const Asked& place : Look(rays, 1))
+  {
+    Ask(cache, place, own);
+  }
+  const double seconds = Seconds() - start;
+
+  long long ignored = 0;
+  double square = 0.0;
+  double size = 0.0;
+  std::uint64_t seed = 0;
+  for (const Asked& place : Look(rays, TruthStep))
+  {
+    const glm::dvec3 exact = truth.Irradiance(place.Position, place.Normal, Paths, seed++);
+    const glm::dvec3 error = Ask(cache, place, ignored) - exact;
+    square += glm::dot(error, error);
+    size += glm::dot(exact, exact);
+  }
+  const std::string name = "box, albedo .5, 5 bounces, 256 x 256";
+  table.Add(name, "RMSE over root mean square", std::sqrt(square / size), Bar::AtMost, .018);
+  table.Add(name, "records", CountOf(cache, "Cache/Records"), Bar::AtMost, 10000.0,
+    "Radiance: 11.9 thousand");
+  table.Add(name, "rays, millions",
+    (CountOf(cache, "Rays/Gather") + static_cast<double>(own)) * 1e-6, Bar::AtMost, 12.0,
+    "Radiance: 15; " + std::to_string(static_cast<double>(own) * 1e-6).substr(0, 4) +
+      " M of them at pixels that no record serves");
+  table.Add(name, "seconds: records, then look-ups", seconds, Bar::None, 0.0,
+    std::to_string(placing) + " + " + std::to_string(seconds - placing));
+}
+
+void MeasureFurnace(Table& table, double albedo)
+{
+  std::vector<Panel> panels;
+  AddPanels(panels, { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 }, glm::dvec3(1.0));
+  for (Panel& panel : panels)
+  {
+    panel.Emission = glm::dvec3(1.0);
+  }
+  Scene scene;
+  AddSurfaces(scene, panels);
+  LookAt(scene, { -.6, -.7, .2 }, { 0.0, 0.0, 0.0 }, 60.0, Size, Size);
+  const RayScene rays(scene, 1);
+  IlluminationSettings settings;
+  settings.Albedo = static_cast<float>(albedo);
+  settings.Bounces = 8;
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->BeginIrradiance(Illumination(rays, settings), .02);
+  // Surfaces shine by 1 and by what they reflect: Le / (1 - albedo), less what is left out.
+  const double truth = (1.0 - std::pow(albedo, settings.Bounces + 1)) / (1.0 - albedo);
+  long long ignored = 0;
+  double worst = 0.0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    Asked place;
+    const double angle = .1 * i;
+    place.Position = { .9 * std::cos(angle), .9 * std::sin(2.3 * angle), -1.0 };
+    place.Normal = { 0.0, 0.0, 1.0 };
+    const double found = 1.0 + albedo * Ask(cache, place, ignored).x / Pi;
+    worst = std::max(worst, std::abs(found / truth - 1.0));
+  }
+  table.Add("closed cube, albedo " + std::to_string(albedo).substr(0, 3) + ", 8 bounces",
+    "greatest relative bias of the radiance", worst, Bar::AtMost, 5e-4, "mitsuba: 2e-4");
+}
+
+}
+
+void MeasureLight(IrradianceBenchmark& benchmark)
+{
+  MeasureRoom(benchmark.Results);
+  MeasureFurnace(benchmark.Results, .5);
+  MeasureFurnace(benchmark.Results, .8);
+}
+
+}

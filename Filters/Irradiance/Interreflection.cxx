@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Interreflection.h"
+
+#include "CosineDirections.h"
+#include "RayScene.h"
+
+namespace penumbra
+{
+namespace
+{
+
+/// Places that look for others, and the side of the grid of rays that each sends out.
+constexpr std::size_t MostViewpoints = 256;
+constexpr int SideOfViewpoints = 8;
+
+/// Errors of these records are averaged over the hemisphere, and dimmed by each reflection: what they
+/// may be, over those of the records that ask. Measured by the benchmark `irradiance`.
+constexpr double ToleranceShare = 4.0;
+
+/// What stands for a pixel where a ray of length 1 ends: a ray's part of the hemisphere is about 14
+/// times as wide at the usual 1024 rays.
+constexpr float PixelOfDistance = .004f;
+
+/// Sites are tried in levels, each twice the one before, until so few of a level are records.
+constexpr std::size_t FirstLevel = 64;
+constexpr double LeastShareMade = .02;
+
+}
+
+Interreflection::Interreflection(
+  const Illumination& light, const PlacementSettings& settings, float normalAngle)
+  : Light(light),
+    Settings(settings),
+    NormalAngle(normalAngle)
+{
+  this->Settings.Tolerance *= ToleranceShare;
+  this->Settings.Side = 0;
+  this->Settings.AllServe = true;
+  this->Gatherers.push_back(std::make_unique<LightGatherer>(this->Light, nullptr, 0));
+}
+
+std::vector<Site> Interreflection::FindSites(const std::vector<Site>& seen)
+{
+  const RayScene& rays = this->Light.GetRays();
+  const HemisphereGrid& grid = HemisphereGrid::Of(SideOfViewpoints);
+  const std::size_t step = std::max<std::size_t>(seen.size() / MostViewpoints, 1);
+  std::vector<std::vector<Site>> found(grid.Cells()); // per ray: neighbours come far apart
+  std::vector<glm::vec3> directions;
+  for (std::size_t i = 0; i < seen.size(); i += step)
+  {
+    const Site& from = seen[i];
+    const glm::mat3 frame = FrameOf(from.Normal);
+    grid.Scatter(SeedOf(from.Position, from.Normal), directions);
+    for (int k = 0; k < grid.Cells(); ++k)
+    {
+      const Ray ray = Illumination::RayFrom(from.Position, from.Normal, frame * directions[k]);
+      const Hit hit = rays.Intersect(ray);
+      ++this->Rays;
+      if (!hit.IsHit() || rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
+      {
+        continue;
+      }
+      Site site;
+      site.Position = ray.Origin + hit.Distance * ray.Direction;
+      site.Normal = NormalAt(rays.GetScene(), hit);
+      site.Normal = glm::dot(site.Normal, ray.Direction) > 0.f ? -site.Normal : site.Normal;
+      site.Pixel = PixelOfDistance * hit.Distance;
+      if (site.Normal != glm::vec3(0.f) && site.Pixel > 0.f)
+      {
+        found[(k * 37) % grid.Cells()].push_back(site);
+      }
+    }
+  }
+  std::vector<Site> sites;
+  for (const std::vector<Site>& part : found)
+  {
+    sites.insert(sites.end(), part.begin(), part.end());
+  }
+  return sites;
+}
+
+bool Interreflection::Build(const std::vector<Site>& seen, const ProgressCallback& progress)
+{
+  const int reflections = this->Light.GetSettings().Bounces - 1;
+  if (reflections < 1 || this->Light.GetSettings().Albedo == 0.f)
+  {
+    return true;
+  }
+  const std::vector<Site> sites = this->FindSites(seen);
+  for (int reflection = 1; reflection <= reflections; ++reflection)
+  {
+    auto tree = std::make_unique<RecordTree>();
+    tree->Enclose(this->Light.GetRays().GetScene());
+    tree->SetNormalAngle(this->NormalAngle);
+    Placement places(this->GetGatherer(), this->Settings, *tree);
+    const auto step = [&](double share) {
+      return progress && progress((reflection - 1 + .5 * share) / reflections);
+    };
+    std::size_t size = FirstLevel;
+    for (std::size_t first = 0; first < sites.size(); first += size, size *= 2)
+    {
+      size = std::min(size, sites.size() - first);
+      const std::size_t before = tree->GetRecords().size();
+      if (!places.AddLevel({ sites.begin() + first, sites.begin() + first + size }, step))
+      {
+        return false;
+      }
+      const std::size_t made = tree->GetRecords().size() - before;
+      if (static_cast<double>(made) < LeastShareMade * static_cast<double>(size))
+      {
+        break;
+      }
+    }
+    this->Rays += places.GetRays();
+    this->Gatherers.push_back(std::make_unique<LightGatherer>(this->Light, tree.get(), reflection));
+    this->Trees.push_back(std::move(tree));
+  }
+  return true;
+}
+
+std::size_t Interreflection::GetRecords() const
+{
+  std::size_t records = 0;
+  for (const auto& tree : this->Trees)
+  {
+    records += tree->GetRecords().size();
+  }
+  return records;
+}
+
+std::size_t Interreflection::GetBytes() const
+{
+  std::size_t bytes = 0;
+  for (const auto& tree : this->Trees)
+  {
+    bytes += tree->GetBytes();
+  }
+  return bytes;
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Light that is reflected several times: a cache of records for each reflection but the last, made
+// from the light's side on. The records of one look up those of the one before where their rays end.
+#ifndef penumbra_Interreflection_h
+#define penumbra_Interreflection_h
+
+#include "Placement.h"
+#include "RayGatherer.h"
+
+#include <memory>
+
+namespace penumbra
+{
+
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Interreflection
+{
+public:
+  /// `settings` are those of the records that will ask GetGatherer().
+  Interreflection(const Illumination& light, const PlacementSettings& settings, float normalAngle);
+
+  /// `seen`: places that will ask. The records lie where rays from some of them end. False when
+  /// `progress` stopped it.
+  bool Build(const std::vector<Site>& seen, const ProgressCallback& progress);
+
+  /// Sees light of all reflections but the last. Before Build() that of the first.
+  const Gatherer& GetGatherer() const { return *this->Gatherers.back(); }
+
+  long long GetRays() const { return this->Rays; }
+  std::size_t GetRecords() const;
+  std::size_t GetBytes() const;
+
+private:
+  std::vector<Site> FindSites(const std::vector<Site>& seen);
+
+  Illumination Light;
+  PlacementSettings Settings;
+  float NormalAngle;
+  std::vector<std::unique_ptr<RecordTree>> Trees;
+  std::vector<std::unique_ptr<LightGatherer>> Gatherers; ///< one more
+  long long Rays = 0;
+};
+
+}
+#endif

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Light from cache and brute force against closed forms and against independent paths.
+#include "Illumination.h"
+#include "PathTracer.h"
+#include "PictureSites.h"
+#include "Solids.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraIrradianceCache.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr int Size = 64;
+
+/// What a picture of `scene` sees at some of its pixels.
+std::vector<Site> SitesOf(const RayScene& rays, int levels)
+{
+  std::vector<Site> all;
+  for (int level = 0; level < levels; ++level)
+  {
+    const std::vector<Site> sites = SitesOfPicture(rays, level);
+    all.insert(all.end(), sites.begin(), sites.end());
+  }
+  return all;
+}
+
+glm::dvec3 Ask(const vtkPenumbraIrradianceSource* source, const Scene& scene, const Site& site,
+  double tolerance = .01)
+{
+  const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+  const glm::dvec3 normal(site.Normal);
+  const auto light = source->Irradiance(&world.x, &normal.x, tolerance);
+  return { light.Value[0], light.Value[1], light.Value[2] };
+}
+
+double CountOf(const vtkPenumbraIrradianceCache* cache, const char* name)
+{
+  vtkNew<vtkFieldData> statistics;
+  cache->Report(statistics);
+  return statistics->GetArray(name)->GetComponent(0, 0);
+}
+
+/// The room of the benchmark.
+struct Room
+{
+  explicit Room(int size)
+    : Truth{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) }
+  {
+    AddSurfaces(this->Drawn, this->Truth.Panels);
+    LookAt(this->Drawn, { .51, -1.3, .47 }, { .5, 0.0, .5 }, 41.0, size, size);
+  }
+
+  IlluminationSettings Light() const
+  {
+    IlluminationSettings settings;
+    settings.Albedo = static_cast<float>(this->Truth.Albedo);
+    settings.Bounces = this->Truth.Bounces;
+    return settings;
+  }
+
+  /// RMSE over the root mean square of the truth.
+  double RelativeError(
+    const vtkPenumbraIrradianceSource* source, const std::vector<Site>& sites, int paths) const
+  {
+    double square = 0.0;
+    double size = 0.0;
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      const glm::dvec3 world = glm::dvec3(sites[i].Position) + this->Drawn.Origin;
+      const glm::dvec3 truth = this->Truth.Irradiance(world, glm::dvec3(sites[i].Normal), paths, i);
+      const glm::dvec3 error = Ask(source, this->Drawn, sites[i], .02) - truth;
+      square += glm::dot(error, error);
+      size += glm::dot(truth, truth);
+    }
+    return std::sqrt(square / size);
+  }
+
+  PathTracer Truth;
+  Scene Drawn;
+};
+
+}
+
+TEST(Irradiance, IsExactInAFurnace)
+{
+  for (const double albedo : { .5, .8 })
+  {
+    std::vector<Panel> panels;
+    AddPanels(panels, { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 }, glm::dvec3(1.0));
+    for (Panel& panel : panels)
+    {
+      panel.Emission = { 1.0, 2.0, .5 };
+    }
+    Scene scene;
+    AddSurfaces(scene, panels);
+    LookAt(scene, { -.6, -.7, .2 }, { 0.0, 0.0, 0.0 }, 60.0, Size, Size);
+    const RayScene rays(scene, 0);
+    IlluminationSettings settings;
+    settings.Albedo = static_cast<float>(albedo);
+    settings.Bounces = 6;
+    const Illumination light(rays, settings);
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    vtkNew<vtkPenumbraBruteForceSource> brute;
+    for (vtkPenumbraIrradianceSource* source :
+      { static_cast<vtkPenumbraIrradianceSource*>(cache.Get()),
+        static_cast<vtkPenumbraIrradianceSource*>(brute.Get()) })
+    {
+      ASSERT_TRUE(source->BeginIrradiance(light, .1));
+      // Light of 0 to 5 reflections arrives.
+      const double truth = Pi * (1.0 - std::pow(albedo, 6)) / (1.0 - albedo);
+      for (const Site& site : SitesOf(rays, 3))
+      {
+        const glm::dvec3 found = Ask(source, scene, site);
+        EXPECT_NEAR(found.x / truth, 1.0, 5e-4);
+        EXPECT_NEAR(found.y / truth, 2.0, 1e-3);
+        EXPECT_NEAR(found.z / truth, .5, 2.5e-4);
+      }
+    }
+  }
+}
+
+TEST(Irradiance, UnderASkyIsWhatOcclusionLeavesOfIt)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddSphere(scene, { 0.0, 0.0, 1.5 }, 1.0, 200);
+  LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, 2 * Size, 2 * Size);
+  for (Surface& surface : scene.Surfaces)
+  {
+    surface.Front.DiffuseColor = glm::vec3(0.f);
+  }
+  const RayScene rays(scene, 0);
+  IlluminationSettings settings;
+  settings.Environment = glm::vec3(1.f, .5f, 0.f);
+  const Illumination light(rays, settings);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  ASSERT_TRUE(cache->BeginIrradiance(light, .006 * Pi));
+  double square = 0.0;
+  const std::vector<Site> sites = SitesOf(rays, 9);
+  for (const Site& site : sites)
+  {
+    const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
+    const bool below = site.Normal.z > .999999f && world.z < 1e-3;
+    const double blocked = below
+      ? 1.5 / std::pow(1.5 * 1.5 + world.x * world.x + world.y * world.y, 1.5)
+      : .5 * (1.0 - site.Normal.z);
+    const glm::dvec3 found = Ask(cache, scene, site);
+    square += std::pow(found.x / Pi - (1.0 - blocked), 2.0);
+    EXPECT_NEAR(found.y, .5 * found.x, 1e-4);
+    EXPECT_EQ(found.z, 0.0);
+  }
+  EXPECT_LE(std::sqrt(square / static_cast<double>(sites.size())), .01);
+}
+
+TEST(Irradiance, OfTheCacheAgreesWithIndependentPaths)
+{
+  const Room room(2 * Size);
+  const RayScene rays(room.Drawn, 0);
+  const Illumination light(rays, room.Light());
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetMinimumRadius(1.0); // of few pixels
+  ASSERT_TRUE(cache->BeginIrradiance(light, .02 * Pi));
+  EXPECT_LE(room.RelativeError(cache, SitesOf(rays, 7), 500), .06);
+  EXPECT_LE(CountOf(cache, "Cache/Records"), 8000);
+}
+
+TEST(Irradiance, OfBruteForceAgreesWithIndependentPaths)
+{
+  const Room room(Size);
+  const RayScene rays(room.Drawn, 0);
+  const Illumination light(rays, room.Light());
+  vtkNew<vtkPenumbraBruteForceSource> source;
+  ASSERT_TRUE(source->BeginIrradiance(light, .02));
+  EXPECT_LE(room.RelativeError(source, SitesOf(rays, 7), 1500), .05);
+}
+
+TEST(Irradiance, DependsNotOnThreads)
+{
+  const Room room(Size);
+  const RayScene rays(room.Drawn, 0);
+  const Illumination light(rays, room.Light());
+  std::vector<glm::dvec3> answers[2];
+  for (const int threads : { 1, 5 })
+  {
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config(threads), [&]() { cache->BeginIrradiance(light, .3); });
+    for (const Site& site : SitesOf(rays, 6))
+    {
+      answers[threads == 1 ? 0 : 1].push_back(Ask(cache, room.Drawn, site));
+    }
+  }
+  EXPECT_EQ(answers[0], answers[1]);
+}
+
+TEST(Irradiance, ComesOutAndGoesInAsRecords)
+{
+  const Room room(Size);
+  const RayScene rays(room.Drawn, 0);
+  const Illumination light(rays, room.Light());
+  vtkNew<vtkPenumbraIrradianceCache> first;
+  ASSERT_TRUE(first->BeginIrradiance(light, .3));
+  vtkNew<vtkPolyData> records;
+  first->GetIrradianceRecords(records);
+  ASSERT_GT(records->GetNumberOfPoints(), 20);
+  vtkDataArray* values = records->GetPointData()->GetArray("Irradiance");
+  ASSERT_TRUE(values);
+  EXPECT_EQ(values->GetNumberOfComponents(), 3);
+  vtkNew<vtkPenumbraIrradianceCache> second;
+  second->SetInitialRecords(records);
+  ASSERT_TRUE(second->BeginIrradiance(light, .3));
+  vtkNew<vtkPolyData> again;
+  second->GetIrradianceRecords(again);
+  EXPECT_EQ(again->GetNumberOfPoints(), records->GetNumberOfPoints());
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Diffuse light in a scene: what each surface sends where, how often it is passed on, and what comes
+// from where nothing is. Means over the hemisphere are irradiance over pi: 1 under a sky of radiance 1.
+#ifndef penumbra_Illumination_h
+#define penumbra_Illumination_h
+
+#include "Shading.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+namespace penumbra
+{
+
+struct IlluminationSettings
+{
+  glm::vec3 Environment{ 0.f }; ///< radiance from where nothing is
+  float Albedo = .5f;           ///< share that a white surface throws back, 0 to 1
+  int Bounces = 1;              ///< reflections on the way to the eye, the last one included
+  bool Shadows = false;         ///< lights cast shadows
+
+  bool operator==(const IlluminationSettings& other) const
+  {
+    return this->Environment == other.Environment && this->Albedo == other.Albedo &&
+      this->Bounces == other.Bounces && this->Shadows == other.Shadows;
+  }
+};
+
+/// A triangle that shines by itself.
+struct Emitter
+{
+  std::array<glm::vec3, 3> Corners;
+  float Strength; ///< greatest channel of its radiance
+};
+
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Illumination
+{
+public:
+  /// `rays` must outlive this object.
+  Illumination(const RayScene& rays, const IlluminationSettings& settings);
+
+  /// The mean that arrives at a point under the hemisphere about a normal (unit).
+  using Arriving = std::function<glm::vec3(glm::vec3 point, glm::vec3 normal)>;
+
+  /// Radiance that comes back along `ray` (its direction unit), whose first hit is `hit`: emitted,
+  /// reflected of the lights, and of what is `arriving` where that is given; through translucent
+  /// surfaces. Adds the rays that it traced to `rays`.
+  glm::vec3 Along(Ray ray, Hit hit, const Arriving& arriving, long long& rays) const;
+
+  /// One path's guess of the mean that arrives after at most `bounces` - 1 reflections.
+  glm::vec3 FollowPath(
+    glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const;
+
+  /// A ray that leaves `point` on a surface.
+  static Ray RayFrom(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
+
+  /// What shines, where it is so few triangles that they may be small; else none.
+  const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
+
+  const RayScene& GetRays() const { return this->Rays; }
+  const IlluminationSettings& GetSettings() const { return this->Settings; }
+
+private:
+  const RayScene& Rays;
+  Shading Shades;
+  IlluminationSettings Settings;
+  std::vector<Emitter> Emitters;
+};
+
+}
+#endif
