@@ -49,6 +49,9 @@ constexpr float GrazingCosine = .3f;
 /// No rim is believed to be further than this times the hit that tells of it.
 constexpr float FurthestRim = 4.f;
 
+/// Nor nearer than this, in scene units: in a corner it would be 0, and derivatives infinite.
+constexpr float NearestRim = 1e-9f;
+
 /// Surfaces seen more face-on than this (sine, squared) have no clear line where reach ends.
 constexpr float LeastSlope = .05f;
 
@@ -143,7 +146,7 @@ private:
     const float stretch =
       m == glm::vec3(0.f) ? 1.f : 1.f + gap * sine / std::max(1.f - cosine, 1e-6f);
     return std::max(
-      std::min(distance * std::min(stretch, FurthestRim), this->Sights[far].Distance), 1e-30f);
+      std::min(distance * std::min(stretch, FurthestRim), this->Sights[far].Distance), NearestRim);
   }
 
   /// Nothing was seen in `far`: is that because the surface of `near` goes on beyond reach?

@@ -22,6 +22,9 @@ constexpr double ToleranceShare = 4.0;
 /// times as wide at the usual 1024 rays.
 constexpr float PixelOfDistance = .004f;
 
+/// Rays that end nearer than this share of the mean do so in corners; records there are no smaller.
+constexpr float LeastDistance = .25f;
+
 /// Sites are tried in levels, each twice the one before, until so few of a level are records.
 constexpr std::size_t FirstLevel = 64;
 constexpr double LeastShareMade = .02;
@@ -73,9 +76,20 @@ std::vector<Site> Interreflection::FindSites(const std::vector<Site>& seen)
     }
   }
   std::vector<Site> sites;
+  double sum = 0.0;
   for (const std::vector<Site>& part : found)
   {
-    sites.insert(sites.end(), part.begin(), part.end());
+    for (const Site& site : part)
+    {
+      sites.push_back(site);
+      sum += site.Pixel;
+    }
+  }
+  const auto least = LeastDistance *
+    static_cast<float>(sum / std::max<double>(static_cast<double>(sites.size()), 1.0));
+  for (Site& site : sites)
+  {
+    site.Pixel = std::max(site.Pixel, least);
   }
   return sites;
 }

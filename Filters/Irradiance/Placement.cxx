@@ -292,6 +292,14 @@ Record Placement::Gather(const Site& site, long long& rays) const
     static_cast<float>(record.Serves ? std::clamp(std::min(radius, shadow), least,
                                          std::max(least, this->Settings.MostPixels * site.Pixel))
                                      : IdleRadii * least);
+  if (this->Settings.AllServe && radius < record.Radius)
+  {
+    // What changes faster than the record can follow changes no more within it than it should.
+    for (glm::vec3& gradient : record.Found.Translation)
+    {
+      gradient *= static_cast<float>(radius) / record.Radius;
+    }
+  }
   record.Lean = std::max(static_cast<float>(this->Settings.OffSurface) * record.Radius, site.Pixel);
   return record;
 }

@@ -17,6 +17,9 @@ namespace
 constexpr std::size_t ReferencesOfALeaf = 24;
 constexpr float LeastHalf = 2.f;
 
+/// No node is smaller than this share of the root: any number of records may lie at one place.
+constexpr float SmallestNode = 1e-5f;
+
 /// Floors and walls often pass through the middle of a scene, and would be on both sides of every
 /// boundary there: the root is larger than asked for and off its place by such shares.
 constexpr float RootShift = .0137f;
@@ -156,7 +159,8 @@ void RecordTree::Split(std::size_t node, glm::vec3 center, float half)
   {
     radii += std::sqrt(reference.SquaredRadius);
   }
-  if (half * static_cast<float>(this->Nodes[node].References.size()) < LeastHalf * radii)
+  const auto count = static_cast<float>(this->Nodes[node].References.size());
+  if (half * count < LeastHalf * radii || half < SmallestNode * this->Half)
   {
     return;
   }

@@ -209,6 +209,28 @@ TEST(Irradiance, DependsNotOnThreads)
   EXPECT_EQ(answers[0], answers[1]);
 }
 
+TEST(Irradiance, IsFiniteInARoomWithALamp)
+{
+  // The lamp hangs so near to a wall that the wall shines much more there than anywhere else.
+  Room room(Size);
+  penumbra::Light lamp;
+  lamp.Kind = penumbra::Light::Kinds::Positional;
+  lamp.Position = glm::vec3(glm::dvec3(.05, .5, .95) - room.Drawn.Origin);
+  room.Drawn.Lights.push_back(lamp);
+  const RayScene rays(room.Drawn, 0);
+  IlluminationSettings settings = room.Light();
+  settings.Shadows = true;
+  const Illumination light(rays, settings);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  ASSERT_TRUE(cache->BeginIrradiance(light, .3));
+  for (const Site& site : SitesOf(rays, 8))
+  {
+    const glm::dvec3 found = Ask(cache, room.Drawn, site);
+    ASSERT_TRUE(std::isfinite(found.x + found.y + found.z));
+    ASSERT_GE(std::min({ found.x, found.y, found.z }), 0.0);
+  }
+}
+
 TEST(Irradiance, ComesOutAndGoesInAsRecords)
 {
   const Room room(Size);
