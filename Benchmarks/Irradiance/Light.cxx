@@ -65,7 +65,7 @@ std::vector<Asked> Look(const RayScene& rays, int step)
 
 glm::dvec3 Ask(const vtkPenumbraIrradianceSource* source, const Asked& place, long long& rays)
 {
-  const auto light = source->Irradiance(&place.Position.x, &place.Normal.x, 0.0);
+  const auto light = source->Irradiance(&place.Position.x, &place.Normal.x, Pi * RoomTolerance);
   rays += light.Rays;
   return { light.Value[0], light.Value[1], light.Value[2] };
 }
