@@ -15,9 +15,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <regex>
-#include <set>
-#include <sstream>
 
 using namespace penumbra_testing;
 
@@ -452,69 +449,6 @@ TEST(Render, DrawsAllFilesInOneScene)
   vtkDataArray* objects = image->GetPointData()->GetArray("ObjectId");
   EXPECT_EQ(objects->GetRange(0)[0], -1.0);
   EXPECT_EQ(objects->GetRange(0)[1], 1.0);
-}
-
-// Words that begin with two dashes.
-std::set<std::string> FindOptions(const std::string& text)
-{
-  const std::regex pattern("--[a-z][a-z-]+");
-  return std::set<std::string>(
-    std::sregex_token_iterator(text.begin(), text.end(), pattern), std::sregex_token_iterator());
-}
-
-TEST(Help, NamesEveryOptionThatTheDocumentationNames)
-{
-  const std::string page = ReadText(PENUMBRA_SOURCE_DIR "/Documentation/CommandLine.md");
-  const std::set<std::string> documented = FindOptions(page);
-  std::set<std::string> offered = FindOptions(RunProgram({ "--help" }).Output);
-  for (const char* command : { "render", "animate", "bake", "chart", "compare", "list", "info" })
-  {
-    const Outcome help = RunProgram({ command, "--help" });
-    EXPECT_EQ(help.Status, 0);
-    EXPECT_EQ(help.Errors, "");
-    offered.merge(FindOptions(help.Output));
-  }
-  for (const std::string& option : offered)
-  {
-    EXPECT_TRUE(documented.count(option)) << option << " is not documented";
-  }
-  for (const std::string& option : documented)
-  {
-    EXPECT_TRUE(option == "--option" || offered.count(option)) << option << " is not offered";
-  }
-}
-
-TEST(F3D, OptionsOfItsPageAreUnderstood)
-{
-  const Folder folder("f3d");
-  WriteSphereWithArrays(folder / "sphere.vtp");
-  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/F3D.md"));
-  int rows = 0;
-  bool understood = false;
-  for (std::string line; std::getline(page, line);)
-  {
-    if (line.rfind("## ", 0) == 0)
-    {
-      understood = line == "## Understood as they are";
-    }
-    if (!understood || line.rfind("| `--", 0) != 0)
-    {
-      continue;
-    }
-    ++rows;
-    std::istringstream words(line.substr(3, line.find('`', 3) - 3));
-    std::vector<std::string> arguments = { "render", folder / "sphere.vtp", "--resolution", "80,60",
-      "--output", folder / "p.png" };
-    for (std::string word; words >> word;)
-    {
-      arguments.push_back(
-        word.rfind("--output", 0) == 0 ? "--output=" + folder / "picture.png" : word);
-    }
-    const Outcome outcome = RunProgram(arguments);
-    EXPECT_EQ(outcome.Status, 0) << line << outcome.Errors;
-    EXPECT_EQ(outcome.Errors, "") << line;
-  }
-  EXPECT_EQ(rows, 26);
 }
 
 TEST(Render, TakesColoursAndDirectionsByName)
