@@ -329,7 +329,7 @@ std::vector<Scenario> IrradianceScenarios()
     { "CacheHovering", "a sphere over a floor" + plane, "still", Metric::Bias, .01, printed,
       "[IC] radii without bounds", "", Sphere(1.5, 256) },
     { "CacheSmallPicture", "a sphere on a floor, in a picture of 128x128" + plane, "still",
-      Metric::Bias, .01, printed, "", "", Sphere(1.0, 128), true },
+      Metric::Bias, .01, printed, "", "", Sphere(1.0, 128) },
     { "CacheConcaveCorner", "a floor and a wall" + plane, "still", Metric::Bias, .006, printed,
       "[IC] radius 0 on concave surfaces", "", ConcaveCorner },
     { "CacheThinWall", "a dark room and a bright one, a sheet between", "still", Metric::Leak, .05,
