@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace penumbra
 {
@@ -17,6 +18,9 @@ namespace
 {
 
 constexpr float Pi = 3.14159265f;
+
+/// Records of whoever does not write it all serve.
+constexpr const char* ServesName = "Serves";
 
 /// The arrays beside the value: name, numbers a channel, and how a number scales with length.
 struct Column
@@ -151,6 +155,13 @@ void ToPolyData(
       }
     }
   }
+  vtkNew<vtkUnsignedCharArray> serves;
+  serves->SetName(ServesName);
+  for (const Record& record : records)
+  {
+    serves->InsertNextValue(record.Serves ? 1 : 0);
+  }
+  data->GetPointData()->AddArray(serves);
   data->GetPointData()->SetActiveScalars(ValueName(quantity));
   data->GetPointData()->SetActiveNormals("Normals");
 }
@@ -166,11 +177,13 @@ std::vector<Record> FromPolyData(
     return {};
   }
   const float unit = quantity == Quantities::Irradiance ? Pi : 1.f;
+  vtkDataArray* serves = data->GetPointData()->GetArray(ServesName);
   std::vector<Record> records(data->GetNumberOfPoints());
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double x[3];
     data->GetPoint(i, x);
+    records[i].Serves = !serves || serves->GetComponent(i, 0) != 0.0;
     records[i].Position = (glm::dvec3(x[0], x[1], x[2]) - scene.Origin) * scene.Scale;
     for (int c = 0; c < 3; ++c)
     {

@@ -4,7 +4,7 @@
 // Records as vtkPolyData in world coordinates and back: what is saved, inspected, reused and drawn.
 // A vertex cell a record; point arrays `AmbientOcclusion` (1) or `Irradiance` (3), `Normals` (3),
 // `Radius`, `TranslationGradient` and `RotationGradient` (3 or 9: a vector a channel), `Tangent`
-// (3), `Clearance` (8), `Bend`, `StandardError`.
+// (3), `Clearance` (8), `Bend`, `StandardError`, `Serves` (0: brute force is to answer around it).
 #ifndef penumbra_RecordData_h
 #define penumbra_RecordData_h
 
@@ -28,14 +28,14 @@ enum class Quantities
 };
 
 /// Has `data` the array of that quantity?
-bool HoldsRecords(vtkPolyData* data, Quantities quantity);
+VTKPENUMBRAFILTERSIRRADIANCE_EXPORT bool HoldsRecords(vtkPolyData* data, Quantities quantity);
 
 /// Replaces what `data` holds.
 void ToPolyData(
   const std::vector<Record>& records, Quantities quantity, const Scene& scene, vtkPolyData* data);
 
 /// Empty, with `problem` told, where arrays are missing or hold what no record can be.
-std::vector<Record> FromPolyData(
+VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Record> FromPolyData(
   vtkPolyData* data, Quantities quantity, const Scene& scene, std::string& problem);
 
 }

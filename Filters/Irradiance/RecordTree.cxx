@@ -100,7 +100,13 @@ void RecordTree::Enclose(const Scene& scene)
 
 void RecordTree::SetNormalAngle(float angle)
 {
-  this->NormalFactor = 1.f / std::sqrt(1.f - std::cos(angle));
+  this->NormalAngle = angle;
+  this->NormalFactor = NormalFactorOf(angle);
+}
+
+float RecordTree::NormalFactorOf(float angle)
+{
+  return 1.f / std::sqrt(1.f - std::cos(angle));
 }
 
 void RecordTree::Clear()

@@ -35,6 +35,10 @@ public:
 
   /// How much two normals may differ, in radians, below pi.
   void SetNormalAngle(float angle);
+  float GetNormalAngle() const { return this->NormalAngle; }
+
+  /// What the root of 1 - n.n_i is multiplied by for an angle (Record::Weight()).
+  static float NormalFactorOf(float angle);
 
   void Insert(const Record& record);
 
@@ -82,6 +86,7 @@ private:
   std::vector<Node> Nodes{ Node() };
   glm::vec3 Center{ 0.f };
   float Half = 1.f;
+  float NormalAngle = .1572f; ///< [IC]'s 9.0 degrees
   float NormalFactor = 9.0124f;
 };
 

@@ -32,12 +32,21 @@ constexpr int StrideOfViewpoints = 16;
 /// Of the progress of irradiance: the reflections but the last.
 constexpr double ProgressOfReflections = 0.5;
 
-void AddStatistic(vtkFieldData* statistics, const char* name, double value)
+void AddValue(vtkFieldData* data, const char* name, double value)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->InsertNextValue(value);
-  statistics->AddArray(array);
+  data->AddArray(array);
+}
+
+/// The records of a tree, and the angle that their weights depend on.
+void Copy(
+  const RecordTree& tree, penumbra::Quantities quantity, const Scene& scene, vtkPolyData* records)
+{
+  ToPolyData(tree.GetRecords(), quantity, scene, records);
+  AddValue(
+    records->GetFieldData(), "NormalAngle", vtkMath::DegreesFromRadians(tree.GetNormalAngle()));
 }
 
 std::vector<Site> Viewpoints(const RayScene& rays)
@@ -75,15 +84,15 @@ struct vtkPenumbraIrradianceCache::Internals
   struct Half
   {
     Purpose Made;
-    const RayScene* Rays = nullptr;
+    Scene Units; ///< origin and scale alone: records outlive their scene
     std::unique_ptr<PictureRecords> Records;
 
     /// From world coordinates.
     Place PlaceOf(const double point[3], const double normal[3]) const
     {
-      const Scene& scene = this->Rays->GetScene();
       Place place;
-      place.Position = (glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale;
+      place.Position =
+        (glm::dvec3(point[0], point[1], point[2]) - this->Units.Origin) * this->Units.Scale;
       place.Normal = glm::vec3(normal[0], normal[1], normal[2]);
       return place;
     }
@@ -150,8 +159,7 @@ void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
   const Internals::Half& half = this->Implementation->Occlusion;
   if (half.Records)
   {
-    ToPolyData(
-      half.Records->GetTree().GetRecords(), Quantities::Occlusion, half.Rays->GetScene(), records);
+    Copy(half.Records->GetTree(), Quantities::Occlusion, half.Units, records);
   }
 }
 
@@ -160,8 +168,7 @@ void vtkPenumbraIrradianceCache::GetIrradianceRecords(vtkPolyData* records) cons
   const Internals::Half& half = this->Implementation->Irradiance;
   if (half.Records)
   {
-    ToPolyData(
-      half.Records->GetTree().GetRecords(), Quantities::Irradiance, half.Rays->GetScene(), records);
+    Copy(half.Records->GetTree(), Quantities::Irradiance, half.Units, records);
   }
 }
 
@@ -203,7 +210,8 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
       vtkWarningWithObjectMacro(self, "InitialRecords are not used: " << problem << ".");
     }
   }
-  half.Rays = &rays;
+  half.Units.Origin = rays.GetScene().Origin;
+  half.Units.Scale = rays.GetScene().Scale;
   half.Records = std::make_unique<PictureRecords>(
     rays, gatherer, settings, NormalAngle(self, settings), initial);
   return self->Order == LAZY || half.Records->PlaceLevels(progress);
@@ -327,9 +335,9 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
     bytes += self.Light->GetBytes();
     rays += self.Light->GetRays();
   }
-  AddStatistic(statistics, "Cache/Records", static_cast<double>(records));
-  AddStatistic(statistics, "Cache/Bytes", static_cast<double>(bytes));
-  AddStatistic(statistics, "Rays/Gather", static_cast<double>(rays));
+  AddValue(statistics, "Cache/Records", static_cast<double>(records));
+  AddValue(statistics, "Cache/Bytes", static_cast<double>(bytes));
+  AddValue(statistics, "Rays/Gather", static_cast<double>(rays));
 }
 
 void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)

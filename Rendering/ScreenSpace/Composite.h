@@ -12,7 +12,7 @@
 namespace penumbra
 {
 
-class Composite
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT Composite
 {
 public:
   /// `colors * (1 - strength * occlusions)`; without occlusions strength must be 0. `background`:

@@ -10,6 +10,7 @@
 #include "ScreenView.h"
 
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
@@ -21,7 +22,7 @@ class vtkWindow;
 namespace penumbra
 {
 
-class DelegateImage
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DelegateImage
 {
 public:
   DelegateImage();

@@ -12,7 +12,7 @@
 namespace penumbra
 {
 
-class EyeDepth
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT EyeDepth
 {
 public:
   /// What became of the picture since the last call.

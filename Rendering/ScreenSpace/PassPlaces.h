@@ -6,6 +6,8 @@
 #ifndef penumbra_PassPlaces_h
 #define penumbra_PassPlaces_h
 
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+
 #include <functional>
 #include <vector>
 
@@ -25,17 +27,18 @@ struct PassPlace
 
 /// From the renderer's own pass inwards, through image processing, supersampling and the stages of a
 /// renderer, to what draws; that last one has no pass where the renderer has none.
-std::vector<PassPlace> FindPassPlaces(vtkRenderer* renderer);
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassPlace> FindPassPlaces(vtkRenderer* renderer);
 
 /// The first place whose pass `isWanted`; null if there is none.
-const PassPlace* FindPass(
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT const PassPlace* FindPass(
   const std::vector<PassPlace>& places, const std::function<bool(vtkRenderPass*)>& isWanted);
 
 /// Stages like those of a renderer without a pass, if it has none; then the places.
-std::vector<PassPlace> MakePassPlaces(vtkRenderer* renderer);
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassPlace> MakePassPlaces(vtkRenderer* renderer);
 
 /// Takes `pass` out, and with the last pass of ours the stages that were made for it.
-void RemovePass(vtkRenderer* renderer, vtkImageProcessingPass* pass);
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT void RemovePass(
+  vtkRenderer* renderer, vtkImageProcessingPass* pass);
 
 }
 #endif

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScreenView.h"
 
+#include "Stage.h"
+
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPenumbraViewLib.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -124,6 +127,11 @@ bool ScreenView::SeesLike(const ScreenView& other) const
     this->Parallel == other.Parallel && this->Unit == other.Unit &&
     this->WorldToEye == other.WorldToEye && std::equal(this->Scale, this->Scale + 2, other.Scale) &&
     std::equal(this->Offset, this->Offset + 2, other.Offset);
+}
+
+std::string AssembleView(const std::string& source)
+{
+  return Assemble(source, { { "ViewLib", vtkPenumbraViewLib } });
 }
 
 double PixelAtFocus(vtkRenderer* renderer)

@@ -6,7 +6,10 @@
 #ifndef penumbra_ScreenView_h
 #define penumbra_ScreenView_h
 
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+
 #include <array>
+#include <string>
 
 class vtkRenderer;
 class vtkShaderProgram;
@@ -16,7 +19,7 @@ namespace penumbra
 
 using Matrix = std::array<double, 16>; ///< row after row
 
-struct ScreenView
+struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenView
 {
   int Width = 0; ///< of the picture, margin included
   int Height = 0;
@@ -47,6 +50,9 @@ struct ScreenView
   /// Do both see the same from the same place? (Clipping planes may differ.)
   bool SeesLike(const ScreenView& other) const;
 };
+
+/// Shader text with vtkPenumbraViewLib.glsl in place of its line `//VTK::Penumbra::ViewLib`.
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::string AssembleView(const std::string& source);
 
 /// World length of a pixel at the camera's focal point.
 double PixelAtFocus(vtkRenderer* renderer);

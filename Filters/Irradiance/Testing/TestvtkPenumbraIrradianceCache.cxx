@@ -216,6 +216,13 @@ TEST(vtkPenumbraIrradianceCache, GivesRecordsOutAndTakesThemIn)
   second->Begin(rays, 1.0, .02);
   EXPECT_EQ(CountOf(second, "Cache/Records"), CountOf(first, "Cache/Records"));
   EXPECT_EQ(CountOf(second, "Rays/Gather"), 0);
+  vtkNew<vtkPolyData> again;
+  second->GetRecords(again);
+  for (vtkIdType i = 0; i < records->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(again->GetPointData()->GetArray("Serves")->GetComponent(i, 0),
+      records->GetPointData()->GetArray("Serves")->GetComponent(i, 0));
+  }
   const View view{ scene, SitesOfPicture(rays, 6) };
   for (const Site& site : view.Sites)
   {

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Records drawn over a visible surface, each as far as it serves, and added up [IC, splatting].
+#ifndef penumbra_RecordSplats_h
+#define penumbra_RecordSplats_h
+
+#include "DelegateImage.h"
+#include "Record.h"
+#include "Stage.h"
+
+class vtkOpenGLVertexArrayObject;
+
+namespace penumbra
+{
+
+class RecordSplats
+{
+public:
+  RecordSplats();
+  ~RecordSplats();
+
+  /// Positions are world coordinates less `origin`. `channels`: of the mean, the first 1 or 3 count.
+  void SetRecords(std::vector<Record> records, glm::dvec3 origin, int channels);
+  std::size_t GetNumberOfRecords() const { return this->Records.size(); }
+
+  /// Fills `sums` (four floats) with what the records say of the surface that the image shows from
+  /// `eyeDepths`: weighted means over the hemisphere, and in the last channel the weights. Records whose
+  /// normals differ by `normalAngle` (radians) or more do not count. False when OpenGL refuses.
+  bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths,
+    float normalAngle, vtkTextureObject* sums);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  bool FindSurface(
+    vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths);
+  void Upload(vtkOpenGLRenderWindow* window);
+
+  std::vector<Record> Records;
+  glm::dvec3 Origin{ 0.0 };
+  int Channels = 1;
+  int Rows = 1;
+  int Texels = 1;
+  Stage Surface;
+  vtkSmartPointer<vtkTextureObject> Surfaces;
+  vtkSmartPointer<vtkTextureObject> Table;              ///< the records
+  vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices; ///< none: OpenGL wants it nevertheless
+};
+
+}
+#endif

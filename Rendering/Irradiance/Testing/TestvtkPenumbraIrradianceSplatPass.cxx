@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Records drawn by OpenGL against what the cache interpolates from the same records.
+#include "vtkPenumbraIrradianceSplatPass.h"
+
+#include "../../ScreenSpace/Testing/OcclusionScene.h"
+#include "vtkPenumbraIrradianceCache.h"
+#include "vtkPenumbraRayCaster.h"
+
+#include "vtkActorCollection.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+constexpr int PictureWidth = 96;
+constexpr int PictureHeight = 72;
+
+/// A scene, the cache that a picture by rays has filled, and that picture's arrays.
+class CachedScene : public OcclusionScene
+{
+public:
+  CachedScene()
+    : OcclusionScene(PictureWidth, PictureHeight)
+  {
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  }
+
+  /// The picture by rays, with occlusion or with light from surface to surface.
+  void CastRays(bool light = false)
+  {
+    this->Caster->SetResolution(this->Width, this->Height);
+    this->Caster->SetRenderer(this->Renderer);
+    this->Caster->SetIrradianceSource(this->Cache);
+    this->Caster->SetAmbientOcclusion(!light);
+    this->Caster->SetIndirectLight(light);
+    this->Caster->SetAmbientOcclusionRadius(2.0);
+    this->Caster->SetTolerance(.02);
+    this->Caster->SetGeometryArrays(true);
+    this->Caster->Update();
+    if (light)
+    {
+      this->Cache->GetIrradianceRecords(this->Records);
+    }
+    else
+    {
+      this->Cache->GetRecords(this->Records);
+    }
+  }
+
+  vtkPenumbraIrradianceSplatPass* Splat()
+  {
+    auto* pass = vtkPenumbraIrradianceSplatPass::AddTo(this->Renderer);
+    pass->SetRecords(this->Records);
+    this->Window->Render();
+    pass->CopyResult(this->Result);
+    return pass;
+  }
+
+  float Drawn(const char* name, vtkIdType pixel, int channel = 0)
+  {
+    return static_cast<float>(
+      this->Result->GetPointData()->GetArray(name)->GetComponent(pixel, channel));
+  }
+
+  float Cast(const char* name, vtkIdType pixel, int channel = 0)
+  {
+    return static_cast<float>(
+      this->Caster->GetOutput()->GetPointData()->GetArray(name)->GetComponent(pixel, channel));
+  }
+
+  /// Pixels all of whose neighbours within two lie on the same plane: elsewhere a depth buffer cannot
+  /// tell the normal.
+  std::vector<vtkIdType> FlatPixels()
+  {
+    std::vector<vtkIdType> pixels;
+    for (int y = 2; y < Height - 2; ++y)
+    {
+      for (int x = 2; x < Width - 2; ++x)
+      {
+        const vtkIdType here = x + static_cast<vtkIdType>(y) * Width;
+        bool flat = this->Cast("ObjectId", here) >= 0.f;
+        for (int k = 0; k < 25 && flat; ++k)
+        {
+          const vtkIdType other = here + k % 5 - 2 + (k / 5 - 2) * static_cast<vtkIdType>(Width);
+          flat = this->Cast("ObjectId", other) == this->Cast("ObjectId", here);
+          for (int c = 0; c < 3; ++c)
+          {
+            flat = flat &&
+              std::abs(this->Cast("Normal", other, c) - this->Cast("Normal", here, c)) < 1e-3f;
+          }
+        }
+        if (flat)
+        {
+          pixels.push_back(here);
+        }
+      }
+    }
+    return pixels;
+  }
+
+  vtkNew<vtkPenumbraIrradianceCache> Cache;
+  vtkNew<vtkPenumbraRayCaster> Caster;
+  vtkNew<vtkPolyData> Records;
+  vtkNew<vtkImageData> Result;
+};
+
+/// What a picture of the pass differs by from that of the rays, at flat pixels.
+struct Difference
+{
+  double Rms = 0.0;
+  double ShareApart = 0.0; ///< of the pixels, those that differ by more than 2/255
+  std::size_t Pixels = 0;
+};
+
+template <typename Values>
+Difference Compare(const std::vector<vtkIdType>& pixels, const Values& differenceAt)
+{
+  Difference result;
+  result.Pixels = pixels.size();
+  double square = 0.0;
+  double apart = 0.0;
+  for (const vtkIdType pixel : pixels)
+  {
+    const double difference = differenceAt(pixel);
+    square += difference * difference;
+    apart += std::abs(difference) > 2.0 / 255.0 ? 1.0 : 0.0;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(pixels.size(), 1));
+  result.Rms = std::sqrt(square / count);
+  result.ShareApart = apart / count;
+  return result;
+}
+
+Difference CompareOcclusion(CachedScene& scene)
+{
+  return Compare(scene.FlatPixels(), [&](vtkIdType pixel) {
+    return scene.Drawn("AmbientOcclusion", pixel) - scene.Cast("AmbientOcclusion", pixel);
+  });
+}
+
+/// A floor, two walls and a table, seen from above: all of it flat.
+void AddRoom(CachedScene& scene, Vector at = { 0, 0, 0 })
+{
+  const auto wall = [&](Vector corner, Vector side, Vector other) {
+    scene.AddWall({ corner[0] + at[0], corner[1] + at[1], corner[2] + at[2] }, side, other);
+  };
+  wall({ -4, -4, 0 }, { 8, 0, 0 }, { 0, 8, 0 });
+  wall({ -4, 2, 0 }, { 8, 0, 0 }, { 0, 0, 3 });
+  wall({ 2, -4, 0 }, { 0, 8, 0 }, { 0, 0, 3 });
+  wall({ -1, -1, 1 }, { 1.5, 0, 0 }, { 0, 1.5, 0 });
+  wall({ -1, -1, 0 }, { 1.5, 0, 0 }, { 0, 0, 1 });
+  wall({ -1, -1, 0 }, { 0, 1.5, 0 }, { 0, 0, 1 });
+  scene.Look({ at[0] - 4, at[1] - 6, at[2] + 5 }, { at[0], at[1], at[2] + .5 });
+}
+
+/// Lit by the sky alone, through the cache.
+void UseSky(CachedScene& scene)
+{
+  scene.Renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> dark; // without any light VTK would draw plain colours
+  dark->SetIntensity(0.0);
+  scene.Renderer->AddLight(dark);
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  vtkCollectionSimpleIterator position;
+  actors->InitTraversal(position);
+  while (vtkActor* actor = actors->GetNextActor(position))
+  {
+    actor->GetProperty()->LightingOn();
+    actor->GetProperty()->SetAmbient(0.0);
+    actor->GetProperty()->SetColor(1.0, .6, .3);
+  }
+  scene.Caster->SetEnvironmentColor(.7, .8, 1.0);
+  scene.Caster->SetAlbedo(.5);
+  scene.Caster->SetBounces(2);
+}
+
+}
+
+TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheToTwoStepsOfAPicture)
+{
+  CachedScene scene;
+  AddRoom(scene);
+  scene.CastRays();
+  vtkPenumbraIrradianceSplatPass* pass = scene.Splat();
+
+  const Difference difference = CompareOcclusion(scene);
+  EXPECT_GT(difference.Pixels, PictureWidth * PictureHeight / 3);
+  EXPECT_LT(difference.Rms, 1.5 / 255.0); // where no record serves, the cache asks rays
+  EXPECT_LT(difference.ShareApart, .005);
+  EXPECT_GT(pass->GetStatistics()->GetArray("Pixels/Interpolated")->GetComponent(0, 0), .99);
+  EXPECT_EQ(pass->GetStatistics()->GetArray("Cache/Records")->GetComponent(0, 0),
+    scene.Records->GetNumberOfPoints());
+}
+
+TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheUnderAParallelCamera)
+{
+  CachedScene scene;
+  AddRoom(scene);
+  scene.UseParallelProjection(true, 3.5);
+  scene.CastRays();
+  scene.Splat();
+
+  const Difference difference = CompareOcclusion(scene);
+  EXPECT_GT(difference.Pixels, PictureWidth * PictureHeight / 3);
+  EXPECT_LT(difference.Rms, 1.5 / 255.0); // where no record serves, the cache asks rays
+  EXPECT_LT(difference.ShareApart, .005);
+}
+
+TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheFarFromTheOrigin)
+{
+  CachedScene scene;
+  AddRoom(scene, { 4e5, -7e5, 1e5 });
+  scene.CastRays();
+  scene.Splat();
+
+  const Difference difference = CompareOcclusion(scene);
+  EXPECT_LT(difference.Rms, 1.5 / 255.0);
+}
+
+TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheAboutLight)
+{
+  CachedScene scene;
+  AddRoom(scene);
+  UseSky(scene);
+  scene.CastRays(true);
+  scene.Splat();
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const double reflectance = .5 * (channel == 0 ? 1.0 : channel == 1 ? .6 : .3);
+    const Difference difference = Compare(scene.FlatPixels(), [&](vtkIdType pixel) {
+      return scene.Drawn("Irradiance", pixel, channel) / vtkMath::Pi() -
+        scene.Cast("Color", pixel, channel) / reflectance;
+    });
+    EXPECT_LT(difference.Rms, 1.5 / 255.0) << channel;
+    EXPECT_LT(difference.ShareApart, .02) << channel;
+  }
+}
+
+TEST(vtkPenumbraIrradianceSplatPass, DarkensTheColoursOfItsDelegate)
+{
+  CachedScene scene;
+  AddRoom(scene);
+  scene.CastRays();
+  scene.Window->Render();
+  const std::vector<int> plain = scene.Picture();
+  vtkPenumbraIrradianceSplatPass* pass = scene.Splat();
+  const std::vector<int> dark = scene.Picture();
+  pass->SetStrength(0.0);
+  scene.Window->Render();
+  EXPECT_EQ(scene.Picture(), plain);
+  for (vtkIdType pixel = 0; pixel < static_cast<vtkIdType>(PictureWidth) * PictureHeight; ++pixel)
+  {
+    const double open = 1.0 - scene.Drawn("AmbientOcclusion", pixel);
+    ASSERT_NEAR(dark[4 * pixel], open * plain[4 * pixel], 1.01) << pixel;
+  }
+}
+
+TEST(vtkPenumbraIrradianceSplatPass, DrawsTheDelegateWhereThereIsNothingToSplat)
+{
+  OcclusionScene scene(64, 48);
+  scene.AddFloor();
+  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.Window->Render();
+  const std::vector<int> plain = scene.Picture();
+  auto* pass = vtkPenumbraIrradianceSplatPass::AddTo(scene.Renderer);
+  EXPECT_EQ(vtkPenumbraIrradianceSplatPass::AddTo(scene.Renderer), pass);
+  scene.Window->Render();
+  EXPECT_EQ(scene.Picture(), plain);
+
+  vtkNew<vtkPolyData> empty;
+  pass->SetRecords(empty);
+  const bool warnings = vtkObject::GetGlobalWarningDisplay() != 0;
+  vtkObject::GlobalWarningDisplayOff();
+  scene.Window->Render();
+  vtkObject::SetGlobalWarningDisplay(warnings);
+  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(pass->GetStatistics()->GetNumberOfArrays(), 0);
+  vtkNew<vtkImageData> nothing;
+  pass->CopyResult(nothing);
+  EXPECT_EQ(nothing->GetNumberOfPoints(), 0);
+
+  vtkPenumbraIrradianceSplatPass::RemoveFrom(scene.Renderer);
+  EXPECT_EQ(scene.Renderer->GetPass(), nullptr);
+  scene.Window->Render();
+  EXPECT_EQ(scene.Picture(), plain);
+}
