@@ -15,8 +15,9 @@ namespace penumbra
 
 struct ShaftBenchmark
 {
-  std::string Output; ///< folder for results, pictures and what is handed to peers
-  std::string PovRay; ///< program; empty: no comparison with it
+  std::string Output;  ///< folder for results, pictures and what is handed to peers
+  std::string PovRay;  ///< program; empty: no comparison with it
+  std::string Mitsuba; ///< Python that has it; empty: no comparison with it
   bool Diagnose = false;
   Table Results;
 };

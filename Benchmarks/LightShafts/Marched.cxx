@@ -4,21 +4,16 @@
 // The marched reference: a half-plane keeps light from straight above off one side, the medium has a
 // flat top; in closed form, by the ray caster, by POV-Ray's media.
 #include "Benchmark.h"
+#include "HalfPlaneInHaze.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <sys/resource.h>
@@ -27,7 +22,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -39,12 +33,6 @@ namespace
 
 constexpr int Side = 256;
 constexpr double Pi = 3.14159265358979324;
-// The medium fills -1 < x < 4, |y| < 3, -3 < z < 2; the half-plane is x < 0, z = 1.
-constexpr double Low[3] = { -1.0, -3.0, -3.0 };
-constexpr double High[3] = { 4.0, 3.0, 2.0 };
-constexpr double Eye[3] = { -1.3, 0.0, -0.5 };
-constexpr double Scattering = 0.3;
-constexpr double Extinction = 0.5;
 
 double Seconds(int who)
 {
@@ -54,40 +42,15 @@ double Seconds(int who)
     1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// The closed form at a point of the picture, for light of intensity 1.
-double Exact(double x, double y)
+/// The medium in a box: POV-Ray's media know no other.
+HalfPlaneInHaze BoxedHaze()
 {
-  const double direction[3] = { 1.0, -(2.0 * x / Side - 1.0), 2.0 * y / Side - 1.0 };
-  const double length = std::hypot(direction[0], direction[1], direction[2]);
-  double near = 1.3; // in units of the distance along x: the half-plane ends, light begins
-  double enters = 0.3;
-  double far = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double face = direction[axis] > 0.0 ? High[axis] : Low[axis];
-    if (direction[axis] != 0.0)
-    {
-      far = std::min(far, (face - Eye[axis]) / direction[axis]);
-    }
-  }
-  const double hit = direction[2] > 0.0 ? 1.5 / direction[2] : far;
-  if (hit < near)
-  {
-    // Behind the half-plane, which is black.
-    return 0.0;
-  }
-  if (far <= near)
-  {
-    return 0.0;
-  }
-  const double vz = direction[2] / length;
-  const double a = Extinction * (High[2] - (Eye[2] + enters * direction[2]));
-  const double b = Extinction * (1.0 - vz);
-  const double t0 = (near - enters) * length;
-  const double t1 = (far - enters) * length;
-  const double spread =
-    std::abs(b * (t1 - t0)) < 1e-9 ? t1 - t0 : (std::exp(-b * t0) - std::exp(-b * t1)) / b;
-  return Scattering / (4.0 * Pi) * std::exp(-a) * spread;
+  HalfPlaneInHaze haze;
+  haze.Low[0] = -1.0;
+  haze.High[0] = 4.0;
+  haze.Low[1] = haze.Low[2] = -3.0;
+  haze.High[1] = 3.0;
+  return haze;
 }
 
 double RelativeRmse(const std::vector<double>& picture, const std::vector<double>& exact)
@@ -111,32 +74,10 @@ struct Run
 
 Run ByRays(const std::vector<double>& exact, int steps, double tolerance)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-1000.0, -1000.0, 1.0);
-  plane->SetPoint1(0.0, -1000.0, 1.0);
-  plane->SetPoint2(-1000.0, 1000.0, 1.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
   vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  renderer->SetBackground(0.0, 0.0, 0.0);
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(0.0, 0.0, 1.0);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
-  renderer->AddLight(sun);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(Eye);
-  camera->SetFocalPoint(0.0, 0.0, Eye[2]);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  camera->SetViewAngle(90.0);
   vtkNew<vtkPenumbraMedium> medium;
-  medium->SetScattering(Scattering);
-  medium->SetExtinction(Extinction);
-  medium->SetBounds(Low[0], High[0], Low[1], High[1], Low[2], High[2]);
+  BoxedHaze().AddTo(renderer);
+  BoxedHaze().Describe(medium);
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
   caster->SetResolution(Side, Side);
@@ -174,7 +115,8 @@ Run ByPovRay(const ShaftBenchmark& benchmark, const std::vector<double>& exact, 
     << "polygon { 5, <-1000,-1000,1>, <0,-1000,1>, <0,1000,1>, <-1000,1000,1>, <-1000,-1000,1>\n"
     << "  pigment { rgb 0 } finish { ambient 0 diffuse 0 } }\n"
     << "box { <-1,-3,-3>, <4,3,2> hollow pigment { rgbt 1 } interior { media {\n"
-    << "  scattering { 1, rgb " << Scattering << " extinction " << Extinction / Scattering
+    << "  scattering { 1, rgb " << HalfPlaneInHaze::Scattering << " extinction "
+    << HalfPlaneInHaze::Extinction / HalfPlaneInHaze::Scattering
     << " } method 3 intervals 1 samples " << samples << "," << samples
     << " confidence 0.999 variance 1e-6 } } }\n";
   const std::string command = "'" + benchmark.PovRay + "' '+I" + scene + "' '+O" + scene +
@@ -200,6 +142,66 @@ Run ByPovRay(const ShaftBenchmark& benchmark, const std::vector<double>& exact, 
   return run;
 }
 
+/// Mitsuba's volpath with `samples` samples a pixel, and its version.
+Run ByMitsuba(const ShaftBenchmark& benchmark, int samples, std::string& version)
+{
+  const std::string answer = benchmark.Output + "/volpath.txt";
+  const std::string command = "'" + benchmark.Mitsuba + "' Benchmarks/peers/volpath.py " +
+    std::to_string(samples) + " >'" + answer + "'";
+  if (std::system(command.c_str()) != 0)
+  {
+    throw std::runtime_error("Mitsuba failed: " + command);
+  }
+  Run run;
+  std::string line;
+  std::getline(std::ifstream(answer), line);
+  char name[64] = "";
+  if (std::sscanf(line.c_str(), "relative RMSE %lf, gain %*f, %lf CPU seconds, %63[^\n]",
+        &run.Error, &run.Seconds, name) != 3)
+  {
+    throw std::runtime_error("Mitsuba said: " + line);
+  }
+  version = name;
+  run.Rays = samples;
+  return run;
+}
+
+void CompareWithPovRay(
+  ShaftBenchmark& benchmark, const std::string& scene, const std::vector<double>& exact, Run ours)
+{
+  Run equal;
+  for (int samples = 50; samples <= 800; samples *= 2)
+  {
+    equal = ByPovRay(benchmark, exact, samples);
+    std::printf(
+      "  POV-Ray, %d samples: relative RMSE %.5f in %.2f s\n", samples, equal.Error, equal.Seconds);
+    if (equal.Error <= ours.Error)
+    {
+      break;
+    }
+  }
+  benchmark.Results.Add(scene, "POV-Ray's time over ours at equal error",
+    equal.Seconds / ours.Seconds, Bar::AtLeast, 10.0,
+    "POV-Ray " + std::to_string(equal.Error) + " with " +
+      std::to_string(static_cast<int>(equal.Rays)) + " samples");
+}
+
+/// The square of its noise falls with the number of samples: its time at our error follows from a run
+/// that takes seconds. Four times the samples, half the error, tell whether that is so.
+void CompareWithMitsuba(ShaftBenchmark& benchmark, const std::string& scene, Run ours)
+{
+  std::string version;
+  const Run few = ByMitsuba(benchmark, 16, version);
+  const Run many = ByMitsuba(benchmark, 64, version);
+  const double more = many.Error / ours.Error;
+  char remark[160];
+  std::snprintf(remark, sizeof remark,
+    "%s: %.3f with 16, %.3f with 64 samples in %.2f s; from there by the square of the error",
+    version.c_str(), few.Error, many.Error, many.Seconds);
+  benchmark.Results.Add(scene, "Mitsuba volpath's time over ours at equal error",
+    many.Seconds * more * more / ours.Seconds, Bar::AtLeast, 10.0, remark);
+}
+
 }
 
 void MeasureMarched(ShaftBenchmark& benchmark)
@@ -207,7 +209,9 @@ void MeasureMarched(ShaftBenchmark& benchmark)
   std::vector<double> exact(static_cast<std::size_t>(Side) * Side);
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
-    exact[i] = Exact(i % Side + 0.5, i / Side + 0.5);
+    const double x = static_cast<double>(i % Side) + 0.5;
+    const double y = static_cast<double>(i / Side) + 0.5;
+    exact[i] = BoxedHaze().Exact(2.0 * x / Side - 1.0, 2.0 * y / Side - 1.0);
   }
   Table& table = benchmark.Results;
   const std::string scene = "half-plane, flat top, 256x256";
@@ -218,25 +222,14 @@ void MeasureMarched(ShaftBenchmark& benchmark)
   table.Add(scene, "relative RMSE at tolerance 1/256", adaptive.Error, Bar::None);
   table.Add(scene, "shadow rays a pixel at tolerance 1/256", adaptive.Rays, Bar::None);
   table.Add(scene, "seconds at tolerance 1/256", adaptive.Seconds, Bar::None);
-  if (benchmark.PovRay.empty())
+  if (!benchmark.PovRay.empty())
   {
-    return;
+    CompareWithPovRay(benchmark, scene, exact, adaptive);
   }
-  Run equal;
-  for (int samples = 50; samples <= 800; samples *= 2)
+  if (!benchmark.Mitsuba.empty())
   {
-    equal = ByPovRay(benchmark, exact, samples);
-    std::printf(
-      "  POV-Ray, %d samples: relative RMSE %.5f in %.2f s\n", samples, equal.Error, equal.Seconds);
-    if (equal.Error <= adaptive.Error)
-    {
-      break;
-    }
+    CompareWithMitsuba(benchmark, scene, adaptive);
   }
-  table.Add(scene, "POV-Ray's time over ours at equal error", equal.Seconds / adaptive.Seconds,
-    Bar::AtLeast, 10.0,
-    "POV-Ray " + std::to_string(equal.Error) + " with " +
-      std::to_string(static_cast<int>(equal.Rays)) + " samples");
 }
 
 }

@@ -13,9 +13,10 @@ int main(int argc, char** argv)
   Program program;
   program.Name = "light-shafts";
   program.Title = "Light shafts: figures and bars";
-  program.Usage = "--output FOLDER [--povray PROGRAM]\n"
+  program.Usage = "--output FOLDER [--povray PROGRAM] [--mitsuba PYTHON]\n"
                   "         [--only marched|accuracy|chained|cost|motion] [--diagnose]";
-  program.Values = { { "--output", &benchmark.Output, true }, { "--povray", &benchmark.PovRay } };
+  program.Values = { { "--output", &benchmark.Output, true }, { "--povray", &benchmark.PovRay },
+    { "--mitsuba", &benchmark.Mitsuba } };
   program.Switches = { { "--diagnose", &benchmark.Diagnose } };
   program.Parts = {
     { "marched", [&] { MeasureMarched(benchmark); } },

@@ -27,27 +27,13 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   {
     return false;
   }
-  vtkOpenGLState* gl = window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(gl);
-  const vtkOpenGLState::ScopedglScissor scissor(gl);
-  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
   const int* at = image.GetViewport();
   const int* margin = image.GetMargin();
-  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
-  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
-  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(gl);
-  gl->vtkglDisable(GL_BLEND);
-  if (manySamples && !background)
+  const DrawOver target(window, at, true);
+  if (!manySamples || background)
   {
-    gl->vtkglEnable(GL_BLEND);
-    gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    window->GetState()->vtkglDisable(GL_BLEND);
   }
-  gl->vtkglEnable(GL_DEPTH_TEST);
-  gl->vtkglDepthMask(GL_TRUE);
-  gl->vtkglDepthFunc(GL_ALWAYS);
-  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-
   const float offset[2] = { static_cast<float>(margin[0] - at[0]),
     static_cast<float>(margin[1] - at[1]) };
   program->SetUniform2f("offset", offset);
@@ -63,7 +49,6 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   }
   this->Darken.Read("occlusions", occlusions ? occlusions : depth.GetCurrent());
   this->Darken.Draw();
-  gl->vtkglDepthFunc(GL_LEQUAL);
   return true;
 }
 

@@ -105,15 +105,62 @@ bool IsUsable(const ShaftLight& light)
 
 }
 
-void ShaftLight::SetUniforms(vtkShaderProgram* program) const
+bool ShaftLightGroup::Join(const ShaftLight& light)
 {
-  program->SetUniform4f("light", this->Place);
-  if (this->Place[3] > 0.f)
+  const bool joins =
+    !this->IsLamp() && !light.IsLamp() && static_cast<int>(this->Lights.size()) < Most;
+  if (joins)
   {
-    program->SetUniform3f("attenuation", this->Attenuation);
-    program->SetUniform4f("cone", this->Cone);
-    program->SetUniformf("coneExponent", this->Exponent);
+    this->Lights.push_back(light);
   }
+  return joins;
+}
+
+void ShaftLightGroup::SetUniforms(vtkShaderProgram* program) const
+{
+  float places[Most][4] = {};
+  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  {
+    std::copy_n(this->Lights[i].Place, 4, places[i]);
+  }
+  program->SetUniform4fv("lights", Most, places);
+  program->SetUniformi("lightCount", static_cast<int>(this->Lights.size()));
+  if (this->IsLamp())
+  {
+    const ShaftLight& lamp = this->Lights.front();
+    program->SetUniform3f("attenuation", lamp.Attenuation);
+    program->SetUniform4f("cone", lamp.Cone);
+    program->SetUniformf("coneExponent", lamp.Exponent);
+  }
+}
+
+void ShaftLightGroup::SetColors(vtkShaderProgram* program, double exposure) const
+{
+  float colors[Most][3] = {};
+  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      colors[i][k] = this->Lights[i].Color[k] * static_cast<float>(exposure);
+    }
+  }
+  program->SetUniform3fv("colors", Most, colors);
+}
+
+std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, bool alone)
+{
+  std::vector<ShaftLight> sorted = lights;
+  std::stable_partition(
+    sorted.begin(), sorted.end(), [](const ShaftLight& light) { return !light.IsLamp(); });
+  std::vector<ShaftLightGroup> groups;
+  for (const ShaftLight& light : sorted)
+  {
+    if (alone || groups.empty() || !groups.back().Join(light))
+    {
+      groups.emplace_back(light);
+    }
+  }
+  return groups;
 }
 
 bool ShaftLight::operator==(const ShaftLight& other) const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Lights that make light shafts, as their shaders take them: in eye coordinates with z along the
-// view axis.
+// view axis, several at once.
 #ifndef penumbra_ShaftLights_h
 #define penumbra_ShaftLights_h
 
@@ -27,16 +27,44 @@ struct ShaftLight
   /// Seen on the picture: then nothing outside of it can shadow what is inside.
   bool InPicture = false;
 
-  /// Sets the light's uniforms of vtkPenumbraShaftLib.glsl.
+  bool IsLamp() const { return this->Place[3] > 0.f; }
+  bool operator==(const ShaftLight& other) const;
+};
+
+/// Lights that one stage takes together: up to three suns, or a lamp.
+class ShaftLightGroup
+{
+public:
+  static constexpr int Most = 3;
+
+  explicit ShaftLightGroup(const ShaftLight& first)
+    : Lights{ first }
+  {
+  }
+
+  /// Takes one more, if it can.
+  bool Join(const ShaftLight& light);
+
+  const std::vector<ShaftLight>& GetLights() const { return this->Lights; }
+  bool IsLamp() const { return this->Lights.front().IsLamp(); }
+
+  /// Sets the lights' uniforms of vtkPenumbraShaftLib.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
 
-  bool operator==(const ShaftLight& other) const;
+  /// And their colours, times `exposure`.
+  void SetColors(vtkShaderProgram* program, double exposure) const;
+
+private:
+  std::vector<ShaftLight> Lights;
 };
 
 /// Those of `renderer` that are on, not black and finite: all but headlights, or the `chosen` ones
 /// if there are any. `view` has no margin.
 std::vector<ShaftLight> FindShaftLights(
   vtkRenderer* renderer, const std::vector<vtkLight*>& chosen, const ScreenView& view);
+
+/// As few groups as there may be; `alone`: one for each light.
+std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, bool alone);
 
 }
 #endif

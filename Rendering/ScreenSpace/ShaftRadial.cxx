@@ -188,7 +188,7 @@ bool ShaftRadial::Find(vtkOpenGLRenderWindow* window, const DelegateImage& image
       return false;
     }
     coarse.SetUniforms(program);
-    light.SetUniforms(program);
+    program->SetUniform4f("light", light.Place);
     program->SetUniformi("steps", settings.Steps);
     SetNumber(program, "density", settings.Density);
     SetNumber(program, "evenly", geometric ? 0.0 : 1.0);

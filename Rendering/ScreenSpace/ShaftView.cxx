@@ -84,11 +84,30 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
 {
   this->Window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
   this->NewShares = 0;
+  if (!this->Image.Aim(state, settings.Margin))
+  {
+    return false;
+  }
+  ScreenView view = this->Image.GetView();
+  view.Unit = settings.Unit;
+  // What glows in colours cannot be known by depths.
+  const bool colored =
+    settings.Radial && (settings.Paper.ReadsColors() || !settings.Emitters.empty());
+  this->Known = this->Known && !colored && settings == this->Settings && lights == this->Lights &&
+    this->Depth.GetView().SeesLike(view);
+  this->Settings = settings;
+  this->Lights = lights;
+  this->Groups = GroupLights(lights, settings.Radial);
+  if (this->Known && this->Still.IsFilled() && this->DrawStill(state, delegate) == Change::None)
+  {
+    return this->CompositeStraight();
+  }
+  this->Still.Forget();
   const bool simple = !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
     settings.Margin[1] == 0 && !settings.Radial && !settings.AutomaticTone;
   this->Props = simple ? this->Image.DrawStraight(state, delegate) : -1;
-  this->Straight = this->Props >= 0;
-  if (!this->Straight)
+  const bool straight = this->Props >= 0;
+  if (!straight)
   {
     this->Props = this->Image.Draw(state, delegate, settings.Margin);
   }
@@ -96,35 +115,43 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     return false;
   }
-  ScreenView view = this->Image.GetView();
-  view.Unit = settings.Unit;
-  const EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view);
-  if (change == EyeDepth::Change::Failed)
+  const Change change = this->Depth.Update(this->Window, this->Image, view);
+  if (change == Change::Failed)
   {
     return false;
   }
-  // A still scene is not computed again, unless colours count.
-  const bool colored =
-    settings.Radial && (settings.Paper.ReadsColors() || !settings.Emitters.empty());
-  this->Known = this->Known && !colored && change == EyeDepth::Change::None &&
-    settings == this->Settings && lights == this->Lights;
-  this->Settings = settings;
-  this->Lights = lights;
+  this->Known = this->Known && change == Change::None;
+  if (this->Known && !straight && !settings.DelegateDrawsBackground &&
+    this->DrawStill(state, delegate) != Change::Failed)
+  {
+    // From now on the delegate draws straight into the target, this picture already.
+    return this->CompositeStraight();
+  }
   if (!this->Known)
   {
     this->Known = this->Compute(state);
   }
-  return this->Known && (this->Straight ? this->CompositeStraight() : this->Composite());
+  return this->Known && (straight ? this->CompositeStraight() : this->Composite());
+}
+
+ShaftView::Change ShaftView::DrawStill(const vtkRenderState* state, vtkRenderPass* delegate)
+{
+  const int props = this->StillImage.DrawStraight(state, delegate);
+  if (props < 0)
+  {
+    return Change::Failed;
+  }
+  this->Props = props;
+  ScreenView view = this->StillImage.GetView();
+  view.Unit = this->Settings.Unit;
+  return this->Still.Update(this->Window, this->StillImage, view);
 }
 
 bool ShaftView::Compute(const vtkRenderState* state)
 {
-  const ScreenView& view = this->Depth.GetView();
   const int block = this->Settings.Block;
-  Allocate(this->Shafts, this->Window, view.Width, view.Height, 4);
-  this->Coarse = view.Coarse(block);
-  Allocate(this->LitShares, this->Window, this->Coarse.Width, this->Coarse.Height,
-    this->Settings.Radial ? 4 : 2);
+  this->Coarse = this->Depth.GetView().Coarse(block);
+  this->Filled = false;
   if (block > 1 && !this->FillCoarseDepths())
   {
     return false;
@@ -133,9 +160,10 @@ bool ShaftView::Compute(const vtkRenderState* state)
   {
     return false;
   }
-  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  this->LitShares.resize(std::max(this->LitShares.size(), this->Groups.size()));
+  for (std::size_t i = 0; i < this->Groups.size(); ++i)
   {
-    if (!this->FindLit(this->Lights[i]) || !this->Scatter(this->Lights[i], i == 0))
+    if (!this->FindLit(i))
     {
       return false;
     }
@@ -145,8 +173,9 @@ bool ShaftView::Compute(const vtkRenderState* state)
     this->Tone.Forget();
     return true;
   }
-  return this->Tone.Look(this->Window, this->Image, this->Shafts,
-    this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data());
+  return this->FillShafts() &&
+    this->Tone.Look(this->Window, this->Image, this->Shafts,
+      this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data());
 }
 
 bool ShaftView::FillGlow(const vtkRenderState* state)
@@ -219,31 +248,33 @@ void ShaftView::SetMedium(vtkShaderProgram* program) const
   }
 }
 
-bool ShaftView::FindLit(const ShaftLight& light)
+bool ShaftView::FindLit(std::size_t number)
 {
   const ShaftSettings& settings = this->Settings;
+  const ShaftLightGroup& lights = this->Groups[number];
+  vtkSmartPointer<vtkTextureObject>& shares = this->LitShares[number];
+  Allocate(shares, this->Window, this->Coarse.Width, this->Coarse.Height, 4);
   vtkTextureObject* depths =
     settings.Block > 1 ? this->CoarseDepths.Get() : this->Depth.GetCurrent();
-  this->NewShares +=
-    static_cast<long long>(this->LitShares->GetWidth()) * this->LitShares->GetHeight();
+  this->NewShares += static_cast<long long>(this->Coarse.Width) * this->Coarse.Height *
+    static_cast<long long>(lights.GetLights().size());
   if (settings.Radial)
   {
-    return this->Paper.Find(
-      this->Window, this->Image, this->Coarse, depths, light, settings.Paper, this->LitShares);
+    return this->Paper.Find(this->Window, this->Image, this->Coarse, depths,
+      lights.GetLights().front(), settings.Paper, shares);
   }
-  const bool lamp = light.Place[3] > 0.f;
-  Stage& stage = this->Visibility[lamp];
+  Stage& stage = this->Visibility[lights.IsLamp()];
   vtkShaderProgram* program = stage.Ready(this->Window,
-    AssembleFor(lamp, settings.Bounded, vtkPenumbraShaftVisibilityFS,
+    AssembleFor(lights.IsLamp(), settings.Bounded, vtkPenumbraShaftVisibilityFS,
       { { "Estimator", vtkPenumbraShaftDepthLib } }));
-  const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->LitShares });
+  const DrawInto target(this->Window, this->Image.GetFramebuffer(), { shares });
   if (!program || !target.IsComplete())
   {
     return false;
   }
   this->Coarse.SetUniforms(program);
   this->SetMedium(program);
-  light.SetUniforms(program);
+  lights.SetUniforms(program);
   program->SetUniformi("steps", settings.Steps);
   SetNumber(program, "thickness", settings.Thickness / settings.Unit);
   SetNumber(program, "range", settings.Range / settings.Unit);
@@ -252,40 +283,61 @@ bool ShaftView::FindLit(const ShaftLight& light)
   return true;
 }
 
-bool ShaftView::Scatter(const ShaftLight& light, bool first)
+bool ShaftView::FillShafts()
 {
-  const bool lamp = light.Place[3] > 0.f;
-  Stage& stage = this->Addition[lamp];
+  if (this->Filled)
+  {
+    return true;
+  }
+  const ScreenView& view = this->Depth.GetView();
+  Allocate(this->Shafts, this->Window, view.Width, view.Height, 4);
+  const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->Shafts });
+  this->Filled = target.IsComplete();
+  for (std::size_t i = 0; this->Filled && i < this->Groups.size(); ++i)
+  {
+    vtkOpenGLState* gl = this->Window->GetState();
+    gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    i == 0 ? gl->vtkglDisable(GL_BLEND) : gl->vtkglEnable(GL_BLEND);
+    const float left = i == 0 ? 1.f : 0.f;
+    this->Filled = this->Scatter(i, { 0.f, left }, { 0.f, 0.f });
+  }
+  return this->Filled;
+}
+
+bool ShaftView::Scatter(
+  std::size_t number, const std::array<float, 2>& alpha, const std::array<float, 2>& offset)
+{
+  const ShaftLightGroup& lights = this->Groups[number];
+  vtkTextureObject* shares = this->LitShares[number];
+  Stage& stage = this->Addition[lights.IsLamp()];
   const char* share =
     this->Settings.Radial ? vtkPenumbraShaftColorShareLib : vtkPenumbraShaftShareLib;
   vtkShaderProgram* program = stage.Ready(this->Window,
-    AssembleFor(lamp, this->Settings.Bounded, vtkPenumbraShaftScatterFS, { { "Share", share } }));
-  const DrawInto target(this->Window, this->Image.GetFramebuffer(), { this->Shafts });
-  if (!program || !target.IsComplete())
+    AssembleFor(
+      lights.IsLamp(), this->Settings.Bounded, vtkPenumbraShaftScatterFS, { { "Share", share } }));
+  if (!program)
   {
     return false;
   }
-  vtkOpenGLState* gl = this->Window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(gl);
-  gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  first ? gl->vtkglDisable(GL_BLEND) : gl->vtkglEnable(GL_BLEND);
   this->Depth.GetView().SetUniforms(program);
   this->SetMedium(program);
-  light.SetUniforms(program);
-  float color[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    color[i] = light.Color[i] * static_cast<float>(this->Settings.Exposure);
-  }
-  program->SetUniform3f("color", color);
+  lights.SetUniforms(program);
+  lights.SetColors(program, this->Settings.Exposure);
+  program->SetUniform2f("alpha", alpha.data());
+  program->SetUniform2f("offset", offset.data());
   SetNumber(program, "block", this->Settings.Block);
-  SetNumber(program, "transmittance", first ? 1.0 : 0.0);
-  SetSize(program, "texelSize", this->LitShares->GetWidth(), this->LitShares->GetHeight());
+  SetSize(program, "texelSize", shares->GetWidth(), shares->GetHeight());
   stage.Read("eyeDepths", this->Depth.GetCurrent());
-  stage.Read("litShares", this->LitShares);
+  stage.Read("litShares", shares);
   stage.Draw();
   return true;
+}
+
+std::array<float, 2> ShaftView::GetOffset() const
+{
+  const int* at = this->Image.GetViewport();
+  const int* margin = this->Image.GetMargin();
+  return { static_cast<float>(margin[0] - at[0]), static_cast<float>(margin[1] - at[1]) };
 }
 
 bool ShaftView::Composite()
@@ -295,30 +347,17 @@ bool ShaftView::Composite()
   static const std::string manySamples =
     Assemble(vtkPenumbraShaftCompositeFS, { { "Picture", vtkPenumbraShaftSamplesLib } });
   const bool many = this->Image.GetSamples() > 1;
-  vtkShaderProgram* program = this->Composition.Ready(this->Window, many ? manySamples : oneSample);
+  vtkShaderProgram* program = nullptr;
+  if (this->FillShafts())
+  {
+    program = this->Composition.Ready(this->Window, many ? manySamples : oneSample);
+  }
   if (!program)
   {
     return false;
   }
-  vtkOpenGLState* gl = this->Window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(gl);
-  const vtkOpenGLState::ScopedglScissor scissor(gl);
-  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(gl);
-  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
-  const int* at = this->Image.GetViewport();
-  const int* margin = this->Image.GetMargin();
-  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
-  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
-  gl->vtkglEnable(GL_BLEND);
-  gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl->vtkglEnable(GL_DEPTH_TEST);
-  gl->vtkglDepthMask(GL_TRUE);
-  gl->vtkglDepthFunc(GL_ALWAYS);
-  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const float offset[2] = { static_cast<float>(margin[0] - at[0]),
-    static_cast<float>(margin[1] - at[1]) };
-  program->SetUniform2f("offset", offset);
+  const DrawOver target(this->Window, this->Image.GetViewport(), true);
+  program->SetUniform2f("offset", this->GetOffset().data());
   SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
   SetNumber(program, "gain", this->GetGain());
   SetNumber(program, "background", this->Settings.DelegateDrawsBackground ? 1.0 : 0.0);
@@ -331,41 +370,37 @@ bool ShaftView::Composite()
     this->Composition.Read("depthSamples", this->Image.GetSampleDepth());
   }
   this->Composition.Draw();
-  gl->vtkglDepthFunc(GL_LEQUAL);
   return true;
 }
 
 bool ShaftView::CompositeStraight()
 {
-  vtkShaderProgram* program = this->Veil.Ready(this->Window, vtkPenumbraShaftVeilFS);
+  // In motion what the lights add goes straight to the target. Where several draw one after the other
+  // that would be rounded in between.
+  if (this->NewShares > 0 && this->Groups.size() == 1 && !this->Filled)
+  {
+    const DrawOver target(this->Window, this->Image.GetViewport(), false);
+    return this->Scatter(0, { 1.f, -1.f }, this->GetOffset());
+  }
+  vtkShaderProgram* program = nullptr;
+  if (this->FillShafts())
+  {
+    program = this->Veil.Ready(this->Window, vtkPenumbraShaftVeilFS);
+  }
   if (!program)
   {
     return false;
   }
-  vtkOpenGLState* gl = this->Window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(gl);
-  const vtkOpenGLState::ScopedglScissor scissor(gl);
-  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(gl);
-  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
-  const vtkOpenGLState::ScopedglDepthMask depthMask(gl);
-  const int* at = this->Image.GetViewport();
-  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
-  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
-  gl->vtkglEnable(GL_BLEND);
-  gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl->vtkglDisable(GL_DEPTH_TEST);
-  gl->vtkglDepthMask(GL_FALSE);
-  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const float offset[2] = { -static_cast<float>(at[0]), -static_cast<float>(at[1]) };
-  program->SetUniform2f("offset", offset);
+  const DrawOver target(this->Window, this->Image.GetViewport(), false);
+  program->SetUniform2f("offset", this->GetOffset().data());
   SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetNumber(program, "gain", this->GetGain());
   this->Veil.Read("shafts", this->Shafts);
   this->Veil.Draw();
   return true;
 }
 
-void ShaftView::CopyTo(vtkImageData* image) const
+void ShaftView::CopyTo(vtkImageData* image)
 {
   const int* size = this->Image.GetViewport() + 2;
   image->SetDimensions(size[0], size[1], 1);
@@ -378,7 +413,7 @@ void ShaftView::CopyTo(vtkImageData* image) const
   transmittance->SetNumberOfTuples(image->GetNumberOfPoints());
   image->GetPointData()->AddArray(shafts);
   image->GetPointData()->AddArray(transmittance);
-  if (!this->Shafts)
+  if (!this->Known || !this->FillShafts())
   {
     return;
   }
@@ -405,6 +440,8 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Image.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
+  this->StillImage.ReleaseGraphicsResources(window);
+  this->Still.ReleaseGraphicsResources(window);
   this->Paper.ReleaseGraphicsResources(window);
   this->Tone.ReleaseGraphicsResources(window);
   this->Emitters.ReleaseGraphicsResources(window);
@@ -413,16 +450,20 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
   {
     stage->ReleaseGraphicsResources(window);
   }
-  for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &this->CoarseDepths, &this->LitShares, &this->Shafts })
+  this->LitShares.push_back(this->CoarseDepths);
+  this->LitShares.push_back(this->Shafts);
+  for (vtkTextureObject* texture : this->LitShares)
   {
-    if (*texture)
+    if (texture)
     {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
+      texture->ReleaseGraphicsResources(window);
     }
   }
+  this->LitShares.clear();
+  this->CoarseDepths = nullptr;
+  this->Shafts = nullptr;
   this->Known = false;
+  this->Filled = false;
 }
 
 }

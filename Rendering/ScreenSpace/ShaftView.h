@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // All that vtkPenumbraLightShaftPass keeps of one renderer, and the steps of a frame: draw the
-// delegate, turn depths into distances, for every light find what is lit and add what it scatters,
-// compose.
+// delegate, turn depths into distances, find what the lights light and add what they scatter, compose.
+// Of a still scene only the first and the last of it.
 #ifndef penumbra_ShaftView_h
 #define penumbra_ShaftView_h
 
@@ -15,6 +15,7 @@
 #include "ShaftTone.h"
 
 #include <array>
+#include <vector>
 
 class vtkImageData;
 
@@ -66,26 +67,35 @@ public:
 
   /// Adds the float arrays LightShafts (3) and Transmittance to an image of the picture without
   /// margin.
-  void CopyTo(vtkImageData* image) const;
+  void CopyTo(vtkImageData* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  using Change = EyeDepth::Change;
+
+  Change DrawStill(const vtkRenderState* state, vtkRenderPass* delegate);
   bool Compute(const vtkRenderState* state);
   bool FillGlow(const vtkRenderState* state);
   bool FillCoarseDepths();
-  bool FindLit(const ShaftLight& light);
-  bool Scatter(const ShaftLight& light, bool first);
+  bool FindLit(std::size_t number);
+  bool FillShafts();
+  bool Scatter(
+    std::size_t number, const std::array<float, 2>& alpha, const std::array<float, 2>& offset);
   bool Composite();
   bool CompositeStraight();
+  std::array<float, 2> GetOffset() const;
   void SetBox(vtkShaderProgram* program) const;
   void SetMedium(vtkShaderProgram* program) const;
 
   vtkOpenGLRenderWindow* Window = nullptr;
   ShaftSettings Settings;
   std::vector<ShaftLight> Lights;
+  std::vector<ShaftLightGroup> Groups;
   DelegateImage Image;
   EyeDepth Depth;
+  DelegateImage StillImage; ///< the target, where the delegate draws without a margin what is known
+  EyeDepth Still;
   ScreenView Coarse; ///< of one pixel in each block
   Stage Thinning;
   ShaftRadial Paper;
@@ -96,12 +106,12 @@ private:
   Stage Composition;
   Stage Veil;
   vtkSmartPointer<vtkTextureObject> CoarseDepths;
-  vtkSmartPointer<vtkTextureObject> LitShares; ///< share (Radial: rgb), eye depth
-  vtkSmartPointer<vtkTextureObject> Shafts;    ///< rgb: scattered light, a: transmittance
+  std::vector<vtkSmartPointer<vtkTextureObject>> LitShares; ///< of each group: shares, eye depth
+  vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: scattered light, a: transmittance
   long long NewShares = 0;
   int Props = 0;
-  bool Straight = false; ///< the delegate has drawn into the target
-  bool Known = false;    ///< Shafts holds the picture of Settings and Lights
+  bool Known = false;  ///< LitShares are those of Settings and Lights
+  bool Filled = false; ///< and Shafts
 };
 
 }

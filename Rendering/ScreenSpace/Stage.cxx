@@ -91,22 +91,34 @@ void Stage::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
-// What the start of a framebuffer of VTK's sets.
-struct DrawInto::SavedState
+struct SavedState
 {
   explicit SavedState(vtkOpenGLState* state)
-    : Viewport(state),
+    : State(state),
+      Viewport(state),
       Scissor(state),
       ScissorTest(state, GL_SCISSOR_TEST),
       Blend(state, GL_BLEND),
+      BlendFunction(state),
       DepthTest(state, GL_DEPTH_TEST)
   {
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
+  ~SavedState()
+  {
+    // As VTK's own passes leave them.
+    this->State->vtkglDepthFunc(GL_LEQUAL);
+    this->State->vtkglDepthMask(GL_TRUE);
+  }
+  SavedState(const SavedState&) = delete;
+  void operator=(const SavedState&) = delete;
 
+  vtkOpenGLState* const State;
   const vtkOpenGLState::ScopedglViewport Viewport;
   const vtkOpenGLState::ScopedglScissor Scissor;
   const vtkOpenGLState::ScopedglEnableDisable ScissorTest;
   const vtkOpenGLState::ScopedglEnableDisable Blend;
+  const vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
   const vtkOpenGLState::ScopedglEnableDisable DepthTest;
 };
 
@@ -133,7 +145,6 @@ DrawInto::DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* fr
   const auto width = static_cast<int>(targets.front()->GetWidth());
   const auto height = static_cast<int>(targets.front()->GetHeight());
   this->Complete = framebuffer->Start(width, height);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_FALSE);
   if (depth)
   {
@@ -149,11 +160,23 @@ DrawInto::~DrawInto()
   {
     this->Framebuffer->RemoveDepthAttachment();
   }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->PopFramebufferBindings();
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDepthMask(GL_TRUE);
+  this->Window->GetState()->PopFramebufferBindings();
 }
+
+DrawOver::DrawOver(vtkOpenGLRenderWindow* window, const int viewport[4], bool depths)
+  : Saved(std::make_unique<SavedState>(window->GetState()))
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  depths ? state->vtkglEnable(GL_DEPTH_TEST) : state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(depths ? GL_TRUE : GL_FALSE);
+  state->vtkglDepthFunc(GL_ALWAYS);
+}
+
+DrawOver::~DrawOver() = default;
 
 bool Allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window, int width,
   int height, int components)

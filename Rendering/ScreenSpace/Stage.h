@@ -65,6 +65,9 @@ private:
   std::vector<vtkTextureObject*> Inputs;
 };
 
+/// What stages change of OpenGL; it is as it was when this ends.
+struct SavedState;
+
 /// While it lives, stages draw into textures: all of them, all at once, without blending. With a
 /// depth texture only pixels that show a surface are drawn; it stays as it is. Then OpenGL is as it was.
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DrawInto
@@ -80,14 +83,26 @@ public:
   bool IsComplete() const { return this->Complete; }
 
 private:
-  struct SavedState;
-
   vtkOpenGLRenderWindow* Window;
   std::unique_ptr<SavedState> Saved;
   vtkOpenGLFramebufferObject* Framebuffer;
   unsigned int Count;
   bool Depth;
   bool Complete = false;
+};
+
+/// While it lives, stages are blended over part of whatever is bound: alpha is what they hide of it, and
+/// their colours are multiplied by it already. `depths`: they replace depths, too.
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DrawOver
+{
+public:
+  DrawOver(vtkOpenGLRenderWindow* window, const int viewport[4], bool depths);
+  ~DrawOver();
+  DrawOver(const DrawOver&) = delete;
+  void operator=(const DrawOver&) = delete;
+
+private:
+  std::unique_ptr<SavedState> Saved;
 };
 
 /// A texture of floats, sampled at the nearest pixel; cleared to zero. Kept while its size is right.

@@ -3,6 +3,7 @@
 //
 // The truths themselves: against closed forms, and against each other.
 #include "ExactCoverage.h"
+#include "HalfPlaneInHaze.h"
 #include "Measure.h"
 #include "TestScene.h"
 
@@ -66,6 +67,43 @@ TEST(ExactCoverage, CutsHolesAndFindsWhatIsSmallerThanAPixel)
   const std::vector<double> shares = coverage.GetShares();
   EXPECT_NEAR(shares[4], 0.64 - 0.04, 1e-14);
   EXPECT_NEAR(Sum(shares), 0.60, 1e-14);
+}
+
+TEST(HalfPlaneInHaze, IsTheSumOfWhatItsAirScatters)
+{
+  HalfPlaneInHaze haze;
+  haze.Intensity = 3.0;
+  for (const double low : { -HalfPlaneInHaze::Endless, -1.0 })
+  {
+    haze.Low[0] = low;
+    haze.High[0] = 4.0;
+    haze.High[1] = 3.0;
+    haze.Low[1] = haze.Low[2] = -3.0;
+    for (const glm::dvec2 point :
+      { glm::dvec2(0.1, -0.4), glm::dvec2(-0.9, 0.7), glm::dvec2(0.3, 1.3), glm::dvec2(0.8, 0.0) })
+    {
+      // Step by step from the eye; x > 0 is lit, and only air above the half-plane beside it.
+      const glm::dvec3 way(1.0, -point.x, point.y);
+      const double step = 1e-4 * glm::length(way);
+      double through = 0.0;
+      double sum = 0.0;
+      for (double t = 5e-5; t < 6.0; t += 1e-4)
+      {
+        const glm::dvec3 at = glm::dvec3(-1.3, 0.0, -0.5) + t * way;
+        if (at.x < 0.0 && at.z > 1.0)
+        {
+          break;
+        }
+        const bool inside =
+          at.x > low && at.x < 4.0 && std::abs(at.y) < 3.0 && at.z > -3.0 && at.z < 2.0;
+        const double lost = 0.5 * (through + 0.5 * step + 2.0 - at.z);
+        sum +=
+          inside && at.x > 0.0 ? 3.0 * 0.3 / (4.0 * std::acos(-1.0)) * std::exp(-lost) * step : 0.0;
+        through += inside ? step : 0.0;
+      }
+      EXPECT_NEAR(haze.Exact(point.x, point.y), sum, 1e-5);
+    }
+  }
 }
 
 class TruthsAgree : public testing::TestWithParam<int>

@@ -1,21 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraMedium.h"
+
+#include "HalfPlaneInHaze.h"
 #include "vtkPenumbraRayCaster.h"
 
-#include "vtkActor.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +25,6 @@
 namespace
 {
 
-constexpr double Pi = 3.14159265358979324;
 constexpr int Width = 48;
 constexpr int Height = 36;
 
@@ -37,37 +33,14 @@ void CountWarning(vtkObject*, unsigned long, void* clientData, void*)
   ++*static_cast<int*>(clientData);
 }
 
-/// The half-plane x < 0, z = 1 (large), black, under a sun straight above; the eye looks along +x from
-/// (-1.3, 0, -0.5).
 class MediumTest : public ::testing::Test
 {
 protected:
   void SetUp() override
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-1000.0, -1000.0, 1.0);
-    plane->SetPoint1(0.0, -1000.0, 1.0);
-    plane->SetPoint2(-1000.0, 1000.0, 1.0);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(plane->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
-    this->Renderer->AddActor(actor);
-    this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Renderer->GetActiveCamera()->SetPosition(-1.3, 0.0, -0.5);
-    this->Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, -0.5);
-    this->Renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
-    this->Renderer->GetActiveCamera()->SetViewAngle(90.0);
-    this->Sun->SetPosition(0.0, 0.0, 1.0);
-    this->Sun->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Sun->SetIntensity(8.0);
-    this->Renderer->AddLight(this->Sun);
-    this->Medium->SetScattering(0.3);
-    this->Medium->SetExtinction(0.5);
-    const double far = std::numeric_limits<double>::infinity();
-    this->Medium->SetBounds(-far, far, -far, far, -far, 2.0);
+    this->Haze.Intensity = 8.0;
+    this->Sun = this->Haze.AddTo(this->Renderer);
+    this->Haze.Describe(this->Medium);
     this->Caster->SetRenderer(this->Renderer);
     this->Caster->SetResolution(Width, Height);
     this->Caster->SetMedium(this->Medium);
@@ -91,23 +64,15 @@ protected:
   }
 
   /// The closed form through picture point (x, y).
-  static double Exact(double x, double y)
+  double Exact(double x, double y) const
   {
-    const double side = (x - 0.5 * Width) / (0.5 * Height);
-    const double up = (y - 0.5 * Height) / (0.5 * Height);
-    const double length = std::sqrt(1.0 + side * side + up * up);
-    const double slope = up / length;
-    const double near = 1.3 * length;
-    // Upwards the ray ends at the top of the medium, or at the half-plane.
-    const double hit = up > 0.0 ? 1.5 / slope : 1e30;
-    const double far = hit < near ? near : up > 0.0 ? 2.5 / slope : 1e30;
-    const double a = 0.5 * 2.5;
-    const double b = 0.5 * (1.0 - slope);
-    return 8.0 * 0.3 / (4.0 * Pi) * std::exp(-a) * (std::exp(-b * near) - std::exp(-b * far)) / b;
+    return this->Haze.Exact(
+      (x - 0.5 * Width) / (0.5 * Height), (y - 0.5 * Height) / (0.5 * Height));
   }
 
+  penumbra::HalfPlaneInHaze Haze;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkLight> Sun;
+  vtkLight* Sun = nullptr;
   vtkNew<vtkPenumbraMedium> Medium;
   vtkNew<vtkPenumbraRayCaster> Caster;
   int Warnings = 0;
@@ -130,7 +95,7 @@ TEST_F(MediumTest, MakesThePictureOfTheClosedForm)
         double exact = 0.0;
         for (int k = 0; k < 64; ++k)
         {
-          exact += Exact(x + (k % 8 + 0.5) / 8.0, y + (k / 8 + 0.5) / 8.0) / 64.0;
+          exact += this->Exact(x + (k % 8 + 0.5) / 8.0, y + (k / 8 + 0.5) / 8.0) / 64.0;
         }
         const double error = picture[4 * (y * Width + x)] - exact;
         squares += error * error;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A lit share from what glows: a colour. rgb: share, a: eye depth.
-vec4 foundShare(vec2 texel)
+// The lit share from what glows: a colour, of one light alone.
+vec3 litBy(int number, vec3 share)
 {
-  return texture(litShares, texel);
+  return share;
 }

@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A homogeneous medium and one light in it: what a view ray scatters towards the eye where it is lit
-// [Shafts eq. 1]. Coordinates are those of the eye with z along the view axis. The light's own piece
+// A homogeneous medium and lights in it: what a view ray scatters towards the eye where it is lit
+// [Shafts eq. 1]. Coordinates are those of the eye with z along the view axis. The lights' own piece
 // follows: the share of a view ray is a coordinate along it in which a lit ray scatters evenly (a sun)
 // or nearly so (a lamp).
-uniform vec4 light;         // where it is (w = 1), or the unit direction towards it (w = 0)
+uniform vec4 lights[3];     // where each is (w = 1), or the unit direction towards it (w = 0)
+uniform int lightCount;
 uniform float scattering;   // per unit of length
 uniform float extinction;
 uniform int phase;          // vtkPenumbraLightShaftPass::Phases
 uniform float asymmetry;
+
+vec4 light;                 // the one at work
 
 const float wholeSphere = 12.5663706;
 const float thin = 1e-3; // optical depth below which exp(-x) = 1 - x

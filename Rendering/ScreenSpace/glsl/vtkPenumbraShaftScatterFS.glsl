@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one light adds to every pixel, in closed form times the lit share, which is taken from the
+// What some lights add to every pixel, in closed form times the lit shares, which are taken from the
 // texels around that see as far; and what the medium leaves of the picture.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::ShaftLib
@@ -11,8 +11,9 @@ uniform sampler2D eyeDepths;
 uniform sampler2D litShares;
 uniform vec2 texelSize;       // of litShares
 uniform float block;          // pixels a side of a texel
-uniform vec3 color;           // the light's, exposure included
-uniform float transmittance;  // 1: alpha is what is left of the picture; 0: alpha is 0
+uniform vec3 colors[3];       // the lights', exposure included
+uniform vec2 alpha;           // x + y * what is left of the picture
+uniform vec2 offset;          // from pixels of the target to those of the scene's picture
 
 // Depths this much apart, relatively, are other surfaces.
 const float apart = 0.02;
@@ -23,7 +24,7 @@ const float evenly = 0.25;
 
 //VTK::Penumbra::Share
 
-vec3 litShareAt(vec2 pixel, float eyeDepth)
+vec3 litSharesAt(vec2 pixel, float eyeDepth)
 {
   vec2 at = (pixel - floor(0.5 * block) - 0.5) / block;
   vec2 corner = floor(at);
@@ -31,9 +32,9 @@ vec3 litShareAt(vec2 pixel, float eyeDepth)
   vec4 sums = vec4(0.0);
   for (int i = 0; i < 4; ++i)
   {
-    vec2 offset = vec2(float(i % 2), float(i / 2));
-    vec2 near = mix(1.0 - share, share, offset);
-    vec4 found = foundShare((corner + offset + 0.5) * texelSize);
+    vec2 next = vec2(float(i % 2), float(i / 2));
+    vec2 near = mix(1.0 - share, share, next);
+    vec4 found = texture(litShares, (corner + next + 0.5) * texelSize);
     float other = (found.a - eyeDepth) / (apart * min(found.a, eyeDepth));
     float alike = max(1.0 / (1.0 + other * other), 1e-6);
     sums += (near.x * near.y + evenly) * alike * vec4(found.rgb, 1.0);
@@ -43,10 +44,17 @@ vec3 litShareAt(vec2 pixel, float eyeDepth)
 
 void main()
 {
-  vec2 pixel = gl_FragCoord.xy;
+  vec2 pixel = gl_FragCoord.xy + offset;
   float eyeDepth = texture(eyeDepths, pixel * pixelSize).r;
-  Sight sight = sightThrough(pixel, eyeDepth);
-  vec3 lit = block > 1.5 ? litShareAt(pixel, eyeDepth) : foundShare(pixel * texelSize).rgb;
-  float left = exp(-min(extinction * sight.through, 80.0));
-  gl_FragData[0] = vec4(color * (lit * scatteredIn(sight)), transmittance * left);
+  vec3 lit = block > 1.5 ? litSharesAt(pixel, eyeDepth) : texture(litShares, pixel * texelSize).rgb;
+  vec3 sum = vec3(0.0);
+  float left = 1.0;
+  for (int i = 0; i < lightCount; ++i)
+  {
+    light = lights[i];
+    Sight sight = sightThrough(pixel, eyeDepth);
+    sum += colors[i] * litBy(i, lit) * scatteredIn(sight);
+    left = exp(-min(extinction * sight.through, 80.0));
+  }
+  gl_FragData[0] = vec4(sum, alpha.x + alpha.y * left);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A lit share from depth: one number. rgb: share, a: eye depth.
-vec4 foundShare(vec2 texel)
+// Lit shares from depth: one number for each light.
+vec3 litBy(int number, vec3 shares)
 {
-  return texture(litShares, texel).rrrg;
+  return vec3(shares[number]);
 }

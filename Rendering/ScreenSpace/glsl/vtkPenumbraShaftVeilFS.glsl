@@ -7,10 +7,11 @@
 // what the medium hides.
 uniform sampler2D shafts; // rgb: scattered light, a: transmittance
 uniform vec2 pixelSize;
+uniform float gain;       // of scattered light
 uniform vec2 offset;      // from pixels of the target to those of the shafts
 
 void main()
 {
   vec4 fog = texture(shafts, (gl_FragCoord.xy + offset) * pixelSize);
-  gl_FragData[0] = vec4(fog.rgb, 1.0 - fog.a);
+  gl_FragData[0] = vec4(gain * fog.rgb, 1.0 - fog.a);
 }

@@ -3,8 +3,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which part of every view ray is lit by one light, weighted by what it scatters. The picture may be
-// one pixel of each block of the scene's. r: share, g: eye depth.
+// Which part of every view ray is lit by each of some lights, weighted by what it scatters. The picture
+// may be one pixel of each block of the scene's. rgb: shares, a: eye depth.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::ShaftLib
 uniform sampler2D eyeDepths;
@@ -15,6 +15,12 @@ void main()
 {
   vec2 pixel = gl_FragCoord.xy;
   float eyeDepth = texture(eyeDepths, pixel * pixelSize).r;
-  float lit = litShareOf(sightThrough(pixel, eyeDepth), pixel, eyeDepth);
-  gl_FragData[0] = vec4(lit, eyeDepth, 0.0, 1.0);
+  vec3 lit = vec3(0.0);
+  for (int i = 0; i < lightCount; ++i)
+  {
+    light = lights[i];
+    vec3 own = vec3(equal(ivec3(0, 1, 2), ivec3(i)));
+    lit += own * litShareOf(sightThrough(pixel, eyeDepth), pixel, eyeDepth);
+  }
+  gl_FragData[0] = vec4(lit, eyeDepth);
 }

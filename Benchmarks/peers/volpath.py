@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The half-plane of the light shaft benchmark by Mitsuba's volpath: its error and its time.
 
-    pip install mitsuba && python Benchmarks/LightShafts/volpath.py 64
+    pip install mitsuba && python Benchmarks/peers/volpath.py 64
 
-The closed form is that of Marched.cxx; `gain` says that both mean the same by light and medium."""
+The closed form is that of Testing/Truth/HalfPlaneInHaze; `gain` says that both mean the same by light and medium."""
 import math
 import sys
 import time
@@ -63,4 +63,5 @@ seconds = time.process_time() - start
 truth = exact()
 error = math.sqrt(((picture - truth) ** 2).sum() / (truth ** 2).sum())
 gain = (picture * truth).sum() / (truth ** 2).sum()
-print(f"relative RMSE {error:.4f}, gain {gain:.4f}, {seconds:.2f} CPU seconds")
+print(f"relative RMSE {error:.4f}, gain {gain:.4f}, {seconds:.2f} CPU seconds, "
+      f"mitsuba {mitsuba.__version__}")
