@@ -9,7 +9,9 @@ set(penumbra_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Comparison/vtk.module")
 
 if (PENUMBRA_BUILD_PLUGIN)
-  list(APPEND penumbra_module_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/View/vtk.module")
+  list(APPEND penumbra_module_files
+    "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Ranks/vtk.module"
+    "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/View/vtk.module")
 endif ()
 
 vtk_module_scan(

@@ -38,6 +38,7 @@ const std::vector<Row> Table = {
   { "Rendering/Irradiance", { "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace" },
     { "OpenGL", "GLM" } },
   { "Testing/Comparison", {}, { "GoogleTest" } },
+  { "Plugin/Ranks", { "Filters/RayCasting", "Filters/Irradiance" }, {} },
   { "Plugin/View",
     { "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance" },
     { "OpenGL" } },

@@ -37,6 +37,29 @@ bool IsFinite(const double x[3])
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
+void Include(vtkPolyData* mesh, vtkBoundingBox& bounds)
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    if (IsFinite(x))
+    {
+      bounds.AddPoint(x);
+    }
+  }
+}
+
+vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh)
+{
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(mesh);
+  filter->PassLinesOff();
+  filter->PassVertsOff();
+  filter->Update();
+  return filter->GetOutput()->GetPolys();
+}
+
 /// Polygons of `data`; its points stay the same points, or are named in `vtkOriginalPointIds`.
 vtkSmartPointer<vtkPolyData> SurfaceOf(vtkPointSet* data)
 {
@@ -113,16 +136,8 @@ public:
 private:
   void Center()
   {
-    vtkBoundingBox bounds;
-    for (vtkIdType i = 0; i < this->Mesh->GetNumberOfPoints(); ++i)
-    {
-      double x[3];
-      this->Mesh->GetPoint(i, x);
-      if (IsFinite(x))
-      {
-        bounds.AddPoint(x);
-      }
-    }
+    vtkBoundingBox& bounds = this->Result.Bounds;
+    Include(this->Mesh, bounds);
     double center[3] = { 0.0, 0.0, 0.0 };
     if (bounds.IsValid())
     {
@@ -150,12 +165,7 @@ private:
 
   void AddTriangles()
   {
-    vtkNew<vtkTriangleFilter> filter;
-    filter->SetInputData(this->Mesh);
-    filter->PassLinesOff();
-    filter->PassVertsOff();
-    filter->Update();
-    vtkCellArray* cells = filter->GetOutput()->GetPolys();
+    const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(this->Mesh);
     this->EdgeSums.assign(this->Positions.size(), 0.f);
     this->EdgeCounts.assign(this->Positions.size(), 0);
     vtkNew<vtkIdList> ids;
@@ -348,6 +358,36 @@ private:
 MeshSites FindMeshSites(vtkPointSet* data, const MeshChoices& choices)
 {
   return MeshReading(data, choices).Read();
+}
+
+void AddSurroundings(vtkPolyData* surroundings, MeshSites& mesh)
+{
+  Include(surroundings, mesh.Bounds);
+  mesh.Diagonal = mesh.Bounds.IsValid() ? mesh.Bounds.GetDiagonalLength() : 0.0;
+  const Scene& scene = mesh.Blocking;
+  Surface surface;
+  std::vector<char> finite;
+  for (vtkIdType i = 0; i < surroundings->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    surroundings->GetPoint(i, x);
+    finite.push_back(IsFinite(x));
+    surface.Positions.emplace_back(finite.back()
+        ? (glm::dvec3(x[0], x[1], x[2]) - scene.Origin) * scene.Scale
+        : glm::dvec3(0.0));
+  }
+  const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(surroundings);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    const glm::uvec3 corners(ids->GetId(0), ids->GetId(1), ids->GetId(2));
+    if (ids->GetNumberOfIds() == 3 && finite[corners.y] && finite[corners.z])
+    {
+      surface.Triangles.push_back(corners);
+    }
+  }
+  mesh.Blocking.Surfaces.push_back(std::move(surface));
 }
 
 }

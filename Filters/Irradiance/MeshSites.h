@@ -8,12 +8,14 @@
 #include "Placement.h"
 #include "Scene.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkType.h"
 
 #include <string>
 #include <vector>
 
 class vtkPointSet;
+class vtkPolyData;
 
 namespace penumbra
 {
@@ -32,12 +34,18 @@ struct MeshSites
   std::vector<vtkIdType> Ids; ///< point or cell of the data set that each site belongs to
   vtkIdType Unused = 0;       ///< points of no cell, or cells without area: they do not ask
   vtkIdType NotFinite = 0;    ///< points or normals that are not finite: they do not ask
+  vtkBoundingBox Bounds;      ///< of all that is finite, world units
   double Diagonal = 0.0;      ///< of the bounds, world units
   float Spacing = 0.f;        ///< usual distance of neighbouring sites, scene units
 };
 
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT MeshSites FindMeshSites(
   vtkPointSet* data, const MeshChoices& choices);
+
+/// Polygons that block, too, but do not ask. The bounds are then those of both; points without
+/// polygons count there.
+VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddSurroundings(
+  vtkPolyData* surroundings, MeshSites& mesh);
 
 }
 #endif

@@ -21,6 +21,7 @@
 #include "vtkPenumbraBruteForceSource.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -110,6 +111,7 @@ vtkPenumbraIrradianceFilter::vtkPenumbraIrradianceFilter()
   : Statistics(vtkSmartPointer<vtkFieldData>::New()),
     EstimatedError(std::nan(""))
 {
+  this->SetNumberOfInputPorts(2);
 }
 
 vtkPenumbraIrradianceFilter::~vtkPenumbraIrradianceFilter() = default;
@@ -119,8 +121,14 @@ vtkFieldData* vtkPenumbraIrradianceFilter::GetStatistics()
   return this->Statistics;
 }
 
-int vtkPenumbraIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
+int vtkPenumbraIrradianceFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
@@ -134,7 +142,7 @@ int vtkPenumbraIrradianceFilter::RequestData(
   try
   {
     vtkSMPTools::LocalScope(
-      vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(inputs[0], outputs); });
+      vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(inputs, outputs); });
   }
   catch (const std::bad_alloc&)
   {
@@ -150,17 +158,18 @@ int vtkPenumbraIrradianceFilter::RequestData(
 }
 
 void vtkPenumbraIrradianceFilter::Execute(
-  vtkInformationVector* inputs, vtkInformationVector* outputs)
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  vtkPolyData* surroundings = vtkPolyData::GetData(inputs[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   const int pieces = outputs->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  if (pieces > 1)
+  if (pieces > 1 && !surroundings)
   {
     vtkWarningMacro(
       "This is one of " << pieces << " pieces: what the others hold does not block it.");
   }
-  if (auto* composite = vtkCompositeDataSet::GetData(inputs))
+  if (auto* composite = vtkCompositeDataSet::GetData(inputs[0]))
   {
     const Blocks blocks(composite);
     if (blocks.GetNumberOfOthers() > 0)
@@ -170,14 +179,14 @@ void vtkPenumbraIrradianceFilter::Execute(
     vtkPointSet* joined = blocks.GetJoined();
     const auto baked = vtkSmartPointer<vtkPointSet>::Take(joined->NewInstance());
     baked->ShallowCopy(joined);
-    this->BakeOnto(joined, baked);
+    this->BakeOnto(joined, surroundings, baked);
     blocks.Distribute(baked, vtkCompositeDataSet::SafeDownCast(output));
   }
   else
   {
-    vtkPointSet* input = vtkPointSet::GetData(inputs);
+    vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
     output->ShallowCopy(input);
-    this->BakeOnto(input, vtkPointSet::SafeDownCast(output));
+    this->BakeOnto(input, surroundings, vtkPointSet::SafeDownCast(output));
   }
   for (int i = 0; i < this->Statistics->GetNumberOfArrays(); ++i)
   {
@@ -185,7 +194,8 @@ void vtkPenumbraIrradianceFilter::Execute(
   }
 }
 
-void vtkPenumbraIrradianceFilter::BakeOnto(vtkPointSet* input, vtkPointSet* output)
+void vtkPenumbraIrradianceFilter::BakeOnto(
+  vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output)
 {
   MeshChoices choices;
   choices.OfCells = this->OnCells;
@@ -194,6 +204,10 @@ void vtkPenumbraIrradianceFilter::BakeOnto(vtkPointSet* input, vtkPointSet* outp
   Work work;
   MeshSites& mesh = work.Mesh;
   mesh = FindMeshSites(input, choices);
+  if (surroundings)
+  {
+    AddSurroundings(surroundings, mesh);
+  }
   for (Site& site : mesh.Sites)
   {
     site.Pixel *= PixelOfSpacing;

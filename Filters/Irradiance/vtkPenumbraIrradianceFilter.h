@@ -8,7 +8,9 @@
  * white sky) to a copy of the input: any vtkPointSet with
  * a surface, or points alone with PointRadius. The hemisphere of a point is about its normal, as the
  * file has it, or as computed from the polygons; surfaces block from both sides. The blocks of a
- * composite data set are one scene: each may block all others.
+ * composite data set are one scene: each may block all others. What else is there, but gets no values,
+ * such as the floor below or the pieces of other processes, goes to input port 1 (optional, vtkPolyData):
+ * its polygons block, and throw light back.
  *
  * Values are interpolated between the records of a cache as long as that is cheaper than rays at
  * every point, which it finds out by itself. Points of no cell and points that are not finite get 0
@@ -23,6 +25,7 @@
 
 class vtkFieldData;
 class vtkPointSet;
+class vtkPolyData;
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT vtkPenumbraIrradianceFilter
   : public vtkPassInputTypeAlgorithm
@@ -51,7 +54,7 @@ public:
   ///@}
 
   ///@{
-  /** Reach of an occluder in world units, may be infinite; 0: a tenth of the diagonal of the bounds. Default: 0. */
+  /** Reach of an occluder in world units, may be infinite; 0: a tenth of the diagonal of all bounds. Default: 0. */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
@@ -135,8 +138,8 @@ private:
   void operator=(const vtkPenumbraIrradianceFilter&) = delete;
 
   struct Work;
-  void Execute(vtkInformationVector* inputs, vtkInformationVector* outputs);
-  void BakeOnto(vtkPointSet* input, vtkPointSet* output);
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void BakeOnto(vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output);
   bool BakeOcclusion(Work& work);
   bool BakeIrradiance(Work& work);
   void Report(const Work& work, vtkIdType size);

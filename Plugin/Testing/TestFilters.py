@@ -99,6 +99,39 @@ class BakeAmbientOcclusionFilter(unittest.TestCase):
         self.assertEqual(data.GetNumberOfPoints(), 0)
 
 
+class BakeIrradianceFilter(unittest.TestCase):
+    def setUp(self):
+        start()
+
+    def test_matches_the_closed_form_under_a_sphere(self):
+        scene = AppendGeometry(Input=[plane(), ball()])
+        colors = [1.0, 0.5, 0.25]
+        baked = BakeIrradiance(Input=scene, EnvironmentColor=colors, Bounces=1)
+        data = servermanager.Fetch(baked)
+        points, values = arrays(data, "Irradiance")
+        on_plane = numpy.abs(points[:, 2]) < 1e-6
+        open_sky = 1 - occlusion_under_ball(points[on_plane])
+        self.assertLess(rmse(values[on_plane], numpy.pi * numpy.outer(open_sky, colors)), 0.01)
+        self.assertGreater(statistic(data, "Rays/Total"), 0)
+        self.assertIsNone(data.GetPointData().GetArray("AmbientOcclusion"))
+
+    def test_adds_light_that_the_ball_throws_back(self):
+        scene = AppendGeometry(Input=[plane(), ball()])
+        straight, reflected = (
+            arrays(servermanager.Fetch(BakeIrradiance(Input=scene, Bounces=bounces)), "Irradiance")[1]
+            for bounces in (1, 3))
+        self.assertGreater((reflected - straight).max(), 0.1)
+        self.assertGreater((reflected - straight).min(), -0.05)
+
+    def test_has_the_defaults_of_its_class(self):
+        baked = BakeIrradiance(Input=ball())
+        text = str(baked.SMProxy.GetClientSideObject())
+        for name in ("Quantity", "Tolerance", "EnvironmentColor", "Albedo", "Bounces", "OnCells"):
+            shown = baked.SMProxy.GetProperty(name)
+            values = (shown.GetElement(i) for i in range(shown.GetNumberOfElements()))
+            self.assertIn(f"  {name}: {' '.join(f'{value:g}' for value in values)}\n", text)
+
+
 class AdaptiveRayCastFilter(unittest.TestCase):
     def setUp(self):
         start()

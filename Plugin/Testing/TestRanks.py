@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same picture from one, two and four ranks, and from one without data. Starts itself under MPI."""
+"""The same pictures and values from one, two and four ranks, some without data. Starts itself under MPI."""
 import os
 import subprocess
 import sys
@@ -10,13 +10,65 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from plugin import *
+from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
 
 
 EFFECTS = ("none", "occlusion", "shafts")
 
 
+def is_first():
+    return servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0
+
+
+def leaves(data):
+    """The data sets of a composite one, or the one that it is."""
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    found = []
+    each = data.NewIterator()
+    each.UnRegister(None)
+    each.InitTraversal()
+    while not each.IsDoneWithTraversal():
+        found += leaves(each.GetCurrentDataObject())
+        each.GoToNextItem()
+    return found
+
+
+def scene():
+    """A contour of which each rank has a part, and a floor that only one has."""
+    contour = Contour(
+        Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[170], ComputeNormals=1)
+    floor = Plane(Origin=[-20, -20, -11], Point1=[20, -20, -11], Point2=[-20, 20, -11],
+                  XResolution=40, YResolution=40)
+    return contour, floor
+
+
+def compute(folder):
+    """What every rank runs: filters on data that is spread over ranks."""
+    start()
+    contour, floor = scene()
+    both = AppendGeometry(Input=[contour, floor])
+    for name, baked, array in (
+        ("occlusion", BakeAmbientOcclusion(Input=both, Tolerance=0.02), "AmbientOcclusion"),
+        ("blocks", BakeAmbientOcclusion(Input=GroupDatasets(Input=[contour, floor]), Tolerance=0.02),
+         "AmbientOcclusion"),
+        ("irradiance", BakeIrradiance(Input=both, Tolerance=0.05, Bounces=2, Method="Brute Force"),
+         "Irradiance"),
+        ("alone", BakeAmbientOcclusion(Input=floor), "AmbientOcclusion"),
+    ):
+        data = servermanager.Fetch(baked)
+        if is_first():
+            parts = [arrays(leaf, array) for leaf in leaves(data) if leaf.GetNumberOfPoints() > 0]
+            points, values = (numpy.concatenate(each) for each in zip(*parts))
+            numpy.savez(os.path.join(folder, name + ".npz"), points=points, values=values)
+    reader = XMLPolyDataReader(FileName=[os.path.join(folder, "ball.vtp")])
+    for name, inputs in (("file", [reader]), ("pieces", [contour, floor])):
+        cast = AdaptiveRayCast(Input=inputs, Resolution=[150, 90], AmbientOcclusion=1)
+        SaveData(os.path.join(folder, name + ".pvti"), proxy=cast)
+
+
 def draw(folder):
-    """What every rank runs: a contour of which each has a part, and a floor that only one has."""
+    """What every rank runs: pictures of a view."""
     start()
     view = CreateView("PenumbraRenderView")
     view.ViewSize = [200, 160]
@@ -24,10 +76,7 @@ def draw(folder):
     view.RemoteRenderThreshold = 0
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
-    contour = Contour(
-        Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[170], ComputeNormals=0)
-    floor = Plane(Origin=[-20, -20, -11], Point1=[20, -20, -11], Point2=[-20, 20, -11])
-    for source in (contour, floor):
+    for source in scene():
         shown = Show(source, view)
         shown.ColorArrayName = [None, ""]
         shown.Ambient = 1
@@ -42,7 +91,7 @@ def draw(folder):
         for step in range(1, 4):
             view.CameraPosition = [40 + step, -50, 40]
             Render(view)
-        if servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0:
+        if is_first():
             print(f"{effect}: {(time.monotonic() - begin) / 3:.2f} s a picture", flush=True)
 
 
@@ -57,15 +106,38 @@ def run_ranks(ranks, command):
         capture_output=True, text=True, timeout=300, env=environment)
 
 
-def pictures(ranks):
-    """The picture with each effect, drawn by so many ranks."""
+def results(ranks, what, read):
+    """What `read` finds in the folder that so many ranks have filled."""
     with tempfile.TemporaryDirectory() as folder:
-        run = run_ranks(ranks, ["pvbatch", "--force-offscreen-rendering", __file__, folder])
+        SaveData(os.path.join(folder, "ball.vtp"), proxy=ball())
+        run = run_ranks(
+            ranks, ["pvbatch", "--force-offscreen-rendering", __file__, what, folder])
         if run.returncode:
             raise AssertionError(run.stdout + run.stderr)
         print(f"{ranks} ranks:\n{run.stdout.strip()}", flush=True)
-        return {effect: read_picture(os.path.join(folder, effect + ".png")).astype(int)
-                for effect in EFFECTS}
+        return read(folder)
+
+
+def pictures(folder):
+    return {effect: read_picture(os.path.join(folder, effect + ".png")).astype(int)
+            for effect in EFFECTS}
+
+
+def computed(folder):
+    """Values by position, and colours of pictures."""
+    baked = {name: dict(numpy.load(os.path.join(folder, name + ".npz")))
+             for name in ("occlusion", "blocks", "irradiance", "alone")}
+    for name in ("file", "pieces"):
+        reader = vtkXMLPImageDataReader()
+        reader.SetFileName(os.path.join(folder, name + ".pvti"))
+        reader.Update()
+        baked[name] = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("Color")).copy()
+    return baked
+
+
+def by_place(data):
+    """Values by position: ranks order their points otherwise, and have those of borders twice."""
+    return {tuple(point): value for point, value in zip(data["points"].round(2), data["values"])}
 
 
 class Ranks(unittest.TestCase):
@@ -75,19 +147,39 @@ class Ranks(unittest.TestCase):
             self.skipTest("MPI starts no processes on this machine: " + trial.stderr.strip())
 
     def test_give_the_same_pictures(self):
-        one = pictures(1)
+        one = results(1, "draw", pictures)
         for effect in EFFECTS[1:]:
             self.assertGreater(numpy.abs(one[effect] - one["none"]).max(), 32)
         for ranks in (2, 4):
-            many = pictures(ranks)
+            many = results(ranks, "draw", pictures)
             for effect in EFFECTS:
                 off = numpy.abs(many[effect] - one[effect]).max(axis=2)
                 print(f"{effect}: {(off > 0).mean():.2%} of pixels differ, "
                       f"{(off > 8).mean():.2%} by more than 8/255, at most {off.max()}", flush=True)
                 self.assertEqual(numpy.count_nonzero(off > 8), 0)
 
+    def test_let_pieces_block_one_another(self):
+        one = results(1, "compute", computed)
+        # Without the other ranks the floor would be open.
+        on_floor = one["occlusion"]["points"][:, 2] == -11
+        self.assertGreater(one["occlusion"]["values"][on_floor].max(), 0.2)
+        for ranks in (2, 4):
+            many = results(ranks, "compute", computed)
+            for name, bound in (("occlusion", 0.02), ("blocks", 0.02), ("irradiance", 0.05)):
+                truth, found = by_place(one[name]), by_place(many[name])
+                places = truth.keys() & found.keys()
+                self.assertGreater(len(places), 0.99 * max(len(truth), len(found)))
+                error = rmse([truth[place] for place in places], [found[place] for place in places])
+                print(f"{name}: {error:.4f} from one rank's", flush=True)
+                self.assertLess(error, bound)
+            self.assertEqual(numpy.ptp(many["alone"]["values"]), 0)
+            numpy.testing.assert_array_equal(many["file"], one["file"])
+            off = numpy.abs(many["pieces"] - one["pieces"]).max(axis=1)
+            print(f"picture of pieces: {(off > 1 / 512).mean():.2%} of pixels differ", flush=True)
+            self.assertLess((off > 8 / 255).mean(), 0.001)
+
 
 if len(sys.argv) > 1:
-    draw(sys.argv[1])
+    {"draw": draw, "compute": compute}[sys.argv[1]](sys.argv[2])
 else:
     run_tests()

@@ -104,10 +104,10 @@ def occlusion_under_ball(points, height=SPHERE_HEIGHT):
     return SPHERE_RADIUS**2 * height / distance**3
 
 
-def arrays(data):
-    """Points and the array AmbientOcclusion of a fetched data set."""
+def arrays(data, name="AmbientOcclusion"):
+    """Points of a fetched data set, and one of their arrays."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-    return points, vtk_to_numpy(data.GetPointData().GetArray("AmbientOcclusion"))
+    return points, vtk_to_numpy(data.GetPointData().GetArray(name))
 
 
 def data_of(source):

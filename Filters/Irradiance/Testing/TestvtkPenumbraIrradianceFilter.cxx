@@ -159,6 +159,57 @@ TEST(vtkPenumbraIrradianceFilter, LetsTheBlocksOfACompositeDataSetBlockOneAnothe
   EXPECT_TRUE(baked->GetFieldData()->HasArray("Rays/Total"));
 }
 
+TEST(vtkPenumbraIrradianceFilter, LetsSurroundingsBlockButGivesThemNoValues)
+{
+  const auto floor = Floor(40);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(floor->GetOutput());
+  filter->SetInputData(1, Ball()->GetOutput());
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->Update();
+  EXPECT_LE(FloorError(OutputOf(filter)), .01);
+  EXPECT_EQ(CountOf(filter, "Points/Total"), floor->GetOutput()->GetNumberOfPoints());
+  EXPECT_EQ(OutputOf(filter)->GetNumberOfPoints(), floor->GetOutput()->GetNumberOfPoints());
+}
+
+TEST(vtkPenumbraIrradianceFilter, TakesItsRadiusFromTheBoundsOfSurroundingsToo)
+{
+  // Points of no polygon widen the bounds: a tenth of the diagonal is then beyond the ball.
+  vtkNew<vtkPolyData> wide;
+  wide->DeepCopy(Ball()->GetOutput());
+  wide->GetPoints()->InsertNextPoint(1e4, 0.0, 0.0);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(Floor(40)->GetOutput());
+  filter->SetInputData(1, wide);
+  filter->Update();
+  EXPECT_LE(FloorError(OutputOf(filter)), .01);
+}
+
+TEST(vtkPenumbraIrradianceFilter, LetsSurroundingsThrowLightBack)
+{
+  // Under an endless ceiling at full albedo the light of the horizon comes from everywhere.
+  vtkNew<vtkPlaneSource> ceiling;
+  ceiling->SetOrigin(-6.0, -6.0, 1.0);
+  ceiling->SetPoint1(6.0, -6.0, 1.0);
+  ceiling->SetPoint2(-6.0, 6.0, 1.0);
+  ceiling->Update();
+  double values[2];
+  for (const int bounces : { 1, 2 })
+  {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(Floor(8)->GetOutput());
+    filter->SetInputData(1, ceiling->GetOutput());
+    filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
+    filter->SetAlbedo(1.0);
+    filter->SetBounces(bounces);
+    filter->Update();
+    auto* irradiance = OutputOf(filter)->GetPointData()->GetArray("Irradiance");
+    values[bounces - 1] = irradiance->GetComponent(40, 0); // the middle
+  }
+  EXPECT_LT(values[0], .3);
+  EXPECT_GT(values[1], 1.5 * values[0]);
+}
+
 TEST(vtkPenumbraIrradianceFilter, PassesBlocksThatAreNoMeshes)
 {
   vtkNew<vtkImageData> image;
