@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The wheel, as a user has it: installed beside cvista and PyVista, no display."""
+import importlib.metadata
 import math
 import os
 import subprocess
@@ -85,6 +86,28 @@ class BakedOcclusion(unittest.TestCase):
             pyvista.ImageData(dimensions=(3, 3, 3)).penumbra.bake_ambient_occlusion()
 
 
+class BakedIrradiance(unittest.TestCase):
+    def test_matches_the_closed_form_under_a_sphere(self):
+        both = plane().merge(ball(), merge_points=False)
+        colors = (1.0, 0.5, 0.25)
+        baked = both.penumbra.bake_irradiance(environment_color=colors, bounces=1)
+        on_plane = numpy.abs(baked.points[:, 2]) < 1e-6
+        truth = math.pi * numpy.outer(1 - closed_form(baked.points[on_plane]), colors)
+        self.assertLess(rmse(baked["Irradiance"][on_plane], truth), 0.01)
+        self.assertNotIn("AmbientOcclusion", baked.array_names)
+
+    def test_takes_colours_by_name(self):
+        baked = ball().penumbra.bake_irradiance(environment_color="red", albedo=0.0)
+        self.assertLess(rmse(baked["Irradiance"], numpy.full((baked.n_points, 3), (math.pi, 0, 0))), 0.01)
+
+    def test_refuses_what_makes_no_sense(self):
+        bake = ball().penumbra.bake_irradiance
+        for wrong in ({"albedo": 2.0}, {"bounces": 0}, {"environment_color": (1.0, -1.0, 0.0)},
+                      {"environment_color": (1.0, 1.0)}, {"tolerance": math.nan}):
+            with self.assertRaises(ValueError):
+                bake(**wrong)
+
+
 class RayCastPicture(unittest.TestCase):
     def test_covers_the_exact_share_of_every_pixel(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))
@@ -117,6 +140,19 @@ class RayCastPicture(unittest.TestCase):
         dark = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=100.0, as_float=True)
         self.assertTrue((dark <= plain + 1 / 128).all())
         self.assertLess((dark / plain).min(), 0.7)
+
+
+    def test_adds_light_from_the_environment(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))
+        plotter.add_mesh(pyvista.Plane(), color="white")
+        plotter.camera_position = "xy"
+        plotter.camera.zoom(4)
+        straight = plotter.penumbra.ray_cast(as_float=True)
+        picture = plotter.penumbra.ray_cast(
+            indirect_light=True, environment_color=(0.5, 0.25, 1.0), albedo=0.5, bounces=1,
+            as_float=True)
+        added = (picture - straight)[10, 10]
+        numpy.testing.assert_allclose(added, [0.25, 0.125, 0.5], atol=0.004)
 
 
 class TemporalOcclusion(unittest.TestCase):
@@ -198,6 +234,16 @@ class Package(unittest.TestCase):
             "import penumbra\n")
         self.assertEqual(run.returncode, 1)
         self.assertIn("pip install 'cvista[all]'", run.stderr.splitlines()[-1])
+
+    def test_refuses_a_python_that_is_too_old(self):
+        run = self.run_script(
+            "import sys\n"
+            "sys.version_info = (3, 11, 2)\n"
+            "import penumbra\n")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("CPython 3.12 or newer; this is 3.11", run.stderr.splitlines()[-1])
+        metadata = importlib.metadata.metadata("penumbra")
+        self.assertEqual(metadata["Requires-Python"], ">=3.12")
 
     def test_refuses_a_pyvista_on_another_vtk(self):
         run = self.run_script("import penumbra", PYVISTA_VTK_BACKEND="vtk")

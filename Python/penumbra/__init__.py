@@ -7,6 +7,11 @@ All public classes of Penumbra are here under their VTK names. With PyVista they
 """
 import importlib.util as _util
 import os as _os
+import sys as _sys
+
+if _sys.version_info < (3, 12):
+    raise ImportError(
+        "penumbra needs CPython 3.12 or newer; this is " + ".".join(map(str, _sys.version_info[:2])))
 
 try:
     # Windows of this VTK draw, and its libraries are loaded, only once these are imported.

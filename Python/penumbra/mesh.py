@@ -3,6 +3,7 @@
 """``mesh.penumbra``: visibility baked onto PyVista's meshes."""
 import pyvista
 
+from .colors import radiance
 from .statistics import counts_of, update
 from .vtkPenumbraFiltersIrradiance import vtkPenumbraIrradianceFilter
 
@@ -38,19 +39,52 @@ class MeshAccessor:
         The blocks of a multiblock may block one another. Counts of the work done are in the field
         data; ``EstimatedError`` among them is the error that the filter believes it made.
         """
+        if radius is not None and not radius > 0.0:
+            raise ValueError(f"radius is a length, not {radius!r}")
+        bake = vtkPenumbraIrradianceFilter()
+        bake.SetRadius(0.0 if radius is None else min(radius, 1e299))
+        return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
+
+    def bake_irradiance(
+        self, *, tolerance=0.01, environment_color="white", albedo=0.5, bounces=3, on="points",
+        compute_normals=False, point_radius=0.0, inplace=False,
+    ):
+        """Return the mesh with the array ``Irradiance``: red, green and blue; pi in the open.
+
+        Parameters
+        ----------
+        tolerance : float
+            The error that you accept: RMSE over all points, 0.0001 to 1.
+        environment_color : color or sequence of float
+            The radiance that comes from where nothing is; three floats may be above 1.
+        albedo : float
+            The share of light that the surface throws back, 0 to 1.
+        bounces : int
+            Reflections up to the eye's, which is the last, 1 to 64; 1: straight light alone.
+        on, compute_normals, point_radius, inplace
+            As in ``bake_ambient_occlusion``.
+        """
+        if not 0.0 <= albedo <= 1.0:
+            raise ValueError(f"albedo is 0 to 1, not {albedo!r}")
+        if not 1 <= bounces <= 64:
+            raise ValueError(f"bounces is 1 to 64, not {bounces!r}")
+        bake = vtkPenumbraIrradianceFilter()
+        bake.SetQuantity(bake.IRRADIANCE)
+        bake.SetEnvironmentColor(radiance(environment_color))
+        bake.SetAlbedo(albedo)
+        bake.SetBounces(bounces)
+        return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
+
+    def _bake(self, bake, tolerance, on, compute_normals, point_radius, inplace):
         if on not in ("points", "cells"):
             raise ValueError(f"on is 'points' or 'cells', not {on!r}")
         if not 1e-4 <= tolerance <= 1.0:
             raise ValueError(f"tolerance is 0.0001 to 1, not {tolerance!r}")
-        if radius is not None and not radius > 0.0:
-            raise ValueError(f"radius is a length, not {radius!r}")
         if isinstance(self._mesh, pyvista.Grid):
             raise TypeError(
                 f"{type(self._mesh).__name__} has no surface of its own: use its extract_surface()")
-        bake = vtkPenumbraIrradianceFilter()
         bake.SetInputDataObject(self._mesh)
         bake.SetTolerance(tolerance)
-        bake.SetRadius(0.0 if radius is None else min(radius, 1e299))
         bake.SetOnCells(on == "cells")
         bake.SetComputeNormals(compute_normals)
         bake.SetPointRadius(point_radius)

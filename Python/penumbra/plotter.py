@@ -5,6 +5,7 @@ import numpy
 
 from cvista.util.numpy_support import vtk_to_numpy
 
+from .colors import radiance
 from .statistics import counts_of, update
 from .vtkPenumbraFiltersRayCasting import vtkPenumbraRayCaster
 from .vtkPenumbraRenderingScreenSpace import (
@@ -111,8 +112,8 @@ class PlotterAccessor:
 
     def ray_cast(
         self, *, tolerance=1.0 / 256.0, window_size=None, ambient_occlusion=False, radius=None,
-        strength=None, shadows=False, transparent_background=False, as_float=False,
-        return_statistics=False,
+        strength=None, shadows=False, indirect_light=False, environment_color="black", albedo=0.5,
+        bounces=3, transparent_background=False, as_float=False, return_statistics=False,
     ):
         """Return a picture of the scene by ray casting, antialiased to a tolerance.
 
@@ -130,11 +131,17 @@ class PlotterAccessor:
             Darken by ambient occlusion; radius in world units, default a tenth of the diagonal.
         shadows : bool
             Cast hard shadows of the lights.
+        indirect_light : bool
+            Add light from the environment, and what surfaces throw at each other.
+        environment_color, albedo, bounces
+            Of indirect light, as in ``mesh.penumbra.bake_irradiance``.
         return_statistics : bool
             Return ``(picture, counts)``; ``EstimatedError`` among the counts is the error that the
             ray caster believes it made.
         """
         _check(1e-6 <= tolerance <= 1.0, f"tolerance is 0.000001 to 1, not {tolerance!r}")
+        _check(0.0 <= albedo <= 1.0, f"albedo is 0 to 1, not {albedo!r}")
+        _check(1 <= bounces <= 64, f"bounces is 1 to 64, not {bounces!r}")
         width, height = window_size or self._plotter.window_size
         if not self._renderer.camera.is_set and not self._renderer.camera_set:
             self._plotter.reset_camera()
@@ -146,6 +153,10 @@ class PlotterAccessor:
         caster.SetAmbientOcclusion(ambient_occlusion)
         caster.SetAmbientOcclusionRadius(0.0 if radius is None else radius)
         caster.SetAmbientOcclusionStrength(-1.0 if strength is None else strength)
+        caster.SetIndirectLight(indirect_light)
+        caster.SetEnvironmentColor(radiance(environment_color))
+        caster.SetAlbedo(albedo)
+        caster.SetBounces(bounces)
         caster.SetBackground(not transparent_background)
         update(caster)
         colors = vtk_to_numpy(caster.GetOutput().GetPointData().GetArray("Color"))
