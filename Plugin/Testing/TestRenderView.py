@@ -61,6 +61,13 @@ class RenderViewPenumbra(unittest.TestCase):
         self.view.Tolerance = 0.002
         self.assertLess(rmse(self.picture(), first) / 255, 0.01)
 
+    def test_saves_pictures_larger_than_the_view_without_seams(self):
+        self.view.ViewSize = [100, 100]
+        large = self.picture(ImageResolution=[200, 200])
+        self.assertEqual(list(self.view.ViewSize), [100, 100])
+        self.view.ViewSize = [200, 200]
+        numpy.testing.assert_array_equal(large, self.picture())
+
     def test_saves_a_transparent_background(self):
         picture = self.picture(TransparentBackground=1)
         opaque = self.picture()

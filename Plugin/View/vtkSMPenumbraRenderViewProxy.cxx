@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMPenumbraRenderViewProxy.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkSMPropertyHelper.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSMPenumbraRenderViewProxy);
+
+vtkImageData* vtkSMPenumbraRenderViewProxy::CaptureWindowInternal(
+  int magnificationX, int magnificationY)
+{
+  int shown[2] = { 0, 0 };
+  vtkSMPropertyHelper(this, "ViewSize").Get(shown, 2);
+  const int large[2] = { shown[0] * magnificationX, shown[1] * magnificationY };
+  if ((magnificationX <= 1 && magnificationY <= 1) || std::max(large[0], large[1]) > LargestSide)
+  {
+    return this->Superclass::CaptureWindowInternal(magnificationX, magnificationY);
+  }
+  // Text is as large in a larger picture as it is in tiles: it follows the resolution.
+  const int resolution = vtkSMPropertyHelper(this, "PPI").GetAsInt();
+  vtkSMPropertyHelper(this, "PPI").Set(resolution * std::max(magnificationX, magnificationY));
+  vtkSMPropertyHelper(this, "ViewSize").Set(large, 2);
+  this->UpdateVTKObjects();
+  vtkImageData* picture = this->Superclass::CaptureWindowInternal(1, 1);
+  vtkSMPropertyHelper(this, "PPI").Set(resolution);
+  vtkSMPropertyHelper(this, "ViewSize").Set(shown, 2);
+  this->UpdateVTKObjects();
+  return picture;
+}
+
+void vtkSMPenumbraRenderViewProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
