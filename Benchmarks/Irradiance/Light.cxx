@@ -6,6 +6,7 @@
 
 #include "Illumination.h"
 #include "PathTracer.h"
+#include "Pictures.h"
 #include "RayScene.h"
 #include "Solids.h"
 
@@ -29,8 +30,13 @@ constexpr int Paths = 16384;
 /// What the room's picture is accepted to err, as irradiance over pi: about 1.5 % of its mean.
 constexpr double RoomTolerance = .003;
 
+/// Radiance that is white in the room's picture.
+constexpr double WhiteOfPicture = .5;
+
 struct Asked
 {
+  std::size_t Pixel;
+  glm::dvec3 Reflectance;
   glm::dvec3 Position;
   glm::dvec3 Normal;
 };
@@ -56,8 +62,9 @@ std::vector<Asked> Look(const RayScene& rays, int step)
       const glm::dvec3 normal = glm::normalize(
         glm::cross(glm::dvec3(surface.Positions[1]) - a, glm::dvec3(surface.Positions[2]) - a));
       const bool away = glm::dot(normal, glm::dvec3(ray.Direction)) > 0.0;
-      places.push_back({ double(hit.Distance) * glm::dvec3(ray.Direction) + scene.Origin,
-        away ? -normal : normal });
+      places.push_back({ static_cast<std::size_t>(y) * Size + x,
+        glm::dvec3(surface.Front.DiffuseColor),
+        double(hit.Distance) * glm::dvec3(ray.Direction) + scene.Origin, away ? -normal : normal });
     }
   }
   return places;
@@ -77,8 +84,9 @@ double CountOf(const vtkPenumbraIrradianceCache* cache, const char* name)
   return statistics->GetArray(name)->GetComponent(0, 0);
 }
 
-void MeasureRoom(Table& table)
+void MeasureRoom(IrradianceBenchmark& benchmark)
 {
+  Table& table = benchmark.Results;
   const PathTracer truth{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) };
   Scene scene;
   AddSurfaces(scene, truth.Panels);
@@ -94,11 +102,15 @@ void MeasureRoom(Table& table)
   cache->BeginIrradiance(light, 1.0);
   const double placing = Seconds() - start;
   long long own = 0;
+  std::vector<glm::dvec3> picture(static_cast<std::size_t>(Size) * Size, glm::dvec3(1.0));
   for (const Asked& place : Look(rays, 1))
   {
-    Ask(cache, place, own);
+    const glm::dvec3 reflected =
+      truth.Albedo * place.Reflectance / Pi * Ask(cache, place, own) / WhiteOfPicture;
+    picture[place.Pixel] = glm::pow(reflected, glm::dvec3(1.0 / 2.2));
   }
   const double seconds = Seconds() - start;
+  WritePicture(benchmark.Output + "/box.png", Size, picture);
 
   long long ignored = 0;
   double square = 0.0;
@@ -161,7 +173,7 @@ void MeasureFurnace(Table& table, double albedo)
 
 void MeasureLight(IrradianceBenchmark& benchmark)
 {
-  MeasureRoom(benchmark.Results);
+  MeasureRoom(benchmark);
   MeasureFurnace(benchmark.Results, .5);
   MeasureFurnace(benchmark.Results, .8);
 }

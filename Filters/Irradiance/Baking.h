@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Values at many places at once: records from coarse to fine as long as they pay, interpolation, and
-// brute force for what is left.
+// Values at many places at once: records from coarse to fine as long as they pay, interpolation; for
+// what is left few rays everywhere, made certain by neighbours; brute force where these do not agree.
 #ifndef penumbra_Baking_h
 #define penumbra_Baking_h
 
@@ -24,10 +24,19 @@ struct BakedValue
 /// Answers without records; adds the rays traced to its argument.
 using BruteForceAnswer = std::function<BakedValue(const Site& site, long long& rays)>;
 
+/// How places without a record are answered.
+struct Answers
+{
+  BruteForceAnswer BruteForce;
+  BruteForceAnswer Quick;   ///< with few rays, one channel; none: brute force for all
+  float QuickAllowed = 0.f; ///< RMS error of values that neighbours have made certain
+};
+
 struct BakedValues
 {
   std::vector<BakedValue> Values; ///< one for each site
   std::size_t Interpolated = 0;
+  std::size_t Shared = 0;     ///< made certain by neighbours
   std::size_t BruteForce = 0; ///< the rest are places of records that serve nobody else
   long long BruteForceRays = 0;
 };
@@ -37,7 +46,7 @@ struct BakedValues
  * `progress` stopped it.
  */
 bool Bake(const std::vector<Site>& sites, float spacing, bool records, Placement& places,
-  const RecordTree& tree, const BruteForceAnswer& bruteForce, const ProgressCallback& progress,
+  const RecordTree& tree, const Answers& answers, const ProgressCallback& progress,
   BakedValues& result);
 
 }

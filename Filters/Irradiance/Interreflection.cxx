@@ -11,7 +11,7 @@ namespace
 {
 
 /// Places that look for others, and the side of the grid of rays that each sends out.
-constexpr std::size_t MostViewpoints = 256;
+constexpr std::size_t MostViewpoints = 1024;
 constexpr int SideOfViewpoints = 8;
 
 /// Errors of these records are averaged over the hemisphere, and dimmed by each reflection: what they

@@ -75,7 +75,7 @@ public:
   ///@}
 
   ///@{
-  /** Rays of a record where something is seen to change, 64 to 65536, a square; 0: from the tolerance (1024 at .005). Default: 0. */
+  /** Rays of a record where something is seen to change, 64 to 65536, a square; 0: from the tolerance (1024 at .005; of light 324). Default: 0. */
   vtkSetClampMacro(RaysPerRecord, int, 0, 65536);
   vtkGetMacro(RaysPerRecord, int);
   ///@}

@@ -52,6 +52,11 @@ constexpr double OffSurface = .05;
 constexpr double NoiseOfRecords = 1.4;
 constexpr double NoiseOfAnswers = 1.3;
 
+/// Few rays for each of several neighbours, and what these then believe to err.
+constexpr double NoiseOfQuickAnswers = 2.2;
+constexpr double MostNoise = .032; ///< of 32 rays
+constexpr double NoiseOfShared = 1.2;
+
 /// Of brute force for a point: neighbours' errors do not average out as those in a pixel do.
 constexpr int LeastRays = 128;
 
@@ -261,8 +266,20 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
     return BakedValue{ glm::vec3(static_cast<float>(answer.Value)),
       static_cast<float>(answer.Error) };
   };
+  vtkNew<vtkPenumbraBruteForceSource> few; // as many rays as told, whatever they say
+  few->Begin(*work.Rays, radius, 0.0);
+  const double noise = std::min(NoiseOfQuickAnswers * this->Tolerance, MostNoise);
+  const auto quick = [&](const Site& site, long long& count) {
+    const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 normal(site.Normal);
+    const auto answer = few->OcclusionWithin(&world.x, &normal.x, noise);
+    count += answer.Rays;
+    return BakedValue{ glm::vec3(static_cast<float>(answer.Value)),
+      static_cast<float>(answer.Error) };
+  };
+  const Answers answers{ bruteForce, quick, static_cast<float>(NoiseOfShared * this->Tolerance) };
   const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, this->Method == AUTOMATIC, places,
-    work.Tree, bruteForce, work.Progress, work.Baked);
+    work.Tree, answers, work.Progress, work.Baked);
   for (BakedValue& value : work.Baked.Values)
   {
     value.Mean = glm::clamp(value.Mean, 0.f, 1.f);
@@ -323,8 +340,9 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
         static_cast<float>(Pi),
       static_cast<float>(answer.Error / Pi) };
   };
+  const Answers answers{ bruteForce, {}, 0.f };
   const bool done = Bake(
-    work.Mesh.Sites, work.Mesh.Spacing, records, places, work.Tree, bruteForce, after, work.Baked);
+    work.Mesh.Sites, work.Mesh.Spacing, records, places, work.Tree, answers, after, work.Baked);
   work.GatherRays = places.GetRays() + work.Reflections->GetRays();
   return done;
 }
@@ -351,6 +369,7 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   vtkFieldData* s = this->Statistics;
   AddStatistic(s, what + "Total", static_cast<double>(size));
   AddStatistic(s, what + "Interpolated", static_cast<double>(baked.Interpolated));
+  AddStatistic(s, what + "Shared", static_cast<double>(baked.Shared));
   AddStatistic(s, what + "BruteForce", static_cast<double>(baked.BruteForce));
   AddStatistic(s, what + "Unused", static_cast<double>(work.Mesh.Unused));
   AddStatistic(s, what + "NotFinite", static_cast<double>(work.Mesh.NotFinite));

@@ -13,7 +13,8 @@
  * its polygons block, and throw light back.
  *
  * Values are interpolated between the records of a cache as long as that is cheaper than rays at
- * every point, which it finds out by itself. Points of no cell and points that are not finite get 0
+ * every point, which it finds out by itself; of occlusion, few rays at every other point, made certain by
+ * its neighbours, and more where these do not agree. Points of no cell and points that are not finite get 0
  * and are counted. When aborted, the output is the input without the array.
  */
 #ifndef vtkPenumbraIrradianceFilter_h
@@ -117,7 +118,7 @@ public:
 
   /**
    * Counts of the last execution, one value an array: `Points/Total`, `Points/Interpolated`,
-   * `Points/BruteForce`, `Points/Unused`, `Points/NotFinite` (cells likewise), `Cache/Records`,
+   * `Points/Shared`, `Points/BruteForce`, `Points/Unused`, `Points/NotFinite` (cells likewise), `Cache/Records`,
    * `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`, `Rays/Total`. Also in the output's field data.
    */
   vtkFieldData* GetStatistics();

@@ -58,7 +58,17 @@ const Panel* First(
   return first;
 }
 
-/// Irradiance straight from one point of each panel that shines.
+/// Irradiance of a panel's emission from one direction that was chosen in two ways, by the panel's area
+/// and by the cosine, each of which finds it: the balance of both (Veach). By the area alone it would have
+/// no bound where a panel lies close above.
+glm::dvec3 Balanced(const Panel& panel, glm::dvec3 direction, double distance, double cosine)
+{
+  const glm::dvec3 area = glm::cross(panel.Side, panel.Other);
+  const double byArea = distance * distance / std::abs(glm::dot(area, direction));
+  return panel.Emission * (cosine / (byArea + cosine / Pi));
+}
+
+/// Irradiance straight from one point of each panel that shines, its share of the balance.
 glm::dvec3 FromLights(
   const std::vector<Panel>& panels, glm::dvec3 point, glm::dvec3 normal, Random& random)
 {
@@ -73,13 +83,11 @@ glm::dvec3 FromLights(
     const glm::dvec3 to = at - point;
     const double distance = glm::length(to);
     const glm::dvec3 direction = to / distance;
-    const glm::dvec3 area = glm::cross(panel.Side, panel.Other);
     const double cosine = glm::dot(normal, direction);
     double free = distance * (1.0 - 1e-9);
     if (cosine > 0.0 && !First(panels, point, direction, free))
     {
-      sum +=
-        panel.Emission * (cosine * std::abs(glm::dot(area, direction)) / (distance * distance));
+      sum += Balanced(panel, direction, distance, cosine);
     }
   }
   return sum;
@@ -173,6 +181,7 @@ glm::dvec3 PathTracer::Irradiance(
         sum += share * Pi * this->Environment;
         break;
       }
+      sum += share * Balanced(*met, direction, distance, glm::dot(about, direction));
       share *= this->Albedo * met->Reflectance;
       about = glm::normalize(glm::cross(met->Side, met->Other));
       about = glm::dot(about, direction) > 0.0 ? -about : about;

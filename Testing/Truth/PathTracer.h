@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Diffuse light between parallelograms by independent paths, in double, lights sampled by their area.
+// Diffuse light between parallelograms by independent paths, in double, lights sampled by their area
+// and by the cosine.
 // It shares neither code nor method with the irradiance sources, so that the two can check each other.
 #ifndef penumbra_PathTracer_h
 #define penumbra_PathTracer_h
