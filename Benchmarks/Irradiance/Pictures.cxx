@@ -51,7 +51,7 @@ void Add(vtkRenderer* renderer, vtkPolyData* mesh, double right,
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
   const double* bounds = mesh->GetBounds();
-  actor->SetPosition(right * (bounds[1] - bounds[0]), 0.0, 0.0);
+  actor->SetPosition(-right * (bounds[1] - bounds[0]), 0.0, 0.0); // seen from behind
   renderer->AddActor(actor);
 }
 
