@@ -13,7 +13,8 @@ from plugin import *
 from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
 
 
-EFFECTS = ("none", "occlusion", "shafts")
+# The last one draws the occlusion of data that one rank has got from all: no picture is composited.
+EFFECTS = ("none", "occlusion", "shafts", "gathered")
 
 
 def is_first():
@@ -48,19 +49,22 @@ def compute(folder):
     start()
     contour, floor = scene()
     both = AppendGeometry(Input=[contour, floor])
+    blocks = GroupDatasets(Input=[contour, floor])
+    # Brute force: how well records do is not the question here.
+    rays = {"Method": "Brute Force", "Tolerance": 0.02}
     for name, baked, array in (
-        ("occlusion", BakeAmbientOcclusion(Input=both, Tolerance=0.02), "AmbientOcclusion"),
-        ("blocks", BakeAmbientOcclusion(Input=GroupDatasets(Input=[contour, floor]), Tolerance=0.02),
-         "AmbientOcclusion"),
-        ("irradiance", BakeIrradiance(Input=both, Tolerance=0.05, Bounces=2, Method="Brute Force"),
-         "Irradiance"),
+        ("occlusion", BakeAmbientOcclusion(Input=both, **rays), "AmbientOcclusion"),
+        ("blocks", BakeAmbientOcclusion(Input=blocks, **rays), "AmbientOcclusion"),
+        ("irradiance", BakeIrradiance(Input=both, Bounces=2, **rays | {"Tolerance": 0.05}), "Irradiance"),
         ("alone", BakeAmbientOcclusion(Input=floor), "AmbientOcclusion"),
     ):
         data = servermanager.Fetch(baked)
         if is_first():
-            parts = [arrays(leaf, array) for leaf in leaves(data) if leaf.GetNumberOfPoints() > 0]
-            points, values = (numpy.concatenate(each) for each in zip(*parts))
-            numpy.savez(os.path.join(folder, name + ".npz"), points=points, values=values)
+            parts = [arrays(leaf, array) + arrays(leaf, "Normals")[1:] for leaf in leaves(data)
+                     if leaf.GetNumberOfPoints() > 0]
+            points, values, normals = (numpy.concatenate(each) for each in zip(*parts))
+            numpy.savez(os.path.join(folder, name + ".npz"), points=points, values=values,
+                        normals=normals)
     reader = XMLPolyDataReader(FileName=[os.path.join(folder, "ball.vtp")])
     for name, inputs in (("file", [reader]), ("pieces", [contour, floor])):
         cast = AdaptiveRayCast(Input=inputs, Resolution=[150, 90], AmbientOcclusion=1)
@@ -73,7 +77,6 @@ def draw(folder):
     view = CreateView("PenumbraRenderView")
     view.ViewSize = [200, 160]
     view.OrientationAxesVisibility = 0
-    view.RemoteRenderThreshold = 0
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
     for source in scene():
@@ -83,7 +86,8 @@ def draw(folder):
         shown.Diffuse = 0
         shown.AmbientColor = shown.DiffuseColor = [1, 1, 1]
     for effect in EFFECTS:
-        view.AmbientOcclusion = effect == "occlusion"
+        view.AmbientOcclusion = effect in ("occlusion", "gathered")
+        view.RemoteRenderThreshold = 1000 if effect == "gathered" else 0
         view.LightShafts = effect == "shafts"
         view.CameraPosition = [40, -50, 40]
         SaveScreenshot(os.path.join(folder, effect + ".png"), view)
@@ -136,8 +140,10 @@ def computed(folder):
 
 
 def by_place(data):
-    """Values by position: ranks order their points otherwise, and have those of borders twice."""
-    return {tuple(point): value for point, value in zip(data["points"].round(2), data["values"])}
+    """Values by position and normal: ranks order their points otherwise, and have those of borders
+    twice, with normals that know one side alone."""
+    keys = numpy.concatenate([data["points"].round(2), data["normals"].round(2) + 0.0], axis=1)
+    return {tuple(key): value for key, value in zip(keys, data["values"])}
 
 
 class Ranks(unittest.TestCase):
@@ -156,7 +162,8 @@ class Ranks(unittest.TestCase):
                 off = numpy.abs(many[effect] - one[effect]).max(axis=2)
                 print(f"{effect}: {(off > 0).mean():.2%} of pixels differ, "
                       f"{(off > 8).mean():.2%} by more than 8/255, at most {off.max()}", flush=True)
-                self.assertEqual(numpy.count_nonzero(off > 8), 0)
+                # Data that comes together has its triangles in another order: that shows on borders.
+                self.assertLessEqual((off > 8).mean(), 0.001 if effect == "gathered" else 0)
 
     def test_let_pieces_block_one_another(self):
         one = results(1, "compute", computed)
@@ -165,10 +172,11 @@ class Ranks(unittest.TestCase):
         self.assertGreater(one["occlusion"]["values"][on_floor].max(), 0.2)
         for ranks in (2, 4):
             many = results(ranks, "compute", computed)
-            for name, bound in (("occlusion", 0.02), ("blocks", 0.02), ("irradiance", 0.05)):
+            # The errors of two answers, each within its tolerance.
+            for name, bound in (("occlusion", 0.028), ("blocks", 0.028), ("irradiance", 0.07)):
                 truth, found = by_place(one[name]), by_place(many[name])
                 places = truth.keys() & found.keys()
-                self.assertGreater(len(places), 0.99 * max(len(truth), len(found)))
+                self.assertGreater(len(places), 0.8 * max(len(truth), len(found)))
                 error = rmse([truth[place] for place in places], [found[place] for place in places])
                 print(f"{name}: {error:.4f} from one rank's", flush=True)
                 self.assertLess(error, bound)

@@ -3,6 +3,7 @@
 #include "vtkSMPenumbraRenderViewProxy.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
 #include "vtkSMPropertyHelper.h"
 
 #include <algorithm>
@@ -28,6 +29,11 @@ vtkImageData* vtkSMPenumbraRenderViewProxy::CaptureWindowInternal(
   vtkSMPropertyHelper(this, "PPI").Set(resolution);
   vtkSMPropertyHelper(this, "ViewSize").Set(shown, 2);
   this->UpdateVTKObjects();
+  vtkRenderWindow* window = this->GetRenderWindow();
+  if (window && window->GetShowWindow())
+  {
+    this->StillRender(); // Nothing is left of what was shown.
+  }
   return picture;
 }
 

@@ -186,6 +186,12 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
   Internals& own = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window && window->GetStereoRender())
+  {
+    // The projections of the two eyes are sheared: positions do not follow from depth as they do here.
+    own.WarnOnce(this, "In stereo the scene is drawn without light shafts.");
+    return false;
+  }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const int* size = renderer->GetSize();

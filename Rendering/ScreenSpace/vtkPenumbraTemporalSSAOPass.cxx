@@ -186,6 +186,16 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   Internals& own = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window && window->GetStereoRender())
+  {
+    // The projections of the two eyes are sheared: positions do not follow from depth as they do here.
+    if (!own.Warned)
+    {
+      vtkWarningMacro("In stereo the scene is drawn without ambient occlusion.");
+      own.Warned = true;
+    }
+    return false;
+  }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const double diagonal = vtkMath::AreBoundsInitialized(bounds)

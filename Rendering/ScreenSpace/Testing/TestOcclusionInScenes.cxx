@@ -61,6 +61,22 @@ double ShareOff(const std::vector<int>& a, const std::vector<int>& b, int limit)
   return a.size() == b.size() ? 4.0 * off / static_cast<double>(a.size()) : 1.0;
 }
 
+TEST(OcclusionInScenes, IsLeftOutInStereo)
+{
+  OcclusionScene scene;
+  Furnish(scene);
+  scene.Occlude(1.0);
+  scene.Window->SetStereoTypeToAnaglyph();
+  scene.Window->StereoRenderOn();
+  scene.Pass->SetStrength(0.0);
+  scene.Window->Render();
+  const std::vector<int> plain = scene.Picture();
+  scene.Pass->SetStrength(1.0);
+  scene.Window->Render();
+  EXPECT_EQ(LargestDifference(plain, scene.Picture()), 0);
+  EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 0);
+}
+
 TEST(OcclusionInScenes, LeavesAnOverlayWhereAndAsItIs)
 {
   OcclusionScene scene;
