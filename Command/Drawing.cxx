@@ -130,7 +130,7 @@ std::vector<std::string> PictureFiles::Save(const Picture& picture, vtkRenderer*
   if (this->Statistics)
   {
     const nlohmann::json report = { { "statistics", picture.Statistics },
-      { "estimated_error", picture.EstimatedError }, { "tolerance", options.Tolerance },
+      { "estimated_error", picture.EstimatedError }, { "tolerance", picture.Tolerance },
       { "threads", picture.Threads },
       { "seconds",
         { { "read", preparation.ReadSeconds },

@@ -32,6 +32,7 @@ struct Picture
   Coverages Coverage = Coverages::Unknown;
   vtkSmartPointer<vtkImageData> Image; ///< `Color`: 4 floats, straight alpha
   nlohmann::json Statistics = nlohmann::json::object();
+  double Tolerance = 0.0;      ///< the error that was accepted
   double EstimatedError = 0.0; ///< NaN where the engine makes no estimate
   int Threads = 1;
   double BuildSeconds = 0.0;  ///< until the first ray

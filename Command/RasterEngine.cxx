@@ -71,6 +71,10 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
   pass->SetStrength(!std::isnan(options.AmbientOcclusionStrength)
       ? options.AmbientOcclusionStrength
       : (options.Coloring.Enabled ? StrengthOnData : 1.0));
+  if (options.HasTolerance)
+  {
+    pass->SetTolerance(options.Tolerance);
+  }
   if (options.AmbientOcclusionRadius > 0.0)
   {
     pass->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
@@ -110,6 +114,7 @@ void AddFindings(vtkPenumbraTemporalSSAOPass* pass, bool arrays, Picture& pictur
     }
   }
   picture.Statistics["Occlusion/Kernel"] = pass->GetActiveKernelName();
+  picture.Tolerance = pass->GetTolerance();
   if (pass->GetEstimatedError() <= 1.0)
   {
     picture.EstimatedError = pass->GetEstimatedError();
@@ -206,6 +211,7 @@ Picture RasterDrawing::Draw(const ProgressListener& progress)
   picture.Warnings = this->Warnings;
   picture.Image = ToFloats(bytes, width, height, this->Options.Background);
   picture.Statistics = { { "Samples/PerPixel", this->Window->GetMultiSamples() } };
+  picture.Tolerance = this->Options.Tolerance;
   picture.EstimatedError = Unset;
   if (this->Occlusion)
   {

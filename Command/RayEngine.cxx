@@ -174,6 +174,7 @@ Picture RenderWithRays(
   picture.Statistics = ToJson(caster->GetStatistics());
   const bool empty = picture.Statistics["Pixels/Empty"] == picture.Statistics["Pixels/Total"];
   picture.Coverage = empty ? Picture::Coverages::Empty : Picture::Coverages::Some;
+  picture.Tolerance = options.Tolerance;
   picture.EstimatedError = caster->GetEstimatedError();
   picture.Threads =
     options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();

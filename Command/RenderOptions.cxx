@@ -83,7 +83,11 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
     "ray: the ray caster, no display and no OpenGL needed; raster: VTK's OpenGL")
     ->group("Engine");
   AddNumber(app, "--tolerance", options.Tolerance, "X",
-    "Error accepted (ray): RMSE of any 16x16 pixels, colours from 0 to 1", { 1e-6, 1.0 })
+    "Error accepted: RMSE of any 16x16 pixels, colours from 0 to 1; raster: of "
+    "--ambient-occlusion, "
+    "0.01 unless given",
+    { 1e-6, 1.0 })
+    ->each([&options](const std::string&) { options.HasTolerance = true; })
     ->group("Engine");
   AddInteger(
     app, "--max-level", options.MaximumLevel, "Deepest subdivision of a pixel (ray): 2^-N", 0, 6)

@@ -69,6 +69,7 @@ struct RenderOptions
   std::string Engine = "ray";
   std::array<int, 2> Resolution{ 1000, 600 };
   double Tolerance = 1.0 / 256.0;
+  bool HasTolerance = false; ///< it was asked for
   int MaximumLevel = 3;
   bool SmallObjects = true;
   int Threads = 0;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
+#include "Reprojection.h"
 
 #include "vtkCamera.h"
 
@@ -13,6 +14,10 @@ namespace
 {
 
 using Pass = vtkPenumbraTemporalSSAOPass;
+
+/// In motion: until there is history everywhere, and of these those that are compared.
+constexpr int MovingFrames = 32;
+constexpr int FollowedFrames = 8;
 
 /// Over pixels that show a surface and that `chosen` takes.
 template <typename Choice>
@@ -79,13 +84,22 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
 
     // A quarter of a degree a frame.
     Start(screen, scene.Radius);
-    for (int frame = 0; frame < 24; ++frame)
+    Reprojection followed(Screen::Size[0], Screen::Size[1]);
+    for (int frame = 0; frame < MovingFrames; ++frame)
     {
       scene.Renderer->GetActiveCamera()->Azimuth(.25);
       screen.Draw();
+      if (frame >= MovingFrames - FollowedFrames)
+      {
+        followed.Add(scene.Renderer->GetActiveCamera(), screen.Array("AmbientOcclusion"),
+          screen.Array("Depth"));
+      }
     }
     const std::vector<float> moving = screen.Array("AmbientOcclusion");
     const std::vector<float> movedDepth = screen.Array("Depth");
+    table.Add(scene.Name, "moving: standard deviation at points of the surface",
+      followed.StandardDeviation(), Bar::AtMost, .0015,
+      "over " + std::to_string(FollowedFrames) + " frames");
     table.Add(scene.Name, "moving .25 degree a frame",
       Difference(moving, Limit(screen), movedDepth, all), Bar::AtMost, .02, "against its limit");
 

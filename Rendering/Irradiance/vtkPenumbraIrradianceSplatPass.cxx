@@ -223,7 +223,7 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
   this->NumberOfRenderedProps = props;
   return own.Composite.Draw(window, own.Image, own.Depth,
     own.OfLight ? own.Result.Get() : own.Image.GetColor(), own.OfLight ? nullptr : own.Result.Get(),
-    own.OfLight ? 0.0 : this->Strength, !this->OpaqueOnly);
+    { own.OfLight ? 0.0 : this->Strength, 0.0 }, !this->OpaqueOnly);
 }
 
 void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)

@@ -4,6 +4,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPenumbraBilateralFS.h"
+#include "vtkPenumbraBilateralSpotsFS.h"
 #include "vtkPenumbraMeanFS.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
@@ -40,6 +41,27 @@ bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& 
   return true;
 }
 
+bool BilateralFilter::ApplyToSpots(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
+  vtkTextureObject* target, const BilateralSettings& settings, const std::vector<Rectangle>& parts)
+{
+  static const std::string source =
+    Assemble(vtkPenumbraBilateralSpotsFS, { { "ViewLib", vtkPenumbraViewLib } });
+  vtkShaderProgram* program = this->Spots.Ready(window, source);
+  const DrawInto into(window, image.GetFramebuffer(), { target }, image.GetDepth());
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  view.SetUniforms(program);
+  program->SetUniformf("convergedWeight", static_cast<float>(settings.ConvergedWeight));
+  program->SetUniformf("distanceInPixels", static_cast<float>(settings.DistanceInPixels));
+  this->Spots.Read("eyeDepths", eyeDepths);
+  this->Spots.Read("values", values);
+  this->Spots.Draw(parts);
+  return true;
+}
+
 bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   vtkTextureObject* values, vtkTextureObject* target, const std::vector<Rectangle>& parts)
 {
@@ -60,6 +82,7 @@ bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& i
 void BilateralFilter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Smooth.ReleaseGraphicsResources(window);
+  this->Spots.ReleaseGraphicsResources(window);
   this->Mean.ReleaseGraphicsResources(window);
 }
 

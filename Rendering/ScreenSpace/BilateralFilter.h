@@ -28,6 +28,12 @@ public:
     vtkTextureObject* target, const BilateralSettings& settings,
     const std::vector<Rectangle>& parts);
 
+  /// The same in one step: cheaper where all but some spots have converged, else dearer.
+  bool ApplyToSpots(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+    const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
+    vtkTextureObject* target, const BilateralSettings& settings,
+    const std::vector<Rectangle>& parts);
+
   /// The mean of `values` as it is, for pictures that need no filter.
   bool Copy(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* values,
     vtkTextureObject* target, const std::vector<Rectangle>& parts);
@@ -36,6 +42,7 @@ public:
 
 private:
   Stage Smooth;
+  Stage Spots;
   Stage Mean;
 };
 

@@ -8,6 +8,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraCompositeFS.h"
 #include "vtkPenumbraCompositeSamplesFS.h"
+#include "vtkPenumbraDarkenLib.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 
@@ -15,14 +16,15 @@ namespace penumbra
 {
 
 bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  const EyeDepth& depth, vtkTextureObject* colors, vtkTextureObject* occlusions, double strength,
-  bool background)
+  const EyeDepth& depth, vtkTextureObject* colors, vtkTextureObject* occlusions,
+  const Darkening& darkening, bool background)
 {
-  static const std::string samplesSource =
-    Assemble(vtkPenumbraCompositeSamplesFS, { { "ViewLib", vtkPenumbraViewLib } });
+  static const std::string samplesSource = Assemble(vtkPenumbraCompositeSamplesFS,
+    { { "ViewLib", vtkPenumbraViewLib }, { "DarkenLib", vtkPenumbraDarkenLib } });
+  static const std::string source =
+    Assemble(vtkPenumbraCompositeFS, { { "DarkenLib", vtkPenumbraDarkenLib } });
   const bool manySamples = image.GetSamples() > 1;
-  vtkShaderProgram* program =
-    this->Darken.Ready(window, manySamples ? samplesSource : vtkPenumbraCompositeFS);
+  vtkShaderProgram* program = this->Darken.Ready(window, manySamples ? samplesSource : source);
   if (!program)
   {
     return false;
@@ -38,7 +40,11 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     static_cast<float>(margin[1] - at[1]) };
   program->SetUniform2f("offset", offset);
   depth.GetView().SetUniforms(program);
-  program->SetUniformf("strength", static_cast<float>(strength));
+  const double* toCamera = depth.GetView().ToCameraDepth;
+  const float toTarget[2] = { static_cast<float>(toCamera[0]), static_cast<float>(toCamera[1]) };
+  program->SetUniform2f("toTargetDepth", toTarget);
+  program->SetUniformf("strength", static_cast<float>(darkening.Strength));
+  program->SetUniformf("lightAwareness", static_cast<float>(darkening.LightAwareness));
   program->SetUniformf("background", background ? 1.f : 0.f);
   this->Darken.Read("colors", colors);
   this->Darken.Read(manySamples ? "depthSamples" : "depthBuffer", image.GetSampleDepth());

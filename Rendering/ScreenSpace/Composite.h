@@ -12,13 +12,21 @@
 namespace penumbra
 {
 
+/// Colours are multiplied by 1 - Strength * occlusion * (1 - LightAwareness * brightness).
+struct Darkening
+{
+  double Strength = 1.0;
+  double LightAwareness = 0.0;
+};
+
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT Composite
 {
 public:
-  /// `colors * (1 - strength * occlusions)`; without occlusions strength must be 0. `background`:
-  /// pixels without a surface are drawn, too, else they stay. False when OpenGL refuses.
+  /// `colors`, darkened; without occlusions Strength must be 0. `background`: pixels without a surface
+  /// are drawn, too, else they stay. False when OpenGL refuses.
   bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, const EyeDepth& depth,
-    vtkTextureObject* colors, vtkTextureObject* occlusions, double strength, bool background);
+    vtkTextureObject* colors, vtkTextureObject* occlusions, const Darkening& darkening,
+    bool background);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -22,6 +22,9 @@ constexpr int FirstReading = 32;
 /// `./penumbra benchmark ambient-occlusion --only noise`.
 constexpr double ErrorOfDifference = 1.25;
 
+/// What all pixels of a tile have in common shows as a step to the next one, and counts so many times.
+constexpr double WeightOfSteps = 4.0;
+
 }
 
 void Convergence::Restart(double carried)
@@ -57,6 +60,7 @@ void Convergence::Judge(const std::vector<float>& now, int width, double toleran
   const int columns = (width + TileSide - 1) / TileSide;
   const int rows = (height + TileSide - 1) / TileSide;
   std::vector<double> sums(static_cast<std::size_t>(columns) * rows, 0.0);
+  std::vector<double> steps(sums.size(), 0.0);
   std::vector<int> counts(sums.size(), 0);
   for (int j = 0; j < height; ++j)
   {
@@ -66,6 +70,7 @@ void Convergence::Judge(const std::vector<float>& now, int width, double toleran
       const std::size_t tile = static_cast<std::size_t>(j / TileSide) * columns + i / TileSide;
       const double difference = scale * (static_cast<double>(now[at]) - this->Reading[at]);
       sums[tile] += now[at] >= 0.f ? difference * difference : 0.0;
+      steps[tile] += now[at] >= 0.f ? difference : 0.0;
       counts[tile] += now[at] >= 0.f;
     }
   }
@@ -83,7 +88,8 @@ void Convergence::Judge(const std::vector<float>& now, int width, double toleran
     total += error * counts[tile];
     pixels += counts[tile];
     this->LargestError = std::max(this->LargestError, std::sqrt(error));
-    if (error <= tolerance * tolerance)
+    const double step = WeightOfSteps * steps[tile] / std::max(counts[tile], 1);
+    if (closed >= 0.0 || std::max(error, step * step) <= tolerance * tolerance)
     {
       this->TileErrors[tile] = error;
       continue;

@@ -90,7 +90,7 @@ int DelegateImage::SamplesOf(const vtkRenderState* state)
                : state->GetRenderer()->GetRenderWindow()->GetMultiSamples();
 }
 
-bool DelegateImage::Aim(const vtkRenderState* state, const int margin[2])
+bool DelegateImage::Aim(const vtkRenderState* state, const int margin[2], const double* bounds)
 {
   vtkRenderer* renderer = state->GetRenderer();
   this->Viewport[0] = this->Viewport[1] = 0;
@@ -110,13 +110,14 @@ bool DelegateImage::Aim(const vtkRenderState* state, const int margin[2])
   this->Margin[0] = margin[0];
   this->Margin[1] = margin[1];
   this->View = ScreenView::Of(renderer, this->Viewport + 2, margin);
+  this->Tight = bounds && this->View.TightenDepth(bounds);
   return true;
 }
 
-int DelegateImage::Draw(
-  const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2], bool oneSample)
+int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2],
+  bool oneSample, const double* bounds)
 {
-  if (!this->Aim(state, margin))
+  if (!this->Aim(state, margin, bounds))
   {
     return -1;
   }
@@ -151,7 +152,7 @@ int DelegateImage::Draw(
     inner.SetFrameBuffer(this->Framebuffer);
     std::optional<WiderCamera> wider;
     std::vector<vtkProp*> visible;
-    if (this->Margin[0] > 0 || this->Margin[1] > 0)
+    if (this->Margin[0] > 0 || this->Margin[1] > 0 || this->Tight)
     {
       wider.emplace(renderer, this->View);
       visible = VisibleProps(renderer);

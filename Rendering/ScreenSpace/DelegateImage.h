@@ -29,13 +29,14 @@ public:
   ~DelegateImage();
 
   /// Finds out what Draw() would draw where: the view, the viewport. False when that is nothing.
-  bool Aim(const vtkRenderState* state, const int margin[2]);
+  /// `bounds`: of all that may be seen, where the clipping planes may be moved to them.
+  bool Aim(const vtkRenderState* state, const int margin[2], const double* bounds = nullptr);
 
   /// Draws the delegate for the renderer of `state`; `margin` in pixels on each side, in x and y.
   /// With as many samples a pixel as the target, or one. Returns the number of props drawn, -1 when
   /// OpenGL refuses.
   int Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2],
-    bool oneSample = false);
+    bool oneSample = false, const double* bounds = nullptr);
 
   /// The same straight into the target of `state`, whose depth is then GetDepth(); there is no colour
   /// to read, and no margin. Nothing is drawn, and -1 returned, unless the target's depth is a texture
@@ -77,6 +78,7 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;
   int Samples = 1;
+  bool Tight = false;    ///< the clipping planes are not the camera's
   bool Straight = false; ///< Color and Depth belong to the target
   ScreenView View;
   int Viewport[4] = { 0, 0, 0, 0 };

@@ -56,13 +56,15 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   this->Estimator = estimator;
   this->Settings = settings;
   this->NewSamples = 0;
-  if (!this->Image.Aim(state, settings.Margin))
+  if (!this->Image.Aim(state, settings.Margin, settings.Bounds))
   {
     return false;
   }
   ScreenView view = this->Image.GetView();
   view.Unit = settings.Radius;
-  if (!settings.DelegateOnce && this->ShowsWhatIsKnown(view) &&
+  // What is drawn already can be multiplied by a number, not by one of its own brightness.
+  const bool straight = !settings.DelegateOnce && settings.Darkness.LightAwareness == 0.0;
+  if (straight && this->ShowsWhatIsKnown(view) &&
     this->Picture.Draw(
       state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
   {
@@ -70,7 +72,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
     return true;
   }
   this->Picture.Forget();
-  this->Props = this->Image.Draw(state, delegate, settings.Margin);
+  this->Props = this->Image.Draw(state, delegate, settings.Margin, false, settings.Bounds);
   if (this->Props < 0)
   {
     return false;
@@ -104,14 +106,14 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
     return false;
   }
   // From now on pictures are drawn straight into their target, this one already, so that all are alike.
-  if (!settings.DelegateOnce && this->Converged &&
+  if (straight && this->Converged &&
     this->Picture.Draw(
       state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
   {
     return true;
   }
   return this->Darken.Draw(this->Window, this->Image, this->Depth, this->Image.GetColor(),
-    this->Estimates, settings.Strength, settings.DelegateDrawsBackground);
+    this->Estimates, settings.Darkness, settings.DelegateDrawsBackground);
 }
 
 bool OcclusionView::ShowsWhatIsKnown(const ScreenView& view) const
@@ -122,7 +124,7 @@ bool OcclusionView::ShowsWhatIsKnown(const ScreenView& view) const
 
 StillPicture::Darkness OcclusionView::GetDarkness() const
 {
-  return { this->Estimates, this->Settings.Strength, this->History.GetSpare() };
+  return { this->Estimates, this->Settings.Darkness.Strength, this->History.GetSpare() };
 }
 
 bool OcclusionView::Converge(EyeDepth::Change change)
@@ -160,15 +162,8 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   // In motion there are always pixels that have just come into sight.
   request.TurnPixels =
     change == EyeDepth::Change::Some || convergence < settings.RotationConvergence;
-  const int samples = this->Estimator->Estimate(request, this->Estimates);
+  const int samples = this->Take(request, change, refine);
   if (samples < 1)
-  {
-    return false;
-  }
-  const bool added = refine
-    ? this->History.AddTo(this->Window, this->Image, this->Estimates, samples, *request.Parts)
-    : this->JoinHistory(change, samples);
-  if (!added)
   {
     return false;
   }
@@ -183,20 +178,33 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   return true;
 }
 
-bool OcclusionView::JoinHistory(EyeDepth::Change change, int samples)
+int OcclusionView::Take(
+  const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine)
 {
   TemporalSettings temporal;
   temporal.MaximumWeight = this->Settings.MaximumWeight;
   temporal.DepthTolerance = this->Settings.DepthTolerance;
   temporal.NeighbourValidation = this->Settings.SceneChanged;
   temporal.InvalidationWeight = this->Settings.InvalidationWeight;
+  if (change == EyeDepth::Change::Some && !this->Estimator->GetShader().empty())
+  {
+    return this->History.Follow(request, this->Estimator, temporal);
+  }
+  const int samples = this->Estimator->Estimate(request, this->Estimates);
+  if (samples < 1)
+  {
+    return 0;
+  }
   if (change == EyeDepth::Change::None)
   {
     // What came along from frames in motion is a little blurred: it shall not weigh for long.
     temporal.WeightCap = this->Settings.InvalidationWeight;
   }
-  return this->History.Add(this->Window, this->Image, this->Depth, change, this->Estimates, samples,
-    temporal, this->Inside);
+  const bool added = refine
+    ? this->History.AddTo(this->Window, this->Image, this->Estimates, samples, *request.Parts)
+    : this->History.Add(this->Window, this->Image, this->Depth, change, this->Estimates, samples,
+        temporal, this->Inside);
+  return added ? samples : 0;
 }
 
 bool OcclusionView::Filter()
@@ -208,6 +216,12 @@ bool OcclusionView::Filter()
     // Every pixel is beyond the filter's reach.
     return this->Smoother.Copy(
       this->Window, this->Image, this->History.GetTexture(), this->Estimates, this->Inside);
+  }
+  if (this->SettledSamples > settings.ConvergedWeight)
+  {
+    return this->Smoother.ApplyToSpots(this->Window, this->Image, this->Depth.GetView(),
+      this->Depth.GetCurrent(), this->History.GetTexture(), this->Estimates, settings,
+      this->Inside);
   }
   return this->Smoother.Apply(this->Window, this->Image, this->Depth.GetView(),
     this->Depth.GetCurrent(), this->History.GetTexture(), this->History.GetSpare(), this->Estimates,

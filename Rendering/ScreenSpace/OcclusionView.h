@@ -13,10 +13,9 @@
 #include "EyeDepth.h"
 #include "StillPicture.h"
 #include "TemporalHistory.h"
+#include "vtkPenumbraOcclusionEstimator.h"
 
 class vtkImageData;
-class vtkPenumbraOcclusionEstimator;
-
 namespace penumbra
 {
 
@@ -24,7 +23,7 @@ namespace penumbra
 struct OcclusionSettings
 {
   double Radius = 1.0; ///< world units
-  double Strength = 1.0;
+  Darkening Darkness;
   double Tolerance = 0.01;
   int FirstSamples = 32;
   int Samples = 8;
@@ -42,6 +41,8 @@ struct OcclusionSettings
   bool HiddenChanged = false; ///< something that the estimator sees and depth does not has changed
   bool Restart = false;       ///< settings changed: what is known is worth nothing
   int Margin[2] = { 0, 0 };
+  const double* Bounds =
+    nullptr; ///< of all that may be seen, where clipping planes may follow them
 };
 
 class OcclusionView
@@ -81,7 +82,8 @@ private:
   StillPicture::Darkness GetDarkness() const;
   bool Converge(EyeDepth::Change change);
   bool Estimate(EyeDepth::Change change);
-  bool JoinHistory(EyeDepth::Change change, int samples);
+  int Take(
+    const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine);
   bool Filter();
   std::vector<float> ReadMeans() const;
   bool MeetsTolerance() const;

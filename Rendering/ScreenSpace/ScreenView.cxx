@@ -10,6 +10,7 @@
 #include "vtkPenumbraViewLib.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,9 @@ namespace penumbra
 
 namespace
 {
+
+/// Clipping planes so many times too far off waste the depth buffer's digits.
+constexpr double MuchWider = 32.0;
 
 Matrix Copy(vtkMatrix4x4* matrix)
 {
@@ -58,6 +62,57 @@ ScreenView ScreenView::Of(vtkRenderer* renderer, const int size[2], const int ma
   return view;
 }
 
+bool ScreenView::TightenDepth(const double bounds[6])
+{
+  const double* lastRow = this->Projection.data() + 12;
+  const bool usual = this->Projection[8] == 0.0 && this->Projection[9] == 0.0 &&
+    lastRow[0] == 0.0 && lastRow[1] == 0.0 && lastRow[this->Parallel ? 2 : 3] == 0.0;
+  if (!usual)
+  {
+    return false;
+  }
+  double& c = this->Projection[10];
+  double& d = this->Projection[11];
+  double nearest = VTK_DOUBLE_MAX;
+  double farthest = -VTK_DOUBLE_MAX;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double* row = this->WorldToEye.data() + 8;
+    const double depth = -(row[0] * bounds[corner & 1] + row[1] * bounds[2 + (corner >> 1 & 1)] +
+      row[2] * bounds[4 + (corner >> 2)] + row[3]);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  const double planes[2] = { (this->Parallel ? d + 1.0 : d) / (this->Parallel ? c : c - 1.0),
+    (this->Parallel ? d - 1.0 : d) / (this->Parallel ? c : c + 1.0) };
+  const double slack = std::max(farthest - nearest, 1e-3 * (planes[1] - planes[0]));
+  const double lower = std::max(planes[0], this->Parallel ? nearest - slack : 0.5 * nearest);
+  const double upper = std::min(planes[1], this->Parallel ? farthest + slack : 2.0 * farthest);
+  const bool coarse = this->Parallel ? planes[1] - planes[0] > MuchWider * (upper - lower)
+                                     : lower > MuchWider * planes[0];
+  if (!(lower < upper) || !coarse || !std::isfinite(upper - lower))
+  {
+    return false;
+  }
+  const auto [a, b] = this->DepthToEye();
+  c = (this->Parallel ? -2.0 : -(upper + lower)) / (upper - lower);
+  d = (this->Parallel ? -(upper + lower) : -2.0 * upper * lower) / (upper - lower);
+  // Both depths z are linear in q = a + b (1 - z), the distance or its inverse.
+  const auto [now, slope] = this->DepthToEye();
+  this->ToCameraDepth[0] = slope / b;
+  this->ToCameraDepth[1] = 1.0 - (now + slope - a) / b;
+  return true;
+}
+
+std::pair<double, double> ScreenView::DepthToEye() const
+{
+  // With z the depth buffer's value, clip z is 2 z - 1; near the far plane 1 - z is exact.
+  const double c = this->Projection[10];
+  const double d = this->Projection[11];
+  return this->Parallel ? std::make_pair((d - 1.0) / c / this->Unit, 2.0 / c / this->Unit)
+                        : std::make_pair((1.0 + c) / d * this->Unit, -2.0 / d * this->Unit);
+}
+
 ScreenView ScreenView::Coarse(int block) const
 {
   ScreenView view = *this;
@@ -90,18 +145,8 @@ void ScreenView::SetUniforms(vtkShaderProgram* program) const
   program->SetUniform4f("pixelToEye", pixelToEye);
   program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
   SetVector(program, "pixelSize", 1.0 / this->Width, 1.0 / this->Height);
-
-  // With z the depth buffer's value, clip z is 2 z - 1; near the far plane 1 - z is exact.
-  const double c = this->Projection[10];
-  const double d = this->Projection[11];
-  if (this->Parallel)
-  {
-    SetVector(program, "depthToEye", (d - 1.0) / c / this->Unit, 2.0 / c / this->Unit);
-  }
-  else
-  {
-    SetVector(program, "depthToEye", (1.0 + c) / d * this->Unit, -2.0 / d * this->Unit);
-  }
+  const auto [origin, slope] = this->DepthToEye();
+  SetVector(program, "depthToEye", origin, slope);
 }
 
 Matrix ScreenView::ToEyeOf(const ScreenView& other) const

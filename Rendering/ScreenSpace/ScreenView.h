@@ -10,6 +10,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 class vtkRenderer;
 class vtkShaderProgram;
@@ -32,9 +33,18 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenView
   double Scale[2] = { 1.0, 1.0 };
   double Offset[2] = { 0.0, 0.0 };
 
+  /// A depth buffer of this view times [0] plus [1] is the one that the camera's own clipping planes
+  /// would have given.
+  double ToCameraDepth[2] = { 1.0, 0.0 };
+
   /// The view of the renderer's camera into a picture of this size, enlarged on every side by
   /// `margin` pixels.
   static ScreenView Of(vtkRenderer* renderer, const int size[2], const int margin[2]);
+
+  /// Moves the clipping planes closer to what lies in `bounds` (world coordinates), where the camera's
+  /// are so far from it that its depths would be coarse; nothing in there is cut off by that. Returns
+  /// whether it did.
+  bool TightenDepth(const double bounds[6]);
 
   /// The view of one pixel in each block of this one's, `block` pixels a side: that in the middle, of
   /// two the latter.
@@ -49,6 +59,10 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenView
 
   /// Do both see the same from the same place? (Clipping planes may differ.)
   bool SeesLike(const ScreenView& other) const;
+
+private:
+  /// Eye depth, or in perspective its inverse, is first + second * (1 - depth of the depth buffer).
+  std::pair<double, double> DepthToEye() const;
 };
 
 /// Shader text with vtkPenumbraViewLib.glsl in place of its line `//VTK::Penumbra::ViewLib`.

@@ -20,8 +20,34 @@ namespace penumbra
 namespace
 {
 
-/// What only the reprojecting stage needs.
-void SetMotion(vtkShaderProgram* program, const EyeDepth& depth, const TemporalSettings& settings)
+/// An estimate that is there already.
+constexpr const char* Given = "uniform sampler2D estimates;\n"
+                              "float estimateAt(SurfacePoint point) { return texture(estimates, "
+                              "point.pixel * pixelSize).r; }\n";
+
+/// Two programs: on some drivers what is skipped costs as much as what is done.
+std::string Reprojection(const TemporalSettings& settings, const std::string& estimate)
+{
+  return Assemble(vtkPenumbraHistoryFS,
+    { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
+      { "EstimateLib", estimate },
+      { "NeighbourLib",
+        settings.NeighbourValidation
+          ? vtkPenumbraNeighbourLib
+          : "float neighbourTrust(SurfacePoint point, vec3 before) { return maximumWeight; }" } });
+}
+
+/// What all stages need.
+void SetWeights(vtkShaderProgram* program, int samples, const TemporalSettings& settings)
+{
+  program->SetUniformf("newSamples", static_cast<float>(samples));
+  program->SetUniformf("maximumWeight", static_cast<float>(settings.MaximumWeight));
+  program->SetUniformf("weightCap", static_cast<float>(settings.WeightCap));
+}
+
+/// What only the reprojecting stages need.
+void SetMotion(
+  Stage& stage, vtkShaderProgram* program, const EyeDepth& depth, const TemporalSettings& settings)
 {
   const ScreenView& before = depth.GetPreviousView();
   const Matrix matrix = depth.GetView().ToEyeOf(before);
@@ -41,61 +67,72 @@ void SetMotion(vtkShaderProgram* program, const EyeDepth& depth, const TemporalS
   {
     program->SetUniformf("invalidationWeight", static_cast<float>(settings.InvalidationWeight));
   }
+  stage.Read("eyeDepths", depth.GetCurrent());
+  stage.Read("previousEyeDepths", depth.GetPrevious());
 }
 
+}
+
+bool TemporalHistory::Prepare(vtkOpenGLRenderWindow* window, const ScreenView& view)
+{
+  bool isNew = false;
+  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
+  {
+    isNew = Allocate(texture, window, view.Width, view.Height, 2) || isNew;
+  }
+  this->Current = 1 - this->Current;
+  return isNew;
 }
 
 bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const EyeDepth& depth, EyeDepth::Change change, vtkTextureObject* estimates, int samples,
   const TemporalSettings& settings, const std::vector<Rectangle>& parts)
 {
-  // Two programs: on some drivers what is skipped costs as much as what is done.
-  const auto assemble = [](const char* neighbours) {
-    return Assemble(vtkPenumbraHistoryFS,
-      { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-        { "NeighbourLib", neighbours } });
-  };
-  static const std::string reproject =
-    assemble("float neighbourTrust(SurfacePoint point, vec3 before) { return maximumWeight; }");
-  static const std::string validate = assemble(vtkPenumbraNeighbourLib);
-
-  const ScreenView& view = depth.GetView();
-  bool isNew = false;
-  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
-  {
-    isNew = Allocate(texture, window, view.Width, view.Height, 2) || isNew;
-  }
+  const bool isNew = this->Prepare(window, depth.GetView());
   const bool moved = change == EyeDepth::Change::Some && !isNew;
-  const bool fresh = change == EyeDepth::Change::All || isNew;
   Stage& stage = !moved            ? this->Accumulate
     : settings.NeighbourValidation ? this->Validate
                                    : this->Reproject;
-  vtkTextureObject* last = this->GetTexture();
-  this->Current = 1 - this->Current;
-
-  vtkShaderProgram* program = stage.Ready(window,
-    !moved                           ? vtkPenumbraAccumulateFS
-      : settings.NeighbourValidation ? validate
-                                     : reproject);
+  vtkShaderProgram* program =
+    stage.Ready(window, moved ? Reprojection(settings, Given) : vtkPenumbraAccumulateFS);
   const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
   {
     return false;
   }
-  view.SetUniforms(program);
-  program->SetUniformf("newSamples", static_cast<float>(samples));
-  program->SetUniformf("maximumWeight", static_cast<float>(settings.MaximumWeight));
-  program->SetUniformf("weightCap", fresh ? 0.f : static_cast<float>(settings.WeightCap));
+  depth.GetView().SetUniforms(program);
+  TemporalSettings weights = settings;
+  weights.WeightCap = change == EyeDepth::Change::All || isNew ? 0.0 : settings.WeightCap;
+  SetWeights(program, samples, weights);
   stage.Read("estimates", estimates);
-  stage.Read("history", last);
+  stage.Read("history", this->GetSpare());
   if (moved)
   {
-    SetMotion(program, depth, settings);
-    stage.Read("eyeDepths", depth.GetCurrent());
-    stage.Read("previousEyeDepths", depth.GetPrevious());
+    SetMotion(stage, program, depth, settings);
   }
   stage.Draw(parts);
   return true;
+}
+
+int TemporalHistory::Follow(const vtkPenumbraOcclusionEstimator::Request& request,
+  vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings)
+{
+  this->Prepare(request.Window, request.Depth->GetView());
+  vtkShaderProgram* program =
+    this->Estimate.Ready(request.Window, Reprojection(settings, estimator->GetShader()));
+  const DrawInto target(request.Window, request.Image->GetFramebuffer(), { this->GetTexture() },
+    request.Image->GetDepth());
+  if (!program || !target.IsComplete())
+  {
+    return 0;
+  }
+  request.Depth->GetView().SetUniforms(program);
+  const int samples = estimator->SetUniforms(request, program);
+  SetWeights(program, samples, settings);
+  SetMotion(this->Estimate, program, *request.Depth, settings);
+  this->Estimate.Read("history", this->GetSpare());
+  this->Estimate.Draw(*request.Parts);
+  return samples;
 }
 
 bool TemporalHistory::AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image,
@@ -134,6 +171,7 @@ void TemporalHistory::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Reproject.ReleaseGraphicsResources(window);
   this->Validate.ReleaseGraphicsResources(window);
+  this->Estimate.ReleaseGraphicsResources(window);
   this->Accumulate.ReleaseGraphicsResources(window);
   this->Sum.ReleaseGraphicsResources(window);
 }

@@ -8,6 +8,7 @@
 
 #include "EyeDepth.h"
 #include "Stage.h"
+#include "vtkPenumbraOcclusionEstimator.h"
 
 namespace penumbra
 {
@@ -31,6 +32,11 @@ public:
     EyeDepth::Change change, vtkTextureObject* estimates, int samples,
     const TemporalSettings& settings, const std::vector<Rectangle>& parts);
 
+  /// After Change::Some, the same in one step with the estimate itself, by an estimator with a shader.
+  /// Returns how many new samples those were, 0 when OpenGL refuses.
+  int Follow(const vtkPenumbraOcclusionEstimator::Request& request,
+    vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings);
+
   /// The same where nothing changed.
   bool AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* estimates,
     int samples, const std::vector<Rectangle>& parts);
@@ -43,10 +49,13 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  bool Prepare(vtkOpenGLRenderWindow* window, const ScreenView& view);
+
   vtkSmartPointer<vtkTextureObject> Textures[2];
   int Current = 0;
   Stage Reproject;
   Stage Validate; ///< the same, and looks whether neighbours have moved
+  Stage Estimate; ///< one of the two, with the estimate
   Stage Accumulate;
   Stage Sum;
 };

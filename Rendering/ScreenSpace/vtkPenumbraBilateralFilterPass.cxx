@@ -117,7 +117,7 @@ bool vtkPenumbraBilateralFilterPass::RenderFiltered(const vtkRenderState* state)
     own.Smooth.Draw();
   }
   this->NumberOfRenderedProps = props;
-  return own.Composite.Draw(window, own.Image, own.Depth, own.Result, nullptr, 0.0, true);
+  return own.Composite.Draw(window, own.Image, own.Depth, own.Result, nullptr, { 0.0, 0.0 }, true);
 }
 
 void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)

@@ -6,6 +6,7 @@
 #include "Stage.h"
 #include "Thickness.h"
 #include "vtkPenumbraEstimateFS.h"
+#include "vtkPenumbraEstimateLib.h"
 #include "vtkPenumbraHemisphereLib.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraSurfaceLib.h"
@@ -113,6 +114,26 @@ double vtkPenumbraKernelEstimator::ThicknessOf(const penumbra::EyeDepth& depth)
   return state.Thickness;
 }
 
+std::string vtkPenumbraKernelEstimator::GetShader()
+{
+  return penumbra::Assemble(vtkPenumbraEstimateLib,
+    { { "Kernel", vtkPenumbraKernels::GetShader(this->Kernel) },
+      { "HemisphereLib", vtkPenumbraHemisphereLib } });
+}
+
+int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderProgram* program)
+{
+  const int fetches = vtkPenumbraKernels::GetFetchesPerPoint(this->Kernel);
+  const int points = std::clamp(request.Samples / fetches, 1, MaximumPoints);
+  SetPoints(program, request.FirstSample / fetches, points);
+  program->SetUniformf("pixelRotation", request.TurnPixels ? 1.f : 0.f);
+  if (program->IsUniformUsed("thickness"))
+  {
+    program->SetUniformf("thickness", static_cast<float>(this->ThicknessOf(*request.Depth)));
+  }
+  return points * fetches;
+}
+
 int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObject* target)
 {
   Internals& state = *this->Implementation;
@@ -120,8 +141,7 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
   {
     state.Source = penumbra::Assemble(vtkPenumbraEstimateFS,
       { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-        { "Kernel", vtkPenumbraKernels::GetShader(this->Kernel) },
-        { "HemisphereLib", vtkPenumbraHemisphereLib } });
+        { "EstimateLib", this->GetShader() } });
   }
   vtkShaderProgram* program = state.Stage.Ready(request.Window, state.Source);
   const penumbra::DrawInto into(
@@ -130,15 +150,8 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
   {
     return 0;
   }
-  const int fetches = vtkPenumbraKernels::GetFetchesPerPoint(this->Kernel);
-  const int points = std::clamp(request.Samples / fetches, 1, MaximumPoints);
   request.Depth->GetView().SetUniforms(program);
-  SetPoints(program, request.FirstSample / fetches, points);
-  program->SetUniformf("pixelRotation", request.TurnPixels ? 1.f : 0.f);
-  if (program->IsUniformUsed("thickness"))
-  {
-    program->SetUniformf("thickness", static_cast<float>(this->ThicknessOf(*request.Depth)));
-  }
+  const int samples = this->SetUniforms(request, program);
   state.Stage.Read("eyeDepths", request.Depth->GetCurrent());
   if (request.Parts)
   {
@@ -148,7 +161,7 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
   {
     state.Stage.Draw();
   }
-  return points * fetches;
+  return samples;
 }
 
 void vtkPenumbraKernelEstimator::ReleaseGraphicsResources(vtkWindow* window)

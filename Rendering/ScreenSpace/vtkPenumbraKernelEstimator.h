@@ -37,6 +37,8 @@ public:
   /** As vtkPenumbraKernels knows it. */
   double GetBias() override;
   int Estimate(const Request& request, vtkTextureObject* target) override;
+  std::string GetShader() override;
+  int SetUniforms(const Request& request, vtkShaderProgram* program) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

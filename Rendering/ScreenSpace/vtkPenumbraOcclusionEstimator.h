@@ -15,6 +15,7 @@
 #include "vtkObject.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 
+#include <string> // for std::string
 #include <vector> // for std::vector
 
 namespace penumbra
@@ -25,6 +26,7 @@ struct Rectangle;
 }
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -64,6 +66,16 @@ public:
    * many samples a pixel that were, 0 when it cannot.
    */
   virtual int Estimate(const Request& request, vtkTextureObject* target) = 0;
+
+  ///@{
+  /**
+   * The same within a shader of somebody else's: GLSL, over those of vtkPenumbraViewLib and
+   * vtkPenumbraSurfaceLib, of a function `float estimateAt(SurfacePoint)`, empty where there is none;
+   * and the uniforms that it needs, which returns as Estimate() does.
+   */
+  virtual std::string GetShader() { return {}; }
+  virtual int SetUniforms(const Request&, vtkShaderProgram*) { return 0; }
+  ///@}
 
   /** Is all that it needs of the renderer's scene at hand? Asked before every frame. */
   virtual bool CanEstimate(vtkRenderer*) { return true; }

@@ -217,7 +217,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
     }
     own.Window = window;
   }
-  settings.Strength = this->Strength;
+  settings.Darkness = { this->Strength, this->LightAwareness };
   settings.Tolerance = this->Tolerance;
   settings.FirstSamples = this->FirstSamples;
   settings.Samples = this->Samples;
@@ -246,6 +246,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   known.Kernel = own.ActiveKernel;
   if (this->OpaqueOnly)
   {
+    settings.Bounds = bounds;
     const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
     const double needed =
       estimator->NeedsMargin() ? std::min(settings.Radius / pixel, LargestMargin * side) : 0.0;
@@ -376,6 +377,7 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusUnit: " << this->RadiusUnit << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "LightAwareness: " << this->LightAwareness << "\n";
   os << indent << "KernelName: " << this->KernelName << "\n";
   os << indent << "Estimator: " << this->GetEstimator() << "\n";
   os << indent << "FirstSamples: " << this->FirstSamples << "\n";

@@ -86,6 +86,15 @@ public:
 
   ///@{
   /**
+   * How far light spares a surface, 0 to 1: Strength falls by this times a colour's brightness (its
+   * largest component). Hues stay; of a colour map the bright colours are darkened less. Default: 0.
+   */
+  vtkSetClampMacro(LightAwareness, double, 0.0, 1.0);
+  vtkGetMacro(LightAwareness, double);
+  ///@}
+
+  ///@{
+  /**
    * A kernel of vtkPenumbraKernels by name, the name of a registered vtkPenumbraOcclusionEstimator
    * ("traced": vtkPenumbraTracedEstimator), or "automatic": true rays, where they are registered, the
    * scene is at hand and does not change from frame to frame and Tolerance asks for more than one
@@ -241,6 +250,7 @@ private:
   int RadiusUnit = SHARE_OF_BOUNDS;
   double Radius = 0.1;
   double Strength = 1.0;
+  double LightAwareness = 0.0;
   std::string KernelName = "automatic";
   int FirstSamples = 32;
   int Samples = 8;

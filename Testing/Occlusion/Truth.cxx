@@ -24,6 +24,51 @@ glm::vec3 NormalTowardsEye(const Scene& scene, const Hit& hit, glm::vec3 directi
   return glm::dot(normal, direction) > 0.f ? -normal : normal;
 }
 
+/// A renderer's scene, and rays from the points of its surface.
+struct PictureTracer
+{
+  PictureTracer(vtkRenderer* renderer, const int size[2], double radius)
+    : Drawn(Extract(renderer, size)),
+      Rays(this->Drawn, 1),
+      Reach(static_cast<float>(radius * this->Drawn.Scale))
+  {
+  }
+
+  static Scene Extract(vtkRenderer* renderer, const int size[2])
+  {
+    ExtractionOptions options;
+    options.Resolution[0] = size[0];
+    options.Resolution[1] = size[1];
+    return ExtractScene(renderer, options);
+  }
+
+  /// Calls `visit(ray, random state)` for rays * rays directions distributed as the cosine.
+  template <typename Visit>
+  void ForRaysFrom(const SurfacePoint& seen, int rays, const Visit& visit) const
+  {
+    const Scene& scene = this->Drawn;
+    const glm::dvec3 world(seen.Position[0], seen.Position[1], seen.Position[2]);
+    const glm::vec3 point((world - scene.Origin) * scene.Scale);
+    const glm::vec3 normal(seen.Normal[0], seen.Normal[1], seen.Normal[2]);
+    const glm::mat3 frame = FrameOf(normal);
+    std::uint32_t state = SeedOf(point, normal);
+    Ray probe;
+    probe.Origin = point + GapAbove(point) * normal;
+    for (int ray = 0; ray < rays * rays; ++ray)
+    {
+      const float u = (static_cast<float>(ray % rays) + Uniform(state)) / static_cast<float>(rays);
+      const float v = (static_cast<float>(ray / rays) + Uniform(state)) / static_cast<float>(rays);
+      probe.Far = this->Reach;
+      probe.Direction = frame * ToHemisphere(ToDisc(u, v));
+      visit(probe, state);
+    }
+  }
+
+  const Scene Drawn;
+  const RayScene Rays;
+  const float Reach;
+};
+
 }
 
 std::vector<SurfacePoint> PointsInPicture(const RayScene& rays, int stride)
@@ -54,40 +99,48 @@ std::vector<SurfacePoint> PointsInPicture(const RayScene& rays, int stride)
 OcclusionTruth TraceOcclusion(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays)
 {
-  ExtractionOptions options;
-  options.Resolution[0] = size[0];
-  options.Resolution[1] = size[1];
-  const Scene scene = ExtractScene(renderer, options);
-  const RayScene tracer(scene, 1);
-  const auto reach = static_cast<float>(radius * scene.Scale);
+  const PictureTracer tracer(renderer, size, radius);
   OcclusionTruth truth;
   truth.Width = size[0];
-  for (const SurfacePoint& seen : PointsInPicture(tracer, stride))
+  for (const SurfacePoint& seen : PointsInPicture(tracer.Rays, stride))
   {
-    const glm::dvec3 world(seen.Position[0], seen.Position[1], seen.Position[2]);
-    const glm::vec3 point((world - scene.Origin) * scene.Scale);
-    const glm::vec3 normal(seen.Normal[0], seen.Normal[1], seen.Normal[2]);
-    const glm::mat3 frame = FrameOf(normal);
-    std::uint32_t state = SeedOf(point, normal);
-    Ray probe;
-    probe.Origin = point + GapAbove(point) * normal;
-    probe.Far = reach;
     double constant = 0.0;
     double linear = 0.0;
-    for (int ray = 0; ray < rays * rays; ++ray)
-    {
-      const float u = (static_cast<float>(ray % rays) + Uniform(state)) / static_cast<float>(rays);
-      const float v = (static_cast<float>(ray / rays) + Uniform(state)) / static_cast<float>(rays);
-      probe.Direction = frame * ToHemisphere(ToDisc(u, v));
-      const Hit met = tracer.Intersect(probe);
+    tracer.ForRaysFrom(seen, rays, [&](Ray& probe, std::uint32_t&) {
+      const Hit met = tracer.Rays.Intersect(probe);
       constant += met.IsHit();
-      linear += met.IsHit() ? 1.0 - met.Distance / reach : 0.0;
-    }
+      linear += met.IsHit() ? 1.0 - met.Distance / tracer.Reach : 0.0;
+    });
     truth.Pixels.push_back(seen.Pixel);
     truth.Constant.push_back(static_cast<float>(constant / (rays * rays)));
     truth.Linear.push_back(static_cast<float>(linear / (rays * rays)));
   }
   return truth;
+}
+
+std::vector<float> TraceMisjudged(
+  vtkRenderer* renderer, const int size[2], double radius, int stride, int rays)
+{
+  const PictureTracer tracer(renderer, size, radius);
+  const Camera& eye = tracer.Drawn.Eye;
+  std::vector<float> shares;
+  for (const SurfacePoint& seen : PointsInPicture(tracer.Rays, stride))
+  {
+    const glm::dvec2 pixel(seen.Pixel % size[0] + .5, seen.Pixel / size[0] + .5);
+    int misjudged = 0;
+    tracer.ForRaysFrom(seen, rays, [&](Ray& probe, std::uint32_t& state) {
+      probe.Far = Uniform(state) * tracer.Reach;
+      const bool blocked = tracer.Rays.Intersect(probe).IsHit();
+      Ray back;
+      back.Origin = probe.Origin + probe.Far * probe.Direction;
+      const glm::vec3 way = glm::vec3(eye.RayOrigin(pixel)) - back.Origin;
+      back.Far = glm::length(way);
+      back.Direction = way / back.Far;
+      misjudged += tracer.Rays.Intersect(back).IsHit() != blocked;
+    });
+    shares.push_back(static_cast<float>(misjudged) / static_cast<float>(rays * rays));
+  }
+  return shares;
 }
 
 double Rmse(const OcclusionTruth& truth, FallOff fallOff, const std::vector<float>& picture)

@@ -45,6 +45,12 @@ struct OcclusionTruth
 OcclusionTruth TraceOcclusion(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays);
 
+/// For every such pixel the share of rays * rays points in the hemisphere over the surface, directions distributed
+/// as the cosine, distances evenly up to the radius, of which 'hidden from the eye' does not say the
+/// same as 'the way from the surface point is blocked'.
+std::vector<float> TraceMisjudged(
+  vtkRenderer* renderer, const int size[2], double radius, int stride, int rays);
+
 /// RMS of the difference between a picture's array and the truth.
 double Rmse(const OcclusionTruth& truth, FallOff fallOff, const std::vector<float>& picture);
 

@@ -35,9 +35,10 @@ std::string Estimate(const std::string& kernel)
   std::string text = penumbra::Assemble(Shader("vtkPenumbraEstimateFS.glsl"),
     { { "ViewLib", Shader("vtkPenumbraViewLib.glsl") },
       { "SurfaceLib", Shader("vtkPenumbraSurfaceLib.glsl") },
+      { "EstimateLib", Shader("vtkPenumbraEstimateLib.glsl") },
       { "Kernel", Shader("vtkPenumbraEstimate" + kernel + "FS.glsl") },
       { "HemisphereLib", Shader("vtkPenumbraHemisphereLib.glsl") } });
-  return text.substr(0, text.rfind("void main()"));
+  return text.substr(0, text.rfind("void main()")) + Shader("vtkPenumbraDarkenLib.glsl");
 }
 
 class Shaders : public testing::Test
@@ -77,6 +78,8 @@ protected:
     program->SetUniform2f("depthToEye", depthToEye);
     program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
     program->SetUniformf("thickness", 1.f);
+    program->SetUniformf("strength", .8f);
+    program->SetUniformf("lightAwareness", .5f);
     program->SetUniformf("pixelRotation", 1.f);
     {
       const penumbra::DrawInto into(this->Context, this->Framebuffer, { this->Target });
@@ -120,19 +123,25 @@ TEST_F(Shaders, GoFromPixelsToPositionsAndBack)
 
 TEST_F(Shaders, IntegrateTheCosineOverASlice)
 {
+  const auto arc = [&](double angle, double tilt) {
+    std::ostringstream call;
+    call << "arc(" << angle << ", " << std::cos(2.0 * angle - tilt) << ", " << std::cos(tilt)
+         << ", " << std::sin(tilt) << ")";
+    return this->Value(call.str());
+  };
   // All of a slice whose normal is tilted by t: cos t + t sin t; of t = 0, up to an angle: sin^2 / 2.
   for (const double tilt : { 0.0, .3, -1.1 })
   {
-    const std::string t = "(" + std::to_string(tilt) + ")";
-    const std::string all =
-      "arc(" + t + " + 0.5 * pi, " + t + ") - arc(" + t + " - 0.5 * pi, " + t + ")";
-    EXPECT_NEAR(this->Value(all), std::cos(tilt) + tilt * std::sin(tilt), 1e-5) << tilt;
+    const double quarter = .5 * 3.14159265;
+    EXPECT_NEAR(arc(tilt + quarter, tilt) - arc(tilt - quarter, tilt),
+      std::cos(tilt) + tilt * std::sin(tilt), 1e-5)
+      << tilt;
   }
-  EXPECT_NEAR(this->Value("arc(0.7, 0.0)"), std::sin(.7) * std::sin(.7) / 2.0, 1e-6);
-  EXPECT_NEAR(this->Value("arc(-0.7, 0.0)"), -std::sin(.7) * std::sin(.7) / 2.0, 1e-6);
+  EXPECT_NEAR(arc(.7, 0.0), std::sin(.7) * std::sin(.7) / 2.0, 1e-5);
+  EXPECT_NEAR(arc(-.7, 0.0), -std::sin(.7) * std::sin(.7) / 2.0, 1e-5);
   // Drivers take arc cosines from polynomials.
-  EXPECT_NEAR(this->Value("angleOfLevel(0.5)"), std::acos(.5), 2e-4);
-  EXPECT_NEAR(this->Value("angleOfLevel(1.5)"), -std::acos(.5), 2e-4);
+  EXPECT_NEAR(this->Value("angleOf(directionOfLevel(0.25))"), std::acos(.5), 2e-4);
+  EXPECT_NEAR(this->Value("angleOf(directionOfLevel(1.75))"), -std::acos(.5), 2e-4);
 }
 
 TEST_F(Shaders, MakeFramesOfNormals)
@@ -143,6 +152,15 @@ TEST_F(Shaders, MakeFramesOfNormals)
   EXPECT_NEAR(
     this->Value("dot(cross(" + frame + "[0], " + frame + "[1]), " + frame + "[2])", "Volumetric"),
     1.0, 1e-6);
+}
+
+TEST_F(Shaders, DarkenAllColoursByTheirBrightness)
+{
+  // 1 - .8 * .5 * (1 - .5 * .4)
+  EXPECT_NEAR(Value("darkened(vec3(.4, .2, .1), .5).r"), .4 * .68, 1e-6);
+  EXPECT_NEAR(Value("darkened(vec3(.4, .2, .1), .5).b"), .1 * .68, 1e-6);
+  EXPECT_NEAR(Value("darkened(vec3(3., 0., 0.), 1.).r"), 3.0 * .6, 1e-6);
+  EXPECT_NEAR(Value("darkened(vec3(.7), 0.).g"), .7, 1e-6);
 }
 
 TEST_F(Shaders, KeepPixelNoiseInTheUnitInterval)

@@ -229,6 +229,29 @@ TEST(TemporalSSAOPass, MakesNoHalosWithManySamples)
   }
 }
 
+TEST(TemporalSSAOPass, SparesBrightColoursByLightAwareness)
+{
+  OcclusionScene scene;
+  const auto floor = scene.AddFloor();
+  const auto wall = scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
+  scene.Look({ 0, -5, 3 }, { 0, 0, .2 });
+  scene.Occlude(1.0)->SetLightAwareness(.75);
+  const std::array<int, 2> foot = scene.Pixel({ 0, -.05, 0 });
+  const std::size_t at = 4 * (static_cast<std::size_t>(foot[1]) * scene.Width + foot[0]);
+  for (const double brightness : { 1.0, .4 })
+  {
+    floor->GetProperty()->SetColor(brightness, .5 * brightness, 0.0);
+    scene.Window->Render();
+    const double occlusion = scene.At("AmbientOcclusion", { 0, -.05, 0 });
+    const double factor = 1.0 - occlusion * (1.0 - .75 * brightness);
+    EXPECT_GT(occlusion, .3);
+    const std::vector<int> picture = scene.Picture();
+    EXPECT_NEAR(picture[at], 255.0 * brightness * factor, 2.0);
+    EXPECT_NEAR(picture[at + 1], 255.0 * .5 * brightness * factor, 2.0);
+    EXPECT_EQ(picture[at + 2], 0);
+  }
+}
+
 TEST(TemporalSSAOPass, DrawsThePlainSceneWithRadiusZero)
 {
   OcclusionScene scene;

@@ -3,13 +3,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The scene, darkened: colour * (1 - strength * occlusion), with its own depth.
+// The scene, darkened, with its own depth.
+//VTK::Penumbra::DarkenLib
 uniform sampler2D colors;
 uniform sampler2D depthBuffer;
 uniform sampler2D occlusions;
 uniform vec2 pixelSize;   // of the scene's picture
 uniform vec2 offset;      // from pixels of the target to those of the scene's picture
-uniform float strength;
+uniform vec2 toTargetDepth; // a depth of the picture times x plus y is the target's
 uniform float background; // 1: pixels without a surface are the scene's, too; 0: they stay
 
 void main()
@@ -22,6 +23,6 @@ void main()
   }
   float occlusion = depth < 1.0 ? texture(occlusions, at).r : 0.0;
   vec4 color = texture(colors, at);
-  gl_FragData[0] = vec4(color.rgb * (1.0 - strength * occlusion), color.a);
-  gl_FragDepth = depth;
+  gl_FragData[0] = vec4(darkened(color.rgb, occlusion), color.a);
+  gl_FragDepth = depth < 1.0 ? toTargetDepth.x * depth + toTargetDepth.y : 1.0;
 }

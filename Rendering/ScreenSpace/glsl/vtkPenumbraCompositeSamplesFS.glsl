@@ -6,13 +6,14 @@
 // The scene with several samples a pixel, darkened: each sample by the occlusion of the surface that
 // it shows, which at an edge is that of a neighbouring pixel. So edges stay smooth and get no halos.
 //VTK::Penumbra::ViewLib
+//VTK::Penumbra::DarkenLib
 uniform sampler2DMS colors;
 uniform sampler2DMS depthSamples;
 uniform sampler2D eyeDepths;
 uniform sampler2D occlusions;
 uniform int sampleCount;
 uniform vec2 offset;      // from pixels of the target to those of the scene's picture
-uniform float strength;
+uniform vec2 toTargetDepth; // a depth of the picture times x plus y is the target's
 uniform float background; // 1: samples without a surface are the scene's, too; 0: they stay
 
 // Relative depth within which a sample shows the same surface as its pixel.
@@ -46,7 +47,7 @@ void main()
     float counts = depth < 1.0 || background > 0.5 ? 1.0 : 0.0;
     float occlusion = depth < 1.0 ? occlusionOf(eyeDepthOfBuffer(depth), pixel) : 0.0;
     vec4 color = texelFetch(colors, ivec2(pixel), i);
-    sum += counts * vec4(color.rgb * (1.0 - strength * occlusion), color.a);
+    sum += counts * vec4(darkened(color.rgb, occlusion), color.a);
     covered += counts;
     frontmost = min(frontmost, depth);
   }
@@ -56,5 +57,6 @@ void main()
   }
   // To be blended over what is there: alpha is the share of the samples.
   gl_FragData[0] = sum / float(sampleCount);
-  gl_FragDepth = 2.0 * covered >= float(sampleCount) ? frontmost : 1.0;
+  bool solid = 2.0 * covered >= float(sampleCount) && frontmost < 1.0;
+  gl_FragDepth = solid ? toTargetDepth.x * frontmost + toTargetDepth.y : 1.0;
 }

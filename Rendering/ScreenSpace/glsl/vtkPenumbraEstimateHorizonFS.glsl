@@ -9,15 +9,16 @@
 
 const int stepsPerSide = 4; // a sample of the sequence is one slice of 2 * stepsPerSide fetches
 
-// The integral over a slice of cos(t - tilt) |sin t| from the view direction to the angle.
-float arc(float angle, float tilt)
+// The integral over a slice of cos(t - tilt) |sin t| from the view direction to an angle t. Sines and
+// cosines of angles that stem from vectors are at hand; here those of the tilt, and cos(2 t - tilt).
+float arc(float angle, float cosineOfTwice, float cosTilt, float sinTilt)
 {
-  return 0.25 * sign(angle) * (cos(tilt) - cos(2.0 * angle - tilt) + 2.0 * angle * sin(tilt));
+  return 0.25 * sign(angle) * (cosTilt - cosineOfTwice + 2.0 * angle * sinTilt);
 }
 
-// How far up one side is blocked: the largest cosine of an angle to the normal within the slice,
-// continued as 2 - cosine beyond the normal. Heights are taken over the tangent plane, so that the
-// centres of pixels beside the slice's line do no harm. `up` is the normal divided by its share in
+// How far up one side is blocked: the largest squared cosine of an angle to the normal within the
+// slice, continued as 2 - square beyond the normal. Heights are taken over the tangent plane, so that
+// the centres of pixels beside the slice's line do no harm. `up` is the normal divided by its share in
 // the slice, `outwards` the tangent.
 float horizon(SurfacePoint point, vec3 up, vec3 outwards, vec2 step, float shift)
 {
@@ -27,17 +28,23 @@ float horizon(SurfacePoint point, vec3 up, vec3 outwards, vec2 step, float shift
     vec3 way = eyePositionAt(point.pixel + step * (float(i) + shift)) - point.position;
     float height = dot(way, up);
     float aside = dot(way, outwards);
-    float cosine = height * inversesqrt(max(height * height + aside * aside, 1e-12));
-    float level = aside < 0.0 ? 2.0 - cosine : cosine;
+    float square = height * height / max(height * height + aside * aside, 1e-12);
+    float level = aside < 0.0 ? 2.0 - square : square;
     highest = dot(way, way) < 1.0 && height > 0.0 ? max(highest, level) : highest;
   }
   return highest;
 }
 
-// The angle from the normal at which a level lies; negative beyond the normal.
-float angleOfLevel(float level)
+// Cosine and sine of the angle from the normal at which a level lies; negative beyond the normal.
+vec2 directionOfLevel(float level)
 {
-  return level > 1.0 ? -acos(2.0 - level) : acos(level);
+  float square = level > 1.0 ? 2.0 - level : level;
+  return sqrt(vec2(square, 1.0 - square)) * vec2(1.0, level > 1.0 ? -1.0 : 1.0);
+}
+
+float angleOf(vec2 direction)
+{
+  return sign(direction.y) * acos(direction.x);
 }
 
 float sliceOcclusion(SurfacePoint point, vec3 view, float azimuth, float shift)
@@ -47,14 +54,20 @@ float sliceOcclusion(SurfacePoint point, vec3 view, float azimuth, float shift)
   vec3 projected = point.normal - axis * dot(point.normal, axis);
   float share = length(projected);
   vec3 outwards = cross(axis, projected / share);
-  float tilt = -sign(dot(view, outwards)) * acos(clamp(dot(projected, view) / share, -1.0, 1.0));
+  float cosTilt = clamp(dot(projected, view) / share, -1.0, 1.0);
+  float sinTilt = -dot(view, outwards);
+  float tilt = sign(sinTilt) * acos(cosTilt);
   vec2 step = direction.xy * radiusInPixels(point) / float(stepsPerSide);
   vec3 up = point.normal / share;
-  float right = tilt + angleOfLevel(horizon(point, up, outwards, step, shift));
-  float left = min(tilt - angleOfLevel(horizon(point, up, -outwards, -step, shift)), right);
-  float quarter = 0.5 * pi;
-  return share *
-    (arc(tilt + quarter, tilt) - arc(right, tilt) + arc(left, tilt) - arc(tilt - quarter, tilt));
+  vec2 right = directionOfLevel(horizon(point, up, outwards, step, shift));
+  vec2 left = directionOfLevel(horizon(point, up, -outwards, -step, shift));
+  float rightmost = tilt + angleOf(right);
+  float leftmost = tilt - angleOf(left);
+  // cos(2 (tilt + t) - tilt) = cos(tilt) cos(2 t) - sin(tilt) sin(2 t)
+  vec2 cosines = cosTilt * (2.0 * vec2(right.x * right.x, left.x * left.x) - 1.0) -
+    2.0 * sinTilt * vec2(right.x * right.y, -left.x * left.y);
+  float open = arc(rightmost, cosines.x, cosTilt, sinTilt) - arc(leftmost, cosines.y, cosTilt, sinTilt);
+  return share * (cosTilt + tilt * sinTilt - (leftmost < rightmost ? open : 0.0));
 }
 
 float occlusionAt(SurfacePoint point)

@@ -9,7 +9,7 @@
 // reject it) and what just came into sight starts afresh.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SurfaceLib
-uniform sampler2D estimates;
+//VTK::Penumbra::EstimateLib
 uniform sampler2D history;         // r: sum, g: number of samples
 uniform sampler2D previousEyeDepths;
 uniform mat4 toPreviousEye;        // eye coordinates to those of the previous picture
@@ -81,7 +81,7 @@ void main()
   vec2 kept = keptHistory(before, mat3(toPreviousEye) * point.normal);
   float weight = min(kept.g, weightCap);
   weight = min(weight, neighbourTrust(point, before));
-  float estimate = texture(estimates, gl_FragCoord.xy * pixelSize).r;
+  float estimate = estimateAt(point);
   weight = min(weight, maximumWeight - newSamples);
   kept *= weight / max(kept.g, 1e-6);
   gl_FragData[0] = vec4(kept + newSamples * vec2(estimate, 1.0), 0.0, 1.0);
