@@ -10,6 +10,7 @@
 #include "Table.h"
 #include "Truth.h"
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,16 @@ struct OcclusionBenchmark
   int Stride = 4; ///< of the pixels with a truth
   int Rays = 32;  ///< squared: per such pixel
   Table Results;
+
+  /// Adds a figure with a bar; where it is missed its remark says by how much and `why`.
+  void Judge(const std::string& scene, const std::string& quantity, double measured, double limit,
+    const std::string& why)
+  {
+    char distance[32];
+    std::snprintf(distance, sizeof distance, "%.2f of the bar: ", measured / limit);
+    this->Results.Add(
+      scene, quantity, measured, Bar::AtMost, limit, measured > limit ? distance + why : "");
+  }
 
   std::vector<SceneUnderOcclusion> Scenes() const
   {

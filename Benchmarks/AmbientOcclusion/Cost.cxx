@@ -103,15 +103,29 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<SceneUnder
   for (Variant* ours : { &horizon, &march })
   {
     const std::string kernel = ours == &horizon ? "horizon" : "march";
-    const Bar judged = ours == &horizon ? Bar::AtMost : Bar::None;
     const double overhead = ours->Median() - base;
     table.Add(name, "overhead of " + kernel + ", moving, ms", 1e3 * overhead, Bar::None);
-    table.Add(name, kernel + " / vtkSSAOPass 32", overhead / peer, judged, .25,
-      "8 new samples a frame, everything on");
-    table.Add(name, kernel + " / vtkSSAOPass 256", overhead / peer256, judged, .05);
+    if (ours == &march)
+    {
+      table.Add(name, kernel + " / vtkSSAOPass 32", overhead / peer, Bar::None);
+      continue;
+    }
+    const std::string why =
+      "8 new samples and what follows them through frames are half of it; the "
+      "rest draws the margin, filters, darkens";
+    benchmark.Judge(name, kernel + " / vtkSSAOPass 32", overhead / peer, .25, why);
+    benchmark.Judge(name, kernel + " / vtkSSAOPass 256", overhead / peer256, .05, why);
   }
-  table.Add(name, "converged still frame / plain frame", still.Median() / base,
-    scene().Name == "S400" ? Bar::AtMost : Bar::None, 1.05);
+  const double converged = still.Median() / base;
+  if (scene().Name == "S400")
+  {
+    benchmark.Judge(name, "converged still frame / plain frame", converged, 1.05,
+      "one more step of the whole picture, which multiplies it and checks its depths");
+  }
+  else
+  {
+    table.Add(name, "converged still frame / plain frame", converged, Bar::None);
+  }
 }
 
 }

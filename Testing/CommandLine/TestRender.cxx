@@ -401,11 +401,12 @@ TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
   EXPECT_EQ(report["statistics"]["Occlusion/Kernel"], "traced");
   EXPECT_LE(report["estimated_error"], 0.01);
   EXPECT_EQ(report["tolerance"], 0.01);
-  raster.insert(raster.end(), { "--tolerance", "0.05" });
+  raster.insert(raster.end(), { "--tolerance", "0.004" });
   ASSERT_EQ(RunProgram(raster).Status, 0);
-  const nlohmann::json coarse = ReadJson(folder / "raster.json");
-  EXPECT_EQ(coarse["tolerance"], 0.05);
-  EXPECT_LT(coarse["statistics"]["Samples/Still"], report["statistics"]["Samples/Still"]);
+  const nlohmann::json fine = ReadJson(folder / "raster.json");
+  EXPECT_EQ(fine["tolerance"], 0.004);
+  EXPECT_LE(fine["estimated_error"], 0.004);
+  EXPECT_GT(fine["statistics"]["Samples/Still"], report["statistics"]["Samples/Still"]);
 }
 
 TEST(Render, DrawsALegendWithBothEngines)

@@ -96,7 +96,7 @@ Outcome AtAWideAngle(Variant variant)
 /// can hold.
 Outcome NearAndFar(Variant variant)
 {
-  const auto draw = [](double nearPlane, double farPlane) {
+  const auto draw = [variant](double nearPlane, double farPlane) {
     OcclusionScene scene(96, 72);
     Furnish(scene);
     if (nearPlane > 0.0)
