@@ -334,14 +334,14 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     return;
   }
-  for (const char* name :
+  for (const std::string name :
     { "--tolerance", "--max-level", "--no-small-objects", "--shadows", "--indirect" })
   {
-    if (app.count(name) > 0)
+    const bool understood = name == "--tolerance" && options.AmbientOcclusion;
+    if (app.count(name) > 0 && !understood)
     {
       throw Failure(BadInput,
-        std::string(name) +
-          " is not available in this version with --engine raster; use --engine ray");
+        name + " is not available in this version with --engine raster; use --engine ray");
     }
   }
   if (std::isinf(options.AmbientOcclusionRadius))
