@@ -4,6 +4,7 @@
 // The program: parses the command line, runs one subcommand, turns every failure into one line on
 // stderr and an exit status.
 #include "Failure.h"
+#include "KeepMemory.h"
 #include "MessageLog.h"
 #include "RenderOptions.h"
 #include "Subcommands.h"
@@ -80,6 +81,7 @@ int Run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  KeepFreedMemory();
   OpenLog();
   std::signal(SIGCHLD, SIG_DFL); // Were it ignored, nobody would hear how a process ended.
   std::signal(SIGXFSZ, SIG_IGN); // A write beyond a quota then fails with a message.

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One idea: light shafts. A medium fills the scene, and the light that it scatters is seen wherever
-// nothing stands between it and the sun. vtkPenumbraLightShaftPass::AddTo(renderer) shows the same
-// medium in an OpenGL window.
+// nothing stands between it and the sun: by rays, and by a pass in an OpenGL window, which takes the
+// same numbers.
+//   SunBehindATree PICTURE.png [window]
+#include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -15,11 +17,12 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
-#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -36,6 +39,48 @@ void Add(vtkRenderer* renderer, vtkAlgorithm* source, double red, double green, 
   actor->GetProperty()->SetColor(red, green, blue);
   actor->GetProperty()->SetAmbient(0.2);
   renderer->AddActor(actor);
+}
+
+bool Write(vtkAlgorithm* picture, const char* path)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(path);
+  writer->Write();
+  return writer->GetErrorCode() == 0;
+}
+
+bool DrawByRays(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path)
+{
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetMedium(haze);
+  caster->SetResolution(400, 300);
+  vtkNew<vtkImageShiftScale> bytes;
+  bytes->SetInputConnection(caster->GetOutputPort());
+  bytes->SetScale(255.0);
+  bytes->SetShift(0.5 / 255.0);
+  bytes->SetOutputScalarTypeToUnsignedChar();
+  bytes->ClampOverflowOn();
+  return Write(bytes, path);
+}
+
+bool DrawInWindow(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path)
+{
+  vtkPenumbraLightShaftPass* shafts = vtkPenumbraLightShaftPass::AddTo(renderer);
+  shafts->SetScattering(haze->GetScattering());
+  shafts->SetPhase(haze->GetPhase());
+  shafts->SetAsymmetry(haze->GetAsymmetry());
+  shafts->SetTolerance(1.0 / 1024.0); // leaves are small: every pixel for itself
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(400, 300);
+  window->AddRenderer(renderer);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  return Write(picture, path);
 }
 
 }
@@ -76,21 +121,8 @@ int main(int argc, char* argv[])
   haze->SetPhase(vtkPenumbraMedium::HENYEY_GREENSTEIN);
   haze->SetAsymmetry(0.5); // forward
 
-  vtkNew<vtkPenumbraRayCaster> caster;
-  caster->SetRenderer(renderer);
-  caster->SetMedium(haze);
-  caster->SetResolution(400, 300);
-  caster->Update();
-
-  vtkNew<vtkImageShiftScale> bytes;
-  bytes->SetInputConnection(caster->GetOutputPort());
-  bytes->SetScale(255.0);
-  bytes->SetShift(0.5 / 255.0);
-  bytes->SetOutputScalarTypeToUnsignedChar();
-  bytes->ClampOverflowOn();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(bytes->GetOutputPort());
-  writer->SetFileName(argc > 1 ? argv[1] : "SunBehindATree.png");
-  writer->Write();
-  return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  const char* path = argc > 1 ? argv[1] : "SunBehindATree.png";
+  const bool drawn =
+    argc > 2 ? DrawInWindow(renderer, haze, path) : DrawByRays(renderer, haze, path);
+  return drawn ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -58,14 +58,7 @@ bool EyeDepth::IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& i
   this->Compare.Read("depthBuffer", image.GetDepth());
   this->Compare.Read("eyeDepths", this->GetCurrent());
   window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  GLuint query = 0;
-  GLuint changed = 1;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_SAMPLES_PASSED, query);
-  this->Compare.Draw();
-  glEndQuery(GL_SAMPLES_PASSED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &changed);
-  glDeleteQueries(1, &query);
+  const unsigned int changed = this->Compare.DrawAndCount();
   window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   return changed == 0;
 }

@@ -37,9 +37,6 @@ public:
   /// Another number whenever the current depths are others.
   int GetVersion() const { return this->Version; }
 
-  /// Is there a picture to compare with?
-  bool IsFilled() const { return this->Filled; }
-
   /// The next Update() says All.
   void Forget() { this->Filled = false; }
 

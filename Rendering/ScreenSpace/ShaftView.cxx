@@ -21,6 +21,7 @@
 #include "vtkPenumbraShaftSamplesLib.h"
 #include "vtkPenumbraShaftScatterFS.h"
 #include "vtkPenumbraShaftShareLib.h"
+#include "vtkPenumbraShaftStillFS.h"
 #include "vtkPenumbraShaftSunLib.h"
 #include "vtkPenumbraShaftVeilFS.h"
 #include "vtkPenumbraShaftVisibilityFS.h"
@@ -98,12 +99,14 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   this->Settings = settings;
   this->Lights = lights;
   this->Groups = GroupLights(lights, settings.Radial);
-  if (this->Known && this->Still.IsFilled() && this->DrawStill(state, delegate) == Change::None)
+  const bool again = this->Known && this->Seen;
+  if (again && this->DrawAgain(state, delegate))
   {
-    return this->CompositeStraight();
+    return true;
   }
-  this->Still.Forget();
-  const bool simple = !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
+  this->Seen = false;
+  // Part of the target may hold old light: what is drawn now has to replace it.
+  const bool simple = !again && !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
     settings.Margin[1] == 0 && !settings.Radial && !settings.AutomaticTone;
   this->Props = simple ? this->Image.DrawStraight(state, delegate) : -1;
   const bool straight = this->Props >= 0;
@@ -115,16 +118,17 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     return false;
   }
-  const Change change = this->Depth.Update(this->Window, this->Image, view);
-  if (change == Change::Failed)
+  const EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view);
+  if (change == EyeDepth::Change::Failed)
   {
     return false;
   }
-  this->Known = this->Known && change == Change::None;
-  if (this->Known && !straight && !settings.DelegateDrawsBackground &&
-    this->DrawStill(state, delegate) != Change::Failed)
+  this->Known = this->Known && change == EyeDepth::Change::None;
+  const bool still = this->Known && !settings.DelegateDrawsBackground && !settings.Bounded;
+  if (still && (straight || this->Target.DrawStraight(state, delegate) >= 0))
   {
     // From now on the delegate draws straight into the target, this picture already.
+    this->Seen = this->RememberTarget(straight ? this->Image : this->Target);
     return this->CompositeStraight();
   }
   if (!this->Known)
@@ -134,17 +138,37 @@ bool ShaftView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   return this->Known && (straight ? this->CompositeStraight() : this->Composite());
 }
 
-ShaftView::Change ShaftView::DrawStill(const vtkRenderState* state, vtkRenderPass* delegate)
+bool ShaftView::RememberTarget(const DelegateImage& image)
 {
-  const int props = this->StillImage.DrawStraight(state, delegate);
-  if (props < 0)
+  ScreenView view = image.GetView();
+  view.Unit = this->Settings.Unit;
+  this->TargetDepth.Forget();
+  return this->TargetDepth.Update(this->Window, image, view) != EyeDepth::Change::Failed;
+}
+
+bool ShaftView::DrawAgain(const vtkRenderState* state, vtkRenderPass* delegate)
+{
+  static const std::string source =
+    Assemble(vtkPenumbraShaftStillFS, { { "ViewLib", vtkPenumbraViewLib } });
+  const int props = this->Target.DrawStraight(state, delegate);
+  vtkShaderProgram* program = props < 0 ? nullptr : this->Still.Ready(this->Window, source);
+  if (!program)
   {
-    return Change::Failed;
+    return false;
   }
   this->Props = props;
-  ScreenView view = this->StillImage.GetView();
-  view.Unit = this->Settings.Unit;
-  return this->Still.Update(this->Window, this->StillImage, view);
+  const DrawInto target(this->Window, this->Target.GetFramebuffer(), { this->Target.GetColor() });
+  const DrawOver over(this->Window, this->Target.GetViewport(), false);
+  const ScreenView& view = this->TargetDepth.GetView();
+  view.SetUniforms(program);
+  program->SetUniform2f("offset", this->GetOffset().data());
+  SetSize(program, "shaftsPixelSize", this->Shafts->GetWidth(), this->Shafts->GetHeight());
+  SetNumber(program, "gain", this->GetGain());
+  this->Still.Read("depthBuffer", this->Target.GetDepth());
+  this->Still.Read("eyeDepths", this->TargetDepth.GetCurrent());
+  this->Still.Read("shafts", this->Shafts);
+  return this->Still.DrawAndCount() ==
+    static_cast<unsigned int>(view.Width) * static_cast<unsigned int>(view.Height);
 }
 
 bool ShaftView::Compute(const vtkRenderState* state)
@@ -278,6 +302,7 @@ bool ShaftView::FindLit(std::size_t number)
   program->SetUniformi("steps", settings.Steps);
   SetNumber(program, "thickness", settings.Thickness / settings.Unit);
   SetNumber(program, "range", settings.Range / settings.Unit);
+  SetNumber(program, "interleaved", settings.Block > 1 ? 1.0 : 0.0);
   stage.Read("eyeDepths", depths);
   stage.Draw();
   return true;
@@ -440,13 +465,13 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Image.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
-  this->StillImage.ReleaseGraphicsResources(window);
-  this->Still.ReleaseGraphicsResources(window);
+  this->Target.ReleaseGraphicsResources(window);
+  this->TargetDepth.ReleaseGraphicsResources(window);
   this->Paper.ReleaseGraphicsResources(window);
   this->Tone.ReleaseGraphicsResources(window);
   this->Emitters.ReleaseGraphicsResources(window);
   for (Stage* stage : { &this->Thinning, &this->Visibility[0], &this->Visibility[1],
-         &this->Addition[0], &this->Addition[1], &this->Composition, &this->Veil })
+         &this->Addition[0], &this->Addition[1], &this->Composition, &this->Veil, &this->Still })
   {
     stage->ReleaseGraphicsResources(window);
   }
@@ -464,6 +489,7 @@ void ShaftView::ReleaseGraphicsResources(vtkWindow* window)
   this->Shafts = nullptr;
   this->Known = false;
   this->Filled = false;
+  this->Seen = false;
 }
 
 }

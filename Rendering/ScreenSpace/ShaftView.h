@@ -72,9 +72,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  using Change = EyeDepth::Change;
-
-  Change DrawStill(const vtkRenderState* state, vtkRenderPass* delegate);
+  bool DrawAgain(const vtkRenderState* state, vtkRenderPass* delegate);
+  bool RememberTarget(const DelegateImage& image);
   bool Compute(const vtkRenderState* state);
   bool FillGlow(const vtkRenderState* state);
   bool FillCoarseDepths();
@@ -94,8 +93,8 @@ private:
   std::vector<ShaftLightGroup> Groups;
   DelegateImage Image;
   EyeDepth Depth;
-  DelegateImage StillImage; ///< the target, where the delegate draws without a margin what is known
-  EyeDepth Still;
+  DelegateImage Target; ///< where what is known is drawn straight and without a margin
+  EyeDepth TargetDepth;
   ScreenView Coarse; ///< of one pixel in each block
   Stage Thinning;
   ShaftRadial Paper;
@@ -105,6 +104,7 @@ private:
   Stage Addition[2];
   Stage Composition;
   Stage Veil;
+  Stage Still;
   vtkSmartPointer<vtkTextureObject> CoarseDepths;
   std::vector<vtkSmartPointer<vtkTextureObject>> LitShares; ///< of each group: shares, eye depth
   vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: scattered light, a: transmittance
@@ -112,6 +112,7 @@ private:
   int Props = 0;
   bool Known = false;  ///< LitShares are those of Settings and Lights
   bool Filled = false; ///< and Shafts
+  bool Seen = false;   ///< twice in a row; TargetDepth holds the target's depths
 };
 
 }

@@ -73,6 +73,19 @@ void Stage::Draw(const std::vector<Rectangle>& parts)
   this->Unbind();
 }
 
+unsigned int Stage::DrawAndCount()
+{
+  GLuint query = 0;
+  GLuint count = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  this->Draw();
+  glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+  glDeleteQueries(1, &query);
+  return count;
+}
+
 void Stage::Unbind()
 {
   for (vtkTextureObject* input : this->Inputs)

@@ -54,6 +54,9 @@ public:
   void Draw();
   void Draw(const std::vector<Rectangle>& parts);
 
+  /// Draws and counts the pixels that were not discarded.
+  unsigned int DrawAndCount();
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

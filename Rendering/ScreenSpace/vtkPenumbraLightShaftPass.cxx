@@ -36,7 +36,7 @@ using Pass = vtkPenumbraLightShaftPass;
 /// Lost and scattered over the scene's diagonal, where nothing is given; as the ray caster has it.
 constexpr double DefaultOpticalDepth = 0.25;
 /// Steps times tolerance. Measured, as all of these: `./penumbra benchmark light-shafts`.
-constexpr double StepsTimesTolerance = 0.125;
+constexpr double StepsTimesTolerance = 0.375;
 constexpr int FewestSteps = 16;
 constexpr int MostSteps = 1024;
 /// Lit shares are found for blocks of so many pixels a side, from these tolerances on.

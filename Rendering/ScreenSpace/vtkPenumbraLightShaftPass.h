@@ -55,7 +55,7 @@ public:
   ///@}
 
   ///@{
-  /** Depths fetched for each light and lit share, 0 to 1024; 0: an eighth over Tolerance. Default: 0. */
+  /** Depths fetched for each light and lit share, 0 to 1024; 0: three eighths over Tolerance. Default: 0. */
   vtkSetClampMacro(Steps, int, 0, 1024);
   vtkGetMacro(Steps, int);
   ///@}

@@ -9,6 +9,7 @@
 uniform float thickness; // of what is seen, along the view axis
 uniform int steps;
 uniform float range;     // no surface is farther than this
+uniform float interleaved; // 1: four texels make a pixel
 
 const float bias = 0.002;    // relative, against surfaces that shadow themselves
 const float unreached = 1e30;
@@ -51,23 +52,42 @@ float lastStep(vec2 pixel, vec2 way)
   return min(min(border.x, border.y), ends);
 }
 
+// Of the four texels that a pixel is mixed from each starts a quarter of a step later.
+float startOf(vec2 pixel)
+{
+  vec2 odd = mod(floor(pixel), 2.0);
+  return interleaved > 0.5 ? 0.125 + 0.5 * odd.x + 0.25 * abs(odd.x - odd.y) : 0.5;
+}
+
 float litShareOf(Sight sight, vec2 pixel, float eyeDepth)
 {
   float turn = perspective > 0.5 ? light.z : light.w;
   vec2 way = (light.xy - sight.plane * turn) / pixelToEye.xy;
   float stride = lastStep(pixel, way) / float(steps);
   uvec2 shadowed = uvec2(0u);
+  float square = max(dot(way, way), 1e-12);
+  float start = startOf(pixel);
   float before = eyeDepth;
   vec2 last = vec2(eyeDepth, eyeDepth + thickness);
   for (int i = 0; i < steps; ++i)
   {
-    float q = stride * (float(i) + 0.5);
-    float depth = texture(eyeDepths, (pixel + q * way) * pixelSize).r * (1.0 + bias);
+    // A depth is that of its texel's middle.
+    vec2 at = floor(pixel + stride * (float(i) + start) * way) + 0.5;
+    float q = max(dot(at - pixel, way) / square, 0.0);
+    float depth = texture(eyeDepths, at * pixelSize).r * (1.0 + bias);
+    // A surface goes on between two steps that both show it; where another one comes into sight, a step
+    // stands for what lies half a step before and after it.
     vec2 depths = shadowedDepths(depth, q);
-    // A surface goes on between two steps that both show it.
     bool same = abs(depth - before) < thickness;
-    float low = same ? min(depths.x, last.x) : depths.x;
-    float high = same ? max(depths.y, last.y) : depths.y;
+    vec2 sooner = last;
+    vec2 later = depths;
+    if (!same)
+    {
+      sooner = shadowedDepths(depth, max(q - 0.5 * stride, 0.0));
+      later = shadowedDepths(depth, min(q + 0.5 * stride, stride * float(steps)));
+    }
+    float low = min(min(sooner.x, later.x), depths.x);
+    float high = max(max(sooner.y, later.y), depths.y);
     if (depth < 0.5 * farAway && low < eyeDepth)
     {
       shadowed |= bitsBetween(shareOfLength(sight, max(low, 0.0) * sight.reach),

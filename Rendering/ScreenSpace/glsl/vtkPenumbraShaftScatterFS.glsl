@@ -20,7 +20,7 @@ const float apart = 0.02;
 
 // Texels count by their distance, and this much besides: less noise, and less change from frame to
 // frame. Measured: ./penumbra benchmark light-shafts.
-const float evenly = 0.25;
+const float evenly = 0.5;
 
 //VTK::Penumbra::Share
 
