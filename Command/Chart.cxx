@@ -8,6 +8,7 @@
 #include "ChartTable.h"
 #include "Engine.h"
 #include "Failure.h"
+#include "Peers.h"
 #include "ProgressLine.h"
 #include "Subcommands.h"
 #include "Surfaces.h"
@@ -149,6 +150,10 @@ int Chart(const ChartOptions& options)
   EnterPhase("the chart's window", MachineCannot);
   ChooseWindow(options.Window);
   ProgressLine progress(options.Progress);
+  for (const Peer& peer : options.Quick ? std::vector<Peer>() : FindPeers())
+  {
+    std::cout << Describe(peer) << "\n";
+  }
   for (const ChartFamily& family : Families(options, request))
   {
     const std::string path = options.Output + "/" + family.Name;

@@ -6,6 +6,8 @@
 #include "ChartFamilies.h"
 
 #include "Measure.h"
+#include "Peers.h"
+#include "PovRay.h"
 #include "TestScene.h"
 
 #include "vtkCameraPass.h"
@@ -18,8 +20,12 @@
 #include "vtkSSAAPass.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <sstream>
 
 namespace penumbra
 {
@@ -136,6 +142,33 @@ Measurement MeasureRays(
   return result;
 }
 
+/// Its own tracing alone; the scene is in no file before and after.
+Measurement MeasurePovRay(
+  const Subject& subject, const std::string& program, const PovRayStep& step)
+{
+  const std::filesystem::path folder =
+    std::filesystem::temp_directory_path() / ("penumbra-chart-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string file = folder / "scene.pov";
+  const int size = subject.Size;
+  WritePovRayScene(file, subject.Renderer, BruteForceOf(subject.Renderer, size, size), size, size);
+  const PovRayAnswer answer = RunPovRay(program, file, size, size, step);
+  std::filesystem::remove_all(folder);
+  return { EdgeError(subject, answer.Colors), answer.TraceSeconds, answer.RaysPerPixel };
+}
+
+void AddPovRay(ChartFamily& family, const std::string& scene, const Subjects& subject)
+{
+  const std::string program = FindProgram("povray");
+  for (const PovRayStep& step : program.empty() ? std::vector<PovRayStep>() : PovRayLadder())
+  {
+    std::ostringstream setting;
+    setting << "+A" << step.Threshold << " +R" << step.Depth;
+    family.Steps.push_back({ scene, "POV-Ray +AM2", setting.str(), 0.0,
+      [=] { return MeasurePovRay(subject(), program, step); } });
+  }
+}
+
 void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& subject, bool quick)
 {
   const auto add = [&](const std::string& method, const std::string& setting, double asked,
@@ -198,7 +231,12 @@ ChartFamily AntialiasingFamily(const ChartRequest& request)
   }
   for (const ChartMesh& mesh : meshes)
   {
-    AddSteps(family, mesh.Name, LitMesh(mesh.Mesh, size, request.Quick ? 8 : 32), request.Quick);
+    const Subjects subject = LitMesh(mesh.Mesh, size, request.Quick ? 8 : 32);
+    AddSteps(family, mesh.Name, subject, request.Quick);
+    if (!request.Quick)
+    {
+      AddPovRay(family, mesh.Name, subject);
+    }
   }
   return family;
 }

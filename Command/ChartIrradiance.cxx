@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The irradiance cache: its rules for radii, and rays at every pixel, for the occlusion beside a
-// sphere on a floor, which is known in closed form. The tree is ready before the clock starts.
+// sphere on a floor, which is known in closed form, and for the light in a room, of five reflections,
+// against independent paths. The tree is ready before the clock starts.
 #include "ChartFamilies.h"
 
+#include "Illumination.h"
+#include "PathTracer.h"
 #include "RayScene.h"
 #include "Solids.h"
 #include "Truth.h"
@@ -29,6 +32,10 @@ namespace
 using Cache = vtkPenumbraIrradianceCache;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Pi = 3.14159265358979323846;
+
+/// vtkPenumbraBruteForceSource begins with so many paths where it would begin with one ray.
+constexpr int PathsPerRay = 8;
 
 struct Subject
 {
@@ -126,18 +133,121 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   }
 }
 
+/// A room lit by a panel below its ceiling.
+struct Room
+{
+  Scene Drawn;
+  std::unique_ptr<RayScene> Rays;
+  std::unique_ptr<Illumination> Light;
+  std::vector<SurfacePoint> Known; ///< of all pixels those that have a truth
+  std::vector<glm::dvec3> Truth;   ///< irradiance over pi
+};
+
+using Rooms = std::function<Room&()>;
+
+Rooms LitRoom(int size, int stride, int paths)
+{
+  return Lazily<Room>([=] {
+    const PathTracer truth{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) };
+    auto room = std::make_shared<Room>();
+    AddSurfaces(room->Drawn, truth.Panels);
+    LookAt(room->Drawn, { .51, -1.3, .47 }, { .5, 0.0, .5 }, 41.0, size, size);
+    room->Rays = std::make_unique<RayScene>(room->Drawn, 1);
+    IlluminationSettings settings;
+    settings.Albedo = static_cast<float>(truth.Albedo);
+    settings.Bounces = truth.Bounces;
+    room->Light = std::make_unique<Illumination>(*room->Rays, settings);
+    room->Known = PointsInPicture(*room->Rays, stride);
+    for (const SurfacePoint& point : room->Known)
+    {
+      const double* p = point.Position;
+      const double* n = point.Normal;
+      room->Truth.push_back(
+        truth.Irradiance({ p[0], p[1], p[2] }, { n[0], n[1], n[2] }, paths, room->Truth.size()) /
+        Pi);
+    }
+    return room;
+  });
+}
+
+/// `tolerance` of irradiance over pi. The seconds are of all pixels.
+Measurement AskForLight(
+  const Room& room, vtkPenumbraIrradianceSource* source, double tolerance, bool ofAllPixels)
+{
+  const std::vector<SurfacePoint> all = PointsInPicture(*room.Rays, 1);
+  const double start = CpuSeconds();
+  source->BeginIrradiance(*room.Light, Pi * tolerance);
+  double rays = 0.0;
+  const auto ask = [&](const SurfacePoint& point) {
+    const auto light = source->Irradiance(point.Position, point.Normal, Pi * tolerance);
+    rays += static_cast<double>(light.Rays);
+    return glm::dvec3(light.Value[0], light.Value[1], light.Value[2]) / Pi;
+  };
+  std::vector<glm::dvec3> found;
+  for (const SurfacePoint& point : ofAllPixels ? all : room.Known)
+  {
+    found.push_back(ask(point));
+  }
+  const double share = static_cast<double>(all.size()) / static_cast<double>(found.size());
+  Measurement result;
+  result.Seconds = share * (CpuSeconds() - start);
+  vtkNew<vtkFieldData> statistics;
+  source->Report(statistics);
+  if (vtkDataArray* gathered = statistics->GetArray("Rays/Gather"))
+  {
+    rays += gathered->GetComponent(0, 0);
+  }
+  result.Count = rays / static_cast<double>(found.size());
+  double squares = 0.0;
+  for (std::size_t i = 0; i < room.Known.size(); ++i)
+  {
+    const glm::dvec3 error = (ofAllPixels ? ask(room.Known[i]) : found[i]) - room.Truth[i];
+    squares += glm::dot(error, error) / 3.0;
+  }
+  result.Error = std::sqrt(squares / static_cast<double>(room.Known.size()));
+  return result;
+}
+
+void AddRoom(ChartFamily& family, const std::string& scene, const Rooms& room)
+{
+  for (const double tolerance : { .02, .01, .005, .003, .002 })
+  {
+    std::ostringstream setting;
+    setting << "tolerance " << tolerance;
+    family.Steps.push_back(
+      { scene, "Penumbra automatic (second derivative)", setting.str(), tolerance, [=] {
+         vtkNew<Cache> cache;
+         cache->SetTolerance(tolerance);
+         return AskForLight(room(), cache, tolerance, true);
+       } });
+  }
+  for (const int paths : { 128, 512, 2048, 8192 })
+  {
+    family.Steps.push_back({ scene, "paths alone", std::to_string(paths) + " paths", 0.0, [=] {
+                              vtkNew<vtkPenumbraBruteForceSource> source;
+                              source->SetMinimumRays(paths / PathsPerRay);
+                              source->SetMaximumRays(paths);
+                              return AskForLight(room(), source, 1.0, false);
+                            } });
+  }
+}
+
 }
 
 ChartFamily IrradianceFamily(const ChartRequest& request)
 {
   const int size = request.Quick ? 256 : 512;
   ChartFamily family{ "irradiance",
-    "Interpolated occlusion, " + std::to_string(size) + "x" + std::to_string(size),
-    "RMSE over surface pixels", "rays a pixel", "closed form", {} };
+    "Interpolated occlusion and light, " + std::to_string(size) + "x" + std::to_string(size),
+    "RMSE over surface pixels", "rays a pixel",
+    "closed form; in the room, of irradiance over pi, 16384 independent paths at a share of the "
+    "pixels",
+    {} };
   AddSteps(family, "sphere on a floor", SphereOnFloor(1.0, size), request.Quick);
   if (!request.Quick)
   {
     AddSteps(family, "sphere over a floor", SphereOnFloor(1.5, size), false);
+    AddRoom(family, "light in a room of 256x256", LitRoom(256, 8, 16384));
   }
   return family;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light shafts: the paper's mean of a mask, depth along the way to the light at two tolerances, marched
+// Light shafts: the paper's mean of a mask, at once or in two chained passes, depth along the way to the light at two tolerances, marched
 // shadow rays. Error relative to the RMS of the added light, against 512 shadow rays a
 // pixel; programs of shaders are warm.
 #include "ChartFamilies.h"
@@ -121,6 +121,19 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
       family.Steps.push_back({ scene, method.Method, std::to_string(steps) + " steps", 0.0,
         [=] { return MeasurePass(subject(), method.Estimator, method.Tolerance, steps); } });
     }
+  }
+  for (const int steps : quick ? std::vector<int>() : std::vector<int>{ 2, 4, 8, 16 })
+  {
+    // Two passes of n steps are one loop of n * n.
+    family.Steps.push_back({ scene, "chained geometric mask [Shafts]",
+      std::to_string(steps) + " + " + std::to_string(steps) + " steps", 0.0, [=] {
+        Pass* pass = subject().Scene->Pass;
+        pass->SetPasses(2);
+        Measurement measured = MeasurePass(subject(), Pass::RADIAL, 1.0 / 256.0, steps);
+        measured.Count *= 2.0;
+        pass->SetPasses(1);
+        return measured;
+      } });
   }
   for (const int steps : quick ? std::vector<int>{ 8 } : std::vector<int>{ 2, 4, 8, 16, 32, 64 })
   {

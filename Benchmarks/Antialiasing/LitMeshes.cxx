@@ -85,16 +85,9 @@ void CompareWithPovRay(Benchmark& benchmark, const LitScene& scene, vtkRenderer*
   WritePovRayScene(file, renderer, description, Size, Size);
   std::vector<glm::dvec2> trace;
   std::vector<glm::dvec2> process;
-  const struct
+  for (const PovRayStep& step : PovRayLadder())
   {
-    double Threshold;
-    int Depth;
-  } steps[] = { { 0.3, 2 }, { 0.1, 3 }, { 0.1, 4 }, { 0.03, 4 }, { 0.03, 5 }, { 0.01, 5 },
-    { 0.01, 6 }, { 0.003, 6 } };
-  for (const auto& step : steps)
-  {
-    const PovRayAnswer answer =
-      RunPovRay(benchmark.PovRay, file, Size, Size, step.Threshold, step.Depth);
+    const PovRayAnswer answer = RunPovRay(benchmark.PovRay, file, Size, Size, step);
     const Errors errors = Compare(answer.Colors, truth, isEdge);
     trace.emplace_back(errors.Edge, answer.TraceSeconds);
     process.emplace_back(errors.Edge, answer.ProcessSeconds);

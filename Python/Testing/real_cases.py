@@ -42,6 +42,9 @@ class Cases:
             self.rows.append((name, None, f"{type(error).__name__}: {error}"))
         finally:
             plotter.close()
+        _, darker, remark = self.rows[-1]
+        # The examples' own words are not shown.
+        print(f"{name}: {remark or f'{darker:.1%} of pixels darker'}", file=sys.__stdout__, flush=True)
 
     def draw(self, plotter, name):
         plain = plotter.screenshot(return_img=True).astype(int)
@@ -97,9 +100,6 @@ def main():
     urllib.request.urlopen = unreachable
     left_out = sum(run(module, cases) for module in options.modules)
     broken = [row for row in cases.rows if row[2]]
-    for name, darker, remark in cases.rows:
-        share = "" if darker is None else f"{darker:.1%} of pixels darker"
-        print(f"{name}: {remark or share}")
     print(f"{len(cases.rows)} pictures, {len(broken)} broken, {left_out} examples need the network")
     return 1 if broken or not cases.rows else 0
 

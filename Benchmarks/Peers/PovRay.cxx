@@ -89,14 +89,21 @@ void WritePovRayScene(const std::string& path, vtkRenderer* renderer, const Brut
   file << " }\npigment { rgb " << Vector(scene.Color) << " } finish { ambient 0 diffuse 1 }\n}\n";
 }
 
+const std::vector<PovRayStep>& PovRayLadder()
+{
+  static const std::vector<PovRayStep> ladder = { { 0.3, 2 }, { 0.1, 3 }, { 0.1, 4 }, { 0.03, 4 },
+    { 0.03, 5 }, { 0.01, 5 }, { 0.01, 6 }, { 0.003, 6 } };
+  return ladder;
+}
+
 PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int width, int height,
-  double threshold, int depth)
+  const PovRayStep& step)
 {
   const std::string picture = scene + ".png";
   const std::string log = scene + ".log";
   std::ostringstream command;
   command << "'" << program << "' '+I" << scene << "' '+O" << picture << "' +W" << width << " +H"
-          << height << " +FN16 File_Gamma=1.0 +AM2 +A" << threshold << " +R" << depth
+          << height << " +FN16 File_Gamma=1.0 +AM2 +A" << step.Threshold << " +R" << step.Depth
           << " -J -D -V +WT1 >'" << log << "' 2>&1";
   PovRayAnswer answer;
   const double before = ChildSeconds();

@@ -15,6 +15,16 @@ class vtkRenderer;
 namespace penumbra
 {
 
+/// Adaptive antialiasing: a pixel whose neighbours differ by more than Threshold is divided Depth times.
+struct PovRayStep
+{
+  double Threshold;
+  int Depth;
+};
+
+/// From coarse to fine.
+const std::vector<PovRayStep>& PovRayLadder();
+
 struct PovRayAnswer
 {
   std::vector<glm::dvec3> Colors;
@@ -27,10 +37,10 @@ struct PovRayAnswer
 void WritePovRayScene(const std::string& path, vtkRenderer* renderer, const BruteForceScene& scene,
   int width, int height);
 
-/// Renders on one thread by adaptive antialiasing (+AM2) with threshold and recursion depth.
+/// Renders on one thread by adaptive antialiasing (+AM2).
 /// Throws std::runtime_error where the program fails.
 PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int width, int height,
-  double threshold, int depth);
+  const PovRayStep& step);
 
 }
 #endif
