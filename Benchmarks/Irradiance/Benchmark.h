@@ -25,6 +25,9 @@ struct IrradianceBenchmark
 /// whether the tolerance is kept from .05 to .002.
 void MeasureSpheres(IrradianceBenchmark& benchmark);
 
+/// Walls, rectangle, disc, open plane and closed box against closed forms.
+void MeasureForms(IrradianceBenchmark& benchmark);
+
 /// A scan of 104 thousand points against many rays.
 void MeasureBaking(IrradianceBenchmark& benchmark);
 

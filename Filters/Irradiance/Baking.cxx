@@ -24,7 +24,7 @@ constexpr int Levels = 6;
 constexpr double LeastServed = 2.5;
 
 /// The same where neighbours make answers cheaper. Measured on a scan of 104 thousand points.
-constexpr double LeastServedOverShared = 8.0;
+constexpr double LeastServedOverShared = 16.0;
 
 /// Where of the first answers, in every so manieth square, fewer are made certain by their neighbours,
 /// brute force is as fast.

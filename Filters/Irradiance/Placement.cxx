@@ -36,6 +36,10 @@ constexpr float ShareOfRim = .5f;
 /// about the .3 that is usual at a tolerance of .005.
 constexpr double SplitSphereAccuracy = 4.0;
 
+/// Nor, where nothing was seen to change, further than this share of the site's own limit: what stands
+/// low in the distance hides from the grid, but does not from places nearer to it.
+constexpr double ShareOfEmpty = .5;
+
 /// Nor further than this share of the way to where a lamp is hidden or comes into sight. What is
 /// nearer than this share of a lamp's distance hides it.
 constexpr double ShareOfShadow = .5;
@@ -282,8 +286,9 @@ Record Placement::Gather(const Site& site, long long& rays) const
     }
   }
   const double least = this->Settings.LeastPixels * site.Pixel;
-  const double radius = std::min({ this->RadiusOf(record.Found),
-    double(ShareOfReach) * this->Source.GetReach(), double(site.Most) });
+  const double radius =
+    std::min({ this->RadiusOf(record.Found), double(ShareOfReach) * this->Source.GetReach(),
+      (record.Found.Error == 0.f ? ShareOfEmpty : 1.0) * site.Most });
   record.Serves = this->Settings.AllServe || radius >= LeastShare * least;
   const double shadow = ShareOfShadow *
     ShadowDistance(HemisphereGrid::Of(this->Settings.Side), frame, directions, sights, beams,

@@ -134,6 +134,30 @@ TEST(vtkPenumbraIrradianceCache, StaysNearTheTruthWithTheRadiiOfThePaper)
   }
 }
 
+TEST(vtkPenumbraIrradianceCache, LetsNoFarRecordThatMissesEverythingOverruleNearOnes)
+{
+  // A plate is seen edge-on from far away: the rays of records there pass above and below it.
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddRectangle(scene, { -1, -.5, 1 }, { 2, 0, 0 }, { 0, 1, 0 });
+  LookAt(scene, { 0, -4, .9 }, { 0, 0, 0 }, 45.0, Size, Size);
+  const RayScene rays(scene, 0);
+  const auto corner = [](double a, double b) { // of a plate at height 1
+    const double u = std::hypot(1.0, a);
+    const double v = std::hypot(1.0, b);
+    return (a / u * std::atan(b / u) + b / v * std::atan(a / v)) / (2.0 * std::acos(-1.0));
+  };
+  const Truth truth = [&](glm::dvec3 at, glm::dvec3 normal) {
+    return normal.z < 0.0 ? 1.0
+                          : corner(at.x + 1.0, at.y + .5) - corner(at.x - 1.0, at.y + .5) -
+        corner(at.x + 1.0, at.y - .5) + corner(at.x - 1.0, at.y - .5);
+  };
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetTolerance(.01);
+  cache->Begin(rays, Infinity, .02);
+  EXPECT_LE(ErrorOf(cache, { scene, AllSites(rays) }, truth), .01);
+}
+
 TEST(vtkPenumbraIrradianceCache, IsExactInTheOpenAndInAClosedBox)
 {
   Scene open;
