@@ -126,10 +126,9 @@ void MeasureBaking(IrradianceBenchmark& benchmark)
   table.Add(name, "time at equal RMSE, baking over brute force",
     cached[1].Seconds / CostAtError(ladder, cached[1].Error), Bar::AtMost, .5,
     "at an RMSE of " + std::to_string(cached[1].Error).substr(0, 6) +
-      "; rays are half as many, but reading, tree and fits cost, too");
-  both times hold reading and tree ");
-    table.Add(
-      name, "greatest time at equal tolerance, baking over brute force", slowest, Bar::AtMost, 1.0);
+      ": half of the rays, but reading, tree and fits cost, too");
+  table.Add(
+    name, "greatest time at equal tolerance, baking over brute force", slowest, Bar::AtMost, 1.0);
 }
 
 }
