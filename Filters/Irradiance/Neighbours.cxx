@@ -26,6 +26,9 @@ constexpr float CommonShare = .5f;
 /// normal, the function is level across.
 constexpr double Ridge = 1e-3;
 
+/// Fitted values err by less than noise and scatter together tell, by this. Measured there, too.
+constexpr double ShareOfError = .8;
+
 /// So many more answers than terms.
 constexpr std::size_t LeastSurplus = 2;
 
@@ -171,7 +174,7 @@ Uncertain Neighbours::Fit(std::size_t index, const std::vector<Uncertain>& answe
   const double freedom = 1.0 - Terms / static_cast<double>(rows.size());
   const double unexplained = std::max(0.0, (residual / freedom - noise) / weights);
   return { static_cast<float>(m[0][Terms] / m[0][0]),
-    static_cast<float>(std::sqrt(variance + unexplained)) };
+    static_cast<float>(ShareOfError * std::sqrt(variance + unexplained)) };
 }
 
 }

@@ -55,7 +55,7 @@ constexpr double NoiseOfAnswers = 1.3;
 /// Few rays for each of several neighbours, and what these then believe to err.
 constexpr double NoiseOfQuickAnswers = 2.2;
 constexpr double MostNoise = .032; ///< of 32 rays
-constexpr double NoiseOfShared = 1.1;
+constexpr double NoiseOfShared = .88;
 
 /// Of brute force for a point: neighbours' errors do not average out as those in a pixel do.
 constexpr int LeastRays = 128;
