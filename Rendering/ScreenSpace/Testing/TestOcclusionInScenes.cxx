@@ -428,7 +428,7 @@ TEST(OcclusionInScenes, SurvivesResizingAndLosingItsResources)
 
 TEST(OcclusionInScenes, CanBeSwitchedOnAndOff500TimesInTheSameMemory)
 {
-  OcclusionScene scene(16, 12);
+  OcclusionScene scene(64, 48);
   Furnish(scene);
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
@@ -444,7 +444,8 @@ TEST(OcclusionInScenes, CanBeSwitchedOnAndOff500TimesInTheSameMemory)
   const auto before = toggle(5);
   const double bytes = BytesInUse();
   EXPECT_EQ(toggle(495), before);
-  EXPECT_LT(BytesInUse() - bytes, 5e5);
+  // Mesa keeps up to 2.7 MB for itself, at times of its own; one lost texture a time were 6 MB.
+  EXPECT_LT(BytesInUse() - bytes, 4e6);
   scene.Window->Render();
   EXPECT_EQ(scene.Picture(), plain);
 }
