@@ -18,26 +18,24 @@ uniform vec2 offset;          // from pixels of the target to those of the scene
 // Depths this much apart, relatively, are other surfaces.
 const float apart = 0.02;
 
-// Texels count by their distance, and this much besides: less noise, and less change from frame to
-// frame. Measured: ./penumbra benchmark light-shafts.
-const float evenly = 0.5;
-
 //VTK::Penumbra::Share
 
+// The mean over two texels by two, those that see elsewhere left out: texels with an even number count
+// as much as those with an odd one, wherever the pixel lies, so that interleaved starts cancel out.
 vec3 litSharesAt(vec2 pixel, float eyeDepth)
 {
   vec2 at = (pixel - floor(0.5 * block) - 0.5) / block;
-  vec2 corner = floor(at);
-  vec2 share = at - corner;
+  vec2 middle = floor(at + 0.5);
+  vec2 aside = at - middle;
   vec4 sums = vec4(0.0);
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 9; ++i)
   {
-    vec2 next = vec2(float(i % 2), float(i / 2));
-    vec2 near = mix(1.0 - share, share, next);
-    vec4 found = texture(litShares, (corner + next + 0.5) * texelSize);
+    vec2 step = vec2(float(i % 3 - 1), float(i / 3 - 1));
+    vec2 share = mix(vec2(1.0), 0.5 + step * aside, abs(step));
+    vec4 found = texture(litShares, (middle + step + 0.5) * texelSize);
     float other = (found.a - eyeDepth) / (apart * min(found.a, eyeDepth));
     float alike = max(1.0 / (1.0 + other * other), 1e-6);
-    sums += (near.x * near.y + evenly) * alike * vec4(found.rgb, 1.0);
+    sums += share.x * share.y * alike * vec4(found.rgb, 1.0);
   }
   return sums.rgb / sums.a;
 }
