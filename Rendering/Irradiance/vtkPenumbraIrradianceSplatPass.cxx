@@ -5,12 +5,12 @@
 #include "Composite.h"
 #include "EyeDepth.h"
 #include "PassPlaces.h"
+#include "PassStatistics.h"
 #include "RecordData.h"
 #include "RecordSplats.h"
 #include "Scene.h"
 
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -38,13 +38,6 @@ constexpr double UsualNormalAngle = 9.0;
 /// Eye depths beyond this are empty pixels: vtkPenumbraViewLib.glsl.
 constexpr float FarAway = 1e17f;
 
-Pass* FindSplats(const std::vector<PassPlace>& places)
-{
-  const PassPlace* place =
-    FindPass(places, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
-  return place ? Pass::SafeDownCast(place->Pass) : nullptr;
-}
-
 vtkSmartPointer<vtkFloatArray> NewArray(const char* name, int components, std::size_t count)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -52,14 +45,6 @@ vtkSmartPointer<vtkFloatArray> NewArray(const char* name, int components, std::s
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(count));
   return array;
-}
-
-void AddValue(vtkFieldData* data, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  data->AddArray(array);
 }
 
 }
@@ -92,7 +77,7 @@ vtkPenumbraIrradianceSplatPass::~vtkPenumbraIrradianceSplatPass() = default;
 
 Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 {
-  if (Pass* present = FindSplats(FindPassPlaces(renderer)))
+  if (Pass* present = FindPassOf<Pass>(FindPassPlaces(renderer)))
   {
     return present;
   }
@@ -106,7 +91,7 @@ Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraIrradianceSplatPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = FindSplats(FindPassPlaces(renderer)))
+  if (Pass* pass = FindPassOf<Pass>(FindPassPlaces(renderer)))
   {
     RemovePass(renderer, pass);
   }
@@ -274,8 +259,9 @@ vtkFieldData* vtkPenumbraIrradianceSplatPass::GetStatistics()
       surface += depths[i] < FarAway ? 1.0 : 0.0;
       served += sums[4 * i + 3] > 0.f ? 1.0 : 0.0;
     }
-    AddValue(own.Statistics, "Cache/Records", static_cast<double>(own.Splats.GetNumberOfRecords()));
-    AddValue(own.Statistics, "Pixels/Interpolated", served / std::max(surface, 1.0));
+    AddStatistic(
+      own.Statistics, "Cache/Records", static_cast<double>(own.Splats.GetNumberOfRecords()));
+    AddStatistic(own.Statistics, "Pixels/Interpolated", served / std::max(surface, 1.0));
   }
   return own.Statistics;
 }

@@ -33,6 +33,15 @@ VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassPlace> FindPassPlaces(vtk
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT const PassPlace* FindPass(
   const std::vector<PassPlace>& places, const std::function<bool(vtkRenderPass*)>& isWanted);
 
+/// The first pass of a class; null if there is none.
+template <typename Pass>
+Pass* FindPassOf(const std::vector<PassPlace>& places)
+{
+  const PassPlace* place =
+    FindPass(places, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
+  return place ? Pass::SafeDownCast(place->Pass) : nullptr;
+}
+
 /// Stages like those of a renderer without a pass, if it has none; then the places.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassPlace> MakePassPlaces(vtkRenderer* renderer);
 

@@ -3,12 +3,12 @@
 #include "vtkPenumbraLightShaftPass.h"
 
 #include "PassPlaces.h"
+#include "PassStatistics.h"
 #include "ShaftView.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -72,21 +72,6 @@ double MeanThickness(const vtkRenderState* state, double diagonal)
   return count > 0 ? sum / count : ThicknessOfThin * diagonal;
 }
 
-Pass* FindShafts(const std::vector<penumbra::PassPlace>& places)
-{
-  const penumbra::PassPlace* place = penumbra::FindPass(
-    places, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
-  return place ? Pass::SafeDownCast(place->Pass) : nullptr;
-}
-
-void AddValue(vtkFieldData* data, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  data->AddArray(array);
-}
-
 }
 
 struct vtkPenumbraLightShaftPass::Internals
@@ -119,7 +104,7 @@ vtkPenumbraLightShaftPass::~vtkPenumbraLightShaftPass() = default;
 
 Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 {
-  if (Pass* present = FindShafts(penumbra::FindPassPlaces(renderer)))
+  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     return present;
   }
@@ -136,7 +121,7 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = FindShafts(penumbra::FindPassPlaces(renderer)))
+  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     penumbra::RemovePass(renderer, pass);
   }
@@ -321,10 +306,11 @@ vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
   own.Statistics->Initialize();
   if (own.Last)
   {
-    AddValue(own.Statistics, "Lights/Shaft", own.Last->GetNumberOfLights());
-    AddValue(own.Statistics, "Shares/Found", static_cast<double>(own.Last->GetNewShares()));
-    AddValue(own.Statistics, "Samples/PerShare", own.Steps);
-    AddValue(own.Statistics, "Light/Gain", own.Last->GetGain());
+    penumbra::AddStatistic(own.Statistics, "Lights/Shaft", own.Last->GetNumberOfLights());
+    penumbra::AddStatistic(
+      own.Statistics, "Shares/Found", static_cast<double>(own.Last->GetNewShares()));
+    penumbra::AddStatistic(own.Statistics, "Samples/PerShare", own.Steps);
+    penumbra::AddStatistic(own.Statistics, "Light/Gain", own.Last->GetGain());
   }
   return own.Statistics;
 }

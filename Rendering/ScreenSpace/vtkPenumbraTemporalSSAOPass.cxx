@@ -4,11 +4,11 @@
 
 #include "OcclusionView.h"
 #include "PassPlaces.h"
+#include "PassStatistics.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -50,21 +50,6 @@ vtkMTimeType ChangeTime(const vtkRenderState* state)
   return time;
 }
 
-Pass* FindOcclusion(const std::vector<penumbra::PassPlace>& places)
-{
-  const penumbra::PassPlace* place = penumbra::FindPass(
-    places, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
-  return place ? Pass::SafeDownCast(place->Pass) : nullptr;
-}
-
-void AddValue(vtkFieldData* data, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  data->AddArray(array);
-}
-
 }
 
 struct vtkPenumbraTemporalSSAOPass::Internals
@@ -99,7 +84,7 @@ vtkPenumbraTemporalSSAOPass::~vtkPenumbraTemporalSSAOPass() = default;
 
 Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 {
-  if (Pass* present = FindOcclusion(penumbra::FindPassPlaces(renderer)))
+  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     return present;
   }
@@ -113,7 +98,7 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = FindOcclusion(penumbra::FindPassPlaces(renderer)))
+  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     penumbra::RemovePass(renderer, pass);
   }
@@ -348,14 +333,17 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
     kernel->SetName("Occlusion/Kernel");
     kernel->InsertNextValue(own.ActiveKernel);
     own.Statistics->AddArray(kernel);
-    AddValue(own.Statistics, "Samples/PerPixel", own.Last->GetNewSamples());
-    AddValue(own.Statistics, "Samples/Still", own.Last->GetConvergence().GetSamples());
-    AddValue(own.Statistics, "Pixels/Kept", static_cast<double>(counts.Kept) / surface);
-    AddValue(
+    penumbra::AddStatistic(own.Statistics, "Samples/PerPixel", own.Last->GetNewSamples());
+    penumbra::AddStatistic(
+      own.Statistics, "Samples/Still", own.Last->GetConvergence().GetSamples());
+    penumbra::AddStatistic(
+      own.Statistics, "Pixels/Kept", static_cast<double>(counts.Kept) / surface);
+    penumbra::AddStatistic(
       own.Statistics, "Pixels/Disoccluded", static_cast<double>(counts.Disoccluded) / surface);
-    AddValue(
+    penumbra::AddStatistic(
       own.Statistics, "Pixels/Invalidated", static_cast<double>(counts.Invalidated) / surface);
-    AddValue(own.Statistics, "Pixels/Converged", static_cast<double>(counts.Converged) / surface);
+    penumbra::AddStatistic(
+      own.Statistics, "Pixels/Converged", static_cast<double>(counts.Converged) / surface);
   }
   return own.Statistics;
 }

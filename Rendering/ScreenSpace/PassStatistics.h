@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the passes tell what they did.
+#ifndef penumbra_PassStatistics_h
+#define penumbra_PassStatistics_h
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+
+namespace penumbra
+{
+
+/// One number under a name of the field data.
+inline void AddStatistic(vtkFieldData* statistics, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  statistics->AddArray(array);
+}
+
+}
+#endif
