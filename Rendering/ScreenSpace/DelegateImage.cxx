@@ -20,8 +20,31 @@
 namespace penumbra
 {
 
+namespace
+{
+
+vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int samples)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetSamples(samples > 1 ? static_cast<unsigned int>(samples) : 0);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  return texture;
+}
+
+}
+
 DelegateImage::DelegateImage() = default;
 DelegateImage::~DelegateImage() = default;
+
+vtkSmartPointer<vtkTextureObject> DelegateImage::CreateColor(
+  vtkOpenGLRenderWindow* window, int samples) const
+{
+  vtkSmartPointer<vtkTextureObject> texture = NewTexture(window, samples);
+  texture->Allocate2D(this->View.Width, this->View.Height, 4, VTK_UNSIGNED_CHAR);
+  return texture;
+}
 
 void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
 {
@@ -29,26 +52,17 @@ void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
     static_cast<int>(this->Color->GetWidth()) == this->View.Width &&
     static_cast<int>(this->Color->GetHeight()) == this->View.Height && this->Samples == samples &&
     !this->Straight;
-  const auto create = [&](int count) {
-    auto texture = vtkSmartPointer<vtkTextureObject>::New();
-    texture->SetContext(window);
-    texture->SetSamples(count > 1 ? static_cast<unsigned int>(count) : 0);
-    texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    return texture;
-  };
   if (!isRight)
   {
     this->Straight = false;
     this->Samples = samples;
-    this->Color = create(samples);
-    this->Color->Allocate2D(this->View.Width, this->View.Height, 4, VTK_UNSIGNED_CHAR);
-    this->Depth = create(1);
+    this->Color = this->CreateColor(window, samples);
+    this->Depth = NewTexture(window, 1);
     this->Depth->AllocateDepth(this->View.Width, this->View.Height, vtkTextureObject::Float32);
     this->SampleDepth = this->Depth;
     if (samples > 1)
     {
-      this->SampleDepth = create(samples);
+      this->SampleDepth = NewTexture(window, samples);
       this->SampleDepth->AllocateDepth(
         this->View.Width, this->View.Height, vtkTextureObject::Float32);
     }
@@ -80,6 +94,21 @@ void DelegateImage::ResolveDepth(vtkOpenGLRenderWindow* window)
   gl->vtkglBlitFramebuffer(0, 0, this->View.Width, this->View.Height, 0, 0, this->View.Width,
     this->View.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   this->Resolved->RemoveDepthAttachment();
+  gl->PopDrawFramebufferBinding();
+}
+
+void DelegateImage::ResolveColor(vtkOpenGLRenderWindow* window, vtkTextureObject* target)
+{
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  gl->vtkglDisable(GL_SCISSOR_TEST);
+  gl->PushDrawFramebufferBinding();
+  this->Resolved->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+  this->Resolved->AddColorAttachment(0, target);
+  this->Resolved->ActivateDrawBuffer(0);
+  gl->vtkglBlitFramebuffer(0, 0, this->View.Width, this->View.Height, 0, 0, this->View.Width,
+    this->View.Height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  this->Resolved->RemoveColorAttachments(1);
   gl->PopDrawFramebufferBinding();
 }
 
@@ -125,34 +154,14 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Prepare(window, oneSample ? 1 : std::max(SamplesOf(state), 1));
 
-  vtkOpenGLState* gl = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(gl);
-  vtkOpenGLState::ScopedglScissor scissor(gl);
-  vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
-  gl->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Color);
-  this->Framebuffer->AddDepthAttachment(this->SampleDepth);
-  this->Framebuffer->ActivateDrawBuffer(0);
   int props = -1;
-  if (this->Framebuffer->StartNonOrtho(this->View.Width, this->View.Height))
-  {
-    gl->vtkglViewport(0, 0, this->View.Width, this->View.Height);
-    gl->vtkglScissor(0, 0, this->View.Width, this->View.Height);
-    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl->vtkglDepthMask(GL_TRUE);
-    gl->vtkglEnable(GL_DEPTH_TEST);
-    gl->vtkglDepthFunc(GL_LEQUAL);
-    gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
-    gl->vtkglClearDepth(1.0);
-    gl->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
+  this->Fill(window, this->Color, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, [&]() {
     vtkRenderState inner(renderer);
     inner.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
     inner.SetFrameBuffer(this->Framebuffer);
     std::optional<WiderCamera> wider;
     std::vector<vtkProp*> visible;
-    if (this->Margin[0] > 0 || this->Margin[1] > 0 || this->Tight)
+    if (this->IsWider())
     {
       wider.emplace(renderer, this->View);
       visible = VisibleProps(renderer);
@@ -164,11 +173,66 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
     {
       this->ResolveDepth(window);
     }
+  });
+  return props;
+}
+
+bool DelegateImage::Fill(vtkOpenGLRenderWindow* window, vtkTextureObject* color,
+  unsigned int cleared, const std::function<void()>& draw)
+{
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  gl->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, color);
+  this->Framebuffer->AddDepthAttachment(this->SampleDepth);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  const bool complete = this->Framebuffer->StartNonOrtho(this->View.Width, this->View.Height);
+  if (complete)
+  {
+    gl->vtkglViewport(0, 0, this->View.Width, this->View.Height);
+    gl->vtkglScissor(0, 0, this->View.Width, this->View.Height);
+    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->vtkglDepthMask(GL_TRUE);
+    gl->vtkglEnable(GL_DEPTH_TEST);
+    gl->vtkglDepthFunc(GL_LEQUAL);
+    gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
+    gl->vtkglClearDepth(1.0);
+    gl->vtkglClear(cleared);
+    draw();
   }
   this->Framebuffer->RemoveColorAttachments(1);
   this->Framebuffer->RemoveDepthAttachment();
   gl->PopFramebufferBindings();
-  return props;
+  return complete;
+}
+
+bool DelegateImage::DrawAgain(
+  vtkRenderer* renderer, vtkTextureObject* target, const std::function<void()>& props)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkSmartPointer<vtkTextureObject> color = target;
+  if (this->Samples > 1)
+  {
+    color = this->CreateColor(window, this->Samples);
+  }
+  return this->Fill(window, color, GL_COLOR_BUFFER_BIT, [&]() {
+    std::optional<WiderCamera> wider;
+    if (this->IsWider())
+    {
+      wider.emplace(renderer, this->View);
+    }
+    // The same shaders draw the same depths: what is seen of the props, and no depth is changed.
+    window->GetState()->vtkglDepthFunc(GL_EQUAL);
+    props();
+    window->GetState()->vtkglDepthFunc(GL_LEQUAL);
+    if (this->Samples > 1)
+    {
+      this->ResolveColor(window, target);
+    }
+  });
 }
 
 vtkOpenGLFramebufferObject* DelegateImage::GetReadableTarget(const vtkRenderState* state)

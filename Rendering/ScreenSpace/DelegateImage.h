@@ -14,9 +14,12 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
+#include <functional>
+
 class vtkOpenGLRenderWindow;
 class vtkRenderPass;
 class vtkRenderState;
+class vtkRenderer;
 class vtkWindow;
 
 namespace penumbra
@@ -43,6 +46,14 @@ public:
   /// of the picture's size with one sample a pixel.
   int DrawStraight(const vtkRenderState* state, vtkRenderPass* delegate);
 
+  /// After Draw(): draws props of the scene, which `props` does, into a texture of the picture's size;
+  /// only what the picture shows of them. Zero elsewhere. False when OpenGL refuses.
+  bool DrawAgain(
+    vtkRenderer* renderer, vtkTextureObject* target, const std::function<void()>& props);
+
+  /// A texture of the picture's size for four bytes a sample.
+  vtkSmartPointer<vtkTextureObject> CreateColor(vtkOpenGLRenderWindow* window, int samples) const;
+
   /// One depth a pixel, also of pictures with several samples (of these the first).
   vtkTextureObject* GetDepth() const { return this->Depth; }
 
@@ -67,10 +78,18 @@ public:
   static vtkOpenGLFramebufferObject* GetReadableTarget(const vtkRenderState* state);
 
 private:
+  /// Another camera than the renderer's draws.
+  bool IsWider() const { return this->Margin[0] > 0 || this->Margin[1] > 0 || this->Tight; }
+
+  /// Clears and draws into a colour texture, with the picture's depth.
+  bool Fill(vtkOpenGLRenderWindow* window, vtkTextureObject* color, unsigned int cleared,
+    const std::function<void()>& draw);
+
   void PrepareFramebuffers(vtkOpenGLRenderWindow* window);
   void Prepare(vtkOpenGLRenderWindow* window, int samples);
   static int SamplesOf(const vtkRenderState* state);
   void ResolveDepth(vtkOpenGLRenderWindow* window);
+  void ResolveColor(vtkOpenGLRenderWindow* window, vtkTextureObject* target);
 
   vtkSmartPointer<vtkTextureObject> Color;
   vtkSmartPointer<vtkTextureObject> SampleDepth; ///< the same as Depth with one sample

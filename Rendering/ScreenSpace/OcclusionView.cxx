@@ -56,6 +56,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   this->Estimator = estimator;
   this->Settings = settings;
   this->NewSamples = 0;
+  this->Following = false;
   if (!this->Image.Aim(state, settings.Margin, settings.Bounds))
   {
     return false;
@@ -69,6 +70,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
       state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
   {
     this->Props = this->Picture.GetNumberOfRenderedProps();
+    this->LookForMotion();
     return true;
   }
   this->Picture.Forget();
@@ -77,6 +79,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     return false;
   }
+  this->LookForMotion();
   const int* at = this->Image.GetViewport();
   this->Inside = { { settings.Margin[0], settings.Margin[1], at[2], at[3] } };
   Allocate(this->Estimates, this->Window, view.Width, view.Height, 1);
@@ -101,6 +104,8 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   {
     this->SettledSamples = 0;
   }
+  this->Following =
+    change == EyeDepth::Change::Some && this->Motion.Draw(this->Renderer, this->Image, this->Depth);
   if (!this->Converged && !this->Converge(change))
   {
     return false;
@@ -114,6 +119,18 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   }
   return this->Darken.Draw(this->Window, this->Image, this->Depth, this->Image.GetColor(),
     this->Estimates, settings.Darkness, settings.DelegateDrawsBackground);
+}
+
+void OcclusionView::LookForMotion()
+{
+  if (this->Settings.FollowActors && this->Settings.SceneChanged)
+  {
+    this->Motion.Look(this->Renderer);
+  }
+  else
+  {
+    this->Motion.Rest();
+  }
 }
 
 bool OcclusionView::ShowsWhatIsKnown(const ScreenView& view) const
@@ -186,6 +203,7 @@ int OcclusionView::Take(
   temporal.DepthTolerance = this->Settings.DepthTolerance;
   temporal.NeighbourValidation = this->Settings.SceneChanged;
   temporal.InvalidationWeight = this->Settings.InvalidationWeight;
+  temporal.Motion = this->Following ? &this->Motion : nullptr;
   if (change == EyeDepth::Change::Some && !this->Estimator->GetShader().empty())
   {
     return this->History.Follow(request, this->Estimator, temporal);
@@ -253,6 +271,8 @@ OcclusionView::PixelCounts OcclusionView::CountPixels() const
   }
   const std::vector<float> depths = ReadBack(this->Depth.GetCurrent());
   const std::vector<float> history = ReadBack(this->History.GetTexture());
+  const std::vector<unsigned char> actors =
+    this->Following ? this->Motion.ReadNumbers() : std::vector<unsigned char>(depths.size(), 0);
   const int width = this->Image.GetView().Width;
   const auto fresh = static_cast<float>(this->NewSamples);
   const auto pulled = static_cast<float>(this->Settings.InvalidationWeight) + fresh;
@@ -273,6 +293,7 @@ OcclusionView::PixelCounts OcclusionView::CountPixels() const
       counts.Disoccluded += fresh > 0.f && weight <= fresh;
       counts.Invalidated += fresh > 0.f && weight > fresh && weight <= pulled;
       counts.Kept += fresh == 0.f || weight > pulled;
+      counts.Followed += actors[at] > 0 && weight > fresh;
       counts.Converged += this->Converged || weight >= enough;
     }
   }
@@ -318,6 +339,7 @@ void OcclusionView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Image.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
+  this->Motion.ReleaseGraphicsResources(window);
   this->History.ReleaseGraphicsResources(window);
   this->Smoother.ReleaseGraphicsResources(window);
   this->Darken.ReleaseGraphicsResources(window);

@@ -6,6 +6,7 @@
 #ifndef penumbra_OcclusionView_h
 #define penumbra_OcclusionView_h
 
+#include "ActorMotion.h"
 #include "BilateralFilter.h"
 #include "Composite.h"
 #include "Convergence.h"
@@ -39,6 +40,7 @@ struct OcclusionSettings
   bool DelegateOnce = false;  ///< it is drawn once in every picture, neither more nor less
   bool SceneChanged = true;   ///< something besides the eye may have moved since the last frame
   bool HiddenChanged = false; ///< something that the estimator sees and depth does not has changed
+  bool FollowActors = false;  ///< the renderer's props are those that are seen
   bool Restart = false;       ///< settings changed: what is known is worth nothing
   int Margin[2] = { 0, 0 };
   const double* Bounds =
@@ -65,6 +67,7 @@ public:
   {
     long long Surface = 0;
     long long Kept = 0;
+    long long Followed = 0; ///< on actors that moved, with history
     long long Disoccluded = 0;
     long long Invalidated = 0;
     long long Converged = 0;
@@ -80,6 +83,7 @@ public:
 private:
   bool ShowsWhatIsKnown(const ScreenView& view) const;
   StillPicture::Darkness GetDarkness() const;
+  void LookForMotion();
   bool Converge(EyeDepth::Change change);
   bool Estimate(EyeDepth::Change change);
   int Take(
@@ -93,6 +97,7 @@ private:
   vtkPenumbraOcclusionEstimator* Estimator = nullptr;
   OcclusionSettings Settings;
   DelegateImage Image;
+  ActorMotion Motion;
   EyeDepth Depth;
   TemporalHistory History;
   BilateralFilter Smoother;
@@ -105,6 +110,7 @@ private:
   int SettledSamples = 0;                      ///< since the last cut
   int NewSamples = 0;
   int Props = 0;
+  bool Following = false; ///< some actors' motion is drawn
   bool Converged = false;
 };
 

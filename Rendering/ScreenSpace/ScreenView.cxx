@@ -149,11 +149,16 @@ void ScreenView::SetUniforms(vtkShaderProgram* program) const
   SetVector(program, "depthToEye", origin, slope);
 }
 
-Matrix ScreenView::ToEyeOf(const ScreenView& other) const
+Matrix ScreenView::ToEyeOf(const ScreenView& other, const double* motion) const
 {
   Matrix eyeToWorld;
   vtkMatrix4x4::Invert(this->WorldToEye.data(), eyeToWorld.data());
   Matrix product;
+  if (motion)
+  {
+    vtkMatrix4x4::Multiply4x4(motion, eyeToWorld.data(), product.data());
+    eyeToWorld = product;
+  }
   vtkMatrix4x4::Multiply4x4(other.WorldToEye.data(), eyeToWorld.data(), product.data());
   for (int row = 0; row < 3; ++row)
   {

@@ -54,8 +54,9 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenView
   void SetUniforms(vtkShaderProgram* program) const;
 
   /// From this view's eye coordinates to those of another one, both in their units. The product is
-  /// taken in double, so that the eye's motion survives coordinates of 1e7.
-  Matrix ToEyeOf(const ScreenView& other) const;
+  /// taken in double, so that the eye's motion survives coordinates of 1e7. `motion`, a matrix from
+  /// world to world, comes in between.
+  Matrix ToEyeOf(const ScreenView& other, const double* motion = nullptr) const;
 
   /// Do both see the same from the same place? (Clipping planes may differ.)
   bool SeesLike(const ScreenView& other) const;

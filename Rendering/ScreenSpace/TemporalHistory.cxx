@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraAccumulateFS.h"
 #include "vtkPenumbraHistoryFS.h"
+#include "vtkPenumbraMotionLib.h"
 #include "vtkPenumbraNeighbourLib.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraSurfaceLib.h"
@@ -25,12 +26,16 @@ constexpr const char* Given = "uniform sampler2D estimates;\n"
                               "float estimateAt(SurfacePoint point) { return texture(estimates, "
                               "point.pixel * pixelSize).r; }\n";
 
-/// Two programs: on some drivers what is skipped costs as much as what is done.
+/// Nothing but the eye has moved.
+constexpr const char* AtRest = "float actorAt(vec2 pixel) { return 0.0; }\n"
+                               "mat4 motionOf(float actor) { return toPreviousEye; }\n";
+
+/// Several programs: on some drivers what is skipped costs as much as what is done.
 std::string Reprojection(const TemporalSettings& settings, const std::string& estimate)
 {
   return Assemble(vtkPenumbraHistoryFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-      { "EstimateLib", estimate },
+      { "EstimateLib", estimate }, { "MotionLib", settings.Motion ? vtkPenumbraMotionLib : AtRest },
       { "NeighbourLib",
         settings.NeighbourValidation
           ? vtkPenumbraNeighbourLib
@@ -69,6 +74,11 @@ void SetMotion(
   }
   stage.Read("eyeDepths", depth.GetCurrent());
   stage.Read("previousEyeDepths", depth.GetPrevious());
+  if (settings.Motion)
+  {
+    stage.Read("movedActors", settings.Motion->GetTarget());
+    stage.Read("actorMotions", settings.Motion->GetMatrices());
+  }
 }
 
 }

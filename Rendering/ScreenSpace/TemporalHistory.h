@@ -6,6 +6,7 @@
 #ifndef penumbra_TemporalHistory_h
 #define penumbra_TemporalHistory_h
 
+#include "ActorMotion.h"
 #include "EyeDepth.h"
 #include "Stage.h"
 #include "vtkPenumbraOcclusionEstimator.h"
@@ -15,11 +16,12 @@ namespace penumbra
 
 struct TemporalSettings
 {
-  double MaximumWeight = 500.0;     ///< samples; older ones fade
-  double WeightCap = 1e9;           ///< no more of the history counts in this frame
-  double DepthTolerance = 0.02;     ///< relative distance from the surface expected
-  bool NeighbourValidation = false; ///< something besides the eye may have moved
-  double InvalidationWeight = 30.0; ///< a neighbour's motion pulls no weight below this
+  double MaximumWeight = 500.0;        ///< samples; older ones fade
+  double WeightCap = 1e9;              ///< no more of the history counts in this frame
+  double DepthTolerance = 0.02;        ///< relative distance from the surface expected
+  bool NeighbourValidation = false;    ///< something besides the eye may have moved
+  double InvalidationWeight = 30.0;    ///< a neighbour's motion pulls no weight below this
+  const ActorMotion* Motion = nullptr; ///< of actors that moved, where there are any
 };
 
 class TemporalHistory

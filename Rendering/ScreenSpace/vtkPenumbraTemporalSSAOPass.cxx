@@ -218,6 +218,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
       (window->GetOffScreenRendering() || !window->GetShowWindow()));
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   settings.DelegateOnce = this->DelegateOnce;
+  settings.FollowActors = this->FollowActors && this->OpaqueOnly;
   // After compositing of several ranks nobody knows what moved.
   const vtkMTimeType sceneTime = ChangeTime(state);
   Internals::Known& known = own.Renderers[renderer];
@@ -339,6 +340,8 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
     penumbra::AddStatistic(
       own.Statistics, "Pixels/Kept", static_cast<double>(counts.Kept) / surface);
     penumbra::AddStatistic(
+      own.Statistics, "Pixels/Followed", static_cast<double>(counts.Followed) / surface);
+    penumbra::AddStatistic(
       own.Statistics, "Pixels/Disoccluded", static_cast<double>(counts.Disoccluded) / surface);
     penumbra::AddStatistic(
       own.Statistics, "Pixels/Invalidated", static_cast<double>(counts.Invalidated) / surface);
@@ -380,5 +383,6 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
   os << indent << "DelegateOnce: " << this->DelegateOnce << "\n";
+  os << indent << "FollowActors: " << this->FollowActors << "\n";
   os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";
 }

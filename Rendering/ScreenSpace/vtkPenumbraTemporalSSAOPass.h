@@ -197,6 +197,16 @@ public:
   vtkBooleanMacro(DelegateOnce, bool);
   ///@}
 
+  ///@{
+  /**
+   * History follows actors that move as rigid bodies: they are drawn once more, for which actor a pixel
+   * shows. Off: it is dropped where depth shows that something moved. Needs OpaqueOnly. Default: on.
+   */
+  vtkSetMacro(FollowActors, bool);
+  vtkGetMacro(FollowActors, bool);
+  vtkBooleanMacro(FollowActors, bool);
+  ///@}
+
   /** When a single Render() converges. */
   enum ConvergeModes
   {
@@ -222,7 +232,8 @@ public:
   /**
    * Of the last frame, one value an array: `Occlusion/Kernel` (the active one's name),
    * `Samples/PerPixel` (new ones), `Samples/Still` (since the last change), and shares of the
-   * surface's pixels `Pixels/Kept`, `Pixels/Disoccluded`, `Pixels/Invalidated`, `Pixels/Converged`.
+   * surface's pixels `Pixels/Kept`, `Pixels/Followed` (history on actors that moved), `Pixels/Disoccluded`,
+   * `Pixels/Invalidated`, `Pixels/Converged`.
    */
   vtkFieldData* GetStatistics();
 
@@ -264,6 +275,7 @@ private:
   double Margin = -1.0;
   bool OpaqueOnly = false;
   bool DelegateOnce = false;
+  bool FollowActors = true;
   int ConvergeInOneRender = OFFSCREEN;
 };
 

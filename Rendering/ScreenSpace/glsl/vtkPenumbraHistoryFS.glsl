@@ -72,13 +72,15 @@ vec2 keptHistory(vec3 position, vec3 normal)
   return sum / weights;
 }
 
+//VTK::Penumbra::MotionLib
 //VTK::Penumbra::NeighbourLib
 
 void main()
 {
   SurfacePoint point = surfaceAt(gl_FragCoord.xy);
-  vec3 before = (toPreviousEye * vec4(point.position, 1.0)).xyz;
-  vec2 kept = keptHistory(before, mat3(toPreviousEye) * point.normal);
+  mat4 motion = motionOf(actorAt(point.pixel));
+  vec3 before = (motion * vec4(point.position, 1.0)).xyz;
+  vec2 kept = keptHistory(before, mat3(motion) * point.normal);
   float weight = min(kept.g, weightCap);
   weight = min(weight, neighbourTrust(point, before));
   float estimate = estimateAt(point);

@@ -13,6 +13,7 @@ float neighbourChange(SurfacePoint point, vec3 before)
 {
   vec2 reach = 1.0 / (pixelToEye.xy * mix(1.0, -point.position.z, perspective));
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(floor(point.pixel), vec2(0.06711056, 0.00583715))));
+  float own = actorAt(point.pixel);
   float change = 0.0;
   for (int i = 0; i < neighbours; ++i)
   {
@@ -20,9 +21,14 @@ float neighbourChange(SurfacePoint point, vec3 before)
     float away = sqrt((float(i) + 0.5) / float(neighbours));
     vec2 pixel = point.pixel + away * reach * vec2(cos(angle), sin(angle));
     vec3 now = eyePositionAt(pixel);
-    vec3 then = (toPreviousEye * vec4(now, 1.0)).xyz;
+    float actor = actorAt(pixel);
+    vec3 then = (motionOf(actor) * vec4(now, 1.0)).xyz;
     vec2 was = previousPixel(then);
-    vec3 found = vec3(previousPlane(was), -1.0) * vec3(vec2(mix(1.0, previousDepthAt(was), perspective)), previousDepthAt(was));
+    float depth = previousDepthAt(was);
+    vec3 found = vec3(previousPlane(was), -1.0) * vec3(vec2(mix(1.0, depth, perspective)), depth);
+    // Within a rigid body no distance changes, whatever pixels make of it: if only it was seen.
+    bool rigid = actor > 0.5 && actor == own && abs(depth + then.z) < depthTolerance * depth;
+    found = rigid ? then : found;
     float span = min(length(now - point.position), 1.0);
     float spanBefore = min(length(found - before), 1.0);
     bool seen = isInside(pixel) && isInside(was);

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ActorMotion.h"
+
+#include "OpenGLFunctions.h"
+#include "Stage.h"
+#include "WiderCamera.h"
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkDataObject.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// What eight bits can number.
+constexpr int MostActors = 255;
+
+/// A motion that changes lengths by more than this share is not that of a rigid body.
+constexpr double Rigidity = 1e-6;
+
+/// When the mesh of an actor was last another one.
+vtkMTimeType MeshTime(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  vtkMTimeType time = mapper->GetMTime();
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      const vtkDataObject* data = mapper->GetInputDataObject(port, i);
+      time = std::max(time, data ? const_cast<vtkDataObject*>(data)->GetMTime() : 0);
+    }
+  }
+  return time;
+}
+
+bool IsRigid(const Matrix& matrix)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const double product =
+        matrix[i] * matrix[j] + matrix[4 + i] * matrix[4 + j] + matrix[8 + i] * matrix[8 + j];
+      if (!(std::abs(product - (i == j ? 1.0 : 0.0)) < Rigidity))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}
+
+bool ActorMotion::IsMotion(const Known& before, const Known& now, Matrix& toWorldBefore)
+{
+  if (before.MeshTime != now.MeshTime || before.ToWorld == now.ToWorld)
+  {
+    return false;
+  }
+  Matrix fromWorld;
+  vtkMatrix4x4::Invert(now.ToWorld.data(), fromWorld.data());
+  vtkMatrix4x4::Multiply4x4(before.ToWorld.data(), fromWorld.data(), toWorldBefore.data());
+  return IsRigid(toWorldBefore);
+}
+
+void ActorMotion::Look(vtkRenderer* renderer)
+{
+  this->Moved.clear();
+  std::map<std::pair<vtkActor*, int>, Known> found;
+  for (vtkProp* prop : VisibleProps(renderer))
+  {
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      vtkAssemblyNode* node = path->GetLastNode();
+      auto* actor = vtkActor::SafeDownCast(node->GetViewProp());
+      if (!actor || !actor->GetMapper() || !actor->GetVisibility() || !node->GetMatrix())
+      {
+        continue;
+      }
+      Known now;
+      std::copy_n(node->GetMatrix()->GetData(), 16, now.ToWorld.begin());
+      now.MeshTime = MeshTime(actor);
+      std::pair<vtkActor*, int> key(actor, 0);
+      while (!found.emplace(key, now).second)
+      {
+        ++key.second;
+      }
+      const auto before = this->Last.find(key);
+      Motion motion{ actor, now.ToWorld, {} };
+      if (before != this->Last.end() && IsMotion(before->second, now, motion.ToWorldBefore) &&
+        static_cast<int>(this->Moved.size()) < MostActors)
+      {
+        this->Moved.push_back(motion);
+      }
+    }
+  }
+  this->Last.swap(found);
+}
+
+bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDepth& depth)
+{
+  if (this->Moved.empty())
+  {
+    return false;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const ScreenView& view = depth.GetView();
+  std::vector<float> matrices;
+  for (const Motion& motion : this->Moved)
+  {
+    const Matrix matrix = view.ToEyeOf(depth.GetPreviousView(), motion.ToWorldBefore.data());
+    for (int i = 0; i < 16; ++i)
+    {
+      matrices.push_back(static_cast<float>(matrix[4 * (i % 4) + i / 4]));
+    }
+  }
+  const auto rows = static_cast<int>(this->Moved.size());
+  this->Matrices = vtkSmartPointer<vtkTextureObject>::New();
+  this->Matrices->SetContext(window);
+  this->Matrices->Create2DFromRaw(4, rows, 4, VTK_FLOAT, matrices.data());
+
+  const bool fits = this->Target && this->Target->GetContext() == window &&
+    static_cast<int>(this->Target->GetWidth()) == view.Width &&
+    static_cast<int>(this->Target->GetHeight()) == view.Height;
+  if (!fits)
+  {
+    this->Target = image.CreateColor(window, 1);
+  }
+  return image.DrawAgain(renderer, this->Target, [&]() {
+    // Whatever an opaque actor's colour is, its alpha is 1: blending makes a number of it.
+    vtkOpenGLState* gl = window->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+    const vtkOpenGLState::ScopedglBlendFuncSeparate function(gl);
+    gl->vtkglEnable(GL_BLEND);
+    gl->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_CONSTANT_ALPHA, GL_ZERO);
+    for (int i = 0; i < rows; ++i)
+    {
+      const Motion& motion = this->Moved[i];
+      glBlendColor(0.f, 0.f, 0.f, static_cast<float>(i + 1) / MostActors);
+      vtkNew<vtkMatrix4x4> toWorld;
+      toWorld->DeepCopy(motion.ToWorld.data());
+      motion.Actor->PokeMatrix(toWorld); // as assemblies do
+      motion.Actor->RenderOpaqueGeometry(renderer);
+      motion.Actor->PokeMatrix(nullptr);
+    }
+    glBlendColor(0.f, 0.f, 0.f, 0.f);
+  });
+}
+
+std::vector<unsigned char> ActorMotion::ReadNumbers() const
+{
+  unsigned int size[2] = { this->Target->GetWidth(), this->Target->GetHeight() };
+  std::vector<unsigned char> colors(static_cast<std::size_t>(size[0]) * size[1] * 4);
+  vtkIdType increments[2] = { 0, 0 };
+  auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(this->Target->Download());
+  buffer->Download2D(VTK_UNSIGNED_CHAR, colors.data(), size, 4, increments);
+  std::vector<unsigned char> numbers(colors.size() / 4);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    numbers[i] = colors[4 * i + 3];
+  }
+  return numbers;
+}
+
+void ActorMotion::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Target, &this->Matrices })
+  {
+    if (*texture)
+    {
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
+    }
+  }
+}
+
+}
