@@ -115,18 +115,19 @@ std::pair<double, double> ScreenView::DepthToEye() const
 
 ScreenView ScreenView::Coarse(int block) const
 {
+  const int middle = block / 2; // The row and column that stand for their block.
   ScreenView view = *this;
   view.Width = (this->Width + block - 1) / block;
   view.Height = (this->Height + block - 1) / block;
   for (int axis = 0; axis < 2; ++axis)
   {
     view.Scale[axis] = this->Scale[axis] * block;
-    view.Offset[axis] += this->Scale[axis] * (block / 2 + 0.5 - 0.5 * block);
+    view.Offset[axis] += this->Scale[axis] * (middle + 0.5 - 0.5 * block);
     // Clip coordinates: the blocks may reach beyond the picture.
     const int sides[2] = { this->Width, this->Height };
     const int blocks[2] = { view.Width, view.Height };
     const double wider = static_cast<double>(block) * blocks[axis] / sides[axis];
-    const double shift = wider + (2.0 * (block / 2) + 1.0 - block) / sides[axis] - 1.0;
+    const double shift = wider + (2.0 * middle + 1.0 - block) / sides[axis] - 1.0;
     for (int k = 0; k < 4; ++k)
     {
       double& entry = view.Projection[4 * axis + k];
