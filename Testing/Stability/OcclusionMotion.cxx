@@ -36,6 +36,7 @@ void KeepUnchecked(Pass* pass)
 {
   pass->SetDepthTolerance(1.0);
   pass->SetInvalidationWeight(1000.0);
+  pass->FollowActorsOff();
 }
 
 void KeepBesideMoved(Pass* pass)
