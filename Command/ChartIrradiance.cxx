@@ -103,9 +103,11 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   {
     const char* Method;
     int Rule;
-  } rules[] = { { "nearest hit [IC]", Cache::NEAREST_HIT },
-    { "harmonic mean [IC]", Cache::HARMONIC_MEAN },
-    { "Penumbra automatic (second derivative)", Cache::OCCLUSION_HESSIAN } };
+    int Space;
+  } rules[] = { { "nearest hit [IC]", Cache::NEAREST_HIT, Cache::WORLD },
+    { "harmonic mean [IC]", Cache::HARMONIC_MEAN, Cache::WORLD },
+    { "Penumbra automatic (second derivative)", Cache::OCCLUSION_HESSIAN, Cache::WORLD },
+    { "Penumbra, screen space", Cache::OCCLUSION_HESSIAN, Cache::SCREEN } };
   for (const auto& rule : rules)
   {
     for (const double tolerance : quick ? std::vector<double>{ .05, .02 }
@@ -116,6 +118,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
       family.Steps.push_back({ scene, rule.Method, setting.str(), tolerance, [=] {
                                 vtkNew<Cache> cache;
                                 cache->SetRadiusRule(rule.Rule);
+                                cache->SetSpace(rule.Space);
                                 cache->SetTolerance(tolerance);
                                 return Ask(subject(), cache, tolerance, 1);
                               } });

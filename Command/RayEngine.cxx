@@ -137,7 +137,10 @@ Picture RenderWithRays(
   caster->SetBounces(light.Bounces);
   if (options.AmbientOcclusion || light.Indirect)
   {
-    caster->SetIrradianceSource(vtkNew<vtkPenumbraIrradianceCache>());
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    cache->SetSpace(options.Cache == "screen" ? vtkPenumbraIrradianceCache::SCREEN
+                                              : vtkPenumbraIrradianceCache::WORLD);
+    caster->SetIrradianceSource(cache);
   }
   caster->SetBackground(options.Background);
   caster->SetDPI(options.DotsPerInch);

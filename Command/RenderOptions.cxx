@@ -325,6 +325,10 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   AddInteger(app, "--frames", options.Frames,
     "Successive frames of a still camera, 0: until converged (raster)", 0, 100000)
     ->group(group);
+  AddChoice(app, "--cache", options.Cache, { "world", "screen" },
+    "Where occlusion and indirect light are interpolated: between any places, or over the picture "
+    "(ray)")
+    ->group(group);
   app.add_flag("--shadows", options.Shadows, "Hard shadows of the lights (ray)")->group(group);
 }
 
@@ -426,6 +430,9 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-kernel", options.Engine == "ray", "with --engine ray" },
+    { "--cache", !options.AmbientOcclusion && !options.Light.Indirect,
+      "without --ambient-occlusion or --indirect" },
+    { "--cache", options.Engine == "raster", "with --engine raster" },
     { "--environment-color", !options.Light.Indirect, "without --indirect" },
     { "--albedo", !options.Light.Indirect, "without --indirect" },
     { "--bounces", !options.Light.Indirect, "without --indirect" },

@@ -97,6 +97,7 @@ struct RenderOptions
   std::string AmbientOcclusionKernel = "automatic"; ///< raster
   int Frames = 0; ///< raster, of a still camera; 0: until converged
   bool Shadows = false;
+  std::string Cache = "world"; ///< of occlusion and indirect light
   LightOptions Light;
   ShaftOptions Shafts;
 

@@ -137,6 +137,24 @@ double BruteForceSeconds(
   return CostAtError(ladder, target);
 }
 
+/// The cache of screen space at the tolerance `tolerance`.
+void MeasureOnScreen(Table& table, const std::string& name, const RayScene& rays,
+  const std::vector<Point>& points, double tolerance)
+{
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetSpace(vtkPenumbraIrradianceCache::SCREEN);
+  const double start = Seconds();
+  cache->Begin(rays, Infinity, 2.0 * tolerance);
+  const double placing = Seconds() - start;
+  const Outcome outcome = Ask(cache, points);
+  table.Add(name, "screen space: records", CountOf(cache, "Cache/Records"), Bar::None);
+  table.Add(name, "screen space: rays, millions", CountOf(cache, "Rays/Gather") * 1e-6, Bar::None);
+  table.Add(name, "screen space: RMSE on the plane", outcome.Plane, Bar::AtMost, .003);
+  table.Add(name, "screen space: RMSE on the sphere", outcome.Sphere, Bar::AtMost, .006);
+  table.Add(name, "screen space: seconds: records, then look-ups", placing + outcome.Seconds,
+    Bar::None, 0.0, std::to_string(placing) + " + " + std::to_string(outcome.Seconds));
+}
+
 }
 
 void MeasureSpheres(IrradianceBenchmark& benchmark)
@@ -178,6 +196,7 @@ void MeasureSpheres(IrradianceBenchmark& benchmark)
       table.Add(name, "time at equal RMSE, brute force over cache",
         BruteForceSeconds(rays, scene.Look(rays, 16), outcome.All, pixels) / seconds, Bar::AtLeast,
         30.0);
+      MeasureOnScreen(table, name, rays, points, tolerance);
     }
   }
   table.Add("both, tolerances .05 to .002", "share with RMSE <= tolerance",

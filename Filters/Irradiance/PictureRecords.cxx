@@ -24,13 +24,19 @@ constexpr std::uint32_t MostRays = 16384;
 }
 
 PictureRecords::PictureRecords(const RayScene& rays, const Gatherer& gatherer,
-  const PlacementSettings& settings, float normalAngle, const std::vector<Record>& initial)
+  const PlacementSettings& settings, float normalAngle, bool onScreen,
+  const std::vector<Record>& initial)
   : Rays(rays),
     Source(gatherer),
     Places(gatherer, settings, this->Tree)
 {
   this->Tree.Enclose(rays.GetScene());
   this->Tree.SetNormalAngle(normalAngle);
+  if (onScreen)
+  {
+    this->Screen = std::make_unique<ScreenRecords>(rays, this->Places, settings, normalAngle);
+    return;
+  }
   for (const Record& record : initial)
   {
     this->Tree.Insert(record);
@@ -39,6 +45,10 @@ PictureRecords::PictureRecords(const RayScene& rays, const Gatherer& gatherer,
 
 bool PictureRecords::PlaceLevels(const ProgressCallback& progress)
 {
+  if (this->Screen)
+  {
+    return this->Screen->PlaceLevels(progress);
+  }
   for (int level = 0; level < PictureLevels; ++level)
   {
     const auto step = [&](double share) {

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The records of one picture: made level by level over its pixels, or where a question finds none.
+// The records of one picture: made level by level over its pixels, or where a question finds none; looked
+// up in space, or in the picture.
 #ifndef penumbra_PictureRecords_h
 #define penumbra_PictureRecords_h
 
-#include "Placement.h"
+#include "ScreenRecords.h"
 
+#include <memory>
 #include <mutex>
 
 namespace penumbra
@@ -18,22 +20,37 @@ class PictureRecords
 {
 public:
   /// `rays` and `gatherer` must outlive this object.
+  /// `onScreen`: the cache of screen space, without `initial` records.
   PictureRecords(const RayScene& rays, const Gatherer& gatherer, const PlacementSettings& settings,
-    float normalAngle, const std::vector<Record>& initial);
+    float normalAngle, bool onScreen, const std::vector<Record>& initial);
 
   /// All records of the picture. False when `progress` stopped it.
   bool PlaceLevels(const ProgressCallback& progress);
 
-  Interpolated LookUp(const Place& place) const { return this->Tree.LookUp(place); }
+  Interpolated LookUp(const Place& place) const
+  {
+    return this->Screen ? this->Screen->LookUp(place) : this->Tree.LookUp(place);
+  }
 
-  /// The same; makes a record where none serves [IC].
+  /// The same in world space; makes a record where none serves [IC].
   Interpolated LookUpOrGather(const Place& place);
 
   /// Without records, to about the error `tolerance`; adds its rays to `rays`.
   Interpolated Gather(const Place& place, double tolerance, long long& rays) const;
 
-  const RecordTree& GetTree() const { return this->Tree; }
-  long long GetRays() const { return this->Places.GetRays() + this->LazyRays; }
+  const std::vector<Record>& GetRecords() const
+  {
+    return this->Screen ? this->Screen->GetRecords() : this->Tree.GetRecords();
+  }
+  float GetNormalAngle() const { return this->Tree.GetNormalAngle(); }
+  std::size_t GetBytes() const
+  {
+    return this->Screen ? this->Screen->GetBytes() : this->Tree.GetBytes();
+  }
+  long long GetRays() const
+  {
+    return this->Screen ? this->Screen->GetRays() : this->Places.GetRays() + this->LazyRays;
+  }
 
 private:
   float PixelAt(glm::vec3 position) const;
@@ -42,7 +59,8 @@ private:
   const Gatherer& Source;
   RecordTree Tree;
   Placement Places;
-  std::mutex Lock; ///< of Tree and LazyRays in LookUpOrGather()
+  std::unique_ptr<ScreenRecords> Screen; ///< null: world space
+  std::mutex Lock;                       ///< of Tree and LazyRays in LookUpOrGather()
   long long LazyRays = 0;
 };
 

@@ -29,15 +29,20 @@ bool IsOfLevel(int x, int y, int stride, int level)
   return level % 2 == 1 ? oddX && oddY : oddX != oddY;
 }
 
-/// What the pixel's centre sees first, lines and points aside; false: nothing.
-bool FindSite(const RayScene& rays, int x, int y, Site& site)
+}
+
+int StrideOf(int level)
+{
+  return CoarsestStride >> (level + 1) / 2;
+}
+
+bool FindSite(const RayScene& rays, glm::dvec2 at, Site& site)
 {
   const Scene& scene = rays.GetScene();
   const Camera& eye = scene.Eye;
-  const glm::dvec2 p(x + .5, y + .5);
   Ray ray;
-  ray.Origin = glm::vec3(eye.RayOrigin(p));
-  ray.Direction = glm::vec3(eye.RayDirection(p));
+  ray.Origin = glm::vec3(eye.RayOrigin(at));
+  ray.Direction = glm::vec3(eye.RayDirection(at));
   ray.Near = static_cast<float>(eye.Near);
   Hit hit = rays.Intersect(ray);
   while (hit.IsHit() && scene.Surfaces[hit.Surface].ScreenSpace)
@@ -73,13 +78,6 @@ bool FindSite(const RayScene& rays, int x, int y, Site& site)
   return true;
 }
 
-}
-
-int StrideOf(int level)
-{
-  return CoarsestStride >> (level + 1) / 2;
-}
-
 std::vector<Site> SitesOfPicture(const RayScene& rays, int level)
 {
   const Camera& eye = rays.GetScene().Eye;
@@ -92,7 +90,8 @@ std::vector<Site> SitesOfPicture(const RayScene& rays, int level)
       for (int x = 0; x < eye.Width; x += stride)
       {
         Site site;
-        if (IsOfLevel(x, row * stride, stride, level) && FindSite(rays, x, row * stride, site))
+        const int y = row * stride;
+        if (IsOfLevel(x, y, stride, level) && FindSite(rays, { x + .5, y + .5 }, site))
         {
           found[row].push_back(site);
         }

@@ -21,6 +21,9 @@ constexpr int PictureLevels = 13;
 /// Distance of the pixels of a level.
 int StrideOf(int level);
 
+/// What is seen first through picture point `at`, lines and points aside; false: nothing.
+bool FindSite(const RayScene& rays, glm::dvec2 at, Site& site);
+
 /// What is seen first through the pixels that `level` adds to the levels before.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Site> SitesOfPicture(
   const RayScene& rays, int level);

@@ -39,27 +39,17 @@ struct Record : Place
     {
       return 0.f;
     }
-    const float turned = std::max(0.f, 1.f - glm::dot(place.Normal, this->Normal));
-    const float error =
-      std::max(std::sqrt(square) / this->Radius, normalFactor * std::sqrt(turned));
-    if (error >= 1.f || this->IsOff(d, place.Normal) || this->IsBehindWall(d))
-    {
-      return 0.f;
-    }
-    return 1.f - error;
+    return std::min(1.f - std::sqrt(square) / this->Radius, this->Agreement(place, normalFactor));
   }
 
-  /// The mean over the hemisphere that this record expects at `place`, per channel.
-  glm::vec3 Expect(const Place& place) const
+  /// The part of the weight that has nothing to do with the distance.
+  float Agreement(const Place& place, float normalFactor) const
   {
     const glm::vec3 d = place.Position - this->Position;
-    const glm::vec3 turn = place.Normal - this->Normal;
-    glm::vec3 mean = this->Found.Mean;
-    for (int c = 0; c < 3; ++c)
-    {
-      mean[c] += glm::dot(this->Found.Translation[c], d) + glm::dot(this->Found.Rotation[c], turn);
-    }
-    return glm::max(mean, glm::vec3(0.f));
+    const float turned = std::max(0.f, 1.f - glm::dot(place.Normal, this->Normal));
+    const float error = normalFactor * std::sqrt(turned);
+    return error >= 1.f || this->IsOff(d, place.Normal) || this->IsBehindWall(d) ? 0.f
+                                                                                 : 1.f - error;
   }
 
 private:

@@ -53,10 +53,6 @@ bool Reaches(glm::vec3 position, float radius, int octant, glm::vec3 center)
   return true;
 }
 
-/// |second derivative| times this and the square of the distance is what a record is believed to
-/// err: half of it along the line of the greatest bend, less along others.
-constexpr float BendShare = .25f;
-
 constexpr int RecordsAtOnce = 32;
 
 /// Has the memory of a record on its way while others are looked at.
@@ -223,29 +219,15 @@ const RecordTree::Node& RecordTree::LeafAt(glm::vec3 position) const
 
 Interpolated RecordTree::LookUp(const Place& place) const
 {
-  Interpolated result;
-  float weights = 0.f;
-  float noise = 0.f;
-  float bias = 0.f;
+  Blend blend;
   this->ForEachAround(place.Position, [&](const Record& record) {
     const float weight = record.Serves ? record.Weight(place, this->NormalFactor) : 0.f;
     if (weight > 0.f)
     {
-      const glm::vec3 d = place.Position - record.Position;
-      weights += weight;
-      result.Mean += weight * record.Expect(place);
-      noise += weight * weight * record.Found.Error * record.Found.Error;
-      bias += weight * BendShare * record.Found.Bend * glm::dot(d, d);
-      result.Greatest = std::max(result.Greatest, weight);
+      blend.Add(record, place, weight);
     }
   });
-  if (weights > 0.f)
-  {
-    result.Mean /= weights;
-    bias /= weights;
-    result.Error = std::sqrt(noise / (weights * weights) + bias * bias);
-  }
-  return result;
+  return blend.Result();
 }
 
 float RecordTree::Cover(const Place& place) const

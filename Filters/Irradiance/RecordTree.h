@@ -6,7 +6,7 @@
 #ifndef penumbra_RecordTree_h
 #define penumbra_RecordTree_h
 
-#include "Record.h"
+#include "Blend.h"
 
 #include <cstdint>
 
@@ -14,15 +14,6 @@ namespace penumbra
 {
 
 struct Scene;
-
-/// What the cache says about a place.
-struct Interpolated
-{
-  glm::vec3 Mean{ 0.f };
-  float Error = 0.f;    ///< as far as the records can tell: their noise, and their bends
-  float Greatest = 0.f; ///< weight of the record that serves best; 0: no record serves
-  bool Found() const { return this->Greatest > 0.f; }
-};
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordTree
 {

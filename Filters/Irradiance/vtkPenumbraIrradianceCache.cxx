@@ -46,13 +46,13 @@ void AddValue(vtkFieldData* data, const char* name, double value)
   data->AddArray(array);
 }
 
-/// The records of a tree, and the angle that their weights depend on.
-void Copy(
-  const RecordTree& tree, penumbra::Quantities quantity, const Scene& scene, vtkPolyData* records)
+/// The records of a picture, and the angle that their weights depend on.
+void Copy(const PictureRecords& from, penumbra::Quantities quantity, const Scene& scene,
+  vtkPolyData* records)
 {
-  ToPolyData(tree.GetRecords(), quantity, scene, records);
+  ToPolyData(from.GetRecords(), quantity, scene, records);
   AddValue(
-    records->GetFieldData(), "NormalAngle", vtkMath::DegreesFromRadians(tree.GetNormalAngle()));
+    records->GetFieldData(), "NormalAngle", vtkMath::DegreesFromRadians(from.GetNormalAngle()));
 }
 
 std::vector<Site> Viewpoints(const RayScene& rays)
@@ -165,7 +165,7 @@ void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
   const Internals::Half& half = this->Implementation->Occlusion;
   if (half.Records)
   {
-    Copy(half.Records->GetTree(), Quantities::Occlusion, half.Units, records);
+    Copy(*half.Records, Quantities::Occlusion, half.Units, records);
   }
 }
 
@@ -174,7 +174,7 @@ void vtkPenumbraIrradianceCache::GetIrradianceRecords(vtkPolyData* records) cons
   const Internals::Half& half = this->Implementation->Irradiance;
   if (half.Records)
   {
-    Copy(half.Records->GetTree(), Quantities::Irradiance, half.Units, records);
+    Copy(*half.Records, Quantities::Irradiance, half.Units, records);
   }
 }
 
@@ -219,8 +219,8 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   half.Units.Origin = rays.GetScene().Origin;
   half.Units.Scale = rays.GetScene().Scale;
   half.Records = std::make_unique<PictureRecords>(
-    rays, gatherer, settings, NormalAngle(self, settings), initial);
-  return self->Order == LAZY || half.Records->PlaceLevels(progress);
+    rays, gatherer, settings, NormalAngle(self, settings), self->Space == SCREEN, initial);
+  return self->IsLazy() || half.Records->PlaceLevels(progress);
 }
 
 bool vtkPenumbraIrradianceCache::Begin(
@@ -257,7 +257,7 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::OcclusionWithi
   const double point[3], const double normal[3], double tolerance) const
 {
   const Internals& self = *this->Implementation;
-  const Interpolated found = self.Occlusion.Ask(point, normal, this->Order == LAZY);
+  const Interpolated found = self.Occlusion.Ask(point, normal, this->IsLazy());
   if (!found.Found())
   {
     return self.BruteForce->OcclusionWithin(point, normal, tolerance);
@@ -311,7 +311,7 @@ vtkPenumbraIrradianceSource::Light vtkPenumbraIrradianceCache::Irradiance(
 {
   const Internals& self = *this->Implementation;
   Light light;
-  Interpolated found = self.Irradiance.Ask(point, normal, this->Order == LAZY);
+  Interpolated found = self.Irradiance.Ask(point, normal, this->IsLazy());
   if (!found.Found())
   {
     found = self.Irradiance.Records->Gather(self.Irradiance.PlaceOf(point, normal),
@@ -335,8 +335,8 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
   {
     if (half->Records)
     {
-      records += half->Records->GetTree().GetRecords().size();
-      bytes += half->Records->GetTree().GetBytes();
+      records += half->Records->GetRecords().size();
+      bytes += half->Records->GetBytes();
       rays += half->Records->GetRays();
     }
   }
@@ -355,6 +355,7 @@ void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Space: " << this->Space << "\n";
   os << indent << "RadiusRule: " << this->RadiusRule << "\n";
   os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
   os << indent << "MaximumRadius: " << this->MaximumRadius << "\n";

@@ -47,6 +47,18 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  /** The two caches of [IC]. */
+  enum Spaces
+  {
+    WORLD, ///< any place asks; fewest records; they serve other views, too
+    SCREEN ///< what the picture sees first; records at the corners of squares of the picture
+  };
+  ///@{
+  /** Where records are looked up. Reflections before the last are looked up in world space. Default: WORLD. */
+  vtkSetClampMacro(Space, int, WORLD, SCREEN);
+  vtkGetMacro(Space, int);
+  ///@}
+
   /** How far a record serves. */
   enum RadiusRules
   {
@@ -61,7 +73,10 @@ public:
   ///@}
 
   ///@{
-  /** Least and greatest radius of a record in pixels of the picture [IC], 1 to 64 and 4 to 1000. Default: 3, 64. */
+  /**
+   * Least and greatest radius of a record in pixels of the picture [IC], 1 to 64 and 4 to 1000; in screen
+   * space also, rounded down to powers of two, the sides of squares. Default: 3, 64.
+   */
   vtkSetClampMacro(MinimumRadius, double, 1.0, 64.0);
   vtkGetMacro(MinimumRadius, double);
   vtkSetClampMacro(MaximumRadius, double, 4.0, 1000.0);
@@ -87,7 +102,7 @@ public:
     LAZY    ///< [IC]'s: where a question finds none; depends on the order of questions
   };
   ///@{
-  /** When records are made. Default: LEVELS. */
+  /** When records are made; in screen space always LEVELS. Default: LEVELS. */
   vtkSetClampMacro(Order, int, LEVELS, LAZY);
   vtkGetMacro(Order, int);
   ///@}
@@ -95,7 +110,7 @@ public:
   ///@{
   /**
    * Records to begin with, as GetRecords() or GetIrradianceRecords() gave them for the same scene and
-   * reach or light. Default: none.
+   * reach or light; for world space. Default: none.
    */
   virtual void SetInitialRecords(vtkPolyData* records);
   vtkPolyData* GetInitialRecords();
@@ -132,10 +147,13 @@ private:
   vtkPenumbraIrradianceCache(const vtkPenumbraIrradianceCache&) = delete;
   void operator=(const vtkPenumbraIrradianceCache&) = delete;
 
+  bool IsLazy() const { return this->Order == LAZY && this->Space == WORLD; }
+
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 
   double Tolerance = 0.0;
+  int Space = WORLD;
   int RadiusRule = OCCLUSION_HESSIAN;
   double MinimumRadius = 3.0;
   double MaximumRadius = 64.0;

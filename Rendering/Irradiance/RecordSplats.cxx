@@ -11,6 +11,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPenumbraSplatFS.h"
 #include "vtkPenumbraSplatLib.h"
+#include "vtkPenumbraSplatMeanFS.h"
 #include "vtkPenumbraSplatSurfaceFS.h"
 #include "vtkPenumbraSplatVS.h"
 #include "vtkShaderProgram.h"
@@ -144,18 +145,14 @@ bool RecordSplats::FindSurface(
   return true;
 }
 
-bool RecordSplats::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  vtkTextureObject* eyeDepths, float normalAngle, vtkTextureObject* sums)
+bool RecordSplats::AddUp(
+  vtkOpenGLRenderWindow* window, const DelegateImage& image, float normalAngle)
 {
   static const auto assemble = [](const char* source) {
     return Assemble(AssembleView(source), { { "SplatLib", vtkPenumbraSplatLib } });
   };
   static const std::string vertexSource = assemble(vtkPenumbraSplatVS);
   static const std::string fragmentSource = assemble(vtkPenumbraSplatFS);
-  if (!this->FindSurface(window, image, eyeDepths))
-  {
-    return false;
-  }
   if (!this->Table || this->Table->GetContext() != window)
   {
     this->Upload(window);
@@ -163,7 +160,14 @@ bool RecordSplats::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& imag
   }
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(vertexSource.c_str(), fragmentSource.c_str(), "");
-  const DrawInto into(window, image.GetFramebuffer(), { sums }, image.GetDepth());
+  const ScreenView& view = image.GetView();
+  std::vector<vtkTextureObject*> targets;
+  for (int i = 0; i < 2 + this->Channels; ++i)
+  {
+    Allocate(this->Sums[i], window, view.Width, view.Height, 4);
+    targets.push_back(this->Sums[i]);
+  }
+  const DrawInto into(window, image.GetFramebuffer(), targets, image.GetDepth());
   if (!program || !into.IsComplete())
   {
     return false;
@@ -171,8 +175,8 @@ bool RecordSplats::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& imag
   const AddingUp adding(window->GetState());
   window->GetState()->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
   window->GetState()->vtkglClear(GL_COLOR_BUFFER_BIT);
-  image.GetView().SetUniforms(program);
-  SetTransforms(program, image.GetView(), this->Origin);
+  view.SetUniforms(program);
+  SetTransforms(program, view, this->Origin);
   this->Table->Activate();
   this->Surfaces->Activate();
   program->SetUniformi("records", this->Table->GetTextureUnit());
@@ -189,9 +193,37 @@ bool RecordSplats::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& imag
   return true;
 }
 
+bool RecordSplats::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkTextureObject* eyeDepths, float normalAngle, vtkTextureObject* means)
+{
+  if (!this->FindSurface(window, image, eyeDepths) || !this->AddUp(window, image, normalAngle))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->Mean.Ready(window, vtkPenumbraSplatMeanFS);
+  const DrawInto into(window, image.GetFramebuffer(), { means });
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const ScreenView& view = image.GetView();
+  const float pixelSize[2] = { 1.f / static_cast<float>(view.Width),
+    1.f / static_cast<float>(view.Height) };
+  program->SetUniform2f("pixelSize", pixelSize);
+  this->Mean.Read("values", this->Sums[0]);
+  this->Mean.Read("ways", this->Sums[1]);
+  const bool single = this->Channels == 1; // what the others hold does not matter
+  this->Mean.Read("slopes0", this->Sums[2]);
+  this->Mean.Read("slopes1", this->Sums[single ? 2 : 3]);
+  this->Mean.Read("slopes2", this->Sums[single ? 2 : 4]);
+  this->Mean.Draw();
+  return true;
+}
+
 void RecordSplats::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Surfaces, &this->Table })
+  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Surfaces, &this->Table, &this->Sums[0],
+         &this->Sums[1], &this->Sums[2], &this->Sums[3], &this->Sums[4] })
   {
     if (*texture)
     {
@@ -205,6 +237,7 @@ void RecordSplats::ReleaseGraphicsResources(vtkWindow* window)
     this->Vertices = nullptr;
   }
   this->Surface.ReleaseGraphicsResources(window);
+  this->Mean.ReleaseGraphicsResources(window);
 }
 
 }

@@ -9,6 +9,8 @@
 #include "Record.h"
 #include "Stage.h"
 
+#include <array>
+
 class vtkOpenGLVertexArrayObject;
 
 namespace penumbra
@@ -24,11 +26,11 @@ public:
   void SetRecords(std::vector<Record> records, glm::dvec3 origin, int channels);
   std::size_t GetNumberOfRecords() const { return this->Records.size(); }
 
-  /// Fills `sums` (four floats) with what the records say of the surface that the image shows from
-  /// `eyeDepths`: weighted means over the hemisphere, and in the last channel the weights. Records whose
+  /// Fills `means` (four floats) with what the records say of the surface that the image shows from
+  /// `eyeDepths`: means over the hemisphere, and in the last channel the records' weight. Records whose
   /// normals differ by `normalAngle` (radians) or more do not count. False when OpenGL refuses.
   bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths,
-    float normalAngle, vtkTextureObject* sums);
+    float normalAngle, vtkTextureObject* means);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -36,6 +38,7 @@ private:
   bool FindSurface(
     vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths);
   void Upload(vtkOpenGLRenderWindow* window);
+  bool AddUp(vtkOpenGLRenderWindow* window, const DelegateImage& image, float normalAngle);
 
   std::vector<Record> Records;
   glm::dvec3 Origin{ 0.0 };
@@ -43,9 +46,11 @@ private:
   int Rows = 1;
   int Texels = 1;
   Stage Surface;
+  Stage Mean;
   vtkSmartPointer<vtkTextureObject> Surfaces;
-  vtkSmartPointer<vtkTextureObject> Table;              ///< the records
-  vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices; ///< none: OpenGL wants it nevertheless
+  std::array<vtkSmartPointer<vtkTextureObject>, 5> Sums; ///< values, ways, slopes of the channels
+  vtkSmartPointer<vtkTextureObject> Table;               ///< the records
+  vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices;  ///< none: OpenGL wants it nevertheless
 };
 
 }

@@ -62,7 +62,7 @@ struct vtkPenumbraIrradianceSplatPass::Internals
   RecordSplats Splats;
   Stage Resolve;
   penumbra::Composite Composite;
-  vtkSmartPointer<vtkTextureObject> Sums;
+  vtkSmartPointer<vtkTextureObject> Means;
   vtkSmartPointer<vtkTextureObject> Result; ///< occlusion, or the colour that light gives
   vtkNew<vtkFieldData> Statistics;
   bool Drawn = false;
@@ -181,11 +181,11 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
     return false;
   }
   const ScreenView& view = own.Image.GetView();
-  Allocate(own.Sums, window, view.Width, view.Height, 4);
+  Allocate(own.Means, window, view.Width, view.Height, 4);
   Allocate(own.Result, window, view.Width, view.Height, 4);
   const double angle = this->NormalAngle > 0.0 ? this->NormalAngle : own.NormalAngle;
   if (!own.Splats.Draw(window, own.Image, own.Depth.GetCurrent(),
-        static_cast<float>(vtkMath::RadiansFromDegrees(angle)), own.Sums))
+        static_cast<float>(vtkMath::RadiansFromDegrees(angle)), own.Means))
   {
     return false;
   }
@@ -201,8 +201,8 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
     program->SetUniform2f("pixelSize", pixelSize);
     program->SetUniformf("light", own.OfLight ? 1.f : 0.f);
     program->SetUniformf("strength", static_cast<float>(this->Strength));
-    own.Resolve.Read("sums", own.Sums);
-    own.Resolve.Read("colors", own.OfLight ? own.Image.GetColor() : own.Sums.Get());
+    own.Resolve.Read("means", own.Means);
+    own.Resolve.Read("colors", own.OfLight ? own.Image.GetColor() : own.Means.Get());
     own.Resolve.Draw();
   }
   this->NumberOfRenderedProps = props;
@@ -220,8 +220,8 @@ void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)
     return;
   }
   own.Window->MakeCurrent();
-  const std::vector<float> sums = ReadBack(own.Sums);
-  const std::size_t pixels = sums.size() / 4;
+  const std::vector<float> means = ReadBack(own.Means);
+  const std::size_t pixels = means.size() / 4;
   const ScreenView& view = own.Image.GetView();
   image->SetDimensions(view.Width, view.Height, 1);
   const int channels = own.OfLight ? 3 : 1;
@@ -230,14 +230,13 @@ void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)
   const auto weights = NewArray("Weight", 1, pixels);
   for (std::size_t i = 0; i < pixels; ++i)
   {
-    const float weight = sums[4 * i + 3];
     for (int c = 0; c < channels; ++c)
     {
-      const float value = weight > 0.f ? sums[4 * i + c] / weight : 0.f;
+      const float value = means[4 * i + c];
       values->SetTypedComponent(
         static_cast<vtkIdType>(i), c, own.OfLight ? unit * value : std::min(value, 1.f));
     }
-    weights->SetValue(static_cast<vtkIdType>(i), weight);
+    weights->SetValue(static_cast<vtkIdType>(i), means[4 * i + 3]);
   }
   image->GetPointData()->AddArray(values);
   image->GetPointData()->AddArray(weights);
@@ -250,14 +249,14 @@ vtkFieldData* vtkPenumbraIrradianceSplatPass::GetStatistics()
   if (own.Drawn)
   {
     own.Window->MakeCurrent();
-    const std::vector<float> sums = ReadBack(own.Sums);
+    const std::vector<float> means = ReadBack(own.Means);
     const std::vector<float> depths = ReadBack(own.Depth.GetCurrent());
     double surface = 0.0;
     double served = 0.0;
     for (std::size_t i = 0; i < depths.size(); ++i)
     {
       surface += depths[i] < FarAway ? 1.0 : 0.0;
-      served += sums[4 * i + 3] > 0.f ? 1.0 : 0.0;
+      served += means[4 * i + 3] > 0.f ? 1.0 : 0.0;
     }
     AddStatistic(
       own.Statistics, "Cache/Records", static_cast<double>(own.Splats.GetNumberOfRecords()));
@@ -275,7 +274,7 @@ void vtkPenumbraIrradianceSplatPass::ReleaseGraphicsResources(vtkWindow* window)
   own.Splats.ReleaseGraphicsResources(window);
   own.Resolve.ReleaseGraphicsResources(window);
   own.Composite.ReleaseGraphicsResources(window);
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &own.Sums, &own.Result })
+  for (vtkSmartPointer<vtkTextureObject>* texture : { &own.Means, &own.Result })
   {
     if (*texture)
     {

@@ -117,6 +117,46 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceUnderASphere)
   }
 }
 
+TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceInScreenSpace)
+{
+  for (const double h : { 1.0, 1.5 })
+  {
+    Scene scene;
+    MakeSphereScene(scene, h);
+    const RayScene rays(scene, 0);
+    const View view{ scene, AllSites(rays) };
+    for (const double tolerance : { .02, .005 })
+    {
+      vtkNew<vtkPenumbraIrradianceCache> cache;
+      cache->SetSpace(vtkPenumbraIrradianceCache::SCREEN);
+      cache->SetTolerance(tolerance);
+      cache->Begin(rays, Infinity, .01);
+      EXPECT_LE(ErrorOf(cache, view, TruthBelowSphere(h)), tolerance) << h << " " << tolerance;
+      EXPECT_LE(CountOf(cache, "Cache/Records"), 1000) << h << " " << tolerance;
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceCache, AnswersByRaysWhatThePictureDoesNotSeeInScreenSpace)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.5);
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetSpace(vtkPenumbraIrradianceCache::SCREEN);
+  cache->SetTolerance(.005);
+  cache->Begin(rays, Infinity, .01);
+  const Truth truth = TruthBelowSphere(1.5);
+  const glm::dvec3 places[] = { { 0.0, 1.0, 1.5 }, { 0.0, 4.0, 0.0 }, { 0.0, -9.0, 0.0 },
+    { 30.0, 0.0, 0.0 } }; // behind the sphere, on it and below; behind the eye; beside the picture
+  for (const glm::dvec3& place : places)
+  {
+    const bool onSphere = place.z > 0.0;
+    const glm::dvec3 normal(0.0, onSphere ? 1.0 : 0.0, onSphere ? 0.0 : 1.0);
+    EXPECT_NEAR(Ask(cache, place, normal), truth(place, normal), .02) << place.x << " " << place.y;
+  }
+}
+
 TEST(vtkPenumbraIrradianceCache, StaysNearTheTruthWithTheRadiiOfThePaper)
 {
   Scene scene;
@@ -169,12 +209,17 @@ TEST(vtkPenumbraIrradianceCache, IsExactInTheOpenAndInAClosedBox)
   for (const Scene* scene : { &open, &box })
   {
     const RayScene rays(*scene, 0);
-    vtkNew<vtkPenumbraIrradianceCache> cache;
-    cache->Begin(rays, Infinity, .01);
     const View view{ *scene, AllSites(rays) };
-    for (const Site& site : view.Sites)
+    for (const int space :
+      { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
     {
-      ASSERT_EQ(Ask(cache, view.World(site), site.Normal), scene == &open ? 0.0 : 1.0);
+      vtkNew<vtkPenumbraIrradianceCache> cache;
+      cache->SetSpace(space);
+      cache->Begin(rays, Infinity, .01);
+      for (const Site& site : view.Sites)
+      {
+        ASSERT_EQ(Ask(cache, view.World(site), site.Normal), scene == &open ? 0.0 : 1.0);
+      }
     }
   }
 }
@@ -185,19 +230,24 @@ TEST(vtkPenumbraIrradianceCache, DependsNeitherOnThreadsNorOnTheOrderOfQuestions
   MakeSphereScene(scene, 1.0);
   const RayScene rays(scene, 0);
   const View view{ scene, AllSites(rays) };
-  std::vector<double> answers[2];
-  for (const int threads : { 1, 5 })
+  for (const int space : { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
   {
-    vtkNew<vtkPenumbraIrradianceCache> cache;
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]() { cache->Begin(rays, 2.0, .02); });
-    for (std::size_t i = 0; i < view.Sites.size(); ++i)
+    std::vector<double> answers[2];
+    for (const int threads : { 1, 5 })
     {
-      const Site& site = view.Sites[threads == 1 ? i : view.Sites.size() - 1 - i];
-      answers[threads == 1 ? 0 : 1].push_back(Ask(cache, view.World(site), site.Normal));
+      vtkNew<vtkPenumbraIrradianceCache> cache;
+      cache->SetSpace(space);
+      vtkSMPTools::LocalScope(
+        vtkSMPTools::Config(threads), [&]() { cache->Begin(rays, 2.0, .02); });
+      for (std::size_t i = 0; i < view.Sites.size(); ++i)
+      {
+        const Site& site = view.Sites[threads == 1 ? i : view.Sites.size() - 1 - i];
+        answers[threads == 1 ? 0 : 1].push_back(Ask(cache, view.World(site), site.Normal));
+      }
     }
+    std::reverse(answers[1].begin(), answers[1].end());
+    EXPECT_EQ(answers[0], answers[1]);
   }
-  std::reverse(answers[1].begin(), answers[1].end());
-  EXPECT_EQ(answers[0], answers[1]);
 }
 
 TEST(vtkPenumbraIrradianceCache, DoesNotLeakThroughAThinWall)

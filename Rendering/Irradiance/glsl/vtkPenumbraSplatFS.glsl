@@ -3,9 +3,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one record says about a pixel's surface, times its weight [IC, after Tabellion, Lamorlette]: rgb
-// the weighted mean over the hemisphere, a the weight; to be added up. The same as
-// penumbra::Record::Weight() and Expect().
+// What one record says about a pixel's surface, times its weight [IC, after Tabellion, Lamorlette], to be
+// added up: the same as penumbra::Record::Weight() and penumbra::Blend::Add(), offsets, turns and
+// gradients along two tangents of the pixel's surface. Outputs: 0 the value halfway along the gradient
+// and the weight; 1 offset and turn; from 2 on, for each channel, translation and rotation.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SplatLib
 uniform sampler2D surfaces;  // unit normal, eye depth
@@ -36,6 +37,12 @@ float weightOf(vec3 d, vec3 normal, vec4 own, float radius)
   return error < 1.0 && !off && !behindWall ? tangent.w * (1.0 - error) : 0.0;
 }
 
+// From the record to what lies along the two tangents.
+vec2 along(mat2x3 tangents, vec3 v)
+{
+  return v * tangents;
+}
+
 void main()
 {
   vec4 surface = texelFetch(surfaces, ivec2(gl_FragCoord.xy), 0);
@@ -52,11 +59,21 @@ void main()
   {
     discard;
   }
-  vec4 mean = texelOf(record, 5);
+  vec3 other = abs(normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+  vec3 first = normalize(cross(normal, other));
+  mat2x3 tangents = mat2x3(first, cross(normal, first));
+  vec4 way = vec4(along(tangents, d), along(tangents, normal - own.xyz));
+  vec4 halfway = vec4(texelOf(record, 5).rgb, 1.0);
+  vec4 slopes[3] = vec4[3](vec4(0.0), vec4(0.0), vec4(0.0));
   for (int c = 0; c < channels; ++c)
   {
-    mean[c] += dot(texelOf(record, 6 + 2 * c).xyz, d) +
-      dot(texelOf(record, 7 + 2 * c).xyz, normal - own.xyz);
+    slopes[c] = vec4(along(tangents, texelOf(record, 6 + 2 * c).xyz),
+      along(tangents, texelOf(record, 7 + 2 * c).xyz));
+    halfway[c] += 0.5 * dot(slopes[c], way);
   }
-  gl_FragData[0] = weight * vec4(max(mean.rgb, vec3(0.0)), 1.0);
+  gl_FragData[0] = weight * halfway;
+  gl_FragData[1] = weight * way;
+  gl_FragData[2] = weight * slopes[0];
+  gl_FragData[3] = weight * slopes[1];
+  gl_FragData[4] = weight * slopes[2];
 }
