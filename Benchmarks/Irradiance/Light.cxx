@@ -129,8 +129,8 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
     std::string("box, albedo .5, 5 bounces, 256 x 256") + (onScreen ? ", screen space" : "");
   const Bar atMost = onScreen ? Bar::None : Bar::AtMost; // bars are of the default
   table.Add(name, "RMSE over root mean square", std::sqrt(square / size), atMost, .018);
-  table.Add(name, "records", CountOf(cache, "Cache/Records"), atMost, 10000.0,
-    "Radiance: 11.9 thousand");
+  table.Add(
+    name, "records", CountOf(cache, "Cache/Records"), atMost, 10000.0, "Radiance: 11.9 thousand");
   table.Add(name, "rays, millions",
     (CountOf(cache, "Rays/Gather") + static_cast<double>(own)) * 1e-6, atMost, 12.0,
     "Radiance: 15; " + std::to_string(static_cast<double>(own) * 1e-6).substr(0, 4) +
