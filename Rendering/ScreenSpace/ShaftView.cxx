@@ -302,7 +302,6 @@ bool ShaftView::FindLit(std::size_t number)
   program->SetUniformi("steps", settings.Steps);
   SetNumber(program, "thickness", settings.Thickness / settings.Unit);
   SetNumber(program, "range", settings.Range / settings.Unit);
-  SetNumber(program, "interleaved", settings.Block > 1 ? 1.0 : 0.0);
   stage.Read("eyeDepths", depths);
   stage.Draw();
   return true;
@@ -351,6 +350,8 @@ bool ShaftView::Scatter(
   program->SetUniform2f("alpha", alpha.data());
   program->SetUniform2f("offset", offset.data());
   SetNumber(program, "block", this->Settings.Block);
+  const bool exact = this->Settings.Radial && this->Settings.Block == 1;
+  SetNumber(program, "interleaved", exact ? 0.0 : 1.0);
   SetSize(program, "texelSize", shares->GetWidth(), shares->GetHeight());
   stage.Read("eyeDepths", this->Depth.GetCurrent());
   stage.Read("litShares", shares);

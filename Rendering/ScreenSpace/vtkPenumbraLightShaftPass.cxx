@@ -39,16 +39,23 @@ constexpr double DefaultOpticalDepth = 0.25;
 constexpr double StepsTimesTolerance = 0.375;
 constexpr int FewestSteps = 16;
 constexpr int MostSteps = 1024;
-/// Lit shares are found for blocks of so many pixels a side, from these tolerances on.
-constexpr int SmallBlock = 3;
-constexpr double SmallBlockTolerance = 1.0 / 512.0;
-constexpr int LargeBlock = 4;
-constexpr double LargeBlockTolerance = 1.0 / 64.0;
+/// More than one for every so many blocks of the picture's larger side make nothing better.
+constexpr int BlocksPerStep = 2;
+/// Lit shares are found for blocks of 4x4 pixels from this tolerance on; at half of it the side is 1 less.
+constexpr int LargestBlock = 4;
+constexpr double LargestBlockTolerance = 1.0 / 128.0;
 /// Per cent of the picture's larger side, while a light is outside of it.
 constexpr double DefaultMargin = 20.0;
 /// Bounds of what is thin, and thickness where everything is, as shares of the diagonal.
 constexpr double ThinnestShare = 0.002;
 constexpr double ThicknessOfThin = 0.02;
+
+/// Pixels a side of the blocks for which lit shares are found.
+int BlockFor(double tolerance)
+{
+  const double halvings = std::ceil(std::log2(LargestBlockTolerance / tolerance));
+  return LargestBlock - static_cast<int>(std::clamp(halvings, 0.0, LargestBlock - 1.0));
+}
 
 /// The mean of the smallest extents of props that are not flat.
 double MeanThickness(const vtkRenderState* state, double diagonal)
@@ -218,12 +225,11 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
   settings.Exposure = this->Exposure;
   settings.Radial = this->Estimator == RADIAL;
   settings.Thickness = this->Thickness > 0.0 ? this->Thickness : MeanThickness(state, diagonal);
-  const double steps = std::ceil(StepsTimesTolerance / this->Tolerance);
+  settings.Block = BlockFor(this->Tolerance);
+  const int most = std::max(size[0], size[1]) / (BlocksPerStep * settings.Block);
+  const int steps = static_cast<int>(std::ceil(StepsTimesTolerance / this->Tolerance));
   settings.Steps =
-    this->Steps > 0 ? this->Steps : std::clamp(static_cast<int>(steps), FewestSteps, MostSteps);
-  settings.Block = this->Tolerance >= LargeBlockTolerance ? LargeBlock
-    : this->Tolerance >= SmallBlockTolerance              ? SmallBlock
-                                                          : 1;
+    this->Steps > 0 ? this->Steps : std::max(std::min({ steps, most, MostSteps }), FewestSteps);
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   penumbra::RadialSettings& paper = settings.Paper;
   settings.Prepass = this->Occlusion == PREPASS;

@@ -47,27 +47,29 @@ public:
 
   ///@{
   /**
-   * The error accepted in a colour, RMSE, 0.0001 to 1: it chooses Steps, and from 1/512 on lit shares
-   * are found for 3x3, from 1/64 on for 4x4 pixels together. Default: 1/256.
+   * The error accepted in a colour, RMSE, 0.0001 to 1: it chooses Steps, and lit shares are found for
+   * 2x2 (from 1/512 on), 3x3 (1/256) or 4x4 pixels (1/128) together. Default: 1/256.
    */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** Depths fetched for each light and lit share, 0 to 1024; 0: three eighths over Tolerance. Default: 0. */
+  /**
+   * Depths fetched for each light and lit share, 0 to 1024; 0: three eighths over Tolerance, at most one
+   * for every two blocks of the picture's larger side. Default: 0.
+   */
   vtkSetClampMacro(Steps, int, 0, 1024);
   vtkGetMacro(Steps, int);
   ///@}
 
   ///@{
-  /** Share of light scattered per world unit; negative: a quarter over the bounds' diagonal. Default: -1. */
+  /**
+   * Shares of light scattered and lost per world unit. Negative scattering: a quarter over the bounds'
+   * diagonal; extinction below scattering means scattering. Defaults: -1.
+   */
   vtkSetMacro(Scattering, double);
   vtkGetMacro(Scattering, double);
-  ///@}
-
-  ///@{
-  /** Share of light lost per world unit; less than Scattering means Scattering. Default: -1. */
   vtkSetMacro(Extinction, double);
   vtkGetMacro(Extinction, double);
   ///@}
@@ -80,13 +82,12 @@ public:
     HENYEY_GREENSTEIN
   };
   ///@{
-  /** The phase function. Default: ISOTROPIC. */
+  /**
+   * The phase function, default ISOTROPIC; for HENYEY_GREENSTEIN the mean cosine, -0.999 to 0.999,
+   * positive: forward, default 0.6.
+   */
   vtkSetClampMacro(Phase, int, ISOTROPIC, HENYEY_GREENSTEIN);
   vtkGetMacro(Phase, int);
-  ///@}
-
-  ///@{
-  /** HENYEY_GREENSTEIN: the mean cosine, -0.999 to 0.999; positive: forward. Default: 0.6. */
   vtkSetClampMacro(Asymmetry, double, -0.999, 0.999);
   vtkGetMacro(Asymmetry, double);
   ///@}
@@ -139,19 +140,14 @@ public:
   ///@}
 
   ///@{
-  /** RADIAL: factor of each sample [Shafts eq. 4], 0 or more. Default: 1. */
+  /**
+   * RADIAL: a factor of each sample (0 or more) and one for each 1/64 of the way (0 to 1); by how much
+   * the way is shorter than that to the light (1 to 1000) [Shafts eq. 4]. Defaults: 1.
+   */
   vtkSetClampMacro(Weight, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Weight, double);
-  ///@}
-
-  ///@{
-  /** RADIAL: factor for each 1/64 of the way, 0 to 1. Default: 1. */
   vtkSetClampMacro(Decay, double, 0.0, 1.0);
   vtkGetMacro(Decay, double);
-  ///@}
-
-  ///@{
-  /** RADIAL: the way is this much shorter than that to the light, 1 to 1000. Default: 1. */
   vtkSetClampMacro(Density, double, 1.0, 1000.0);
   vtkGetMacro(Density, double);
   ///@}
@@ -163,16 +159,12 @@ public:
     GEOMETRIC ///< each step covers the same share of what is left of the way to the light
   };
   ///@{
-  /** Default: EVEN. */
-  vtkSetClampMacro(Spacing, int, EVEN, GEOMETRIC);
-  vtkGetMacro(Spacing, int);
-  ///@}
-
-  ///@{
   /**
-   * RADIAL: chained passes of Steps samples, each over the one before, do the work of
+   * Default: EVEN. Chained passes of Steps samples, each over the one before, do the work of
    * Steps^Passes samples [Shafts 13.8]; more than one means GEOMETRIC. 1 to 6. Default: 1.
    */
+  vtkSetClampMacro(Spacing, int, EVEN, GEOMETRIC);
+  vtkGetMacro(Spacing, int);
   vtkSetClampMacro(Passes, int, 1, 6);
   vtkGetMacro(Passes, int);
   ///@}
@@ -185,13 +177,9 @@ public:
     CONTRAST ///< they glow in their own colours times SurfaceGlow
   };
   ///@{
-  /** Default: MASK. */
+  /** Default: MASK. With CONTRAST SurfaceGlow is left of an occluder's colour, 0 to 1, default 0.2. */
   vtkSetClampMacro(Occlusion, int, MASK, CONTRAST);
   vtkGetMacro(Occlusion, int);
-  ///@}
-
-  ///@{
-  /** RADIAL with CONTRAST: what is left of an occluder's colour, 0 to 1. Default: 0.2. */
   vtkSetClampMacro(SurfaceGlow, double, 0.0, 1.0);
   vtkGetMacro(SurfaceGlow, double);
   ///@}

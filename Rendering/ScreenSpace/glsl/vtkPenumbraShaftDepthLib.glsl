@@ -9,7 +9,6 @@
 uniform float thickness; // of what is seen, along the view axis
 uniform int steps;
 uniform float range;     // no surface is farther than this
-uniform float interleaved; // 1: four texels make a pixel
 
 const float bias = 0.002;    // relative, against surfaces that shadow themselves
 const float unreached = 1e30;
@@ -20,11 +19,11 @@ uint lowBits(float count)
   return count >= 32.0 ? 0xffffffffu : (1u << uint(max(count, 0.0))) - 1u;
 }
 
-uvec2 bitsBetween(float low, float high)
+// Bins of which the part `point` lies between.
+uvec2 bitsBetween(float low, float high, float point)
 {
-  // Bins whose middles lie between.
-  float first = ceil(low * 64.0 - 0.5);
-  float last = ceil(high * 64.0 - 0.5);
+  float first = ceil(low * 64.0 - point);
+  float last = ceil(high * 64.0 - point);
   return uvec2(lowBits(last) & ~lowBits(first), lowBits(last - 32.0) & ~lowBits(first - 32.0));
 }
 
@@ -52,11 +51,16 @@ float lastStep(vec2 pixel, vec2 way)
   return min(min(border.x, border.y), ends);
 }
 
-// Of the four texels that a pixel is mixed from each starts a quarter of a step later.
-float startOf(vec2 pixel)
+// A pixel is mixed from four texels: each starts a quarter of a step later, and looks at another quarter
+// of each bin, so that neither steps nor bins are seen.
+float startOf(vec2 odd)
 {
-  vec2 odd = mod(floor(pixel), 2.0);
-  return interleaved > 0.5 ? 0.125 + 0.5 * odd.x + 0.25 * abs(odd.x - odd.y) : 0.5;
+  return 0.125 + 0.5 * odd.x + 0.25 * abs(odd.x - odd.y);
+}
+
+float quarterOf(vec2 odd)
+{
+  return 0.125 + 0.5 * abs(odd.x - odd.y) + 0.25 * odd.y;
 }
 
 float litShareOf(Sight sight, vec2 pixel, float eyeDepth)
@@ -66,7 +70,9 @@ float litShareOf(Sight sight, vec2 pixel, float eyeDepth)
   float stride = lastStep(pixel, way) / float(steps);
   uvec2 shadowed = uvec2(0u);
   float square = max(dot(way, way), 1e-12);
-  float start = startOf(pixel);
+  vec2 odd = mod(floor(pixel), 2.0);
+  float start = startOf(odd);
+  float point = quarterOf(odd);
   float before = eyeDepth;
   vec2 last = vec2(eyeDepth, eyeDepth + thickness);
   for (int i = 0; i < steps; ++i)
@@ -91,7 +97,7 @@ float litShareOf(Sight sight, vec2 pixel, float eyeDepth)
     if (depth < 0.5 * farAway && low < eyeDepth)
     {
       shadowed |= bitsBetween(shareOfLength(sight, max(low, 0.0) * sight.reach),
-        shareOfLength(sight, max(min(high, eyeDepth), 0.0) * sight.reach));
+        shareOfLength(sight, max(min(high, eyeDepth), 0.0) * sight.reach), point);
     }
     before = depth;
     last = depths;

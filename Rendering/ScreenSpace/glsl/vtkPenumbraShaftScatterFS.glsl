@@ -11,6 +11,7 @@ uniform sampler2D eyeDepths;
 uniform sampler2D litShares;
 uniform vec2 texelSize;       // of litShares
 uniform float block;          // pixels a side of a texel
+uniform float interleaved;    // 1: four texels make a pixel
 uniform vec3 colors[3];       // the lights', exposure included
 uniform vec2 alpha;           // x + y * what is left of the picture
 uniform vec2 offset;          // from pixels of the target to those of the scene's picture
@@ -44,7 +45,7 @@ void main()
 {
   vec2 pixel = gl_FragCoord.xy + offset;
   float eyeDepth = texture(eyeDepths, pixel * pixelSize).r;
-  vec3 lit = block > 1.5 ? litSharesAt(pixel, eyeDepth) : texture(litShares, pixel * texelSize).rgb;
+  vec3 lit = interleaved > 0.5 ? litSharesAt(pixel, eyeDepth) : texture(litShares, pixel * texelSize).rgb;
   vec3 sum = vec3(0.0);
   float left = 1.0;
   for (int i = 0; i < lightCount; ++i)
