@@ -71,6 +71,7 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
   pass->SetStrength(!std::isnan(options.AmbientOcclusionStrength)
       ? options.AmbientOcclusionStrength
       : (options.Coloring.Enabled ? StrengthOnData : 1.0));
+  pass->SetLightAwareness(options.AmbientOcclusionLightAwareness);
   if (options.HasTolerance)
   {
     pass->SetTolerance(options.Tolerance);

@@ -319,6 +319,9 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
     "Default: 1, on surfaces coloured by data 0.6", Unit)
     ->group(group);
+  AddNumber(app, "--ambient-occlusion-light-awareness", options.AmbientOcclusionLightAwareness, "A",
+    "How far bright colours are spared: the strength falls by this times brightness (raster)", Unit)
+    ->group(group);
   AddChoice(app, "--ambient-occlusion-kernel", options.AmbientOcclusionKernel, KernelNames(),
     "How occlusion is found: by true rays or from the depth buffer (raster)")
     ->group(group);
@@ -428,6 +431,10 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
       "without --ambient-occlusion" },
     { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
+    { "--ambient-occlusion-light-awareness", !options.AmbientOcclusion,
+      "without --ambient-occlusion" },
+    { "--ambient-occlusion-light-awareness", options.AmbientOcclusion && options.Engine == "ray",
+      "with --engine ray" },
     { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-kernel", options.Engine == "ray", "with --engine ray" },
     { "--cache", !options.AmbientOcclusion && !options.Light.Indirect,

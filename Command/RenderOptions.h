@@ -94,6 +94,7 @@ struct RenderOptions
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0; ///< 0: from the bounds
   double AmbientOcclusionStrength = Unset;
+  double AmbientOcclusionLightAwareness = 0.0;      ///< raster
   std::string AmbientOcclusionKernel = "automatic"; ///< raster
   int Frames = 0; ///< raster, of a still camera; 0: until converged
   bool Shadows = false;

@@ -358,57 +358,6 @@ TEST(Render, ColorsByData)
   EXPECT_NE(unknown.Errors.find("Number"), std::string::npos) << unknown.Errors;
 }
 
-TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
-{
-  const Folder folder("occlusion");
-  const std::vector<std::string> scene = { PENUMBRA_SOURCE_DIR "/Data/bracket.stl", "--resolution",
-    "120,90", "--camera-direction=-1,-1,-2", "--ambient-occlusion" };
-  std::vector<std::string> ray = { "render", "--output", folder / "ray.vti", "--tolerance",
-    "0.05" };
-  ray.insert(ray.end(), scene.begin(), scene.end());
-  std::vector<std::string> raster = { "render", "--output", folder / "raster.vti", "--engine",
-    "raster", "--statistics", folder / "raster.json" };
-  raster.insert(raster.end(), scene.begin(), scene.end());
-  ASSERT_EQ(RunProgram(ray).Status, 0);
-  const Outcome outcome = RunProgram(raster);
-  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
-  EXPECT_EQ(outcome.Errors, "");
-  const auto traced = ReadImage(folder / "ray.vti");
-  const auto drawn = ReadImage(folder / "raster.vti");
-  double errors[2] = { 0.0, 0.0 };
-  int pixels = 0;
-  const char* const names[2] = { "Depth", "AmbientOcclusion" };
-  for (vtkIdType i = 0; i < traced->GetNumberOfPoints(); ++i)
-  {
-    // Pixels on an outline see one surface or the other.
-    const double depth = traced->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
-    const double drawnDepth = drawn->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
-    if (std::isfinite(depth) && std::abs(drawnDepth / depth - 1.0) < 0.01)
-    {
-      ++pixels;
-      for (int k = 0; k < 2; ++k)
-      {
-        const double difference = traced->GetPointData()->GetArray(names[k])->GetComponent(i, 0) -
-          drawn->GetPointData()->GetArray(names[k])->GetComponent(i, 0);
-        errors[k] += difference * difference;
-      }
-    }
-  }
-  EXPECT_GT(pixels, 2000);
-  EXPECT_LT(std::sqrt(errors[0] / pixels), 0.5); // of a part 100 units wide
-  EXPECT_LT(std::sqrt(errors[1] / pixels), 0.15);
-  const nlohmann::json report = ReadJson(folder / "raster.json");
-  EXPECT_EQ(report["statistics"]["Occlusion/Kernel"], "traced");
-  EXPECT_LE(report["estimated_error"], 0.01);
-  EXPECT_EQ(report["tolerance"], 0.01);
-  raster.insert(raster.end(), { "--tolerance", "0.004" });
-  ASSERT_EQ(RunProgram(raster).Status, 0);
-  const nlohmann::json fine = ReadJson(folder / "raster.json");
-  EXPECT_EQ(fine["tolerance"], 0.004);
-  EXPECT_LE(fine["estimated_error"], 0.004);
-  EXPECT_GT(fine["statistics"]["Samples/Still"], report["statistics"]["Samples/Still"]);
-}
-
 TEST(Render, DrawsALegendWithBothEngines)
 {
   const Folder folder("legend");

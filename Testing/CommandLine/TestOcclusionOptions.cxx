@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `penumbra render --ambient-occlusion` with both engines.
+#include "Pictures.h"
+#include "Program.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace penumbra_testing;
+
+TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
+{
+  const Folder folder("occlusion");
+  const std::vector<std::string> scene = { PENUMBRA_SOURCE_DIR "/Data/bracket.stl", "--resolution",
+    "120,90", "--camera-direction=-1,-1,-2", "--ambient-occlusion" };
+  std::vector<std::string> ray = { "render", "--output", folder / "ray.vti", "--tolerance",
+    "0.05" };
+  ray.insert(ray.end(), scene.begin(), scene.end());
+  std::vector<std::string> raster = { "render", "--output", folder / "raster.vti", "--engine",
+    "raster", "--statistics", folder / "raster.json" };
+  raster.insert(raster.end(), scene.begin(), scene.end());
+  ASSERT_EQ(RunProgram(ray).Status, 0);
+  const Outcome outcome = RunProgram(raster);
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+  const auto traced = ReadImage(folder / "ray.vti");
+  const auto drawn = ReadImage(folder / "raster.vti");
+  double errors[2] = { 0.0, 0.0 };
+  int pixels = 0;
+  const char* const names[2] = { "Depth", "AmbientOcclusion" };
+  for (vtkIdType i = 0; i < traced->GetNumberOfPoints(); ++i)
+  {
+    // Pixels on an outline see one surface or the other.
+    const double depth = traced->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
+    const double drawnDepth = drawn->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
+    if (std::isfinite(depth) && std::abs(drawnDepth / depth - 1.0) < 0.01)
+    {
+      ++pixels;
+      for (int k = 0; k < 2; ++k)
+      {
+        const double difference = traced->GetPointData()->GetArray(names[k])->GetComponent(i, 0) -
+          drawn->GetPointData()->GetArray(names[k])->GetComponent(i, 0);
+        errors[k] += difference * difference;
+      }
+    }
+  }
+  EXPECT_GT(pixels, 2000);
+  EXPECT_LT(std::sqrt(errors[0] / pixels), 0.5); // of a part 100 units wide
+  EXPECT_LT(std::sqrt(errors[1] / pixels), 0.15);
+  const nlohmann::json report = ReadJson(folder / "raster.json");
+  EXPECT_EQ(report["statistics"]["Occlusion/Kernel"], "traced");
+  EXPECT_LE(report["estimated_error"], 0.01);
+  EXPECT_EQ(report["tolerance"], 0.01);
+  raster.insert(raster.end(), { "--tolerance", "0.004" });
+  ASSERT_EQ(RunProgram(raster).Status, 0);
+  const nlohmann::json fine = ReadJson(folder / "raster.json");
+  EXPECT_EQ(fine["tolerance"], 0.004);
+  EXPECT_LE(fine["estimated_error"], 0.004);
+  EXPECT_GT(fine["statistics"]["Samples/Still"], report["statistics"]["Samples/Still"]);
+}
+
+TEST(Render, SparesBrightColoursByLightAwareness)
+{
+  const Folder folder("awareness");
+  const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    "--resolution", "120,90", "--camera-direction=-1,-1,-2", "--no-lighting", "--color",
+    "0.8,0.4,0.2", "--engine", "raster", "--ambient-occlusion", "--ambient-occlusion-kernel",
+    "horizon", "--ambient-occlusion-light-awareness", "0.5", "--output", folder / "p.vti" });
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+  const auto picture = ReadImage(folder / "p.vti");
+  vtkDataArray* colors = picture->GetPointData()->GetArray("Color");
+  vtkDataArray* occlusions = picture->GetPointData()->GetArray("AmbientOcclusion");
+  int dark = 0;
+  int right = 0;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  {
+    const double occlusion = occlusions->GetComponent(i, 0);
+    const double factor = 1.0 - occlusion * (1.0 - 0.5 * 0.8);
+    dark += occlusion > 0.2;
+    right += occlusion > 0.2 && std::abs(colors->GetComponent(i, 0) - 0.8 * factor) < 0.01 &&
+      std::abs(colors->GetComponent(i, 2) - 0.2 * factor) < 0.01;
+  }
+  EXPECT_GT(dark, 100);
+  EXPECT_GT(right, 0.85 * dark); // not along edges, where a pixel's samples show several surfaces
+}
