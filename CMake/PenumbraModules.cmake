@@ -3,6 +3,7 @@ include(PenumbraTest)
 
 set(penumbra_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Irradiance/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Parallel/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayCasting/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Irradiance/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/ScreenSpace/vtk.module"
@@ -10,7 +11,6 @@ set(penumbra_module_files
 
 if (PENUMBRA_BUILD_PLUGIN)
   list(APPEND penumbra_module_files
-    "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Ranks/vtk.module"
     "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/View/vtk.module")
 endif ()
 
@@ -32,7 +32,7 @@ vtk_module_build(
   TEST_DIRECTORY_NAME Testing)
 
 set(penumbra_python_modules ${penumbra_modules})
-list(REMOVE_ITEM penumbra_python_modules Penumbra::TestingComparison)
+list(REMOVE_ITEM penumbra_python_modules Penumbra::FiltersParallel Penumbra::TestingComparison)
 foreach (module IN LISTS penumbra_modules)
   _vtk_module_real_target(penumbra_target ${module})
   penumbra_warnings(${penumbra_target})

@@ -34,11 +34,11 @@ struct Row
 const std::vector<Row> Table = {
   { "Filters/RayCasting", {}, { "Embree", "GLM" } },
   { "Filters/Irradiance", { "Filters/RayCasting" }, { "GLM" } },
+  { "Filters/Parallel", { "Filters/RayCasting", "Filters/Irradiance" }, {} },
   { "Rendering/ScreenSpace", {}, { "OpenGL" } },
   { "Rendering/Irradiance", { "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace" },
     { "OpenGL", "GLM" } },
   { "Testing/Comparison", {}, { "GoogleTest" } },
-  { "Plugin/Ranks", { "Filters/RayCasting", "Filters/Irradiance" }, {} },
   { "Plugin/View",
     { "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance" },
     { "OpenGL" } },

@@ -1,17 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Embree 3.13 and 4 differ here only in their header and in how a query takes its flags: see
-// `Query` below.
 #include "RayScene.h"
 
+#include "Contest.h"
+#include "EmbreeQuery.h"
 #include "RayTriangle.h"
-
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <algorithm>
 #include <atomic>
@@ -23,6 +16,14 @@
 
 namespace penumbra
 {
+
+/// What filters know of a surface.
+struct TracedSurface
+{
+  const Surface* Data;
+  float Reach;
+};
+
 namespace
 {
 
@@ -39,82 +40,31 @@ constexpr double TieReach = 64.0;
 static_assert(RTC_INVALID_GEOMETRY_ID == Hit::None, "a miss of Embree's is a miss of ours");
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree reads our arrays");
 
-#if RTC_VERSION_MAJOR >= 4
-struct Query
+/// Drops hits of culled sides, and lets a ray go on as far as what it met may be contested.
+void JudgeHits(const RTCFilterFunctionNArguments* args)
 {
-  RTCIntersectArguments Intersection;
-  RTCOccludedArguments Occlusion;
-  explicit Query(bool coherent)
-  {
-    rtcInitIntersectArguments(&this->Intersection);
-    rtcInitOccludedArguments(&this->Occlusion);
-    const auto flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_NONE;
-    this->Intersection.flags = flags;
-    this->Occlusion.flags = flags;
-  }
-  void Intersect(RTCScene tree, RTCRayHit& ray) { rtcIntersect1(tree, &ray, &this->Intersection); }
-  void Intersect(RTCScene tree, const int* valid, RTCRayHit8& rays)
-  {
-    rtcIntersect8(valid, tree, &rays, &this->Intersection);
-  }
-  void Intersect(RTCScene tree, const int* valid, RTCRayHit16& rays)
-  {
-    rtcIntersect16(valid, tree, &rays, &this->Intersection);
-  }
-  void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &ray, &this->Occlusion); }
-  void Occluded(RTCScene tree, const int* valid, RTCRay8& rays)
-  {
-    rtcOccluded8(valid, tree, &rays, &this->Occlusion);
-  }
-  void Occluded(RTCScene tree, const int* valid, RTCRay16& rays)
-  {
-    rtcOccluded16(valid, tree, &rays, &this->Occlusion);
-  }
-};
-#else
-struct Query
-{
-  RTCIntersectContext Context;
-  explicit Query(bool coherent)
-  {
-    rtcInitIntersectContext(&this->Context);
-    this->Context.flags =
-      coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_NONE;
-  }
-  void Intersect(RTCScene tree, RTCRayHit& ray) { rtcIntersect1(tree, &this->Context, &ray); }
-  void Intersect(RTCScene tree, const int* valid, RTCRayHit8& rays)
-  {
-    rtcIntersect8(valid, tree, &this->Context, &rays);
-  }
-  void Intersect(RTCScene tree, const int* valid, RTCRayHit16& rays)
-  {
-    rtcIntersect16(valid, tree, &this->Context, &rays);
-  }
-  void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &this->Context, &ray); }
-  void Occluded(RTCScene tree, const int* valid, RTCRay8& rays)
-  {
-    rtcOccluded8(valid, tree, &this->Context, &rays);
-  }
-  void Occluded(RTCScene tree, const int* valid, RTCRay16& rays)
-  {
-    rtcOccluded16(valid, tree, &this->Context, &rays);
-  }
-};
-#endif
-
-/// Of surfaces whose front or back is culled: drops hits of the culled side.
-void DropCulledHits(const RTCFilterFunctionNArguments* args)
-{
-  const auto& surface = *static_cast<const Surface*>(args->geometryUserPtr);
+  const auto& traced = *static_cast<const TracedSurface*>(args->geometryUserPtr);
+  Contenders* contending = static_cast<QueryContext*>(args->context)->Contending;
   for (unsigned int i = 0; i < args->N; ++i)
   {
-    const float facing =
-      RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
-      RTCHitN_Ng_y(args->hit, args->N, i) * RTCRayN_dir_y(args->ray, args->N, i) +
-      RTCHitN_Ng_z(args->hit, args->N, i) * RTCRayN_dir_z(args->ray, args->N, i);
-    if (facing < 0.f ? !surface.Frontfaces : !surface.Backfaces)
+    const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
+      RTCRayN_dir_y(args->ray, args->N, i), RTCRayN_dir_z(args->ray, args->N, i));
+    const glm::vec3 normal(RTCHitN_Ng_x(args->hit, args->N, i), RTCHitN_Ng_y(args->hit, args->N, i),
+      RTCHitN_Ng_z(args->hit, args->N, i));
+    const float facing = glm::dot(normal, direction);
+    if (facing < 0.f ? !traced.Data->Frontfaces : !traced.Data->Backfaces)
     {
       args->valid[i] = 0;
+    }
+    else if (args->valid[i] != 0 && traced.Reach > 0.f)
+    {
+      const Contender hit{ RTCHitN_geomID(args->hit, args->N, i),
+        RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
+        RTCHitN_v(args->hit, args->N, i), RTCRayN_tfar(args->ray, args->N, i) };
+      const float reach = traced.Reach / glm::length(direction);
+      Contenders& contenders = contending[RTCRayN_id(args->ray, args->N, i)];
+      RTCRayN_tfar(args->ray, args->N, i) =
+        std::min(contenders.Add(hit, reach) + reach, contenders.Far);
     }
   }
 }
@@ -143,15 +93,16 @@ void SetBuffer(
   std::copy(data.begin(), data.end(), static_cast<T*>(copy));
 }
 
-RTCGeometry MakeGeometry(RTCDevice device, const Surface& surface)
+RTCGeometry MakeGeometry(RTCDevice device, TracedSurface& traced)
 {
+  const Surface& surface = *traced.Data;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   SetBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.Positions);
   SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.Triangles);
-  rtcSetGeometryUserData(geometry, const_cast<Surface*>(&surface));
-  if (!surface.Frontfaces || !surface.Backfaces)
+  rtcSetGeometryUserData(geometry, &traced);
+  if (!surface.Frontfaces || !surface.Backfaces || traced.Reach > 0.f)
   {
-    rtcSetGeometryIntersectFilterFunction(geometry, DropCulledHits);
+    rtcSetGeometryIntersectFilterFunction(geometry, JudgeHits);
   }
   if (surface.ScreenSpace)
   {
@@ -208,8 +159,7 @@ void Fill(RTCRay& to, const Ray& from)
   to.flags = 0;
 }
 
-/// The lowest triangle of a surface, by number, of those that meet a ray in the same place. (Which of
-/// two surfaces in one place is seen remains Embree's choice: it is the same on edges and between.)
+/// The lowest triangle of a surface, by number, of those that meet a ray in the same place.
 struct Tie
 {
   const Scene& TracedScene;
@@ -241,33 +191,41 @@ bool Tie::Consider(RTCPointQueryFunctionArguments* args)
   return false;
 }
 
-/// What Embree found, made independent of the instructions that it chose: the numbers follow from the
-/// triangle, and at an edge the triangle is chosen by rule.
-Hit MakeHit(const Scene& scene, RTCScene tree, const Ray& ray, const Hit& found)
+/// What Embree found, made independent of the instructions that it chose: surfaces near each other
+/// contend, the numbers follow from the triangle, and at an edge the triangle is chosen by rule.
+Hit MakeHit(
+  const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& met, Contenders* contenders)
 {
-  Hit hit = found;
-  RayTriangle met(scene.Surfaces[hit.Surface], hit.Triangle, ray);
-  // Edge-on slivers say nothing: Embree's answer stands.
-  if (met.IsSound &&
-    std::abs(met.Distance - found.Distance) <= SliverError * std::abs(met.Distance))
+  Hit found = met;
+  found.Beyond = found.Distance;
+  if (contenders && contenders->Count > 0)
   {
-    if (met.IsAtEdge())
+    found = rays.GetContest().Decide(ray, met, *contenders);
+  }
+  Hit hit = found;
+  const Scene& scene = rays.GetScene();
+  RayTriangle exact(scene.Surfaces[hit.Surface], hit.Triangle, ray);
+  // Edge-on slivers say nothing: Embree's answer stands.
+  if (exact.IsSound &&
+    std::abs(exact.Distance - found.Distance) <= SliverError * std::abs(exact.Distance))
+  {
+    if (exact.IsAtEdge())
     {
-      Tie tie{ scene, ray, met, hit };
-      const glm::vec3 place(glm::dvec3(ray.Origin) + met.Distance * glm::dvec3(ray.Direction));
-      RTCPointQuery query{ place.x, place.y, place.z, 0.f, static_cast<float>(4.0 * met.Slack) };
+      Tie tie{ scene, ray, exact, hit };
+      const glm::vec3 place(glm::dvec3(ray.Origin) + exact.Distance * glm::dvec3(ray.Direction));
+      RTCPointQuery query{ place.x, place.y, place.z, 0.f, static_cast<float>(4.0 * exact.Slack) };
       RTCPointQueryContext context;
       rtcInitPointQueryContext(&context);
       rtcPointQuery(tree, &query, &context, Tie::Consider, &tie);
       hit.Triangle = tie.Lowest.Triangle;
-      met = RayTriangle(scene.Surfaces[hit.Surface], hit.Triangle, ray);
+      exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Triangle, ray);
     }
-    const double u = std::clamp(met.U, 0.0, 1.0);
+    const double u = std::clamp(exact.U, 0.0, 1.0);
     hit.U = static_cast<float>(u);
-    hit.V = static_cast<float>(std::clamp(met.V, 0.0, 1.0 - u));
-    hit.Distance = static_cast<float>(met.Distance);
+    hit.V = static_cast<float>(std::clamp(exact.V, 0.0, 1.0 - u));
+    hit.Distance = static_cast<float>(exact.Distance);
   }
-  const float farther = std::max(hit.Distance, found.Distance);
+  const float farther = std::max(hit.Distance, found.Beyond);
   hit.Beyond = farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
   return hit;
 }
@@ -290,15 +248,17 @@ void Fill(Packet& to, int* valid, const Ray* rays)
     to.time[i] = 0.f;
     to.tfar[i] = ray.Far;
     to.mask[i] = 0xffffffffu;
-    to.id[i] = 0;
+    to.id[i] = static_cast<unsigned int>(i);
     to.flags[i] = 0;
   }
 }
 
 /// Nearest hits of a packet of rays.
 template <typename Packet, int Size>
-void IntersectPacket(const Scene& scene, RTCScene tree, const Ray* rays, Hit* hits)
+void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit* hits)
 {
+  Contenders contending[Size];
+  Contenders* const asked = scene.GetContest().IsEmpty() ? nullptr : contending;
   alignas(64) int valid[Size];
   alignas(64) Packet query;
   Fill<Size>(query.ray, valid, rays);
@@ -306,8 +266,9 @@ void IntersectPacket(const Scene& scene, RTCScene tree, const Ray* rays, Hit* hi
   {
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    contending[i].Far = rays[i].Far;
   }
-  Query(true).Intersect(tree, valid, query);
+  Query(true, asked).Intersect(tree, valid, query);
   for (int i = 0; i < Size; ++i)
   {
     hits[i] = Hit();
@@ -318,7 +279,7 @@ void IntersectPacket(const Scene& scene, RTCScene tree, const Ray* rays, Hit* hi
       hits[i].U = query.hit.u[i];
       hits[i].V = query.hit.v[i];
       hits[i].Distance = query.ray.tfar[i];
-      hits[i] = MakeHit(scene, tree, rays[i], hits[i]);
+      hits[i] = MakeHit(scene, tree, rays[i], hits[i], asked ? asked + i : nullptr);
     }
   }
 }
@@ -348,8 +309,13 @@ std::uint64_t NextId()
 
 RayScene::RayScene(const Scene& scene, int threads)
   : TracedScene(scene),
+    Contesting(std::make_unique<Contest>(scene)),
     Id(NextId())
 {
+  for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
+  {
+    this->Traced.push_back({ &scene.Surfaces[i], this->Contesting->Reach(i) });
+  }
   this->Device = rtcNewDevice(DeviceSettings(threads).c_str());
   Check(this->Device);
   this->Wide = rtcGetDeviceProperty(this->Device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
@@ -364,7 +330,7 @@ RayScene::RayScene(const Scene& scene, int threads)
     {
       if (!scene.Surfaces[i].Triangles.empty())
       {
-        RTCGeometry geometry = MakeGeometry(this->Device, scene.Surfaces[i]);
+        RTCGeometry geometry = MakeGeometry(this->Device, this->Traced[i]);
         rtcAttachGeometryByID(this->Tree, geometry, static_cast<unsigned int>(i));
         rtcReleaseGeometry(geometry);
       }
@@ -402,7 +368,10 @@ Hit RayScene::Intersect(const Ray& ray) const
   Fill(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  Query(false).Intersect(this->Tree, query);
+  Contenders contending;
+  contending.Far = ray.Far;
+  Contenders* const asked = this->Contesting->IsEmpty() ? nullptr : &contending;
+  Query(false, asked).Intersect(this->Tree, query);
   Hit hit;
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
@@ -411,7 +380,7 @@ Hit RayScene::Intersect(const Ray& ray) const
     hit.U = query.hit.u;
     hit.V = query.hit.v;
     hit.Distance = query.ray.tfar;
-    hit = MakeHit(this->TracedScene, this->Tree, ray, hit);
+    hit = MakeHit(*this, this->Tree, ray, hit, asked);
   }
   return hit;
 }
@@ -420,12 +389,12 @@ void RayScene::Intersect16(const Ray* rays, Hit* hits) const
 {
   if (this->Wide)
   {
-    IntersectPacket<RTCRayHit16, 16>(this->TracedScene, this->Tree, rays, hits);
+    IntersectPacket<RTCRayHit16, 16>(*this, this->Tree, rays, hits);
     return;
   }
   // Without instructions for 16 Embree would trace one ray after the other.
-  IntersectPacket<RTCRayHit8, 8>(this->TracedScene, this->Tree, rays, hits);
-  IntersectPacket<RTCRayHit8, 8>(this->TracedScene, this->Tree, rays + 8, hits + 8);
+  IntersectPacket<RTCRayHit8, 8>(*this, this->Tree, rays, hits);
+  IntersectPacket<RTCRayHit8, 8>(*this, this->Tree, rays + 8, hits + 8);
 }
 
 void RayScene::Occluded16(const Ray* rays, bool* blocked) const

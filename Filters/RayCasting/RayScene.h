@@ -9,12 +9,17 @@
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <limits>
+#include <memory>
+#include <vector>
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
 
 namespace penumbra
 {
+
+class Contest;
+struct TracedSurface;
 
 /// A ray; with directions from Camera::RayDirection distances are along the view axis.
 struct Ray
@@ -25,9 +30,9 @@ struct Ray
   float Far = std::numeric_limits<float>::infinity();
 };
 
-/// Where a ray met a triangle first. U, V and Distance follow from the triangle in double, and on an
-/// edge the lowest triangle counts of those of the surface: nothing of it depends on the processor, as
-/// Embree's own answers do.
+/// Where a ray met a triangle first. U, V and Distance follow from the triangle in double, of surfaces
+/// in one place one is chosen by their looks, and on an edge the lowest triangle counts of those of the
+/// surface: nothing of it depends on the processor, as Embree's own answers do.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
@@ -65,6 +70,7 @@ public:
   void Occluded16(const Ray* rays, bool* blocked) const;
 
   const Scene& GetScene() const { return this->TracedScene; }
+  const Contest& GetContest() const { return *this->Contesting; }
 
   /// No other scene of this process has the same.
   std::uint64_t GetId() const { return this->Id; }
@@ -73,6 +79,8 @@ private:
   void Release();
 
   const Scene& TracedScene;
+  std::unique_ptr<Contest> Contesting;
+  std::vector<TracedSurface> Traced; ///< per surface: what filters know
   std::uint64_t Id;
   RTCDeviceTy* Device = nullptr;
   RTCSceneTy* Tree = nullptr;

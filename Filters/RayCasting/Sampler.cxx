@@ -27,16 +27,6 @@ glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
     scene.Scale;
 }
 
-bool LetsLightThrough(const Surface& surface)
-{
-  const auto translucent = [](const std::vector<glm::u8vec4>& colors) {
-    return std::any_of(colors.begin(), colors.end(), [](glm::u8vec4 c) { return c.a < 255; });
-  };
-  return surface.Front.Opacity < 1.f || (surface.HasBackMaterial && surface.Back.Opacity < 1.f) ||
-    translucent(surface.PointColors) || translucent(surface.CellColors) ||
-    (surface.ColorTexture && translucent(surface.ColorTexture->Texels)) ||
-    (surface.LitTexture && translucent(surface.LitTexture->Texels));
-}
 }
 
 RayCounts& RayCounts::operator+=(const RayCounts& other)
@@ -57,7 +47,8 @@ Sampler::Sampler(const RayScene& rays, const Shading& shading, const Camera& cam
     Eye(camera)
 {
   const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
-  this->Transparent = std::any_of(surfaces.begin(), surfaces.end(), LetsLightThrough);
+  this->Transparent = std::any_of(surfaces.begin(), surfaces.end(),
+    [](const Surface& surface) { return surface.LetsLightThrough(); });
 }
 
 Ray Sampler::MakeRay(glm::dvec2 p) const

@@ -16,6 +16,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -94,7 +95,20 @@ struct Surface
   bool ScalarColoring = false; ///< coloured by data: weaker ambient occlusion by default
   bool ScreenSpace =
     false; ///< a line or a point, widened towards the eye: casts and takes no shadow
+
+  bool LetsLightThrough() const;
 };
+
+inline bool Surface::LetsLightThrough() const
+{
+  const auto translucent = [](const std::vector<glm::u8vec4>& colors) {
+    return std::any_of(colors.begin(), colors.end(), [](glm::u8vec4 c) { return c.a < 255; });
+  };
+  return this->Front.Opacity < 1.f || (this->HasBackMaterial && this->Back.Opacity < 1.f) ||
+    translucent(this->PointColors) || translucent(this->CellColors) ||
+    (this->ColorTexture && translucent(this->ColorTexture->Texels)) ||
+    (this->LitTexture && translucent(this->LitTexture->Texels));
+}
 
 struct Light
 {

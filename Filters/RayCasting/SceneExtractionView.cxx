@@ -20,7 +20,7 @@ namespace
 {
 
 /// Nothing nearer than this is drawn, in scene units: the scene's far end is at about 1.
-constexpr double NearestDistance = 1e-6;
+constexpr double NearestDistance = 1e-9;
 
 glm::dvec3 ToVector(const double x[3])
 {

@@ -31,6 +31,28 @@ Surface Square(float z, bool reserve = true)
   return surface;
 }
 
+/// A bumpy sheet of 2 (n - 1)^2 triangles under the eye.
+Surface Sheet(unsigned int n)
+{
+  Surface surface;
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const float u = 2.f * static_cast<float>(i) / static_cast<float>(n - 1) - 1.f;
+      const float v = 2.f * static_cast<float>(j) / static_cast<float>(n - 1) - 1.f;
+      surface.Positions.emplace_back(u, v, -2.f + .2f * std::sin(9.f * u) * std::cos(7.f * v));
+      if (i > 0 && j > 0)
+      {
+        const unsigned int k = j * n + i;
+        surface.Triangles.emplace_back(k - n - 1, k - n, k);
+        surface.Triangles.emplace_back(k - n - 1, k, k - 1);
+      }
+    }
+  }
+  return surface;
+}
+
 Ray Down(float x, float y, float z = 0.f)
 {
   return { { x, y, z }, { 0.f, 0.f, -1.f } };
@@ -163,6 +185,79 @@ TEST(RayScene, TakesNoHiddenTriangleAtAnEdge)
   EXPECT_EQ(rays.Intersect(behind).Triangle, 0u);
 }
 
+TEST(RayScene, TellsSurfacesApartThatAreFarAwayAndNearEachOther)
+{
+  // A millionth of the distance apart, and as wide as four times the distance.
+  const auto wall = [](float z) {
+    Surface surface = Square(z);
+    for (glm::vec3& position : surface.Positions)
+    {
+      position.x *= 2e6f;
+      position.y *= 2e6f;
+    }
+    return surface;
+  };
+  Scene scene;
+  scene.Surfaces = { wall(-1e6f), wall(-999999.f), wall(-1000001.f) };
+  const RayScene rays(scene, 1);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const float x = .37f * std::sin(12.9f * static_cast<float>(i));
+    const float y = .37f * std::cos(7.1f * static_cast<float>(i));
+    const Hit hit = rays.Intersect({ glm::vec3(0.f), { x, y, -1.f } });
+    EXPECT_EQ(hit.Surface, 1u) << x << ", " << y;
+    EXPECT_EQ(hit.Distance, 999999.f) << x << ", " << y;
+  }
+}
+
+TEST(RayScene, ChoosesBetweenSurfacesInOnePlaneByTheirLooks)
+{
+  // A slanted plane, of which one surface has two triangles and the other 800.
+  const auto slanted = [](Surface surface) {
+    for (glm::vec3& p : surface.Positions)
+    {
+      const glm::dvec3 q(p);
+      p = glm::vec3(q.x, q.y, -2.3 + .37 * q.x - .21 * q.y);
+    }
+    return surface;
+  };
+  Surface white = slanted(Square(0.f));
+  Surface black = slanted(Sheet(21));
+  black.Front.DiffuseColor = glm::vec3(0.f);
+  Surface pane = white;
+  pane.Front.Opacity = .5f;
+  for (const bool turned : { false, true })
+  {
+    Scene scene;
+    scene.Surfaces = { white, black, pane };
+    if (turned)
+    {
+      std::swap(scene.Surfaces[0], scene.Surfaces[2]);
+    }
+    const RayScene rays(scene, 1);
+    for (int packet = 0; packet < 60; ++packet)
+    {
+      Ray asked[16];
+      Hit hits[16];
+      for (int i = 0; i < 16; ++i)
+      {
+        const float angle = 2.39996f * static_cast<float>(16 * packet + i);
+        const float radius = .01f * std::sqrt(static_cast<float>(16 * packet + i));
+        asked[i] = { glm::vec3(0.f), { radius * std::cos(angle), radius * std::sin(angle), -1.f } };
+      }
+      rays.Intersect16(asked, hits);
+      for (int i = 0; i < 16; ++i)
+      {
+        EXPECT_EQ(hits[i].Surface, turned ? 2u : 0u);
+        EXPECT_EQ(rays.Intersect(asked[i]).Surface, hits[i].Surface);
+        Ray behind = asked[i];
+        behind.Near = hits[i].Beyond;
+        EXPECT_FALSE(rays.Intersect(behind).IsHit());
+      }
+    }
+  }
+}
+
 TEST(RayTriangle, KnowsTheDistanceToItsEdges)
 {
   const Surface square = Square(-5.f);
@@ -209,28 +304,6 @@ TEST(RayScene, LetsLightPassLinesAndPoints)
 
 namespace
 {
-
-/// A bumpy sheet of 2 (n - 1)^2 triangles under the eye.
-Surface Sheet(unsigned int n)
-{
-  Surface surface;
-  for (unsigned int j = 0; j < n; ++j)
-  {
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const float u = 2.f * static_cast<float>(i) / static_cast<float>(n - 1) - 1.f;
-      const float v = 2.f * static_cast<float>(j) / static_cast<float>(n - 1) - 1.f;
-      surface.Positions.emplace_back(u, v, -2.f + .2f * std::sin(9.f * u) * std::cos(7.f * v));
-      if (i > 0 && j > 0)
-      {
-        const unsigned int k = j * n + i;
-        surface.Triangles.emplace_back(k - n - 1, k - n, k);
-        surface.Triangles.emplace_back(k - n - 1, k, k - 1);
-      }
-    }
-  }
-  return surface;
-}
 
 /// Rays exactly through vertices and through the middles of edges.
 std::vector<Ray> RaysThrough(const Surface& surface)

@@ -13,10 +13,11 @@
 #ifndef vtkPenumbraDistributedRayCaster_h
 #define vtkPenumbraDistributedRayCaster_h
 
-#include "vtkPenumbraPluginRanksModule.h" // for export macro
+#include "vtkPenumbraFiltersParallelModule.h" // for export macro
 #include "vtkPenumbraRayCaster.h"
 
-class VTKPENUMBRAPLUGINRANKS_EXPORT vtkPenumbraDistributedRayCaster : public vtkPenumbraRayCaster
+class VTKPENUMBRAFILTERSPARALLEL_EXPORT vtkPenumbraDistributedRayCaster
+  : public vtkPenumbraRayCaster
 {
 public:
   static vtkPenumbraDistributedRayCaster* New();

@@ -14,10 +14,10 @@
 #ifndef vtkPenumbraDistributedIrradianceFilter_h
 #define vtkPenumbraDistributedIrradianceFilter_h
 
+#include "vtkPenumbraFiltersParallelModule.h" // for export macro
 #include "vtkPenumbraIrradianceFilter.h"
-#include "vtkPenumbraPluginRanksModule.h" // for export macro
 
-class VTKPENUMBRAPLUGINRANKS_EXPORT vtkPenumbraDistributedIrradianceFilter
+class VTKPENUMBRAFILTERSPARALLEL_EXPORT vtkPenumbraDistributedIrradianceFilter
   : public vtkPenumbraIrradianceFilter
 {
 public:

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where Embree 3.13 and 4 differ: their header, and how a query takes its flags and what filters know.
+#ifndef penumbra_EmbreeQuery_h
+#define penumbra_EmbreeQuery_h
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace penumbra
+{
+
+struct Contenders;
+
+#if RTC_VERSION_MAJOR >= 4
+/// What filters get to know of a query.
+struct QueryContext : RTCRayQueryContext
+{
+  Contenders* Contending; ///< by the number of the ray
+};
+
+struct Query
+{
+  QueryContext Context;
+  RTCIntersectArguments Intersection;
+  RTCOccludedArguments Occlusion;
+  explicit Query(bool coherent, Contenders* contending = nullptr)
+  {
+    rtcInitRayQueryContext(&this->Context);
+    this->Context.Contending = contending;
+    rtcInitIntersectArguments(&this->Intersection);
+    this->Intersection.context = &this->Context;
+    rtcInitOccludedArguments(&this->Occlusion);
+    const auto flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_NONE;
+    this->Intersection.flags = flags;
+    this->Occlusion.flags = flags;
+  }
+  void Intersect(RTCScene tree, RTCRayHit& ray) { rtcIntersect1(tree, &ray, &this->Intersection); }
+  void Intersect(RTCScene tree, const int* valid, RTCRayHit8& rays)
+  {
+    rtcIntersect8(valid, tree, &rays, &this->Intersection);
+  }
+  void Intersect(RTCScene tree, const int* valid, RTCRayHit16& rays)
+  {
+    rtcIntersect16(valid, tree, &rays, &this->Intersection);
+  }
+  void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &ray, &this->Occlusion); }
+  void Occluded(RTCScene tree, const int* valid, RTCRay8& rays)
+  {
+    rtcOccluded8(valid, tree, &rays, &this->Occlusion);
+  }
+  void Occluded(RTCScene tree, const int* valid, RTCRay16& rays)
+  {
+    rtcOccluded16(valid, tree, &rays, &this->Occlusion);
+  }
+};
+#else
+struct QueryContext : RTCIntersectContext
+{
+  Contenders* Contending;
+};
+
+struct Query
+{
+  QueryContext Context;
+  explicit Query(bool coherent, Contenders* contending = nullptr)
+  {
+    rtcInitIntersectContext(&this->Context);
+    this->Context.Contending = contending;
+    this->Context.flags =
+      coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_NONE;
+  }
+  void Intersect(RTCScene tree, RTCRayHit& ray) { rtcIntersect1(tree, &this->Context, &ray); }
+  void Intersect(RTCScene tree, const int* valid, RTCRayHit8& rays)
+  {
+    rtcIntersect8(valid, tree, &this->Context, &rays);
+  }
+  void Intersect(RTCScene tree, const int* valid, RTCRayHit16& rays)
+  {
+    rtcIntersect16(valid, tree, &this->Context, &rays);
+  }
+  void Occluded(RTCScene tree, RTCRay& ray) { rtcOccluded1(tree, &this->Context, &ray); }
+  void Occluded(RTCScene tree, const int* valid, RTCRay8& rays)
+  {
+    rtcOccluded8(valid, tree, &this->Context, &rays);
+  }
+  void Occluded(RTCScene tree, const int* valid, RTCRay16& rays)
+  {
+    rtcOccluded16(valid, tree, &this->Context, &rays);
+  }
+};
+#endif
+
+}
+#endif
