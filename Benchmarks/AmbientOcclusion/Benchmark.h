@@ -54,6 +54,12 @@ void MeasureTraced(OcclusionBenchmark& benchmark);
 /// Times of frames: plain, with our pass, converged, with vtkSSAOPass.
 void MeasureCost(OcclusionBenchmark& benchmark);
 
+/// Bytes a pixel.
+void MeasureMemory(OcclusionBenchmark& benchmark);
+
+/// Whether the occlusion tells how many ranks drew the scene.
+void MeasureRanks(OcclusionBenchmark& benchmark);
+
 /// Noise of still and moving pictures against their own limit.
 void MeasureNoise(OcclusionBenchmark& benchmark);
 

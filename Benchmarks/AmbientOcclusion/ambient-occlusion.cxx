@@ -16,14 +16,16 @@ int main(int argc, char** argv)
   program.Name = "ambient-occlusion";
   program.Title = "Ambient occlusion in OpenGL pictures: figures and bars";
   program.Usage = "--meshes FOLDER --output FOLDER\n"
-                  "         [--only accuracy|cost|noise|traced] [--diagnose]";
+                  "         [--only accuracy|memory|cost|noise|ranks|traced] [--diagnose]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
     { "--output", &benchmark.Output, true } };
   program.Switches = { { "--diagnose", &benchmark.Diagnose } };
   program.Parts = {
     { "accuracy", [&] { MeasureAccuracy(benchmark); } },
+    { "memory", [&] { MeasureMemory(benchmark); } },
     { "cost", [&] { MeasureCost(benchmark); } },
     { "noise", [&] { MeasureNoise(benchmark); } },
+    { "ranks", [&] { MeasureRanks(benchmark); } },
     { "traced", [&] { MeasureTraced(benchmark); } },
   };
   const int status = program.Run(argc, argv, benchmark.Results, benchmark.Output, [&] {

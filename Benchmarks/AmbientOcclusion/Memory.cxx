@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmark.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCamera.h"
+
+#include <functional>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// What the C library has handed out: where a processor draws, textures are of that. 0 where it does
+/// not say.
+double BytesInUse()
+{
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+#else
+  return 0.0;
+#endif
+}
+
+/// By how much the memory in use grows with every pixel more of a window.
+double BytesPerPixel(const SceneUnderOcclusion& scene, const std::function<void()>& addPass,
+  const std::function<void()>& change)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->AddRenderer(scene.Renderer);
+  addPass();
+  double bytes[2];
+  const int heights[2] = { Screen::Size[1] / 2, Screen::Size[1] };
+  // Twice: by then all shaders are compiled.
+  for (const int step : { 0, 1, 0, 1 })
+  {
+    window->SetSize(Screen::Size[0], heights[step]);
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      change();
+      window->Render();
+    }
+    window->WaitForCompletion();
+    bytes[step] = BytesInUse();
+  }
+  window->RemoveRenderer(scene.Renderer);
+  return (bytes[1] - bytes[0]) / (Screen::Size[0] * (heights[1] - heights[0]));
+}
+
+}
+
+void MeasureMemory(OcclusionBenchmark& benchmark)
+{
+  const auto measure = [&](bool occludes, bool actorsMove) {
+    const SceneUnderOcclusion scene = Spheres400();
+    return BytesPerPixel(
+      scene,
+      [&]() {
+        if (occludes)
+        {
+          auto* pass = vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
+          pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+          pass->SetMargin(0.0);
+        }
+      },
+      [&]() {
+        scene.Renderer->GetActiveCamera()->Azimuth(.25);
+        if (actorsMove)
+        {
+          scene.Renderer->GetActors()->GetLastActor()->AddPosition(0.0, 0.0, .01);
+        }
+      });
+  };
+  const double plain = measure(false, false);
+  Table& table = benchmark.Results;
+  table.Add("S400", "plain window, bytes a pixel", plain, Bar::None);
+  table.Add("S400", "memory of the pass, bytes a pixel", measure(true, false) - plain, Bar::AtMost,
+    40.0, "a margin makes more pixels");
+  table.Add("S400", "memory of the pass where actors have moved, bytes a pixel",
+    measure(true, true) - plain, Bar::AtMost, 40.0);
+}
+
+}

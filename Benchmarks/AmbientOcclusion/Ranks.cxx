@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmark.h"
+#include "ShownPicture.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCamera.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// The scene as so many ranks draw it, each its own actors, the nearest of all their pictures.
+Picture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetAlphaBitPlanes(1);
+  window->SetSize(Screen::Size[0], Screen::Size[1]);
+  window->AddRenderer(scene.Renderer);
+  Picture whole;
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    int actor = 0;
+    vtkActorCollection* actors = scene.Renderer->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* next = actors->GetNextActor())
+    {
+      next->SetVisibility(actor++ % ranks == rank);
+    }
+    window->Render();
+    const Picture part = TakePicture(window);
+    rank == 0 ? void(whole = part) : Merge(whole, part);
+  }
+  window->RemoveRenderer(scene.Renderer);
+  return whole;
+}
+
+/// The occlusion of a picture, by a pass that knows nothing of the scene.
+std::vector<float> Occlude(const Picture& picture, vtkCamera* camera, double radius)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->GetActiveCamera()->DeepCopy(camera);
+  Screen screen(renderer);
+  vtkNew<ShowPicture> show;
+  show->Shown = picture;
+  renderer->SetPass(show);
+  screen.Ours = vtkPenumbraTemporalSSAOPass::AddTo(renderer);
+  screen.Ours->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
+  screen.Ours->SetRadius(radius);
+  screen.Draw();
+  return screen.Array("AmbientOcclusion");
+}
+
+}
+
+void MeasureRanks(OcclusionBenchmark& benchmark)
+{
+  const auto draw = [&](int ranks) {
+    const SceneUnderOcclusion scene = Scans(benchmark.Meshes);
+    return Occlude(DrawByRanks(scene, ranks), scene.Renderer->GetActiveCamera(), scene.Radius);
+  };
+  const std::vector<float> one = draw(1);
+  const std::vector<float> four = draw(4);
+  double pixels = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    pixels += one[i] != four[i];
+    largest = std::max(largest, std::abs(static_cast<double>(one[i]) - four[i]));
+  }
+  Table& table = benchmark.Results;
+  table.Add("Scans", "1 against 4 sort-last ranks, pixels that differ", pixels, Bar::AtMost, 0.0,
+    "four actors, composited by depth");
+  table.Add("Scans", "1 against 4 sort-last ranks, largest difference", largest, Bar::AtMost, 0.0);
+}
+
+}
