@@ -72,7 +72,7 @@ void MeasureForms(IrradianceBenchmark& benchmark)
 {
   const auto add = [&](const char* what, double error, double bar) {
     benchmark.Results.Add("closed forms, tolerance .005", what, error, Bar::AtMost, bar,
-      error > bar ? "brute force: .001; records reach past rims that their rays did not meet" : "");
+      error > bar ? "brute force: .001" : "");
   };
   Scene open;
   AddFloor(open, Far);

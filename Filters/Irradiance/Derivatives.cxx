@@ -46,6 +46,9 @@ constexpr float SteepCosine = .7f;
 /// would be 0.
 constexpr float GrazingCosine = .3f;
 
+/// Normals of one plane.
+constexpr float FlatCosine = .99999f;
+
 /// No rim is believed to be further than this times the hit that tells of it.
 constexpr float FurthestRim = 4.f;
 
@@ -59,9 +62,10 @@ constexpr float LeastSlope = .05f;
 class Boundaries
 {
 public:
-  Boundaries(const glm::mat3& frame, const std::vector<glm::vec3>& directions,
-    const std::vector<Sight>& sights, float reach)
-    : ToLocal(glm::transpose(frame)),
+  Boundaries(const HemisphereGrid& grid, const glm::mat3& frame,
+    const std::vector<glm::vec3>& directions, const std::vector<Sight>& sights, float reach)
+    : Grid(grid),
+      ToLocal(glm::transpose(frame)),
       Directions(directions),
       Sights(sights),
       Reach(reach)
@@ -135,18 +139,27 @@ public:
   std::array<glm::vec2, 3> Gradient{};
 
 private:
-  /// Distance of the rim that ends the surface met in cell `near`, an angle `gap` away: were it
-  /// round, it would end there tangentially. Not further than what lies behind.
+  /// Distance of the rim that ends the surface met in cell `near`, an angle `gap` away: a flat one goes on
+  /// until half-way to `far`; were it round, it would end there tangentially. Not further than what lies
+  /// behind.
   float Rim(int near, int far, float gap) const
   {
     const float distance = this->Sights[near].Distance;
     const glm::vec3 m = this->ToLocal * this->Sights[near].Normal;
-    const float sine = std::min(std::abs(glm::dot(m, this->Directions[near])), 1.f);
-    const float cosine = std::sqrt(1.f - sine * sine);
-    const float stretch =
-      m == glm::vec3(0.f) ? 1.f : 1.f + gap * sine / std::max(1.f - cosine, 1e-6f);
-    return std::max(
-      std::min(distance * std::min(stretch, FurthestRim), this->Sights[far].Distance), NearestRim);
+    const float here = glm::dot(m, this->Directions[near]);
+    float stretch = 1.f;
+    if (IsFlat(this->Grid, this->Sights, near))
+    {
+      const float between = here + glm::dot(m, this->Directions[far]);
+      stretch = between * here > 0.f ? 2.f * here / between : FurthestRim;
+    }
+    else if (m != glm::vec3(0.f))
+    {
+      const float sine = std::min(std::abs(here), 1.f);
+      stretch = 1.f + gap * sine / std::max(1.f - std::sqrt(1.f - sine * sine), 1e-6f);
+    }
+    const float rim = std::max(distance * std::min(stretch, FurthestRim), this->Sights[near].Rim);
+    return std::max(std::min(rim, this->Sights[far].Distance), NearestRim);
   }
 
   /// Nothing was seen in `far`: is that because the surface of `near` goes on beyond reach?
@@ -162,6 +175,7 @@ private:
       this->Sights[near].Distance * here / there >= this->Reach;
   }
 
+  const HemisphereGrid& Grid;
   glm::mat3 ToLocal;
   const std::vector<glm::vec3>& Directions;
   const std::vector<Sight>& Sights;
@@ -191,6 +205,18 @@ void AddBoundaries(const HemisphereGrid& grid, Boundaries& boundaries)
   }
 }
 
+}
+
+bool IsFlat(const HemisphereGrid& grid, const std::vector<Sight>& sights, int cell)
+{
+  const int i = cell % grid.Side;
+  const int j = cell / grid.Side;
+  const glm::vec3 normal = sights[cell].Normal;
+  const auto agrees = [&](bool exists, int other) {
+    return exists && std::abs(glm::dot(sights[other].Normal, normal)) > FlatCosine;
+  };
+  return agrees(i > 0, cell - 1) || agrees(i + 1 < grid.Side, cell + 1) ||
+    agrees(j > 0, cell - grid.Side) || agrees(j + 1 < grid.Side, cell + grid.Side);
 }
 
 Derived Derive(const HemisphereGrid& grid, const glm::mat3& frame,
@@ -232,7 +258,7 @@ Derived Derive(const HemisphereGrid& grid, const glm::mat3& frame,
     result.HarmonicMean = static_cast<float>(grid.Cells() / inverse);
   }
 
-  Boundaries boundaries(frame, directions, sights, reach);
+  Boundaries boundaries(grid, frame, directions, sights, reach);
   AddBoundaries(grid, boundaries);
   result.Error = std::sqrt(glm::dot(boundaries.Variance, Luminance)) * share;
   result.Bend = boundaries.Bend();

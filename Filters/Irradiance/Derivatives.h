@@ -53,6 +53,9 @@ inline int SectorOf(float x, float y)
     (steep != ((x < 0.f) != (y < 0.f)) ? 1 : 0);
 }
 
+/// Is what `cell` sees, as far as one can tell, part of a plane? A neighbour sees the same normal.
+bool IsFlat(const HemisphereGrid& grid, const std::vector<Sight>& sights, int cell);
+
 /// `directions` are those of `grid` in local coordinates, `sights` what they saw with normals in
 /// scene coordinates, `frame` leads from local to scene coordinates. `reach`: of the gatherer.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Derived Derive(const HemisphereGrid& grid,

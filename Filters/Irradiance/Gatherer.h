@@ -21,7 +21,8 @@ struct Sight
   float Distance = std::numeric_limits<float>::infinity(); ///< infinity: nothing within reach
   glm::vec3 Normal{ 0.f };   ///< of what was met, unit, either side; 0 where unknown
   glm::vec3 Radiance{ 0.f }; ///< that comes from there; under occlusion 1 where blocked, else 0
-  float Variance = 1.f;      ///< of Radiance, over that of a single ray in its cell
+  float Rim = 0.f; ///< where a flat surface that goes on towards its horizon ends; 0: not known
+  float Variance = 1.f; ///< of Radiance, over that of a single ray in its cell
 };
 
 /// Where a lamp may be seen that is smaller than a cell.

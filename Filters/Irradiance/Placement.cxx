@@ -219,6 +219,28 @@ void Merge(int m, std::vector<Sight>::const_iterator& closer, Sight& sight)
   sight.Variance = 1.f / static_cast<float>(m * m * m);
 }
 
+/// Shares of the angle between a ray and the horizon of the flat surface that it met, where one looks
+/// whether that goes on.
+constexpr float SharesOfHorizon[] = { .002f, .016f, .125f };
+
+/// Is `cell` the last that sees a flat surface, before a neighbour that looks beyond its horizon?
+bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& directions,
+  const std::vector<Sight>& sights, int cell)
+{
+  const glm::vec3 normal = sights[cell].Normal;
+  const float here = glm::dot(normal, directions[cell]);
+  const int i = cell % grid.Side;
+  const int j = cell / grid.Side;
+  const auto ends = [&](bool exists, int other) {
+    return exists && sights[other].Distance > sights[cell].Distance &&
+      sights[other].Radiance != sights[cell].Radiance &&
+      here * glm::dot(normal, directions[other]) < 0.f;
+  };
+  return (ends(i > 0, cell - 1) || ends(i + 1 < grid.Side, cell + 1) ||
+           ends(j > 0, cell - grid.Side) || ends(j + 1 < grid.Side, cell + grid.Side)) &&
+    IsFlat(grid, sights, cell);
+}
+
 int RoundSide(double side)
 {
   const int steps = static_cast<int>(std::lround(side / HemisphereGrid::Step));
@@ -278,6 +300,10 @@ Record Placement::Gather(const Site& site, long long& rays) const
     if (this->Settings.Refine && side >= this->Settings.Side)
     {
       rays += this->LookCloser(site, frame, grid, beams, sights);
+    }
+    if (side >= this->Settings.Side)
+    {
+      rays += this->LookForRims(site, grid, directions, sights);
     }
     record.Found = Derive(grid, frame, local, sights, this->Source.GetReach());
     if (side >= this->Settings.Side || record.Found.Error == 0.f)
@@ -349,6 +375,50 @@ long long Placement::LookCloser(const Site& site, const glm::mat3& frame,
     {
       Merge(finer[cell], next, sights[cell]);
     }
+  }
+  return rays;
+}
+
+long long Placement::LookForRims(const Site& site, const HemisphereGrid& grid,
+  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+{
+  std::vector<int> cells;
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    if (EndsAtHorizon(grid, directions, sights, cell))
+    {
+      cells.push_back(cell);
+    }
+  }
+  long long rays = 0;
+  std::vector<glm::vec3> closer;
+  std::vector<Sight> found;
+  for (const float share : SharesOfHorizon)
+  {
+    closer.clear();
+    for (const int cell : cells)
+    {
+      const glm::vec3 normal = sights[cell].Normal;
+      const float here = glm::dot(normal, directions[cell]);
+      closer.push_back(glm::normalize(directions[cell] - (1.f - share) * here * normal));
+    }
+    if (cells.empty())
+    {
+      break;
+    }
+    rays += this->Source.Gather(site.Position, site.Normal, closer, found);
+    std::vector<int> left;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      const bool goesOn = !std::isinf(found[i].Distance) &&
+        std::abs(glm::dot(found[i].Normal, sights[cells[i]].Normal)) > .999f;
+      sights[cells[i]].Rim = goesOn ? 2.f * found[i].Distance : 0.f;
+      if (!goesOn)
+      {
+        left.push_back(cells[i]);
+      }
+    }
+    cells = std::move(left);
   }
   return rays;
 }

@@ -67,6 +67,11 @@ private:
   /// Cells that make the mean uncertain get more rays, until it is certain enough; returns how many.
   long long LookCloser(const Site& site, const glm::mat3& frame, const HemisphereGrid& grid,
     const std::vector<Beam>& beams, std::vector<Sight>& sights) const;
+
+  /// Where flat surfaces near the point seem to end at their horizons: do they go on? Returns how many rays.
+  long long LookForRims(const Site& site, const HemisphereGrid& grid,
+    const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const;
+
   double RadiusOf(const Derived& found) const;
 
   const Gatherer& Source;

@@ -16,8 +16,10 @@ namespace
 constexpr std::int32_t Unknown = -1;
 constexpr std::int32_t Nothing = -2; ///< nothing is seen there
 
-/// Where the best corner weighs less, the square is halved.
+/// Where the best corner weighs less, the square is halved: of squares whose corners are not all of one
+/// surface, beside which others lie on one side only.
 constexpr float LeastWeight = .05f;
+constexpr float LeastWeightBeside = .4f;
 
 /// With all four corners a place may lie further from some of them than their radius, but not more
 /// than this times.
@@ -177,6 +179,7 @@ bool ScreenRecords::Fails(const Square& square) const
       corners, corners + 4, [](const Record* record) { return record != nullptr; });
   }
   float greatest = 0.f;
+  int agreeing = 0;
   for (int side = square.Side; side <= this->Coarsest; side *= 2)
   {
     const Record* corners[4];
@@ -184,15 +187,18 @@ bool ScreenRecords::Fails(const Square& square) const
     for (const Record* record : corners)
     {
       const float weight = record ? record->Weight(site, this->NormalFactor) : 0.f;
-      if (side == square.Side && record && weight == 0.f &&
-        record->Agreement(site, this->NormalFactor) > 0.f)
+      if (side == square.Side && record && record->Agreement(site, this->NormalFactor) > 0.f)
       {
-        return true;
+        ++agreeing;
+        if (weight == 0.f)
+        {
+          return true;
+        }
       }
       greatest = std::max(greatest, weight);
     }
   }
-  return greatest <= LeastWeight;
+  return greatest <= (agreeing == 4 ? LeastWeight : LeastWeightBeside);
 }
 
 Interpolated ScreenRecords::LookUp(const Place& place) const

@@ -174,6 +174,44 @@ TEST(vtkPenumbraIrradianceCache, StaysNearTheTruthWithTheRadiiOfThePaper)
   }
 }
 
+TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallAndInACorner)
+{
+  constexpr float Far = 1000.f;
+  Scene wall; // 1 high
+  AddFloor(wall, Far);
+  AddRectangle(wall, { -Far, 0, 0 }, { 2 * Far, 0, 0 }, { 0, 0, 1 });
+  LookAt(wall, { 0, -4, 3 }, { 0, -.5, 0 }, 45.0, Size, Size);
+  Scene corner; // of walls without an end: nothing changes from the floor's corner on
+  AddFloor(corner, Far);
+  AddRectangle(corner, { -Far, 0, 0 }, { 2 * Far, 0, 0 }, { 0, 0, Far });
+  AddRectangle(corner, { 0, -Far, 0 }, { 0, 2 * Far, 0 }, { 0, 0, Far });
+  LookAt(corner, { -.3, -.4, .5 }, { -.1, -.1, 0 }, 45.0, Size, Size);
+  for (const Scene* scene : { &wall, &corner })
+  {
+    const RayScene rays(*scene, 0);
+    View view{ *scene, {} };
+    for (const Site& site : SitesOfPicture(rays, PictureLevels - 3))
+    {
+      if (site.Normal.z > .9f)
+      {
+        view.Sites.push_back(site);
+      }
+    }
+    const Truth truth = [&](glm::dvec3 at, glm::dvec3) {
+      return scene == &wall ? .5 * (1.0 - std::abs(at.y) / std::hypot(at.y, 1.0)) : .75;
+    };
+    for (const int space :
+      { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
+    {
+      vtkNew<vtkPenumbraIrradianceCache> cache;
+      cache->SetSpace(space);
+      cache->SetTolerance(.005);
+      cache->Begin(rays, Infinity, .01);
+      EXPECT_LE(ErrorOf(cache, view, truth), .005) << (scene == &wall) << " " << space;
+    }
+  }
+}
+
 TEST(vtkPenumbraIrradianceCache, LetsNoFarRecordThatMissesEverythingOverruleNearOnes)
 {
   // A plate is seen edge-on from far away: the rays of records there pass above and below it.
