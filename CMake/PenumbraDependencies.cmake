@@ -14,7 +14,11 @@ endif ()
 # ParaView brings its VTK along, which needs the Python that ParaView was built with.
 if (PENUMBRA_BUILD_PLUGIN)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
-  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
+  find_package(ParaView 5.11...<5.12 QUIET COMPONENTS RemotingCore RemotingServerManager RemotingViews)
+  if (NOT ParaView_FOUND)
+    message(FATAL_ERROR "The plugin needs ParaView 5.11 (found: ${ParaView_CONSIDERED_VERSIONS}). "
+      "Set ParaView_DIR, or leave PENUMBRA_BUILD_PLUGIN off. ${ParaView_NOT_FOUND_MESSAGE}")
+  endif ()
 endif ()
 find_package(VTK REQUIRED
   COMPONENTS ${penumbra_vtk_components} OPTIONAL_COMPONENTS ${penumbra_vtk_readers})

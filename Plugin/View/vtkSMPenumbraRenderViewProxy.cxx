@@ -3,6 +3,7 @@
 #include "vtkSMPenumbraRenderViewProxy.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkPVRenderingCapabilitiesInformation.h"
 #include "vtkRenderWindow.h"
 #include "vtkSMPropertyHelper.h"
 
@@ -10,9 +11,27 @@
 
 vtkStandardNewMacro(vtkSMPenumbraRenderViewProxy);
 
+bool vtkSMPenumbraRenderViewProxy::IsContextReadyForRendering()
+{
+  using Capabilities = vtkPVRenderingCapabilitiesInformation;
+  static const bool draws =
+    Capabilities::Supports(Capabilities::GetLocalCapabilities(), Capabilities::RENDERING);
+  if (!draws && !this->Warned)
+  {
+    vtkErrorMacro("There is no display to draw by: start an X server, such as "
+                  "xvfb-run -s \"-screen 0 1280x1024x24\" pvpython ...; filters need none.");
+    this->Warned = true;
+  }
+  return draws && this->Superclass::IsContextReadyForRendering();
+}
+
 vtkImageData* vtkSMPenumbraRenderViewProxy::CaptureWindowInternal(
   int magnificationX, int magnificationY)
 {
+  if (!this->IsContextReadyForRendering())
+  {
+    return nullptr;
+  }
   int shown[2] = { 0, 0 };
   vtkSMPropertyHelper(this, "ViewSize").Get(shown, 2);
   const int large[2] = { shown[0] * magnificationX, shown[1] * magnificationY };

@@ -31,10 +31,13 @@ protected:
   ~vtkSMPenumbraRenderViewProxy() override = default;
 
   vtkImageData* CaptureWindowInternal(int magnificationX, int magnificationY) override;
+  bool IsContextReadyForRendering() override;
 
 private:
   vtkSMPenumbraRenderViewProxy(const vtkSMPenumbraRenderViewProxy&) = delete;
   void operator=(const vtkSMPenumbraRenderViewProxy&) = delete;
+
+  bool Warned = false;
 };
 
 #endif

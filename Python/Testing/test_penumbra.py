@@ -4,6 +4,7 @@
 import importlib.metadata
 import math
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -226,6 +227,25 @@ class Package(unittest.TestCase):
                 f"plotter.screenshot({path!r})\n")
             self.assertEqual(run.returncode, 0, run.stderr)
             self.assertGreater(numpy.ptp(pyvista.read(path).active_scalars), 50)
+
+    def test_says_that_there_is_no_opengl(self):
+        compiler = shutil.which("cc")
+        if not compiler:
+            self.skipTest("no C compiler to hide the libraries with")
+        with tempfile.TemporaryDirectory() as folder:
+            hiding = os.path.join(folder, "no_opengl.so")
+            source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "no_opengl.c")
+            subprocess.run([compiler, "-shared", "-fPIC", source, "-o", hiding], check=True)
+            for effect in ("enable_temporal_ssao", "enable_light_shafts"):
+                run = self.run_script(
+                    "import penumbra, pyvista\n"
+                    "plotter = pyvista.Plotter(off_screen=True, window_size=(64, 48))\n"
+                    "plotter.add_mesh(pyvista.Sphere())\n"
+                    "print(plotter.penumbra.ray_cast().shape)\n"
+                    f"plotter.penumbra.{effect}()\n", LD_PRELOAD=hiding)
+                self.assertEqual(run.returncode, 1, run.stderr)
+                self.assertEqual(run.stdout, "(48, 64, 3)\n")
+                self.assertIn("there is no OpenGL here", run.stderr.splitlines()[-1])
 
     def test_says_what_is_missing_without_its_vtk(self):
         run = self.run_script(

@@ -6,6 +6,7 @@ import numpy
 from cvista.util.numpy_support import vtk_to_numpy
 
 from .colors import radiance
+from .opengl import require
 from .statistics import counts_of, update
 from .vtkPenumbraFiltersRayCasting import vtkPenumbraRayCaster
 from .vtkPenumbraRenderingScreenSpace import (
@@ -59,6 +60,7 @@ class PlotterAccessor:
         _check(radius is None or radius > 0.0, f"radius is a length, not {radius!r}")
         _check(1e-4 <= tolerance <= 1.0, f"tolerance is 0.0001 to 1, not {tolerance!r}")
         _check(0.0 <= strength <= 1.0, f"strength is 0 to 1, not {strength!r}")
+        require(self._plotter.render_window)
         occlusion = vtkPenumbraTemporalSSAOPass.AddTo(self._renderer)
         occlusion.SetRadiusUnit(
             occlusion.SHARE_OF_BOUNDS if radius is None else occlusion.WORLD)
@@ -95,6 +97,7 @@ class PlotterAccessor:
 
         Returns the pass, a ``vtkPenumbraLightShaftPass``.
         """
+        require(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
         try:
             _set_medium(shafts, scattering, extinction, phase, asymmetry)

@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot work says so in one clear message: another ParaView, no display, a server without more."""
+import os
+import re
+import socket
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from plugin import *
+
+PLUGIN = os.environ["PENUMBRA_PLUGIN"]
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+DRAW = """
+from paraview.simple import *
+import sys
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+baked = BakeAmbientOcclusion(Input=Sphere())
+print("baked", baked.GetDataInformation().GetNumberOfPoints(), flush=True)
+view = CreateView("PenumbraRenderView")
+Show(baked, view)
+try:
+    SaveScreenshot(sys.argv[2], view)
+except RuntimeError:
+    print("no picture", flush=True)
+"""
+
+# The same picture by this process alone and by a server that has no display.
+CONNECT = """
+from paraview.simple import *
+import sys
+def draw(name, remote):
+    LoadPlugin(sys.argv[1], remote=remote, ns=globals())
+    if remote:
+        LoadPlugin(sys.argv[1], remote=False, ns=globals())
+    view = CreateView("PenumbraRenderView")
+    view.ViewSize = [120, 90]
+    view.OrientationAxesVisibility = 0
+    Show(BakeAmbientOcclusion(Input=Sphere(ThetaResolution=30)), view)
+    view.CameraPosition = [0, -3, 1]
+    SaveScreenshot(name, view)
+draw(sys.argv[2], False)
+Connect("localhost", int(sys.argv[4]))
+draw(sys.argv[3], True)
+"""
+
+
+def run_script(folder, script, arguments, display=True):
+    path = os.path.join(folder, "script.py")
+    with open(path, "w") as file:
+        file.write(script)
+    environment = {name: value for name, value in os.environ.items() if display or name != "DISPLAY"}
+    return subprocess.run(["pvpython", "--force-offscreen-rendering", path, *arguments],
+                          capture_output=True, text=True, timeout=120, env=environment)
+
+
+def errors(run):
+    """What ParaView reports as errors, without colours and places in its sources."""
+    text = re.sub(r"\x1b\[[0-9;]*m", "", run.stderr)
+    return [line.split("ERR|", 1)[1] for line in text.splitlines() if "ERR|" in line]
+
+
+class OtherParaView(unittest.TestCase):
+    def test_names_the_version_that_the_plugin_is_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            # As it looks to another version: libraries have their version in their names.
+            other = os.path.join(folder, "Penumbra.so")
+            with open(PLUGIN, "rb") as file:
+                content = file.read()
+            with open(other, "wb") as file:
+                file.write(content.replace(b"-pv5.11.so", b"-pv5.99.so"))
+            run = run_script(folder, DRAW, [other, os.path.join(folder, "picture.png")])
+        self.assertEqual(run.returncode, 1)
+        told = errors(run)
+        self.assertEqual(len(told), 1, told)
+        self.assertIn("-pv5.99.so", told[0])
+        self.assertIn("cannot open shared object file", told[0])
+
+    def test_is_refused_when_it_is_built(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (
+                    ("ParaViewConfig.cmake", "set(ParaView_FOUND 1)\n"),
+                    ("ParaViewConfigVersion.cmake", 'set(PACKAGE_VERSION "5.99.0")\n')):
+                with open(os.path.join(folder, name), "w") as file:
+                    file.write(text)
+            run = subprocess.run(
+                [os.environ["PENUMBRA_CMAKE"], "-S", ROOT, "-B", os.path.join(folder, "build"),
+                 "-G", "Ninja", "-DPENUMBRA_BUILD_PLUGIN=ON", f"-DParaView_DIR={folder}",
+                 "-DPython3_EXECUTABLE=/usr/bin/python3"],
+                capture_output=True, text=True, timeout=120)
+        self.assertEqual(run.returncode, 1)
+        self.assertEqual(run.stderr.count("CMake Error"), 1, run.stderr)
+        told = " ".join(run.stderr.split())
+        self.assertIn("The plugin needs ParaView 5.11 (found: 5.99.0)", told)
+
+
+class NoDisplay(unittest.TestCase):
+    def test_filters_work_and_the_view_says_what_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = os.path.join(folder, "picture.png")
+            run = run_script(folder, DRAW, [PLUGIN, picture], display=False)
+            self.assertFalse(os.path.exists(picture))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("baked", run.stdout)
+        ours = [line for line in errors(run) if "There is no display to draw by" in line]
+        self.assertEqual(len(ours), 1, run.stderr)
+
+
+class Server(unittest.TestCase):
+    def start_server(self):
+        """One without a display: ParaView then switches remote rendering off. Its port."""
+        with socket.socket() as trial:
+            trial.bind(("localhost", 0))
+            port = trial.getsockname()[1]
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        server = subprocess.Popen(
+            ["pvserver", f"--server-port={port}"], env=environment, text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        for line in server.stdout:
+            if line.startswith("Accepting connection"):
+                break
+        return port
+
+    def test_without_a_display_gives_the_picture_that_one_process_draws(self):
+        port = self.start_server()
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("alone.png", "connected.png")]
+            run = run_script(folder, CONNECT, [PLUGIN, *names, str(port)])
+            self.assertEqual(run.returncode, 0, run.stderr)
+            alone, connected = (read_picture(name).astype(int) for name in names)
+        self.assertGreater(numpy.ptp(alone), 50)
+        self.assertLess((numpy.abs(alone - connected).max(axis=2) > 8).mean(), 0.001)
+
+
+run_tests()
