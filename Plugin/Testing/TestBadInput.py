@@ -87,9 +87,13 @@ class OtherParaView(unittest.TestCase):
                     ("ParaViewConfigVersion.cmake", 'set(PACKAGE_VERSION "5.99.0")\n')):
                 with open(os.path.join(folder, name), "w") as file:
                     file.write(text)
+            right = os.environ["PENUMBRA_PARAVIEW_DIR"]
             run = subprocess.run(
                 [os.environ["PENUMBRA_CMAKE"], "-S", ROOT, "-B", os.path.join(folder, "build"),
-                 "-G", "Ninja", "-DPENUMBRA_BUILD_PLUGIN=ON", f"-DParaView_DIR={folder}",
+                 "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={os.environ['PENUMBRA_NINJA']}",
+                 "-DPENUMBRA_BUILD_PLUGIN=ON", f"-DParaView_DIR={folder}",
+                 # The right one: /lib is another name for /usr/lib.
+                 f"-DCMAKE_IGNORE_PATH={right};{right.removeprefix('/usr')}",
                  "-DPython3_EXECUTABLE=/usr/bin/python3"],
                 capture_output=True, text=True, timeout=120)
         self.assertEqual(run.returncode, 1)
