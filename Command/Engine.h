@@ -53,7 +53,8 @@ std::function<Picture(const ProgressListener& progress)> PrepareRaster(
 
 /// Make OpenGL windows of the kind that options.Window asks for, tried first in a process of its
 /// own. Throws Failure when the machine has none.
-void ChooseWindow(const std::string& window);
+void ChooseWindow(const std::string& window, const std::string& option = "--engine raster",
+  const std::string& otherwise = "--engine ray");
 
 struct WindowReport
 {

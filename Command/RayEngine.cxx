@@ -18,6 +18,7 @@
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPenumbraCubeMapGatherer.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
@@ -140,6 +141,11 @@ Picture RenderWithRays(
     vtkNew<vtkPenumbraIrradianceCache> cache;
     cache->SetSpace(options.Cache == "screen" ? vtkPenumbraIrradianceCache::SCREEN
                                               : vtkPenumbraIrradianceCache::WORLD);
+    if (options.Gatherer == "cube-map")
+    {
+      ChooseWindow(options.Window, "--gatherer cube-map", "--gatherer rays");
+      cache->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
+    }
     caster->SetIrradianceSource(cache);
   }
   caster->SetBackground(options.Background);

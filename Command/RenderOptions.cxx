@@ -325,6 +325,9 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   AddChoice(app, "--ambient-occlusion-kernel", options.AmbientOcclusionKernel, KernelNames(),
     "How occlusion is found: by true rays or from the depth buffer (raster)")
     ->group(group);
+  AddChoice(app, "--gatherer", options.Gatherer, { "rays", "cube-map" },
+    "How occlusion and indirect light look around: by rays or by OpenGL (ray)")
+    ->group(group);
   AddInteger(app, "--frames", options.Frames,
     "Successive frames of a still camera, 0: until converged (raster)", 0, 100000)
     ->group(group);
@@ -440,6 +443,9 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--cache", !options.AmbientOcclusion && !options.Light.Indirect,
       "without --ambient-occlusion or --indirect" },
     { "--cache", options.Engine == "raster", "with --engine raster" },
+    { "--gatherer", options.Engine == "raster", "with --engine raster" },
+    { "--gatherer", !options.AmbientOcclusion && !options.Light.Indirect,
+      "without --ambient-occlusion or --indirect" },
     { "--environment-color", !options.Light.Indirect, "without --indirect" },
     { "--albedo", !options.Light.Indirect, "without --indirect" },
     { "--bounces", !options.Light.Indirect, "without --indirect" },
@@ -450,7 +456,7 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
       "with --camera-position, unless the eye is in the centre of the bounds" },
     { "--light-position", !options.Lighting, "with --no-lighting" },
     { "--shadows", !lights, "without --light-position: the headlight casts none" },
-    { "--window", options.Engine == "ray", "with --engine ray" },
+    { "--window", options.Engine == "ray" && options.Gatherer == "rays", "with --engine ray" },
   };
   std::vector<std::string> sentences;
   for (const auto& row : rows)

@@ -96,6 +96,7 @@ struct RenderOptions
   double AmbientOcclusionStrength = Unset;
   double AmbientOcclusionLightAwareness = 0.0;      ///< raster
   std::string AmbientOcclusionKernel = "automatic"; ///< raster
+  std::string Gatherer = "rays";                    ///< ray
   int Frames = 0; ///< raster, of a still camera; 0: until converged
   bool Shadows = false;
   std::string Cache = "world"; ///< of occlusion and indirect light

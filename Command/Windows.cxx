@@ -119,15 +119,16 @@ std::vector<WindowReport> TryWindows()
   return reports;
 }
 
-void ChooseWindow(const std::string& window)
+void ChooseWindow(
+  const std::string& window, const std::string& option, const std::string& otherwise)
 {
   if (window == "auto" && std::getenv(WindowVariable))
   {
     if (TryWindow(nullptr).empty())
     {
       throw Failure(MachineCannot,
-        std::string("--engine raster: the window that $") + WindowVariable +
-          " names gives no OpenGL; unset it, or use --engine ray");
+        option + ": the window that $" + WindowVariable +
+          " names gives no OpenGL; unset it, or use " + otherwise);
     }
     return;
   }
@@ -140,8 +141,8 @@ void ChooseWindow(const std::string& window)
     }
   }
   throw Failure(MachineCannot,
-    "--engine raster: no OpenGL here by --window " + window +
-      "; install libosmesa6 or libegl1, start an X server, or use --engine ray");
+    option + ": no OpenGL here by --window " + window +
+      "; install libosmesa6 or libegl1, start an X server, or use " + otherwise);
 }
 
 }

@@ -7,13 +7,18 @@
 #ifndef penumbra_Gatherer_h
 #define penumbra_Gatherer_h
 
+#include "vtkPenumbraFiltersIrradianceModule.h" // for export macro, which other modules need
+
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace penumbra
 {
+
+struct HemisphereGrid;
 
 /// What is seen in one direction.
 struct Sight
@@ -35,10 +40,10 @@ struct Beam
   int Lamp;       ///< beams of one lamp follow each other
 };
 
-class Gatherer
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Gatherer
 {
 public:
-  virtual ~Gatherer() = default;
+  virtual ~Gatherer();
 
   /// Appends what of lamps may be seen from `point`, whatever lies between.
   virtual void FindBeams(glm::vec3 /*point*/, std::vector<Beam>& /*beams*/) const {}
@@ -48,6 +53,16 @@ public:
   /// from many threads at once; the answer depends on nothing but the arguments.
   virtual long long Gather(glm::vec3 point, glm::vec3 normal,
     const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const = 0;
+
+  /// What the cells of `grid` show about `frame` (from local to scene coordinates, its third axis the
+  /// normal). Fills `directions` (local) and `sights`, one for each cell. Unless overridden asks for
+  /// one direction a cell, which `seed` jitters. Otherwise like Gather().
+  virtual long long Look(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
+    std::uint32_t seed, std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const;
+
+  /// Look() costs the same whatever the grid, and shows cells as a whole: a coarse look before, or a
+  /// closer one behind, gains nothing.
+  virtual bool LooksAtOnce() const { return false; }
 
   /// How far it looks, in scene units; infinite without a limit.
   virtual float GetReach() const = 0;

@@ -25,7 +25,7 @@ public:
   bool Build(const std::vector<Site>& seen, const ProgressCallback& progress);
 
   /// Sees light of all reflections but the last. Before Build() that of the first.
-  const Gatherer& GetGatherer() const { return *this->Gatherers.back(); }
+  const LightGatherer& GetGatherer() const { return *this->Gatherers.back(); }
 
   long long GetRays() const { return this->Rays; }
   std::size_t GetRecords() const;

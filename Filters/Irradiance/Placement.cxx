@@ -286,18 +286,19 @@ Record Placement::Gather(const Site& site, long long& rays) const
   {
     this->Source.FindBeams(site.Position, beams);
   }
-  const int first = this->Settings.Refine ? this->Settings.Side : FirstSide;
+  const bool atOnce = this->Settings.Refine || this->Source.LooksAtOnce();
+  const int first = atOnce ? this->Settings.Side : FirstSide;
   for (int side = first;; side = this->Settings.Side)
   {
     const HemisphereGrid& grid = HemisphereGrid::Of(side);
-    grid.Scatter(Mix(seed + static_cast<std::uint32_t>(side)), local);
+    rays += this->Source.Look(
+      site.Position, frame, grid, Mix(seed + static_cast<std::uint32_t>(side)), local, sights);
     directions.clear();
     for (const glm::vec3& direction : local)
     {
       directions.push_back(frame * direction);
     }
-    rays += this->Source.Gather(site.Position, site.Normal, directions, sights);
-    if (this->Settings.Refine && side >= this->Settings.Side)
+    if (this->Settings.Refine && !this->Source.LooksAtOnce())
     {
       rays += this->LookCloser(site, frame, grid, beams, sights);
     }

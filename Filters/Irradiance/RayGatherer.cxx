@@ -30,30 +30,6 @@ Hit PassMarks(const RayScene& rays, Ray ray, Hit hit)
   return hit;
 }
 
-/// Traces rays along `directions` and calls `work` with the number of each, itself and what it hit.
-template <typename Work>
-void ForEachHit(const RayScene& scene, glm::vec3 point, glm::vec3 normal, float reach,
-  const std::vector<glm::vec3>& directions, const Work& work)
-{
-  const glm::vec3 origin = point + GapAbove(point) * normal;
-  Ray rays[PacketSize];
-  Hit hits[PacketSize];
-  for (std::size_t first = 0; first < directions.size(); first += PacketSize)
-  {
-    const std::size_t count = std::min(PacketSize, directions.size() - first);
-    for (std::size_t i = 0; i < PacketSize; ++i)
-    {
-      rays[i] = i < count ? Ray{ origin, directions[first + i], 0.f, reach }
-                          : Ray{ origin, normal, 1.f, 0.f };
-    }
-    scene.Intersect16(rays, hits);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      work(first + i, rays[i], hits[i]);
-    }
-  }
-}
-
 }
 
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
@@ -67,31 +43,56 @@ glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
   return length > 0.f ? n / length : glm::vec3(0.f);
 }
 
+long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
+  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+{
+  const glm::vec3 origin = point + GapAbove(point) * normal;
+  const std::size_t count = directions.size();
+  const std::size_t whole = (count + PacketSize - 1) / PacketSize * PacketSize;
+  std::vector<Ray> rays(whole, Ray{ origin, normal, 1.f, 0.f });
+  std::vector<Hit> hits(whole);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    rays[i] = Ray{ origin, directions[i], 0.f, this->GetReach() };
+  }
+  for (std::size_t first = 0; first < count; first += PacketSize)
+  {
+    this->Rays.Intersect16(&rays[first], &hits[first]);
+  }
+  rays.resize(count);
+  hits.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    hits[i] = PassMarks(this->Rays, rays[i], hits[i]);
+  }
+  return static_cast<long long>(count) + this->See(point, normal, rays, hits, sights);
+}
+
 OcclusionGatherer::OcclusionGatherer(const RayScene& scene, float reach)
-  : Rays(scene),
+  : RayGatherer(scene),
     Reach(reach)
 {
 }
 
-long long OcclusionGatherer::Gather(glm::vec3 point, glm::vec3 normal,
-  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+long long OcclusionGatherer::See(glm::vec3 /*point*/, glm::vec3 /*normal*/,
+  const std::vector<Ray>& rays, const std::vector<Hit>& hits, std::vector<Sight>& sights) const
 {
-  sights.assign(directions.size(), Sight());
-  ForEachHit(this->Rays, point, normal, this->Reach, directions,
-    [&](std::size_t i, const Ray& ray, Hit hit) {
-      hit = PassMarks(this->Rays, ray, hit);
-      if (hit.IsHit())
-      {
-        sights[i].Distance = hit.Distance;
-        sights[i].Normal = NormalAt(this->Rays.GetScene(), hit);
-        sights[i].Radiance = glm::vec3(1.f);
-      }
-    });
-  return static_cast<long long>(directions.size());
+  sights.assign(rays.size(), Sight());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (hits[i].IsHit())
+    {
+      sights[i].Distance = hits[i].Distance;
+      sights[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
+      sights[i].Radiance = glm::vec3(1.f);
+    }
+  }
+  return 0;
 }
 
 LightGatherer::LightGatherer(const Illumination& light, const RecordTree* arriving, int bounces)
-  : Light(light),
+  : RayGatherer(light.GetRays()),
+    Light(light),
     Records(arriving),
     Bounces(bounces)
 {
@@ -126,13 +127,12 @@ void LightGatherer::FindBeams(glm::vec3 point, std::vector<Beam>& beams) const
   }
 }
 
-long long LightGatherer::Gather(glm::vec3 point, glm::vec3 normal,
-  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+long long LightGatherer::See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+  const std::vector<Hit>& hits, std::vector<Sight>& sights) const
 {
-  sights.assign(directions.size(), Sight());
-  const RayScene& rays = this->Light.GetRays();
-  auto count = static_cast<long long>(directions.size());
-  std::uint32_t random = Mix(SeedOf(point, normal) + static_cast<std::uint32_t>(count));
+  sights.assign(rays.size(), Sight());
+  long long more = 0;
+  std::uint32_t random = Mix(SeedOf(point, normal) + static_cast<std::uint32_t>(rays.size()));
   Illumination::Arriving arriving;
   if (this->Records)
   {
@@ -142,20 +142,19 @@ long long LightGatherer::Gather(glm::vec3 point, glm::vec3 normal,
       place.Normal = about;
       const Interpolated found = this->Records->LookUp(place);
       return found.Found() ? found.Mean
-                           : this->Light.FollowPath(at, about, this->Bounces, random, count);
+                           : this->Light.FollowPath(at, about, this->Bounces, random, more);
     };
   }
-  ForEachHit(
-    rays, point, normal, this->GetReach(), directions, [&](std::size_t i, const Ray& ray, Hit hit) {
-      hit = PassMarks(rays, ray, hit);
-      if (hit.IsHit())
-      {
-        sights[i].Distance = hit.Distance;
-        sights[i].Normal = NormalAt(rays.GetScene(), hit);
-      }
-      sights[i].Radiance = this->Light.Along(ray, hit, arriving, count);
-    });
-  return count;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (hits[i].IsHit())
+    {
+      sights[i].Distance = hits[i].Distance;
+      sights[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
+    }
+    sights[i].Radiance = this->Light.Along(rays[i], hits[i], arriving, more);
+  }
+  return more;
 }
 
 }

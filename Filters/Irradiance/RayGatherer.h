@@ -17,26 +17,50 @@ class RecordTree;
 /// Unit normal of the triangle that was hit, either side; 0 of one without area.
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit);
 
-/// Occlusion: radiance is 1 where something lies within reach, 0 elsewhere. Lines and points do not
-/// block.
-class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT OcclusionGatherer : public Gatherer
+/// Who looks by rays. What their hits mean is for derived classes to say, also of hits that were found
+/// in another way.
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RayGatherer : public Gatherer
 {
 public:
-  /// `scene` must outlive this object; `reach` in scene units.
-  OcclusionGatherer(const RayScene& scene, float reach);
+  /// `scene` must outlive this object.
+  explicit RayGatherer(const RayScene& scene)
+    : Rays(scene)
+  {
+  }
 
   long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
     std::vector<Sight>& sights) const override;
-  float GetReach() const override { return this->Reach; }
+
+  /// What `rays` from `point` see, whose first hits are `hits`, lines and points left out. Fills
+  /// `sights` and returns how many more rays that took.
+  virtual long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+    const std::vector<Hit>& hits, std::vector<Sight>& sights) const = 0;
+
+  const RayScene& GetRays() const { return this->Rays; }
 
 private:
   const RayScene& Rays;
+};
+
+/// Occlusion: radiance is 1 where something lies within reach, 0 elsewhere. Lines and points do not
+/// block.
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT OcclusionGatherer : public RayGatherer
+{
+public:
+  /// `reach` in scene units.
+  OcclusionGatherer(const RayScene& scene, float reach);
+
+  long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+    const std::vector<Hit>& hits, std::vector<Sight>& sights) const override;
+  float GetReach() const override { return this->Reach; }
+
+private:
   float Reach;
 };
 
 /// Light: what surfaces emit, reflect of the lights and, where `arriving` holds records, of what
 /// arrives at them; the environment elsewhere. Looks through lines and points.
-class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public Gatherer
+class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 {
 public:
   /// `arriving`: the light that arrives at surfaces after at most `bounces` - 1 reflections; where
@@ -45,8 +69,8 @@ public:
   LightGatherer(const Illumination& light, const RecordTree* arriving, int bounces);
 
   void FindBeams(glm::vec3 point, std::vector<Beam>& beams) const override;
-  long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
-    std::vector<Sight>& sights) const override;
+  long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+    const std::vector<Hit>& hits, std::vector<Sight>& sights) const override;
   float GetReach() const override { return std::numeric_limits<float>::infinity(); }
 
 private:

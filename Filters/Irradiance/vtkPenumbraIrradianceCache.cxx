@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraGatherer.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -90,7 +91,8 @@ struct vtkPenumbraIrradianceCache::Internals
   struct Half
   {
     Purpose Made;
-    Scene Units; ///< origin and scale alone: records outlive their scene
+    std::unique_ptr<Gatherer> Foreign; ///< none: rays
+    Scene Units;                       ///< origin and scale alone: records outlive their scene
     std::unique_ptr<PictureRecords> Records;
 
     /// From world coordinates.
@@ -118,14 +120,13 @@ struct vtkPenumbraIrradianceCache::Internals
   Half Irradiance;
   std::unique_ptr<Interreflection> Light;
 
-  const Gatherer* Foreign = nullptr;
+  vtkSmartPointer<vtkPenumbraGatherer> Foreign;
   vtkSmartPointer<vtkPolyData> InitialRecords;
 
   static PlacementSettings MakeSettings(vtkPenumbraIrradianceCache* self, double accepted);
   static float NormalAngle(vtkPenumbraIrradianceCache* self, const PlacementSettings& settings);
   bool MakeRecords(vtkPenumbraIrradianceCache* self, penumbra::Quantities quantity,
-    const RayScene& rays, const Gatherer& gatherer, const PlacementSettings& settings,
-    const Progress& progress);
+    const RayGatherer& seen, const PlacementSettings& settings, const Progress& progress);
 };
 
 vtkStandardNewMacro(vtkPenumbraIrradianceCache);
@@ -151,13 +152,25 @@ vtkPolyData* vtkPenumbraIrradianceCache::GetInitialRecords()
   return this->Implementation->InitialRecords;
 }
 
-void vtkPenumbraIrradianceCache::SetGatherer(const penumbra::Gatherer* gatherer)
+void vtkPenumbraIrradianceCache::SetGatherer(vtkPenumbraGatherer* gatherer)
 {
   if (this->Implementation->Foreign != gatherer)
   {
     this->Implementation->Foreign = gatherer;
     this->Modified();
   }
+}
+
+vtkPenumbraGatherer* vtkPenumbraIrradianceCache::GetGatherer()
+{
+  return this->Implementation->Foreign;
+}
+
+vtkMTimeType vtkPenumbraIrradianceCache::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Implementation->Foreign ? std::max(own, this->Implementation->Foreign->GetMTime())
+                                       : own;
 }
 
 void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
@@ -200,10 +213,13 @@ float vtkPenumbraIrradianceCache::Internals::NormalAngle(
 }
 
 bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCache* self,
-  penumbra::Quantities quantity, const RayScene& rays, const Gatherer& gatherer,
-  const PlacementSettings& settings, const Progress& progress)
+  penumbra::Quantities quantity, const RayGatherer& seen, const PlacementSettings& settings,
+  const Progress& progress)
 {
+  const RayScene& rays = seen.GetRays();
   Half& half = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
+  half.Records.reset();
+  half.Foreign = this->Foreign ? this->Foreign->Make(seen) : nullptr;
   std::vector<Record> initial;
   const auto other =
     quantity == Quantities::Occlusion ? Quantities::Irradiance : Quantities::Occlusion;
@@ -218,6 +234,7 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   }
   half.Units.Origin = rays.GetScene().Origin;
   half.Units.Scale = rays.GetScene().Scale;
+  const Gatherer& gatherer = half.Foreign ? *half.Foreign : static_cast<const Gatherer&>(seen);
   half.Records = std::make_unique<PictureRecords>(
     rays, gatherer, settings, NormalAngle(self, settings), self->Space == SCREEN, initial);
   return self->IsLazy() || half.Records->PlaceLevels(progress);
@@ -237,8 +254,7 @@ bool vtkPenumbraIrradianceCache::Begin(
   self.BruteForce->Begin(rays, radius, tolerance);
   self.Occluders =
     std::make_unique<OcclusionGatherer>(rays, static_cast<float>(radius * rays.GetScene().Scale));
-  const Gatherer& gatherer = self.Foreign ? *self.Foreign : *self.Occluders;
-  if (!self.MakeRecords(this, Quantities::Occlusion, rays, gatherer,
+  if (!self.MakeRecords(this, Quantities::Occlusion, *self.Occluders,
         Internals::MakeSettings(this, tolerance), progress))
   {
     return false;
@@ -297,8 +313,7 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
     return progress && progress(ProgressOfReflections + (1.0 - ProgressOfReflections) * share);
   };
   if (!self.Light->Build(Viewpoints(rays), before) ||
-    !self.MakeRecords(
-      this, Quantities::Irradiance, rays, self.Light->GetGatherer(), settings, after))
+    !self.MakeRecords(this, Quantities::Irradiance, self.Light->GetGatherer(), settings, after))
   {
     return false;
   }
@@ -349,6 +364,10 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
   AddValue(statistics, "Cache/Records", static_cast<double>(records));
   AddValue(statistics, "Cache/Bytes", static_cast<double>(bytes));
   AddValue(statistics, "Rays/Gather", static_cast<double>(rays));
+  if (self.Foreign)
+  {
+    self.Foreign->Report(statistics);
+  }
 }
 
 void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)
@@ -362,5 +381,6 @@ void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalAngle: " << this->NormalAngle << "\n";
   os << indent << "RaysPerRecord: " << this->RaysPerRecord << "\n";
   os << indent << "Order: " << this->Order << "\n";
+  os << indent << "Gatherer: " << this->Implementation->Foreign.Get() << "\n";
   os << indent << "InitialRecords: " << this->Implementation->InitialRecords.Get() << "\n";
 }

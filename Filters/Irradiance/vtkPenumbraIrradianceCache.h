@@ -22,12 +22,8 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkPenumbraGatherer;
 class vtkPolyData;
-
-namespace penumbra
-{
-class Gatherer;
-}
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT vtkPenumbraIrradianceCache
   : public vtkPenumbraIrradianceSource
@@ -116,6 +112,15 @@ public:
   vtkPolyData* GetInitialRecords();
   ///@}
 
+  ///@{
+  /** Looks around from the records. Questions that no record serves, and reflections before the last, are answered by rays. Default: none, rays. */
+  virtual void SetGatherer(vtkPenumbraGatherer* gatherer);
+  vtkPenumbraGatherer* GetGatherer();
+  ///@}
+
+  /** Also that of the gatherer. */
+  vtkMTimeType GetMTime() override;
+
   /** The records as points with arrays, in world coordinates: position, normal, `Radius`, ... */
   void GetRecords(vtkPolyData* records) const;
   /** Those of the last reflection, likewise. */
@@ -133,11 +138,8 @@ public:
   /** Where no record serves, a gather of its own answers. */
   Light Irradiance(const double point[3], const double normal[3], double tolerance) const override;
 
-  /** `Cache/Records`, `Cache/Bytes`, `Rays/Gather`. */
+  /** `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, and what the gatherer counted. */
   void Report(vtkFieldData* statistics) const override;
-
-  /** Looks around for occlusion instead of rays, from the next Begin() on; null: rays. Not kept alive. */
-  VTK_WRAPEXCLUDE void SetGatherer(const penumbra::Gatherer* gatherer);
 
 protected:
   vtkPenumbraIrradianceCache();

@@ -94,3 +94,25 @@ TEST(Render, SparesBrightColoursByLightAwareness)
   EXPECT_GT(dark, 100);
   EXPECT_GT(right, 0.85 * dark); // not along edges, where a pixel's samples show several surfaces
 }
+
+TEST(Render, TellsMuchTheSameOcclusionByBothGatherers)
+{
+  const Folder folder("gatherers");
+  for (const char* gatherer : { "rays", "cube-map" })
+  {
+    const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+      "--resolution", "160,120", "--camera-direction=-1,-1,-2", "--ambient-occlusion",
+      "--ambient-occlusion-radius", "inf", "--tolerance", "0.02", "--gatherer", gatherer,
+      "--statistics", folder / "s.json", "--output", folder / gatherer + ".png" });
+    if (outcome.Status == 3)
+    {
+      GTEST_SKIP() << outcome.Errors;
+    }
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+  }
+  const nlohmann::json drawn = ReadJson(folder / "s.json")["statistics"];
+  EXPECT_GT(drawn["CubeMaps/Total"], 100);
+  EXPECT_LT(drawn["Rays/Gather"], 100 * drawn["CubeMaps/Total"].get<double>());
+  EXPECT_LT(Compare(folder / "rays.png", folder / "cube-map.png")["metrics"]["rmse"], 0.01);
+}

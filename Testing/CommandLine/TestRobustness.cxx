@@ -81,17 +81,22 @@ TEST(RasterEngine, DrawsWhatTheRayEngineDraws)
   EXPECT_LT(report["metrics"]["pixels"], 0.02);
 }
 
-TEST(RasterEngine, TellsThatThereIsNoOpenGL)
+TEST(OpenGL, IsMissedInOneLine)
 {
   const Folder folder("no-display");
   WriteText(folder / "square.stl", SquareStl());
-  const Outcome outcome =
-    RunShell("env -u DISPLAY $PENUMBRA render " + Quote(folder / "square.stl") +
-      " --engine raster --window x --output " + Quote(folder / "p.png"));
-  EXPECT_EQ(outcome.Status, 3);
-  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
-  EXPECT_NE(outcome.Errors.find("--window x"), std::string::npos) << outcome.Errors;
-  EXPECT_FALSE(std::filesystem::exists(folder / "p.png"));
+  for (const char* option : { "--engine raster", "--ambient-occlusion --gatherer cube-map",
+         "--indirect --gatherer cube-map" })
+  {
+    const Outcome outcome =
+      RunShell("env -u DISPLAY -u VTK_DEFAULT_OPENGL_WINDOW $PENUMBRA render " +
+        Quote(folder / "square.stl") + " " + option + " --window x --output " +
+        Quote(folder / "p.png"));
+    EXPECT_EQ(outcome.Status, 3);
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find("--window x"), std::string::npos) << outcome.Errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "p.png"));
+  }
 }
 
 TEST(Output, IsWholeOrNotThereWhenTheDiskIsFull)

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gatherer.h"
+
+#include "HemisphereGrid.h"
+
+namespace penumbra
+{
+
+Gatherer::~Gatherer() = default;
+
+long long Gatherer::Look(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
+  std::uint32_t seed, std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+{
+  grid.Scatter(seed, directions);
+  std::vector<glm::vec3> inScene;
+  inScene.reserve(directions.size());
+  for (const glm::vec3& direction : directions)
+  {
+    inScene.push_back(frame * direction);
+  }
+  return this->Gather(point, frame[2], inScene, sights);
+}
+
+}

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CubeMapGatherer.h"
+
+#include "CosineDirections.h"
+#include "HemisphereGrid.h"
+#include "RayScene.h"
+#include "RayTriangle.h"
+
+namespace penumbra
+{
+namespace
+{
+
+/// What is nearer than this share of the gap between a point and where it looks from is not seen.
+constexpr float ShareOfGap = .25f;
+
+/// Of depths, relatively: rays that go on start so much further.
+constexpr float DepthError = 1e-5f;
+
+/// What fills a part of a cell: one surface, or nothing.
+struct Patch
+{
+  std::uint32_t Surface = Hit::None;
+  float Share = 0.f;
+  float Most = 0.f; ///< of its texels' shares
+  int Texel = 0;    ///< that texel, which stands for all
+};
+
+struct Patches
+{
+  std::vector<Patch> All;
+  std::vector<std::size_t> First; ///< those of cell i are from First[i] on to before First[i + 1]
+};
+
+Patches FindPatches(const Hemicube& cube, const Hemicube::Cells& cells,
+  const TriangleBundles& bundles, const std::vector<NumberedTexel>& texels, float reach)
+{
+  std::vector<std::uint32_t> surfaces(texels.size(), Hit::None);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+  {
+    if (texels[i].Number > 0.f && texels[i].Depth * glm::length(cube.GetDirections()[i]) <= reach)
+    {
+      surfaces[i] = bundles.GetTriangle(static_cast<std::size_t>(texels[i].Number)).Surface;
+    }
+  }
+  Patches patches;
+  for (std::size_t cell = 0; cell + 1 < cells.First.size(); ++cell)
+  {
+    patches.First.push_back(patches.All.size());
+    for (std::size_t i = cells.First[cell]; i < cells.First[cell + 1]; ++i)
+    {
+      const Hemicube::Part& part = cells.Parts[i];
+      const std::uint32_t surface = surfaces[part.Texel];
+      std::size_t at = patches.First.back();
+      while (at < patches.All.size() && patches.All[at].Surface != surface)
+      {
+        ++at;
+      }
+      if (at == patches.All.size())
+      {
+        patches.All.push_back({ surface });
+      }
+      Patch& patch = patches.All[at];
+      patch.Share += part.Share;
+      if (part.Share > patch.Most)
+      {
+        patch.Most = part.Share;
+        patch.Texel = part.Texel;
+      }
+    }
+  }
+  patches.First.push_back(patches.All.size());
+  return patches;
+}
+
+/// The texel as `ray` would have met it.
+Hit HitOf(
+  const Scene& scene, const TriangleBundles& bundles, const NumberedTexel& texel, const Ray& ray)
+{
+  const auto& which = bundles.GetTriangle(static_cast<std::size_t>(texel.Number));
+  const RayTriangle met(scene.Surfaces[which.Surface], which.Triangle, ray);
+  const double u = met.IsSound ? std::clamp(met.U, 0.0, 1.0) : 1.0 / 3.0;
+  Hit hit;
+  hit.Surface = which.Surface;
+  hit.Triangle = which.Triangle;
+  hit.U = static_cast<float>(u);
+  hit.V = static_cast<float>(met.IsSound ? std::clamp(met.V, 0.0, 1.0 - u) : 1.0 / 3.0);
+  return hit;
+}
+
+/// What a cell shows as a whole: distance and normal are those of what fills most of it.
+Sight Join(const Patches& patches, int cell, const std::vector<Sight>& seen)
+{
+  Sight sight;
+  float most = 0.f;
+  for (std::size_t i = patches.First[cell]; i < patches.First[cell + 1]; ++i)
+  {
+    const float share = patches.All[i].Share;
+    sight.Radiance += share * seen[i].Radiance;
+    if (share > most && !std::isinf(seen[i].Distance))
+    {
+      most = share;
+      sight.Distance = seen[i].Distance;
+      sight.Normal = seen[i].Normal;
+    }
+  }
+  return sight;
+}
+
+}
+
+CubeMapGatherer::CubeMapGatherer(
+  const RayGatherer& seen, int side, std::shared_ptr<CubeMapCounts> counts)
+  : Seen(seen),
+    Cube(side),
+    Bundles(seen.GetRays().GetScene()),
+    Picture(std::make_unique<CubeMapPicture>(seen.GetRays().GetScene(), this->Bundles, this->Cube)),
+    Counts(std::move(counts))
+{
+}
+
+void CubeMapGatherer::FindBeams(glm::vec3 point, std::vector<Beam>& beams) const
+{
+  this->Seen.FindBeams(point, beams);
+}
+
+long long CubeMapGatherer::Gather(glm::vec3 point, glm::vec3 normal,
+  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+{
+  return this->Seen.Gather(point, normal, directions, sights);
+}
+
+const Hemicube::Cells& CubeMapGatherer::CellsOf(const HemisphereGrid& grid) const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  const auto found = this->Cells.find(grid.Side);
+  return found != this->Cells.end()
+    ? found->second
+    : this->Cells.emplace(grid.Side, this->Cube.CutInto(grid)).first->second;
+}
+
+long long CubeMapGatherer::Look(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
+  std::uint32_t /*seed*/, std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+{
+  const float gap = GapAbove(point);
+  const glm::vec3 origin = point + gap * frame[2];
+  std::vector<NumberedTexel> texels;
+  this->Counts->Triangles +=
+    this->Picture->Draw(origin, frame, ShareOfGap * gap, this->GetReach(), texels);
+  ++this->Counts->Pictures;
+
+  const Hemicube::Cells& cells = this->CellsOf(grid);
+  const Patches patches = FindPatches(this->Cube, cells, this->Bundles, texels, this->GetReach());
+  std::vector<Ray> rays;
+  std::vector<Hit> hits;
+  for (const Patch& patch : patches.All)
+  {
+    const glm::vec3 along = frame * this->Cube.GetDirections()[patch.Texel];
+    const float length = glm::length(along);
+    rays.push_back({ origin, along / length });
+    Hit hit;
+    if (patch.Surface != Hit::None)
+    {
+      const NumberedTexel& texel = texels[patch.Texel];
+      hit = HitOf(this->Seen.GetRays().GetScene(), this->Bundles, texel, rays.back());
+      hit.Distance = texel.Depth * length;
+      hit.Beyond = hit.Distance * (1.f + DepthError);
+    }
+    hits.push_back(hit);
+  }
+  std::vector<Sight> seen;
+  const long long traced = this->Seen.See(point, frame[2], rays, hits, seen);
+
+  directions.clear();
+  sights.clear();
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    const glm::vec2 at(cell % grid.Side, cell / grid.Side);
+    const glm::vec2 middle = (at + .5f) / static_cast<float>(grid.Side);
+    directions.push_back(ToHemisphere(ToDisc(middle.x, middle.y)));
+    sights.push_back(Join(patches, cell, seen));
+    // Of m x m texels that a straight border cuts, as of rays: m^-3.
+    const auto parts = static_cast<float>(cells.First[cell + 1] - cells.First[cell]);
+    sights.back().Variance = 1.f / (parts * std::sqrt(parts));
+  }
+  return traced;
+}
+
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Gathers by rasterising what a point sees into half a cube [IC], instead of tracing rays. Cells hold
+// what their texels show by shares; what a surface means that fills part of a cell is asked at one place,
+// of the gatherer by rays, which shades it.
+#ifndef penumbra_CubeMapGatherer_h
+#define penumbra_CubeMapGatherer_h
+
+#include "CubeMapPicture.h"
+#include "RayGatherer.h"
+
+#include <atomic>
+#include <map>
+
+namespace penumbra
+{
+
+/// Of all cube maps.
+struct CubeMapCounts
+{
+  std::atomic<long long> Pictures{ 0 };
+  std::atomic<long long> Triangles{ 0 };
+};
+
+class CubeMapGatherer : public Gatherer
+{
+public:
+  /// `side`: of a cube's face in texels, even. Throws std::runtime_error without OpenGL, or when the
+  /// scene has too many triangles. `seen` must outlive this object.
+  CubeMapGatherer(const RayGatherer& seen, int side, std::shared_ptr<CubeMapCounts> counts);
+
+  void FindBeams(glm::vec3 point, std::vector<Beam>& beams) const override;
+
+  /// Single directions are looked at by rays.
+  long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
+    std::vector<Sight>& sights) const override;
+
+  long long Look(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
+    std::uint32_t seed, std::vector<glm::vec3>& directions,
+    std::vector<Sight>& sights) const override;
+  bool LooksAtOnce() const override { return true; }
+  float GetReach() const override { return this->Seen.GetReach(); }
+
+private:
+  const Hemicube::Cells& CellsOf(const HemisphereGrid& grid) const;
+
+  const RayGatherer& Seen;
+  Hemicube Cube;
+  TriangleBundles Bundles;
+  std::unique_ptr<CubeMapPicture> Picture;
+  std::shared_ptr<CubeMapCounts> Counts;
+  mutable std::mutex Mutex;
+  mutable std::map<int, Hemicube::Cells> Cells; ///< by the side of the grid, guarded by Mutex
+};
+
+}
+#endif

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What cube maps see against closed forms, and against rays.
+#include "vtkPenumbraCubeMapGatherer.h"
+
+#include "CosineDirections.h"
+#include "Derivatives.h"
+#include "Hemicube.h"
+#include "RayGatherer.h"
+#include "RayScene.h"
+#include "Solids.h"
+#include "TriangleBundles.h"
+#include "vtkPenumbraIrradianceCache.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+constexpr int Side = 32;
+constexpr unsigned int Rings = 64; ///< of spheres
+
+Derived Look(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
+{
+  const HemisphereGrid& grid = HemisphereGrid::Of(Side);
+  const glm::mat3 frame = FrameOf(normal);
+  std::vector<glm::vec3> directions;
+  std::vector<Sight> sights;
+  gatherer.Look(point, frame, grid, 1, directions, sights);
+  return Derive(grid, frame, directions, sights, gatherer.GetReach());
+}
+
+/// Occlusion by rays and by cube map in one scene.
+struct Both
+{
+  explicit Both(const Scene& scene, float reach = Infinity, int resolution = 64)
+    : Rays(scene, 1),
+      ByRays(this->Rays, reach)
+  {
+    this->Maker->SetResolution(resolution);
+    this->ByCubeMap = this->Maker->Make(this->ByRays);
+  }
+
+  float Occlusion(glm::vec3 point, glm::vec3 normal = { 0.f, 0.f, 1.f }) const
+  {
+    return Look(*this->ByCubeMap, point, normal).Mean.x;
+  }
+
+  RayScene Rays;
+  OcclusionGatherer ByRays;
+  vtkNew<vtkPenumbraCubeMapGatherer> Maker;
+  std::unique_ptr<Gatherer> ByCubeMap;
+};
+
+Scene SphereOverFloor(double height)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddSphere(scene, { 0.0, 0.0, height }, 1.0, Rings);
+  return scene;
+}
+
+double SphereOverFloorTruth(double height, double rho)
+{
+  return height * std::pow(height * height + rho * rho, -1.5);
+}
+
+}
+
+TEST(Hemicube, TexelsShareTheHemisphere)
+{
+  for (const int side : { 8, 32, 128 })
+  {
+    const Hemicube cube(side);
+    double sum = 0.0;
+    glm::dvec3 mean(0.0);
+    for (std::size_t i = 0; i < cube.GetShares().size(); ++i)
+    {
+      const glm::dvec3 w = glm::normalize(glm::dvec3(cube.GetDirections()[i]));
+      sum += cube.GetShares()[i];
+      mean += double(cube.GetShares()[i]) * w;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-5);
+    EXPECT_NEAR(mean.x, 0.0, 1e-5);
+    EXPECT_NEAR(mean.y, 0.0, 1e-5);
+    EXPECT_NEAR(mean.z, 2.0 / 3.0, 1.0 / (side * side)); // 1/pi * integral of cos^2
+  }
+}
+
+TEST(Hemicube, PartsFillEveryCellOnce)
+{
+  const Hemicube cube(16);
+  for (const int side : { 8, 32, 64 }) // cells larger and smaller than texels
+  {
+    const Hemicube::Cells cells = cube.CutInto(HemisphereGrid::Of(side));
+    ASSERT_EQ(cells.First.size(), static_cast<std::size_t>(side) * side + 1);
+    for (int cell = 0; cell < side * side; ++cell)
+    {
+      float sum = 0.f;
+      for (std::size_t i = cells.First[cell]; i < cells.First[cell + 1]; ++i)
+      {
+        sum += cells.Parts[i].Share;
+      }
+      EXPECT_NEAR(sum, 1.f, 1e-5f);
+    }
+  }
+}
+
+TEST(TriangleBundles, LeaveOutOnlyWhatIsOutOfSight)
+{
+  Scene scene;
+  AddSphere(scene, { 5.0, 0.0, 0.0 }, 1.0);
+  AddSphere(scene, { -5.0, 0.0, 0.0 }, 1.0);
+  AddSphere(scene, { 0.0, 5.0, 0.0 }, 1.0);
+  const TriangleBundles bundles(scene);
+  const glm::vec3 x(1.f, 0.f, 0.f);
+  const glm::vec3 y(0.f, 1.f, 0.f);
+  const glm::vec3 z(0.f, 0.f, 1.f);
+  const ViewPyramid ahead{ glm::vec3(0.f), { x, x - y, x + y, x - z, x + z }, Infinity };
+  TriangleBundles::Runs runs;
+  const long long found = bundles.FindInSight(ahead, TriangleBundles::Both, runs);
+  const auto all = static_cast<long long>(bundles.GetNumberOfTriangles());
+  EXPECT_GE(found, all / 3);
+  EXPECT_LT(found, all / 2);
+  std::set<std::uint32_t> drawn;
+  for (std::size_t i = 0; i < runs.First.size(); ++i)
+  {
+    for (int corner = runs.First[i]; corner < runs.First[i] + runs.Count[i]; corner += 3)
+    {
+      const auto& which = bundles.GetTriangle(static_cast<std::size_t>(corner) / 3 + 1);
+      if (which.Surface == 0)
+      {
+        drawn.insert(which.Triangle);
+      }
+    }
+  }
+  EXPECT_EQ(drawn.size(), scene.Surfaces[0].Triangles.size());
+  const ViewPyramid near{ ahead.Eye, ahead.Inwards,
+    3.f }; // boxes of bundles reach a little further
+  EXPECT_LT(bundles.FindInSight(near, TriangleBundles::Both, runs), all / 20);
+}
+
+TEST(CubeMapGatherer, SeesNothingFromAnOpenPlane)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  const Both both(scene);
+  for (const glm::vec3 normal : { glm::vec3(0.f, 0.f, 1.f), glm::vec3(0.f, 0.f, -1.f) })
+  {
+    EXPECT_EQ(both.Occlusion({ 1.f, 2.f, 0.f }, normal), 0.f);
+  }
+}
+
+TEST(CubeMapGatherer, SeesAllOfAClosedBox)
+{
+  Scene scene;
+  AddBox(scene, { -1.f, -1.f, -1.f }, { 1.f, 1.f, 1.f });
+  const Both both(scene);
+  EXPECT_EQ(both.Occlusion({ .3f, -.2f, -1.f }), 1.f);
+  EXPECT_EQ(both.Occlusion({ 1.f, .999f, .9f }, { -1.f, 0.f, 0.f }), 1.f);
+}
+
+TEST(CubeMapGatherer, SeesHalfAtTheFootOfAWall)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddRectangle(scene, { -1000.f, 0.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 0.f, 1000.f });
+  const Both both(scene);
+  EXPECT_NEAR(both.Occlusion({ 0.f, -.01f, 0.f }), .5f, .005f);
+}
+
+TEST(CubeMapGatherer, AgreesWithTheClosedFormBesideASphere)
+{
+  const double height = 1.5;
+  const Scene scene = SphereOverFloor(height);
+  const Both both(scene);
+  for (const double rho : { 0.0, .5, 1.0, 2.0, 4.0 })
+  {
+    const glm::vec3 point(.6 * rho, .8 * rho, 0.0);
+    EXPECT_NEAR(both.Occlusion(point), SphereOverFloorTruth(height, rho), .003) << rho;
+  }
+}
+
+TEST(CubeMapGatherer, FindsTheGradientsThatRaysFind)
+{
+  const double height = 1.5;
+  const Scene scene = SphereOverFloor(height);
+  const Both both(scene);
+  const double rho = 1.2;
+  const Derived found = Look(*both.ByCubeMap, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
+  const Derived rays = Look(both.ByRays, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
+  const double slope =
+    (SphereOverFloorTruth(height, rho + .01) - SphereOverFloorTruth(height, rho - .01)) / .02;
+  EXPECT_NEAR(found.Translation[0].x, slope, .1 * std::abs(slope));
+  EXPECT_NEAR(found.Translation[0].y, 0.0, .05 * std::abs(slope));
+  EXPECT_NEAR(found.Rotation[0].x, rays.Rotation[0].x, .02);
+  EXPECT_NEAR(found.RimDistance, rays.RimDistance, .1f * rays.RimDistance);
+  EXPECT_NEAR(found.HarmonicMean, rays.HarmonicMean, .15f * rays.HarmonicMean);
+  EXPECT_NEAR(found.Nearest, rays.Nearest, .1f * rays.Nearest);
+}
+
+TEST(CubeMapGatherer, EndsAtItsReachAsRaysDo)
+{
+  const Scene scene = SphereOverFloor(1.5);
+  for (const float reach : { .4f, 1.f, 1.6f })
+  {
+    const Both both(scene, reach);
+    for (const float x : { 0.f, 1.f })
+    {
+      const glm::vec3 point(x, 0.f, 0.f);
+      EXPECT_NEAR(both.Occlusion(point), Look(both.ByRays, point, { 0.f, 0.f, 1.f }).Mean.x, .015f);
+    }
+  }
+}
+
+TEST(CubeMapGatherer, PassesSidesThatAreCulled)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddSphere(scene, { 0.0, 0.0, 1.5 }, 1.0, Rings);
+  for (const bool front : { true, false })
+  {
+    scene.Surfaces[1].Frontfaces = front;
+    scene.Surfaces[1].Backfaces = !front;
+    const Both both(scene);
+    const glm::vec3 up(0.f, 0.f, 1.f);
+    const Derived found = Look(*both.ByCubeMap, glm::vec3(0.f), up);
+    const Derived rays = Look(both.ByRays, glm::vec3(0.f), up);
+    // The near side is a third as far away as the far one.
+    EXPECT_NEAR(found.HarmonicMean, rays.HarmonicMean, .1f * rays.HarmonicMean);
+  }
+}
+
+TEST(CubeMapGatherer, SeesFarAwayAndTinyScenes)
+{
+  for (const float size : { 1e-5f, 1.f, 1e4f })
+  {
+    Scene scene;
+    AddFloor(scene, 1000.f * size);
+    AddSphere(scene, { 0.0, 0.0, 1.5 * size }, size, Rings);
+    const Both both(scene);
+    EXPECT_NEAR(both.Occlusion({ size, 0.f, 0.f }), SphereOverFloorTruth(1.5, 1.0), .003) << size;
+  }
+}
+
+TEST(CubeMapGatherer, SeesTheLightThatRaysSee)
+{
+  Scene scene;
+  AddBox(scene, { -1.f, -1.f, -1.f }, { 1.f, 1.f, 1.f });
+  AddRectangle(scene, { -.3f, -.3f, .9f }, { .6f, 0.f, 0.f }, { 0.f, .6f, 0.f });
+  Material& lamp = scene.Surfaces.back().Front;
+  lamp.Ambient = 1.f;
+  lamp.AmbientColor = { 1.f, .5f, .25f };
+  lamp.Diffuse = 0.f;
+  const RayScene rays(scene, 1);
+  const Illumination light(rays, IlluminationSettings());
+  const LightGatherer byRays(light, nullptr, 0);
+  vtkNew<vtkPenumbraCubeMapGatherer> maker;
+  maker->SetResolution(128);
+  const std::unique_ptr<Gatherer> byCubeMap = maker->Make(byRays);
+  const glm::vec3 point(.2f, -.4f, -1.f);
+  const HemisphereGrid& grid = HemisphereGrid::Of(HemisphereGrid::MostSide);
+  const glm::mat3 frame = FrameOf({ 0.f, 0.f, 1.f });
+  std::vector<glm::vec3> directions;
+  std::vector<Sight> sights;
+  byRays.Look(point, frame, grid, 1, directions, sights);
+  const glm::vec3 truth = Derive(grid, frame, directions, sights, Infinity).Mean;
+  const glm::vec3 found = Look(*byCubeMap, point, { 0.f, 0.f, 1.f }).Mean;
+  ASSERT_GT(truth.x, .01f);
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(found[c], truth[c], .02f * truth[c]);
+  }
+}
+
+TEST(CubeMapGatherer, AnswersTheSameToManyThreads)
+{
+  const Scene scene = SphereOverFloor(1.5);
+  const Both both(scene);
+  std::vector<float> answers(16);
+  vtkSMPTools::For(0, 16, 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      answers[i] = both.Occlusion({ static_cast<float>(i % 4), 0.f, 0.f });
+    }
+  });
+  for (int i = 4; i < 16; ++i)
+  {
+    EXPECT_EQ(answers[i], answers[i % 4]);
+  }
+}
+
+TEST(CubeMapGatherer, ServesTheCache)
+{
+  Scene scene = SphereOverFloor(1.5);
+  LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, 128, 128);
+  const RayScene rays(scene, 1);
+  vtkNew<vtkPenumbraCubeMapGatherer> maker;
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetGatherer(maker);
+  const double tolerance = .02;
+  cache->Begin(rays, Infinity, tolerance);
+  double square = 0.0;
+  double count = 0.0;
+  for (double rho = .5; rho < 3.0; rho += .05)
+  {
+    const double point[3] = { rho * std::sin(40.0 * rho), rho * std::cos(40.0 * rho), 0.0 };
+    const double normal[3] = { 0.0, 0.0, 1.0 };
+    square += std::pow(cache->Occlusion(point, normal).Value - SphereOverFloorTruth(1.5, rho), 2.0);
+    count += 1.0;
+  }
+  EXPECT_LE(std::sqrt(square / count), tolerance);
+  vtkNew<vtkFieldData> statistics;
+  cache->Report(statistics);
+  const auto value = [&](
+                       const char* name) { return statistics->GetArray(name)->GetComponent(0, 0); };
+  EXPECT_EQ(value("CubeMaps/Total"), value("Cache/Records"));
+  EXPECT_GT(value("CubeMaps/Triangles"), value("CubeMaps/Total"));
+  // Only a few, along horizons.
+  EXPECT_LT(value("Rays/Gather"), 100.0 * value("Cache/Records"));
+}
