@@ -22,6 +22,7 @@
 #include "vtkVersion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -84,15 +85,24 @@ std::string Processor()
   return "unknown processor";
 }
 
-std::vector<std::string> Remarks(const ChartFamily& family)
+std::vector<std::string> Remarks(const ChartFamily& family, const std::vector<Peer>& peers)
 {
   char date[16];
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
+  std::string others;
+  for (const Peer& peer : peers)
+  {
+    if (!peer.Path.empty() && peer.Joins == family.Name)
+    {
+      others += (others.empty() ? "" : ", ") + peer.Name + " " + peer.Version;
+    }
+  }
   return { std::string("date: ") + date, "machine: " + Processor(),
     "penumbra " PENUMBRA_VERSION ", VTK " + std::string(vtkVersion::GetVTKVersion()) +
       ", compiler " __VERSION__,
-    "truth: " + family.Truth, "seconds: CPU seconds of one thread" };
+    "programs of others: " + (others.empty() ? "none" : others), "truth: " + family.Truth,
+    "seconds: CPU seconds of one thread" };
 }
 
 std::vector<ChartFamily> Families(const ChartOptions& options, const ChartRequest& request)
@@ -109,6 +119,32 @@ std::vector<ChartFamily> Families(const ChartOptions& options, const ChartReques
     }
   }
   return families;
+}
+
+/// How far from the Pareto front is what Penumbra chooses by itself: to a file and to the terminal.
+void WriteDistances(const std::string& path, const std::vector<ChartRow>& rows)
+{
+  std::ofstream file(path);
+  file << "scene,method,setting,off,than,times its seconds,times its error,off by counts\n";
+  for (const ChartRow& row : rows)
+  {
+    if (row.Method.find("automatic") != std::string::npos)
+    {
+      const FrontDistance time = DistanceToFront(rows, row, &ChartRow::Seconds);
+      const double counts = DistanceToFront(rows, row, &ChartRow::Count).Off;
+      file << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << time.Off << ','
+           << time.Than << ',' << time.TimesCost << ',' << time.TimesError << ',' << counts << "\n";
+      std::cout << "  " << row.Scene << ": " << row.Method << ", " << row.Setting << ": "
+                << (time.Off > 0.0 ? std::to_string(std::lround(100.0 * time.Off)) +
+                         " % off the front, that is " + time.Than
+                                   : "on the front")
+                << "\n";
+    }
+  }
+  if (!file.flush())
+  {
+    throw Failure(MachineCannot, "--output: " + path + " cannot be written: disk full?");
+  }
 }
 
 void Measure(const ChartFamily& family, ChartTable& table, ProgressLine& progress)
@@ -150,20 +186,22 @@ int Chart(const ChartOptions& options)
   EnterPhase("the chart's window", MachineCannot);
   ChooseWindow(options.Window);
   ProgressLine progress(options.Progress);
-  for (const Peer& peer : options.Quick ? std::vector<Peer>() : FindPeers())
+  request.Peers = options.Quick ? std::vector<Peer>() : FindPeers();
+  for (const Peer& peer : request.Peers)
   {
     std::cout << Describe(peer) << "\n";
   }
   for (const ChartFamily& family : Families(options, request))
   {
     const std::string path = options.Output + "/" + family.Name;
-    ChartTable table(path + ".csv", family.Name + ", " + subject, Remarks(family));
+    ChartTable table(path + ".csv", family.Name + ", " + subject, Remarks(family, request.Peers));
     Measure(family, table, progress);
     EnterPhase("drawing " + path, MachineCannot);
     const std::vector<ChartPanel> panels = PanelsOf(table.GetRows());
     WriteChartPng(family, panels, path + ".png");
     WriteChartSvg(family, panels, path + ".svg");
     progress.Clear();
+    WriteDistances(path + "-front.csv", table.GetRows());
     std::cout << path << ".csv .png .svg: " << table.GetRows().size() << " steps\n" << std::flush;
   }
   return Done;

@@ -5,8 +5,8 @@
 // Error over pixels that hold a border, against exact areas or thousands of samples a pixel.
 #include "ChartFamilies.h"
 
+#include "Faces.h"
 #include "Measure.h"
-#include "Peers.h"
 #include "PovRay.h"
 #include "TestScene.h"
 
@@ -142,30 +142,62 @@ Measurement MeasureRays(
   return result;
 }
 
-/// Its own tracing alone; the scene is in no file before and after.
+/// A folder of this process that is gone with it.
+struct TemporaryFolder
+{
+  TemporaryFolder() { std::filesystem::create_directories(this->Path); }
+  ~TemporaryFolder()
+  {
+    std::error_code error;
+    std::filesystem::remove_all(this->Path, error);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  void operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path Path =
+    std::filesystem::temp_directory_path() / ("penumbra-chart-" + std::to_string(getpid()));
+};
+
+/// Its own tracing alone.
 Measurement MeasurePovRay(
   const Subject& subject, const std::string& program, const PovRayStep& step)
 {
-  const std::filesystem::path folder =
-    std::filesystem::temp_directory_path() / ("penumbra-chart-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  const std::string file = folder / "scene.pov";
+  const TemporaryFolder folder;
+  const std::string file = folder.Path / "scene.pov";
   const int size = subject.Size;
   WritePovRayScene(file, subject.Renderer, BruteForceOf(subject.Renderer, size, size), size, size);
   const PovRayAnswer answer = RunPovRay(program, file, size, size, step);
-  std::filesystem::remove_all(folder);
   return { EdgeError(subject, answer.Colors), answer.TraceSeconds, answer.RaysPerPixel };
 }
 
-void AddPovRay(ChartFamily& family, const std::string& scene, const Subjects& subject)
+Measurement MeasureFaces(const Subject& subject, const Peer& peer, const std::string& setting)
 {
-  const std::string program = FindProgram("povray");
-  for (const PovRayStep& step : program.empty() ? std::vector<PovRayStep>() : PovRayLadder())
+  const TemporaryFolder folder;
+  const std::string file = folder.Path / "scene.json";
+  const int size = subject.Size;
+  WriteFaces(file, subject.Renderer, BruteForceOf(subject.Renderer, size, size), size, size);
+  const FacesAnswer answer = RunFaces(peer, file, setting, size, size);
+  return { EdgeError(subject, answer.Colors), answer.Seconds, answer.SamplesPerPixel };
+}
+
+void AddPeer(
+  ChartFamily& family, const std::string& scene, const Subjects& subject, const Peer& peer)
+{
+  if (peer.Path.empty() || peer.Joins != family.Name)
+  {
+    return;
+  }
+  for (const std::string& setting : peer.Settings)
+  {
+    family.Steps.push_back(
+      { scene, peer.Name, setting, 0.0, [=] { return MeasureFaces(subject(), peer, setting); } });
+  }
+  for (const PovRayStep& step : peer.Script.empty() ? PovRayLadder() : std::vector<PovRayStep>())
   {
     std::ostringstream setting;
     setting << "+A" << step.Threshold << " +R" << step.Depth;
     family.Steps.push_back({ scene, "POV-Ray +AM2", setting.str(), 0.0,
-      [=] { return MeasurePovRay(subject(), program, step); } });
+      [=] { return MeasurePovRay(subject(), peer.Path, step); } });
   }
 }
 
@@ -233,9 +265,9 @@ ChartFamily AntialiasingFamily(const ChartRequest& request)
   {
     const Subjects subject = LitMesh(mesh.Mesh, size, request.Quick ? 8 : 32);
     AddSteps(family, mesh.Name, subject, request.Quick);
-    if (!request.Quick)
+    for (const Peer& peer : request.Peers)
     {
-      AddPovRay(family, mesh.Name, subject);
+      AddPeer(family, mesh.Name, subject, peer);
     }
   }
   return family;

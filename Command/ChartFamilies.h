@@ -6,6 +6,8 @@
 #ifndef penumbra_ChartFamilies_h
 #define penumbra_ChartFamilies_h
 
+#include "Peers.h"
+
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -53,6 +55,7 @@ struct ChartMesh
 struct ChartRequest
 {
   std::vector<ChartMesh> Meshes; ///< empty: the built-in scenes
+  std::vector<Peer> Peers;       ///< programs of others that are here
   bool Quick = false;            ///< small pictures, few steps
 };
 

@@ -107,7 +107,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   } rules[] = { { "nearest hit [IC]", Cache::NEAREST_HIT, Cache::WORLD },
     { "harmonic mean [IC]", Cache::HARMONIC_MEAN, Cache::WORLD },
     { "Penumbra automatic (second derivative)", Cache::OCCLUSION_HESSIAN, Cache::WORLD },
-    { "Penumbra, screen space", Cache::OCCLUSION_HESSIAN, Cache::SCREEN } };
+    { "Penumbra in screen space", Cache::OCCLUSION_HESSIAN, Cache::SCREEN } };
   for (const auto& rule : rules)
   {
     for (const double tolerance : quick ? std::vector<double>{ .05, .02 }

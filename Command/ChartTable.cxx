@@ -93,6 +93,30 @@ void ChartTable::Add(const ChartRow& row)
   }
 }
 
+FrontDistance DistanceToFront(
+  const std::vector<ChartRow>& rows, const ChartRow& row, double ChartRow::*cost)
+{
+  FrontDistance distance;
+  for (const ChartRow& other : rows)
+  {
+    if (other.Scene != row.Scene)
+    {
+      continue;
+    }
+    const double timesError = row.Error / other.Error;
+    const double timesCost = row.*cost / other.*cost;
+    const double better = std::min(timesError, timesCost) - 1.0;
+    if (better > distance.Off)
+    {
+      distance.Off = better;
+      distance.Than = other.Method + " " + other.Setting;
+    }
+    distance.TimesCost = std::max(distance.TimesCost, timesError >= 1.0 ? timesCost : 1.0);
+    distance.TimesError = std::max(distance.TimesError, timesCost >= 1.0 ? timesError : 1.0);
+  }
+  return distance;
+}
+
 std::vector<ChartRow> ParetoFront(std::vector<ChartRow> rows, double ChartRow::*cost)
 {
   std::sort(rows.begin(), rows.end(), [cost](const ChartRow& a, const ChartRow& b) {

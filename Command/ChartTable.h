@@ -45,6 +45,18 @@ private:
   std::vector<ChartRow> Rows;
 };
 
+/// How far a row lies off the front of all rows of its scene; 0 and 1 where it lies on it.
+struct FrontDistance
+{
+  double Off = 0.0;        ///< share by which some other row is better in both, error and cost
+  std::string Than;        ///< that row: method and setting
+  double TimesCost = 1.0;  ///< cost over the least for which an error as small is had
+  double TimesError = 1.0; ///< error over the least that is had for as little
+};
+
+FrontDistance DistanceToFront(
+  const std::vector<ChartRow>& rows, const ChartRow& row, double ChartRow::*cost);
+
 /// Rows that no other row beats in error and in `cost`, by falling error.
 std::vector<ChartRow> ParetoFront(std::vector<ChartRow> rows, double ChartRow::*cost);
 

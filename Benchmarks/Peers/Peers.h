@@ -14,9 +14,12 @@ namespace penumbra
 struct Peer
 {
   std::string Name;
-  std::string Program;
-  std::string Joins; ///< families of charts; empty: there is no bridge to it yet
-  std::string Path;  ///< of the program here; empty: it is not installed
+  std::string Program;               ///< or, with a script, the variable that names its Python
+  std::string Joins;                 ///< families of charts; empty: there is no bridge to it yet
+  std::string Script;                ///< of Benchmarks/peers, that drives it; empty: no script does
+  std::vector<std::string> Settings; ///< of the script, from coarse to fine
+  std::string Path;                  ///< of the program or Python here; empty: it is not installed
+  std::string Version;
 };
 
 /// All, in the order in which they are told of.
