@@ -33,5 +33,5 @@ void main()
     sum += i == 0 ? vec2(0.0) : shrink * exp(-dot(apart, apart)) * other;
   }
   float value = sum.x / max(sum.y, 1e-6);
-  gl_FragData[0] = vec4(mean > 0.5 ? value : own.g * value, own.g, 0.0, 1.0);
+  gl_FragData[0] = vec4(mean > 0.5 ? min(value, 1.0) : own.g * value, own.g, 0.0, 1.0);
 }

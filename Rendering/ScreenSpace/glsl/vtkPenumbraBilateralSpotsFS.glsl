@@ -29,5 +29,5 @@ void main()
       eyePosition(pixel, depth)) / width;
     sum += i == 12 ? vec2(0.0) : shrink * exp(-dot(apart, apart)) * other;
   }
-  gl_FragData[0] = vec4(sum.x / max(sum.y, 1e-6));
+  gl_FragData[0] = vec4(min(sum.x / max(sum.y, 1e-6), 1.0));
 }

@@ -16,30 +16,22 @@ float arc(float angle, float cosineOfTwice, float cosTilt, float sinTilt)
   return 0.25 * sign(angle) * (cosTilt - cosineOfTwice + 2.0 * angle * sinTilt);
 }
 
-// How far up one side is blocked: the largest squared cosine of an angle to the normal within the
-// slice, continued as 2 - square beyond the normal. Heights are taken over the tangent plane, so that
-// the centres of pixels beside the slice's line do no harm. `up` is the normal divided by its share in
-// the slice, `outwards` the tangent.
-float horizon(SurfacePoint point, vec3 up, vec3 outwards, vec2 step, float shift)
+// How far up one side is blocked: cosine and sine of the angle between the normal within the slice and
+// the highest surface found, the sine negative beyond the normal. Heights are taken over the tangent
+// plane, so that the centres of pixels beside the slice's line do no harm. `up` is the normal divided by
+// its share in the slice, `outwards` the tangent.
+vec2 horizon(SurfacePoint point, vec3 up, vec3 outwards, vec2 step, float shift)
 {
-  float highest = 0.0;
+  vec2 highest = vec2(0.0, 1.0);
   for (int i = 0; i < stepsPerSide; ++i)
   {
     vec3 way = eyePositionAt(point.pixel + step * (float(i) + shift)) - point.position;
-    float height = dot(way, up);
-    float aside = dot(way, outwards);
-    float square = height * height / max(height * height + aside * aside, 1e-12);
-    float level = aside < 0.0 ? 2.0 - square : square;
-    highest = dot(way, way) < 1.0 && height > 0.0 ? max(highest, level) : highest;
+    vec2 found = vec2(dot(way, up), dot(way, outwards));
+    // Heights are positive: which angle is the smaller one needs no division.
+    bool higher = found.x > 0.0 && found.y * highest.x < highest.y * found.x;
+    highest = dot(way, way) < 1.0 && higher ? found : highest;
   }
-  return highest;
-}
-
-// Cosine and sine of the angle from the normal at which a level lies; negative beyond the normal.
-vec2 directionOfLevel(float level)
-{
-  float square = level > 1.0 ? 2.0 - level : level;
-  return sqrt(vec2(square, 1.0 - square)) * vec2(1.0, level > 1.0 ? -1.0 : 1.0);
+  return normalize(highest);
 }
 
 float angleOf(vec2 direction)
@@ -59,8 +51,8 @@ float sliceOcclusion(SurfacePoint point, vec3 view, float azimuth, float shift)
   float tilt = sign(sinTilt) * acos(cosTilt);
   vec2 step = direction.xy * radiusInPixels(point) / float(stepsPerSide);
   vec3 up = point.normal / share;
-  vec2 right = directionOfLevel(horizon(point, up, outwards, step, shift));
-  vec2 left = directionOfLevel(horizon(point, up, -outwards, -step, shift));
+  vec2 right = horizon(point, up, outwards, step, shift);
+  vec2 left = horizon(point, up, -outwards, -step, shift);
   float rightmost = tilt + angleOf(right);
   float leftmost = tilt - angleOf(left);
   // cos(2 (tilt + t) - tilt) = cos(tilt) cos(2 t) - sin(tilt) sin(2 t)

@@ -34,7 +34,11 @@ vec2 radiusInPixels(SurfacePoint point)
 
 //VTK::Penumbra::Kernel
 
+// What one slice can hold of the hemisphere's mean, where the normal is tilted. Estimates are not cut
+// at 1: the mean of many would fall short.
+const float mostOfASlice = 0.5 * pi;
+
 float estimateAt(SurfacePoint point)
 {
-  return clamp(occlusionAt(point), 0.0, 1.0);
+  return clamp(occlusionAt(point), 0.0, mostOfASlice);
 }

@@ -41,35 +41,33 @@ bool isInside(vec2 pixel)
   return all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0)));
 }
 
-// Distance at which a pixel of the previous picture sees the plane through a point.
-float planeDepth(vec3 position, vec3 normal, vec2 pixel)
-{
-  vec2 plane = previousPlane(pixel);
-  float inPerspective = dot(normal, position) / dot(normal, vec3(plane, -1.0));
-  float inParallel = dot(normal.xy, plane - position.xy) / normal.z - position.z;
-  return perspective > 0.5 ? inPerspective : inParallel;
-}
-
+// The mean of the four nearest pixels of the history that lie on the plane through the point.
 vec2 keptHistory(vec3 position, vec3 normal)
 {
-  vec2 at = previousPixel(position) - 0.5;
-  vec2 corner = floor(at);
+  vec2 at = previousPixel(position);
+  vec2 corner = floor(at - 0.5) + 0.5;
   vec2 share = at - corner;
+  // A pixel sees the plane at the depth d with d * perDepth = rest; both are linear over the picture, so
+  // that no pixel needs a division.
+  vec2 slope = normal.xy * previousPixelToEye.xy;
+  float aside = dot(normal.xy, previousPlane(corner));
+  float offset = dot(normal, position);
   vec2 sum = vec2(0.0);
   float weights = 1e-6;
   for (int i = 0; i < 4; ++i)
   {
-    vec2 offset = vec2(float(i % 2), float(i / 2));
-    vec2 tap = corner + offset + 0.5;
-    vec2 near = mix(1.0 - share, share, offset);
-    float found = previousDepthAt(tap);
-    float expected = planeDepth(position, normal, tap);
-    bool same = isInside(tap) && abs(found - expected) < depthTolerance * expected;
+    vec2 tap = vec2(float(i % 2), float(i / 2));
+    vec2 near = mix(1.0 - share, share, tap);
+    float tapAside = aside + dot(slope, tap);
+    float perDepth = perspective * tapAside - normal.z;
+    float rest = offset - (1.0 - perspective) * tapAside;
+    float found = previousDepthAt(corner + tap);
+    bool same = abs(found * perDepth - rest) < depthTolerance * abs(rest);
     float weight = same ? near.x * near.y : 0.0;
-    sum += weight * (same ? texture(history, tap * pixelSize).rg : vec2(0.0));
+    sum += weight * texture(history, (corner + tap) * pixelSize).rg;
     weights += weight;
   }
-  return sum / weights;
+  return isInside(at) ? sum / weights : vec2(0.0);
 }
 
 //VTK::Penumbra::MotionLib

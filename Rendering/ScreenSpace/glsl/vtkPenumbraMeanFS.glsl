@@ -10,5 +10,5 @@ uniform vec2 pixelSize;
 void main()
 {
   vec2 own = texture(values, gl_FragCoord.xy * pixelSize).rg;
-  gl_FragData[0] = vec4(own.r / max(own.g, 1e-6));
+  gl_FragData[0] = vec4(min(own.r / max(own.g, 1e-6), 1.0));
 }
