@@ -28,14 +28,17 @@ Requires-Python: >=3.12
 Requires-Dist: cvista[all]==9.7.0.5
 Requires-Dist: numpy
 Provides-Extra: pyvista
-Requires-Dist: pyvista>=0.48; extra == "pyvista"
+Requires-Dist: pyvista>=0.49; extra == "pyvista"
 Description-Content-Type: text/markdown
 
 {(HERE / "README.md").read_text()}"""
 
 
-ENTRY_POINTS = f"""[pyvista.plotter_components]
-{NAME} = {NAME}.plotter:PlotterAccessor
+ENTRY_POINTS = f"""[pyvista.accessors]
+{NAME} = {NAME}.mesh
+
+[pyvista.plotter_components]
+{NAME} = {NAME}.plotter
 
 [pyvista_render_passes.providers]
 {NAME} = {NAME}.provider:OcclusionProvider

@@ -228,6 +228,19 @@ class Package(unittest.TestCase):
             self.assertEqual(run.returncode, 0, run.stderr)
             self.assertGreater(numpy.ptp(pyvista.read(path).active_scalars), 50)
 
+    def test_is_found_by_pyvista_and_loads_no_more_of_it_than_is_used(self):
+        run = self.run_script(
+            "import sys, pyvista\n"
+            "mesh = pyvista.Sphere()\n"
+            "mesh.penumbra.bake_ambient_occlusion(inplace=True)\n"
+            "print(mesh.array_names[-1], 'pyvista.plotting.plotter' in sys.modules)\n"
+            "plotter = pyvista.Plotter(off_screen=True)\n"
+            "plotter.add_mesh(mesh)\n"
+            "print(plotter.penumbra.ray_cast(window_size=(40, 30)).shape)\n")
+        self.assertEqual(run.stdout, "AmbientOcclusion False\n(30, 40, 3)\n", run.stderr)
+        run = self.run_script("import sys, penumbra\nprint('pyvista' in sys.modules)\n")
+        self.assertEqual(run.stdout, "False\n", run.stderr)
+
     def test_says_that_there_is_no_opengl(self):
         compiler = shutil.which("cc")
         if not compiler:

@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How much of it is visible? Ambient occlusion, light shafts and flawless antialiasing for VTK.
 
-All public classes of Penumbra are here under their VTK names. With PyVista they are also
-``plotter.penumbra`` and ``mesh.penumbra``, see :mod:`penumbra.plotter` and :mod:`penumbra.mesh`.
+All public classes of Penumbra are here under their VTK names. PyVista finds ``plotter.penumbra`` and
+``mesh.penumbra`` by itself, see :mod:`penumbra.plotter` and :mod:`penumbra.mesh`.
 """
-import importlib.util as _util
 import os as _os
 import sys as _sys
 
@@ -35,13 +34,3 @@ from .vtkPenumbraRenderingScreenSpace import *  # noqa: E402,F401,F403
 from .vtkPenumbraRenderingIrradiance import *  # noqa: E402,F401,F403
 
 vtkPenumbraTracedEstimator.MakeKnown()  # noqa: F405
-
-if _util.find_spec("pyvista"):
-    import pyvista as _pyvista
-
-    from .mesh import MeshAccessor
-    from .plotter import PlotterAccessor
-
-    _pyvista.register_plotter_component("penumbra")(PlotterAccessor)
-    for _target in (_pyvista.DataSet, _pyvista.MultiBlock):
-        _pyvista.register_dataset_accessor("penumbra", _target)(MeshAccessor)

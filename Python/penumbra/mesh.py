@@ -8,6 +8,8 @@ from .statistics import counts_of, update
 from .vtkPenumbraFiltersIrradiance import vtkPenumbraIrradianceFilter
 
 
+@pyvista.register_dataset_accessor("penumbra", pyvista.MultiBlock)
+@pyvista.register_dataset_accessor("penumbra", pyvista.DataSet)
 class MeshAccessor:
     """Registered as ``mesh.penumbra`` for PyVista's data sets and multiblocks."""
 

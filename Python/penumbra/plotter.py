@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """``plotter.penumbra``: passes and ray-cast pictures for PyVista's plotters."""
 import numpy
+import pyvista
 
 from cvista.util.numpy_support import vtk_to_numpy
 
@@ -29,6 +30,7 @@ def _check(condition, message):
         raise ValueError(message)
 
 
+@pyvista.register_plotter_component("penumbra")
 class PlotterAccessor:
     """Registered as ``plotter.penumbra``; it works on the plotter's active renderer."""
 
