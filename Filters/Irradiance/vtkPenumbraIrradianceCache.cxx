@@ -7,8 +7,8 @@
 #include "PictureSites.h"
 #include "RayScene.h"
 #include "RecordData.h"
+#include "Statistics.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -39,20 +39,12 @@ constexpr double GridNoise = 2.5;
 /// Of the progress of irradiance: the reflections but the last.
 constexpr double ProgressOfReflections = 0.5;
 
-void AddValue(vtkFieldData* data, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  data->AddArray(array);
-}
-
 /// The records of a picture, and the angle that their weights depend on.
 void Copy(const PictureRecords& from, penumbra::Quantities quantity, const Scene& scene,
   vtkPolyData* records)
 {
   ToPolyData(from.GetRecords(), quantity, scene, records);
-  AddValue(
+  AddStatistic(
     records->GetFieldData(), "NormalAngle", vtkMath::DegreesFromRadians(from.GetNormalAngle()));
 }
 
@@ -361,9 +353,9 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
     bytes += self.Light->GetBytes();
     rays += self.Light->GetRays();
   }
-  AddValue(statistics, "Cache/Records", static_cast<double>(records));
-  AddValue(statistics, "Cache/Bytes", static_cast<double>(bytes));
-  AddValue(statistics, "Rays/Gather", static_cast<double>(rays));
+  AddStatistic(statistics, "Cache/Records", static_cast<double>(records));
+  AddStatistic(statistics, "Cache/Bytes", static_cast<double>(bytes));
+  AddStatistic(statistics, "Rays/Gather", static_cast<double>(rays));
   if (self.Foreign)
   {
     self.Foreign->Report(statistics);

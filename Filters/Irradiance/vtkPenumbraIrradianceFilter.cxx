@@ -8,10 +8,10 @@
 #include "MeshSites.h"
 #include "RayGatherer.h"
 #include "RayScene.h"
+#include "Statistics.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -59,14 +59,6 @@ constexpr double NoiseOfShared = .88;
 
 /// Of brute force for a point: neighbours' errors do not average out as those in a pixel do.
 constexpr int LeastRays = 128;
-
-void AddStatistic(vtkFieldData* statistics, const std::string& name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(value);
-  statistics->AddArray(array);
-}
 
 constexpr double Pi = 3.14159265358979323846;
 

@@ -8,9 +8,9 @@
 #include "PictureImage.h"
 #include "SceneExtraction.h"
 #include "SceneExtractionTime.h"
+#include "Statistics.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -40,13 +40,7 @@ constexpr double OcclusionNoiseShare = 2.0;
 // Of the progress: what the irradiance source prepares.
 constexpr double ProgressOfSource = 0.25;
 
-void AddStatistic(vtkFieldData* statistics, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  statistics->AddArray(array);
-}
+using penumbra::AddStatistic;
 
 /// Diagonal of the bounds of what is drawn, in world units.
 double GetDiagonal(const penumbra::Scene& scene)

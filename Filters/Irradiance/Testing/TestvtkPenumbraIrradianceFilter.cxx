@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkContourFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -19,6 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRTAnalyticSource.h"
 #include "vtkSphereSource.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -109,6 +111,36 @@ TEST(vtkPenumbraIrradianceFilter, KeepsItsToleranceBesideASphere)
     EXPECT_LT(CountOf(filter, "Cache/Records"), .3 * CountOf(filter, "Points/Total"));
     EXPECT_GT(CountOf(filter, "Points/Interpolated"), .5 * CountOf(filter, "Points/Total"));
     EXPECT_LE(filter->GetEstimatedError(), 1.5 * tolerance);
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, KeepsItsToleranceOnSlivers)
+{
+  // Contours have triangles as thin as they like.
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputConnection(wavelet->GetOutputPort());
+  contour->SetValue(0, 170.0);
+  contour->Update();
+  const auto bake = [&](int method, double tolerance) {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(contour->GetOutput());
+    filter->SetMethod(method);
+    filter->SetTolerance(tolerance);
+    filter->Update();
+    return vtkSmartPointer<vtkDataArray>(
+      OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion"));
+  };
+  const auto truth = bake(vtkPenumbraIrradianceFilter::BRUTE_FORCE, .004);
+  for (const double tolerance : { .1, .05, .02 })
+  {
+    const auto baked = bake(vtkPenumbraIrradianceFilter::AUTOMATIC, tolerance);
+    double square = 0.0;
+    for (vtkIdType i = 0; i < truth->GetNumberOfTuples(); ++i)
+    {
+      square += std::pow(baked->GetComponent(i, 0) - truth->GetComponent(i, 0), 2.0);
+    }
+    EXPECT_LE(std::sqrt(square / static_cast<double>(truth->GetNumberOfTuples())), tolerance);
   }
 }
 
