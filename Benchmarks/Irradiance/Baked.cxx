@@ -7,17 +7,20 @@
 #include "Meshes.h"
 #include "Pictures.h"
 #include "RayScene.h"
+#include "Rivals.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkLoopSubdivisionFilter.h"
 #include "vtkNew.h"
+#include "vtkPLYWriter.h"
 #include "vtkPenumbraBruteForceSource.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <fstream>
 
 namespace penumbra
 {
@@ -88,6 +91,23 @@ Baked BakeIt(vtkPolyData* mesh, double tolerance, int method, const Truth& truth
   return baked;
 }
 
+/// Writes mesh and truth for MeshLab; returns what to ask.
+std::string WriteFor(const IrradianceBenchmark& benchmark, vtkPolyData* mesh, const Truth& truth)
+{
+  const std::string meshFile = benchmark.Output + "/armadillo.ply";
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileName(meshFile.c_str());
+  writer->Write();
+  const std::string truthFile = benchmark.Output + "/armadillo-truth.txt";
+  std::ofstream file(truthFile);
+  for (std::size_t i = 0; i < truth.Ids.size(); ++i)
+  {
+    file << truth.Ids[i] << ' ' << truth.Values[i] << '\n';
+  }
+  return "meshlab.py '" + meshFile + "' '" + truthFile + "'";
+}
+
 }
 
 void MeasureBaking(IrradianceBenchmark& benchmark)
@@ -127,6 +147,8 @@ void MeasureBaking(IrradianceBenchmark& benchmark)
     cached[1].Seconds / CostAtError(ladder, cached[1].Error), Bar::AtMost, .5,
     "at an RMSE of " + std::to_string(cached[1].Error).substr(0, 6) +
       ": half of the rays, but reading, tree and fits cost, too");
+  CompareTimes(table, name, { "MeshLab", benchmark.MeshLab, WriteFor(benchmark, mesh, truth) },
+    cached[1].Error, cached[1].Seconds, .2);
   table.Add(
     name, "greatest time at equal tolerance, baking over brute force", slowest, Bar::AtMost, 1.0);
 }

@@ -16,8 +16,10 @@ namespace penumbra
 
 struct IrradianceBenchmark
 {
-  std::string Meshes; ///< folder with the .off files of Debian's libcgal-demo
-  std::string Output; ///< folder for results
+  std::string Meshes;   ///< folder with the .off files of Debian's libcgal-demo
+  std::string Output;   ///< folder for results
+  std::string Radiance; ///< Python that has pyradiance; empty: left out
+  std::string MeshLab;  ///< Python that has pymeshlab; empty: left out
   Table Results;
 };
 
@@ -33,6 +35,9 @@ void MeasureBaking(IrradianceBenchmark& benchmark);
 
 /// Light of several reflections in a room and in closed cubes.
 void MeasureLight(IrradianceBenchmark& benchmark);
+
+/// A building whose rooms are mostly hidden, looked at by rays and by cube maps.
+void MeasureGatherers(IrradianceBenchmark& benchmark);
 
 /// A tree of a million records.
 void MeasureRecords(IrradianceBenchmark& benchmark);

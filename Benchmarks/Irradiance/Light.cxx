@@ -8,6 +8,7 @@
 #include "PathTracer.h"
 #include "Pictures.h"
 #include "RayScene.h"
+#include "Rivals.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"
@@ -16,6 +17,7 @@
 #include "vtkPenumbraIrradianceCache.h"
 
 #include <cmath>
+#include <fstream>
 
 namespace penumbra
 {
@@ -118,13 +120,18 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
   double square = 0.0;
   double size = 0.0;
   std::uint64_t seed = 0;
+  const std::string known = benchmark.Output + "/box-truth.txt"; // for others
+  std::ofstream file(known);
   for (const Asked& place : Look(rays, TruthStep))
   {
     const glm::dvec3 exact = truth.Irradiance(place.Position, place.Normal, Paths, seed++);
     const glm::dvec3 error = Ask(cache, place, ignored) - exact;
+    file << place.Pixel % Size << ' ' << place.Pixel / Size << ' ' << exact.x << ' ' << exact.y
+         << ' ' << exact.z << '\n';
     square += glm::dot(error, error);
     size += glm::dot(exact, exact);
   }
+  file.close();
   const std::string name =
     std::string("box, albedo .5, 5 bounces, 256 x 256") + (onScreen ? ", screen space" : "");
   const Bar atMost = onScreen ? Bar::None : Bar::AtMost; // bars are of the default
@@ -137,6 +144,13 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
       " M of them at pixels that no record serves");
   table.Add(name, "seconds: records, then look-ups", seconds, Bar::None, 0.0,
     std::to_string(placing) + " + " + std::to_string(seconds - placing));
+  if (!onScreen)
+  {
+    CompareTimes(table, name,
+      { "Radiance", benchmark.Radiance,
+        "radiance.py '" + benchmark.Output + "' box '" + known + "'" },
+      std::sqrt(square / size), seconds, .5);
+  }
 }
 
 void MeasureFurnace(Table& table, double albedo)

@@ -7,6 +7,7 @@
 
 #include "Measure.h"
 #include "RayScene.h"
+#include "Rivals.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"
@@ -191,6 +192,10 @@ void MeasureSpheres(IrradianceBenchmark& benchmark)
         height == 1.0 ? "Radiance, tuned: .0083" : "");
       table.Add(name, "seconds: records, then look-ups", seconds, Bar::None, 0.0,
         std::to_string(placing) + " + " + std::to_string(outcome.Seconds));
+      CompareTimes(table, name,
+        { "Radiance", benchmark.Radiance,
+          "radiance.py '" + benchmark.Output + "' sphere " + std::to_string(height) },
+        outcome.All, seconds, 1.0 / 3.0);
       const auto pixels = static_cast<double>(points.size());
       table.Add(name, "gathers, brute force over cache", pixels / records, Bar::AtLeast, 1000.0);
       table.Add(name, "time at equal RMSE, brute force over cache",

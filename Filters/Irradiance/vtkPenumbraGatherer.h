@@ -26,7 +26,7 @@ class RayGatherer;
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT vtkPenumbraGatherer : public vtkObject
 {
 public:
-  vtkTypeMacro(vtkPenumbraGatherer, vtkObject);
+  vtkAbstractTypeMacro(vtkPenumbraGatherer, vtkObject);
 
   /**
    * Looks at the scene that `seen` traces, and lets it say what that means; `seen` must outlive what is

@@ -4,6 +4,7 @@
 // What cube maps see against closed forms, and against rays.
 #include "vtkPenumbraCubeMapGatherer.h"
 
+#include "Building.h"
 #include "CosineDirections.h"
 #include "Derivatives.h"
 #include "Hemicube.h"
@@ -222,6 +223,17 @@ TEST(CubeMapGatherer, EndsAtItsReachAsRaysDo)
       const glm::vec3 point(x, 0.f, 0.f);
       EXPECT_NEAR(both.Occlusion(point), Look(both.ByRays, point, { 0.f, 0.f, 1.f }).Mean.x, .015f);
     }
+  }
+}
+
+TEST(CubeMapGatherer, SeesWhatRaysSeeInABuilding)
+{
+  Scene scene;
+  AddBuilding(scene, 3, 2);
+  const Both both(scene, 2.f);
+  for (const glm::vec3 point : { glm::vec3(5.f, 5.2f, 0.f), glm::vec3(1.5f, 9.7f, RoomHeight) })
+  {
+    EXPECT_NEAR(both.Occlusion(point), Look(both.ByRays, point, { 0.f, 0.f, 1.f }).Mean.x, .015f);
   }
 }
 
