@@ -135,5 +135,19 @@ class RenderViewPenumbra(unittest.TestCase):
         for name, value in SETTINGS.items():
             self.assertEqual(getattr(again, name), value, name)
 
+    def test_shows_volumes_as_the_plain_view_does(self):
+        pictures = []
+        with tempfile.TemporaryDirectory() as folder:
+            for kind in ("RenderView", "PenumbraRenderView"):
+                view = CreateView(kind)
+                view.ViewSize = [100, 80]
+                shown = Show(Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8]), view)
+                shown.Representation = "Volume"
+                ColorBy(shown, ("POINTS", "RTData"))
+                view.CameraPosition = [20, 30, 40]
+                pictures.append(screenshot(view, folder).astype(int))
+        self.assertGreater(numpy.ptp(pictures[0]), 50)
+        self.assertLess(numpy.abs(pictures[1] - pictures[0]).max(), 8)
+
 
 run_tests()

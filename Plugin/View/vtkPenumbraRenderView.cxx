@@ -140,10 +140,17 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
     }
     return;
   }
+  // ParaView's volumes do not draw into another framebuffer than its own: they would be missing.
+  const bool hasVolumes = this->GetRenderer()->VisibleVolumeCount() > 0;
+  if (hasWork && hasVolumes && !this->Implementation->Warned)
+  {
+    vtkWarningMacro("Volumes are shown: ambient occlusion and light shafts are left out.");
+    this->Implementation->Warned = true;
+  }
   // Where pictures of several ranks are put together, one of them gets the result.
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool shows = !controller || controller->GetLocalProcessId() == 0;
-  const bool wanted = hasWork && shows && !this->GetMakingSelection();
+  const bool wanted = hasWork && !hasVolumes && shows && !this->GetMakingSelection();
   if (wanted && !this->SynchronizedRenderers->GetEnabled())
   {
     // Edges are smoothed once, when the pass is done: what ParaView does after putting pictures together.
