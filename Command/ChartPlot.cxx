@@ -39,7 +39,8 @@ constexpr double Least = 1e-8;
 
 // Apart for eyes of every kind; ours are black and dark red.
 constexpr unsigned char Colors[][3] = { { 230, 159, 0 }, { 86, 180, 233 }, { 0, 158, 115 },
-  { 204, 121, 167 }, { 0, 114, 178 }, { 213, 94, 0 }, { 150, 150, 40 }, { 120, 80, 160 } };
+  { 204, 121, 167 }, { 0, 114, 178 }, { 213, 94, 0 }, { 150, 150, 40 }, { 120, 80, 160 },
+  { 150, 90, 50 }, { 90, 90, 90 } };
 constexpr unsigned char Ours[][3] = { { 0, 0, 0 }, { 160, 0, 0 } };
 constexpr unsigned char FrontColor[3] = { 210, 210, 210 };
 
