@@ -49,8 +49,7 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
     { "Sticks", .085 } };
   for (const SceneUnderOcclusion& scene : benchmark.Scenes())
   {
-    const OcclusionTruth truth =
-      TraceOcclusion(scene.Renderer, Screen::Size, scene.Radius, benchmark.Stride, benchmark.Rays);
+    const OcclusionTruth& truth = benchmark.TruthOf(scene);
     Screen screen(scene.Renderer);
     screen.UseVtks(scene.Radius, 256);
     screen.Draw();

@@ -11,6 +11,7 @@
 #include "Truth.h"
 
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct OcclusionBenchmark
   int Stride = 4; ///< of the pixels with a truth
   int Rays = 32;  ///< squared: per such pixel
   Table Results;
+  std::map<std::string, OcclusionTruth> Truths; ///< by the scene's name
 
   /// Adds a figure with a bar; where it is missed its remark says by how much and `why`.
   void Judge(const std::string& scene, const std::string& quantity, double measured, double limit,
@@ -37,6 +39,17 @@ struct OcclusionBenchmark
     std::snprintf(distance, sizeof distance, "%.2f of the bar: ", measured / limit);
     this->Results.Add(
       scene, quantity, measured, Bar::AtMost, limit, measured > limit ? distance + why : "");
+  }
+
+  /// By rays, once for all parts.
+  const OcclusionTruth& TruthOf(const SceneUnderOcclusion& scene)
+  {
+    OcclusionTruth& truth = this->Truths[scene.Name];
+    if (truth.Pixels.empty())
+    {
+      truth = TraceOcclusion(scene.Renderer, Screen::Size, scene.Radius, this->Stride, this->Rays);
+    }
+    return truth;
   }
 
   std::vector<SceneUnderOcclusion> Scenes() const

@@ -59,8 +59,7 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
   vtkSMPTools::Initialize(1);
   for (const SceneUnderOcclusion& scene : benchmark.Scenes())
   {
-    const OcclusionTruth truth =
-      TraceOcclusion(scene.Renderer, Screen::Size, scene.Radius, benchmark.Stride, benchmark.Rays);
+    const OcclusionTruth& truth = benchmark.TruthOf(scene);
     Screen screen(scene.Renderer);
     UseRays(screen, scene.Radius);
     const double withTree = screen.Draw();
