@@ -7,12 +7,15 @@
 #include "vtkCollectionRange.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 
@@ -25,6 +28,25 @@ struct vtkPenumbraRenderView::Internals
   vtkNew<vtkPenumbraMedium> Medium;
   bool Warned = false;
 };
+
+namespace
+{
+
+/// Representations that could show a volume hold a visible one even where they show a surface: empty.
+bool ShowsVolumes(vtkRenderer* renderer)
+{
+  for (vtkVolume* volume : vtk::Range(renderer->GetVolumes()))
+  {
+    const double* bounds = volume->GetVisibility() ? volume->GetBounds() : nullptr;
+    if (bounds && vtkMath::AreBoundsInitialized(bounds))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
 
 vtkPenumbraRenderView::vtkPenumbraRenderView()
   : Implementation(std::make_unique<Internals>())
@@ -141,7 +163,7 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
     return;
   }
   // ParaView's volumes do not draw into another framebuffer than its own: they would be missing.
-  const bool hasVolumes = this->GetRenderer()->VisibleVolumeCount() > 0;
+  const bool hasVolumes = ShowsVolumes(this->GetRenderer());
   if (hasWork && hasVolumes && !this->Implementation->Warned)
   {
     vtkWarningMacro("Volumes are shown: ambient occlusion and light shafts are left out.");
