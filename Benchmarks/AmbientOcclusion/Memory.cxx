@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
+#include "BytesInUse.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -8,27 +9,11 @@
 
 #include <functional>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 namespace penumbra
 {
 
 namespace
 {
-
-/// What the C library has handed out: where a processor draws, textures are of that. 0 where it does
-/// not say.
-double BytesInUse()
-{
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
-#else
-  return 0.0;
-#endif
-}
 
 /// By how much the memory in use grows with every pixel more of a window.
 double BytesPerPixel(const SceneUnderOcclusion& scene, const std::function<void()>& addPass,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The occlusion pass under what windows, cameras and scenes do to it.
+#include "BytesInUse.h"
 #include "OcclusionScene.h"
 
 #include "OpenGLFunctions.h"
@@ -27,10 +28,6 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace
 {
@@ -77,17 +74,6 @@ std::array<int, 3> CountObjects()
   glDeleteBuffers(1, &names[1]);
   glDeleteProgram(names[2]);
   return counts;
-}
-
-/// What the C library has handed out; 0 where it does not say.
-double BytesInUse()
-{
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
-#else
-  return 0.0;
-#endif
 }
 
 /// The share of pixels that differ by more than `limit`.
@@ -442,10 +428,10 @@ TEST(OcclusionInScenes, CanBeSwitchedOnAndOff500TimesInTheSameMemory)
     return CountObjects();
   };
   const auto before = toggle(5);
-  const double bytes = BytesInUse();
+  const double bytes = penumbra::BytesInUse();
   EXPECT_EQ(toggle(495), before);
   // Mesa keeps up to 2.7 MB for itself, at times of its own; one lost texture a time were 6 MB.
-  EXPECT_LT(BytesInUse() - bytes, 4e6);
+  EXPECT_LT(penumbra::BytesInUse() - bytes, 4e6);
   scene.Window->Render();
   EXPECT_EQ(scene.Picture(), plain);
 }
