@@ -60,7 +60,7 @@ Subjects SphereOnFloor(double height, int size)
   });
 }
 
-double TruthAt(const Subject& subject, const SurfacePoint& point)
+double TruthAt(const Subject& subject, const SeenPoint& point)
 {
   const double* p = point.Position;
   const double h = subject.Height;
@@ -72,12 +72,12 @@ double TruthAt(const Subject& subject, const SurfacePoint& point)
 Measurement Ask(
   const Subject& subject, vtkPenumbraIrradianceSource* source, double tolerance, int stride)
 {
-  const std::vector<SurfacePoint> points = PointsInPicture(*subject.Rays, stride);
+  const std::vector<SeenPoint> points = PointsInPicture(*subject.Rays, stride);
   const double start = CpuSeconds();
   source->Begin(*subject.Rays, Infinity, tolerance);
   double rays = 0.0;
   double squares = 0.0;
-  for (const SurfacePoint& point : points)
+  for (const SeenPoint& point : points)
   {
     const auto estimate = source->Occlusion(point.Position, point.Normal);
     rays += static_cast<double>(estimate.Rays);
@@ -142,8 +142,8 @@ struct Room
   Scene Drawn;
   std::unique_ptr<RayScene> Rays;
   std::unique_ptr<Illumination> Light;
-  std::vector<SurfacePoint> Known; ///< of all pixels those that have a truth
-  std::vector<glm::dvec3> Truth;   ///< irradiance over pi
+  std::vector<SeenPoint> Known;  ///< of all pixels those that have a truth
+  std::vector<glm::dvec3> Truth; ///< irradiance over pi
 };
 
 using Rooms = std::function<Room&()>;
@@ -161,7 +161,7 @@ Rooms LitRoom(int size, int stride, int paths)
     settings.Bounces = truth.Bounces;
     room->Light = std::make_unique<Illumination>(*room->Rays, settings);
     room->Known = PointsInPicture(*room->Rays, stride);
-    for (const SurfacePoint& point : room->Known)
+    for (const SeenPoint& point : room->Known)
     {
       const double* p = point.Position;
       const double* n = point.Normal;
@@ -177,17 +177,17 @@ Rooms LitRoom(int size, int stride, int paths)
 Measurement AskForLight(
   const Room& room, vtkPenumbraIrradianceSource* source, double tolerance, bool ofAllPixels)
 {
-  const std::vector<SurfacePoint> all = PointsInPicture(*room.Rays, 1);
+  const std::vector<SeenPoint> all = PointsInPicture(*room.Rays, 1);
   const double start = CpuSeconds();
   source->BeginIrradiance(*room.Light, Pi * tolerance);
   double rays = 0.0;
-  const auto ask = [&](const SurfacePoint& point) {
+  const auto ask = [&](const SeenPoint& point) {
     const auto light = source->Irradiance(point.Position, point.Normal, Pi * tolerance);
     rays += static_cast<double>(light.Rays);
     return glm::dvec3(light.Value[0], light.Value[1], light.Value[2]) / Pi;
   };
   std::vector<glm::dvec3> found;
-  for (const SurfacePoint& point : ofAllPixels ? all : room.Known)
+  for (const SeenPoint& point : ofAllPixels ? all : room.Known)
   {
     found.push_back(ask(point));
   }

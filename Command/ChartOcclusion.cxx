@@ -132,13 +132,13 @@ Measurement Ask(const Subject& subject, vtkPenumbraIrradianceSource* source, dou
   bool onlyWhereTruthIs)
 {
   const int stride = onlyWhereTruthIs ? (subject.Size[0] < 200 ? 3 : 4) : 1;
-  const std::vector<SurfacePoint> points = PointsInPicture(*subject.Rays, stride);
+  const std::vector<SeenPoint> points = PointsInPicture(*subject.Rays, stride);
   const auto pixels = static_cast<std::size_t>(subject.Size[0]) * subject.Size[1];
   std::vector<float> picture(pixels);
   const double start = CpuSeconds();
   source->Begin(*subject.Rays, subject.Scene.Radius, tolerance);
   double rays = 0.0;
-  for (const SurfacePoint& point : points)
+  for (const SeenPoint& point : points)
   {
     const auto estimate = source->Occlusion(point.Position, point.Normal);
     picture[point.Pixel] = static_cast<float>(estimate.Value);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The table of Documentation/Architecture.md, enforced: reads the vtk.module files and the #include
-// lines of the repository and fails on an edge between folders that the table does not allow.
+// lines of the repository and fails on an edge between folders that the table does not allow. Beside it
+// what else holds for all sources: their licence, one name for one type.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -264,6 +265,54 @@ TEST(Sources, SayUnderWhichLicenceTheyAre)
         << source;
     }
   }
+}
+
+/// The types that a source defines in namespace penumbra itself; in unnamed namespaces names may repeat.
+/// Namespaces are not indented, so whatever begins a line stands in namespaces alone.
+Names SharedTypes(const fs::path& source)
+{
+  static const std::regex type(R"((?:class|struct|enum class) (?:[A-Z_]+_EXPORT )?(\w+)(?: :.*)?)");
+  std::stringstream text(Text(source));
+  std::vector<std::string> open;
+  std::string line;
+  std::string before;
+  std::smatch found;
+  Names names;
+  while (std::getline(text, line))
+  {
+    if (line[0] == '{')
+    {
+      open.push_back(before);
+    }
+    else if (line[0] == '}' && !open.empty())
+    {
+      open.pop_back();
+    }
+    else if (open == std::vector<std::string>{ "namespace penumbra" } &&
+      std::regex_match(line, found, type))
+    {
+      names.insert(found[1]);
+    }
+    before = line;
+  }
+  return names;
+}
+
+TEST(Sources, NameEveryTypeOfTheNamespaceOnce)
+{
+  std::map<std::string, fs::path> definitions;
+  for (const char* top : { "Filters", "Rendering", "Plugin", "Command", "Testing", "Benchmarks" })
+  {
+    for (const fs::path& source : Sources(Root / top, true))
+    {
+      for (const std::string& name : SharedTypes(source))
+      {
+        const auto [known, isNew] = definitions.emplace(name, source);
+        EXPECT_TRUE(isNew) << name << " stands in " << known->second << " and in " << source;
+      }
+    }
+  }
+  EXPECT_GT(definitions.size(), 100u);
 }
 
 TEST(Data, HasAnOriginForEveryFile)

@@ -16,7 +16,7 @@ namespace
 {
 
 /// The scene as so many ranks draw it, each its own actors, the nearest of all their pictures.
-Picture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
+DepthPicture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
@@ -24,7 +24,7 @@ Picture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
   window->SetAlphaBitPlanes(1);
   window->SetSize(Screen::Size[0], Screen::Size[1]);
   window->AddRenderer(scene.Renderer);
-  Picture whole;
+  DepthPicture whole;
   for (int rank = 0; rank < ranks; ++rank)
   {
     int actor = 0;
@@ -35,7 +35,7 @@ Picture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
       next->SetVisibility(actor++ % ranks == rank);
     }
     window->Render();
-    const Picture part = TakePicture(window);
+    const DepthPicture part = TakePicture(window);
     rank == 0 ? void(whole = part) : Merge(whole, part);
   }
   window->RemoveRenderer(scene.Renderer);
@@ -43,7 +43,7 @@ Picture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
 }
 
 /// The occlusion of a picture, by a pass that knows nothing of the scene.
-std::vector<float> Occlude(const Picture& picture, vtkCamera* camera, double radius)
+std::vector<float> Occlude(const DepthPicture& picture, vtkCamera* camera, double radius)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->GetActiveCamera()->DeepCopy(camera);

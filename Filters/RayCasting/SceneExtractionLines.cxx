@@ -232,7 +232,7 @@ private:
   double PixelsPerPoint;
   Scene& To;
   std::vector<glm::vec3> Points;
-  Placement Place;
+  SceneTransform Place;
   std::vector<glm::dvec4> Planes;
   Surface Own; ///< holds the piece's colours, per point and per cell
   Surface Result;

@@ -7,7 +7,7 @@
 namespace penumbra
 {
 
-Placement::Placement(const glm::dmat4& toWorld, const Scene& scene)
+SceneTransform::SceneTransform(const glm::dmat4& toWorld, const Scene& scene)
   : Linear(scene.Scale * glm::dmat3(toWorld)),
     Shift(scene.Scale * (glm::dvec3(toWorld[3]) - scene.Origin))
 {
@@ -17,12 +17,12 @@ Placement::Placement(const glm::dmat4& toWorld, const Scene& scene)
     size > 0.0 ? glm::transpose(glm::inverse(this->Linear / size)) : glm::dmat3(1.0);
 }
 
-glm::vec3 Placement::Point(const double x[3]) const
+glm::vec3 SceneTransform::Point(const double x[3]) const
 {
   return this->Linear * glm::dvec3(x[0], x[1], x[2]) + this->Shift;
 }
 
-glm::vec3 Placement::Normal(const double n[3]) const
+glm::vec3 SceneTransform::Normal(const double n[3]) const
 {
   return this->NormalMatrix * glm::dvec3(n[0], n[1], n[2]);
 }

@@ -61,10 +61,10 @@ struct Piece
 };
 
 /// From the coordinates of data to those of a scene.
-class Placement
+class SceneTransform
 {
 public:
-  Placement(const glm::dmat4& toWorld, const Scene& scene);
+  SceneTransform(const glm::dmat4& toWorld, const Scene& scene);
   glm::vec3 Point(const double x[3]) const;
   /// By the inverse transpose, as VTK's shaders do.
   glm::vec3 Normal(const double n[3]) const;

@@ -195,7 +195,7 @@ std::uint32_t CellOf(const std::vector<std::uint32_t>& cells, std::size_t triang
   return cells.empty() ? static_cast<std::uint32_t>(triangle) : cells[triangle];
 }
 
-void SetNormals(const Piece& piece, const Placement& placement,
+void SetNormals(const Piece& piece, const SceneTransform& placement,
   const std::vector<std::uint32_t>& cells, Surface& surface)
 {
   const auto convert = [&](vtkDataArray* from, vtkIdType i) {
@@ -245,7 +245,7 @@ std::vector<glm::vec2> MakeCoordinates(vtkDataArray* from)
 
 std::vector<glm::vec3> MakePositions(const Piece& piece, const Scene& scene)
 {
-  const Placement placement(piece.ToWorld, scene);
+  const SceneTransform placement(piece.ToWorld, scene);
   const vtkIdType count = piece.Data->GetNumberOfPoints();
   std::vector<glm::vec3> positions;
   positions.reserve(static_cast<std::size_t>(count) + 1);
@@ -343,7 +343,7 @@ void AddSurface(const Piece& piece, Scene& scene)
   surface.Backfaces = !piece.Property->GetBackfaceCulling();
   surface.Frontfaces = !piece.Property->GetFrontfaceCulling();
   const std::vector<std::uint32_t>& cells = triangles.GetCells();
-  SetNormals(piece, Placement(piece.ToWorld, scene), cells, surface);
+  SetNormals(piece, SceneTransform(piece.ToWorld, scene), cells, surface);
   SetColors(piece, cells, surface);
   SetCellIds(piece, cells, surface);
   ClipSurface(piece.ClippingPlanes, scene, surface);

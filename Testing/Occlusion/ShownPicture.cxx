@@ -45,14 +45,14 @@ vtkTextureObject* Upload(vtkOpenGLRenderWindow* window, std::vector<float>& valu
 
 vtkStandardNewMacro(ShowPicture);
 
-Picture TakePicture(vtkRenderWindow* window)
+DepthPicture TakePicture(vtkRenderWindow* window)
 {
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> bytes;
   window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
   vtkNew<vtkFloatArray> depths;
   window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
-  Picture picture;
+  DepthPicture picture;
   for (vtkIdType i = 0; i < bytes->GetNumberOfValues(); ++i)
   {
     picture.Colors.push_back(static_cast<float>(bytes->GetValue(i)) / 255.f);
@@ -61,7 +61,7 @@ Picture TakePicture(vtkRenderWindow* window)
   return picture;
 }
 
-void Merge(Picture& whole, const Picture& part)
+void Merge(DepthPicture& whole, const DepthPicture& part)
 {
   for (std::size_t i = 0; i < part.Depths.size(); ++i)
   {

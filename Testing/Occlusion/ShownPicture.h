@@ -18,17 +18,17 @@ namespace penumbra
 {
 
 /// Colours (RGBA, 0 to 1) and depths (0 to 1), row after row.
-struct Picture
+struct DepthPicture
 {
   std::vector<float> Colors;
   std::vector<float> Depths;
 };
 
 /// What a window has drawn.
-Picture TakePicture(vtkRenderWindow* window);
+DepthPicture TakePicture(vtkRenderWindow* window);
 
 /// Whatever is nearer in another picture of the same size.
-void Merge(Picture& whole, const Picture& part);
+void Merge(DepthPicture& whole, const DepthPicture& part);
 
 /// Shows a picture that was made elsewhere, of the window's size.
 class ShowPicture : public vtkRenderPass
@@ -40,7 +40,7 @@ public:
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  Picture Shown;
+  DepthPicture Shown;
 
 protected:
   ShowPicture() = default;

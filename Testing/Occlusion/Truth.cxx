@@ -44,7 +44,7 @@ struct PictureTracer
 
   /// Calls `visit(ray, random state)` for rays * rays directions distributed as the cosine.
   template <typename Visit>
-  void ForRaysFrom(const SurfacePoint& seen, int rays, const Visit& visit) const
+  void ForRaysFrom(const SeenPoint& seen, int rays, const Visit& visit) const
   {
     const Scene& scene = this->Drawn;
     const glm::dvec3 world(seen.Position[0], seen.Position[1], seen.Position[2]);
@@ -71,10 +71,10 @@ struct PictureTracer
 
 }
 
-std::vector<SurfacePoint> PointsInPicture(const RayScene& rays, int stride)
+std::vector<SeenPoint> PointsInPicture(const RayScene& rays, int stride)
 {
   const Scene& scene = rays.GetScene();
-  std::vector<SurfacePoint> points;
+  std::vector<SeenPoint> points;
   for (int j = stride / 2; j < scene.Eye.Height; j += stride)
   {
     for (int i = stride / 2; i < scene.Eye.Width; i += stride)
@@ -102,7 +102,7 @@ OcclusionTruth TraceOcclusion(
   const PictureTracer tracer(renderer, size, radius);
   OcclusionTruth truth;
   truth.Width = size[0];
-  for (const SurfacePoint& seen : PointsInPicture(tracer.Rays, stride))
+  for (const SeenPoint& seen : PointsInPicture(tracer.Rays, stride))
   {
     double constant = 0.0;
     double linear = 0.0;
@@ -124,7 +124,7 @@ std::vector<float> TraceMisjudged(
   const PictureTracer tracer(renderer, size, radius);
   const Camera& eye = tracer.Drawn.Eye;
   std::vector<float> shares;
-  for (const SurfacePoint& seen : PointsInPicture(tracer.Rays, stride))
+  for (const SeenPoint& seen : PointsInPicture(tracer.Rays, stride))
   {
     const glm::dvec2 pixel(seen.Pixel % size[0] + .5, seen.Pixel / size[0] + .5);
     int misjudged = 0;

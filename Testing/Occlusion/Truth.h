@@ -16,7 +16,7 @@ namespace penumbra
 class RayScene;
 
 /// What the middle of a pixel shows.
-struct SurfacePoint
+struct SeenPoint
 {
   int Pixel;          ///< row * width + column
   double Position[3]; ///< world
@@ -24,7 +24,7 @@ struct SurfacePoint
 };
 
 /// Every `stride`-th pixel in both directions that shows a surface.
-std::vector<SurfacePoint> PointsInPicture(const RayScene& rays, int stride);
+std::vector<SeenPoint> PointsInPicture(const RayScene& rays, int stride);
 
 /// D of [TSSAO eq. 1] within the radius.
 enum class FallOff
