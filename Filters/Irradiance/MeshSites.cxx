@@ -3,13 +3,13 @@
 #include "MeshSites.h"
 
 #include "CosineDirections.h"
+#include "DataSurface.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -60,22 +60,6 @@ vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh)
   return filter->GetOutput()->GetPolys();
 }
 
-/// Polygons of `data`; its points stay the same points, or are named in `vtkOriginalPointIds`.
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkPointSet* data)
-{
-  vtkPolyData* poly = vtkPolyData::SafeDownCast(data);
-  if (poly)
-  {
-    return poly;
-  }
-  vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputData(data);
-  surface->PassThroughPointIdsOn();
-  surface->PassThroughCellIdsOn();
-  surface->Update();
-  return surface->GetOutput();
-}
-
 /// Ids of the data set that the points or cells of its surface come from; none: the same.
 vtkIdTypeArray* OriginalIds(vtkFieldData* attributes, const char* name, vtkPointSet* data)
 {
@@ -107,7 +91,7 @@ public:
   MeshReading(vtkPointSet* data, const MeshChoices& choices)
     : Data(data),
       Choices(choices),
-      Mesh(SurfaceOf(data))
+      Mesh(WithoutMisfits(PolyDataOf(data), Result.LeftOut))
   {
   }
 
@@ -198,10 +182,8 @@ private:
 
   void FindNormals()
   {
-    vtkDataArray* own = this->Mesh->GetPointData()->GetNormals();
-    const bool usable = own && own->GetNumberOfComponents() == 3;
-    this->Normals = usable ? own : nullptr;
-    if (!usable || this->Choices.ComputeNormals)
+    this->Normals = this->Mesh->GetPointData()->GetNormals();
+    if (!this->Normals || this->Choices.ComputeNormals)
     {
       this->Normals = ComputedNormals(this->Mesh);
     }
@@ -343,8 +325,8 @@ private:
 
   vtkPointSet* Data;
   const MeshChoices& Choices;
-  vtkSmartPointer<vtkPolyData> Mesh;
   MeshSites Result;
+  vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkDataArray> Normals;
   std::vector<glm::vec3> Positions;
   std::vector<char> Finite;
@@ -381,8 +363,12 @@ void AddSurroundings(vtkPolyData* surroundings, MeshSites& mesh)
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     cells->GetCellAtId(cell, ids);
+    if (ids->GetNumberOfIds() != 3)
+    {
+      continue;
+    }
     const glm::uvec3 corners(ids->GetId(0), ids->GetId(1), ids->GetId(2));
-    if (ids->GetNumberOfIds() == 3 && finite[corners.y] && finite[corners.z])
+    if (finite[corners.x] && finite[corners.y] && finite[corners.z])
     {
       surface.Triangles.push_back(corners);
     }

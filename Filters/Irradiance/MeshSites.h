@@ -31,12 +31,13 @@ struct MeshSites
 {
   Scene Blocking; ///< centred on the data set
   std::vector<Site> Sites;
-  std::vector<vtkIdType> Ids; ///< point or cell of the data set that each site belongs to
-  vtkIdType Unused = 0;       ///< points of no cell, or cells without area: they do not ask
-  vtkIdType NotFinite = 0;    ///< points or normals that are not finite: they do not ask
-  vtkBoundingBox Bounds;      ///< of all that is finite, world units
-  double Diagonal = 0.0;      ///< of the bounds, world units
-  float Spacing = 0.f;        ///< usual distance of neighbouring sites, scene units
+  std::vector<vtkIdType> Ids;       ///< point or cell of the data set that each site belongs to
+  std::vector<std::string> LeftOut; ///< attributes that do not fit, a sentence each
+  vtkIdType Unused = 0;             ///< points of no cell, or cells without area: they do not ask
+  vtkIdType NotFinite = 0;          ///< points or normals that are not finite: they do not ask
+  vtkBoundingBox Bounds;            ///< of all that is finite, world units
+  double Diagonal = 0.0;            ///< of the bounds, world units
+  float Spacing = 0.f;              ///< usual distance of neighbouring sites, scene units
 };
 
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT MeshSites FindMeshSites(

@@ -209,6 +209,10 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   {
     site.Pixel *= PixelOfSpacing;
   }
+  for (const std::string& what : mesh.LeftOut)
+  {
+    vtkWarningMacro(<< what);
+  }
   if (mesh.Unused > 0 || mesh.NotFinite > 0)
   {
     vtkWarningMacro(<< mesh.Unused << (this->OnCells ? " cells" : " points")

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceExchange.h"
 
+#include "DataSurface.h"
+
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkIdList.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -27,16 +28,10 @@ namespace
 vtkSmartPointer<vtkPolyData> SurfaceOfLeaf(vtkDataObject* data)
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
-  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
-  vtkNew<vtkDataSetSurfaceFilter> filter;
-  if (!mesh && vtkDataSet::SafeDownCast(data))
+  vtkDataSet* dataSet = vtkDataSet::SafeDownCast(data);
+  if (dataSet && dataSet->GetNumberOfPoints() > 0)
   {
-    filter->SetInputDataObject(data);
-    filter->Update();
-    mesh = filter->GetOutput();
-  }
-  if (mesh && mesh->GetNumberOfPoints() > 0)
-  {
+    const vtkSmartPointer<vtkPolyData> mesh = PolyDataOf(dataSet);
     surface->CopyStructure(mesh);
     surface->GetPointData()->SetNormals(mesh->GetPointData()->GetNormals());
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionActors.h"
 
+#include "DataSurface.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
@@ -14,7 +15,6 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
-#include "vtkGeometryFilter.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
@@ -67,21 +67,6 @@ std::vector<glm::dvec4> ToPlanes(vtkPlaneCollection* from)
   return planes;
 }
 
-/// The surface of a data set, with the ids of the cells it came from.
-void SetData(vtkDataSet* data, Piece& piece)
-{
-  piece.Data = vtkPolyData::SafeDownCast(data);
-  if (!piece.Data)
-  {
-    vtkNew<vtkGeometryFilter> surface;
-    surface->SetInputData(data);
-    surface->PassThroughCellIdsOn();
-    surface->Update();
-    piece.Data = surface->GetOutput();
-    piece.CellIds = piece.Data->GetCellData()->GetArray("vtkOriginalCellIds");
-  }
-}
-
 class Collector
 {
 public:
@@ -124,8 +109,22 @@ public:
     }
   }
 
+  /// What was added, with attributes that can be read.
+  std::vector<Piece> Take()
+  {
+    for (Piece& piece : this->Pieces)
+    {
+      std::vector<std::string> left;
+      piece.Data = WithoutMisfits(piece.Data, left);
+      for (const std::string& what : left)
+      {
+        this->Warnings.push_back(piece.Name + ": " + what);
+      }
+    }
+    return std::move(this->Pieces);
+  }
+
   int NextObject = 0;
-  std::vector<Piece> Pieces;
 
 private:
   void AddLeaf(vtkProp* prop, vtkMatrix4x4* matrix)
@@ -198,7 +197,11 @@ private:
   void AddDataSet(vtkDataSet* data, const Piece& look, ScalarMapper* scalars)
   {
     Piece piece = look;
-    SetData(data, piece);
+    piece.Data = PolyDataOf(data);
+    if (piece.Data != data)
+    {
+      piece.CellIds = piece.Data->GetCellData()->GetArray("vtkOriginalCellIds");
+    }
     if (piece.Data->GetNumberOfPoints() > 0 && piece.Data->GetNumberOfCells() > 0)
     {
       if (scalars)
@@ -209,6 +212,7 @@ private:
     }
   }
 
+  std::vector<Piece> Pieces;
   std::vector<std::string>& Warnings;
 };
 
@@ -225,7 +229,7 @@ std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>
   {
     collector.AddProp(prop);
   }
-  return std::move(collector.Pieces);
+  return collector.Take();
 }
 
 std::vector<Piece> CollectPieces(
@@ -240,7 +244,7 @@ std::vector<Piece> CollectPieces(
     look.Property = vtkSmartPointer<vtkProperty>::New();
     collector.AddData(object, look, nullptr);
   }
-  return std::move(collector.Pieces);
+  return collector.Take();
 }
 
 }

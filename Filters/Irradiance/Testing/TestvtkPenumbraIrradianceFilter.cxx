@@ -333,6 +333,65 @@ TEST(vtkPenumbraIrradianceFilter, GivesZeroWhereNothingCanBeAsked)
   }
 }
 
+TEST(vtkPenumbraIrradianceFilter, ComputesNormalsWhereThoseOfTheMeshAreTooFew)
+{
+  const auto mesh = SphereOnFloor(10);
+  vtkNew<vtkPenumbraIrradianceFilter> computing;
+  computing->SetInputData(mesh);
+  computing->ComputeNormalsOn();
+  computing->Update();
+  const auto expected = OutputOf(computing)->GetPointData()->GetArray("AmbientOcclusion");
+  vtkNew<vtkPolyData> faulty;
+  faulty->ShallowCopy(mesh);
+  vtkNew<vtkFloatArray> few;
+  few->SetNumberOfComponents(3);
+  few->InsertNextTuple3(0.0, 0.0, -1.0);
+  faulty->GetPointData()->SetNormals(few);
+  std::string warnings;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&warnings);
+  listen->SetCallback([](vtkObject*, unsigned long, void* to, void* text) {
+    *static_cast<std::string*>(to) += static_cast<const char*>(text);
+  });
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(faulty);
+  filter->AddObserver(vtkCommand::WarningEvent, listen);
+  filter->Update();
+  const auto values = OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion");
+  ASSERT_EQ(values->GetNumberOfTuples(), expected->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_EQ(values->GetComponent(i, 0), expected->GetComponent(i, 0)) << i;
+  }
+  EXPECT_NE(warnings.find("1 normals of points"), std::string::npos) << warnings;
+}
+
+TEST(vtkPenumbraIrradianceFilter, LetsNoPolygonBlockThatIsNotFinite)
+{
+  for (int bad = 0; bad < 3; ++bad)
+  {
+    // Were the bad corner at the middle of the floor, the triangle would lie over much of it.
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(-5.0, -5.0, 2.0);
+    points->InsertNextPoint(5.0, -5.0, 2.0);
+    points->InsertNextPoint(0.0, 5.0, 2.0);
+    points->SetPoint(bad, std::nan(""), 0.0, 0.0);
+    vtkNew<vtkCellArray> triangle;
+    triangle->InsertNextCell({ 0, 1, 2 });
+    vtkNew<vtkPolyData> surroundings;
+    surroundings->SetPoints(points);
+    surroundings->SetPolys(triangle);
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(Floor(10)->GetOutput());
+    filter->SetInputData(1, surroundings);
+    filter->SetRadius(VTK_DOUBLE_MAX);
+    filter->Update();
+    double range[2];
+    OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion")->GetRange(range);
+    EXPECT_EQ(range[1], 0.0) << bad;
+  }
+}
+
 TEST(vtkPenumbraIrradianceFilter, BakesCellsAndVolumesToo)
 {
   const auto mesh = SphereOnFloor(24);

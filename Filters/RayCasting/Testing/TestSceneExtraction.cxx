@@ -7,14 +7,17 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkCubeSource.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -192,6 +195,28 @@ TEST(SceneExtraction, DropsCellsWithBadPointsAndSaysHowMany)
     EXPECT_EQ(scene.Warnings.size(), 1u);
     EXPECT_TRUE(std::isfinite(scene.Scale));
     EXPECT_EQ(scene.Surfaces[0].CellIds, std::vector<std::uint32_t>{ 0 });
+  }
+}
+
+TEST(SceneExtraction, LeavesOutAttributesThatDoNotFit)
+{
+  for (const vtkIdType size : { 1, 2, 4, 9 })
+  {
+    vtkSmartPointer<vtkPolyData> data = Polygons({ { 0, 1, 2 }, { 0, 2, 3 } });
+    vtkNew<vtkFloatArray> triples;
+    triples->SetNumberOfComponents(3);
+    triples->SetNumberOfTuples(size);
+    triples->Fill(1.0);
+    data->GetPointData()->SetNormals(triples);
+    data->GetPointData()->SetTCoords(triples);
+    data->GetCellData()->SetNormals(triples);
+    const Scene scene = Extract(data);
+    EXPECT_EQ(scene.Surfaces[0].Normals.size(), size == 4 ? 4u : 0u);
+    EXPECT_EQ(scene.Surfaces[0].TriangleNormals.size(), size == 2 ? 2u : 0u);
+    EXPECT_EQ(Warns(scene, "normals of points"), size != 4);
+    EXPECT_EQ(Warns(scene, "texture coordinates"), size != 4);
+    EXPECT_EQ(Warns(scene, "normals of cells"), size != 2);
+    EXPECT_EQ(data->GetPointData()->GetNormals(), triples); // the input stays as it is
   }
 }
 
