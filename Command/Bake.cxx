@@ -112,10 +112,9 @@ constexpr double Pi = 3.14159265358979323846;
 
 /// PLY files hold colours, not arrays: white where open, or the light that a white surface sends out
 /// under it, as far as 8 bits hold it.
-void AddColors(vtkPolyData* mesh)
+void AddColors(vtkPolyData* mesh, bool light)
 {
-  vtkDataArray* occlusion = mesh->GetPointData()->GetArray("AmbientOcclusion");
-  vtkDataArray* light = mesh->GetPointData()->GetArray("Irradiance");
+  vtkDataArray* values = mesh->GetPointData()->GetArray(light ? "Irradiance" : "AmbientOcclusion");
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("Baked");
   colors->SetNumberOfComponents(3);
@@ -125,7 +124,7 @@ void AddColors(vtkPolyData* mesh)
     for (int c = 0; c < 3; ++c)
     {
       const double share =
-        light ? light->GetComponent(i, c) / Pi : 1.0 - occlusion->GetComponent(i, 0);
+        light ? values->GetComponent(i, c) / Pi : 1.0 - values->GetComponent(i, 0);
       colors->SetComponent(i, c, std::round(255.0 * std::min(share, 1.0)));
     }
   }
@@ -140,7 +139,23 @@ bool Write(Writer* writer, vtkDataObject* data, const std::string& path)
   return writer->Write() != 0 && writer->GetErrorCode() == 0;
 }
 
-bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string& path)
+/// The writer takes no ending but .ply.
+bool WriteColors(vtkPolyData* mesh, const std::string& path)
+{
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetArrayName("Baked");
+  const std::string named = path + ".ply";
+  RemoveOnCrash(named);
+  const bool written = Write(writer.Get(), mesh, named);
+  std::error_code error;
+  std::filesystem::rename(named, path, error);
+  std::error_code ignored;
+  std::filesystem::remove(named, ignored);
+  KeepOnCrash(named);
+  return written && !error;
+}
+
+bool WriteAs(const std::string& extension, vtkPolyData* mesh, bool light, const std::string& path)
 {
   if (extension == ".vtp")
   {
@@ -154,15 +169,8 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string&
   }
   if (extension == ".ply")
   {
-    AddColors(mesh);
-    vtkNew<vtkPLYWriter> writer;
-    writer->SetArrayName("Baked");
-    // The writer takes no other ending.
-    const std::string named = path + ".ply";
-    const bool written = Write(writer.Get(), mesh, named);
-    std::error_code error;
-    std::filesystem::rename(named, path, error);
-    return written && !error;
+    AddColors(mesh, light);
+    return WriteColors(mesh, path);
   }
   vtkNew<vtkAppendFilter> convert;
   convert->SetInputData(mesh);
@@ -206,7 +214,8 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   vtkNew<vtkPenumbraIrradianceFilter> filter;
   filter->SetInputData(mesh);
   filter->SetTolerance(options.Tolerance);
-  if (options.Quantity == "irradiance")
+  const bool light = options.Quantity == "irradiance";
+  if (light)
   {
     filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
   }
@@ -242,7 +251,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   EnterPhase("writing " + options.Output, MachineCannot);
   lap = Clock::now();
   vtkPolyData* baked = vtkPolyData::SafeDownCast(filter->GetOutput());
-  if (!WriteAs(Extension(options.Output), baked, output.TemporaryPath()))
+  if (!WriteAs(Extension(options.Output), baked, light, output.TemporaryPath()))
   {
     output.Fail("it cannot be written whole");
   }

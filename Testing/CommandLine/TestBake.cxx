@@ -6,6 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPLYReader.h"
 #include "vtkPlaneSource.h"
@@ -125,6 +126,32 @@ TEST(Bake, NeedsPolygonsOrAPointRadius)
     { "bake", folder / "cloud.vtp", "--output", folder / "baked.vtp", "--point-radius", ".1" });
   EXPECT_EQ(with.Status, 0) << with.Errors;
   EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp"));
+}
+
+TEST(Bake, WritesColorsOfWhatIsAskedForOntoAMeshThatBringsTheOther)
+{
+  const Folder folder("bakeother");
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkNew<vtkFloatArray> dark;
+  dark->SetName("Irradiance");
+  dark->SetNumberOfComponents(3);
+  dark->SetNumberOfTuples(sphere->GetOutput()->GetNumberOfPoints());
+  dark->Fill(0.0);
+  sphere->GetOutput()->GetPointData()->AddArray(dark);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(sphere->GetOutput());
+  writer->SetFileName((folder / "sphere.vtp").c_str());
+  writer->Write();
+  const Outcome outcome =
+    RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / "baked.ply" });
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName((folder / "baked.ply").c_str());
+  reader->Update();
+  vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_TRUE(colors);
+  EXPECT_EQ(colors->GetComponent(7, 0), 255.0); // a convex body is open
 }
 
 TEST(Bake, WritesTheLightOfTheSkyOntoAConvexBody)
