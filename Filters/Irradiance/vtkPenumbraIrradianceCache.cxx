@@ -160,9 +160,16 @@ vtkPenumbraGatherer* vtkPenumbraIrradianceCache::GetGatherer()
 
 vtkMTimeType vtkPenumbraIrradianceCache::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Implementation->Foreign ? std::max(own, this->Implementation->Foreign->GetMTime())
-                                       : own;
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Implementation->Foreign)
+  {
+    time = std::max(time, this->Implementation->Foreign->GetMTime());
+  }
+  if (this->Implementation->InitialRecords)
+  {
+    time = std::max(time, this->Implementation->InitialRecords->GetMTime());
+  }
+  return time;
 }
 
 void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const

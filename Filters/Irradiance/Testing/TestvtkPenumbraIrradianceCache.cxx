@@ -343,6 +343,26 @@ TEST(vtkPenumbraIrradianceCache, GivesRecordsOutAndTakesThemIn)
   }
 }
 
+TEST(vtkPenumbraIrradianceCache, TakesRecordsAnewThatWereEditedInPlace)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.0);
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> first;
+  first->Begin(rays, 1.0, .02);
+  vtkNew<vtkPolyData> records;
+  first->GetRecords(records);
+  vtkNew<vtkPenumbraIrradianceCache> second;
+  second->SetInitialRecords(records);
+  second->Begin(rays, 1.0, .02);
+  records->GetPointData()->GetArray("AmbientOcclusion")->Fill(.25);
+  records->GetPointData()->GetArray("AmbientOcclusion")->Modified();
+  second->Begin(rays, 1.0, .02);
+  vtkNew<vtkPolyData> again;
+  second->GetRecords(again);
+  EXPECT_NEAR(again->GetPointData()->GetArray("AmbientOcclusion")->GetComponent(7, 0), .25, 1e-6);
+}
+
 TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceInTheLazyOrder)
 {
   Scene scene;
