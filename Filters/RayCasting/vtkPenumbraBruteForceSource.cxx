@@ -44,11 +44,11 @@ constexpr double LuckAllowance = 2.0;
 /// Paths of the first round, over MinimumRays: lights are smaller than occluders.
 constexpr std::uint32_t PathsPerRay = 8;
 
-/// A power of two.
-std::uint32_t FirstRound(int minimumRays)
+/// A power of two, `wanted` or more as far as `limit` allows.
+std::uint32_t FirstRound(std::uint32_t wanted, std::uint32_t limit)
 {
   std::uint32_t count = 8;
-  while (count < static_cast<std::uint32_t>(minimumRays))
+  while (count < wanted && count <= limit / 2)
   {
     count *= 2;
   }
@@ -176,7 +176,7 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWith
     }
     return hemisphere.Ask(count);
   }
-  for (std::uint32_t count = FirstRound(this->MinimumRays);; count *= 2)
+  for (std::uint32_t count = FirstRound(this->MinimumRays, limit);; count *= 2)
   {
     const Estimate answer = hemisphere.Ask(count);
     if (answer.Error <= tolerance || count > limit / 2)
@@ -213,7 +213,7 @@ vtkPenumbraIrradianceSource::Light vtkPenumbraBruteForceSource::Irradiance(
   glm::dvec3 sum(0.0);
   std::vector<float> greys;
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
-  for (std::uint32_t count = PathsPerRay * FirstRound(this->MinimumRays);; count *= 2)
+  for (std::uint32_t count = FirstRound(PathsPerRay * this->MinimumRays, limit);; count *= 2)
   {
     while (greys.size() < count)
     {

@@ -25,13 +25,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** No more rays than this for one point, 32 to 2^24. Default: 16384. */
+  /** No more rays than this (of irradiance: paths) for one point, 32 to 2^24. Default: 16384. */
   vtkSetClampMacro(MaximumRays, int, 32, 1 << 24);
   vtkGetMacro(MaximumRays, int);
   ///@}
 
   ///@{
-  /** Rays of the first round, a power of two, 8 to 65536: what hides from them goes unseen. Default: 32. */
+  /** Rays of the first round, a power of two, 8 to 65536, for irradiance eight times as many, but never
+   * more than MaximumRays: what hides from them goes unseen. Default: 32. */
   vtkSetClampMacro(MinimumRays, int, 8, 65536);
   vtkGetMacro(MinimumRays, int);
   ///@}

@@ -4,6 +4,7 @@
 // Occlusion of scenes whose answer is known in closed form.
 #include "vtkPenumbraBruteForceSource.h"
 
+#include "Illumination.h"
 #include "RayScene.h"
 #include "Solids.h"
 
@@ -195,6 +196,27 @@ TEST(vtkPenumbraBruteForceSource, SpendsMoreRaysOnlyWhereTheyAreNeeded)
   EXPECT_LE(open.Rays, 64);
   EXPECT_LT(coarse.Rays, fine.Rays);
   EXPECT_LT(fine.Rays, 10000);
+}
+
+TEST(vtkPenumbraBruteForceSource, SpendsNoMoreRaysThanItMay)
+{
+  Scene scene;
+  AddFloor(scene, 10.f);
+  AddDisc(scene, .7f, 1.f);
+  const RayScene rays(scene, 1);
+  const glm::dvec3 point(0.0);
+  const glm::dvec3 normal(0.0, 0.0, 1.0);
+  for (const int minimum : { 8, 32, 4096 })
+  {
+    vtkNew<vtkPenumbraBruteForceSource> source;
+    source->SetMinimumRays(minimum);
+    source->SetMaximumRays(100);
+    source->Begin(rays, Infinity, 0.0);
+    EXPECT_EQ(source->Occlusion(&point.x, &normal.x).Rays, 64);
+    source->BeginIrradiance(Illumination(rays, IlluminationSettings()), 0.0);
+    EXPECT_GE(
+      64 * IlluminationSettings().Bounces, source->Irradiance(&point.x, &normal.x, 0.0).Rays);
+  }
 }
 
 TEST(vtkPenumbraBruteForceSource, AnswersTheSameInOtherUnits)
