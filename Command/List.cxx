@@ -36,7 +36,7 @@ int List()
   }
   std::cout << "\n\nEngines\n"
                "  ray       antialiased ray casting; needs no OpenGL\n"
-               "  raster    VTK's OpenGL, 8 samples a pixel\n"
+               "  raster    VTK's OpenGL, up to 8 samples a pixel\n"
                "\nKernels of --ambient-occlusion (raster)\n"
                "  automatic traced";
   for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)

@@ -27,7 +27,7 @@ namespace
 {
 
 constexpr int Size = 96;
-const char* const OpenGL = "OpenGL, 8 samples a pixel";
+const char* const OpenGL = "OpenGL, 8 samples a pixel asked for (OSMesa gives 4)";
 
 /// [AA] as printed.
 void AsPrinted(vtkPenumbraRayCaster* caster)
