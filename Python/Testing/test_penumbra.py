@@ -155,6 +155,13 @@ class RayCastPicture(unittest.TestCase):
         added = (picture - straight)[10, 10]
         numpy.testing.assert_allclose(added, [0.25, 0.125, 0.5], atol=0.004)
 
+    def test_refuses_what_makes_no_sense(self):
+        plotter = scene()
+        for wrong in ({"tolerance": 2.0}, {"strength": 3.0}, {"radius": -1.0}, {"albedo": -0.1},
+                      {"bounces": 65}, {"window_size": (0, 20)}):
+            with self.assertRaisesRegex(ValueError, next(iter(wrong))):
+                plotter.penumbra.ray_cast(**wrong)
+
 
 class TemporalOcclusion(unittest.TestCase):
     def test_comes_near_to_rays(self):
@@ -193,8 +200,13 @@ class LightShafts(unittest.TestCase):
         plotter.penumbra.enable_light_shafts()
         hazy = plotter.screenshot(return_img=True).astype(int)
         self.assertGreater(numpy.abs(hazy - plain).max(), 8)
-        with self.assertRaisesRegex(ValueError, "phase"):
-            plotter.penumbra.enable_light_shafts(phase="mie")
+
+    def test_refuse_what_makes_no_sense(self):
+        plotter = scene()
+        for wrong in ({"phase": "mie"}, {"scattering": -1.0}, {"extinction": math.nan},
+                      {"asymmetry": 1.5}, {"tolerance": 0.0}):
+            with self.assertRaisesRegex(ValueError, next(iter(wrong))):
+                plotter.penumbra.enable_light_shafts(**wrong)
 
 
 class RenderPassesProvider(unittest.TestCase):

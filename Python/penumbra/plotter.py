@@ -16,15 +16,6 @@ from .vtkPenumbraRenderingScreenSpace import (
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
 
 
-def _set_medium(target, scattering, extinction, phase, asymmetry):
-    if phase not in PHASES:
-        raise ValueError(f"phase is one of {', '.join(PHASES)}, not {phase!r}")
-    target.SetScattering(-1.0 if scattering is None else scattering)
-    target.SetExtinction(-1.0 if extinction is None else extinction)
-    target.SetPhase(PHASES.index(phase))
-    target.SetAsymmetry(asymmetry)
-
-
 def _check(condition, message):
     if not condition:
         raise ValueError(message)
@@ -93,19 +84,23 @@ class PlotterAccessor:
             Shares of light scattered and lost per world unit; default: a quarter over the diagonal
             of the bounds, and nothing absorbed.
         phase : {"isotropic", "rayleigh", "henyey-greenstein"}
-            Where scattered light goes; ``asymmetry`` is the last one's mean cosine.
+            Where scattered light goes; ``asymmetry`` is the last one's mean cosine, -0.999 to 0.999.
         tolerance : float
-            The error accepted in a colour.
+            The error accepted in a colour, 0.0001 to 1.
 
         Returns the pass, a ``vtkPenumbraLightShaftPass``.
         """
+        for name, share in (("scattering", scattering), ("extinction", extinction)):
+            _check(share is None or share >= 0.0, f"{name} is 0 or more, not {share!r}")
+        _check(phase in PHASES, f"phase is one of {', '.join(PHASES)}, not {phase!r}")
+        _check(-0.999 <= asymmetry <= 0.999, f"asymmetry is -0.999 to 0.999, not {asymmetry!r}")
+        _check(1e-4 <= tolerance <= 1.0, f"tolerance is 0.0001 to 1, not {tolerance!r}")
         require(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
-        try:
-            _set_medium(shafts, scattering, extinction, phase, asymmetry)
-        except ValueError:
-            self.disable_light_shafts()
-            raise
+        shafts.SetScattering(-1.0 if scattering is None else scattering)
+        shafts.SetExtinction(-1.0 if extinction is None else extinction)
+        shafts.SetPhase(PHASES.index(phase))
+        shafts.SetAsymmetry(asymmetry)
         shafts.SetTolerance(tolerance)
         self._plotter.render()
         return shafts
@@ -145,9 +140,12 @@ class PlotterAccessor:
             ray caster believes it made.
         """
         _check(1e-6 <= tolerance <= 1.0, f"tolerance is 0.000001 to 1, not {tolerance!r}")
+        _check(radius is None or radius > 0.0, f"radius is a length, not {radius!r}")
+        _check(strength is None or 0.0 <= strength <= 1.0, f"strength is 0 to 1, not {strength!r}")
         _check(0.0 <= albedo <= 1.0, f"albedo is 0 to 1, not {albedo!r}")
         _check(1 <= bounces <= 64, f"bounces is 1 to 64, not {bounces!r}")
         width, height = window_size or self._plotter.window_size
+        _check(width >= 1 and height >= 1, f"window_size is 1 by 1 or more, not {window_size!r}")
         if not self._renderer.camera.is_set and not self._renderer.camera_set:
             self._plotter.reset_camera()
         caster = vtkPenumbraRayCaster()
@@ -165,7 +163,7 @@ class PlotterAccessor:
         caster.SetBackground(not transparent_background)
         update(caster)
         colors = vtk_to_numpy(caster.GetOutput().GetPointData().GetArray("Color"))
-        picture = colors.reshape(height, width, 4)[::-1, :, : 4 if transparent_background else 3]
+        picture = colors.reshape(int(height), int(width), 4)[::-1, :, : 4 if transparent_background else 3]
         if not as_float:
             picture = (numpy.clip(picture, 0.0, 1.0) * 255.0 + 0.5).astype(numpy.uint8)
         if not return_statistics:
