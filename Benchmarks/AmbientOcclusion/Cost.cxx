@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
+#include "FrameTimes.h"
+#include "KeepMemory.h"
 
 #include "vtkCamera.h"
 
-#include <algorithm>
 #include <functional>
 #include <memory>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
+#include <vector>
 
 namespace penumbra
 {
@@ -19,7 +17,7 @@ namespace
 {
 
 constexpr int WarmingFrames = 2;
-constexpr int Rounds = 5;
+constexpr int Rounds = 11;
 
 /// Frames in motion until pixels have converged as far as the filter reaches.
 constexpr int HistoryFrames = 20;
@@ -48,12 +46,7 @@ struct Variant
     }
   }
 
-  double Median()
-  {
-    const auto middle = this->Seconds.begin() + static_cast<std::ptrdiff_t>(Rounds / 2);
-    std::nth_element(this->Seconds.begin(), middle, this->Seconds.end());
-    return *middle;
-  }
+  double Over(const Variant& plain) const { return MedianOverhead(this->Seconds, plain.Seconds); }
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::unique_ptr<Screen> View;
@@ -94,16 +87,16 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<SceneUnder
       variant->Draw(variant != &still, frame >= 0);
     }
   }
-  const double base = plain.Median();
-  const double peer = vtk32.Median() - base;
-  const double peer256 = vtk256.Median() - base;
+  const double base = Median(plain.Seconds);
+  const double peer = vtk32.Over(plain);
+  const double peer256 = vtk256.Over(plain);
   Table& table = benchmark.Results;
   table.Add(name, "plain frame, ms", 1e3 * base, Bar::None);
   table.Add(name, "overhead of vtkSSAOPass 32, ms", 1e3 * peer, Bar::None);
   for (Variant* ours : { &horizon, &march })
   {
     const std::string kernel = ours == &horizon ? "horizon" : "march";
-    const double overhead = ours->Median() - base;
+    const double overhead = ours->Over(plain);
     table.Add(name, "overhead of " + kernel + ", moving, ms", 1e3 * overhead, Bar::None);
     if (ours == &march)
     {
@@ -116,7 +109,7 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<SceneUnder
     benchmark.Judge(name, kernel + " / vtkSSAOPass 32", overhead / peer, .25, why);
     benchmark.Judge(name, kernel + " / vtkSSAOPass 256", overhead / peer256, .05, why);
   }
-  const double converged = still.Median() / base;
+  const double converged = MedianQuotient(still.Seconds, plain.Seconds);
   if (scene().Name == "S400")
   {
     benchmark.Judge(name, "converged still frame / plain frame", converged, 1.05,
@@ -142,12 +135,8 @@ void MeasureCost(OcclusionBenchmark& benchmark)
   // llvmpipe gets memory for every frame and gives it back. By default the C library hands much of it
   // on to the system, and the page faults of the next frame are taken for its work.
   measure("memory handed back");
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
-  mallopt(M_TOP_PAD, 1 << 28);
+  KeepFreedMemory();
   measure("memory kept");
-#endif
 }
 
 }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What light shafts cost over a plain frame: 400 spheres, 1024x768, the least of alternating frames, in
-// seconds of the drawing thread.
+// What light shafts cost over a plain frame: 400 spheres, 1024x768, medians over rounds of alternating
+// frames, each against the plain frame of its round, in seconds of the drawing thread.
 #include "Benchmark.h"
+#include "FrameTimes.h"
 #include "KeepMemory.h"
 
 #include "vtkActor.h"
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <vector>
 
 namespace penumbra
@@ -32,15 +32,8 @@ namespace penumbra
 namespace
 {
 
-constexpr int Frames = 6;
-
-/// OSMesa draws on this thread; others may keep the machine busy.
-double ThreadSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+constexpr int WarmingRounds = 2;
+constexpr int Rounds = 21;
 
 /// A window with the scene S400.
 struct SphereScene
@@ -118,12 +111,6 @@ double PageFaults()
   return 1e-3 * static_cast<double>(usage.ru_minflt);
 }
 
-/// The least disturbed of some frames: other work on the machine only adds.
-double Least(const std::vector<double>& times)
-{
-  return *std::min_element(times.begin(), times.end());
-}
-
 /// `memory`: how it is had, for the table.
 void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
 {
@@ -148,30 +135,30 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   std::vector<double> stopped[Scenes]; // the first picture that stays
   std::vector<double> still[Scenes];
   double faults[Scenes] = {};
-  for (int frame = -2; frame < Frames; ++frame)
+  for (int round = -WarmingRounds; round < Rounds; ++round)
   {
     for (int i = 0; i < Scenes; ++i)
     {
       const double before = PageFaults();
       const double times[3] = { scenes[i]->Frame(0.1), scenes[i]->Frame(0.0),
         scenes[i]->Frame(0.0) };
-      if (frame >= 0)
+      if (round >= 0)
       {
         moving[i].push_back(times[0]);
         stopped[i].push_back(times[1]);
         still[i].push_back(times[2]);
-        faults[i] += (PageFaults() - before) / (3.0 * Frames);
+        faults[i] += (PageFaults() - before) / (3.0 * Rounds);
       }
     }
   }
   for (int i = 0; i < Scenes; ++i)
   {
-    std::printf("  scene %d: moving %.3f s, stopped %.3f s, still %.3f s\n", i, Least(moving[i]),
-      Least(stopped[i]), Least(still[i]));
+    std::printf("  scene %d: moving %.3f s, stopped %.3f s, still %.3f s\n", i, Median(moving[i]),
+      Median(stopped[i]), Median(still[i]));
   }
-  const double base = Least(moving[0]);
-  const double first = Least(moving[2]) - base;
-  const double second = Least(moving[3]) - Least(moving[1]);
+  const double base = Median(moving[0]);
+  const double first = MedianOverhead(moving[2], moving[0]);
+  const double second = MedianOverhead(moving[3], moving[1]);
   char pages[80];
   std::snprintf(pages, sizeof pages, "thousands of page faults a frame: %.1f, plain %.1f",
     faults[2], faults[0]);
@@ -181,14 +168,14 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
     scene, "overhead at tolerance 1/64, plain frames", first / base, Bar::AtMost, 0.35, pages);
   table.Add(
     scene, "overhead of two lights over that of one", second / first, Bar::AtMost, 1.6, pages);
-  table.Add(scene, "overhead at tolerance 1/256, plain frames", (Least(moving[4]) - base) / base,
-    Bar::None);
+  table.Add(scene, "overhead at tolerance 1/256, plain frames",
+    MedianOverhead(moving[4], moving[0]) / base, Bar::None);
   table.Add(scene, "overhead at tolerance 1/64 with 64 steps, plain frames",
-    (Least(moving[5]) - base) / base, Bar::None);
+    MedianOverhead(moving[5], moving[0]) / base, Bar::None);
   table.Add(scene, "the first picture that stays, plain frames",
-    Least(stopped[2]) / Least(stopped[0]), Bar::None);
+    MedianQuotient(stopped[2], stopped[0]), Bar::None);
   table.Add(
-    scene, "still, plain frames", Least(still[2]) / Least(still[0]), Bar::AtMost, 1.05, pages);
+    scene, "still, plain frames", MedianQuotient(still[2], still[0]), Bar::AtMost, 1.05, pages);
 
   vtkNew<vtkUnsignedCharArray> before;
   vtkNew<vtkUnsignedCharArray> after;
