@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Baking.h"
 
+#include "Batches.h"
 #include "CosineDirections.h"
 #include "Neighbours.h"
 
@@ -99,12 +100,8 @@ std::vector<std::size_t> Uncovered(
   const std::vector<Site>& sites, const RecordTree& tree, const std::vector<std::size_t>& from)
 {
   std::vector<char> covered(from.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(from.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      covered[i] = Placement::IsCovered(tree, sites[from[i]]);
-    }
-  });
+  ParallelFor<std::size_t>(0, from.size(), 0,
+    [&](std::size_t i) { covered[i] = Placement::IsCovered(tree, sites[from[i]]); });
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < from.size(); ++i)
   {
@@ -160,22 +157,19 @@ std::vector<std::size_t> Interpolate(
 {
   std::vector<char> asks(sites.size());
   std::atomic<std::size_t> interpolated(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(sites.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
+  ParallelFor<std::size_t>(0, sites.size(), 0, [&](std::size_t i) {
+    const Interpolated found = tree.LookUp(sites[i]);
+    const Record* here = found.Found() ? nullptr : tree.FindAt(sites[i]);
+    if (found.Found())
     {
-      const Interpolated found = tree.LookUp(sites[i]);
-      const Record* here = found.Found() ? nullptr : tree.FindAt(sites[i]);
-      if (found.Found())
-      {
-        result.Values[i] = { found.Mean, found.Error };
-        ++interpolated;
-      }
-      else if (here)
-      {
-        result.Values[i] = { here->Found.Mean, here->Found.Error };
-      }
-      asks[i] = !found.Found() && !here;
+      result.Values[i] = { found.Mean, found.Error };
+      ++interpolated;
     }
+    else if (here)
+    {
+      result.Values[i] = { here->Found.Mean, here->Found.Error };
+    }
+    asks[i] = !found.Found() && !here;
   });
   result.Interpolated = interpolated;
   std::vector<std::size_t> left;
@@ -266,14 +260,11 @@ private:
     }
     const Neighbours neighbours(this->Sites, which, spacing);
     std::vector<Uncertain> fitted(which.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(which.size()), [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        // Where all rays agree nothing is added: in the open occlusion is 0.
-        const Uncertain& own = answers[which[i]];
-        const bool agree = own.Mean == 0.f || own.Mean == 1.f;
-        fitted[i] = agree ? own : neighbours.Fit(which[i], answers);
-      }
+    ParallelFor<std::size_t>(0, which.size(), 0, [&](std::size_t i) {
+      // Where all rays agree nothing is added: in the open occlusion is 0.
+      const Uncertain& own = answers[which[i]];
+      const bool agree = own.Mean == 0.f || own.Mean == 1.f;
+      fitted[i] = agree ? own : neighbours.Fit(which[i], answers);
     });
     const float limit = LimitOf(fitted, this->How.QuickAllowed);
     std::size_t certain = 0;

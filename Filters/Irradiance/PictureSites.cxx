@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureSites.h"
 
+#include "Batches.h"
 #include "RayScene.h"
-
-#include "vtkSMPTools.h"
 
 namespace penumbra
 {
@@ -84,17 +83,14 @@ std::vector<Site> SitesOfPicture(const RayScene& rays, int level)
   const int stride = StrideOf(level);
   const int rows = (eye.Height + stride - 1) / stride;
   std::vector<std::vector<Site>> found(rows);
-  vtkSMPTools::For(0, rows, [&](vtkIdType begin, vtkIdType end) {
-    for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+  ParallelFor(0, rows, 0, [&](int row) {
+    for (int x = 0; x < eye.Width; x += stride)
     {
-      for (int x = 0; x < eye.Width; x += stride)
+      Site site;
+      const int y = row * stride;
+      if (IsOfLevel(x, y, stride, level) && FindSite(rays, { x + .5, y + .5 }, site))
       {
-        Site site;
-        const int y = row * stride;
-        if (IsOfLevel(x, y, stride, level) && FindSite(rays, { x + .5, y + .5 }, site))
-        {
-          found[row].push_back(site);
-        }
+        found[row].push_back(site);
       }
     }
   });

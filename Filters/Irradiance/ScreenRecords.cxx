@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScreenRecords.h"
 
+#include "Batches.h"
 #include "PictureSites.h"
 #include "RayScene.h"
 
@@ -90,13 +91,8 @@ bool ScreenRecords::PlaceLevels(const ProgressCallback& progress)
       break;
     }
     std::vector<char> fails(squares.size());
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(squares.size()), [&](vtkIdType begin, vtkIdType end) {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          fails[i] = this->Fails(squares[i]);
-        }
-      });
+    ParallelFor<std::size_t>(
+      0, squares.size(), 0, [&](std::size_t i) { fails[i] = this->Fails(squares[i]); });
     std::vector<Square> halved;
     for (std::size_t i = 0; i < squares.size(); ++i)
     {

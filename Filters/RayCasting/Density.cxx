@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Density.h"
 
-#include "vtkSMPTools.h"
+#include "Batches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,15 +135,11 @@ void MarkPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, gl
   }
   // Positions first: each belongs to about six triangles.
   std::vector<glm::vec2> projected(surface.Positions.size());
-  const vtkIdType points = static_cast<vtkIdType>(projected.size());
-  vtkSMPTools::For(0, points, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      const glm::dvec3 p(surface.Positions[i]);
-      const bool behind = !camera.Parallel && camera.Depth(p) <= 0.0;
-      projected[i] = behind ? glm::vec2(std::numeric_limits<float>::quiet_NaN())
-                            : glm::vec2(camera.Project(p) - glm::dvec2(low));
-    }
+  ParallelFor<std::size_t>(0, projected.size(), 0, [&](std::size_t i) {
+    const glm::dvec3 p(surface.Positions[i]);
+    const bool behind = !camera.Parallel && camera.Depth(p) <= 0.0;
+    projected[i] = behind ? glm::vec2(std::numeric_limits<float>::quiet_NaN())
+                          : glm::vec2(camera.Project(p) - glm::dvec2(low));
   });
   const glm::vec2 last(size - 1);
   for (const glm::uvec3& triangle : surface.Triangles)

@@ -196,6 +196,10 @@ double LightShafts::Between(March& march, double low, float atLow, double high, 
     return (high - low) * 0.5 * (atLow + atHigh);
   }
   const double middle = 0.5 * (low + high);
+  if (middle <= low || middle >= high) // neighbours as numbers: Finest may be less
+  {
+    return (high - low) * 0.5 * (atLow + atHigh);
+  }
   const float atMiddle = this->Visible(march, middle);
   return this->Between(march, low, atLow, middle, atMiddle) +
     this->Between(march, middle, atMiddle, high, atHigh);

@@ -141,8 +141,7 @@ Shading::Shading(const RayScene& scene, bool shadows)
     look.Colored = HasOwnColor(surface);
     look.Constant = this->IsConstant(surface, look);
     this->Looks.push_back(look);
-    this->Translucent |=
-      look.Front.Opacity < 1.f || look.Back.Opacity < 1.f || look.Colored || surface.LitTexture;
+    this->Translucent |= surface.LetsLightThrough();
   }
 }
 

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <new>
 #include <optional>
 #include <string>
@@ -33,6 +34,8 @@
 namespace
 {
 
+// Of a picture, in pixels.
+constexpr int LargestSide = 65535;
 // Reach of an occluder as a share of the scene's diagonal, where none is given.
 constexpr double DefaultRadiusShare = 0.1;
 // A pixel is the mean of about four answers of the irradiance source, so each may err twice as much.
@@ -69,7 +72,8 @@ struct vtkPenumbraRayCaster::Internals
   };
 
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkPenumbraIrradianceSource> IrradianceSource;
+  vtkSmartPointer<vtkPenumbraIrradianceSource> IrradianceSource =
+    vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkNew<vtkFieldData> Statistics;
   double EstimatedError = std::nan("");
@@ -113,6 +117,10 @@ void vtkPenumbraRayCaster::SetIrradianceSource(vtkPenumbraIrradianceSource* sour
   if (this->Implementation->IrradianceSource != source)
   {
     this->Implementation->IrradianceSource = source;
+    if (!source)
+    {
+      this->Implementation->IrradianceSource = vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
+    }
     this->Modified();
   }
 }
@@ -160,10 +168,7 @@ vtkMTimeType vtkPenumbraRayCaster::GetMTime()
   {
     time = std::max(time, penumbra::GetSceneMTime(this->Implementation->Renderer));
   }
-  if (this->Implementation->IrradianceSource)
-  {
-    time = std::max(time, this->Implementation->IrradianceSource->GetMTime());
-  }
+  time = std::max(time, this->Implementation->IrradianceSource->GetMTime());
   if (this->Implementation->Medium)
   {
     time = std::max(time, this->Implementation->Medium->GetMTime());
@@ -215,9 +220,19 @@ int vtkPenumbraRayCaster::RequestData(
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   image->SetExtent(extent);
-  if (this->Resolution[0] < 1 || this->Resolution[1] < 1)
+  if (std::min(this->Resolution[0], this->Resolution[1]) < 1 ||
+    std::max(this->Resolution[0], this->Resolution[1]) > LargestSide)
   {
-    vtkErrorMacro("Resolution must be at least 1 x 1.");
+    vtkErrorMacro("Resolution must be 1 x 1 to " << LargestSide << " x " << LargestSide << ".");
+    return 0;
+  }
+  const double numbers[] = { this->Tolerance, this->AmbientOcclusionRadius,
+    this->AmbientOcclusionStrength, this->Albedo, this->EnvironmentColor[0],
+    this->EnvironmentColor[1], this->EnvironmentColor[2] };
+  if (std::any_of(std::begin(numbers), std::end(numbers), [](double n) { return std::isnan(n); }))
+  {
+    vtkErrorMacro("Tolerance, AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo and "
+                  "EnvironmentColor must be numbers, one of them is NaN.");
     return 0;
   }
 
@@ -264,13 +279,19 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   vtkPenumbraRayCaster* self, vtkInformationVector* inputs)
 {
   std::vector<vtkDataObject*> data;
-  vtkMTimeType time = self->GetMTime();
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
     data.push_back(vtkDataObject::GetData(inputs, i));
-    time = std::max(time, data.back()->GetMTime());
   }
-  if (this->Prepared && time <= this->PreparedTime)
+  const auto changed = [&]() {
+    vtkMTimeType time = self->GetMTime();
+    for (vtkDataObject* one : data)
+    {
+      time = std::max(time, one->GetMTime());
+    }
+    return time;
+  };
+  if (this->Prepared && changed() <= this->PreparedTime)
   {
     return;
   }
@@ -291,7 +312,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   prepared->Rays = std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads);
   prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self));
   this->Prepared = std::move(prepared);
-  this->PreparedTime = time;
+  this->PreparedTime = changed(); // mappers may have made their colours meanwhile
 }
 
 penumbra::PictureSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
@@ -313,10 +334,6 @@ penumbra::PictureSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenum
 bool vtkPenumbraRayCaster::Internals::BeginSource(
   vtkPenumbraRayCaster* self, penumbra::Sampler& sampler)
 {
-  if (!this->IrradianceSource)
-  {
-    this->IrradianceSource = vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
-  }
   const double noise = OcclusionNoiseShare * self->Tolerance;
   const bool occlusion = self->AmbientOcclusion || self->GeometryArrays;
   const double half = occlusion && self->IndirectLight ? .5 : 1.0;

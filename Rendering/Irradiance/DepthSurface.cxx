@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthSurface.h"
 
+#include "Batches.h"
 #include "CosineDirections.h"
 #include "ScreenView.h"
 
 #include "vtkMatrix4x4.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,11 +197,8 @@ std::vector<SurfacePoint> FindSurface(
 {
   std::vector<SurfacePoint> points(eyeDepths.size());
   const SurfaceFinder finder(eyeDepths, view, rays);
-  vtkSMPTools::For(0, view.Height, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType row = begin; row < end; ++row)
-    {
-      finder.FindRow(static_cast<int>(row), points.data() + row * view.Width);
-    }
+  ParallelFor(0, view.Height, 0, [&](int row) {
+    finder.FindRow(row, points.data() + static_cast<std::size_t>(row) * view.Width);
   });
   return points;
 }

@@ -69,26 +69,13 @@ bool HasMeshesOnly(vtkRenderer* renderer)
   return true;
 }
 
-bool IsTransparent(const std::vector<glm::u8vec4>& colors)
-{
-  return std::any_of(
-    colors.begin(), colors.end(), [](const glm::u8vec4& color) { return color.a < 255; });
-}
-
-/// Depth passes leave out what is translucent, and so do the rays.
-bool IsTransparent(const Surface& surface)
-{
-  return surface.Front.Opacity < 1.f || IsTransparent(surface.PointColors) ||
-    IsTransparent(surface.CellColors);
-}
-
-/// Drops all that rays do not ask for.
+/// Drops all that rays do not ask for; depth passes leave out what is translucent, and so do the rays.
 void Strip(Scene& scene)
 {
   std::vector<Surface> surfaces;
   for (Surface& surface : scene.Surfaces)
   {
-    if (!IsTransparent(surface) && !surface.ScreenSpace)
+    if (!surface.LetsLightThrough() && !surface.ScreenSpace)
     {
       Surface bare;
       bare.Positions = std::move(surface.Positions);

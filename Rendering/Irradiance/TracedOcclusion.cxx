@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedOcclusion.h"
 
+#include "Batches.h"
 #include "CosineDirections.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
@@ -170,12 +169,8 @@ long long TraceOcclusion(const std::vector<SurfacePoint>& points, int width, con
   const std::vector<Rectangle> blocks = BlocksOf(parts, width, height);
   const Tracer tracer(points, width, rays, samples, means);
   std::atomic<long long> count{ 0 };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType block = begin; block < end; ++block)
-    {
-      count += tracer.Trace(blocks[block]);
-    }
-  });
+  ParallelFor<std::size_t>(
+    0, blocks.size(), 0, [&](std::size_t block) { count += tracer.Trace(blocks[block]); });
   return count;
 }
 

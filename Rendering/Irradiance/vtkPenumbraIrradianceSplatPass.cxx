@@ -77,6 +77,11 @@ vtkPenumbraIrradianceSplatPass::~vtkPenumbraIrradianceSplatPass() = default;
 
 Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("There is no renderer to add the pass to.");
+    return nullptr;
+  }
   if (Pass* present = FindPassOf<Pass>(FindPassPlaces(renderer)))
   {
     return present;
@@ -91,6 +96,10 @@ Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraIrradianceSplatPass::RemoveFrom(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    return;
+  }
   if (Pass* pass = FindPassOf<Pass>(FindPassPlaces(renderer)))
   {
     RemovePass(renderer, pass);
@@ -168,11 +177,10 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
 {
   Internals& own = *this->Implementation;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
-  if (own.Window && own.Window != window)
+  if (window)
   {
-    this->ReleaseGraphicsResources(own.Window);
+    MoveToWindow(this, own.Window, window);
   }
-  own.Window = window;
   const int margin[2] = { 0, 0 };
   const int props = window ? own.Image.Draw(state, this->DelegatePass, margin, own.OfLight) : -1;
   if (props < 0 ||

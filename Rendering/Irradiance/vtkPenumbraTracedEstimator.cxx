@@ -36,8 +36,7 @@ std::vector<float> Read(vtkTextureObject* texture)
 struct Traced
 {
   penumbra::TracedGeometry Geometry;
-  const penumbra::EyeDepth* Depth = nullptr; ///< that Points were found from
-  int Version = 0;
+  long long Version = 0;
   std::vector<penumbra::SurfacePoint> Points;
 };
 
@@ -69,11 +68,10 @@ try
   const bool rebuilt = state.Geometry.Update(request.Renderer, request.Radius);
   this->NumberOfTrees += rebuilt;
   const penumbra::ScreenView& view = request.Depth->GetView();
-  if (rebuilt || state.Depth != request.Depth || state.Version != request.Depth->GetVersion())
+  if (rebuilt || state.Version != request.Depth->GetVersion())
   {
     state.Points =
       penumbra::FindSurface(Read(request.Depth->GetCurrent()), view, state.Geometry.GetRays());
-    state.Depth = request.Depth;
     state.Version = request.Depth->GetVersion();
   }
   penumbra::TracedSamples samples;

@@ -11,8 +11,22 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <atomic>
+
 namespace penumbra
 {
+
+namespace
+{
+
+/// From 1 on; of all depths of the process.
+long long NextVersion()
+{
+  static std::atomic<long long> last(0);
+  return ++last;
+}
+
+}
 
 EyeDepth::Change EyeDepth::Update(
   vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view, bool moved)
@@ -33,7 +47,7 @@ EyeDepth::Change EyeDepth::Update(
     }
   }
   this->Current = 1 - this->Current;
-  ++this->Version;
+  this->Version = NextVersion();
   this->Views[this->Current] = view;
   this->Filled = this->Fill(window, image);
   if (!this->Filled)

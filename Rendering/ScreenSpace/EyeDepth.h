@@ -34,8 +34,8 @@ public:
   const ScreenView& GetView() const { return this->Views[this->Current]; }
   const ScreenView& GetPreviousView() const { return this->Views[1 - this->Current]; }
 
-  /// Another number whenever the current depths are others.
-  int GetVersion() const { return this->Version; }
+  /// Another number whenever the current depths are others, and other depths never have the same one.
+  long long GetVersion() const { return this->Version; }
 
   /// The next Update() says All.
   void Forget() { this->Filled = false; }
@@ -49,7 +49,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Textures[2];
   ScreenView Views[2];
   int Current = 0;
-  int Version = 0;
+  long long Version = 0;
   bool Filled = false;
   Stage Linearize;
   Stage Compare;

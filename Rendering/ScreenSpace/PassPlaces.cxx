@@ -8,6 +8,8 @@
 #include "vtkImageProcessingPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -110,6 +112,18 @@ void RemovePass(vtkRenderer* renderer, vtkImageProcessingPass* pass)
   {
     own->Set(nullptr);
   }
+}
+
+void MoveToWindow(vtkRenderPass* pass, vtkOpenGLRenderWindow*& last, vtkOpenGLRenderWindow* window)
+{
+  if (last && last != window)
+  {
+    last->MakeCurrent();
+    pass->ReleaseGraphicsResources(last);
+    window->MakeCurrent();
+    window->GetState()->Reset();
+  }
+  last = window;
 }
 
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkImageProcessingPass;
+class vtkOpenGLRenderWindow;
 class vtkRenderPass;
 class vtkRenderer;
 
@@ -48,6 +49,11 @@ VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassPlace> MakePassPlaces(vtk
 /// Takes `pass` out, and with the last pass of ours the stages that were made for it.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT void RemovePass(
   vtkRenderer* renderer, vtkImageProcessingPass* pass);
+
+/// `pass` draws in `window` now, whose context is current: what it made in `last`, if that is another
+/// one, is released in the context of that one. `last` becomes `window`.
+VTKPENUMBRARENDERINGSCREENSPACE_EXPORT void MoveToWindow(
+  vtkRenderPass* pass, vtkOpenGLRenderWindow*& last, vtkOpenGLRenderWindow* window);
 
 }
 #endif

@@ -4,6 +4,7 @@
 
 #include "Composite.h"
 #include "EyeDepth.h"
+#include "PassPlaces.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -30,6 +31,7 @@ struct vtkPenumbraBilateralFilterPass::Internals
   vtkSmartPointer<vtkTextureObject> Result;
   vtkSmartPointer<vtkTextureObject> WeightTexture;
   vtkSmartPointer<vtkImageData> Weights;
+  vtkOpenGLRenderWindow* Window = nullptr;
 };
 
 vtkPenumbraBilateralFilterPass::vtkPenumbraBilateralFilterPass()
@@ -72,6 +74,10 @@ bool vtkPenumbraBilateralFilterPass::RenderFiltered(const vtkRenderState* state)
   Internals& own = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window)
+  {
+    penumbra::MoveToWindow(this, own.Window, window);
+  }
   const int margin[2] = { 0, 0 };
   const int props = window ? own.Image.Draw(state, this->DelegatePass, margin, true) : -1;
   const penumbra::ScreenView& view = own.Image.GetView();
@@ -128,6 +134,7 @@ void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)
   own.Depth.ReleaseGraphicsResources(window);
   own.Smooth.ReleaseGraphicsResources(window);
   own.Composite.ReleaseGraphicsResources(window);
+  own.Window = nullptr;
   for (vtkSmartPointer<vtkTextureObject>* texture :
     { &own.Between, &own.Result, &own.WeightTexture })
   {

@@ -67,7 +67,7 @@ struct vtkPenumbraKernelEstimator::Internals
   penumbra::Stage Stage;
   std::string Source;
   double Thickness = 1.0; ///< by the picture of this version
-  int Version = -1;
+  long long Version = -1;
 };
 
 vtkPenumbraKernelEstimator::vtkPenumbraKernelEstimator()

@@ -111,6 +111,11 @@ vtkPenumbraLightShaftPass::~vtkPenumbraLightShaftPass() = default;
 
 Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("There is no renderer to add the pass to.");
+    return nullptr;
+  }
   if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     return present;
@@ -128,6 +133,10 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    return;
+  }
   if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     penumbra::RemovePass(renderer, pass);
@@ -274,14 +283,7 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
     settings.Margin[0] = settings.Margin[1] =
       static_cast<int>(std::ceil(share / 100.0 * std::max(size[0], size[1])));
   }
-  if (own.Window != window)
-  {
-    if (own.Window)
-    {
-      this->ReleaseGraphicsResources(own.Window);
-    }
-    own.Window = window;
-  }
+  penumbra::MoveToWindow(this, own.Window, window);
   own.Last = &own.Views[renderer];
   own.Steps = settings.Steps;
   if (!own.Last->Render(state, this->DelegatePass, lights, settings))
@@ -323,6 +325,11 @@ vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
 
 void vtkPenumbraLightShaftPass::CopyShafts(vtkImageData* image)
 {
+  if (!image)
+  {
+    vtkErrorMacro("There is no image to copy to.");
+    return;
+  }
   image->Initialize();
   if (this->Implementation->Last)
   {

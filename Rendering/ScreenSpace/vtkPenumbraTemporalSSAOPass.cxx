@@ -84,6 +84,11 @@ vtkPenumbraTemporalSSAOPass::~vtkPenumbraTemporalSSAOPass() = default;
 
 Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("There is no renderer to add the pass to.");
+    return nullptr;
+  }
   if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     return present;
@@ -98,6 +103,10 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    return;
+  }
   if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     penumbra::RemovePass(renderer, pass);
@@ -194,14 +203,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   {
     return false;
   }
-  if (own.Window != window)
-  {
-    if (own.Window)
-    {
-      this->ReleaseGraphicsResources(own.Window);
-    }
-    own.Window = window;
-  }
+  penumbra::MoveToWindow(this, own.Window, window);
   settings.Darkness = { this->Strength, this->LightAwareness };
   settings.Tolerance = this->Tolerance;
   settings.FirstSamples = this->FirstSamples;
@@ -353,6 +355,11 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
 
 void vtkPenumbraTemporalSSAOPass::CopyOcclusion(vtkImageData* image)
 {
+  if (!image)
+  {
+    vtkErrorMacro("There is no image to copy to.");
+    return;
+  }
   image->Initialize();
   if (this->Implementation->Last)
   {

@@ -293,6 +293,20 @@ TEST(LightShafts, SpendsRaysAsTheToleranceAsksAndKnowsItsError)
   }
 }
 
+TEST(LightShafts, EndsHoweverBrightTheLightAndSmallTheTolerance)
+{
+  Scene scene;
+  Surface half;
+  half.Positions = { { 0.f, -Wide, 1.f }, { Wide, -Wide, 1.f }, { 0.f, Wide, 1.f } };
+  half.Triangles = { { 0, 1, 2 } };
+  scene.Surfaces.push_back(half);
+  scene.Lights = { Sun({ 0.f, 0.f, -1.f }) };
+  scene.Lights[0].DiffuseColor = glm::vec3(1e25f);
+  Answer answer(std::move(scene), Fog(0.3, 0.3), 1e-6, 16);
+  answer.Along({ -1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, 4.0);
+  EXPECT_LT(answer.ShadowRays, 200); // doubles have 52 places to halve in
+}
+
 TEST(LightShafts, IsNoneWhereLightsCastNoShadow)
 {
   Scene scene;

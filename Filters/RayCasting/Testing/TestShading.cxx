@@ -244,6 +244,20 @@ TEST(Shading, LetsLightThroughTranslucentSurfacesAndLines)
   EXPECT_NEAR(Floor(scene, true, .1f, .2f, rays), 1.1f, 1e-6);
 }
 
+TEST(Shading, AsksForOneShadowRayWhereDataColourOpaqueSurfaces)
+{
+  long long rays = 0;
+  Scene scene = FloorUnderSquare(1.f);
+  scene.Surfaces[1].PointColors.resize(4, glm::u8vec4(200, 100, 50, 255));
+  scene.Surfaces.push_back(scene.Surfaces[1]); // a second roof behind the first one
+  for (glm::vec3& position : scene.Surfaces[2].Positions)
+  {
+    position.z += .5f;
+  }
+  EXPECT_FLOAT_EQ(Floor(scene, true, .1f, .2f, rays), .1f);
+  EXPECT_EQ(rays, 1);
+}
+
 TEST(Shading, KnowsWhereOneSampleServesATriangle)
 {
   Scene scene = FloorUnderSquare(1.f);

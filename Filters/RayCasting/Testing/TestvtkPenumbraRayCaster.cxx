@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "RayScene.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"
@@ -10,6 +11,8 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPenumbraBruteForceSource.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
@@ -23,7 +26,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <set>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -197,6 +204,93 @@ TEST_F(SpheresTest, ShareTheirSceneBetweenTiles)
     const auto row = parts[y / 20].begin() + 4 * 60 * (y % 20);
     EXPECT_TRUE(std::equal(row, row + 4 * 60, whole.begin() + 4 * (101 * (10 + y) + 20))) << y;
   }
+}
+
+/// Brute force that knows the scenes it was asked about.
+class ListeningSource : public vtkPenumbraBruteForceSource
+{
+public:
+  static ListeningSource* New();
+  vtkTypeMacro(ListeningSource, vtkPenumbraBruteForceSource);
+
+  bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+    const Progress& progress) override
+  {
+    this->Scenes.insert(scene.GetId());
+    return this->Superclass::Begin(scene, radius, tolerance, progress);
+  }
+
+  std::set<std::uint64_t> Scenes;
+};
+vtkStandardNewMacro(ListeningSource);
+
+TEST_F(SpheresTest, BuildTheirSceneOnceForAllTiles)
+{
+  vtkNew<ListeningSource> source;
+  this->Caster->AmbientOcclusionOn();
+  this->Caster->SetIrradianceSource(source);
+  for (const int low : { 10, 20, 30 })
+  {
+    int extent[6] = { 20, 29, low, low + 9, 0, 0 };
+    this->Caster->UpdateExtent(extent);
+  }
+  EXPECT_EQ(source->Scenes.size(), 1U);
+}
+
+TEST_F(SpheresTest, RefuseNumbersThatAreNone)
+{
+  this->Caster->SetTolerance(std::nan(""));
+  vtkObject::GlobalWarningDisplayOff();
+  this->Caster->Update();
+  EXPECT_EQ(this->Caster->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  this->Caster->SetTolerance(1.0 / 256.0);
+  this->Caster->SetResolution(70000, 1);
+  this->Caster->Update();
+  EXPECT_EQ(this->Caster->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+/// A source whose answers fail.
+class FailingSource : public vtkPenumbraBruteForceSource
+{
+public:
+  static FailingSource* New();
+  vtkTypeMacro(FailingSource, vtkPenumbraBruteForceSource);
+
+  Estimate Occlusion(const double[3], const double[3]) const override
+  {
+    throw std::runtime_error("no answer");
+  }
+
+  Estimate OcclusionWithin(const double[3], const double[3], double) const override
+  {
+    throw std::runtime_error("no answer");
+  }
+};
+vtkStandardNewMacro(FailingSource);
+
+TEST_F(SpheresTest, TellOfAnExceptionOnAnyThread)
+{
+  vtkNew<FailingSource> source;
+  vtkNew<vtkCallbackCommand> listen;
+  std::string told;
+  listen->SetClientData(&told);
+  listen->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
+    *static_cast<std::string*>(data) += static_cast<const char*>(text);
+  });
+  this->Caster->AddObserver(vtkCommand::ErrorEvent, listen);
+  this->Caster->AmbientOcclusionOn();
+  this->Caster->SetIrradianceSource(source);
+  for (const int threads : { 1, 4 })
+  {
+    told.clear();
+    this->Caster->SetNumberOfThreads(threads);
+    this->Caster->Update();
+    EXPECT_NE(told.find("no answer"), std::string::npos) << told;
+    EXPECT_EQ(this->Caster->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  }
+  this->Caster->SetIrradianceSource(nullptr);
+  EXPECT_TRUE(vtkPenumbraBruteForceSource::SafeDownCast(this->Caster->GetIrradianceSource()));
 }
 
 TEST_F(SpheresTest, StopWhenAskedTo)

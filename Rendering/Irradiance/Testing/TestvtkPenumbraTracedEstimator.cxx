@@ -11,9 +11,11 @@
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
+#include "vtkTexture.h"
 
 #include <gtest/gtest.h>
 
@@ -247,6 +249,23 @@ TEST(TracedEstimator, LeavesTranslucentThingsOut)
   Trace(scene, 1.0);
   scene.Window->Render();
   EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.6, 0 }), 0.0);
+}
+
+TEST(TracedEstimator, LeavesOutWhatATextureMakesTranslucent)
+{
+  vtkNew<vtkImageData> veil;
+  veil->SetDimensions(2, 2, 1);
+  veil->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  std::fill_n(static_cast<unsigned char*>(veil->GetScalarPointer()), 16, 128);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(veil);
+  OcclusionScene scene;
+  scene.AddFloor();
+  scene.AddWall({ -2, 0, 0 }, { 4, 0, 0 }, { 0, 0, 2 })->SetTexture(texture);
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  Trace(scene, 1.0);
+  scene.Window->Render();
+  EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.3, 0 }), 0.0);
 }
 
 TEST(TracedEstimator, WorksUnderAParallelCamera)

@@ -51,6 +51,24 @@ TEST(BilateralFilterPass, WithReachZeroChangesNothing)
   EXPECT_EQ(scene.Picture(), plain);
 }
 
+TEST(BilateralFilterPass, MovesFromWindowToWindow)
+{
+  OcclusionScene scene;
+  Furnish(scene);
+  const auto pass = Filter(scene);
+  scene.Window->Render();
+  const std::vector<int> first = scene.Picture();
+  OcclusionScene other;
+  Furnish(other);
+  other.Renderer->SetPass(pass);
+  for (OcclusionScene* each : { &other, &scene, &other })
+  {
+    each->Window->Render(); // what was made in the other window is released
+    each->Window->Render();
+    EXPECT_EQ(each->Picture(), first);
+  }
+}
+
 TEST(BilateralFilterPass, AveragesWithinASurfaceAndNeverAcrossAnEdge)
 {
   OcclusionScene scene;
