@@ -11,7 +11,7 @@ set(penumbra_module_files
 
 if (PENUMBRA_BUILD_PLUGIN)
   list(APPEND penumbra_module_files
-    "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/View/vtk.module")
+    "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/ParaView/vtk.module")
 endif ()
 
 vtk_module_scan(

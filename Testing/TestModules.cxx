@@ -40,9 +40,9 @@ const std::vector<Row> Table = {
   { "Rendering/Irradiance", { "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace" },
     { "OpenGL", "GLM" } },
   { "Testing/Comparison", {}, { "GoogleTest" } },
-  { "Plugin/View",
+  { "Rendering/ParaView",
     { "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance" },
-    { "OpenGL" } },
+    { "OpenGL", "ParaView" } },
   { "Command",
     { "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance",
       "Testing/Comparison" },
@@ -60,6 +60,7 @@ std::string Library(const std::string& name)
     { std::regex("CLI/.*"), "CLI11" },
     { std::regex("nlohmann/.*"), "JSON" },
     { std::regex("gtest/.*"), "GoogleTest" },
+    { std::regex("ParaView::.*"), "ParaView" },
   };
   for (const auto& [pattern, library] : libraries)
   {
@@ -214,6 +215,12 @@ TEST(Modules, AllStandInTheTable)
       }
     }
   }
+}
+
+TEST(Plugin, HoldsNoSourcesOfItsOwn)
+{
+  EXPECT_TRUE(fs::exists(Root / "Plugin"));
+  EXPECT_EQ(Sources(Root / "Plugin", true), std::vector<fs::path>());
 }
 
 TEST(PublicHeaders, ShowNeitherPrivateHeadersNorLibraries)

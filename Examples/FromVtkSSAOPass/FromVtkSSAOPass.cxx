@@ -57,8 +57,8 @@ void AddScene(vtkRenderer* renderer, const char* path)
     vtkNew<vtkParametricTorus> torus;
     vtkNew<vtkParametricFunctionSource> source;
     source->SetParametricFunction(torus);
-    source->SetUResolution(96);
-    source->SetVResolution(48);
+    source->SetUResolution(240);
+    source->SetVResolution(160);
     shape = source;
   }
   shape->Update();

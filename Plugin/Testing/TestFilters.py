@@ -92,6 +92,24 @@ class BakeAmbientOcclusionFilter(unittest.TestCase):
         again = FindSource("Baked")
         self.assertEqual((again.Tolerance, again.Radius, again.BakeOn), (0.02, 3.5, "Cells"))
 
+    def test_tells_its_progress_and_can_be_aborted(self):
+        for aborting in (False, True):
+            baked = BakeAmbientOcclusion(Input=AppendGeometry(Input=[plane(200), ball()]), Radius=100)
+            filter = baked.SMProxy.GetClientSideObject()
+            seen = []
+
+            def progress(caller, event):
+                seen.append(filter.GetProgress())
+                if aborting and seen[-1] > 0.2:
+                    filter.SetAbortExecute(1)  # What the button beside ParaView's progress bar does.
+
+            filter.AddObserver("ProgressEvent", progress)
+            baked.UpdatePipeline()
+            self.assertEqual(seen, sorted(seen))
+            self.assertGreater(len(set(seen)), 4)
+            if aborting:
+                self.assertLess(seen[-2], 0.9)
+
     def test_returns_an_input_without_points_as_it_is(self):
         nothing = Threshold(Input=AppendDatasets(Input=[ball()]), LowerThreshold=9, UpperThreshold=9)
         nothing.Scalars = ["POINTS", "Normals"]

@@ -77,6 +77,45 @@ class RenderViewPenumbra(unittest.TestCase):
         self.assertEqual(picture[-2, 2, 3], 0)
         numpy.testing.assert_array_equal(picture[..., :3][seen], opaque[seen])
 
+    def test_saves_several_views_in_one_picture(self):
+        other = view_of_ball("PenumbraRenderView")
+        layout = CreateLayout("both")
+        AssignViewToLayout(view=self.view, layout=layout)
+        layout.SplitViewHorizontal(self.view)
+        AssignViewToLayout(view=other, layout=layout)
+        layout.SetSize(404, 200)
+        path = os.path.join(self.folder.name, "both.png")
+        SaveScreenshot(path, layout, ImageResolution=[404, 200])
+        both = read_picture(path)
+        for view, half in ((self.view, both[:, :self.view.ViewSize[0]]),
+                           (other, both[:, -other.ViewSize[0]:])):
+            numpy.testing.assert_array_equal(half, screenshot(view, self.folder.name))
+            self.assertGreater(numpy.ptp(half[50:]), 60)
+
+    def test_saves_frames_of_an_animation_that_have_converged(self):
+        for source in GetSources().values():
+            Hide(source, self.view)
+        shown = Show(AppendGeometry(Input=[rising_ball(self.folder.name), plane()]), self.view)
+        shown.Ambient, shown.Diffuse = 1, 0
+        self.view.ViewSize = [120, 120]
+        scene = GetAnimationScene()
+        scene.UpdateAnimationUsingDataTimeSteps()
+        SaveAnimation(os.path.join(self.folder.name, "frame.png"), self.view, ImageResolution=[120, 120],
+                      FrameWindow=[0, 1])
+        frames = []
+        for step, moment in enumerate(scene.TimeKeeper.TimestepValues):
+            frames.append(read_picture(os.path.join(self.folder.name, f"frame.{step:04}.png")))
+            self.view.ViewTime = moment
+            self.assertLess(rmse(frames[-1], self.picture()) / 255, 0.01)
+        self.assertGreater(numpy.abs(frames[0].astype(int) - frames[1]).max(), 32)
+
+    def test_draws_stereo_as_the_plain_view_does(self):
+        stereo = {"StereoMode": "Left Eye Only"}
+        dark = self.picture(**stereo).astype(int)
+        self.view.AmbientOcclusion = 0
+        off = numpy.abs(dark - self.picture(**stereo)).max(axis=2)
+        self.assertLess((off > 8).mean(), 0.005)  # Edges may be smoothed otherwise.
+
     def test_leaves_selection_alone(self):
         width, height = self.view.ViewSize
         SelectSurfacePoints(Rectangle=[0, 0, width - 1, height - 1], View=self.view)
@@ -135,19 +174,51 @@ class RenderViewPenumbra(unittest.TestCase):
         for name, value in SETTINGS.items():
             self.assertEqual(getattr(again, name), value, name)
 
-    def test_shows_volumes_as_the_plain_view_does(self):
-        pictures = []
-        with tempfile.TemporaryDirectory() as folder:
-            for kind in ("RenderView", "PenumbraRenderView"):
-                view = CreateView(kind)
-                view.ViewSize = [100, 80]
-                shown = Show(Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8]), view)
-                shown.Representation = "Volume"
-                ColorBy(shown, ("POINTS", "RTData"))
-                view.CameraPosition = [20, 30, 40]
-                pictures.append(screenshot(view, folder).astype(int))
-        self.assertGreater(numpy.ptp(pictures[0]), 50)
-        self.assertLess(numpy.abs(pictures[1] - pictures[0]).max(), 8)
+    def test_lays_volumes_over_what_it_darkens(self):
+        self.view.UseFXAA = 0  # ParaView smooths edges before it draws volumes, this view after.
+        # A cloud within the bounds of the scene, before the plane and before the background.
+        cloud = ResampleToImage(Input=Wavelet(), UseInputBounds=0, SamplingDimensions=[12, 12, 12],
+                                SamplingBounds=[-2.5, 0, -1.5, 3, 0.9, 1.3])
+        shown = Show(cloud, self.view)
+        shown.Representation = "Volume"
+        ColorBy(shown, ("POINTS", "RTData"))
+        self.view.CameraPosition = [0, -6, 4]
+        for source in GetSources().values():
+            GetDisplayProperties(source, self.view).AmbientColor = [0.2, 0.8, 0.2]  # No colour of the cloud's.
+        clear, dark = [], []
+        for pictures, occlusion in ((clear, 0), (dark, 1)):
+            self.view.AmbientOcclusion = occlusion
+            for visible in (0, 1):
+                shown.Visibility = visible
+                pictures.append(self.picture().astype(int))
+        thick = numpy.abs(clear[1] - clear[0]).max(axis=2)
+        darkened = clear[0] - dark[0]
+        without = thick == 0
+        self.assertGreater(numpy.abs(darkened[without]).max(), 60)
+        self.assertLessEqual(numpy.abs(dark[1] - dark[0])[without].max(), 2)
+        # Before the background the cloud is as it was; else it hides what is dark as far as it hides it.
+        open_sky = (thick > 8) & (darkened == 0).all(axis=2)
+        self.assertGreater(numpy.count_nonzero(open_sky), 500)
+        self.assertLessEqual(numpy.abs(dark[1] - clear[1])[open_sky].max(), 1)
+        before_plane = (thick > 8) & (darkened.max(axis=2) > 8)
+        self.assertGreater(numpy.count_nonzero(before_plane), 100)
+        left = (clear[1] - dark[1])[before_plane]
+        self.assertGreaterEqual(left.min(), -1)
+        self.assertLess((left - darkened[before_plane]).max(), 1)
+
+    def test_lays_translucent_surfaces_over_what_it_darkens(self):
+        glass = Show(Plane(Origin=[-3, -1, 1], Point1=[3, -1, 1], Point2=[-3, 3, 1]), self.view)
+        glass.Opacity = 0.5
+        glass.Ambient, glass.Diffuse = 1, 0
+        glass.AmbientColor = glass.DiffuseColor = [0, 0, 1]
+        seen, _ = plane_pixels(self.view)
+        with_glass = self.picture()[seen].astype(int)
+        glass.Visibility = 0
+        without = self.picture()[seen].astype(int)
+        behind = with_glass[:, 2] - without[:, 2] > 8
+        self.assertGreater(numpy.count_nonzero(behind), 500)
+        truth = 0.5 * without[behind] + 0.5 * numpy.array([0, 0, 255])
+        self.assertLess(numpy.abs(with_glass[behind] - truth).max(), 3)
 
 
 run_tests()

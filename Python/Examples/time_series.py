@@ -24,7 +24,8 @@ for time in numpy.linspace(0, 2 * numpy.pi, 8, endpoint=False):
     frames.append(plotter.screenshot(return_img=True))
 
 figure = matplotlib.pyplot.figure(figsize=(3.2, 2.4), dpi=100)
-axes = figure.add_axes([0, 0, 1, 1], frameon=False)
+axes = figure.add_axes([0, 0, 1, 1])
+axes.set_axis_off()
 shown = axes.imshow(frames[0])
 movie = matplotlib.animation.FuncAnimation(figure, lambda i: shown.set_data(frames[i]), len(frames))
 movie.save("time_series.gif", writer="pillow", fps=8)

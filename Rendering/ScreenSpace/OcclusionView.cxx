@@ -103,6 +103,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   if (change == EyeDepth::Change::All)
   {
     this->SettledSamples = 0;
+    this->TotalSamples = 0; // The same picture, whatever was drawn before.
   }
   this->Following =
     change == EyeDepth::Change::Some && this->Motion.Draw(this->Renderer, this->Image, this->Depth);

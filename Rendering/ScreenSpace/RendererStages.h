@@ -8,12 +8,13 @@
 
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkSmartPointer.h"
 
 namespace penumbra
 {
 
-class RendererStages : public vtkOpenGLRenderPass
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT RendererStages : public vtkOpenGLRenderPass
 {
 public:
   static RendererStages* New();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewPass.h"
 
+#include "OpenGLFunctions.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -12,7 +14,6 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWindow.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,25 +24,55 @@ namespace penumbra
 
 vtkStandardNewMacro(ViewPass);
 
+namespace
+{
+
+/// Is it the drawing of all props by this process, with ParaView's camera around it?
+bool DrawsAll(vtkRenderPass* delegate)
+{
+  auto* camera = vtkCameraPass::SafeDownCast(delegate);
+  return camera && camera->GetDelegatePass() && camera->GetDelegatePass()->IsA("vtkPVDefaultPass");
+}
+
+}
+
 void ViewPass::Render(const vtkRenderState* state)
 {
   if (this->UseRays && this->RenderByRays(state))
   {
     return;
   }
-  vtkRenderPass* whole = this->DelegatePass;
+  vtkRenderPass* whole = this->Camera;
+  if (DrawsAll(this->DelegatePass))
+  {
+    this->Stages->SetOpaquePass(this->WithEffects(this->Opaque, true));
+    this->Camera->SetDelegatePass(this->Stages);
+  }
+  else
+  {
+    whole = this->WithEffects(this->DelegatePass, false);
+  }
+  whole->Render(state);
+  this->NumberOfRenderedProps = whole->GetNumberOfRenderedProps();
+}
+
+vtkRenderPass* ViewPass::WithEffects(vtkRenderPass* delegate, bool opaqueOnly)
+{
+  vtkRenderPass* whole = delegate;
   if (this->UseOcclusion)
   {
+    this->Occlusion->SetOpaqueOnly(opaqueOnly);
+    this->Occlusion->SetDelegateOnce(!opaqueOnly); // A composited picture is put together once.
     this->Occlusion->SetDelegatePass(whole);
     whole = this->Occlusion;
   }
   if (this->UseShafts)
   {
+    this->Shafts->SetOpaqueOnly(opaqueOnly);
     this->Shafts->SetDelegatePass(whole);
     whole = this->Shafts;
   }
-  whole->Render(state);
-  this->NumberOfRenderedProps = whole->GetNumberOfRenderedProps();
+  return whole;
 }
 
 bool ViewPass::RenderByRays(const vtkRenderState* state)
@@ -96,6 +127,7 @@ void ViewPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Occlusion->ReleaseGraphicsResources(window);
   this->Shafts->ReleaseGraphicsResources(window);
+  this->Stages->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -13,12 +13,12 @@
 #define vtkPenumbraRenderView_h
 
 #include "vtkPVRenderView.h"
-#include "vtkPenumbraPluginViewModule.h" // for export macro
+#include "vtkPenumbraRenderingParaViewModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
 #include <string> // for members
 
-class VTKPENUMBRAPLUGINVIEW_EXPORT vtkPenumbraRenderView : public vtkPVRenderView
+class VTKPENUMBRARENDERINGPARAVIEW_EXPORT vtkPenumbraRenderView : public vtkPVRenderView
 {
 public:
   static vtkPenumbraRenderView* New();
@@ -109,6 +109,8 @@ private:
 
   void PlaceSun();
   void Configure(bool interactive);
+  bool IsBlendedFromRanks();
+  void WarnOnce(const char* text);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;

@@ -13,10 +13,10 @@
 #ifndef vtkSMPenumbraRenderViewProxy_h
 #define vtkSMPenumbraRenderViewProxy_h
 
-#include "vtkPenumbraPluginViewModule.h" // for export macro
+#include "vtkPenumbraRenderingParaViewModule.h" // for export macro
 #include "vtkSMRenderViewProxy.h"
 
-class VTKPENUMBRAPLUGINVIEW_EXPORT vtkSMPenumbraRenderViewProxy : public vtkSMRenderViewProxy
+class VTKPENUMBRARENDERINGPARAVIEW_EXPORT vtkSMPenumbraRenderViewProxy : public vtkSMRenderViewProxy
 {
 public:
   static vtkSMPenumbraRenderViewProxy* New();

@@ -17,7 +17,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
-#include <algorithm>
+#include <set>
 
 vtkStandardNewMacro(vtkPenumbraRenderView);
 
@@ -26,7 +26,7 @@ struct vtkPenumbraRenderView::Internals
   vtkNew<penumbra::ViewPass> Pass;
   vtkNew<vtkLight> Sun;
   vtkNew<vtkPenumbraMedium> Medium;
-  bool Warned = false;
+  std::set<std::string> Told;
 };
 
 namespace
@@ -105,6 +105,11 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   pass->UseOcclusion = this->AmbientOcclusion && diagonal > 0.0;
   pass->UseShafts = this->LightShafts && diagonal > 0.0;
   pass->UseRays = this->StillByRays && !interactive && !this->SynchronizedRenderers->GetEnabled();
+  if (pass->UseRays && ShowsVolumes(this->GetRenderer()))
+  {
+    this->WarnOnce("Volumes are shown: rays do not draw them, the picture is drawn as usual.");
+    pass->UseRays = false;
+  }
   if (diagonal <= 0.0)
   {
     return;
@@ -114,7 +119,8 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   occlusion->SetTolerance(this->PenumbraTolerance);
   occlusion->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
   occlusion->SetRadius(this->OcclusionRadius * diagonal);
-  occlusion->DelegateOnceOn(); // It puts the pictures of all ranks together.
+  occlusion->SetMargin(
+    0.0); // What lies beyond the border is not known of composited pictures either.
   occlusion->SetStrength(this->OcclusionStrength);
   occlusion->SetKernelName(this->OcclusionKernel.c_str());
   occlusion->SetConvergeInOneRender(
@@ -122,6 +128,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
 
   vtkPenumbraLightShaftPass* shafts = pass->Shafts;
   shafts->SetTolerance(this->PenumbraTolerance);
+  shafts->SetMargin(0.0);
   shafts->SetScattering(this->ShaftDensity / diagonal);
   shafts->SetExposure(this->ShaftExposure);
   shafts->SetThickness(this->ShaftThickness * diagonal);
@@ -145,6 +152,29 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   caster->SetShadows(this->LightShafts);
 }
 
+bool vtkPenumbraRenderView::IsBlendedFromRanks()
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  const bool composited = this->SynchronizedRenderers->GetEnabled() && controller &&
+    controller->GetNumberOfProcesses() > 1;
+  if (!composited || !this->GetUseOrderedCompositing())
+  {
+    return false;
+  }
+  this->WarnOnce(
+    "Volumes or translucent surfaces are put together from several ranks, without depths: "
+    "ambient occlusion and light shafts are left out.");
+  return true;
+}
+
+void vtkPenumbraRenderView::WarnOnce(const char* text)
+{
+  if (this->Implementation->Told.insert(text).second)
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
 void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
@@ -155,24 +185,14 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   const bool hasWork = pass->UseOcclusion || pass->UseShafts || pass->UseRays;
   if (hasWork && present && present != pass)
   {
-    if (!this->Implementation->Warned)
-    {
-      vtkWarningMacro("Tone mapping is on: ambient occlusion and light shafts are left out.");
-      this->Implementation->Warned = true;
-    }
+    this->WarnOnce("Tone mapping is on: ambient occlusion and light shafts are left out.");
     return;
-  }
-  // ParaView's volumes do not draw into another framebuffer than its own: they would be missing.
-  const bool hasVolumes = ShowsVolumes(this->GetRenderer());
-  if (hasWork && hasVolumes && !this->Implementation->Warned)
-  {
-    vtkWarningMacro("Volumes are shown: ambient occlusion and light shafts are left out.");
-    this->Implementation->Warned = true;
   }
   // Where pictures of several ranks are put together, one of them gets the result.
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool shows = !controller || controller->GetLocalProcessId() == 0;
-  const bool wanted = hasWork && !hasVolumes && shows && !this->GetMakingSelection();
+  const bool wanted =
+    hasWork && !this->IsBlendedFromRanks() && shows && !this->GetMakingSelection();
   if (wanted && !this->SynchronizedRenderers->GetEnabled())
   {
     // Edges are smoothed once, when the pass is done: what ParaView does after putting pictures together.

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What vtkPenumbraRenderView makes of ParaView's picture: occlusion, then light shafts; or, instead of
-// all that, a picture by rays.
+// all that, a picture by rays. Where ParaView leaves drawing to this process alone, that is what opaque
+// props get: translucent ones and volumes come on top. Else it is the picture put together from all ranks.
 #ifndef penumbra_ViewPass_h
 #define penumbra_ViewPass_h
 
+#include "RendererStages.h"
+
+#include "vtkCameraPass.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkNew.h"
+#include "vtkOpaquePass.h"
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
@@ -32,7 +37,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 private:
+  vtkRenderPass* WithEffects(vtkRenderPass* delegate, bool opaqueOnly);
   bool RenderByRays(const vtkRenderState* state);
+
+  vtkNew<RendererStages> Stages;
+  vtkNew<vtkCameraPass> Camera;
+  vtkNew<vtkOpaquePass> Opaque;
 };
 
 }
