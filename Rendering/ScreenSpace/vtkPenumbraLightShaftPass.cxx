@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ using Pass = vtkPenumbraLightShaftPass;
 
 /// Lost and scattered over the scene's diagonal, where nothing is given; as the ray caster has it.
 constexpr double DefaultOpticalDepth = 0.25;
+/// Of a medium that scatters nothing: it must lose something.
+constexpr double LeastOpticalDepth = 1e-12;
 /// Steps times tolerance. Measured, as all of these: `./penumbra benchmark light-shafts`.
 constexpr double StepsTimesTolerance = 0.375;
 constexpr int FewestSteps = 16;
@@ -100,6 +103,12 @@ struct vtkPenumbraLightShaftPass::Internals
       vtkWarningWithObjectMacro(self, << warning);
     }
   }
+
+  /// Null where the numbers are a medium.
+  static const char* WhyNoMedium(const Pass* self);
+
+  penumbra::ShaftSettings MakeSettings(
+    const Pass* self, const vtkRenderState* state, const vtkBoundingBox& box) const;
 };
 
 vtkPenumbraLightShaftPass::vtkPenumbraLightShaftPass()
@@ -182,6 +191,78 @@ void vtkPenumbraLightShaftPass::Render(const vtkRenderState* state)
   }
 }
 
+const char* vtkPenumbraLightShaftPass::Internals::WhyNoMedium(const Pass* self)
+{
+  const double numbers[] = { self->Scattering, self->Extinction, self->Asymmetry, self->Exposure,
+    self->Thickness, self->Tolerance };
+  if (!std::all_of(
+        std::begin(numbers), std::end(numbers), [](double n) { return std::isfinite(n); }))
+  {
+    return "The medium's numbers are no medium; the scene is drawn without.";
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(self->Bounds[2 * axis] < self->Bounds[2 * axis + 1]))
+    {
+      return "The medium's bounds hold nothing; the scene is drawn without.";
+    }
+  }
+  return nullptr;
+}
+
+penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
+  const Pass* self, const vtkRenderState* state, const vtkBoundingBox& box) const
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  const int* size = renderer->GetSize();
+  const double diagonal = box.GetDiagonalLength() > 0.0 ? box.GetDiagonalLength() : 1.0;
+  double center[3];
+  box.GetCenter(center);
+  double eye[3];
+  renderer->GetActiveCamera()->GetPosition(eye);
+
+  penumbra::ShaftSettings settings;
+  settings.Unit = diagonal;
+  settings.Range = std::sqrt(vtkMath::Distance2BetweenPoints(eye, center)) + diagonal;
+  settings.Scattering = self->Scattering >= 0.0 ? self->Scattering : DefaultOpticalDepth / diagonal;
+  settings.Extinction = std::max(self->Extinction, settings.Scattering);
+  if (!(settings.Scattering > 0.0))
+  {
+    settings.Extinction = std::max(settings.Extinction, LeastOpticalDepth / diagonal);
+  }
+  settings.Phase = self->Phase;
+  settings.Asymmetry = self->Asymmetry;
+  settings.Exposure = self->Exposure;
+  settings.Radial = self->Estimator == RADIAL;
+  settings.Thickness = self->Thickness > 0.0 ? self->Thickness : MeanThickness(state, diagonal);
+  settings.Block = BlockFor(self->Tolerance);
+  const int most = std::max(size[0], size[1]) / (BlocksPerStep * settings.Block);
+  const int steps = static_cast<int>(std::ceil(StepsTimesTolerance / self->Tolerance));
+  settings.Steps =
+    self->Steps > 0 ? self->Steps : std::max(std::min({ steps, most, MostSteps }), FewestSteps);
+  settings.DelegateDrawsBackground = !self->OpaqueOnly;
+  settings.Prepass = self->Occlusion == PREPASS;
+  settings.Emitters.assign(this->Emitters.begin(), this->Emitters.end());
+  settings.Bounded =
+    std::any_of(self->Bounds, self->Bounds + 6, [](double bound) { return std::isfinite(bound); });
+  std::copy_n(self->Bounds, 6, settings.Bounds.begin());
+  settings.AutomaticTone = self->AutomaticTone;
+  renderer->GetBackground(settings.Background.data());
+
+  penumbra::RadialSettings& paper = settings.Paper;
+  paper.Steps = settings.Steps;
+  paper.Passes = self->Passes;
+  paper.Geometric = self->Spacing == GEOMETRIC;
+  paper.Weight = self->Weight;
+  paper.Decay = self->Decay;
+  paper.Density = self->Density;
+  paper.SurfaceGlow = self->Occlusion == CONTRAST ? self->SurfaceGlow : 0.0;
+  paper.SkyIsPicture = self->Sky == PICTURE;
+  paper.Block = settings.Block;
+  paper.DelegateDrawsBackground = settings.DelegateDrawsBackground;
+  return settings;
+}
+
 bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
 {
   Internals& own = *this->Implementation;
@@ -200,66 +281,12 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
   {
     return false;
   }
-  if (!std::isfinite(this->Scattering) || !std::isfinite(this->Extinction) ||
-    !std::isfinite(this->Asymmetry) || !std::isfinite(this->Exposure) ||
-    !std::isfinite(this->Thickness) || !std::isfinite(this->Tolerance))
+  if (const char* why = Internals::WhyNoMedium(this))
   {
-    own.WarnOnce(this, "The medium's numbers are no medium; the scene is drawn without.");
+    own.WarnOnce(this, why);
     return false;
   }
-  bool boxed = true;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    boxed = boxed && this->Bounds[2 * axis] < this->Bounds[2 * axis + 1];
-  }
-  if (!boxed)
-  {
-    own.WarnOnce(this, "The medium's bounds hold nothing; the scene is drawn without.");
-    return false;
-  }
-  const vtkBoundingBox box(bounds);
-  const double diagonal = box.GetDiagonalLength() > 0.0 ? box.GetDiagonalLength() : 1.0;
-  double center[3];
-  box.GetCenter(center);
-  double eye[3];
-  renderer->GetActiveCamera()->GetPosition(eye);
-
-  penumbra::ShaftSettings settings;
-  settings.Unit = diagonal;
-  settings.Range = std::sqrt(vtkMath::Distance2BetweenPoints(eye, center)) + diagonal;
-  settings.Scattering = this->Scattering >= 0.0 ? this->Scattering : DefaultOpticalDepth / diagonal;
-  settings.Extinction = std::max(this->Extinction, settings.Scattering);
-  settings.Phase = this->Phase;
-  settings.Asymmetry = this->Asymmetry;
-  settings.Exposure = this->Exposure;
-  settings.Radial = this->Estimator == RADIAL;
-  settings.Thickness = this->Thickness > 0.0 ? this->Thickness : MeanThickness(state, diagonal);
-  settings.Block = BlockFor(this->Tolerance);
-  const int most = std::max(size[0], size[1]) / (BlocksPerStep * settings.Block);
-  const int steps = static_cast<int>(std::ceil(StepsTimesTolerance / this->Tolerance));
-  settings.Steps =
-    this->Steps > 0 ? this->Steps : std::max(std::min({ steps, most, MostSteps }), FewestSteps);
-  settings.DelegateDrawsBackground = !this->OpaqueOnly;
-  penumbra::RadialSettings& paper = settings.Paper;
-  settings.Prepass = this->Occlusion == PREPASS;
-  settings.Emitters.assign(own.Emitters.begin(), own.Emitters.end());
-  paper.Steps = settings.Steps;
-  paper.Passes = this->Passes;
-  paper.Geometric = this->Spacing == GEOMETRIC;
-  paper.Weight = this->Weight;
-  paper.Decay = this->Decay;
-  paper.Density = this->Density;
-  paper.SurfaceGlow = this->Occlusion == CONTRAST ? this->SurfaceGlow : 0.0;
-  paper.SkyIsPicture = this->Sky == PICTURE;
-  paper.Block = settings.Block;
-  paper.DelegateDrawsBackground = settings.DelegateDrawsBackground;
-
-  settings.Bounded =
-    std::any_of(this->Bounds, this->Bounds + 6, [](double bound) { return std::isfinite(bound); });
-  std::copy_n(this->Bounds, 6, settings.Bounds.begin());
-  settings.AutomaticTone = this->AutomaticTone;
-  renderer->GetBackground(settings.Background.data());
-
+  penumbra::ShaftSettings settings = own.MakeSettings(this, state, vtkBoundingBox(bounds));
   const int none[2] = { 0, 0 };
   penumbra::ScreenView view = penumbra::ScreenView::Of(renderer, size, none);
   view.Unit = settings.Unit;
@@ -270,10 +297,6 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
   {
     own.WarnOnce(this, "No light makes shafts (headlights and black lights make none).");
     return false;
-  }
-  if (!(settings.Scattering > 0.0))
-  {
-    settings.Extinction = std::max(settings.Extinction, 1e-12 / diagonal);
   }
   if (this->OpaqueOnly)
   {

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The medium is described twice, by an object for the ray caster and by properties of the pass, whose
+// module may not include the other's. Both take the same numbers the same way.
+#include "vtkPenumbraLightShaftPass.h"
+#include "vtkPenumbraMedium.h"
+
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+
+template <typename First, typename Second>
+void ExpectTheSame(First* first, Second* second)
+{
+  EXPECT_EQ(first->GetScattering(), second->GetScattering());
+  EXPECT_EQ(first->GetExtinction(), second->GetExtinction());
+  EXPECT_EQ(first->GetPhase(), second->GetPhase());
+  EXPECT_EQ(first->GetAsymmetry(), second->GetAsymmetry());
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(first->GetBounds()[i], second->GetBounds()[i]);
+  }
+}
+
+TEST(LightShaftPass, DescribesAMediumAsTheRayCasterDoes)
+{
+  vtkNew<vtkPenumbraMedium> medium;
+  vtkNew<vtkPenumbraLightShaftPass> pass;
+  ExpectTheSame(medium.Get(), pass.Get());
+  EXPECT_EQ(static_cast<int>(vtkPenumbraMedium::RAYLEIGH),
+    static_cast<int>(vtkPenumbraLightShaftPass::RAYLEIGH));
+  const double endless = std::numeric_limits<double>::max();
+  for (const double number : { -endless, -2.0, 0.0, 0.3, 5.0, endless })
+  {
+    const auto set = [number](auto* object) {
+      object->SetScattering(number);
+      object->SetExtinction(number);
+      object->SetAsymmetry(number);
+      object->SetPhase(number < 0.0 ? -7 : 7);
+      object->SetBounds(0.0, number, 0.0, 1.0, 0.0, 1.0);
+    };
+    set(medium.Get());
+    set(pass.Get());
+    ExpectTheSame(medium.Get(), pass.Get());
+  }
+}
+
+}
