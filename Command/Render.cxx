@@ -172,6 +172,7 @@ Action DeclareRender(CLI::App& program)
     if (status == Done)
     {
       std::vector<std::string> idle = FindIdleOptions(*app, *options);
+      // Which mean something else to `animate`.
       if (app->count("--frames") > 0 && options->Engine == "ray")
       {
         idle.emplace_back("--frames has no effect with --engine ray");

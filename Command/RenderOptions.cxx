@@ -338,20 +338,19 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   app.add_flag("--shadows", options.Shadows, "Hard shadows of the lights (ray)")->group(group);
 }
 
+/// What the picture would have to show and that engine cannot. Options that only say how the other engine
+/// works are idle, see FindIdleOptions().
 void RequireEngine(const CLI::App& app, const RenderOptions& options)
 {
   if (options.Engine == "ray")
   {
     return;
   }
-  for (const std::string name :
-    { "--tolerance", "--max-level", "--no-small-objects", "--shadows", "--indirect" })
+  for (const std::string name : { "--shadows", "--indirect" })
   {
-    const bool understood = name == "--tolerance" && options.AmbientOcclusion;
-    if (app.count(name) > 0 && !understood)
+    if (app.count(name) > 0)
     {
-      throw Failure(BadInput,
-        name + " is not available in this version with --engine raster; use --engine ray");
+      throw Failure(BadInput, name + " is not possible with --engine raster; use --engine ray");
     }
   }
   if (std::isinf(options.AmbientOcclusionRadius))
@@ -422,6 +421,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
 
 std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOptions& options)
 {
+  const bool ray = options.Engine == "ray";
   const bool orthographic = options.Camera.Orthographic;
   const bool placed = options.Camera.Position.has_value();
   const bool lights = options.Lighting && !options.Lights.empty();
@@ -431,20 +431,23 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     bool Idle;
     const char* Why;
   } rows[] = {
+    { "--tolerance", !ray && !options.AmbientOcclusion,
+      "with --engine raster without --ambient-occlusion" },
+    { "--max-level", !ray, "with --engine raster" },
+    { "--no-small-objects", !ray, "with --engine raster" },
     { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
       "without --ambient-occlusion" },
     { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-light-awareness", !options.AmbientOcclusion,
       "without --ambient-occlusion" },
-    { "--ambient-occlusion-light-awareness", options.AmbientOcclusion && options.Engine == "ray",
-      "with --engine ray" },
+    { "--ambient-occlusion-light-awareness", options.AmbientOcclusion && ray, "with --engine ray" },
     { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
-    { "--ambient-occlusion-kernel", options.Engine == "ray", "with --engine ray" },
-    { "--cache", !options.AmbientOcclusion && !options.Light.Indirect,
+    { "--ambient-occlusion-kernel", options.AmbientOcclusion && ray, "with --engine ray" },
+    { "--cache", !ray, "with --engine raster" },
+    { "--cache", ray && !options.AmbientOcclusion && !options.Light.Indirect,
       "without --ambient-occlusion or --indirect" },
-    { "--cache", options.Engine == "raster", "with --engine raster" },
-    { "--gatherer", options.Engine == "raster", "with --engine raster" },
-    { "--gatherer", !options.AmbientOcclusion && !options.Light.Indirect,
+    { "--gatherer", !ray, "with --engine raster" },
+    { "--gatherer", ray && !options.AmbientOcclusion && !options.Light.Indirect,
       "without --ambient-occlusion or --indirect" },
     { "--environment-color", !options.Light.Indirect, "without --indirect" },
     { "--albedo", !options.Light.Indirect, "without --indirect" },
@@ -456,7 +459,7 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
       "with --camera-position, unless the eye is in the centre of the bounds" },
     { "--light-position", !options.Lighting, "with --no-lighting" },
     { "--shadows", !lights, "without --light-position: the headlight casts none" },
-    { "--window", options.Engine == "ray" && options.Gatherer == "rays", "with --engine ray" },
+    { "--window", ray && options.Gatherer == "rays", "with --engine ray" },
   };
   std::vector<std::string> sentences;
   for (const auto& row : rows)
