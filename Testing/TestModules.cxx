@@ -3,7 +3,7 @@
 //
 // The table of Documentation/Architecture.md, enforced: reads the vtk.module files and the #include
 // lines of the repository and fails on an edge between folders that the table does not allow. Beside it
-// what else holds for all sources: their licence, one name for one type.
+// what else holds for all sources: their licence, one name for one type, headers that stand alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -320,6 +321,41 @@ TEST(Sources, NameEveryTypeOfTheNamespaceOnce)
     }
   }
   EXPECT_GT(definitions.size(), 100u);
+}
+
+TEST(Headers, IncludeTheStandardHeadersThatTheyName)
+{
+  const std::pair<std::regex, std::string> rows[] = {
+    { std::regex(R"(std::array\b)"), "array" },
+    { std::regex(R"(std::u?int(8|16|32|64)_t\b)"), "cstdint" },
+    { std::regex(R"(std::function\b)"), "functional" },
+    { std::regex(R"(std::numeric_limits\b)"), "limits" },
+    { std::regex(R"(std::map\b)"), "map" },
+    { std::regex(R"(std::(unique_ptr|shared_ptr|make_unique|make_shared)\b)"), "memory" },
+    { std::regex(R"(std::mutex\b)"), "mutex" },
+    { std::regex(R"(std::optional\b)"), "optional" },
+    { std::regex(R"(std::set\b)"), "set" },
+    { std::regex(R"(std::string\b)"), "string" },
+    { std::regex(R"(std::(pair|move)\b)"), "utility" },
+    { std::regex(R"(std::vector\b)"), "vector" },
+  };
+  for (const char* top : { "Filters", "Rendering", "Plugin", "Command", "Testing", "Benchmarks" })
+  {
+    for (const fs::path& header : Sources(Root / top, true))
+    {
+      if (header.extension() != ".h")
+      {
+        continue;
+      }
+      const std::string text = Text(header);
+      const Names included = Includes(header);
+      for (const auto& [name, needed] : rows)
+      {
+        EXPECT_TRUE(included.count(needed) || !std::regex_search(text, name))
+          << header << " needs <" << needed << ">";
+      }
+    }
+  }
 }
 
 TEST(Data, HasAnOriginForEveryFile)

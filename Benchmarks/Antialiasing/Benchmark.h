@@ -10,6 +10,7 @@
 #include "TestScene.h"
 
 #include <string>
+#include <vector>
 
 namespace penumbra
 {

@@ -10,6 +10,7 @@
 #include "Placement.h"
 
 #include <functional>
+#include <vector>
 
 namespace penumbra
 {

@@ -7,6 +7,8 @@
 
 #include "Record.h"
 
+#include <array>
+
 namespace penumbra
 {
 

@@ -13,6 +13,8 @@
 #include "HemisphereGrid.h"
 
 #include <array>
+#include <limits>
+#include <vector>
 
 namespace penumbra
 {

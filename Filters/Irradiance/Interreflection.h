@@ -10,6 +10,7 @@
 #include "RayGatherer.h"
 
 #include <memory>
+#include <vector>
 
 namespace penumbra
 {

@@ -10,7 +10,10 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace penumbra
 {

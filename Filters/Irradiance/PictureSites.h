@@ -8,6 +8,8 @@
 
 #include "Placement.h"
 
+#include <vector>
+
 namespace penumbra
 {
 

@@ -11,6 +11,9 @@
 #include "Gatherer.h"
 #include "RecordTree.h"
 
+#include <limits>
+#include <vector>
+
 namespace penumbra
 {
 

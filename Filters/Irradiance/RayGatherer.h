@@ -9,6 +9,9 @@
 #include "Illumination.h"
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro, which tests need
 
+#include <limits>
+#include <vector>
+
 namespace penumbra
 {
 

@@ -9,6 +9,7 @@
 #include "Blend.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace penumbra
 {

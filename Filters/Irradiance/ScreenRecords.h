@@ -8,6 +8,9 @@
 
 #include "Placement.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace penumbra
 {
 

@@ -10,6 +10,7 @@
 
 #include "RayScene.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace penumbra

@@ -8,6 +8,8 @@
 #include "PixelArrangement.h"
 #include "Scene.h"
 
+#include <cstdint>
+
 namespace penumbra
 {
 

@@ -7,6 +7,8 @@
 
 #include "RayScene.h"
 
+#include <cstdint>
+
 namespace penumbra
 {
 

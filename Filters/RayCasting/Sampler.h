@@ -8,6 +8,7 @@
 #include "LightShafts.h"
 
 #include <cstdint>
+#include <limits>
 
 class vtkPenumbraIrradianceSource;
 

@@ -10,6 +10,7 @@
 #include "Medium.h"
 #include "Scene.h"
 
+#include <limits>
 #include <vector>
 
 namespace penumbra

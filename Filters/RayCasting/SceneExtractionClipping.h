@@ -8,6 +8,8 @@
 #include "Scene.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
+#include <vector>
+
 namespace penumbra
 {
 

@@ -10,6 +10,10 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 
+#include <memory>
+#include <string>
+#include <vector>
+
 class vtkDataSet;
 class vtkTexture;
 

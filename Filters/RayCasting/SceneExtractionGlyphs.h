@@ -7,6 +7,9 @@
 
 #include "SceneExtractionPiece.h"
 
+#include <string>
+#include <vector>
+
 class vtkDataSet;
 class vtkGlyph3DMapper;
 

@@ -7,6 +7,9 @@
 
 #include "SceneExtractionPiece.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace penumbra
 {
 

@@ -7,6 +7,8 @@
 
 #include "SceneExtraction.h"
 
+#include <string>
+
 class vtkCoordinate;
 class vtkProp;
 class vtkScalarBarActor;

@@ -12,6 +12,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
 class vtkDataArray;
 class vtkPolyData;
 

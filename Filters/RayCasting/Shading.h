@@ -8,6 +8,9 @@
 #include "RayScene.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
+#include <cstdint>
+#include <vector>
+
 namespace penumbra
 {
 

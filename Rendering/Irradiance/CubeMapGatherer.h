@@ -11,7 +11,11 @@
 #include "RayGatherer.h"
 
 #include <atomic>
+#include <cstdint>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 namespace penumbra
 {

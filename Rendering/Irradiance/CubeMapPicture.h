@@ -11,6 +11,7 @@
 #include "TriangleBundles.h"
 
 #include <memory>
+#include <vector>
 
 namespace penumbra
 {

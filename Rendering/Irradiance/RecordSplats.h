@@ -10,6 +10,7 @@
 #include "Stage.h"
 
 #include <array>
+#include <vector>
 
 class vtkOpenGLVertexArrayObject;
 

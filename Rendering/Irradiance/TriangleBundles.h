@@ -10,6 +10,8 @@
 #include "vtkPenumbraRenderingIrradianceModule.h" // for export macro, which tests need
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace penumbra
 {

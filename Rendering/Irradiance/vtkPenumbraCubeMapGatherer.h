@@ -18,6 +18,8 @@
 #include "vtkPenumbraGatherer.h"
 #include "vtkPenumbraRenderingIrradianceModule.h" // for export macro
 
+#include <memory>
+
 namespace penumbra
 {
 struct CubeMapCounts;

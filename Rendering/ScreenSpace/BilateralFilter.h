@@ -8,6 +8,8 @@
 #include "DelegateImage.h"
 #include "Stage.h"
 
+#include <vector>
+
 namespace penumbra
 {
 

@@ -16,6 +16,8 @@
 #include "TemporalHistory.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
+#include <vector>
+
 class vtkImageData;
 namespace penumbra
 {

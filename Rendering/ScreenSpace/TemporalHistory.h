@@ -11,6 +11,8 @@
 #include "Stage.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
+#include <vector>
+
 namespace penumbra
 {
 

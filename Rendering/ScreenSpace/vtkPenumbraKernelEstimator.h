@@ -10,6 +10,7 @@
 #include "vtkPenumbraOcclusionEstimator.h"
 
 #include <memory> // for std::unique_ptr
+#include <string>
 
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraKernelEstimator
   : public vtkPenumbraOcclusionEstimator

@@ -8,6 +8,8 @@
 #include "Metrics.h"
 #include "OcclusionScene.h"
 
+#include <vector>
+
 namespace penumbra
 {
 
