@@ -47,7 +47,7 @@ Truth FindTruth(vtkPolyData* mesh)
   Truth truth;
   for (std::size_t i = 0; i < found.Sites.size(); i += TruthStep)
   {
-    const glm::dvec3 world = glm::dvec3(found.Sites[i].Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 world = scene.ToWorld(found.Sites[i].Position);
     const glm::dvec3 normal(found.Sites[i].Normal);
     truth.Ids.push_back(found.Ids[i]);
     truth.Values.push_back(source->Occlusion(&world.x, &normal.x).Value);

@@ -136,7 +136,7 @@ private:
     {
       double x[3];
       this->Mesh->GetPoint(i, x);
-      this->Positions.emplace_back((glm::dvec3(x[0], x[1], x[2]) - scene.Origin) * scene.Scale);
+      this->Positions.emplace_back(scene.FromWorld(x));
     }
     this->Finite.resize(this->Positions.size());
     for (std::size_t i = 0; i < this->Positions.size(); ++i)
@@ -354,9 +354,7 @@ void AddSurroundings(vtkPolyData* surroundings, MeshSites& mesh)
     double x[3];
     surroundings->GetPoint(i, x);
     finite.push_back(IsFinite(x));
-    surface.Positions.emplace_back(finite.back()
-        ? (glm::dvec3(x[0], x[1], x[2]) - scene.Origin) * scene.Scale
-        : glm::dvec3(0.0));
+    surface.Positions.emplace_back(finite.back() ? scene.FromWorld(x) : glm::dvec3(0.0));
   }
   const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(surroundings);
   vtkNew<vtkIdList> ids;

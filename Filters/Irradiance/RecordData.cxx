@@ -122,7 +122,7 @@ void ToPolyData(
   vtkNew<vtkCellArray> vertices;
   for (const Record& record : records)
   {
-    const glm::dvec3 world = glm::dvec3(record.Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 world = scene.ToWorld(record.Position);
     const vtkIdType id = points->InsertNextPoint(world.x, world.y, world.z);
     vertices->InsertNextCell(1, &id);
   }
@@ -184,7 +184,7 @@ std::vector<Record> FromPolyData(
     double x[3];
     data->GetPoint(i, x);
     records[i].Serves = !serves || serves->GetComponent(i, 0) != 0.0;
-    records[i].Position = (glm::dvec3(x[0], x[1], x[2]) - scene.Origin) * scene.Scale;
+    records[i].Position = scene.FromWorld(x);
     for (int c = 0; c < 3; ++c)
     {
       const double value = values->GetComponent(i, std::min(c, channels - 1));

@@ -91,8 +91,7 @@ struct vtkPenumbraIrradianceCache::Internals
     Place PlaceOf(const double point[3], const double normal[3]) const
     {
       Place place;
-      place.Position =
-        (glm::dvec3(point[0], point[1], point[2]) - this->Units.Origin) * this->Units.Scale;
+      place.Position = this->Units.FromWorld(point);
       place.Normal = glm::vec3(normal[0], normal[1], normal[2]);
       return place;
     }

@@ -34,8 +34,6 @@ namespace
 
 using namespace penumbra;
 
-constexpr double DefaultRadiusShare = 0.1;
-
 /// What stands for a pixel on a mesh, of the distance of neighbouring points: a record must reach
 /// its neighbours to be worth anything, and no further than some dozens of them.
 constexpr float PixelOfSpacing = .5f;
@@ -255,7 +253,7 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
   source->SetMinimumRays(LeastRays);
   source->Begin(*work.Rays, radius, NoiseOfAnswers * this->Tolerance);
   const auto bruteForce = [&](const Site& site, long long& count) {
-    const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto answer = source->Occlusion(&world.x, &normal.x);
     count += answer.Rays;
@@ -266,7 +264,7 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
   few->Begin(*work.Rays, radius, 0.0);
   const double noise = std::min(NoiseOfQuickAnswers * this->Tolerance, MostNoise);
   const auto quick = [&](const Site& site, long long& count) {
-    const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto answer = few->OcclusionWithin(&world.x, &normal.x, noise);
     count += answer.Rays;
@@ -328,7 +326,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
       const Derived found = places.Gather(site, count).Found;
       return BakedValue{ found.Mean, found.Error };
     }
-    const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+    const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto answer = source->Irradiance(&world.x, &normal.x, NoiseOfAnswers * this->Tolerance);
     count += answer.Rays;

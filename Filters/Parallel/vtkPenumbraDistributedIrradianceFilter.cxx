@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraDistributedIrradianceFilter.h"
 
+#include "Scene.h"
 #include "SurfaceExchange.h"
 
 #include "vtkBoundingBox.h"
@@ -15,14 +16,6 @@
 #include "vtkPolyData.h"
 
 #include <limits>
-
-namespace
-{
-
-/// The superclass' default.
-constexpr double DefaultRadiusShare = 0.1;
-
-}
 
 vtkStandardNewMacro(vtkPenumbraDistributedIrradianceFilter);
 
@@ -44,8 +37,8 @@ int vtkPenumbraDistributedIrradianceFilter::RequestData(
   double reach = std::numeric_limits<double>::infinity();
   if (this->GetQuantity() == AMBIENT_OCCLUSION && whole.IsValid())
   {
-    reach =
-      this->GetRadius() > 0.0 ? this->GetRadius() : DefaultRadiusShare * whole.GetDiagonalLength();
+    reach = this->GetRadius() > 0.0 ? this->GetRadius()
+                                    : penumbra::DefaultRadiusShare * whole.GetDiagonalLength();
   }
   vtkSmartPointer<vtkPolyData> surroundings =
     penumbra::GatherSurroundings(ranks, own, bounds, reach);

@@ -8,6 +8,7 @@
 #include "Scene.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>

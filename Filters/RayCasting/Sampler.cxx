@@ -22,9 +22,8 @@ constexpr float Pi = 3.14159265f;
 
 glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
 {
-  return scene.Origin +
-    (glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction)) /
-    scene.Scale;
+  return scene.ToWorld(
+    glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction));
 }
 
 }

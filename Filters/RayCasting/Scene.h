@@ -138,6 +138,9 @@ struct Background
   glm::vec4 Top{ 0.f, 0.f, 0.f, 0.f };
 };
 
+/// How far occluders reach where nothing is told, of the diagonal of the bounds.
+constexpr double DefaultRadiusShare = 0.1;
+
 struct Scene
 {
   glm::dvec3 Origin{ 0.0 };
@@ -148,6 +151,13 @@ struct Scene
   penumbra::Background Behind;
   Overlay Over;                      ///< drawn over the finished picture
   std::vector<std::string> Warnings; ///< what was left out, one sentence each
+
+  /// From world to scene coordinates and back.
+  glm::dvec3 FromWorld(const double x[3]) const
+  {
+    return (glm::dvec3(x[0], x[1], x[2]) - this->Origin) * this->Scale;
+  }
+  glm::dvec3 ToWorld(glm::dvec3 x) const { return x / this->Scale + this->Origin; }
 };
 
 }

@@ -25,20 +25,23 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace penumbra
 {
 namespace
 {
 
-/// Actors and mappers that draw in a way of their own, which triangles of their input are not.
-constexpr const char* UnsupportedActors[] = { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" };
-constexpr const char* UnsupportedMappers[] = { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
-  "vtkPointGaussianMapper" };
-
-bool IsAnyOf(vtkObjectBase* object, const char* const* begin, const char* const* end)
+bool IsAnyOf(vtkObjectBase* object, std::initializer_list<const char*> names)
 {
-  return std::any_of(begin, end, [&](const char* name) { return object->IsA(name); });
+  return std::any_of(
+    names.begin(), names.end(), [&](const char* name) { return object->IsA(name); });
+}
+
+/// Actors that draw in a way of their own, which triangles of their input are not.
+bool IsSupported(vtkActor* actor)
+{
+  return !IsAnyOf(actor, { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" });
 }
 
 glm::dmat4 ToMatrix(vtkMatrix4x4* from)
@@ -134,7 +137,7 @@ private:
     {
       return;
     }
-    if (!actor || IsAnyOf(actor, std::begin(UnsupportedActors), std::end(UnsupportedActors)))
+    if (!actor || !IsSupported(actor))
     {
       this->Warnings.push_back(std::string(prop->GetClassName()) + " is not supported; left out.");
       return;
@@ -147,7 +150,7 @@ private:
     {
       return;
     }
-    if (IsAnyOf(mapper, std::begin(UnsupportedMappers), std::end(UnsupportedMappers)))
+    if (DrawsByShadersAlone(mapper))
     {
       this->Warnings.push_back(
         look.Name + ": " + mapper->GetClassName() + " is not supported; left out.");
@@ -216,6 +219,12 @@ private:
   std::vector<std::string>& Warnings;
 };
 
+}
+
+bool DrawsByShadersAlone(vtkMapper* mapper)
+{
+  return IsAnyOf(
+    mapper, { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper", "vtkPointGaussianMapper" });
 }
 
 std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings)

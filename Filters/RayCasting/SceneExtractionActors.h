@@ -8,11 +8,20 @@
 
 #include "SceneExtractionPiece.h"
 
+#include "vtkPenumbraFiltersRayCastingModule.h"
+
+#include <string>
+#include <vector>
+
 class vtkDataObject;
+class vtkMapper;
 class vtkRenderer;
 
 namespace penumbra
 {
+
+/// Does it draw by shaders alone what no triangle of its input shows? Then no ray can meet it.
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool DrawsByShadersAlone(vtkMapper* mapper);
 
 /// What `renderer` draws. Names in `warnings` what it cannot turn into pieces.
 std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings);

@@ -66,8 +66,7 @@ glm::dvec2 PlaceInPicture(vtkCoordinate* coordinate, const Scene& scene)
       place = .5 * (place + 1.0) * size;
       break;
     case VTK_WORLD:
-      place =
-        scene.Eye.Project((glm::dvec3(value[0], value[1], value[2]) - scene.Origin) * scene.Scale);
+      place = scene.Eye.Project(scene.FromWorld(value));
       break;
     default:
       break; // pixels

@@ -197,8 +197,7 @@ vtkPenumbraIrradianceSource::Light vtkPenumbraBruteForceSource::Irradiance(
   const double point[3], const double normal[3], double tolerance) const
 {
   const penumbra::Illumination& lighting = *this->Lighting;
-  const penumbra::Scene& scene = lighting.GetRays().GetScene();
-  const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
+  const glm::vec3 position(lighting.GetRays().GetScene().FromWorld(point));
   const glm::vec3 up(normal[0], normal[1], normal[2]);
   const glm::mat3 frame = penumbra::FrameOf(up);
   const std::uint32_t seed = penumbra::SeedOf(position, up);

@@ -36,8 +36,6 @@ namespace
 
 // Of a picture, in pixels.
 constexpr int LargestSide = 65535;
-// Reach of an occluder as a share of the scene's diagonal, where none is given.
-constexpr double DefaultRadiusShare = 0.1;
 // A pixel is the mean of about four answers of the irradiance source, so each may err twice as much.
 constexpr double OcclusionNoiseShare = 2.0;
 // Of the progress: what the irradiance source prepares.
@@ -346,7 +344,7 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
   {
     const double radius = self->AmbientOcclusionRadius > 0.0
       ? self->AmbientOcclusionRadius
-      : DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
+      : penumbra::DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
     if (!this->IrradianceSource->Begin(*this->Prepared->Rays, radius, noise, progress))
     {
       return false;

@@ -3,6 +3,7 @@
 #include "TracedGeometry.h"
 
 #include "SceneExtraction.h"
+#include "SceneExtractionActors.h"
 #include "SceneExtractionTime.h"
 
 #include "vtkActor.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace penumbra
 {
@@ -31,18 +31,11 @@ namespace
 /// radii, their rounding might be seen.
 constexpr double FarthestMove = 1e4;
 
-/// Drawn by shaders alone: no rays can meet them.
-constexpr const char* Impostors[] = { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
-  "vtkPointGaussianMapper" };
-
 bool IsMesh(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  return actor &&
-    (!mapper ||
-      std::none_of(std::begin(Impostors), std::end(Impostors),
-        [mapper](const char* name) { return mapper->IsA(name); }));
+  return actor && (!mapper || !DrawsByShadersAlone(mapper));
 }
 
 /// Overlays and volumes leave no depth, or shall not count.

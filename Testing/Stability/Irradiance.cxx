@@ -46,7 +46,7 @@ void AsPrinted(Cache* cache)
 
 glm::dvec3 World(const Scene& scene, const Site& site)
 {
-  return glm::dvec3(site.Position) / scene.Scale + scene.Origin;
+  return scene.ToWorld(site.Position);
 }
 
 double Ask(const vtkPenumbraIrradianceSource* source, glm::dvec3 position, glm::dvec3 normal)
