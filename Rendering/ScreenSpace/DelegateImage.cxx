@@ -35,6 +35,40 @@ vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window, int 
 
 }
 
+bool FillTextures(vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* color,
+  vtkTextureObject* depth, unsigned int cleared, const std::function<void()>& draw)
+{
+  const auto width = static_cast<int>(color->GetWidth());
+  const auto height = static_cast<int>(color->GetHeight());
+  vtkOpenGLState* gl = framebuffer->GetContext()->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  gl->PushFramebufferBindings();
+  framebuffer->Bind();
+  framebuffer->AddColorAttachment(0, color);
+  framebuffer->AddDepthAttachment(depth);
+  framebuffer->ActivateDrawBuffer(0);
+  const bool complete = framebuffer->StartNonOrtho(width, height);
+  if (complete)
+  {
+    gl->vtkglViewport(0, 0, width, height);
+    gl->vtkglScissor(0, 0, width, height);
+    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl->vtkglDepthMask(GL_TRUE);
+    gl->vtkglEnable(GL_DEPTH_TEST);
+    gl->vtkglDepthFunc(GL_LEQUAL);
+    gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
+    gl->vtkglClearDepth(1.0);
+    gl->vtkglClear(cleared);
+    draw();
+  }
+  framebuffer->RemoveColorAttachments(1);
+  framebuffer->RemoveDepthAttachment();
+  gl->PopFramebufferBindings();
+  return complete;
+}
+
 DelegateImage::DelegateImage() = default;
 DelegateImage::~DelegateImage() = default;
 
@@ -155,58 +189,27 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
   this->Prepare(window, oneSample ? 1 : std::max(SamplesOf(state), 1));
 
   int props = -1;
-  this->Fill(window, this->Color, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, [&]() {
-    vtkRenderState inner(renderer);
-    inner.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
-    inner.SetFrameBuffer(this->Framebuffer);
-    std::optional<WiderCamera> wider;
-    std::vector<vtkProp*> visible;
-    if (this->IsWider())
-    {
-      wider.emplace(renderer, this->View);
-      visible = VisibleProps(renderer);
-      inner.SetPropArrayAndCount(visible.data(), static_cast<int>(visible.size()));
-    }
-    delegate->Render(&inner);
-    props = delegate->GetNumberOfRenderedProps();
-    if (this->Samples > 1)
-    {
-      this->ResolveDepth(window);
-    }
-  });
+  FillTextures(this->Framebuffer, this->Color, this->SampleDepth,
+    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, [&]() {
+      vtkRenderState inner(renderer);
+      inner.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
+      inner.SetFrameBuffer(this->Framebuffer);
+      std::optional<WiderCamera> wider;
+      std::vector<vtkProp*> visible;
+      if (this->IsWider())
+      {
+        wider.emplace(renderer, this->View);
+        visible = VisibleProps(renderer);
+        inner.SetPropArrayAndCount(visible.data(), static_cast<int>(visible.size()));
+      }
+      delegate->Render(&inner);
+      props = delegate->GetNumberOfRenderedProps();
+      if (this->Samples > 1)
+      {
+        this->ResolveDepth(window);
+      }
+    });
   return props;
-}
-
-bool DelegateImage::Fill(vtkOpenGLRenderWindow* window, vtkTextureObject* color,
-  unsigned int cleared, const std::function<void()>& draw)
-{
-  vtkOpenGLState* gl = window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(gl);
-  const vtkOpenGLState::ScopedglScissor scissor(gl);
-  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
-  gl->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, color);
-  this->Framebuffer->AddDepthAttachment(this->SampleDepth);
-  this->Framebuffer->ActivateDrawBuffer(0);
-  const bool complete = this->Framebuffer->StartNonOrtho(this->View.Width, this->View.Height);
-  if (complete)
-  {
-    gl->vtkglViewport(0, 0, this->View.Width, this->View.Height);
-    gl->vtkglScissor(0, 0, this->View.Width, this->View.Height);
-    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl->vtkglDepthMask(GL_TRUE);
-    gl->vtkglEnable(GL_DEPTH_TEST);
-    gl->vtkglDepthFunc(GL_LEQUAL);
-    gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
-    gl->vtkglClearDepth(1.0);
-    gl->vtkglClear(cleared);
-    draw();
-  }
-  this->Framebuffer->RemoveColorAttachments(1);
-  this->Framebuffer->RemoveDepthAttachment();
-  gl->PopFramebufferBindings();
-  return complete;
 }
 
 bool DelegateImage::DrawAgain(
@@ -218,7 +221,7 @@ bool DelegateImage::DrawAgain(
   {
     color = this->CreateColor(window, this->Samples);
   }
-  return this->Fill(window, color, GL_COLOR_BUFFER_BIT, [&]() {
+  return FillTextures(this->Framebuffer, color, this->SampleDepth, GL_COLOR_BUFFER_BIT, [&]() {
     std::optional<WiderCamera> wider;
     if (this->IsWider())
     {

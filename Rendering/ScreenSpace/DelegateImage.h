@@ -25,6 +25,11 @@ class vtkWindow;
 namespace penumbra
 {
 
+/// Clears what `cleared` names of two textures of one size, draws into them, and leaves OpenGL's state as
+/// it was. False when OpenGL refuses.
+bool FillTextures(vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* color,
+  vtkTextureObject* depth, unsigned int cleared, const std::function<void()>& draw);
+
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DelegateImage
 {
 public:
@@ -80,10 +85,6 @@ public:
 private:
   /// Another camera than the renderer's draws.
   bool IsWider() const { return this->Margin[0] > 0 || this->Margin[1] > 0 || this->Tight; }
-
-  /// Clears and draws into a colour texture, with the picture's depth.
-  bool Fill(vtkOpenGLRenderWindow* window, vtkTextureObject* color, unsigned int cleared,
-    const std::function<void()>& draw);
 
   void PrepareFramebuffers(vtkOpenGLRenderWindow* window);
   void Prepare(vtkOpenGLRenderWindow* window, int samples);

@@ -65,54 +65,34 @@ bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Allocate(window, view);
   vtkOpenGLState* gl = window->GetState();
-  const vtkOpenGLState::ScopedglViewport viewport(gl);
-  const vtkOpenGLState::ScopedglScissor scissor(gl);
-  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
   const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-  gl->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Color);
-  this->Framebuffer->AddDepthAttachment(this->Depth);
-  this->Framebuffer->ActivateDrawBuffer(0);
-  bool drawn = this->Framebuffer->StartNonOrtho(view.Width, view.Height);
-  if (drawn)
-  {
-    gl->vtkglViewport(0, 0, view.Width, view.Height);
-    gl->vtkglScissor(0, 0, view.Width, view.Height);
-    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl->vtkglDepthMask(GL_TRUE);
-    gl->vtkglEnable(GL_DEPTH_TEST);
-    gl->vtkglDepthFunc(GL_LEQUAL);
-    gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
-    gl->vtkglClearDepth(1.0);
-    gl->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const WiderCamera camera(renderer, view);
-    const auto glows = [&](vtkProp* prop) {
-      return std::find(emitters.begin(), emitters.end(), prop) != emitters.end();
-    };
-    gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawn = prepass || this->CopyDepth(window, image, block);
-    const std::vector<vtkProp*> props = VisibleProps(renderer);
-    for (vtkProp* prop : props)
-    {
-      if (prepass && !glows(prop))
+  bool hasDepth = false;
+  const bool drawn = FillTextures(
+    this->Framebuffer, this->Color, this->Depth, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, [&]() {
+      const WiderCamera camera(renderer, view);
+      const auto glows = [&](vtkProp* prop) {
+        return std::find(emitters.begin(), emitters.end(), prop) != emitters.end();
+      };
+      gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+      hasDepth = prepass || this->CopyDepth(window, image, block);
+      const std::vector<vtkProp*> props = VisibleProps(renderer);
+      for (vtkProp* prop : props)
       {
-        prop->RenderOpaqueGeometry(renderer);
+        if (prepass && !glows(prop))
+        {
+          prop->RenderOpaqueGeometry(renderer);
+        }
       }
-    }
-    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    for (vtkProp* prop : props)
-    {
-      if (glows(prop))
+      gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+      for (vtkProp* prop : props)
       {
-        prop->RenderOpaqueGeometry(renderer);
+        if (glows(prop))
+        {
+          prop->RenderOpaqueGeometry(renderer);
+        }
       }
-    }
-  }
-  this->Framebuffer->RemoveColorAttachments(1);
-  this->Framebuffer->RemoveDepthAttachment();
-  gl->PopFramebufferBindings();
-  return drawn;
+    });
+  return drawn && hasDepth;
 }
 
 void EmitterImage::ReleaseGraphicsResources(vtkWindow* window)

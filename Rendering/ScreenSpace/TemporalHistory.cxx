@@ -6,11 +6,14 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraAccumulateFS.h"
+#include "vtkPenumbraGivenEstimateLib.h"
 #include "vtkPenumbraHistoryFS.h"
 #include "vtkPenumbraMotionLib.h"
 #include "vtkPenumbraNeighbourLib.h"
+#include "vtkPenumbraRestLib.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraSurfaceLib.h"
+#include "vtkPenumbraTrustLib.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -21,25 +24,15 @@ namespace penumbra
 namespace
 {
 
-/// An estimate that is there already.
-constexpr const char* Given = "uniform sampler2D estimates;\n"
-                              "float estimateAt(SurfacePoint point) { return texture(estimates, "
-                              "point.pixel * pixelSize).r; }\n";
-
-/// Nothing but the eye has moved.
-constexpr const char* AtRest = "float actorAt(vec2 pixel) { return 0.0; }\n"
-                               "mat4 motionOf(float actor) { return toPreviousEye; }\n";
-
 /// Several programs: on some drivers what is skipped costs as much as what is done.
 std::string Reprojection(const TemporalSettings& settings, const std::string& estimate)
 {
   return Assemble(vtkPenumbraHistoryFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-      { "EstimateLib", estimate }, { "MotionLib", settings.Motion ? vtkPenumbraMotionLib : AtRest },
+      { "EstimateLib", estimate },
+      { "MotionLib", settings.Motion ? vtkPenumbraMotionLib : vtkPenumbraRestLib },
       { "NeighbourLib",
-        settings.NeighbourValidation
-          ? vtkPenumbraNeighbourLib
-          : "float neighbourTrust(SurfacePoint point, vec3 before) { return maximumWeight; }" } });
+        settings.NeighbourValidation ? vtkPenumbraNeighbourLib : vtkPenumbraTrustLib } });
 }
 
 /// What all stages need.
@@ -103,8 +96,8 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   Stage& stage = !moved            ? this->Accumulate
     : settings.NeighbourValidation ? this->Validate
                                    : this->Reproject;
-  vtkShaderProgram* program =
-    stage.Ready(window, moved ? Reprojection(settings, Given) : vtkPenumbraAccumulateFS);
+  vtkShaderProgram* program = stage.Ready(
+    window, moved ? Reprojection(settings, vtkPenumbraGivenEstimateLib) : vtkPenumbraAccumulateFS);
   const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
   {
