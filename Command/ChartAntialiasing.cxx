@@ -8,6 +8,7 @@
 #include "Faces.h"
 #include "Measure.h"
 #include "PovRay.h"
+#include "TemporaryFolder.h"
 #include "TestScene.h"
 
 #include "vtkCameraPass.h"
@@ -20,10 +21,7 @@
 #include "vtkSSAAPass.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -141,22 +139,6 @@ Measurement MeasureRays(
   }
   return result;
 }
-
-/// A folder of this process that is gone with it.
-struct TemporaryFolder
-{
-  TemporaryFolder() { std::filesystem::create_directories(this->Path); }
-  ~TemporaryFolder()
-  {
-    std::error_code error;
-    std::filesystem::remove_all(this->Path, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  void operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path Path =
-    std::filesystem::temp_directory_path() / ("penumbra-chart-" + std::to_string(getpid()));
-};
 
 /// Its own tracing alone.
 Measurement MeasurePovRay(

@@ -4,23 +4,26 @@
 // The irradiance cache: its rules for radii, and rays at every pixel, for the occlusion beside a
 // sphere on a floor, which is known in closed form, and for the light in a room, of five reflections,
 // against independent paths. The tree is ready before the clock starts.
-#include "ChartFamilies.h"
+#include "ChartPlaces.h"
 
 #include "Illumination.h"
 #include "PathTracer.h"
 #include "RayScene.h"
 #include "Solids.h"
+#include "TestScene.h"
 #include "Truth.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraCubeMapGatherer.h"
 #include "vtkPenumbraIrradianceCache.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace penumbra
@@ -33,6 +36,9 @@ using Cache = vtkPenumbraIrradianceCache;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Pi = 3.14159265358979323846;
+
+/// Programs without a cache are asked at every so many-th pixel in both directions.
+constexpr int StrideWithoutCache = 4;
 
 /// vtkPenumbraBruteForceSource begins with so many paths where it would begin with one ray.
 constexpr int PathsPerRay = 8;
@@ -60,12 +66,11 @@ Subjects SphereOnFloor(double height, int size)
   });
 }
 
-double TruthAt(const Subject& subject, const SeenPoint& point)
+double TruthAt(const Subject& subject, const double* p, const double* normal)
 {
-  const double* p = point.Position;
   const double h = subject.Height;
   return p[2] < 1e-3 ? h * std::pow(h * h + p[0] * p[0] + p[1] * p[1], -1.5)
-                     : .5 * (1.0 - point.Normal[2]);
+                     : .5 * (1.0 - normal[2]);
 }
 
 /// Asks at every `stride`-th pixel; the seconds are scaled to all of them.
@@ -81,7 +86,7 @@ Measurement Ask(
   {
     const auto estimate = source->Occlusion(point.Position, point.Normal);
     rays += static_cast<double>(estimate.Rays);
-    squares += std::pow(estimate.Value - TruthAt(subject, point), 2.0);
+    squares += std::pow(estimate.Value - TruthAt(subject, point.Position, point.Normal), 2.0);
   }
   const auto count = static_cast<double>(points.size());
   Measurement result;
@@ -104,14 +109,20 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
     const char* Method;
     int Rule;
     int Space;
-  } rules[] = { { "nearest hit [IC]", Cache::NEAREST_HIT, Cache::WORLD },
-    { "harmonic mean [IC]", Cache::HARMONIC_MEAN, Cache::WORLD },
-    { "Penumbra automatic (second derivative)", Cache::OCCLUSION_HESSIAN, Cache::WORLD },
-    { "Penumbra in screen space", Cache::OCCLUSION_HESSIAN, Cache::SCREEN } };
+    bool Cubes;
+  } rules[] = { { "nearest hit [IC]", Cache::NEAREST_HIT, Cache::WORLD, false },
+    { "harmonic mean [IC]", Cache::HARMONIC_MEAN, Cache::WORLD, false },
+    { "Penumbra automatic (second derivative)", Cache::OCCLUSION_HESSIAN, Cache::WORLD, false },
+    { "Penumbra in screen space", Cache::OCCLUSION_HESSIAN, Cache::SCREEN, false },
+    { "second derivative by cube maps", Cache::OCCLUSION_HESSIAN, Cache::WORLD, true } };
   for (const auto& rule : rules)
   {
-    for (const double tolerance : quick ? std::vector<double>{ .05, .02 }
-                                        : std::vector<double>{ .05, .02, .01, .005, .002, .001 })
+    std::vector<double> tolerances = { .05, .02 };
+    if (!quick && !rule.Cubes)
+    {
+      tolerances.insert(tolerances.end(), { .01, .005, .002, .001 });
+    }
+    for (const double tolerance : quick&& rule.Cubes ? std::vector<double>() : tolerances)
     {
       std::ostringstream setting;
       setting << "tolerance " << tolerance;
@@ -120,6 +131,10 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
                                 cache->SetRadiusRule(rule.Rule);
                                 cache->SetSpace(rule.Space);
                                 cache->SetTolerance(tolerance);
+                                if (rule.Cubes)
+                                {
+                                  cache->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
+                                }
                                 return Ask(subject(), cache, tolerance, 1);
                               } });
     }
@@ -134,6 +149,42 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
                               return Ask(subject(), source, 1.0, 8);
                             } });
   }
+}
+
+std::vector<Question> QuestionsAt(const std::vector<SeenPoint>& points)
+{
+  std::vector<Question> questions;
+  for (const SeenPoint& point : points)
+  {
+    questions.push_back({ { point.Position[0], point.Position[1], point.Position[2] },
+      { point.Normal[0], point.Normal[1], point.Normal[2] } });
+  }
+  return questions;
+}
+
+PlacesSteps PeersBesideSphere(const std::string& scene, const Subjects& subject)
+{
+  PlacesSteps steps;
+  steps.Scene = scene;
+  steps.Prepare = [=](const Peer& peer) {
+    const int stride = peer.HasCache ? 1 : StrideWithoutCache;
+    LitPlaces asked;
+    asked.Drawn = &subject().Drawn;
+    asked.Questions = QuestionsAt(PointsInPicture(*subject().Rays, stride));
+    asked.Share = 1.0 / (stride * stride);
+    return asked;
+  };
+  steps.Error = [=](const LitPlaces& asked, const std::vector<glm::dvec3>& light) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < light.size(); ++i)
+    {
+      const Question& question = asked.Questions[i];
+      squares += std::pow(
+        1.0 - light[i].x - TruthAt(subject(), &question.Position.x, &question.Normal.x), 2.0);
+    }
+    return std::sqrt(squares / static_cast<double>(light.size()));
+  };
+  return steps;
 }
 
 /// A room lit by a panel below its ceiling.
@@ -211,18 +262,61 @@ Measurement AskForLight(
   return result;
 }
 
+PlacesSteps PeersInRoom(const std::string& scene, const Rooms& room)
+{
+  PlacesSteps steps;
+  steps.Scene = scene;
+  steps.Lamps = true;
+  steps.Prepare = [=](const Peer&) {
+    LitPlaces asked;
+    asked.Drawn = &room().Drawn;
+    asked.Albedo = room().Light->GetSettings().Albedo;
+    asked.Bounces = room().Light->GetSettings().Bounces;
+    asked.Sky = 0.0;
+    asked.Questions = QuestionsAt(PointsInPicture(*room().Rays, 1));
+    return asked;
+  };
+  steps.Error = [=](const LitPlaces&, const std::vector<glm::dvec3>& light) {
+    std::map<int, std::size_t> placeOf;
+    for (const SeenPoint& point : PointsInPicture(*room().Rays, 1))
+    {
+      placeOf.insert({ point.Pixel, placeOf.size() });
+    }
+    double squares = 0.0;
+    for (std::size_t i = 0; i < room().Known.size(); ++i)
+    {
+      const glm::dvec3 error = light[placeOf.at(room().Known[i].Pixel)] - room().Truth[i];
+      squares += glm::dot(error, error) / 3.0;
+    }
+    return std::sqrt(squares / static_cast<double>(room().Known.size()));
+  };
+  return steps;
+}
+
 void AddRoom(ChartFamily& family, const std::string& scene, const Rooms& room)
 {
-  for (const double tolerance : { .02, .01, .005, .003, .002 })
-  {
+  const auto add = [&](const char* method, double tolerance, int space, bool cubes) {
     std::ostringstream setting;
     setting << "tolerance " << tolerance;
-    family.Steps.push_back(
-      { scene, "Penumbra automatic (second derivative)", setting.str(), tolerance, [=] {
-         vtkNew<Cache> cache;
-         cache->SetTolerance(tolerance);
-         return AskForLight(room(), cache, tolerance, true);
-       } });
+    family.Steps.push_back({ scene, method, setting.str(), tolerance, [=] {
+                              vtkNew<Cache> cache;
+                              cache->SetTolerance(tolerance);
+                              cache->SetSpace(space);
+                              if (cubes)
+                              {
+                                cache->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
+                              }
+                              return AskForLight(room(), cache, tolerance, true);
+                            } });
+  };
+  for (const double tolerance : { .02, .01, .005, .003, .002 })
+  {
+    add("Penumbra automatic (second derivative)", tolerance, Cache::WORLD, false);
+  }
+  for (const double tolerance : { .02, .01, .005 })
+  {
+    add("Penumbra in screen space", tolerance, Cache::SCREEN, false);
+    add("second derivative by cube maps", tolerance, Cache::WORLD, true);
   }
   for (const int paths : { 128, 512, 2048, 8192 })
   {
@@ -240,17 +334,31 @@ void AddRoom(ChartFamily& family, const std::string& scene, const Rooms& room)
 ChartFamily IrradianceFamily(const ChartRequest& request)
 {
   const int size = request.Quick ? 256 : 512;
-  ChartFamily family{ "irradiance",
-    "Interpolated occlusion and light, " + std::to_string(size) + "x" + std::to_string(size),
-    "RMSE over surface pixels", "rays a pixel",
-    "closed form; in the room, of irradiance over pi, 16384 independent paths at a share of the "
-    "pixels",
+  ChartFamily family{ "irradiance", "Interpolated occlusion and light",
+    "RMSE over surface pixels or points", "rays a pixel or point",
+    "closed form at 512x512; in the room, of irradiance over pi, 16384 independent paths at a "
+    "share of the "
+    "pixels; on meshes 65536 rays at a share of the points",
     {} };
-  AddSteps(family, "sphere on a floor", SphereOnFloor(1.0, size), request.Quick);
-  if (!request.Quick)
+  for (const ChartMesh& mesh : request.Meshes)
   {
-    AddSteps(family, "sphere over a floor", SphereOnFloor(1.5, size), false);
-    AddRoom(family, "light in a room of 256x256", LitRoom(256, 8, 16384));
+    AddBaking(family, mesh, request);
+  }
+  if (request.Meshes.empty())
+  {
+    const Subjects touching = SphereOnFloor(1.0, size);
+    AddSteps(family, "sphere on a floor", touching, request.Quick);
+    AddPeers(family, request.Peers, PeersBesideSphere("sphere on a floor", touching));
+  }
+  if (request.Meshes.empty() && !request.Quick)
+  {
+    const Subjects hovering = SphereOnFloor(1.5, size);
+    AddSteps(family, "sphere over a floor", hovering, false);
+    AddPeers(family, request.Peers, PeersBesideSphere("sphere over a floor", hovering));
+    const Rooms room = LitRoom(256, 8, 16384);
+    AddRoom(family, "light in a room of 256x256", room);
+    AddPeers(family, request.Peers, PeersInRoom("light in a room of 256x256", room));
+    AddBaking(family, { "baked on a burr", Burr(192) }, request);
   }
   return family;
 }

@@ -10,6 +10,7 @@
 #include "SceneExtraction.h"
 #include "Scenes.h"
 #include "Screen.h"
+#include "TestScene.h"
 #include "Truth.h"
 
 #include "vtkDataArray.h"
@@ -31,6 +32,7 @@ namespace
 {
 
 using Pass = vtkPenumbraTemporalSSAOPass;
+using Cache = vtkPenumbraIrradianceCache;
 
 /// A scene with its truth and its tree.
 struct Subject
@@ -68,7 +70,7 @@ SceneUnderOcclusion SceneOf(const ChartMesh& mesh)
   SceneUnderOcclusion scene{ mesh.Name, vtkSmartPointer<vtkRenderer>::New(), 0.0 };
   Show(scene.Renderer, mesh.Mesh);
   scene.Radius = .1 * mesh.Mesh->GetLength();
-  scene.Renderer->ResetCamera();
+  LookAlong(scene.Renderer, { -.6, 1.0, -.4 }, { 0.0, 0.0, 1.0 }, 640, 480);
   return scene;
 }
 
@@ -199,10 +201,15 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   {
     std::ostringstream setting;
     setting << "tolerance " << tolerance;
-    add("Penumbra rays: automatic (cache)", setting.str(), tolerance, [=] {
-      vtkNew<vtkPenumbraIrradianceCache> source;
-      return Ask(subject(), source, tolerance, false);
-    });
+    const auto addCache = [&](const char* method, int space) {
+      add(method, setting.str(), tolerance, [=] {
+        vtkNew<Cache> source;
+        source->SetSpace(space);
+        return Ask(subject(), source, tolerance, false);
+      });
+    };
+    addCache("Penumbra rays: automatic (cache)", Cache::WORLD);
+    addCache("cache in screen space", Cache::SCREEN);
     add("Penumbra OpenGL: automatic", setting.str(), tolerance,
       [=] { return MeasureAutomatic(subject(), tolerance); });
   }

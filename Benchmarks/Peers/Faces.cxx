@@ -6,11 +6,9 @@
 #include "vtkRenderer.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 namespace penumbra
 {
@@ -70,31 +68,12 @@ void WriteFaces(const std::string& path, vtkRenderer* renderer, const BruteForce
 FacesAnswer RunFaces(
   const Peer& peer, const std::string& scene, const std::string& setting, int width, int height)
 {
-  const std::string picture = scene + ".raw";
-  const std::string log = scene + ".log";
-  const std::string command = "'" + peer.Path + "' '" + peer.Script + "' '" + scene + "' " +
-    setting + " '" + picture + "' >'" + log + "' 2>&1";
-  if (std::system(command.c_str()) != 0)
-  {
-    throw std::runtime_error(peer.Name + " failed; see " + log);
-  }
+  const ScriptAnswer told =
+    RunScript(peer, scene, setting, std::size_t{ 3 } * static_cast<std::size_t>(width) * height);
+  const std::vector<float>& values = told.Values;
   FacesAnswer answer;
-  std::ifstream text(log);
-  std::string last;
-  for (std::string line; std::getline(text, line);)
-  {
-    last = line.empty() ? last : line;
-  }
-  std::istringstream(last) >> answer.Seconds >> answer.SamplesPerPixel;
-
-  std::vector<float> values(std::size_t{ 3 } * width * height);
-  std::ifstream file(picture, std::ios::binary);
-  file.read(reinterpret_cast<char*>(values.data()),
-    static_cast<std::streamsize>(values.size() * sizeof(float)));
-  if (!file || !(answer.SamplesPerPixel > 0.0))
-  {
-    throw std::runtime_error(peer.Name + " wrote no picture " + picture);
-  }
+  answer.Seconds = told.Seconds;
+  answer.SamplesPerPixel = told.Count;
   for (std::size_t i = 0; i < values.size(); i += 3)
   {
     answer.Colors.emplace_back(values[i], values[i + 1], values[i + 2]);

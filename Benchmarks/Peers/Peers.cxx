@@ -6,7 +6,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace penumbra
 {
@@ -14,7 +16,18 @@ namespace penumbra
 namespace
 {
 
-/// The last line but for empty ones that a command prints; empty where it fails.
+/// The last line but for empty ones.
+std::string LastLine(std::istream& lines)
+{
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+  {
+    last = line.empty() ? last : line;
+  }
+  return last;
+}
+
+/// Of what a command prints; empty where it fails.
 std::string LastLineOf(const std::string& command)
 {
   std::string text;
@@ -28,12 +41,7 @@ std::string LastLineOf(const std::string& command)
     return {};
   }
   std::istringstream lines(text);
-  std::string last;
-  for (std::string line; std::getline(lines, line);)
-  {
-    last = line.empty() ? last : line;
-  }
-  return last;
+  return LastLine(lines);
 }
 
 /// A program by its name; a script's Python by the variable that names it, if it has what the script needs.
@@ -71,13 +79,22 @@ std::string FindProgram(const std::string& name)
 std::vector<Peer> FindPeers()
 {
   const std::vector<std::string> samples = { "1", "4", "16", "64", "256" };
+  // -ar: records may lie as close as they like. -ds: how finely lamps are sampled; the default leaves steps.
+  const std::vector<std::string> occlusion = { "-aa .2 -ad 256 -as 0 -ar 4000",
+    "-aa .15 -ad 1024 -as 0 -ar 4000", "-aa .1 -ad 1024 -as 0 -ar 10000",
+    "-aa .07 -ad 1024 -as 0 -ar 10000", "-aa .05 -ad 4096 -as 0 -ar 10000" };
+  const std::vector<std::string> light = { "-aa .4 -ad 128 -as 0 -ar 32 -ds .1",
+    "-aa .3 -ad 256 -as 0 -ar 32 -ds .06", "-aa .25 -ad 256 -as 0 -ar 32 -ds .06",
+    "-aa .25 -ad 256 -as 0 -ar 32 -ds .05", "-aa .2 -ad 256 -as 0 -ar 32 -ds .04" };
   std::vector<Peer> peers = {
-    { "POV-Ray", "povray", "aa", {}, {}, {}, {} },
-    { "Radiance", "rtrace", {}, {}, {}, {}, {} },
-    { "Mitsuba", "MITSUBA_PYTHON", "aa", "mitsuba_faces.py", samples, {}, {} },
-    { "F3D", "F3D_PYTHON", "aa", "f3d_faces.py", { "none", "fxaa", "ssaa" }, {}, {} },
-    { "MeshLab", "meshlabserver", {}, {}, {}, {}, {} },
-    { "Blender", "BLENDER_PYTHON", "aa", "blender_faces.py", samples, {}, {} },
+    { "POV-Ray", "povray", "aa", {}, {}, {}, {}, {} },
+    { "Radiance", "RADIANCE_PYTHON", "irradiance", "radiance_places.py", occlusion, light, {}, {},
+      true },
+    { "Mitsuba", "MITSUBA_PYTHON", "aa", "mitsuba_faces.py", samples, {}, {}, {} },
+    { "F3D", "F3D_PYTHON", "aa", "f3d_faces.py", { "none", "fxaa", "ssaa" }, {}, {}, {} },
+    { "MeshLab", "MESHLAB_PYTHON", "irradiance", "meshlab_places.py", { "64", "256", "1024" }, {},
+      {}, {} },
+    { "Blender", "BLENDER_PYTHON", "aa", "blender_faces.py", samples, {}, {}, {} },
   };
   for (Peer& peer : peers)
   {
@@ -96,9 +113,33 @@ std::string Describe(const Peer& peer)
       (peer.Script.empty() ? peer.Program + " here"
                            : "Python with it; " + peer.Program + " names one");
   }
-  return peer.Joins.empty()
-    ? peer.Name + ": left out, scenes cannot be handed to it yet"
-    : peer.Name + " " + peer.Version + ": " + peer.Path + ", joins " + peer.Joins;
+  return peer.Name + " " + peer.Version + ": " + peer.Path + ", joins " + peer.Joins;
+}
+
+ScriptAnswer RunScript(
+  const Peer& peer, const std::string& scene, const std::string& setting, std::size_t values)
+{
+  const std::string output = scene + ".raw";
+  const std::string log = scene + ".log";
+  const std::string command = "'" + peer.Path + "' '" + peer.Script + "' '" + scene + "' '" +
+    setting + "' '" + output + "' >'" + log + "' 2>&1";
+  if (std::system(command.c_str()) != 0)
+  {
+    std::ifstream text(log);
+    throw std::runtime_error(peer.Name + " failed: " + LastLine(text));
+  }
+  ScriptAnswer answer;
+  std::ifstream text(log);
+  std::istringstream(LastLine(text)) >> answer.Seconds >> answer.Count;
+  answer.Values.resize(values);
+  std::ifstream file(output, std::ios::binary);
+  file.read(reinterpret_cast<char*>(answer.Values.data()),
+    static_cast<std::streamsize>(values * sizeof(float)));
+  if (!file || !(answer.Count > 0.0))
+  {
+    throw std::runtime_error(peer.Name + " wrote no " + output);
+  }
+  return answer;
 }
 
 }

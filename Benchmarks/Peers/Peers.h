@@ -15,12 +15,27 @@ struct Peer
 {
   std::string Name;
   std::string Program;               ///< or, with a script, the variable that names its Python
-  std::string Joins;                 ///< families of charts; empty: there is no bridge to it yet
+  std::string Joins;                 ///< the family of charts
   std::string Script;                ///< of Benchmarks/peers, that drives it; empty: no script does
   std::vector<std::string> Settings; ///< of the script, from coarse to fine
-  std::string Path;                  ///< of the program or Python here; empty: it is not installed
+  std::vector<std::string> LightSettings; ///< where there are lamps; empty: it knows none
+  std::string Path; ///< of the program or Python here; empty: it is not installed
   std::string Version;
+  bool HasCache = false; ///< places are not asked one by one
 };
+
+/// What a peer's script wrote and said.
+struct ScriptAnswer
+{
+  std::vector<float> Values;
+  double Seconds = 0.0; ///< CPU seconds, as the script measures them
+  double Count = 0.0;   ///< rays or samples for each thing that was asked
+};
+
+/// Hands `scene`, a file, to the peer's script. Throws std::runtime_error where that does not answer with so
+/// many values.
+ScriptAnswer RunScript(
+  const Peer& peer, const std::string& scene, const std::string& setting, std::size_t values);
 
 /// All, in the order in which they are told of.
 std::vector<Peer> FindPeers();

@@ -8,36 +8,19 @@
 
 A line a setting: RMSE (relative in the box), CPU seconds of rtrace, records and the setting. FOLDER takes
 what is in between. TRUTH holds lines of pixel x, y (from below) and irradiance in red, green and blue."""
-import importlib.metadata
-import os
 import pathlib
-import resource
-import subprocess
 import sys
 
 import numpy
-import pyradiance
 
-HOME = pathlib.Path(pyradiance.__file__).parent
-os.environ["RAYPATH"] = str(HOME / "lib")
-VERSION = "pyradiance " + importlib.metadata.version("pyradiance")
-BYTES_PER_RECORD = 76
+from rtrace import BYTES_PER_RECORD, VERSION, child_seconds, run
+
 LADDERS = {
     "sphere": ["", "-aa .15 -ad 1024 -as 0 -ar 4000", "-aa .1 -ad 1024 -as 0 -ar 4000",
                "-aa .1 -ad 1024 -as 0 -ar 10000", "-aa .07 -ad 1024 -as 0 -ar 10000"],
     # -ds: how finely the lamp is sampled; its default leaves steps in half shadows, .046 off.
     "box": ["-aa .3 -ad 256 -as 0 -ar 32 -ds .06", "-aa .25 -ad 256 -as 0 -ar 32 -ds .06",
             "-aa .25 -ad 256 -as 0 -ar 32 -ds .05", "-aa .2 -ad 256 -as 0 -ar 32 -ds .04"]}
-
-
-def run(program, *arguments, given=None):
-    return subprocess.run([HOME / "bin" / program, *arguments], input=given,
-                          stdout=subprocess.PIPE, check=True).stdout
-
-
-def child_seconds():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
 
 
 def sphere(height):

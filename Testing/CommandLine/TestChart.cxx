@@ -105,6 +105,24 @@ TEST(Chart, GoesOnWhereItEnded)
   EXPECT_LE(measuredAgain, 1);
 }
 
+TEST(Chart, BakesOntoThePointsOfAMesh)
+{
+  const Folder folder("chart-baking");
+  WriteSphereWithArrays(folder / "ball.vtp");
+  const Outcome outcome = RunProgram({ "chart", folder / "ball.vtp", "--quick", "--family",
+    "irradiance", "--output", folder / "charts" });
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  const std::map<std::string, Row> rows = ReadRows(folder / "charts/irradiance.csv");
+  ASSERT_EQ(rows.size(), 2u);
+  for (const auto& [name, row] : rows)
+  {
+    EXPECT_EQ(row.Line.rfind("ball,", 0), 0u) << row.Line;
+    EXPECT_LE(row.Error, row.Asked) << name;
+  }
+  EXPECT_LE(rows.at("Penumbra automatic (baked), tolerance 0.03").Count,
+    rows.at("rays at every point, tolerance 0.03").Count);
+}
+
 TEST(Chart, RefusesFoldersAndMeshesThatDoNotSuit)
 {
   const Folder folder("chart-bad");

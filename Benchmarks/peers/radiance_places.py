@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Radiance's ambient cache for `penumbra chart`: light at places. SETTING: options of rtrace.
+
+Rays are counted as records times -ad: what they are at most."""
+import pathlib
+
+import numpy
+
+import places
+import rtrace
+
+# A lamp's other side, which does not shine in Radiance, is a second lamp this far behind it.
+BEHIND = 1e-4
+
+
+def describe(scene):
+    """The scene in Radiance's language."""
+    lines = [f"void glow sky 0 0 4 {scene.sky} {scene.sky} {scene.sky} 0", "sky source all 0 0 4 0 0 1 360"]
+    names = {}
+
+    def material(reflectance, emission):
+        key = (*reflectance, *emission)
+        if key not in names:
+            names[key] = f"m{len(names)}"
+            shines = max(emission) > 0
+            lines.append(f"void {'light' if shines else 'plastic'} {names[key]} 0 0 " + (
+                "3 " + " ".join(map(str, emission)) if shines
+                else "5 " + " ".join(map(str, reflectance)) + " 0 0"))
+        return names[key]
+
+    def triangle(name, corners):
+        lines.append(f"{name} polygon t{len(lines)} 0 0 9 " + " ".join(f"{x:.9g}" for x in corners))
+
+    for corners, reflectance, emission in zip(scene.corners, scene.reflectance, scene.emission):
+        name = material(reflectance, emission)
+        triangle(name, corners)
+        if max(emission) > 0:
+            a, b, c = corners.reshape(3, 3)
+            across = numpy.cross(b - a, c - a)
+            back = numpy.array([a, c, b]) - BEHIND * across / numpy.linalg.norm(across)
+            triangle(name, back.ravel())
+    return "\n".join(lines) + "\n"
+
+
+def ask(scene, setting, path):
+    tree, records = path + ".oct", pathlib.Path(path + ".amb")
+    pathlib.Path(path + ".rad").write_text(describe(scene))
+    pathlib.Path(tree).write_bytes(rtrace.run("oconv", "-w", "-f", path + ".rad"))
+    gathers = int(scene.bounces) - (scene.sky == 0)  # Lamps shine without.
+    options = ["-h", "-w", "-I", "-fdf", "-ov", "-af", str(records), "-aw", "0", "-av", "0", "0", "0", "-dt", "0",
+               "-dj", "0", "-ab", str(gathers), *setting.split(), tree]
+
+    def seconds_of(some):
+        records.unlink(missing_ok=True)
+        start = rtrace.child_seconds()
+        seen = rtrace.run("rtrace", *options, given=some.tobytes())
+        return rtrace.child_seconds() - start, seen
+
+    loading, _ = seconds_of(scene.places[:0])
+    seconds, seen = seconds_of(scene.places)
+    light = numpy.frombuffer(seen, numpy.float32).reshape(-1, 3) / numpy.pi
+    rays = int(setting.split()[setting.split().index("-ad") + 1])
+    count = records.stat().st_size / rtrace.BYTES_PER_RECORD * rays / len(scene.places)
+    return light, max(seconds - loading, 0), count
+
+
+places.run(rtrace.VERSION, ask)

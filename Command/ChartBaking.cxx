@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Occlusion of all distances baked onto the points of a mesh: as Penumbra chooses, by rays at every point,
+// by programs of others; against very many rays at some of the points. Trees are built within the time.
+#include "ChartPlaces.h"
+
+#include "MeshSites.h"
+#include "RayScene.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraIrradianceFilter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Filter = vtkPenumbraIrradianceFilter;
+
+/// Rays of the truth, and where charts are quick.
+constexpr int TruthRays = 65536;
+constexpr int QuickTruthRays = 4096;
+/// So many points have a truth.
+constexpr std::size_t TruePoints = 256;
+
+/// A mesh with its truth.
+struct Subject
+{
+  vtkSmartPointer<vtkPolyData> Mesh;
+  MeshSites Found;
+  std::vector<std::size_t> Known; ///< of the sites
+  std::vector<double> Truth;
+};
+
+using Subjects = std::function<Subject&()>;
+
+Question QuestionAt(const MeshSites& found, std::size_t site)
+{
+  const Scene& scene = found.Blocking;
+  return { glm::dvec3(found.Sites[site].Position) / scene.Scale + scene.Origin,
+    glm::dvec3(found.Sites[site].Normal) };
+}
+
+Subjects Prepare(const ChartMesh& mesh, int truthRays)
+{
+  return Lazily<Subject>([mesh, truthRays] {
+    auto subject = std::make_shared<Subject>();
+    // One normal a point, the same for all programs.
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(mesh.Mesh);
+    normals->SplittingOff();
+    normals->ConsistencyOff();
+    normals->Update();
+    subject->Mesh = normals->GetOutput();
+    subject->Found = FindMeshSites(subject->Mesh, MeshChoices());
+    const RayScene rays(subject->Found.Blocking, 1);
+    vtkNew<vtkPenumbraBruteForceSource> source;
+    source->SetMinimumRays(truthRays);
+    source->SetMaximumRays(truthRays);
+    source->Begin(rays, VTK_DOUBLE_MAX, 1.0);
+    const std::size_t step = std::max<std::size_t>(subject->Found.Sites.size() / TruePoints, 1);
+    for (std::size_t site = 0; site < subject->Found.Sites.size(); site += step)
+    {
+      const Question at = QuestionAt(subject->Found, site);
+      subject->Known.push_back(site);
+      subject->Truth.push_back(source->Occlusion(&at.Position.x, &at.Normal.x).Value);
+    }
+    return subject;
+  });
+}
+
+/// `occlusion(site)` against the truth.
+template <typename Occlusion>
+double ErrorOf(const Subject& subject, const Occlusion& occlusion)
+{
+  double squares = 0.0;
+  for (std::size_t i = 0; i < subject.Known.size(); ++i)
+  {
+    squares += std::pow(occlusion(subject.Known[i]) - subject.Truth[i], 2.0);
+  }
+  return std::sqrt(squares / static_cast<double>(subject.Known.size()));
+}
+
+Measurement Bake(const Subject& subject, int method, double tolerance)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(subject.Mesh);
+  filter->SetTolerance(tolerance);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->SetMethod(method);
+  filter->SetNumberOfThreads(1);
+  const double start = CpuSeconds();
+  filter->Update();
+  Measurement result;
+  result.Seconds = CpuSeconds() - start;
+  vtkDataArray* values =
+    vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("AmbientOcclusion");
+  result.Error = ErrorOf(
+    subject, [&](std::size_t site) { return values->GetComponent(subject.Found.Ids[site], 0); });
+  result.Count = filter->GetStatistics()->GetArray("Rays/Total")->GetComponent(0, 0) /
+    static_cast<double>(subject.Found.Sites.size());
+  return result;
+}
+
+PlacesSteps PeersOnMesh(const std::string& scene, const Subjects& subject)
+{
+  PlacesSteps steps;
+  steps.Scene = scene;
+  steps.Prepare = [=](const Peer&) {
+    LitPlaces asked;
+    asked.Drawn = &subject().Found.Blocking;
+    for (std::size_t site = 0; site < subject().Found.Sites.size(); ++site)
+    {
+      asked.Questions.push_back(QuestionAt(subject().Found, site));
+    }
+    return asked;
+  };
+  steps.Error = [=](const LitPlaces&, const std::vector<glm::dvec3>& light) {
+    return ErrorOf(subject(), [&](std::size_t site) { return 1.0 - light[site].x; });
+  };
+  return steps;
+}
+
+}
+
+void AddBaking(ChartFamily& family, const ChartMesh& mesh, const ChartRequest& request)
+{
+  const Subjects subject = Prepare(mesh, request.Quick ? QuickTruthRays : TruthRays);
+  for (const double tolerance :
+    request.Quick ? std::vector<double>{ .03 } : std::vector<double>{ .1, .05, .03, .01, .005 })
+  {
+    std::ostringstream setting;
+    setting << "tolerance " << tolerance;
+    family.Steps.push_back({ mesh.Name, "Penumbra automatic (baked)", setting.str(), tolerance,
+      [=] { return Bake(subject(), Filter::AUTOMATIC, tolerance); } });
+    family.Steps.push_back({ mesh.Name, "rays at every point", setting.str(), tolerance,
+      [=] { return Bake(subject(), Filter::BRUTE_FORCE, tolerance); } });
+  }
+  AddPeers(family, request.Peers, PeersOnMesh(mesh.Name, subject));
+}
+
+}
