@@ -8,6 +8,10 @@
 #include "ChartFamilies.h"
 #include "Places.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace penumbra
 {
 

@@ -9,6 +9,9 @@
 #include "Peers.h"
 #include "Scene.h"
 
+#include <string>
+#include <vector>
+
 namespace penumbra
 {
 
