@@ -27,6 +27,12 @@ constexpr double DepthStep = 0x1p-23;
 constexpr double StepsAround = 16.0;
 constexpr double PixelsAround = 4.0;
 
+/// Where depths lie in a plane within this share of a pixel's width, they tell all that the mesh would.
+constexpr float FlatWithin = 0.02f;
+
+/// As far off in pixels as the rasteriser may place a corner.
+constexpr float Snap = 1.f / 128.f;
+
 constexpr int PacketSize = 16;
 
 class SurfaceFinder
@@ -56,26 +62,29 @@ public:
                                          : 2.0 / view.Projection[11] * view.Unit);
   }
 
-  /// Packets of pixels of one row.
+  /// What depths alone do not tell is looked for in packets of pixels of one row.
   void FindRow(int row, SurfacePoint* points) const
   {
-    for (int first = 0; first < this->View.Width; first += PacketSize)
+    Ray rays[PacketSize];
+    int pixels[PacketSize];
+    int count = 0;
+    for (int i = 0; i < this->View.Width; ++i)
     {
-      const int count = std::min(PacketSize, this->View.Width - first);
-      Ray rays[PacketSize];
-      Hit hits[PacketSize];
-      for (int i = 0; i < PacketSize; ++i)
+      const Ray ray = this->RayNear(i, row);
+      if (ray.Near <= ray.Far && this->IsFlat(i, row))
       {
-        rays[i] = i < count ? this->RayNear(first + i, row) : Nothing();
+        points[i] = this->FromDepths(ray, i, row);
       }
-      this->Rays.Intersect16(rays, hits);
-      for (int i = 0; i < count; ++i)
+      else if (ray.Near <= ray.Far)
       {
-        if (rays[i].Near <= rays[i].Far)
-        {
-          points[first + i] = hits[i].IsHit() ? this->OnMesh(rays[i], hits[i])
-                                              : this->FromDepths(rays[i], first + i, row);
-        }
+        rays[count] = ray;
+        pixels[count++] = i;
+      }
+      if (count == PacketSize || (count > 0 && i + 1 == this->View.Width))
+      {
+        std::fill(rays + count, rays + PacketSize, Nothing());
+        this->FindPacket(rays, pixels, count, row, points);
+        count = 0;
       }
     }
   }
@@ -86,6 +95,18 @@ private:
     Ray ray;
     ray.Far = -1.f;
     return ray;
+  }
+
+  void FindPacket(
+    const Ray* rays, const int* pixels, int count, int row, SurfacePoint* points) const
+  {
+    Hit hits[PacketSize];
+    this->Rays.Intersect16(rays, hits);
+    for (int k = 0; k < count; ++k)
+    {
+      points[pixels[k]] = hits[k].IsHit() ? this->OnMesh(rays[k], hits[k])
+                                          : this->FromDepths(rays[k], pixels[k], row);
+    }
   }
 
   float DepthAt(int i, int j) const
@@ -113,6 +134,32 @@ private:
   {
     const double scale = this->View.Parallel ? 1.0 : static_cast<double>(depth) * depth;
     return static_cast<float>(scale * this->Slope * DepthStep);
+  }
+
+  float PixelWidth(float depth) const
+  {
+    return std::abs(static_cast<float>(
+      this->View.Scale[0] * (this->View.Parallel ? 1.0 / this->View.Unit : depth)));
+  }
+
+  /// What is linear over the picture of a plane.
+  float LinearAt(int i, int j) const
+  {
+    const float depth = this->DepthAt(i, j);
+    return this->View.Parallel ? depth : 1.f / depth;
+  }
+
+  /// Do the depths around a pixel lie in one plane, and are they fine enough to tell?
+  bool IsFlat(int i, int j) const
+  {
+    const float depth = this->DepthAt(i, j);
+    const float width = FlatWithin * this->PixelWidth(depth);
+    const float scale = this->View.Parallel ? 1.f : depth * depth;
+    const float own = 2.f * this->LinearAt(i, j);
+    const float across = this->LinearAt(i - 1, j) + this->LinearAt(i + 1, j) - own;
+    const float along = this->LinearAt(i, j - 1) + this->LinearAt(i, j + 1) - own;
+    return scale * std::max(std::abs(across), std::abs(along)) < width &&
+      4.f * this->RoundingAt(depth) < width;
   }
 
   /// Along the view through a pixel's centre, close to its depth.
@@ -178,7 +225,7 @@ private:
     const glm::vec3 normal = glm::cross(
       this->NearerNeighbour(position, i, j, 1, 0), this->NearerNeighbour(position, i, j, 0, 1));
     return this->Facing(ray, this->Eye + this->Turn * position, this->Turn * normal,
-      2.f * this->RoundingAt(depth) * this->UnitLength);
+      (2.f * this->RoundingAt(depth) + Snap * this->PixelWidth(depth)) * this->UnitLength);
   }
 
   const std::vector<float>& EyeDepths;

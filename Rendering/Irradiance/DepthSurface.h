@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The surface that a picture's depths show, pixel by pixel: where it is and which way it faces, in
-// the coordinates of the ray scene. Depths are rounded, so a ray through the pixel's centre looks for
-// the mesh close to its depth and takes place and normal from there; where it finds none (lines,
-// points, what only the depth buffer knows) the neighbours' depths have to do.
+// the coordinates of the ray scene. Where depths lie in a plane, and are fine, they tell. Elsewhere a ray
+// through the pixel's centre looks for the mesh close to its depth and takes place and normal from there;
+// where it finds none (lines, points, what only the depth buffer knows) the neighbours' depths have to do.
 #ifndef penumbra_DepthSurface_h
 #define penumbra_DepthSurface_h
 

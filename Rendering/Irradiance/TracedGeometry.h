@@ -24,6 +24,9 @@ public:
   /// anew. Throws what RayScene throws.
   bool Update(vtkRenderer* renderer, double radius);
 
+  /// From where the scene is seen; rays that exist already do not change.
+  void SetEye(const Camera& eye) { this->Meshes->Eye = eye; }
+
   const RayScene& GetRays() const { return *this->Rays; }
   const Scene& GetScene() const { return *this->Meshes; }
 

@@ -4,6 +4,7 @@
 
 #include "DelegateImage.h"
 #include "EyeDepth.h"
+#include "InterpolatedOcclusion.h"
 #include "SceneExtractionTime.h"
 #include "TracedGeometry.h"
 #include "TracedOcclusion.h"
@@ -30,6 +31,12 @@ std::vector<float> Read(vtkTextureObject* texture)
   auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
   buffer->Download2D(VTK_FLOAT, values.data(), size, 1, increments);
   return values;
+}
+
+/// So many rays of a pixel have this error where half of them are blocked.
+int EquivalentRays(double tolerance)
+{
+  return std::max(static_cast<int>(.25 / (tolerance * tolerance)), 1);
 }
 
 /// What is known of one renderer.
@@ -74,13 +81,22 @@ try
       penumbra::FindSurface(Read(request.Depth->GetCurrent()), view, state.Geometry.GetRays());
     state.Version = request.Depth->GetVersion();
   }
+  std::vector<float>& means = this->Implementation->Means;
+  means.assign(state.Points.size(), 0.f);
+  this->Final = request.Tolerance > 0.0;
+  if (this->Final)
+  {
+    state.Geometry.SetEye(penumbra::EyeOf(view, state.Geometry.GetScene()));
+    this->NumberOfRays += penumbra::InterpolateOcclusion(
+      state.Points, state.Geometry.GetRays(), request.Radius, request.Tolerance, means);
+    const bool done = target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
+    return done ? EquivalentRays(request.Tolerance) : 0;
+  }
   penumbra::TracedSamples samples;
   samples.First = request.FirstSample;
   samples.Count = std::max(request.Samples / this->SamplesPerRay, 1);
   samples.Reach = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
   const std::vector<penumbra::Rectangle> whole = { { 0, 0, view.Width, view.Height } };
-  std::vector<float>& means = this->Implementation->Means;
-  means.assign(state.Points.size(), 0.f);
   this->NumberOfRays += penumbra::TraceOcclusion(state.Points, view.Width, state.Geometry.GetRays(),
     samples, request.Parts ? *request.Parts : whole, means);
   const bool done = target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());

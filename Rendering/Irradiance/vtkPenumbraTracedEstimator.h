@@ -6,8 +6,8 @@
  *
  * Every pixel asks a ray or a few a frame: is anything of the scene within the radius? Nothing is
  * guessed from the picture, so that the mean converges to the occlusion of [TSSAO eq. 1] with D = 1
- * up to the radius. Needs the scene's meshes on this machine; the tree over them is built again
- * whenever they change.
+ * up to the radius. Where one estimate shall do, records of the irradiance cache are interpolated.
+ * Needs the scene's meshes on this machine; the tree over them is built again whenever they change.
  */
 #ifndef vtkPenumbraTracedEstimator_h
 #define vtkPenumbraTracedEstimator_h
@@ -48,6 +48,9 @@ public:
 
   bool NeedsMargin() override { return false; }
 
+  /** It has answered from the irradiance cache. */
+  bool IsFinal() override { return this->Final; }
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /** Rays traced, and trees built, since this object exists. */
@@ -66,6 +69,7 @@ private:
   std::unique_ptr<Internals> Implementation;
 
   int SamplesPerRay = 32;
+  bool Final = false;
   vtkTypeInt64 NumberOfRays = 0;
   vtkTypeInt64 NumberOfTrees = 0;
 };

@@ -33,6 +33,14 @@ void Convergence::Restart(double carried)
   this->Carried = carried;
 }
 
+void Convergence::Settle(int samples, double error)
+{
+  *this = Convergence();
+  this->Samples = samples;
+  this->Known = true;
+  this->Error = this->LargestError = error;
+}
+
 void Convergence::Add(
   int samples, int width, double tolerance, const std::function<std::vector<float>()>& read)
 {

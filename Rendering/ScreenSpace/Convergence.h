@@ -29,6 +29,9 @@ public:
   void Add(
     int samples, int width, double tolerance, const std::function<std::vector<float>()>& read);
 
+  /// All is known with this error: nothing is open.
+  void Settle(int samples, double error);
+
   /// What open tiles have had.
   int GetSamples() const { return this->Samples; }
 

@@ -176,10 +176,11 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   request.FirstSample = this->TotalSamples;
   const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
   request.Samples = many ? settings.FirstSamples : settings.Samples;
+  request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
   request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : &this->Inside;
+  request.Moving = change == EyeDepth::Change::Some;
   // In motion there are always pixels that have just come into sight.
-  request.TurnPixels =
-    change == EyeDepth::Change::Some || convergence < settings.RotationConvergence;
+  request.TurnPixels = request.Moving || convergence < settings.RotationConvergence;
   const int samples = this->Take(request, change, refine);
   if (samples < 1)
   {
@@ -188,7 +189,11 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   this->TotalSamples = (this->TotalSamples + samples) % SequenceLength;
   this->SettledSamples += samples;
   this->NewSamples += samples;
-  if (change != EyeDepth::Change::Some)
+  if (this->Estimator->IsFinal())
+  {
+    this->Still.Settle(samples, settings.Tolerance);
+  }
+  else if (change != EyeDepth::Change::Some)
   {
     this->Still.Add(samples, this->Image.GetView().Width, settings.Tolerance,
       [this]() { return this->ReadMeans(); });
@@ -230,9 +235,10 @@ bool OcclusionView::Filter()
 {
   BilateralSettings settings;
   settings.ConvergedWeight = this->Settings.SpatialConvergence * this->Settings.MaximumWeight;
-  if (!this->Settings.Filter || this->Still.GetSamples() >= settings.ConvergedWeight)
+  if (!this->Settings.Filter || this->Estimator->IsFinal() ||
+    this->Still.GetSamples() >= settings.ConvergedWeight)
   {
-    // Every pixel is beyond the filter's reach.
+    // No pixel needs the filter.
     return this->Smoother.Copy(
       this->Window, this->Image, this->History.GetTexture(), this->Estimates, this->Inside);
   }

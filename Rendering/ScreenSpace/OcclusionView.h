@@ -38,6 +38,7 @@ struct OcclusionSettings
   double DepthTolerance = 0.02;
   bool Filter = true;
   bool InOneRender = false;
+  bool Interpolate = false; ///< in one Render(): an estimate that is final will do
   bool DelegateDrawsBackground = true;
   bool DelegateOnce = false;  ///< it is drawn once in every picture, neither more nor less
   bool SceneChanged = true;   ///< something besides the eye may have moved since the last frame

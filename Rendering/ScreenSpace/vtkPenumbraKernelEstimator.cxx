@@ -18,6 +18,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <map>
 
 vtkStandardNewMacro(vtkPenumbraKernelEstimator);
 
@@ -32,6 +33,10 @@ constexpr int MaximumPoints = 64;
 constexpr double ThicknessOfWidth = 1.5;
 constexpr double LeastThickness = 0.05;
 constexpr double MostThickness = 1.5;
+
+/// In motion thickness is measured in every so many pictures: the depths come back from the graphics card
+/// for it.
+constexpr int PicturesPerMeasure = 8;
 
 /// The number's digits to the base, mirrored at the point [TSSAO, Halton].
 double RadicalInverse(int base, long long number)
@@ -66,8 +71,13 @@ struct vtkPenumbraKernelEstimator::Internals
 {
   penumbra::Stage Stage;
   std::string Source;
-  double Thickness = 1.0; ///< by the picture of this version
-  long long Version = -1;
+  struct Measured
+  {
+    double Thickness = 1.0;
+    long long Version = -1; ///< of the picture that asked last
+    int Pictures = 0;       ///< since it was measured
+  };
+  std::map<const penumbra::EyeDepth*, Measured> Thicknesses;
 };
 
 vtkPenumbraKernelEstimator::vtkPenumbraKernelEstimator()
@@ -96,20 +106,28 @@ double vtkPenumbraKernelEstimator::GetBias()
   return vtkPenumbraKernels::GetBias(this->Kernel);
 }
 
-double vtkPenumbraKernelEstimator::ThicknessOf(const penumbra::EyeDepth& depth)
+double vtkPenumbraKernelEstimator::ThicknessOf(const Request& request)
 {
-  Internals& state = *this->Implementation;
   if (this->Thickness > 0.0)
   {
     return this->Thickness;
   }
-  if (state.Version != depth.GetVersion())
+  const penumbra::EyeDepth& depth = *request.Depth;
+  Internals::Measured& state = this->Implementation->Thicknesses[&depth];
+  if (state.Version == depth.GetVersion())
+  {
+    return state.Thickness;
+  }
+  const bool isNew = state.Version < 0;
+  state.Version = depth.GetVersion();
+  ++state.Pictures;
+  if (isNew || !request.Moving || state.Pictures >= PicturesPerMeasure)
   {
     const double width =
       penumbra::MedianWidth(penumbra::ReadBack(depth.GetCurrent()), depth.GetView());
     state.Thickness =
       width > 0.0 ? std::clamp(ThicknessOfWidth * width, LeastThickness, MostThickness) : 1.0;
-    state.Version = depth.GetVersion();
+    state.Pictures = 0;
   }
   return state.Thickness;
 }
@@ -129,7 +147,7 @@ int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderPro
   program->SetUniformf("pixelRotation", request.TurnPixels ? 1.f : 0.f);
   if (program->IsUniformUsed("thickness"))
   {
-    program->SetUniformf("thickness", static_cast<float>(this->ThicknessOf(*request.Depth)));
+    program->SetUniformf("thickness", static_cast<float>(this->ThicknessOf(request)));
   }
   return points * fetches;
 }
@@ -166,6 +184,7 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
 
 void vtkPenumbraKernelEstimator::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Implementation->Thicknesses.clear();
   this->Implementation->Stage.ReleaseGraphicsResources(window);
 }
 

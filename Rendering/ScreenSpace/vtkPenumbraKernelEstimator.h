@@ -50,7 +50,7 @@ private:
   vtkPenumbraKernelEstimator(const vtkPenumbraKernelEstimator&) = delete;
   void operator=(const vtkPenumbraKernelEstimator&) = delete;
 
-  double ThicknessOf(const penumbra::EyeDepth& depth);
+  double ThicknessOf(const Request& request);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;

@@ -56,7 +56,11 @@ public:
     double Radius = 1.0;                            ///< of occlusion, world units
     int FirstSample = 0;    ///< samples that every pixel has had before this call
     int Samples = 8;        ///< wanted for every pixel
+    bool Moving = false;    ///< one of a run of pictures that are much alike
     bool TurnPixels = true; ///< samples shall differ from pixel to pixel
+    /// One estimate shall do, with this error: whoever can interpolates between few points that it looks
+    /// at closely. 0: more samples follow.
+    double Tolerance = 0.0;
     /// Where they are wanted; null: everywhere.
     const std::vector<penumbra::Rectangle>* Parts = nullptr;
   };
@@ -85,6 +89,9 @@ public:
 
   /** The error that it believes to remain however many samples are taken. */
   virtual double GetBias() { return 0.0; }
+
+  /** Was the last estimate within Request::Tolerance, so that no more are needed? */
+  virtual bool IsFinal() { return false; }
 
   /** Does it help to draw more than the picture, so that occluders just outside are seen? */
   virtual bool NeedsMargin() { return true; }

@@ -331,6 +331,30 @@ TEST(TracedEstimator, IsChosenWhereItIsNeededAndPossible)
   EXPECT_EQ(choice(), "traced");
 }
 
+TEST(TracedEstimator, InterpolatesOneStillPictureWithinTheTolerance)
+{
+  vtkPenumbraTracedEstimator::Register();
+  for (const bool parallel : { false, true })
+  {
+    OcclusionScene scene(96, 72);
+    AddSpheres(scene);
+    scene.UseParallelProjection(parallel, 3.0);
+    const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 24);
+    vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+    pass->SetTolerance(.02);
+    pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
+    scene.Window->Render();
+    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .02) << parallel;
+    EXPECT_TRUE(pass->IsConverged());
+    EXPECT_EQ(pass->GetEstimatedError(), .02);
+    // From another place nothing of it is left.
+    scene.Look({ 1, -7, 6 }, { 0, 0, 0 });
+    const std::vector<float> there = BruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 24);
+    scene.Window->Render();
+    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), there), .02) << parallel;
+  }
+}
+
 TEST(TracedEstimator, DrawsAnEmptyScene)
 {
   OcclusionScene scene;

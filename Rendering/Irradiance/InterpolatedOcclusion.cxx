@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InterpolatedOcclusion.h"
+
+#include "ScreenView.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPenumbraIrradianceCache.h"
+#include "vtkSMPTools.h"
+
+#include <atomic>
+
+namespace penumbra
+{
+
+Camera EyeOf(const ScreenView& view, const Scene& scene)
+{
+  Matrix eyeToWorld;
+  vtkMatrix4x4::Invert(view.WorldToEye.data(), eyeToWorld.data());
+  const auto column = [&](int index) {
+    return glm::dvec3(eyeToWorld[index], eyeToWorld[4 + index], eyeToWorld[8 + index]);
+  };
+  Camera eye;
+  eye.Parallel = view.Parallel;
+  eye.Right = column(0);
+  eye.Up = column(1);
+  eye.Forward = -column(2);
+  eye.Position = (column(3) - scene.Origin) * scene.Scale;
+  eye.Width = view.Width;
+  eye.Height = view.Height;
+  eye.PixelSize = view.Scale[0] * (view.Parallel ? scene.Scale : 1.0);
+  eye.Center = glm::dvec2(-view.Offset[0] / view.Scale[0], -view.Offset[1] / view.Scale[1]);
+  return eye;
+}
+
+long long InterpolateOcclusion(const std::vector<SurfacePoint>& points, const RayScene& rays,
+  double radius, double tolerance, std::vector<float>& means)
+{
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->Begin(rays, radius, tolerance);
+  const Scene& scene = rays.GetScene();
+  std::atomic<long long> count{ 0 };
+  const auto size = static_cast<vtkIdType>(points.size());
+  vtkSMPTools::For(0, size, [&](vtkIdType begin, vtkIdType end) {
+    long long traced = 0;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      if (points[i].Normal != glm::vec3(0.f))
+      {
+        const glm::dvec3 position = glm::dvec3(points[i].Position) / scene.Scale + scene.Origin;
+        const glm::dvec3 normal(points[i].Normal);
+        const auto found = cache->Occlusion(&position.x, &normal.x);
+        means[i] = static_cast<float>(found.Value);
+        traced += found.Rays;
+      }
+    }
+    count += traced;
+  });
+  vtkNew<vtkFieldData> statistics;
+  cache->Report(statistics);
+  vtkDataArray* gathered = statistics->GetArray("Rays/Gather");
+  return count + (gathered ? static_cast<long long>(gathered->GetComponent(0, 0)) : 0);
+}
+
+}
