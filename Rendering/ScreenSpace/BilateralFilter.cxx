@@ -4,21 +4,34 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPenumbraBilateralFS.h"
+#include "vtkPenumbraBilateralLib.h"
 #include "vtkPenumbraBilateralSpotsFS.h"
 #include "vtkPenumbraMeanFS.h"
+#include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 
 namespace penumbra
 {
 
+namespace
+{
+
+std::string WithPieces(const char* source)
+{
+  return Assemble(source,
+    { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
+      { "BilateralLib", vtkPenumbraBilateralLib } });
+}
+
+}
+
 bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
   vtkTextureObject* between, vtkTextureObject* target, const BilateralSettings& settings,
   const std::vector<Rectangle>& parts)
 {
-  static const std::string source =
-    Assemble(vtkPenumbraBilateralFS, { { "ViewLib", vtkPenumbraViewLib } });
+  static const std::string source = WithPieces(vtkPenumbraBilateralFS);
   for (int direction = 0; direction < 2; ++direction)
   {
     vtkShaderProgram* program = this->Smooth.Ready(window, source);
@@ -45,8 +58,7 @@ bool BilateralFilter::ApplyToSpots(vtkOpenGLRenderWindow* window, const Delegate
   const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
   vtkTextureObject* target, const BilateralSettings& settings, const std::vector<Rectangle>& parts)
 {
-  static const std::string source =
-    Assemble(vtkPenumbraBilateralSpotsFS, { { "ViewLib", vtkPenumbraViewLib } });
+  static const std::string source = WithPieces(vtkPenumbraBilateralSpotsFS);
   vtkShaderProgram* program = this->Spots.Ready(window, source);
   const DrawInto into(window, image.GetFramebuffer(), { target }, image.GetDepth());
   if (!program || !into.IsComplete())

@@ -38,7 +38,8 @@ std::string Estimate(const std::string& kernel)
       { "EstimateLib", Shader("vtkPenumbraEstimateLib.glsl") },
       { "Kernel", Shader("vtkPenumbraEstimate" + kernel + "FS.glsl") },
       { "HemisphereLib", Shader("vtkPenumbraHemisphereLib.glsl") } });
-  return text.substr(0, text.rfind("void main()")) + Shader("vtkPenumbraDarkenLib.glsl");
+  return text.substr(0, text.rfind("void main()")) + Shader("vtkPenumbraDarkenLib.glsl") +
+    Shader("vtkPenumbraBilateralLib.glsl");
 }
 
 class Shaders : public testing::Test
@@ -81,6 +82,7 @@ protected:
     program->SetUniformf("strength", .8f);
     program->SetUniformf("lightAwareness", .5f);
     program->SetUniformf("pixelRotation", 1.f);
+    program->SetUniformf("distanceInPixels", 4.f);
     {
       const penumbra::DrawInto into(this->Context, this->Framebuffer, { this->Target });
       stage.Read("eyeDepths", this->Depths);
@@ -161,6 +163,20 @@ TEST_F(Shaders, DarkenAllColoursByTheirBrightness)
   EXPECT_NEAR(Value("darkened(vec3(.4, .2, .1), .5).b"), .1 * .68, 1e-6);
   EXPECT_NEAR(Value("darkened(vec3(3., 0., 0.), 1.).r"), 3.0 * .6, 1e-6);
   EXPECT_NEAR(Value("darkened(vec3(.7), 0.).g"), .7, 1e-6);
+}
+
+TEST_F(Shaders, WeighNeighboursByDistanceAndByPlane)
+{
+  // Pixels are .5 wide. In the plane 1/e is at 12 pixels after one sample, at 6 after 4, never below 4.
+  const auto along = [&](const char* apart, const char* inPlane, const char* samples) {
+    return this->Value("neighbourWeight(vec3(" + std::string(apart) + ", 0.0, 0.0), vec3(" +
+      inPlane + ", 0.0, 0.0), " + samples + ", 0.5)");
+  };
+  EXPECT_NEAR(along("6.0", "6.0", "1.0"), std::exp(-1.0), 1e-5);
+  EXPECT_NEAR(along("3.0", "3.0", "4.0"), std::exp(-1.0), 1e-5);
+  EXPECT_NEAR(along("2.0", "2.0", "100.0"), std::exp(-1.0), 1e-5);
+  // One pixel off the plane counts 1/e of that.
+  EXPECT_NEAR(along("6.0", "5.5", "1.0"), std::exp(-2.0), 1e-5);
 }
 
 TEST_F(Shaders, KeepPixelNoiseInTheUnitInterval)
