@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InterpolatedOcclusion.h"
 
+#include "Batches.h"
 #include "ScreenView.h"
 
 #include "vtkDataArray.h"
@@ -9,7 +10,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPenumbraIrradianceCache.h"
-#include "vtkSMPTools.h"
 
 #include <atomic>
 
@@ -43,21 +43,15 @@ long long InterpolateOcclusion(const std::vector<SurfacePoint>& points, const Ra
   cache->Begin(rays, radius, tolerance);
   const Scene& scene = rays.GetScene();
   std::atomic<long long> count{ 0 };
-  const auto size = static_cast<vtkIdType>(points.size());
-  vtkSMPTools::For(0, size, [&](vtkIdType begin, vtkIdType end) {
-    long long traced = 0;
-    for (vtkIdType i = begin; i < end; ++i)
+  ParallelFor<std::size_t>(0, points.size(), 0, [&](std::size_t i) {
+    if (points[i].Normal != glm::vec3(0.f))
     {
-      if (points[i].Normal != glm::vec3(0.f))
-      {
-        const glm::dvec3 position = glm::dvec3(points[i].Position) / scene.Scale + scene.Origin;
-        const glm::dvec3 normal(points[i].Normal);
-        const auto found = cache->Occlusion(&position.x, &normal.x);
-        means[i] = static_cast<float>(found.Value);
-        traced += found.Rays;
-      }
+      const glm::dvec3 position = glm::dvec3(points[i].Position) / scene.Scale + scene.Origin;
+      const glm::dvec3 normal(points[i].Normal);
+      const auto found = cache->Occlusion(&position.x, &normal.x);
+      means[i] = static_cast<float>(found.Value);
+      count += found.Rays;
     }
-    count += traced;
   });
   vtkNew<vtkFieldData> statistics;
   cache->Report(statistics);

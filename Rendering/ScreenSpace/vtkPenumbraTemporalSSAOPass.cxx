@@ -228,6 +228,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   known.SceneTime = sceneTime;
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
+  settings.Interpolate = this->KernelName == "automatic" && !own.Estimator;
   settings.Restart = this->GetMTime() != known.SettingTime || own.ActiveKernel != known.Kernel;
   settings.HiddenChanged = estimator->GetSceneMTime(renderer) != known.HiddenTime;
   known.SettingTime = this->GetMTime();

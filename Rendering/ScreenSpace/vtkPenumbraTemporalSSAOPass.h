@@ -98,7 +98,7 @@ public:
    * A kernel of vtkPenumbraKernels by name, the name of a registered vtkPenumbraOcclusionEstimator
    * ("traced": vtkPenumbraTracedEstimator), or "automatic": true rays, where they are registered, the
    * scene is at hand and does not change from frame to frame and Tolerance asks for more than one
-   * layer of depth can tell; else a kernel. Default: "automatic".
+   * layer of depth can tell, interpolated where one Render() converges; else a kernel. Default: "automatic".
    */
   virtual void SetKernelName(const char* name);
   const char* GetKernelName() const { return this->KernelName.c_str(); }
