@@ -31,7 +31,6 @@ struct vtkPenumbraBilateralFilterPass::Internals
   vtkSmartPointer<vtkTextureObject> Result;
   vtkSmartPointer<vtkTextureObject> WeightTexture;
   vtkSmartPointer<vtkImageData> Weights;
-  vtkOpenGLRenderWindow* Window = nullptr;
 };
 
 vtkPenumbraBilateralFilterPass::vtkPenumbraBilateralFilterPass()
@@ -52,32 +51,13 @@ vtkImageData* vtkPenumbraBilateralFilterPass::GetWeights()
   return this->Implementation->Weights;
 }
 
-void vtkPenumbraBilateralFilterPass::Render(const vtkRenderState* state)
-{
-  this->NumberOfRenderedProps = 0;
-  if (!this->DelegatePass)
-  {
-    vtkWarningMacro("There is no delegate to draw the scene.");
-    return;
-  }
-  if (state->GetRenderer()->GetSelector() || !this->RenderFiltered(state))
-  {
-    this->DelegatePass->Render(state);
-    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
-  }
-}
-
-bool vtkPenumbraBilateralFilterPass::RenderFiltered(const vtkRenderState* state)
+bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
 {
   static const std::string source =
     penumbra::Assemble(vtkPenumbraBilateralColorFS, { { "ViewLib", vtkPenumbraViewLib } });
   Internals& own = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window)
-  {
-    penumbra::MoveToWindow(this, own.Window, window);
-  }
+  vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
   const int margin[2] = { 0, 0 };
   const int props = window ? own.Image.Draw(state, this->DelegatePass, margin, true) : -1;
   const penumbra::ScreenView& view = own.Image.GetView();
@@ -123,7 +103,8 @@ bool vtkPenumbraBilateralFilterPass::RenderFiltered(const vtkRenderState* state)
     own.Smooth.Draw();
   }
   this->NumberOfRenderedProps = props;
-  return own.Composite.Draw(window, own.Image, own.Depth, own.Result, nullptr, { 0.0, 0.0 }, true);
+  return own.Composite.Draw(
+    window, own.Image, own.Depth, own.Result, nullptr, { 0.0, 0.0 }, !this->OpaqueOnly);
 }
 
 void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)
@@ -134,7 +115,6 @@ void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)
   own.Depth.ReleaseGraphicsResources(window);
   own.Smooth.ReleaseGraphicsResources(window);
   own.Composite.ReleaseGraphicsResources(window);
-  own.Window = nullptr;
   for (vtkSmartPointer<vtkTextureObject>* texture :
     { &own.Between, &own.Result, &own.WeightTexture })
   {

@@ -11,20 +11,20 @@
 #ifndef vtkPenumbraBilateralFilterPass_h
 #define vtkPenumbraBilateralFilterPass_h
 
-#include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
-#include "vtkSmartPointer.h"                       // for members
+#include "vtkPenumbraScreenSpacePass.h"
+#include "vtkSmartPointer.h" // for members
 
 #include <memory> // for std::unique_ptr
 
 class vtkImageData;
 
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraBilateralFilterPass
-  : public vtkImageProcessingPass
+  : public vtkPenumbraScreenSpacePass
 {
 public:
   static vtkPenumbraBilateralFilterPass* New();
-  vtkTypeMacro(vtkPenumbraBilateralFilterPass, vtkImageProcessingPass);
+  vtkTypeMacro(vtkPenumbraBilateralFilterPass, vtkPenumbraScreenSpacePass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -58,18 +58,18 @@ public:
   vtkImageData* GetWeights();
   ///@}
 
-  void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkPenumbraBilateralFilterPass();
   ~vtkPenumbraBilateralFilterPass() override;
 
+  bool RenderEffect(const vtkRenderState* state) override;
+  const char* GetEffectName() override { return "its filter"; }
+
 private:
   vtkPenumbraBilateralFilterPass(const vtkPenumbraBilateralFilterPass&) = delete;
   void operator=(const vtkPenumbraBilateralFilterPass&) = delete;
-
-  bool RenderFiltered(const vtkRenderState* state);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;

@@ -88,22 +88,10 @@ struct vtkPenumbraLightShaftPass::Internals
 {
   std::map<vtkRenderer*, penumbra::ShaftView> Views;
   penumbra::ShaftView* Last = nullptr;
-  vtkOpenGLRenderWindow* Window = nullptr;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   std::vector<vtkSmartPointer<vtkProp>> Emitters;
   vtkNew<vtkFieldData> Statistics;
   int Steps = 0;
-  std::string Warned;
-
-  void WarnOnce(Pass* self, const std::string& warning)
-  {
-    if (this->Warned != warning)
-    {
-      this->Warned = warning;
-      vtkWarningWithObjectMacro(self, << warning);
-    }
-  }
-
   /// Null where the numbers are a medium.
   static const char* WhyNoMedium(const Pass* self);
 
@@ -174,21 +162,6 @@ void vtkPenumbraLightShaftPass::RemoveAllEmitters()
 {
   this->Implementation->Emitters.clear();
   this->Modified();
-}
-
-void vtkPenumbraLightShaftPass::Render(const vtkRenderState* state)
-{
-  this->NumberOfRenderedProps = 0;
-  if (!this->DelegatePass)
-  {
-    vtkWarningMacro("There is no delegate to draw the scene.");
-    return;
-  }
-  if (state->GetRenderer()->GetSelector() || !this->RenderShafts(state))
-  {
-    this->DelegatePass->Render(state);
-    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
-  }
 }
 
 const char* vtkPenumbraLightShaftPass::Internals::WhyNoMedium(const Pass* self)
@@ -263,17 +236,11 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   return settings;
 }
 
-bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
+bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
 {
   Internals& own = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window && window->GetStereoRender())
-  {
-    // The projections of the two eyes are sheared: positions do not follow from depth as they do here.
-    own.WarnOnce(this, "In stereo the scene is drawn without light shafts.");
-    return false;
-  }
+  vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const int* size = renderer->GetSize();
@@ -283,7 +250,7 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
   }
   if (const char* why = Internals::WhyNoMedium(this))
   {
-    own.WarnOnce(this, why);
+    this->WarnOnce(why);
     return false;
   }
   penumbra::ShaftSettings settings = own.MakeSettings(this, state, vtkBoundingBox(bounds));
@@ -295,7 +262,7 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
     penumbra::FindShaftLights(renderer, chosen, view);
   if (lights.empty())
   {
-    own.WarnOnce(this, "No light makes shafts (headlights and black lights make none).");
+    this->WarnOnce("No light makes shafts (headlights and black lights make none).");
     return false;
   }
   if (this->OpaqueOnly)
@@ -306,12 +273,11 @@ bool vtkPenumbraLightShaftPass::RenderShafts(const vtkRenderState* state)
     settings.Margin[0] = settings.Margin[1] =
       static_cast<int>(std::ceil(share / 100.0 * std::max(size[0], size[1])));
   }
-  penumbra::MoveToWindow(this, own.Window, window);
   own.Last = &own.Views[renderer];
   own.Steps = settings.Steps;
   if (!own.Last->Render(state, this->DelegatePass, lights, settings))
   {
-    own.WarnOnce(this, "OpenGL cannot do light shafts here; the scene is drawn without.");
+    this->WarnOnce("OpenGL cannot do light shafts here; the scene is drawn without.");
     return false;
   }
   this->NumberOfRenderedProps = own.Last->GetNumberOfRenderedProps();
@@ -328,7 +294,6 @@ void vtkPenumbraLightShaftPass::ReleaseGraphicsResources(vtkWindow* window)
   }
   own.Views.clear();
   own.Last = nullptr;
-  own.Window = nullptr;
 }
 
 vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
@@ -356,7 +321,7 @@ void vtkPenumbraLightShaftPass::CopyShafts(vtkImageData* image)
   image->Initialize();
   if (this->Implementation->Last)
   {
-    this->Implementation->Window->MakeCurrent();
+    this->GetWindow()->MakeCurrent();
     this->Implementation->Last->CopyTo(image);
   }
 }
@@ -390,5 +355,4 @@ void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Lights: " << this->Implementation->Lights.size() << "\n";
   os << indent << "Emitters: " << this->Implementation->Emitters.size() << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
-  os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
 }

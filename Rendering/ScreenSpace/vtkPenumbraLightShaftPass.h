@@ -16,8 +16,8 @@
 #ifndef vtkPenumbraLightShaftPass_h
 #define vtkPenumbraLightShaftPass_h
 
-#include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+#include "vtkPenumbraScreenSpacePass.h"
 
 #include <limits> // for infinite bounds
 #include <memory> // for std::unique_ptr
@@ -29,11 +29,11 @@ class vtkProp;
 class vtkRenderer;
 
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraLightShaftPass
-  : public vtkImageProcessingPass
+  : public vtkPenumbraScreenSpacePass
 {
 public:
   static vtkPenumbraLightShaftPass* New();
-  vtkTypeMacro(vtkPenumbraLightShaftPass, vtkImageProcessingPass);
+  vtkTypeMacro(vtkPenumbraLightShaftPass, vtkPenumbraScreenSpacePass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -220,14 +220,6 @@ public:
   vtkGetMacro(Margin, double);
   ///@}
 
-  ///@{
-  /** The delegate draws opaque props and nothing else; off: the whole picture. Default: off. */
-  vtkSetMacro(OpaqueOnly, bool);
-  vtkGetMacro(OpaqueOnly, bool);
-  vtkBooleanMacro(OpaqueOnly, bool);
-  ///@}
-
-  void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
@@ -244,11 +236,12 @@ protected:
   vtkPenumbraLightShaftPass();
   ~vtkPenumbraLightShaftPass() override;
 
+  bool RenderEffect(const vtkRenderState* state) override;
+  const char* GetEffectName() override { return "light shafts"; }
+
 private:
   vtkPenumbraLightShaftPass(const vtkPenumbraLightShaftPass&) = delete;
   void operator=(const vtkPenumbraLightShaftPass&) = delete;
-
-  bool RenderShafts(const vtkRenderState* state);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;
@@ -274,7 +267,6 @@ private:
   double SurfaceGlow = 0.2;
   int Sky = WHITE;
   double Margin = -1.0;
-  bool OpaqueOnly = false;
 };
 
 #endif

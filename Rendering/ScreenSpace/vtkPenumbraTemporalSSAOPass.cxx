@@ -65,14 +65,12 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   };
   std::map<vtkRenderer*, Known> Renderers;
   penumbra::OcclusionView* Last = nullptr;
-  vtkOpenGLRenderWindow* Window = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Named; ///< registered by another module
   std::string NameOfNamed;
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
-  bool Warned = false;
 };
 
 vtkPenumbraTemporalSSAOPass::vtkPenumbraTemporalSSAOPass()
@@ -160,36 +158,11 @@ const char* vtkPenumbraTemporalSSAOPass::GetActiveKernelName()
   return this->Implementation->ActiveKernel.c_str();
 }
 
-void vtkPenumbraTemporalSSAOPass::Render(const vtkRenderState* state)
-{
-  this->NumberOfRenderedProps = 0;
-  if (!this->DelegatePass)
-  {
-    vtkWarningMacro("There is no delegate to draw the scene.");
-    return;
-  }
-  if (state->GetRenderer()->GetSelector() || !this->RenderOcclusion(state))
-  {
-    this->DelegatePass->Render(state);
-    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
-  }
-}
-
-bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
+bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
 {
   Internals& own = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window && window->GetStereoRender())
-  {
-    // The projections of the two eyes are sheared: positions do not follow from depth as they do here.
-    if (!own.Warned)
-    {
-      vtkWarningMacro("In stereo the scene is drawn without ambient occlusion.");
-      own.Warned = true;
-    }
-    return false;
-  }
+  vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const double diagonal = vtkMath::AreBoundsInitialized(bounds)
@@ -203,7 +176,6 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   {
     return false;
   }
-  penumbra::MoveToWindow(this, own.Window, window);
   settings.Darkness = { this->Strength, this->LightAwareness };
   settings.Tolerance = this->Tolerance;
   settings.FirstSamples = this->FirstSamples;
@@ -245,11 +217,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderOcclusion(const vtkRenderState* state)
   own.Last = &known.View;
   if (!own.Last->Render(state, this->DelegatePass, estimator, settings))
   {
-    if (!own.Warned)
-    {
-      vtkWarningMacro("OpenGL cannot do ambient occlusion here; the scene is drawn without.");
-      own.Warned = true;
-    }
+    this->WarnOnce("OpenGL cannot do ambient occlusion here; the scene is drawn without.");
     return false;
   }
   // Only now: whoever draws or traces the scene may bring its pipelines up to date first.
@@ -302,7 +270,6 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
   }
   own.Renderers.clear();
   own.Last = nullptr;
-  own.Window = nullptr;
   own.Kernels->ReleaseGraphicsResources(window);
   for (vtkPenumbraOcclusionEstimator* estimator : { own.Estimator.Get(), own.Named.Get() })
   {
@@ -330,7 +297,7 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
   own.Statistics->Initialize();
   if (own.Last)
   {
-    own.Window->MakeCurrent();
+    this->GetWindow()->MakeCurrent();
     const auto counts = own.Last->CountPixels();
     const double surface = static_cast<double>(std::max(counts.Surface, 1LL));
     vtkNew<vtkStringArray> kernel;
@@ -364,7 +331,7 @@ void vtkPenumbraTemporalSSAOPass::CopyOcclusion(vtkImageData* image)
   image->Initialize();
   if (this->Implementation->Last)
   {
-    this->Implementation->Window->MakeCurrent();
+    this->GetWindow()->MakeCurrent();
     this->Implementation->Last->CopyTo(image);
   }
 }
@@ -389,7 +356,6 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
   os << indent << "Filter: " << this->Filter << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
-  os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
   os << indent << "DelegateOnce: " << this->DelegateOnce << "\n";
   os << indent << "FollowActors: " << this->FollowActors << "\n";
   os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";

@@ -17,9 +17,9 @@
 #ifndef vtkPenumbraTemporalSSAOPass_h
 #define vtkPenumbraTemporalSSAOPass_h
 
-#include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
-#include "vtkSmartPointer.h"                       // for members
+#include "vtkPenumbraScreenSpacePass.h"
+#include "vtkSmartPointer.h" // for members
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
@@ -30,11 +30,11 @@ class vtkPenumbraOcclusionEstimator;
 class vtkRenderer;
 
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraTemporalSSAOPass
-  : public vtkImageProcessingPass
+  : public vtkPenumbraScreenSpacePass
 {
 public:
   static vtkPenumbraTemporalSSAOPass* New();
-  vtkTypeMacro(vtkPenumbraTemporalSSAOPass, vtkImageProcessingPass);
+  vtkTypeMacro(vtkPenumbraTemporalSSAOPass, vtkPenumbraScreenSpacePass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -179,16 +179,6 @@ public:
 
   ///@{
   /**
-   * The delegate draws opaque props and nothing else: they may be drawn with a margin and are laid
-   * over what is there. Off: the delegate draws the whole picture, background included. Default: off.
-   */
-  vtkSetMacro(OpaqueOnly, bool);
-  vtkGetMacro(OpaqueOnly, bool);
-  vtkBooleanMacro(OpaqueOnly, bool);
-  ///@}
-
-  ///@{
-  /**
    * Every Render() draws the delegate exactly once, as a delegate needs that waits for other ranks; off:
    * a still picture may be drawn in a cheaper way, which may take it a second time. Default: off.
    */
@@ -220,7 +210,6 @@ public:
   vtkGetMacro(ConvergeInOneRender, int);
   ///@}
 
-  void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /** Of the last frame: has it met the tolerance, so that the next one will be the same? */
@@ -247,11 +236,13 @@ protected:
   vtkPenumbraTemporalSSAOPass();
   ~vtkPenumbraTemporalSSAOPass() override;
 
+  bool RenderEffect(const vtkRenderState* state) override;
+  const char* GetEffectName() override { return "ambient occlusion"; }
+
 private:
   vtkPenumbraTemporalSSAOPass(const vtkPenumbraTemporalSSAOPass&) = delete;
   void operator=(const vtkPenumbraTemporalSSAOPass&) = delete;
 
-  bool RenderOcclusion(const vtkRenderState* state);
   vtkPenumbraOcclusionEstimator* ChooseEstimator(vtkRenderer* renderer, bool still);
 
   struct Internals;
@@ -273,7 +264,6 @@ private:
   double DepthTolerance = 0.02;
   bool Filter = true;
   double Margin = -1.0;
-  bool OpaqueOnly = false;
   bool DelegateOnce = false;
   bool FollowActors = true;
   int ConvergeInOneRender = OFFSCREEN;
