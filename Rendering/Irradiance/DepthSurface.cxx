@@ -38,8 +38,10 @@ constexpr int PacketSize = 16;
 class SurfaceFinder
 {
 public:
-  SurfaceFinder(const std::vector<float>& eyeDepths, const ScreenView& view, const RayScene& rays)
+  SurfaceFinder(const std::vector<float>& eyeDepths, bool atCenters, const ScreenView& view,
+    const RayScene& rays)
     : EyeDepths(eyeDepths),
+      AtCenters(atCenters),
       View(view),
       Rays(rays)
   {
@@ -71,7 +73,7 @@ public:
     for (int i = 0; i < this->View.Width; ++i)
     {
       const Ray ray = this->RayNear(i, row);
-      if (ray.Near <= ray.Far && this->IsFlat(i, row))
+      if (ray.Near <= ray.Far && this->AtCenters && this->IsFlat(i, row))
       {
         points[i] = this->FromDepths(ray, i, row);
       }
@@ -229,6 +231,7 @@ private:
   }
 
   const std::vector<float>& EyeDepths;
+  bool AtCenters;
   const ScreenView& View;
   const RayScene& Rays;
   glm::mat3 Turn{ 1.f };  ///< from eye to scene coordinates, lengths included
@@ -240,10 +243,10 @@ private:
 }
 
 std::vector<SurfacePoint> FindSurface(
-  const std::vector<float>& eyeDepths, const ScreenView& view, const RayScene& rays)
+  const std::vector<float>& eyeDepths, bool atCenters, const ScreenView& view, const RayScene& rays)
 {
   std::vector<SurfacePoint> points(eyeDepths.size());
-  const SurfaceFinder finder(eyeDepths, view, rays);
+  const SurfaceFinder finder(eyeDepths, atCenters, view, rays);
   ParallelFor(0, view.Height, 0, [&](int row) {
     finder.FindRow(row, points.data() + static_cast<std::size_t>(row) * view.Width);
   });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The surface that a picture's depths show, pixel by pixel: where it is and which way it faces, in
-// the coordinates of the ray scene. Where depths lie in a plane, and are fine, they tell. Elsewhere a ray
+// the coordinates of the ray scene. Where depths lie in a plane, are fine and those of the centres of pixels, they tell. Elsewhere a ray
 // through the pixel's centre looks for the mesh close to its depth and takes place and normal from there;
 // where it finds none (lines, points, what only the depth buffer knows) the neighbours' depths have to do.
 #ifndef penumbra_DepthSurface_h
@@ -23,9 +23,10 @@ struct SurfacePoint
   glm::vec3 Normal{ 0.f };   ///< unit, towards the eye; zero: an empty pixel
 };
 
-/// `eyeDepths`: of the view, in its unit, row after row.
-std::vector<SurfacePoint> FindSurface(
-  const std::vector<float>& eyeDepths, const ScreenView& view, const RayScene& rays);
+/// `eyeDepths`: of the view, in its unit, row after row; `atCenters`: of the centres of pixels, not of one
+/// of several samples somewhere in them.
+std::vector<SurfacePoint> FindSurface(const std::vector<float>& eyeDepths, bool atCenters,
+  const ScreenView& view, const RayScene& rays);
 
 }
 #endif

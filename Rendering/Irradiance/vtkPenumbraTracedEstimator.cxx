@@ -77,8 +77,8 @@ try
   const penumbra::ScreenView& view = request.Depth->GetView();
   if (rebuilt || state.Version != request.Depth->GetVersion())
   {
-    state.Points =
-      penumbra::FindSurface(Read(request.Depth->GetCurrent()), view, state.Geometry.GetRays());
+    state.Points = penumbra::FindSurface(Read(request.Depth->GetCurrent()),
+      request.Image->GetSamples() == 1, view, state.Geometry.GetRays());
     state.Version = request.Depth->GetVersion();
   }
   std::vector<float>& means = this->Implementation->Means;
