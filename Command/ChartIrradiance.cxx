@@ -40,6 +40,9 @@ constexpr double Pi = 3.14159265358979323846;
 /// Programs without a cache are asked at every so many-th pixel in both directions.
 constexpr int StrideWithoutCache = 4;
 
+/// Of the sides of a cube map, four are drawn by halves and one not at all.
+constexpr double FacesOfACubeMap = 3.0;
+
 /// vtkPenumbraBruteForceSource begins with so many paths where it would begin with one ray.
 constexpr int PathsPerRay = 8;
 
@@ -64,6 +67,19 @@ Subjects SphereOnFloor(double height, int size)
     subject->Rays = std::make_unique<RayScene>(subject->Drawn, 1);
     return subject;
   });
+}
+
+/// Rays of a source's records; the pixels of cube maps stand for rays.
+double Gathered(vtkPenumbraIrradianceSource* source)
+{
+  vtkNew<vtkFieldData> statistics;
+  source->Report(statistics);
+  const auto count = [&](const char* name) {
+    vtkDataArray* values = statistics->GetArray(name);
+    return values ? values->GetComponent(0, 0) : 0.0;
+  };
+  const int resolution = vtkNew<vtkPenumbraCubeMapGatherer>()->GetResolution();
+  return count("Rays/Gather") + count("CubeMaps/Total") * FacesOfACubeMap * resolution * resolution;
 }
 
 double TruthAt(const Subject& subject, const double* p, const double* normal)
@@ -92,12 +108,7 @@ Measurement Ask(
   Measurement result;
   result.Seconds = stride * stride * (CpuSeconds() - start);
   result.Error = std::sqrt(squares / count);
-  vtkNew<vtkFieldData> statistics;
-  source->Report(statistics);
-  if (vtkDataArray* gathered = statistics->GetArray("Rays/Gather"))
-  {
-    rays += gathered->GetComponent(0, 0);
-  }
+  rays += Gathered(source);
   result.Count = std::max(rays / count, 1e-3);
   return result;
 }
@@ -245,12 +256,7 @@ Measurement AskForLight(
   const double share = static_cast<double>(all.size()) / static_cast<double>(found.size());
   Measurement result;
   result.Seconds = share * (CpuSeconds() - start);
-  vtkNew<vtkFieldData> statistics;
-  source->Report(statistics);
-  if (vtkDataArray* gathered = statistics->GetArray("Rays/Gather"))
-  {
-    rays += gathered->GetComponent(0, 0);
-  }
+  rays += Gathered(source);
   result.Count = rays / static_cast<double>(found.size());
   double squares = 0.0;
   for (std::size_t i = 0; i < room.Known.size(); ++i)
@@ -358,7 +364,7 @@ ChartFamily IrradianceFamily(const ChartRequest& request)
     const Rooms room = LitRoom(256, 8, 16384);
     AddRoom(family, "light in a room of 256x256", room);
     AddPeers(family, request.Peers, PeersInRoom("light in a room of 256x256", room));
-    AddBaking(family, { "baked on a burr", Burr(192) }, request);
+    AddBaking(family, { "burr of 12000 triangles", Burr(96) }, request);
   }
   return family;
 }
