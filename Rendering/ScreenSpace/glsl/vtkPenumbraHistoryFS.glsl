@@ -19,6 +19,10 @@ uniform float maximumWeight;
 uniform float weightCap;           // no more of the history counts in this frame
 uniform float depthTolerance;      // relative, eq. 8
 
+// Nor is history kept from farther off the plane than so many radii: occlusion differs there. Measured,
+// `./penumbra benchmark ambient-occlusion --only noise`.
+const float farthestOff = 0.08;
+
 vec2 previousPlane(vec2 pixel)
 {
   return previousPixelToEye.xy * pixel + previousPixelToEye.zw;
@@ -62,7 +66,7 @@ vec2 keptHistory(vec3 position, vec3 normal)
     float perDepth = perspective * tapAside - normal.z;
     float rest = offset - (1.0 - perspective) * tapAside;
     float found = previousDepthAt(corner + tap);
-    bool same = abs(found * perDepth - rest) < depthTolerance * abs(rest);
+    bool same = abs(found * perDepth - rest) < min(depthTolerance * abs(rest), farthestOff);
     float weight = same ? near.x * near.y : 0.0;
     sum += weight * texture(history, (corner + tap) * pixelSize).rg;
     weights += weight;
