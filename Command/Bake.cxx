@@ -4,6 +4,7 @@
 // penumbra bake: ambient occlusion or irradiance as an array of a mesh.
 #include "Arguments.h"
 #include "Failure.h"
+#include "FallOffs.h"
 #include "MessageLog.h"
 #include "PendingFile.h"
 #include "ProgressLine.h"
@@ -49,7 +50,8 @@ struct BakeOptions
   std::string Output;
   std::string Quantity = "ambient-occlusion";
   double Tolerance = 0.01;
-  double Radius = 0.0;                    ///< 0: from the bounds
+  double Radius = 0.0; ///< 0: from the bounds
+  std::string FallOff = "none";
   std::optional<Triple> EnvironmentColor; ///< unset: white
   double Albedo = 0.5;
   int Bounces = 3;
@@ -224,6 +226,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   filter->SetAlbedo(options.Albedo);
   filter->SetBounces(options.Bounces);
   filter->SetRadius(std::min(options.Radius, std::numeric_limits<double>::max()));
+  filter->SetFallOff(FallOffOf(options.FallOff));
   filter->SetComputeNormals(options.Normals == "computed");
   filter->SetPointRadius(options.PointRadius);
   filter->SetNumberOfThreads(options.Threads);
@@ -296,6 +299,8 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     "Reach of an occluder in world units, inf: all; default: a tenth of the bounds' diagonal",
     { 0.0, Infinity, true, true })
     ->default_str("");
+  AddChoice(app, "--falloff", options.FallOff, FallOffNames(),
+    "How an occluder counts less with its distance: not, or 1 - t/R, 1 - (t/R)^2, 1 - sqrt(t/R)");
   AddTriple(app, "--environment-color", options.EnvironmentColor,
     "irradiance: radiance from where nothing is; default: 1,1,1", { 0.0, 1e6 });
   AddNumber(app, "--albedo", options.Albedo, "A",

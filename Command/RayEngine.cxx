@@ -3,6 +3,7 @@
 #include "Engine.h"
 
 #include "Failure.h"
+#include "FallOffs.h"
 #include "MessageLog.h"
 #include "Pictures.h"
 #include "RenderOptions.h"
@@ -127,6 +128,7 @@ Picture RenderWithRays(
   caster->SetAmbientOcclusion(options.AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(
     std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));
+  caster->SetAmbientOcclusionFallOff(FallOffOf(options.AmbientOcclusionFallOff));
   caster->SetAmbientOcclusionStrength(
     std::isnan(options.AmbientOcclusionStrength) ? -1.0 : options.AmbientOcclusionStrength);
   const LightOptions& light = options.Light;

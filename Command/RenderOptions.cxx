@@ -4,6 +4,7 @@
 
 #include "Colormaps.h"
 #include "Failure.h"
+#include "FallOffs.h"
 #include "Pictures.h"
 #include "Worker.h"
 
@@ -316,6 +317,10 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
     { 0.0, Infinity, true, true })
     ->default_str("")
     ->group(group);
+  AddChoice(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFallOff, FallOffNames(),
+    "How an occluder counts less with its distance: not, or 1 - t/R, 1 - (t/R)^2, 1 - sqrt(t/R) "
+    "(ray)")
+    ->group(group);
   AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
     "Default: 1, on surfaces coloured by data 0.6", Unit)
     ->group(group);
@@ -346,7 +351,7 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     return;
   }
-  for (const std::string name : { "--shadows", "--indirect" })
+  for (const std::string name : { "--shadows", "--indirect", "--ambient-occlusion-falloff" })
   {
     if (app.count(name) > 0)
     {
@@ -437,6 +442,10 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--no-small-objects", !ray, "with --engine raster" },
     { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
       "without --ambient-occlusion" },
+    { "--ambient-occlusion-falloff", !options.AmbientOcclusion && !HoldsArrays(options.Output),
+      "without --ambient-occlusion" },
+    { "--ambient-occlusion-falloff", std::isinf(options.AmbientOcclusionRadius),
+      "with --ambient-occlusion-radius inf" },
     { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
     { "--ambient-occlusion-light-awareness", !options.AmbientOcclusion,
       "without --ambient-occlusion" },

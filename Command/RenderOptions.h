@@ -92,7 +92,8 @@ struct RenderOptions
   int DotsPerInch = 72;
 
   bool AmbientOcclusion = false;
-  double AmbientOcclusionRadius = 0.0; ///< 0: from the bounds
+  double AmbientOcclusionRadius = 0.0;          ///< 0: from the bounds
+  std::string AmbientOcclusionFallOff = "none"; ///< ray
   double AmbientOcclusionStrength = Unset;
   double AmbientOcclusionLightAwareness = 0.0;      ///< raster
   std::string AmbientOcclusionKernel = "automatic"; ///< raster

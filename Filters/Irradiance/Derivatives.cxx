@@ -18,6 +18,10 @@
 // A round object's rim slides along it as the point moves; H leaves that out, being used for
 // radii only. Where the rim is not an object's end but the limit of reach on a surface with normal
 // m, the boundary moves along m' = m - (m.w) w by -(m.d) / (reach |m'|), which has its own term.
+//
+// With a fall-off D the radiance of a place at distance t in direction w is D(t), which changes by
+// -D'(t) w.d as the point moves: that adds its mean over the hemisphere to g. To H it adds the mean of
+// D'' w w^T + D'/t (1 - w w^T), and both mixed derivatives: the sums above of the jumps of -D' w.
 #include "Derivatives.h"
 
 #include <algorithm>
@@ -63,12 +67,13 @@ class Boundaries
 {
 public:
   Boundaries(const HemisphereGrid& grid, const glm::mat3& frame,
-    const std::vector<glm::vec3>& directions, const std::vector<Sight>& sights, float reach)
+    const std::vector<glm::vec3>& directions, const std::vector<Sight>& sights,
+    const DistanceFallOff& fallOff)
     : Grid(grid),
       ToLocal(glm::transpose(frame)),
       Directions(directions),
       Sights(sights),
-      Reach(reach)
+      Fading(fallOff)
   {
   }
 
@@ -98,11 +103,12 @@ public:
     const float rim = this->Rim(near, far, std::abs(glm::dot(apart, across)) / (2.f * length));
     const glm::vec3 m = this->ToLocal * this->Sights[near].Normal;
     const glm::vec3 slope = m - glm::dot(m, w) * w;
-    if (this->EndsByReach(near, far, m))
+    const bool endsByReach = this->EndsByReach(near, far, m);
+    if (endsByReach)
     {
       change = glm::vec2(m) *
         (-cosine * glm::dot(slope, across) / Pi /
-          (this->Reach * std::max(glm::dot(slope, slope), LeastSlope)));
+          (this->Fading.Reach * std::max(glm::dot(slope, slope), LeastSlope)));
     }
     else
     {
@@ -116,8 +122,30 @@ public:
     this->Slopes += std::abs(drop) * cosine * length / rim;
     this->SlopesPerRim += std::abs(drop) * cosine * length / (rim * rim);
     const float bend = -4.f * cosine * drop / (Pi * rim * rim);
+    this->Bends += bend * Symmetric(glm::vec2(w), glm::vec2(across));
+    // Where reach ends the fall-off is 0, wherever that is: one of the two derivatives is left.
     this->Bends +=
-      bend * glm::vec3(w.x * across.x, w.y * across.y, .5f * (w.x * across.y + w.y * across.x));
+      (endsByReach ? 1.f : 2.f) * Symmetric(this->Drift(near) - this->Drift(far), change);
+  }
+
+  /// What lies within `cell`, whose part of the hemisphere is `share`, counts more or less as the point
+  /// moves.
+  void AddFading(int cell, float share)
+  {
+    const float distance = std::max(this->Sights[cell].Distance, NearestRim);
+    if (this->Fading.IsConstant() || std::isinf(distance))
+    {
+      return;
+    }
+    const glm::vec2 drift = share * this->Drift(cell);
+    for (glm::vec2& gradient : this->Gradient)
+    {
+      gradient += drift;
+    }
+    const glm::vec2 w(this->Directions[cell]);
+    const float slope = this->Fading.Slope(distance) / distance;
+    const float bend = this->Fading.Bend(distance) - slope;
+    this->Bends += share * (bend * Symmetric(w, w) + glm::vec3(slope, slope, 0.f));
   }
 
   /// Largest absolute eigenvalue of the Hessian.
@@ -139,6 +167,21 @@ public:
   std::array<glm::vec2, 3> Gradient{};
 
 private:
+  /// xx, yy, xy of the symmetric part of a b^T.
+  static glm::vec3 Symmetric(glm::vec2 a, glm::vec2 b)
+  {
+    return { a.x * b.x, a.y * b.y, .5f * (a.x * b.y + a.y * b.x) };
+  }
+
+  /// How the fall-off of what `cell` sees changes as the point moves.
+  glm::vec2 Drift(int cell) const
+  {
+    const float distance = std::max(this->Sights[cell].Distance, NearestRim);
+    return this->Fading.IsConstant() || std::isinf(distance)
+      ? glm::vec2(0.f)
+      : -this->Fading.Slope(distance) * glm::vec2(this->Directions[cell]);
+  }
+
   /// Distance of the rim that ends the surface met in cell `near`, an angle `gap` away: a flat one goes on
   /// until half-way to `far`; were it round, it would end there tangentially. Not further than what lies
   /// behind.
@@ -165,21 +208,21 @@ private:
   /// Nothing was seen in `far`: is that because the surface of `near` goes on beyond reach?
   bool EndsByReach(int near, int far, glm::vec3 m) const
   {
-    if (std::isinf(this->Reach) || !std::isinf(this->Sights[far].Distance))
+    if (std::isinf(this->Fading.Reach) || !std::isinf(this->Sights[far].Distance))
     {
       return false;
     }
     const float here = glm::dot(m, this->Directions[near]);
     const float there = glm::dot(m, this->Directions[far]);
     return here * there > 0.f && std::abs(here) > .1f &&
-      this->Sights[near].Distance * here / there >= this->Reach;
+      this->Sights[near].Distance * here / there >= this->Fading.Reach;
   }
 
   const HemisphereGrid& Grid;
   glm::mat3 ToLocal;
   const std::vector<glm::vec3>& Directions;
   const std::vector<Sight>& Sights;
-  float Reach;
+  DistanceFallOff Fading;
   glm::vec3 Bends{ 0.f };   ///< xx, yy, xy
   float Slopes = 0.f;       ///< their absolute values
   float SlopesPerRim = 0.f; ///< each over its rim's distance
@@ -220,7 +263,8 @@ bool IsFlat(const HemisphereGrid& grid, const std::vector<Sight>& sights, int ce
 }
 
 Derived Derive(const HemisphereGrid& grid, const glm::mat3& frame,
-  const std::vector<glm::vec3>& directions, const std::vector<Sight>& sights, float reach)
+  const std::vector<glm::vec3>& directions, const std::vector<Sight>& sights,
+  const DistanceFallOff& fallOff)
 {
   Derived result;
   result.Clearance.fill(std::numeric_limits<float>::infinity());
@@ -258,8 +302,12 @@ Derived Derive(const HemisphereGrid& grid, const glm::mat3& frame,
     result.HarmonicMean = static_cast<float>(grid.Cells() / inverse);
   }
 
-  Boundaries boundaries(grid, frame, directions, sights, reach);
+  Boundaries boundaries(grid, frame, directions, sights, fallOff);
   AddBoundaries(grid, boundaries);
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    boundaries.AddFading(cell, share);
+  }
   result.Error = std::sqrt(glm::dot(boundaries.Variance, Luminance)) * share;
   result.Bend = boundaries.Bend();
   result.RimDistance = boundaries.RimDistance();

@@ -59,10 +59,10 @@ inline int SectorOf(float x, float y)
 bool IsFlat(const HemisphereGrid& grid, const std::vector<Sight>& sights, int cell);
 
 /// `directions` are those of `grid` in local coordinates, `sights` what they saw with normals in
-/// scene coordinates, `frame` leads from local to scene coordinates. `reach`: of the gatherer.
+/// scene coordinates, `frame` leads from local to scene coordinates. `fallOff`: of the gatherer.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Derived Derive(const HemisphereGrid& grid,
   const glm::mat3& frame, const std::vector<glm::vec3>& directions,
-  const std::vector<Sight>& sights, float reach);
+  const std::vector<Sight>& sights, const DistanceFallOff& fallOff);
 
 }
 #endif

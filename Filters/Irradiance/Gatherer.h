@@ -7,6 +7,7 @@
 #ifndef penumbra_Gatherer_h
 #define penumbra_Gatherer_h
 
+#include "DistanceFallOff.h"
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro, which other modules need
 
 #include <glm/glm.hpp>
@@ -24,8 +25,10 @@ struct HemisphereGrid;
 struct Sight
 {
   float Distance = std::numeric_limits<float>::infinity(); ///< infinity: nothing within reach
-  glm::vec3 Normal{ 0.f };   ///< of what was met, unit, either side; 0 where unknown
-  glm::vec3 Radiance{ 0.f }; ///< that comes from there; under occlusion 1 where blocked, else 0
+  glm::vec3 Normal{ 0.f }; ///< of what was met, unit, either side; 0 where unknown
+  glm::vec3 Radiance{
+    0.f
+  }; ///< that comes from there; under occlusion 1 (or less, with a fall-off) where blocked, else 0
   float Rim = 0.f; ///< where a flat surface that goes on towards its horizon ends; 0: not known
   float Variance = 1.f; ///< of Radiance, over that of a single ray in its cell
 };
@@ -64,8 +67,10 @@ public:
   /// closer one behind, gains nothing.
   virtual bool LooksAtOnce() const { return false; }
 
-  /// How far it looks, in scene units; infinite without a limit.
-  virtual float GetReach() const = 0;
+  /// How far it looks, in scene units, infinite without a limit; and how much of the radiance of what
+  /// is met there counts, which is in the sights' radiance already.
+  virtual DistanceFallOff GetFallOff() const = 0;
+  float GetReach() const { return this->GetFallOff().Reach; }
 };
 
 }

@@ -306,7 +306,7 @@ Record Placement::Gather(const Site& site, long long& rays) const
     {
       rays += this->LookForRims(site, grid, directions, sights);
     }
-    record.Found = Derive(grid, frame, local, sights, this->Source.GetReach());
+    record.Found = Derive(grid, frame, local, sights, this->Source.GetFallOff());
     if (side >= this->Settings.Side || record.Found.Error == 0.f)
     {
       break;

@@ -19,17 +19,6 @@ constexpr float BeamsOfLamp = .5f * BeamsAlong * (BeamsAlong + 1);
 
 constexpr float Pi = 3.14159265f;
 
-/// On past lines and points, which block nothing.
-Hit PassMarks(const RayScene& rays, Ray ray, Hit hit)
-{
-  while (hit.IsHit() && rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
-  {
-    ray.Near = hit.Beyond;
-    hit = rays.Intersect(ray);
-  }
-  return hit;
-}
-
 }
 
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
@@ -65,12 +54,18 @@ long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
   {
     hits[i] = PassMarks(this->Rays, rays[i], hits[i]);
   }
-  return static_cast<long long>(count) + this->See(point, normal, rays, hits, sights);
+  const long long more = this->See(point, normal, rays, hits, sights);
+  const DistanceFallOff fallOff = this->GetFallOff();
+  for (Sight& sight : sights)
+  {
+    sight.Radiance *= std::isinf(sight.Distance) ? 1.f : fallOff.At(sight.Distance);
+  }
+  return static_cast<long long>(count) + more;
 }
 
-OcclusionGatherer::OcclusionGatherer(const RayScene& scene, float reach)
+OcclusionGatherer::OcclusionGatherer(const RayScene& scene, const DistanceFallOff& fallOff)
   : RayGatherer(scene),
-    Reach(reach)
+    Counting(fallOff)
 {
 }
 

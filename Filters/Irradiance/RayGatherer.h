@@ -34,8 +34,8 @@ public:
   long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
     std::vector<Sight>& sights) const override;
 
-  /// What `rays` from `point` see, whose first hits are `hits`, lines and points left out. Fills
-  /// `sights` and returns how many more rays that took.
+  /// What `rays` from `point` see, whose first hits are `hits`, lines and points left out, before the
+  /// fall-off. Fills `sights` and returns how many more rays that took.
   virtual long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
     const std::vector<Hit>& hits, std::vector<Sight>& sights) const = 0;
 
@@ -45,20 +45,20 @@ private:
   const RayScene& Rays;
 };
 
-/// Occlusion: radiance is 1 where something lies within reach, 0 elsewhere. Lines and points do not
-/// block.
+/// Occlusion: radiance is the fall-off's share where something lies within reach, 0 elsewhere. Lines and
+/// points do not block.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT OcclusionGatherer : public RayGatherer
 {
 public:
-  /// `reach` in scene units.
-  OcclusionGatherer(const RayScene& scene, float reach);
+  /// `fallOff` in scene units.
+  OcclusionGatherer(const RayScene& scene, const DistanceFallOff& fallOff);
 
   long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
     const std::vector<Hit>& hits, std::vector<Sight>& sights) const override;
-  float GetReach() const override { return this->Reach; }
+  DistanceFallOff GetFallOff() const override { return this->Counting; }
 
 private:
-  float Reach;
+  DistanceFallOff Counting;
 };
 
 /// Light: what surfaces emit, reflect of the lights and, where `arriving` holds records, of what
@@ -74,7 +74,7 @@ public:
   void FindBeams(glm::vec3 point, std::vector<Beam>& beams) const override;
   long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
     const std::vector<Hit>& hits, std::vector<Sight>& sights) const override;
-  float GetReach() const override { return std::numeric_limits<float>::infinity(); }
+  DistanceFallOff GetFallOff() const override { return {}; }
 
 private:
   const Illumination& Light;

@@ -68,14 +68,15 @@ struct vtkPenumbraIrradianceCache::Internals
   {
     std::uint64_t Scene = 0;
     double Radius = 0.0;
+    int FallOff = 0;
     IlluminationSettings Light;
     double Tolerance = 0.0;
     vtkMTimeType Settings = 0;
     bool operator==(const Purpose& other) const
     {
       return this->Scene == other.Scene && this->Radius == other.Radius &&
-        this->Light == other.Light && this->Tolerance == other.Tolerance &&
-        this->Settings == other.Settings;
+        this->FallOff == other.FallOff && this->Light == other.Light &&
+        this->Tolerance == other.Tolerance && this->Settings == other.Settings;
     }
   };
 
@@ -238,20 +239,21 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   return self->IsLazy() || half.Records->PlaceLevels(progress);
 }
 
-bool vtkPenumbraIrradianceCache::Begin(
-  const penumbra::RayScene& rays, double radius, double tolerance, const Progress& progress)
+bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occluders& occluders,
+  double tolerance, const Progress& progress)
 {
   Internals& self = *this->Implementation;
-  const Internals::Purpose purpose{ rays.GetId(), radius, {}, tolerance, this->GetMTime() };
+  const Internals::Purpose purpose{ rays.GetId(), occluders.Radius, occluders.FallOff, {},
+    tolerance, this->GetMTime() };
   if (self.Occlusion.Made == purpose)
   {
     return true;
   }
   self.Occlusion.Made = Internals::Purpose();
   self.Accepted = tolerance;
-  self.BruteForce->Begin(rays, radius, tolerance);
-  self.Occluders =
-    std::make_unique<OcclusionGatherer>(rays, static_cast<float>(radius * rays.GetScene().Scale));
+  self.BruteForce->Begin(rays, occluders, tolerance);
+  self.Occluders = std::make_unique<OcclusionGatherer>(
+    rays, DistanceFallOff::InScene(occluders.Radius, occluders.FallOff, rays.GetScene().Scale));
   if (!self.MakeRecords(this, Quantities::Occlusion, *self.Occluders,
         Internals::MakeSettings(this, tolerance), progress))
   {
@@ -287,7 +289,7 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
 {
   Internals& self = *this->Implementation;
   const RayScene& rays = light.GetRays();
-  const Internals::Purpose purpose{ rays.GetId(), 0.0, light.GetSettings(), tolerance,
+  const Internals::Purpose purpose{ rays.GetId(), 0.0, 0, light.GetSettings(), tolerance,
     this->GetMTime() };
   if (self.Irradiance.Made == purpose)
   {

@@ -126,7 +126,7 @@ public:
   /** Those of the last reflection, likewise. */
   void GetIrradianceRecords(vtkPolyData* records) const;
 
-  bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+  bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
   /** `tolerance` is for brute force, where no record serves. */

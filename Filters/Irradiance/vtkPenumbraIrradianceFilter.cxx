@@ -244,14 +244,16 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
 {
   const Scene& scene = work.Mesh.Blocking;
   const double radius = this->Radius > 0.0 ? this->Radius : DefaultRadiusShare * work.Mesh.Diagonal;
-  const OcclusionGatherer gatherer(*work.Rays, static_cast<float>(radius * scene.Scale));
+  const vtkPenumbraIrradianceSource::Occluders occluders(radius, this->FallOff);
+  const OcclusionGatherer gatherer(
+    *work.Rays, penumbra::DistanceFallOff::InScene(radius, this->FallOff, scene.Scale));
   work.Settings.Tolerance = BendShare * this->Tolerance;
   work.Settings.Side = Placement::SideFor(NoiseOfRecords * this->Tolerance);
   work.Tree.SetNormalAngle(Placement::NormalAngleFor(TurnShare * this->Tolerance));
   Placement places(gatherer, work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceSource> source;
   source->SetMinimumRays(LeastRays);
-  source->Begin(*work.Rays, radius, NoiseOfAnswers * this->Tolerance);
+  source->Begin(*work.Rays, occluders, NoiseOfAnswers * this->Tolerance);
   const auto bruteForce = [&](const Site& site, long long& count) {
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
@@ -261,7 +263,7 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
       static_cast<float>(answer.Error) };
   };
   vtkNew<vtkPenumbraBruteForceSource> few; // as many rays as told, whatever they say
-  few->Begin(*work.Rays, radius, 0.0);
+  few->Begin(*work.Rays, occluders, 0.0);
   const double noise = std::min(NoiseOfQuickAnswers * this->Tolerance, MostNoise);
   const auto quick = [&](const Site& site, long long& count) {
     const glm::dvec3 world = scene.ToWorld(site.Position);
@@ -385,6 +387,7 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "FallOff: " << this->FallOff << "\n";
   os << indent << "OnCells: " << this->OnCells << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";

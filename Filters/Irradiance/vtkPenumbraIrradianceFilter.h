@@ -61,6 +61,12 @@ public:
   ///@}
 
   ///@{
+  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceSource::FallOffs. Default: NO_FALL_OFF. */
+  vtkSetClampMacro(FallOff, int, 0, 3);
+  vtkGetMacro(FallOff, int);
+  ///@}
+
+  ///@{
   /** Irradiance: radiance that comes from where nothing is, 0 up. Default: 1, 1, 1. */
   vtkSetVector3Macro(EnvironmentColor, double);
   vtkGetVector3Macro(EnvironmentColor, double);
@@ -151,6 +157,7 @@ private:
   double Albedo = 0.5;
   int Bounces = 3;
   double Radius = 0.0;
+  int FallOff = 0;
   bool OnCells = false;
   bool ComputeNormals = false;
   double PointRadius = 0.0;

@@ -416,4 +416,14 @@ bool RayScene::Occluded(const Ray& ray) const
   return query.tfar < 0.f;
 }
 
+Hit PassMarks(const RayScene& rays, Ray ray, Hit hit)
+{
+  while (hit.IsHit() && rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
+  {
+    ray.Near = hit.Beyond;
+    hit = rays.Intersect(ray);
+  }
+  return hit;
+}
+
 }

@@ -47,6 +47,11 @@ struct Hit
   bool IsHit() const { return this->Surface != None; }
 };
 
+class RayScene;
+
+/// The first hit of `ray` that is no line and no point, which block nothing; `hit` is its first one.
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT Hit PassMarks(const RayScene& rays, Ray ray, Hit hit);
+
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT RayScene
 {
 public:

@@ -3,6 +3,7 @@
 #include "vtkPenumbraBruteForceSource.h"
 
 #include "CosineDirections.h"
+#include "DistanceFallOff.h"
 #include "Illumination.h"
 #include "RayScene.h"
 #include "ScrambledSequence.h"
@@ -21,6 +22,7 @@ vtkPenumbraBruteForceSource::~vtkPenumbraBruteForceSource() = default;
 namespace
 {
 
+using penumbra::DistanceFallOff;
 using penumbra::Ray;
 using penumbra::RayScene;
 using Estimate = vtkPenumbraIrradianceSource::Estimate;
@@ -59,13 +61,15 @@ std::uint32_t FirstRound(std::uint32_t wanted, std::uint32_t limit)
 class Hemisphere
 {
 public:
-  Hemisphere(const RayScene& rays, glm::vec3 point, glm::vec3 normal, float reach)
+  Hemisphere(
+    const RayScene& rays, glm::vec3 point, glm::vec3 normal, const DistanceFallOff& fallOff)
     : Rays(rays),
+      Counting(fallOff),
       Frame(penumbra::FrameOf(normal)),
       Directions(penumbra::SeedOf(point, normal))
   {
     this->Probe.Origin = point + penumbra::GapAbove(point) * normal;
-    this->Probe.Far = reach;
+    this->Probe.Far = fallOff.Reach;
   }
 
   /// Asks rays until there are `count` of them, a power of two.
@@ -75,13 +79,13 @@ public:
     {
       this->AskPacket(count);
     }
-    const double differing = this->CountDifferingPairs();
-    const bool border = this->Blocked > 0 && this->Blocked < count;
+    const auto ends = std::minmax_element(this->Answers.begin(), this->Answers.end());
+    const double step = *ends.second - *ends.first;
     const double seen =
-      ShareOfPairs * std::sqrt(differing + (border ? LuckAllowance : 0.0)) / count;
+      ShareOfPairs * std::sqrt(this->DifferenceOfPairs() + LuckAllowance * step * step) / count;
     Estimate result;
     result.Rays = count;
-    result.Value = static_cast<double>(this->Blocked) / count;
+    result.Value = this->Blocked / count;
     result.Error = std::hypot(seen, HiddenShare / count);
     return result;
   }
@@ -95,7 +99,7 @@ private:
     const auto first = static_cast<std::uint32_t>(this->Answers.size());
     const std::uint32_t size = std::min(count - first, PacketSize);
     Ray rays[PacketSize];
-    bool blocked[PacketSize];
+    float blocked[PacketSize];
     for (std::uint32_t i = 0; i < PacketSize; ++i)
     {
       rays[i] = this->Probe;
@@ -103,7 +107,7 @@ private:
       const glm::vec2 at = this->Directions.At(first + i);
       rays[i].Direction = this->Frame * penumbra::ToHemisphere(penumbra::ToDisc(at.x, at.y));
     }
-    this->Rays.Occluded16(rays, blocked);
+    this->Block(rays, blocked);
     for (std::uint32_t i = 0; i < size; ++i)
     {
       this->Answers.push_back(blocked[i]);
@@ -111,44 +115,66 @@ private:
     }
   }
 
-  /// Of the pairs of rays that share a cell, each cell holding two. Cells are boxes of the unit square
-  /// as near to squares as can be.
-  std::uint32_t CountDifferingPairs() const
+  /// How much each ray is blocked. The nearest hit matters only where it does not count in full.
+  void Block(const Ray* rays, float* blocked) const
+  {
+    if (this->Counting.IsConstant())
+    {
+      bool met[PacketSize];
+      this->Rays.Occluded16(rays, met);
+      std::copy(met, met + PacketSize, blocked);
+      return;
+    }
+    penumbra::Hit hits[PacketSize];
+    this->Rays.Intersect16(rays, hits);
+    for (std::uint32_t i = 0; i < PacketSize; ++i)
+    {
+      const penumbra::Hit hit = penumbra::PassMarks(this->Rays, rays[i], hits[i]);
+      blocked[i] = hit.IsHit() ? this->Counting.At(hit.Distance) : 0.f;
+    }
+  }
+
+  /// Squares of the differences of the pairs of rays that share a cell, each cell holding two. Cells are
+  /// boxes of the unit square as near to squares as can be.
+  double DifferenceOfPairs() const
   {
     const auto count = static_cast<std::uint32_t>(this->Answers.size());
     const std::uint32_t other = penumbra::ScrambledSequence::FindPartner(count);
-    std::uint32_t differing = 0;
+    double differences = 0.0;
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      differing += this->Answers[i] != this->Answers[i ^ other];
+      const double difference = this->Answers[i] - this->Answers[i ^ other];
+      differences += difference * difference;
     }
-    return differing / 2;
+    return .5 * differences;
   }
 
   const RayScene& Rays;
+  DistanceFallOff Counting;
   glm::mat3 Frame;
   penumbra::ScrambledSequence Directions;
   Ray Probe;
-  std::vector<char> Answers;
-  std::uint32_t Blocked = 0;
+  std::vector<float> Answers;
+  double Blocked = 0.0;
 };
 
-Hemisphere MakeHemisphere(
-  const RayScene& rays, double radius, const double point[3], const double normal[3])
+Hemisphere MakeHemisphere(const RayScene& rays,
+  const vtkPenumbraIrradianceSource::Occluders& occluders, const double point[3],
+  const double normal[3])
 {
   const penumbra::Scene& scene = rays.GetScene();
   const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
   return Hemisphere(rays, position, glm::vec3(normal[0], normal[1], normal[2]),
-    static_cast<float>(radius * scene.Scale));
+    DistanceFallOff::InScene(occluders.Radius, occluders.FallOff, scene.Scale));
 }
 
 }
 
 bool vtkPenumbraBruteForceSource::Begin(
-  const penumbra::RayScene& scene, double radius, double tolerance, const Progress&)
+  const penumbra::RayScene& scene, const Occluders& occluders, double tolerance, const Progress&)
 {
   this->Rays = &scene;
-  this->Radius = radius;
+  this->Counting = occluders;
   this->Tolerance = tolerance;
   return true;
 }
@@ -162,7 +188,7 @@ vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::Occlusion(
 vtkPenumbraIrradianceSource::Estimate vtkPenumbraBruteForceSource::OcclusionWithin(
   const double point[3], const double normal[3], double tolerance) const
 {
-  Hemisphere hemisphere = MakeHemisphere(*this->Rays, this->Radius, point, normal);
+  Hemisphere hemisphere = MakeHemisphere(*this->Rays, this->Counting, point, normal);
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
   if (tolerance > this->Tolerance)
   {

@@ -37,7 +37,7 @@ public:
   vtkGetMacro(MinimumRays, int);
   ///@}
 
-  bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+  bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
   Estimate OcclusionWithin(
@@ -56,7 +56,7 @@ private:
   void operator=(const vtkPenumbraBruteForceSource&) = delete;
 
   const penumbra::RayScene* Rays = nullptr;
-  double Radius = 0.0;
+  Occluders Counting = 0.0;
   double Tolerance = 0.01;
   int MaximumRays = 16384;
   int MinimumRays = 32;

@@ -9,7 +9,7 @@
  *
  *   AO(p, n) = 1/pi * integral over directions w with w.n > 0 of D(t(p, w)) (w.n) dw,
  *
- * D = 1 for t < Radius, 0 beyond; 0 is open, 1 is blocked. Surfaces block from both sides; lines
+ * D = 1 for t < Radius unless a fall-off is chosen, 0 beyond; 0 is open, 1 is blocked. Surfaces block from both sides; lines
  * and points do not block. The default source, vtkPenumbraBruteForceSource, shoots rays for every
  * point; a source may also keep what it found and interpolate.
  *
@@ -50,16 +50,37 @@ public:
     long long Rays = 0;
   };
 
+  /** How much an occluder at distance t < Radius counts; with an infinite Radius always 1. */
+  enum FallOffs
+  {
+    NO_FALL_OFF, ///< 1
+    LINEAR,      ///< 1 - t / Radius
+    QUADRATIC,   ///< 1 - (t / Radius)^2
+    SQUARE_ROOT  ///< 1 - sqrt(t / Radius)
+  };
+
+  /** Which occluders count, and how much: a radius in world units, may be infinite, and a fall-off. */
+  struct Occluders
+  {
+    Occluders(double radius, int fallOff = NO_FALL_OFF)
+      : Radius(radius),
+        FallOff(fallOff)
+    {
+    }
+    double Radius;
+    int FallOff;
+  };
+
   /** Told the share of the work that is done; true asks to stop. */
   using Progress = std::function<bool(double)>;
 
   /**
-   * Questions about `scene` follow: occluders within `radius` (world units, may be infinite),
+   * Questions about `scene` follow: which `occluders` count (a number: all within that radius),
    * answers with a standard error of at most `tolerance`. No question follows once the scene is
    * gone. What was found for the same scene and the same arguments may be kept: every part of a
    * picture begins anew. False when `progress` stopped it; then no question follows.
    */
-  virtual bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+  virtual bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) = 0;
 
   /**

@@ -345,7 +345,8 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
     const double radius = self->AmbientOcclusionRadius > 0.0
       ? self->AmbientOcclusionRadius
       : penumbra::DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
-    if (!this->IrradianceSource->Begin(*this->Prepared->Rays, radius, noise, progress))
+    if (!this->IrradianceSource->Begin(
+          *this->Prepared->Rays, { radius, self->AmbientOcclusionFallOff }, noise, progress))
     {
       return false;
     }
@@ -475,6 +476,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightShaftSteps: " << this->LightShaftSteps << "\n";
   os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
+  os << indent << "AmbientOcclusionFallOff: " << this->AmbientOcclusionFallOff << "\n";
   os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << "\n";
   os << indent << "IndirectLight: " << this->IndirectLight << "\n";
   os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "

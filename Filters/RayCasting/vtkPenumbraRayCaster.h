@@ -137,6 +137,12 @@ public:
   ///@}
 
   ///@{
+  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceSource::FallOffs. Default: NO_FALL_OFF. */
+  vtkSetClampMacro(AmbientOcclusionFallOff, int, 0, 3);
+  vtkGetMacro(AmbientOcclusionFallOff, int);
+  ///@}
+
+  ///@{
   /** Strength of the darkening in [0, 1]; negative: 1, and 0.6 on surfaces coloured by scalars. Default: -1. */
   vtkSetClampMacro(AmbientOcclusionStrength, double, -1.0, 1.0);
   vtkGetMacro(AmbientOcclusionStrength, double);
@@ -249,6 +255,7 @@ private:
   int LightShaftSteps = 0;
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;
+  int AmbientOcclusionFallOff = 0;
   double AmbientOcclusionStrength = -1.0;
   bool IndirectLight = false;
   double EnvironmentColor[3] = { 0.0, 0.0, 0.0 };

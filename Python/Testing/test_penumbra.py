@@ -78,9 +78,18 @@ class BakedOcclusion(unittest.TestCase):
         array = baked.GetPointData().GetArray("AmbientOcclusion")
         self.assertEqual(array.GetValue(0), 0.75)
 
+    def test_falls_off_with_distance(self):
+        both = plane().merge(ball(), merge_points=False)
+        means = [
+            both.penumbra.bake_ambient_occlusion(radius=2.0, falloff=name)["AmbientOcclusion"].mean()
+            for name in ("none", "quadratic", "linear", "square-root")]
+        self.assertEqual(means, sorted(means, reverse=True))
+        self.assertLess(means[3], 0.5 * means[0])
+
     def test_refuses_what_makes_no_sense(self):
         bake = ball().penumbra.bake_ambient_occlusion
-        for wrong in ({"tolerance": 0.0}, {"radius": -1.0}, {"radius": math.nan}, {"on": "edges"}):
+        for wrong in ({"tolerance": 0.0}, {"radius": -1.0}, {"radius": math.nan}, {"on": "edges"},
+                      {"falloff": "steep"}):
             with self.assertRaises(ValueError):
                 bake(**wrong)
         with self.assertRaisesRegex(TypeError, "extract_surface"):

@@ -4,6 +4,7 @@
 import pyvista
 
 from .colors import radiance
+from .falloffs import falloff_of
 from .statistics import counts_of, update
 from .vtkPenumbraFiltersIrradiance import vtkPenumbraIrradianceFilter
 
@@ -17,8 +18,8 @@ class MeshAccessor:
         self._mesh = mesh
 
     def bake_ambient_occlusion(
-        self, *, tolerance=0.01, radius=None, on="points", compute_normals=False, point_radius=0.0,
-        inplace=False,
+        self, *, tolerance=0.01, radius=None, falloff="none", on="points", compute_normals=False,
+        point_radius=0.0, inplace=False,
     ):
         """Return the mesh with the array ``AmbientOcclusion``: 0 open, 1 blocked.
 
@@ -29,6 +30,8 @@ class MeshAccessor:
         radius : float, optional
             Reach of an occluder in the mesh's own unit, may be ``inf``; default: a tenth of the
             diagonal of its bounds.
+        falloff : {"none", "linear", "quadratic", "square-root"}
+            How an occluder at a share s of the radius counts: 1, 1 - s, 1 - s^2, or 1 - sqrt(s).
         on : {"points", "cells"}
             A value for every point, or for the centre of every cell.
         compute_normals : bool
@@ -45,6 +48,7 @@ class MeshAccessor:
             raise ValueError(f"radius is a length, not {radius!r}")
         bake = vtkPenumbraIrradianceFilter()
         bake.SetRadius(0.0 if radius is None else min(radius, 1e299))
+        bake.SetFallOff(falloff_of(falloff))
         return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
 
     def bake_irradiance(

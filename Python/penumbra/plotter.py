@@ -7,6 +7,7 @@ import pyvista
 from cvista.util.numpy_support import vtk_to_numpy
 
 from .colors import radiance
+from .falloffs import falloff_of
 from .opengl import require
 from .statistics import counts_of, update
 from .vtkPenumbraFiltersRayCasting import vtkPenumbraRayCaster
@@ -112,7 +113,7 @@ class PlotterAccessor:
 
     def ray_cast(
         self, *, tolerance=1.0 / 256.0, window_size=None, ambient_occlusion=False, radius=None,
-        strength=None, shadows=False, indirect_light=False, environment_color="black", albedo=0.5,
+        falloff="none", strength=None, shadows=False, indirect_light=False, environment_color="black", albedo=0.5,
         bounces=3, transparent_background=False, as_float=False, return_statistics=False,
     ):
         """Return a picture of the scene by ray casting, antialiased to a tolerance.
@@ -127,8 +128,9 @@ class PlotterAccessor:
             The error accepted: RMSE of any 16x16 pixels, colours in [0, 1].
         window_size : tuple of int, optional
             Width and height; default: the plotter's.
-        ambient_occlusion, radius, strength
-            Darken by ambient occlusion; radius in world units, default a tenth of the diagonal.
+        ambient_occlusion, radius, falloff, strength
+            Darken by ambient occlusion; radius in world units, default a tenth of the diagonal;
+            falloff as in ``mesh.penumbra.bake_ambient_occlusion``.
         shadows : bool
             Cast hard shadows of the lights.
         indirect_light : bool
@@ -155,6 +157,7 @@ class PlotterAccessor:
         caster.SetShadows(shadows)
         caster.SetAmbientOcclusion(ambient_occlusion)
         caster.SetAmbientOcclusionRadius(0.0 if radius is None else radius)
+        caster.SetAmbientOcclusionFallOff(falloff_of(falloff))
         caster.SetAmbientOcclusionStrength(-1.0 if strength is None else strength)
         caster.SetIndirectLight(indirect_light)
         caster.SetEnvironmentColor(radiance(environment_color))

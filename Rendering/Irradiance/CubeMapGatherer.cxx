@@ -23,8 +23,9 @@ struct Patch
 {
   std::uint32_t Surface = Hit::None;
   float Share = 0.f;
-  float Most = 0.f; ///< of its texels' shares
-  int Texel = 0;    ///< that texel, which stands for all
+  float Counted = 0.f; ///< of the share, after the fall-off
+  float Most = 0.f;    ///< of its texels' shares
+  int Texel = 0;       ///< that texel, which stands for all
 };
 
 struct Patches
@@ -34,13 +35,17 @@ struct Patches
 };
 
 Patches FindPatches(const Hemicube& cube, const Hemicube::Cells& cells,
-  const TriangleBundles& bundles, const std::vector<NumberedTexel>& texels, float reach)
+  const TriangleBundles& bundles, const std::vector<NumberedTexel>& texels,
+  const DistanceFallOff& fallOff)
 {
   std::vector<std::uint32_t> surfaces(texels.size(), Hit::None);
+  std::vector<float> counting(texels.size(), 1.f);
   for (std::size_t i = 0; i < texels.size(); ++i)
   {
-    if (texels[i].Number > 0.f && texels[i].Depth * glm::length(cube.GetDirections()[i]) <= reach)
+    const float distance = texels[i].Depth * glm::length(cube.GetDirections()[i]);
+    if (texels[i].Number > 0.f && distance <= fallOff.Reach)
     {
+      counting[i] = fallOff.At(distance);
       surfaces[i] = bundles.GetTriangle(static_cast<std::size_t>(texels[i].Number)).Surface;
     }
   }
@@ -63,6 +68,7 @@ Patches FindPatches(const Hemicube& cube, const Hemicube::Cells& cells,
       }
       Patch& patch = patches.All[at];
       patch.Share += part.Share;
+      patch.Counted += counting[part.Texel] * part.Share;
       if (part.Share > patch.Most)
       {
         patch.Most = part.Share;
@@ -97,7 +103,7 @@ Sight Join(const Patches& patches, int cell, const std::vector<Sight>& seen)
   for (std::size_t i = patches.First[cell]; i < patches.First[cell + 1]; ++i)
   {
     const float share = patches.All[i].Share;
-    sight.Radiance += share * seen[i].Radiance;
+    sight.Radiance += patches.All[i].Counted * seen[i].Radiance;
     if (share > most && !std::isinf(seen[i].Distance))
     {
       most = share;
@@ -151,7 +157,7 @@ long long CubeMapGatherer::Look(glm::vec3 point, const glm::mat3& frame, const H
   ++this->Counts->Pictures;
 
   const Hemicube::Cells& cells = this->CellsOf(grid);
-  const Patches patches = FindPatches(this->Cube, cells, this->Bundles, texels, this->GetReach());
+  const Patches patches = FindPatches(this->Cube, cells, this->Bundles, texels, this->GetFallOff());
   std::vector<Ray> rays;
   std::vector<Hit> hits;
   for (const Patch& patch : patches.All)

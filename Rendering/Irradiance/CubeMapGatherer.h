@@ -44,7 +44,7 @@ public:
     std::uint32_t seed, std::vector<glm::vec3>& directions,
     std::vector<Sight>& sights) const override;
   bool LooksAtOnce() const override { return true; }
-  float GetReach() const override { return this->Seen.GetReach(); }
+  DistanceFallOff GetFallOff() const override { return this->Seen.GetFallOff(); }
 
 private:
   const Hemicube::Cells& CellsOf(const HemisphereGrid& grid) const;

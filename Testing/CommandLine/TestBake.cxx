@@ -182,3 +182,24 @@ TEST(Bake, WritesTheLightOfTheSkyOntoAConvexBody)
   EXPECT_EQ(colors->GetComponent(7, 0), 255.0);
   EXPECT_EQ(colors->GetComponent(7, 1), 128.0);
 }
+
+TEST(Bake, LetsOcclusionFallOffByItsName)
+{
+  const Folder folder("bake-falloff");
+  double last = 1.0;
+  for (const char* fallOff : { "none", "linear", "square-root" }) // ever less
+  {
+    const Outcome outcome = RunProgram({ "bake", Head, "--output", folder / "baked.vtp",
+      "--falloff", fallOff, "--tolerance", "0.2" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    const auto values = ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp");
+    double mean = 0.0;
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      mean += values->GetComponent(i, 0) / static_cast<double>(values->GetNumberOfTuples());
+    }
+    EXPECT_LT(mean, .95 * last) << fallOff;
+    EXPECT_GT(mean, .005) << fallOff;
+    last = mean;
+  }
+}

@@ -116,3 +116,27 @@ TEST(Render, TellsMuchTheSameOcclusionByBothGatherers)
   EXPECT_LT(drawn["Rays/Gather"], 100 * drawn["CubeMaps/Total"].get<double>());
   EXPECT_LT(Compare(folder / "rays.png", folder / "cube-map.png")["metrics"]["rmse"], 0.01);
 }
+
+TEST(Render, LetsOcclusionFallOffByItsName)
+{
+  const Folder folder("falloff");
+  double last = 1.0;
+  for (const char* fallOff : { "none", "quadratic", "linear", "square-root" }) // ever less
+  {
+    const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+      "--resolution", "60,40", "--camera-direction=-1,-1,-2", "--tolerance", "0.05",
+      "--ambient-occlusion-falloff", fallOff, "--output", folder / "p.vti" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+    const auto picture = ReadImage(folder / "p.vti");
+    vtkDataArray* occlusion = picture->GetPointData()->GetArray("AmbientOcclusion");
+    double mean = 0.0;
+    for (vtkIdType i = 0; i < occlusion->GetNumberOfTuples(); ++i)
+    {
+      mean += occlusion->GetComponent(i, 0) / static_cast<double>(occlusion->GetNumberOfTuples());
+    }
+    EXPECT_LT(mean, .9 * last) << fallOff;
+    EXPECT_GT(mean, .005) << fallOff;
+    last = mean;
+  }
+}

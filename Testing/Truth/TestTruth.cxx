@@ -3,6 +3,7 @@
 //
 // The truths themselves: against closed forms, and against each other.
 #include "ExactCoverage.h"
+#include "FadingOcclusion.h"
 #include "HalfPlaneInHaze.h"
 #include "Measure.h"
 #include "TestScene.h"
@@ -183,4 +184,26 @@ TEST(Measure, InterpolatesCostBetweenLogarithms)
   EXPECT_NEAR(CostAtError({ { 0.1, 1.0 }, { 0.001, 100.0 } }, 0.01), 10.0, 1e-9);
   EXPECT_NEAR(CostAtError({ { 0.1, 1.0 }, { 0.001, 100.0 } }, 0.0001), 1000.0, 1e-6);
   EXPECT_NEAR(CostAtError({ { 0.1, 1.0 }, { 0.2, 5.0 }, { 0.001, 100.0 } }, 0.01), 10.0, 1e-9);
+}
+
+TEST(FadingOcclusion, AgreesWithClosedFormsUnderACeiling)
+{
+  const double k = .3;
+  const double cut = 1.0 - k * k;
+  const double closed[] = { cut, (1.0 - k) * (1.0 - k), cut + 2.0 * k * k * std::log(k),
+    cut - 4.0 / 3.0 * std::sqrt(k) * (1.0 - std::pow(k, 1.5)) };
+  for (int i = 0; i < 4; ++i)
+  {
+    const FadingOcclusion truth{ 2.0, PowersOfFallOffs[i] };
+    EXPECT_NEAR(truth.UnderCeiling(2.0 * k), closed[i], 1e-9) << i;
+    EXPECT_EQ(truth.UnderCeiling(2.5), 0.0);
+  }
+}
+
+TEST(FadingOcclusion, IsHalfAtTheFootOfAWallWithoutALimit)
+{
+  for (const double power : PowersOfFallOffs)
+  {
+    EXPECT_NEAR((FadingOcclusion{ 1e9, power }.BeforeWall(1e-3)), .5, 2e-4) << power;
+  }
 }

@@ -3,6 +3,7 @@
 //
 // Gradients and bends of occlusion against closed forms.
 #include "CosineDirections.h"
+#include "FadingOcclusion.h"
 #include "Placement.h"
 
 #include <gtest/gtest.h>
@@ -22,9 +23,9 @@ class ShapeGatherer : public Gatherer
 public:
   using Shape = std::function<Sight(glm::vec3 origin, glm::vec3 direction)>;
 
-  explicit ShapeGatherer(Shape shape, float reach = Infinity)
+  explicit ShapeGatherer(Shape shape, const DistanceFallOff& fallOff = {})
     : Seen(std::move(shape)),
-      Reach(reach)
+      Counting(fallOff)
   {
   }
 
@@ -35,20 +36,21 @@ public:
     for (const glm::vec3& direction : directions)
     {
       Sight sight = this->Seen(point, direction);
-      if (!(sight.Distance < this->Reach))
+      if (!(sight.Distance < this->GetReach()))
       {
         sight = Sight();
       }
-      sight.Radiance = glm::vec3(std::isinf(sight.Distance) ? 0.f : 1.f);
+      sight.Radiance =
+        glm::vec3(std::isinf(sight.Distance) ? 0.f : this->Counting.At(sight.Distance));
       sights.push_back(sight);
     }
     return static_cast<long long>(directions.size());
   }
-  float GetReach() const override { return this->Reach; }
+  DistanceFallOff GetFallOff() const override { return this->Counting; }
 
 private:
   Shape Seen;
-  float Reach;
+  DistanceFallOff Counting;
 };
 
 /// A sphere of radius 1 above the origin, its centre at `height`.
@@ -261,4 +263,25 @@ TEST(Derivatives, FindWallsByDirection)
   EXPECT_EQ(record.Weight({ { -.1f, 0.f, 0.f }, site.Normal }, factor), 0.f);
   EXPECT_GT(record.Weight({ { .6f, 0.f, 0.f }, site.Normal }, factor), 0.f);
   EXPECT_GT(record.Weight({ { .3f, .5f, 0.f }, site.Normal }, factor), 0.f);
+}
+
+TEST(Derivatives, KnowSlopeAndBendBeforeAWallThatFallsOff)
+{
+  for (const int shape : { 1, 2, 3 })
+  {
+    const ShapeGatherer wall(Wall, { 2.f, static_cast<DistanceFallOff::Shapes>(shape) });
+    const FadingOcclusion truth{ 2.0, PowersOfFallOffs[shape] };
+    const auto share = [&truth](double x) { return truth.BeforeWall(x); };
+    const auto slope = [&share](double x) { return (share(x + .01) - share(x - .01)) / .02; };
+    for (const double x : { .2, .6, 1.2 })
+    {
+      const Derived found = MeanOf(wall, { x, 0.f, 0.f }, 32);
+      EXPECT_NEAR(found.Mean.x, share(x), .002) << shape << " " << x;
+      EXPECT_NEAR(found.Translation[0].x, slope(x), .08 * std::abs(slope(x))) << shape << " " << x;
+      EXPECT_NEAR(found.Translation[0].y, 0.0, .01);
+      const double bend = std::abs(slope(x + .01) - slope(x - .01)) / .02;
+      EXPECT_GT(found.Bend, .5 * bend) << shape << " " << x;
+      EXPECT_LT(found.Bend, 3.0 * bend + .1) << shape << " " << x;
+    }
+  }
 }

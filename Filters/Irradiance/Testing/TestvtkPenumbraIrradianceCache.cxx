@@ -4,6 +4,7 @@
 // The cache against closed forms, over all pixels of a picture.
 #include "vtkPenumbraIrradianceCache.h"
 
+#include "FadingOcclusion.h"
 #include "PictureSites.h"
 #include "RayScene.h"
 #include "Solids.h"
@@ -409,4 +410,51 @@ TEST(vtkPenumbraIrradianceCache, BeginsAnewAfterItWasStopped)
   ASSERT_TRUE(cache->Begin(rays, 1.0, .02));
   ASSERT_TRUE(fresh->Begin(rays, 1.0, .02));
   EXPECT_EQ(CountOf(cache, "Cache/Records"), CountOf(fresh, "Cache/Records"));
+}
+
+TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallThatFallsOff)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddRectangle(scene, { -1000.f, 0, 0 }, { 2000.f, 0, 0 }, { 0, 0, 1000.f });
+  LookAt(scene, { 0, -4, 3 }, { 0, -.5, 0 }, 45.0, Size, Size);
+  const RayScene rays(scene, 0);
+  View view{ scene, {} };
+  for (const Site& site : SitesOfPicture(rays, PictureLevels - 3))
+  {
+    if (site.Normal.z > .9f)
+    {
+      view.Sites.push_back(site);
+    }
+  }
+  for (int fallOff = 0; fallOff < 4; ++fallOff)
+  {
+    for (const double radius : { .5, 2.0 })
+    {
+      const FadingOcclusion fading{ radius, PowersOfFallOffs[fallOff] };
+      const Truth truth = [&](glm::dvec3 at, glm::dvec3) {
+        return fading.BeforeWall(std::abs(at.y));
+      };
+      vtkNew<vtkPenumbraIrradianceCache> cache;
+      cache->SetTolerance(.01);
+      cache->Begin(rays, { radius, fallOff }, .02);
+      EXPECT_LE(ErrorOf(cache, view, truth), .01) << fallOff << " " << radius;
+      EXPECT_LE(CountOf(cache, "Cache/Records"), 1500) << fallOff << " " << radius;
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceCache, MakesNewRecordsForAnotherFallOff)
+{
+  Scene scene;
+  MakeSphereScene(scene, 1.0);
+  const RayScene rays(scene, 0);
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  const glm::dvec3 beside(1.2, 0.0, 0.0);
+  cache->Begin(rays, 2.0, .02);
+  const double whole = Ask(cache, beside);
+  cache->Begin(rays, { 2.0, vtkPenumbraIrradianceSource::LINEAR }, .02);
+  EXPECT_LT(Ask(cache, beside), .8 * whole);
+  cache->Begin(rays, 2.0, .02);
+  EXPECT_EQ(Ask(cache, beside), whole);
 }

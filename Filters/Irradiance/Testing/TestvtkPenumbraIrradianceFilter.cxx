@@ -4,6 +4,8 @@
 // Baked occlusion against closed forms.
 #include "vtkPenumbraIrradianceFilter.h"
 
+#include "FadingOcclusion.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"
@@ -453,4 +455,31 @@ TEST(vtkPenumbraIrradianceFilter, TakesAnEmptyMesh)
   filter->Update();
   EXPECT_EQ(OutputOf(filter)->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetEstimatedError(), 0.0);
+}
+
+TEST(vtkPenumbraIrradianceFilter, LetsOccludersFallOff)
+{
+  vtkNew<vtkPlaneSource> ceiling;
+  ceiling->SetOrigin(-20.0, -20.0, .6);
+  ceiling->SetPoint1(20.0, -20.0, .6);
+  ceiling->SetPoint2(-20.0, 20.0, .6);
+  ceiling->Update();
+  for (int fallOff = 0; fallOff < 4; ++fallOff)
+  {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(Floor(40)->GetOutput());
+    filter->SetInputData(1, ceiling->GetOutput());
+    filter->SetRadius(2.0);
+    filter->SetFallOff(fallOff);
+    filter->Update();
+    vtkDataArray* values = OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion");
+    const double truth =
+      penumbra::FadingOcclusion{ 2.0, penumbra::PowersOfFallOffs[fallOff] }.UnderCeiling(.6);
+    double square = 0.0;
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      square += std::pow(values->GetComponent(i, 0) - truth, 2.0);
+    }
+    EXPECT_LE(std::sqrt(square / static_cast<double>(values->GetNumberOfTuples())), .01) << fallOff;
+  }
 }

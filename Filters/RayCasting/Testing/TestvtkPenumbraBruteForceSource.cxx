@@ -4,6 +4,7 @@
 // Occlusion of scenes whose answer is known in closed form.
 #include "vtkPenumbraBruteForceSource.h"
 
+#include "FadingOcclusion.h"
 #include "Illumination.h"
 #include "RayScene.h"
 #include "Solids.h"
@@ -22,13 +23,14 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-vtkPenumbraIrradianceSource::Estimate Ask(const Scene& scene, glm::dvec3 point, double radius,
-  double tolerance, glm::dvec3 normal = { 0.0, 0.0, 1.0 })
+vtkPenumbraIrradianceSource::Estimate Ask(const Scene& scene, glm::dvec3 point,
+  const vtkPenumbraIrradianceSource::Occluders& occluders, double tolerance,
+  glm::dvec3 normal = { 0.0, 0.0, 1.0 })
 {
   const RayScene rays(scene, 1);
   vtkNew<vtkPenumbraBruteForceSource> source;
   source->SetMaximumRays(1 << 20);
-  source->Begin(rays, radius, tolerance);
+  source->Begin(rays, occluders, tolerance);
   return source->Occlusion(&point.x, &normal.x);
 }
 
@@ -229,4 +231,39 @@ TEST(vtkPenumbraBruteForceSource, AnswersTheSameInOtherUnits)
   scene.Scale = .25;
   const auto there = Ask(scene, { 64.8, 32.4, 16.0 }, 6.0, .01);
   EXPECT_NEAR(here.Value, there.Value, .03);
+}
+
+TEST(vtkPenumbraBruteForceSource, FallsOffWithTheDistanceOfAWallOrACeiling)
+{
+  Scene wall;
+  AddFloor(wall, 1000.f);
+  AddRectangle(wall, { 0.f, -1000.f, 0.f }, { 0.f, 2000.f, 0.f }, { 0.f, 0.f, 1000.f });
+  Scene ceiling;
+  AddRectangle(ceiling, { -1000.f, -1000.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 2000.f, 0.f });
+  for (int fallOff = 0; fallOff < 4; ++fallOff)
+  {
+    const FadingOcclusion truth{ 2.0, PowersOfFallOffs[fallOff] };
+    for (const double distance : { .02, .5, 1.2, 2.5 })
+    {
+      EXPECT_NEAR(Ask(wall, { distance, 0.0, 0.0 }, { 2.0, fallOff }, .001).Value,
+        truth.BeforeWall(distance), .003)
+        << fallOff << " " << distance;
+      EXPECT_NEAR(Ask(ceiling, { 0.0, 0.0, -distance }, { 2.0, fallOff }, .001).Value,
+        truth.UnderCeiling(distance), .003)
+        << fallOff << " " << distance;
+    }
+  }
+}
+
+TEST(vtkPenumbraBruteForceSource, FallsOffFromNothingWithoutALimit)
+{
+  Scene scene;
+  AddFloor(scene, 10.f);
+  AddDisc(scene, .7f, 1.f);
+  const glm::dvec3 point(.2, .1, 0.0);
+  for (int fallOff = 1; fallOff < 4; ++fallOff)
+  {
+    EXPECT_EQ(
+      Ask(scene, point, { Infinity, fallOff }, .01).Value, Ask(scene, point, Infinity, .01).Value);
+  }
 }

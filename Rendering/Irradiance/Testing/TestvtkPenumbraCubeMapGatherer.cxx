@@ -7,6 +7,7 @@
 #include "Building.h"
 #include "CosineDirections.h"
 #include "Derivatives.h"
+#include "FadingOcclusion.h"
 #include "Hemicube.h"
 #include "RayGatherer.h"
 #include "RayScene.h"
@@ -40,15 +41,15 @@ Derived Look(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
   std::vector<glm::vec3> directions;
   std::vector<Sight> sights;
   gatherer.Look(point, frame, grid, 1, directions, sights);
-  return Derive(grid, frame, directions, sights, gatherer.GetReach());
+  return Derive(grid, frame, directions, sights, gatherer.GetFallOff());
 }
 
 /// Occlusion by rays and by cube map in one scene.
 struct Both
 {
-  explicit Both(const Scene& scene, float reach = Infinity, int resolution = 64)
+  explicit Both(const Scene& scene, const DistanceFallOff& fallOff = {}, int resolution = 64)
     : Rays(scene, 1),
-      ByRays(this->Rays, reach)
+      ByRays(this->Rays, fallOff)
   {
     this->Maker->SetResolution(resolution);
     this->ByCubeMap = this->Maker->Make(this->ByRays);
@@ -342,4 +343,21 @@ TEST(CubeMapGatherer, ServesTheCache)
   EXPECT_GT(value("CubeMaps/Triangles"), value("CubeMaps/Total"));
   // Only a few, along horizons.
   EXPECT_LT(value("Rays/Gather"), 100.0 * value("Cache/Records"));
+}
+
+TEST(CubeMapGatherer, FallsOffWithTheDistanceOfAWall)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddRectangle(scene, { -1000.f, 0.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 0.f, 1000.f });
+  for (int fallOff = 0; fallOff < 4; ++fallOff)
+  {
+    const Both both(scene, { 2.f, static_cast<DistanceFallOff::Shapes>(fallOff) });
+    const FadingOcclusion truth{ 2.0, PowersOfFallOffs[fallOff] };
+    for (const float distance : { .05f, .5f, 1.2f })
+    {
+      EXPECT_NEAR(both.Occlusion({ 0.f, -distance, 0.f }), truth.BeforeWall(distance), .006)
+        << fallOff << " " << distance;
+    }
+  }
 }
