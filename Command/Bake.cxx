@@ -3,6 +3,8 @@
 //
 // penumbra bake: ambient occlusion or irradiance as an array of a mesh.
 #include "Arguments.h"
+#include "Engine.h"
+#include "EnvironmentFile.h"
 #include "Failure.h"
 #include "FallOffs.h"
 #include "MessageLog.h"
@@ -20,6 +22,8 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPLYWriter.h"
+#include "vtkPenumbraCubeMapGatherer.h"
+#include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -53,9 +57,12 @@ struct BakeOptions
   double Radius = 0.0; ///< 0: from the bounds
   std::string FallOff = "none";
   std::optional<Triple> EnvironmentColor; ///< unset: white
+  std::string EnvironmentFile;            ///< empty: one colour
+  std::optional<Triple> EnvironmentUp;
   double Albedo = 0.5;
   int Bounces = 3;
   std::string Normals = "file";
+  std::string Gatherer = "rays";
   double PointRadius = 0.0;
   int Threads = 0;
   std::string Statistics;
@@ -223,6 +230,15 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   }
   const Triple environment = options.EnvironmentColor.value_or(Triple{ 1.0, 1.0, 1.0 });
   filter->SetEnvironmentColor(environment[0], environment[1], environment[2]);
+  if (light && !options.EnvironmentFile.empty())
+  {
+    filter->SetEnvironment(ReadEnvironment(options.EnvironmentFile, options.EnvironmentUp));
+  }
+  if (options.Gatherer == "cube-map")
+  {
+    ChooseWindow("auto", "--gatherer cube-map", "--gatherer rays");
+    filter->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
+  }
   filter->SetAlbedo(options.Albedo);
   filter->SetBounces(options.Bounces);
   filter->SetRadius(std::min(options.Radius, std::numeric_limits<double>::max()));
@@ -303,12 +319,15 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     "How an occluder counts less with its distance: not, or 1 - t/R, 1 - (t/R)^2, 1 - sqrt(t/R)");
   AddTriple(app, "--environment-color", options.EnvironmentColor,
     "irradiance: radiance from where nothing is; default: 1,1,1", { 0.0, 1e6 });
+  AddEnvironmentOptions(app, options.EnvironmentFile, options.EnvironmentUp, "");
   AddNumber(app, "--albedo", options.Albedo, "A",
     "irradiance: share of light that the surface throws back", { 0.0, 1.0 });
   AddInteger(app, "--bounces", options.Bounces,
     "irradiance: reflections up to the eye's, which is the last; 1: straight light alone", 1, 64);
   AddChoice(app, "--normals", options.Normals, { "file", "computed" },
     "About which the hemispheres are; file: computed where the file has none");
+  AddChoice(app, "--gatherer", options.Gatherer, { "rays", "cube-map" },
+    "How records look around: by rays or by OpenGL");
   AddNumber(app, "--point-radius", options.PointRadius, "R",
     "Radius of the discs that stand for points where there are no polygons", { 0.0, 1e30, true })
     ->default_str("");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Engine.h"
 
+#include "EnvironmentFile.h"
 #include "Failure.h"
 #include "FallOffs.h"
 #include "MessageLog.h"
@@ -20,6 +21,7 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPenumbraCubeMapGatherer.h"
+#include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
@@ -136,6 +138,10 @@ Picture RenderWithRays(
   const Triple environment =
     light.EnvironmentColor.value_or(options.BackgroundColor.value_or(Triple{ 0.0, 0.0, 0.0 }));
   caster->SetEnvironmentColor(environment[0], environment[1], environment[2]);
+  if (light.Indirect && !light.EnvironmentFile.empty())
+  {
+    caster->SetEnvironment(ReadEnvironment(light.EnvironmentFile, light.EnvironmentUp));
+  }
   caster->SetAlbedo(light.Albedo);
   caster->SetBounces(light.Bounces);
   if (options.AmbientOcclusion || light.Indirect)

@@ -3,6 +3,7 @@
 #include "RenderOptions.h"
 
 #include "Colormaps.h"
+#include "EnvironmentFile.h"
 #include "Failure.h"
 #include "FallOffs.h"
 #include "Pictures.h"
@@ -259,6 +260,7 @@ void DeclareLight(CLI::App& app, LightOptions& light)
   AddTriple(app, "--environment-color", light.EnvironmentColor,
     "Radiance from where nothing is; default: the background's colour", { 0.0, 1e6 })
     ->group(group);
+  AddEnvironmentOptions(app, light.EnvironmentFile, light.EnvironmentUp, group);
   AddNumber(app, "--albedo", light.Albedo, "A",
     "Share of the indirect light that a white surface throws back", Unit)
     ->group(group);
@@ -413,6 +415,11 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
     throw Failure(
       BadInput, "--camera-focal-point: it is the same as --camera-position; move one of them");
   }
+  const Triple& upwards = options.Light.EnvironmentUp.value_or(Triple{ 0, 1, 0 });
+  if (std::hypot(upwards[0], upwards[1], upwards[2]) == 0.0)
+  {
+    throw Failure(BadInput, "--hdri-up: 0,0,0 is no direction; give another");
+  }
   for (const std::array<double, 4>& light : options.Lights)
   {
     const double length = std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]) });
@@ -459,6 +466,9 @@ std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOption
     { "--gatherer", ray && !options.AmbientOcclusion && !options.Light.Indirect,
       "without --ambient-occlusion or --indirect" },
     { "--environment-color", !options.Light.Indirect, "without --indirect" },
+    { "--environment-color", !options.Light.EnvironmentFile.empty(), "with --hdri-file" },
+    { "--hdri-file", !options.Light.Indirect, "without --indirect" },
+    { "--hdri-up", options.Light.EnvironmentFile.empty(), "without --hdri-file" },
     { "--albedo", !options.Light.Indirect, "without --indirect" },
     { "--bounces", !options.Light.Indirect, "without --indirect" },
     { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },

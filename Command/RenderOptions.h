@@ -58,6 +58,8 @@ struct LightOptions
 {
   bool Indirect = false;
   std::optional<Triple> EnvironmentColor; ///< unset: the background's
+  std::string EnvironmentFile;            ///< empty: one colour
+  std::optional<Triple> EnvironmentUp;
   double Albedo = 0.5;
   int Bounces = 3;
 };

@@ -28,6 +28,8 @@ public:
   /// Sees light of all reflections but the last. Before Build() that of the first.
   const LightGatherer& GetGatherer() const { return *this->Gatherers.back(); }
 
+  const Illumination& GetLight() const { return this->Light; }
+
   long long GetRays() const { return this->Rays; }
   std::size_t GetRecords() const;
   std::size_t GetBytes() const;

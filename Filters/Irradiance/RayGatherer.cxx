@@ -136,7 +136,7 @@ long long LightGatherer::See(glm::vec3 point, glm::vec3 normal, const std::vecto
       place.Position = at;
       place.Normal = about;
       const Interpolated found = this->Records->LookUp(place);
-      return found.Found() ? found.Mean
+      return found.Found() ? found.Mean + this->Light.GuessSuns(at, about, random, more)
                            : this->Light.FollowPath(at, about, this->Bounces, random, more);
     };
   }

@@ -62,7 +62,8 @@ private:
 };
 
 /// Light: what surfaces emit, reflect of the lights and, where `arriving` holds records, of what
-/// arrives at them; the environment elsewhere. Looks through lines and points.
+/// arrives at them; the environment elsewhere, its suns left out, which are asked for where light is
+/// asked for. Looks through lines and points.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 {
 public:

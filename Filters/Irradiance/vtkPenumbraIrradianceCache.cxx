@@ -332,10 +332,13 @@ vtkPenumbraIrradianceSource::Light vtkPenumbraIrradianceCache::Irradiance(
     found = self.Irradiance.Records->Gather(self.Irradiance.PlaceOf(point, normal),
       std::max(tolerance / vtkMath::Pi(), LeastTolerance), light.Rays);
   }
-  light.Error = vtkMath::Pi() * found.Error;
+  const Place place = self.Irradiance.PlaceOf(point, normal);
+  const auto suns = self.Light->GetLight().FromSuns(
+    place.Position, place.Normal, tolerance / vtkMath::Pi(), light.Rays);
+  light.Error = vtkMath::Pi() * std::hypot(found.Error, suns.Error);
   for (int c = 0; c < 3; ++c)
   {
-    light.Value[c] = vtkMath::Pi() * found.Mean[c];
+    light.Value[c] = vtkMath::Pi() * (found.Mean[c] + suns.Mean[c]);
   }
   return light;
 }

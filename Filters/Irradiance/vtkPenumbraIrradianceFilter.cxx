@@ -19,12 +19,15 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraEnvironment.h"
+#include "vtkPenumbraGatherer.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -85,6 +88,24 @@ vtkSmartPointer<vtkFloatArray> ArrayOf(const MeshSites& mesh, const BakedValues&
   return array;
 }
 
+/// What records leave out.
+void AddSuns(
+  const Illumination& light, const std::vector<Site>& sites, double tolerance, BakedValues& baked)
+{
+  std::atomic<long long> rays(0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(sites.size()), [&](vtkIdType begin, vtkIdType end) {
+    long long own = 0;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const auto suns = light.FromSuns(sites[i].Position, sites[i].Normal, tolerance, own);
+      baked.Values[i].Mean += suns.Mean;
+      baked.Values[i].Error = std::hypot(baked.Values[i].Error, suns.Error);
+    }
+    rays += own;
+  });
+  baked.BruteForceRays += rays;
+}
+
 }
 
 /// A mesh in the making.
@@ -110,6 +131,48 @@ vtkPenumbraIrradianceFilter::vtkPenumbraIrradianceFilter()
 }
 
 vtkPenumbraIrradianceFilter::~vtkPenumbraIrradianceFilter() = default;
+
+void vtkPenumbraIrradianceFilter::SetEnvironment(vtkPenumbraEnvironment* environment)
+{
+  if (this->Environment != environment)
+  {
+    this->Environment = environment;
+    this->Modified();
+  }
+}
+
+vtkPenumbraEnvironment* vtkPenumbraIrradianceFilter::GetEnvironment()
+{
+  return this->Environment;
+}
+
+void vtkPenumbraIrradianceFilter::SetGatherer(vtkPenumbraGatherer* gatherer)
+{
+  if (this->Gatherer != gatherer)
+  {
+    this->Gatherer = gatherer;
+    this->Modified();
+  }
+}
+
+vtkPenumbraGatherer* vtkPenumbraIrradianceFilter::GetGatherer()
+{
+  return this->Gatherer;
+}
+
+vtkMTimeType vtkPenumbraIrradianceFilter::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Environment)
+  {
+    time = std::max(time, this->Environment->GetMTime());
+  }
+  if (this->Gatherer)
+  {
+    time = std::max(time, this->Gatherer->GetMTime());
+  }
+  return time;
+}
 
 vtkFieldData* vtkPenumbraIrradianceFilter::GetStatistics()
 {
@@ -245,12 +308,14 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
   const Scene& scene = work.Mesh.Blocking;
   const double radius = this->Radius > 0.0 ? this->Radius : DefaultRadiusShare * work.Mesh.Diagonal;
   const vtkPenumbraIrradianceSource::Occluders occluders(radius, this->FallOff);
-  const OcclusionGatherer gatherer(
+  const OcclusionGatherer byRays(
     *work.Rays, penumbra::DistanceFallOff::InScene(radius, this->FallOff, scene.Scale));
+  const std::unique_ptr<penumbra::Gatherer> foreign =
+    this->Gatherer && this->Method == AUTOMATIC ? this->Gatherer->Make(byRays) : nullptr;
   work.Settings.Tolerance = BendShare * this->Tolerance;
   work.Settings.Side = Placement::SideFor(NoiseOfRecords * this->Tolerance);
   work.Tree.SetNormalAngle(Placement::NormalAngleFor(TurnShare * this->Tolerance));
-  Placement places(gatherer, work.Settings, work.Tree);
+  Placement places(foreign ? *foreign : byRays, work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceSource> source;
   source->SetMinimumRays(LeastRays);
   source->Begin(*work.Rays, occluders, NoiseOfAnswers * this->Tolerance);
@@ -291,6 +356,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   settings.Environment = glm::max(
     glm::vec3(this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2]),
     glm::vec3(0.f));
+  settings.Picture = this->Environment ? this->Environment->GetMap() : nullptr;
   settings.Albedo = static_cast<float>(this->Albedo);
   settings.Bounces = this->Bounces;
   const Illumination light(*work.Rays, settings);
@@ -318,7 +384,10 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
     return work.Progress(
       several ? ProgressOfReflections + (1.0 - ProgressOfReflections) * share : share);
   };
-  Placement places(work.Reflections->GetGatherer(), work.Settings, work.Tree);
+  const LightGatherer& byRays = work.Reflections->GetGatherer();
+  const std::unique_ptr<penumbra::Gatherer> foreign =
+    this->Gatherer && records ? this->Gatherer->Make(byRays) : nullptr;
+  Placement places(foreign ? *foreign : byRays, work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceSource> source;
   source->SetMinimumRays(LeastRays);
   source->BeginIrradiance(light, this->Tolerance);
@@ -340,6 +409,10 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const bool done = Bake(
     work.Mesh.Sites, work.Mesh.Spacing, records, places, work.Tree, answers, after, work.Baked);
   work.GatherRays = places.GetRays() + work.Reflections->GetRays();
+  if (done && records)
+  {
+    AddSuns(light, work.Mesh.Sites, tolerance, work.Baked);
+  }
   return done;
 }
 
@@ -375,6 +448,10 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   AddStatistic(s, this->Quantity == IRRADIANCE ? "Rays/Indirect" : "Rays/Occlusion",
     static_cast<double>(baked.BruteForceRays));
   AddStatistic(s, "Rays/Total", static_cast<double>(work.GatherRays + baked.BruteForceRays));
+  if (this->Gatherer && this->Method == AUTOMATIC)
+  {
+    this->Gatherer->Report(s);
+  }
 }
 
 void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -391,6 +468,8 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OnCells: " << this->OnCells << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
+  os << indent << "Environment: " << this->Environment.Get() << "\n";
+  os << indent << "Gatherer: " << this->Gatherer.Get() << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "EstimatedError: " << this->EstimatedError << "\n";

@@ -25,6 +25,8 @@
 #include "vtkSmartPointer.h"                    // for members
 
 class vtkFieldData;
+class vtkPenumbraEnvironment;
+class vtkPenumbraGatherer;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -73,6 +75,12 @@ public:
   ///@}
 
   ///@{
+  /** Irradiance: a picture of the environment, instead of EnvironmentColor. Default: none. */
+  virtual void SetEnvironment(vtkPenumbraEnvironment* environment);
+  vtkPenumbraEnvironment* GetEnvironment();
+  ///@}
+
+  ///@{
   /** Irradiance: share of light that the surface throws back, in [0, 1]. Default: 0.5. */
   vtkSetClampMacro(Albedo, double, 0.0, 1.0);
   vtkGetMacro(Albedo, double);
@@ -117,6 +125,12 @@ public:
   ///@}
 
   ///@{
+  /** Looks around from records, and for irradiance from points that none serves; else rays do. Default: none, rays. */
+  virtual void SetGatherer(vtkPenumbraGatherer* gatherer);
+  vtkPenumbraGatherer* GetGatherer();
+  ///@}
+
+  ///@{
   /** Threads, 0: all. The values do not depend on it. Default: 0. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -128,6 +142,9 @@ public:
    * `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`, `Rays/Total`. Also in the output's field data.
    */
   vtkFieldData* GetStatistics();
+
+  /** Also those of environment and gatherer. */
+  vtkMTimeType GetMTime() override;
 
   /** RMS over all points of the error that the algorithm believes it made. NaN before it ran. */
   vtkGetMacro(EstimatedError, double);
@@ -163,6 +180,8 @@ private:
   double PointRadius = 0.0;
   int Method = AUTOMATIC;
   int NumberOfThreads = 0;
+  vtkSmartPointer<vtkPenumbraEnvironment> Environment;
+  vtkSmartPointer<vtkPenumbraGatherer> Gatherer;
   vtkSmartPointer<vtkFieldData> Statistics;
   double EstimatedError;
 };

@@ -3,6 +3,7 @@
 #include "Illumination.h"
 
 #include "CosineDirections.h"
+#include "ScrambledSequence.h"
 
 namespace penumbra
 {
@@ -12,6 +13,12 @@ namespace
 /// Translucent layers along one ray, and what of the light behind still matters.
 constexpr int MaximumLayers = 64;
 constexpr float LeastShare = 1.f / 1024.f;
+
+/// Rays to the suns of the environment's picture: of the first round, and in all.
+constexpr std::uint32_t FirstSuns = 16;
+constexpr std::uint32_t MostSuns = 4096;
+
+constexpr float Pi = 3.14159265f;
 
 /// More triangles that shine are surfaces, not lamps.
 constexpr std::size_t MostEmitters = 8;
@@ -69,7 +76,8 @@ glm::vec3 Illumination::Along(Ray ray, Hit hit, const Arriving& arriving, long l
   {
     if (!hit.IsHit())
     {
-      return sum + left * this->Settings.Environment;
+      const EnvironmentMap* picture = this->Settings.Picture.get();
+      return sum + left * (picture ? picture->Glow(ray.Direction) : this->Settings.Environment);
     }
     if (!this->Rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
     {
@@ -96,6 +104,64 @@ glm::vec3 Illumination::Along(Ray ray, Hit hit, const Arriving& arriving, long l
   return sum;
 }
 
+glm::vec3 Illumination::FromSun(
+  glm::vec3 point, glm::vec3 normal, glm::vec2 at, long long& rays) const
+{
+  const EnvironmentMap::Sun sun = this->Settings.Picture->FindSun(at);
+  const float cosine = glm::dot(normal, sun.Direction);
+  return cosine > 0.f ? this->Shades.LightAlong(RayFrom(point, normal, sun.Direction), rays) *
+      cosine / Pi * sun.Strength
+                      : glm::vec3(0.f);
+}
+
+Illumination::Sunlight Illumination::FromSuns(
+  glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const
+{
+  Sunlight result;
+  if (!this->HasSuns())
+  {
+    return result;
+  }
+  const ScrambledSequence places(Mix(SeedOf(point, normal)));
+  glm::dvec3 sum(0.0);
+  std::vector<float> greys;
+  for (std::uint32_t count = FirstSuns;; count *= 2)
+  {
+    while (greys.size() < count)
+    {
+      const glm::vec3 light =
+        this->FromSun(point, normal, places.At(static_cast<std::uint32_t>(greys.size())), rays);
+      sum += light;
+      greys.push_back((light.x + light.y + light.z) / 3.f);
+    }
+    const std::uint32_t partner = ScrambledSequence::FindPartner(count);
+    double differences = 0.0;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      differences += .5 * std::pow(greys[i] - greys[i ^ partner], 2.0);
+    }
+    result.Error = static_cast<float>(std::sqrt(differences) / count);
+    if (result.Error <= tolerance || count >= MostSuns)
+    {
+      break;
+    }
+  }
+  result.Mean = sum / static_cast<double>(greys.size());
+  return result;
+}
+
+glm::vec3 Illumination::GuessSuns(
+  glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const
+{
+  if (!this->HasSuns())
+  {
+    return glm::vec3(0.f);
+  }
+  const float u = Uniform(random);
+  const float v = Uniform(random);
+  return this->FromSun(point, normal, { u, v }, rays);
+}
+
 glm::vec3 Illumination::FollowPath(
   glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const
 {
@@ -110,7 +176,8 @@ glm::vec3 Illumination::FollowPath(
       return this->FollowPath(next, nextNormal, bounces - 1, random, rays);
     };
   }
-  return this->Along(ray, this->Rays.Intersect(ray), arriving, rays);
+  const glm::vec3 suns = this->GuessSuns(point, normal, random, rays);
+  return suns + this->Along(ray, this->Rays.Intersect(ray), arriving, rays);
 }
 
 }

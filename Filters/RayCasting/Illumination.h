@@ -6,11 +6,13 @@
 #ifndef penumbra_Illumination_h
 #define penumbra_Illumination_h
 
+#include "EnvironmentMap.h"
 #include "Shading.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace penumbra
@@ -18,15 +20,17 @@ namespace penumbra
 
 struct IlluminationSettings
 {
-  glm::vec3 Environment{ 0.f }; ///< radiance from where nothing is
-  float Albedo = .5f;           ///< share that a white surface throws back, 0 to 1
-  int Bounces = 1;              ///< reflections on the way to the eye, the last one included
-  bool Shadows = false;         ///< lights cast shadows
+  glm::vec3 Environment{ 0.f };                  ///< radiance from where nothing is
+  std::shared_ptr<const EnvironmentMap> Picture; ///< instead of it; none: one colour
+  float Albedo = .5f;                            ///< share that a white surface throws back, 0 to 1
+  int Bounces = 1;      ///< reflections on the way to the eye, the last one included
+  bool Shadows = false; ///< lights cast shadows
 
   bool operator==(const IlluminationSettings& other) const
   {
-    return this->Environment == other.Environment && this->Albedo == other.Albedo &&
-      this->Bounces == other.Bounces && this->Shadows == other.Shadows;
+    return this->Environment == other.Environment && this->Picture == other.Picture &&
+      this->Albedo == other.Albedo && this->Bounces == other.Bounces &&
+      this->Shadows == other.Shadows;
   }
 };
 
@@ -51,7 +55,21 @@ public:
   /// surfaces. Adds the rays that it traced to `rays`.
   glm::vec3 Along(Ray ray, Hit hit, const Arriving& arriving, long long& rays) const;
 
-  /// One path's guess of the mean that arrives after at most `bounces` - 1 reflections.
+  /// What the suns of the environment's picture send to a point: their part of the mean over the
+  /// hemisphere, which Along() leaves out, and its standard error.
+  struct Sunlight
+  {
+    glm::vec3 Mean{ 0.f };
+    float Error = 0.f;
+  };
+  /// To about the error `tolerance`.
+  Sunlight FromSuns(glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const;
+
+  /// One guess of it.
+  glm::vec3 GuessSuns(
+    glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const;
+
+  /// One path's guess of the mean that arrives after at most `bounces` - 1 reflections, suns included.
   glm::vec3 FollowPath(
     glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const;
 
@@ -65,6 +83,9 @@ public:
   const IlluminationSettings& GetSettings() const { return this->Settings; }
 
 private:
+  bool HasSuns() const { return this->Settings.Picture && this->Settings.Picture->HasSuns(); }
+  glm::vec3 FromSun(glm::vec3 point, glm::vec3 normal, glm::vec2 at, long long& rays) const;
+
   const RayScene& Rays;
   Shading Shades;
   IlluminationSettings Settings;

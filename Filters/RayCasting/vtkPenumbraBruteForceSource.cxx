@@ -263,9 +263,11 @@ vtkPenumbraIrradianceSource::Light vtkPenumbraBruteForceSource::Irradiance(
       break;
     }
   }
+  const auto suns = lighting.FromSuns(position, up, tolerance / Pi, result.Rays);
+  result.Error = std::hypot(result.Error, Pi * suns.Error);
   for (int c = 0; c < 3; ++c)
   {
-    result.Value[c] = Pi * sum[c] / static_cast<double>(greys.size());
+    result.Value[c] = Pi * (sum[c] / static_cast<double>(greys.size()) + suns.Mean[c]);
   }
   return result;
 }

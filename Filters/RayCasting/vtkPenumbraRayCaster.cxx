@@ -19,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -73,6 +74,7 @@ struct vtkPenumbraRayCaster::Internals
   vtkSmartPointer<vtkPenumbraIrradianceSource> IrradianceSource =
     vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
   vtkSmartPointer<vtkPenumbraMedium> Medium;
+  vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   vtkNew<vtkFieldData> Statistics;
   double EstimatedError = std::nan("");
   std::unique_ptr<PreparedScene> Prepared; ///< kept while parts of its picture are asked for
@@ -142,6 +144,20 @@ vtkPenumbraMedium* vtkPenumbraRayCaster::GetMedium()
   return this->Implementation->Medium;
 }
 
+void vtkPenumbraRayCaster::SetEnvironment(vtkPenumbraEnvironment* environment)
+{
+  if (this->Implementation->Environment != environment)
+  {
+    this->Implementation->Environment = environment;
+    this->Modified();
+  }
+}
+
+vtkPenumbraEnvironment* vtkPenumbraRayCaster::GetEnvironment()
+{
+  return this->Implementation->Environment;
+}
+
 void vtkPenumbraRayCaster::SetMaximumLevelFromViewing(double distance, double pixelPitch)
 {
   // The eye resolves 2^-13 rad; a pixel seen under `angle` needs sides 2^L times smaller [AA].
@@ -170,6 +186,10 @@ vtkMTimeType vtkPenumbraRayCaster::GetMTime()
   if (this->Implementation->Medium)
   {
     time = std::max(time, this->Implementation->Medium->GetMTime());
+  }
+  if (this->Implementation->Environment)
+  {
+    time = std::max(time, this->Implementation->Environment->GetMTime());
   }
   return time;
 }
@@ -361,6 +381,7 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
     const double* color = self->EnvironmentColor;
     penumbra::IlluminationSettings settings;
     settings.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
+    settings.Picture = this->Environment ? this->Environment->GetMap() : nullptr;
     settings.Albedo = static_cast<float>(self->Albedo);
     settings.Bounces = self->Bounces;
     settings.Shadows = self->Shadows;
@@ -472,6 +493,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "SmallObjects: " << this->SmallObjects << "\n";
   os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "Environment: " << this->Implementation->Environment.Get() << "\n";
   os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
   os << indent << "LightShaftSteps: " << this->LightShaftSteps << "\n";
   os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";

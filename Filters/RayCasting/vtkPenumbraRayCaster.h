@@ -24,6 +24,7 @@
 #include <memory> // for std::unique_ptr
 
 class vtkFieldData;
+class vtkPenumbraEnvironment;
 class vtkPenumbraIrradianceSource;
 class vtkPenumbraMedium;
 class vtkRenderer;
@@ -162,6 +163,12 @@ public:
   /** Radiance that comes from where nothing is, 0 up. Default: 0, 0, 0. */
   vtkSetVector3Macro(EnvironmentColor, double);
   vtkGetVector3Macro(EnvironmentColor, double);
+  ///@}
+
+  ///@{
+  /** A picture of the environment, instead of EnvironmentColor. Default: none. */
+  virtual void SetEnvironment(vtkPenumbraEnvironment* environment);
+  vtkPenumbraEnvironment* GetEnvironment();
   ///@}
 
   ///@{

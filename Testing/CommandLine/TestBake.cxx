@@ -21,6 +21,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 using namespace penumbra_testing;
 
 namespace
@@ -35,6 +37,19 @@ void WriteSphere(const std::string& path)
   writer->SetInputConnection(sphere->GetOutputPort());
   writer->SetFileName(path.c_str());
   writer->Write();
+}
+
+/// A picture in Radiance's format, 4 x 4, of radiance 1 in its upper half and of 0 below.
+void WriteSky(const std::string& path)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 4\n";
+  const char one[4] = { char(128), char(128), char(128), char(129) }; // 128 * 2^(129 - 136)
+  const char none[4] = { 0, 0, 0, 0 };
+  for (int texel = 0; texel < 16; ++texel)
+  {
+    file.write(texel < 8 ? one : none, 4);
+  }
 }
 
 /// The values that `Reader` finds in a file.
@@ -202,4 +217,60 @@ TEST(Bake, LetsOcclusionFallOffByItsName)
     EXPECT_GT(mean, .005) << fallOff;
     last = mean;
   }
+}
+
+TEST(Bake, WritesTheLightOfAPictureOfTheSky)
+{
+  const Folder folder("bake-sky");
+  WriteSphere(folder / "sphere.vtp");
+  WriteSky(folder / "sky.hdr");
+  const Outcome outcome =
+    RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / "baked.vtp", "--quantity",
+      "irradiance", "--hdri-file", folder / "sky.hdr", "--hdri-up", "+Z", "--bounces", "1" });
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_EQ(outcome.Errors, "");
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((folder / "baked.vtp").c_str());
+  reader->Update();
+  vtkPointData* arrays = reader->GetOutput()->GetPointData();
+  for (vtkIdType i = 0; i < reader->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    // Half of the sky: pi (1 + n_z) / 2.
+    const double up = arrays->GetNormals()->GetComponent(i, 2);
+    EXPECT_NEAR(arrays->GetArray("Irradiance")->GetComponent(i, 1), 1.5707963 * (1.0 + up), .03);
+  }
+}
+
+TEST(Bake, RefusesWhatIsNoPictureOfTheSky)
+{
+  const Folder folder("bake-no-sky");
+  WriteSphere(folder / "sphere.vtp");
+  WriteSky(folder / "whole.hdr");
+  std::ifstream whole(folder / "whole.hdr", std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(whole), {} };
+  std::ofstream(folder / "cut.hdr", std::ios::binary) << bytes.substr(0, bytes.size() - 20);
+  std::ofstream(folder / "text.hdr") << "no picture";
+  for (const char* name : { "none.hdr", "cut.hdr", "text.hdr", "sphere.vtp" })
+  {
+    const Outcome outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
+      folder / "baked.vtp", "--quantity", "irradiance", "--hdri-file", folder / name });
+    EXPECT_EQ(outcome.Status, 2) << name << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find(name), std::string::npos) << outcome.Errors;
+    EXPECT_FALSE(std::ifstream(folder / "baked.vtp")) << name;
+  }
+}
+
+TEST(Bake, LooksAroundByCubeMaps)
+{
+  const Folder folder("bake-cube-map");
+  WriteSphere(folder / "sphere.vtp");
+  const Outcome outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
+    folder / "baked.vtp", "--gatherer", "cube-map", "--statistics", folder / "s.json" });
+  if (outcome.Status == 3)
+  {
+    GTEST_SKIP() << outcome.Errors;
+  }
+  ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+  EXPECT_GT(ReadJson(folder / "s.json")["statistics"]["CubeMaps/Total"], 0);
+  EXPECT_EQ(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp")->GetComponent(7, 0), 0.0);
 }

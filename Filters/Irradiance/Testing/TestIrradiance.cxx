@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Light from cache and brute force against closed forms and against independent paths.
+#include "EnvironmentMap.h"
 #include "Illumination.h"
 #include "PathTracer.h"
 #include "PictureSites.h"
@@ -250,4 +251,48 @@ TEST(Irradiance, ComesOutAndGoesInAsRecords)
   vtkNew<vtkPolyData> again;
   second->GetIrradianceRecords(again);
   EXPECT_EQ(again->GetNumberOfPoints(), records->GetNumberOfPoints());
+}
+
+TEST(Irradiance, OfASunInThePictureOfTheSkyHasSharpShadowsInTheCache)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  AddDisc(scene, .8f, 1.f);
+  LookAt(scene, { 0.0, -4.0, .9 }, { 0.0, 0.0, 0.0 }, 45.0, 2 * Size, 2 * Size);
+  for (Surface& surface : scene.Surfaces)
+  {
+    surface.Front.DiffuseColor = glm::vec3(0.f);
+  }
+  const RayScene rays(scene, 0);
+  // A cap of half an angle of a degree about the zenith, as bright as it is small; .3 elsewhere.
+  constexpr int Rows = 360;
+  std::vector<glm::vec3> sky(2 * static_cast<std::size_t>(Rows), glm::vec3(.3f));
+  sky[2 * Rows - 2] = sky[2 * Rows - 1] = glm::vec3(3e4f);
+  IlluminationSettings settings;
+  settings.Picture = std::make_shared<EnvironmentMap>(
+    2, Rows, std::move(sky), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0));
+  settings.Bounces = 1;
+  const double sun = 3e4 * Pi * std::pow(std::sin(Pi / Rows), 2.0); // radiance times cosines
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  ASSERT_TRUE(cache->BeginIrradiance(Illumination(rays, settings), .01 * Pi));
+  double square = 0.0;
+  double count = 0.0;
+  for (const Site& site : SitesOf(rays, 9))
+  {
+    const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
+    const double d = std::hypot(world.x, world.y);
+    if (world.z > 1e-3 || std::abs(d - .8) < .03) // the disc; the rim of its shadow
+    {
+      continue;
+    }
+    const double u = 1.0 + d * d - .64;
+    const double v = 1.0 + d * d + .64;
+    const double blocked = .5 * (1.0 - u / std::sqrt(v * v - 4.0 * d * d * .64));
+    const double truth = .3 * Pi * (1.0 - blocked) + (d > .8 ? sun : 0.0);
+    const glm::dvec3 found = Ask(cache, scene, site, .01);
+    EXPECT_NEAR(found.x, truth, .05);
+    square += std::pow(found.x - truth, 2.0);
+    count += 1.0;
+  }
+  EXPECT_LE(std::sqrt(square / count), .02);
 }

@@ -18,6 +18,7 @@
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPenumbraEnvironment.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -482,4 +483,50 @@ TEST(vtkPenumbraIrradianceFilter, LetsOccludersFallOff)
     }
     EXPECT_LE(std::sqrt(square / static_cast<double>(values->GetNumberOfTuples())), .01) << fallOff;
   }
+}
+
+TEST(vtkPenumbraIrradianceFilter, TakesThePictureOfASkyAndItsSun)
+{
+  vtkNew<vtkImageData> sky; // 1 above, 0 below, and a sun around the zenith
+  constexpr int Rows = 180;
+  sky->SetDimensions(1, Rows, 1);
+  sky->AllocateScalars(VTK_FLOAT, 1);
+  for (int row = 0; row < Rows; ++row)
+  {
+    sky->SetScalarComponentFromDouble(0, row, 0, 0, row == Rows - 1 ? 1e4 : row < Rows / 2 ? 0 : 1);
+  }
+  vtkNew<vtkPenumbraEnvironment> environment;
+  environment->SetImage(sky);
+  environment->SetUp(0.0, 0.0, 1.0);
+  const double sun = (1e4 - 1.0) * vtkMath::Pi() * std::pow(std::sin(vtkMath::Pi() / Rows), 2.0);
+  for (const int method :
+    { vtkPenumbraIrradianceFilter::AUTOMATIC, vtkPenumbraIrradianceFilter::BRUTE_FORCE })
+  {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(Floor(20)->GetOutput());
+    filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
+    filter->SetMethod(method);
+    filter->SetEnvironment(environment);
+    filter->Update();
+    vtkDataArray* values = OutputOf(filter)->GetPointData()->GetArray("Irradiance");
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      EXPECT_NEAR(values->GetComponent(i, 0), vtkMath::Pi() + sun, .02);
+    }
+    const auto before = filter->GetMTime();
+    environment->Modified();
+    EXPECT_GT(filter->GetMTime(), before);
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, AddsNothingUnderAnEnvironmentWithoutAPicture)
+{
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(Floor(4)->GetOutput());
+  filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
+  filter->SetEnvironment(vtkNew<vtkPenumbraEnvironment>());
+  vtkObject::GlobalWarningDisplayOff();
+  filter->Update();
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_FALSE(OutputOf(filter)->GetPointData()->HasArray("Irradiance"));
 }

@@ -14,10 +14,14 @@
 #include "Solids.h"
 #include "TriangleBundles.h"
 #include "vtkPenumbraIrradianceCache.h"
+#include "vtkPenumbraIrradianceFilter.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -360,4 +364,37 @@ TEST(CubeMapGatherer, FallsOffWithTheDistanceOfAWall)
         << fallOff << " " << distance;
     }
   }
+}
+
+TEST(CubeMapGatherer, ServesBaking)
+{
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetOrigin(-6.0, -6.0, 0.0);
+  floor->SetPoint1(6.0, -6.0, 0.0);
+  floor->SetPoint2(-6.0, 6.0, 0.0);
+  floor->SetResolution(40, 40);
+  vtkNew<vtkPlaneSource> ceiling;
+  ceiling->SetOrigin(-40.0, -40.0, .6);
+  ceiling->SetPoint1(40.0, -40.0, .6);
+  ceiling->SetPoint2(-40.0, 40.0, .6);
+  ceiling->Update();
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputConnection(floor->GetOutputPort());
+  filter->SetInputData(1, ceiling->GetOutput());
+  filter->SetRadius(2.0);
+  filter->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
+  filter->Update();
+  vtkDataArray* values =
+    vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("AmbientOcclusion");
+  ASSERT_TRUE(values);
+  const double truth = FadingOcclusion{ 2.0, 0.0 }.UnderCeiling(.6);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_NEAR(values->GetComponent(i, 0), truth, .03);
+  }
+  const auto value = [&](const char* name) {
+    return filter->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+  };
+  EXPECT_GT(value("CubeMaps/Total"), 0.0);
+  EXPECT_EQ(value("CubeMaps/Total"), value("Cache/Records"));
 }
