@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPenumbraEnvironment.h"
+#include "vtkVersion.h"
 
 #include <filesystem>
 #include <stdexcept>
@@ -33,8 +34,9 @@ vtkSmartPointer<vtkImageData> ReadHdr(const std::string& path)
   if (!readable || !errors.empty())
   {
     throw Failure(BadInput,
-      "--hdri-file: " + path + ": cannot be read as a picture" +
-        (errors.empty() ? std::string() : ": " + errors.front()));
+      "--hdri-file: " + path + ": VTK " + vtkVersion::GetVTKVersion() +
+        " cannot read it; convert it to a .tif or .vti of floats" +
+        (errors.empty() ? std::string() : " (" + errors.front() + ")"));
   }
   return reader->GetOutput();
 }

@@ -9,6 +9,9 @@
 
 #include "vtkSmartPointer.h"
 
+#include <optional>
+#include <string>
+
 class vtkPenumbraEnvironment;
 
 namespace penumbra

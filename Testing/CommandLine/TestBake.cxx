@@ -39,16 +39,16 @@ void WriteSphere(const std::string& path)
   writer->Write();
 }
 
-/// A picture in Radiance's format, 4 x 4, of radiance 1 in its upper half and of 0 below.
+/// A picture in Radiance's format, 16 x 8, not run-length encoded, of radiance 1 in its upper half and of 0 below.
 void WriteSky(const std::string& path)
 {
   std::ofstream file(path, std::ios::binary);
-  file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 4\n";
+  file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
   const char one[4] = { char(128), char(128), char(128), char(129) }; // 128 * 2^(129 - 136)
   const char none[4] = { 0, 0, 0, 0 };
-  for (int texel = 0; texel < 16; ++texel)
+  for (int texel = 0; texel < 128; ++texel)
   {
-    file.write(texel < 8 ? one : none, 4);
+    file.write(texel < 64 ? one : none, 4);
   }
 }
 
