@@ -93,14 +93,11 @@ void AddSuns(
   const Illumination& light, const std::vector<Site>& sites, double tolerance, BakedValues& baked)
 {
   std::atomic<long long> rays(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(sites.size()), [&](vtkIdType begin, vtkIdType end) {
+  ParallelFor<std::size_t>(0, sites.size(), 0, [&](std::size_t i) {
     long long own = 0;
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      const auto suns = light.FromSuns(sites[i].Position, sites[i].Normal, tolerance, own);
-      baked.Values[i].Mean += suns.Mean;
-      baked.Values[i].Error = std::hypot(baked.Values[i].Error, suns.Error);
-    }
+    const auto suns = light.FromSuns(sites[i].Position, sites[i].Normal, tolerance, own);
+    baked.Values[i].Mean += suns.Mean;
+    baked.Values[i].Error = std::hypot(baked.Values[i].Error, suns.Error);
     rays += own;
   });
   baked.BruteForceRays += rays;
@@ -315,7 +312,8 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
   work.Settings.Tolerance = BendShare * this->Tolerance;
   work.Settings.Side = Placement::SideFor(NoiseOfRecords * this->Tolerance);
   work.Tree.SetNormalAngle(Placement::NormalAngleFor(TurnShare * this->Tolerance));
-  Placement places(foreign ? *foreign : byRays, work.Settings, work.Tree);
+  Placement places(
+    foreign ? *foreign : static_cast<const penumbra::Gatherer&>(byRays), work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceSource> source;
   source->SetMinimumRays(LeastRays);
   source->Begin(*work.Rays, occluders, NoiseOfAnswers * this->Tolerance);
@@ -387,7 +385,8 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const LightGatherer& byRays = work.Reflections->GetGatherer();
   const std::unique_ptr<penumbra::Gatherer> foreign =
     this->Gatherer && records ? this->Gatherer->Make(byRays) : nullptr;
-  Placement places(foreign ? *foreign : byRays, work.Settings, work.Tree);
+  Placement places(
+    foreign ? *foreign : static_cast<const penumbra::Gatherer&>(byRays), work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceSource> source;
   source->SetMinimumRays(LeastRays);
   source->BeginIrradiance(light, this->Tolerance);
