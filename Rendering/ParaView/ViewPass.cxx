@@ -43,7 +43,7 @@ void ViewPass::Render(const vtkRenderState* state)
     return;
   }
   vtkRenderPass* whole = this->Camera;
-  if (DrawsAll(this->DelegatePass))
+  if (this->ShowsMoreThanOpaque && DrawsAll(this->DelegatePass))
   {
     this->Stages->SetOpaquePass(this->WithEffects(this->Opaque, true));
     this->Camera->SetDelegatePass(this->Stages);

@@ -32,6 +32,9 @@ public:
   bool UseOcclusion = false;
   bool UseShafts = false;
   bool UseRays = false;
+  /// Translucent props or volumes are shown, which come on top of the effects. Otherwise the picture is
+  /// made as where several ranks have put it together, so that it is the same.
+  bool ShowsMoreThanOpaque = false;
 
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -4,6 +4,8 @@
 
 #include "ViewPass.h"
 
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCollectionRange.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -39,6 +41,18 @@ bool ShowsVolumes(vtkRenderer* renderer)
   {
     const double* bounds = volume->GetVisibility() ? volume->GetBounds() : nullptr;
     if (bounds && vtkMath::AreBoundsInitialized(bounds))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool ShowsTranslucentActors(vtkRenderer* renderer)
+{
+  for (vtkActor* actor : vtk::Range(renderer->GetActors()))
+  {
+    if (actor->GetVisibility() && actor->HasTranslucentPolygonalGeometry())
     {
       return true;
     }
@@ -105,7 +119,13 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   pass->UseOcclusion = this->AmbientOcclusion && diagonal > 0.0;
   pass->UseShafts = this->LightShafts && diagonal > 0.0;
   pass->UseRays = this->StillByRays && !interactive && !this->SynchronizedRenderers->GetEnabled();
-  if (pass->UseRays && ShowsVolumes(this->GetRenderer()))
+  if (!pass->UseOcclusion && !pass->UseShafts && !pass->UseRays)
+  {
+    return;
+  }
+  const bool volumes = ShowsVolumes(this->GetRenderer());
+  pass->ShowsMoreThanOpaque = volumes || ShowsTranslucentActors(this->GetRenderer());
+  if (pass->UseRays && volumes)
   {
     this->WarnOnce("Volumes are shown: rays do not draw them, the picture is drawn as usual.");
     pass->UseRays = false;
