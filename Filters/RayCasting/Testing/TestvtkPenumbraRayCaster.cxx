@@ -213,11 +213,11 @@ public:
   static ListeningSource* New();
   vtkTypeMacro(ListeningSource, vtkPenumbraBruteForceSource);
 
-  bool Begin(const penumbra::RayScene& scene, double radius, double tolerance,
+  bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress) override
   {
     this->Scenes.insert(scene.GetId());
-    return this->Superclass::Begin(scene, radius, tolerance, progress);
+    return this->Superclass::Begin(scene, occluders, tolerance, progress);
   }
 
   std::set<std::uint64_t> Scenes;
