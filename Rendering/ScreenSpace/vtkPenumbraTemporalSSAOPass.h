@@ -156,7 +156,7 @@ public:
   ///@}
 
   ///@{
-  /** Relative difference of depth from which history is another surface's, 0.0001 to 1; at most .08 radii. Default: 0.02. */
+  /** Relative difference of depth from which history is another surface's, 0.0001 to 1; at most .08 radii, but for 1: never. Default: 0.02. */
   vtkSetClampMacro(DepthTolerance, double, 1e-4, 1.0);
   vtkGetMacro(DepthTolerance, double);
   ///@}

@@ -66,7 +66,9 @@ vec2 keptHistory(vec3 position, vec3 normal)
     float perDepth = perspective * tapAside - normal.z;
     float rest = offset - (1.0 - perspective) * tapAside;
     float found = previousDepthAt(corner + tap);
-    bool same = abs(found * perDepth - rest) < min(depthTolerance * abs(rest), farthestOff);
+    float allowed =
+      depthTolerance < 1.0 ? min(depthTolerance * abs(rest), farthestOff) : abs(rest);
+    bool same = abs(found * perDepth - rest) < allowed;
     float weight = same ? near.x * near.y : 0.0;
     sum += weight * texture(history, (corner + tap) * pixelSize).rg;
     weights += weight;
