@@ -163,8 +163,7 @@ class Ranks(unittest.TestCase):
                 print(f"{effect}: {(off > 0).mean():.2%} of pixels differ, "
                       f"{(off > 8).mean():.2%} by more than 8/255, at most {off.max()}", flush=True)
                 # Data that comes together has its triangles in another order: that shows on borders.
-                self.assertLessEqual((off > 8).mean(), 0.001 if effect == "gathered" else 0.0001)
-                self.assertLessEqual((off > 1).mean(), 0.001)
+                self.assertLessEqual((off > 8).mean(), 0.001 if effect == "gathered" else 0)
 
     def test_let_pieces_block_one_another(self):
         one = results(1, "compute", computed)
