@@ -96,10 +96,6 @@ Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraIrradianceSplatPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (!renderer)
-  {
-    return;
-  }
   if (Pass* pass = FindPassOf<Pass>(FindPassPlaces(renderer)))
   {
     RemovePass(renderer, pass);

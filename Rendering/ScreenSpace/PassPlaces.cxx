@@ -62,6 +62,10 @@ std::optional<PassPlace> NextPlace(const PassPlace& place)
 std::vector<PassPlace> FindPassPlaces(vtkRenderer* renderer)
 {
   std::vector<PassPlace> places;
+  if (!renderer)
+  {
+    return places;
+  }
   std::optional<PassPlace> next = PassPlace{ renderer->GetPass(),
     [renderer](vtkRenderPass* pass) { renderer->SetPass(pass); }, false };
   while (next)

@@ -27,7 +27,7 @@ struct PassPlace
 };
 
 /// From the renderer's own pass inwards, through image processing, supersampling and the stages of a
-/// renderer, to what draws; that last one has no pass where the renderer has none.
+/// renderer, to what draws; that last one has no pass where the renderer has none. No renderer: no place.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassPlace> FindPassPlaces(vtkRenderer* renderer);
 
 /// The first place whose pass `isWanted`; null if there is none.

@@ -130,10 +130,6 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (!renderer)
-  {
-    return;
-  }
   if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     penumbra::RemovePass(renderer, pass);

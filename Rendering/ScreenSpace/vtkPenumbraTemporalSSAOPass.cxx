@@ -101,10 +101,6 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (!renderer)
-  {
-    return;
-  }
   if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
   {
     penumbra::RemovePass(renderer, pass);

@@ -20,6 +20,14 @@ double Statistic(vtkPenumbraTemporalSSAOPass* pass, const char* name)
   return pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
 }
 
+TEST(TemporalSSAOPass, IsAddedToNoRendererAndRemovedFromNone)
+{
+  vtkObject::GlobalWarningDisplayOff();
+  EXPECT_EQ(vtkPenumbraTemporalSSAOPass::AddTo(nullptr), nullptr);
+  vtkPenumbraTemporalSSAOPass::RemoveFrom(nullptr);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
 TEST(TemporalSSAOPass, SeesNoOcclusionOnAnOpenPlane)
 {
   OcclusionScene scene;
