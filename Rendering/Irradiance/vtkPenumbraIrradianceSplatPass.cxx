@@ -56,7 +56,6 @@ struct vtkPenumbraIrradianceSplatPass::Internals
   bool OfLight = false;
   double NormalAngle = UsualNormalAngle;
 
-  vtkOpenGLRenderWindow* Window = nullptr;
   DelegateImage Image;
   EyeDepth Depth;
   RecordSplats Splats;
@@ -152,31 +151,16 @@ bool vtkPenumbraIrradianceSplatPass::ReadRecords()
   return own.Splats.GetNumberOfRecords() > 0;
 }
 
-void vtkPenumbraIrradianceSplatPass::Render(const vtkRenderState* state)
+bool vtkPenumbraIrradianceSplatPass::RenderEffect(const vtkRenderState* state)
 {
-  this->NumberOfRenderedProps = 0;
-  if (!this->DelegatePass)
-  {
-    vtkWarningMacro("There is no delegate to draw the scene.");
-    return;
-  }
-  this->Implementation->Drawn =
-    !state->GetRenderer()->GetSelector() && this->ReadRecords() && this->RenderSplats(state);
-  if (!this->Implementation->Drawn)
-  {
-    this->DelegatePass->Render(state);
-    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
-  }
+  this->Implementation->Drawn = this->ReadRecords() && this->RenderSplats(state);
+  return this->Implementation->Drawn;
 }
 
 bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
 {
   Internals& own = *this->Implementation;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
-  if (window)
-  {
-    MoveToWindow(this, own.Window, window);
-  }
+  vtkOpenGLRenderWindow* window = this->EnterWindow(state->GetRenderer());
   const int margin[2] = { 0, 0 };
   const int props = window ? own.Image.Draw(state, this->DelegatePass, margin, own.OfLight) : -1;
   if (props < 0 ||
@@ -223,7 +207,7 @@ void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)
   {
     return;
   }
-  own.Window->MakeCurrent();
+  this->GetWindow()->MakeCurrent();
   const std::vector<float> means = ReadBack(own.Means);
   const std::size_t pixels = means.size() / 4;
   const ScreenView& view = own.Image.GetView();
@@ -252,7 +236,7 @@ vtkFieldData* vtkPenumbraIrradianceSplatPass::GetStatistics()
   own.Statistics->Initialize();
   if (own.Drawn)
   {
-    own.Window->MakeCurrent();
+    this->GetWindow()->MakeCurrent();
     const std::vector<float> means = ReadBack(own.Means);
     const std::vector<float> depths = ReadBack(own.Depth.GetCurrent());
     double surface = 0.0;
@@ -287,7 +271,6 @@ void vtkPenumbraIrradianceSplatPass::ReleaseGraphicsResources(vtkWindow* window)
     }
   }
   own.Drawn = false;
-  own.Window = nullptr;
 }
 
 void vtkPenumbraIrradianceSplatPass::PrintSelf(ostream& os, vtkIndent indent)
@@ -296,5 +279,4 @@ void vtkPenumbraIrradianceSplatPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Records: " << this->GetRecords() << "\n";
   os << indent << "NormalAngle: " << this->NormalAngle << "\n";
   os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "OpaqueOnly: " << this->OpaqueOnly << "\n";
 }

@@ -13,8 +13,8 @@
 #ifndef vtkPenumbraIrradianceSplatPass_h
 #define vtkPenumbraIrradianceSplatPass_h
 
-#include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingIrradianceModule.h" // for export macro
+#include "vtkPenumbraScreenSpacePass.h"
 
 #include <memory> // for std::unique_ptr
 
@@ -24,11 +24,11 @@ class vtkPolyData;
 class vtkRenderer;
 
 class VTKPENUMBRARENDERINGIRRADIANCE_EXPORT vtkPenumbraIrradianceSplatPass
-  : public vtkImageProcessingPass
+  : public vtkPenumbraScreenSpacePass
 {
 public:
   static vtkPenumbraIrradianceSplatPass* New();
-  vtkTypeMacro(vtkPenumbraIrradianceSplatPass, vtkImageProcessingPass);
+  vtkTypeMacro(vtkPenumbraIrradianceSplatPass, vtkPenumbraScreenSpacePass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Hangs a pass among a renderer's, around its opaque props, or returns the one that is there. */
@@ -63,13 +63,6 @@ public:
   vtkGetMacro(Strength, double);
   ///@}
 
-  ///@{
-  /** The delegate draws no background: what is behind its surfaces stays. Default: off; AddTo() knows. */
-  vtkSetMacro(OpaqueOnly, bool);
-  vtkGetMacro(OpaqueOnly, bool);
-  vtkBooleanMacro(OpaqueOnly, bool);
-  ///@}
-
   /**
    * What the last frame interpolated, one value a pixel: `AmbientOcclusion` (1) or `Irradiance` (3), and
    * `Weight`, the sum of the records' weights, 0 where there is none.
@@ -82,12 +75,14 @@ public:
    */
   vtkFieldData* GetStatistics();
 
-  void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkPenumbraIrradianceSplatPass();
   ~vtkPenumbraIrradianceSplatPass() override;
+
+  bool RenderEffect(const vtkRenderState* state) override;
+  const char* GetEffectName() override { return "the records of the irradiance cache"; }
 
 private:
   vtkPenumbraIrradianceSplatPass(const vtkPenumbraIrradianceSplatPass&) = delete;
@@ -101,7 +96,6 @@ private:
 
   double NormalAngle = 0.0;
   double Strength = 1.0;
-  bool OpaqueOnly = false;
 };
 
 #endif

@@ -38,7 +38,7 @@ void Convergence::Settle(int samples, double error)
   *this = Convergence();
   this->Samples = samples;
   this->Known = true;
-  this->Error = this->LargestError = error;
+  this->LargestError = error;
 }
 
 void Convergence::Add(
@@ -87,14 +87,10 @@ void Convergence::Judge(const std::vector<float>& now, int width, double toleran
   this->TileErrors.resize(sums.size(), -1.0);
   this->Open.clear();
   this->LargestError = 0.0;
-  double total = 0.0;
-  double pixels = 0.0;
   for (int tile = 0; tile < static_cast<int>(sums.size()); ++tile)
   {
     const double closed = this->TileErrors[tile];
     const double error = closed >= 0.0 ? closed : sums[tile] / std::max(counts[tile], 1);
-    total += error * counts[tile];
-    pixels += counts[tile];
     this->LargestError = std::max(this->LargestError, std::sqrt(error));
     const double step = WeightOfSteps * steps[tile] / std::max(counts[tile], 1);
     if (closed >= 0.0 || std::max(error, step * step) <= tolerance * tolerance)
@@ -115,7 +111,6 @@ void Convergence::Judge(const std::vector<float>& now, int width, double toleran
       this->Open.push_back(part);
     }
   }
-  this->Error = std::sqrt(total / std::max(pixels, 1.0));
   this->Known = true;
 }
 

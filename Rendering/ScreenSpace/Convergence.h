@@ -44,9 +44,7 @@ public:
   /// Where tiles are open, neighbours joined.
   const std::vector<Rectangle>& GetOpen() const { return this->Open; }
 
-  /// RMS over the picture of the error believed in, and the largest of a tile; infinite before they
-  /// are known.
-  double GetError() const { return this->Error; }
+  /// The largest of the errors believed in of the tiles; infinite before they are known.
   double GetLargestError() const { return this->LargestError; }
 
 private:
@@ -59,7 +57,6 @@ private:
   std::vector<float> Reading;
   std::vector<double> TileErrors; ///< squared; negative: open
   std::vector<Rectangle> Open;
-  double Error = VTK_DOUBLE_MAX;
   double LargestError = VTK_DOUBLE_MAX;
 };
 

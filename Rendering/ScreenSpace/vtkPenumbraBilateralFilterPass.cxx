@@ -21,6 +21,14 @@
 
 vtkStandardNewMacro(vtkPenumbraBilateralFilterPass);
 
+namespace
+{
+
+/// Where no distance is set: pixel widths at the camera's focal point.
+constexpr double UsualDistance = 4.0;
+
+}
+
 struct vtkPenumbraBilateralFilterPass::Internals
 {
   penumbra::DelegateImage Image;
@@ -94,8 +102,8 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
     view.SetUniforms(program);
     program->SetUniform2f("way", way);
     program->SetUniformi("reach", this->Reach);
-    program->SetUniformf(
-      "distance", static_cast<float>(this->Distance > 0.0 ? this->Distance : 4.0 * pixel));
+    program->SetUniformf("distance",
+      static_cast<float>(this->Distance > 0.0 ? this->Distance : UsualDistance * pixel));
     program->SetUniformf("byDepth", this->ByDepth ? 1.f : 0.f);
     own.Smooth.Read("colors", direction == 0 ? own.Image.GetColor() : own.Between.Get());
     own.Smooth.Read("eyeDepths", own.Depth.GetCurrent());
