@@ -180,10 +180,7 @@ int DrawGroup(const AnimationOptions& options, int first, int last)
 {
   const RenderOptions& all = options.Picture;
   const bool rays = all.Engine == "ray";
-  if (!rays)
-  {
-    ChooseWindow(all.Window);
-  }
+  ChooseWindowFor(all);
   if (all.Threads > 0)
   {
     vtkSMPTools::Initialize(all.Threads);

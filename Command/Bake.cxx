@@ -200,6 +200,10 @@ void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 
 int Bake(const BakeOptions& options, Clock::time_point start)
 {
+  if (options.Gatherer == "cube-map")
+  {
+    ChooseWindow("auto", "--gatherer cube-map", "--gatherer rays");
+  }
   PendingFile output(options.Output, "--output");
   std::optional<PendingFile> statistics;
   if (!options.Statistics.empty())
@@ -236,7 +240,6 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   }
   if (options.Gatherer == "cube-map")
   {
-    ChooseWindow("auto", "--gatherer cube-map", "--gatherer rays");
     filter->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
   }
   filter->SetAlbedo(options.Albedo);

@@ -172,6 +172,8 @@ int Chart(const ChartOptions& options)
   {
     throw Failure(BadInput, "--output " + options.Output + ": " + error.message());
   }
+  EnterPhase("the chart's window", MachineCannot);
+  ChooseWindow(options.Window);
   // One thread, so that its CPU seconds are what a method costs.
   setenv("LP_NUM_THREADS", "0", 1);
   vtkSMPTools::Initialize(1);
@@ -183,8 +185,6 @@ int Chart(const ChartOptions& options)
     request.Meshes.push_back(ReadMesh(file));
     subject += ", " + request.Meshes.back().Name;
   }
-  EnterPhase("the chart's window", MachineCannot);
-  ChooseWindow(options.Window);
   ProgressLine progress(options.Progress);
   request.Peers = options.Quick ? std::vector<Peer>() : FindPeers();
   for (const Peer& peer : request.Peers)

@@ -51,10 +51,14 @@ Picture RenderWithRays(
 std::function<Picture(const ProgressListener& progress)> PrepareRaster(
   vtkRenderer* renderer, const RenderOptions& options);
 
-/// Make OpenGL windows of the kind that options.Window asks for, tried first in a process of its
-/// own. Throws Failure when the machine has none.
+/// Make OpenGL windows of the kind that `window` names, tried first in a process of its own. To be
+/// called before any other thread lives: a process split off inherits the locks that others hold, and
+/// waits for them for ever. Throws Failure when the machine has none.
 void ChooseWindow(const std::string& window, const std::string& option = "--engine raster",
   const std::string& otherwise = "--engine ray");
+
+/// The same where the engine or the gatherer that is asked for draws with OpenGL.
+void ChooseWindowFor(const RenderOptions& options);
 
 struct WindowReport
 {
@@ -63,7 +67,7 @@ struct WindowReport
   std::string Description; ///< renderer and version, or why not
 };
 
-/// What the machine offers, each tried in a process of its own.
+/// What the machine offers, each tried in a process of its own; as ChooseWindow(), before other threads.
 std::vector<WindowReport> TryWindows();
 
 }

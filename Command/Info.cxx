@@ -24,6 +24,7 @@ namespace
 
 int Info()
 {
+  const std::vector<WindowReport> windows = TryWindows();
   std::cout << "penumbra   " << PENUMBRA_VERSION << "\n"
             << "VTK        " << vtkVersion::GetVTKVersion() << "\n"
             << "threads    " << vtkSMPTools::GetEstimatedNumberOfThreads() << " ("
@@ -32,7 +33,7 @@ int Info()
             << " GiB\n"
             << "log        " << (LogPath().empty() ? "none" : LogPath()) << "\n"
             << "ray        works\n";
-  for (const WindowReport& window : TryWindows())
+  for (const WindowReport& window : windows)
   {
     std::cout << std::left << "raster     " << std::setw(8) << window.Name << window.Description
               << "\n";

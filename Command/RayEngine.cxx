@@ -151,7 +151,6 @@ Picture RenderWithRays(
                                               : vtkPenumbraIrradianceCache::WORLD);
     if (options.Gatherer == "cube-map")
     {
-      ChooseWindow(options.Window, "--gatherer cube-map", "--gatherer rays");
       cache->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
     }
     caster->SetIrradianceSource(cache);

@@ -54,10 +54,7 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
 {
   PictureFiles files(options);
   const bool rays = options.Engine == "ray";
-  if (!rays)
-  {
-    ChooseWindow(options.Window);
-  }
+  ChooseWindowFor(options);
   if (options.Threads > 0)
   {
     vtkSMPTools::Initialize(options.Threads);

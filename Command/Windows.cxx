@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Engine.h"
 #include "Failure.h"
+#include "RenderOptions.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <cstdlib>
-#include <sstream>
+#include <filesystem>
+#include <stdexcept>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -66,10 +68,24 @@ std::string DescribeWindow()
     Find(capabilities, "OpenGL renderer string:");
 }
 
+// What fork() needs: the locks that other threads hold stay locked in the new process. Only tests of
+// the sanitizers' build look, as users may preload libraries that have threads of their own.
+void CheckIsOnlyThread()
+{
+#if defined(__SANITIZE_ADDRESS__)
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  if (std::distance(begin(threads), end(threads)) > 1)
+  {
+    throw std::logic_error("a window is tried after threads were started");
+  }
+#endif
+}
+
 // In a process of its own: a window that cannot be had ends the process in some versions of VTK.
 // Empty when it does not work.
 std::string TryWindow(const char* className)
 {
+  CheckIsOnlyThread();
   int ends[2];
   if (pipe(ends) != 0)
   {
@@ -143,6 +159,18 @@ void ChooseWindow(
   throw Failure(MachineCannot,
     option + ": no OpenGL here by --window " + window +
       "; install libosmesa6 or libegl1, start an X server, or use " + otherwise);
+}
+
+void ChooseWindowFor(const RenderOptions& options)
+{
+  if (options.Engine == "raster")
+  {
+    ChooseWindow(options.Window);
+  }
+  else if (options.Gatherer == "cube-map" && (options.AmbientOcclusion || options.Light.Indirect))
+  {
+    ChooseWindow(options.Window, "--gatherer cube-map", "--gatherer rays");
+  }
 }
 
 }
