@@ -4,6 +4,7 @@
 // Measures every row of the failure catalogue, the broken variant and VTK's own way included, and
 // writes the document about it. Run it by `./penumbra benchmark stability`.
 #include "Program.h"
+#include "Published.h"
 #include "Scenario.h"
 
 #include "vtkImageData.h"
@@ -126,6 +127,22 @@ void WriteOpenRows(std::ostream& out, const std::vector<Measured>& rows)
   }
 }
 
+void WriteWeaknesses(std::ostream& out)
+{
+  out << "\n## Published weaknesses\n\nWhat the papers name, print or leave out, what settles it "
+         "here, "
+         "and the rows that guard that.\n\n| paper, weakness | here | rows |\n|---|---|---|\n";
+  for (const Weakness& weakness : PublishedWeaknesses())
+  {
+    out << "| " << weakness.Source << " | " << weakness.Remedy << " |";
+    for (const Scenario& row : Catalogue())
+    {
+      out << (row.Source == weakness.Source ? " " + row.Name : "");
+    }
+    out << " |\n";
+  }
+}
+
 void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
 {
   out << "\n## Rows\n\nPictures: ours, without the mechanism, and VTK's own where there is one.\n\n"
@@ -159,6 +176,7 @@ void WriteDocument(const std::string& path, const std::vector<Measured>& rows)
     << "- " << rows.size() << " rows, " << DateLine() << "\n- " << VersionLine() << "\n\n";
   WriteMetrics(out, rows);
   WriteOpenRows(out, rows);
+  WriteWeaknesses(out);
   WriteRows(out, rows);
 }
 

@@ -10,8 +10,8 @@ const std::vector<Scenario>& Catalogue()
   static const std::vector<Scenario> catalogue = [] {
     std::vector<Scenario> rows;
     for (const auto& part : { CoverageScenarios(), GeometryScenarios(), OcclusionStillScenarios(),
-           OcclusionOverlayScenarios(), OcclusionMotionScenarios(), ShaftScenarios(),
-           IrradianceScenarios() })
+           OcclusionOverlayScenarios(), OcclusionMotionScenarios(), OcclusionKernelScenarios(),
+           ShaftScenarios(), IrradianceScenarios(), RecordScenarios() })
     {
       rows.insert(rows.end(), part.begin(), part.end());
     }

@@ -440,7 +440,7 @@ std::vector<Scenario> GeometryScenarios()
       "case 4, and exact borders: [AA] as printed", "[AA] case 4 is left out", OpenGL,
       BehindGlass },
     { "FarFromTheOrigin", "a burr at 1e7", "still", Metric::Bias, .001, rounded,
-      "[TSSAO] positions far from the origin", OpenGL, FarFromOrigin },
+      "[TSSAO] large scenes lose precision", OpenGL, FarFromOrigin },
     { "NearAndFar", "a box at 1 before walls at 999,999 and 1,000,000", "still", Metric::Bias, 1e-3,
       "distances without a depth buffer: OpenGL's 24 bits", "", OpenGL, NearAndFar },
     { "TinyUnit", "a burr of size 1e-6 under occlusion", "still", Metric::UnitIndependence, .008,

@@ -3,6 +3,7 @@
 //
 // Where interpolated occlusion fails: contacts, thin walls, corners, and answers that depend on who
 // asked before. The cache against closed forms at the places that a picture sees; baked meshes.
+#include "CacheStage.h"
 #include "Scenario.h"
 #include "Stage.h"
 
@@ -12,7 +13,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceSource.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPointData.h"
@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace penumbra
 {
@@ -30,10 +29,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 using Cache = vtkPenumbraIrradianceCache;
-using Truth = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
 
 /// What [IC] does: the harmonic mean of the distances, or the nearest of them, and far-reaching
 /// records.
@@ -49,53 +45,12 @@ glm::dvec3 World(const Scene& scene, const Site& site)
   return scene.ToWorld(site.Position);
 }
 
-double Ask(const vtkPenumbraIrradianceSource* source, glm::dvec3 position, glm::dvec3 normal)
-{
-  return source->Occlusion(&position.x, &normal.x).Value;
-}
-
-/// Answers of a source at what the middle of every second pixel sees; 0 elsewhere.
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceSource* source, const Truth& truth,
-  double& error)
-{
-  const Scene& scene = rays.GetScene();
-  const int side = scene.Eye.Width / 2;
-  Frame picture{ side, side, std::vector<double>(side * side, 1.0) };
-  double squares = 0.0;
-  double count = 0.0;
-  for (int i = 0; i < side * side; ++i)
-  {
-    Ray ray;
-    ray.Direction = scene.Eye.RayDirection({ 2 * (i % side) + 1.0, 2 * (i / side) + 1.0 });
-    const Hit hit = rays.Intersect(ray);
-    if (!hit.IsHit())
-    {
-      continue;
-    }
-    const Surface& surface = scene.Surfaces[hit.Surface];
-    const glm::uvec3 triangle = surface.Triangles[hit.Triangle];
-    const glm::dvec3 a = surface.Positions[triangle.x];
-    glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(surface.Positions[triangle.y]) - a,
-      glm::dvec3(surface.Positions[triangle.z]) - a));
-    normal *= glm::dot(normal, glm::dvec3(ray.Direction)) > 0.0 ? -1.0 : 1.0;
-    const glm::dvec3 position = double(hit.Distance) * glm::dvec3(ray.Direction) + scene.Origin;
-    const double answer = Ask(source, position, normal);
-    picture.Values[i] = 1.0 - answer;
-    squares += std::pow(answer - truth(position, normal), 2.0);
-    count += 1.0;
-  }
-  error = std::sqrt(squares / count);
-  return picture;
-}
-
 /// A unit sphere, its centre at `height` above a floor: contact at 1. Seen in a picture of `size`.
 std::function<Outcome(Variant)> Sphere(double height, int size)
 {
   return [height, size](Variant variant) {
     Scene scene;
-    AddFloor(scene, 1000.f);
-    AddSphere(scene, { 0.0, 0.0, height }, 1.0, 100);
-    LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, size, size);
+    ArrangeContact(scene, height, size);
     const RayScene rays(scene, 1);
     vtkNew<Cache> cache;
     cache->SetTolerance(.01);
@@ -149,10 +104,7 @@ Outcome ConcaveCorner(Variant variant)
 Outcome ThinWall(Variant variant)
 {
   Scene scene;
-  AddFloor(scene, 4.f);
-  AddRectangle(scene, { 0.f, -4.f, 0.f }, { 0.f, 8.f, 0.f }, { 0.f, 0.f, 4.f });
-  AddRectangle(scene, { -4.f, -4.f, .5f }, { 4.f, 0.f, 0.f }, { 0.f, 8.f, 0.f });
-  LookAt(scene, { 1.0, -9.0, 5.0 }, { 0.0, 0.0, 0.0 }, 40.0, 128, 128);
+  ArrangeTwoRooms(scene);
   const RayScene rays(scene, 1);
   vtkNew<Cache> cache;
   if (variant == Variant::Broken)
@@ -160,23 +112,7 @@ Outcome ThinWall(Variant variant)
     AsPrinted(cache);
   }
   cache->Begin(rays, Infinity, .01);
-  double ignored = 0.0;
-  Outcome outcome{ 0.0,
-    Picture(
-      rays, cache, [](glm::dvec3, glm::dvec3) { return 0.0; }, ignored) };
-  vtkNew<vtkPenumbraBruteForceSource> truth;
-  truth->Begin(rays, Infinity, .01);
-  for (int i = 1; i < 60; ++i)
-  {
-    for (const double side : { -1.0, 1.0 })
-    {
-      const glm::dvec3 place(side * .01 * i, -3.2, 0.0);
-      const glm::dvec3 up(0.0, 0.0, 1.0);
-      outcome.Value =
-        std::max(outcome.Value, std::abs(Ask(cache, place, up) - Ask(truth, place, up)));
-    }
-  }
-  return outcome;
+  return { WorstBesideWall(rays, cache), Picture(rays, cache) };
 }
 
 /// All of the sky is blocked.
@@ -192,9 +128,7 @@ Outcome ClosedBox(Variant variant)
   const RayScene rays(scene, 1);
   vtkNew<Cache> cache;
   cache->Begin(rays, Infinity, .01);
-  double ignored = 0.0;
-  const Frame picture = Picture(
-    rays, cache, [](glm::dvec3, glm::dvec3) { return 1.0; }, ignored);
+  const Frame picture = Picture(rays, cache);
   return { *std::max_element(picture.Values.begin(), picture.Values.end()), picture };
 }
 
@@ -225,9 +159,7 @@ std::function<Outcome(Variant)> AskedAgain(OrderOfQuestions other)
 {
   return [other](Variant variant) {
     Scene scene;
-    AddFloor(scene, 1000.f);
-    AddSphere(scene, { 0.0, 0.0, 1.0 }, 1.0, 100);
-    LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, 128, 128);
+    ArrangeContact(scene, 1.0, 128);
     const RayScene rays(scene, 1);
     const std::vector<Site> sites = SitesOfPicture(rays, 6);
     std::vector<double> answers[2];
@@ -245,9 +177,7 @@ std::function<Outcome(Variant)> AskedAgain(OrderOfQuestions other)
         const Site& site = sites[question];
         answers[again][question] = Ask(cache, World(scene, site), site.Normal);
       }
-      double ignored = 0.0;
-      picture = Picture(
-        rays, cache, [](glm::dvec3, glm::dvec3) { return 0.0; }, ignored);
+      picture = Picture(rays, cache);
     }
     return Outcome{ LargestDifference(answers[0], answers[1]), picture };
   };
@@ -333,9 +263,9 @@ std::vector<Scenario> IrradianceScenarios()
     { "CacheConcaveCorner", "a floor and a wall" + plane, "still", Metric::Bias, .006, printed,
       "[IC] radius 0 on concave surfaces", "", ConcaveCorner },
     { "CacheThinWall", "a dark room and a bright one, a sheet between", "still", Metric::Leak, .05,
-      printed, "[IC] records leak through thin walls", "", ThinWall },
+      printed, "[IC] radii that nothing nearby clamps", "", ThinWall },
     { "CacheClosedBox", "the inside of a closed box", "still", Metric::Leak, 0.0,
-      "a wall: one is left out", "[IC] leaks", "", ClosedBox },
+      "a wall: one is left out", "[IC] records leak through thin walls", "", ClosedBox },
     { "CacheOrderOfQuestions", "a sphere on a floor, asked from first to last and back", "still",
       Metric::Sameness, 0.0, lazy, dependent, "", AskedAgain(Backwards) },
     { "CacheTiles", "the same, asked at once and in two pieces", "still", Metric::Sameness, 0.0,

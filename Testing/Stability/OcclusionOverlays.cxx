@@ -196,7 +196,7 @@ std::vector<Scenario> OcclusionOverlayScenarios()
     { "OcclusionBehindAVolume", "a nearly opaque cloud before a corner", "still", Metric::Sameness,
       .01, byHand, "[TSSAO] volumes", "", BehindAVolume },
     { "OcclusionBesideText", "text and a scalar bar over a corner", "still", Metric::Sameness, .02,
-      byHand, "[TSSAO] overlays", "", TextAndScalarBar },
+      byHand, "", "", TextAndScalarBar },
   };
 }
 

@@ -37,7 +37,7 @@ struct Scenario
   Metric Measured;
   double Bound;
   std::string Broken; ///< what the broken variant lacks
-  std::string Source; ///< who names the weakness
+  std::string Source; ///< the published weakness; empty: none
   std::string Peer;   ///< VTK's own way; empty: it has none
   std::function<Outcome(Variant)> Measure;
   bool IsOpen =
@@ -52,9 +52,11 @@ const std::vector<Scenario>& Catalogue();
 std::vector<Scenario> CoverageScenarios();
 std::vector<Scenario> GeometryScenarios();
 std::vector<Scenario> IrradianceScenarios();
+std::vector<Scenario> OcclusionKernelScenarios();
 std::vector<Scenario> OcclusionMotionScenarios();
 std::vector<Scenario> OcclusionOverlayScenarios();
 std::vector<Scenario> OcclusionStillScenarios();
+std::vector<Scenario> RecordScenarios();
 std::vector<Scenario> ShaftScenarios();
 ///@}
 

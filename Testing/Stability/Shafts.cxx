@@ -9,6 +9,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -239,6 +240,83 @@ Outcome HalfResolution(Variant variant)
   return Judge(scene);
 }
 
+/// Two chained passes of 8 samples against a loop of 64; broken: a loop of even steps.
+Outcome Chained(Variant variant)
+{
+  Haze scene;
+  scene.AddSun(SunInView);
+  scene.Pass->SetEstimator(Pass::RADIAL);
+  scene.Pass->SetTolerance(1.0 / 1024.0); // a share for every pixel
+  scene.Pass->SetSpacing(variant == Variant::Broken ? Pass::EVEN : Pass::GEOMETRIC);
+  scene.Pass->SetSteps(64);
+  const std::vector<double> loop = scene.ByPass();
+  scene.Pass->SetSteps(8);
+  scene.Pass->SetPasses(2);
+  const std::vector<double> chained = scene.ByPass();
+  const Frame picture = Shown(scene, chained);
+  return { LargestDifference(picture.Values, Shown(scene, loop).Values), picture };
+}
+
+/// A sun and a lamp; broken: the first light alone.
+Outcome TwoLights(Variant variant)
+{
+  Haze scene;
+  const vtkSmartPointer<vtkLight> sun = scene.AddSun(SunInView);
+  scene.AddLamp({ 1.0, 2.0, 3.0 });
+  if (variant == Variant::Broken)
+  {
+    scene.Pass->AddLight(sun);
+  }
+  return Judge(scene);
+}
+
+/// A pane of glass between the eye and the haze does not stop the light behind it; broken: the pass takes
+/// it for the end of the way.
+Outcome BehindGlass(Variant variant)
+{
+  const auto draw = [variant](bool hasPane) {
+    Haze scene;
+    scene.AddSun(SunInView);
+    if (hasPane)
+    {
+      const auto pane = scene.AddBox({ .5, -9.0, 2.5 }, { 1.2, .01, 1.2 });
+      pane->GetProperty()->SetOpacity(variant == Variant::Broken ? 1.0 : .4);
+    }
+    return Shown(scene, scene.ByPass());
+  };
+  const Frame behind = draw(true);
+  return { LargestDifference(behind.Values, draw(false).Values), behind };
+}
+
+/// The right half of a window, and the same picture alone, an occluder outside of both.
+Outcome InAViewport(Variant variant)
+{
+  const auto draw = [variant](bool isHalf) {
+    ShaftScene scene(isHalf ? 192 : 96, 72);
+    scene.AddFloor(12.0);
+    scene.AddSphere({ 5.6, 0.0, 2.0 }, .9);
+    scene.Look({ .5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+    scene.Fill(Density, Density);
+    scene.AddSun({ .6, 1.0, .2 });
+    if (isHalf)
+    {
+      scene.Renderer->SetViewport(.5, 0.0, 1.0, 1.0);
+      scene.Pass->SetMargin(variant == Variant::Broken ? 0.0 : -1.0);
+    }
+    return Frame{ 96, 72, scene.ByPass() };
+  };
+  Frame half = draw(true);
+  Frame alone = draw(false);
+  for (Frame* each : { &half, &alone })
+  {
+    for (double& value : each->Values)
+    {
+      value *= WholeSphere;
+    }
+  }
+  return { LargestDifference(half.Values, alone.Values), half };
+}
+
 }
 
 std::vector<Scenario> ShaftScenarios()
@@ -276,9 +354,20 @@ std::vector<Scenario> ShaftScenarios()
     { "ShaftsUnit", "solids in haze, 1e-3 times as large", "still", Metric::UnitIndependence, .01,
       "a medium from the bounds: .12 a unit", "", "", Units },
     { "ShaftsStillScene", scene, "still", Metric::Flicker, 0.0,
-      "stillness: the sun trembles by 1/1000", "[Shafts] flicker", "", StillScene },
+      "stillness: the sun trembles by 1/1000", "[Shafts] flickers in a still scene", "",
+      StillScene },
     { "ShaftsHalfResolution", scene + ", tolerance 1/64", "still", Metric::Bias, .025,
       "steps from the tolerance: 2", "", "", HalfResolution },
+    { "ShaftsChained", scene + ", two passes of 8 samples against a loop of 64", "still",
+      Metric::Sameness, .02, "geometric distances of samples: even ones",
+      "[Shafts 13.8] chained passes are no long loop", "", Chained },
+    { "ShaftsTwoLights", scene + ", a sun and a lamp", "still", Metric::Bias, .04,
+      "a pass for each light: one", "[Shafts 13.3.1] one light", "", TwoLights },
+    { "ShaftsBehindGlass", scene + ", a pane of glass before the eye", "still", Metric::Sameness,
+      .001, "what is translucent is looked through: it is opaque", "[Shafts] translucent props", "",
+      BehindGlass },
+    { "ShaftsInAViewport", "half of a window, a ball outside of it", "still", Metric::Sameness, .01,
+      "a margin around the viewport: none", "[Shafts] several viewports", "", InAViewport },
   };
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every row of the failure catalogue keeps its bound, and would not without what it guards.
+#include "Published.h"
 #include "Scenario.h"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <set>
 
 using namespace penumbra;
 
@@ -45,6 +47,24 @@ TEST_P(Stability, KeepsItsBoundAndWouldNotWithoutItsMechanism)
 #ifndef __SANITIZE_ADDRESS__ // there it is the code that is watched, not the numbers
   EXPECT_GT(row.Measure(Variant::Broken).Value, row.Bound) << metric << ": " << row.Broken;
 #endif
+}
+
+TEST(Catalogue, HasARowForEveryPublishedWeakness)
+{
+  std::set<std::string> published;
+  for (const Weakness& weakness : PublishedWeaknesses())
+  {
+    EXPECT_TRUE(published.insert(weakness.Source).second) << weakness.Source;
+  }
+  std::set<std::string> guarded;
+  for (const Scenario& row : Catalogue())
+  {
+    if (!row.Source.empty())
+    {
+      guarded.insert(row.Source);
+    }
+  }
+  EXPECT_EQ(guarded, published);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Stability, testing::ValuesIn(Catalogue()),
