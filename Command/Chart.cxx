@@ -9,6 +9,7 @@
 #include "Engine.h"
 #include "Failure.h"
 #include "Peers.h"
+#include "PendingFile.h"
 #include "ProgressLine.h"
 #include "Subcommands.h"
 #include "Surfaces.h"
@@ -29,6 +30,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace penumbra
 {
@@ -124,15 +126,15 @@ std::vector<ChartFamily> Families(const ChartOptions& options, const ChartReques
 /// How far from the Pareto front is what Penumbra chooses by itself: to a file and to the terminal.
 void WriteDistances(const std::string& path, const std::vector<ChartRow>& rows)
 {
-  std::ofstream file(path);
-  file << "scene,method,setting,off,than,times its seconds,times its error,off by counts\n";
+  std::ostringstream text;
+  text << "scene,method,setting,off,than,times its seconds,times its error,off by counts\n";
   for (const ChartRow& row : rows)
   {
     if (row.Method.find("automatic") != std::string::npos)
     {
       const FrontDistance time = DistanceToFront(rows, row, &ChartRow::Seconds);
       const double counts = DistanceToFront(rows, row, &ChartRow::Count).Off;
-      file << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << time.Off << ','
+      text << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << time.Off << ','
            << time.Than << ',' << time.TimesCost << ',' << time.TimesError << ',' << counts << "\n";
       std::cout << "  " << row.Scene << ": " << row.Method << ", " << row.Setting << ": "
                 << (time.Off > 0.0 ? std::to_string(std::lround(100.0 * time.Off)) +
@@ -141,10 +143,9 @@ void WriteDistances(const std::string& path, const std::vector<ChartRow>& rows)
                 << "\n";
     }
   }
-  if (!file.flush())
-  {
-    throw Failure(MachineCannot, "--output: " + path + " cannot be written: disk full?");
-  }
+  PendingFile file(path, "--output");
+  file.Write(text.str());
+  file.Commit();
 }
 
 void Measure(const ChartFamily& family, ChartTable& table, ProgressLine& progress)

@@ -124,7 +124,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   } rules[] = { { "nearest hit [IC]", Cache::NEAREST_HIT, Cache::WORLD, false },
     { "harmonic mean [IC]", Cache::HARMONIC_MEAN, Cache::WORLD, false },
     { "Penumbra automatic (second derivative)", Cache::OCCLUSION_HESSIAN, Cache::WORLD, false },
-    { "Penumbra in screen space", Cache::OCCLUSION_HESSIAN, Cache::SCREEN, false },
+    { "cache in screen space", Cache::OCCLUSION_HESSIAN, Cache::SCREEN, false },
     { "second derivative by cube maps", Cache::OCCLUSION_HESSIAN, Cache::WORLD, true } };
   for (const auto& rule : rules)
   {
@@ -321,7 +321,7 @@ void AddRoom(ChartFamily& family, const std::string& scene, const Rooms& room)
   }
   for (const double tolerance : { .02, .01, .005 })
   {
-    add("Penumbra in screen space", tolerance, Cache::SCREEN, false);
+    add("cache in screen space", tolerance, Cache::SCREEN, false);
     add("second derivative by cube maps", tolerance, Cache::WORLD, true);
   }
   for (const int paths : { 128, 512, 2048, 8192 })

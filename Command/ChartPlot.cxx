@@ -85,6 +85,15 @@ void SetUpAxis(vtkAxis* axis, const std::string& title)
   axis->GetGridPen()->SetColor(225, 225, 225, 255);
 }
 
+/// From a little less than the least to a little more than the greatest, so that no mark is cut.
+void SetRange(vtkAxis* axis, const std::vector<double>& values)
+{
+  constexpr double room = 1.25;
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  axis->SetUnscaledRange(std::max(*least, Least) / room, std::max(*greatest, Least) * room);
+  axis->SetBehavior(vtkAxis::FIXED);
+}
+
 vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel& panel,
   double ChartRow::*cost, const std::string& costTitle)
 {
@@ -93,6 +102,16 @@ vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel&
   chart->GetTitleProperties()->SetFontSize(15);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), costTitle);
   SetUpAxis(chart->GetAxis(vtkAxis::LEFT), family.ErrorTitle);
+  std::vector<double> costs;
+  std::vector<double> errors;
+  for (const ChartRow& row : panel.Rows)
+  {
+    costs.push_back(row.*cost);
+    errors.push_back(row.Error);
+    errors.push_back(row.Asked > 0.0 ? row.Asked : row.Error);
+  }
+  SetRange(chart->GetAxis(vtkAxis::BOTTOM), costs);
+  SetRange(chart->GetAxis(vtkAxis::LEFT), errors);
   const auto front = TableOf("Pareto front", ParetoFront(panel.Rows, cost), cost, &ChartRow::Error);
   AddCurve(chart, front, true, FrontColor, 9.f);
   for (const ChartCurve& each : panel.Curves)
@@ -122,9 +141,23 @@ bool ChartCurve::HasTolerances() const
 
 std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows)
 {
+  // A method has the same colour in every panel.
+  std::vector<ChartCurve> methods;
   std::vector<ChartPanel> panels;
   for (const ChartRow& row : rows)
   {
+    const auto isSame = [&](const ChartCurve& each) { return each.Method == row.Method; };
+    auto method = std::find_if(methods.begin(), methods.end(), isSame);
+    if (method == methods.end())
+    {
+      const bool isOurs = row.Method.rfind("Penumbra", 0) == 0;
+      const auto alike = std::count_if(methods.begin(), methods.end(),
+        [&](const ChartCurve& each) { return each.IsOurs == isOurs; });
+      const unsigned char* color = isOurs ? Ours[alike % static_cast<int>(std::size(Ours))]
+                                          : Colors[alike % static_cast<int>(std::size(Colors))];
+      method =
+        methods.insert(methods.end(), { row.Method, isOurs, { color[0], color[1], color[2] }, {} });
+    }
     auto panel = std::find_if(panels.begin(), panels.end(),
       [&](const ChartPanel& each) { return each.Scene == row.Scene; });
     if (panel == panels.end())
@@ -132,17 +165,10 @@ std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows)
       panel = panels.insert(panels.end(), { row.Scene, {}, {} });
     }
     panel->Rows.push_back(row);
-    auto curve = std::find_if(panel->Curves.begin(), panel->Curves.end(),
-      [&](const ChartCurve& each) { return each.Method == row.Method; });
+    auto curve = std::find_if(panel->Curves.begin(), panel->Curves.end(), isSame);
     if (curve == panel->Curves.end())
     {
-      const bool isOurs = row.Method.rfind("Penumbra", 0) == 0;
-      const auto alike = std::count_if(panel->Curves.begin(), panel->Curves.end(),
-        [&](const ChartCurve& each) { return each.IsOurs == isOurs; });
-      const unsigned char* color = isOurs ? Ours[alike % static_cast<int>(std::size(Ours))]
-                                          : Colors[alike % static_cast<int>(std::size(Colors))];
-      curve = panel->Curves.insert(
-        panel->Curves.end(), { row.Method, isOurs, { color[0], color[1], color[2] }, {} });
+      curve = panel->Curves.insert(panel->Curves.end(), *method);
     }
     curve->Steps.push_back(row);
   }

@@ -3,6 +3,7 @@
 #include "ChartTable.h"
 
 #include "Failure.h"
+#include "PendingFile.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -33,17 +34,12 @@ ChartTable::ChartTable(
     this->Read(subject);
     return;
   }
-  std::ofstream file(path);
-  file << TitleOf(subject) << "\n";
+  this->Head = TitleOf(subject) + "\n";
   for (const std::string& remark : remarks)
   {
-    file << "# " << remark << "\n";
+    this->Head += "# " + remark + "\n";
   }
-  file << Heading << "\n";
-  if (!file.flush())
-  {
-    throw Failure(BadInput, "--output: " + path + " cannot be written; use another folder");
-  }
+  this->Write();
 }
 
 void ChartTable::Read(const std::string& subject)
@@ -57,6 +53,7 @@ void ChartTable::Read(const std::string& subject)
       "--output: " + this->Path +
         " is of another chart (other files, or --quick); remove it or use another folder");
   }
+  this->Head = line + "\n";
   while (std::getline(file, line))
   {
     std::istringstream text(line);
@@ -66,7 +63,11 @@ void ChartTable::Read(const std::string& subject)
     std::getline(text, row.Method, ',');
     std::getline(text, row.Setting, ',');
     text >> row.Asked >> comma >> row.Error >> comma >> row.Seconds >> comma >> row.Count;
-    if (line.rfind('#', 0) != 0 && line != Heading && text)
+    if (line.rfind('#', 0) == 0)
+    {
+      this->Head += line + "\n";
+    }
+    else if (line != Heading && text)
     {
       this->Rows.push_back(row);
     }
@@ -84,13 +85,21 @@ bool ChartTable::Has(
 void ChartTable::Add(const ChartRow& row)
 {
   this->Rows.push_back(row);
-  std::ofstream file(this->Path, std::ios::app);
-  file << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << row.Asked << ','
-       << row.Error << ',' << row.Seconds << ',' << row.Count << "\n";
-  if (!file.flush())
+  this->Write();
+}
+
+void ChartTable::Write() const
+{
+  std::ostringstream text;
+  text << this->Head << Heading << "\n";
+  for (const ChartRow& row : this->Rows)
   {
-    throw Failure(MachineCannot, "--output: " + this->Path + " cannot be written: disk full?");
+    text << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << row.Asked << ','
+         << row.Error << ',' << row.Seconds << ',' << row.Count << "\n";
   }
+  PendingFile file(this->Path, "--output");
+  file.Write(text.str());
+  file.Commit();
 }
 
 FrontDistance DistanceToFront(

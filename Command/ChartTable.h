@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The measured steps of a chart, kept in a CSV file that grows row by row: an interrupted run goes on
-// where it ended.
+// The measured steps of a chart, kept in a CSV file that is written anew, whole, after each: an interrupted
+// run goes on where it ended.
 #ifndef penumbra_ChartTable_h
 #define penumbra_ChartTable_h
 
@@ -40,8 +40,10 @@ public:
 
 private:
   void Read(const std::string& subject);
+  void Write() const;
 
   std::string Path;
+  std::string Head; ///< subject and remarks
   std::vector<ChartRow> Rows;
 };
 

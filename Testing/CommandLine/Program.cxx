@@ -121,6 +121,11 @@ Outcome RunProgram(const std::vector<std::string>& arguments, const std::string&
   return Spawn(command, settings);
 }
 
+std::string Quote(const std::string& text)
+{
+  return "'" + text + "'";
+}
+
 Outcome RunShell(const std::string& script)
 {
   return Spawn({ "/bin/bash", "-c", script }, { LogSetting(), "PENUMBRA=" + ProgramPath() });

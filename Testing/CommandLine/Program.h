@@ -43,6 +43,9 @@ Outcome RunProgram(
 /// The program by way of a shell, for limits and redirections; $PENUMBRA is the program.
 Outcome RunShell(const std::string& script);
 
+/// For a shell; no text with quotes.
+std::string Quote(const std::string& text);
+
 /// Path of the program.
 std::string ProgramPath();
 

@@ -19,11 +19,6 @@ using namespace penumbra_testing;
 namespace
 {
 
-std::string Quote(const std::string& text)
-{
-  return "'" + text + "'";
-}
-
 // Every library that a run loads, as the dynamic linker itself lists them, the worker's too.
 std::string LibrariesOf(const Folder& folder, const std::string& engine)
 {

@@ -29,6 +29,9 @@ SceneUnderOcclusion Spheres400();
 /// Sticks, plates and boxes, turned every way: thin things, whose backs one layer of depth hides.
 SceneUnderOcclusion Sticks();
 
+/// Three scans on a plane: ChineseDragon-10kv, armadillo and refined_elephant of libcgal-demo.
+SceneUnderOcclusion Scans(vtkPolyData* dragon, vtkPolyData* armadillo, vtkPolyData* elephant);
+
 ///@{
 /// What such scenes are made of: a mesh that is moved, and shown in white whatever the light; the plane
 /// at `z`; the camera.
