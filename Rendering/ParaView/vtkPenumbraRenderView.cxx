@@ -212,7 +212,7 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool shows = !controller || controller->GetLocalProcessId() == 0;
   const bool wanted =
-    hasWork && !this->IsBlendedFromRanks() && shows && !this->GetMakingSelection();
+    hasWork && shows && !this->IsBlendedFromRanks() && !this->GetMakingSelection();
   if (wanted && !this->SynchronizedRenderers->GetEnabled())
   {
     // Edges are smoothed once, when the pass is done: what ParaView does after putting pictures together.

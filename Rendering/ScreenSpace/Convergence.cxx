@@ -41,11 +41,16 @@ void Convergence::Settle(int samples, double error)
   this->LargestError = error;
 }
 
+int Convergence::GetSamplesToReading() const
+{
+  return std::max(FirstReading, 2 * this->SamplesAtReading) - this->Samples;
+}
+
 void Convergence::Add(
   int samples, int width, double tolerance, const std::function<std::vector<float>()>& read)
 {
   this->Samples += samples;
-  if (this->Samples < std::max(FirstReading, 2 * this->SamplesAtReading))
+  if (this->GetSamplesToReading() > 0)
   {
     return;
   }

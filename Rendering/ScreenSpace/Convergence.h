@@ -35,6 +35,9 @@ public:
   /// What open tiles have had.
   int GetSamples() const { return this->Samples; }
 
+  /// How many more make it look at the picture again.
+  int GetSamplesToReading() const;
+
   /// Nothing is open any more.
   bool IsDone() const { return this->Known && this->Open.empty(); }
 

@@ -175,7 +175,9 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   request.Radius = settings.Radius;
   request.FirstSample = this->TotalSamples;
   const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
-  request.Samples = many ? settings.FirstSamples : settings.Samples;
+  // Nobody looks at the picture before that many: one step instead of many small ones.
+  const int unseen = settings.InOneRender ? this->Still.GetSamplesToReading() : 0;
+  request.Samples = std::max(many ? settings.FirstSamples : settings.Samples, unseen);
   request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
   request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : &this->Inside;
   request.Moving = change == EyeDepth::Change::Some;

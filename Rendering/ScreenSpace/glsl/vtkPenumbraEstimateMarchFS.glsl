@@ -17,36 +17,36 @@ const float steepest = 4.0;
 // A ray this near to a surface, in radii, lies on it.
 const float nearlyMet = 1e-3;
 
-// Positions in a slice: x across the view, away from the point, y towards the eye.
+// Positions and directions in a slice: x across the view, away from the point, y towards the eye.
 struct SliceSide
 {
+  vec2 normal; // of the surface, unit
   vec2 found[stepsPerSide];
   vec2 away[stepsPerSide]; // unit, from the eye through what was found
 };
 
 // `up` is the normal divided by its share in the slice: heights are taken over the tangent plane, so
 // that the centres of pixels beside the slice's line do no harm.
-SliceSide searchSide(SurfacePoint point, vec3 view, vec3 across, vec3 up, float tilt, vec2 step, float shift)
+SliceSide searchSide(SurfacePoint point, vec3 view, vec3 across, vec3 up, vec2 step, float shift)
 {
-  vec2 normal = vec2(sin(tilt), cos(tilt));
-  vec2 tangent = vec2(normal.y, -normal.x);
   SliceSide side;
+  side.normal = vec2(dot(up, across), dot(up, view));
+  vec2 tangent = vec2(side.normal.y, -side.normal.x);
+  vec3 along = tangent.x * across + tangent.y * view;
   for (int i = 0; i < stepsPerSide; ++i)
   {
     vec3 position = eyePositionAt(point.pixel + step * (float(i) + shift));
     vec3 way = position - point.position;
-    vec3 away = -towardsEye(position);
-    float aside = dot(way, tangent.x * across + tangent.y * view);
-    side.found[i] = aside * tangent + dot(way, up) * normal;
+    vec3 away = perspective > 0.5 ? position : vec3(0.0, 0.0, -1.0);
+    side.found[i] = dot(way, along) * tangent + dot(way, up) * side.normal;
     side.away[i] = normalize(vec2(dot(away, across), dot(away, view)));
   }
   return side;
 }
 
-// The probability that the ray at an angle from the view direction is blocked.
-float blocked(SliceSide side, float angle)
+// The probability that the ray in a unit direction is blocked.
+float blocked(SliceSide side, vec2 ray)
 {
-  vec2 ray = vec2(sin(angle), cos(angle));
   vec2 last = vec2(0.0);
   float lastGap = 0.0;
   float behind = 1e6;
@@ -69,17 +69,17 @@ float blocked(SliceSide side, float angle)
 }
 
 // The part of a slice's cosine integral that one side blocks; `tilt` is the normal's angle, positive
-// towards this side.
+// towards this side. Sines and cosines are dear: each ray is the one before it, turned.
 float sideOcclusion(SliceSide side, float tilt, float shift)
 {
-  float last = min(tilt + 0.5 * pi, pi);
+  float width = min(tilt + 0.5 * pi, pi) / float(raysPerSide);
+  mat2 turn = mat2(cos(width), -sin(width), sin(width), cos(width));
+  vec2 ray = vec2(sin(shift * width), cos(shift * width));
   float sum = 0.0;
-  float width = last / float(raysPerSide);
   for (int i = 0; i < raysPerSide; ++i)
   {
-    float angle = (float(i) + shift) * width;
-    float weight = max(cos(angle - tilt), 0.0) * sin(angle);
-    sum += weight * blocked(side, angle);
+    sum += max(dot(ray, side.normal), 0.0) * ray.x * blocked(side, ray);
+    ray = turn * ray;
   }
   return sum * width;
 }
@@ -95,8 +95,8 @@ float sliceOcclusion(SurfacePoint point, vec3 view, vec4 xi)
   float tilt = atan(dot(projected, across), dot(projected, view));
   vec2 step = direction.xy * radiusInPixels(point) / float(stepsPerSide);
   vec3 up = point.normal / share;
-  SliceSide right = searchSide(point, view, across, up, tilt, step, xi.y);
-  SliceSide left = searchSide(point, view, -across, up, -tilt, -step, xi.y);
+  SliceSide right = searchSide(point, view, across, up, step, xi.y);
+  SliceSide left = searchSide(point, view, -across, up, -step, xi.y);
   return share * (sideOcclusion(right, tilt, xi.z) + sideOcclusion(left, -tilt, xi.z));
 }
 
