@@ -176,5 +176,27 @@ class AdaptiveRayCastFilter(unittest.TestCase):
         normals = servermanager.Fetch(together).GetPointData().GetArray("Normal")
         self.assertGreater(numpy.ptp(vtk_to_numpy(normals)), 0.5)
 
+    def test_can_be_aborted_and_draws_all_when_asked_again(self):
+        cast = AdaptiveRayCast(Input=[plane(), ball()], Resolution=[200, 200], AmbientOcclusion=1)
+        filter = cast.SMProxy.GetClientSideObject()
+        seen = []
+
+        def abort(caller, event):
+            seen.append(filter.GetProgress())
+            filter.SetAbortExecute(1)
+
+        observer = filter.AddObserver("ProgressEvent", abort)
+        cast.UpdatePipeline()
+        self.assertLess(seen[0], 0.5)
+        filter.RemoveObserver(observer)
+        filter.SetAbortExecute(0)
+        cast.Tolerance = 1 / 128
+        cast.UpdatePipeline()
+        whole = AdaptiveRayCast(Input=[plane(), ball()], Resolution=[200, 200], AmbientOcclusion=1,
+                                Tolerance=1 / 128)
+        numpy.testing.assert_array_equal(*(
+            vtk_to_numpy(servermanager.Fetch(each).GetPointData().GetArray("Color"))
+            for each in (cast, whole)))
+
 
 run_tests()

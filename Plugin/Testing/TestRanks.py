@@ -99,6 +99,27 @@ def draw(folder):
             print(f"{effect}: {(time.monotonic() - begin) / 3:.2f} s a picture", flush=True)
 
 
+def draw_cloud(folder):
+    """What every rank runs: a volume, of which each has a part, over a contour and a floor."""
+    start()
+    view = CreateView("PenumbraRenderView")
+    view.ViewSize = [200, 160]
+    view.OrientationAxesVisibility = 0
+    view.RemoteRenderThreshold = 0
+    view.CameraPosition = [40, -50, 40]
+    view.CameraFocalPoint = [0, 0, 0]
+    view.CameraViewUp = [0, 0, 1]
+    for source in scene():
+        Show(source, view).ColorArrayName = [None, ""]
+    cloud = Show(Wavelet(), view)
+    cloud.Representation = "Volume"
+    ColorBy(cloud, ("POINTS", "RTData"))
+    for name, cloudy, occlusion in (("surfaces", 0, 0), ("dark", 0, 1), ("cloud", 1, 0), ("both", 1, 1)):
+        cloud.Visibility = cloudy
+        view.AmbientOcclusion = occlusion
+        SaveScreenshot(os.path.join(folder, name + ".png"), view)
+
+
 def run_ranks(ranks, command):
     """The command, run by so many ranks."""
     # This process is a rank of its own already: its children shall not take part in that.
@@ -119,15 +140,21 @@ def results(ranks, what, read):
         if run.returncode:
             raise AssertionError(run.stdout + run.stderr)
         print(f"{ranks} ranks:\n{run.stdout.strip()}", flush=True)
-        return read(folder)
+        return read(folder, run.stderr)
 
 
-def pictures(folder):
+def pictures(folder, _):
     return {effect: read_picture(os.path.join(folder, effect + ".png")).astype(int)
             for effect in EFFECTS}
 
 
-def computed(folder):
+def clouds(folder, messages):
+    shown = {name: read_picture(os.path.join(folder, name + ".png")).astype(int)
+             for name in ("surfaces", "dark", "cloud", "both")}
+    return shown, messages
+
+
+def computed(folder, _):
     """Values by position, and colours of pictures."""
     baked = {name: dict(numpy.load(os.path.join(folder, name + ".npz")))
              for name in ("occlusion", "blocks", "irradiance", "alone")}
@@ -165,6 +192,20 @@ class Ranks(unittest.TestCase):
                 # Data that comes together has its triangles in another order: that shows on borders.
                 self.assertLessEqual((off > 8).mean(), 0.001 if effect == "gathered" else 0)
 
+    def test_leave_effects_out_where_volumes_are_blended(self):
+        warning = "ambient occlusion and light shafts are left out"
+        for ranks in (1, 2):
+            shown, messages = results(ranks, "draw_cloud", clouds)
+            self.assertGreater(numpy.abs(shown["dark"] - shown["surfaces"]).max(), 32)
+            self.assertGreater(numpy.abs(shown["cloud"] - shown["surfaces"]).max(), 32)
+            darkened = numpy.abs(shown["both"] - shown["cloud"]).max()
+            if ranks == 1:
+                self.assertGreater(darkened, 16)
+                self.assertNotIn(warning, messages)
+            else:
+                self.assertEqual(darkened, 0)
+                self.assertEqual(messages.count(warning), 1)
+
     def test_let_pieces_block_one_another(self):
         one = results(1, "compute", computed)
         # Without the other ranks the floor would be open.
@@ -188,6 +229,6 @@ class Ranks(unittest.TestCase):
 
 
 if len(sys.argv) > 1:
-    {"draw": draw, "compute": compute}[sys.argv[1]](sys.argv[2])
+    {"draw": draw, "draw_cloud": draw_cloud, "compute": compute}[sys.argv[1]](sys.argv[2])
 else:
     run_tests()

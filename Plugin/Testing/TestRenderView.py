@@ -8,7 +8,8 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from plugin import *
-from paraview import smstate
+from paraview import smstate, smtrace
+from paraview.modules import vtkRemotingServerManager
 
 SETTINGS = {
     "Tolerance": 0.02, "AmbientOcclusion": 0, "OcclusionRadius": 0.2, "OcclusionStrength": 0.5,
@@ -173,6 +174,42 @@ class RenderViewPenumbra(unittest.TestCase):
         again = GetViews()[0]
         for name, value in SETTINGS.items():
             self.assertEqual(getattr(again, name), value, name)
+
+    def test_undoes_and_redoes_its_settings(self):
+        builder = vtkRemotingServerManager.vtkSMUndoStackBuilder()
+        stack = vtkRemotingServerManager.vtkSMUndoStack()
+        builder.SetUndoStack(stack)
+        vtkRemotingServerManager.vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(builder)
+        self.addCleanup(builder.SetUndoStack, None)
+        before = {name: self.setting(name) for name in SETTINGS}
+        for name, value in SETTINGS.items():
+            builder.Begin(name)  # As the panel does with each change.
+            setattr(self.view, name, value)
+            builder.EndAndPushToStack()
+        for name in reversed(SETTINGS):
+            self.assertEqual(stack.GetUndoSetLabel(0), name)
+            self.assertEqual(self.setting(name), SETTINGS[name], name)
+            stack.Undo()
+            self.assertEqual(self.setting(name), before[name], name)
+        while stack.CanRedo():
+            stack.Redo()
+        self.assertEqual({name: self.setting(name) for name in SETTINGS}, SETTINGS)
+
+    def setting(self, name):
+        value = getattr(self.view, name)
+        if isinstance(value, (int, float)):
+            return value
+        return list(value) if len(value) > 1 else value[0]
+
+    def test_tells_its_settings_to_a_trace(self):
+        smtrace.start_trace()
+        change = smtrace.PropertiesModified(self.view.SMProxy)  # What the panel's Apply wraps its work in.
+        for name, value in SETTINGS.items():
+            setattr(self.view, name, value)
+        change.finalize()
+        trace = smtrace.stop_trace()
+        for name, value in SETTINGS.items():
+            self.assertIn(f".{name} = {value!r}\n", trace)
 
     def test_lays_volumes_over_what_it_darkens(self):
         self.view.UseFXAA = 0  # ParaView smooths edges before it draws volumes, this view after.
