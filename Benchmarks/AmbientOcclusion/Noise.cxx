@@ -79,8 +79,8 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     const std::vector<float> limit = Limit(screen);
     benchmark.Judge(scene.Name, "noise after 32 still frames, against its limit",
       Difference(after32, limit, depth, all), .006,
-      "256 samples a pixel by then, one slice a frame; what is left is noise that more frames take "
-      "away");
+      "352 samples a pixel by then, filtered no more from 150 on; what is left is noise that more "
+      "frames take away");
     table.Add(scene.Name, "converged, against its limit", Difference(converged, limit, depth, all),
       Bar::AtMost, .01, "believed of the worst 16x16 pixels: " + std::to_string(believed));
     table.Add(scene.Name, "change once converged", change, Bar::AtMost, 0.0);

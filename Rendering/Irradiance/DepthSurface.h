@@ -23,10 +23,27 @@ struct SurfacePoint
   glm::vec3 Normal{ 0.f };   ///< unit, towards the eye; zero: an empty pixel
 };
 
+/// Which pixels of a picture are looked at: every Step-th in both directions.
+struct PixelLattice
+{
+  int Step = 1;
+  int Column = 0; ///< the first
+  int Row = 0;
+
+  bool operator==(const PixelLattice& other) const
+  {
+    return this->Step == other.Step && this->Column == other.Column && this->Row == other.Row;
+  }
+
+  /// How many there are among so many columns, or rows.
+  int CountIn(int size, int first) const { return (size - first + this->Step - 1) / this->Step; }
+};
+
 /// `eyeDepths`: of the view, in its unit, row after row; `atCenters`: of the centres of pixels, not of one
-/// of several samples somewhere in them.
+/// of several samples somewhere in them. Only pixels of the
+/// lattice are looked for and returned.
 std::vector<SurfacePoint> FindSurface(const std::vector<float>& eyeDepths, bool atCenters,
-  const ScreenView& view, const RayScene& rays);
+  const ScreenView& view, const RayScene& rays, const PixelLattice& lattice = {});
 
 }
 #endif

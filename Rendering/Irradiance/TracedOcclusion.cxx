@@ -98,8 +98,10 @@ private:
     int blocked[PacketSize] = {};
     for (int sample = 0; sample < this->Samples.Count; ++sample)
     {
+      const PixelLattice& lattice = this->Samples.Lattice;
       const glm::dvec2 shifted = SequencePoint(this->Samples.First + sample) +
-        PixelShift((block.X + i) % Period, (block.Y + j) % Period);
+        PixelShift((lattice.Column + (block.X + i) * lattice.Step) % Period,
+          (lattice.Row + (block.Y + j) * lattice.Step) % Period);
       const glm::vec3 direction = ToHemisphere(
         ToDisc(static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
       this->TracePacket(pixels, size, direction, blocked);

@@ -33,10 +33,68 @@ std::vector<float> Read(vtkTextureObject* texture)
   return values;
 }
 
+/// Means of the pixels of a lattice as a picture; others have that of the one of their block, as what it
+/// is: a neighbour's.
+std::vector<float> Spread(
+  const std::vector<float>& means, const penumbra::PixelLattice& lattice, int width, int height)
+{
+  const int columns = lattice.CountIn(width, lattice.Column);
+  const int rows = lattice.CountIn(height, lattice.Row);
+  std::vector<float> picture(static_cast<std::size_t>(width) * height);
+  for (int j = 0; j < height; ++j)
+  {
+    const float* row = means.data() + std::min(j / lattice.Step, rows - 1) * columns;
+    float* to = picture.data() + static_cast<std::size_t>(j) * width;
+    for (int i = 0; i < width; ++i)
+    {
+      to[i] = -1.f - row[std::min(i / lattice.Step, columns - 1)];
+    }
+    if (j % lattice.Step == lattice.Row)
+    {
+      for (int i = lattice.Column; i < width; i += lattice.Step)
+      {
+        to[i] = row[i / lattice.Step];
+      }
+    }
+  }
+  return picture;
+}
+
+/// The part of a lattice that a part of its picture holds.
+std::vector<penumbra::Rectangle> PartsOf(
+  std::vector<penumbra::Rectangle> parts, const penumbra::PixelLattice& lattice)
+{
+  for (penumbra::Rectangle& part : parts)
+  {
+    const int right = part.X + part.Width;
+    const int top = part.Y + part.Height;
+    part.X /= lattice.Step;
+    part.Y /= lattice.Step;
+    part.Width = (right + lattice.Step - 1) / lattice.Step - part.X;
+    part.Height = (top + lattice.Step - 1) / lattice.Step - part.Y;
+  }
+  return parts;
+}
+
 /// So many rays of a pixel have this error where half of them are blocked.
 int EquivalentRays(double tolerance)
 {
   return std::max(static_cast<int>(.25 / (tolerance * tolerance)), 1);
+}
+
+/// In motion one pixel of a block of so many in both directions is traced a frame: by turns, those that
+/// meet in a corner first.
+constexpr int MovingStep = 2;
+constexpr int Turns = MovingStep * MovingStep;
+constexpr int ColumnOfTurn[Turns] = { 0, 1, 1, 0 };
+constexpr int RowOfTurn[Turns] = { 0, 1, 0, 1 };
+
+/// Samples of frames in motion: far from those of still ones, and common to the turns.
+constexpr int MovingRun = 1 << 18;
+
+penumbra::PixelLattice LatticeOf(int sample)
+{
+  return { MovingStep, ColumnOfTurn[sample % Turns], RowOfTurn[sample % Turns] };
 }
 
 /// What is known of one renderer.
@@ -44,6 +102,7 @@ struct Traced
 {
   penumbra::TracedGeometry Geometry;
   long long Version = 0;
+  penumbra::PixelLattice Lattice; ///< of the points
   std::vector<penumbra::SurfacePoint> Points;
 };
 
@@ -75,10 +134,15 @@ try
   const bool rebuilt = state.Geometry.Update(request.Renderer, request.Radius);
   this->NumberOfTrees += rebuilt;
   const penumbra::ScreenView& view = request.Depth->GetView();
-  if (rebuilt || state.Version != request.Depth->GetVersion())
+  const bool sparse =
+    request.Moving && this->SparseInMotion && view.Width >= MovingStep && view.Height >= MovingStep;
+  const penumbra::PixelLattice lattice =
+    sparse ? LatticeOf(request.FirstSample) : penumbra::PixelLattice();
+  if (rebuilt || state.Version != request.Depth->GetVersion() || !(state.Lattice == lattice))
   {
     state.Points = penumbra::FindSurface(Read(request.Depth->GetCurrent()),
-      request.Image->GetSamples() == 1, view, state.Geometry.GetRays());
+      request.Image->GetSamples() == 1, view, state.Geometry.GetRays(), lattice);
+    state.Lattice = lattice;
     state.Version = request.Depth->GetVersion();
   }
   std::vector<float>& means = this->Implementation->Means;
@@ -93,12 +157,18 @@ try
     return done ? EquivalentRays(request.Tolerance) : 0;
   }
   penumbra::TracedSamples samples;
-  samples.First = request.FirstSample;
+  samples.First = sparse ? MovingRun + request.FirstSample / Turns : request.FirstSample;
   samples.Count = std::max(request.Samples / this->SamplesPerRay, 1);
   samples.Reach = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
+  samples.Lattice = lattice;
   const std::vector<penumbra::Rectangle> whole = { { 0, 0, view.Width, view.Height } };
-  this->NumberOfRays += penumbra::TraceOcclusion(state.Points, view.Width, state.Geometry.GetRays(),
-    samples, request.Parts ? *request.Parts : whole, means);
+  this->NumberOfRays += penumbra::TraceOcclusion(state.Points,
+    lattice.CountIn(view.Width, lattice.Column), state.Geometry.GetRays(), samples,
+    PartsOf(request.Parts ? *request.Parts : whole, lattice), means);
+  if (sparse)
+  {
+    means = Spread(means, lattice, view.Width, view.Height);
+  }
   const bool done = target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
   return done ? samples.Count : 0;
 }
@@ -134,6 +204,7 @@ void vtkPenumbraTracedEstimator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SamplesPerRay: " << this->SamplesPerRay << "\n";
+  os << indent << "SparseInMotion: " << this->SparseInMotion << "\n";
   os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
   os << indent << "NumberOfTrees: " << this->NumberOfTrees << "\n";
 }

@@ -40,6 +40,16 @@ public:
   vtkGetMacro(SamplesPerRay, int);
   ///@}
 
+  ///@{
+  /**
+   * While the picture moves, one pixel of every 2 x 2 is traced a frame, by turns; the others go by their
+   * history, their neighbours and, where both fail, that pixel. Off: all pixels. Default: on.
+   */
+  vtkSetMacro(SparseInMotion, bool);
+  vtkGetMacro(SparseInMotion, bool);
+  vtkBooleanMacro(SparseInMotion, bool);
+  ///@}
+
   int Estimate(const Request& request, vtkTextureObject* target) override;
 
   /** Are all opaque props of the renderer meshes that rays can meet? */
@@ -69,6 +79,7 @@ private:
   std::unique_ptr<Internals> Implementation;
 
   int SamplesPerRay = 32;
+  bool SparseInMotion = true;
   bool Final = false;
   vtkTypeInt64 NumberOfRays = 0;
   vtkTypeInt64 NumberOfTrees = 0;

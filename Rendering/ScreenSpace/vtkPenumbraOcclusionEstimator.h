@@ -67,7 +67,8 @@ public:
 
   /**
    * Fill `target` (one float a pixel) with the mean of new samples, 0 open, 1 blocked. Returns how
-   * many samples a pixel that were, 0 when it cannot.
+   * many samples a pixel that were, 0 when it cannot. In motion a pixel without samples of its own may
+   * have -1 - the mean of one beside it: that counts only where nothing else is known.
    */
   virtual int Estimate(const Request& request, vtkTextureObject* target) = 0;
 

@@ -155,6 +155,46 @@ TEST(TracedEstimator, ConvergesToBruteForce)
   EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .5 * first);
 }
 
+TEST(TracedEstimator, TracesAFourthOfThePixelsInMotion)
+{
+  // Sizes that are no multiple of the blocks.
+  OcclusionScene scene(97, 71);
+  AddSpheres(scene);
+  vtkPenumbraTemporalSSAOPass* pass = Trace(scene, 1.0);
+  Estimator(scene)->SetSamplesPerRay(32);
+  pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  const auto raysOf = [&scene](int frames) {
+    const long long before = Estimator(scene)->GetNumberOfRays();
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      scene.Renderer->GetActiveCamera()->Azimuth(.25);
+      scene.Window->Render();
+    }
+    return static_cast<double>(Estimator(scene)->GetNumberOfRays() - before);
+  };
+  const double all = raysOf(1); // nothing is known before the first
+  EXPECT_NEAR(raysOf(4) / all, 1.0, .02);
+  raysOf(28);
+  const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 97, 71, 1.0, 24);
+  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .05);
+  Estimator(scene)->SparseInMotionOff();
+  EXPECT_NEAR(raysOf(1) / all, 1.0, .02);
+}
+
+TEST(TracedEstimator, TracesPicturesOfOnePixelInMotion)
+{
+  OcclusionScene scene(1, 1);
+  AddSpheres(scene);
+  Trace(scene, 1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(.25);
+    scene.Window->Render();
+    ASSERT_GE(scene.Array("AmbientOcclusion").front(), 0.f);
+    ASSERT_LE(scene.Array("AmbientOcclusion").front(), 1.f);
+  }
+}
+
 TEST(TracedEstimator, SeesTheSameWhateverTheClippingRange)
 {
   std::vector<float> pictures[2];

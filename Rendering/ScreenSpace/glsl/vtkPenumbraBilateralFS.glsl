@@ -14,6 +14,12 @@ uniform float mean;             // 1: write the mean; 0: sum and number, for the
 uniform vec2 way;               // (1, 0) or (0, 1)
 uniform float convergedWeight;  // from this weight on a pixel is left alone
 
+// A neighbour's sum and number, weighed.
+vec2 from(vec2 tap, vec3 apart, vec3 inPlane, float samples, float pixelWidth)
+{
+  return neighbourWeight(apart, inPlane, samples, pixelWidth) * texture(values, tap * pixelSize).rg;
+}
+
 void main()
 {
   vec2 pixel = gl_FragCoord.xy;
@@ -23,20 +29,20 @@ void main()
   float shrink = clamp(1.0 - own.g / convergedWeight, 0.0, 1.0);
   float pixelWidth = pixelToEye.x * mix(1.0, depth, perspective);
   vec2 sum = own;
-  // All taps or none: a block of pixels that has converged leaves the loops at once.
-  int last = shrink > 0.0 ? 2 : -3;
-  vec3 along = vec3(0.0);
-  for (int i = 0; i <= min(last, 0); ++i)
+  // Once or never: a block of pixels that has converged leaves the loop at once.
+  int times = shrink > 0.0 ? 1 : 0;
+  for (int i = 0; i < times; ++i)
   {
-    along = nearerNeighbour(position, pixel, way);
-  }
-  for (int i = -2; i <= last; ++i)
-  {
-    vec2 tap = pixel + float(i) * way;
-    vec2 other = texture(values, tap * pixelSize).rg;
-    vec3 apart = eyePositionAt(tap) - position;
-    float weight = shrink * neighbourWeight(apart, float(i) * along, own.g, pixelWidth);
-    sum += i == 0 ? vec2(0.0) : weight * other;
+    vec3 ahead = eyePositionAt(pixel + way) - position;
+    vec3 behind = eyePositionAt(pixel - way) - position;
+    vec3 along = nearerOf(ahead, -behind, position, pixel + way);
+    vec2 near = from(pixel + way, ahead, along, own.g, pixelWidth) +
+      from(pixel - way, behind, -along, own.g, pixelWidth);
+    vec2 far = pixel + 2.0 * way;
+    near += from(far, eyePositionAt(far) - position, 2.0 * along, own.g, pixelWidth);
+    far = pixel - 2.0 * way;
+    near += from(far, eyePositionAt(far) - position, -2.0 * along, own.g, pixelWidth);
+    sum += shrink * near;
   }
   float value = sum.x / max(sum.y, 1e-6);
   gl_FragData[0] = vec4(mean > 0.5 ? min(value, 1.0) : own.g * value, own.g, 0.0, 1.0);

@@ -23,6 +23,9 @@ uniform float depthTolerance;      // relative, eq. 8
 // `./penumbra benchmark ambient-occlusion --only noise`.
 const float farthestOff = 0.08;
 
+// What a sample of a neighbour counts: next to nothing, where there is anything else.
+const float borrowed = 0.01;
+
 vec2 previousPlane(vec2 pixel)
 {
   return previousPixelToEye.xy * pixel + previousPixelToEye.zw;
@@ -88,7 +91,9 @@ void main()
   float weight = min(kept.g, weightCap);
   weight = min(weight, neighbourTrust(point, before));
   float estimate = estimateAt(point);
+  float samples = estimate < 0.0 ? borrowed * newSamples : newSamples;
+  estimate = estimate < 0.0 ? -1.0 - estimate : estimate;
   weight = min(weight, maximumWeight - newSamples);
   kept *= weight / max(kept.g, 1e-6);
-  gl_FragData[0] = vec4(kept + newSamples * vec2(estimate, 1.0), 0.0, 1.0);
+  gl_FragData[0] = vec4(kept + samples * vec2(estimate, 1.0), 0.0, 1.0);
 }

@@ -22,15 +22,20 @@ vec3 eyePositionAt(vec2 pixel)
   return eyePosition(floor(pixel) + 0.5, eyeDepthAt(pixel));
 }
 
-// Of two neighbours, the way to the one that lies on the same surface, as far as depths tell. Where
-// neither shows a surface: across the view.
+// Of the ways to and from two neighbours, that of the one which lies on the same surface, as far as depths
+// tell. Where neither shows a surface: across the view, to the pixel ahead.
+vec3 nearerOf(vec3 ahead, vec3 behind, vec3 position, vec2 pixelAhead)
+{
+  vec3 nearer = abs(ahead.z) < abs(behind.z) ? ahead : behind;
+  vec3 across = eyePosition(pixelAhead, -position.z) - position;
+  return abs(nearer.z) < 0.5 * farAway ? nearer : across;
+}
+
 vec3 nearerNeighbour(vec3 position, vec2 pixel, vec2 way)
 {
   vec3 ahead = eyePositionAt(pixel + way) - position;
   vec3 behind = position - eyePositionAt(pixel - way);
-  vec3 nearer = abs(ahead.z) < abs(behind.z) ? ahead : behind;
-  vec3 across = eyePosition(pixel + way, -position.z) - position;
-  return abs(nearer.z) < 0.5 * farAway ? nearer : across;
+  return nearerOf(ahead, behind, position, pixel + way);
 }
 
 SurfacePoint surfaceAt(vec2 pixel)
