@@ -332,7 +332,7 @@ Record Placement::Gather(const Site& site, long long& rays) const
       gradient *= static_cast<float>(radius) / record.Radius;
     }
   }
-  record.Lean = std::max(static_cast<float>(this->Settings.OffSurface) * record.Radius, site.Pixel);
+  record.Lean = site.Pixel; // more reaches parallel surfaces, such as the floors of shallow pockets
   return record;
 }
 

@@ -31,7 +31,6 @@ struct PlacementSettings
   RadiusRules Rule = RadiusRules::Hessian;
   double LeastPixels = 3.0; ///< [IC] 2 - 4
   double MostPixels = 64.0; ///< [IC] 20 - 64
-  double OffSurface = .1;   ///< how far off the surface a record serves, of its radius
   int Side = 0;             ///< cells along the gatherer's grid; 0: from Tolerance
   bool Refine = false;   ///< look closer where neighbouring cells differ most: small bright lights
   bool AllServe = false; ///< even those whose radius the least one makes too large

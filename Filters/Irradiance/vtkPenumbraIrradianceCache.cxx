@@ -3,6 +3,7 @@
 #include "vtkPenumbraIrradianceCache.h"
 
 #include "Interreflection.h"
+#include "Numbers.h"
 #include "PictureRecords.h"
 #include "PictureSites.h"
 #include "RayScene.h"
@@ -193,6 +194,8 @@ void vtkPenumbraIrradianceCache::GetIrradianceRecords(vtkPolyData* records) cons
 PlacementSettings vtkPenumbraIrradianceCache::Internals::MakeSettings(
   vtkPenumbraIrradianceCache* self, double accepted)
 {
+  RequireNumbers("Tolerance, MinimumRadius, MaximumRadius and NormalAngle",
+    { self->Tolerance, self->MinimumRadius, self->MaximumRadius, self->NormalAngle });
   PlacementSettings settings;
   settings.Tolerance =
     std::max(self->Tolerance > 0.0 ? self->Tolerance : SharedError * accepted, LeastTolerance);

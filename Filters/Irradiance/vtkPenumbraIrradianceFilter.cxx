@@ -6,6 +6,7 @@
 #include "Blocks.h"
 #include "Interreflection.h"
 #include "MeshSites.h"
+#include "Numbers.h"
 #include "RayGatherer.h"
 #include "RayScene.h"
 #include "Statistics.h"
@@ -41,12 +42,11 @@ using namespace penumbra;
 /// its neighbours to be worth anything, and no further than some dozens of them.
 constexpr float PixelOfSpacing = .5f;
 
-/// Surfaces of scans are rough: what of the tolerance bends and turns may take, how many of those
-/// pixels a record may reach, and how far off its surface. Measured on a scan of 104 thousand points.
+/// Surfaces of scans are rough: what of the tolerance bends and turns may take, and how many of those
+/// pixels a record may reach. Measured on a scan of 104 thousand points.
 constexpr double BendShare = .5;
 constexpr double TurnShare = .1;
 constexpr double MostPixels = 16.0;
-constexpr double OffSurface = .05;
 
 /// The noise of one record may be above the tolerance, since several are blended; brute force tells
 /// an error above its true one. Measured there, too.
@@ -196,6 +196,9 @@ int vtkPenumbraIrradianceFilter::RequestData(
   this->EstimatedError = std::nan("");
   try
   {
+    RequireNumbers("Tolerance, Radius, PointRadius, Albedo and EnvironmentColor",
+      { this->Tolerance, this->Radius, this->PointRadius, this->Albedo, this->EnvironmentColor[0],
+        this->EnvironmentColor[1], this->EnvironmentColor[2] });
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(inputs, outputs); });
   }
@@ -280,7 +283,6 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   work.Rays = std::make_unique<RayScene>(mesh.Blocking, this->NumberOfThreads);
   work.Tree.Initialize(glm::vec3(0.f), .5f);
   work.Settings.MostPixels = MostPixels;
-  work.Settings.OffSurface = OffSurface;
   work.Progress = [this](double share) {
     this->UpdateProgress(share);
     return this->GetAbortExecute() != 0;

@@ -5,6 +5,7 @@
 #include "GeometryArrays.h"
 #include "Illumination.h"
 #include "MediumExtraction.h"
+#include "Numbers.h"
 #include "PictureImage.h"
 #include "SceneExtraction.h"
 #include "SceneExtractionTime.h"
@@ -244,20 +245,16 @@ int vtkPenumbraRayCaster::RequestData(
     vtkErrorMacro("Resolution must be 1 x 1 to " << LargestSide << " x " << LargestSide << ".");
     return 0;
   }
-  const double numbers[] = { this->Tolerance, this->AmbientOcclusionRadius,
-    this->AmbientOcclusionStrength, this->Albedo, this->EnvironmentColor[0],
-    this->EnvironmentColor[1], this->EnvironmentColor[2] };
-  if (std::any_of(std::begin(numbers), std::end(numbers), [](double n) { return std::isnan(n); }))
-  {
-    vtkErrorMacro("Tolerance, AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo and "
-                  "EnvironmentColor must be numbers, one of them is NaN.");
-    return 0;
-  }
 
   Internals& own = *this->Implementation;
   own.Forget();
   try
   {
+    penumbra::RequireNumbers(
+      "Tolerance, AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo and "
+      "EnvironmentColor",
+      { this->Tolerance, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
+        this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
     own.Prepare(this, inputs[0]);
     bool finished = true;
     vtkSMPTools::LocalScope(

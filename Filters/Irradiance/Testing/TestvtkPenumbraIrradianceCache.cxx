@@ -458,3 +458,65 @@ TEST(vtkPenumbraIrradianceCache, MakesNewRecordsForAnotherFallOff)
   cache->Begin(rays, 2.0, .02);
   EXPECT_EQ(Ask(cache, beside), whole);
 }
+
+TEST(vtkPenumbraIrradianceCache, DoesNotReachFromAPlateIntoAShallowPocket)
+{
+  constexpr float Far = 1000.f;
+  constexpr float Half = .3f;
+  constexpr float Depth = .08f;
+  Scene scene;
+  AddRectangle(scene, { -Half, -Half, -Depth }, { 2 * Half, 0, 0 }, { 0, 2 * Half, 0 });
+  for (const float side : { -1.f, 1.f })
+  {
+    AddRectangle(scene, { side * Half, -Half, -Depth }, { 0, 2 * Half, 0 }, { 0, 0, Depth });
+    AddRectangle(scene, { -Half, side * Half, -Depth }, { 2 * Half, 0, 0 }, { 0, 0, Depth });
+    AddRectangle(scene, { side * Half, -Far, 0 }, { side * Far, 0, 0 }, { 0, 2 * Far, 0 });
+    AddRectangle(scene, { -Half, side * Half, 0 }, { 2 * Half, 0, 0 }, { 0, side * Far, 0 });
+  }
+  LookAt(scene, { 0, -2.4, 4 }, { 0, 0, 0 }, 45.0, Size, Size);
+  const RayScene rays(scene, 0);
+  View view{ scene, {} };
+  for (const Site& site : AllSites(rays))
+  {
+    const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
+    if (site.Normal.z > .9f && world.z < -.5 * Depth)
+    {
+      view.Sites.push_back(site);
+    }
+  }
+  ASSERT_GT(view.Sites.size(), 200u);
+  // What is open is a square above.
+  const auto corner = [](double x, double y) {
+    const double u = std::hypot(1.0, x);
+    const double v = std::hypot(1.0, y);
+    return (x / u * std::atan(y / u) + y / v * std::atan(x / v)) / (2.0 * 3.14159265358979);
+  };
+  const Truth truth = [&](glm::dvec3 at, glm::dvec3) {
+    const double x0 = (-Half - at.x) / Depth;
+    const double x1 = (Half - at.x) / Depth;
+    const double y0 = (-Half - at.y) / Depth;
+    const double y1 = (Half - at.y) / Depth;
+    return 1.0 - (corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0));
+  };
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->SetTolerance(.01);
+  cache->Begin(rays, Infinity, .02);
+  // Within five pixels of its walls it changes by half; with leaks this was .25.
+  EXPECT_LE(ErrorOf(cache, view, truth), .025);
+}
+
+TEST(vtkPenumbraIrradianceCache, RefusesSettingsThatAreNoNumbers)
+{
+  Scene scene;
+  AddFloor(scene, 1.f);
+  LookAt(scene, { 0, -2, 2 }, { 0, 0, 0 }, 45.0, Size, Size);
+  const RayScene rays(scene, 0);
+  for (auto set :
+    { &vtkPenumbraIrradianceCache::SetTolerance, &vtkPenumbraIrradianceCache::SetMinimumRadius,
+      &vtkPenumbraIrradianceCache::SetMaximumRadius, &vtkPenumbraIrradianceCache::SetNormalAngle })
+  {
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    (cache.Get()->*set)(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_THROW(cache->Begin(rays, Infinity, .02), std::runtime_error);
+  }
+}

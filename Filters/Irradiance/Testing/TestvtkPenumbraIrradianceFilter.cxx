@@ -31,6 +31,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -529,4 +530,27 @@ TEST(vtkPenumbraIrradianceFilter, AddsNothingUnderAnEnvironmentWithoutAPicture)
   filter->Update();
   vtkObject::GlobalWarningDisplayOn();
   EXPECT_FALSE(OutputOf(filter)->GetPointData()->HasArray("Irradiance"));
+}
+
+TEST(vtkPenumbraIrradianceFilter, AddsNothingWithSettingsThatAreNoNumbers)
+{
+  for (auto set :
+    { &vtkPenumbraIrradianceFilter::SetTolerance, &vtkPenumbraIrradianceFilter::SetRadius,
+      &vtkPenumbraIrradianceFilter::SetPointRadius, &vtkPenumbraIrradianceFilter::SetAlbedo })
+  {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputConnection(Floor(2)->GetOutputPort());
+    (filter.Get()->*set)(std::numeric_limits<double>::quiet_NaN());
+    std::string error;
+    vtkNew<vtkCallbackCommand> listen;
+    listen->SetClientData(&error);
+    listen->SetCallback([](vtkObject*, unsigned long, void* heard, void* text) {
+      *static_cast<std::string*>(heard) += static_cast<const char*>(text);
+    });
+    filter->AddObserver(vtkCommand::ErrorEvent, listen);
+    filter->Update();
+    EXPECT_NE(error.find("must be numbers, one of them is NaN"), std::string::npos) << error;
+    EXPECT_FALSE(
+      vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->HasArray("AmbientOcclusion"));
+  }
 }
