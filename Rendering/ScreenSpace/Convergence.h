@@ -38,6 +38,9 @@ public:
   /// How many more make it look at the picture again.
   int GetSamplesToReading() const;
 
+  /// What they had when the picture was last looked at.
+  int GetSamplesAtReading() const { return this->SamplesAtReading; }
+
   /// Nothing is open any more.
   bool IsDone() const { return this->Known && this->Open.empty(); }
 

@@ -22,7 +22,7 @@ namespace penumbra
 namespace
 {
 
-/// A still view gives up on the tolerance after so many times MaximumWeight.
+/// A still view gives up on the tolerance when it has been looked at after so many times MaximumWeight.
 constexpr double Patience = 8.0;
 
 /// The sequence starts again here, long before its index loses precision.
@@ -45,7 +45,7 @@ vtkFloatArray* AddArray(vtkImageData* image, const char* name)
 bool OcclusionView::MeetsTolerance() const
 {
   return this->Still.IsDone() ||
-    this->Still.GetSamples() >= Patience * this->Settings.MaximumWeight;
+    this->Still.GetSamplesAtReading() >= Patience * this->Settings.MaximumWeight;
 }
 
 bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
