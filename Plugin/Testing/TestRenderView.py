@@ -178,9 +178,11 @@ class RenderViewPenumbra(unittest.TestCase):
     def test_undoes_and_redoes_its_settings(self):
         builder = vtkRemotingServerManager.vtkSMUndoStackBuilder()
         stack = vtkRemotingServerManager.vtkSMUndoStack()
+        stack.SetStackDepth(len(SETTINGS))
         builder.SetUndoStack(stack)
         vtkRemotingServerManager.vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(builder)
         self.addCleanup(builder.SetUndoStack, None)
+        self.view = CreateView("PenumbraRenderView")
         before = {name: self.setting(name) for name in SETTINGS}
         for name, value in SETTINGS.items():
             builder.Begin(name)  # As the panel does with each change.

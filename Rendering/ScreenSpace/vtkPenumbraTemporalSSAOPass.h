@@ -114,7 +114,8 @@ public:
   ///@}
 
   ///@{
-  /** Samples (depths fetched) a pixel and frame until AdaptiveConvergence: k1, 8 to 512. Default: 32. */
+  /** Samples (depths fetched) a pixel and frame until AdaptiveConvergence: k1, 8 to 512. Default: 32.
+   * What converges in one render takes as many at once as its next look at the tolerance needs. */
   vtkSetClampMacro(FirstSamples, int, 8, 512);
   vtkGetMacro(FirstSamples, int);
   ///@}
