@@ -92,7 +92,8 @@ TEST(Chart, IsWholeWhenItIsCancelledAndGoesOnThere)
   // The signal comes after the first row. Shells let what runs in the background ignore SIGINT.
   const Outcome cancelled = RunShell("env --default-signal=INT $PENUMBRA chart --quick --family "
                                      "irradiance --output " +
-    Quote(folder / "charts") + " & program=$!; while ! grep -q 'sphere on a floor' " + Quote(path) +
+    Quote(folder / "charts") +
+    " & program=$!; while kill -0 $program && ! grep -q 'sphere on a floor' " + Quote(path) +
     " 2>/dev/null; do sleep .01; done; kill -INT $program; wait $program 2>/dev/null");
   EXPECT_EQ(cancelled.Status, 130) << "the shell sees the signal as the program's end";
   EXPECT_EQ(cancelled.Errors, "");
