@@ -27,8 +27,9 @@ constexpr double DepthStep = 0x1p-23;
 constexpr double StepsAround = 16.0;
 constexpr double PixelsAround = 4.0;
 
-/// Where depths lie in a plane within this share of a pixel's width, they tell all that the mesh would:
-/// measured, `./penumbra benchmark ambient-occlusion --only traced` gives the same errors as with a fifth.
+/// Where depths lie in a plane within this share of a pixel's width, they tell all that the mesh would.
+/// Measured, `./penumbra benchmark ambient-occlusion --only traced`: the errors of up to 16 frames are those of
+/// .02, converged they are .0003 to .0006 larger, in two thirds of the time.
 constexpr float FlatWithin = 0.1f;
 
 /// As far off in pixels as the rasteriser may place a corner.
