@@ -380,7 +380,7 @@ std::vector<Scenario> OcclusionStillScenarios()
       Metric::Bias, .04, frame, "[ISAO] one layer of depth", "", InPerspective },
     { "OcclusionInParallel", "the same in parallel projection", "still", Metric::Bias, .04, frame,
       "[TSSAO] parallel projection", "", InParallel },
-    { "OcclusionAtAWideAngle", "the same at 150 degrees", "still", Metric::Bias, .025, frame, "",
+    { "OcclusionAtAWideAngle", "the same at 150 degrees", "still", Metric::Bias, .022, frame, "",
       "", AtAWideAngle },
     { "OcclusionNearAndFar", "clipping planes as 1 : 1,000,000", "still", Metric::Bias, .02,
       "planes that follow what is in view; as 1 : 1e9", "[ISAO] depth alone", "", NearAndFar },
