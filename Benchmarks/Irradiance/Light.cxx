@@ -29,8 +29,8 @@ constexpr int Size = 256;
 constexpr int TruthStep = 8; ///< every so many pixels in both directions have a truth
 constexpr int Paths = 16384;
 
-/// What the room's picture is accepted to err, as irradiance over pi: about 1.5 % of its mean.
-constexpr double RoomTolerance = .003;
+/// What the room's picture is accepted to err, as irradiance over pi: about 1.7 % of its mean.
+constexpr double RoomTolerance = .0034;
 
 /// Radiance that is white in the room's picture.
 constexpr double WhiteOfPicture = .5;

@@ -121,13 +121,28 @@ void RecordTree::Insert(const Record& record)
 
 void RecordTree::InsertClamped(Record record, float least)
 {
+  std::vector<Record*> neighbours;
   this->ForEachAround(record.Position, [&](const Record& other) {
     if (other.Serves && glm::dot(other.Normal, record.Normal) > .5f)
     {
-      const float distance = glm::distance(other.Position, record.Position);
-      record.Radius = std::min(record.Radius, std::max(other.Radius + distance, least));
+      neighbours.push_back(&this->Records[&other - this->Records.data()]);
     }
   });
+  const auto clamp = [least](Record& one, const Record& other) {
+    const float distance = glm::distance(one.Position, other.Position);
+    one.Radius = std::min(one.Radius, std::max(other.Radius + distance, least));
+  };
+  for (const Record* other : neighbours)
+  {
+    clamp(record, *other);
+  }
+  for (Record* other : neighbours)
+  {
+    if (record.Serves)
+    {
+      clamp(*other, record);
+    }
+  }
   this->Insert(record);
 }
 

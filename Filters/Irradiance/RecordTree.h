@@ -34,8 +34,8 @@ public:
 
   void Insert(const Record& record);
 
-  /// Keep a record's radius from reaching further than its neighbours' beyond their distance
-  /// [Krivanek et al., neighbour clamping], then insert it.
+  /// Keep a record's radius from reaching further than its neighbours' beyond their distance, and theirs
+  /// from reaching further than its own [Krivanek et al., neighbour clamping], then insert it.
   void InsertClamped(Record record, float least);
 
   /// Blends the records that serve.
@@ -57,7 +57,7 @@ private:
   struct Reference
   {
     glm::vec3 Position;
-    float SquaredRadius;
+    float SquaredRadius; ///< when it was inserted: neighbours may have made it smaller
     std::uint32_t Index;
   };
   struct Node

@@ -7,6 +7,7 @@
 #include "FadingOcclusion.h"
 #include "PictureSites.h"
 #include "RayScene.h"
+#include "RecordTree.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"
@@ -518,5 +519,30 @@ TEST(vtkPenumbraIrradianceCache, RefusesSettingsThatAreNoNumbers)
     vtkNew<vtkPenumbraIrradianceCache> cache;
     (cache.Get()->*set)(std::numeric_limits<double>::quiet_NaN());
     EXPECT_THROW(cache->Begin(rays, Infinity, .02), std::runtime_error);
+  }
+}
+
+TEST(RecordTree, ClampsNeighboursBothWays)
+{
+  constexpr float Least = .1f;
+  Record wide;
+  wide.Radius = 10.f;
+  wide.Found.Clearance.fill(100.f);
+  Record narrow = wide;
+  narrow.Position.x = 2.f;
+  narrow.Radius = 1.f;
+  Record idle = narrow;
+  idle.Position.x = -1.f;
+  idle.Serves = false;
+  for (const bool wideFirst : { true, false })
+  {
+    RecordTree tree;
+    tree.Initialize(glm::vec3(0.f), 20.f);
+    tree.InsertClamped(wideFirst ? wide : narrow, Least);
+    tree.InsertClamped(wideFirst ? narrow : wide, Least);
+    tree.InsertClamped(idle, Least);
+    // What lies outside of the narrow one's sphere does not ask for it.
+    EXPECT_EQ(tree.FindAt(wide)->Radius, wideFirst ? 3.f : 10.f);
+    EXPECT_EQ(tree.FindAt(narrow)->Radius, 1.f);
   }
 }
