@@ -25,6 +25,9 @@ namespace
 /// A still view gives up on the tolerance when it has been looked at after so many times MaximumWeight.
 constexpr double Patience = 8.0;
 
+/// Of one step: graphics cards give up on a picture that takes them seconds.
+constexpr int MostSamples = 128;
+
 /// The sequence starts again here, long before its index loses precision.
 constexpr int SequenceLength = 1 << 20;
 
@@ -175,9 +178,10 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
   request.Radius = settings.Radius;
   request.FirstSample = this->TotalSamples;
   const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
-  // Nobody looks at the picture before that many: one step instead of many small ones.
+  // Nobody looks at the picture before that many: few steps instead of many small ones.
   const int unseen = settings.InOneRender ? this->Still.GetSamplesToReading() : 0;
-  request.Samples = std::max(many ? settings.FirstSamples : settings.Samples, unseen);
+  request.Samples =
+    std::max(many ? settings.FirstSamples : settings.Samples, std::min(unseen, MostSamples));
   request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
   request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : &this->Inside;
   request.Moving = change == EyeDepth::Change::Some;
