@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace penumbra
 {
@@ -21,6 +22,26 @@ constexpr const char* Heading = "scene,method,setting,asked,error,seconds,count"
 std::string TitleOf(const std::string& subject)
 {
   return "# penumbra chart: " + subject;
+}
+
+/// A name may hold commas: what follows it is read from the end.
+ChartRow RowOf(const std::string& line, const std::string& path)
+try
+{
+  std::vector<std::string> fields;
+  std::size_t end = line.size();
+  for (int i = 0; i < 6; ++i)
+  {
+    const std::size_t comma = line.rfind(',', end - 1);
+    fields.push_back(line.substr(comma + 1, end - comma - 1));
+    end = comma;
+  }
+  return { line.substr(0, end), fields[5], fields[4], std::stod(fields[3]), std::stod(fields[2]),
+    std::stod(fields[1]), std::stod(fields[0]) };
+}
+catch (const std::logic_error&)
+{
+  throw Failure(BadInput, "--output: " + path + " holds a line that cannot be read: " + line);
 }
 
 }
@@ -56,20 +77,13 @@ void ChartTable::Read(const std::string& subject)
   this->Head = line + "\n";
   while (std::getline(file, line))
   {
-    std::istringstream text(line);
-    ChartRow row;
-    char comma = 0;
-    std::getline(text, row.Scene, ',');
-    std::getline(text, row.Method, ',');
-    std::getline(text, row.Setting, ',');
-    text >> row.Asked >> comma >> row.Error >> comma >> row.Seconds >> comma >> row.Count;
     if (line.rfind('#', 0) == 0)
     {
       this->Head += line + "\n";
     }
-    else if (line != Heading && text)
+    else if (line != Heading)
     {
-      this->Rows.push_back(row);
+      this->Rows.push_back(RowOf(line, this->Path));
     }
   }
 }

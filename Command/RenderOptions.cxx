@@ -243,7 +243,8 @@ void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
   };
   app
     .add_option_function<std::string>("--shafts-phase", storePhase,
-      "Where light is scattered; hg: Henyey and Greenstein's, G from -1 (back) to 1 (forward)")
+      "Where light is scattered; hg: Henyey and Greenstein's, G from -.999 (back) to .999 "
+      "(forward)")
     ->type_name("isotropic|rayleigh|hg:G")
     ->default_str("isotropic")
     ->take_last()

@@ -358,6 +358,39 @@ TEST(Headers, IncludeTheStandardHeadersThatTheyName)
   }
 }
 
+TEST(Headers, StandInTheListOfClasses)
+{
+  const std::string list = Text(Root / "Documentation/Classes.md");
+  for (const char* top :
+    { "Filters", "Rendering", "Plugin", "Command", "Testing", "Benchmarks", "Examples" })
+  {
+    for (const fs::path& source : Sources(Root / top, true))
+    {
+      const std::string link = "](../" + source.lexically_relative(Root).generic_string() + ")";
+      EXPECT_TRUE(source.extension() != ".h" || list.find(link) != std::string::npos) << source;
+    }
+  }
+}
+
+TEST(Documentation, LinksLeadToFiles)
+{
+  const std::regex link(R"(\]\(([^)#:]+)[^):]*\))");
+  std::vector<fs::path> pages = { Root / "README.md", Root / "CONTRIBUTING.md",
+    Root / "Benchmarks/README.md" };
+  for (const fs::directory_entry& entry : fs::directory_iterator(Root / "Documentation"))
+  {
+    pages.push_back(entry.path());
+  }
+  for (const fs::path& page : pages)
+  {
+    const std::string text = page.extension() == ".md" ? Text(page) : "";
+    for (std::sregex_iterator i(text.begin(), text.end(), link); i != std::sregex_iterator(); ++i)
+    {
+      EXPECT_TRUE(fs::exists(page.parent_path() / (*i)[1].str())) << page << ": " << (*i)[1];
+    }
+  }
+}
+
 TEST(Data, HasAnOriginForEveryFile)
 {
   const std::string origins = Text(Root / "Data/README.md");

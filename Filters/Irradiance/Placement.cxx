@@ -467,8 +467,7 @@ bool Placement::AddLevel(const std::vector<Site>& sites, const ProgressCallback&
     if (outcomes[i].Made)
     {
       const Record& made = *outcomes[i].Made;
-      this->Tree.InsertClamped(
-        made, static_cast<float>(this->Settings.LeastPixels) * sites[i].Pixel);
+      this->Tree.InsertClamped(made, static_cast<float>(this->Settings.LeastPixels));
       this->Rays += outcomes[i].Rays;
       this->Idle += made.Serves ? 0 : 1;
     }

@@ -24,7 +24,8 @@ struct Record : Place
 {
   float Radius = 0.f;
   bool Serves = true; ///< false: things change too fast here; brute force is to answer around it
-  float Lean = 0.f;   ///< how far off the surface through it a place may lie, along the normals
+  float Lean =
+    0.f; ///< a pixel: how far off the surface through it a place may lie, along the normals
   glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< the clearance's sectors begin here
   Derived Found;
 

@@ -119,7 +119,7 @@ void RecordTree::Insert(const Record& record)
     Reference{ record.Position, record.Radius * record.Radius, index });
 }
 
-void RecordTree::InsertClamped(Record record, float least)
+void RecordTree::InsertClamped(Record record, float leastPixels)
 {
   std::vector<Record*> neighbours;
   this->ForEachAround(record.Position, [&](const Record& other) {
@@ -128,8 +128,9 @@ void RecordTree::InsertClamped(Record record, float least)
       neighbours.push_back(&this->Records[&other - this->Records.data()]);
     }
   });
-  const auto clamp = [least](Record& one, const Record& other) {
+  const auto clamp = [leastPixels](Record& one, const Record& other) {
     const float distance = glm::distance(one.Position, other.Position);
+    const float least = leastPixels * one.Lean;
     one.Radius = std::min(one.Radius, std::max(other.Radius + distance, least));
   };
   for (const Record* other : neighbours)

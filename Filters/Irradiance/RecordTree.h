@@ -34,9 +34,10 @@ public:
 
   void Insert(const Record& record);
 
-  /// Keep a record's radius from reaching further than its neighbours' beyond their distance, and theirs
-  /// from reaching further than its own [Krivanek et al., neighbour clamping], then insert it.
-  void InsertClamped(Record record, float least);
+  /// Keep a record's radius from reaching further than that of those in whose spheres it lies beyond their
+  /// distance, and theirs from reaching further than its own [Krivanek et al., neighbour clamping], then
+  /// insert it. None gets smaller than so many pixels of its own, which `Lean` is.
+  void InsertClamped(Record record, float leastPixels);
 
   /// Blends the records that serve.
   Interpolated LookUp(const Place& place) const;

@@ -89,12 +89,12 @@ constexpr int Turns = MovingStep * MovingStep;
 constexpr int ColumnOfTurn[Turns] = { 0, 1, 1, 0 };
 constexpr int RowOfTurn[Turns] = { 0, 1, 0, 1 };
 
-/// Samples of frames in motion: far from those of still ones, and common to the turns.
+/// Samples of frames in motion start here, far from those that a still view usually takes.
 constexpr int MovingRun = 1 << 18;
 
-penumbra::PixelLattice LatticeOf(int sample)
+penumbra::PixelLattice LatticeOf(int turn)
 {
-  return { MovingStep, ColumnOfTurn[sample % Turns], RowOfTurn[sample % Turns] };
+  return { MovingStep, ColumnOfTurn[turn], RowOfTurn[turn] };
 }
 
 /// What is known of one renderer.
@@ -102,6 +102,7 @@ struct Traced
 {
   penumbra::TracedGeometry Geometry;
   long long Version = 0;
+  int Turn = 0;                   ///< of the next frame in motion
   penumbra::PixelLattice Lattice; ///< of the points
   std::vector<penumbra::SurfacePoint> Points;
 };
@@ -136,8 +137,8 @@ try
   const penumbra::ScreenView& view = request.Depth->GetView();
   const bool sparse =
     request.Moving && this->SparseInMotion && view.Width >= MovingStep && view.Height >= MovingStep;
-  const penumbra::PixelLattice lattice =
-    sparse ? LatticeOf(request.FirstSample) : penumbra::PixelLattice();
+  const penumbra::PixelLattice lattice = sparse ? LatticeOf(state.Turn) : penumbra::PixelLattice();
+  state.Turn = sparse ? (state.Turn + 1) % Turns : 0;
   if (rebuilt || state.Version != request.Depth->GetVersion() || !(state.Lattice == lattice))
   {
     state.Points = penumbra::FindSurface(Read(request.Depth->GetCurrent()),

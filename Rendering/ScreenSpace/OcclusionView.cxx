@@ -184,7 +184,7 @@ bool OcclusionView::Estimate(EyeDepth::Change change)
     std::max(many ? settings.FirstSamples : settings.Samples, std::min(unseen, MostSamples));
   request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
   request.Parts = refine && this->Still.IsKnown() ? &this->Still.GetOpen() : &this->Inside;
-  request.Moving = change == EyeDepth::Change::Some;
+  request.Moving = change == EyeDepth::Change::Some && this->TotalSamples > 0;
   // In motion there are always pixels that have just come into sight.
   request.TurnPixels = request.Moving || convergence < settings.RotationConvergence;
   const int samples = this->Take(request, change, refine);

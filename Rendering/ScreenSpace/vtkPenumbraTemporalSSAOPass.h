@@ -115,7 +115,8 @@ public:
 
   ///@{
   /** Samples (depths fetched) a pixel and frame until AdaptiveConvergence: k1, 8 to 512. Default: 32.
-   * What converges in one render takes as many at once as its next look at the tolerance needs. */
+   * What converges in one render takes as many at once as its next look at the tolerance needs, but no
+   * more than 128 if this is not more. */
   vtkSetClampMacro(FirstSamples, int, 8, 512);
   vtkGetMacro(FirstSamples, int);
   ///@}

@@ -265,7 +265,7 @@ std::vector<Scenario> IrradianceScenarios()
     { "CacheThinWall", "a dark room and a bright one, a sheet between", "still", Metric::Leak, .05,
       printed, "[IC] radii that nothing nearby clamps", "", ThinWall },
     { "CacheClosedBox", "the inside of a closed box", "still", Metric::Leak, 0.0,
-      "a wall: one is left out", "[IC] records leak through thin walls", "", ClosedBox },
+      "a wall: one is left out", "", "", ClosedBox },
     { "CacheOrderOfQuestions", "a sphere on a floor, asked from first to last and back", "still",
       Metric::Sameness, 0.0, lazy, dependent, "", AskedAgain(Backwards) },
     { "CacheTiles", "the same, asked at once and in two pieces", "still", Metric::Sameness, 0.0,

@@ -12,6 +12,7 @@
 #include "vtkPenumbraKernels.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace penumbra
 {
@@ -44,8 +45,12 @@ public:
   std::string GetShader() override
   {
     std::string shader = this->Superclass::GetShader();
-    const std::size_t at = this->Piece.empty() ? std::string::npos : shader.find(this->Piece);
-    return at == std::string::npos ? shader : shader.replace(at, this->Piece.size(), this->Other);
+    const std::size_t at = shader.find(this->Piece);
+    if (at == std::string::npos)
+    {
+      throw std::logic_error("not in the shader: " + this->Piece);
+    }
+    return shader.replace(at, this->Piece.size(), this->Other);
   }
 
   int SetUniforms(const Request& request, vtkShaderProgram* program) override

@@ -522,11 +522,12 @@ TEST(vtkPenumbraIrradianceCache, RefusesSettingsThatAreNoNumbers)
   }
 }
 
-TEST(RecordTree, ClampsNeighboursBothWays)
+TEST(RecordTree, ClampsThoseInWhoseSpheresARecordLies)
 {
-  constexpr float Least = .1f;
+  constexpr float LeastPixels = 2.f;
   Record wide;
   wide.Radius = 10.f;
+  wide.Lean = .05f;
   wide.Found.Clearance.fill(100.f);
   Record narrow = wide;
   narrow.Position.x = 2.f;
@@ -538,11 +539,29 @@ TEST(RecordTree, ClampsNeighboursBothWays)
   {
     RecordTree tree;
     tree.Initialize(glm::vec3(0.f), 20.f);
-    tree.InsertClamped(wideFirst ? wide : narrow, Least);
-    tree.InsertClamped(wideFirst ? narrow : wide, Least);
-    tree.InsertClamped(idle, Least);
+    tree.InsertClamped(wideFirst ? wide : narrow, LeastPixels);
+    tree.InsertClamped(wideFirst ? narrow : wide, LeastPixels);
+    tree.InsertClamped(idle, LeastPixels);
     // What lies outside of the narrow one's sphere does not ask for it.
     EXPECT_EQ(tree.FindAt(wide)->Radius, wideFirst ? 3.f : 10.f);
     EXPECT_EQ(tree.FindAt(narrow)->Radius, 1.f);
   }
+}
+
+TEST(RecordTree, LeavesEachRecordThePixelsThatItIsFor)
+{
+  Record coarse;
+  coarse.Radius = 10.f;
+  coarse.Lean = 2.f;
+  coarse.Found.Clearance.fill(100.f);
+  Record fine = coarse;
+  fine.Position.x = 1.f;
+  fine.Radius = .5f;
+  fine.Lean = .01f;
+  RecordTree tree;
+  tree.Initialize(glm::vec3(0.f), 20.f);
+  tree.InsertClamped(coarse, 3.f);
+  tree.InsertClamped(fine, 3.f);
+  EXPECT_EQ(tree.FindAt(coarse)->Radius, 6.f);
+  EXPECT_EQ(tree.FindAt(fine)->Radius, .5f);
 }

@@ -181,17 +181,51 @@ TEST(TracedEstimator, TracesAFourthOfThePixelsInMotion)
   EXPECT_NEAR(raysOf(1) / all, 1.0, .02);
 }
 
-TEST(TracedEstimator, TracesPicturesOfOnePixelInMotion)
+TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
 {
-  OcclusionScene scene(1, 1);
-  AddSpheres(scene);
-  Trace(scene, 1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-  for (int frame = 0; frame < 4; ++frame)
+  for (const int samplesPerRay : { 32, 16, 4 })
   {
-    scene.Renderer->GetActiveCamera()->Azimuth(.25);
-    scene.Window->Render();
-    ASSERT_GE(scene.Array("AmbientOcclusion").front(), 0.f);
-    ASSERT_LE(scene.Array("AmbientOcclusion").front(), 1.f);
+    OcclusionScene scene(62, 45);
+    AddSpheres(scene);
+    vtkPenumbraTemporalSSAOPass* pass = Trace(scene, 1.0);
+    Estimator(scene)->SetSamplesPerRay(samplesPerRay);
+    pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+    pass->SetDepthTolerance(1e-9); // no history: all that a pixel has is of the last frame
+    std::vector<int> traced(62 * 45);
+    for (int frame = 0; frame < 5; ++frame)
+    {
+      scene.Renderer->GetActiveCamera()->Azimuth(.01);
+      scene.Window->Render();
+      const std::vector<float> convergence = scene.Array("Convergence");
+      ASSERT_EQ(convergence.size(), traced.size());
+      for (std::size_t i = 0; frame > 0 && i < traced.size(); ++i)
+      {
+        traced[i] += convergence[i] > .9 / pass->GetMaximumWeight();
+      }
+    }
+    EXPECT_EQ(std::count(traced.begin(), traced.end(), 0), 0) << samplesPerRay;
+  }
+}
+
+TEST(TracedEstimator, TracesPicturesOfFewPixelsInMotion)
+{
+  for (const int width : { 1, 2, 3 })
+  {
+    const int height = width == 2 ? 3 : width;
+    OcclusionScene scene(width, height);
+    AddSpheres(scene);
+    Trace(scene, 1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+    for (int frame = 0; frame < 5; ++frame)
+    {
+      scene.Renderer->GetActiveCamera()->Azimuth(.25);
+      scene.Window->Render();
+      const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+      ASSERT_EQ(occlusion.size(), static_cast<std::size_t>(width) * height);
+      for (const float value : occlusion)
+      {
+        EXPECT_TRUE(value >= 0.f && value <= 1.f) << value;
+      }
+    }
   }
 }
 

@@ -91,8 +91,9 @@ void main()
   float weight = min(kept.g, weightCap);
   weight = min(weight, neighbourTrust(point, before));
   float estimate = estimateAt(point);
-  float samples = estimate < 0.0 ? borrowed * newSamples : newSamples;
-  estimate = estimate < 0.0 ? -1.0 - estimate : estimate;
+  bool isBorrowed = estimate < -0.5; // -1 - a mean: vtkPenumbraOcclusionEstimator::Estimate()
+  float samples = isBorrowed ? borrowed * newSamples : newSamples;
+  estimate = isBorrowed ? -1.0 - estimate : estimate;
   weight = min(weight, maximumWeight - newSamples);
   kept *= weight / max(kept.g, 1e-6);
   gl_FragData[0] = vec4(kept + samples * vec2(estimate, 1.0), 0.0, 1.0);
