@@ -78,8 +78,11 @@ Interpolated PictureRecords::LookUpOrGather(const Place& place)
     site.Position = place.Position;
     site.Normal = place.Normal;
     site.Pixel = this->PixelAt(place.Position);
-    this->Tree.Insert(this->Places.Gather(site, this->LazyRays));
-    found = this->Tree.LookUp(place);
+    if (const std::optional<Record> made = this->Places.Gather(site, this->LazyRays))
+    {
+      this->Tree.Insert(*made);
+      found = this->Tree.LookUp(place);
+    }
   }
   return found;
 }

@@ -4,7 +4,8 @@
 
 #include "CosineDirections.h"
 
-#include <memory>
+#include <algorithm>
+#include <optional>
 
 namespace penumbra
 {
@@ -241,6 +242,15 @@ bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& dir
     IsFlat(grid, sights, cell);
 }
 
+/// Does a place lie in the corner itself? Then rounding says on which side of the other surface.
+bool IsInCorner(glm::vec3 place, const std::vector<Sight>& sights)
+{
+  const float gap = GapAbove(place);
+  const auto touching = std::count_if(
+    sights.begin(), sights.end(), [gap](const Sight& sight) { return sight.Distance < gap; });
+  return 4 * static_cast<std::size_t>(touching) > sights.size();
+}
+
 int RoundSide(double side)
 {
   const int steps = static_cast<int>(std::lround(side / HemisphereGrid::Step));
@@ -270,7 +280,7 @@ float Placement::NormalAngleFor(double tolerance)
   return static_cast<float>(std::clamp(angle, .05, .7));
 }
 
-Record Placement::Gather(const Site& site, long long& rays) const
+std::optional<Record> Placement::Gather(const Site& site, long long& rays) const
 {
   Record record;
   record.Position = site.Position;
@@ -293,6 +303,10 @@ Record Placement::Gather(const Site& site, long long& rays) const
     const HemisphereGrid& grid = HemisphereGrid::Of(side);
     rays += this->Source.Look(
       site.Position, frame, grid, Mix(seed + static_cast<std::uint32_t>(side)), local, sights);
+    if (IsInCorner(site.Position, sights))
+    {
+      return std::nullopt;
+    }
     directions.clear();
     for (const glm::vec3& direction : local)
     {
@@ -449,14 +463,14 @@ bool Placement::AddLevel(const std::vector<Site>& sites, const ProgressCallback&
 {
   struct Outcome
   {
-    std::unique_ptr<Record> Made;
+    std::optional<Record> Made;
     long long Rays = 0;
   };
   std::vector<Outcome> outcomes(sites.size());
   if (!InBatches(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
         if (!IsCovered(this->Tree, sites[i]))
         {
-          outcomes[i].Made = std::make_unique<Record>(this->Gather(sites[i], outcomes[i].Rays));
+          outcomes[i].Made = this->Gather(sites[i], outcomes[i].Rays);
         }
       }))
   {
@@ -464,11 +478,11 @@ bool Placement::AddLevel(const std::vector<Site>& sites, const ProgressCallback&
   }
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
+    this->Rays += outcomes[i].Rays;
     if (outcomes[i].Made)
     {
       const Record& made = *outcomes[i].Made;
       this->Tree.InsertClamped(made, static_cast<float>(this->Settings.LeastPixels));
-      this->Rays += outcomes[i].Rays;
       this->Idle += made.Serves ? 0 : 1;
     }
   }

@@ -12,6 +12,7 @@
 #include "RecordTree.h"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace penumbra
@@ -54,8 +55,8 @@ public:
   /// Is another record not worth while at `place`?
   static bool IsCovered(const RecordTree& tree, const Place& place);
 
-  /// A record at `site`; adds the directions asked for to `rays`.
-  Record Gather(const Site& site, long long& rays) const;
+  /// A record at `site`, none where that lies in a corner itself; adds the directions asked for to `rays`.
+  std::optional<Record> Gather(const Site& site, long long& rays) const;
 
   long long GetRays() const { return this->Rays; }
 

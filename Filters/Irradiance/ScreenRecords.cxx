@@ -6,7 +6,7 @@
 #include "PictureSites.h"
 #include "RayScene.h"
 
-#include <memory>
+#include <optional>
 
 namespace penumbra
 {
@@ -126,7 +126,7 @@ bool ScreenRecords::MakeRecords(
   }
   struct Outcome
   {
-    std::unique_ptr<Record> Made;
+    std::optional<Record> Made;
     long long Rays = 0;
   };
   std::vector<Outcome> outcomes(wanted.size());
@@ -134,7 +134,7 @@ bool ScreenRecords::MakeRecords(
         Site site;
         if (FindSite(this->Seen, this->PixelAt(wanted[i]), site))
         {
-          outcomes[i].Made = std::make_unique<Record>(this->Places.Gather(site, outcomes[i].Rays));
+          outcomes[i].Made = this->Places.Gather(site, outcomes[i].Rays);
         }
       }))
   {
@@ -142,11 +142,11 @@ bool ScreenRecords::MakeRecords(
   }
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {
+    this->Rays += outcomes[i].Rays;
     if (outcomes[i].Made)
     {
       this->Corners[this->CornerAt(wanted[i])] = static_cast<std::int32_t>(this->Records.size());
       this->Records.push_back(*outcomes[i].Made);
-      this->Rays += outcomes[i].Rays;
     }
   }
   return true;

@@ -393,10 +393,9 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   source->SetMinimumRays(LeastRays);
   source->BeginIrradiance(light, this->Tolerance);
   const auto bruteForce = [&](const Site& site, long long& count) {
-    if (records)
+    if (const auto made = records ? places.Gather(site, count) : std::nullopt)
     {
-      const Derived found = places.Gather(site, count).Found;
-      return BakedValue{ found.Mean, found.Error };
+      return BakedValue{ made->Found.Mean, made->Found.Error };
     }
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);

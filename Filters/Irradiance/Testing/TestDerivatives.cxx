@@ -109,7 +109,7 @@ Derived MeanOf(const Gatherer& gatherer, glm::vec3 point, int side, int count = 
     site.Position = point + glm::vec3(0.f, 1e-5f * static_cast<float>(i), 0.f);
     site.Pixel = 1.f;
     long long rays = 0;
-    const Derived found = places.Gather(site, rays).Found;
+    const Derived found = places.Gather(site, rays).value().Found;
     const auto n = static_cast<float>(count);
     mean.Mean += found.Mean / n;
     mean.Error += found.Error / n;
@@ -258,7 +258,7 @@ TEST(Derivatives, FindWallsByDirection)
   site.Position = { .3f, 0.f, 0.f };
   site.Pixel = 1.f;
   long long rays = 0;
-  const Record record = places.Gather(site, rays);
+  const Record record = places.Gather(site, rays).value();
   const float factor = 1.f / std::sqrt(1.f - std::cos(.2f));
   EXPECT_EQ(record.Weight({ { -.1f, 0.f, 0.f }, site.Normal }, factor), 0.f);
   EXPECT_GT(record.Weight({ { .6f, 0.f, 0.f }, site.Normal }, factor), 0.f);

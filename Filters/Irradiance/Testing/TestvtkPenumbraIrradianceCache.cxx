@@ -506,6 +506,37 @@ TEST(vtkPenumbraIrradianceCache, DoesNotReachFromAPlateIntoAShallowPocket)
   EXPECT_LE(ErrorOf(cache, view, truth), .025);
 }
 
+TEST(vtkPenumbraIrradianceCache, TakesNoRecordFromTheLineOfACorner)
+{
+  // The middle row of pixels meets the foot of a wall, which is a block without light in it.
+  Scene scene;
+  AddRectangle(scene, { -500, -500, 0 }, { 1000, 0, 0 }, { 0, 501, 0 });
+  AddRectangle(scene, { -500, 0, 0 }, { 1000, 0, 0 }, { 0, 0, 500 });
+  AddRectangle(scene, { -500, .01f, 0 }, { 1000, 0, 0 }, { 0, 0, 500 });
+  LookAt(scene, { 0, -4, 3 }, { 0, 0, 0 }, 30.0, 65, 65);
+  const RayScene rays(scene, 0);
+  const View view{ scene, AllSites(rays) };
+  for (const int space : { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
+  {
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    cache->SetSpace(space);
+    cache->SetTolerance(.01);
+    cache->Begin(rays, 1.0, .02);
+    double greatest = 0.0;
+    for (const Site& site : view.Sites)
+    {
+      const glm::dvec3 world = view.World(site);
+      const double a = site.Normal.z > .5f ? -world.y : world.z;
+      if (a > .01 && a < .4)
+      {
+        const double truth = (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0);
+        greatest = std::max(greatest, std::abs(Ask(cache, world, site.Normal) - truth));
+      }
+    }
+    EXPECT_LT(greatest, .04) << space;
+  }
+}
+
 TEST(vtkPenumbraIrradianceCache, RefusesSettingsThatAreNoNumbers)
 {
   Scene scene;
