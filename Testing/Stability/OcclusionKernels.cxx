@@ -89,18 +89,6 @@ Outcome BeforeAWall(vtkPenumbraOcclusionEstimator* kernel, double (*truth)(doubl
   return { RootMeanSquare(errors), OpennessOf(scene) };
 }
 
-/// D = 1 - t: the mean over reaches of what is blocked within them.
-double BehindWallFading(double distance)
-{
-  constexpr int steps = 2000;
-  double sum = 0.0;
-  for (int i = 0; i < steps; ++i)
-  {
-    sum += BehindWall(distance / ((i + .5) / steps));
-  }
-  return sum / steps;
-}
-
 /// Directions that are distributed as the cosine already.
 Outcome CosineOnce(Variant variant)
 {

@@ -153,6 +153,17 @@ double BehindWall(double distance)
   return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
 }
 
+double BehindWallFading(double distance)
+{
+  constexpr int steps = 2000;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    sum += BehindWall(distance / ((i + .5) / steps));
+  }
+  return sum / steps;
+}
+
 std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(double))
 {
   scene.AddFloor();

@@ -62,6 +62,10 @@ public:
 /// Occlusion with reach 1 of a floor at a distance from an endless wall, D = 1.
 double BehindWall(double distance);
 
+/// The same with D = 1 - t: the mean of walls of all shorter reaches, since 1 - t counts the reaches between t
+/// and 1.
+double BehindWallFading(double distance);
+
 /// Adds a floor and a wall on the plane y = 0 to a scene with an occlusion of radius 1, draws it, and
 /// compares one column of floor, up to the wall, with the truth; a value a row of pixels.
 std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(double) = BehindWall);

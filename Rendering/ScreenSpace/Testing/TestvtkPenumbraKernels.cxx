@@ -15,19 +15,6 @@
 namespace
 {
 
-/// As BehindWall() with D = 1 - t: the mean of walls of all shorter reaches, since 1 - t counts the reaches
-/// between t and 1.
-double BehindWallFading(double a)
-{
-  constexpr int steps = 2000;
-  double sum = 0.0;
-  for (int i = 0; i < steps; ++i)
-  {
-    sum += BehindWall(a / ((i + .5) / steps));
-  }
-  return sum / steps;
-}
-
 /// A row for every kernel: how far from the closed form it may be at the foot of a wall, and how dark where
 /// two facets of a coarse mesh meet: .030 of the sky is blocked there.
 struct Row
