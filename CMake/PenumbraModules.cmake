@@ -5,6 +5,8 @@ set(penumbra_module_files
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Irradiance/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Parallel/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayCasting/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayTracing/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Scene/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Irradiance/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/ScreenSpace/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Comparison/vtk.module")

@@ -5,8 +5,8 @@
 // by programs of others; against very many rays at some of the points. Trees are built within the time.
 #include "ChartPlaces.h"
 
-#include "MeshSites.h"
-#include "RayScene.h"
+#include "Baking/MeshSites.h"
+#include "Embree/RayScene.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

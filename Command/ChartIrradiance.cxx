@@ -6,9 +6,9 @@
 // against independent paths. The tree is ready before the clock starts.
 #include "ChartPlaces.h"
 
-#include "Illumination.h"
+#include "Embree/RayScene.h"
 #include "PathTracer.h"
-#include "RayScene.h"
+#include "Shading/Illumination.h"
 #include "Solids.h"
 #include "TestScene.h"
 #include "Truth.h"

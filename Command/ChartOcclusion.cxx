@@ -6,8 +6,8 @@
 // the clock starts, programs of shaders are warm.
 #include "ChartFamilies.h"
 
-#include "RayScene.h"
-#include "SceneExtraction.h"
+#include "Embree/RayScene.h"
+#include "Import/SceneExtraction.h"
 #include "Scenes.h"
 #include "Screen.h"
 #include "TestScene.h"

@@ -5,9 +5,9 @@
 #include "Benchmark.h"
 #include "Meshes.h"
 
-#include "RayScene.h"
-#include "SceneExtraction.h"
-#include "Shading.h"
+#include "Embree/RayScene.h"
+#include "Import/SceneExtraction.h"
+#include "Shading/Shading.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

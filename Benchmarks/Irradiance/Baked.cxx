@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 
+#include "Baking/MeshSites.h"
+#include "Embree/RayScene.h"
 #include "Measure.h"
-#include "MeshSites.h"
 #include "Meshes.h"
 #include "Pictures.h"
-#include "RayScene.h"
 #include "Rivals.h"
 
 #include "vtkDataArray.h"

@@ -4,7 +4,7 @@
 // Scenes whose occlusion is known in closed form, over all pixels that see their floor.
 #include "Benchmark.h"
 
-#include "RayScene.h"
+#include "Embree/RayScene.h"
 #include "Solids.h"
 
 #include "vtkNew.h"

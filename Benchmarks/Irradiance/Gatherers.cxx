@@ -5,11 +5,11 @@
 #include "Benchmark.h"
 
 #include "Building.h"
-#include "CosineDirections.h"
-#include "HemisphereGrid.h"
+#include "Embree/RayScene.h"
+#include "Gathering/HemisphereGrid.h"
+#include "Gathering/RayGatherer.h"
 #include "Measure.h"
-#include "RayGatherer.h"
-#include "RayScene.h"
+#include "Shading/CosineDirections.h"
 
 #include "vtkNew.h"
 #include "vtkPenumbraCubeMapGatherer.h"

@@ -4,11 +4,11 @@
 // Light of several reflections: a room against independent paths, closed cubes against closed forms.
 #include "Benchmark.h"
 
-#include "Illumination.h"
+#include "Embree/RayScene.h"
 #include "PathTracer.h"
 #include "Pictures.h"
-#include "RayScene.h"
 #include "Rivals.h"
+#include "Shading/Illumination.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 
-#include "CosineDirections.h"
-#include "RecordTree.h"
+#include "Records/RecordTree.h"
+#include "Shading/CosineDirections.h"
 
 #include <limits>
 

@@ -5,8 +5,8 @@
 // on the plane and (1 - n_z) / 2 on the sphere.
 #include "Benchmark.h"
 
+#include "Embree/RayScene.h"
 #include "Measure.h"
-#include "RayScene.h"
 #include "Rivals.h"
 #include "Solids.h"
 

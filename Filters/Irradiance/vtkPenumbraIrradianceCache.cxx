@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceCache.h"
 
-#include "Interreflection.h"
-#include "Numbers.h"
-#include "PictureRecords.h"
-#include "PictureSites.h"
-#include "RayScene.h"
-#include "RecordData.h"
-#include "Statistics.h"
+#include "Embree/RayScene.h"
+#include "Execution/Numbers.h"
+#include "Execution/Statistics.h"
+#include "Records/Interreflection.h"
+#include "Records/PictureRecords.h"
+#include "Records/PictureSites.h"
+#include "Records/RecordData.h"
 
 #include "vtkFieldData.h"
 #include "vtkMath.h"

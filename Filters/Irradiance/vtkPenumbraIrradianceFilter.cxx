@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceFilter.h"
 
-#include "Baking.h"
-#include "Blocks.h"
-#include "Interreflection.h"
-#include "MeshSites.h"
-#include "Numbers.h"
-#include "RayGatherer.h"
-#include "RayScene.h"
-#include "Statistics.h"
+#include "Baking/Baking.h"
+#include "Baking/Blocks.h"
+#include "Baking/MeshSites.h"
+#include "Embree/RayScene.h"
+#include "Execution/Numbers.h"
+#include "Execution/Statistics.h"
+#include "Gathering/RayGatherer.h"
+#include "Records/Interreflection.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceExchange.h"
 
-#include "DataSurface.h"
+#include "Import/DataSurface.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraRayCaster.h"
 
-#include "GeometryArrays.h"
-#include "Illumination.h"
-#include "MediumExtraction.h"
-#include "Numbers.h"
-#include "PictureImage.h"
-#include "SceneExtraction.h"
-#include "SceneExtractionTime.h"
-#include "Statistics.h"
+#include "Execution/Numbers.h"
+#include "Execution/Statistics.h"
+#include "Image/GeometryArrays.h"
+#include "Image/PictureImage.h"
+#include "Import/SceneExtraction.h"
+#include "Import/SceneExtractionTime.h"
+#include "Media/MediumExtraction.h"
+#include "Shading/Illumination.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkFieldData.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraBruteForceSource.h"
 
-#include "CosineDirections.h"
-#include "DistanceFallOff.h"
-#include "Illumination.h"
-#include "RayScene.h"
-#include "ScrambledSequence.h"
+#include "Embree/RayScene.h"
+#include "Shading/CosineDirections.h"
+#include "Shading/DistanceFallOff.h"
+#include "Shading/Illumination.h"
+#include "Shading/ScrambledSequence.h"
 
 #include "vtkObjectFactory.h"
 

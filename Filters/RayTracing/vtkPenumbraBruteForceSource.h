@@ -16,7 +16,7 @@
 
 #include <memory> // for std::unique_ptr
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraBruteForceSource
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT vtkPenumbraBruteForceSource
   : public vtkPenumbraIrradianceSource
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraEnvironment.h"
 
-#include "EnvironmentMap.h"
+#include "Shading/EnvironmentMap.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -13,7 +13,7 @@
 #define vtkPenumbraEnvironment_h
 
 #include "vtkObject.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro
 #include "vtkSmartPointer.h"                    // for members
 
 #include <memory> // for std::shared_ptr
@@ -25,7 +25,7 @@ namespace penumbra
 class EnvironmentMap;
 }
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraEnvironment : public vtkObject
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT vtkPenumbraEnvironment : public vtkObject
 {
 public:
   static vtkPenumbraEnvironment* New();

@@ -25,7 +25,7 @@
 #define vtkPenumbraIrradianceSource_h
 
 #include "vtkObject.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro
 
 #include <functional> // for progress
 
@@ -37,7 +37,7 @@ class Illumination;
 class RayScene;
 }
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraIrradianceSource : public vtkObject
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT vtkPenumbraIrradianceSource : public vtkObject
 {
 public:
   vtkAbstractTypeMacro(vtkPenumbraIrradianceSource, vtkObject);

@@ -16,11 +16,11 @@
 #define vtkPenumbraMedium_h
 
 #include "vtkObject.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro
 
 #include <limits> // for infinite bounds
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraMedium : public vtkObject
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT vtkPenumbraMedium : public vtkObject
 {
 public:
   static vtkPenumbraMedium* New();

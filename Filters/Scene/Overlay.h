@@ -6,7 +6,7 @@
 #ifndef penumbra_Overlay_h
 #define penumbra_Overlay_h
 
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <glm/glm.hpp>
 
@@ -17,7 +17,7 @@ class vtkImageData;
 namespace penumbra
 {
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Overlay
+class VTKPENUMBRAFILTERSSCENE_EXPORT Overlay
 {
 public:
   Overlay() = default;

@@ -28,6 +28,7 @@ if _os.environ.get("PYVISTA_VTK_BACKEND", "cvista") != "cvista":
         "to cvista"
     )
 
+from .vtkPenumbraFiltersRayTracing import *  # noqa: E402,F401,F403
 from .vtkPenumbraFiltersRayCasting import *  # noqa: E402,F401,F403
 from .vtkPenumbraFiltersIrradiance import *  # noqa: E402,F401,F403
 from .vtkPenumbraRenderingScreenSpace import *  # noqa: E402,F401,F403

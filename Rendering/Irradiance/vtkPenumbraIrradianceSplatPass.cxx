@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceSplatPass.h"
 
-#include "Composite.h"
-#include "EyeDepth.h"
-#include "PassPlaces.h"
-#include "PassStatistics.h"
-#include "RecordData.h"
-#include "RecordSplats.h"
+#include "Chain/PassPlaces.h"
+#include "Frame/Composite.h"
+#include "Frame/EyeDepth.h"
+#include "Frame/PassStatistics.h"
+#include "Records/RecordData.h"
 #include "Scene.h"
+#include "Splats/RecordSplats.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraTracedEstimator.h"
 
-#include "DelegateImage.h"
-#include "EyeDepth.h"
-#include "InterpolatedOcclusion.h"
-#include "SceneExtractionTime.h"
-#include "TracedGeometry.h"
-#include "TracedOcclusion.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/EyeDepth.h"
+#include "Import/SceneExtractionTime.h"
+#include "Traced/InterpolatedOcclusion.h"
+#include "Traced/TracedGeometry.h"
+#include "Traced/TracedOcclusion.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPixelBufferObject.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewPass.h"
 
-#include "OpenGLFunctions.h"
+#include "Frame/OpenGLFunctions.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -7,7 +7,7 @@
 #ifndef penumbra_ViewPass_h
 #define penumbra_ViewPass_h
 
-#include "RendererStages.h"
+#include "Chain/RendererStages.h"
 
 #include "vtkCameraPass.h"
 #include "vtkImageProcessingPass.h"

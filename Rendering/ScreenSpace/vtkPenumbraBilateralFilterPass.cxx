@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraBilateralFilterPass.h"
 
-#include "Composite.h"
-#include "EyeDepth.h"
-#include "PassPlaces.h"
+#include "Chain/PassPlaces.h"
+#include "Frame/Composite.h"
+#include "Frame/EyeDepth.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraKernelEstimator.h"
 
-#include "EyeDepth.h"
-#include "Stage.h"
-#include "Thickness.h"
+#include "Frame/EyeDepth.h"
+#include "Frame/Stage.h"
+#include "Occlusion/Thickness.h"
 #include "vtkPenumbraEstimateFS.h"
 #include "vtkPenumbraEstimateLib.h"
 #include "vtkPenumbraHemisphereLib.h"

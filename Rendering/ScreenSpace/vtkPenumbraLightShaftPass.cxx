@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraLightShaftPass.h"
 
-#include "PassPlaces.h"
-#include "PassStatistics.h"
-#include "ShaftView.h"
+#include "Chain/PassPlaces.h"
+#include "Frame/PassStatistics.h"
+#include "Shafts/ShaftView.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "vtkBoundingBox.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraScreenSpacePass.h"
 
-#include "PassPlaces.h"
+#include "Chain/PassPlaces.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraTemporalSSAOPass.h"
 
-#include "OcclusionView.h"
-#include "PassPlaces.h"
-#include "PassStatistics.h"
+#include "Chain/PassPlaces.h"
+#include "Frame/PassStatistics.h"
+#include "Occlusion/OcclusionView.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraOcclusionEstimator.h"

@@ -6,7 +6,7 @@
 #ifndef penumbra_occlusion_ShownPicture_h
 #define penumbra_occlusion_ShownPicture_h
 
-#include "Stage.h"
+#include "Frame/Stage.h"
 
 #include "vtkRenderPass.h"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Truth.h"
 
-#include "CosineDirections.h"
-#include "RayScene.h"
-#include "SceneExtraction.h"
+#include "Embree/RayScene.h"
+#include "Import/SceneExtraction.h"
+#include "Shading/CosineDirections.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CacheStage.h"
 
-#include "RayScene.h"
+#include "Embree/RayScene.h"
 #include "Solids.h"
 
 #include "vtkNew.h"

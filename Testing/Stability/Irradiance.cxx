@@ -7,8 +7,8 @@
 #include "Scenario.h"
 #include "Stage.h"
 
-#include "PictureSites.h"
-#include "RayScene.h"
+#include "Embree/RayScene.h"
+#include "Records/PictureSites.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"

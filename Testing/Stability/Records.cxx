@@ -6,10 +6,10 @@
 #include "CacheStage.h"
 #include "Scenario.h"
 
-#include "Illumination.h"
+#include "Embree/RayScene.h"
 #include "PathTracer.h"
-#include "RayScene.h"
-#include "Record.h"
+#include "Records/Record.h"
+#include "Shading/Illumination.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"

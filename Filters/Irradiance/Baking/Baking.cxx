@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Baking.h"
 
-#include "Batches.h"
-#include "CosineDirections.h"
+#include "Execution/Batches.h"
 #include "Neighbours.h"
+#include "Shading/CosineDirections.h"
 
 #include <atomic>
 #include <cstdint>

@@ -6,8 +6,8 @@
 #ifndef penumbra_Baking_h
 #define penumbra_Baking_h
 
-#include "Batches.h"
-#include "Placement.h"
+#include "Execution/Batches.h"
+#include "Records/Placement.h"
 
 #include <functional>
 #include <vector>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshSites.h"
 
-#include "CosineDirections.h"
-#include "DataSurface.h"
+#include "Import/DataSurface.h"
+#include "Shading/CosineDirections.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"

@@ -5,7 +5,7 @@
 #ifndef penumbra_MeshSites_h
 #define penumbra_MeshSites_h
 
-#include "Placement.h"
+#include "Records/Placement.h"
 #include "Scene.h"
 
 #include "vtkBoundingBox.h"

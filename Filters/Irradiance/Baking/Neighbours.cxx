@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Neighbours.h"
 
-#include "CosineDirections.h"
+#include "Shading/CosineDirections.h"
 
 namespace penumbra
 {

@@ -6,7 +6,7 @@
 #ifndef penumbra_Neighbours_h
 #define penumbra_Neighbours_h
 
-#include "Placement.h"
+#include "Records/Placement.h"
 
 #include <array>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef penumbra_Gatherer_h
 #define penumbra_Gatherer_h
 
-#include "DistanceFallOff.h"
+#include "Shading/DistanceFallOff.h"
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro, which other modules need
 
 #include <glm/glm.hpp>

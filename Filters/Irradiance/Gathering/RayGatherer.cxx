@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayGatherer.h"
 
-#include "CosineDirections.h"
-#include "RayScene.h"
-#include "RecordTree.h"
+#include "Embree/RayScene.h"
+#include "Shading/CosineDirections.h"
+
+#include <utility>
 
 namespace penumbra
 {
@@ -85,10 +86,10 @@ long long OcclusionGatherer::See(glm::vec3 /*point*/, glm::vec3 /*normal*/,
   return 0;
 }
 
-LightGatherer::LightGatherer(const Illumination& light, const RecordTree* arriving, int bounces)
+LightGatherer::LightGatherer(const Illumination& light, KnownLight arriving, int bounces)
   : RayGatherer(light.GetRays()),
     Light(light),
-    Records(arriving),
+    Known(std::move(arriving)),
     Bounces(bounces)
 {
 }
@@ -129,15 +130,12 @@ long long LightGatherer::See(glm::vec3 point, glm::vec3 normal, const std::vecto
   long long more = 0;
   std::uint32_t random = Mix(SeedOf(point, normal) + static_cast<std::uint32_t>(rays.size()));
   Illumination::Arriving arriving;
-  if (this->Records)
+  if (this->Known)
   {
     arriving = [&](glm::vec3 at, glm::vec3 about) {
-      Place place;
-      place.Position = at;
-      place.Normal = about;
-      const Interpolated found = this->Records->LookUp(place);
-      return found.Found() ? found.Mean + this->Light.GuessSuns(at, about, random, more)
-                           : this->Light.FollowPath(at, about, this->Bounces, random, more);
+      const std::optional<glm::vec3> known = this->Known(at, about);
+      return known ? *known + this->Light.GuessSuns(at, about, random, more)
+                   : this->Light.FollowPath(at, about, this->Bounces, random, more);
     };
   }
   for (std::size_t i = 0; i < rays.size(); ++i)

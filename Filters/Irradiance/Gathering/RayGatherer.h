@@ -6,16 +6,16 @@
 #define penumbra_RayGatherer_h
 
 #include "Gatherer.h"
-#include "Illumination.h"
+#include "Shading/Illumination.h"
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro, which tests need
 
+#include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace penumbra
 {
-
-class RecordTree;
 
 /// Unit normal of the triangle that was hit, either side; 0 of one without area.
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit);
@@ -61,16 +61,20 @@ private:
   DistanceFallOff Counting;
 };
 
-/// Light: what surfaces emit, reflect of the lights and, where `arriving` holds records, of what
+/// Light: what surfaces emit, reflect of the lights and, where `arriving` is given, of what
 /// arrives at them; the environment elsewhere, its suns left out, which are asked for where light is
 /// asked for. Looks through lines and points.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 {
 public:
+  /// What is known of the light that arrives at a point of a surface: the mean over the hemisphere
+  /// about a normal, suns left out; nothing where it is not known.
+  using KnownLight = std::function<std::optional<glm::vec3>(glm::vec3 point, glm::vec3 normal)>;
+
   /// `arriving`: the light that arrives at surfaces after at most `bounces` - 1 reflections; where
-  /// none of its records serves, a single path answers. Null: none arrives. Both must outlive this
-  /// object.
-  LightGatherer(const Illumination& light, const RecordTree* arriving, int bounces);
+  /// it is not known, a single path answers. Empty: none arrives. `light`, and what `arriving`
+  /// refers to, must outlive this object.
+  LightGatherer(const Illumination& light, KnownLight arriving, int bounces);
 
   void FindBeams(glm::vec3 point, std::vector<Beam>& beams) const override;
   long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
@@ -79,7 +83,7 @@ public:
 
 private:
   const Illumination& Light;
-  const RecordTree* Records;
+  KnownLight Known;
   int Bounces;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interreflection.h"
 
-#include "CosineDirections.h"
-#include "RayScene.h"
+#include "Embree/RayScene.h"
+#include "Shading/CosineDirections.h"
 
 namespace penumbra
 {
@@ -28,6 +28,18 @@ constexpr float LeastDistance = .25f;
 /// Sites are tried in levels, each twice the one before, until so few of a level are records.
 constexpr std::size_t FirstLevel = 64;
 constexpr double LeastShareMade = .02;
+
+/// What the records of `tree`, which must outlive it, know.
+LightGatherer::KnownLight KnownBy(const RecordTree& tree)
+{
+  return [&tree](glm::vec3 point, glm::vec3 normal) -> std::optional<glm::vec3> {
+    Place place;
+    place.Position = point;
+    place.Normal = normal;
+    const Interpolated found = tree.LookUp(place);
+    return found.Found() ? std::optional<glm::vec3>(found.Mean) : std::nullopt;
+  };
+}
 
 }
 
@@ -127,7 +139,8 @@ bool Interreflection::Build(const std::vector<Site>& seen, const ProgressCallbac
       }
     }
     this->Rays += places.GetRays();
-    this->Gatherers.push_back(std::make_unique<LightGatherer>(this->Light, tree.get(), reflection));
+    this->Gatherers.push_back(
+      std::make_unique<LightGatherer>(this->Light, KnownBy(*tree), reflection));
     this->Trees.push_back(std::move(tree));
   }
   return true;

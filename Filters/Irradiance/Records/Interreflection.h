@@ -6,8 +6,8 @@
 #ifndef penumbra_Interreflection_h
 #define penumbra_Interreflection_h
 
+#include "Gathering/RayGatherer.h"
 #include "Placement.h"
-#include "RayGatherer.h"
 
 #include <memory>
 #include <vector>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureRecords.h"
 
-#include "CosineDirections.h"
+#include "Embree/RayScene.h"
 #include "PictureSites.h"
-#include "RayScene.h"
-#include "ScrambledSequence.h"
+#include "Shading/CosineDirections.h"
+#include "Shading/ScrambledSequence.h"
 
 namespace penumbra
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureSites.h"
 
-#include "Batches.h"
-#include "RayScene.h"
+#include "Embree/RayScene.h"
+#include "Execution/Batches.h"
 
 namespace penumbra
 {

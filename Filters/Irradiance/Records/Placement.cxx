@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Placement.h"
 
-#include "CosineDirections.h"
+#include "Shading/CosineDirections.h"
 
 #include <algorithm>
 #include <optional>

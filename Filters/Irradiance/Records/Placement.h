@@ -7,8 +7,8 @@
 #ifndef penumbra_Placement_h
 #define penumbra_Placement_h
 
-#include "Batches.h"
-#include "Gatherer.h"
+#include "Execution/Batches.h"
+#include "Gathering/Gatherer.h"
 #include "RecordTree.h"
 
 #include <limits>

@@ -5,7 +5,7 @@
 #ifndef penumbra_Record_h
 #define penumbra_Record_h
 
-#include "Derivatives.h"
+#include "Gathering/Derivatives.h"
 
 #include <algorithm>
 #include <cmath>

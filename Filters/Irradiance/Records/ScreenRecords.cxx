@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScreenRecords.h"
 
-#include "Batches.h"
+#include "Embree/RayScene.h"
+#include "Execution/Batches.h"
 #include "PictureSites.h"
-#include "RayScene.h"
 
 #include <optional>
 

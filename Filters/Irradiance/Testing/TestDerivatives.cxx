@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Gradients and bends of occlusion against closed forms.
-#include "CosineDirections.h"
 #include "FadingOcclusion.h"
-#include "Placement.h"
+#include "Records/Placement.h"
+#include "Shading/CosineDirections.h"
 
 #include <gtest/gtest.h>
 

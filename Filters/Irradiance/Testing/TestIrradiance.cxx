@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Light from cache and brute force against closed forms and against independent paths.
-#include "EnvironmentMap.h"
-#include "Illumination.h"
 #include "PathTracer.h"
-#include "PictureSites.h"
+#include "Records/PictureSites.h"
+#include "Shading/EnvironmentMap.h"
+#include "Shading/Illumination.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"

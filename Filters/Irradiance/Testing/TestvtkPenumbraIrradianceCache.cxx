@@ -4,10 +4,10 @@
 // The cache against closed forms, over all pixels of a picture.
 #include "vtkPenumbraIrradianceCache.h"
 
+#include "Embree/RayScene.h"
 #include "FadingOcclusion.h"
-#include "PictureSites.h"
-#include "RayScene.h"
-#include "RecordTree.h"
+#include "Records/PictureSites.h"
+#include "Records/RecordTree.h"
 #include "Solids.h"
 
 #include "vtkDataArray.h"

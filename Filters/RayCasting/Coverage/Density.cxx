@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Density.h"
 
-#include "Batches.h"
+#include "Execution/Batches.h"
 
 #include <algorithm>
 #include <cmath>

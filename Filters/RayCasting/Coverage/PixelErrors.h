@@ -5,7 +5,7 @@
 #ifndef penumbra_PixelErrors_h
 #define penumbra_PixelErrors_h
 
-#include "Sampler.h"
+#include "Sampling/Sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #ifndef penumbra_PixelIntegrator_h
 #define penumbra_PixelIntegrator_h
 
-#include "CornerGrid.h"
 #include "Piercing.h"
 #include "PixelArrangement.h"
-#include "SampleCache.h"
+#include "Sampling/CornerGrid.h"
+#include "Sampling/SampleCache.h"
 #include "Silhouettes.h"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #ifndef penumbra_GeometryArrays_h
 #define penumbra_GeometryArrays_h
 
-#include "Batches.h"
-#include "Sampler.h"
+#include "Execution/Batches.h"
+#include "Sampling/Sampler.h"
 
 class vtkImageData;
 

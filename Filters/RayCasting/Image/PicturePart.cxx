@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PicturePart.h"
 
-#include "Batches.h"
-#include "Density.h"
+#include "Coverage/Density.h"
+#include "Execution/Batches.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #ifndef penumbra_PicturePart_h
 #define penumbra_PicturePart_h
 
-#include "Batches.h"
-#include "MeshEdges.h"
-#include "PixelIntegrator.h"
+#include "Coverage/MeshEdges.h"
+#include "Coverage/PixelIntegrator.h"
+#include "Execution/Batches.h"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #ifndef penumbra_Sampler_h
 #define penumbra_Sampler_h
 
-#include "LightShafts.h"
+#include "Media/LightShafts.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RayScene.h"
+#include "Embree/RayScene.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"

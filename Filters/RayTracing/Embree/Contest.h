@@ -40,7 +40,7 @@ struct Contenders
   float Add(const Contender& met, float reach);
 };
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Contest
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Contest
 {
 public:
   /// Finds the surfaces of `scene`, which must outlive this object, that come near another.

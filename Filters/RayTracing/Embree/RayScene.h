@@ -6,7 +6,7 @@
 #define penumbra_RayScene_h
 
 #include "Scene.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <cstdint>
 #include <limits>
@@ -50,9 +50,9 @@ struct Hit
 class RayScene;
 
 /// The first hit of `ray` that is no line and no point, which block nothing; `hit` is its first one.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT Hit PassMarks(const RayScene& rays, Ray ray, Hit hit);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit PassMarks(const RayScene& rays, Ray ray, Hit hit);
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT RayScene
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayScene
 {
 public:
   /// Builds the BVH with at most `threads` threads (0: all). `scene` must outlive this object.

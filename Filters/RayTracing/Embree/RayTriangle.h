@@ -12,7 +12,7 @@
 namespace penumbra
 {
 
-struct VTKPENUMBRAFILTERSRAYCASTING_EXPORT RayTriangle
+struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayTriangle
 {
   bool IsSound = false;  ///< the ray is not parallel to the triangle
   bool IsFront = false;  ///< the ray comes from where the corners turn counterclockwise

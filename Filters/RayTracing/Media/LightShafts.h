@@ -10,7 +10,7 @@
 
 #include "Medium.h"
 #include "ScatteringProfile.h"
-#include "Shading.h"
+#include "Shading/Shading.h"
 #include "ShadowRegions.h"
 
 #include <vector>
@@ -18,7 +18,7 @@
 namespace penumbra
 {
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT LightShafts
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT LightShafts
 {
 public:
   struct Effort

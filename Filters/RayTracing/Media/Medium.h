@@ -8,14 +8,14 @@
 
 #include <glm/glm.hpp>
 
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <limits>
 
 namespace penumbra
 {
 
-struct VTKPENUMBRAFILTERSRAYCASTING_EXPORT Medium
+struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT Medium
 {
   enum class Phases
   {

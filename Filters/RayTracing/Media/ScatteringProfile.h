@@ -23,9 +23,9 @@ struct WayToLight
   double Distance = std::numeric_limits<double>::infinity();
   bool InCone = true; ///< of a spot
 };
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT WayToLight FindWay(const Light& light, glm::dvec3 point);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT WayToLight FindWay(const Light& light, glm::dvec3 point);
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT ScatteringProfile
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT ScatteringProfile
 {
 public:
   /// Along origin + t direction (unit), t in [from, to], which must lie in the medium; `to` may be

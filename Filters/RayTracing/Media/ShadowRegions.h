@@ -7,7 +7,7 @@
 #define penumbra_ShadowRegions_h
 
 #include "Scene.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <vector>
 
@@ -29,9 +29,9 @@ struct Box
 };
 
 /// Boxes that hold all triangles of a scene that cast shadows, few enough to be asked for every ray.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT std::vector<Box> BoundTriangles(const Scene& scene);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<Box> BoundTriangles(const Scene& scene);
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT ShadowRegions
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT ShadowRegions
 {
 public:
   /// What `boxes` may hide from `light`.

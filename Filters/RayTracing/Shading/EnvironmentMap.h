@@ -7,7 +7,7 @@
 #ifndef penumbra_EnvironmentMap_h
 #define penumbra_EnvironmentMap_h
 
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <glm/glm.hpp>
 
@@ -17,7 +17,7 @@
 namespace penumbra
 {
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT EnvironmentMap
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT EnvironmentMap
 {
 public:
   /// `radiances`: bottom row first, each row from behind `right` all the way round by `right` x `up`,

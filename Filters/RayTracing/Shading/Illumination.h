@@ -41,7 +41,7 @@ struct Emitter
   float Strength; ///< greatest channel of its radiance
 };
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Illumination
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Illumination
 {
 public:
   /// `rays` must outlive this object.

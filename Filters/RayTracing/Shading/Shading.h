@@ -5,8 +5,8 @@
 #ifndef penumbra_Shading_h
 #define penumbra_Shading_h
 
-#include "RayScene.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "Embree/RayScene.h"
+#include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <cstdint>
 #include <vector>
@@ -23,7 +23,7 @@ struct Appearance
   glm::vec3 Reflectance{ 0.f };     ///< diffuse; 0 on surfaces without lighting
 };
 
-class VTKPENUMBRAFILTERSRAYCASTING_EXPORT Shading
+class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Shading
 {
 public:
   /// `shadows`: lights that cast shadows are asked for occlusion. `scene` must outlive this object.

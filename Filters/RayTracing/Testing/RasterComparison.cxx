@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RasterComparison.h"
 
-#include "RayScene.h"
-#include "SceneExtraction.h"
-#include "Shading.h"
+#include "Embree/RayScene.h"
+#include "Import/SceneExtraction.h"
+#include "Shading/Shading.h"
 
 #include "vtkUnsignedCharArray.h"
 

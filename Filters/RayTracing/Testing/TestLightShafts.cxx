@@ -3,7 +3,7 @@
 //
 // Light shafts along single rays against closed forms and against even, dense marching with shadows
 // known from geometry.
-#include "LightShafts.h"
+#include "Media/LightShafts.h"
 
 #include <gtest/gtest.h>
 

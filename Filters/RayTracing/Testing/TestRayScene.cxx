@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RayScene.h"
-#include "RayTriangle.h"
+#include "Embree/RayScene.h"
+#include "Embree/RayTriangle.h"
 
 #include <gtest/gtest.h>
 

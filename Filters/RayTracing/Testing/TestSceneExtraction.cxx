@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SceneExtraction.h"
+#include "Import/SceneExtraction.h"
 
-#include "RayScene.h"
+#include "Embree/RayScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

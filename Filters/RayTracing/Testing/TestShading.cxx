@@ -3,7 +3,7 @@
 //
 // Materials, lights and cameras, each scene drawn by VTK's rasteriser too; shadows, and what no
 // picture shows.
-#include "Shading.h"
+#include "Shading/Shading.h"
 
 #include "ShadingOfActor.h"
 

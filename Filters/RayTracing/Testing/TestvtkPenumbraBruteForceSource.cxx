@@ -4,9 +4,9 @@
 // Occlusion of scenes whose answer is known in closed form.
 #include "vtkPenumbraBruteForceSource.h"
 
+#include "Embree/RayScene.h"
 #include "FadingOcclusion.h"
-#include "Illumination.h"
-#include "RayScene.h"
+#include "Shading/Illumination.h"
 #include "Solids.h"
 
 #include "vtkNew.h"

@@ -4,8 +4,8 @@
 // Irradiance of pictures of the environment against closed forms.
 #include "vtkPenumbraEnvironment.h"
 
-#include "EnvironmentMap.h"
-#include "Illumination.h"
+#include "Shading/EnvironmentMap.h"
+#include "Shading/Illumination.h"
 #include "Solids.h"
 #include "vtkPenumbraBruteForceSource.h"
 

@@ -5,7 +5,7 @@
 #ifndef penumbra_DataSurface_h
 #define penumbra_DataSurface_h
 
-#include "vtkPenumbraFiltersRayCastingModule.h"
+#include "vtkPenumbraFiltersSceneModule.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -19,11 +19,11 @@ namespace penumbra
 
 /// `data` itself where it holds polygons already; else its surface, with the point and cell that each of
 /// its points and cells comes from in the arrays `vtkOriginalPointIds` and `vtkOriginalCellIds`.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkSmartPointer<vtkPolyData> PolyDataOf(vtkDataSet* data);
+VTKPENUMBRAFILTERSSCENE_EXPORT vtkSmartPointer<vtkPolyData> PolyDataOf(vtkDataSet* data);
 
 /// `surface` without normals and texture coordinates that are not one for each point or cell: reading them
 /// would end beyond their last. `left` tells what was left out, a sentence each.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkSmartPointer<vtkPolyData> WithoutMisfits(
+VTKPENUMBRAFILTERSSCENE_EXPORT vtkSmartPointer<vtkPolyData> WithoutMisfits(
   vtkPolyData* surface, std::vector<std::string>& left);
 
 }

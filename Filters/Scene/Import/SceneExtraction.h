@@ -7,7 +7,7 @@
 #define penumbra_SceneExtraction_h
 
 #include "Scene.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <vector>
 
@@ -25,11 +25,11 @@ struct ExtractionOptions
 };
 
 /// The scene that `renderer` would draw into a picture of options.Resolution. Needs no window.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT Scene ExtractScene(
+VTKPENUMBRAFILTERSSCENE_EXPORT Scene ExtractScene(
   vtkRenderer* renderer, const ExtractionOptions& options);
 
 /// The scene of data sets alone: white surfaces, one headlight, the view reset to their bounds.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT Scene ExtractScene(
+VTKPENUMBRAFILTERSSCENE_EXPORT Scene ExtractScene(
   const std::vector<vtkDataObject*>& data, const ExtractionOptions& options);
 
 }

@@ -6,9 +6,9 @@
 #ifndef penumbra_SceneExtractionActors_h
 #define penumbra_SceneExtractionActors_h
 
-#include "SceneExtractionPiece.h"
+#include "Tessellation/SceneExtractionPiece.h"
 
-#include "vtkPenumbraFiltersRayCastingModule.h"
+#include "vtkPenumbraFiltersSceneModule.h"
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ namespace penumbra
 {
 
 /// Does it draw by shaders alone what no triangle of its input shows? Then no ray can meet it.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool DrawsByShadersAlone(vtkMapper* mapper);
+VTKPENUMBRAFILTERSSCENE_EXPORT bool DrawsByShadersAlone(vtkMapper* mapper);
 
 /// What `renderer` draws. Names in `warnings` what it cannot turn into pieces.
 std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings);

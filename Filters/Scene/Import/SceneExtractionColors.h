@@ -5,7 +5,7 @@
 #ifndef penumbra_SceneExtractionColors_h
 #define penumbra_SceneExtractionColors_h
 
-#include "SceneExtractionPiece.h"
+#include "Tessellation/SceneExtractionPiece.h"
 
 #include "vtkMapper.h"
 #include "vtkNew.h"

@@ -3,8 +3,8 @@
 #include "SceneExtractionGlyphs.h"
 
 #include "SceneExtractionColors.h"
-#include "SceneExtractionLines.h"
-#include "SceneExtractionSurfaces.h"
+#include "Tessellation/SceneExtractionLines.h"
+#include "Tessellation/SceneExtractionSurfaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"

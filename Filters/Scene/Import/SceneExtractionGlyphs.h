@@ -5,7 +5,7 @@
 #ifndef penumbra_SceneExtractionGlyphs_h
 #define penumbra_SceneExtractionGlyphs_h
 
-#include "SceneExtractionPiece.h"
+#include "Tessellation/SceneExtractionPiece.h"
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 #define penumbra_SceneExtractionScalarBar_h
 
 #include "Scene.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <string>
 #include <vector>
@@ -22,12 +22,12 @@ namespace penumbra
 bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene);
 
 /// `count` values from one end of the table's range to the other, evenly or in its logarithm.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT std::vector<double> SpreadOverRange(
+VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<double> SpreadOverRange(
   vtkScalarsToColors* table, int count);
 
 /// A number as a label, in the style of a printf format if it is one for one floating point number;
 /// else as by "%g".
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT std::string FormatLabel(const char* format, double value);
+VTKPENUMBRAFILTERSSCENE_EXPORT std::string FormatLabel(const char* format, double value);
 
 }
 #endif

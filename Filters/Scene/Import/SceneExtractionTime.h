@@ -6,7 +6,7 @@
 #ifndef penumbra_SceneExtractionTime_h
 #define penumbra_SceneExtractionTime_h
 
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro
 #include "vtkType.h"
 
 class vtkRenderer;
@@ -15,10 +15,10 @@ namespace penumbra
 {
 
 /// Brings the pipelines that feed the scene up to date first.
-vtkMTimeType GetSceneMTime(vtkRenderer* renderer);
+VTKPENUMBRAFILTERSSCENE_EXPORT vtkMTimeType GetSceneMTime(vtkRenderer* renderer);
 
 /// The same of what stands in the scene alone: the eye, the lights and overlays may have changed.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkMTimeType GetGeometryMTime(vtkRenderer* renderer);
+VTKPENUMBRAFILTERSSCENE_EXPORT vtkMTimeType GetGeometryMTime(vtkRenderer* renderer);
 
 }
 #endif

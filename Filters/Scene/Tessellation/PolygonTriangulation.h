@@ -6,7 +6,7 @@
 #ifndef penumbra_PolygonTriangulation_h
 #define penumbra_PolygonTriangulation_h
 
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <glm/glm.hpp>
 
@@ -18,7 +18,7 @@ namespace penumbra
 /// Fills `triangles` with indices into `corners`: a fan around corner 0 where the polygon is
 /// convex, else ears cut off in a walk that starts at corner 1. Corners that coincide with their
 /// predecessor are skipped.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT void TriangulatePolygon(
+VTKPENUMBRAFILTERSSCENE_EXPORT void TriangulatePolygon(
   const std::vector<glm::dvec3>& corners, std::vector<glm::uvec3>& triangles);
 
 }

@@ -6,7 +6,7 @@
 #define penumbra_SceneExtractionClipping_h
 
 #include "Scene.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace penumbra
 
 /// Keeps of `surface` what has dot(plane, (x, 1)) >= 0 for every plane (in world coordinates);
 /// normals, colours and texture coordinates are interpolated at the cuts.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT void ClipSurface(
+VTKPENUMBRAFILTERSSCENE_EXPORT void ClipSurface(
   const std::vector<glm::dvec4>& planes, const Scene& scene, Surface& surface);
 
 /// A plane in world coordinates as one in scene coordinates.

@@ -6,7 +6,7 @@
 #define penumbra_Widening_h
 
 #include "Camera.h"
-#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 namespace penumbra
 {
@@ -24,11 +24,11 @@ struct Quad
 /// It lies nearer to the eye than the segment by its own width, so that lines drawn on a surface
 /// are not buried in it. False where nothing of it is in front of the eye, or where it is seen
 /// from its end.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool WidenSegment(
+VTKPENUMBRAFILTERSSCENE_EXPORT bool WidenSegment(
   const Camera& eye, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad);
 
 /// A square of `size` pixels, with sides along those of the picture; pulled nearer as segments are.
-VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool WidenPoint(
+VTKPENUMBRAFILTERSSCENE_EXPORT bool WidenPoint(
   const Camera& eye, glm::dvec3 x, double size, Quad& quad);
 
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Overlay.h"
 
-#include "SceneExtraction.h"
-#include "SceneExtractionScalarBar.h"
+#include "Import/SceneExtraction.h"
+#include "Import/SceneExtractionScalarBar.h"
 
 #include "vtkImageData.h"
 #include "vtkLookupTable.h"

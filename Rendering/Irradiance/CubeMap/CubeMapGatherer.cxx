@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CubeMapGatherer.h"
 
-#include "CosineDirections.h"
-#include "HemisphereGrid.h"
-#include "RayScene.h"
-#include "RayTriangle.h"
+#include "Embree/RayScene.h"
+#include "Embree/RayTriangle.h"
+#include "Gathering/HemisphereGrid.h"
+#include "Shading/CosineDirections.h"
 
 namespace penumbra
 {

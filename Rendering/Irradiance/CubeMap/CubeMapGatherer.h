@@ -8,7 +8,7 @@
 #define penumbra_CubeMapGatherer_h
 
 #include "CubeMapPicture.h"
-#include "RayGatherer.h"
+#include "Gathering/RayGatherer.h"
 
 #include <atomic>
 #include <cstdint>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CubeMapPicture.h"
 
-#include "OpenGLFunctions.h"
-#include "Stage.h"
+#include "Frame/OpenGLFunctions.h"
+#include "Frame/Stage.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Hemicube.h"
 
-#include "CosineDirections.h"
-#include "HemisphereGrid.h"
+#include "Gathering/HemisphereGrid.h"
+#include "Shading/CosineDirections.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordSplats.h"
 
-#include "OpenGLFunctions.h"
-#include "RecordTree.h"
+#include "Frame/OpenGLFunctions.h"
+#include "Records/RecordTree.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"

@@ -5,9 +5,9 @@
 #ifndef penumbra_RecordSplats_h
 #define penumbra_RecordSplats_h
 
-#include "DelegateImage.h"
-#include "Record.h"
-#include "Stage.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/Stage.h"
+#include "Records/Record.h"
 
 #include <array>
 #include <vector>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForceOcclusion.h"
 
-#include "CosineDirections.h"
-#include "RayScene.h"
-#include "SceneExtraction.h"
+#include "Embree/RayScene.h"
+#include "Import/SceneExtraction.h"
+#include "Shading/CosineDirections.h"
 
 std::vector<float> BruteForceOcclusion(
   vtkRenderer* renderer, int width, int height, double radius, int side)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthSurface.h"
 
-#include "Batches.h"
-#include "CosineDirections.h"
-#include "ScreenView.h"
+#include "Execution/Batches.h"
+#include "Frame/ScreenView.h"
+#include "Shading/CosineDirections.h"
 
 #include "vtkMatrix4x4.h"
 

@@ -8,7 +8,7 @@
 #ifndef penumbra_DepthSurface_h
 #define penumbra_DepthSurface_h
 
-#include "RayScene.h"
+#include "Embree/RayScene.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InterpolatedOcclusion.h"
 
-#include "Batches.h"
-#include "ScreenView.h"
+#include "Execution/Batches.h"
+#include "Frame/ScreenView.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

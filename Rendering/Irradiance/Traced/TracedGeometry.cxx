@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedGeometry.h"
 
-#include "SceneExtraction.h"
-#include "SceneExtractionActors.h"
-#include "SceneExtractionTime.h"
+#include "Import/SceneExtraction.h"
+#include "Import/SceneExtractionActors.h"
+#include "Import/SceneExtractionTime.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"

@@ -6,7 +6,7 @@
 #ifndef penumbra_TracedGeometry_h
 #define penumbra_TracedGeometry_h
 
-#include "RayScene.h"
+#include "Embree/RayScene.h"
 
 #include "vtkType.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedOcclusion.h"
 
-#include "Batches.h"
-#include "CosineDirections.h"
+#include "Execution/Batches.h"
+#include "Shading/CosineDirections.h"
 
 #include <algorithm>
 #include <atomic>

@@ -6,7 +6,7 @@
 #define penumbra_TracedOcclusion_h
 
 #include "DepthSurface.h"
-#include "Stage.h"
+#include "Frame/Stage.h"
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ActorMotion.h"
 
-#include "OpenGLFunctions.h"
-#include "Stage.h"
-#include "WiderCamera.h"
+#include "Frame/OpenGLFunctions.h"
+#include "Frame/Stage.h"
+#include "Frame/WiderCamera.h"
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"

@@ -6,7 +6,7 @@
 #ifndef penumbra_ActorMotion_h
 #define penumbra_ActorMotion_h
 
-#include "EyeDepth.h"
+#include "Frame/EyeDepth.h"
 
 #include <map>
 #include <utility>

@@ -5,8 +5,8 @@
 #ifndef penumbra_BilateralFilter_h
 #define penumbra_BilateralFilter_h
 
-#include "DelegateImage.h"
-#include "Stage.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/Stage.h"
 
 #include <vector>
 

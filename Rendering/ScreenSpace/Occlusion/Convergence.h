@@ -7,7 +7,7 @@
 #ifndef penumbra_Convergence_h
 #define penumbra_Convergence_h
 
-#include "Stage.h"
+#include "Frame/Stage.h"
 
 #include "vtkType.h"
 

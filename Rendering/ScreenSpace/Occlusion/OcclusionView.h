@@ -8,10 +8,10 @@
 
 #include "ActorMotion.h"
 #include "BilateralFilter.h"
-#include "Composite.h"
 #include "Convergence.h"
-#include "DelegateImage.h"
-#include "EyeDepth.h"
+#include "Frame/Composite.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/EyeDepth.h"
 #include "StillPicture.h"
 #include "TemporalHistory.h"
 #include "vtkPenumbraOcclusionEstimator.h"

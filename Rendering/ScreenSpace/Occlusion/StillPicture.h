@@ -6,8 +6,8 @@
 #ifndef penumbra_StillPicture_h
 #define penumbra_StillPicture_h
 
-#include "DelegateImage.h"
-#include "Stage.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/Stage.h"
 
 namespace penumbra
 {

@@ -7,8 +7,8 @@
 #define penumbra_TemporalHistory_h
 
 #include "ActorMotion.h"
-#include "EyeDepth.h"
-#include "Stage.h"
+#include "Frame/EyeDepth.h"
+#include "Frame/Stage.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
 #include <vector>

@@ -5,7 +5,7 @@
 #ifndef penumbra_Thickness_h
 #define penumbra_Thickness_h
 
-#include "ScreenView.h"
+#include "Frame/ScreenView.h"
 
 #include <vector>
 

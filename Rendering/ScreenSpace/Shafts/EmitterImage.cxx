@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EmitterImage.h"
 
-#include "OpenGLFunctions.h"
-#include "WiderCamera.h"
+#include "Frame/OpenGLFunctions.h"
+#include "Frame/WiderCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"

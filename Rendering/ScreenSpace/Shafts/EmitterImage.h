@@ -6,8 +6,8 @@
 #ifndef penumbra_EmitterImage_h
 #define penumbra_EmitterImage_h
 
-#include "DelegateImage.h"
-#include "Stage.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/Stage.h"
 
 #include <vector>
 

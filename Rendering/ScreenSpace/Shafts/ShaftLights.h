@@ -6,7 +6,7 @@
 #ifndef penumbra_ShaftLights_h
 #define penumbra_ShaftLights_h
 
-#include "ScreenView.h"
+#include "Frame/ScreenView.h"
 
 #include <vector>
 

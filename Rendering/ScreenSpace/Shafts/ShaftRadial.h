@@ -6,9 +6,9 @@
 #ifndef penumbra_ShaftRadial_h
 #define penumbra_ShaftRadial_h
 
-#include "DelegateImage.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/Stage.h"
 #include "ShaftLights.h"
-#include "Stage.h"
 
 namespace penumbra
 {

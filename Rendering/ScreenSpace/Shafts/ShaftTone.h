@@ -6,8 +6,8 @@
 #ifndef penumbra_ShaftTone_h
 #define penumbra_ShaftTone_h
 
-#include "DelegateImage.h"
-#include "Stage.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/Stage.h"
 
 namespace penumbra
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaftView.h"
 
-#include "OpenGLFunctions.h"
+#include "Frame/OpenGLFunctions.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -7,9 +7,9 @@
 #ifndef penumbra_ShaftView_h
 #define penumbra_ShaftView_h
 
-#include "DelegateImage.h"
 #include "EmitterImage.h"
-#include "EyeDepth.h"
+#include "Frame/DelegateImage.h"
+#include "Frame/EyeDepth.h"
 #include "ShaftLights.h"
 #include "ShaftRadial.h"
 #include "ShaftTone.h"

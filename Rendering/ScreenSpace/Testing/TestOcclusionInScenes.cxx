@@ -5,7 +5,7 @@
 #include "BytesInUse.h"
 #include "OcclusionScene.h"
 
-#include "OpenGLFunctions.h"
+#include "Frame/OpenGLFunctions.h"
 
 #include "vtkActor2D.h"
 #include "vtkCamera.h"

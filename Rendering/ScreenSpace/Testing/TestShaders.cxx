@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // GLSL functions on the GPU with known values: each expression is drawn into a texture and read back.
-#include "Stage.h"
+#include "Frame/Stage.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -32,14 +32,15 @@ std::string Shader(const std::string& name)
 /// The libraries of the estimating stage, as it joins them, without its main function.
 std::string Estimate(const std::string& kernel)
 {
-  std::string text = penumbra::Assemble(Shader("vtkPenumbraEstimateFS.glsl"),
-    { { "ViewLib", Shader("vtkPenumbraViewLib.glsl") },
-      { "SurfaceLib", Shader("vtkPenumbraSurfaceLib.glsl") },
-      { "EstimateLib", Shader("vtkPenumbraEstimateLib.glsl") },
-      { "Kernel", Shader("vtkPenumbraEstimate" + kernel + "FS.glsl") },
-      { "HemisphereLib", Shader("vtkPenumbraHemisphereLib.glsl") } });
-  return text.substr(0, text.rfind("void main()")) + Shader("vtkPenumbraDarkenLib.glsl") +
-    Shader("vtkPenumbraBilateralLib.glsl");
+  std::string text = penumbra::Assemble(Shader("Occlusion/glsl/vtkPenumbraEstimateFS.glsl"),
+    { { "ViewLib", Shader("Frame/glsl/vtkPenumbraViewLib.glsl") },
+      { "SurfaceLib", Shader("Occlusion/glsl/vtkPenumbraSurfaceLib.glsl") },
+      { "EstimateLib", Shader("Occlusion/glsl/vtkPenumbraEstimateLib.glsl") },
+      { "Kernel", Shader("Occlusion/glsl/vtkPenumbraEstimate" + kernel + "FS.glsl") },
+      { "HemisphereLib", Shader("Occlusion/glsl/vtkPenumbraHemisphereLib.glsl") } });
+  return text.substr(0, text.rfind("void main()")) +
+    Shader("Frame/glsl/vtkPenumbraDarkenLib.glsl") +
+    Shader("Occlusion/glsl/vtkPenumbraBilateralLib.glsl");
 }
 
 class Shaders : public testing::Test
