@@ -567,19 +567,23 @@ TEST(PublicHeaders, ThatRoomsUseIncludeNoRoom)
   }
 }
 
-/// The private headers that tests of a module may include: those that the module itself may.
-Names FoldersOfTests(const std::string& module)
+/// The modules whose private headers tests of a module may include: those that it may use itself.
+Names ModulesOfTests(const std::string& module)
 {
-  Names folders = { "Testing/Comparison" };
+  Names modules = { module, "Testing/Comparison" };
   for (const Row& row : Table)
   {
-    if (ModuleOf(row) == module)
+    if (ModuleOf(row) != module)
     {
-      folders.insert(row.Folder);
-      folders.insert(row.Folders.begin(), row.Folders.end());
+      continue;
+    }
+    for (const std::string& folder : row.Folders)
+    {
+      const Row* used = RowOf(Root / folder);
+      modules.insert(used ? ModuleOf(*used) : module);
     }
   }
-  return folders;
+  return modules;
 }
 
 TEST(ModuleTests, UseTheirOwnModuleAndReferencesOnly)
@@ -592,14 +596,14 @@ TEST(ModuleTests, UseTheirOwnModuleAndReferencesOnly)
     {
       continue;
     }
-    const Names allowed = FoldersOfTests(row.Folder);
+    const Names allowed = ModulesOfTests(row.Folder);
     for (const fs::path& source : Sources(folder, true))
     {
       for (const std::string& include : Includes(source))
       {
         const fs::path included = Included(source, include);
         const Row* owner = included.empty() ? nullptr : RowOf(included.parent_path());
-        EXPECT_TRUE(!owner || IsPublic(included) || allowed.count(owner->Folder))
+        EXPECT_TRUE(!owner || IsPublic(included) || allowed.count(ModuleOf(*owner)))
           << source << " includes " << include;
         EXPECT_TRUE(owner || !tests.count(fs::path(include).filename().string()) ||
           fs::exists(source.parent_path() / include))
