@@ -25,8 +25,8 @@ using Names = std::set<std::string>;
 const fs::path Root = PENUMBRA_SOURCE_DIR;
 
 /// A row of the table: a module or one of its rooms, the folders that it may include, and the libraries
-/// beside VTK's data and RenderingCore. Rows name earlier rows only, so that nothing leads back up. A
-/// header among the folders is a public one of the own module that includes no room itself.
+/// that it may use in addition to VTK's data and RenderingCore. A row names earlier rows only, so that no
+/// include goes back up. A header in the list is a public one of the same module that includes no room.
 struct Row
 {
   std::string Folder;
@@ -133,7 +133,7 @@ const std::vector<Row> Table = {
     { "OpenGL", "CLI11", "JSON" } },
 };
 
-/// Files beside Testing/ that one folder may hold.
+/// Maximum number of files in a folder, subfolders not counted.
 constexpr int MostFiles = 25;
 
 /// The library that a header or a VTK module belongs to; empty: VTK's data or the language's own.
@@ -236,7 +236,7 @@ bool IsPublic(const fs::path& header)
   return header.extension() == ".h" && header.filename().string().rfind("vtkPenumbra", 0) == 0;
 }
 
-/// The row of the folder, or of the nearest one above it; null outside the table.
+/// The row of a folder, or of its nearest parent that has one; null outside the table.
 const Row* RowOf(fs::path folder)
 {
   for (; folder.has_relative_path() && folder != Root; folder = folder.parent_path())
@@ -252,7 +252,7 @@ const Row* RowOf(fs::path folder)
   return nullptr;
 }
 
-/// The module that a row is, or is a room of.
+/// The folder of the module that a row belongs to.
 std::string ModuleOf(const Row& row)
 {
   fs::path folder = row.Folder;
@@ -263,7 +263,7 @@ std::string ModuleOf(const Row& row)
   return folder.generic_string();
 }
 
-/// The headers that are made of shaders, and the shaders.
+/// Maps each header that is generated from a shader to that shader.
 std::map<std::string, fs::path> ShaderHeaders()
 {
   std::map<std::string, fs::path> headers;
@@ -277,8 +277,8 @@ std::map<std::string, fs::path> ShaderHeaders()
   return headers;
 }
 
-/// The file of the table that `source` includes as `name`; empty: none of them. The source folders of all
-/// modules are on the path on which headers are looked for.
+/// The file that `source` includes as `name`, if it belongs to a row of the table; otherwise empty. The
+/// include path holds the source folders of all modules.
 fs::path Included(const fs::path& source, const std::string& name)
 {
   static const std::map<std::string, fs::path> shaders = ShaderHeaders();
@@ -306,7 +306,7 @@ fs::path Included(const fs::path& source, const std::string& name)
   return {};
 }
 
-/// The names of the headers of tests and benchmarks, those below `but` left out.
+/// The names of the headers of tests and benchmarks, except those below the folders `but`.
 Names HeadersOfTests(const std::vector<std::string>& but)
 {
   Names names;
@@ -351,12 +351,12 @@ void ExpectAllowed(const Row& row, const fs::path& source)
     else if (IsModule(row) || ModuleOf(row) != row.Folder)
     {
       EXPECT_EQ(name.find('/'), std::string::npos)
-        << source << ": headers of the same folder go by their bare name, not " << name;
+        << source << ": a header of the same folder is included by its bare name, not " << name;
     }
   }
 }
 
-/// The sources of a row, those of folders below that have no row of their own included.
+/// The sources of a row without its tests, including those of subfolders that have no row.
 std::vector<fs::path> SourcesOf(const Row& row)
 {
   std::vector<fs::path> sources = Sources(Root / row.Folder, true);
@@ -370,7 +370,7 @@ std::vector<fs::path> SourcesOf(const Row& row)
   return sources;
 }
 
-TEST(Modules, StandInTheOrderInWhichTheyMayBeUsed)
+TEST(Modules, NameEarlierRowsOnly)
 {
   Names before;
   for (const Row& row : Table)
@@ -486,7 +486,7 @@ TEST(Modules, LinkNoLibraryOfTestsOrBenchmarks)
   }
 }
 
-TEST(Folders, AreShort)
+TEST(Folders, HoldAtMost25Files)
 {
   std::map<fs::path, int> counts;
   for (const char* top : { "Benchmarks", "CMake", "Command", "Examples", "Filters", "Plugin",
@@ -503,7 +503,7 @@ TEST(Folders, AreShort)
   }
 }
 
-TEST(Folders, OfModulesSayWhatTheyHold)
+TEST(Folders, OfModulesHaveAReadme)
 {
   for (const Row& row : Table)
   {
@@ -540,7 +540,7 @@ TEST(PublicHeaders, ShowNeitherPrivateHeadersNorLibraries)
   }
 }
 
-/// Rooms may include these: neither they nor their sources include a room of the same module.
+/// A room may include a public header of its module only if that class includes no room itself.
 TEST(PublicHeaders, ThatRoomsUseIncludeNoRoom)
 {
   for (const Row& row : Table)
@@ -567,7 +567,7 @@ TEST(PublicHeaders, ThatRoomsUseIncludeNoRoom)
   }
 }
 
-/// The modules whose private headers tests of a module may include: those that it may use itself.
+/// The modules whose private headers the tests of a module may include: those that the module may use.
 Names ModulesOfTests(const std::string& module)
 {
   Names modules = { module, "Testing/Comparison" };
@@ -586,7 +586,7 @@ Names ModulesOfTests(const std::string& module)
   return modules;
 }
 
-TEST(ModuleTests, UseTheirOwnModuleAndReferencesOnly)
+TEST(ModuleTests, IncludeTheirModuleAndReferencesOnly)
 {
   const Names tests = HeadersOfTests({ "Testing/Comparison", "Benchmarks/Reference" });
   for (const Row& row : Table)
@@ -613,7 +613,7 @@ TEST(ModuleTests, UseTheirOwnModuleAndReferencesOnly)
   }
 }
 
-TEST(References, UseModulesOnly)
+TEST(References, IncludeModulesOnly)
 {
   const Names tests = HeadersOfTests({ "Testing/Comparison", "Benchmarks/Reference" });
   for (const fs::path& source : Sources(Root / "Benchmarks/Reference", true))
