@@ -4,6 +4,7 @@
 // Where something besides the eye may have moved: how much of a point's history is still to be
 // trusted, by the change of its distances to its neighbours [TSSAO eq. 9].
 uniform float invalidationWeight; // no weight is pulled below this
+uniform float propsChanged;       // 1: props have appeared or disappeared; 0: at most moved
 
 const int neighbours = 8;
 
@@ -31,8 +32,10 @@ float neighbourChange(SurfacePoint point, vec3 before)
     found = rigid ? then : found;
     float span = min(length(now - point.position), 1.0);
     float spanBefore = min(length(found - before), 1.0);
-    bool seen = isInside(pixel) && isInside(was);
-    change = max(change, seen ? abs(span - spanBefore) : 0.0);
+    bool seen = isInside(pixel, pixelSize) && isInside(was, previousPixelSize);
+    // Another surface may be as far away as the one that was seen before it appeared.
+    float replaced = min(span, spanBefore) < 1.0 ? propsChanged * length(found - then) : 0.0;
+    change = max(change, seen ? max(abs(span - spanBefore), replaced) : 0.0);
   }
   return change;
 }
