@@ -4,6 +4,8 @@
 // What keeps the history of occlusion, what restarts it, and which values it may hold.
 #include "OcclusionScene.h"
 
+#include "vtkPenumbraBilateralFilterPass.h"
+#include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
@@ -253,6 +255,52 @@ TEST(OcclusionHistory, SurvivesAZoom)
     scene.Window->Render();
     EXPECT_LT(Rms(zoomed, scene.Array("AmbientOcclusion")), .04) << factor;
   }
+}
+
+TEST(PassSetters, RejectNaN)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<Pass> occlusion;
+  vtkNew<vtkPenumbraLightShaftPass> shafts;
+  vtkNew<vtkPenumbraBilateralFilterPass> filter;
+  vtkNew<vtkPenumbraKernelEstimator> kernel;
+#define EXPECT_REJECTED(object, name)                                                              \
+  {                                                                                                \
+    const double before = (object)->Get##name();                                                   \
+    const vtkMTimeType time = (object)->GetMTime();                                                \
+    (object)->Set##name(nan);                                                                      \
+    EXPECT_EQ((object)->Get##name(), before) << #name;                                             \
+    EXPECT_EQ((object)->GetMTime(), time) << #name;                                                \
+  }
+  EXPECT_REJECTED(occlusion, Tolerance)
+  EXPECT_REJECTED(occlusion, Radius)
+  EXPECT_REJECTED(occlusion, Strength)
+  EXPECT_REJECTED(occlusion, LightAwareness)
+  EXPECT_REJECTED(occlusion, MaximumWeight)
+  EXPECT_REJECTED(occlusion, AdaptiveConvergence)
+  EXPECT_REJECTED(occlusion, SpatialConvergence)
+  EXPECT_REJECTED(occlusion, RotationConvergence)
+  EXPECT_REJECTED(occlusion, InvalidationWeight)
+  EXPECT_REJECTED(occlusion, DepthTolerance)
+  EXPECT_REJECTED(occlusion, Margin)
+  EXPECT_REJECTED(shafts, Tolerance)
+  EXPECT_REJECTED(shafts, Scattering)
+  EXPECT_REJECTED(shafts, Extinction)
+  EXPECT_REJECTED(shafts, Asymmetry)
+  EXPECT_REJECTED(shafts, Exposure)
+  EXPECT_REJECTED(shafts, Thickness)
+  EXPECT_REJECTED(shafts, Weight)
+  EXPECT_REJECTED(shafts, Decay)
+  EXPECT_REJECTED(shafts, Density)
+  EXPECT_REJECTED(shafts, SurfaceGlow)
+  EXPECT_REJECTED(shafts, Margin)
+  EXPECT_REJECTED(filter, Distance)
+  EXPECT_REJECTED(kernel, Thickness)
+#undef EXPECT_REJECTED
+  vtkObject::GlobalWarningDisplayOn();
+  occlusion->SetStrength(2.0);
+  EXPECT_EQ(occlusion->GetStrength(), 1.0);
 }
 
 TEST(PassGetters, ReturnNothingWithoutTheirWindow)
