@@ -110,7 +110,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
     this->SettledSamples = 0;
     this->TotalSamples = 0; // The same picture, whatever was drawn before.
   }
-  if (change == EyeDepth::Change::Some && settings.PropsChanged)
+  if (change == EyeDepth::Change::Some && this->Settings.PropsChanged)
   {
     // Many pixels have lost their history: the next frames take FirstSamples.
     this->SettledSamples = 0;
@@ -148,6 +148,8 @@ void OcclusionView::LookForMotion()
 void OcclusionView::Compare(const OcclusionSettings& last)
 {
   OcclusionSettings& now = this->Settings;
+  // As many samples as there can be: validation by neighbors is off.
+  now.PropsChanged = now.PropsChanged && now.InvalidationWeight < now.MaximumWeight;
   // An image that converges in one Render() does not depend on earlier ones.
   now.Restart =
     now.Restart || (now.InOneRender && (!last.InOneRender || now.Tolerance != last.Tolerance));
