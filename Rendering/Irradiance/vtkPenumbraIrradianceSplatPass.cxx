@@ -202,6 +202,11 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
 void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)
 {
   Internals& own = *this->Implementation;
+  if (!image)
+  {
+    vtkErrorMacro("There is no image to copy to.");
+    return;
+  }
   image->Initialize();
   if (!own.Drawn)
   {

@@ -15,6 +15,7 @@
 
 #include "vtkPenumbraRenderingIrradianceModule.h" // for export macro
 #include "vtkPenumbraScreenSpacePass.h"
+#include "vtkPenumbraSetNumber.h" // for setters
 
 #include <memory> // for std::unique_ptr
 
@@ -50,7 +51,7 @@ public:
    * Greatest angle between normals that share a record, degrees, up to 90; 0: the one that the records'
    * field data tells (`NormalAngle`), else 9, that of [IC]. Default: 0.
    */
-  vtkSetClampMacro(NormalAngle, double, 0.0, 90.0);
+  vtkPenumbraSetClampedNumberMacro(NormalAngle, 0.0, 90.0);
   vtkGetMacro(NormalAngle, double);
   ///@}
 
@@ -59,7 +60,7 @@ public:
    * Of occlusion: rgb = color * (1 - Strength * occlusion). Of light: rgb = color * Strength *
    * irradiance / pi; draw the scene unlit, its colours being what surfaces reflect. 0 to 1. Default: 1.
    */
-  vtkSetClampMacro(Strength, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(Strength, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
 

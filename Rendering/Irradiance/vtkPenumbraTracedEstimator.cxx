@@ -113,6 +113,7 @@ struct vtkPenumbraTracedEstimator::Internals
 {
   std::map<vtkRenderer*, Traced> Renderers;
   std::vector<float> Means;
+  std::string Warned; ///< of the prop that rays do not hit
 };
 
 vtkPenumbraTracedEstimator::vtkPenumbraTracedEstimator()
@@ -134,6 +135,13 @@ try
   Traced& state = this->Implementation->Renderers[request.Renderer];
   const bool rebuilt = state.Geometry.Update(request.Renderer, request.Radius);
   this->NumberOfTrees += rebuilt;
+  const std::string& missing = state.Geometry.GetMissing();
+  if (!missing.empty() && missing != this->Implementation->Warned)
+  {
+    this->Implementation->Warned = missing;
+    vtkWarningMacro("Rays do not hit "
+      << missing << ". It casts no ambient occlusion; use a kernel that reads the depth buffer.");
+  }
   const penumbra::ScreenView& view = request.Depth->GetView();
   const bool sparse =
     request.Moving && this->SparseInMotion && view.Width >= MovingStep && view.Height >= MovingStep;

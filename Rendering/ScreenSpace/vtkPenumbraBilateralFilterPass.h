@@ -13,7 +13,8 @@
 
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkPenumbraScreenSpacePass.h"
-#include "vtkSmartPointer.h" // for members
+#include "vtkPenumbraSetNumber.h" // for setters
+#include "vtkSmartPointer.h"      // for members
 
 #include <memory> // for std::unique_ptr
 
@@ -38,7 +39,7 @@ public:
    * Distance at which a neighbour counts 1/e, in world units; 0: four pixel widths at the camera's
    * focal point. Default: 0.
    */
-  vtkSetClampMacro(Distance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPenumbraSetClampedNumberMacro(Distance, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Distance, double);
   ///@}
 

@@ -8,6 +8,7 @@
 #define vtkPenumbraKernelEstimator_h
 
 #include "vtkPenumbraOcclusionEstimator.h"
+#include "vtkPenumbraSetNumber.h" // for setters
 
 #include <memory> // for std::unique_ptr
 #include <string>
@@ -31,7 +32,7 @@ public:
    * How far back what is seen is taken to reach, in radii, up to 1000; for kernels that ask. 0: as far
    * as it is wide, by the picture. Default: 0.
    */
-  vtkSetClampMacro(Thickness, double, 0.0, 1000.0);
+  vtkPenumbraSetClampedNumberMacro(Thickness, 0.0, 1000.0);
   vtkGetMacro(Thickness, double);
   ///@}
 

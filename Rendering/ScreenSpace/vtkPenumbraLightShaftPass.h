@@ -18,6 +18,7 @@
 
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkPenumbraScreenSpacePass.h"
+#include "vtkPenumbraSetNumber.h" // for setters
 
 #include <limits> // for infinite bounds
 #include <memory> // for std::unique_ptr
@@ -50,7 +51,7 @@ public:
    * The error accepted in a colour, RMSE, 0.0001 to 1: it chooses Steps, and lit shares are found for
    * 2x2 (from 1/512 on), 3x3 (1/256) or 4x4 pixels (1/128) together. Default: 1/256.
    */
-  vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
+  vtkPenumbraSetClampedNumberMacro(Tolerance, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -68,9 +69,9 @@ public:
    * Shares of light scattered and lost per world unit. Negative scattering: a quarter over the bounds'
    * diagonal; extinction below scattering means scattering. Defaults: -1.
    */
-  vtkSetMacro(Scattering, double);
+  vtkPenumbraSetNumberMacro(Scattering);
   vtkGetMacro(Scattering, double);
-  vtkSetMacro(Extinction, double);
+  vtkPenumbraSetNumberMacro(Extinction);
   vtkGetMacro(Extinction, double);
   ///@}
 
@@ -88,13 +89,13 @@ public:
    */
   vtkSetClampMacro(Phase, int, ISOTROPIC, HENYEY_GREENSTEIN);
   vtkGetMacro(Phase, int);
-  vtkSetClampMacro(Asymmetry, double, -0.999, 0.999);
+  vtkPenumbraSetClampedNumberMacro(Asymmetry, -0.999, 0.999);
   vtkGetMacro(Asymmetry, double);
   ///@}
 
   ///@{
   /** Scattered light is multiplied by this [Shafts eq. 4], 0 or more. Default: 1, physical. */
-  vtkSetClampMacro(Exposure, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPenumbraSetClampedNumberMacro(Exposure, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Exposure, double);
   ///@}
 
@@ -135,7 +136,7 @@ public:
    * DEPTH: how far what is seen reaches back, in world units; 0: the mean of the props' smallest
    * extents. Default: 0.
    */
-  vtkSetClampMacro(Thickness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPenumbraSetClampedNumberMacro(Thickness, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Thickness, double);
   ///@}
 
@@ -144,11 +145,11 @@ public:
    * RADIAL: a factor of each sample (0 or more) and one for each 1/64 of the way (0 to 1); by how much
    * the way is shorter than that to the light (1 to 1000) [Shafts eq. 4]. Defaults: 1.
    */
-  vtkSetClampMacro(Weight, double, 0.0, VTK_DOUBLE_MAX);
+  vtkPenumbraSetClampedNumberMacro(Weight, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Weight, double);
-  vtkSetClampMacro(Decay, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(Decay, 0.0, 1.0);
   vtkGetMacro(Decay, double);
-  vtkSetClampMacro(Density, double, 1.0, 1000.0);
+  vtkPenumbraSetClampedNumberMacro(Density, 1.0, 1000.0);
   vtkGetMacro(Density, double);
   ///@}
 
@@ -180,7 +181,7 @@ public:
   /** Default: MASK. With CONTRAST SurfaceGlow is left of an occluder's colour, 0 to 1, default 0.2. */
   vtkSetClampMacro(Occlusion, int, MASK, CONTRAST);
   vtkGetMacro(Occlusion, int);
-  vtkSetClampMacro(SurfaceGlow, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(SurfaceGlow, 0.0, 1.0);
   vtkGetMacro(SurfaceGlow, double);
   ///@}
 
@@ -216,7 +217,7 @@ public:
    * 100; negative: 20 while a light is outside of the picture, else none. Needs OpaqueOnly.
    * Default: -1.
    */
-  vtkSetClampMacro(Margin, double, -1.0, 100.0);
+  vtkPenumbraSetClampedNumberMacro(Margin, -1.0, 100.0);
   vtkGetMacro(Margin, double);
   ///@}
 

@@ -5,8 +5,19 @@
 #include "Chain/PassPlaces.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLResourceFreeCallback.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+
+vtkPenumbraScreenSpacePass::vtkPenumbraScreenSpacePass() = default;
+
+vtkPenumbraScreenSpacePass::~vtkPenumbraScreenSpacePass()
+{
+  if (this->Window)
+  {
+    this->Window->UnregisterGraphicsResources(this->EndOfWindow.get());
+  }
+}
 
 void vtkPenumbraScreenSpacePass::Render(const vtkRenderState* state)
 {
@@ -33,9 +44,12 @@ vtkOpenGLRenderWindow* vtkPenumbraScreenSpacePass::EnterWindow(vtkRenderer* rend
       std::string("In stereo the scene is drawn without ") + this->GetEffectName() + ".");
     return nullptr;
   }
-  if (window)
+  if (window && window != this->Window)
   {
     penumbra::MoveToWindow(this, this->Window, window);
+    this->EndOfWindow = std::make_unique<vtkOpenGLResourceFreeCallback<vtkPenumbraScreenSpacePass>>(
+      this, &vtkPenumbraScreenSpacePass::ReleaseGraphicsResources);
+    this->EndOfWindow->RegisterGraphicsResources(window);
   }
   return window;
 }
@@ -52,6 +66,11 @@ void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)
 void vtkPenumbraScreenSpacePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
+  if (this->Window && !this->EndOfWindow->IsReleasing())
+  {
+    this->Window->UnregisterGraphicsResources(this->EndOfWindow.get());
+    this->EndOfWindow.reset();
+  }
   this->Window = nullptr;
 }
 

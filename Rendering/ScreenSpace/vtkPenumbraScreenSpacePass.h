@@ -13,8 +13,10 @@
 #include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+class vtkGenericOpenGLResourceFreeCallback;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
@@ -39,8 +41,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  vtkPenumbraScreenSpacePass() = default;
-  ~vtkPenumbraScreenSpacePass() override = default;
+  vtkPenumbraScreenSpacePass();
+  ~vtkPenumbraScreenSpacePass() override;
 
   /** Draws the scene with the effect and sets NumberOfRenderedProps. False: nothing was drawn. */
   virtual bool RenderEffect(const vtkRenderState* state) = 0;
@@ -54,7 +56,7 @@ protected:
    */
   vtkOpenGLRenderWindow* EnterWindow(vtkRenderer* renderer);
 
-  /** The window of the last frame; null: none, or it is released. */
+  /** The window of the last frame; null if there is none, or if it has released its resources. */
   vtkOpenGLRenderWindow* GetWindow() { return this->Window; }
 
   /** Warns unless the last warning said the same. */
@@ -67,6 +69,8 @@ private:
   void operator=(const vtkPenumbraScreenSpacePass&) = delete;
 
   vtkOpenGLRenderWindow* Window = nullptr;
+  /// Releases the resources of this pass when Window does, even if the pass has left its renderer.
+  std::unique_ptr<vtkGenericOpenGLResourceFreeCallback> EndOfWindow;
   std::string Warned;
 };
 

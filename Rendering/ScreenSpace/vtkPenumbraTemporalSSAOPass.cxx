@@ -4,6 +4,7 @@
 
 #include "Chain/PassPlaces.h"
 #include "Frame/PassStatistics.h"
+#include "Frame/WiderCamera.h"
 #include "Occlusion/OcclusionView.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
@@ -22,6 +23,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkPenumbraTemporalSSAOPass);
 
@@ -39,15 +43,43 @@ constexpr const char* TrueRays = "traced";
 /// The margin that follows the radius goes no farther than this share of the picture's larger side.
 constexpr double LargestMargin = 0.1;
 
-/// Changes whenever a prop, its data or the set of props does.
-vtkMTimeType ChangeTime(const vtkRenderState* state)
+/// An automatic margin that becomes too small grows to this multiple of what is needed.
+constexpr double MarginReserve = 1.5;
+
+/// An automatic margin shrinks when less than this fraction of it is needed.
+constexpr double LeastUsedMargin = 0.5;
+
+/// Visible props in drawing order, each with the time of its last change.
+using PropTimes = std::vector<std::pair<vtkProp*, vtkMTimeType>>;
+
+PropTimes FindPropTimes(vtkRenderer* renderer)
 {
-  vtkMTimeType time = 0;
-  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  PropTimes times;
+  for (vtkProp* prop : penumbra::VisibleProps(renderer))
   {
-    time = std::max(time, state->GetPropArray()[i]->GetRedrawMTime());
+    times.emplace_back(prop, prop->GetRedrawMTime());
   }
-  return time;
+  return times;
+}
+
+bool HaveSameProps(const PropTimes& a, const PropTimes& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const auto& left, const auto& right) { return left.first == right.first; });
+}
+
+/// Margin in pixels. The last one is kept while it is large enough and not far too large, so that a
+/// zoom does not change the size of all textures with every frame.
+int ChooseMargin(double needed, double largest, int last)
+{
+  needed = std::min(needed, largest);
+  if (last > 0 && needed > last)
+  {
+    return static_cast<int>(std::ceil(std::min(MarginReserve * needed, largest)));
+  }
+  return last > 0 && needed >= LeastUsedMargin * last && last <= std::ceil(largest)
+    ? last
+    : static_cast<int>(std::ceil(needed));
 }
 
 }
@@ -58,10 +90,10 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   struct Known
   {
     penumbra::OcclusionView View;
-    vtkMTimeType SceneTime = 0;
-    vtkMTimeType SettingTime = 0;
+    PropTimes Props;
+    std::string Occlusion;       ///< the settings that decide on its value, as text
     vtkMTimeType HiddenTime = 0; ///< the estimator's
-    std::string Kernel;
+    int Margin = 0;              ///< pixels
   };
   std::map<vtkRenderer*, Known> Renderers;
   penumbra::OcclusionView* Last = nullptr;
@@ -71,7 +103,19 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
+
+  /// Differs between settings whose occlusion differs.
+  std::string DescribeOcclusion(const Pass* pass) const;
 };
+
+std::string vtkPenumbraTemporalSSAOPass::Internals::DescribeOcclusion(const Pass* pass) const
+{
+  std::ostringstream text;
+  text << std::hexfloat << pass->Radius << ' ' << pass->RadiusUnit << ' ' << pass->KernelName << ' '
+       << this->ActiveKernel << ' ' << this->Estimator.Get() << ' '
+       << (this->Estimator ? this->Estimator->GetMTime() : 0);
+  return text.str();
+}
 
 vtkPenumbraTemporalSSAOPass::vtkPenumbraTemporalSSAOPass()
   : Implementation(std::make_unique<Internals>())
@@ -189,26 +233,28 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   settings.DelegateOnce = this->DelegateOnce;
   settings.FollowActors = this->FollowActors && this->OpaqueOnly;
-  // After compositing of several ranks nobody knows what moved.
-  const vtkMTimeType sceneTime = ChangeTime(state);
+  // After compositing of several ranks the props that moved are not known.
+  PropTimes props = FindPropTimes(renderer);
   Internals::Known& known = own.Renderers[renderer];
-  settings.SceneChanged = !this->OpaqueOnly || sceneTime != known.SceneTime;
-  known.SceneTime = sceneTime;
+  settings.SceneChanged = !this->OpaqueOnly || props != known.Props;
+  settings.PropsChanged = !HaveSameProps(props, known.Props);
+  known.Props = std::move(props);
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
   settings.Interpolate = this->KernelName == "automatic" && !own.Estimator;
-  settings.Restart = this->GetMTime() != known.SettingTime || own.ActiveKernel != known.Kernel;
+  std::string occlusion = own.DescribeOcclusion(this);
+  settings.Restart = occlusion != known.Occlusion;
   settings.HiddenChanged = estimator->GetSceneMTime(renderer) != known.HiddenTime;
-  known.SettingTime = this->GetMTime();
-  known.Kernel = own.ActiveKernel;
+  known.Occlusion = std::move(occlusion);
   if (this->OpaqueOnly)
   {
     settings.Bounds = bounds;
     const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
-    const double needed =
-      estimator->NeedsMargin() ? std::min(settings.Radius / pixel, LargestMargin * side) : 0.0;
-    const double margin = this->Margin >= 0.0 ? this->Margin / 100.0 * side : needed;
-    settings.Margin[0] = settings.Margin[1] = static_cast<int>(std::ceil(margin));
+    const double needed = estimator->NeedsMargin() ? settings.Radius / pixel : 0.0;
+    known.Margin = this->Margin >= 0.0
+      ? static_cast<int>(std::ceil(this->Margin / 100.0 * side))
+      : ChooseMargin(needed, LargestMargin * side, settings.InOneRender ? 0 : known.Margin);
+    settings.Margin[0] = settings.Margin[1] = known.Margin;
   }
   own.Last = &known.View;
   if (!own.Last->Render(state, this->DelegatePass, estimator, settings))

@@ -19,7 +19,8 @@
 
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkPenumbraScreenSpacePass.h"
-#include "vtkSmartPointer.h" // for members
+#include "vtkPenumbraSetNumber.h" // for setters
+#include "vtkSmartPointer.h"      // for members
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
@@ -52,7 +53,7 @@ public:
    * The error accepted in a still view against its own limit, RMSE of any 16x16 pixels, 0.0001 to 1.
    * Default: 0.01.
    */
-  vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
+  vtkPenumbraSetClampedNumberMacro(Tolerance, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -80,7 +81,7 @@ public:
 
   ///@{
   /** Colours are multiplied by 1 - Strength * occlusion; 0 to 1. Default: 1. */
-  vtkSetClampMacro(Strength, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(Strength, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
 
@@ -89,7 +90,7 @@ public:
    * How far light spares a surface, 0 to 1: Strength falls by this times a colour's brightness (its
    * largest component). Hues stay; of a colour map the bright colours are darkened less. Default: 0.
    */
-  vtkSetClampMacro(LightAwareness, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(LightAwareness, 0.0, 1.0);
   vtkGetMacro(LightAwareness, double);
   ///@}
 
@@ -129,37 +130,37 @@ public:
 
   ///@{
   /** Samples after which older ones fade: w_max, 8 to 100000. Convergences are shares of it. Default: 500. */
-  vtkSetClampMacro(MaximumWeight, double, 8.0, 1e5);
+  vtkPenumbraSetClampedNumberMacro(MaximumWeight, 8.0, 1e5);
   vtkGetMacro(MaximumWeight, double);
   ///@}
 
   ///@{
   /** Convergence up to which frames take FirstSamples: c_adaptive, 0 to 1. Default: 0.2. */
-  vtkSetClampMacro(AdaptiveConvergence, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(AdaptiveConvergence, 0.0, 1.0);
   vtkGetMacro(AdaptiveConvergence, double);
   ///@}
 
   ///@{
   /** Convergence from which pixels are not filtered: c_spatial, 0 to 1. Default: 0.3. */
-  vtkSetClampMacro(SpatialConvergence, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(SpatialConvergence, 0.0, 1.0);
   vtkGetMacro(SpatialConvergence, double);
   ///@}
 
   ///@{
   /** Convergence up to which samples differ from pixel to pixel: c_rot, 0 to 1. Default: 0.5. */
-  vtkSetClampMacro(RotationConvergence, double, 0.0, 1.0);
+  vtkPenumbraSetClampedNumberMacro(RotationConvergence, 0.0, 1.0);
   vtkGetMacro(RotationConvergence, double);
   ///@}
 
   ///@{
   /** Samples that remain where a neighbour moved [TSSAO eq. 9], 0 to 1000. Default: 30. */
-  vtkSetClampMacro(InvalidationWeight, double, 0.0, 1000.0);
+  vtkPenumbraSetClampedNumberMacro(InvalidationWeight, 0.0, 1000.0);
   vtkGetMacro(InvalidationWeight, double);
   ///@}
 
   ///@{
   /** Relative difference of depth from which history is another surface's, 0.0001 to 1; at most .08 radii, but for 1: never. Default: 0.02. */
-  vtkSetClampMacro(DepthTolerance, double, 1e-4, 1.0);
+  vtkPenumbraSetClampedNumberMacro(DepthTolerance, 1e-4, 1.0);
   vtkGetMacro(DepthTolerance, double);
   ///@}
 
@@ -175,7 +176,7 @@ public:
    * Drawn around the picture so that occluders just outside count: per cent of its larger side, 0 to
    * 50; negative: the radius, at most 10, and nothing for true rays. Needs OpaqueOnly. Default: -1.
    */
-  vtkSetClampMacro(Margin, double, -1.0, 50.0);
+  vtkPenumbraSetClampedNumberMacro(Margin, -1.0, 50.0);
   vtkGetMacro(Margin, double);
   ///@}
 

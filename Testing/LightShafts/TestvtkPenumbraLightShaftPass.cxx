@@ -251,7 +251,7 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
   EXPECT_NE(foggy, plain);
 
   vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
-  pass->SetScattering(std::numeric_limits<double>::quiet_NaN());
+  pass->SetScattering(std::numeric_limits<double>::infinity());
   EXPECT_EQ(this->Picture(), plain);
   pass->SetScattering(0.12);
   sun->SetIntensity(0.0);

@@ -8,6 +8,7 @@
 
 #include "BruteForceOcclusion.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -418,6 +419,55 @@ TEST(TracedEstimator, IsChosenWhereItIsNeededAndPossible)
   sphere->SetPosition(.1, 0, .5);
   EXPECT_NE(choice(), "traced");
   EXPECT_EQ(choice(), "traced");
+}
+
+TEST(TracedEstimator, IsNotChosenForSpheresAndTubesThatRaysMiss)
+{
+  vtkPenumbraTracedEstimator::Register();
+  OcclusionScene scene;
+  scene.AddFloor();
+  const vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
+  vtkProperty* property = sphere->GetProperty();
+  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+  int warnings = 0;
+  std::string last;
+  vtkNew<vtkCallbackCommand> count;
+  std::pair<int*, std::string*> client(&warnings, &last);
+  count->SetClientData(&client);
+  count->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
+    auto* seen = static_cast<std::pair<int*, std::string*>*>(data);
+    ++*seen->first;
+    *seen->second = static_cast<const char*>(text);
+  });
+  const auto choice = [&]() {
+    scene.Window->Render();
+    return std::string(pass->GetActiveKernelName());
+  };
+  property->RenderPointsAsSpheresOn(); // of a surface without vertices
+  property->RenderLinesAsTubesOn();
+  EXPECT_EQ(choice(), "traced");
+  property->SetRepresentationToPoints();
+  property->SetPointSize(8);
+  EXPECT_EQ(choice(), "march");
+  property->SetRepresentationToWireframe();
+  EXPECT_EQ(choice(), "march");
+  property->SetRepresentationToSurface();
+  EXPECT_EQ(choice(), "traced");
+  property->EdgeVisibilityOn();
+  EXPECT_EQ(choice(), "march");
+
+  vtkNew<vtkPenumbraTracedEstimator> estimator;
+  estimator->AddObserver(vtkCommand::WarningEvent, count);
+  pass->SetEstimator(estimator);
+  for (const double x : { 0.0, .1, .2 })
+  {
+    scene.Look({ x, -4, 3 }, { 0, 0, 0 });
+    scene.Window->Render();
+  }
+  EXPECT_EQ(warnings, 1);
+  EXPECT_NE(last.find("prop 1 of the renderer"), std::string::npos) << last;
+  EXPECT_NE(last.find("lines as tubes"), std::string::npos) << last;
 }
 
 TEST(TracedEstimator, InterpolatesOneStillPictureWithinTheTolerance)

@@ -11,6 +11,7 @@
 #include "vtkType.h"
 
 #include <memory>
+#include <string>
 
 class vtkRenderer;
 
@@ -30,15 +31,18 @@ public:
   const RayScene& GetRays() const { return *this->Rays; }
   const Scene& GetScene() const { return *this->Meshes; }
 
-  /// All that is drawn opaque is among the meshes.
-  bool IsWhole() const { return this->Whole; }
+  /// Whether rays can hit all props that are rendered with depth.
+  bool IsWhole() const { return this->Missing.empty(); }
+
+  /// The first prop that rays cannot hit, and why; empty if there is none.
+  const std::string& GetMissing() const { return this->Missing; }
 
 private:
   std::unique_ptr<Scene> Meshes;
   std::unique_ptr<RayScene> Rays;
   vtkMTimeType Time = 0;
   double Eye[3] = { 0.0, 0.0, 0.0 };
-  bool Whole = false;
+  std::string Missing;
 };
 
 }

@@ -36,6 +36,19 @@ void RendererStages::Render(const vtkRenderState* state)
   {
     return;
   }
+  if (renderer->GetUseShadows() && !this->WarnedOfShadows)
+  {
+    this->WarnedOfShadows = true;
+    vtkWarningMacro("vtkRenderer::UseShadows has no effect together with Penumbra's passes. Remove "
+                    "the passes, or render shadows with vtkPenumbraRayCaster.");
+  }
+  if (renderer->GetUseSSAO() && !this->WarnedOfOcclusion)
+  {
+    this->WarnedOfOcclusion = true;
+    vtkWarningMacro(
+      "vtkRenderer::UseSSAO has no effect together with Penumbra's passes. Turn it off "
+      "and use vtkPenumbraTemporalSSAOPass.");
+  }
   this->LightsPass->Render(state);
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {

@@ -33,6 +33,8 @@ private:
   vtkSmartPointer<vtkRenderPass> OpaquePass;
   vtkSmartPointer<vtkRenderPass> LightsPass;
   vtkSmartPointer<vtkOpenGLFXAAFilter> Smoothing;
+  bool WarnedOfShadows = false;
+  bool WarnedOfOcclusion = false;
 };
 
 }

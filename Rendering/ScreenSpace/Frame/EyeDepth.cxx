@@ -31,13 +31,12 @@ long long NextVersion()
 EyeDepth::Change EyeDepth::Update(
   vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view, bool moved)
 {
-  bool isNew = false;
-  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
-  {
-    isNew = Allocate(texture, window, view.Width, view.Height, 1) || isNew;
-  }
+  // The current picture keeps its size: it becomes the previous one of a picture with another size.
+  Allocate(this->Textures[1 - this->Current], window, view.Width, view.Height, 1);
   const ScreenView& last = this->GetView();
-  const bool comparable = this->Filled && !isNew && last.Parallel == view.Parallel;
+  vtkTextureObject* current = this->GetCurrent();
+  const bool comparable =
+    this->Filled && current && current->GetContext() == window && last.Parallel == view.Parallel;
   if (comparable && !moved && last.SeesLike(view))
   {
     this->Views[this->Current] = view; // the clipping planes may have changed

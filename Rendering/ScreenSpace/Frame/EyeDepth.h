@@ -20,7 +20,7 @@ public:
   {
     None,  ///< same view, same depth
     Some,  ///< the eye or something in view moved: GetPrevious() and GetPreviousView() are valid
-    All,   ///< another size, projection or window: there is no previous picture
+    All,   ///< another projection or window: there is no previous picture
     Failed ///< OpenGL refuses
   };
 

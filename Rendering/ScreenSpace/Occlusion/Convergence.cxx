@@ -33,6 +33,16 @@ void Convergence::Restart(double carried)
   this->Carried = carried;
 }
 
+void Convergence::Reopen()
+{
+  // Tiles that were closed have had fewer samples than others, so that the error that the next
+  // comparison finds in them is too large rather than too small.
+  this->Known = false;
+  this->TileErrors.clear();
+  this->Open.clear();
+  this->LargestError = VTK_DOUBLE_MAX;
+}
+
 void Convergence::Settle(int samples, double error)
 {
   *this = Convergence();

@@ -24,6 +24,9 @@ public:
   /// in the mean, and may be wrong.
   void Restart(double carried = 0.0);
 
+  /// A smaller tolerance applies from now on: all is open again, all samples count.
+  void Reopen();
+
   /// Tells of `samples` more samples in the open tiles; `read` fetches the picture when it is
   /// needed: one value a pixel, row after row, negative where there is nothing.
   void Add(

@@ -57,7 +57,9 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   this->Renderer = state->GetRenderer();
   this->Window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
   this->Estimator = estimator;
+  const OcclusionSettings last = this->Settings;
   this->Settings = settings;
+  this->Compare(last);
   this->NewSamples = 0;
   this->Following = false;
   if (!this->Image.Aim(state, settings.Margin, settings.Bounds))
@@ -86,7 +88,7 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
   const int* at = this->Image.GetViewport();
   this->Inside = { { settings.Margin[0], settings.Margin[1], at[2], at[3] } };
   Allocate(this->Estimates, this->Window, view.Width, view.Height, 1);
-  if (settings.Restart)
+  if (this->Settings.Restart)
   {
     this->Depth.Forget();
   }
@@ -108,9 +110,15 @@ bool OcclusionView::Render(const vtkRenderState* state, vtkRenderPass* delegate,
     this->SettledSamples = 0;
     this->TotalSamples = 0; // The same picture, whatever was drawn before.
   }
+  if (change == EyeDepth::Change::Some && this->Settings.PropsChanged)
+  {
+    // Many pixels have lost their history: the next frames take FirstSamples.
+    this->SettledSamples = 0;
+  }
   this->Following =
     change == EyeDepth::Change::Some && this->Motion.Draw(this->Renderer, this->Image, this->Depth);
-  if (!this->Converged && !this->Converge(change))
+  const bool done = this->Converged ? this->Filtered || this->Filter() : this->Converge(change);
+  if (!done)
   {
     return false;
   }
@@ -137,9 +145,29 @@ void OcclusionView::LookForMotion()
   }
 }
 
+void OcclusionView::Compare(const OcclusionSettings& last)
+{
+  OcclusionSettings& now = this->Settings;
+  // As many samples as there can be: validation by neighbors is off.
+  now.PropsChanged = now.PropsChanged && now.InvalidationWeight < now.MaximumWeight;
+  // An image that converges in one Render() does not depend on earlier ones.
+  now.Restart =
+    now.Restart || (now.InOneRender && (!last.InOneRender || now.Tolerance != last.Tolerance));
+  if (!now.Restart && now.Tolerance < last.Tolerance)
+  {
+    this->Converged = false;
+    this->Still.Reopen();
+  }
+  const bool sameFilter = now.Filter == last.Filter &&
+    now.SpatialConvergence == last.SpatialConvergence && now.MaximumWeight == last.MaximumWeight;
+  this->Filtered = sameFilter;
+  this->Darkened = sameFilter && now.Darkness.Strength == last.Darkness.Strength &&
+    now.Darkness.LightAwareness == last.Darkness.LightAwareness;
+}
+
 bool OcclusionView::ShowsWhatIsKnown(const ScreenView& view) const
 {
-  return this->Converged && this->Picture.IsKnown() && !this->Settings.Restart &&
+  return this->Converged && this->Picture.IsKnown() && !this->Settings.Restart && this->Darkened &&
     !this->Settings.HiddenChanged && this->Depth.GetView().SeesLike(view);
 }
 
@@ -215,6 +243,7 @@ int OcclusionView::Take(
   temporal.DepthTolerance = this->Settings.DepthTolerance;
   temporal.NeighbourValidation = this->Settings.SceneChanged;
   temporal.InvalidationWeight = this->Settings.InvalidationWeight;
+  temporal.PropsChanged = this->Settings.PropsChanged;
   temporal.Motion = this->Following ? &this->Motion : nullptr;
   if (change == EyeDepth::Change::Some && !this->Estimator->GetShader().empty())
   {

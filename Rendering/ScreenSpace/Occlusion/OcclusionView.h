@@ -42,6 +42,7 @@ struct OcclusionSettings
   bool DelegateDrawsBackground = true;
   bool DelegateOnce = false;  ///< it is drawn once in every picture, neither more nor less
   bool SceneChanged = true;   ///< something besides the eye may have moved since the last frame
+  bool PropsChanged = false;  ///< props have appeared or disappeared since the last frame
   bool HiddenChanged = false; ///< something that the estimator sees and depth does not has changed
   bool FollowActors = false;  ///< the renderer's props are those that are seen
   bool Restart = false;       ///< settings changed: what is known is worth nothing
@@ -85,6 +86,7 @@ public:
 
 private:
   bool ShowsWhatIsKnown(const ScreenView& view) const;
+  void Compare(const OcclusionSettings& last);
   StillPicture::Darkness GetDarkness() const;
   void LookForMotion();
   bool Converge(EyeDepth::Change change);
@@ -114,6 +116,8 @@ private:
   int NewSamples = 0;
   int Props = 0;
   bool Following = false; ///< some actors' motion is drawn
+  bool Filtered = false;  ///< Estimates are filtered with these settings
+  bool Darkened = false;  ///< so is Picture, and its darkness is that of these settings
   bool Converged = false;
 };
 

@@ -11,6 +11,7 @@
 #include "vtkPenumbraMotionLib.h"
 #include "vtkPenumbraNeighbourLib.h"
 #include "vtkPenumbraRestLib.h"
+#include "vtkPenumbraSoundLib.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraTrustLib.h"
@@ -29,7 +30,7 @@ std::string Reprojection(const TemporalSettings& settings, const std::string& es
 {
   return Assemble(vtkPenumbraHistoryFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-      { "EstimateLib", estimate },
+      { "EstimateLib", estimate }, { "SoundLib", vtkPenumbraSoundLib },
       { "MotionLib", settings.Motion ? vtkPenumbraMotionLib : vtkPenumbraRestLib },
       { "NeighbourLib",
         settings.NeighbourValidation ? vtkPenumbraNeighbourLib : vtkPenumbraTrustLib } });
@@ -60,10 +61,15 @@ void SetMotion(
     static_cast<float>(before.Scale[1] / unit), static_cast<float>(before.Offset[0] / unit),
     static_cast<float>(before.Offset[1] / unit) };
   program->SetUniform4f("previousPixelToEye", pixelToEye);
+  const float pixelSize[2] = { 1.f / static_cast<float>(before.Width),
+    1.f / static_cast<float>(before.Height) };
+  program->SetUniform2f("previousPixelSize", pixelSize);
   program->SetUniformf("depthTolerance", static_cast<float>(settings.DepthTolerance));
   if (settings.NeighbourValidation)
   {
-    program->SetUniformf("invalidationWeight", static_cast<float>(settings.InvalidationWeight));
+    program->SetUniformf("propsChanged", settings.PropsChanged ? 1.f : 0.f);
+    program->SetUniformf("invalidationWeight",
+      settings.PropsChanged ? 0.f : static_cast<float>(settings.InvalidationWeight));
   }
   stage.Read("eyeDepths", depth.GetCurrent());
   stage.Read("previousEyeDepths", depth.GetPrevious());
@@ -78,13 +84,20 @@ void SetMotion(
 
 bool TemporalHistory::Prepare(vtkOpenGLRenderWindow* window, const ScreenView& view)
 {
-  bool isNew = false;
-  for (vtkSmartPointer<vtkTextureObject>& texture : this->Textures)
+  const vtkSmartPointer<vtkTextureObject>& last = this->Textures[this->Current];
+  const bool isNew = !last || last->GetContext() != window;
+  if (isNew)
   {
-    isNew = Allocate(texture, window, view.Width, view.Height, 2) || isNew;
+    Allocate(this->Textures[this->Current], window, view.Width, view.Height, 2);
   }
   this->Current = 1 - this->Current;
+  Allocate(this->Textures[this->Current], window, view.Width, view.Height, 2);
   return isNew;
+}
+
+void TemporalHistory::FitSpare(vtkOpenGLRenderWindow* window, const ScreenView& view)
+{
+  Allocate(this->Textures[1 - this->Current], window, view.Width, view.Height, 2);
 }
 
 bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& image,
@@ -96,8 +109,9 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   Stage& stage = !moved            ? this->Accumulate
     : settings.NeighbourValidation ? this->Validate
                                    : this->Reproject;
-  vtkShaderProgram* program = stage.Ready(
-    window, moved ? Reprojection(settings, vtkPenumbraGivenEstimateLib) : vtkPenumbraAccumulateFS);
+  vtkShaderProgram* program = stage.Ready(window,
+    moved ? Reprojection(settings, vtkPenumbraGivenEstimateLib)
+          : Assemble(vtkPenumbraAccumulateFS, { { "SoundLib", vtkPenumbraSoundLib } }));
   const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
   {
@@ -114,6 +128,7 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
     SetMotion(stage, program, depth, settings);
   }
   stage.Draw(parts);
+  this->FitSpare(window, depth.GetView());
   return true;
 }
 
@@ -135,13 +150,15 @@ int TemporalHistory::Follow(const vtkPenumbraOcclusionEstimator::Request& reques
   SetMotion(this->Estimate, program, *request.Depth, settings);
   this->Estimate.Read("history", this->GetSpare());
   this->Estimate.Draw(*request.Parts);
+  this->FitSpare(request.Window, request.Depth->GetView());
   return samples;
 }
 
 bool TemporalHistory::AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   vtkTextureObject* estimates, int samples, const std::vector<Rectangle>& parts)
 {
-  vtkShaderProgram* program = this->Sum.Ready(window, vtkPenumbraSumFS);
+  vtkShaderProgram* program =
+    this->Sum.Ready(window, Assemble(vtkPenumbraSumFS, { { "SoundLib", vtkPenumbraSoundLib } }));
   const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
   {

@@ -18,11 +18,12 @@ namespace penumbra
 
 struct TemporalSettings
 {
-  double MaximumWeight = 500.0;        ///< samples; older ones fade
-  double WeightCap = 1e9;              ///< no more of the history counts in this frame
-  double DepthTolerance = 0.02;        ///< relative distance from the surface expected
-  bool NeighbourValidation = false;    ///< something besides the eye may have moved
-  double InvalidationWeight = 30.0;    ///< a neighbour's motion pulls no weight below this
+  double MaximumWeight = 500.0;     ///< samples; older ones fade
+  double WeightCap = 1e9;           ///< no more of the history counts in this frame
+  double DepthTolerance = 0.02;     ///< relative distance from the surface expected
+  bool NeighbourValidation = false; ///< something besides the eye may have moved
+  double InvalidationWeight = 30.0; ///< a neighbour's motion pulls no weight below this
+  bool PropsChanged = false;        ///< props appeared or disappeared: no sample next to them stays
   const ActorMotion* Motion = nullptr; ///< of actors that moved, where there are any
 };
 
@@ -53,7 +54,11 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  /// Makes the spare texture the current one, with the size of the view. True if there is no history.
   bool Prepare(vtkOpenGLRenderWindow* window, const ScreenView& view);
+
+  /// The spare texture held a history of another size; gives it that of the current one.
+  void FitSpare(vtkOpenGLRenderWindow* window, const ScreenView& view);
 
   vtkSmartPointer<vtkTextureObject> Textures[2];
   int Current = 0;

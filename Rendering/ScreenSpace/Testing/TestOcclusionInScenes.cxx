@@ -21,6 +21,10 @@
 #include "vtkSSAAPass.h"
 #include "vtkSelection.h"
 
+#include "vtkSkybox.h"
+#include "vtkStringOutputWindow.h"
+#include "vtkTexture.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -512,6 +516,70 @@ TEST(OcclusionInScenes, LeavesHardwareSelectionAlone)
   scene.Window->Render();
   EXPECT_EQ(count(), plain);
   EXPECT_GE(plain, 3u);
+}
+
+TEST(OcclusionInScenes, ShowsASkyboxInEveryFrame)
+{
+  for (const int multiSamples : { 0, 4 })
+  {
+    OcclusionScene scene(160, 120, multiSamples);
+    Furnish(scene);
+    vtkNew<vtkImageData> colors;
+    colors->SetDimensions(8, 8, 1);
+    colors->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    for (int i = 0; i < 8 * 8 * 3; ++i)
+    {
+      static_cast<unsigned char*>(colors->GetScalarPointer())[i] =
+        static_cast<unsigned char>(37 * i % 256);
+    }
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(colors);
+    vtkNew<vtkSkybox> skybox;
+    skybox->SetProjection(vtkSkybox::Sphere);
+    skybox->SetTexture(texture);
+    scene.Renderer->AddActor(skybox);
+    scene.Look({ 0, -12, 1 }, { 0, 0, 3 });
+    scene.Window->Render();
+    const std::vector<int> plain = scene.Picture();
+    vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+    pass->SetStrength(0.0);
+    pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+    pass->SetTolerance(.05);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      scene.Window->Render();
+      const std::vector<int> through = scene.Picture();
+      int largest = 0;
+      for (std::size_t i = 0; i < plain.size(); ++i)
+      {
+        largest = std::max(largest, std::abs(plain[i] - through[i]));
+      }
+      EXPECT_LE(largest, 2) << multiSamples << " samples, frame " << frame;
+    }
+  }
+}
+
+TEST(OcclusionInScenes, WarnsOnceOfShadowsAndOcclusionOfTheRenderer)
+{
+  OcclusionScene scene;
+  Furnish(scene);
+  scene.Renderer->UseShadowsOn();
+  scene.Renderer->UseSSAOOn();
+  scene.Occlude(1.0);
+  vtkNew<vtkStringOutputWindow> output;
+  const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkOutputWindow::SetInstance(output);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Window->Render();
+  }
+  vtkOutputWindow::SetInstance(before);
+  const std::string text = output->GetOutput();
+  for (const char* setting : { "UseShadows", "UseSSAO" })
+  {
+    EXPECT_NE(text.find(setting), std::string::npos) << text;
+    EXPECT_EQ(text.find(setting), text.rfind(setting)) << text;
+  }
 }
 
 TEST(OcclusionInScenes, DrawsEmptyScenesAndRefusesBadNumbers)

@@ -17,12 +17,13 @@ void main()
 {
   vec2 at = (gl_FragCoord.xy + offset) * pixelSize;
   float depth = texture(depthBuffer, at).r;
-  if (depth >= 1.0 && background < 0.5)
+  vec4 color = texture(colors, at);
+  // A skybox has the depth of an empty pixel, but a color.
+  if (depth >= 1.0 && background < 0.5 && color.a <= 0.0)
   {
     discard;
   }
   float occlusion = depth < 1.0 ? texture(occlusions, at).r : 0.0;
-  vec4 color = texture(colors, at);
   gl_FragData[0] = vec4(darkened(color.rgb, occlusion), color.a);
   gl_FragDepth = depth < 1.0 ? toTargetDepth.x * depth + toTargetDepth.y : 1.0;
 }

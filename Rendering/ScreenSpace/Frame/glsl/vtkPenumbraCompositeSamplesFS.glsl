@@ -44,9 +44,10 @@ void main()
   for (int i = 0; i < sampleCount; ++i)
   {
     float depth = texelFetch(depthSamples, ivec2(pixel), i).r;
-    float counts = depth < 1.0 || background > 0.5 ? 1.0 : 0.0;
-    float occlusion = depth < 1.0 ? occlusionOf(eyeDepthOfBuffer(depth), pixel) : 0.0;
     vec4 color = texelFetch(colors, ivec2(pixel), i);
+    // A skybox has the depth of an empty sample, but a color.
+    float counts = depth < 1.0 || background > 0.5 || color.a > 0.0 ? 1.0 : 0.0;
+    float occlusion = depth < 1.0 ? occlusionOf(eyeDepthOfBuffer(depth), pixel) : 0.0;
     sum += counts * vec4(darkened(color.rgb, occlusion), color.a);
     covered += counts;
     frontmost = min(frontmost, depth);

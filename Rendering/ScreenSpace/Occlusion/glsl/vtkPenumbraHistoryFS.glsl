@@ -10,10 +10,12 @@
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SurfaceLib
 //VTK::Penumbra::EstimateLib
+//VTK::Penumbra::SoundLib
 uniform sampler2D history;         // r: sum, g: number of samples
 uniform sampler2D previousEyeDepths;
 uniform mat4 toPreviousEye;        // eye coordinates to those of the previous picture
 uniform vec4 previousPixelToEye;
+uniform vec2 previousPixelSize;    // 1 / size of the previous picture
 uniform float newSamples;
 uniform float maximumWeight;
 uniform float weightCap;           // no more of the history counts in this frame
@@ -39,12 +41,13 @@ vec2 previousPixel(vec3 position)
 
 float previousDepthAt(vec2 pixel)
 {
-  return texture(previousEyeDepths, pixel * pixelSize).r;
+  return texture(previousEyeDepths, pixel * previousPixelSize).r;
 }
 
-bool isInside(vec2 pixel)
+// Whether a pixel lies in a picture, given one by the picture's size.
+bool isInside(vec2 pixel, vec2 sizeOfPixel)
 {
-  vec2 at = pixel * pixelSize;
+  vec2 at = pixel * sizeOfPixel;
   return all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0)));
 }
 
@@ -73,10 +76,13 @@ vec2 keptHistory(vec3 position, vec3 normal)
       depthTolerance < 1.0 ? min(depthTolerance * abs(rest), farthestOff) : abs(rest);
     bool same = abs(found * perDepth - rest) < allowed;
     float weight = same ? near.x * near.y : 0.0;
-    sum += weight * texture(history, (corner + tap) * pixelSize).rg;
+    vec2 fetched = texture(history, (corner + tap) * previousPixelSize).rg;
+    vec2 known = soundHistory(fetched);
+    weight = known == fetched ? weight : 0.0;
+    sum += weight * known;
     weights += weight;
   }
-  return isInside(at) ? sum / weights : vec2(0.0);
+  return isInside(at, previousPixelSize) ? sum / weights : vec2(0.0);
 }
 
 //VTK::Penumbra::MotionLib
@@ -94,7 +100,7 @@ void main()
   bool isBorrowed = estimate < -0.5; // -1 - a mean: vtkPenumbraOcclusionEstimator::Estimate()
   float samples = isBorrowed ? borrowed * newSamples : newSamples;
   estimate = isBorrowed ? -1.0 - estimate : estimate;
-  weight = min(weight, maximumWeight - newSamples);
+  weight = min(weight, max(maximumWeight - newSamples, 0.0));
   kept *= weight / max(kept.g, 1e-6);
-  gl_FragData[0] = vec4(kept + samples * vec2(estimate, 1.0), 0.0, 1.0);
+  gl_FragData[0] = vec4(kept + soundSamples(estimate, samples), 0.0, 1.0);
 }

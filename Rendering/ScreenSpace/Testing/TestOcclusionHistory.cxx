@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What keeps the history of occlusion, what restarts it, and which values it may hold.
+#include "OcclusionScene.h"
+
+#include "vtkPenumbraBilateralFilterPass.h"
+#include "vtkPenumbraKernelEstimator.h"
+#include "vtkPenumbraLightShaftPass.h"
+#include "vtkPenumbraOcclusionEstimator.h"
+
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkLight.h"
+#include "vtkObjectFactory.h"
+#include "vtkTextureObject.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace
+{
+
+using Pass = vtkPenumbraTemporalSSAOPass;
+
+double Statistic(OcclusionScene& scene, const char* name)
+{
+  return scene.Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+}
+
+void Render(OcclusionScene& scene, int frames, double azimuth = 0.0)
+{
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(azimuth);
+    scene.Window->Render();
+  }
+}
+
+void ShowSphereOnFloor(OcclusionScene& scene)
+{
+  scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  scene.Pass->SetKernelName("march");
+}
+
+/// The same value in every pixel; NaN as long as Broken.
+class ConstantEstimator : public vtkPenumbraOcclusionEstimator
+{
+public:
+  static ConstantEstimator* New();
+  vtkTypeMacro(ConstantEstimator, vtkPenumbraOcclusionEstimator);
+
+  int Estimate(const Request& request, vtkTextureObject* target) override
+  {
+    const float value = this->Broken ? std::numeric_limits<float>::quiet_NaN() : .5f;
+    std::vector<float> values(
+      static_cast<std::size_t>(target->GetWidth()) * target->GetHeight(), value);
+    target->Create2DFromRaw(target->GetWidth(), target->GetHeight(), 1, VTK_FLOAT, values.data());
+    return request.Samples;
+  }
+  void ReleaseGraphicsResources(vtkWindow*) override {}
+
+  bool Broken = false;
+};
+vtkStandardNewMacro(ConstantEstimator);
+
+TEST(OcclusionHistory, IsBoundedForMoreSamplesThanMaximumWeight)
+{
+  OcclusionScene scene;
+  ShowSphereOnFloor(scene);
+  scene.Pass->SetFilter(false);
+  scene.Pass->SetFirstSamples(32);
+  scene.Pass->SetSamples(32);
+  scene.Pass->SetMaximumWeight(8.0);
+  Render(scene, 12, .25);
+  const std::vector<float> moving = scene.Array("AmbientOcclusion");
+  EXPECT_GE(*std::min_element(moving.begin(), moving.end()), 0.f);
+  scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+  scene.Window->Render();
+  EXPECT_LT(Rms(moving, scene.Array("AmbientOcclusion")), .1);
+}
+
+TEST(OcclusionHistory, HoldsFiniteValuesOnly)
+{
+  for (const double azimuth : { 0.0, .25 })
+  {
+    OcclusionScene scene;
+    ShowSphereOnFloor(scene);
+    vtkNew<ConstantEstimator> estimator;
+    scene.Pass->SetEstimator(estimator);
+    Render(scene, 3, azimuth);
+    estimator->Broken = true;
+    Render(scene, 2, azimuth);
+    estimator->Broken = false;
+    Render(scene, 2, azimuth);
+    const std::vector<float> depths = scene.Array("Depth");
+    const std::vector<float> values = scene.Array("AmbientOcclusion");
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      ASSERT_NEAR(values[i], std::isfinite(depths[i]) ? .5f : 0.f, 1e-3f) << azimuth;
+    }
+  }
+}
+
+TEST(OcclusionHistory, ForgetsPropsThatDisappear)
+{
+  const auto draw = [](const std::function<void(OcclusionScene&, vtkActor*)>& disappear) {
+    OcclusionScene scene;
+    scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+    const auto oldest = scene.AddSphere({ -.7, 0, .5 }, .5);
+    scene.AddSphere({ .9, 0, .5 }, .5);
+    scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+    scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+    scene.Pass->SetKernelName("march");
+    Render(scene, 40, .25);
+    disappear(scene, oldest);
+    Render(scene, 3, .25);
+    const std::vector<float> soon = scene.Array("AmbientOcclusion");
+    scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+    scene.Window->Render();
+    const std::vector<float> limit = scene.Array("AmbientOcclusion");
+    int wrong = 0;
+    for (std::size_t i = 0; i < soon.size(); ++i)
+    {
+      wrong += std::abs(soon[i] - limit[i]) > .1f;
+    }
+    return std::make_pair(wrong, Rms(soon, limit));
+  };
+  const auto kept = draw([](OcclusionScene&, vtkActor*) {});
+  const auto hidden = draw([](OcclusionScene&, vtkActor* actor) { actor->VisibilityOff(); });
+  const auto removed =
+    draw([](OcclusionScene& scene, vtkActor* actor) { scene.Renderer->RemoveActor(actor); });
+  RecordProperty("kept", kept.first);
+  RecordProperty("hidden", hidden.first);
+  for (const auto& gone : { hidden, removed })
+  {
+    EXPECT_LT(gone.first, 160 * 120 / 100) << "pixels off by more than 0.1; kept: " << kept.first;
+    EXPECT_LT(gone.second, .04) << "kept: " << kept.second;
+  }
+}
+
+TEST(OcclusionHistory, IsKeptBySettingsThatDoNotChangeOcclusion)
+{
+  OcclusionScene scene;
+  ShowSphereOnFloor(scene);
+  Render(scene, 20, .25);
+  const std::function<void(Pass*)> changes[] = { [](Pass* pass) { pass->SetStrength(.5); },
+    [](Pass* pass) { pass->SetLightAwareness(.5); }, [](Pass* pass) { pass->FilterOff(); },
+    [](Pass* pass) { pass->SetTolerance(.005); }, [](Pass* pass) { pass->SetTolerance(.02); },
+    [](Pass* pass) { pass->SetSamples(16); }, [](Pass* pass) { pass->Modified(); } };
+  int number = 0;
+  for (const auto& change : changes)
+  {
+    for (const double azimuth : { .25, 0.0, 0.0 })
+    {
+      if (azimuth == 0.0)
+      {
+        Render(scene, 3);
+      }
+      const double still = Statistic(scene, "Samples/Still");
+      change(scene.Pass);
+      Render(scene, 1, azimuth);
+      EXPECT_GT(Statistic(scene, "Pixels/Kept"), azimuth == 0.0 ? .999 : .9) << number;
+      if (azimuth == 0.0)
+      {
+        EXPECT_GE(Statistic(scene, "Samples/Still"), still) << number;
+      }
+    }
+    ++number;
+  }
+  scene.Pass->SetRadius(.5);
+  Render(scene, 1);
+  EXPECT_EQ(Statistic(scene, "Pixels/Kept"), 0.0);
+}
+
+TEST(OcclusionHistory, RefinesToASmallerTolerance)
+{
+  OcclusionScene scene;
+  ShowSphereOnFloor(scene);
+  scene.Pass->SetTolerance(.03);
+  for (int frame = 0; frame < 300 && !scene.Pass->IsConverged(); ++frame)
+  {
+    scene.Window->Render();
+  }
+  ASSERT_TRUE(scene.Pass->IsConverged());
+  const double coarse = Statistic(scene, "Samples/Still");
+  scene.Pass->SetTolerance(.008);
+  scene.Window->Render();
+  EXPECT_FALSE(scene.Pass->IsConverged());
+  EXPECT_GT(Statistic(scene, "Samples/Still"), coarse);
+  for (int frame = 0; frame < 600 && !scene.Pass->IsConverged(); ++frame)
+  {
+    scene.Window->Render();
+  }
+  ASSERT_TRUE(scene.Pass->IsConverged());
+  EXPECT_LE(scene.Pass->GetEstimatedError(), .008);
+  const std::vector<float> refined = scene.Array("AmbientOcclusion");
+  scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+  scene.Pass->SetTolerance(.003);
+  scene.Window->Render();
+  EXPECT_LT(Rms(refined, scene.Array("AmbientOcclusion")), .008);
+}
+
+TEST(OcclusionHistory, AppliesStrengthToAConvergedImage)
+{
+  OcclusionScene scene;
+  ShowSphereOnFloor(scene);
+  scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+  scene.Pass->SetTolerance(.03);
+  Render(scene, 2);
+  scene.Pass->SetStrength(.25);
+  Render(scene, 1);
+  EXPECT_EQ(Statistic(scene, "Samples/PerPixel"), 0.0);
+  const std::vector<int> image = scene.Picture();
+  const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
+  const std::vector<float> depth = scene.Array("Depth");
+  for (std::size_t i = 0; i < occlusion.size(); ++i)
+  {
+    if (std::isfinite(depth[i])) // an unlit white surface
+    {
+      ASSERT_NEAR(image[4 * i], 255.f * (1.f - .25f * occlusion[i]), 1.5f);
+    }
+  }
+}
+
+TEST(OcclusionHistory, SurvivesAZoom)
+{
+  for (const double factor : { 1.03, 1.0 / 1.03 })
+  {
+    OcclusionScene scene;
+    ShowSphereOnFloor(scene);
+    scene.Renderer->ResetCamera();
+    Render(scene, 20);
+    double least = 1.0;
+    for (int frame = 0; frame < 28; ++frame)
+    {
+      scene.Renderer->GetActiveCamera()->Dolly(factor);
+      scene.Renderer->ResetCameraClippingRange();
+      scene.Window->Render();
+      least = std::min(least, Statistic(scene, "Pixels/Kept"));
+    }
+    EXPECT_GE(least, .9) << factor;
+    const std::vector<float> zoomed = scene.Array("AmbientOcclusion");
+    scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+    scene.Window->Render();
+    EXPECT_LT(Rms(zoomed, scene.Array("AmbientOcclusion")), .04) << factor;
+  }
+}
+
+TEST(PassSetters, RejectNaN)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<Pass> occlusion;
+  vtkNew<vtkPenumbraLightShaftPass> shafts;
+  vtkNew<vtkPenumbraBilateralFilterPass> filter;
+  vtkNew<vtkPenumbraKernelEstimator> kernel;
+#define EXPECT_REJECTED(object, name)                                                              \
+  {                                                                                                \
+    const double before = (object)->Get##name();                                                   \
+    const vtkMTimeType time = (object)->GetMTime();                                                \
+    (object)->Set##name(nan);                                                                      \
+    EXPECT_EQ((object)->Get##name(), before) << #name;                                             \
+    EXPECT_EQ((object)->GetMTime(), time) << #name;                                                \
+  }
+  EXPECT_REJECTED(occlusion, Tolerance)
+  EXPECT_REJECTED(occlusion, Radius)
+  EXPECT_REJECTED(occlusion, Strength)
+  EXPECT_REJECTED(occlusion, LightAwareness)
+  EXPECT_REJECTED(occlusion, MaximumWeight)
+  EXPECT_REJECTED(occlusion, AdaptiveConvergence)
+  EXPECT_REJECTED(occlusion, SpatialConvergence)
+  EXPECT_REJECTED(occlusion, RotationConvergence)
+  EXPECT_REJECTED(occlusion, InvalidationWeight)
+  EXPECT_REJECTED(occlusion, DepthTolerance)
+  EXPECT_REJECTED(occlusion, Margin)
+  EXPECT_REJECTED(shafts, Tolerance)
+  EXPECT_REJECTED(shafts, Scattering)
+  EXPECT_REJECTED(shafts, Extinction)
+  EXPECT_REJECTED(shafts, Asymmetry)
+  EXPECT_REJECTED(shafts, Exposure)
+  EXPECT_REJECTED(shafts, Thickness)
+  EXPECT_REJECTED(shafts, Weight)
+  EXPECT_REJECTED(shafts, Decay)
+  EXPECT_REJECTED(shafts, Density)
+  EXPECT_REJECTED(shafts, SurfaceGlow)
+  EXPECT_REJECTED(shafts, Margin)
+  EXPECT_REJECTED(filter, Distance)
+  EXPECT_REJECTED(kernel, Thickness)
+#undef EXPECT_REJECTED
+  vtkObject::GlobalWarningDisplayOn();
+  occlusion->SetStrength(2.0);
+  EXPECT_EQ(occlusion->GetStrength(), 1.0);
+}
+
+TEST(PassGetters, ReturnNothingWithoutTheirWindow)
+{
+  vtkObject::GlobalWarningDisplayOff();
+  for (const bool finalized : { true, false })
+  {
+    auto scene = std::make_unique<OcclusionScene>();
+    ShowSphereOnFloor(*scene);
+    vtkNew<vtkLight> light;
+    light->SetPosition(3, 1, 4);
+    scene->Renderer->AddLight(light);
+    const vtkSmartPointer<Pass> occlusion = scene->Pass;
+    const vtkSmartPointer<vtkPenumbraLightShaftPass> shafts =
+      vtkPenumbraLightShaftPass::AddTo(scene->Renderer);
+    const vtkSmartPointer<vtkRenderPass> chain = scene->Renderer->GetPass();
+    scene->Window->Render();
+    scene->Renderer->SetPass(nullptr); // as an application that clears its renderer first
+    if (finalized)
+    {
+      scene->Window->Finalize();
+    }
+    else
+    {
+      scene.reset();
+    }
+    EXPECT_EQ(occlusion->GetStatistics()->GetNumberOfArrays(), 0);
+    EXPECT_EQ(shafts->GetStatistics()->GetNumberOfArrays(), 0);
+    vtkNew<vtkImageData> image;
+    occlusion->CopyOcclusion(image);
+    EXPECT_EQ(image->GetNumberOfPoints(), 0);
+    shafts->CopyShafts(image);
+    EXPECT_EQ(image->GetNumberOfPoints(), 0);
+    EXPECT_FALSE(occlusion->IsConverged());
+    EXPECT_EQ(occlusion->GetEstimatedError(), VTK_DOUBLE_MAX);
+    EXPECT_STREQ(occlusion->GetActiveKernelName(), "march");
+  }
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST(PassGetters, WorkInANewWindow)
+{
+  // A pass outlives its first window and draws into a second one.
+  auto first = std::make_unique<OcclusionScene>();
+  ShowSphereOnFloor(*first);
+  const vtkSmartPointer<Pass> pass = first->Pass;
+  const vtkSmartPointer<vtkRenderPass> chain = first->Renderer->GetPass();
+  first->Window->Render();
+  first->Renderer->SetPass(nullptr);
+  first.reset();
+  OcclusionScene second;
+  ShowSphereOnFloor(second);
+  second.Renderer->SetPass(chain);
+  second.Pass = pass;
+  second.Window->Render();
+  EXPECT_EQ(Statistic(second, "Samples/PerPixel"), 32.0);
+  EXPECT_EQ(second.Array("AmbientOcclusion").size(), 160u * 120u);
+}
+
+}
