@@ -316,4 +316,106 @@ TEST(Truncated, GeometriesOfCasesAreMissed)
     "a.case");
 }
 
+TEST(Faults, ClosedStreamsTakeNothingFromAPicture)
+{
+  const Folder folder("closed");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string render =
+    "$PENUMBRA render " + Quote(folder / "square.stl") + " --resolution 40,30 --output ";
+  ASSERT_EQ(RunShell(render + Quote(folder / "a.tif")).Status, 0);
+  // The .tif, since the library that writes it warns on stderr.
+  for (const std::string closed : { ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-" })
+  {
+    EXPECT_EQ(RunShell(render + Quote(folder / "b.tif") + " " + closed).Status, 0) << closed;
+    EXPECT_EQ(ReadText(folder / "a.tif"), ReadText(folder / "b.tif")) << closed;
+    fs::remove(folder / "b.tif");
+  }
+  EXPECT_EQ(RunShell("$PENUMBRA list >&-").Status, 3);
+  EXPECT_EQ(RunShell("$PENUMBRA list >&- 2>&-").Status, 3);
+  EXPECT_EQ(RunShell("$PENUMBRA render missing.stl --output p.png 2>&-").Status, 2);
+}
+
+TEST(Faults, NamesWithNewlinesStayOnOneLine)
+{
+  const Folder folder("newlines");
+  WriteText(folder / "a\nb.stl", SquareStl());
+  const std::string input = folder / "a\nb.stl";
+  EXPECT_EQ(
+    RunProgram({ "render", input, "--resolution", "9,9", "--output", folder / "p\nq.png" }).Status,
+    0);
+  EXPECT_TRUE(fs::exists(folder / "p\nq.png"));
+  ExpectRefused(RunProgram({ "bake", input, "--output", input + ".obj" }), "no mesh that can be");
+  ExpectRefused(RunProgram({ "render", folder / "no\nfile.stl", "--output", folder / "r.png" }),
+    "no such file");
+  ExpectRefused(
+    RunProgram({ "bake", input, "--read-limit", "0.00001", "--output", folder / "r.ply" }),
+    "reading takes more");
+}
+
+TEST(Faults, ManyThreadsAreFine)
+{
+  const Folder folder("threads");
+  WriteText(folder / "square.stl", SquareStl());
+  for (const std::string threads : { "1", "1000" })
+  {
+    const Outcome outcome = RunProgram({ "render", folder / "square.stl", "--resolution", "40,30",
+      "--threads", threads, "--output", folder / threads + ".png" });
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  }
+  EXPECT_EQ(ReadText(folder / "1.png"), ReadText(folder / "1000.png"));
+}
+
+TEST(Faults, WritersOfOneFileLeaveOneWholeFile)
+{
+  const Folder folder("writers");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string bake = "$PENUMBRA bake " + Quote(folder / "square.stl") + " --output ";
+  const Outcome outcome = RunShell("for i in 1 2 3 4; do " + bake + Quote(folder / "p.ply") +
+    " & done; wait; " + bake + Quote(folder / "q.ply"));
+  EXPECT_EQ(outcome.Errors, "");
+  EXPECT_EQ(ReadText(folder / "p.ply"), ReadText(folder / "q.ply"));
+  EXPECT_EQ(folder.List(), (std::vector<std::string>{ "p.ply", "q.ply", "square.stl" }));
+}
+
+TEST(Faults, ReadOnlyFoldersAreTold)
+{
+  if (RunShell("[ $(id -u) = 0 ] && command -v setpriv >/dev/null").Status != 0)
+  {
+    GTEST_SKIP() << "Another user is needed, whom permissions bind.";
+  }
+  const Folder folder("read-only");
+  WriteText(folder / "square.stl", SquareStl());
+  for (const std::string command : { "bake", "render --resolution 9,9" })
+  {
+    const std::string output = command == "bake" ? "p.ply" : "p.png";
+    ExpectRefused(
+      RunShell("cd " + Quote(folder.Path) +
+        " && PENUMBRA_LOG=/dev/null exec setpriv --reuid 64123 --clear-groups $PENUMBRA " +
+        command + " square.stl --output " + output),
+      output + ": cannot be written");
+  }
+}
+
+TEST(Faults, SignalsLeaveNoPartOfAMesh)
+{
+  const Folder folder("signals-bake");
+  WriteSpheres(folder.Path);
+  const std::vector<std::string> before = folder.List();
+  for (const auto& [name, status] : { std::pair<std::string, int>{ "INT", 130 }, { "TERM", 143 } })
+  {
+    const Outcome outcome =
+      RunShell("env --default-signal=INT $PENUMBRA bake " + Quote(folder / "sphere.ply") +
+        " --tolerance 0.0001 --quantity irradiance --bounces 64" + " --albedo 1 --output " +
+        Quote(folder / "p.ply") + " --statistics " + Quote(folder / "s.json") +
+        " & program=$!; sleep 0.1; kill -" + name + " $program; wait $program 2>/dev/null");
+    if (outcome.Status != 0) // It may have been quicker.
+    {
+      EXPECT_EQ(outcome.Status, status);
+      EXPECT_EQ(folder.List(), before);
+    }
+    fs::remove(folder / "p.ply");
+    fs::remove(folder / "s.json");
+  }
+}
+
 }
