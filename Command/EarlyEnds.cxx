@@ -692,7 +692,8 @@ bool BeginsNumber(const std::string& line)
 long long TecplotVariables(const std::string& header)
 {
   const std::size_t at = header.find("variables");
-  const std::size_t end = std::min(header.find("zone", at), header.size());
+  const std::size_t end =
+    std::min({ header.find("zone", at), header.find("datasetauxdata", at), header.size() });
   if (at == std::string::npos)
   {
     throw Unknown();

@@ -198,6 +198,12 @@ TEST(Reading, EndsWithinItsLimit)
   const Outcome outcome = RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.nrrd") +
     " --read-limit 1 --output " + Quote(folder / "p.png"));
   ExpectRefused(outcome, "a.nrrd: ");
+  // An unknown line: VTK's reader waits for a known one for ever.
+  WriteText(folder / "a.case", "FORMAT\ntype: ensight gold\nunknown\nGEOMETRY\nmodel: a.geo\n");
+  ExpectRefused(RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.case") +
+                  " --read-limit 0.5 --output " + Quote(folder / "p.png")),
+    "a.case: reading takes more than 0.5 s");
+  fs::remove(folder / "a.case");
   EXPECT_EQ(folder.List(), before);
   EXPECT_EQ(RunProgram({ "bake", folder / "sphere.stl", "--read-limit", "inf", "--output",
                          folder / "p.ply" })
@@ -217,6 +223,12 @@ TEST(Reading, TakesMemoryInProportionToTheFile)
   ExpectRefused(RunShell("timeout 30 $PENUMBRA render " + Quote(folder / "huge.vtk") +
                   " --output " + Quote(folder / "p.png")),
     "huge.vtk: the file is damaged");
+  WriteText(folder / "huge.vtp",
+    "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData><Piece NumberOfPoints=\"999999999\" "
+    "NumberOfPolys=\"0\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" "
+    "format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points></Piece></PolyData></VTKFile>");
+  ExpectRefused(RunProgram({ "render", folder / "huge.vtp", "--output", folder / "p.png" }),
+    "more memory than a file of its size may need");
 }
 
 struct Sample
