@@ -237,6 +237,7 @@ int Animate(AnimationOptions& options)
 {
   RenderOptions& all = options.Picture;
   const int size = options.TimeSeries ? 1 : PicturesOfAGroup;
+  RecordInputs(all);
   std::vector<int> firsts;
   int missing = 0;
   for (int first = 0; first < options.Frames; first += size)
@@ -244,7 +245,7 @@ int Animate(AnimationOptions& options)
     const int before = missing;
     for (int frame = first; frame < std::min(first + size, options.Frames); ++frame)
     {
-      CheckFiles(OptionsOf(options, frame), all.Files);
+      CheckFiles(OptionsOf(options, frame));
       missing += IsMade(options, frame) ? 0 : 1;
     }
     if (missing > before)
@@ -358,7 +359,7 @@ void CheckMotion(const CLI::App& app, AnimationOptions& options)
 std::string Describe(const CLI::App& app)
 {
   const std::vector<std::string> others = { "output", "resume", "jobs", "threads", "progress",
-    "statistics", "FILE" };
+    "read-limit", "statistics", "FILE" };
   std::istringstream lines(app.config_to_str(true, false));
   std::string description;
   for (std::string line; std::getline(lines, line);)

@@ -7,9 +7,12 @@
 #include "EnvironmentFile.h"
 #include "Failure.h"
 #include "FallOffs.h"
+#include "InputFiles.h"
 #include "MessageLog.h"
 #include "PendingFile.h"
+#include "PlyFile.h"
 #include "ProgressLine.h"
+#include "ReadLimit.h"
 #include "Report.h"
 #include "Subcommands.h"
 #include "Surfaces.h"
@@ -148,20 +151,12 @@ bool Write(Writer* writer, vtkDataObject* data, const std::string& path)
   return writer->Write() != 0 && writer->GetErrorCode() == 0;
 }
 
-/// The writer takes no ending but .ply.
+/// The writer does not notice a full disk: the file is read through again.
 bool WriteColors(vtkPolyData* mesh, const std::string& path)
 {
   vtkNew<vtkPLYWriter> writer;
   writer->SetArrayName("Baked");
-  const std::string named = path + ".ply";
-  RemoveOnCrash(named);
-  const bool written = Write(writer.Get(), mesh, named);
-  std::error_code error;
-  std::filesystem::rename(named, path, error);
-  std::error_code ignored;
-  std::filesystem::remove(named, ignored);
-  KeepOnCrash(named);
-  return written && !error;
+  return Write(writer.Get(), mesh, path) && WalkPlyFile(path).IsWhole;
 }
 
 bool WriteAs(const std::string& extension, vtkPolyData* mesh, bool light, const std::string& path)
@@ -204,6 +199,8 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   {
     ChooseWindow("auto", "--gatherer cube-map", "--gatherer rays");
   }
+  RecordInput(options.File);
+  RecordInput(options.EnvironmentFile);
   PendingFile output(options.Output, "--output");
   std::optional<PendingFile> statistics;
   if (!options.Statistics.empty())
@@ -341,6 +338,7 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
       "Write records, rays, error, times and memory to this file")
     ->type_name("FILE.json")
     ->take_last();
+  AddReadLimitOption(app);
   AddChoice(app, "--progress", options.Progress, { "auto", "bar", "plain", "none" },
     "How progress is shown on stderr; auto: a bar on a terminal");
 }

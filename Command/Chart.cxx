@@ -8,9 +8,11 @@
 #include "ChartTable.h"
 #include "Engine.h"
 #include "Failure.h"
+#include "InputFiles.h"
 #include "Peers.h"
 #include "PendingFile.h"
 #include "ProgressLine.h"
+#include "ReadLimit.h"
 #include "Subcommands.h"
 #include "Surfaces.h"
 #include "Worker.h"
@@ -167,6 +169,10 @@ void Measure(const ChartFamily& family, ChartTable& table, ProgressLine& progres
 
 int Chart(const ChartOptions& options)
 {
+  for (const std::string& file : options.Files)
+  {
+    RecordInput(file);
+  }
   std::error_code error;
   std::filesystem::create_directories(options.Output, error);
   if (error)
@@ -232,6 +238,7 @@ Action DeclareChart(CLI::App& program)
   app->add_flag("--quick", options->Quick, "Small pictures and few steps: seconds a family");
   AddChoice(*app, "--window", options->Window, { "auto", "osmesa", "egl", "x" },
     "Kind of OpenGL window; auto: the first that works here");
+  AddReadLimitOption(*app);
   AddChoice(*app, "--progress", options->Progress, { "auto", "bar", "plain", "none" },
     "How progress is shown on stderr; auto: a bar on a terminal");
   return [options]() {

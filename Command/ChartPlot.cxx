@@ -19,6 +19,7 @@
 #include "vtkRenderer.h"
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -218,12 +219,11 @@ void WriteChartPng(
   capture->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(capture->GetOutputPort());
-  writer->SetFileName(picture.TemporaryPath().c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    picture.Fail("it cannot be written whole");
-  }
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  picture.Write(
+    std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues()));
   picture.Commit();
 }
 

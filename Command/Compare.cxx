@@ -4,8 +4,10 @@
 // penumbra compare: how far a picture is from its baselines.
 #include "Arguments.h"
 #include "Failure.h"
+#include "InputFiles.h"
 #include "PendingFile.h"
 #include "Pictures.h"
+#include "ReadLimit.h"
 #include "Subcommands.h"
 #include "Worker.h"
 
@@ -70,18 +72,22 @@ double Amplify(vtkImageData* difference)
 vtkSmartPointer<vtkImageData> Read(const std::string& path)
 {
   EnterPhase(path, BadInput);
+  const ReadLimit limit(path);
   return ReadPicture(path);
 }
 
 // In a process of its own.
 int Compare(const CompareOptions& options)
 {
+  for (const std::string& picture : options.Pictures)
+  {
+    RecordInput(picture);
+  }
+  RecordInput(options.Mask);
   std::unique_ptr<PendingFile> file;
   if (!options.Difference.empty())
   {
     CheckPictureExtension(options.Difference, "--difference");
-    RefuseInput(options.Difference, "--difference", options.Pictures);
-    RefuseInput(options.Difference, "--difference", { options.Mask });
     file = std::make_unique<PendingFile>(options.Difference, "--difference");
   }
   const bool asksForNearness = !std::isnan(options.Tolerance);
@@ -186,6 +192,7 @@ Action DeclareCompare(CLI::App& program)
       "Write a picture of the differences; 8 bit: the largest is white")
     ->type_name("PATH")
     ->take_last();
+  AddReadLimitOption(*app);
   app->add_flag("--json", options->Json, "Print all metrics as JSON");
   return [options]() {
     if (options->Pictures.size() < 2)

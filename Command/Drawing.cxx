@@ -3,6 +3,7 @@
 #include "Drawing.h"
 
 #include "Failure.h"
+#include "InputFiles.h"
 #include "Pictures.h"
 #include "ProgressLine.h"
 #include "RenderOptions.h"
@@ -145,14 +146,23 @@ std::vector<std::string> PictureFiles::Save(const Picture& picture, vtkRenderer*
   return warnings;
 }
 
-void CheckFiles(const RenderOptions& picture, const std::vector<std::string>& inputs)
+void RecordInputs(const RenderOptions& options)
 {
-  RefuseInput(picture.Output, "--output", inputs);
+  for (const std::string& file : options.Files)
+  {
+    RecordInput(file);
+  }
+  RecordInput(options.Light.EnvironmentFile);
+}
+
+void CheckFiles(const RenderOptions& picture)
+{
+  RefuseInput(picture.Output, "--output");
   if (picture.Statistics.empty())
   {
     return;
   }
-  RefuseInput(picture.Statistics, "--statistics", inputs);
+  RefuseInput(picture.Statistics, "--statistics");
   std::error_code ignored;
   if (std::filesystem::weakly_canonical(picture.Statistics, ignored) ==
     std::filesystem::weakly_canonical(picture.Output, ignored))

@@ -55,8 +55,11 @@ private:
   std::optional<PendingFile> Statistics;
 };
 
+/// Record the files that `options` name as inputs.
+void RecordInputs(const RenderOptions& options);
+
 /// Throws Failure where a file that is read, or the other one that is written, would be written over.
-void CheckFiles(const RenderOptions& picture, const std::vector<std::string>& inputs);
+void CheckFiles(const RenderOptions& picture);
 
 }
 #endif

@@ -3,8 +3,10 @@
 #include "EnvironmentFile.h"
 
 #include "Failure.h"
+#include "InputFiles.h"
 #include "MessageLog.h"
 #include "Pictures.h"
+#include "ReadLimit.h"
 
 #include "vtkHDRReader.h"
 #include "vtkImageData.h"
@@ -13,6 +15,7 @@
 #include "vtkVersion.h"
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 
 namespace penumbra
@@ -52,8 +55,11 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   {
     throw Failure(BadInput, "--hdri-file: " + path + ": no such file");
   }
+  RecordInput(path);
+  auto limit = std::make_unique<ReadLimit>(path);
   const vtkSmartPointer<vtkImageData> image =
     file.extension() == ".hdr" ? ReadHdr(path) : ReadPicture(path);
+  limit.reset();
   auto environment = vtkSmartPointer<vtkPenumbraEnvironment>::New();
   environment->SetImage(image);
   const Triple upwards = up.value_or(Triple{ 0.0, 1.0, 0.0 });

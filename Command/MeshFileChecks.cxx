@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFileChecks.h"
 
+#include "EarlyEnds.h"
 #include "Failure.h"
 #include "PlyFile.h"
 
@@ -85,6 +86,14 @@ Promise CheckMeshFile(const std::string& path)
       FailEarlyEnd(path, "element");
     }
     promise = { ply.Polygons, ply.Corners };
+  }
+  else
+  {
+    const std::string last = FindEarlyEnd(path);
+    if (!last.empty())
+    {
+      FailEarlyEnd(path, last);
+    }
   }
   return promise;
 }

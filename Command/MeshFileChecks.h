@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What VTK's readers overlook in STL and PLY files: an early end, polygons that they cut.
+// What VTK's readers overlook in files: an early end, polygons that they cut.
 #ifndef penumbra_MeshFileChecks_h
 #define penumbra_MeshFileChecks_h
 

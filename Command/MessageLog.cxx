@@ -139,7 +139,7 @@ bool TellOfMemory(const std::vector<std::string>& errors)
   });
 }
 
-void Say(const std::string& line)
+std::string LineOf(const std::string& line)
 {
   std::string text = "penumbra: " + line;
   for (char& character : text)
@@ -149,7 +149,12 @@ void Say(const std::string& line)
       character = ' ';
     }
   }
-  text += '\n';
+  return text + '\n';
+}
+
+void Say(const std::string& line)
+{
+  const std::string text = LineOf(line);
   [[maybe_unused]] const auto written = write(Terminal, text.data(), text.size());
 }
 

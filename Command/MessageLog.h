@@ -29,6 +29,9 @@ bool TellOfMemory(const std::vector<std::string>& errors);
 /// The sentence inside a message of VTK's macros.
 std::string StripFrame(const std::string& text);
 
+/// What Say() writes.
+std::string LineOf(const std::string& line);
+
 /// One line on the real stderr, after "penumbra: ". Line breaks in it become spaces.
 void Say(const std::string& line);
 

@@ -3,12 +3,15 @@
 #include "PendingFile.h"
 
 #include "Failure.h"
+#include "InputFiles.h"
 #include "Worker.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <random>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -23,6 +26,7 @@ namespace
 // Names of files may be this long on Linux; of a longer one the temporary name takes the beginning.
 constexpr std::size_t LongestName = 255;
 constexpr std::size_t TemporaryPart = 200;
+constexpr std::size_t LongestExtension = 16;
 
 // A link stays, what it points to is written.
 fs::path FollowLinks(fs::path path)
@@ -35,20 +39,26 @@ fs::path FollowLinks(fs::path path)
   return path;
 }
 
+// Of its own for every writer, those on other machines and in other containers included; some of
+// VTK's writers insist on the extension.
+std::string TemporaryName(const fs::path& target)
+{
+  const std::string name = target.filename().string();
+  const std::string extension = target.extension().string();
+  std::ostringstream temporary;
+  temporary << '.' << name.substr(0, TemporaryPart) << '.' << getpid() << '-' << std::hex
+            << std::random_device()();
+  return temporary.str() + (extension.size() > LongestExtension ? "" : extension);
 }
 
-void RefuseInput(
-  const std::string& path, const std::string& option, const std::vector<std::string>& inputs)
+}
+
+void RefuseInput(const std::string& path, const std::string& option)
 {
-  std::error_code error;
-  const fs::path target = fs::weakly_canonical(path, error);
-  for (const std::string& input : inputs)
+  if (IsInput(path))
   {
-    if (!error && fs::weakly_canonical(input, error) == target && !error)
-    {
-      throw Failure(
-        BadInput, option + " " + path + ": this is one of the files to be read; name another");
-    }
+    throw Failure(
+      BadInput, option + " " + path + ": this is one of the files to be read; name another");
   }
 }
 
@@ -56,6 +66,7 @@ PendingFile::PendingFile(const std::string& path, const std::string& option)
   : Option(option),
     Path(path)
 {
+  RefuseInput(path, option);
   std::error_code ignored;
   const fs::path target = FollowLinks(path);
   this->Path = target.string();
@@ -78,8 +89,7 @@ PendingFile::PendingFile(const std::string& path, const std::string& option)
   {
     this->Fail("the folder cannot be written; choose another");
   }
-  this->Temporary =
-    (folder / ("." + name.substr(0, TemporaryPart) + "." + std::to_string(getpid()))).string();
+  this->Temporary = (folder / TemporaryName(target)).string();
   RemoveOnCrash(this->Temporary);
 }
 
@@ -112,6 +122,7 @@ void PendingFile::Write(const std::string& bytes)
 
 void PendingFile::Commit()
 {
+  RefuseInput(this->Path, this->Option);
   if (std::rename(this->Temporary.c_str(), this->Path.c_str()) != 0)
   {
     this->Fail(strerror(errno));

@@ -6,14 +6,13 @@
 #define penumbra_PendingFile_h
 
 #include <string>
-#include <vector>
 
 namespace penumbra
 {
 
-/// Throws Failure where `path`, which `option` asks to write, is one of the files that are read.
-void RefuseInput(
-  const std::string& path, const std::string& option, const std::vector<std::string>& inputs);
+/// Throws Failure where `path`, which `option` asks to write, is one of the files that are read
+/// (InputFiles.h). PendingFile does so itself, when it is made and again before it is renamed.
+void RefuseInput(const std::string& path, const std::string& option);
 
 class PendingFile
 {
@@ -25,7 +24,7 @@ public:
   PendingFile(const PendingFile&) = delete;
   void operator=(const PendingFile&) = delete;
 
-  /// Where to write until Commit().
+  /// Where to write until Commit(); it ends as the file's name does.
   const std::string& TemporaryPath() const { return this->Temporary; }
 
   /// Write `bytes` as the whole contents.

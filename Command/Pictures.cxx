@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures.h"
 
+#include "EarlyEnds.h"
 #include "Failure.h"
+#include "InputFiles.h"
 #include "MessageLog.h"
 #include "PendingFile.h"
 #include "PixelDensity.h"
@@ -127,6 +129,11 @@ void WriteTiff(vtkImageData* image, PendingFile& file, int dotsPerInch)
   writer->SetDotsPerInch(dotsPerInch);
   writer->Write();
   CheckWritten(writer->GetErrorCode(), file);
+  // Neither the writer nor the library below it notices a full disk.
+  if (!IsWholeTiff(file.TemporaryPath()))
+  {
+    file.Fail("the file stayed incomplete");
+  }
 }
 
 void WriteArrays(vtkImageData* image, PendingFile& file, int dotsPerInch)
@@ -253,6 +260,7 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
     throw Failure(BadInput, path + ": no such file");
   }
   CheckPictureExtension(path, "picture");
+  RecordInput(path);
   const std::string extension = Extension(path);
   TakeErrors();
   const vtkSmartPointer<vtkImageData> image = extension == ".vti"

@@ -124,9 +124,10 @@ std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
 int Render(const RenderOptions& options, Clock::time_point start)
 {
   std::vector<RenderOptions> pictures = PlanPictures(options);
+  RecordInputs(options);
   for (const RenderOptions& picture : pictures)
   {
-    CheckFiles(picture, options.Files);
+    CheckFiles(picture);
   }
   const int count = static_cast<int>(pictures.size());
   const int jobs = std::min(options.Jobs, count);

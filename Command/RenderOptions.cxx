@@ -7,6 +7,7 @@
 #include "Failure.h"
 #include "FallOffs.h"
 #include "Pictures.h"
+#include "ReadLimit.h"
 #include "Worker.h"
 
 #include "vtkPenumbraKernels.h"
@@ -99,6 +100,7 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
     ->group("Engine");
   AddInteger(app, "--threads", options.Threads, "Threads, 0: all; the picture is the same", 0, 1024)
     ->group("Engine");
+  AddReadLimitOption(app)->group("Engine");
   AddChoice(app, "--window,--rendering-backend", options.Window, { "osmesa", "egl", "x", "auto" },
     "OpenGL window (raster); auto: the first that works")
     ->group("Engine");

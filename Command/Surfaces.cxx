@@ -3,6 +3,8 @@
 #include "Surfaces.h"
 
 #include "Failure.h"
+#include "InputFiles.h"
+#include "ReadLimit.h"
 #include "Readers.h"
 #include "SoundnessChecks.h"
 #include "Worker.h"
@@ -175,6 +177,8 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
 
 Surfaces ReadSurfaces(const std::string& path)
 {
+  RecordInput(path);
+  const ReadLimit limit(path);
   try
   {
     return ExtractSurfaces(ReadFile(path), path);
@@ -186,12 +190,12 @@ Surfaces ReadSurfaces(const std::string& path)
   catch (const std::bad_alloc&)
   {
     // A file that is small beside the memory and yet asks for more than there is.
-    std::error_code error;
-    if (std::filesystem::file_size(path, error) > MachineMemory() / 64)
+    if (!limit.IsByFile() && InputBytes(path) > MachineMemory() / 64)
     {
       throw;
     }
-    throw Failure(BadInput, path + ": the file is damaged: it asks for more memory than there is");
+    throw Failure(BadInput,
+      path + ": the file is damaged: it asks for more memory than a file of its size may need");
   }
   catch (const std::exception& error)
   {

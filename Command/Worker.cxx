@@ -114,6 +114,7 @@ public:
     signal(SIGUSR1, RemoveAndEnd);
     sigset_t mask = this->WaitMask;
     sigdelset(&mask, SIGUSR1);
+    sigdelset(&mask, SIGALRM); // It limits the time of reading.
     sigprocmask(SIG_SETMASK, &mask, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGUSR1);
   }
@@ -301,6 +302,14 @@ void KeepOnCrash(const std::string& path)
     {
       *Mine->Temporary[i] = '\0';
     }
+  }
+}
+
+void RemoveTemporaries()
+{
+  if (Mine)
+  {
+    ::RemoveTemporaries(*Mine);
   }
 }
 

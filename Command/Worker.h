@@ -22,6 +22,9 @@ void RemoveOnCrash(const std::string& path);
 /// No longer: it was renamed, or removed.
 void KeepOnCrash(const std::string& path);
 
+/// Remove them now; safe in a signal's handler.
+void RemoveTemporaries();
+
 /// Do count tasks, each in a process of its own, `jobs` at a time; `finished` hears after each.
 /// `task` returns an exit status or throws Failure, whose message is said. Returns the largest
 /// status. When the user cancels (SIGINT, SIGTERM, SIGHUP, unless ignored), the workers end, what they

@@ -17,6 +17,9 @@
 #include <iostream>
 #include <map>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace
 {
 
@@ -45,6 +48,19 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error)
     return "no subcommand given" + hint;
   }
   return error.what() + hint;
+}
+
+// A standard stream that is closed would be the number of the next file opened, and messages would end
+// up in a picture. Writing to such a standard output still fails.
+void OccupyStandardStreams()
+{
+  for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    if (fcntl(stream, F_GETFD) < 0)
+    {
+      open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
 }
 
 int Run(int argc, char** argv)
@@ -81,6 +97,7 @@ int Run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  OccupyStandardStreams();
   KeepFreedMemory();
   OpenLog();
   std::signal(SIGCHLD, SIG_DFL); // Were it ignored, nobody would hear how a process ended.

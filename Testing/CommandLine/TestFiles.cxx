@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files are written whole or not at all, never over an input, and a file that is not whole, or whose
+// reader never ends, is told as damaged.
+#include "Meshes.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace penumbra_testing;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+void ExpectRefused(const Outcome& outcome, const std::string& words)
+{
+  EXPECT_EQ(outcome.Status, 2) << outcome.Errors;
+  EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+  EXPECT_NE(outcome.Errors.find(words), std::string::npos) << outcome.Errors;
+}
+
+// `arguments`, quoted where needed, with a limit on the size of files.
+Outcome RunOnFullDisk(std::uintmax_t bytes, const std::string& arguments)
+{
+  return RunShell("set -o pipefail; prlimit --fsize=" + std::to_string(bytes) + " $PENUMBRA " +
+    arguments + " 2>&1 | cat >&2"); // The limit is not for the messages.
+}
+
+// The disk is full before the last byte of the file, or in its middle.
+void ExpectWholeOrNothing(
+  const Folder& folder, const std::string& name, const std::string& arguments)
+{
+  ASSERT_EQ(RunShell("$PENUMBRA " + arguments).Status, 0) << arguments;
+  const std::uintmax_t size = fs::file_size(folder / name);
+  fs::remove(folder / name);
+  const std::vector<std::string> before = folder.List();
+  for (const std::uintmax_t limit : { size - 1, size / 2 })
+  {
+    ExpectRefused(RunOnFullDisk(limit, arguments), name + ": cannot be written");
+    EXPECT_EQ(folder.List(), before) << arguments;
+  }
+}
+
+TEST(FullDisk, LeavesNoPartOfAMesh)
+{
+  const Folder folder("full-mesh");
+  WriteText(folder / "square.stl", SquareStl());
+  for (const std::string name : { "p.ply", "p.vtk", "p.vtp", "p.vtu" })
+  {
+    ExpectWholeOrNothing(
+      folder, name, "bake " + Quote(folder / "square.stl") + " --output " + Quote(folder / name));
+  }
+}
+
+TEST(FullDisk, LeavesNoPartOfAPicture)
+{
+  const Folder folder("full-picture");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string square = Quote(folder / "square.stl");
+  ASSERT_EQ(
+    RunShell("$PENUMBRA render " + square + " --output " + Quote(folder / "a.png")).Status, 0);
+  for (const std::string name : { "p.png", "p.jpg", "p.tif", "p.bmp", "p.vti" })
+  {
+    const std::string output = Quote(folder / name);
+    ExpectWholeOrNothing(
+      folder, name, "render " + square + " --resolution 40,30 --output " + output);
+    ExpectWholeOrNothing(folder, name,
+      "compare " + Quote(folder / "a.png") + " " + Quote(folder / "a.png") + " --difference " +
+        output);
+  }
+}
+
+TEST(FullDisk, LeavesNoPartOfAnAnimation)
+{
+  const Folder folder("full-animation");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::vector<std::string> before = folder.List();
+  ExpectRefused(RunOnFullDisk(60,
+                  "animate " + Quote(folder / "square.stl") + " --frames 2 --resolution 40,30" +
+                    " --output " + Quote(folder / "{frame}.tif")),
+    "cannot be written");
+  EXPECT_EQ(folder.List(), before);
+}
+
+TEST(FullDisk, LeavesNoPartOfStatistics)
+{
+  const Folder folder("full-statistics");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string name = "s.json";
+  for (const std::string command : { "bake", "render --resolution 9,9" })
+  {
+    const std::string output = command == "bake" ? "p.ply" : "p.png";
+    const std::string arguments = command + " " + Quote(folder / "square.stl") + " --output " +
+      Quote(folder / output) + " --statistics " + Quote(folder / name);
+    ASSERT_EQ(RunShell("$PENUMBRA " + arguments).Status, 0);
+    ASSERT_GT(fs::file_size(folder / name), fs::file_size(folder / output));
+    const std::uintmax_t limit = fs::file_size(folder / name) - 40; // Times vary.
+    fs::remove(folder / name);
+    fs::remove(folder / output);
+    const std::vector<std::string> before = folder.List();
+    ExpectRefused(RunOnFullDisk(limit, arguments), "s.json: cannot be written");
+    EXPECT_EQ(folder.List(), before);
+  }
+}
+
+// Pieces, blocks and what links lead to, each with what it must hold afterwards.
+class Inputs : public testing::Test
+{
+protected:
+  void ExpectKept(const std::vector<std::string>& arguments, const std::string& name)
+  {
+    const std::string before = ReadText(this->At / name);
+    ASSERT_FALSE(before.empty()) << name;
+    const std::vector<std::string> names = this->At.List();
+    ExpectRefused(RunProgram(arguments), "one of the files to be read");
+    EXPECT_EQ(ReadText(this->At / name), before) << name;
+    EXPECT_EQ(this->At.List(), names);
+  }
+
+  Folder At{ "inputs" };
+};
+
+TEST_F(Inputs, AreNotBakedOver)
+{
+  WriteSpheres(this->At.Path);
+  fs::create_hard_link(this->At / "sphere.ply", this->At / "hard.ply");
+  fs::create_symlink("sphere.ply", this->At / "soft.ply");
+  const std::string input = this->At / "sphere.ply";
+  for (const std::string name : { "sphere.ply", "hard.ply", "soft.ply" })
+  {
+    this->ExpectKept({ "bake", input, "--output", this->At / name }, name);
+  }
+  this->ExpectKept(
+    { "bake", this->At / "hard.ply", "--output", this->At / "p.ply", "--statistics", input },
+    "sphere.ply");
+  WriteText(this->At / "block.vtm",
+    "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>"
+    "<DataSet index=\"0\" file=\"sphere.vtp\"/></vtkMultiBlockDataSet></VTKFile>");
+  this->ExpectKept(
+    { "bake", this->At / "block.vtm", "--output", this->At / "sphere.vtp" }, "sphere.vtp");
+}
+
+TEST_F(Inputs, AreNotDrawnOver)
+{
+  WriteText(this->At / "square.stl", SquareStl());
+  const std::string square = this->At / "square.stl";
+  for (const std::string name : { "sky.png", "piece.vti" })
+  {
+    ASSERT_EQ(
+      RunProgram({ "render", square, "--resolution", "8,4", "--output", this->At / name }).Status,
+      0);
+  }
+  const std::string sky = this->At / "sky.png";
+  for (const std::string command : { "render", "animate" })
+  {
+    const std::string output = command == "render" ? sky : this->At / "{frame}.png";
+    if (command == "animate")
+    {
+      fs::create_hard_link(sky, this->At / "0001.png");
+    }
+    this->ExpectKept({ command, square, "--output", output, "--hdri-file", sky, "--indirect",
+                       "--resolution", "9,9" },
+      "sky.png");
+  }
+  this->ExpectKept({ "bake", square, "--output", this->At / "p.vtp", "--quantity", "irradiance",
+                     "--hdri-file", sky, "--statistics", sky },
+    "sky.png");
+  WriteText(this->At / "whole.pvti",
+    "<VTKFile type=\"PImageData\" version=\"0.1\"><PImageData WholeExtent=\"0 7 0 3 0 0\" "
+    "GhostLevel=\"0\" Origin=\"0 0 0\" Spacing=\"1 1 1\"><Piece Extent=\"0 7 0 3 0 0\" "
+    "Source=\"piece.vti\"/></PImageData></VTKFile>");
+  this->ExpectKept({ "render", this->At / "whole.pvti", "--output", this->At / "piece.vti",
+                     "--resolution", "9,9" },
+    "piece.vti");
+  this->ExpectKept({ "compare", sky, this->At / "piece.vti", "--difference", sky }, "sky.png");
+  this->ExpectKept({ "compare", sky, sky, "--mask", this->At / "piece.vti", "--difference",
+                     this->At / "piece.vti" },
+    "piece.vti");
+}
+
+TEST(Reading, EndsWithinItsLimit)
+{
+  const Folder folder("read-limit");
+  // No blank line ends the header: VTK's reader looks for it for ever.
+  WriteText(folder / "a.nrrd",
+    "NRRD0004\ntype: float\ndimension: 3\nsizes: 4 4 4\n" +
+      std::string("spacings: 1 1 1\nencoding: raw\n"));
+  WriteSpheres(folder.Path);
+  const std::vector<std::string> before = folder.List();
+  ExpectRefused(RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "sphere.stl") +
+                  " --read-limit 0.0001 --output " + Quote(folder / "p.png")),
+    "sphere.stl: reading takes more than 0.0001 s");
+  const Outcome outcome = RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.nrrd") +
+    " --read-limit 1 --output " + Quote(folder / "p.png"));
+  ExpectRefused(outcome, "a.nrrd: ");
+  // An unknown line: VTK's reader waits for a known one for ever.
+  WriteText(folder / "a.case", "FORMAT\ntype: ensight gold\nunknown\nGEOMETRY\nmodel: a.geo\n");
+  ExpectRefused(RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.case") +
+                  " --read-limit 0.5 --output " + Quote(folder / "p.png")),
+    "a.case: reading takes more than 0.5 s");
+  fs::remove(folder / "a.case");
+  EXPECT_EQ(folder.List(), before);
+  EXPECT_EQ(RunProgram({ "bake", folder / "sphere.stl", "--read-limit", "inf", "--output",
+                         folder / "p.ply" })
+              .Status,
+    0);
+}
+
+TEST(Reading, TakesMemoryInProportionToTheFile)
+{
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "The sanitizer counts memory otherwise.";
+#endif
+  const Folder folder("read-memory");
+  WriteText(folder / "huge.vtk",
+    "# vtk DataFile Version 3.0\nhuge\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1000 1000 700\n"
+    "SPACING 1 1 1\nORIGIN 0 0 0\nPOINT_DATA 700000000\nSCALARS s float 1\nLOOKUP_TABLE default\n");
+  ExpectRefused(RunShell("timeout 30 $PENUMBRA render " + Quote(folder / "huge.vtk") +
+                  " --output " + Quote(folder / "p.png")),
+    "huge.vtk: the file is damaged");
+  WriteText(folder / "huge.vtp",
+    "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData><Piece NumberOfPoints=\"999999999\" "
+    "NumberOfPolys=\"0\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" "
+    "format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points></Piece></PolyData></VTKFile>");
+  ExpectRefused(RunProgram({ "render", folder / "huge.vtp", "--output", folder / "p.png" }),
+    "more memory than a file of its size may need");
+}
+
+struct Sample
+{
+  std::string Name;
+  std::string Bytes;
+};
+
+// Small whole files of the formats whose readers take what there is.
+std::vector<Sample> Samples()
+{
+  const auto zeros = [](std::size_t count) { return std::string(count, '\0'); };
+  std::vector<Sample> samples = {
+    { "a.pts", "4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" },
+    { "raw.nrrd",
+      "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\n" +
+        std::string(64, 'v') },
+    { "text.nrrd",
+      "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n0 1 2 3\n4 5 6 7\n" },
+    { "a.inp",
+      "4 1 1 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n1 1 tet 1 2 3 4\n1 1\ns, m\n1 0\n2 1\n3 2\n"
+      "4 3\n" },
+    { "a.tec",
+      "TITLE = \"t\"\nVARIABLES = \"X\", \"Y\", \"Z\", \"S\"\nZONE T=\"a\", N=4, E=2, F=FEPOINT, "
+      "ET=TRIANGLE\n0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n1 2 3\n1 3 4\n" },
+    { "raw.slc", "11111\n4 4 2 8\n1 1 1\n0 0 0\n0\n2 2 X" + zeros(12) + std::string(32, 'v') },
+    { "packed.slc",
+      "11111\n4 4 2 8\n1 1 1\n0 0 0\n1\n2 2 X" + zeros(12) + "3 X\x10\x05" + zeros(1) +
+        "3 X\x10\x07" + zeros(1) },
+  };
+  return samples;
+}
+
+// Cut anywhere but within the last number or white space.
+void ExpectCutsRefused(const Folder& folder, const std::string& name, const std::string& bytes,
+  const std::string& opened)
+{
+  const std::string input = opened.empty() ? name : opened;
+  const auto render = [&]() {
+    return RunShell("timeout 20 $PENUMBRA render " + Quote(folder / input) +
+      " --resolution 9,9 --output " + Quote(folder / "p.png"));
+  };
+  WriteText(folder / name, bytes);
+  const Outcome whole = render();
+  EXPECT_EQ(whole.Status, 0) << name << whole.Errors;
+  fs::remove(folder / "p.png");
+  const std::size_t end = bytes.find_last_not_of(" \n");
+  std::vector<std::size_t> cuts;
+  for (const double share : { 0.1, 0.3, 0.5, 0.7, 0.9 })
+  {
+    cuts.push_back(static_cast<std::size_t>(share * static_cast<double>(end)));
+  }
+  cuts.push_back(end);
+  for (const std::size_t cut : cuts)
+  {
+    WriteText(folder / name, bytes.substr(0, cut));
+    const Outcome outcome = render();
+    EXPECT_EQ(outcome.Status, 2) << name << " cut to " << cut << " of " << bytes.size() << ": "
+                                 << outcome.Errors;
+    EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
+    EXPECT_FALSE(fs::exists(folder / "p.png"));
+    fs::remove(folder / "p.png");
+  }
+}
+
+TEST(Truncated, ValuesAreMissed)
+{
+  const Folder folder("truncated");
+  for (const Sample& sample : Samples())
+  {
+    ExpectCutsRefused(folder, sample.Name, sample.Bytes, "");
+  }
+}
+
+TEST(Truncated, LegacyFilesAreMissed)
+{
+  const Folder folder("truncated-legacy");
+  WriteSpheres(folder.Path);
+  ExpectCutsRefused(folder, "sphere.vtk", ReadText(folder / "sphere.vtk"), "");
+  WriteText(folder / "square.stl", SquareStl());
+  ASSERT_EQ(RunProgram({ "bake", folder / "square.stl", "--output", folder / "b.vtk" }).Status, 0);
+  ExpectCutsRefused(folder, "b.vtk", ReadText(folder / "b.vtk"), "");
+  ExpectCutsRefused(folder, "a.vtk",
+    "# vtk DataFile Version 3.0\na grid\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+    "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 4\n"
+    "SCALARS s float 1\nLOOKUP_TABLE default\n0 1 2 3\nVECTORS v float\n0 0 0 1 1 1 2 2 2 3 3 3\n",
+    "");
+}
+
+TEST(Truncated, GeometriesOfCasesAreMissed)
+{
+  const Folder folder("truncated-case");
+  WriteText(folder / "a.case", "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: a.geo\n");
+  ExpectCutsRefused(folder, "a.geo",
+    "title\nmore\nnode id assign\nelement id assign\npart\n1\nonly\ncoordinates\n4\n0.0\n1.0\n0.0\n"
+    "0.0\n0.0\n0.0\n1.0\n0.0\n0.0\n0.0\n0.0\n1.0\ntetra4\n1\n1 2 3 4\n",
+    "a.case");
+}
+
+TEST(Faults, ClosedStreamsTakeNothingFromAPicture)
+{
+  const Folder folder("closed");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string render =
+    "$PENUMBRA render " + Quote(folder / "square.stl") + " --resolution 40,30 --output ";
+  ASSERT_EQ(RunShell(render + Quote(folder / "a.tif")).Status, 0);
+  // The .tif, since the library that writes it warns on stderr.
+  for (const std::string closed : { ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-" })
+  {
+    EXPECT_EQ(RunShell(render + Quote(folder / "b.tif") + " " + closed).Status, 0) << closed;
+    EXPECT_EQ(ReadText(folder / "a.tif"), ReadText(folder / "b.tif")) << closed;
+    fs::remove(folder / "b.tif");
+  }
+  EXPECT_EQ(RunShell("$PENUMBRA list >&-").Status, 3);
+  EXPECT_EQ(RunShell("$PENUMBRA list >&- 2>&-").Status, 3);
+  EXPECT_EQ(RunShell("$PENUMBRA render missing.stl --output p.png 2>&-").Status, 2);
+}
+
+TEST(Faults, NamesWithNewlinesStayOnOneLine)
+{
+  const Folder folder("newlines");
+  WriteText(folder / "a\nb.stl", SquareStl());
+  const std::string input = folder / "a\nb.stl";
+  EXPECT_EQ(
+    RunProgram({ "render", input, "--resolution", "9,9", "--output", folder / "p\nq.png" }).Status,
+    0);
+  EXPECT_TRUE(fs::exists(folder / "p\nq.png"));
+  ExpectRefused(RunProgram({ "bake", input, "--output", input + ".obj" }), "no mesh that can be");
+  ExpectRefused(RunProgram({ "render", folder / "no\nfile.stl", "--output", folder / "r.png" }),
+    "no such file");
+  ExpectRefused(
+    RunProgram({ "bake", input, "--read-limit", "0.00001", "--output", folder / "r.ply" }),
+    "reading takes more");
+}
+
+TEST(Faults, ManyThreadsAreFine)
+{
+  const Folder folder("threads");
+  WriteText(folder / "square.stl", SquareStl());
+  for (const std::string threads : { "1", "1000" })
+  {
+    const Outcome outcome = RunProgram({ "render", folder / "square.stl", "--resolution", "40,30",
+      "--threads", threads, "--output", folder / threads + ".png" });
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+  }
+  EXPECT_EQ(ReadText(folder / "1.png"), ReadText(folder / "1000.png"));
+}
+
+TEST(Faults, WritersOfOneFileLeaveOneWholeFile)
+{
+  const Folder folder("writers");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::string bake = "$PENUMBRA bake " + Quote(folder / "square.stl") + " --output ";
+  const Outcome outcome = RunShell("for i in 1 2 3 4; do " + bake + Quote(folder / "p.ply") +
+    " & done; wait; " + bake + Quote(folder / "q.ply"));
+  EXPECT_EQ(outcome.Errors, "");
+  EXPECT_EQ(ReadText(folder / "p.ply"), ReadText(folder / "q.ply"));
+  EXPECT_EQ(folder.List(), (std::vector<std::string>{ "p.ply", "q.ply", "square.stl" }));
+}
+
+TEST(Faults, ReadOnlyFoldersAreTold)
+{
+  if (RunShell("[ $(id -u) = 0 ] && command -v setpriv >/dev/null").Status != 0)
+  {
+    GTEST_SKIP() << "Another user is needed, whom permissions bind.";
+  }
+  const Folder folder("read-only");
+  WriteText(folder / "square.stl", SquareStl());
+  for (const std::string command : { "bake", "render --resolution 9,9" })
+  {
+    const std::string output = command == "bake" ? "p.ply" : "p.png";
+    ExpectRefused(
+      RunShell("cd " + Quote(folder.Path) +
+        " && PENUMBRA_LOG=/dev/null exec setpriv --reuid 64123 --clear-groups $PENUMBRA " +
+        command + " square.stl --output " + output),
+      output + ": cannot be written");
+  }
+}
+
+TEST(Faults, SignalsLeaveNoPartOfAMesh)
+{
+  const Folder folder("signals-bake");
+  WriteSpheres(folder.Path);
+  const std::vector<std::string> before = folder.List();
+  for (const auto& [name, status] : { std::pair<std::string, int>{ "INT", 130 }, { "TERM", 143 } })
+  {
+    const Outcome outcome =
+      RunShell("env --default-signal=INT $PENUMBRA bake " + Quote(folder / "sphere.ply") +
+        " --tolerance 0.0001 --quantity irradiance --bounces 64" + " --albedo 1 --output " +
+        Quote(folder / "p.ply") + " --statistics " + Quote(folder / "s.json") +
+        " & program=$!; sleep 0.1; kill -" + name + " $program; wait $program 2>/dev/null");
+    if (outcome.Status != 0) // It may have been quicker.
+    {
+      EXPECT_EQ(outcome.Status, status);
+      EXPECT_EQ(folder.List(), before);
+    }
+    fs::remove(folder / "p.ply");
+    fs::remove(folder / "s.json");
+  }
+}
+
+}
