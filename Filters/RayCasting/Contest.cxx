@@ -123,16 +123,9 @@ double RoundingAlong(const Ray& ray, const Surface& surface, std::uint32_t trian
 float Contenders::Add(const Contender& met, float reach)
 {
   float nearest = met.Distance;
-  bool known = false;
   for (int i = 0; i < this->Count; ++i)
   {
-    // Embree may hold parts of one triangle in several places.
-    known = known || (this->Met[i].Surface == met.Surface && this->Met[i].Triangle == met.Triangle);
     nearest = std::min(nearest, this->Met[i].Distance);
-  }
-  if (known)
-  {
-    return nearest;
   }
   const auto isFar = [=](const Contender& other) { return other.Distance > nearest + reach; };
   this->Count =

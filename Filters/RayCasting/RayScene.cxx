@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -142,36 +141,6 @@ std::size_t CountTriangles(const Scene& scene)
     count += surface.Triangles.size();
   }
   return count;
-}
-
-/// Do the boxes of long thin triangles across the axes lie over each other so often that most of what a
-/// ray asks is in vain? Then their parts want boxes of their own.
-bool WantsSplits(const Scene& scene)
-{
-  constexpr double Often = 16.0;
-  const auto faces = [](glm::dvec3 size) {
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-  };
-  double boxes = 0.0;
-  double triangles = 0.0;
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  for (const Surface& surface : scene.Surfaces)
-  {
-    for (const glm::uvec3& corners : surface.Triangles)
-    {
-      const glm::dvec3 a(surface.Positions[corners.x]);
-      const glm::dvec3 b(surface.Positions[corners.y]);
-      const glm::dvec3 c(surface.Positions[corners.z]);
-      const glm::dvec3 least = glm::min(glm::min(a, b), c);
-      const glm::dvec3 most = glm::max(glm::max(a, b), c);
-      boxes += faces(most - least);
-      triangles += glm::length(glm::cross(b - a, c - a));
-      low = glm::min(low, least);
-      high = glm::max(high, most);
-    }
-  }
-  return boxes > Often * triangles && boxes > Often * faces(high - low);
 }
 
 void Fill(RTCRay& to, const Ray& from)
@@ -357,10 +326,6 @@ RayScene::RayScene(const Scene& scene, int threads)
       CountTriangles(scene) < CompactFrom
         ? RTC_SCENE_FLAG_ROBUST
         : static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
-    if (WantsSplits(scene))
-    {
-      rtcSetSceneBuildQuality(this->Tree, RTC_BUILD_QUALITY_HIGH);
-    }
     for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
     {
       if (!scene.Surfaces[i].Triangles.empty())
