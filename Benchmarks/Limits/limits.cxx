@@ -69,6 +69,7 @@ Cost Draw(vtkPolyData* mesh, const Options& options)
   caster->SetNumberOfThreads(1);
   if (options.Occlusion)
   {
+    caster->AmbientOcclusionOn();
     caster->SetIrradianceSource(vtkNew<vtkPenumbraBruteForceSource>());
   }
   const double start = CpuSeconds();
