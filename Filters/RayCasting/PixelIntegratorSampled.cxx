@@ -19,6 +19,11 @@ namespace
 
 constexpr int Groups = 16;
 constexpr int FirstSamples = 64;
+// Borders as close as those of slivers need more samples than single straight ones, by this at most.
+constexpr int CrowdShare = 4;
+constexpr int MostSamples = 4096;
+// Errors above the standard error: few are.
+constexpr float Confidence = 1.5f;
 // Something may hide between n samples: this over n.
 constexpr float HiddenError = 0.25f;
 
@@ -32,7 +37,7 @@ PixelResult PixelIntegrator::Sampled()
   ++this->Pixels.Uniform;
   const ScrambledSequence sequence(static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(this->Y) * 0x85ebca77u);
-  const int most = SamplesFor(this->Settings.Tolerance);
+  const int most = std::min(CrowdShare * SamplesFor(this->Settings.Tolerance), MostSamples);
   glm::dvec4 sums[Groups] = {};
   int inGroup = FirstSamples / Groups;
   int traced = 0;
@@ -72,7 +77,7 @@ PixelResult PixelIntegrator::Sampled()
     const double largest = std::max(std::max(variance.r, variance.g), variance.b);
     result.Color = glm::vec4(mean);
     result.Error = this->Believe(
-      static_cast<float>(std::sqrt(largest)), HiddenError / static_cast<float>(total));
+      Confidence * static_cast<float>(std::sqrt(largest)), HiddenError / static_cast<float>(total));
     if (result.Error <= this->Settings.Tolerance || total >= most)
     {
       return result;
