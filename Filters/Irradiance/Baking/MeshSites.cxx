@@ -20,6 +20,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
 namespace penumbra
 {
 namespace
@@ -68,6 +72,110 @@ vtkIdTypeArray* OriginalIds(vtkFieldData* attributes, const char* name, vtkPoint
     : vtkIdTypeArray::SafeDownCast(attributes->GetAbstractArray(name));
 }
 
+/// Cells at one point from which on VTK's search for neighbours, all pairs of them, takes too long.
+constexpr vtkIdType ManyCells = 1024;
+
+bool HasCrowdedPoint(vtkPolyData* mesh)
+{
+  std::vector<vtkIdType> cells(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      if (++cells[static_cast<std::size_t>(ids->GetId(k))] >= ManyCells)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The polygons, each turned like the neighbour that it was reached from; the first of each part stays.
+/// Edges are sorted, so that many at one point cost no more than others.
+vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
+{
+  struct Edge
+  {
+    vtkIdType Low, High, Cell;
+    bool Forward;
+  };
+  struct Link
+  {
+    vtkIdType From, To;
+    bool Against;
+  };
+  const auto turned = vtkSmartPointer<vtkCellArray>::New();
+  turned->DeepCopy(polygons);
+  std::vector<Edge> edges;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < turned->GetNumberOfCells(); ++cell)
+  {
+    turned->GetCellAtId(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType from = ids->GetId(k);
+      const vtkIdType to = ids->GetId((k + 1) % ids->GetNumberOfIds());
+      edges.push_back({ std::min(from, to), std::max(from, to), cell, from < to });
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.Low, a.High, a.Cell) < std::tie(b.Low, b.High, b.Cell);
+  });
+  std::vector<Link> links;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+  {
+    const Edge& a = edges[i];
+    const Edge& b = edges[i + 1];
+    if (a.Low == b.Low && a.High == b.High && a.Cell != b.Cell)
+    {
+      links.push_back({ a.Cell, b.Cell, a.Forward == b.Forward });
+      links.push_back({ b.Cell, a.Cell, a.Forward == b.Forward });
+    }
+  }
+  const auto before = [](const Link& a, const Link& b) { return a.From < b.From; };
+  std::stable_sort(links.begin(), links.end(), before);
+  enum : char
+  {
+    Unseen,
+    Kept,
+    Reversed
+  };
+  std::vector<char> states(static_cast<std::size_t>(turned->GetNumberOfCells()), Unseen);
+  std::vector<vtkIdType> waiting;
+  for (vtkIdType first = 0; first < turned->GetNumberOfCells(); ++first)
+  {
+    if (states[first] == Unseen)
+    {
+      states[first] = Kept;
+      waiting.push_back(first);
+    }
+    while (!waiting.empty())
+    {
+      const vtkIdType cell = waiting.back();
+      waiting.pop_back();
+      const auto [begin, end] =
+        std::equal_range(links.begin(), links.end(), Link{ cell, 0, false }, before);
+      for (auto link = begin; link != end; ++link)
+      {
+        if (states[link->To] == Unseen)
+        {
+          states[link->To] = (states[cell] == Reversed) != link->Against ? Reversed : Kept;
+          waiting.push_back(link->To);
+        }
+      }
+    }
+    // All of its part is known by now: the part began at its first polygon.
+    if (states[first] == Reversed)
+    {
+      turned->ReverseCellAtId(first);
+    }
+  }
+  return turned;
+}
+
 /// Per point; neighbours are turned the same way round.
 vtkSmartPointer<vtkDataArray> ComputedNormals(vtkPolyData* surface)
 {
@@ -78,7 +186,15 @@ vtkSmartPointer<vtkDataArray> ComputedNormals(vtkPolyData* surface)
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(polygons);
   normals->SplittingOff();
-  normals->ConsistencyOn();
+  if (surface->GetNumberOfStrips() == 0 && HasCrowdedPoint(polygons))
+  {
+    polygons->SetPolys(Turned(polygons->GetPolys()));
+    normals->ConsistencyOff();
+  }
+  else
+  {
+    normals->ConsistencyOn();
+  }
   normals->Update();
   vtkDataArray* found = normals->GetOutput()->GetPointData()->GetNormals();
   return found && found->GetNumberOfTuples() == surface->GetNumberOfPoints() ? found : nullptr;

@@ -4,6 +4,8 @@
 
 #include "Shading/CosineDirections.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 namespace
@@ -31,6 +33,9 @@ constexpr double ShareOfError = .8;
 
 /// So many more answers than terms.
 constexpr std::size_t LeastSurplus = 2;
+
+/// Sites of one cell that are looked at: many times what a mesh of even density has there.
+constexpr std::size_t MostOfCell = 128;
 
 }
 
@@ -77,6 +82,17 @@ void Neighbours::FindRows(
   const glm::mat3 frame = FrameOf(site.Normal);
   const std::array<std::int64_t, 3> middle = this->CellOf(site.Position);
   rows.clear();
+  const auto add = [&](std::size_t which) {
+    const Site& other = this->Sites[which];
+    const glm::vec3 d = (other.Position - site.Position) / this->Reach;
+    const float square = glm::dot(d, d);
+    if (square < 1.f && glm::dot(other.Normal, site.Normal) > LeastCosine)
+    {
+      rows.push_back({ { 1.0, glm::dot(d, frame[0]), glm::dot(d, frame[1]),
+                         glm::dot(other.Normal, frame[0]), glm::dot(other.Normal, frame[1]) },
+        1.0 - square, answers[which] });
+    }
+  };
   for (int k = 0; k < 27; ++k)
   {
     const auto found = this->Cells.find(
@@ -85,17 +101,21 @@ void Neighbours::FindRows(
     {
       continue;
     }
-    for (std::size_t at = found->second.first; at < found->second.second; ++at)
+    // Of a crowded cell some sites tell what all of them would.
+    const auto [first, last] = found->second;
+    const std::size_t step = (last - first + MostOfCell - 1) / MostOfCell;
+    for (std::size_t at = first; at < last; at += step)
     {
-      const Site& other = this->Sites[this->Order[at]];
-      const glm::vec3 d = (other.Position - site.Position) / this->Reach;
-      const float square = glm::dot(d, d);
-      if (square < 1.f && glm::dot(other.Normal, site.Normal) > LeastCosine)
-      {
-        rows.push_back({ { 1.0, glm::dot(d, frame[0]), glm::dot(d, frame[1]),
-                           glm::dot(other.Normal, frame[0]), glm::dot(other.Normal, frame[1]) },
-          1.0 - square, answers[this->Order[at]] });
-      }
+      add(this->Order[at]);
+    }
+    // The site asked for is among them: a cell's sites are in their order.
+    const auto begin = this->Order.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto own =
+      std::lower_bound(begin, begin + static_cast<std::ptrdiff_t>(last - first), index);
+    const auto place = static_cast<std::size_t>(own - begin);
+    if (step > 1 && place < last - first && *own == index && place % step != 0)
+    {
+      add(index);
     }
   }
   float variance = 0.f;

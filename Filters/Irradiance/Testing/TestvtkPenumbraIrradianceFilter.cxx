@@ -4,6 +4,7 @@
 // Baked occlusion against closed forms.
 #include "vtkPenumbraIrradianceFilter.h"
 
+#include "Adversaries.h"
 #include "FadingOcclusion.h"
 
 #include "vtkAppendFilter.h"
@@ -32,6 +33,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -368,6 +370,37 @@ TEST(vtkPenumbraIrradianceFilter, ComputesNormalsWhereThoseOfTheMeshAreTooFew)
     EXPECT_EQ(values->GetComponent(i, 0), expected->GetComponent(i, 0)) << i;
   }
   EXPECT_NE(warnings.find("1 normals of points"), std::string::npos) << warnings;
+}
+
+TEST(vtkPenumbraIrradianceFilter, TurnsThePolygonsAroundACrowdedPointOneWayRound)
+{
+  const vtkSmartPointer<vtkPolyData> fan = penumbra::FindAdversary("Fan")->Make(1500);
+  vtkNew<vtkPolyData> mixed;
+  mixed->DeepCopy(fan);
+  for (vtkIdType cell = 1; cell < fan->GetNumberOfCells(); cell += 1 + cell % 3)
+  {
+    mixed->GetPolys()->ReverseCellAtId(cell);
+  }
+  const auto bake = [](vtkPolyData* mesh) {
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(mesh);
+    filter->Update();
+    vtkDataArray* baked = OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion");
+    std::vector<double> values;
+    for (vtkIdType i = 0; baked && i < baked->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(baked->GetTuple1(i));
+    }
+    return values;
+  };
+  const std::vector<double> expected = bake(fan);
+  const std::vector<double> found = bake(mixed);
+  ASSERT_EQ(found.size(), 1501u);
+  ASSERT_EQ(expected.size(), found.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], expected[i], 0.02) << i;
+  }
 }
 
 TEST(vtkPenumbraIrradianceFilter, LetsNoPolygonBlockThatIsNotFinite)

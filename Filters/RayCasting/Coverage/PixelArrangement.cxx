@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace penumbra
 {
@@ -92,17 +93,23 @@ glm::dvec2 PixelArrangement::Trapezoid::Centroid() const
   return this->At(u, 0.5);
 }
 
-void PixelArrangement::Build(const PixelSegment* segments, int count)
+bool PixelArrangement::Build(const PixelSegment* segments, int count, const Limits& limits)
 {
-  this->CollectEvents(segments, count);
-  this->CutSlabs(segments, count);
+  if (!this->CollectEvents(segments, count, limits.Crossings) ||
+    !this->CutSlabs(segments, count, limits.Trapezoids))
+  {
+    return false;
+  }
   this->JoinSlabs(segments, count);
   this->CollectFaces();
+  return true;
 }
 
-void PixelArrangement::CollectEvents(const PixelSegment* segments, int count)
+bool PixelArrangement::CollectEvents(
+  const PixelSegment* segments, int count, std::size_t mostCrossings)
 {
   this->Events.assign({ 0.0, 1.0 });
+  std::size_t crossings = 0;
   for (int i = 0; i < count; ++i)
   {
     this->Events.push_back(segments[i].A.x);
@@ -112,6 +119,10 @@ void PixelArrangement::CollectEvents(const PixelSegment* segments, int count)
       double x;
       if (CrossAt(segments[i], segments[j], x))
       {
+        if (++crossings > mostCrossings)
+        {
+          return false;
+        }
         this->Events.push_back(x);
       }
     }
@@ -128,9 +139,10 @@ void PixelArrangement::CollectEvents(const PixelSegment* segments, int count)
   }
   this->Events.resize(kept);
   this->Events.back() = 1.0;
+  return true;
 }
 
-void PixelArrangement::CutSlabs(const PixelSegment* segments, int count)
+bool PixelArrangement::CutSlabs(const PixelSegment* segments, int count, std::size_t mostTrapezoids)
 {
   this->Trapezoids.clear();
   this->SlabBegin.assign(1, 0);
@@ -166,7 +178,12 @@ void PixelArrangement::CutSlabs(const PixelSegment* segments, int count)
     t.Top1 = 1.0;
     this->Trapezoids.push_back(t);
     this->SlabBegin.push_back(static_cast<int>(this->Trapezoids.size()));
+    if (this->Trapezoids.size() > mostTrapezoids)
+    {
+      return false;
+    }
   }
+  return true;
 }
 
 int PixelArrangement::Root(int trapezoid)
@@ -253,6 +270,7 @@ void PixelArrangement::CollectFaces()
   this->Faces[this->Trapezoids[this->SlabBegin[1] - 1].Face].Corners |= 4u;
   this->Faces[this->Trapezoids[count - 1].Face].Corners |= 8u;
 
+  this->ListTrapezoids();
   for (std::size_t f = 0; f < this->Faces.size(); ++f)
   {
     Face& face = this->Faces[f];
@@ -265,38 +283,60 @@ void PixelArrangement::CollectFaces()
       continue;
     }
     const Trapezoid* largest = nullptr;
-    for (const Trapezoid& t : this->Trapezoids)
-    {
-      if (t.Face == static_cast<int>(f) && (!largest || t.Area() > largest->Area()))
-      {
-        largest = &t;
-      }
-    }
+    this->VisitTrapezoids(f,
+      [&](const Trapezoid& t) { largest = !largest || t.Area() > largest->Area() ? &t : largest; });
     const glm::dvec2 inside = largest->Centroid();
     face.Offset = glm::distance(inside, face.Point);
     face.Point = inside;
   }
 }
 
+void PixelArrangement::ListTrapezoids()
+{
+  this->FaceBegin.assign(this->Faces.size() + 1, 0);
+  for (const Trapezoid& t : this->Trapezoids)
+  {
+    ++this->FaceBegin[t.Face + 1];
+  }
+  std::partial_sum(this->FaceBegin.begin(), this->FaceBegin.end(), this->FaceBegin.begin());
+  this->OfFaces.resize(this->Trapezoids.size());
+  // From the last on, so that the ends become the beginnings.
+  for (std::size_t i = this->Trapezoids.size(); i-- > 0;)
+  {
+    this->OfFaces[--this->FaceBegin[this->Trapezoids[i].Face + 1]] = static_cast<int>(i);
+  }
+  this->FaceBegin.erase(this->FaceBegin.begin());
+  this->FaceBegin.push_back(static_cast<int>(this->Trapezoids.size()));
+}
+
 int PixelArrangement::FaceAt(glm::dvec2 p) const
+{
+  if (!(p.x >= 0.0 && p.x <= 1.0))
+  {
+    return -1;
+  }
+  const auto end = std::lower_bound(this->Events.begin() + 1, this->Events.end(), p.x);
+  const auto slab = static_cast<std::size_t>(end - this->Events.begin()) - 1;
+  const int face = this->FaceInSlab(slab, p);
+  // A point on the line between two slabs lies in both.
+  const bool onLine = p.x == *end && slab + 2 < this->SlabBegin.size();
+  return face < 0 && onLine ? this->FaceInSlab(slab + 1, p) : face;
+}
+
+int PixelArrangement::FaceInSlab(std::size_t slab, glm::dvec2 p) const
 {
   // Inside means well inside, relative to the trapezoid's own height.
   constexpr double Margin = 1e-3;
-  for (const Trapezoid& t : this->Trapezoids)
-  {
-    if (p.x >= t.X0 && p.x <= t.X1)
-    {
-      const double u = (p.x - t.X0) / (t.X1 - t.X0);
-      const double bottom = t.Bottom0 + u * (t.Bottom1 - t.Bottom0);
-      const double top = t.Top0 + u * (t.Top1 - t.Top0);
-      const double margin = Margin * (top - bottom);
-      if (p.y > bottom + margin && p.y < top - margin)
-      {
-        return t.Face;
-      }
-    }
-  }
-  return -1;
+  const Trapezoid* const first = this->Trapezoids.data() + this->SlabBegin[slab];
+  const Trapezoid* const end = this->Trapezoids.data() + this->SlabBegin[slab + 1];
+  const double u = (p.x - first->X0) / (first->X1 - first->X0);
+  const auto bottomOf = [=](const Trapezoid& t) { return t.Bottom0 + u * (t.Bottom1 - t.Bottom0); };
+  const auto topOf = [=](const Trapezoid& t) { return t.Top0 + u * (t.Top1 - t.Top0); };
+  const Trapezoid* const found = std::partition_point(first, end,
+    [&](const Trapezoid& t) { return !(p.y < topOf(t) - Margin * (topOf(t) - bottomOf(t))); });
+  return found != end && p.y > bottomOf(*found) + Margin * (topOf(*found) - bottomOf(*found))
+    ? found->Face
+    : -1;
 }
 
 }

@@ -10,6 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace penumbra
@@ -60,17 +62,38 @@ public:
     unsigned int Corners = 0; ///< bit i: contains corner (i & 1, i >> 1) of the pixel
   };
 
-  /// Cuts the pixel by `count` segments, each inside the unit square (ClipToPixel).
-  void Build(const PixelSegment* segments, int count);
+  /// What an arrangement may grow to.
+  struct Limits
+  {
+    std::size_t Crossings = std::numeric_limits<std::size_t>::max();
+    std::size_t Trapezoids = std::numeric_limits<std::size_t>::max();
+  };
+
+  /// Cuts the pixel by `count` segments, each inside the unit square (ClipToPixel). False, and nothing
+  /// to be read, where that takes more than the limits allow.
+  bool Build(const PixelSegment* segments, int count, const Limits& limits);
+  void Build(const PixelSegment* segments, int count) { this->Build(segments, count, Limits()); }
 
   const std::vector<Face>& GetFaces() const { return this->Faces; }
   const std::vector<Trapezoid>& GetTrapezoids() const { return this->Trapezoids; }
 
+  /// Calls visit(trapezoid) for those of a face, in their order.
+  template <typename Visit>
+  void VisitTrapezoids(std::size_t face, Visit visit) const
+  {
+    for (int i = this->FaceBegin[face]; i < this->FaceBegin[face + 1]; ++i)
+    {
+      visit(this->Trapezoids[this->OfFaces[i]]);
+    }
+  }
+
 private:
-  void CollectEvents(const PixelSegment* segments, int count);
-  void CutSlabs(const PixelSegment* segments, int count);
+  bool CollectEvents(const PixelSegment* segments, int count, std::size_t mostCrossings);
+  bool CutSlabs(const PixelSegment* segments, int count, std::size_t mostTrapezoids);
   void JoinSlabs(const PixelSegment* segments, int count);
   void CollectFaces();
+  void ListTrapezoids();
+  int FaceInSlab(std::size_t slab, glm::dvec2 p) const;
   int Root(int trapezoid);
   int FaceAt(glm::dvec2 p) const;
 
@@ -84,6 +107,8 @@ private:
   std::vector<Trapezoid> Trapezoids;
   std::vector<int> Parent;
   std::vector<Face> Faces;
+  std::vector<int> FaceBegin; ///< of each face the first in OfFaces, and the end
+  std::vector<int> OfFaces;   ///< trapezoids, face by face
   std::vector<Crossing> Crossings;
   std::vector<glm::dvec2> Barriers;
 };

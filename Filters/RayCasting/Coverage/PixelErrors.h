@@ -32,6 +32,19 @@ inline double OcclusionSlack(double area)
   return 0.5 / std::sqrt(area);
 }
 
+// How many well-spread samples bring the error of a pixel that straight borders cross, of any contrast,
+// down to `tolerance`; a power of two, from 64 to 4,096. It is what such a pixel may cost.
+inline int SamplesFor(double tolerance)
+{
+  const double enough = std::pow(0.5 / std::max(tolerance, 1e-6), 4.0 / 3.0);
+  int samples = 64;
+  while (samples < enough && samples < 4096)
+  {
+    samples *= 2;
+  }
+  return samples;
+}
+
 inline float MaximumDifference(const glm::vec4& a, const glm::vec4& b)
 {
   const glm::vec4 d = glm::abs(a - b);

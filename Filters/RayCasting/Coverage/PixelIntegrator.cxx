@@ -106,6 +106,10 @@ PixelResult PixelIntegrator::Integrate(
   {
     this->LoadSegments(edgeIndices, count, true);
   }
+  if (density == Density::Sparse && count > MostEdges)
+  {
+    return this->Sampled();
+  }
   if (density == Density::Dense || count > MostEdges ||
     (density == Density::Crowded && this->Segments.size() > MostEdgesInCrowd))
   {

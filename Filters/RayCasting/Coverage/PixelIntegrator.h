@@ -104,6 +104,7 @@ private:
   PixelResult Subdivide(bool byObject);
   PixelResult Uniform(int side);
   PixelResult UniformAdaptive();
+  PixelResult Sampled();
   void See(const Sample& sample);
   void SeeAround();
   void Probe();

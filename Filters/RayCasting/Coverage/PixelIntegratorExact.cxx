@@ -25,6 +25,8 @@ constexpr double TouchingDepth = 16.0;
 constexpr double SmallestProbe = 0.02;
 // Triangles of one pixel that are tested for passing through each other.
 constexpr std::size_t MostTrianglesSeen = 24;
+// Trapezoids that cost about as much as a ray.
+constexpr std::size_t TrapezoidsPerRay = 16;
 // How much the colour is taken to vary across a piece of surface of which one sample is known.
 constexpr float UnknownVariation = 0.25f;
 
@@ -282,15 +284,14 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
   PixelResult result;
   float area = 0.f;
   float squares = 0.f;
-  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
-  {
-    if (t.Face == static_cast<int>(index) && t.Area() > SmallestFace)
+  this->Arrangement.VisitTrapezoids(index, [&](const PixelArrangement::Trapezoid& t) {
+    if (t.Area() > SmallestFace)
     {
       const Sample middle = this->Trace(t.Centroid(), t.Area());
       this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, middle, result.Color, squares);
       area += static_cast<float>(t.Area());
     }
-  }
+  });
   if (!(area > 0.f))
   {
     // Nothing but slivers: one ray for all of them.
@@ -346,12 +347,23 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
 
 PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t count)
 {
-  ++(this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border);
+  long long& counted = this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border;
+  ++counted;
   this->SeeAround();
   bool probed = !this->Pierced;
+  // As soon as the arrangement costs more than rays that would do as well, those are traced instead.
+  const long long rays = SamplesFor(this->Settings.Tolerance);
+  const long long mostRays = this->Rays.Refinement + rays;
+  const PixelArrangement::Limits limits{ static_cast<std::size_t>(rays),
+    static_cast<std::size_t>(rays) * TrapezoidsPerRay };
   for (;;)
   {
-    this->Arrangement.Build(this->Segments.data(), static_cast<int>(this->Segments.size()));
+    if (!this->Arrangement.Build(
+          this->Segments.data(), static_cast<int>(this->Segments.size()), limits))
+    {
+      --counted;
+      return this->Sampled();
+    }
     if (!probed)
     {
       probed = true;
@@ -372,6 +384,11 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       if (area < SmallestFace)
       {
         continue;
+      }
+      if (this->Rays.Refinement > mostRays)
+      {
+        --counted;
+        return this->Sampled();
       }
       const PixelResult face = this->FaceColor(i);
       const float weight = static_cast<float>(area);

@@ -140,3 +140,48 @@ TEST(PixelArrangement, PutsThePointOfEachFaceInside)
     EXPECT_NEAR(face.Area, inner ? 0.36 : 0.64, 1e-12);
   }
 }
+
+TEST(PixelArrangement, StopsAtItsLimits)
+{
+  std::vector<PixelSegment> segments;
+  for (int i = 0; i < 20; ++i) // a grid of 400 crossings, 441 faces
+  {
+    const double at = (i + 0.5) / 20.0;
+    segments.push_back({ { 0.0, at }, { 1.0, at } });
+    segments.push_back({ { at - 1e-3, 0.0 }, { at + 1e-3, 1.0 } });
+  }
+  const int count = static_cast<int>(segments.size());
+  PixelArrangement arrangement;
+  EXPECT_FALSE(arrangement.Build(segments.data(), count, { 399, 1000000 }));
+  EXPECT_FALSE(arrangement.Build(segments.data(), count, { 400, 2000 }));
+  ASSERT_TRUE(arrangement.Build(segments.data(), count, { 400, 1000000 }));
+  EXPECT_EQ(arrangement.GetFaces().size(), 441u);
+}
+
+TEST(PixelArrangement, ListsTheTrapezoidsOfEachFaceInOrder)
+{
+  std::vector<PixelSegment> segments;
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> coordinate(0.0, 1.0);
+  for (int i = 0; i < 40; ++i)
+  {
+    segments.push_back({ { coordinate(generator), coordinate(generator) },
+      { coordinate(generator), coordinate(generator) } });
+  }
+  const PixelArrangement arrangement = Arrange(segments);
+  std::size_t visited = 0;
+  for (std::size_t face = 0; face < arrangement.GetFaces().size(); ++face)
+  {
+    double area = 0.0;
+    const PixelArrangement::Trapezoid* last = nullptr;
+    arrangement.VisitTrapezoids(face, [&](const PixelArrangement::Trapezoid& t) {
+      EXPECT_EQ(t.Face, static_cast<int>(face));
+      EXPECT_LT(last, &t);
+      last = &t;
+      area += t.Area();
+      ++visited;
+    });
+    EXPECT_DOUBLE_EQ(area, arrangement.GetFaces()[face].Area);
+  }
+  EXPECT_EQ(visited, arrangement.GetTrapezoids().size());
+}

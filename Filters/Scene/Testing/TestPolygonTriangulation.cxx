@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
 
 using namespace penumbra;
 
@@ -35,6 +39,86 @@ std::pair<double, double> Areas(const Corners& corners)
   return { positive, signedSum };
 }
 
+/// Every corner asked about every other, again and again.
+Triangles CutSlowly(const Corners& corners)
+{
+  glm::dvec3 normal(0.0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+  {
+    normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  }
+  const auto side = [&](unsigned int p, unsigned int q, unsigned int x) {
+    return glm::dot(glm::cross(corners[q] - corners[p], corners[x] - corners[p]), normal);
+  };
+  std::vector<unsigned int> ring(corners.size());
+  std::iota(ring.begin(), ring.end(), 0u);
+  Triangles triangles;
+  std::size_t i = 1;
+  while (ring.size() > 3)
+  {
+    const std::size_t size = ring.size();
+    std::size_t looked = 0;
+    for (; looked < size; ++looked, ++i)
+    {
+      const unsigned int a = ring[(i + size - 1) % size];
+      const unsigned int b = ring[i % size];
+      const unsigned int c = ring[(i + 1) % size];
+      if (side(a, b, c) > 0.0 && std::none_of(ring.begin(), ring.end(), [&](unsigned int x) {
+            return x != a && x != b && x != c && side(a, b, x) > 0.0 && side(b, c, x) > 0.0 &&
+              side(c, a, x) > 0.0;
+          }))
+      {
+        break;
+      }
+    }
+    i %= size;
+    triangles.emplace_back(ring[(i + size - 1) % size], ring[i], ring[(i + 1) % size]);
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+    i %= ring.size();
+  }
+  triangles.emplace_back(ring[(i + 2) % 3], ring[i], ring[(i + 1) % 3]);
+  return triangles;
+}
+
+/// Teeth that lean over: no corner between them is an ear before what is above it has gone.
+Corners LeaningComb(int size)
+{
+  Corners comb{ { -1, 0, 0 }, { size, 0, 0 } };
+  for (int i = size; i-- > 0;)
+  {
+    comb.emplace_back(i + (i & 1 ? 40.0 : 0.0), i & 1 ? 100.0 : 1.0 + .25 * i / size, 0.0);
+  }
+  return comb;
+}
+
+}
+
+TEST(PolygonTriangulation, WalksThroughManyCornersAsThroughFew)
+{
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> radius(.2, 1.0);
+  for (const int size : { 64, 65, 100, 300 })
+  {
+    Corners star;
+    Corners crossed; // by itself
+    for (int i = 0; i < size; ++i)
+    {
+      const double angle = 6.283185307179586 * i / size;
+      const double r = radius(generator);
+      star.emplace_back(r * std::cos(angle), r * std::sin(angle), .3 * r);
+      crossed.emplace_back(radius(generator), radius(generator), radius(generator));
+    }
+    for (const Corners& corners : { star, crossed, LeaningComb(size) })
+    {
+      EXPECT_EQ(Cut(corners), CutSlowly(corners)) << size;
+    }
+  }
+}
+
+TEST(PolygonTriangulation, CutsTensOfThousandsOfTeeth)
+{
+  const Corners comb = LeaningComb(50000);
+  EXPECT_EQ(Cut(comb).size(), comb.size() - 2);
 }
 
 TEST(PolygonTriangulation, IsAFanForConvexPolygons)
@@ -89,4 +173,11 @@ TEST(PolygonTriangulation, EndsOnPolygonsThatCrossThemselves)
   EXPECT_EQ(Cut(bow).size(), 3u);
   const Corners line{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 } };
   EXPECT_EQ(Cut(line).size(), 3u);
+}
+
+TEST(PolygonTriangulation, EndsOnManyCornersOneOfWhichIsNotANumber)
+{
+  Corners comb = LeaningComb(200);
+  comb[77].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(Cut(comb).size(), comb.size() - 2);
 }
