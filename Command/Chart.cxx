@@ -1,249 +1,50 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra chart: speed against accuracy of every method, measured and drawn.
-#include "Arguments.h"
-#include "ChartFamilies.h"
-#include "ChartPlot.h"
-#include "ChartTable.h"
-#include "Engine.h"
-#include "Failure.h"
-#include "InputFiles.h"
-#include "Peers.h"
-#include "PendingFile.h"
-#include "ProgressLine.h"
-#include "ReadLimit.h"
+// penumbra chart: starts the program penumbra-chart, as git starts the programs of its subcommands. The
+// charts use the references and scenes of the benchmarks, which the installed program does not contain.
+#include "Processes/Failure.h"
 #include "Subcommands.h"
-#include "Surfaces.h"
-#include "Worker.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-#include "vtkTriangleFilter.h"
-#include "vtkVersion.h"
+#include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <memory>
-#include <sstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
 
 namespace penumbra
 {
 
-namespace
+void ExecuteChartProgram(int argc, char** argv)
 {
-
-struct ChartOptions
-{
-  std::vector<std::string> Files;
-  std::string Output;
-  std::string Family = "all";
-  bool Quick = false;
-  std::string Window = "auto";
-  std::string Progress = "auto";
-};
-
-/// A file as one mesh of triangles, named without folder, ending and commas.
-ChartMesh ReadMesh(const std::string& path)
-{
-  EnterPhase(path, BadInput);
-  vtkNew<vtkAppendPolyData> append;
-  for (const vtkSmartPointer<vtkPolyData>& part : ReadSurfaces(path).Meshes)
+  if (argc < 2 || std::string(argv[1]) != "chart")
   {
-    append->AddInputData(part);
+    return;
   }
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(append->GetOutputPort());
-  triangles->PassLinesOff();
-  triangles->PassVertsOff();
-  triangles->Update();
-  if (triangles->GetOutput()->GetNumberOfPolys() == 0)
-  {
-    throw Failure(BadInput, path + ": it has no polygons; charts need surfaces");
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(triangles->GetOutput()->GetPoints());
-  mesh->SetPolys(triangles->GetOutput()->GetPolys());
-  std::string name = std::filesystem::path(path).stem().string();
-  std::replace(name.begin(), name.end(), ',', ' ');
-  return { name, mesh };
-}
-
-std::string Processor()
-{
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-  {
-    if (line.compare(0, 10, "model name") == 0)
-    {
-      return line.substr(line.find(':') + 2);
-    }
-  }
-  return "unknown processor";
-}
-
-std::vector<std::string> Remarks(const ChartFamily& family, const std::vector<Peer>& peers)
-{
-  char date[16];
-  const std::time_t now = std::time(nullptr);
-  std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  std::string others;
-  for (const Peer& peer : peers)
-  {
-    if (!peer.Path.empty() && peer.Joins == family.Name)
-    {
-      others += (others.empty() ? "" : ", ") + peer.Name + " " + peer.Version;
-    }
-  }
-  return { std::string("date: ") + date, "machine: " + Processor(),
-    "penumbra " PENUMBRA_VERSION ", VTK " + std::string(vtkVersion::GetVTKVersion()) +
-      ", compiler " __VERSION__,
-    "programs of others: " + (others.empty() ? "none" : others), "truth: " + family.Truth,
-    "seconds: CPU seconds of one thread" };
-}
-
-std::vector<ChartFamily> Families(const ChartOptions& options, const ChartRequest& request)
-{
-  using Make = ChartFamily (*)(const ChartRequest&);
-  const std::pair<const char*, Make> makers[] = { { "aa", AntialiasingFamily },
-    { "ao", OcclusionFamily }, { "irradiance", IrradianceFamily }, { "shafts", ShaftFamily } };
-  std::vector<ChartFamily> families;
-  for (const auto& [name, make] : makers)
-  {
-    if (options.Family == "all" || options.Family == name)
-    {
-      families.push_back(make(request));
-    }
-  }
-  return families;
-}
-
-/// How far from the Pareto front is what Penumbra chooses by itself: to a file and to the terminal.
-void WriteDistances(const std::string& path, const std::vector<ChartRow>& rows)
-{
-  std::ostringstream text;
-  text << "scene,method,setting,off,than,times its seconds,times its error,off by counts\n";
-  for (const ChartRow& row : rows)
-  {
-    if (row.Method.find("automatic") != std::string::npos)
-    {
-      const FrontDistance time = DistanceToFront(rows, row, &ChartRow::Seconds);
-      const double counts = DistanceToFront(rows, row, &ChartRow::Count).Off;
-      text << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << time.Off << ','
-           << time.Than << ',' << time.TimesCost << ',' << time.TimesError << ',' << counts << "\n";
-      std::cout << "  " << row.Scene << ": " << row.Method << ", " << row.Setting << ": "
-                << (time.Off > 0.0 ? std::to_string(std::lround(100.0 * time.Off)) +
-                         " % off the front, that is " + time.Than
-                                   : "on the front")
-                << "\n";
-    }
-  }
-  PendingFile file(path, "--output");
-  file.Write(text.str());
-  file.Commit();
-}
-
-void Measure(const ChartFamily& family, ChartTable& table, ProgressLine& progress)
-{
-  std::size_t done = 0;
-  for (const ChartStep& step : family.Steps)
-  {
-    progress.Show(family.Name + ": " + step.Scene + "; " + step.Method + "; " + step.Setting,
-      static_cast<double>(done++) / static_cast<double>(family.Steps.size()));
-    if (!table.Has(step.Scene, step.Method, step.Setting))
-    {
-      EnterPhase(family.Name + ", " + step.Method + ", " + step.Setting, MachineCannot);
-      const Measurement measured = step.Measure();
-      table.Add({ step.Scene, step.Method, step.Setting, step.Asked, measured.Error,
-        measured.Seconds, measured.Count });
-    }
-  }
-}
-
-int Chart(const ChartOptions& options)
-{
-  for (const std::string& file : options.Files)
-  {
-    RecordInput(file);
-  }
+  const char* name = "penumbra-chart";
   std::error_code error;
-  std::filesystem::create_directories(options.Output, error);
-  if (error)
-  {
-    throw Failure(BadInput, "--output " + options.Output + ": " + error.message());
-  }
-  EnterPhase("the chart's window", MachineCannot);
-  ChooseWindow(options.Window);
-  // One thread, so that its CPU seconds are what a method costs.
-  setenv("LP_NUM_THREADS", "0", 1);
-  vtkSMPTools::Initialize(1);
-  ChartRequest request;
-  request.Quick = options.Quick;
-  std::string subject = options.Quick ? "quick" : "full";
-  for (const std::string& file : options.Files)
-  {
-    request.Meshes.push_back(ReadMesh(file));
-    subject += ", " + request.Meshes.back().Name;
-  }
-  ProgressLine progress(options.Progress);
-  request.Peers = options.Quick ? std::vector<Peer>() : FindPeers();
-  for (const Peer& peer : request.Peers)
-  {
-    std::cout << Describe(peer) << "\n";
-  }
-  for (const ChartFamily& family : Families(options, request))
-  {
-    const std::string path = options.Output + "/" + family.Name;
-    ChartTable table(path + ".csv", family.Name + ", " + subject, Remarks(family, request.Peers));
-    Measure(family, table, progress);
-    EnterPhase("drawing " + path, MachineCannot);
-    const std::vector<ChartPanel> panels = PanelsOf(table.GetRows());
-    WriteChartPng(family, panels, path + ".png");
-    WriteChartSvg(family, panels, path + ".svg");
-    progress.Clear();
-    WriteDistances(path + "-front.csv", table.GetRows());
-    std::cout << path << ".csv .png .svg: " << table.GetRows().size() << " steps\n" << std::flush;
-  }
-  return Done;
-}
-
-}
-
-double CpuSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string beside = (self.parent_path() / name).string();
+  std::string program = name;
+  std::vector<char*> arguments = { program.data() };
+  arguments.insert(arguments.end(), argv + 2, argv + argc);
+  arguments.push_back(nullptr);
+  execv(beside.c_str(), arguments.data());
+  execvp(name, arguments.data());
 }
 
 Action DeclareChart(CLI::App& program)
 {
-  const auto options = std::make_shared<ChartOptions>();
   CLI::App* app =
     program.add_subcommand("chart", "Measure speed against accuracy of every method, and draw it");
-  app->add_option("FILE", options->Files, "Meshes; default: built-in scenes")->type_name("");
-  app
-    ->add_option("--output", options->Output,
-      "Folder for one .csv, .png and .svg a family; steps that it holds are not measured again")
-    ->required()
-    ->type_name("DIR")
-    ->take_last();
-  AddChoice(*app, "--family", options->Family, { "ao", "aa", "irradiance", "shafts", "all" },
-    "ao: ambient occlusion; aa: antialiasing; irradiance: the cache; shafts: light shafts");
-  app->add_flag("--quick", options->Quick, "Small pictures and few steps: seconds a family");
-  AddChoice(*app, "--window", options->Window, { "auto", "osmesa", "egl", "x" },
-    "Kind of OpenGL window; auto: the first that works here");
-  AddReadLimitOption(*app);
-  AddChoice(*app, "--progress", options->Progress, { "auto", "bar", "plain", "none" },
-    "How progress is shown on stderr; auto: a bar on a terminal");
-  return [options]() {
-    return RunWorkers(
-      1, 1, [&](int) { return Chart(*options); }, [](int) {});
+  app->prefix_command();
+  app->set_help_flag();
+  return []() -> int {
+    throw Failure(MachineCannot,
+      "chart: the program penumbra-chart is neither next to penumbra nor in PATH; it is built with "
+      "the tests (BUILD_TESTING=ON)");
   };
 }
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra compare: how far a picture is from its baselines.
-#include "Arguments.h"
-#include "Failure.h"
-#include "InputFiles.h"
-#include "PendingFile.h"
-#include "Pictures.h"
-#include "ReadLimit.h"
+#include "Files/InputFiles.h"
+#include "Files/PendingFile.h"
+#include "Files/Pictures.h"
+#include "Input/ReadLimit.h"
+#include "Parsing/Arguments.h"
+#include "Processes/Failure.h"
+#include "Processes/Worker.h"
 #include "Subcommands.h"
-#include "Worker.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

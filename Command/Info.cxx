@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra info: what runs on this machine.
-#include "Engine.h"
-#include "Failure.h"
-#include "MessageLog.h"
+#include "Engines/Engine.h"
+#include "Processes/Failure.h"
+#include "Processes/MessageLog.h"
+#include "Processes/Worker.h"
 #include "Subcommands.h"
-#include "Worker.h"
 
 #include "vtkSMPTools.h"
 #include "vtkVersion.h"

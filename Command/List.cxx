@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra list: what this version offers.
-#include "Colormaps.h"
-#include "Failure.h"
-#include "Pictures.h"
-#include "Readers.h"
+#include "Files/Pictures.h"
+#include "Input/Readers.h"
+#include "Options/Colormaps.h"
+#include "Processes/Failure.h"
 #include "Subcommands.h"
 
 #include "vtkPenumbraKernels.h"

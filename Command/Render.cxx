@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra render: meshes to pictures.
-#include "Drawing.h"
-#include "Engine.h"
-#include "Failure.h"
-#include "MessageLog.h"
-#include "ProgressLine.h"
-#include "RenderOptions.h"
-#include "Report.h"
-#include "SceneBuilder.h"
+#include "Engines/Drawing.h"
+#include "Engines/Engine.h"
+#include "Files/Report.h"
+#include "Options/RenderOptions.h"
+#include "Processes/Failure.h"
+#include "Processes/MessageLog.h"
+#include "Processes/ProgressLine.h"
+#include "Processes/Worker.h"
+#include "Scene/SceneBuilder.h"
 #include "Subcommands.h"
-#include "Worker.h"
 
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"

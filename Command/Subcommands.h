@@ -6,17 +6,10 @@
 #ifndef penumbra_Subcommands_h
 #define penumbra_Subcommands_h
 
-#include <functional>
-
-namespace CLI
-{
-class App;
-}
+#include "Parsing/Program.h"
 
 namespace penumbra
 {
-
-using Action = std::function<int()>;
 
 Action DeclareRender(CLI::App& program);
 Action DeclareAnimate(CLI::App& program);
@@ -25,6 +18,10 @@ Action DeclareChart(CLI::App& program);
 Action DeclareCompare(CLI::App& program);
 Action DeclareList(CLI::App& program);
 Action DeclareInfo(CLI::App& program);
+
+/// If the subcommand is `chart`, replaces this process by the program `penumbra-chart`, which is not
+/// part of the installed package. Returns for any other subcommand, and if there is no such program.
+void ExecuteChartProgram(int argc, char** argv);
 
 }
 #endif

@@ -1,115 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The program: parses the command line, runs one subcommand, turns every failure into one line on
-// stderr and an exit status.
-#include "Failure.h"
-#include "KeepMemory.h"
-#include "MessageLog.h"
-#include "RenderOptions.h"
+// The program `penumbra`.
+#include "Parsing/Program.h"
 #include "Subcommands.h"
-#include "Worker.h"
-
-#include "vtkVersion.h"
-
-#include <algorithm>
-#include <csignal>
-#include <iostream>
-#include <map>
-
-#include <fcntl.h>
-#include <unistd.h>
-
-namespace
-{
-
-using namespace penumbra;
-
-// CLI11's messages in the form of ours; options of later versions by name.
-std::string Explain(const CLI::App& program, const CLI::ParseError& error)
-{
-  const std::vector<CLI::App*> chosen = program.get_subcommands();
-  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  const std::string hint = "; see `penumbra" + command + " --help`";
-  const std::vector<std::string> extras = program.remaining(true);
-  const bool lacking = dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (lacking && !extras.empty()))
-  {
-    const std::string first = extras.empty() ? "" : extras.front();
-    const std::string option = first.substr(0, first.find('='));
-    if (chosen.empty() && first.rfind('-', 0) != 0)
-    {
-      return first + ": unknown subcommand" + hint;
-    }
-    return option + ": unknown option" + hint;
-  }
-  if (lacking)
-  {
-    return "no subcommand given" + hint;
-  }
-  return error.what() + hint;
-}
-
-// A standard stream that is closed would be the number of the next file opened, and messages would end
-// up in a picture. Writing to such a standard output still fails.
-void OccupyStandardStreams()
-{
-  for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
-  {
-    if (fcntl(stream, F_GETFD) < 0)
-    {
-      open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
-    }
-  }
-}
-
-int Run(int argc, char** argv)
-{
-  CLI::App program("Penumbra: how much of it is visible?", "penumbra");
-  program.get_formatter()->column_width(44);
-  program.set_version_flag("--version",
-    std::string("penumbra ") + PENUMBRA_VERSION + " (VTK " + vtkVersion::GetVTKVersion() + ")");
-  program.footer(
-    "Exit status: 0 done, 1 comparison above its threshold, 2 bad use or bad input, 3 the "
-    "machine cannot.\nThe commands' own options: penumbra COMMAND --help");
-  const std::map<std::string, Action> actions = { { "render", DeclareRender(program) },
-    { "animate", DeclareAnimate(program) }, { "bake", DeclareBake(program) },
-    { "chart", DeclareChart(program) }, { "compare", DeclareCompare(program) },
-    { "list", DeclareList(program) }, { "info", DeclareInfo(program) } };
-  program.require_subcommand(1);
-  try
-  {
-    program.parse(argc, argv);
-  }
-  catch (const CLI::Success& help)
-  {
-    program.exit(help, std::cout, std::cout);
-    return Done;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    throw Failure(BadInput, Explain(program, error));
-  }
-  return actions.at(program.get_subcommands().front()->get_name())();
-}
-
-}
 
 int main(int argc, char** argv)
 {
-  OccupyStandardStreams();
-  KeepFreedMemory();
-  OpenLog();
-  std::signal(SIGCHLD, SIG_DFL); // Were it ignored, nobody would hear how a process ended.
-  std::signal(SIGXFSZ, SIG_IGN); // A write beyond a quota then fails with a message.
-  try
-  {
-    return RunGuarded([&]() { return Run(argc, argv); });
-  }
-  catch (const Cancelled& cancelled)
-  {
-    std::signal(cancelled.Signal, SIG_DFL);
-    std::raise(cancelled.Signal); // So that a shell, too, sees what ended the program.
-  }
-  return MachineCannot;
+  using namespace penumbra;
+  ExecuteChartProgram(argc, argv);
+  return RunProgram(argc, argv,
+    { { "render", DeclareRender }, { "animate", DeclareAnimate }, { "bake", DeclareBake },
+      { "chart", DeclareChart }, { "compare", DeclareCompare }, { "list", DeclareList },
+      { "info", DeclareInfo } });
 }

@@ -5,9 +5,9 @@
 #ifndef penumbra_Benchmark_h
 #define penumbra_Benchmark_h
 
-#include "Measure.h"
+#include "BruteForce/Measure.h"
 #include "Table.h"
-#include "TestScene.h"
+#include "Scenes/TestScene.h"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "Baking/MeshSites.h"
 #include "Embree/RayScene.h"
-#include "Measure.h"
+#include "BruteForce/Measure.h"
 #include "Meshes.h"
 #include "Pictures.h"
 #include "Rivals.h"

@@ -5,7 +5,7 @@
 #include "Benchmark.h"
 
 #include "Embree/RayScene.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkNew.h"
 #include "vtkPenumbraIrradianceCache.h"

@@ -4,11 +4,11 @@
 // Rays and cube maps look around in one room, and in a building of which a point sees little.
 #include "Benchmark.h"
 
-#include "Building.h"
+#include "Scenes/Building.h"
 #include "Embree/RayScene.h"
 #include "Gathering/HemisphereGrid.h"
 #include "Gathering/RayGatherer.h"
-#include "Measure.h"
+#include "BruteForce/Measure.h"
 #include "Shading/CosineDirections.h"
 
 #include "vtkNew.h"

@@ -5,11 +5,11 @@
 #include "Benchmark.h"
 
 #include "Embree/RayScene.h"
-#include "PathTracer.h"
+#include "BruteForce/PathTracer.h"
 #include "Pictures.h"
 #include "Rivals.h"
 #include "Shading/Illumination.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

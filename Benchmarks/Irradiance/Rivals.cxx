@@ -15,7 +15,7 @@ void CompareTimes(Table& table, const std::string& scene, const Rival& rival, do
   {
     return;
   }
-  const std::string command = "'" + rival.Python + "' Benchmarks/peers/" + rival.Script;
+  const std::string command = "'" + rival.Python + "' Benchmarks/Peers/scripts/" + rival.Script;
   FILE* answers = popen(command.c_str(), "r");
   if (!answers)
   {

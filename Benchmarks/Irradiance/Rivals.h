@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Programs of others on the same scenes: Benchmarks/peers/radiance.py and meshlab.py.
+// Programs of others on the same scenes: Benchmarks/Peers/scripts/radiance.py and meshlab.py.
 #ifndef penumbra_irradiance_Rivals_h
 #define penumbra_irradiance_Rivals_h
 

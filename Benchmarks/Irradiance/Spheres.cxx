@@ -6,9 +6,9 @@
 #include "Benchmark.h"
 
 #include "Embree/RayScene.h"
-#include "Measure.h"
+#include "BruteForce/Measure.h"
 #include "Rivals.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -4,7 +4,7 @@
 // The marched reference: a half-plane keeps light from straight above off one side, the medium has a
 // flat top; in closed form, by the ray caster, by POV-Ray's media.
 #include "Benchmark.h"
-#include "HalfPlaneInHaze.h"
+#include "ClosedForms/HalfPlaneInHaze.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -146,7 +146,7 @@ Run ByPovRay(const ShaftBenchmark& benchmark, const std::vector<double>& exact, 
 Run ByMitsuba(const ShaftBenchmark& benchmark, int samples, std::string& version)
 {
   const std::string answer = benchmark.Output + "/volpath.txt";
-  const std::string command = "'" + benchmark.Mitsuba + "' Benchmarks/peers/volpath.py " +
+  const std::string command = "'" + benchmark.Mitsuba + "' Benchmarks/Peers/scripts/volpath.py " +
     std::to_string(samples) + " >'" + answer + "'";
   if (std::system(command.c_str()) != 0)
   {

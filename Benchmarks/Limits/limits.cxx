@@ -3,7 +3,7 @@
 //
 // What scenes made to be dear cost: CPU seconds at n, 2 n and 4 n primitives, the exponent of their
 // growth, rays per pixel and the error that is believed to be left.
-#include "Adversaries.h"
+#include "Scenes/Adversaries.h"
 #include "vtkPenumbraBruteForceSource.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPenumbraRayCaster.h"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The same scene through a program that a script of Benchmarks/peers drives: triangles of even colours,
+// The same scene through a program that a script of Benchmarks/Peers/scripts drives: triangles of even colours,
 // their light already in them, so that only what happens at borders differs between programs.
 #ifndef penumbra_Faces_h
 #define penumbra_Faces_h
 
-#include "BruteForce.h"
+#include "BruteForce/BruteForce.h"
 #include "Peers.h"
 
 #include <string>

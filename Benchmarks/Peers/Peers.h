@@ -16,7 +16,7 @@ struct Peer
   std::string Name;
   std::string Program;               ///< or, with a script, the variable that names its Python
   std::string Joins;                 ///< the family of charts
-  std::string Script;                ///< of Benchmarks/peers, that drives it; empty: no script does
+  std::string Script;                ///< of Benchmarks/Peers/scripts, that drives it; empty: no script does
   std::vector<std::string> Settings; ///< of the script, from coarse to fine
   std::vector<std::string> LightSettings; ///< where there are lamps; empty: it knows none
   std::string Path; ///< of the program or Python here; empty: it is not installed

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The same scene, and the same places on its surfaces, through a program that a script of Benchmarks/peers
+// The same scene, and the same places on its surfaces, through a program that a script of Benchmarks/Peers/scripts
 // drives: what light arrives there.
 #ifndef penumbra_Places_h
 #define penumbra_Places_h

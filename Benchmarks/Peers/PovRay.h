@@ -5,7 +5,7 @@
 #ifndef penumbra_PovRay_h
 #define penumbra_PovRay_h
 
-#include "BruteForce.h"
+#include "BruteForce/BruteForce.h"
 
 #include <string>
 #include <vector>

@@ -3,9 +3,9 @@
 //
 // Flat shapes of one colour against their exact coverage: the error and the rays that they may
 // cost, wherever in space they lie and however the camera looks at them.
-#include "ExactCoverage.h"
-#include "Measure.h"
-#include "TestScene.h"
+#include "ClosedForms/ExactCoverage.h"
+#include "BruteForce/Measure.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Lit meshes in space against brute force and closed forms, and the same meshes told otherwise.
-#include "Measure.h"
-#include "TestScene.h"
+#include "BruteForce/Measure.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -3,8 +3,8 @@
 //
 // Ambient occlusion in pictures against a closed form: a floor beside a sphere that hovers over it out
 // of view, as one square, as a chequerboard and as triangles smaller than pixels.
-#include "Measure.h"
-#include "TestScene.h"
+#include "BruteForce/Measure.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

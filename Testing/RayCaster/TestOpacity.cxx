@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Transparency and the alpha of pictures without background, against closed forms and each other.
-#include "Measure.h"
-#include "TestScene.h"
+#include "BruteForce/Measure.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

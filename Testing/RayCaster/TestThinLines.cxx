@@ -3,9 +3,9 @@
 //
 // Lines and points thinner than a pixel: the light they send is that of their width and length, and
 // nowhere do they break. At 72 dots per inch a width in points is one in pixels.
-#include "ExactCoverage.h"
-#include "Measure.h"
-#include "TestScene.h"
+#include "ClosedForms/ExactCoverage.h"
+#include "BruteForce/Measure.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

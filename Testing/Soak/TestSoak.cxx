@@ -4,7 +4,7 @@
 // A long session in one process: data that changes, windows that come and go, passes put on and taken
 // off, pictures by rays and baked meshes in between. Nothing may fail and memory must stay flat.
 // PENUMBRA_SOAK_FRAMES sets the length; 2,000 is a night watch, the default a round.
-#include "TestScene.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

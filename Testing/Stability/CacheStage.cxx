@@ -3,7 +3,7 @@
 #include "CacheStage.h"
 
 #include "Embree/RayScene.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceSource.h"

@@ -6,7 +6,7 @@
 #include "Scenario.h"
 #include "Stage.h"
 
-#include "TestScene.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

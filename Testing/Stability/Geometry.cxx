@@ -6,9 +6,9 @@
 #include "Scenario.h"
 #include "Stage.h"
 
-#include "BruteForce.h"
-#include "ExactCoverage.h"
-#include "TestScene.h"
+#include "BruteForce/BruteForce.h"
+#include "ClosedForms/ExactCoverage.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -9,7 +9,7 @@
 
 #include "Embree/RayScene.h"
 #include "Records/PictureSites.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"

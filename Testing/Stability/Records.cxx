@@ -7,10 +7,10 @@
 #include "Scenario.h"
 
 #include "Embree/RayScene.h"
-#include "PathTracer.h"
+#include "BruteForce/PathTracer.h"
 #include "Records/Record.h"
 #include "Shading/Illumination.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
-#include "TestScene.h"
+#include "Scenes/TestScene.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkNew.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Gradients and bends of occlusion against closed forms.
-#include "FadingOcclusion.h"
+#include "ClosedForms/FadingOcclusion.h"
 #include "Records/Placement.h"
 #include "Shading/CosineDirections.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Light from cache and brute force against closed forms and against independent paths.
-#include "PathTracer.h"
+#include "BruteForce/PathTracer.h"
 #include "Records/PictureSites.h"
 #include "Shading/EnvironmentMap.h"
 #include "Shading/Illumination.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

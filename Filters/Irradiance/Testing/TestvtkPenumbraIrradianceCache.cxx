@@ -5,10 +5,10 @@
 #include "vtkPenumbraIrradianceCache.h"
 
 #include "Embree/RayScene.h"
-#include "FadingOcclusion.h"
+#include "ClosedForms/FadingOcclusion.h"
 #include "Records/PictureSites.h"
 #include "Records/RecordTree.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -4,8 +4,8 @@
 // Baked occlusion against closed forms.
 #include "vtkPenumbraIrradianceFilter.h"
 
-#include "Adversaries.h"
-#include "FadingOcclusion.h"
+#include "Scenes/Adversaries.h"
+#include "ClosedForms/FadingOcclusion.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"

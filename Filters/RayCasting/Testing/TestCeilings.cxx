@@ -4,7 +4,7 @@
 // What scenes made to be dear may cost: bounds that follow from the tolerance, not from the scene.
 #include "vtkPenumbraRayCaster.h"
 
-#include "Adversaries.h"
+#include "Scenes/Adversaries.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

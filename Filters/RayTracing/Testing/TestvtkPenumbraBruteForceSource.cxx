@@ -5,9 +5,9 @@
 #include "vtkPenumbraBruteForceSource.h"
 
 #include "Embree/RayScene.h"
-#include "FadingOcclusion.h"
+#include "ClosedForms/FadingOcclusion.h"
 #include "Shading/Illumination.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 
 #include "vtkNew.h"
 

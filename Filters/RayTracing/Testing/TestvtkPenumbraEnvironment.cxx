@@ -6,7 +6,7 @@
 
 #include "Shading/EnvironmentMap.h"
 #include "Shading/Illumination.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 #include "vtkPenumbraBruteForceSource.h"
 
 #include "vtkFloatArray.h"

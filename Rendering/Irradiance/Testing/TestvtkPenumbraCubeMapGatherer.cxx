@@ -4,15 +4,15 @@
 // What cube maps see against closed forms, and against rays.
 #include "vtkPenumbraCubeMapGatherer.h"
 
-#include "Building.h"
+#include "Scenes/Building.h"
 #include "CubeMap/Hemicube.h"
 #include "CubeMap/TriangleBundles.h"
 #include "Embree/RayScene.h"
-#include "FadingOcclusion.h"
+#include "ClosedForms/FadingOcclusion.h"
 #include "Gathering/Derivatives.h"
 #include "Gathering/RayGatherer.h"
 #include "Shading/CosineDirections.h"
-#include "Solids.h"
+#include "Scenes/Solids.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceFilter.h"
 

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChartPlot.h"
+
+#include "ChartFamilies.h"
+#include "Files/PendingFile.h"
+
+#include "vtkAxis.h"
+#include "vtkChartLegend.h"
+#include "vtkChartXY.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPen.h"
+#include "vtkPlotPoints.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Pixels.
+constexpr int ChartWidth = 620;
+constexpr int LegendWidth = 300;
+constexpr int ChartHeight = 460;
+
+/// What a logarithmic axis shows of 0.
+constexpr double Least = 1e-8;
+
+// Apart for eyes of every kind; ours are black and dark red.
+constexpr unsigned char Colors[][3] = { { 230, 159, 0 }, { 86, 180, 233 }, { 0, 158, 115 },
+  { 204, 121, 167 }, { 0, 114, 178 }, { 213, 94, 0 }, { 150, 150, 40 }, { 120, 80, 160 },
+  { 150, 90, 50 }, { 90, 90, 90 } };
+constexpr unsigned char Ours[][3] = { { 0, 0, 0 }, { 160, 0, 0 } };
+constexpr unsigned char FrontColor[3] = { 210, 210, 210 };
+
+vtkSmartPointer<vtkTable> TableOf(const std::string& name, const std::vector<ChartRow>& rows,
+  double ChartRow::*x, double ChartRow::*y)
+{
+  vtkNew<vtkFloatArray> abscissae;
+  abscissae->SetName("cost");
+  vtkNew<vtkFloatArray> ordinates;
+  ordinates->SetName(name.c_str());
+  for (const ChartRow& row : rows)
+  {
+    abscissae->InsertNextValue(static_cast<float>(std::max(row.*x, Least)));
+    ordinates->InsertNextValue(static_cast<float>(std::max(row.*y, Least)));
+  }
+  auto table = vtkSmartPointer<vtkTable>::New();
+  table->AddColumn(abscissae);
+  table->AddColumn(ordinates);
+  return table;
+}
+
+vtkPlotPoints* AddCurve(
+  vtkChartXY* chart, vtkTable* table, bool isLine, const unsigned char* color, float width)
+{
+  // A line needs two points.
+  const int type = isLine && table->GetNumberOfRows() > 1 ? vtkChart::LINE : vtkChart::POINTS;
+  auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(type));
+  plot->SetInputData(table, 0, 1);
+  plot->SetColor(color[0], color[1], color[2], 255);
+  plot->SetWidth(width);
+  plot->SetMarkerStyle(vtkPlotPoints::NONE);
+  return plot;
+}
+
+void SetUpAxis(vtkAxis* axis, const std::string& title)
+{
+  axis->SetTitle(title);
+  axis->SetLogScale(true);
+  axis->GetTitleProperties()->SetFontSize(14);
+  axis->GetTitleProperties()->BoldOff();
+  axis->GetLabelProperties()->SetFontSize(12);
+  axis->GetGridPen()->SetColor(225, 225, 225, 255);
+}
+
+/// From a little less than the least to a little more than the greatest, so that no mark is cut.
+void SetRange(vtkAxis* axis, const std::vector<double>& values)
+{
+  constexpr double room = 1.25;
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  axis->SetUnscaledRange(std::max(*least, Least) / room, std::max(*greatest, Least) * room);
+  axis->SetBehavior(vtkAxis::FIXED);
+}
+
+vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel& panel,
+  double ChartRow::*cost, const std::string& costTitle)
+{
+  auto chart = vtkSmartPointer<vtkChartXY>::New();
+  chart->SetTitle(family.Title + ": " + panel.Scene);
+  chart->GetTitleProperties()->SetFontSize(15);
+  SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), costTitle);
+  SetUpAxis(chart->GetAxis(vtkAxis::LEFT), family.ErrorTitle);
+  std::vector<double> costs;
+  std::vector<double> errors;
+  for (const ChartRow& row : panel.Rows)
+  {
+    costs.push_back(row.*cost);
+    errors.push_back(row.Error);
+    errors.push_back(row.Asked > 0.0 ? row.Asked : row.Error);
+  }
+  SetRange(chart->GetAxis(vtkAxis::BOTTOM), costs);
+  SetRange(chart->GetAxis(vtkAxis::LEFT), errors);
+  const auto front = TableOf("Pareto front", ParetoFront(panel.Rows, cost), cost, &ChartRow::Error);
+  AddCurve(chart, front, true, FrontColor, 9.f);
+  for (const ChartCurve& each : panel.Curves)
+  {
+    const auto steps = TableOf(each.Method, each.Steps, cost, &ChartRow::Error);
+    vtkPlotPoints* curve = AddCurve(chart, steps, true, each.Color, each.IsOurs ? 2.5f : 1.5f);
+    curve->SetMarkerStyle(each.IsOurs ? vtkPlotPoints::DIAMOND : vtkPlotPoints::CIRCLE);
+    curve->SetMarkerSize(each.IsOurs ? 9.f : 7.f);
+    if (each.HasTolerances())
+    {
+      const auto asked = TableOf("  tolerance asked", each.Steps, cost, &ChartRow::Asked);
+      vtkPlotPoints* marks = AddCurve(chart, asked, false, each.Color, 1.5f);
+      marks->SetMarkerStyle(vtkPlotPoints::CROSS);
+      marks->SetMarkerSize(8.f);
+    }
+  }
+  return chart;
+}
+
+}
+
+bool ChartCurve::HasTolerances() const
+{
+  return std::any_of(
+    this->Steps.begin(), this->Steps.end(), [](const ChartRow& row) { return row.Asked > 0.0; });
+}
+
+std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows)
+{
+  // A method has the same colour in every panel.
+  std::vector<ChartCurve> methods;
+  std::vector<ChartPanel> panels;
+  for (const ChartRow& row : rows)
+  {
+    const auto isSame = [&](const ChartCurve& each) { return each.Method == row.Method; };
+    auto method = std::find_if(methods.begin(), methods.end(), isSame);
+    if (method == methods.end())
+    {
+      const bool isOurs = row.Method.rfind("Penumbra", 0) == 0;
+      const auto alike = std::count_if(methods.begin(), methods.end(),
+        [&](const ChartCurve& each) { return each.IsOurs == isOurs; });
+      const unsigned char* color = isOurs ? Ours[alike % static_cast<int>(std::size(Ours))]
+                                          : Colors[alike % static_cast<int>(std::size(Colors))];
+      method =
+        methods.insert(methods.end(), { row.Method, isOurs, { color[0], color[1], color[2] }, {} });
+    }
+    auto panel = std::find_if(panels.begin(), panels.end(),
+      [&](const ChartPanel& each) { return each.Scene == row.Scene; });
+    if (panel == panels.end())
+    {
+      panel = panels.insert(panels.end(), { row.Scene, {}, {} });
+    }
+    panel->Rows.push_back(row);
+    auto curve = std::find_if(panel->Curves.begin(), panel->Curves.end(), isSame);
+    if (curve == panel->Curves.end())
+    {
+      curve = panel->Curves.insert(panel->Curves.end(), *method);
+    }
+    curve->Steps.push_back(row);
+  }
+  return panels;
+}
+
+void WriteChartPng(
+  const ChartFamily& family, const std::vector<ChartPanel>& panels, const std::string& path)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetShowWindow(false);
+  window->SetMultiSamples(8);
+  const int height = ChartHeight * static_cast<int>(panels.size());
+  window->SetSize(2 * ChartWidth + LegendWidth, height);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  window->AddRenderer(renderer);
+  vtkNew<vtkContextActor> actor;
+  renderer->AddActor(actor);
+  actor->GetScene()->SetRenderer(renderer);
+  int bottom = height;
+  for (const ChartPanel& panel : panels)
+  {
+    bottom -= ChartHeight;
+    for (const bool counts : { false, true })
+    {
+      const vtkSmartPointer<vtkChartXY> chart =
+        ChartOf(family, panel, counts ? &ChartRow::Count : &ChartRow::Seconds,
+          counts ? family.CountTitle : "CPU seconds of one thread");
+      chart->SetAutoSize(false);
+      chart->SetSize(vtkRectf(counts ? ChartWidth : 0.f, static_cast<float>(bottom),
+        counts ? ChartWidth + LegendWidth : ChartWidth, ChartHeight));
+      chart->SetShowLegend(counts);
+      chart->GetLegend()->SetInline(false);
+      chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+      chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+      chart->GetLegend()->SetLabelSize(12);
+      actor->GetScene()->AddItem(chart);
+    }
+  }
+  window->Render();
+
+  PendingFile picture(path, "--output");
+  vtkNew<vtkWindowToImageFilter> capture;
+  capture->SetInput(window);
+  capture->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(capture->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  picture.Write(
+    std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues()));
+  picture.Commit();
+}
+
+}

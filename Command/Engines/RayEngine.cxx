@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Engine.h"
+
+#include "Files/Pictures.h"
+#include "Files/Report.h"
+#include "Input/EnvironmentFile.h"
+#include "Input/Surfaces.h"
+#include "Options/FallOffs.h"
+#include "Options/RenderOptions.h"
+#include "Processes/Failure.h"
+#include "Processes/MessageLog.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPenumbraCubeMapGatherer.h"
+#include "vtkPenumbraEnvironment.h"
+#include "vtkPenumbraIrradianceCache.h"
+#include "vtkPenumbraMedium.h"
+#include "vtkPenumbraRayCaster.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <cmath>
+#include <new>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+struct Watch
+{
+  const ProgressListener& Listener;
+  Clock::time_point FirstRay;
+  bool Started = false;
+};
+
+// The first progress is reported when the scene is built.
+void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
+{
+  Watch& watch = *static_cast<Watch*>(clientData);
+  if (!watch.Started)
+  {
+    watch.Started = true;
+    watch.FirstRay = Clock::now();
+  }
+  watch.Listener(*static_cast<double*>(callData));
+}
+
+// What the ray caster leaves out of the scene; triangles without area are nothing to see.
+void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
+{
+  const std::string warning = StripFrame(static_cast<const char*>(callData));
+  if (warning.find("without area") == std::string::npos)
+  {
+    static_cast<std::vector<std::string>*>(clientData)->push_back(warning);
+  }
+}
+
+// `CellId` of surfaces that were extracted from another data set: the id in that one.
+void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
+{
+  vtkDataArray* objects = image->GetPointData()->GetArray("ObjectId");
+  vtkDataArray* cells = image->GetPointData()->GetArray("CellId");
+  if (!objects || !cells)
+  {
+    return;
+  }
+  std::vector<vtkDataArray*> originals;
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetActors()->InitTraversal(cookie);
+  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  {
+    originals.push_back(actor->GetMapper()->GetInput()->GetCellData()->GetArray(OriginalCellIds));
+  }
+  for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+  {
+    const int object = static_cast<int>(objects->GetComponent(i, 0));
+    const vtkIdType cell = static_cast<vtkIdType>(cells->GetComponent(i, 0));
+    const bool known = object >= 0 && object < static_cast<int>(originals.size());
+    if (known && originals[object] && cell >= 0 && cell < originals[object]->GetNumberOfTuples())
+    {
+      cells->SetComponent(i, 0, originals[object]->GetComponent(cell, 0));
+    }
+  }
+}
+
+vtkSmartPointer<vtkPenumbraMedium> MakeMedium(const ShaftOptions& shafts)
+{
+  vtkNew<vtkPenumbraMedium> medium;
+  medium->SetScattering(std::isnan(shafts.Scattering) ? -1.0 : shafts.Scattering);
+  medium->SetExtinction(std::isnan(shafts.Extinction) ? -1.0 : shafts.Extinction);
+  medium->SetPhase(shafts.Phase == "rayleigh" ? vtkPenumbraMedium::RAYLEIGH
+      : shafts.Phase == "hg"                  ? vtkPenumbraMedium::HENYEY_GREENSTEIN
+                                              : vtkPenumbraMedium::ISOTROPIC);
+  medium->SetAsymmetry(shafts.Asymmetry);
+  return medium;
+}
+
+}
+
+Picture RenderWithRays(
+  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress)
+{
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(options.Resolution[0], options.Resolution[1]);
+  caster->SetTolerance(options.Tolerance);
+  caster->SetMaximumLevel(options.MaximumLevel);
+  caster->SetSmallObjects(options.SmallObjects);
+  caster->SetNumberOfThreads(options.Threads);
+  caster->SetShadows(options.Shadows);
+  if (options.Shafts.Enabled)
+  {
+    caster->SetMedium(MakeMedium(options.Shafts));
+  }
+  caster->SetAmbientOcclusion(options.AmbientOcclusion);
+  caster->SetAmbientOcclusionRadius(
+    std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));
+  caster->SetAmbientOcclusionFallOff(FallOffOf(options.AmbientOcclusionFallOff));
+  caster->SetAmbientOcclusionStrength(
+    std::isnan(options.AmbientOcclusionStrength) ? -1.0 : options.AmbientOcclusionStrength);
+  const LightOptions& light = options.Light;
+  caster->SetIndirectLight(light.Indirect);
+  const Triple environment =
+    light.EnvironmentColor.value_or(options.BackgroundColor.value_or(Triple{ 0.0, 0.0, 0.0 }));
+  caster->SetEnvironmentColor(environment[0], environment[1], environment[2]);
+  if (light.Indirect && !light.EnvironmentFile.empty())
+  {
+    caster->SetEnvironment(ReadEnvironment(light.EnvironmentFile, light.EnvironmentUp));
+  }
+  caster->SetAlbedo(light.Albedo);
+  caster->SetBounces(light.Bounces);
+  if (options.AmbientOcclusion || light.Indirect)
+  {
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    cache->SetSpace(options.Cache == "screen" ? vtkPenumbraIrradianceCache::SCREEN
+                                              : vtkPenumbraIrradianceCache::WORLD);
+    if (options.Gatherer == "cube-map")
+    {
+      cache->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
+    }
+    caster->SetIrradianceSource(cache);
+  }
+  caster->SetBackground(options.Background);
+  caster->SetDPI(options.DotsPerInch);
+  caster->SetGeometryArrays(HoldsArrays(options.Output));
+
+  Watch watch{ progress, Clock::now() };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(OnProgress);
+  observer->SetClientData(&watch);
+  caster->AddObserver(vtkCommand::ProgressEvent, observer);
+
+  Picture picture;
+  vtkNew<vtkCallbackCommand> warningObserver;
+  warningObserver->SetCallback(OnWarning);
+  warningObserver->SetClientData(&picture.Warnings);
+  caster->AddObserver(vtkCommand::WarningEvent, warningObserver);
+
+  TakeErrors();
+  const Clock::time_point start = Clock::now();
+  caster->Update();
+  const Clock::time_point end = Clock::now();
+  const std::vector<std::string> errors = TakeErrors();
+  if (TellOfMemory(errors))
+  {
+    throw std::bad_alloc();
+  }
+  if (!errors.empty())
+  {
+    throw Failure(BadInput, "--engine ray: " + errors.front());
+  }
+
+  picture.Image = caster->GetOutput();
+  RestoreCellIds(picture.Image, renderer);
+  picture.Statistics = ToJson(caster->GetStatistics());
+  const bool empty = picture.Statistics["Pixels/Empty"] == picture.Statistics["Pixels/Total"];
+  picture.Coverage = empty ? Picture::Coverages::Empty : Picture::Coverages::Some;
+  picture.Tolerance = options.Tolerance;
+  picture.EstimatedError = caster->GetEstimatedError();
+  picture.Threads =
+    options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
+  const Clock::time_point firstRay = watch.Started ? watch.FirstRay : start;
+  picture.BuildSeconds = std::chrono::duration<double>(firstRay - start).count();
+  picture.RenderSeconds = std::chrono::duration<double>(end - firstRay).count();
+  return picture;
+}
+
+}

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Engine.h"
+#include "Options/RenderOptions.h"
+#include "Processes/Failure.h"
+
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <stdexcept>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace penumbra
+{
+
+namespace
+{
+
+struct WindowKind
+{
+  const char* Name;
+  const char* Class;
+};
+
+constexpr WindowKind Kinds[] = {
+  { "osmesa", "vtkOSOpenGLRenderWindow" },
+  { "egl", "vtkEGLRenderWindow" },
+  { "x", "vtkXOpenGLRenderWindow" },
+};
+
+constexpr const char* WindowVariable = "VTK_DEFAULT_OPENGL_WINDOW";
+
+// What VTK's report says after `key`, up to the end of the line.
+std::string Find(const std::string& report, const std::string& key)
+{
+  const std::size_t at = report.find(key);
+  if (at == std::string::npos)
+  {
+    return std::string();
+  }
+  const std::size_t begin = report.find_first_not_of(' ', at + key.size());
+  return report.substr(begin, report.find('\n', begin) - begin);
+}
+
+// Draws a small picture; a description when that works.
+std::string DescribeWindow()
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetShowWindow(false);
+  window->SetSize(8, 8);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  window->Render();
+  if (!window->SupportsOpenGL())
+  {
+    return std::string();
+  }
+  const char* report = window->ReportCapabilities();
+  const std::string capabilities = report ? report : "";
+  return std::string(window->GetClassName()) + ", OpenGL " +
+    Find(capabilities, "OpenGL version string:") + ", " +
+    Find(capabilities, "OpenGL renderer string:");
+}
+
+// What fork() needs: the locks that other threads hold stay locked in the new process. Only tests of
+// the sanitizers' build look, as users may preload libraries that have threads of their own.
+void CheckIsOnlyThread()
+{
+#if defined(__SANITIZE_ADDRESS__)
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  if (std::distance(begin(threads), end(threads)) > 1)
+  {
+    throw std::logic_error("a window is tried after threads were started");
+  }
+#endif
+}
+
+// In a process of its own: a window that cannot be had ends the process in some versions of VTK.
+// Empty when it does not work.
+std::string TryWindow(const char* className)
+{
+  CheckIsOnlyThread();
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    return std::string();
+  }
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    if (className)
+    {
+      setenv(WindowVariable, className, 1);
+    }
+    const std::string description = DescribeWindow();
+    const auto written = write(ends[1], description.data(), description.size());
+    _exit(written == static_cast<ssize_t>(description.size()) ? 0 : 1);
+  }
+  close(ends[1]);
+  std::string description;
+  char buffer[512];
+  for (ssize_t got = 0; (got = read(ends[0], buffer, sizeof(buffer))) > 0;)
+  {
+    description.append(buffer, static_cast<std::size_t>(got));
+  }
+  close(ends[0]);
+  int state = 0;
+  const bool ended = child > 0 && waitpid(child, &state, 0) == child;
+  return ended && WIFEXITED(state) && WEXITSTATUS(state) == 0 ? description : std::string();
+}
+
+// VTK may quietly fall back to another kind than the one asked for.
+bool IsOfClass(const std::string& description, const char* className)
+{
+  return description.rfind(className, 0) == 0;
+}
+
+}
+
+std::vector<WindowReport> TryWindows()
+{
+  std::vector<WindowReport> reports;
+  for (const WindowKind& kind : Kinds)
+  {
+    const std::string description = TryWindow(kind.Class);
+    const bool works = IsOfClass(description, kind.Class);
+    reports.push_back({ kind.Name, works, works ? description : "not available" });
+  }
+  return reports;
+}
+
+void ChooseWindow(
+  const std::string& window, const std::string& option, const std::string& otherwise)
+{
+  if (window == "auto" && std::getenv(WindowVariable))
+  {
+    if (TryWindow(nullptr).empty())
+    {
+      throw Failure(MachineCannot,
+        option + ": the window that $" + WindowVariable +
+          " names gives no OpenGL; unset it, or use " + otherwise);
+    }
+    return;
+  }
+  for (const WindowKind& kind : Kinds)
+  {
+    if ((window == "auto" || window == kind.Name) && IsOfClass(TryWindow(kind.Class), kind.Class))
+    {
+      setenv(WindowVariable, kind.Class, 1);
+      return;
+    }
+  }
+  throw Failure(MachineCannot,
+    option + ": no OpenGL here by --window " + window +
+      "; install libosmesa6 or libegl1, start an X server, or use " + otherwise);
+}
+
+void ChooseWindowFor(const RenderOptions& options)
+{
+  if (options.Engine == "raster")
+  {
+    ChooseWindow(options.Window);
+  }
+  else if (options.Gatherer == "cube-map" && (options.AmbientOcclusion || options.Light.Indirect))
+  {
+    ChooseWindow(options.Window, "--gatherer cube-map", "--gatherer rays");
+  }
+}
+
+}

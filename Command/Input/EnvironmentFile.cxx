@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EnvironmentFile.h"
+
+#include "Files/InputFiles.h"
+#include "Files/Pictures.h"
+#include "Processes/Failure.h"
+#include "Processes/MessageLog.h"
+#include "ReadLimit.h"
+
+#include "vtkHDRReader.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPenumbraEnvironment.h"
+#include "vtkVersion.h"
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+namespace penumbra
+{
+namespace
+{
+
+vtkSmartPointer<vtkImageData> ReadHdr(const std::string& path)
+{
+  TakeErrors();
+  vtkNew<vtkHDRReader> reader;
+  const bool readable = reader->CanReadFile(path.c_str()) != 0;
+  if (readable)
+  {
+    reader->SetFileName(path.c_str());
+    reader->Update();
+  }
+  const std::vector<std::string> errors = TakeErrors();
+  if (!readable || !errors.empty())
+  {
+    throw Failure(BadInput,
+      "--hdri-file: " + path + ": VTK " + vtkVersion::GetVTKVersion() +
+        " cannot read it; convert it to a .tif or .vti of floats" +
+        (errors.empty() ? std::string() : " (" + errors.front() + ")"));
+  }
+  return reader->GetOutput();
+}
+
+}
+
+vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
+  const std::string& path, const std::optional<Triple>& up)
+{
+  const std::filesystem::path file(path);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored))
+  {
+    throw Failure(BadInput, "--hdri-file: " + path + ": no such file");
+  }
+  RecordInput(path);
+  auto limit = std::make_unique<ReadLimit>(path);
+  const vtkSmartPointer<vtkImageData> image =
+    file.extension() == ".hdr" ? ReadHdr(path) : ReadPicture(path);
+  limit.reset();
+  auto environment = vtkSmartPointer<vtkPenumbraEnvironment>::New();
+  environment->SetImage(image);
+  const Triple upwards = up.value_or(Triple{ 0.0, 1.0, 0.0 });
+  environment->SetUp(upwards[0], upwards[1], upwards[2]);
+  try
+  {
+    environment->GetMap();
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw Failure(BadInput, "--hdri-file: " + path + ": " + error.what());
+  }
+  return environment;
+}
+
+void AddEnvironmentOptions(
+  CLI::App& app, std::string& path, std::optional<Triple>& up, const std::string& group)
+{
+  CLI::Option* file = app
+                        .add_option("--hdri-file", path,
+                          "Picture of everything around that light comes from: latitudes and "
+                          "longitudes; .hdr, or as --output; "
+                          "instead of --environment-color")
+                        ->type_name("FILE")
+                        ->take_last();
+  CLI::Option* direction =
+    AddDirection(app, "--hdri-up", up, "Where its upper border lies; default: 0,1,0");
+  if (!group.empty())
+  {
+    file->group(group);
+    direction->group(group);
+  }
+}
+
+}

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReadLimit.h"
+
+#include "Files/InputFiles.h"
+#include "Parsing/Arguments.h"
+#include "Processes/Failure.h"
+#include "Processes/MessageLog.h"
+#include "Processes/Worker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Time and memory that any file has, and what its size adds.
+constexpr double LeastSeconds = 60.0;
+constexpr unsigned long long LeastMemory = 1ull << 30;
+constexpr unsigned long long BytesPerByte = 64;
+constexpr unsigned long long BytesPerCompressedByte = 2200; ///< zlib reaches 1032
+
+double AskedSeconds = 0.0; ///< 0: by the file's size
+std::string Line;
+
+void EndReading(int)
+{
+  [[maybe_unused]] const auto written = write(TerminalDescriptor(), Line.data(), Line.size());
+  RemoveTemporaries();
+  _exit(BadInput);
+}
+
+void SetTimer(double seconds)
+{
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds)));
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+// Is what the file holds, or may hold, compressed?
+bool MayBeCompressed(const std::string& path, unsigned long long bytes)
+{
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const bool namesOthers = static_cast<unsigned long long>(file.tellg()) < bytes;
+  file.seekg(0);
+  std::string head(4096, '\0');
+  file.read(&head[0], static_cast<std::streamsize>(head.size()));
+  for (const char* sign : { "compressor", "CompressedData", "gz", "\x89HDF", "bz" })
+  {
+    if (head.find(sign) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return namesOthers;
+}
+
+// Of the kind that RLIMIT_DATA counts.
+unsigned long long MemoryInUse()
+{
+  std::ifstream file("/proc/self/statm");
+  unsigned long long pages = 0;
+  for (int field = 0; field < 6; ++field)
+  {
+    file >> pages;
+  }
+  return file ? pages * static_cast<unsigned long long>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+}
+
+CLI::Option* AddReadLimitOption(CLI::App& app)
+{
+  return AddNumber(app, "--read-limit", AskedSeconds, "SECONDS",
+    "Time that reading a file may take, inf: any, and any memory; default: 60 and one for each MiB",
+    { 0.0, Infinity, true, true })
+    ->default_str("");
+}
+
+ReadLimit::ReadLimit(const std::string& path)
+{
+  rlimit limit = {};
+  getrlimit(RLIMIT_DATA, &limit);
+  this->Memory = limit.rlim_cur;
+  if (std::isinf(AskedSeconds))
+  {
+    return;
+  }
+  const unsigned long long bytes = InputBytes(path);
+#if !defined(__SANITIZE_ADDRESS__)
+  const unsigned long long memory = MemoryInUse() + LeastMemory +
+    bytes * (MayBeCompressed(path, bytes) ? BytesPerCompressedByte : BytesPerByte);
+  this->ByFile = memory < this->Memory;
+  limit.rlim_cur = std::min<unsigned long long>(memory, this->Memory);
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+  const double seconds =
+    AskedSeconds > 0.0 ? AskedSeconds : std::ceil(LeastSeconds + bytes / 1048576.0);
+  std::ostringstream text;
+  text << path << ": reading takes more than " << seconds
+       << " s: the file is damaged, or needs a longer --read-limit";
+  Line = LineOf(text.str());
+  std::signal(SIGALRM, EndReading);
+  SetTimer(std::min(std::max(seconds, 1e-6), 1e8));
+}
+
+ReadLimit::~ReadLimit()
+{
+  SetTimer(0.0);
+  rlimit limit = {};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = this->Memory;
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+}

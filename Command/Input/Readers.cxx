@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Readers.h"
+
+#include "MeshFileChecks.h"
+#include "Processes/Failure.h"
+#include "Processes/MessageLog.h"
+
+#include "vtkAVSucdReader.h"
+#include "vtkAlgorithm.h"
+#include "vtkBYUReader.h"
+#include "vtkDEMReader.h"
+#include "vtkDataObject.h"
+#include "vtkExodusIIReader.h"
+#include "vtkFLUENTReader.h"
+#include "vtkFacetReader.h"
+#include "vtkGAMBITReader.h"
+#include "vtkGLTFReader.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGenericEnSightReader.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNIFTIImageReader.h"
+#include "vtkNrrdReader.h"
+#include "vtkOBJReader.h"
+#include "vtkOpenFOAMReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPTSReader.h"
+#include "vtkSLCReader.h"
+#include "vtkSTLReader.h"
+#include "vtkTecplotReader.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLMultiBlockDataReader.h"
+#include "vtkXMLPImageDataReader.h"
+#include "vtkXMLPPolyDataReader.h"
+#include "vtkXMLPRectilinearGridReader.h"
+#include "vtkXMLPStructuredGridReader.h"
+#include "vtkXMLPUnstructuredGridReader.h"
+#include "vtkXMLPartitionedDataSetCollectionReader.h"
+#include "vtkXMLPartitionedDataSetReader.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#if __has_include("vtkOFFReader.h")
+#include "vtkOFFReader.h"
+#endif
+#ifdef PENUMBRA_HAS_IOCGNSReader
+#include "vtkCGNSReader.h"
+#endif
+#ifdef PENUMBRA_HAS_IOHDF
+#include "vtkHDFReader.h"
+#endif
+#ifdef PENUMBRA_HAS_IOXdmf2
+#include "vtkXdmfReader.h"
+#endif
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Algorithm = vtkSmartPointer<vtkAlgorithm>;
+
+template <typename Reader>
+Algorithm Make(const std::string& path)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+Algorithm MakeByu(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkBYUReader>::New();
+  reader->SetGeometryFileName(path.c_str());
+  return reader;
+}
+
+Algorithm MakeEnSight(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
+  reader->SetCaseFileName(path.c_str());
+  reader->ReadAllVariablesOn();
+  return reader;
+}
+
+Algorithm MakeExodus(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkExodusIIReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  return reader;
+}
+
+#define PENUMBRA_READER(reader) #reader, Make < reader>
+
+std::vector<ReaderRow> MakeTable()
+{
+  return
+  {
+    { { ".stl" }, "Stereolithography", PENUMBRA_READER(vtkSTLReader) },
+      { { ".ply" }, "Stanford polygons", PENUMBRA_READER(vtkPLYReader) },
+      { { ".obj" }, "Wavefront", PENUMBRA_READER(vtkOBJReader) },
+#if __has_include("vtkOFFReader.h")
+      { { ".off" }, "Object File Format", PENUMBRA_READER(vtkOFFReader) },
+#endif
+      { { ".gltf", ".glb" }, "glTF 2", PENUMBRA_READER(vtkGLTFReader) },
+      { { ".vtk" }, "VTK legacy", PENUMBRA_READER(vtkGenericDataObjectReader) },
+      { { ".vtp" }, "VTK polygons", PENUMBRA_READER(vtkXMLPolyDataReader) },
+      { { ".vtu" }, "VTK unstructured grid", PENUMBRA_READER(vtkXMLUnstructuredGridReader) },
+      { { ".vti" }, "VTK image", PENUMBRA_READER(vtkXMLImageDataReader) },
+      { { ".vts" }, "VTK structured grid", PENUMBRA_READER(vtkXMLStructuredGridReader) },
+      { { ".vtr" }, "VTK rectilinear grid", PENUMBRA_READER(vtkXMLRectilinearGridReader) },
+      { { ".vtm", ".vtmb" }, "VTK multi-block", PENUMBRA_READER(vtkXMLMultiBlockDataReader) },
+      { { ".vtpd" }, "VTK partitioned", PENUMBRA_READER(vtkXMLPartitionedDataSetReader) },
+      { { ".vtpc" }, "VTK partitioned collection",
+        PENUMBRA_READER(vtkXMLPartitionedDataSetCollectionReader) },
+      { { ".pvtp" }, "VTK polygons in pieces", PENUMBRA_READER(vtkXMLPPolyDataReader) },
+      { { ".pvtu" }, "VTK unstructured grid in pieces",
+        PENUMBRA_READER(vtkXMLPUnstructuredGridReader) },
+      { { ".pvti" }, "VTK image in pieces", PENUMBRA_READER(vtkXMLPImageDataReader) },
+      { { ".pvts" }, "VTK structured grid in pieces",
+        PENUMBRA_READER(vtkXMLPStructuredGridReader) },
+      { { ".pvtr" }, "VTK rectilinear grid in pieces",
+        PENUMBRA_READER(vtkXMLPRectilinearGridReader) },
+#ifdef PENUMBRA_HAS_IOHDF
+      { { ".vtkhdf" }, "VTK HDF", PENUMBRA_READER(vtkHDFReader) },
+#endif
+      { { ".e", ".ex2", ".exo", ".exii", ".g" }, "Exodus II", "vtkExodusIIReader", MakeExodus },
+      { { ".case", ".encas" }, "EnSight", "vtkGenericEnSightReader", MakeEnSight },
+      { { ".foam" }, "OpenFOAM", PENUMBRA_READER(vtkOpenFOAMReader) },
+      { { ".cas" }, "Fluent", PENUMBRA_READER(vtkFLUENTReader) },
+#ifdef PENUMBRA_HAS_IOCGNSReader
+      { { ".cgns" }, "CGNS", PENUMBRA_READER(vtkCGNSReader) },
+#endif
+      { { ".tec", ".tp" }, "Tecplot ASCII", PENUMBRA_READER(vtkTecplotReader) },
+      { { ".inp" }, "AVS UCD", PENUMBRA_READER(vtkAVSucdReader) },
+      { { ".neu" }, "GAMBIT", PENUMBRA_READER(vtkGAMBITReader) },
+#ifdef PENUMBRA_HAS_IOXdmf2
+      { { ".xdmf", ".xmf" }, "XDMF 2", PENUMBRA_READER(vtkXdmfReader) },
+#endif
+      { { ".byu" }, "Movie.BYU", "vtkBYUReader", MakeByu },
+      { { ".facet" }, "Facet", PENUMBRA_READER(vtkFacetReader) },
+      { { ".pts" }, "Points", PENUMBRA_READER(vtkPTSReader) },
+      { { ".mha", ".mhd" }, "MetaImage", PENUMBRA_READER(vtkMetaImageReader) },
+      { { ".nrrd", ".nhdr" }, "NRRD", PENUMBRA_READER(vtkNrrdReader) },
+      { { ".nii" }, "NIfTI", PENUMBRA_READER(vtkNIFTIImageReader) },
+      { { ".slc" }, "SLC volume", PENUMBRA_READER(vtkSLCReader) },
+      { { ".dem" }, "USGS digital elevation", PENUMBRA_READER(vtkDEMReader) },
+  };
+}
+
+#undef PENUMBRA_READER
+
+const ReaderRow& FindReader(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return std::tolower(letter); });
+  for (const ReaderRow& row : Readers())
+  {
+    if (std::count(row.Extensions.begin(), row.Extensions.end(), extension))
+    {
+      return row;
+    }
+  }
+  throw Failure(BadInput,
+    path + ": unknown extension '" + extension + "'; `penumbra list` names those that can be read");
+}
+
+void CheckFile(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status))
+  {
+    throw Failure(BadInput, path + ": no such file; check the name");
+  }
+  if (fs::is_directory(status))
+  {
+    throw Failure(BadInput, path + ": this is a folder; name the files in it");
+  }
+  if (!fs::is_regular_file(status))
+  {
+    throw Failure(BadInput, path + ": not a regular file; copy it to one");
+  }
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file)
+  {
+    throw Failure(BadInput, path + ": cannot be opened; check its permissions");
+  }
+  std::fclose(file);
+  if (fs::file_size(path, error) == 0)
+  {
+    throw Failure(BadInput, path + ": the file is empty; export it again");
+  }
+}
+
+[[noreturn]] void FailReading(
+  const std::string& path, const ReaderRow& row, const std::string& reason)
+{
+  throw Failure(BadInput, path + ": the file is damaged or not " + row.Format + ": " + reason);
+}
+
+}
+
+const std::vector<ReaderRow>& Readers()
+{
+  static const std::vector<ReaderRow> table = MakeTable();
+  return table;
+}
+
+vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
+{
+  const ReaderRow& row = FindReader(path);
+  CheckFile(path);
+  const Promise promise = CheckMeshFile(path);
+  TakeErrors();
+  const Algorithm reader = row.Make(path);
+  reader->Update();
+  vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
+  const std::vector<std::string> errors = TakeErrors();
+  if (TellOfMemory(errors))
+  {
+    throw std::bad_alloc();
+  }
+  if (!errors.empty())
+  {
+    FailReading(path, row, errors.front());
+  }
+  if (reader->GetErrorCode() != 0 || !data)
+  {
+    FailReading(path, row, "its reader gives no reason");
+  }
+  CheckPromise(path, data, promise);
+  return data;
+}
+
+}

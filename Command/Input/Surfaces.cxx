@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surfaces.h"
+
+#include "Files/InputFiles.h"
+#include "Processes/Failure.h"
+#include "Processes/Worker.h"
+#include "ReadLimit.h"
+#include "Readers.h"
+#include "SoundnessChecks.h"
+
+#include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGeometryFilter.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkVertexGlyphFilter.h"
+
+#include <cmath>
+#include <filesystem>
+#include <new>
+
+namespace penumbra
+{
+
+namespace
+{
+
+std::vector<vtkDataSet*> FindDataSets(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> found;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* leaf = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        found.push_back(leaf);
+      }
+    }
+  }
+  else if (auto* single = vtkDataSet::SafeDownCast(data))
+  {
+    found.push_back(single);
+  }
+  return found;
+}
+
+vtkSmartPointer<vtkPolyData> MakeMesh(vtkDataSet* data)
+{
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
+  if (mesh && mesh->GetNumberOfCells() > 0)
+  {
+    return mesh;
+  }
+  if (data->GetNumberOfCells() == 0)
+  {
+    vtkNew<vtkVertexGlyphFilter> vertices; // A cloud of points is drawn as points.
+    vertices->SetInputData(data);
+    vertices->Update();
+    return vertices->GetOutput();
+  }
+  vtkNew<vtkGeometryFilter> geometry;
+  geometry->SetInputData(data);
+  geometry->PassThroughCellIdsOn();
+  geometry->SetOriginalCellIdsName(OriginalCellIds);
+  geometry->Update();
+  return geometry->GetOutput();
+}
+
+bool IsFinite(vtkPoints* points, vtkIdType id)
+{
+  double x[3];
+  points->GetPoint(id, x);
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+std::vector<bool> FindFinitePoints(vtkPoints* points, vtkIdType& dropped)
+{
+  const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
+  std::vector<bool> finite(count);
+  dropped = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    finite[i] = IsFinite(points, i);
+    dropped += !finite[i];
+  }
+  return finite;
+}
+
+// The mesh without the cells that use a point that is not finite, and without unused points.
+vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool>& finite)
+{
+  vtkNew<vtkPolyData> kept;
+  kept->DeepCopy(mesh);
+  if (!kept->GetCellData()->HasArray(OriginalCellIds))
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(OriginalCellIds);
+    for (vtkIdType cell = 0; cell < kept->GetNumberOfCells(); ++cell)
+    {
+      ids->InsertNextValue(cell);
+    }
+    kept->GetCellData()->AddArray(ids);
+  }
+  kept->BuildCells();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < kept->GetNumberOfCells(); ++cell)
+  {
+    kept->GetCellPoints(cell, corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      if (!finite[corners->GetId(i)])
+      {
+        kept->DeleteCell(cell);
+        break;
+      }
+    }
+  }
+  kept->RemoveDeletedCells();
+  vtkNew<vtkCleanPolyData> compact;
+  compact->SetInputData(kept);
+  compact->PointMergingOff();
+  compact->ConvertLinesToPointsOff();
+  compact->ConvertPolysToLinesOff();
+  compact->ConvertStripsToPolysOff();
+  compact->Update();
+  return compact->GetOutput();
+}
+
+Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
+{
+  Surfaces surfaces;
+  for (vtkDataSet* dataSet : FindDataSets(data))
+  {
+    const std::string fault = FindFault(dataSet);
+    if (!fault.empty())
+    {
+      throw Failure(BadInput, path + ": the file is damaged: " + fault);
+    }
+    vtkSmartPointer<vtkPolyData> mesh = MakeMesh(dataSet);
+    vtkIdType dropped = 0;
+    const std::vector<bool> finite = FindFinitePoints(mesh->GetPoints(), dropped);
+    surfaces.Points += mesh->GetNumberOfPoints();
+    surfaces.DroppedPoints += dropped;
+    if (dropped > 0)
+    {
+      mesh = DropCells(mesh, finite);
+    }
+    if (mesh->GetNumberOfCells() > 0 && mesh->GetNumberOfPoints() > 0)
+    {
+      surfaces.Meshes.push_back(mesh);
+    }
+  }
+  if (surfaces.Points == 0)
+  {
+    throw Failure(BadInput, path + ": the mesh is empty: there is nothing to draw");
+  }
+  if (surfaces.Meshes.empty())
+  {
+    throw Failure(BadInput,
+      path +
+        (surfaces.DroppedPoints > 0 ? ": no cell has only finite coordinates; export the mesh again"
+                                    : ": the mesh is empty: there is nothing to draw"));
+  }
+  return surfaces;
+}
+
+}
+
+Surfaces ReadSurfaces(const std::string& path)
+{
+  RecordInput(path);
+  const ReadLimit limit(path);
+  try
+  {
+    return ExtractSurfaces(ReadFile(path), path);
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    // A file that is small beside the memory and yet asks for more than there is.
+    if (!limit.IsByFile() && InputBytes(path) > MachineMemory() / 64)
+    {
+      throw;
+    }
+    throw Failure(BadInput,
+      path + ": the file is damaged: it asks for more memory than a file of its size may need");
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(BadInput, path + ": the file is damaged: " + error.what());
+  }
+}
+
+}

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What `penumbra render` can be told, with every default.
+#ifndef penumbra_RenderOptions_h
+#define penumbra_RenderOptions_h
+
+#include "Parsing/Arguments.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+constexpr double Unset = std::numeric_limits<double>::quiet_NaN();
+
+struct CameraOptions
+{
+  std::optional<Triple> Position;
+  std::optional<Triple> FocalPoint;
+  std::optional<Triple> ViewUp;
+  std::optional<Triple> Direction;
+  double ViewAngle = 30.0;
+  double ZoomFactor = 1.0;
+  double Azimuth = 0.0;
+  double Elevation = 0.0;
+  bool Orthographic = false;
+  double ParallelScale = Unset;
+};
+
+struct ColoringOptions
+{
+  bool Enabled = false;
+  std::string Array;  ///< empty: the first that can be drawn
+  int Component = -1; ///< -1: the magnitude, -2: the values are colours
+  std::vector<double> Range;
+  bool ByCells = false;
+  std::string Colormap = "viridis";
+  bool ScalarBar = false;
+};
+
+/// The medium in which light shafts are seen.
+struct ShaftOptions
+{
+  bool Enabled = false;
+  double Scattering = Unset; ///< per world unit; unset: from the bounds
+  double Extinction = Unset; ///< unset: as Scattering
+  std::string Phase = "isotropic";
+  double Asymmetry = 0.0; ///< of phase hg
+};
+
+/// Light from surface to surface and from the environment.
+struct LightOptions
+{
+  bool Indirect = false;
+  std::optional<Triple> EnvironmentColor; ///< unset: the background's
+  std::string EnvironmentFile;            ///< empty: one colour
+  std::optional<Triple> EnvironmentUp;
+  double Albedo = 0.5;
+  int Bounces = 3;
+};
+
+struct RenderOptions
+{
+  std::vector<std::string> Files;
+  std::string Output;
+  std::string Engine = "ray";
+  std::array<int, 2> Resolution{ 1000, 600 };
+  double Tolerance = 1.0 / 256.0;
+  bool HasTolerance = false; ///< it was asked for
+  int MaximumLevel = 3;
+  bool SmallObjects = true;
+  int Threads = 0;
+
+  CameraOptions Camera;
+  ColoringOptions Coloring;
+
+  std::optional<Triple> Color;
+  double Opacity = 1.0;
+  std::optional<Triple> BackgroundColor;
+  bool Background = true;
+  bool Lighting = true;
+  std::vector<std::array<double, 4>> Lights; ///< w = 0: a direction
+  double LightIntensity = 1.0;
+  double FeatureAngle = Unset;
+  bool ShowEdges = false;
+  std::string Representation = "surface";
+  double LineWidth = 1.0; ///< points of 1/72 inch
+  double PointSize = 1.0; ///< points of 1/72 inch
+  int DotsPerInch = 72;
+
+  bool AmbientOcclusion = false;
+  double AmbientOcclusionRadius = 0.0;          ///< 0: from the bounds
+  std::string AmbientOcclusionFallOff = "none"; ///< ray
+  double AmbientOcclusionStrength = Unset;
+  double AmbientOcclusionLightAwareness = 0.0;      ///< raster
+  std::string AmbientOcclusionKernel = "automatic"; ///< raster
+  std::string Gatherer = "rays";                    ///< ray
+  int Frames = 0; ///< raster, of a still camera; 0: until converged
+  bool Shadows = false;
+  std::string Cache = "world"; ///< of occlusion and indirect light
+  LightOptions Light;
+  ShaftOptions Shafts;
+
+  std::string Statistics;
+  std::string Progress = "auto";
+  std::string Window = "auto";
+  int Jobs = 1;
+};
+
+/// Declares the options of `render` on `app`; parsing fills `options`, which must outlive `app`.
+void DeclareRenderOptions(CLI::App& app, RenderOptions& options);
+
+/// Throws Failure where options contradict each other. Call after parsing.
+void CheckRenderOptions(const CLI::App& app, const RenderOptions& options);
+
+/// What was asked for and changes nothing, one sentence each. Call after parsing.
+std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOptions& options);
+
+}
+#endif

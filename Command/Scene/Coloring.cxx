@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coloring.h"
+
+#include "Input/Surfaces.h"
+#include "Options/Colormaps.h"
+#include "Options/RenderOptions.h"
+#include "Processes/Failure.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+
+namespace
+{
+
+using Mappers = std::vector<vtkPolyDataMapper*>;
+
+vtkDataSetAttributes* Attributes(vtkPolyDataMapper* mapper, bool cells)
+{
+  vtkPolyData* mesh = mapper->GetInput();
+  return cells ? static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) : mesh->GetPointData();
+}
+
+// Can its values be colours? Normals and texture coordinates are there for other ends.
+bool IsColorable(vtkDataSetAttributes* attributes, vtkDataArray* array)
+{
+  return array && array->GetName() && array != attributes->GetNormals() &&
+    array != attributes->GetTCoords() && std::string(array->GetName()) != OriginalCellIds;
+}
+
+std::vector<std::string> ArrayNames(const Mappers& mappers, bool cells)
+{
+  std::vector<std::string> names;
+  for (vtkPolyDataMapper* mapper : mappers)
+  {
+    vtkDataSetAttributes* attributes = Attributes(mapper, cells);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = attributes->GetArray(i);
+      if (IsColorable(attributes, array) &&
+        !std::count(names.begin(), names.end(), array->GetName()))
+      {
+        names.emplace_back(array->GetName());
+      }
+    }
+  }
+  return names;
+}
+
+std::string List(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string ChooseArray(const Mappers& mappers, const ColoringOptions& options)
+{
+  const std::vector<std::string> names = ArrayNames(mappers, options.ByCells);
+  const std::string exists = "there are, at points: " + List(ArrayNames(mappers, false)) +
+    "; at cells (--coloring-by-cells): " + List(ArrayNames(mappers, true));
+  if (!options.Array.empty())
+  {
+    if (!std::count(names.begin(), names.end(), options.Array))
+    {
+      throw Failure(BadInput,
+        "--coloring-array: no array '" + options.Array + "' at the " +
+          (options.ByCells ? "cells" : "points") + "; " + exists);
+    }
+    return options.Array;
+  }
+  if (names.empty())
+  {
+    throw Failure(BadInput,
+      std::string("--scalar-coloring: no array at the ") + (options.ByCells ? "cells" : "points") +
+        "; " + exists);
+  }
+  for (vtkPolyDataMapper* mapper : mappers)
+  {
+    vtkDataSetAttributes* attributes = Attributes(mapper, options.ByCells);
+    if (IsColorable(attributes, attributes->GetScalars()))
+    {
+      return attributes->GetScalars()->GetName();
+    }
+  }
+  return names.front();
+}
+
+Mappers FindMappersWith(const Mappers& mappers, const std::string& name, bool cells)
+{
+  Mappers found;
+  std::copy_if(mappers.begin(), mappers.end(), std::back_inserter(found),
+    [&](vtkPolyDataMapper* mapper) { return Attributes(mapper, cells)->GetArray(name.c_str()); });
+  return found;
+}
+
+bool AreColors(vtkDataArray* array, const ColoringOptions& options)
+{
+  const bool bytes =
+    array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3;
+  return options.Component == -2 || (options.Component == -1 && bytes);
+}
+
+void CheckComponent(vtkDataArray* array, const ColoringOptions& options)
+{
+  const int components = array->GetNumberOfComponents();
+  if (options.Component >= components)
+  {
+    throw Failure(BadInput,
+      "--coloring-component " + std::to_string(options.Component) + ": the array '" +
+        array->GetName() + "' has components 0 to " + std::to_string(components - 1));
+  }
+  if (options.Component == -2 && (components < 3 || components > 4))
+  {
+    throw Failure(BadInput,
+      std::string("--coloring-component -2: the array '") + array->GetName() +
+        "' is no colour: it has " + std::to_string(components) + " components, not 3 or 4");
+  }
+}
+
+void SetRange(vtkLookupTable* table, const Mappers& mappers, const std::string& name,
+  const ColoringOptions& options)
+{
+  double range[2] = { Infinity, -Infinity };
+  for (vtkPolyDataMapper* mapper : mappers)
+  {
+    double one[2];
+    vtkDataArray* array = Attributes(mapper, options.ByCells)->GetArray(name.c_str());
+    array->GetFiniteRange(one, array->GetNumberOfComponents() == 1 ? 0 : options.Component);
+    range[0] = std::min(range[0], one[0]);
+    range[1] = std::max(range[1], one[1]);
+  }
+  if (!options.Range.empty())
+  {
+    std::copy(options.Range.begin(), options.Range.end(), range);
+  }
+  if (range[0] > range[1])
+  {
+    throw Failure(BadInput, "--scalar-coloring: the array '" + name + "' has no finite value");
+  }
+  table->SetTableRange(range);
+}
+
+void AddScalarBar(vtkRenderer* renderer, vtkLookupTable* table, const std::string& title)
+{
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(table);
+  bar->SetTitle(title.c_str());
+  bar->SetLabelFormat("%.4g");
+  renderer->AddViewProp(bar);
+}
+
+}
+
+void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOptions& options)
+{
+  const std::string name = ChooseArray(all, options);
+  const Mappers mappers = FindMappersWith(all, name, options.ByCells);
+  for (vtkPolyDataMapper* mapper : mappers)
+  {
+    CheckComponent(Attributes(mapper, options.ByCells)->GetArray(name.c_str()), options);
+  }
+
+  const vtkSmartPointer<vtkLookupTable> table = MakeColormap(options.Colormap);
+  SetRange(table, mappers, name, options);
+  if (options.Component >= 0)
+  {
+    table->SetVectorModeToComponent();
+    table->SetVectorComponent(options.Component);
+  }
+  else
+  {
+    table->SetVectorModeToMagnitude();
+  }
+
+  bool direct = false;
+  for (vtkPolyDataMapper* mapper : mappers)
+  {
+    direct = AreColors(Attributes(mapper, options.ByCells)->GetArray(name.c_str()), options);
+    mapper->ScalarVisibilityOn();
+    mapper->SetScalarMode(
+      options.ByCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+    mapper->SelectColorArray(name.c_str());
+    mapper->SetColorMode(direct ? VTK_COLOR_MODE_DIRECT_SCALARS : VTK_COLOR_MODE_MAP_SCALARS);
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->SetInterpolateScalarsBeforeMapping(!direct && !options.ByCells);
+  }
+  if (options.ScalarBar && direct)
+  {
+    throw Failure(BadInput,
+      "--coloring-scalar-bar: the array '" + name + "' holds colours, which have no legend");
+  }
+  if (options.ScalarBar)
+  {
+    AddScalarBar(renderer, table, name);
+  }
+}
+
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneBuilder.h"
+
+#include "Coloring.h"
+#include "Options/RenderOptions.h"
+
+#include "vtkActor.h"
+#include "vtkCleanPolyData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Points at the same place are merged first, where no array could tell them apart: files that
+// repeat the points of every triangle are smoothed too.
+vtkSmartPointer<vtkPolyData> ComputeNormals(vtkPolyData* mesh, double featureAngle)
+{
+  vtkNew<vtkPolyData> input;
+  input->ShallowCopy(mesh);
+  input->GetPointData()->SetNormals(nullptr);
+  vtkNew<vtkCleanPolyData> merge;
+  merge->SetInputData(input);
+  merge->SetTolerance(0.0);
+  merge->ConvertLinesToPointsOff();
+  merge->ConvertPolysToLinesOff();
+  merge->ConvertStripsToPolysOff();
+  vtkNew<vtkPolyDataNormals> normals;
+  if (input->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    normals->SetInputConnection(merge->GetOutputPort());
+  }
+  else
+  {
+    normals->SetInputData(input);
+  }
+  normals->SetFeatureAngle(featureAngle);
+  normals->SplittingOn();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+void SetLook(vtkProperty* property, const RenderOptions& options, double unitsPerPoint)
+{
+  const Triple color = options.Color.value_or(Triple{ 1, 1, 1 });
+  property->SetColor(color[0], color[1], color[2]);
+  property->SetOpacity(options.Opacity);
+  property->SetLighting(options.Lighting);
+  property->SetEdgeVisibility(options.ShowEdges);
+  property->SetLineWidth(static_cast<float>(options.LineWidth * unitsPerPoint));
+  property->SetPointSize(static_cast<float>(options.PointSize * unitsPerPoint));
+  if (options.Representation == "wireframe")
+  {
+    property->SetRepresentationToWireframe();
+  }
+  else if (options.Representation == "points")
+  {
+    property->SetRepresentationToPoints();
+  }
+}
+
+void AddLights(vtkRenderer* renderer, const RenderOptions& options)
+{
+  renderer->AutomaticLightCreationOff();
+  if (options.Lights.empty())
+  {
+    vtkNew<vtkLight> headlight;
+    headlight->SetLightTypeToHeadlight();
+    headlight->SetIntensity(options.LightIntensity);
+    renderer->AddLight(headlight);
+  }
+  for (const std::array<double, 4>& position : options.Lights)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    const bool positional = position[3] > 0.0;
+    // A direction may be of any length: the largest of its numbers becomes 1.
+    const double largest =
+      std::max({ std::abs(position[0]), std::abs(position[1]), std::abs(position[2]) });
+    const double scale = 1.0 / (positional ? position[3] : largest);
+    light->SetPosition(position[0] * scale, position[1] * scale, position[2] * scale);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetPositional(positional);
+    light->SetConeAngle(180.0);
+    light->SetIntensity(options.LightIntensity);
+    renderer->AddLight(light);
+  }
+}
+
+}
+
+vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
+  const RenderOptions& options, double unitsPerPoint)
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  std::vector<vtkPolyDataMapper*> mappers;
+  for (const vtkSmartPointer<vtkPolyData>& mesh : meshes)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    if (std::isnan(options.FeatureAngle))
+    {
+      mapper->SetInputData(mesh);
+    }
+    else
+    {
+      mapper->SetInputData(ComputeNormals(mesh, options.FeatureAngle));
+    }
+    mapper->ScalarVisibilityOff();
+    mappers.push_back(mapper);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    SetLook(actor->GetProperty(), options, unitsPerPoint);
+    renderer->AddActor(actor);
+  }
+  if (options.Coloring.Enabled)
+  {
+    ColorByData(renderer, mappers, options.Coloring);
+  }
+  AddLights(renderer, options);
+  const Triple background = options.BackgroundColor.value_or(Triple{ 0, 0, 0 });
+  renderer->SetBackground(background[0], background[1], background[2]);
+  renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);
+  PlaceCamera(
+    renderer, options.Camera, static_cast<double>(options.Resolution[0]) / options.Resolution[1]);
+  return renderer;
+}
+
+}
