@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -46,20 +47,56 @@ void ParallelFor(Index begin, Index end, Index grain, const Work& work)
 /// Told the share of the work that is done, from the calling thread; true asks to stop.
 using ProgressCallback = std::function<bool(double)>;
 
-/// Runs work(i) for i in [0, count) in parallel batches, with progress from `from` to `to` between.
-template <typename Work>
-bool InBatches(
-  int count, double from, double to, const ProgressCallback& progress, const Work& work)
+/// Thrown where one asked to stop and the work cannot return so.
+struct Stopped
 {
-  constexpr int Batches = 16;
-  const int step = std::max((count + Batches - 1) / Batches, 1);
-  for (int first = 0; first < count; first += step)
+};
+
+/// So many cells are read between two questions.
+constexpr int StoppableCells = 16384;
+
+inline void ThrowIfStopped(const ProgressCallback& progress, double share)
+{
+  if (progress && progress(share))
   {
-    ParallelFor(first, std::min(first + step, count), 1, work);
-    if (progress && progress(from + (to - from) * std::min(first + step, count) / count))
+    throw Stopped();
+  }
+}
+
+/// Runs work(i) for i in [0, count) in parallel batches, with progress from `from` to `to` before and
+/// between, each in chunks of `grain` as above. Batches follow the clock: few begin after one asked to stop. False when stopped.
+template <typename Work>
+bool InBatches(int count, double from, double to, const ProgressCallback& progress,
+  const Work& work, int grain = 1)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr int LeastBatches = 16;
+  constexpr std::chrono::milliseconds shortest(100);
+  constexpr std::chrono::milliseconds longest(300);
+  if (!progress)
+  {
+    ParallelFor(0, count, grain, work);
+    return true;
+  }
+  if (progress(from))
+  {
+    return false;
+  }
+  const int most = std::max((count + LeastBatches - 1) / LeastBatches, 1);
+  const int least = std::min(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1), most);
+  for (int first = 0, step = least; first < count;)
+  {
+    const int end = step < count - first ? first + step : count;
+    const Clock::time_point begun = Clock::now();
+    ParallelFor(first, end, grain, work);
+    const Clock::duration taken = Clock::now() - begun;
+    if (progress(from + (to - from) * end / count))
     {
       return false;
     }
+    step = taken < shortest ? std::min(step, most / 2) * 2 : taken > longest ? step / 2 : step;
+    step = std::clamp(step, least, most);
+    first = end;
   }
   return true;
 }

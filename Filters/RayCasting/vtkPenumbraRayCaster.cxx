@@ -31,6 +31,7 @@
 #include <iterator>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace
@@ -42,6 +43,8 @@ constexpr int LargestSide = 65535;
 constexpr double OcclusionNoiseShare = 2.0;
 // Of the progress: what the irradiance source prepares.
 constexpr double ProgressOfSource = 0.25;
+// Of the progress: the arrays beside the colour.
+constexpr double ProgressOfGeometry = 0.25;
 
 using penumbra::AddStatistic;
 
@@ -269,6 +272,11 @@ int vtkPenumbraRayCaster::RequestData(
       own.Prepared.reset();
     }
   }
+  catch (const penumbra::Stopped&)
+  {
+    image->Initialize();
+    own.Prepared.reset();
+  }
   catch (const std::bad_alloc&)
   {
     image->Initialize();
@@ -315,17 +323,28 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Resolution[1] = self->Resolution[1];
   options.DPI = self->DPI;
   options.Background = self->Background;
+  options.Progress = [self](double) {
+    self->UpdateProgress(0.0);
+    return self->GetAbortExecute() != 0;
+  };
   this->Prepared.reset(); // two scenes may be more than the memory holds
   auto prepared = std::make_unique<PreparedScene>();
   penumbra::Scene& scene = prepared->Drawn;
   scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
                          : penumbra::ExtractScene(data, options);
+  if (!scene.Eye.IsUsable())
+  {
+    throw std::runtime_error(
+      "The camera sees nothing: position, focal point, view up, view angle and "
+      "parallel scale must be finite, none far beyond the scene's size.");
+  }
   for (const std::string& warning : scene.Warnings)
   {
     vtkWarningWithObjectMacro(self, << warning);
   }
-  prepared->Rays = std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads);
-  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self));
+  prepared->Rays =
+    std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
+  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
   this->Prepared = std::move(prepared);
   this->PreparedTime = changed(); // mappers may have made their colours meanwhile
 }
@@ -414,8 +433,9 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
 
   const double begun = asks ? ProgressOfSource : 0.0;
-  const auto progress = [self, begun](double done) {
-    self->UpdateProgress(begun + (1.0 - begun) * done);
+  const double ended = self->GeometryArrays ? 1.0 - ProgressOfGeometry : 1.0;
+  const auto progress = [self, begun, ended](double done) {
+    self->UpdateProgress(begun + (ended - begun) * done);
     return self->GetAbortExecute() != 0;
   };
   penumbra::PicturePart totals;
@@ -429,8 +449,11 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,
       OcclusionNoiseShare * self->Tolerance);
-    const auto aborted = [self](double) { return self->GetAbortExecute() != 0; };
-    if (!penumbra::AddGeometryArrays(sampler, aborted, image, totals.Rays))
+    const auto geometry = [self, ended](double done) {
+      self->UpdateProgress(ended + (1.0 - ended) * done);
+      return self->GetAbortExecute() != 0;
+    };
+    if (!penumbra::AddGeometryArrays(sampler, geometry, image, totals.Rays))
     {
       return false;
     }

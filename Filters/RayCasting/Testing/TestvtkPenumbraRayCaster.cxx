@@ -6,6 +6,7 @@
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -15,6 +16,8 @@
 #include "vtkPenumbraBruteForceSource.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -28,6 +31,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -311,6 +315,98 @@ TEST_F(SpheresTest, StopWhenAskedTo)
   this->Caster->Modified();
   EXPECT_EQ(picture, this->Render());
   EXPECT_GT(this->Statistic("Rays/Total"), 0.0);
+}
+
+TEST_F(SpheresTest, StopSoonWhereverTheyAreAskedTo)
+{
+  struct Watch
+  {
+    int Events = 0;
+    int StopAt = -1;
+  };
+  Watch watch;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&watch);
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    auto& self = *static_cast<Watch*>(data);
+    if (self.Events++ == self.StopAt)
+    {
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  });
+  this->Caster->AddObserver(vtkCommand::ProgressEvent, observer);
+  this->Caster->GeometryArraysOn();
+  this->Caster->SetResolution(40, 30);
+  this->Caster->Update();
+  const int all = watch.Events;
+  EXPECT_GT(all, 40);
+  for (int stop = 0; stop + 2 < all; stop += 3)
+  {
+    watch = { 0, stop };
+    this->Caster->SetAbortExecute(0);
+    this->Caster->Modified();
+    this->Caster->Update();
+    EXPECT_LE(watch.Events, stop + 2) << stop; // VTK's own last one
+    EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << stop;
+  }
+}
+
+TEST_F(SpheresTest, RefuseCamerasThatSeeNothing)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&errors);
+  listen->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  this->Caster->AddObserver(vtkCommand::ErrorEvent, listen);
+  this->Caster->AmbientOcclusionOn();
+  const auto refuse = [&](const char* what) {
+    errors = 0;
+    this->Caster->Update();
+    EXPECT_EQ(errors, 1) << what;
+    EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << what;
+  };
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1e20);
+  refuse("scale");
+  camera->ParallelProjectionOff();
+  camera->SetViewAngle(std::nan(""));
+  refuse("angle");
+  camera->SetViewAngle(30.0);
+  camera->SetPosition(std::nan(""), 0.0, 1.0);
+  refuse("position");
+  camera->SetPosition(std::numeric_limits<double>::infinity(), 0.0, 1.0);
+  refuse("far position");
+}
+
+TEST_F(SpheresTest, StandAPointThatIsNotFinite)
+{
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 1e30, 1e308 })
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(0.0, 0.0, 2.0);
+    points->InsertNextPoint(0.2, 0.0, 2.0);
+    points->InsertNextPoint(0.0, 0.2, 2.0);
+    points->InsertNextPoint(bad, 0.0, 0.0);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, 2 });
+    cells->InsertNextCell({ 0, 1, 3 });
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    this->Caster->AmbientOcclusionOn();
+    this->Caster->IndirectLightOn();
+    this->Caster->SetResolution(40, 30);
+    this->Caster->Update(); // ends
+    this->Renderer->RemoveActor(actor);
+  }
 }
 
 TEST_F(SpheresTest, RenderAgainWhenTheSceneChanges)
