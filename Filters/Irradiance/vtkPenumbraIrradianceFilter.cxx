@@ -287,7 +287,10 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   choices.PointRadius = this->PointRadius;
   Work work;
   work.Progress = [this](double share) {
-    this->UpdateProgress(share);
+    if (!this->GetAbortExecute())
+    {
+      this->UpdateProgress(share);
+    }
     return this->GetAbortExecute() != 0;
   };
   MeshSites& mesh = work.Mesh;

@@ -48,6 +48,16 @@ constexpr double ProgressOfGeometry = 0.25;
 
 using penumbra::AddStatistic;
 
+/// True when asked to stop: then nobody is told anything more.
+bool TellProgress(vtkAlgorithm* self, double share)
+{
+  if (!self->GetAbortExecute())
+  {
+    self->UpdateProgress(share);
+  }
+  return self->GetAbortExecute() != 0;
+}
+
 /// Diagonal of the bounds of what is drawn, in world units.
 double GetDiagonal(const penumbra::Scene& scene)
 {
@@ -323,10 +333,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Resolution[1] = self->Resolution[1];
   options.DPI = self->DPI;
   options.Background = self->Background;
-  options.Progress = [self](double) {
-    self->UpdateProgress(0.0);
-    return self->GetAbortExecute() != 0;
-  };
+  options.Progress = [self](double) { return TellProgress(self, 0.0); };
   this->Prepared.reset(); // two scenes may be more than the memory holds
   auto prepared = std::make_unique<PreparedScene>();
   penumbra::Scene& scene = prepared->Drawn;
@@ -373,8 +380,7 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
   const double half = occlusion && self->IndirectLight ? .5 : 1.0;
   double done = 0.0;
   const auto progress = [&](double share) {
-    self->UpdateProgress(ProgressOfSource * (done + half * share));
-    return self->GetAbortExecute() != 0;
+    return TellProgress(self, ProgressOfSource * (done + half * share));
   };
   if (occlusion)
   {
@@ -413,7 +419,10 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
   const penumbra::Scene& scene = this->Prepared->Drawn;
-  self->UpdateProgress(0.0); // The scene is built.
+  if (TellProgress(self, 0.0)) // The scene is built.
+  {
+    return false;
+  }
   const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
   penumbra::Sampler sampler(*this->Prepared->Rays, shading, scene.Eye);
   const penumbra::PictureSettings settings = MakeSettings(self);
@@ -435,8 +444,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const double begun = asks ? ProgressOfSource : 0.0;
   const double ended = self->GeometryArrays ? 1.0 - ProgressOfGeometry : 1.0;
   const auto progress = [self, begun, ended](double done) {
-    self->UpdateProgress(begun + (ended - begun) * done);
-    return self->GetAbortExecute() != 0;
+    return TellProgress(self, begun + (ended - begun) * done);
   };
   penumbra::PicturePart totals;
   double squaredError = 0.0;
@@ -450,8 +458,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,
       OcclusionNoiseShare * self->Tolerance);
     const auto geometry = [self, ended](double done) {
-      self->UpdateProgress(ended + (1.0 - ended) * done);
-      return self->GetAbortExecute() != 0;
+      return TellProgress(self, ended + (1.0 - ended) * done);
     };
     if (!penumbra::AddGeometryArrays(sampler, geometry, image, totals.Rays))
     {

@@ -321,33 +321,34 @@ TEST_F(SpheresTest, StopSoonWhereverTheyAreAskedTo)
 {
   struct Watch
   {
-    int Events = 0;
-    int StopAt = -1;
+    double StopAt = 0.0;
+    int Later = -1; ///< events after they were asked to stop
   };
   Watch watch;
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&watch);
   observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
     auto& self = *static_cast<Watch*>(data);
-    if (self.Events++ == self.StopAt)
+    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+    if (self.Later >= 0 || algorithm->GetProgress() >= self.StopAt)
     {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+      ++self.Later;
+      algorithm->SetAbortExecute(1);
     }
   });
   this->Caster->AddObserver(vtkCommand::ProgressEvent, observer);
   this->Caster->GeometryArraysOn();
   this->Caster->SetResolution(40, 30);
-  this->Caster->Update();
-  const int all = watch.Events;
-  EXPECT_GT(all, 40);
-  for (int stop = 0; stop + 2 < all; stop += 3)
+  for (const double stopAt : { 0.0, .26, .4, .6, .8, .9 })
   {
-    watch = { 0, stop };
+    watch = { stopAt, -1 };
     this->Caster->SetAbortExecute(0);
     this->Caster->Modified();
     this->Caster->Update();
-    EXPECT_LE(watch.Events, stop + 2) << stop; // VTK's own last one
-    EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << stop;
+    EXPECT_GE(watch.Later, 0) << stopAt;
+    EXPECT_LE(watch.Later, 1) << stopAt; // VTK's own last one
+    EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
+    EXPECT_EQ(this->Caster->GetStatistics()->GetNumberOfArrays(), 0) << stopAt;
   }
 }
 
@@ -382,7 +383,7 @@ TEST_F(SpheresTest, RefuseCamerasThatSeeNothing)
 
 TEST_F(SpheresTest, StandAPointThatIsNotFinite)
 {
-  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 1e30, 1e308 })
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
