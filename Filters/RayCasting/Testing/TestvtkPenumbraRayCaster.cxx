@@ -11,6 +11,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
@@ -407,6 +408,46 @@ TEST_F(SpheresTest, StandAPointThatIsNotFinite)
     this->Caster->SetResolution(40, 30);
     this->Caster->Update(); // ends
     this->Renderer->RemoveActor(actor);
+  }
+}
+
+TEST_F(SpheresTest, StandSliversWithoutWidth)
+{
+  // In single precision nothing is left of their normals.
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(3);
+  const auto next = [&]() {
+    random->Next();
+    return random->GetValue();
+  };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 2000; ++i)
+  {
+    const double a[3] = { next(), next(), next() };
+    const double b[3] = { next(), next(), next() };
+    points->InsertNextPoint(a);
+    points->InsertNextPoint(b);
+    points->InsertNextPoint(b[0] + 1e-8 * next(), b[1] + 1e-8 * next(), b[2] + 1e-8 * next());
+    cells->InsertNextCell({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->RemoveAllViewProps();
+  this->Renderer->AddActor(actor);
+  this->Renderer->ResetCamera();
+  this->Caster->AmbientOcclusionOn();
+  this->Caster->IndirectLightOn();
+  this->Caster->SetResolution(160, 120);
+  for (const float value : this->Render()) // ends
+  {
+    ASSERT_TRUE(std::isfinite(value));
   }
 }
 
