@@ -41,6 +41,8 @@ namespace
 constexpr int LargestSide = 65535;
 // A pixel is the mean of about four answers of the irradiance source, so each may err twice as much.
 constexpr double OcclusionNoiseShare = 2.0;
+// Of the progress, which is 0 before: the scene is built.
+constexpr double ProgressOfScene = 1e-6;
 // Of the progress: what the irradiance source prepares.
 constexpr double ProgressOfSource = 0.25;
 // Of the progress: the arrays beside the colour.
@@ -419,7 +421,7 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
   const penumbra::Scene& scene = this->Prepared->Drawn;
-  if (TellProgress(self, 0.0)) // The scene is built.
+  if (TellProgress(self, ProgressOfScene))
   {
     return false;
   }
