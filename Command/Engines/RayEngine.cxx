@@ -48,11 +48,11 @@ struct Watch
   bool Started = false;
 };
 
-// The first progress is reported when the scene is built.
+// Progress above 0 is first reported when the scene is built.
 void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
 {
   Watch& watch = *static_cast<Watch*>(clientData);
-  if (!watch.Started)
+  if (!watch.Started && *static_cast<double*>(callData) > 0.0)
   {
     watch.Started = true;
     watch.FirstRay = Clock::now();

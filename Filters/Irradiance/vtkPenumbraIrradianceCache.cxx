@@ -49,12 +49,12 @@ void Copy(const PictureRecords& from, penumbra::Quantities quantity, const Scene
     records->GetFieldData(), "NormalAngle", vtkMath::DegreesFromRadians(from.GetNormalAngle()));
 }
 
-std::vector<Site> Viewpoints(const RayScene& rays)
+std::vector<Site> Viewpoints(const RayScene& rays, const ProgressCallback& progress)
 {
   std::vector<Site> all;
   for (int level = 0; StrideOf(level) >= StrideOfViewpoints; ++level)
   {
-    const std::vector<Site> sites = SitesOfPicture(rays, level);
+    const std::vector<Site> sites = SitesOfPicture(rays, level, progress);
     all.insert(all.end(), sites.begin(), sites.end());
   }
   return all;
@@ -257,8 +257,15 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
   self.BruteForce->Begin(rays, occluders, tolerance);
   self.Occluders = std::make_unique<OcclusionGatherer>(
     rays, DistanceFallOff::InScene(occluders.Radius, occluders.FallOff, rays.GetScene().Scale));
-  if (!self.MakeRecords(this, Quantities::Occlusion, *self.Occluders,
-        Internals::MakeSettings(this, tolerance), progress))
+  try
+  {
+    if (!self.MakeRecords(this, Quantities::Occlusion, *self.Occluders,
+          Internals::MakeSettings(this, tolerance), progress))
+    {
+      return false;
+    }
+  }
+  catch (const Stopped&)
   {
     return false;
   }
@@ -315,8 +322,15 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   const auto after = [&](double share) {
     return progress && progress(ProgressOfReflections + (1.0 - ProgressOfReflections) * share);
   };
-  if (!self.Light->Build(Viewpoints(rays), before) ||
-    !self.MakeRecords(this, Quantities::Irradiance, self.Light->GetGatherer(), settings, after))
+  try
+  {
+    if (!self.Light->Build(Viewpoints(rays, before), before) ||
+      !self.MakeRecords(this, Quantities::Irradiance, self.Light->GetGatherer(), settings, after))
+    {
+      return false;
+    }
+  }
+  catch (const Stopped&)
   {
     return false;
   }

@@ -28,6 +28,7 @@
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -69,7 +70,8 @@ constexpr double ProgressOfReflections = 0.4;
 /// Of the points, every so manieth looks for others, see Interreflection.
 constexpr std::size_t MostViewpoints = 256;
 
-/// `scale` times the means at every point or cell, 0 where nothing asked.
+/// `scale` times the means at every point or cell, 0 where nothing asked; where several faces of one
+/// cell asked, their mean.
 vtkSmartPointer<vtkFloatArray> ArrayOf(const MeshSites& mesh, const BakedValues& baked,
   vtkIdType size, const char* name, int components, float scale)
 {
@@ -78,22 +80,41 @@ vtkSmartPointer<vtkFloatArray> ArrayOf(const MeshSites& mesh, const BakedValues&
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(size);
   array->Fill(0.0);
+  std::vector<unsigned char> faces(static_cast<std::size_t>(size), 0);
   for (std::size_t i = 0; i < mesh.Ids.size(); ++i)
   {
+    const vtkIdType id = mesh.Ids[i];
+    unsigned char& count = faces[static_cast<std::size_t>(id)];
+    count = static_cast<unsigned char>(std::min(count + 1, 255));
     for (int c = 0; c < components; ++c)
     {
-      array->SetTypedComponent(mesh.Ids[i], c, scale * baked.Values[i].Mean[c]);
+      const float before = array->GetTypedComponent(id, c);
+      const float value = scale * baked.Values[i].Mean[c];
+      array->SetTypedComponent(id, c, before + (value - before) / static_cast<float>(count));
     }
   }
   return array;
 }
 
-/// What records leave out.
-void AddSuns(
-  const Illumination& light, const std::vector<Site>& sites, double tolerance, BakedValues& baked)
+/// Of all sites: so many blocked so far look the wrong way.
+constexpr double MostBlocked = .99;
+constexpr float BlockedInFull = .999f;
+
+/// Is hardly anything open? Then normals face into the mesh, or it is a cave.
+bool IsBlocked(const BakedValues& baked)
+{
+  const auto blocked = std::count_if(baked.Values.begin(), baked.Values.end(),
+    [](const BakedValue& value) { return value.Mean.x >= BlockedInFull; });
+  return blocked > 0 &&
+    static_cast<double>(blocked) >= MostBlocked * static_cast<double>(baked.Values.size());
+}
+
+/// What records leave out; false when stopped.
+bool AddSuns(const Illumination& light, const std::vector<Site>& sites, double tolerance,
+  const ProgressCallback& progress, BakedValues& baked)
 {
   std::atomic<long long> rays(0);
-  ParallelFor<std::size_t>(0, sites.size(), 0, [&](std::size_t i) {
+  const bool done = InBatches(static_cast<int>(sites.size()), 1.0, 1.0, progress, [&](int i) {
     long long own = 0;
     const auto suns = light.FromSuns(sites[i].Position, sites[i].Normal, tolerance, own);
     baked.Values[i].Mean += suns.Mean;
@@ -101,6 +122,7 @@ void AddSuns(
     rays += own;
   });
   baked.BruteForceRays += rays;
+  return done;
 }
 
 }
@@ -202,6 +224,10 @@ int vtkPenumbraIrradianceFilter::RequestData(
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(inputs, outputs); });
   }
+  catch (const Stopped&)
+  {
+    this->Statistics->Initialize();
+  }
   catch (const std::bad_alloc&)
   {
     vtkErrorMacro("Out of memory: give a smaller mesh.");
@@ -260,11 +286,18 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   choices.ComputeNormals = this->ComputeNormals;
   choices.PointRadius = this->PointRadius;
   Work work;
+  work.Progress = [this](double share) {
+    if (!this->GetAbortExecute())
+    {
+      this->UpdateProgress(share);
+    }
+    return this->GetAbortExecute() != 0;
+  };
   MeshSites& mesh = work.Mesh;
-  mesh = FindMeshSites(input, choices);
+  mesh = FindMeshSites(input, choices, work.Progress);
   if (surroundings)
   {
-    AddSurroundings(surroundings, mesh);
+    AddSurroundings(surroundings, mesh, work.Progress);
   }
   for (Site& site : mesh.Sites)
   {
@@ -280,13 +313,9 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
                     << " are of no surface and " << mesh.NotFinite
                     << " are not finite or have no normal: their value is 0.");
   }
-  work.Rays = std::make_unique<RayScene>(mesh.Blocking, this->NumberOfThreads);
+  work.Rays = std::make_unique<RayScene>(mesh.Blocking, this->NumberOfThreads, work.Progress);
   work.Tree.Initialize(glm::vec3(0.f), .5f);
   work.Settings.MostPixels = MostPixels;
-  work.Progress = [this](double share) {
-    this->UpdateProgress(share);
-    return this->GetAbortExecute() != 0;
-  };
   const bool light = this->Quantity == IRRADIANCE;
   if (!(light ? this->BakeIrradiance(work) : this->BakeOcclusion(work)))
   {
@@ -295,6 +324,11 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   vtkDataSetAttributes* attributes = this->OnCells
     ? static_cast<vtkDataSetAttributes*>(output->GetCellData())
     : static_cast<vtkDataSetAttributes*>(output->GetPointData());
+  if (!light && IsBlocked(work.Baked))
+  {
+    vtkWarningMacro("Everything is blocked: do polygons and normals face inwards? Turn them, for "
+                    "instance by vtkReverseSense; in PyVista by flip_faces().");
+  }
   const vtkIdType size = this->OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
   attributes->AddArray(light
       ? ArrayOf(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(Pi))
@@ -409,11 +443,8 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const bool done = Bake(
     work.Mesh.Sites, work.Mesh.Spacing, records, places, work.Tree, answers, after, work.Baked);
   work.GatherRays = places.GetRays() + work.Reflections->GetRays();
-  if (done && records)
-  {
-    AddSuns(light, work.Mesh.Sites, tolerance, work.Baked);
-  }
-  return done;
+  return done &&
+    (!records || AddSuns(light, work.Mesh.Sites, tolerance, work.Progress, work.Baked));
 }
 
 void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)

@@ -93,7 +93,8 @@ public:
   ///@}
 
   ///@{
-  /** Bake at the centres of cells, about their own normals, not at points. Default: off. */
+  /** Bake at the centres of cells, about their own normals, not at points. A cell of a volume has the mean
+   * of those of its faces that are on the surface. Default: off. */
   vtkSetMacro(OnCells, bool);
   vtkGetMacro(OnCells, bool);
   vtkBooleanMacro(OnCells, bool);

@@ -31,6 +31,7 @@
 #include <iterator>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace
@@ -40,10 +41,24 @@ namespace
 constexpr int LargestSide = 65535;
 // A pixel is the mean of about four answers of the irradiance source, so each may err twice as much.
 constexpr double OcclusionNoiseShare = 2.0;
+// Of the progress, which is 0 before: the scene is built.
+constexpr double ProgressOfScene = 1e-6;
 // Of the progress: what the irradiance source prepares.
 constexpr double ProgressOfSource = 0.25;
+// Of the progress: the arrays beside the colour.
+constexpr double ProgressOfGeometry = 0.25;
 
 using penumbra::AddStatistic;
+
+/// True when asked to stop: then nobody is told anything more.
+bool TellProgress(vtkAlgorithm* self, double share)
+{
+  if (!self->GetAbortExecute())
+  {
+    self->UpdateProgress(share);
+  }
+  return self->GetAbortExecute() != 0;
+}
 
 /// Diagonal of the bounds of what is drawn, in world units.
 double GetDiagonal(const penumbra::Scene& scene)
@@ -269,6 +284,11 @@ int vtkPenumbraRayCaster::RequestData(
       own.Prepared.reset();
     }
   }
+  catch (const penumbra::Stopped&)
+  {
+    image->Initialize();
+    own.Prepared.reset();
+  }
   catch (const std::bad_alloc&)
   {
     image->Initialize();
@@ -315,17 +335,25 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Resolution[1] = self->Resolution[1];
   options.DPI = self->DPI;
   options.Background = self->Background;
+  options.Progress = [self](double) { return TellProgress(self, 0.0); };
   this->Prepared.reset(); // two scenes may be more than the memory holds
   auto prepared = std::make_unique<PreparedScene>();
   penumbra::Scene& scene = prepared->Drawn;
   scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
                          : penumbra::ExtractScene(data, options);
+  if (!scene.Eye.IsUsable())
+  {
+    throw std::runtime_error(
+      "The camera sees nothing: position, focal point, view up, view angle and "
+      "parallel scale must be finite, none far beyond the scene's size.");
+  }
   for (const std::string& warning : scene.Warnings)
   {
     vtkWarningWithObjectMacro(self, << warning);
   }
-  prepared->Rays = std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads);
-  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self));
+  prepared->Rays =
+    std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
+  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
   this->Prepared = std::move(prepared);
   this->PreparedTime = changed(); // mappers may have made their colours meanwhile
 }
@@ -354,8 +382,7 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
   const double half = occlusion && self->IndirectLight ? .5 : 1.0;
   double done = 0.0;
   const auto progress = [&](double share) {
-    self->UpdateProgress(ProgressOfSource * (done + half * share));
-    return self->GetAbortExecute() != 0;
+    return TellProgress(self, ProgressOfSource * (done + half * share));
   };
   if (occlusion)
   {
@@ -394,7 +421,10 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
   const penumbra::Scene& scene = this->Prepared->Drawn;
-  self->UpdateProgress(0.0); // The scene is built.
+  if (TellProgress(self, ProgressOfScene))
+  {
+    return false;
+  }
   const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
   penumbra::Sampler sampler(*this->Prepared->Rays, shading, scene.Eye);
   const penumbra::PictureSettings settings = MakeSettings(self);
@@ -414,9 +444,9 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
 
   const double begun = asks ? ProgressOfSource : 0.0;
-  const auto progress = [self, begun](double done) {
-    self->UpdateProgress(begun + (1.0 - begun) * done);
-    return self->GetAbortExecute() != 0;
+  const double ended = self->GeometryArrays ? 1.0 - ProgressOfGeometry : 1.0;
+  const auto progress = [self, begun, ended](double done) {
+    return TellProgress(self, begun + (ended - begun) * done);
   };
   penumbra::PicturePart totals;
   double squaredError = 0.0;
@@ -429,8 +459,10 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,
       OcclusionNoiseShare * self->Tolerance);
-    const auto aborted = [self](double) { return self->GetAbortExecute() != 0; };
-    if (!penumbra::AddGeometryArrays(sampler, aborted, image, totals.Rays))
+    const auto geometry = [self, ended](double done) {
+      return TellProgress(self, ended + (1.0 - ended) * done);
+    };
+    if (!penumbra::AddGeometryArrays(sampler, geometry, image, totals.Rays))
     {
       return false;
     }

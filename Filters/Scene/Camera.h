@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include <initializer_list>
+
 namespace penumbra
 {
 
@@ -50,6 +52,27 @@ struct Camera
     }
     const glm::dvec2 q = (p - this->Center) * this->PixelSize;
     return this->Forward + q.x * this->Right + q.y * this->Up;
+  }
+
+  /// Are all rays through the picture finite, and different from pixel to pixel?
+  bool IsUsable() const
+  {
+    if (!(this->PixelSize > 0.0 && this->Near >= 0.0))
+    {
+      return false;
+    }
+    for (const glm::dvec2 corner : { glm::dvec2(0.0), glm::dvec2(this->Width, this->Height) })
+    {
+      for (const glm::dvec3 x : { this->RayOrigin(corner), this->RayDirection(corner) })
+      {
+        // Comparisons with NaN are false.
+        if (!(glm::dot(x, x) < 1e36))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   /// Distance along Forward.

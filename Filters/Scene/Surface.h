@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -87,7 +88,28 @@ struct Surface
     false; ///< a line or a point, widened towards the eye: casts and takes no shadow
 
   bool LetsLightThrough() const;
+
+  /// Normal of a triangle, of any length: 0 only where it has no area, see below.
+  glm::vec3 NormalOf(std::uint32_t triangle) const;
 };
+
+/// In single precision where that leaves a length, else of length 1: triangles of 1e-20 have one, too.
+inline glm::vec3 Surface::NormalOf(std::uint32_t triangle) const
+{
+  const glm::uvec3 corners = this->Triangles[triangle];
+  const glm::vec3 a = this->Positions[corners.x];
+  const glm::vec3 b = this->Positions[corners.y];
+  const glm::vec3 c = this->Positions[corners.z];
+  const glm::vec3 normal = glm::cross(b - a, c - a);
+  if (glm::dot(normal, normal) >= std::numeric_limits<float>::min())
+  {
+    return normal;
+  }
+  const glm::dvec3 from(a);
+  const glm::dvec3 exact = glm::cross(glm::dvec3(b) - from, glm::dvec3(c) - from);
+  const double length = glm::length(exact);
+  return length > 0.0 ? glm::vec3(exact / length) : glm::vec3(0.f);
+}
 
 inline bool Surface::LetsLightThrough() const
 {

@@ -5,9 +5,11 @@ import importlib.metadata
 import math
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 import numpy
@@ -67,6 +69,20 @@ class BakedOcclusion(unittest.TestCase):
         mesh = ball()
         self.assertIs(mesh.penumbra.bake_ambient_occlusion(inplace=True), mesh)
         self.assertEqual(len(mesh["AmbientOcclusion"]), mesh.n_points)
+
+    def test_gives_cells_of_small_volumes_their_own_values(self):
+        grid = pyvista.ImageData(dimensions=(3, 3, 3)).cast_to_unstructured_grid()
+        baked = grid.penumbra.bake_ambient_occlusion(on="cells")
+        self.assertEqual(baked.cell_data["AmbientOcclusion"].size, 8)
+        self.assertLess(baked.cell_data["AmbientOcclusion"].max(), 0.05)
+
+    def test_stops_at_ctrl_c(self):
+        mesh = ball()
+        alarm = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+        alarm.start()
+        with self.assertRaises(KeyboardInterrupt):
+            mesh.penumbra.bake_ambient_occlusion(tolerance=1e-4, inplace=True)
+        self.assertNotIn("AmbientOcclusion", mesh.point_data)
 
     def test_can_go_onto_cells(self):
         baked = ball().penumbra.bake_ambient_occlusion(on="cells")

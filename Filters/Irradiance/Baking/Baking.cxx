@@ -95,13 +95,23 @@ private:
   const std::vector<Site>& Sites;
 };
 
+/// Runs work(i) for `count` sites at one place of the progress; throws Stopped.
+template <typename Work>
+void Each(std::size_t count, double share, const ProgressCallback& progress, const Work& work)
+{
+  if (!InBatches(static_cast<int>(count), share, share, progress, work, 0))
+  {
+    throw Stopped();
+  }
+}
+
 /// Those of `from` that no record covers; counts those that one serves.
-std::vector<std::size_t> Uncovered(
-  const std::vector<Site>& sites, const RecordTree& tree, const std::vector<std::size_t>& from)
+std::vector<std::size_t> Uncovered(const std::vector<Site>& sites, const RecordTree& tree,
+  const std::vector<std::size_t>& from, const ProgressCallback& progress)
 {
   std::vector<char> covered(from.size());
-  ParallelFor<std::size_t>(0, from.size(), 0,
-    [&](std::size_t i) { covered[i] = Placement::IsCovered(tree, sites[from[i]]); });
+  Each(from.size(), 1.0, progress,
+    [&](int i) { covered[i] = Placement::IsCovered(tree, sites[from[i]]); });
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < from.size(); ++i)
   {
@@ -140,7 +150,7 @@ bool PlaceRecords(const std::vector<Site>& sites, float spacing, double leastSer
       return false;
     }
     const std::size_t before = left.size();
-    left = Uncovered(sites, tree, left);
+    left = Uncovered(sites, tree, left, step);
     const auto made = static_cast<double>(chosen.size());
     const double serving = 1.0 - static_cast<double>(places.GetIdle() - idle) / made;
     if (static_cast<double>(before - left.size()) * serving < leastServed * made)
@@ -152,12 +162,12 @@ bool PlaceRecords(const std::vector<Site>& sites, float spacing, double leastSer
 }
 
 /// Values of the sites that records serve or lie at; returns the others.
-std::vector<std::size_t> Interpolate(
-  const std::vector<Site>& sites, const RecordTree& tree, BakedValues& result)
+std::vector<std::size_t> Interpolate(const std::vector<Site>& sites, const RecordTree& tree,
+  double share, const ProgressCallback& progress, BakedValues& result)
 {
   std::vector<char> asks(sites.size());
   std::atomic<std::size_t> interpolated(0);
-  ParallelFor<std::size_t>(0, sites.size(), 0, [&](std::size_t i) {
+  Each(sites.size(), share, progress, [&](int i) {
     const Interpolated found = tree.LookUp(sites[i]);
     const Record* here = found.Found() ? nullptr : tree.FindAt(sites[i]);
     if (found.Found())
@@ -214,7 +224,7 @@ struct Asking
     {
       return false;
     }
-    const std::size_t shared = this->Share(trial, spacing, answers, nullptr);
+    const std::size_t shared = this->Share(trial, spacing, middle, progress, answers, nullptr);
     if (static_cast<double>(shared) < LeastShared * static_cast<double>(trial.size()))
     {
       uncertain = which;
@@ -224,7 +234,7 @@ struct Asking
     {
       return false;
     }
-    this->Result.Shared = this->Share(which, spacing, answers, &uncertain);
+    this->Result.Shared = this->Share(which, spacing, end, progress, answers, &uncertain);
     return true;
   }
 
@@ -250,8 +260,9 @@ private:
 
   /// How many of the values are certain with their neighbours' help: the most certain ones, as many as
   /// are allowed in the mean. With `uncertain` they take it, and the others are appended to that.
-  std::size_t Share(const std::vector<std::size_t>& which, float spacing,
-    std::vector<Uncertain>& answers, std::vector<std::size_t>* uncertain)
+  std::size_t Share(const std::vector<std::size_t>& which, float spacing, double share,
+    const ProgressCallback& progress, std::vector<Uncertain>& answers,
+    std::vector<std::size_t>* uncertain)
   {
     for (const std::size_t index : which)
     {
@@ -260,7 +271,7 @@ private:
     }
     const Neighbours neighbours(this->Sites, which, spacing);
     std::vector<Uncertain> fitted(which.size());
-    ParallelFor<std::size_t>(0, which.size(), 0, [&](std::size_t i) {
+    Each(which.size(), share, progress, [&](int i) {
       // Where all rays agree nothing is added: in the open occlusion is 0.
       const Uncertain& own = answers[which[i]];
       const bool agree = own.Mean == 0.f || own.Mean == 1.f;
@@ -327,9 +338,9 @@ bool Bake(const std::vector<Site>& sites, float spacing, bool records, Placement
   {
     return false;
   }
-  const std::vector<std::size_t> left = Interpolate(sites, tree, result);
-  Asking asking{ sites, answers, result };
   const double begin = records ? ProgressOfRecords : 0.0;
+  const std::vector<std::size_t> left = Interpolate(sites, tree, begin, progress, result);
+  Asking asking{ sites, answers, result };
   if (!shares)
   {
     return asking.ByBruteForce(left, begin, progress);

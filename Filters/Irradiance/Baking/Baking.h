@@ -43,8 +43,8 @@ struct BakedValues
 };
 
 /**
- * Sites' Pixel is their distance from neighbours. `records`: false leaves them out. False when
- * `progress` stopped it.
+ * Sites' Pixel is their distance from neighbours. `records`: false leaves them out. False, or
+ * Stopped is thrown, when `progress` stopped it.
  */
 bool Bake(const std::vector<Site>& sites, float spacing, bool records, Placement& places,
   const RecordTree& tree, const Answers& answers, const ProgressCallback& progress,

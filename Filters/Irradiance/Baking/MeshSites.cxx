@@ -11,7 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -21,6 +20,7 @@
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -54,22 +54,14 @@ void Include(vtkPolyData* mesh, vtkBoundingBox& bounds)
   }
 }
 
-vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh)
+vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh, const ProgressCallback& progress)
 {
   vtkNew<vtkTriangleFilter> filter;
   filter->SetInputData(mesh);
   filter->PassLinesOff();
   filter->PassVertsOff();
-  filter->Update();
+  UpdateStoppably(filter, progress);
   return filter->GetOutput()->GetPolys();
-}
-
-/// Ids of the data set that the points or cells of its surface come from; none: the same.
-vtkIdTypeArray* OriginalIds(vtkFieldData* attributes, const char* name, vtkPointSet* data)
-{
-  return vtkPolyData::SafeDownCast(data)
-    ? nullptr
-    : vtkIdTypeArray::SafeDownCast(attributes->GetAbstractArray(name));
 }
 
 /// Cells at one point from which on VTK's search for neighbours, all pairs of them, takes too long.
@@ -177,7 +169,8 @@ vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
 }
 
 /// Per point; neighbours are turned the same way round.
-vtkSmartPointer<vtkDataArray> ComputedNormals(vtkPolyData* surface)
+vtkSmartPointer<vtkDataArray> ComputedNormals(
+  vtkPolyData* surface, const ProgressCallback& progress)
 {
   vtkNew<vtkPolyData> polygons;
   polygons->SetPoints(surface->GetPoints());
@@ -195,7 +188,7 @@ vtkSmartPointer<vtkDataArray> ComputedNormals(vtkPolyData* surface)
   {
     normals->ConsistencyOn();
   }
-  normals->Update();
+  UpdateStoppably(normals, progress);
   vtkDataArray* found = normals->GetOutput()->GetPointData()->GetNormals();
   return found && found->GetNumberOfTuples() == surface->GetNumberOfPoints() ? found : nullptr;
 }
@@ -204,10 +197,12 @@ vtkSmartPointer<vtkDataArray> ComputedNormals(vtkPolyData* surface)
 class MeshReading
 {
 public:
-  MeshReading(vtkPointSet* data, const MeshChoices& choices)
+  MeshReading(vtkPointSet* data, const MeshChoices& choices, const ProgressCallback& progress)
     : Data(data),
       Choices(choices),
-      Mesh(WithoutMisfits(PolyDataOf(data), Result.LeftOut))
+      Progress(progress),
+      Mesh(
+        WithoutMisfits(FacingOutwards(PolyDataOf(data, progress), data, progress), Result.LeftOut))
   {
   }
 
@@ -265,7 +260,7 @@ private:
 
   void AddTriangles()
   {
-    const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(this->Mesh);
+    const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(this->Mesh, this->Progress);
     this->EdgeSums.assign(this->Positions.size(), 0.f);
     this->EdgeCounts.assign(this->Positions.size(), 0);
     vtkNew<vtkIdList> ids;
@@ -301,7 +296,7 @@ private:
     this->Normals = this->Mesh->GetPointData()->GetNormals();
     if (!this->Normals || this->Choices.ComputeNormals)
     {
-      this->Normals = ComputedNormals(this->Mesh);
+      this->Normals = ComputedNormals(this->Mesh, this->Progress);
     }
   }
 
@@ -318,8 +313,17 @@ private:
     return length > 0.0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0.f);
   }
 
+  /// `id` is of the surface.
   void AddSite(vtkIdType id, glm::vec3 position, glm::vec3 normal, float spacing)
   {
+    if (!this->Originals.empty())
+    {
+      id = this->Originals[static_cast<std::size_t>(id)];
+    }
+    if (id < 0)
+    {
+      return; // a point that the data set lacks
+    }
     if (normal == glm::vec3(0.f))
     {
       ++this->Result.NotFinite;
@@ -333,10 +337,18 @@ private:
     this->Result.Ids.push_back(id);
   }
 
+  /// Of `count` points or cells; several sites may be faces of one cell.
+  void CountUnused(vtkIdType count)
+  {
+    std::vector<vtkIdType> ids = this->Result.Ids;
+    std::sort(ids.begin(), ids.end());
+    const auto asked = std::unique(ids.begin(), ids.end()) - ids.begin();
+    this->Result.Unused = std::max<vtkIdType>(count - asked - this->Result.NotFinite, 0);
+  }
+
   void AddPoints()
   {
-    vtkIdTypeArray* ids =
-      OriginalIds(this->Mesh->GetPointData(), "vtkOriginalPointIds", this->Data);
+    this->Originals = OriginalIds(this->Mesh, this->Data, vtkDataObject::POINT);
     for (std::size_t i = 0; i < this->Positions.size(); ++i)
     {
       const auto point = static_cast<vtkIdType>(i);
@@ -346,19 +358,22 @@ private:
       }
       else if (this->EdgeCounts[i] > 0)
       {
-        this->AddSite(ids ? ids->GetValue(point) : point, this->Positions[i], this->NormalOf(point),
+        this->AddSite(point, this->Positions[i], this->NormalOf(point),
           this->EdgeSums[i] / static_cast<float>(this->EdgeCounts[i]));
       }
     }
-    this->Result.Unused = this->Data->GetNumberOfPoints() -
-      static_cast<vtkIdType>(this->Result.Sites.size()) - this->Result.NotFinite;
+    this->CountUnused(this->Data->GetNumberOfPoints());
   }
 
   void AddCells()
   {
-    vtkIdTypeArray* ids = OriginalIds(this->Mesh->GetCellData(), "vtkOriginalCellIds", this->Data);
+    this->Originals = OriginalIds(this->Mesh, this->Data, vtkDataObject::CELL);
     for (vtkIdType cell = 0; cell < this->Mesh->GetNumberOfCells(); ++cell)
     {
+      if (cell % StoppableCells == 0)
+      {
+        ThrowIfStopped(this->Progress, 0.0);
+      }
       vtkCell* polygon = this->Mesh->GetCell(cell);
       if (polygon->GetCellDimension() != 2)
       {
@@ -387,11 +402,10 @@ private:
       }
       if (normal != glm::vec3(0.f))
       {
-        this->AddSite(ids ? ids->GetValue(cell) : cell, center, glm::normalize(normal), size);
+        this->AddSite(cell, center, glm::normalize(normal), size);
       }
     }
-    this->Result.Unused = this->Data->GetNumberOfCells() -
-      static_cast<vtkIdType>(this->Result.Sites.size()) - this->Result.NotFinite;
+    this->CountUnused(this->Data->GetNumberOfCells());
   }
 
   void AddDiscs()
@@ -441,9 +455,11 @@ private:
 
   vtkPointSet* Data;
   const MeshChoices& Choices;
+  const ProgressCallback& Progress;
   MeshSites Result;
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkDataArray> Normals;
+  std::vector<vtkIdType> Originals; ///< per point or cell of Mesh: that of Data; empty: the same
   std::vector<glm::vec3> Positions;
   std::vector<char> Finite;
   std::vector<glm::uvec3> Triangles;
@@ -453,12 +469,13 @@ private:
 
 }
 
-MeshSites FindMeshSites(vtkPointSet* data, const MeshChoices& choices)
+MeshSites FindMeshSites(
+  vtkPointSet* data, const MeshChoices& choices, const ProgressCallback& progress)
 {
-  return MeshReading(data, choices).Read();
+  return MeshReading(data, choices, progress).Read();
 }
 
-void AddSurroundings(vtkPolyData* surroundings, MeshSites& mesh)
+void AddSurroundings(vtkPolyData* surroundings, MeshSites& mesh, const ProgressCallback& progress)
 {
   Include(surroundings, mesh.Bounds);
   mesh.Diagonal = mesh.Bounds.IsValid() ? mesh.Bounds.GetDiagonalLength() : 0.0;
@@ -472,7 +489,7 @@ void AddSurroundings(vtkPolyData* surroundings, MeshSites& mesh)
     finite.push_back(IsFinite(x));
     surface.Positions.emplace_back(finite.back() ? scene.FromWorld(x) : glm::dvec3(0.0));
   }
-  const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(surroundings);
+  const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(surroundings, progress);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {

@@ -40,13 +40,14 @@ struct MeshSites
   float Spacing = 0.f;              ///< usual distance of neighbouring sites, scene units
 };
 
+/// Throws Stopped when `progress` asks to stop, as AddSurroundings() does.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT MeshSites FindMeshSites(
-  vtkPointSet* data, const MeshChoices& choices);
+  vtkPointSet* data, const MeshChoices& choices, const ProgressCallback& progress = {});
 
 /// Polygons that block, too, but do not ask. The bounds are then those of both; points without
 /// polygons count there.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddSurroundings(
-  vtkPolyData* surroundings, MeshSites& mesh);
+  vtkPolyData* surroundings, MeshSites& mesh, const ProgressCallback& progress = {});
 
 }
 #endif

@@ -24,11 +24,7 @@ constexpr float Pi = 3.14159265f;
 
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
 {
-  const Surface& surface = scene.Surfaces[hit.Surface];
-  const glm::uvec3 corners = surface.Triangles[hit.Triangle];
-  const glm::vec3 a = surface.Positions[corners.x];
-  const glm::vec3 n =
-    glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
+  const glm::vec3 n = scene.Surfaces[hit.Surface].NormalOf(hit.Triangle);
   const float length = glm::length(n);
   return length > 0.f ? n / length : glm::vec3(0.f);
 }

@@ -55,7 +55,8 @@ Interreflection::Interreflection(
   this->Gatherers.push_back(std::make_unique<LightGatherer>(this->Light, nullptr, 0));
 }
 
-std::vector<Site> Interreflection::FindSites(const std::vector<Site>& seen)
+std::vector<Site> Interreflection::FindSites(
+  const std::vector<Site>& seen, const ProgressCallback& progress)
 {
   const RayScene& rays = this->Light.GetRays();
   const HemisphereGrid& grid = HemisphereGrid::Of(SideOfViewpoints);
@@ -64,6 +65,7 @@ std::vector<Site> Interreflection::FindSites(const std::vector<Site>& seen)
   std::vector<glm::vec3> directions;
   for (std::size_t i = 0; i < seen.size(); i += step)
   {
+    ThrowIfStopped(progress, 0.0);
     const Site& from = seen[i];
     const glm::mat3 frame = FrameOf(from.Normal);
     grid.Scatter(SeedOf(from.Position, from.Normal), directions);
@@ -113,7 +115,7 @@ bool Interreflection::Build(const std::vector<Site>& seen, const ProgressCallbac
   {
     return true;
   }
-  const std::vector<Site> sites = this->FindSites(seen);
+  const std::vector<Site> sites = this->FindSites(seen, progress);
   for (int reflection = 1; reflection <= reflections; ++reflection)
   {
     auto tree = std::make_unique<RecordTree>();

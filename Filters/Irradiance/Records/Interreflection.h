@@ -35,7 +35,7 @@ public:
   std::size_t GetBytes() const;
 
 private:
-  std::vector<Site> FindSites(const std::vector<Site>& seen);
+  std::vector<Site> FindSites(const std::vector<Site>& seen, const ProgressCallback& progress);
 
   Illumination Light;
   PlacementSettings Settings;

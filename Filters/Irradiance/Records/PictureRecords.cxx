@@ -54,7 +54,7 @@ bool PictureRecords::PlaceLevels(const ProgressCallback& progress)
     const auto step = [&](double share) {
       return progress && progress((level + share) / PictureLevels);
     };
-    if (!this->Places.AddLevel(SitesOfPicture(this->Rays, level), step))
+    if (!this->Places.AddLevel(SitesOfPicture(this->Rays, level, step), step))
     {
       return false;
     }

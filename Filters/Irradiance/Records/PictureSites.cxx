@@ -77,13 +77,13 @@ bool FindSite(const RayScene& rays, glm::dvec2 at, Site& site)
   return true;
 }
 
-std::vector<Site> SitesOfPicture(const RayScene& rays, int level)
+std::vector<Site> SitesOfPicture(const RayScene& rays, int level, const ProgressCallback& progress)
 {
   const Camera& eye = rays.GetScene().Eye;
   const int stride = StrideOf(level);
   const int rows = (eye.Height + stride - 1) / stride;
   std::vector<std::vector<Site>> found(rows);
-  ParallelFor(0, rows, 0, [&](int row) {
+  const bool done = InBatches(rows, 0.0, 0.0, progress, [&](int row) {
     for (int x = 0; x < eye.Width; x += stride)
     {
       Site site;
@@ -94,6 +94,10 @@ std::vector<Site> SitesOfPicture(const RayScene& rays, int level)
       }
     }
   });
+  if (!done)
+  {
+    throw Stopped();
+  }
   std::vector<Site> sites;
   for (const std::vector<Site>& row : found)
   {

@@ -6,6 +6,7 @@
 #ifndef penumbra_PictureSites_h
 #define penumbra_PictureSites_h
 
+#include "Execution/Batches.h"
 #include "Placement.h"
 
 #include <vector>
@@ -28,7 +29,7 @@ bool FindSite(const RayScene& rays, glm::dvec2 at, Site& site);
 
 /// What is seen first through the pixels that `level` adds to the levels before.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Site> SitesOfPicture(
-  const RayScene& rays, int level);
+  const RayScene& rays, int level, const ProgressCallback& progress = {});
 
 }
 #endif

@@ -461,6 +461,7 @@ bool Placement::IsCovered(const RecordTree& tree, const Place& place)
 
 bool Placement::AddLevel(const std::vector<Site>& sites, const ProgressCallback& progress)
 {
+  constexpr std::size_t StoppableRecords = 1024;
   struct Outcome
   {
     std::optional<Record> Made;
@@ -478,6 +479,10 @@ bool Placement::AddLevel(const std::vector<Site>& sites, const ProgressCallback&
   }
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
+    if (i % StoppableRecords == 0 && progress && progress(1.0))
+    {
+      return false;
+    }
     this->Rays += outcomes[i].Rays;
     if (outcomes[i].Made)
     {

@@ -91,8 +91,12 @@ bool ScreenRecords::PlaceLevels(const ProgressCallback& progress)
       break;
     }
     std::vector<char> fails(squares.size());
-    ParallelFor<std::size_t>(
-      0, squares.size(), 0, [&](std::size_t i) { fails[i] = this->Fails(squares[i]); });
+    const double share = 1.0 - .5 * side / this->Coarsest;
+    if (!InBatches(static_cast<int>(squares.size()), share, share, progress,
+          [&](int i) { fails[i] = this->Fails(squares[i]); }))
+    {
+      return false;
+    }
     std::vector<Square> halved;
     for (std::size_t i = 0; i < squares.size(); ++i)
     {

@@ -6,6 +6,7 @@
 
 #include "Scenes/Adversaries.h"
 #include "ClosedForms/FadingOcclusion.h"
+#include "Gathering/Gatherer.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
@@ -13,25 +14,34 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkContourFilter.h"
+#include "vtkDataSetTriangleFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPenumbraEnvironment.h"
+#include "vtkPenumbraGatherer.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRTAnalyticSource.h"
+#include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTetra.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -454,6 +464,197 @@ TEST(vtkPenumbraIrradianceFilter, BakesCellsAndVolumesToo)
   EXPECT_LE(FloorError(output), .015); // few points, where values change most
 }
 
+namespace
+{
+
+/// A box of `side`^3 unit cells as a structured grid, from x = `begin` on.
+vtkSmartPointer<vtkStructuredGrid> Block(int side, double begin)
+{
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k <= side; ++k)
+  {
+    for (int j = 0; j <= side; ++j)
+    {
+      for (int i = 0; i <= side; ++i)
+      {
+        points->InsertNextPoint(begin + i, j, k);
+      }
+    }
+  }
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(side + 1, side + 1, side + 1);
+  grid->SetPoints(points);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Appended(std::initializer_list<vtkDataSet*> parts)
+{
+  vtkNew<vtkAppendFilter> append;
+  for (vtkDataSet* part : parts)
+  {
+    append->AddInputData(part);
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+vtkSmartPointer<vtkPointSet> Baked(vtkPointSet* data, bool onCells)
+{
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(data);
+  filter->SetOnCells(onCells);
+  filter->SetRadius(1.0);
+  filter->Update();
+  return vtkPointSet::SafeDownCast(filter->GetOutput());
+}
+
+/// Tetrahedra, six in each cell of `grid`; `mirrored`: their points in the order of a mirror image.
+vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra(vtkDataSet* grid, bool mirrored)
+{
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputData(grid);
+  cut->Update();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < cut->GetOutput()->GetNumberOfCells(); ++i)
+  {
+    cut->GetOutput()->GetCellPoints(i, corners);
+    double x[4][3];
+    for (int k = 0; k < 4; ++k)
+    {
+      cut->GetOutput()->GetPoint(corners->GetId(k), x[k]);
+    }
+    const bool isMirrored = vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) < 0.0;
+    if (isMirrored != mirrored)
+    {
+      const vtkIdType first = corners->GetId(0);
+      corners->SetId(0, corners->GetId(1));
+      corners->SetId(1, first);
+    }
+    cells->InsertNextCell(corners);
+  }
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result->SetPoints(cut->GetOutput()->GetPoints());
+  result->SetCells(VTK_TETRA, cells);
+  return result;
+}
+
+}
+
+TEST(vtkPenumbraIrradianceFilter, GivesCellsOfVolumesTheirOwnValues)
+{
+  // Two blocks with a gap of half a unit: what faces the other block is dark, the rest is open.
+  const auto grid = Appended({ Block(10, 0.0), Block(10, 10.5) });
+  const auto baked = Baked(grid, true);
+  vtkDataArray* values = baked->GetCellData()->GetArray("AmbientOcclusion");
+  ASSERT_TRUE(values);
+  int facing = 0;
+  for (vtkIdType i = 0; i < baked->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    baked->GetCellBounds(i, bounds);
+    const double middle = .5 * (bounds[0] + bounds[1]);
+    const bool faces = middle > 9.0 && middle < 11.5;
+    facing += faces;
+    if (faces)
+    {
+      EXPECT_GT(values->GetComponent(i, 0), .1) << i;
+    }
+    else
+    {
+      EXPECT_LT(values->GetComponent(i, 0), .02) << i;
+    }
+    const bool deep = bounds[2] > 1.5 && bounds[3] < 8.5 && bounds[4] > 1.5 && bounds[5] < 8.5;
+    if (faces && deep)
+    {
+      // Over a half-space at height h all but cos^2 = (h / R)^2 of the disc is blocked.
+      EXPECT_NEAR(values->GetComponent(i, 0), 1.0 - .25, .03) << i;
+    }
+  }
+  EXPECT_EQ(facing, 200);
+}
+
+TEST(vtkPenumbraIrradianceFilter, GivesPointsOfVolumesTheirOwnValues)
+{
+  const auto grid = Appended({ Block(10, 0.0), Block(10, 10.5) });
+  const auto baked = Baked(grid, false);
+  vtkDataArray* values = baked->GetPointData()->GetArray("AmbientOcclusion");
+  ASSERT_TRUE(values);
+  for (vtkIdType i = 0; i < baked->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    baked->GetPoint(i, x);
+    const bool faces = x[0] == 10.0 || x[0] == 10.5;
+    const bool middle = x[1] > 1.5 && x[1] < 8.5 && x[2] > 1.5 && x[2] < 8.5;
+    if (faces && middle)
+    {
+      EXPECT_NEAR(values->GetComponent(i, 0), 1.0 - .25, .03) << i;
+    }
+    else if (!faces)
+    {
+      EXPECT_LT(values->GetComponent(i, 0), .05) << i;
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, BakesSmallVolumes)
+{
+  const auto block = Block(2, 0.0);
+  const auto grid = Appended({ block });
+  for (vtkPointSet* data : { static_cast<vtkPointSet*>(block), static_cast<vtkPointSet*>(grid) })
+  {
+    for (const bool onCells : { false, true })
+    {
+      const auto baked = Baked(data, onCells);
+      vtkDataArray* values = onCells ? baked->GetCellData()->GetArray("AmbientOcclusion")
+                                     : baked->GetPointData()->GetArray("AmbientOcclusion");
+      ASSERT_TRUE(values);
+      ASSERT_EQ(values->GetNumberOfTuples(), onCells ? 8 : 27);
+      EXPECT_LT(values->GetRange(0)[1], .05);
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, TakesTheOutsideOfVolumesFromTheirCells)
+{
+  for (const bool mirrored : { false, true })
+  {
+    const auto grid = Tetrahedra(Block(3, 0.0), mirrored);
+    for (const bool onCells : { false, true })
+    {
+      const auto baked = Baked(grid, onCells);
+      vtkDataArray* values = onCells ? baked->GetCellData()->GetArray("AmbientOcclusion")
+                                     : baked->GetPointData()->GetArray("AmbientOcclusion");
+      ASSERT_TRUE(values);
+      EXPECT_LT(values->GetRange(0)[1], .05) << mirrored << onCells;
+    }
+  }
+}
+
+TEST(vtkPenumbraIrradianceFilter, WarnsWhereEverythingIsBlocked)
+{
+  const auto warningOf = [](bool inwards) {
+    vtkNew<vtkReverseSense> turned;
+    turned->SetInputData(Ball()->GetOutput());
+    turned->SetReverseNormals(inwards);
+    turned->SetReverseCells(inwards);
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputConnection(turned->GetOutputPort());
+    filter->SetRadius(VTK_DOUBLE_MAX);
+    std::string told;
+    vtkNew<vtkCallbackCommand> listen;
+    listen->SetClientData(&told);
+    listen->SetCallback([](vtkObject*, unsigned long, void* to, void* text) {
+      *static_cast<std::string*>(to) += static_cast<const char*>(text);
+    });
+    filter->AddObserver(vtkCommand::WarningEvent, listen);
+    filter->Update();
+    return told;
+  };
+  EXPECT_EQ(warningOf(false), "");
+  EXPECT_NE(warningOf(true).find("vtkReverseSense"), std::string::npos);
+}
+
 TEST(vtkPenumbraIrradianceFilter, LetsDiscsStandForPoints)
 {
   vtkNew<vtkPolyData> cloud;
@@ -480,6 +681,70 @@ TEST(vtkPenumbraIrradianceFilter, LeavesNoArrayWhenAborted)
   filter->AddObserver(vtkCommand::ProgressEvent, abort);
   filter->Update();
   EXPECT_FALSE(OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion"));
+}
+
+namespace
+{
+
+/// Counts who asks for it: none has gathered before.
+class CountingGatherer : public vtkPenumbraGatherer
+{
+public:
+  static CountingGatherer* New();
+  vtkTypeMacro(CountingGatherer, vtkPenumbraGatherer);
+  std::unique_ptr<penumbra::Gatherer> Make(const penumbra::RayGatherer&) override
+  {
+    ++this->Made;
+    return nullptr;
+  }
+  void Report(vtkFieldData*) const override {}
+  int Made = 0;
+};
+vtkStandardNewMacro(CountingGatherer);
+
+}
+
+TEST(vtkPenumbraIrradianceFilter, StopsSoonWhereverItIsAskedTo)
+{
+  struct Watch
+  {
+    double StopAt;
+    int Later = -1; ///< events after it was asked to stop
+  };
+  const auto mesh = SphereOnFloor(4);
+  for (const int quantity :
+    { vtkPenumbraIrradianceFilter::AMBIENT_OCCLUSION, vtkPenumbraIrradianceFilter::IRRADIANCE })
+  {
+    for (const double stopAt : { 0.0, .02, .3, .6 })
+    {
+      Watch watch{ stopAt };
+      vtkNew<vtkCallbackCommand> observer;
+      observer->SetClientData(&watch);
+      observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+        auto& self = *static_cast<Watch*>(data);
+        auto* filter = static_cast<vtkPenumbraIrradianceFilter*>(caller);
+        if (self.Later >= 0 || filter->GetProgress() >= self.StopAt)
+        {
+          ++self.Later;
+          filter->SetAbortExecute(1);
+        }
+      });
+      vtkNew<CountingGatherer> gatherer;
+      vtkNew<vtkPenumbraIrradianceFilter> filter;
+      filter->SetInputData(mesh);
+      filter->SetQuantity(quantity);
+      filter->SetTolerance(.3);
+      filter->SetGatherer(gatherer);
+      filter->AddObserver(vtkCommand::ProgressEvent, observer);
+      filter->Update();
+      EXPECT_GE(watch.Later, 0) << stopAt;
+      EXPECT_LE(watch.Later, 1) << stopAt; // VTK's own last one
+      EXPECT_EQ(OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion"), nullptr) << stopAt;
+      EXPECT_EQ(OutputOf(filter)->GetPointData()->GetArray("Irradiance"), nullptr) << stopAt;
+      EXPECT_EQ(filter->GetStatistics()->GetNumberOfArrays(), 0) << stopAt;
+      EXPECT_TRUE(gatherer->Made == 0 || stopAt > 0.0) << stopAt;
+    }
+  }
 }
 
 TEST(vtkPenumbraIrradianceFilter, TakesAnEmptyMesh)

@@ -74,7 +74,8 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
 
 }
 
-SceneEdges FindSceneEdges(const Scene& scene, const PictureSettings& settings)
+SceneEdges FindSceneEdges(
+  const Scene& scene, const PictureSettings& settings, const ProgressCallback& progress)
 {
   const IntegrationSettings& integration = settings.Integration;
   SceneEdges edges;
@@ -85,6 +86,7 @@ SceneEdges FindSceneEdges(const Scene& scene, const PictureSettings& settings)
   }
   for (const Surface& surface : scene.Surfaces)
   {
+    ThrowIfStopped(progress, 0.0);
     edges.Dense.push_back(IsDense(surface, scene.Eye));
     edges.OfSurfaces.push_back(edges.Dense.back()
         ? std::vector<MeshEdge>()
@@ -123,6 +125,10 @@ bool RenderPart(const Sampler& sampler, const SceneEdges& meshes, const PictureS
   for (std::size_t i = 0; i < meshes.OfSurfaces.size(); ++i)
   {
     const Surface& surface = scene.Surfaces[i];
+    if (progress && progress(corners ? 0.4 : 0.0))
+    {
+      return false;
+    }
     if (meshes.Dense[i])
     {
       MarkPixels(surface, scene.Eye, part.Low, part.High, dense);

@@ -28,7 +28,9 @@ struct SceneEdges
   std::vector<char> Dense; ///< per surface: its triangles are too small for edges to be looked at
 };
 
-SceneEdges FindSceneEdges(const Scene& scene, const PictureSettings& settings);
+/// Throws Stopped when `progress` asks to stop.
+SceneEdges FindSceneEdges(
+  const Scene& scene, const PictureSettings& settings, const ProgressCallback& progress = {});
 
 /// The pixels [Low, High), row by row from the bottom.
 struct PicturePart

@@ -6,15 +6,19 @@
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceSource.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -28,6 +32,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -311,6 +316,139 @@ TEST_F(SpheresTest, StopWhenAskedTo)
   this->Caster->Modified();
   EXPECT_EQ(picture, this->Render());
   EXPECT_GT(this->Statistic("Rays/Total"), 0.0);
+}
+
+TEST_F(SpheresTest, StopSoonWhereverTheyAreAskedTo)
+{
+  struct Watch
+  {
+    double StopAt = 0.0;
+    int Later = -1; ///< events after they were asked to stop
+  };
+  Watch watch;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&watch);
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    auto& self = *static_cast<Watch*>(data);
+    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+    if (self.Later >= 0 || algorithm->GetProgress() >= self.StopAt)
+    {
+      ++self.Later;
+      algorithm->SetAbortExecute(1);
+    }
+  });
+  this->Caster->AddObserver(vtkCommand::ProgressEvent, observer);
+  this->Caster->GeometryArraysOn();
+  this->Caster->SetResolution(40, 30);
+  for (const double stopAt : { 0.0, .26, .4, .6, .8, .9 })
+  {
+    watch = { stopAt, -1 };
+    this->Caster->SetAbortExecute(0);
+    this->Caster->Modified();
+    this->Caster->Update();
+    EXPECT_GE(watch.Later, 0) << stopAt;
+    EXPECT_LE(watch.Later, 1) << stopAt; // VTK's own last one
+    EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
+    EXPECT_EQ(this->Caster->GetStatistics()->GetNumberOfArrays(), 0) << stopAt;
+  }
+}
+
+TEST_F(SpheresTest, RefuseCamerasThatSeeNothing)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&errors);
+  listen->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  this->Caster->AddObserver(vtkCommand::ErrorEvent, listen);
+  this->Caster->AmbientOcclusionOn();
+  const auto refuse = [&](const char* what) {
+    errors = 0;
+    this->Caster->Update();
+    EXPECT_EQ(errors, 1) << what;
+    EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << what;
+  };
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1e20);
+  refuse("scale");
+  camera->ParallelProjectionOff();
+  camera->SetViewAngle(std::nan(""));
+  refuse("angle");
+  camera->SetViewAngle(30.0);
+  camera->SetPosition(std::nan(""), 0.0, 1.0);
+  refuse("position");
+  camera->SetPosition(std::numeric_limits<double>::infinity(), 0.0, 1.0);
+  refuse("far position");
+}
+
+TEST_F(SpheresTest, StandAPointThatIsNotFinite)
+{
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint(0.0, 0.0, 2.0);
+    points->InsertNextPoint(0.2, 0.0, 2.0);
+    points->InsertNextPoint(0.0, 0.2, 2.0);
+    points->InsertNextPoint(bad, 0.0, 0.0);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, 2 });
+    cells->InsertNextCell({ 0, 1, 3 });
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    this->Caster->AmbientOcclusionOn();
+    this->Caster->IndirectLightOn();
+    this->Caster->SetResolution(40, 30);
+    this->Caster->Update(); // ends
+    this->Renderer->RemoveActor(actor);
+  }
+}
+
+TEST_F(SpheresTest, StandSliversWithoutWidth)
+{
+  // In single precision nothing is left of their normals.
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(3);
+  const auto next = [&]() {
+    random->Next();
+    return random->GetValue();
+  };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < 2000; ++i)
+  {
+    const double a[3] = { next(), next(), next() };
+    const double b[3] = { next(), next(), next() };
+    points->InsertNextPoint(a);
+    points->InsertNextPoint(b);
+    points->InsertNextPoint(b[0] + 1e-8 * next(), b[1] + 1e-8 * next(), b[2] + 1e-8 * next());
+    cells->InsertNextCell({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->RemoveAllViewProps();
+  this->Renderer->AddActor(actor);
+  this->Renderer->ResetCamera();
+  this->Caster->AmbientOcclusionOn();
+  this->Caster->IndirectLightOn();
+  this->Caster->SetResolution(160, 120);
+  for (const float value : this->Render()) // ends
+  {
+    ASSERT_TRUE(std::isfinite(value));
+  }
 }
 
 TEST_F(SpheresTest, RenderAgainWhenTheSceneChanges)

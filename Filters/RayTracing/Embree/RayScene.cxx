@@ -13,6 +13,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace penumbra
 {
@@ -126,6 +127,37 @@ void Check(RTCDevice device)
   }
 }
 
+/// Builds the tree; Embree asks now and then, on any of its threads, whether to go on.
+void Commit(RTCScene tree, RTCDevice device, const ProgressCallback& progress)
+{
+  struct Watch
+  {
+    const ProgressCallback& Progress;
+    std::thread::id Caller;
+    std::atomic<bool> Stops{ false };
+  };
+  Watch watch{ progress, std::this_thread::get_id() };
+  if (progress)
+  {
+    const auto goesOn = [](void* data, double) {
+      auto& self = *static_cast<Watch*>(data);
+      if (!self.Stops && std::this_thread::get_id() == self.Caller && self.Progress(0.0))
+      {
+        self.Stops = true;
+      }
+      return !self.Stops;
+    };
+    rtcSetSceneProgressMonitorFunction(tree, goesOn, &watch);
+  }
+  rtcCommitScene(tree);
+  rtcSetSceneProgressMonitorFunction(tree, nullptr, nullptr);
+  if (watch.Stops)
+  {
+    throw Stopped();
+  }
+  Check(device);
+}
+
 /// $PENUMBRA_EMBREE adds settings of Embree's own, such as isa=sse4.2: for tests.
 std::string DeviceSettings(int threads)
 {
@@ -141,6 +173,24 @@ std::size_t CountTriangles(const Scene& scene)
     count += surface.Triangles.size();
   }
   return count;
+}
+
+/// Coordinates of rays from here on end Embree by an assertion.
+constexpr float LargestCoordinate = 1.8e18f;
+
+/// All that reaches Embree: what is no ray (not finite, without direction, or empty) meets nothing.
+bool IsTraceable(const Ray& ray)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Comparisons with NaN are false.
+    if (!(std::abs(ray.Origin[axis]) <= LargestCoordinate &&
+          std::abs(ray.Direction[axis]) <= LargestCoordinate))
+    {
+      return false;
+    }
+  }
+  return ray.Near >= 0.f && ray.Near <= ray.Far && ray.Direction != glm::vec3(0.f);
 }
 
 void Fill(RTCRay& to, const Ray& from)
@@ -237,7 +287,7 @@ void Fill(Packet& to, int* valid, const Ray* rays)
   for (int i = 0; i < Size; ++i)
   {
     const Ray& ray = rays[i];
-    valid[i] = ray.Near <= ray.Far ? -1 : 0;
+    valid[i] = IsTraceable(ray) ? -1 : 0;
     to.org_x[i] = ray.Origin.x;
     to.org_y[i] = ray.Origin.y;
     to.org_z[i] = ray.Origin.z;
@@ -307,7 +357,7 @@ std::uint64_t NextId()
 
 }
 
-RayScene::RayScene(const Scene& scene, int threads)
+RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& progress)
   : TracedScene(scene),
     Contesting(std::make_unique<Contest>(scene)),
     Id(NextId())
@@ -335,8 +385,7 @@ RayScene::RayScene(const Scene& scene, int threads)
         rtcReleaseGeometry(geometry);
       }
     }
-    rtcCommitScene(this->Tree);
-    Check(this->Device);
+    Commit(this->Tree, this->Device, progress);
   }
   catch (...)
   {
@@ -364,6 +413,10 @@ void RayScene::Release()
 
 Hit RayScene::Intersect(const Ray& ray) const
 {
+  if (!IsTraceable(ray))
+  {
+    return {};
+  }
   RTCRayHit query;
   Fill(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -410,6 +463,10 @@ void RayScene::Occluded16(const Ray* rays, bool* blocked) const
 
 bool RayScene::Occluded(const Ray& ray) const
 {
+  if (!IsTraceable(ray))
+  {
+    return false;
+  }
   RTCRay query;
   Fill(query, ray);
   Query(false).Occluded(this->Tree, query);

@@ -5,6 +5,7 @@
 #ifndef penumbra_RayScene_h
 #define penumbra_RayScene_h
 
+#include "Execution/Batches.h"
 #include "Scene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
@@ -52,13 +53,15 @@ class RayScene;
 /// The first hit of `ray` that is no line and no point, which block nothing; `hit` is its first one.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit PassMarks(const RayScene& rays, Ray ray, Hit hit);
 
+/// Rays that are none (not finite, without direction, Near < 0 or > Far) meet nothing.
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayScene
 {
 public:
   /// Builds the BVH with at most `threads` threads (0: all). `scene` must outlive this object.
   /// Positions and Triangles with a reserve of one element are traced in place, others are copied.
   /// Throws std::bad_alloc or std::runtime_error.
-  RayScene(const Scene& scene, int threads);
+  /// Stopped where `progress`, asked on the calling thread, says so.
+  RayScene(const Scene& scene, int threads, const ProgressCallback& progress = {});
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
@@ -66,13 +69,13 @@ public:
   /// Nearest hit of one ray; culled sides of surfaces are passed.
   Hit Intersect(const Ray& ray) const;
 
-  /// Nearest hits of 16 rays; rays with Near > Far are not traced.
+  /// Nearest hits of 16 rays; those with Near > Far are left out.
   void Intersect16(const Ray* rays, Hit* hits) const;
 
   /// Is anything met? Surfaces with ScreenSpace do not count.
   bool Occluded(const Ray& ray) const;
 
-  /// The same for 16 rays; those with Near > Far are not traced and not blocked.
+  /// The same for 16 rays; those with Near > Far are not blocked.
   void Occluded16(const Ray* rays, bool* blocked) const;
 
   const Scene& GetScene() const { return this->TracedScene; }

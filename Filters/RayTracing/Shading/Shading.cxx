@@ -191,7 +191,7 @@ Appearance Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long lon
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
 
   Appearance at;
-  at.GeometricNormal = glm::cross(b - a, c - a);
+  at.GeometricNormal = surface.NormalOf(hit.Triangle);
   const bool front = glm::dot(at.GeometricNormal, ray.Direction) < 0.f;
   if (!front)
   {

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 using namespace penumbra;
 
@@ -334,4 +337,45 @@ TEST(RayScene, FindsTheSameTrianglesWithAnyNumberOfThreads)
     different += a.Surface != b.Surface || a.Triangle != b.Triangle || a.Distance != b.Distance;
   }
   EXPECT_EQ(different, 0);
+}
+
+TEST(RayScene, MeetsNothingByRaysThatAreNone)
+{
+  Scene scene;
+  scene.Surfaces = { Square(-1.f) };
+  const RayScene rays(scene, 1);
+  const float nan = std::nanf("");
+  const float infinity = std::numeric_limits<float>::infinity();
+  const glm::vec3 down(0.f, 0.f, -1.f);
+  const std::vector<Ray> none = { { { nan, 0.f, 0.f }, down }, { { 0.f, infinity, 0.f }, down },
+    { { 0.f, 0.f, 1e20f }, down }, { {}, { 0.f, nan, -1.f } }, { {}, { 0.f, 0.f, -infinity } },
+    { {}, { 0.f, 0.f, 0.f } }, { {}, down, nan }, { {}, down, -1.f }, { {}, down, 0.f, nan } };
+  for (const Ray& ray : none)
+  {
+    EXPECT_FALSE(rays.Intersect(ray).IsHit());
+    EXPECT_FALSE(rays.Occluded(ray));
+    Ray packet[16];
+    std::fill_n(packet, 16, Ray{ { .1f, .2f, 0.f }, down });
+    packet[5] = ray;
+    Hit hits[16];
+    bool blocked[16];
+    rays.Intersect16(packet, hits);
+    rays.Occluded16(packet, blocked);
+    for (int i = 0; i < 16; ++i)
+    {
+      EXPECT_EQ(hits[i].IsHit(), i != 5);
+      EXPECT_EQ(blocked[i], i != 5);
+    }
+  }
+}
+
+TEST(RayScene, KnowsTheNormalsOfTinyTriangles)
+{
+  for (const float size : { 1.f, 1e-7f, 1e-12f, 1e-25f, 1e-38f })
+  {
+    Surface surface;
+    surface.Positions = { { 0.f, 0.f, 0.f }, { size, 0.f, 0.f }, { 0.f, size, 0.f } };
+    surface.Triangles = { { 0, 1, 2 } };
+    EXPECT_EQ(glm::normalize(surface.NormalOf(0)), glm::vec3(0.f, 0.f, 1.f)) << size;
+  }
 }

@@ -61,6 +61,7 @@ void AddPieces(const std::vector<Piece>& pieces, const ExtractionOptions& option
 {
   for (const Piece& piece : pieces)
   {
+    ThrowIfStopped(options.Progress, 0.0);
     AddPiece(piece, options.DPI / 72.0, scene);
   }
 }
@@ -70,7 +71,7 @@ void AddPieces(const std::vector<Piece>& pieces, const ExtractionOptions& option
 Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<Piece> pieces = CollectPieces(renderer, scene.Warnings);
+  const std::vector<Piece> pieces = CollectPieces(renderer, scene.Warnings, options.Progress);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
@@ -88,7 +89,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<Piece> pieces = CollectPieces(data, scene.Warnings);
+  const std::vector<Piece> pieces = CollectPieces(data, scene.Warnings, options.Progress);
   double bounds[6];
   ComputeBounds(pieces, bounds);
   ResetCamera(bounds, options, scene);

@@ -6,6 +6,7 @@
 #ifndef penumbra_SceneExtraction_h
 #define penumbra_SceneExtraction_h
 
+#include "Execution/Batches.h"
 #include "Scene.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
@@ -22,6 +23,7 @@ struct ExtractionOptions
   int Resolution[2] = { 1, 1 };
   int DPI = 72;
   bool Background = true;
+  ProgressCallback Progress; ///< asked to stop, the functions below throw Stopped
 };
 
 /// The scene that `renderer` would draw into a picture of options.Resolution. Needs no window.

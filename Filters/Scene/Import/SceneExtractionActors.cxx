@@ -73,8 +73,9 @@ std::vector<glm::dvec4> ToPlanes(vtkPlaneCollection* from)
 class Collector
 {
 public:
-  explicit Collector(std::vector<std::string>& warnings)
-    : Warnings(warnings)
+  Collector(std::vector<std::string>& warnings, const ProgressCallback& progress)
+    : Warnings(warnings),
+      Progress(progress)
   {
   }
 
@@ -119,6 +120,7 @@ public:
     {
       std::vector<std::string> left;
       piece.Data = WithoutMisfits(piece.Data, left);
+      piece.Progress = this->Progress;
       for (const std::string& what : left)
       {
         this->Warnings.push_back(piece.Name + ": " + what);
@@ -200,7 +202,7 @@ private:
   void AddDataSet(vtkDataSet* data, const Piece& look, ScalarMapper* scalars)
   {
     Piece piece = look;
-    piece.Data = PolyDataOf(data);
+    piece.Data = PolyDataOf(data, this->Progress);
     if (piece.Data != data)
     {
       piece.CellIds = piece.Data->GetCellData()->GetArray("vtkOriginalCellIds");
@@ -217,6 +219,7 @@ private:
 
   std::vector<Piece> Pieces;
   std::vector<std::string>& Warnings;
+  const ProgressCallback& Progress;
 };
 
 }
@@ -227,24 +230,26 @@ bool DrawsByShadersAlone(vtkMapper* mapper)
     mapper, { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper", "vtkPointGaussianMapper" });
 }
 
-std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings)
+std::vector<Piece> CollectPieces(
+  vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress)
 {
   WarnOfRenderer(renderer, warnings);
-  Collector collector(warnings);
+  Collector collector(warnings, progress);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);
   while (vtkProp* prop = props->GetNextProp(position))
   {
+    ThrowIfStopped(progress, 0.0);
     collector.AddProp(prop);
   }
   return collector.Take();
 }
 
-std::vector<Piece> CollectPieces(
-  const std::vector<vtkDataObject*>& data, std::vector<std::string>& warnings)
+std::vector<Piece> CollectPieces(const std::vector<vtkDataObject*>& data,
+  std::vector<std::string>& warnings, const ProgressCallback& progress)
 {
-  Collector collector(warnings);
+  Collector collector(warnings, progress);
   for (vtkDataObject* object : data)
   {
     Piece look;

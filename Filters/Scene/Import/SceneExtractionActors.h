@@ -24,11 +24,12 @@ namespace penumbra
 VTKPENUMBRAFILTERSSCENE_EXPORT bool DrawsByShadersAlone(vtkMapper* mapper);
 
 /// What `renderer` draws. Names in `warnings` what it cannot turn into pieces.
-std::vector<Piece> CollectPieces(vtkRenderer* renderer, std::vector<std::string>& warnings);
+std::vector<Piece> CollectPieces(
+  vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress);
 
 /// Data sets and the leaves of composite ones, in VTK's default look.
-std::vector<Piece> CollectPieces(
-  const std::vector<vtkDataObject*>& data, std::vector<std::string>& warnings);
+std::vector<Piece> CollectPieces(const std::vector<vtkDataObject*>& data,
+  std::vector<std::string>& warnings, const ProgressCallback& progress);
 
 }
 #endif

@@ -6,6 +6,7 @@
 #ifndef penumbra_SceneExtractionPiece_h
 #define penumbra_SceneExtractionPiece_h
 
+#include "Execution/Batches.h"
 #include "Scene.h"
 
 #include "vtkProperty.h"
@@ -63,6 +64,7 @@ struct Piece
   std::vector<glm::dvec4> ClippingPlanes; ///< world: what has dot(plane, (x, 1)) < 0 is cut away
   vtkSmartPointer<vtkDataArray> CellIds;  ///< per cell of Data, its id for `CellId`; null: its own
   std::shared_ptr<Instances> Copies;      ///< null: drawn once, at ToWorld
+  ProgressCallback Progress;              ///< asked to stop, reading it throws Stopped
 };
 
 /// From the coordinates of data to those of a scene.

@@ -31,6 +31,7 @@ class Triangles
 public:
   Triangles(const Piece& piece, Surface& surface)
     : Data(piece.Data),
+      Progress(piece.Progress),
       Target(surface)
   {
     vtkPolyData* data = this->Data;
@@ -49,6 +50,7 @@ public:
     const vtkIdType count = polygons->GetNumberOfCells();
     for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
     {
+      this->AskProgress(i);
       polygons->GetCellAtId(i, this->Cell);
       const vtkIdType size = this->Cell->GetNumberOfIds();
       const vtkIdType* ids = this->Cell->GetPointer(0);
@@ -75,6 +77,7 @@ public:
     const vtkIdType count = strips->GetNumberOfCells();
     for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
     {
+      this->AskProgress(i);
       strips->GetCellAtId(i, this->Cell);
       const vtkIdType size = this->Cell->GetNumberOfIds();
       const vtkIdType* ids = this->Cell->GetPointer(0);
@@ -115,6 +118,14 @@ public:
   }
 
 private:
+  void AskProgress(vtkIdType cell) const
+  {
+    if (cell % StoppableCells == 0)
+    {
+      ThrowIfStopped(this->Progress, 0.0);
+    }
+  }
+
   bool AreUsable(const vtkIdType* ids, vtkIdType size) const
   {
     const auto count = static_cast<vtkIdType>(this->Target.Positions.size());
@@ -173,6 +184,7 @@ private:
   }
 
   vtkPolyData* Data;
+  const ProgressCallback& Progress;
   Surface& Target;
   vtkSmartPointer<vtkIdList> Cell = vtkSmartPointer<vtkIdList>::New();
   std::vector<glm::dvec3> Corners;
