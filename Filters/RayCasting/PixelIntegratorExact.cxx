@@ -25,6 +25,8 @@ constexpr double TouchingDepth = 16.0;
 constexpr double SmallestProbe = 0.02;
 // Triangles of one pixel that are tested for passing through each other.
 constexpr std::size_t MostTrianglesSeen = 24;
+// Depths nearer to each other than this, relatively, are one.
+constexpr double SameDepth = 1e-5;
 // How much the colour is taken to vary across a piece of surface of which one sample is known.
 constexpr float UnknownVariation = 0.25f;
 
@@ -78,7 +80,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     {
       limit = std::max(limit, this->DeepestOf(corner));
     }
-    limit += 1e-5 * std::abs(limit);
+    limit += SameDepth * std::abs(limit);
   }
 
   const bool parallel = this->Source.GetScene().Eye.Parallel;
@@ -379,7 +381,7 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       squares += weight * face.Error * weight * face.Error;
       covered += area;
     }
-    if (this->DeepestFace > this->NearestCulledDepth)
+    if (this->DeepestFace + SameDepth * this->DeepestFace >= this->NearestCulledDepth)
     {
       // Something shows that was thought hidden.
       this->LoadSegments(edgeIndices, count, false);
