@@ -178,6 +178,7 @@ private:
   bool Pierced = false;         ///< some of them pass through each other
   std::size_t PairsTested = 0;  ///< the first so many of Seen know each other
   PixelArrangement Arrangement;
+  std::vector<glm::vec4> Colors; ///< of uniform samples
   std::vector<Probing> Probed; ///< per face; empty: none was looked into
 };
 
