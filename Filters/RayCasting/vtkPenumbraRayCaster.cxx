@@ -455,6 +455,16 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     return false;
   }
+  // What colours err by themselves is the source's to keep.
+  const double limit = std::hypot(self->Tolerance, 0.5 * settings.Integration.Noise);
+  const penumbra::TileErrors judged = penumbra::JudgeTiles(image, limit);
+  if (self->CoverageMethod != UNIFORM && judged.Over > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "The tolerance of " << self->Tolerance << " was not reached in " << judged.Over << " of "
+                          << judged.Tiles << " tiles of 16x16 pixels: the worst of them is believed"
+                          << " to err by " << judged.Worst << ".");
+  }
   if (self->GeometryArrays)
   {
     sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,

@@ -55,7 +55,8 @@ public:
   ///@{
   /**
    * The error that the caller accepts: RMSE of every tile of 16x16 pixels, colours in [0, 1].
-   * Coverage known from the geometry is exact whatever the tolerance. Default: 1/256.
+   * Coverage known from the geometry is exact whatever the tolerance. A warning says where it was not
+   * reached, as far as EstimatedError tells; UNIFORM does not look at it. Default: 1/256.
    */
   vtkSetClampMacro(Tolerance, double, 1e-6, 1.0);
   vtkGetMacro(Tolerance, double);

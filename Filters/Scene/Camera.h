@@ -27,7 +27,8 @@ struct Camera
   double PixelSize = 1.0;
   /// Where the view axis meets the picture, in pixels (the middle, unless the view is off-centre).
   glm::dvec2 Center{ 0.5, 0.5 };
-  /// Parallel: how far Position was moved forward from the eye, closer to a scene far away.
+  /// How far in front of the eye rays begin, closer to a scene far away. In parallel projection
+  /// Position has been moved there.
   double Advance = 0.0;
   double Near = 0.0; ///< nearest distance along Forward that is drawn
   double Far = 1e30;
@@ -37,7 +38,8 @@ struct Camera
   {
     if (!this->Parallel)
     {
-      return this->Position;
+      return this->Advance > 0.0 ? this->Position + this->Advance * this->RayDirection(p)
+                                 : this->Position;
     }
     const glm::dvec2 q = (p - this->Center) * this->PixelSize;
     return this->Position + q.x * this->Right + q.y * this->Up;
@@ -74,6 +76,9 @@ struct Camera
     }
     return true;
   }
+
+  /// Depth of the places where rays begin: that of what a ray meets less its distance.
+  double DepthOfRayOrigins() const { return this->Parallel ? 0.0 : this->Advance; }
 
   /// Distance along Forward.
   double Depth(glm::dvec3 x) const { return glm::dot(x - this->Position, this->Forward); }

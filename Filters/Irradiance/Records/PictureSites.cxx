@@ -42,7 +42,7 @@ bool FindSite(const RayScene& rays, glm::dvec2 at, Site& site)
   Ray ray;
   ray.Origin = glm::vec3(eye.RayOrigin(at));
   ray.Direction = glm::vec3(eye.RayDirection(at));
-  ray.Near = static_cast<float>(eye.Near);
+  ray.Near = static_cast<float>(std::max(eye.Near - eye.DepthOfRayOrigins(), 0.0));
   Hit hit = rays.Intersect(ray);
   while (hit.IsHit() && scene.Surfaces[hit.Surface].ScreenSpace)
   {
@@ -67,12 +67,13 @@ bool FindSite(const RayScene& rays, glm::dvec2 at, Site& site)
   site.Position = ray.Origin + hit.Distance * ray.Direction;
   site.Normal = (facing > 0.0 ? -1.0 : 1.0) / length * normal;
   const double cosine = std::abs(facing) / (length * glm::length(glm::dvec3(ray.Direction)));
-  const double pixel = eye.PixelSize * (eye.Parallel ? 1.0 : hit.Distance);
+  const double depth = hit.Distance + eye.DepthOfRayOrigins();
+  const double pixel = eye.PixelSize * (eye.Parallel ? 1.0 : depth);
   site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, LeastCosine)));
   if (!eye.Parallel)
   {
-    site.Most = static_cast<float>(
-      (1.0 - NearestShare) * hit.Distance * glm::length(glm::dvec3(ray.Direction)));
+    site.Most =
+      static_cast<float>((1.0 - NearestShare) * depth * glm::length(glm::dvec3(ray.Direction)));
   }
   return true;
 }

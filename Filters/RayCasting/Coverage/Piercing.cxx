@@ -57,21 +57,6 @@ bool See(const Scene& scene, TriangleId id, glm::dvec2 origin, SeenTriangle& see
   return true;
 }
 
-bool ShareAnEdge(const Scene& scene, TriangleId a, TriangleId b)
-{
-  const Surface& s = scene.Surfaces[a.Surface];
-  const Surface& t = scene.Surfaces[b.Surface];
-  int shared = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      shared += s.Positions[s.Triangles[a.Triangle][i]] == t.Positions[t.Triangles[b.Triangle][j]];
-    }
-  }
-  return shared >= 2;
-}
-
 /// Narrows [enter, leave] to the part of p + t d inside the triangle.
 void ClipToTriangle(
   const SeenTriangle& triangle, glm::dvec2 p, glm::dvec2 d, double& enter, double& leave)
@@ -98,6 +83,21 @@ void ClipToTriangle(
   }
 }
 
+}
+
+bool ShareAnEdge(const Scene& scene, TriangleId a, TriangleId b)
+{
+  const Surface& s = scene.Surfaces[a.Surface];
+  const Surface& t = scene.Surfaces[b.Surface];
+  int shared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      shared += s.Positions[s.Triangles[a.Triangle][i]] == t.Positions[t.Triangles[b.Triangle][j]];
+    }
+  }
+  return shared >= 2;
 }
 
 double DeepestInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)

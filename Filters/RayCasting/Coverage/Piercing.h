@@ -31,6 +31,9 @@ struct TriangleId
  */
 double DeepestInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin);
 
+/// Do two triangles have two places in common?
+bool ShareAnEdge(const Scene& scene, TriangleId a, TriangleId b);
+
 /**
  * The line along which `a` and `b` pass through each other, as seen in the pixel whose lower left
  * corner is `origin`. False when they do not meet there, or share an edge (then that is the border

@@ -73,11 +73,22 @@ public:
     const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings);
 
   /// To be called before the pixels of another tile.
-  void BeginTile() { this->Cache.Clear(); }
+  void BeginTile()
+  {
+    this->Cache.Clear();
+    this->FoundPiercing = false;
+    this->Wary = false;
+  }
 
   /// Pixel (x, y), crossed by the listed edges.
   PixelResult Integrate(
     int x, int y, const std::uint32_t* edgeIndices, std::size_t count, Density density);
+
+  /// Has a pixel been found, since BeginTile(), where triangles pass through each other?
+  bool HasFoundPiercing() const { return this->FoundPiercing; }
+
+  /// Looks for more of them in every pixel with edges that follows.
+  void BeWary() { this->Wary = true; }
 
   /// What the medium in front of the last pixel's corners is believed to err, at most.
   float GetMediumError() const { return this->MediumError; }
@@ -93,8 +104,21 @@ private:
     Sample Corners[4]; ///< (0, 0), (1, 0), (0, 1), (1, 1)
   };
 
+  /// Where a face is looked into and what rays found there.
+  struct Probing
+  {
+    static constexpr int Sides = 8;
+
+    glm::dvec2 Outermost[Sides]; ///< the corners farthest to each side
+    bool IsEmpty = true;
+    bool IsTorn = false; ///< there is a border in the face that the arrangement does not have
+
+    void Add(glm::dvec2 point);
+  };
+
   void LoadCorners(int x, int y);
   double DeepestOf(const Sample& sample) const;
+  double JustBehind(double depth) const;
   void Deepen(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
   bool IsNearShadowBorder() const;
@@ -107,6 +131,9 @@ private:
   PixelResult Sampled();
   void See(const Sample& sample);
   void SeeAround();
+  bool AreTorn(const Hit& a, const Hit& b) const;
+  void Glance();
+  Hit ProbeAt(glm::dvec2 local);
   void Probe();
   bool AddPiercings();
   void MoveCornersOffBorders();
@@ -146,11 +173,14 @@ private:
   std::vector<PixelSegment> Segments;
   double NearestCulledDepth = 0.0;
   double DeepestFace = 0.0;
+  bool FoundPiercing = false;
+  bool Wary = false;
   std::vector<TriangleId> Seen; ///< triangles that samples met
   bool Pierced = false;         ///< some of them pass through each other
   std::size_t PairsTested = 0;  ///< the first so many of Seen know each other
   PixelArrangement Arrangement;
-  std::vector<glm::dvec2> Points;
+  std::vector<glm::vec4> Colors; ///< of uniform samples
+  std::vector<Probing> Probed; ///< per face; empty: none was looked into
 };
 
 }

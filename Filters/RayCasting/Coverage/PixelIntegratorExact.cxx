@@ -21,10 +21,17 @@ namespace
 constexpr double SmallestFace = 1e-6;
 // Objects in one pixel whose depths differ by less than this many pixels may touch.
 constexpr double TouchingDepth = 16.0;
-// Pieces of such a pixel that are large enough to be worth looking into.
-constexpr double SmallestProbe = 0.02;
+// Pieces of such a pixel that are large enough to be worth a glance, and where triangles are known to pass
+// through each other; how far from the sides of pieces rays keep, as a share, and how often pieces that
+// this brings forth are looked into in turn.
+constexpr double SmallestGlance = 0.02;
+constexpr double SmallestProbe = 0.005;
+constexpr double ProbeInset = 0.02;
+constexpr int MostProbings = 4;
 // Triangles of one pixel that are tested for passing through each other.
-constexpr std::size_t MostTrianglesSeen = 24;
+constexpr std::size_t MostTrianglesSeen = 48;
+// Distances along rays nearer to each other than this, relatively, are one.
+constexpr double SameDepth = 1e-5;
 // Trapezoids that cost about as much as a ray.
 constexpr std::size_t TrapezoidsPerRay = 16;
 // How much the colour is taken to vary across a piece of surface of which one sample is known.
@@ -49,10 +56,17 @@ double PixelIntegrator::DeepestOf(const Sample& sample) const
   }
   if (sample.OpaqueDepth != sample.First.Distance)
   {
-    return sample.OpaqueDepth; // behind something translucent
+    return sample.OpaqueDepth +
+      this->Source.GetScene().Eye.DepthOfRayOrigins(); // behind something translucent
   }
   return DeepestInPixel(this->Source.GetScene(), { sample.First.Surface, sample.First.Triangle },
     glm::dvec2(this->X, this->Y));
+}
+
+// The depth from which on something lies behind `depth`, whatever rays round.
+double PixelIntegrator::JustBehind(double depth) const
+{
+  return depth + SameDepth * std::abs(depth - this->Source.GetScene().Eye.DepthOfRayOrigins());
 }
 
 void PixelIntegrator::Deepen(const Sample& sample)
@@ -80,7 +94,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     {
       limit = std::max(limit, this->DeepestOf(corner));
     }
-    limit += 1e-5 * std::abs(limit);
+    limit = this->JustBehind(limit);
   }
 
   const bool parallel = this->Source.GetScene().Eye.Parallel;
@@ -148,6 +162,7 @@ bool PixelIntegrator::AddPiercings()
   }
   this->PairsTested = this->Seen.size();
   this->Pierced = this->Pierced || this->Segments.size() > before;
+  this->FoundPiercing = this->FoundPiercing || this->Segments.size() > before;
   return this->Segments.size() > before;
 }
 
@@ -165,8 +180,9 @@ void PixelIntegrator::SeeAround()
   }
   // Two objects at one depth may do so even if the triangles at the corners do not.
   const Camera& eye = this->Source.GetScene().Eye;
-  const double footprint = eye.PixelSize * (eye.Parallel ? 1.0 : nearest);
-  this->Pierced = !this->CornersAgree() && deepest - nearest < TouchingDepth * footprint;
+  const double footprint = eye.PixelSize * (eye.Parallel ? 1.0 : nearest + eye.DepthOfRayOrigins());
+  this->Pierced =
+    this->Wary || (!this->CornersAgree() && deepest - nearest < TouchingDepth * footprint);
   if (!this->AddPiercings() && !this->Pierced)
   {
     return;
@@ -178,23 +194,89 @@ void PixelIntegrator::SeeAround()
   this->AddPiercings();
 }
 
-// Looks for triangles that no corner met, where surfaces pass through each other.
-void PixelIntegrator::Probe()
+// Is there a border between two hits in one piece of a pixel?
+bool PixelIntegrator::AreTorn(const Hit& a, const Hit& b) const
+{
+  if (a.Surface != b.Surface || !a.IsHit() || a.Triangle == b.Triangle)
+  {
+    return a.Surface != b.Surface;
+  }
+  return this->Source.GetShading().IsConstantPerTriangle(a.Surface) &&
+    !ShareAnEdge(this->Source.GetScene(), { a.Surface, a.Triangle }, { b.Surface, b.Triangle });
+}
+
+// Looks for triangles that no corner met, where surfaces may pass through each other.
+void PixelIntegrator::Glance()
 {
   for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
   {
-    if (t.Area() < SmallestProbe)
+    if (t.Area() < SmallestGlance)
     {
       continue;
     }
     for (const glm::dvec2 at : { glm::dvec2(0.2, 0.2), glm::dvec2(0.8, 0.2), glm::dvec2(0.5, 0.8) })
     {
-      Sample sample;
-      sample.First = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + t.At(at.x, at.y));
-      ++this->Rays.Refinement;
-      this->See(sample);
+      this->ProbeAt(t.At(at.x, at.y));
     }
   }
+}
+
+Hit PixelIntegrator::ProbeAt(glm::dvec2 local)
+{
+  Sample sample;
+  sample.First = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + local);
+  ++this->Rays.Refinement;
+  this->See(sample);
+  return sample.First;
+}
+
+// The same where they do: two triangles that cover a face and cross in it show at different ones of its
+// outermost corners. Faces that no one triangle covers are torn.
+void PixelIntegrator::Probe()
+{
+  std::vector<Probing>& probings = this->Probed;
+  probings.assign(this->Arrangement.GetFaces().size(), Probing());
+  for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
+  {
+    for (int corner = 0; corner < 4 && t.Area() > SmallestFace; ++corner)
+    {
+      const glm::dvec2 at = ProbeInset + (1.0 - 2.0 * ProbeInset) * CornerOffset(corner);
+      probings[t.Face].Add(t.At(at.x, at.y));
+    }
+  }
+  for (std::size_t i = 0; i < probings.size(); ++i)
+  {
+    if (this->Arrangement.GetFaces()[i].Area < SmallestProbe)
+    {
+      continue;
+    }
+    const glm::dvec2* const begin = probings[i].Outermost;
+    const Hit first = this->ProbeAt(*begin);
+    for (int side = 1; side < Probing::Sides; ++side)
+    {
+      const glm::dvec2* const at = begin + side;
+      if (std::find(begin, at, *at) == at)
+      {
+        const Hit hit = this->ProbeAt(*at);
+        probings[i].IsTorn = probings[i].IsTorn || this->AreTorn(first, hit);
+      }
+    }
+  }
+}
+
+void PixelIntegrator::Probing::Add(glm::dvec2 point)
+{
+  // In turn to the left, below, to the right, above and between.
+  static const glm::dvec2 Directions[Sides] = { { -1.0, 0.0 }, { -1.0, -1.0 }, { 0.0, -1.0 },
+    { 1.0, -1.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { -1.0, 1.0 } };
+  for (int side = 0; side < Sides; ++side)
+  {
+    if (this->IsEmpty || glm::dot(point - this->Outermost[side], Directions[side]) > 0.0)
+    {
+      this->Outermost[side] = point;
+    }
+  }
+  this->IsEmpty = false;
 }
 
 // Has a face one colour all over, whichever of its points is asked? A medium changes it a little.
@@ -214,6 +296,10 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
 {
   const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
   const unsigned int inside = face.Corners & this->TrustedCorners;
+  if (!this->Probed.empty() && this->Probed[index].IsTorn)
+  {
+    return this->SplitFace(index);
+  }
   PixelResult result;
   const Sample* known = nullptr;
   bool agree = true;
@@ -350,7 +436,7 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
   long long& counted = this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border;
   ++counted;
   this->SeeAround();
-  bool probed = !this->Pierced;
+  int probings = 0;
   // As soon as the arrangement costs more than rays that would do as well, those are traced instead.
   const long long rays = SamplesFor(this->Settings.Tolerance);
   const long long mostRays = this->Rays.Refinement + rays;
@@ -364,10 +450,11 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       --counted;
       return this->Sampled();
     }
-    if (!probed)
+    this->Probed.clear();
+    if (this->Pierced && probings < (this->Wary ? MostProbings : 1))
     {
-      probed = true;
-      this->Probe();
+      ++probings;
+      this->Wary ? this->Probe() : this->Glance();
       if (this->AddPiercings())
       {
         continue;
@@ -396,7 +483,7 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       squares += weight * face.Error * weight * face.Error;
       covered += area;
     }
-    if (this->DeepestFace > this->NearestCulledDepth)
+    if (this->JustBehind(this->DeepestFace) >= this->NearestCulledDepth)
     {
       // Something shows that was thought hidden.
       this->LoadSegments(edgeIndices, count, false);

@@ -16,12 +16,79 @@ namespace penumbra
 namespace
 {
 
-// Sampling of a crowded pixel stops when its error is this share of the tolerance.
+// Sampling of a crowded pixel stops when its error is this share of the tolerance, as far as regular
+// samples of straight borders tell, which err like this power of their number.
 constexpr double DenseShare = 0.1;
-// Regular samples of straight borders err like this power of their number, not -1/2.
 constexpr float RegularPower = -0.75f;
 // Where edges cross a pixel something may hide between n samples: this over n.
 constexpr float HiddenError = 0.25f;
+// What a single sample of a pixel is taken to err.
+constexpr float UnknownError = 0.125f;
+
+float LargestOf(const glm::vec3& squares)
+{
+  return std::max(std::max(squares.r, squares.g), squares.b);
+}
+
+// The mean square of what neighbours differ by.
+class Differences
+{
+public:
+  void Add(const glm::vec4& a, const glm::vec4& b)
+  {
+    const glm::vec3 d = glm::vec3(a) - glm::vec3(b);
+    this->Sum += d * d;
+    ++this->Count;
+  }
+
+  float Mean() const { return LargestOf(this->Sum) / static_cast<float>(this->Count); }
+
+private:
+  glm::vec3 Sum{ 0.f };
+  int Count = 0;
+};
+
+// The error of the mean of side x side samples. Each stands for the place around it, where it varies by
+// half the square of what its neighbours differ by: noise does so everywhere, a border where it runs.
+// Where one runs along a row or a column all samples of one side of it err alike: that shows in what the
+// means of neighbouring rows or columns differ by.
+float ErrorOfGrid(const std::vector<glm::vec4>& colors, int side)
+{
+  if (side < 2)
+  {
+    return UnknownError;
+  }
+  const float n = static_cast<float>(side);
+  Differences ofSamples;
+  float byLines = 0.f;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int along = axis == 0 ? 1 : side;
+    const int across = axis == 0 ? side : 1;
+    Differences ofLines;
+    glm::vec4 before(0.f);
+    for (int line = 0; line < side; ++line)
+    {
+      glm::vec4 mean(0.f);
+      for (int i = 0; i < side; ++i)
+      {
+        const glm::vec4& color = colors[line * across + i * along];
+        mean += color / n;
+        if (i > 0)
+        {
+          ofSamples.Add(color, colors[line * across + (i - 1) * along]);
+        }
+      }
+      if (line > 0)
+      {
+        ofLines.Add(mean, before);
+      }
+      before = mean;
+    }
+    byLines = std::max(byLines, 0.125f * ofLines.Mean() / n);
+  }
+  return std::sqrt(std::max(0.5f * ofSamples.Mean() / (n * n), byLines));
+}
 
 }
 
@@ -29,8 +96,8 @@ PixelResult PixelIntegrator::Uniform(int side)
 {
   PixelResult result;
   glm::dvec4 sum(0.0);
-  glm::dvec4 squares(0.0);
   const int total = side * side;
+  this->Colors.resize(total);
   glm::dvec2 points[Sampler::PacketSize];
   Sample samples[Sampler::PacketSize];
   for (int first = 0; first < total; first += Sampler::PacketSize)
@@ -46,18 +113,13 @@ PixelResult PixelIntegrator::Uniform(int side)
       points, (1u << count) - 1u, samples, this->Rays, OcclusionSlack(1.0 / total));
     for (int i = 0; i < count; ++i)
     {
-      const glm::dvec4 color(samples[i].Color);
-      sum += color;
-      squares += color * color;
+      this->Colors[first + i] = samples[i].Color;
+      sum += glm::dvec4(samples[i].Color);
     }
   }
   this->Rays.Primary += total;
-  const glm::dvec4 mean = sum / static_cast<double>(total);
-  result.Color = glm::vec4(mean);
-  const glm::vec4 variance(glm::max(squares / static_cast<double>(total) - mean * mean, 0.0));
-  const float largest = std::max(std::max(variance.r, variance.g), variance.b);
-  result.Error =
-    this->Believe(std::sqrt(largest) * std::pow(static_cast<float>(total), RegularPower), 0.f);
+  result.Color = glm::vec4(sum / static_cast<double>(total));
+  result.Error = this->Believe(ErrorOfGrid(this->Colors, side), 0.f);
   return result;
 }
 
@@ -72,8 +134,11 @@ PixelResult PixelIntegrator::UniformAdaptive()
   const double slack = OcclusionSlack(1.0 / (Side * Side));
   bool hits =
     false; // where all miss something small is meant to be here, or it would not be asked for
+  this->Colors.resize(Side * Side);
   glm::dvec2 points[Sampler::PacketSize];
+  int places[Sampler::PacketSize];
   Sample samples[Sampler::PacketSize];
+  float error = 0.f;
   for (int packet = 0; packet < Packets; ++packet)
   {
     int i = 0;
@@ -82,28 +147,35 @@ PixelResult PixelIntegrator::UniformAdaptive()
       const int row = k / Side;
       if ((k % Side + 2 * row) % Packets == packet)
       {
+        places[i] = k;
         points[i++] = glm::dvec2(this->X + (k % Side + 0.5) / Side, this->Y + (row + 0.5) / Side);
       }
     }
     this->Source.AtPacket(points, 0xffffu, samples, this->Rays, slack);
     this->Rays.Refinement += Sampler::PacketSize;
-    for (const Sample& sample : samples)
+    for (int j = 0; j < Sampler::PacketSize; ++j)
     {
+      const Sample& sample = samples[j];
+      this->Colors[places[j]] = sample.Color;
       hits = hits || sample.First.IsHit();
       sum += sample.Color;
       squares += sample.Color * sample.Color;
     }
     const float n = static_cast<float>((packet + 1) * Sampler::PacketSize);
     result.Color = sum / n;
-    const glm::vec4 variance = glm::max(squares / n - result.Color * result.Color, 0.f);
-    const float largest = std::max(std::max(variance.r, variance.g), variance.b);
-    result.Error = this->Believe(std::sqrt(largest) * std::pow(n, RegularPower),
+    const float largest =
+      LargestOf(glm::vec3(glm::max(squares / n - result.Color * result.Color, 0.f)));
+    const float regular = this->Believe(std::sqrt(largest) * std::pow(n, RegularPower),
       this->Segments.empty() ? ErrorFloor : HiddenError / n);
-    if (this->Segments.empty() && hits && result.Error < DenseShare * this->Settings.Tolerance)
+    error = std::sqrt(largest / n);
+    if (this->Segments.empty() && hits && regular < DenseShare * this->Settings.Tolerance)
     {
       break;
     }
+    error = packet + 1 < Packets ? error : ErrorOfGrid(this->Colors, Side);
   }
+  constexpr float Most = Side * Side;
+  result.Error = this->Believe(error, this->Segments.empty() ? ErrorFloor : HiddenError / Most);
   return result;
 }
 

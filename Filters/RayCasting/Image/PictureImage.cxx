@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace penumbra
 {
@@ -57,6 +58,40 @@ double CopyRows(PicturePart& part, const Overlay& over, vtkImageData* image)
   return squaredError;
 }
 
+}
+
+TileErrors JudgeTiles(vtkImageData* image, double limit)
+{
+  constexpr int Side = 16;
+  vtkFloatArray* errors =
+    vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("EstimatedError"));
+  int extent[6];
+  image->GetExtent(extent);
+  const int width = extent[1] - extent[0] + 1;
+  TileErrors judged;
+  for (int y = extent[2] / Side * Side; y <= extent[3]; y += Side)
+  {
+    for (int x = extent[0] / Side * Side; x <= extent[1]; x += Side)
+    {
+      double squares = 0.0;
+      int count = 0;
+      for (int j = std::max(y, extent[2]); j <= std::min(y + Side - 1, extent[3]); ++j)
+      {
+        for (int i = std::max(x, extent[0]); i <= std::min(x + Side - 1, extent[1]); ++i)
+        {
+          const double error =
+            errors->GetValue(static_cast<vtkIdType>(j - extent[2]) * width + i - extent[0]);
+          squares += error * error;
+          ++count;
+        }
+      }
+      const double error = std::sqrt(squares / count);
+      ++judged.Tiles;
+      judged.Over += error > limit ? 1 : 0;
+      judged.Worst = std::max(judged.Worst, error);
+    }
+  }
+  return judged;
 }
 
 bool RenderImage(const Sampler& sampler, const SceneEdges& meshes, const PictureSettings& settings,

@@ -12,6 +12,17 @@ class vtkImageData;
 namespace penumbra
 {
 
+/// Tiles of 16x16 pixels by the error that they are believed to have.
+struct TileErrors
+{
+  vtkIdType Tiles = 0;
+  vtkIdType Over = 0; ///< those above the limit
+  double Worst = 0.0; ///< RMSE of the worst of all
+};
+
+/// Compares the tiles of a picture with `limit`.
+TileErrors JudgeTiles(vtkImageData* image, double limit);
+
 /**
  * Adds `Color`, `Rays` and `EstimatedError` to `image`, which has its extent, with what lies over the
  * picture. `totals` collects counts; `squaredError` the sum over all pixels. False when `progress`

@@ -50,6 +50,8 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
   const bool crowded = pixelEdges.Edges.size() > CrowdedEdges * TileSide * TileSide;
 
   integrator.BeginTile();
+  bool wary = false;
+  const PixelCounts counted = integrator.Pixels;
   for (int y = low.y; y < high.y; ++y)
   {
     for (int x = low.x; x < high.x; ++x)
@@ -67,7 +69,15 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
       part.Colors[index] =
         alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);
       part.Errors[index] = std::hypot(result.Error, integrator.GetMediumError());
-      part.RayShares[index] = static_cast<float>(integrator.Rays.InPicture() - before);
+      part.RayShares[index] += static_cast<float>(integrator.Rays.InPicture() - before);
+    }
+    // Where triangles pass through each other in one pixel they do so around it, too.
+    if (y + 1 == high.y && !wary && integrator.HasFoundPiercing())
+    {
+      wary = true;
+      integrator.BeWary();
+      integrator.Pixels = counted;
+      y = low.y - 1;
     }
   }
 }

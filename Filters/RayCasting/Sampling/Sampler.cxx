@@ -55,7 +55,7 @@ Ray Sampler::MakeRay(glm::dvec2 p) const
   Ray ray;
   ray.Origin = glm::vec3(this->Eye.RayOrigin(p));
   ray.Direction = glm::vec3(this->Eye.RayDirection(p));
-  ray.Near = static_cast<float>(this->Eye.Near);
+  ray.Near = static_cast<float>(std::max(this->Eye.Near - this->Eye.DepthOfRayOrigins(), 0.0));
   return ray;
 }
 

@@ -254,7 +254,8 @@ glm::vec3 Shading::Lighten(
   const Finish& finish, const Appearance& at, glm::vec3 point, long long& shadowRays) const
 {
   const Scene& scene = this->Rays.GetScene();
-  const glm::vec3 eye(scene.Eye.Position - scene.Eye.Advance * scene.Eye.Forward);
+  const double moved = scene.Eye.Advance - scene.Eye.DepthOfRayOrigins();
+  const glm::vec3 eye(scene.Eye.Position - moved * scene.Eye.Forward);
   const glm::vec3 towardsEye = glm::normalize(eye - point);
   glm::vec3 diffuse(0.f);
   glm::vec3 specular(0.f);

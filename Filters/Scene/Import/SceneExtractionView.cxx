@@ -91,8 +91,13 @@ bool SetLens(vtkMatrix4x4* projection, Camera& eye)
     std::abs(horizontal - vertical) < 1e-6 * std::abs(vertical);
 }
 
-/// How far a parallel camera can move forward and stay well in front of `bounds`: by their own size.
-double DistanceInFront(glm::dvec3 eye, glm::dvec3 forward, const double bounds[6])
+/// From so many times the size of the scene on, single precision would tell the places in it apart less
+/// well than the picture shows them.
+constexpr double FarAway = 32.0;
+
+/// How far a camera can move forward and stay well in front of `bounds`: by their own size.
+/// In perspective one that is not far away stays.
+double DistanceInFront(glm::dvec3 eye, glm::dvec3 forward, bool parallel, const double bounds[6])
 {
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i)
@@ -101,23 +106,24 @@ double DistanceInFront(glm::dvec3 eye, glm::dvec3 forward, const double bounds[6
     nearest = std::min(nearest, glm::dot(corner - eye, forward));
   }
   const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  return std::max(nearest - glm::length(size), 0.0);
+  const double distance = std::max(nearest - glm::length(size), 0.0);
+  return parallel || distance > FarAway * glm::length(size) ? distance : 0.0;
 }
 
 void SetOrigin(glm::dvec3 position, const double bounds[6], double fallback, Scene& scene)
 {
   Camera& eye = scene.Eye;
   double advance = 0.0;
-  if (eye.Parallel && IsFinite(bounds))
+  if (IsFinite(bounds))
   {
-    advance = DistanceInFront(position, eye.Forward, bounds);
+    advance = DistanceInFront(position, eye.Forward, eye.Parallel, bounds);
     position += advance * eye.Forward;
   }
   scene.Origin = position;
   scene.Scale = ChooseScale(position, bounds, fallback);
-  eye.Position = glm::dvec3(0.0);
-  eye.Near = eye.Parallel ? 0.0 : NearestDistance;
   eye.Advance = advance * scene.Scale;
+  eye.Position = -eye.DepthOfRayOrigins() * eye.Forward;
+  eye.Near = eye.Parallel ? 0.0 : NearestDistance;
   if (eye.Parallel)
   {
     eye.PixelSize *= scene.Scale;

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Scenes whose borders lie where no edge at the corners of a pixel leads: every tile either keeps the
+// tolerance or says that it does not. The truth is 32 x 32 samples in every pixel.
+#include "vtkPenumbraRayCaster.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr int Side = 96;
+constexpr int Tile = 16;
+constexpr int TrueSamples = 32;
+
+class Random
+{
+public:
+  double operator()()
+  {
+    this->Sequence->Next();
+    return this->Sequence->GetValue();
+  }
+
+private:
+  vtkNew<vtkMinimalStandardRandomSequence> Sequence;
+};
+
+vtkActor* Add(vtkRenderer* renderer, vtkPolyData* data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetInterpolationToFlat();
+  renderer->AddActor(actor);
+  return actor;
+}
+
+/// Points at different depths, each 2 pixels wide.
+void AddPoints(vtkRenderer* renderer)
+{
+  Random random;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (int i = 0; i < 1500; ++i)
+  {
+    const double x = random();
+    const double y = random();
+    const vtkIdType id = points->InsertNextPoint(x, y, random());
+    cells->InsertNextCell(1, &id);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  Add(renderer, data)->GetProperty()->SetPointSize(2.0f);
+  renderer->GetActiveCamera()->ParallelProjectionOn();
+}
+
+/// Flat spheres that pass through each other.
+void AddSpheres(vtkRenderer* renderer)
+{
+  Random random;
+  for (int i = 0; i < 30; ++i)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    const double x = random();
+    const double y = random();
+    sphere->SetCenter(x, y, random());
+    sphere->SetRadius(0.15 + 0.15 * random());
+    sphere->SetThetaResolution(12);
+    sphere->SetPhiResolution(12);
+    sphere->Update();
+    const double red = random();
+    const double green = random();
+    Add(renderer, sphere->GetOutput())->GetProperty()->SetColor(red, green, random());
+  }
+}
+
+/// Triangles given by three points each.
+vtkActor* AddTriangles(vtkRenderer* renderer, vtkPoints* points)
+{
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i + 2 < points->GetNumberOfPoints(); i += 3)
+  {
+    const vtkIdType ids[3] = { i, i + 1, i + 2 };
+    cells->InsertNextCell(3, ids);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return Add(renderer, data);
+}
+
+/// Small sheets that face the eye, one behind the other.
+void AddSheets(vtkRenderer* renderer)
+{
+  Random random;
+  for (int i = 0; i < 300; ++i)
+  {
+    vtkNew<vtkPoints> points;
+    const double x = random();
+    const double y = random();
+    const double z = i / 300.0;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const double dx = 0.3 * (random() - 0.5);
+      points->InsertNextPoint(x + dx, y + 0.3 * (random() - 0.5), z);
+    }
+    const double red = random();
+    const double green = random();
+    AddTriangles(renderer, points)->GetProperty()->SetColor(red, green, random());
+  }
+}
+
+/// Random triangles.
+void AddSoup(vtkRenderer* renderer)
+{
+  Random random;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 300; ++i)
+  {
+    const double x = random();
+    const double y = random();
+    const double z = random();
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const double dx = 0.3 * (random() - 0.5);
+      const double dy = 0.3 * (random() - 0.5);
+      points->InsertNextPoint(x + dx, y + dy, z + 0.3 * (random() - 0.5));
+    }
+  }
+  AddTriangles(renderer, points);
+}
+
+struct SceneRow
+{
+  std::string Name;
+  std::function<void(vtkRenderer*)> Fill;
+  double ViewAngle = 30.0;
+  double TruthErrs = 0.0; ///< borders of points are upright: samples in rows and columns err most
+};
+
+const SceneRow Rows[] = {
+  { "PointsAtDifferentDepths", AddPoints, 30.0, 1.0 / 512.0 },
+  { "SpheresThroughEachOther", AddSpheres },
+  { "SheetsFacingTheEye", AddSheets },
+  { "TrianglesThroughEachOther", AddSoup },
+  { "TrianglesUnderATinyAngle", AddSoup, 0.001 },
+};
+
+std::ostream& operator<<(std::ostream& os, const SceneRow& row)
+{
+  return os << row.Name;
+}
+
+std::string NameOf(const ::testing::TestParamInfo<SceneRow>& row)
+{
+  return row.param.Name;
+}
+
+std::vector<float> Copy(vtkPenumbraRayCaster* caster, const char* name)
+{
+  vtkPointData* data = caster->GetOutput()->GetPointData();
+  auto* array = vtkFloatArray::SafeDownCast(data->GetArray(name));
+  return std::vector<float>(
+    array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
+}
+
+std::vector<float> Draw(vtkPenumbraRayCaster* caster)
+{
+  caster->Update();
+  return Copy(caster, "Color");
+}
+
+vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(const SceneRow& row)
+{
+  vtkNew<vtkRenderer> renderer;
+  row.Fill(renderer);
+  renderer->SetBackground(0.2, 0.3, 0.4);
+  renderer->ResetCamera();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const auto halfWidth = [&]() {
+    return std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  };
+  const double before = halfWidth();
+  camera->SetViewAngle(row.ViewAngle);
+  camera->Dolly(halfWidth() / before);
+  auto caster = vtkSmartPointer<vtkPenumbraRayCaster>::New();
+  caster->SetRenderer(renderer);
+  caster->SetResolution(Side, Side);
+  return caster;
+}
+
+struct TileError
+{
+  double Error;
+  double Believed;
+};
+
+std::vector<TileError> JudgeTiles(const std::vector<float>& colors,
+  const std::vector<float>& errors, const std::vector<float>& truth)
+{
+  std::vector<TileError> tiles;
+  for (int ty = 0; ty < Side; ty += Tile)
+  {
+    for (int tx = 0; tx < Side; tx += Tile)
+    {
+      double squares = 0.0;
+      double believed = 0.0;
+      for (int i = 0; i < Tile * Tile; ++i)
+      {
+        const std::size_t pixel = (ty + i / Tile) * Side + tx + i % Tile;
+        for (int c = 0; c < 3; ++c)
+        {
+          const double d = colors[4 * pixel + c] - truth[4 * pixel + c];
+          squares += d * d / 3.0;
+        }
+        believed += static_cast<double>(errors[pixel]) * errors[pixel];
+      }
+      tiles.push_back({ std::sqrt(squares / (Tile * Tile)), std::sqrt(believed / (Tile * Tile)) });
+    }
+  }
+  return tiles;
+}
+
+class HardScenes : public ::testing::TestWithParam<SceneRow>
+{
+};
+
+}
+
+TEST_P(HardScenes, NoTileErrsByMoreThanItSays)
+{
+  const auto caster = MakeCaster(GetParam());
+  const std::vector<float> colors = Draw(caster);
+  const std::vector<float> errors = Copy(caster, "EstimatedError");
+  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+  caster->SetUniformSamples(TrueSamples);
+  const std::vector<float> truth = Draw(caster);
+  const double tolerance = caster->GetTolerance();
+  double worst = 0.0;
+  for (const TileError& tile : JudgeTiles(colors, errors, truth))
+  {
+    worst = std::max(worst, tile.Error);
+    EXPECT_FALSE(tile.Error > tolerance + GetParam().TruthErrs && tile.Believed < tolerance)
+      << "error " << tile.Error << ", believed " << tile.Believed;
+  }
+  RecordProperty("WorstTile", std::to_string(worst));
+}
+
+TEST_P(HardScenes, UniformSamplesSayWhatTheyErr)
+{
+  const auto caster = MakeCaster(GetParam());
+  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+  caster->SetUniformSamples(TrueSamples);
+  const std::vector<float> truth = Draw(caster);
+  for (const int samples : { 2, 4, 8 })
+  {
+    caster->SetUniformSamples(samples);
+    const std::vector<float> colors = Draw(caster);
+    const std::vector<float> errors = Copy(caster, "EstimatedError");
+    std::vector<double> ratios;
+    for (const TileError& tile : JudgeTiles(colors, errors, truth))
+    {
+      if (tile.Error > 1e-3)
+      {
+        ratios.push_back(tile.Believed / tile.Error);
+      }
+    }
+    ASSERT_FALSE(ratios.empty());
+    std::sort(ratios.begin(), ratios.end());
+    EXPECT_GE(ratios[ratios.size() / 20], 1.0) << samples;
+    EXPECT_LE(ratios[ratios.size() / 2], 5.0) << samples;
+  }
+}
+
+TEST(Tolerance, IsReportedOnceWhereItIsNotReached)
+{
+  vtkNew<vtkCallbackCommand> count;
+  int warnings = 0;
+  count->SetClientData(&warnings);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  const auto caster = MakeCaster({ "SpheresThroughEachOther", AddSpheres });
+  caster->AddObserver(vtkCommand::WarningEvent, count);
+  caster->Update();
+  EXPECT_EQ(warnings, 0);
+  caster->SetTolerance(1e-5);
+  caster->Update();
+  EXPECT_EQ(warnings, 1);
+  caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+  caster->Update();
+  EXPECT_EQ(warnings, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(RayCaster, HardScenes, ::testing::ValuesIn(Rows), NameOf);
