@@ -129,8 +129,9 @@ void WriteOpenRows(std::ostream& out, const std::vector<Measured>& rows)
 
 void WriteWeaknesses(std::ostream& out)
 {
-  out << "\n## Published weaknesses\n\nWeaknesses that the papers state or contain, the remedy here, "
-         "and the rows that test it.\n\n| paper, weakness | here | rows |\n|---|---|---|\n";
+  out
+    << "\n## Published weaknesses\n\nWeaknesses that the papers state or contain, the remedy here, "
+       "and the rows that test it.\n\n| paper, weakness | here | rows |\n|---|---|---|\n";
   for (const Weakness& weakness : PublishedWeaknesses())
   {
     out << "| " << weakness.Source << " | " << weakness.Remedy << " |";
@@ -144,7 +145,8 @@ void WriteWeaknesses(std::ostream& out)
 
 void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
 {
-  out << "\n## Rows\n\nImages: Penumbra, with the mechanism disabled, and VTK if it has a comparable method.\n\n"
+  out << "\n## Rows\n\nImages: Penumbra, with the mechanism disabled, and VTK if it has a "
+         "comparable method.\n\n"
          "| scenario | images | metric | bound | Penumbra | disabled | VTK |\n"
          "|---|---|---|---|---|---|---|\n";
   for (const Measured& measured : rows)

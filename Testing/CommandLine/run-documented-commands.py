@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-# Runs every `./penumbra render` command of the given pages and compares its image with the one of the
-# same name in Documentation/Pictures: run-documented-commands.py PROGRAM PAGE...
+# Runs every `./penumbra render Data/...` command of the given pages and compares its image with the one
+# of the same name in Documentation/Pictures: run-documented-commands.py PROGRAM PAGE...
 import pathlib
 import re
 import shlex
@@ -12,13 +12,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def documented_commands(page):
-    """The arguments of every command in the code blocks of a page whose image is in the page."""
+    """The arguments of every command on a page; each must make an image that the page shows."""
     text = pathlib.Path(page).read_text()
     images = set(re.findall(r"!\[[^]]*\]\([^)]*Pictures/([^)]+)\)", text))
     for block in re.findall(r"```sh\n(.*?)```", text, re.DOTALL):
         for line in block.replace("\\\n", " ").splitlines():
-            words = shlex.split(line)
-            if words[:2] == ["./penumbra", "render"]:
+            words = shlex.split(line, comments=True)
+            if words[:2] == ["./penumbra", "render"] and words[2].startswith("Data/"):
                 if words[words.index("--output") + 1] not in images:
                     sys.exit(f"{page}: no image for: {line}")
                 yield words[1:]
