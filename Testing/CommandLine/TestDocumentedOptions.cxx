@@ -29,8 +29,9 @@ std::set<std::string> FindOptions(const std::string& text)
 
 TEST(Help, NamesEveryOptionThatTheDocumentationNames)
 {
-  const std::string page = ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/Options.md");
-  const std::set<std::string> documented = FindOptions(page);
+  const std::string pages = PENUMBRA_SOURCE_DIR "/Documentation/user/";
+  const std::set<std::string> documented = FindOptions(ReadText(pages + "Options.md"));
+  const std::set<std::string> recipes = FindOptions(ReadText(pages + "BatchRendering.md"));
   std::set<std::string> offered = FindOptions(RunProgram({ "--help" }).Output);
   for (const char* command : { "render", "animate", "bake", "chart", "compare", "list", "info" })
   {
@@ -46,6 +47,10 @@ TEST(Help, NamesEveryOptionThatTheDocumentationNames)
   for (const std::string& option : documented)
   {
     EXPECT_TRUE(option == "--option" || offered.count(option)) << option << " is not offered";
+  }
+  for (const std::string& option : recipes)
+  {
+    EXPECT_TRUE(documented.count(option)) << option << " of a recipe is not documented";
   }
 }
 
