@@ -129,9 +129,9 @@ void WriteOpenRows(std::ostream& out, const std::vector<Measured>& rows)
 
 void WriteWeaknesses(std::ostream& out)
 {
-  out << "\n## Published weaknesses\n\nWhat the papers name, print or leave out, what settles it "
-         "here, "
-         "and the rows that guard that.\n\n| paper, weakness | here | rows |\n|---|---|---|\n";
+  out
+    << "\n## Published weaknesses\n\nWeaknesses that the papers state or contain, the remedy here, "
+       "and the rows that test it.\n\n| paper, weakness | here | rows |\n|---|---|---|\n";
   for (const Weakness& weakness : PublishedWeaknesses())
   {
     out << "| " << weakness.Source << " | " << weakness.Remedy << " |";
@@ -145,8 +145,9 @@ void WriteWeaknesses(std::ostream& out)
 
 void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
 {
-  out << "\n## Rows\n\nPictures: ours, without the mechanism, and VTK's own where there is one.\n\n"
-         "| scenario | pictures | metric | bound | ours | without | VTK's |\n"
+  out << "\n## Rows\n\nImages: Penumbra, with the mechanism disabled, and VTK if it has a "
+         "comparable method.\n\n"
+         "| scenario | images | metric | bound | Penumbra | disabled | VTK |\n"
          "|---|---|---|---|---|---|---|\n";
   for (const Measured& measured : rows)
   {
@@ -167,12 +168,11 @@ void WriteDocument(const std::string& path, const std::vector<Measured>& rows)
   std::ofstream out(path);
   out
     << "# Where methods fail\n\n"
-       "Every row is a situation in which rendering methods of this kind are known to fail, with "
-       "a\n"
-       "metric, a bound that ours keep, and the value without the mechanism that the row guards:\n"
-       "it must be above the bound, so that no row is one that cannot fail. `Testing/Stability/`\n"
-       "holds the table and runs it as tests; `./penumbra benchmark stability` writes this "
-       "page.\n\n"
+       "Each row is a situation in which rendering methods of this kind are known to fail, with a\n"
+       "metric, a bound that Penumbra keeps, and the value with a mechanism disabled, which must\n"
+       "exceed the bound. The column says what is disabled; in some rows this is more than one\n"
+       "mechanism, such as history and filter together. `Testing/Stability/` holds the table and\n"
+       "runs it as tests; `./penumbra benchmark stability` writes this page.\n\n"
     << "- " << rows.size() << " rows, " << DateLine() << "\n- " << VersionLine() << "\n\n";
   WriteMetrics(out, rows);
   WriteOpenRows(out, rows);

@@ -20,7 +20,7 @@ namespace penumbra
 namespace
 {
 
-// Shares of the bounds' diagonal: the defaults that CommandLine.md tells.
+// Shares of the bounds' diagonal: the defaults that Options.md tells.
 constexpr double RadiusShare = 0.1;
 constexpr double ScatteringShare = 0.25;
 

@@ -7,7 +7,7 @@
  * Give it to vtkPenumbraIrradianceCache::SetGatherer(). From every record five pictures are drawn: one
  * along the normal, four half ones to the sides, each only of what is not wholly out of its sight. Rays
  * stop at the first thing they meet, pictures do not: in large scenes that are mostly hidden rays are
- * faster, see Documentation/vtkPenumbraCubeMapGatherer.md.
+ * faster, see Documentation/reference/vtkPenumbraCubeMapGatherer.md.
  *
  * A window that nobody sees is opened, in a thread of its own: by VTK_DEFAULT_OPENGL_WINDOW, OSMesa, EGL
  * or X. Without OpenGL the cache, and who asks it, end with an error.

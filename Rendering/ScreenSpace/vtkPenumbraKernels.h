@@ -4,7 +4,7 @@
  * @class   vtkPenumbraKernels
  * @brief   The one table of kernels: every way to estimate ambient occlusion from depth alone.
  *
- * A new kernel is a GLSL file and a row here; see Documentation/Kernels.md.
+ * A new kernel is a GLSL file and a row here; see Documentation/methods/Kernels.md.
  */
 #ifndef vtkPenumbraKernels_h
 #define vtkPenumbraKernels_h

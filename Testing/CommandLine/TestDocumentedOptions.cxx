@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What Documentation/CommandLine.md and Documentation/F3D.md say of options, held against the
-// real program.
+// Compares the options in Documentation/user/Options.md and Documentation/user/F3D.md with those of
+// the program.
 #include "Meshes.h"
 #include "Program.h"
 
@@ -29,8 +29,9 @@ std::set<std::string> FindOptions(const std::string& text)
 
 TEST(Help, NamesEveryOptionThatTheDocumentationNames)
 {
-  const std::string page = ReadText(PENUMBRA_SOURCE_DIR "/Documentation/CommandLine.md");
-  const std::set<std::string> documented = FindOptions(page);
+  const std::string pages = PENUMBRA_SOURCE_DIR "/Documentation/user/";
+  const std::set<std::string> documented = FindOptions(ReadText(pages + "Options.md"));
+  const std::set<std::string> recipes = FindOptions(ReadText(pages + "BatchRendering.md"));
   std::set<std::string> offered = FindOptions(RunProgram({ "--help" }).Output);
   for (const char* command : { "render", "animate", "bake", "chart", "compare", "list", "info" })
   {
@@ -47,13 +48,17 @@ TEST(Help, NamesEveryOptionThatTheDocumentationNames)
   {
     EXPECT_TRUE(option == "--option" || offered.count(option)) << option << " is not offered";
   }
+  for (const std::string& option : recipes)
+  {
+    EXPECT_TRUE(documented.count(option)) << option << " of a recipe is not documented";
+  }
 }
 
 TEST(F3D, OptionsOfItsPageAreUnderstood)
 {
   const Folder folder("f3d");
   WriteSphereWithArrays(folder / "sphere.vtp");
-  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/F3D.md"));
+  std::istringstream page(ReadText(PENUMBRA_SOURCE_DIR "/Documentation/user/F3D.md"));
   int rows = 0;
   bool understood = false;
   for (std::string line; std::getline(page, line);)

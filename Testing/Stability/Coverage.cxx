@@ -29,7 +29,7 @@ namespace
 constexpr int Size = 96;
 const char* const OpenGL = "OpenGL, 8 samples a pixel asked for (OSMesa gives 4)";
 
-/// [AA] as printed.
+/// The subdivision of [AA] without its case 4, which the paper leaves out.
 void AsPrinted(vtkPenumbraRayCaster* caster)
 {
   caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);

@@ -31,9 +31,9 @@ namespace
 
 using Cache = vtkPenumbraIrradianceCache;
 
-/// What [IC] does: the harmonic mean of the distances, or the nearest of them, and far-reaching
-/// records.
-void AsPrinted(Cache* cache)
+/// Records with the harmonic mean of the distances as radius, between 16 and 1000 pixels. [IC] limits the
+/// radius to between 2 to 4 and 20 to 64 pixels, so this is not the setting of the paper.
+void UseWideHarmonicMean(Cache* cache)
 {
   cache->SetRadiusRule(Cache::HARMONIC_MEAN);
   cache->SetMinimumRadius(16.0);
@@ -56,7 +56,7 @@ std::function<Outcome(Variant)> Sphere(double height, int size)
     cache->SetTolerance(.01);
     if (variant == Variant::Broken)
     {
-      AsPrinted(cache);
+      UseWideHarmonicMean(cache);
     }
     cache->Begin(rays, Infinity, .02);
     Outcome outcome{ 0.0, {} };
@@ -85,7 +85,7 @@ Outcome ConcaveCorner(Variant variant)
   cache->SetTolerance(.01);
   if (variant == Variant::Broken)
   {
-    AsPrinted(cache);
+    UseWideHarmonicMean(cache);
   }
   cache->Begin(rays, 1.0, .02);
   Outcome outcome{ 0.0, {} };
@@ -109,7 +109,7 @@ Outcome ThinWall(Variant variant)
   vtkNew<Cache> cache;
   if (variant == Variant::Broken)
   {
-    AsPrinted(cache);
+    UseWideHarmonicMean(cache);
   }
   cache->Begin(rays, Infinity, .01);
   return { WorstBesideWall(rays, cache), Picture(rays, cache) };

@@ -40,7 +40,7 @@ class Kernels : public testing::TestWithParam<Row>
 TEST(KernelTable, HasATestRowAndAParagraphForEveryKernel)
 {
   std::stringstream page;
-  page << std::ifstream(PENUMBRA_SOURCE_DIR "/Documentation/Kernels.md").rdbuf();
+  page << std::ifstream(PENUMBRA_SOURCE_DIR "/Documentation/methods/Kernels.md").rdbuf();
   for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
   {
     const std::string name = vtkPenumbraKernels::GetName(kernel);

@@ -8,7 +8,7 @@
 // gain was fitted to D = 1.
 //VTK::Penumbra::HemisphereLib
 
-const float gain = 0.9; // measured: ./penumbra benchmark ambient-occlusion --only kernels
+const float gain = 0.9; // measured: ./penumbra benchmark ambient-occlusion --only accuracy
 
 float occlusionAt(SurfacePoint point)
 {

@@ -6,7 +6,7 @@
 // kernels, and shows the facets of coarse meshes.
 // Departure: patches beyond the radius do not count. It has no D(t): the gain was fitted to D = 1.
 
-const float gain = 0.6;     // measured: ./penumbra benchmark ambient-occlusion --only kernels
+const float gain = 0.6;     // measured: ./penumbra benchmark ambient-occlusion --only accuracy
 const float nearest = 0.05; // eps of eq. 12, in radii
 
 float occlusionAt(SurfacePoint point)

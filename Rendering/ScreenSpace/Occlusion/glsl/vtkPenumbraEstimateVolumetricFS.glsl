@@ -4,7 +4,7 @@
 // The volumetric kernel [TSSAO eq. 3, 14; Ritschel]: points in the hemisphere, directions distributed
 // as the cosine, distances evenly; a point that the eye does not see counts as blocked. With a thick
 // occluder at distance t a point is blocked with probability 1 - t: it estimates D(t) = 1 - t.
-// Departures: eq. 14 is printed with misprints, see Documentation/Kernels.md; the directions are
+// Departures: eq. 14 is printed with misprints, see Documentation/methods/Kernels.md; the directions are
 // cosine distributed already, so the cosine of eq. 3 is not applied again.
 //VTK::Penumbra::HemisphereLib
 
