@@ -127,9 +127,26 @@ const std::vector<Row> Table = {
 
   { "Testing/Comparison", {}, { "GoogleTest" } },
 
+  { "Command/Processes", {}, {} },
+  { "Command/Parsing", { "Command/Processes" }, { "CLI11" } },
+  { "Command/Files", { "Command/Processes", "Testing/Comparison" }, { "JSON" } },
+  { "Command/Input", { "Command/Processes", "Command/Parsing", "Command/Files" }, { "CLI11" } },
+  { "Command/Options",
+    { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Input",
+      "Filters/RayTracing", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance" },
+    { "CLI11" } },
+  { "Command/Scene",
+    { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Input", "Command/Options" },
+    {} },
+  { "Command/Engines",
+    { "Command/Processes", "Command/Files", "Command/Input", "Command/Options", "Command/Scene",
+      "Filters/RayTracing", "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace",
+      "Rendering/Irradiance" },
+    { "OpenGL", "CLI11" } },
   { "Command",
-    { "Filters/RayTracing", "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace",
-      "Rendering/Irradiance", "Testing/Comparison" },
+    { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Input", "Command/Options",
+      "Command/Scene", "Command/Engines", "Filters/RayTracing", "Filters/RayCasting",
+      "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance", "Testing/Comparison" },
     { "OpenGL", "CLI11", "JSON" } },
 };
 
