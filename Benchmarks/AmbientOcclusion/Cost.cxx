@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 #include "FrameTimes.h"
-#include "KeepMemory.h"
+#include "Processes/KeepMemory.h"
 
 #include "vtkCamera.h"
 

@@ -5,7 +5,7 @@
 // frames, each against the plain frame of its round, in seconds of the drawing thread.
 #include "Benchmark.h"
 #include "FrameTimes.h"
-#include "KeepMemory.h"
+#include "Processes/KeepMemory.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"

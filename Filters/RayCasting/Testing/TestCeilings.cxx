@@ -138,7 +138,7 @@ TEST(SampledPixels, ErrByNoMoreThanTheyTell)
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, Ceilings,
-  ::testing::Values(Row{ "Slivers", 400, 10.0 }, Row{ "Clusters", 4000, 50.0 },
+  ::testing::Values(Row{ "Slivers", 400, 10.0 }, Row{ "Clusters", 4000, 64.0 },
     Row{ "Hair", 4000, 150.0 }, Row{ "Streamlines", 4000, 150.0 }, Row{ "Soup", 8000, 150.0 },
     Row{ "Fan", 4000, 64.0 }, Row{ "UnsharedFan", 4000, 64.0 }, Row{ "Pole", 20000, 100.0 },
     Row{ "SuperEllipsoid", 20000, 100.0 }, Row{ "Comb", 2000, 100.0 }, Row{ "Copies", 4000, 20.0 }),
