@@ -7,13 +7,13 @@
 // a picture may use what was found for the one before. The groups do not depend on --jobs, and a group
 // of which pictures are missing is drawn again from its first, so that the pictures are the same
 // however often the work was interrupted.
-#include "Engines/Drawing.h"
 #include "Engines/Engine.h"
-#include "Files/Pictures.h"
+#include "Engines/RenderOutput.h"
+#include "Files/ImageFiles.h"
 #include "Files/Report.h"
-#include "Options/FixedView.h"
+#include "Options/FrozenOptions.h"
 #include "Options/RenderOptions.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
@@ -39,13 +39,13 @@ namespace penumbra
 namespace
 {
 
-constexpr int PicturesOfAGroup = 8;
+constexpr int FramesPerGroup = 8;
 
 /// A file's surfaces and how far they move.
 struct Movement
 {
   int File = 0; ///< from 0
-  Triple Way{};
+  Vector3 Displacement{};
 };
 
 struct AnimationOptions
@@ -59,18 +59,18 @@ struct AnimationOptions
   std::string Description; ///< all options that change a picture
 };
 
-constexpr const char* FramePlace = "{frame}";
+constexpr const char* FramePlaceholder = "{frame}";
 
 bool HasFrame(const std::string& pattern)
 {
-  return pattern.find(FramePlace) != std::string::npos;
+  return pattern.find(FramePlaceholder) != std::string::npos;
 }
 
 std::string ReplaceFrame(const std::string& pattern, int frame)
 {
   std::string number = std::to_string(frame);
   number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-  return ReplaceAll(pattern, FramePlace, number);
+  return ReplaceAll(pattern, FramePlaceholder, number);
 }
 
 /// Where the animation is at a picture, from 0 to 1. The last picture of whole turns is not the first
@@ -144,7 +144,7 @@ AnimatedScene ReadScene(const RenderOptions& options, const std::vector<std::str
     meshes.insert(meshes.end(), more.begin(), more.end());
     scene.Actors.push_back(static_cast<int>(more.size()));
   }
-  EnterPhase("drawing " + options.Output, MachineCannot);
+  EnterPhase("drawing " + options.Output, Unavailable);
   scene.Renderer =
     BuildScene(meshes, options, options.Engine == "ray" ? 1.0 : options.DotsPerInch / 72.0);
   return scene;
@@ -166,7 +166,8 @@ void Move(const AnimatedScene& scene, const AnimationOptions& options, const Ren
     for (int i = first; i < first + scene.Actors[movement.File]; ++i)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-      actor->SetPosition(time * movement.Way[0], time * movement.Way[1], time * movement.Way[2]);
+      actor->SetPosition(time * movement.Displacement[0], time * movement.Displacement[1],
+        time * movement.Displacement[2]);
     }
   }
   CameraOptions camera = fixed.Camera;
@@ -187,18 +188,18 @@ int DrawGroup(const AnimationOptions& options, int first, int last)
   }
   const std::vector<std::string> files =
     options.TimeSeries ? std::vector<std::string>{ all.Files.front() } : all.Files;
-  Preparation preparation{ Clock::now() };
+  PhaseTimes preparation{ Clock::now() };
   std::vector<std::string> warnings;
   AnimatedScene scene = ReadScene(all, files, warnings);
   RenderOptions fixed = all;
-  FixView(scene.Renderer, fixed);
+  FreezeOptions(scene.Renderer, fixed);
   if (options.TimeSeries && first > 0)
   {
     warnings.clear();
     scene = ReadScene(fixed, { all.Files[first] }, warnings);
   }
   preparation.ReadSeconds = SecondsSince(preparation.Start);
-  std::function<Picture(const ProgressListener&)> draw;
+  std::function<RenderResult(const ProgressListener&)> draw;
   if (!rays)
   {
     draw = PrepareRaster(scene.Renderer, fixed);
@@ -214,10 +215,11 @@ int DrawGroup(const AnimationOptions& options, int first, int last)
     {
       continue;
     }
-    PictureFiles output(fixed);
-    EnterPhase("drawing " + fixed.Output, MachineCannot);
+    OutputFiles output(fixed);
+    EnterPhase("drawing " + fixed.Output, Unavailable);
     const ProgressListener silent = [](double) {};
-    const Picture picture = rays ? RenderWithRays(scene.Renderer, fixed, silent) : draw(silent);
+    const RenderResult picture =
+      rays ? RenderWithRays(scene.Renderer, fixed, silent) : draw(silent);
     if (!made)
     {
       for (const std::string& warning :
@@ -228,7 +230,7 @@ int DrawGroup(const AnimationOptions& options, int first, int last)
     }
     preparation = { Clock::now() };
   }
-  SayWarnings(warnings);
+  PrintWarnings(warnings);
   return Done;
 }
 
@@ -236,7 +238,7 @@ int DrawGroup(const AnimationOptions& options, int first, int last)
 int Animate(AnimationOptions& options)
 {
   RenderOptions& all = options.Picture;
-  const int size = options.TimeSeries ? 1 : PicturesOfAGroup;
+  const int size = options.TimeSeries ? 1 : FramesPerGroup;
   RecordInputs(all);
   std::vector<int> firsts;
   int missing = 0;
@@ -318,24 +320,24 @@ void CheckMotion(const CLI::App& app, AnimationOptions& options)
   const RenderOptions& picture = options.Picture;
   if (!HasFrame(picture.Output))
   {
-    throw Failure(
+    throw CommandError(
       BadInput, "--output " + picture.Output + ": pictures need {frame} in it, for their numbers");
   }
   if (!picture.Statistics.empty() && !HasFrame(picture.Statistics))
   {
-    throw Failure(
+    throw CommandError(
       BadInput, "--statistics " + picture.Statistics + ": several pictures need {frame} in it");
   }
   if (options.Resume && std::filesystem::path(picture.Output).extension() != ".png")
   {
-    throw Failure(
+    throw CommandError(
       BadInput, "--resume: only .png tells how a picture was made; end --output in .png");
   }
   for (const Movement& movement : options.Movements)
   {
     if (movement.File >= static_cast<int>(picture.Files.size()))
     {
-      throw Failure(BadInput,
+      throw CommandError(BadInput,
         "--move " + std::to_string(movement.File + 1) + ": there are " +
           std::to_string(picture.Files.size()) + " files");
     }
@@ -344,7 +346,7 @@ void CheckMotion(const CLI::App& app, AnimationOptions& options)
   {
     if (app.count("--frames") > 0 || !options.Movements.empty())
     {
-      throw Failure(
+      throw CommandError(
         BadInput, "--time-series: each file is a picture; leave --frames and --move out");
     }
     options.Frames = static_cast<int>(picture.Files.size());
@@ -397,9 +399,9 @@ Action DeclareAnimate(CLI::App& program)
     const int status = Animate(*options);
     if (status == Done)
     {
-      for (const std::string& warning : FindIdleOptions(*app, picture))
+      for (const std::string& warning : FindIgnoredOptions(*app, picture))
       {
-        Say("warning: " + warning);
+        PrintMessage("warning: " + warning);
       }
     }
     return status;

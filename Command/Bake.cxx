@@ -3,16 +3,16 @@
 //
 // penumbra bake: ambient occlusion or irradiance as an array of a mesh.
 #include "Engines/Engine.h"
+#include "Files/AtomicFile.h"
 #include "Files/InputFiles.h"
-#include "Files/PendingFile.h"
 #include "Files/PlyFile.h"
 #include "Files/Report.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
 #include "Input/Surfaces.h"
-#include "Options/FallOffs.h"
+#include "Options/Falloffs.h"
 #include "Parsing/Arguments.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
@@ -58,10 +58,10 @@ struct BakeOptions
   std::string Quantity = "ambient-occlusion";
   double Tolerance = 0.01;
   double Radius = 0.0; ///< 0: from the bounds
-  std::string FallOff = "none";
-  std::optional<Triple> EnvironmentColor; ///< unset: white
-  std::string EnvironmentFile;            ///< empty: one colour
-  std::optional<Triple> EnvironmentUp;
+  std::string Falloff = "none";
+  std::optional<Vector3> EnvironmentColor; ///< unset: white
+  std::string EnvironmentFile;             ///< empty: one colour
+  std::optional<Vector3> EnvironmentUp;
   double Albedo = 0.5;
   int Bounces = 3;
   std::string Normals = "file";
@@ -90,7 +90,7 @@ void CheckMeshExtension(const std::string& path)
   const std::string extension = Extension(path);
   if (extension != ".vtp" && extension != ".vtu" && extension != ".vtk" && extension != ".ply")
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--output: " + path + " is no mesh that can be written; use .vtp .vtu .vtk or .ply");
   }
 }
@@ -190,7 +190,7 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
 void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 {
   static_cast<std::vector<std::string>*>(clientData)
-    ->push_back(StripFrame(static_cast<const char*>(callData)));
+    ->push_back(StripMessagePrefix(static_cast<const char*>(callData)));
 }
 
 int Bake(const BakeOptions& options, Clock::time_point start)
@@ -201,8 +201,8 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   }
   RecordInput(options.File);
   RecordInput(options.EnvironmentFile);
-  PendingFile output(options.Output, "--output");
-  std::optional<PendingFile> statistics;
+  AtomicFile output(options.Output, "--output");
+  std::optional<AtomicFile> statistics;
   if (!options.Statistics.empty())
   {
     statistics.emplace(options.Statistics, "--statistics");
@@ -216,10 +216,11 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   const double readSeconds = SecondsSince(lap);
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0 && !(options.PointRadius > 0.0))
   {
-    throw Failure(BadInput, options.File + ": it has no polygons; give points a --point-radius");
+    throw CommandError(
+      BadInput, options.File + ": it has no polygons; give points a --point-radius");
   }
 
-  EnterPhase("baking " + options.Output, MachineCannot);
+  EnterPhase("baking " + options.Output, Unavailable);
   lap = Clock::now();
   vtkNew<vtkPenumbraIrradianceFilter> filter;
   filter->SetInputData(mesh);
@@ -229,7 +230,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   {
     filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
   }
-  const Triple environment = options.EnvironmentColor.value_or(Triple{ 1.0, 1.0, 1.0 });
+  const Vector3 environment = options.EnvironmentColor.value_or(Vector3{ 1.0, 1.0, 1.0 });
   filter->SetEnvironmentColor(environment[0], environment[1], environment[2]);
   if (light && !options.EnvironmentFile.empty())
   {
@@ -242,7 +243,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   filter->SetAlbedo(options.Albedo);
   filter->SetBounces(options.Bounces);
   filter->SetRadius(std::min(options.Radius, std::numeric_limits<double>::max()));
-  filter->SetFallOff(FallOffOf(options.FallOff));
+  filter->SetFalloff(FalloffOf(options.Falloff));
   filter->SetComputeNormals(options.Normals == "computed");
   filter->SetPointRadius(options.PointRadius);
   filter->SetNumberOfThreads(options.Threads);
@@ -257,17 +258,17 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   TakeErrors();
   filter->Update();
   const std::vector<std::string> errors = TakeErrors();
-  if (TellOfMemory(errors))
+  if (IndicatesOutOfMemory(errors))
   {
     throw std::bad_alloc();
   }
   if (!errors.empty())
   {
-    throw Failure(BadInput, options.File + ": " + errors.front());
+    throw CommandError(BadInput, options.File + ": " + errors.front());
   }
   const double bakeSeconds = SecondsSince(lap);
 
-  EnterPhase("writing " + options.Output, MachineCannot);
+  EnterPhase("writing " + options.Output, Unavailable);
   lap = Clock::now();
   vtkPolyData* baked = vtkPolyData::SafeDownCast(filter->GetOutput());
   if (!WriteAs(Extension(options.Output), baked, light, output.TemporaryPath()))
@@ -291,7 +292,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   }
   output.Commit();
   progress.Clear();
-  SayWarnings(warnings);
+  PrintWarnings(warnings);
   return Done;
 }
 
@@ -315,7 +316,7 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     "Reach of an occluder in world units, inf: all; default: a tenth of the bounds' diagonal",
     { 0.0, Infinity, true, true })
     ->default_str("");
-  AddChoice(app, "--falloff", options.FallOff, FallOffNames(),
+  AddChoice(app, "--falloff", options.Falloff, FalloffNames(),
     "How an occluder counts less with its distance: not, or 1 - t/R, 1 - (t/R)^2, 1 - sqrt(t/R)");
   AddTriple(app, "--environment-color", options.EnvironmentColor,
     "irradiance: radiance from where nothing is; default: 1,1,1", { 0.0, 1e6 });
@@ -356,7 +357,7 @@ Action DeclareBake(CLI::App& program)
     CheckMeshExtension(options->Output);
     if (options->Statistics == options->Output)
     {
-      throw Failure(BadInput,
+      throw CommandError(BadInput,
         "--statistics " + options->Statistics + ": this is the --output; name another file");
     }
     return RunWorkers(

@@ -3,7 +3,7 @@
 //
 // penumbra chart: starts the program penumbra-chart, as git starts the programs of its subcommands. The
 // charts use the references and scenes of the benchmarks, which the installed program does not contain.
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Subcommands.h"
 
 #include <CLI/CLI.hpp>
@@ -42,7 +42,7 @@ Action DeclareChart(CLI::App& program)
   app->prefix_command();
   app->set_help_flag();
   return []() -> int {
-    throw Failure(MachineCannot,
+    throw CommandError(Unavailable,
       "chart: the program penumbra-chart is neither next to penumbra nor in PATH; it is built with "
       "the tests (BUILD_TESTING=ON)");
   };

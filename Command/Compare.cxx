@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra compare: how far a picture is from its baselines.
+#include "Files/AtomicFile.h"
+#include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
-#include "Files/PendingFile.h"
-#include "Files/Pictures.h"
 #include "Input/ReadLimit.h"
 #include "Parsing/Arguments.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 #include "Subcommands.h"
 
@@ -84,11 +84,11 @@ int Compare(const CompareOptions& options)
     RecordInput(picture);
   }
   RecordInput(options.Mask);
-  std::unique_ptr<PendingFile> file;
+  std::unique_ptr<AtomicFile> file;
   if (!options.Difference.empty())
   {
     CheckPictureExtension(options.Difference, "--difference");
-    file = std::make_unique<PendingFile>(options.Difference, "--difference");
+    file = std::make_unique<AtomicFile>(options.Difference, "--difference");
   }
   const bool asksForNearness = !std::isnan(options.Tolerance);
   const std::string name = asksForNearness ? "excess" : options.Metric;
@@ -109,10 +109,10 @@ int Compare(const CompareOptions& options)
   {
     comparison->AddBaseline(Read(options.Pictures[i]));
   }
-  EnterPhase("comparing " + options.Pictures[0], MachineCannot);
+  EnterPhase("comparing " + options.Pictures[0], Unavailable);
   if (!comparison->Compare())
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       options.Pictures[0] + ": " + comparison->GetErrorText() + "; give pictures that match");
   }
   double factor = 1.0;
@@ -197,7 +197,7 @@ Action DeclareCompare(CLI::App& program)
   return [options]() {
     if (options->Pictures.size() < 2)
     {
-      throw Failure(BadInput, "compare: give a picture and at least one baseline");
+      throw CommandError(BadInput, "compare: give a picture and at least one baseline");
     }
     return RunWorkers(
       1, 1, [&](int) { return Compare(*options); }, [](int) {});

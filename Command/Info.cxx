@@ -3,7 +3,7 @@
 //
 // penumbra info: what runs on this machine.
 #include "Engines/Engine.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/Worker.h"
 #include "Subcommands.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra list: what this version offers.
-#include "Files/Pictures.h"
+#include "Files/ImageFiles.h"
 #include "Input/Readers.h"
 #include "Options/Colormaps.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Subcommands.h"
 
 #include "vtkPenumbraKernels.h"

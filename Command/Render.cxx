@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // penumbra render: meshes to pictures.
-#include "Engines/Drawing.h"
 #include "Engines/Engine.h"
+#include "Engines/RenderOutput.h"
 #include "Files/Report.h"
 #include "Options/RenderOptions.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
@@ -52,7 +52,7 @@ bool HasName(const std::string& pattern)
 // One picture, in its own process.
 int RenderPicture(const RenderOptions& options, Clock::time_point start)
 {
-  PictureFiles files(options);
+  OutputFiles files(options);
   const bool rays = options.Engine == "ray";
   ChooseWindowFor(options);
   if (options.Threads > 0)
@@ -61,25 +61,25 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
   }
 
   ProgressLine progress(options.Progress);
-  Preparation preparation{ start };
+  PhaseTimes preparation{ start };
   std::vector<std::string> warnings;
   Clock::time_point lap = Clock::now();
   const auto meshes = ReadMeshes(options.Files, progress, warnings);
   preparation.ReadSeconds = SecondsSince(lap);
 
-  EnterPhase("drawing " + options.Output, MachineCannot);
+  EnterPhase("drawing " + options.Output, Unavailable);
   lap = Clock::now();
   const vtkSmartPointer<vtkRenderer> renderer =
     BuildScene(meshes, options, rays ? 1.0 : options.DotsPerInch / 72.0);
   preparation.SceneSeconds = SecondsSince(lap);
   const auto listener = [&progress](double share) { progress.Show("drawing", share); };
-  const Picture picture =
+  const RenderResult picture =
     rays ? RenderWithRays(renderer, options, listener) : PrepareRaster(renderer, options)(listener);
   progress.Show("writing", 1.0);
   const std::vector<std::string> more = files.Save(picture, renderer, options, preparation);
   warnings.insert(warnings.end(), more.begin(), more.end());
   progress.Clear();
-  SayWarnings(warnings);
+  PrintWarnings(warnings);
   return Done;
 }
 
@@ -90,13 +90,13 @@ std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
   {
     if (HasName(options.Statistics))
     {
-      throw Failure(BadInput, "--statistics: {name} is only for an --output with {name}");
+      throw CommandError(BadInput, "--statistics: {name} is only for an --output with {name}");
     }
     return { options };
   }
   if (options.Files.size() > 1 && !options.Statistics.empty() && !HasName(options.Statistics))
   {
-    throw Failure(
+    throw CommandError(
       BadInput, "--statistics " + options.Statistics + ": several pictures need {name} in it");
   }
   std::vector<RenderOptions> pictures;
@@ -113,7 +113,7 @@ std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
     }
     if (!outputs.insert(one.Output).second)
     {
-      throw Failure(BadInput,
+      throw CommandError(BadInput,
         file + ": another file would give the same picture " + one.Output + "; rename one");
     }
     pictures.push_back(one);
@@ -169,7 +169,7 @@ Action DeclareRender(CLI::App& program)
     const int status = Render(*options, start);
     if (status == Done)
     {
-      std::vector<std::string> idle = FindIdleOptions(*app, *options);
+      std::vector<std::string> idle = FindIgnoredOptions(*app, *options);
       // Which mean something else to `animate`.
       if (app->count("--frames") > 0 && options->Engine == "ray")
       {
@@ -181,7 +181,7 @@ Action DeclareRender(CLI::App& program)
       }
       for (const std::string& warning : idle)
       {
-        Say("warning: " + warning);
+        PrintMessage("warning: " + warning);
       }
     }
     return status;

@@ -15,11 +15,11 @@ namespace
 
 /// The volumetric kernel takes what the eye does not see for what is blocked. Where that is so for 99
 /// of 100 points it estimates its own D.
-void AddRestrictedBias(OcclusionBenchmark& benchmark, const SceneUnderOcclusion& scene,
+void AddRestrictedBias(OcclusionBenchmark& benchmark, const OcclusionTestScene& scene,
   const OcclusionTruth& truth, const std::vector<float>& picture)
 {
   const std::vector<float> misjudged =
-    TraceMisjudged(scene.Renderer, Screen::Size, scene.Radius, benchmark.Stride, 16);
+    TraceMisjudged(scene.Renderer, OcclusionWindow::Size, scene.Radius, benchmark.Stride, 16);
   OcclusionTruth fair;
   double bias = 0.0;
   for (std::size_t i = 0; i < misjudged.size(); ++i)
@@ -32,13 +32,13 @@ void AddRestrictedBias(OcclusionBenchmark& benchmark, const SceneUnderOcclusion&
     }
   }
   const double count = static_cast<double>(fair.Pixels.size());
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   table.Add(scene.Name, "share of pixels where the eye judges as the surface does",
-    count / static_cast<double>(misjudged.size()), Bar::None, 0.0, "at 99 % of 256 points");
+    count / static_cast<double>(misjudged.size()), TargetKind::None, 0.0, "at 99 % of 256 points");
   benchmark.Judge(scene.Name, "bias of volumetric there, D = 1 - t/R", std::abs(bias / count), .02,
     "the tangent plane is known to a pixel");
   table.Add(
-    scene.Name, "RMSE of volumetric there", Rmse(fair, FallOff::Linear, picture), Bar::None);
+    scene.Name, "RMSE of volumetric there", Rmse(fair, Falloff::Linear, picture), TargetKind::None);
 }
 
 }
@@ -47,25 +47,25 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
 {
   const std::map<std::string, double> bars = { { "Scans", .045 }, { "S400", .065 },
     { "Sticks", .085 } };
-  for (const SceneUnderOcclusion& scene : benchmark.Scenes())
+  for (const OcclusionTestScene& scene : benchmark.Scenes())
   {
     const OcclusionTruth& truth = benchmark.TruthOf(scene);
-    Screen screen(scene.Renderer);
-    screen.UseVtks(scene.Radius, 256);
+    OcclusionWindow screen(scene.Renderer);
+    screen.UseVTKSSAOPass(scene.Radius, 256);
     screen.Draw();
-    const std::vector<float> peer = screen.Darkness();
+    const std::vector<float> peer = screen.OcclusionFromBrightness();
     benchmark.Results.Add(scene.Name, "RMSE of vtkSSAOPass, 256 samples",
-      Rmse(truth, FallOff::Constant, peer), Bar::None);
+      Rmse(truth, Falloff::Constant, peer), TargetKind::None);
     for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
     {
       const std::string name = vtkPenumbraKernels::GetName(kernel);
-      const std::string fallOff = vtkPenumbraKernels::GetFallOff(kernel);
-      screen.UseOurs(scene.Radius)->SetKernelName(name.c_str());
+      const std::string falloff = vtkPenumbraKernels::GetFalloff(kernel);
+      screen.UsePenumbraPass(scene.Radius)->SetKernelName(name.c_str());
       screen.Ours->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
       screen.Draw();
       const std::vector<float> picture = screen.Array("AmbientOcclusion");
-      const bool linear = fallOff == "1 - t";
-      const double error = Rmse(truth, linear ? FallOff::Linear : FallOff::Constant, picture);
+      const bool linear = falloff == "1 - t";
+      const double error = Rmse(truth, linear ? Falloff::Linear : Falloff::Constant, picture);
       const std::string quantity = "RMSE of " + name + (linear ? ", D = 1 - t/R" : "");
       if (name == "march")
       {
@@ -74,8 +74,8 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
       }
       else
       {
-        benchmark.Results.Add(scene.Name, quantity, error, Bar::None, 0.0,
-          fallOff.empty() ? "best gain " + std::to_string(Gain(truth, FallOff::Constant, picture))
+        benchmark.Results.Add(scene.Name, quantity, error, TargetKind::None, 0.0,
+          falloff.empty() ? "best gain " + std::to_string(Gain(truth, Falloff::Constant, picture))
                           : "");
       }
       if (name == "volumetric")

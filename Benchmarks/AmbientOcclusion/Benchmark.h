@@ -5,10 +5,10 @@
 #ifndef penumbra_AmbientOcclusionBenchmark_h
 #define penumbra_AmbientOcclusionBenchmark_h
 
+#include "OcclusionReference.h"
+#include "OcclusionWindow.h"
+#include "ResultTable.h"
 #include "Scenes.h"
-#include "Screen.h"
-#include "Table.h"
-#include "Truth.h"
 
 #include <cstdio>
 #include <map>
@@ -19,7 +19,7 @@ namespace penumbra
 {
 
 /// Three scanned meshes on a plane; `folder` holds the files of libcgal-demo.
-SceneUnderOcclusion Scans(const std::string& folder);
+OcclusionTestScene Scans(const std::string& folder);
 
 struct OcclusionBenchmark
 {
@@ -28,7 +28,7 @@ struct OcclusionBenchmark
   bool Diagnose = false;
   int Stride = 4; ///< of the pixels with a truth
   int Rays = 32;  ///< squared: per such pixel
-  Table Results;
+  ResultTable Results;
   std::map<std::string, OcclusionTruth> Truths; ///< by the scene's name
 
   /// Adds a figure with a bar; where it is missed its remark says by how much and `why`.
@@ -38,21 +38,22 @@ struct OcclusionBenchmark
     char distance[32];
     std::snprintf(distance, sizeof distance, "%.2f of the bar: ", measured / limit);
     this->Results.Add(
-      scene, quantity, measured, Bar::AtMost, limit, measured > limit ? distance + why : "");
+      scene, quantity, measured, TargetKind::AtMost, limit, measured > limit ? distance + why : "");
   }
 
   /// By rays, once for all parts.
-  const OcclusionTruth& TruthOf(const SceneUnderOcclusion& scene)
+  const OcclusionTruth& TruthOf(const OcclusionTestScene& scene)
   {
     OcclusionTruth& truth = this->Truths[scene.Name];
     if (truth.Pixels.empty())
     {
-      truth = TraceOcclusion(scene.Renderer, Screen::Size, scene.Radius, this->Stride, this->Rays);
+      truth = TraceOcclusion(
+        scene.Renderer, OcclusionWindow::Size, scene.Radius, this->Stride, this->Rays);
     }
     return truth;
   }
 
-  std::vector<SceneUnderOcclusion> Scenes() const
+  std::vector<OcclusionTestScene> Scenes() const
   {
     return { penumbra::Scans(this->Meshes), Spheres400(), Sticks() };
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 #include "FrameTimes.h"
-#include "Processes/KeepMemory.h"
+#include "Processes/MallocSettings.h"
 
 #include "vtkCamera.h"
 
@@ -25,7 +25,7 @@ constexpr int HistoryFrames = 20;
 /// A window that draws its own copy of the scene in one way.
 struct Variant
 {
-  explicit Variant(const SceneUnderOcclusion& scene)
+  explicit Variant(const OcclusionTestScene& scene)
     : Renderer(scene.Renderer),
       View(std::make_unique<Screen>(scene.Renderer))
   {
@@ -55,7 +55,7 @@ struct Variant
 };
 
 /// `memory`: how it is had, for the table.
-void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<SceneUnderOcclusion()>& scene,
+void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionTestScene()>& scene,
   const std::string& memory)
 {
   const std::string name = scene().Name + ", " + memory;
@@ -90,9 +90,9 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<SceneUnder
   const double base = Median(plain.Seconds);
   const double peer = vtk32.Over(plain);
   const double peer256 = vtk256.Over(plain);
-  Table& table = benchmark.Results;
-  table.Add(name, "plain frame, ms", 1e3 * base, Bar::None);
-  table.Add(name, "overhead of vtkSSAOPass 32, ms", 1e3 * peer, Bar::None);
+  ResultTable& table = benchmark.Results;
+  table.Add(name, "plain frame, ms", 1e3 * base, TargetKind::None);
+  table.Add(name, "overhead of vtkSSAOPass 32, ms", 1e3 * peer, TargetKind::None);
   for (Variant* ours : { &horizon, &march })
   {
     const std::string kernel = ours == &horizon ? "horizon" : "march";
@@ -117,7 +117,7 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<SceneUnder
   }
   else
   {
-    table.Add(name, "converged still frame / plain frame", converged, Bar::None);
+    table.Add(name, "converged still frame / plain frame", converged, TargetKind::None);
   }
 }
 

@@ -16,7 +16,7 @@ namespace
 {
 
 /// By how much the memory in use grows with every pixel more of a window.
-double BytesPerPixel(const SceneUnderOcclusion& scene, const std::function<void()>& addPass,
+double BytesPerPixel(const OcclusionTestScene& scene, const std::function<void()>& addPass,
   const std::function<void()>& change)
 {
   vtkNew<vtkRenderWindow> window;
@@ -25,11 +25,11 @@ double BytesPerPixel(const SceneUnderOcclusion& scene, const std::function<void(
   window->AddRenderer(scene.Renderer);
   addPass();
   double bytes[2];
-  const int heights[2] = { Screen::Size[1] / 2, Screen::Size[1] };
+  const int heights[2] = { OcclusionWindow::Size[1] / 2, OcclusionWindow::Size[1] };
   // Twice: by then all shaders are compiled.
   for (const int step : { 0, 1, 0, 1 })
   {
-    window->SetSize(Screen::Size[0], heights[step]);
+    window->SetSize(OcclusionWindow::Size[0], heights[step]);
     for (int frame = 0; frame < 4; ++frame)
     {
       change();
@@ -39,7 +39,7 @@ double BytesPerPixel(const SceneUnderOcclusion& scene, const std::function<void(
     bytes[step] = BytesInUse();
   }
   window->RemoveRenderer(scene.Renderer);
-  return (bytes[1] - bytes[0]) / (Screen::Size[0] * (heights[1] - heights[0]));
+  return (bytes[1] - bytes[0]) / (OcclusionWindow::Size[0] * (heights[1] - heights[0]));
 }
 
 }
@@ -47,7 +47,7 @@ double BytesPerPixel(const SceneUnderOcclusion& scene, const std::function<void(
 void MeasureMemory(OcclusionBenchmark& benchmark)
 {
   const auto measure = [&](bool occludes, bool actorsMove) {
-    const SceneUnderOcclusion scene = Spheres400();
+    const OcclusionTestScene scene = Spheres400();
     return BytesPerPixel(
       scene,
       [&]() {
@@ -67,12 +67,12 @@ void MeasureMemory(OcclusionBenchmark& benchmark)
       });
   };
   const double plain = measure(false, false);
-  Table& table = benchmark.Results;
-  table.Add("S400", "plain window, bytes a pixel", plain, Bar::None);
-  table.Add("S400", "memory of the pass, bytes a pixel", measure(true, false) - plain, Bar::AtMost,
-    40.0, "a margin makes more pixels");
+  ResultTable& table = benchmark.Results;
+  table.Add("S400", "plain window, bytes a pixel", plain, TargetKind::None);
+  table.Add("S400", "memory of the pass, bytes a pixel", measure(true, false) - plain,
+    TargetKind::AtMost, 40.0, "a margin makes more pixels");
   table.Add("S400", "memory of the pass where actors have moved, bytes a pixel",
-    measure(true, true) - plain, Bar::AtMost, 40.0);
+    measure(true, true) - plain, TargetKind::AtMost, 40.0);
 }
 
 }

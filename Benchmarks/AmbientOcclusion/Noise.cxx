@@ -39,7 +39,7 @@ double Difference(const std::vector<float>& a, const std::vector<float>& b,
 
 /// What the pass converges to at this camera, nothing kept from before: much finer than any
 /// figure in every tile.
-std::vector<float> Limit(Screen& screen)
+std::vector<float> Limit(OcclusionWindow& screen)
 {
   screen.Ours->SetTolerance(1.5e-3);
   screen.Ours->SetConvergeInOneRender(Pass::ALWAYS);
@@ -47,20 +47,20 @@ std::vector<float> Limit(Screen& screen)
   return screen.Array("AmbientOcclusion");
 }
 
-void Start(Screen& screen, double radius)
+void Start(OcclusionWindow& screen, double radius)
 {
-  screen.UseOurs(radius)->SetConvergeInOneRender(Pass::NEVER);
+  screen.UsePenumbraPass(radius)->SetConvergeInOneRender(Pass::NEVER);
 }
 
 }
 
 void MeasureNoise(OcclusionBenchmark& benchmark)
 {
-  for (const SceneUnderOcclusion& scene : benchmark.Scenes())
+  for (const OcclusionTestScene& scene : benchmark.Scenes())
   {
     const auto all = [](std::size_t) { return true; };
-    Table& table = benchmark.Results;
-    Screen screen(scene.Renderer);
+    ResultTable& table = benchmark.Results;
+    OcclusionWindow screen(scene.Renderer);
     Start(screen, scene.Radius);
     for (int frame = 0; frame < 32; ++frame)
     {
@@ -82,12 +82,12 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
       "352 samples a pixel by then, filtered no more from 150 on; what is left is noise that more "
       "frames take away");
     table.Add(scene.Name, "converged, against its limit", Difference(converged, limit, depth, all),
-      Bar::AtMost, .01, "believed of the worst 16x16 pixels: " + std::to_string(believed));
-    table.Add(scene.Name, "change once converged", change, Bar::AtMost, 0.0);
+      TargetKind::AtMost, .01, "believed of the worst 16x16 pixels: " + std::to_string(believed));
+    table.Add(scene.Name, "change once converged", change, TargetKind::AtMost, 0.0);
 
     // A quarter of a degree a frame.
     Start(screen, scene.Radius);
-    Reprojection followed(Screen::Size[0], Screen::Size[1]);
+    Reprojection followed(OcclusionWindow::Size[0], OcclusionWindow::Size[1]);
     for (int frame = 0; frame < MovingFrames; ++frame)
     {
       scene.Renderer->GetActiveCamera()->Azimuth(.25);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
-#include "ShownPicture.h"
+#include "DepthImage.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -16,15 +16,15 @@ namespace
 {
 
 /// The scene as so many ranks draw it, each its own actors, the nearest of all their pictures.
-DepthPicture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
+DepthImage DrawByRanks(const OcclusionTestScene& scene, int ranks)
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetAlphaBitPlanes(1);
-  window->SetSize(Screen::Size[0], Screen::Size[1]);
+  window->SetSize(OcclusionWindow::Size[0], OcclusionWindow::Size[1]);
   window->AddRenderer(scene.Renderer);
-  DepthPicture whole;
+  DepthImage whole;
   for (int rank = 0; rank < ranks; ++rank)
   {
     int actor = 0;
@@ -35,20 +35,20 @@ DepthPicture DrawByRanks(const SceneUnderOcclusion& scene, int ranks)
       next->SetVisibility(actor++ % ranks == rank);
     }
     window->Render();
-    const DepthPicture part = TakePicture(window);
-    rank == 0 ? void(whole = part) : Merge(whole, part);
+    const DepthImage part = CaptureDepthImage(window);
+    rank == 0 ? void(whole = part) : DepthComposite(whole, part);
   }
   window->RemoveRenderer(scene.Renderer);
   return whole;
 }
 
 /// The occlusion of a picture, by a pass that knows nothing of the scene.
-std::vector<float> Occlude(const DepthPicture& picture, vtkCamera* camera, double radius)
+std::vector<float> Occlude(const DepthImage& picture, vtkCamera* camera, double radius)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->GetActiveCamera()->DeepCopy(camera);
-  Screen screen(renderer);
-  vtkNew<ShowPicture> show;
+  OcclusionWindow screen(renderer);
+  vtkNew<ShowDepthImagePass> show;
   show->Shown = picture;
   renderer->SetPass(show);
   screen.Ours = vtkPenumbraTemporalSSAOPass::AddTo(renderer);
@@ -63,7 +63,7 @@ std::vector<float> Occlude(const DepthPicture& picture, vtkCamera* camera, doubl
 void MeasureRanks(OcclusionBenchmark& benchmark)
 {
   const auto draw = [&](int ranks) {
-    const SceneUnderOcclusion scene = Scans(benchmark.Meshes);
+    const OcclusionTestScene scene = Scans(benchmark.Meshes);
     return Occlude(DrawByRanks(scene, ranks), scene.Renderer->GetActiveCamera(), scene.Radius);
   };
   const std::vector<float> one = draw(1);
@@ -75,10 +75,11 @@ void MeasureRanks(OcclusionBenchmark& benchmark)
     pixels += one[i] != four[i];
     largest = std::max(largest, std::abs(static_cast<double>(one[i]) - four[i]));
   }
-  Table& table = benchmark.Results;
-  table.Add("Scans", "1 against 4 sort-last ranks, pixels that differ", pixels, Bar::AtMost, 0.0,
-    "four actors, composited by depth");
-  table.Add("Scans", "1 against 4 sort-last ranks, largest difference", largest, Bar::AtMost, 0.0);
+  ResultTable& table = benchmark.Results;
+  table.Add("Scans", "1 against 4 sort-last ranks, pixels that differ", pixels, TargetKind::AtMost,
+    0.0, "four actors, composited by depth");
+  table.Add(
+    "Scans", "1 against 4 sort-last ranks, largest difference", largest, TargetKind::AtMost, 0.0);
 }
 
 }

@@ -8,7 +8,7 @@
 namespace penumbra
 {
 
-SceneUnderOcclusion Scans(const std::string& folder)
+OcclusionTestScene Scans(const std::string& folder)
 {
   const auto read = [&](const char* name) { return ReadOff(folder + "/" + name); };
   return Scans(read("ChineseDragon-10kv.off"), read("armadillo.off"), read("refined_elephant.off"));

@@ -30,9 +30,9 @@ struct Bars
 };
 
 /// One ray a pixel and frame; in motion one for four pixels.
-vtkPenumbraTemporalSSAOPass* UseRays(Screen& screen, double radius)
+vtkPenumbraTemporalSSAOPass* UseRays(OcclusionWindow& screen, double radius)
 {
-  vtkPenumbraTemporalSSAOPass* pass = screen.UseOurs(radius);
+  vtkPenumbraTemporalSSAOPass* pass = screen.UsePenumbraPass(radius);
   pass->SetKernelName("traced");
   pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   return pass;
@@ -40,7 +40,7 @@ vtkPenumbraTemporalSSAOPass* UseRays(Screen& screen, double radius)
 
 /// The shortest of several frames, each turned by so many degrees, to and fro: by any, nothing is kept but
 /// history.
-double FrameTime(Screen& screen, vtkRenderer* renderer, double degrees)
+double FrameTime(OcclusionWindow& screen, vtkRenderer* renderer, double degrees)
 {
   screen.Draw();
   double shortest = screen.Draw();
@@ -54,7 +54,7 @@ double FrameTime(Screen& screen, vtkRenderer* renderer, double degrees)
 }
 
 /// What the eye sees where it is, when it has come there by frames of a quarter of a degree.
-std::vector<float> ArriveInMotion(Screen& screen, const SceneUnderOcclusion& scene)
+std::vector<float> MoveCameraToStart(OcclusionWindow& screen, const OcclusionTestScene& scene)
 {
   UseRays(screen, scene.Radius);
   scene.Renderer->GetActiveCamera()->Azimuth(-.25 * Frames);
@@ -75,16 +75,16 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
     { "S400", { .065, .020 } }, { "Sticks", { .050, .015 } } };
   vtkPenumbraTracedEstimator::Register();
   vtkSMPTools::Initialize(1);
-  for (const SceneUnderOcclusion& scene : benchmark.Scenes())
+  for (const OcclusionTestScene& scene : benchmark.Scenes())
   {
     const OcclusionTruth& truth = benchmark.TruthOf(scene);
-    Screen screen(scene.Renderer);
+    OcclusionWindow screen(scene.Renderer);
     UseRays(screen, scene.Radius);
     const double withTree = screen.Draw();
     for (int frame = 1; frame <= Frames; ++frame)
     {
       const std::vector<float> picture = screen.Array("AmbientOcclusion");
-      const double error = Rmse(truth, FallOff::Constant, picture);
+      const double error = Rmse(truth, Falloff::Constant, picture);
       if (frame == 1)
       {
         benchmark.Judge(scene.Name, "RMSE of traced, first frame", error, bars.at(scene.Name).First,
@@ -92,7 +92,8 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
       }
       else if (frame == 4)
       {
-        benchmark.Results.Add(scene.Name, "RMSE of traced, after 4 frames", error, Bar::None);
+        benchmark.Results.Add(
+          scene.Name, "RMSE of traced, after 4 frames", error, TargetKind::None);
       }
       else if (frame == Frames)
       {
@@ -108,20 +109,20 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
       }
       screen.Draw();
     }
-    screen.UseOurs(scene.Radius)->SetKernelName("traced");
+    screen.UsePenumbraPass(scene.Radius)->SetKernelName("traced");
     screen.Draw();
     benchmark.Results.Add(scene.Name, "RMSE of traced, converged",
-      Rmse(truth, FallOff::Constant, screen.Array("AmbientOcclusion")), Bar::None);
+      Rmse(truth, Falloff::Constant, screen.Array("AmbientOcclusion")), TargetKind::None);
 
     benchmark.Results.Add(scene.Name, "RMSE of traced, after 16 frames in motion",
-      Rmse(truth, FallOff::Constant, ArriveInMotion(screen, scene)), Bar::None);
+      Rmse(truth, Falloff::Constant, MoveCameraToStart(screen, scene)), TargetKind::None);
 
     screen.UseNone();
     const double plain = FrameTime(screen, scene.Renderer, Turn);
     UseRays(screen, scene.Radius);
     const double traced = FrameTime(screen, scene.Renderer, Turn);
     const double still = FrameTime(screen, scene.Renderer, 0.0);
-    screen.UseVtks(scene.Radius, 32);
+    screen.UseVTKSSAOPass(scene.Radius, 32);
     const double peer = FrameTime(screen, scene.Renderer, Turn);
     benchmark.Judge(scene.Name, "overhead of traced, moving / of vtkSSAOPass 32",
       (traced - plain) / (peer - plain), .40,
@@ -131,12 +132,12 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
     benchmark.Judge(scene.Name, "overhead of traced, still / of vtkSSAOPass 32",
       (still - plain) / (peer - plain), .40,
       "a ray for every pixel, on the drawing thread, is half of it; the rest filters and darkens");
-    benchmark.Results.Add(scene.Name, "plain frame, s", plain, Bar::None);
-    benchmark.Results.Add(scene.Name, "moving frame with traced, s", traced, Bar::None);
-    benchmark.Results.Add(scene.Name, "still frame with traced, s", still, Bar::None);
+    benchmark.Results.Add(scene.Name, "plain frame, s", plain, TargetKind::None);
+    benchmark.Results.Add(scene.Name, "moving frame with traced, s", traced, TargetKind::None);
+    benchmark.Results.Add(scene.Name, "still frame with traced, s", still, TargetKind::None);
     benchmark.Results.Add(
-      scene.Name, "frame with traced that builds the tree, s", withTree, Bar::None);
-    benchmark.Results.Add(scene.Name, "frame with vtkSSAOPass 32, s", peer, Bar::None);
+      scene.Name, "frame with traced that builds the tree, s", withTree, TargetKind::None);
+    benchmark.Results.Add(scene.Name, "frame with vtkSSAOPass 32, s", peer, TargetKind::None);
   }
 }
 

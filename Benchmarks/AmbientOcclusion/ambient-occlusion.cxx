@@ -33,7 +33,7 @@ int main(int argc, char** argv)
       "truth: " + std::to_string(benchmark.Rays * benchmark.Rays) + " rays at every " +
         std::to_string(benchmark.Stride) + "th foreground pixel in both directions" };
   });
-  for (const std::string& missed : benchmark.Results.GetMissed())
+  for (const std::string& missed : benchmark.Results.GetFailed())
   {
     std::cout << "missed: " << missed << "\n";
   }

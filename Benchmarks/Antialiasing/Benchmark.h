@@ -5,8 +5,8 @@
 #ifndef penumbra_Benchmark_h
 #define penumbra_Benchmark_h
 
-#include "BruteForce/Measure.h"
-#include "Table.h"
+#include "BruteForce/ImageErrors.h"
+#include "ResultTable.h"
 #include "Scenes/TestScene.h"
 
 #include <string>
@@ -23,8 +23,8 @@ struct Benchmark
   int TruthSamples = 64; ///< per side of a pixel, for lit scenes
   bool Peers = true;     ///< compare times with uniform supersampling and POV-Ray
   bool Diagnose = false; ///< also write error pictures and lists of the worst pixels
-  Table Results;
-  Honesty Estimates; ///< over all scenes at their default tolerance
+  ResultTable Results;
+  ErrorCalibration Estimates; ///< over all scenes at their default tolerance
 
   std::string MeshFile(const std::string& name) const { return this->Meshes + "/" + name + ".off"; }
 };

@@ -48,7 +48,7 @@ double StatusBytes(const std::string& name)
 }
 
 /// The peak starts anew at what is resident now.
-void ForgetPeak()
+void ResetPeakMemory()
 {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << 5;
@@ -57,7 +57,7 @@ void ForgetPeak()
 /// All 4x4 blocks of a picture by packets or by single rays, shaded; returns CPU seconds.
 double Pass(const RayScene& rays, const Shading& shading, int size, bool packets, double& sum)
 {
-  const Camera& eye = rays.GetScene().Eye;
+  const Camera& eye = rays.GetScene().ViewCamera;
   const double start = CpuSeconds();
   long long shadowRays = 0;
   Ray block[16];
@@ -119,12 +119,13 @@ void MeasureDenseMesh(Benchmark& benchmark)
   const std::string scene = std::to_string(mesh->GetNumberOfPolys()) + " triangles at 64^2";
   const Errors errors = Judge(benchmark, scene, ours, truth.Colors, isEdge, size);
   const Errors reference = Compare(uniform.Colors, truth.Colors, isEdge);
-  Table& table = benchmark.Results;
-  table.Add(scene, "full RMSE / that of uniform 8x8", errors.Full / reference.Full, Bar::AtMost,
-    1.0, "ours " + std::to_string(errors.Full));
-  table.Add(scene, "edge RMSE / that of uniform 8x8", errors.Edge / reference.Edge, Bar::AtMost,
-    1.0, "ours " + std::to_string(errors.Edge));
-  table.Add(scene, "time / that of uniform 8x8", ours.Seconds / uniform.Seconds, Bar::AtMost, 1.0,
+  ResultTable& table = benchmark.Results;
+  table.Add(scene, "full RMSE / that of uniform 8x8", errors.Full / reference.Full,
+    TargetKind::AtMost, 1.0, "ours " + std::to_string(errors.Full));
+  table.Add(scene, "edge RMSE / that of uniform 8x8", errors.Edge / reference.Edge,
+    TargetKind::AtMost, 1.0, "ours " + std::to_string(errors.Edge));
+  table.Add(scene, "time / that of uniform 8x8", ours.Seconds / uniform.Seconds, TargetKind::AtMost,
+    1.0,
     "ours " + std::to_string(ours.Seconds) + " s, " + std::to_string(ours.RaysPerPixel) +
       " rays/pixel");
 }
@@ -151,7 +152,7 @@ void MeasureBasePass(Benchmark& benchmark)
     packets = i ? std::min(packets, second) : second;
   }
   benchmark.Results.Add("base pass, 20k triangles", "packets of 16 / single rays, shaded",
-    single / packets, Bar::AtLeast, 3.0,
+    single / packets, TargetKind::AtLeast, 3.0,
     std::to_string(size * size / packets / 1e6) + " against " +
       std::to_string(size * size / single / 1e6) + " Mray/s");
 }
@@ -167,7 +168,7 @@ void MeasureMemory(Benchmark& benchmark)
     caster->SetInputDataObject(0, mesh);
     caster->SetResolution(1024, 1024);
     caster->SetNumberOfThreads(1);
-    ForgetPeak();
+    ResetPeakMemory();
     const double start = CpuSeconds();
     caster->Update();
     const double seconds = CpuSeconds() - start;
@@ -177,7 +178,7 @@ void MeasureMemory(Benchmark& benchmark)
     remark << "input arrays " << arrays / 1e6 << " MB, peak with them " << peak / 1e6 << " MB, "
            << seconds << " CPU s";
     benchmark.Results.Add("10 M triangles", "peak memory / input arrays", peak / arrays,
-      Bar::AtMost, 4.0, remark.str());
+      TargetKind::AtMost, 4.0, remark.str());
   }
   malloc_trim(0);
   {
@@ -194,7 +195,7 @@ void MeasureMemory(Benchmark& benchmark)
     }
     const double grown = (StatusBytes("VmRSS:") - afterTen) / 1048576.0;
     benchmark.Results.Add("1,000 pictures in one process", "MiB grown after the tenth", grown,
-      Bar::AtMost, 2.0, "flat: less than a quarter of a page a picture");
+      TargetKind::AtMost, 2.0, "flat: less than a quarter of a page a picture");
   }
   std::ifstream maps("/proc/self/maps");
   int libraries = 0;
@@ -212,7 +213,7 @@ void MeasureMemory(Benchmark& benchmark)
     }
   }
   benchmark.Results.Add("1,000 pictures in one process", "OpenGL, EGL and X libraries loaded",
-    libraries, Bar::AtMost, 0.0, names);
+    libraries, TargetKind::AtMost, 0.0, names);
 }
 
 }

@@ -42,20 +42,21 @@ void MeasureFlatShapes(Benchmark& benchmark)
     const Answer answer = Cast(renderer, Size, Size,
       [](vtkPenumbraRayCaster* caster) { caster->SetTolerance(1.0 / 512.0); });
     const Errors errors = Judge(benchmark, scene.Name, answer, WhiteOnBlack(shares), isEdge, Size);
-    Table& table = benchmark.Results;
+    ResultTable& table = benchmark.Results;
     const std::string count = std::to_string(errors.EdgePixels) + " edge pixels";
-    table.Add(scene.Name, "rays per pixel", answer.RaysPerPixel, Bar::AtMost, scene.RaysPerPixel);
-    table.Add(scene.Name, "edge RMSE", errors.Edge, scene.Edge > 0.0 ? Bar::AtMost : Bar::None,
-      scene.Edge, count);
-    table.Add(scene.Name, "worst pixel", errors.Worst, scene.Worst > 0.0 ? Bar::AtMost : Bar::None,
-      scene.Worst);
+    table.Add(
+      scene.Name, "rays per pixel", answer.RaysPerPixel, TargetKind::AtMost, scene.RaysPerPixel);
+    table.Add(scene.Name, "edge RMSE", errors.Edge,
+      scene.Edge > 0.0 ? TargetKind::AtMost : TargetKind::None, scene.Edge, count);
+    table.Add(scene.Name, "worst pixel", errors.Worst,
+      scene.Worst > 0.0 ? TargetKind::AtMost : TargetKind::None, scene.Worst);
     const Errors uniform = Compare(Cast(renderer, Size, Size,
                                      [](vtkPenumbraRayCaster* caster) {
                                        caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
                                      })
                                      .Colors,
       WhiteOnBlack(shares), isEdge);
-    table.Add(scene.Name, "edge RMSE of uniform 8x8", uniform.Edge, Bar::None);
+    table.Add(scene.Name, "edge RMSE of uniform 8x8", uniform.Edge, TargetKind::None);
   }
 }
 

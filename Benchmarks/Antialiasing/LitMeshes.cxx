@@ -30,9 +30,9 @@ struct LitScene
   bool Timed;
 };
 
-Bar If(double limit)
+TargetKind If(double limit)
 {
-  return limit > 0.0 ? Bar::AtMost : Bar::None;
+  return limit > 0.0 ? TargetKind::AtMost : TargetKind::None;
 }
 
 /// The fastest of three.
@@ -68,12 +68,12 @@ void CompareWithUniform(Benchmark& benchmark, const LitScene& scene, vtkRenderer
       answer.Seconds);
     if (n == 8)
     {
-      benchmark.Results.Add(scene.Name, "edge RMSE of uniform 8x8", errors.Edge, Bar::None);
-      benchmark.Results.Add(scene.Name, "full RMSE of uniform 8x8", errors.Full, Bar::None);
+      benchmark.Results.Add(scene.Name, "edge RMSE of uniform 8x8", errors.Edge, TargetKind::None);
+      benchmark.Results.Add(scene.Name, "full RMSE of uniform 8x8", errors.Full, TargetKind::None);
     }
   }
   benchmark.Results.Add(scene.Name, "times faster than uniform",
-    CostAtError(ladder, edge) / seconds, scene.Timed ? Bar::AtLeast : Bar::None, 8.0,
+    CostAtError(ladder, edge) / seconds, scene.Timed ? TargetKind::AtLeast : TargetKind::None, 8.0,
     "at equal edge error, interpolated over n = 1..16");
 }
 
@@ -101,9 +101,10 @@ void CompareWithPovRay(Benchmark& benchmark, const LitScene& scene, vtkRenderer*
     ? "at equal edge error"
     : "extrapolated: its best edge error is " + std::to_string(reached);
   benchmark.Results.Add(scene.Name, "times faster than POV-Ray, trace",
-    CostAtError(trace, edge) / seconds, scene.Timed ? Bar::AtLeast : Bar::None, 20.0, remark);
+    CostAtError(trace, edge) / seconds, scene.Timed ? TargetKind::AtLeast : TargetKind::None, 20.0,
+    remark);
   benchmark.Results.Add(scene.Name, "times faster than POV-Ray, process",
-    CostAtError(process, edge) / seconds, Bar::None, 0.0, remark);
+    CostAtError(process, edge) / seconds, TargetKind::None, 0.0, remark);
 }
 
 void Measure(Benchmark& benchmark, const LitScene& scene)
@@ -132,13 +133,13 @@ void Measure(Benchmark& benchmark, const LitScene& scene)
     }
   }
   const std::string at = "tolerance 1/" + std::to_string(int(std::min(inverse, 1024.0)));
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   table.Add(scene.Name, "edge RMSE", errors.Edge, If(scene.Edge), scene.Edge,
     at + ", " + std::to_string(errors.EdgePixels) + " edge pixels");
   table.Add(scene.Name, "full RMSE", errors.Full, If(scene.Full), scene.Full, at);
   table.Add(scene.Name, "rays per pixel", answer.RaysPerPixel, If(scene.RaysPerPixel),
     scene.RaysPerPixel, at);
-  table.Add(scene.Name, "CPU seconds", answer.Seconds, Bar::None);
+  table.Add(scene.Name, "CPU seconds", answer.Seconds, TargetKind::None);
   if (!benchmark.Peers)
   {
     return;

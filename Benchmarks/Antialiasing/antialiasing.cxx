@@ -91,12 +91,12 @@ void SumUpTiles(Benchmark& benchmark)
 {
   if (benchmark.Estimates.Tiles > 0)
   {
-    Table& table = benchmark.Results;
+    ResultTable& table = benchmark.Results;
     table.Add("tiles of all scenes", "share with estimate >= error",
-      benchmark.Estimates.HonestShare(), Bar::AtLeast, 0.95,
+      benchmark.Estimates.ConservativeFraction(), TargetKind::AtLeast, 0.95,
       std::to_string(benchmark.Estimates.Tiles) + " tiles");
     table.Add("tiles of all scenes", "median of estimate / error",
-      benchmark.Estimates.MedianRatio(), Bar::AtMost, 3.0,
+      benchmark.Estimates.MedianRatio(), TargetKind::AtMost, 3.0,
       std::to_string(benchmark.Estimates.Ratios.size()) + " tiles with an error above 1e-4");
   }
 }
@@ -127,10 +127,10 @@ std::vector<std::string> Circumstances(const Benchmark& benchmark)
 Errors Judge(Benchmark& benchmark, const std::string& scene, const Answer& answer,
   const std::vector<glm::dvec3>& truth, const std::vector<bool>& isEdge, int width)
 {
-  Honesty own;
+  ErrorCalibration own;
   AddTiles(own, answer.Colors, truth, answer.Estimates, width);
   std::printf("  %s: %.1f %% of tiles honest, median estimate / error %.2f\n", scene.c_str(),
-    100.0 * own.HonestShare(), own.MedianRatio());
+    100.0 * own.ConservativeFraction(), own.MedianRatio());
   AddTiles(benchmark.Estimates, answer.Colors, truth, answer.Estimates, width);
   if (benchmark.Diagnose)
   {

@@ -5,7 +5,7 @@
 // calls this under one setting after the other:
 //   draw rays|opengl FOLDER            the gallery under the present settings
 //   compare FOLDER REFERENCE SETTING   rows of the table: a setting against the reference
-#include "Gallery.h"
+#include "BaselineScenes.h"
 #include "vtkPenumbraImageComparison.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -38,7 +38,7 @@ constexpr int SizeWithLight[2] = { 96, 72 };
 constexpr double ToleranceWithLight = 1.0 / 16.0;
 
 // False where the ray caster cannot, such as under instructions that the processor lacks.
-bool DrawByRays(const Exhibit& exhibit, const std::string& path)
+bool DrawByRays(const BaselineScene& exhibit, const std::string& path)
 {
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(exhibit.Make());
@@ -62,7 +62,7 @@ bool DrawByRays(const Exhibit& exhibit, const std::string& path)
   return writer->Write() != 0;
 }
 
-void DrawByOpenGL(const Exhibit& exhibit, const std::string& path)
+void DrawByOpenGL(const BaselineScene& exhibit, const std::string& path)
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
@@ -109,7 +109,7 @@ long long CountOtherBits(vtkImageData* a, vtkImageData* b)
   return count;
 }
 
-void Compare(const Exhibit& exhibit, vtkImageData* picture, vtkImageData* reference,
+void Compare(const BaselineScene& exhibit, vtkImageData* picture, vtkImageData* reference,
   const std::string& setting)
 {
   using Comparison = vtkPenumbraImageComparison;
@@ -136,7 +136,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   const std::string verb = argv[1];
-  for (const Exhibit& exhibit : Gallery())
+  for (const BaselineScene& exhibit : Gallery())
   {
     if (verb == "draw")
     {

@@ -7,13 +7,13 @@
 #include "ChartPlot.h"
 #include "ChartTable.h"
 #include "Engines/Engine.h"
+#include "Files/AtomicFile.h"
 #include "Files/InputFiles.h"
-#include "Files/PendingFile.h"
 #include "Input/ReadLimit.h"
 #include "Input/Surfaces.h"
 #include "Parsing/Arguments.h"
 #include "Peers.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/ProgressLine.h"
 #include "Processes/Worker.h"
 
@@ -66,7 +66,7 @@ ChartMesh ReadMesh(const std::string& path)
   triangles->Update();
   if (triangles->GetOutput()->GetNumberOfPolys() == 0)
   {
-    throw Failure(BadInput, path + ": it has no polygons; charts need surfaces");
+    throw CommandError(BadInput, path + ": it has no polygons; charts need surfaces");
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(triangles->GetOutput()->GetPoints());
@@ -89,7 +89,7 @@ std::string Processor()
   return "unknown processor";
 }
 
-std::vector<std::string> Remarks(const ChartFamily& family, const std::vector<Peer>& peers)
+std::vector<std::string> Metadata(const ChartFamily& family, const std::vector<Peer>& peers)
 {
   char date[16];
   const std::time_t now = std::time(nullptr);
@@ -134,7 +134,7 @@ void WriteDistances(const std::string& path, const std::vector<ChartRow>& rows)
   {
     if (row.Method.find("automatic") != std::string::npos)
     {
-      const FrontDistance time = DistanceToFront(rows, row, &ChartRow::Seconds);
+      const ParetoDistance time = DistanceToFront(rows, row, &ChartRow::Seconds);
       const double counts = DistanceToFront(rows, row, &ChartRow::Count).Off;
       text << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << time.Off << ','
            << time.Than << ',' << time.TimesCost << ',' << time.TimesError << ',' << counts << "\n";
@@ -145,7 +145,7 @@ void WriteDistances(const std::string& path, const std::vector<ChartRow>& rows)
                 << "\n";
     }
   }
-  PendingFile file(path, "--output");
+  AtomicFile file(path, "--output");
   file.Write(text.str());
   file.Commit();
 }
@@ -159,7 +159,7 @@ void Measure(const ChartFamily& family, ChartTable& table, ProgressLine& progres
       static_cast<double>(done++) / static_cast<double>(family.Steps.size()));
     if (!table.Has(step.Scene, step.Method, step.Setting))
     {
-      EnterPhase(family.Name + ", " + step.Method + ", " + step.Setting, MachineCannot);
+      EnterPhase(family.Name + ", " + step.Method + ", " + step.Setting, Unavailable);
       const Measurement measured = step.Measure();
       table.Add({ step.Scene, step.Method, step.Setting, step.Asked, measured.Error,
         measured.Seconds, measured.Count });
@@ -177,9 +177,9 @@ int Chart(const ChartOptions& options)
   std::filesystem::create_directories(options.Output, error);
   if (error)
   {
-    throw Failure(BadInput, "--output " + options.Output + ": " + error.message());
+    throw CommandError(BadInput, "--output " + options.Output + ": " + error.message());
   }
-  EnterPhase("the chart's window", MachineCannot);
+  EnterPhase("the chart's window", Unavailable);
   ChooseWindow(options.Window);
   // One thread, so that its CPU seconds are what a method costs.
   setenv("LP_NUM_THREADS", "0", 1);
@@ -201,9 +201,9 @@ int Chart(const ChartOptions& options)
   for (const ChartFamily& family : Families(options, request))
   {
     const std::string path = options.Output + "/" + family.Name;
-    ChartTable table(path + ".csv", family.Name + ", " + subject, Remarks(family, request.Peers));
+    ChartTable table(path + ".csv", family.Name + ", " + subject, Metadata(family, request.Peers));
     Measure(family, table, progress);
-    EnterPhase("drawing " + path, MachineCannot);
+    EnterPhase("drawing " + path, Unavailable);
     const std::vector<ChartPanel> panels = PanelsOf(table.GetRows());
     WriteChartPng(family, panels, path + ".png");
     WriteChartSvg(family, panels, path + ".svg");

@@ -5,11 +5,11 @@
 // Error over pixels that hold a border, against exact areas or thousands of samples a pixel.
 #include "ChartFamilies.h"
 
-#include "BruteForce/Measure.h"
-#include "Faces.h"
+#include "BruteForce/ImageErrors.h"
 #include "PovRay.h"
 #include "Scenes/TestScene.h"
 #include "TemporaryFolder.h"
+#include "TriangleScene.h"
 
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
@@ -158,7 +158,7 @@ Measurement MeasureFaces(const Subject& subject, const Peer& peer, const std::st
   const std::string file = folder.Path / "scene.json";
   const int size = subject.Size;
   WriteFaces(file, subject.Renderer, BruteForceOf(subject.Renderer, size, size), size, size);
-  const FacesAnswer answer = RunFaces(peer, file, setting, size, size);
+  const PeerImage answer = RunImageScript(peer, file, setting, size, size);
   return { EdgeError(subject, answer.Colors), answer.Seconds, answer.SamplesPerPixel };
 }
 
@@ -212,7 +212,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
       return MeasureRays(subject(), [level](vtkPenumbraRayCaster* caster) {
         caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
         caster->SetMaximumLevel(level);
-        caster->SmallObjectsOff();
+        caster->FindSmallObjectsOff();
       });
     });
   }

@@ -3,15 +3,15 @@
 //
 // Occlusion of all distances baked onto the points of a mesh: as Penumbra chooses, by rays at every point,
 // by programs of others; against very many rays at some of the points. Trees are built within the time.
-#include "ChartPlaces.h"
+#include "ChartPointQueries.h"
 
-#include "Baking/MeshSites.h"
+#include "Baking/BakeInput.h"
 #include "Embree/RayScene.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -39,16 +39,16 @@ constexpr std::size_t TruePoints = 256;
 struct Subject
 {
   vtkSmartPointer<vtkPolyData> Mesh;
-  MeshSites Found;
+  BakeInput Found;
   std::vector<std::size_t> Known; ///< of the sites
   std::vector<double> Truth;
 };
 
 using Subjects = std::function<Subject&()>;
 
-Question QuestionAt(const MeshSites& found, std::size_t site)
+PointQuery QuestionAt(const BakeInput& found, std::size_t site)
 {
-  const Scene& scene = found.Blocking;
+  const Scene& scene = found.OccluderScene;
   return { glm::dvec3(found.Sites[site].Position) / scene.Scale + scene.Origin,
     glm::dvec3(found.Sites[site].Normal) };
 }
@@ -64,16 +64,16 @@ Subjects Prepare(const ChartMesh& mesh, int truthRays)
     normals->ConsistencyOff();
     normals->Update();
     subject->Mesh = normals->GetOutput();
-    subject->Found = FindMeshSites(subject->Mesh, MeshChoices());
-    const RayScene rays(subject->Found.Blocking, 1);
-    vtkNew<vtkPenumbraBruteForceSource> source;
+    subject->Found = PrepareBakeInput(subject->Mesh, BakeInputOptions());
+    const RayScene rays(subject->Found.OccluderScene, 1);
+    vtkNew<vtkPenumbraBruteForceIrradiance> source;
     source->SetMinimumRays(truthRays);
     source->SetMaximumRays(truthRays);
     source->Begin(rays, VTK_DOUBLE_MAX, 1.0);
     const std::size_t step = std::max<std::size_t>(subject->Found.Sites.size() / TruePoints, 1);
     for (std::size_t site = 0; site < subject->Found.Sites.size(); site += step)
     {
-      const Question at = QuestionAt(subject->Found, site);
+      const PointQuery at = QuestionAt(subject->Found, site);
       subject->Known.push_back(site);
       subject->Truth.push_back(source->Occlusion(&at.Position.x, &at.Normal.x).Value);
     }
@@ -114,20 +114,20 @@ Measurement Bake(const Subject& subject, int method, double tolerance)
   return result;
 }
 
-PlacesSteps PeersOnMesh(const std::string& scene, const Subjects& subject)
+PointQuerySteps PeersOnMesh(const std::string& scene, const Subjects& subject)
 {
-  PlacesSteps steps;
+  PointQuerySteps steps;
   steps.Scene = scene;
   steps.Prepare = [=](const Peer&) {
-    LitPlaces asked;
-    asked.Drawn = &subject().Found.Blocking;
+    PointQueryScene asked;
+    asked.Drawn = &subject().Found.OccluderScene;
     for (std::size_t site = 0; site < subject().Found.Sites.size(); ++site)
     {
       asked.Questions.push_back(QuestionAt(subject().Found, site));
     }
     return asked;
   };
-  steps.Error = [=](const LitPlaces&, const std::vector<glm::dvec3>& light) {
+  steps.Error = [=](const PointQueryScene&, const std::vector<glm::dvec3>& light) {
     return ErrorOf(subject(), [&](std::size_t site) { return 1.0 - light[site].x; });
   };
   return steps;

@@ -4,19 +4,19 @@
 // The irradiance cache: its rules for radii, and rays at every pixel, for the occlusion beside a
 // sphere on a floor, which is known in closed form, and for the light in a room, of five reflections,
 // against independent paths. The tree is ready before the clock starts.
-#include "ChartPlaces.h"
+#include "ChartPointQueries.h"
 
 #include "BruteForce/PathTracer.h"
 #include "Embree/RayScene.h"
+#include "OcclusionReference.h"
 #include "Scenes/Solids.h"
 #include "Scenes/TestScene.h"
 #include "Shading/Illumination.h"
-#include "Truth.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraCubeMapGatherer.h"
 #include "vtkPenumbraIrradianceCache.h"
 
@@ -43,7 +43,7 @@ constexpr int StrideWithoutCache = 4;
 /// Of the sides of a cube map, four are drawn by halves and one not at all.
 constexpr double FacesOfACubeMap = 3.0;
 
-/// vtkPenumbraBruteForceSource begins with so many paths where it would begin with one ray.
+/// vtkPenumbraBruteForceIrradiance begins with so many paths where it would begin with one ray.
 constexpr int PathsPerRay = 8;
 
 struct Subject
@@ -70,7 +70,7 @@ Subjects SphereOnFloor(double height, int size)
 }
 
 /// Rays of a source's records; the pixels of cube maps stand for rays.
-double Gathered(vtkPenumbraIrradianceSource* source)
+double Gathered(vtkPenumbraIrradianceProvider* source)
 {
   vtkNew<vtkFieldData> statistics;
   source->Report(statistics);
@@ -91,7 +91,7 @@ double TruthAt(const Subject& subject, const double* p, const double* normal)
 
 /// Asks at every `stride`-th pixel; the seconds are scaled to all of them.
 Measurement Ask(
-  const Subject& subject, vtkPenumbraIrradianceSource* source, double tolerance, int stride)
+  const Subject& subject, vtkPenumbraIrradianceProvider* source, double tolerance, int stride)
 {
   const std::vector<SeenPoint> points = PointsInPicture(*subject.Rays, stride);
   const double start = CpuSeconds();
@@ -154,7 +154,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
     quick ? std::vector<int>{ 8, 32 } : std::vector<int>{ 8, 32, 128, 512, 2048 })
   {
     family.Steps.push_back({ scene, "rays alone", std::to_string(rays) + " rays", 0.0, [=] {
-                              vtkNew<vtkPenumbraBruteForceSource> source;
+                              vtkNew<vtkPenumbraBruteForceIrradiance> source;
                               source->SetMinimumRays(rays);
                               source->SetMaximumRays(std::max(rays, 32));
                               return Ask(subject(), source, 1.0, 8);
@@ -162,9 +162,9 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   }
 }
 
-std::vector<Question> QuestionsAt(const std::vector<SeenPoint>& points)
+std::vector<PointQuery> QuestionsAt(const std::vector<SeenPoint>& points)
 {
-  std::vector<Question> questions;
+  std::vector<PointQuery> questions;
   for (const SeenPoint& point : points)
   {
     questions.push_back({ { point.Position[0], point.Position[1], point.Position[2] },
@@ -173,23 +173,23 @@ std::vector<Question> QuestionsAt(const std::vector<SeenPoint>& points)
   return questions;
 }
 
-PlacesSteps PeersBesideSphere(const std::string& scene, const Subjects& subject)
+PointQuerySteps PeersBesideSphere(const std::string& scene, const Subjects& subject)
 {
-  PlacesSteps steps;
+  PointQuerySteps steps;
   steps.Scene = scene;
   steps.Prepare = [=](const Peer& peer) {
     const int stride = peer.HasCache ? 1 : StrideWithoutCache;
-    LitPlaces asked;
+    PointQueryScene asked;
     asked.Drawn = &subject().Drawn;
     asked.Questions = QuestionsAt(PointsInPicture(*subject().Rays, stride));
     asked.Share = 1.0 / (stride * stride);
     return asked;
   };
-  steps.Error = [=](const LitPlaces& asked, const std::vector<glm::dvec3>& light) {
+  steps.Error = [=](const PointQueryScene& asked, const std::vector<glm::dvec3>& light) {
     double squares = 0.0;
     for (std::size_t i = 0; i < light.size(); ++i)
     {
-      const Question& question = asked.Questions[i];
+      const PointQuery& question = asked.Questions[i];
       squares += std::pow(
         1.0 - light[i].x - TruthAt(subject(), &question.Position.x, &question.Normal.x), 2.0);
     }
@@ -237,7 +237,7 @@ Rooms LitRoom(int size, int stride, int paths)
 
 /// `tolerance` of irradiance over pi. The seconds are of all pixels.
 Measurement AskForLight(
-  const Room& room, vtkPenumbraIrradianceSource* source, double tolerance, bool ofAllPixels)
+  const Room& room, vtkPenumbraIrradianceProvider* source, double tolerance, bool ofAllPixels)
 {
   const std::vector<SeenPoint> all = PointsInPicture(*room.Rays, 1);
   const double start = CpuSeconds();
@@ -268,13 +268,13 @@ Measurement AskForLight(
   return result;
 }
 
-PlacesSteps PeersInRoom(const std::string& scene, const Rooms& room)
+PointQuerySteps PeersInRoom(const std::string& scene, const Rooms& room)
 {
-  PlacesSteps steps;
+  PointQuerySteps steps;
   steps.Scene = scene;
   steps.Lamps = true;
   steps.Prepare = [=](const Peer&) {
-    LitPlaces asked;
+    PointQueryScene asked;
     asked.Drawn = &room().Drawn;
     asked.Albedo = room().Light->GetSettings().Albedo;
     asked.Bounces = room().Light->GetSettings().Bounces;
@@ -282,7 +282,7 @@ PlacesSteps PeersInRoom(const std::string& scene, const Rooms& room)
     asked.Questions = QuestionsAt(PointsInPicture(*room().Rays, 1));
     return asked;
   };
-  steps.Error = [=](const LitPlaces&, const std::vector<glm::dvec3>& light) {
+  steps.Error = [=](const PointQueryScene&, const std::vector<glm::dvec3>& light) {
     std::map<int, std::size_t> placeOf;
     for (const SeenPoint& point : PointsInPicture(*room().Rays, 1))
     {
@@ -327,7 +327,7 @@ void AddRoom(ChartFamily& family, const std::string& scene, const Rooms& room)
   for (const int paths : { 128, 512, 2048, 8192 })
   {
     family.Steps.push_back({ scene, "paths alone", std::to_string(paths) + " paths", 0.0, [=] {
-                              vtkNew<vtkPenumbraBruteForceSource> source;
+                              vtkNew<vtkPenumbraBruteForceIrradiance> source;
                               source->SetMinimumRays(paths / PathsPerRay);
                               source->SetMaximumRays(paths);
                               return AskForLight(room(), source, 1.0, false);

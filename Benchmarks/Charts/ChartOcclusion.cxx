@@ -8,15 +8,15 @@
 
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"
+#include "OcclusionReference.h"
+#include "OcclusionWindow.h"
 #include "Scenes.h"
 #include "Scenes/TestScene.h"
-#include "Screen.h"
-#include "Truth.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraTracedEstimator.h"
 #include "vtkPolyData.h"
@@ -37,7 +37,7 @@ using Cache = vtkPenumbraIrradianceCache;
 /// A scene with its truth and its tree.
 struct Subject
 {
-  SceneUnderOcclusion Scene;
+  OcclusionTestScene Scene;
   int Size[2];
   OcclusionTruth Truth;
   std::unique_ptr<penumbra::Scene> Extracted;
@@ -46,7 +46,7 @@ struct Subject
 
 using Subjects = std::function<Subject&()>;
 
-Subjects Prepare(const std::function<SceneUnderOcclusion()>& make, bool quick)
+Subjects Prepare(const std::function<OcclusionTestScene()>& make, bool quick)
 {
   return Lazily<Subject>([=] {
     auto subject = std::make_shared<Subject>();
@@ -65,9 +65,9 @@ Subjects Prepare(const std::function<SceneUnderOcclusion()>& make, bool quick)
   });
 }
 
-SceneUnderOcclusion SceneOf(const ChartMesh& mesh)
+OcclusionTestScene SceneOf(const ChartMesh& mesh)
 {
-  SceneUnderOcclusion scene{ mesh.Name, vtkSmartPointer<vtkRenderer>::New(), 0.0 };
+  OcclusionTestScene scene{ mesh.Name, vtkSmartPointer<vtkRenderer>::New(), 0.0 };
   Show(scene.Renderer, mesh.Mesh);
   scene.Radius = .1 * mesh.Mesh->GetLength();
   LookAlong(scene.Renderer, { -.6, 1.0, -.4 }, { 0.0, 0.0, 1.0 }, 640, 480);
@@ -90,21 +90,22 @@ vtkSmartPointer<vtkPolyData> Take(std::vector<ChartMesh>& meshes, const std::str
 
 Measurement MeasureVtk(const Subject& subject, int samples)
 {
-  Screen screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
-  screen.UseVtks(subject.Scene.Radius, static_cast<unsigned int>(samples));
+  OcclusionWindow screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
+  screen.UseVTKSSAOPass(subject.Scene.Radius, static_cast<unsigned int>(samples));
   screen.Draw();
   const double seconds = std::min(screen.Draw(), screen.Draw());
-  return { Rmse(subject.Truth, FallOff::Constant, screen.Darkness()), seconds, double(samples) };
+  return { Rmse(subject.Truth, Falloff::Constant, screen.OcclusionFromBrightness()), seconds,
+    double(samples) };
 }
 
 double SamplesOf(Pass* pass)
 {
-  return pass->GetStatistics()->GetArray("Samples/Still")->GetComponent(0, 0);
+  return pass->GetStatistics()->GetArray("Samples/Static")->GetComponent(0, 0);
 }
 
-Pass* Warm(Screen& screen, const Subject& subject, const char* kernel)
+Pass* Warm(OcclusionWindow& screen, const Subject& subject, const char* kernel)
 {
-  Pass* pass = screen.UseOurs(subject.Scene.Radius);
+  Pass* pass = screen.UsePenumbraPass(subject.Scene.Radius);
   pass->SetKernelName(kernel);
   pass->SetConvergeInOneRender(Pass::NEVER);
   screen.Draw();
@@ -113,9 +114,9 @@ Pass* Warm(Screen& screen, const Subject& subject, const char* kernel)
 }
 
 /// So many frames of a still view, from nothing.
-Measurement MeasureFrames(const Subject& subject, const char* kernel, FallOff fallOff, int frames)
+Measurement MeasureFrames(const Subject& subject, const char* kernel, Falloff falloff, int frames)
 {
-  Screen screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
+  OcclusionWindow screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
   Pass* pass = Warm(screen, subject, kernel);
   pass->SetTolerance(1e-4); // a setting that changes: everything starts afresh, and does not stop
   Measurement result;
@@ -123,7 +124,7 @@ Measurement MeasureFrames(const Subject& subject, const char* kernel, FallOff fa
   {
     result.Seconds += screen.Draw();
   }
-  result.Error = Rmse(subject.Truth, fallOff, screen.Array("AmbientOcclusion"));
+  result.Error = Rmse(subject.Truth, falloff, screen.Array("AmbientOcclusion"));
   // A ray stands for the samples that cost as much.
   result.Count = std::string(kernel) == "traced" ? frames : SamplesOf(pass);
   return result;
@@ -132,19 +133,19 @@ Measurement MeasureFrames(const Subject& subject, const char* kernel, FallOff fa
 /// What `penumbra render --engine raster` does.
 Measurement MeasureAutomatic(const Subject& subject, double tolerance)
 {
-  Screen screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
+  OcclusionWindow screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
   Pass* pass = Warm(screen, subject, "automatic");
   pass->SetConvergeInOneRender(Pass::ALWAYS);
   pass->SetTolerance(tolerance);
   Measurement result;
   result.Seconds = screen.Draw();
-  result.Error = Rmse(subject.Truth, FallOff::Constant, screen.Array("AmbientOcclusion"));
+  result.Error = Rmse(subject.Truth, Falloff::Constant, screen.Array("AmbientOcclusion"));
   result.Count = SamplesOf(pass);
   return result;
 }
 
 /// Asks a source at points; the seconds are scaled from them to all pixels.
-Measurement Ask(const Subject& subject, vtkPenumbraIrradianceSource* source, double tolerance,
+Measurement Ask(const Subject& subject, vtkPenumbraIrradianceProvider* source, double tolerance,
   bool onlyWhereTruthIs)
 {
   const int stride = onlyWhereTruthIs ? (subject.Size[0] < 200 ? 3 : 4) : 1;
@@ -163,7 +164,7 @@ Measurement Ask(const Subject& subject, vtkPenumbraIrradianceSource* source, dou
   const double scale = stride * stride;
   Measurement result;
   result.Seconds = scale * (CpuSeconds() - start);
-  result.Error = Rmse(subject.Truth, FallOff::Constant, picture);
+  result.Error = Rmse(subject.Truth, Falloff::Constant, picture);
   vtkNew<vtkFieldData> statistics;
   source->Report(statistics);
   if (vtkDataArray* gathered = statistics->GetArray("Rays/Gather"))
@@ -188,23 +189,23 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   }
   for (const char* kernel : { "volumetric", "horizon", "march", "traced" })
   {
-    const FallOff fallOff =
-      std::string(kernel) == "volumetric" ? FallOff::Linear : FallOff::Constant;
+    const Falloff falloff =
+      std::string(kernel) == "volumetric" ? Falloff::Linear : Falloff::Constant;
     const std::string method = std::string(kernel) +
-      (fallOff == FallOff::Linear ? " (D = 1 - t/R)"
+      (falloff == Falloff::Linear ? " (D = 1 - t/R)"
           : kernel[0] == 't'      ? " (true rays)"
                                   : "");
     for (const int frames :
       quick ? std::vector<int>{ 1, 4 } : std::vector<int>{ 1, 2, 4, 8, 16, 32, 64 })
     {
       add(method, std::to_string(frames) + (frames > 1 ? " frames" : " frame"), 0.0,
-        [=] { return MeasureFrames(subject(), kernel, fallOff, frames); });
+        [=] { return MeasureFrames(subject(), kernel, falloff, frames); });
     }
   }
   for (const int rays : quick ? std::vector<int>{ 8, 32 } : std::vector<int>{ 8, 32, 128, 512 })
   {
     add("rays alone", std::to_string(rays) + " rays", 0.0, [=] {
-      vtkNew<vtkPenumbraBruteForceSource> source;
+      vtkNew<vtkPenumbraBruteForceIrradiance> source;
       source->SetMinimumRays(rays);
       source->SetMaximumRays(std::max(rays, 32));
       return Ask(subject(), source, 1.0, true);

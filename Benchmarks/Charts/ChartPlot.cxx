@@ -3,7 +3,7 @@
 #include "ChartPlot.h"
 
 #include "ChartFamilies.h"
-#include "Files/PendingFile.h"
+#include "Files/AtomicFile.h"
 
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"
@@ -109,7 +109,7 @@ vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel&
   {
     costs.push_back(row.*cost);
     errors.push_back(row.Error);
-    errors.push_back(row.Asked > 0.0 ? row.Asked : row.Error);
+    errors.push_back(row.RequestedTolerance > 0.0 ? row.RequestedTolerance : row.Error);
   }
   SetRange(chart->GetAxis(vtkAxis::BOTTOM), costs);
   SetRange(chart->GetAxis(vtkAxis::LEFT), errors);
@@ -123,7 +123,8 @@ vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel&
     curve->SetMarkerSize(each.IsOurs ? 9.f : 7.f);
     if (each.HasTolerances())
     {
-      const auto asked = TableOf("  tolerance asked", each.Steps, cost, &ChartRow::Asked);
+      const auto asked =
+        TableOf("  tolerance asked", each.Steps, cost, &ChartRow::RequestedTolerance);
       vtkPlotPoints* marks = AddCurve(chart, asked, false, each.Color, 1.5f);
       marks->SetMarkerStyle(vtkPlotPoints::CROSS);
       marks->SetMarkerSize(8.f);
@@ -136,8 +137,8 @@ vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel&
 
 bool ChartCurve::HasTolerances() const
 {
-  return std::any_of(
-    this->Steps.begin(), this->Steps.end(), [](const ChartRow& row) { return row.Asked > 0.0; });
+  return std::any_of(this->Steps.begin(), this->Steps.end(),
+    [](const ChartRow& row) { return row.RequestedTolerance > 0.0; });
 }
 
 std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows)
@@ -213,7 +214,7 @@ void WriteChartPng(
   }
   window->Render();
 
-  PendingFile picture(path, "--output");
+  AtomicFile picture(path, "--output");
   vtkNew<vtkWindowToImageFilter> capture;
   capture->SetInput(window);
   capture->ReadFrontBufferOff();

@@ -46,8 +46,8 @@ Subjects InHaze(
     ShaftScene& scene = *subject->Scene;
     arrange(scene);
     subject->Sun = scene.AddSun(sun);
-    scene.Fill(.12, .12);
-    subject->Truth = scene.ByRays(quick ? 64 : 512);
+    scene.SetMedium(.12, .12);
+    subject->Truth = scene.RenderWithRayCaster(quick ? 64 : 512);
     return subject;
   });
 }
@@ -131,9 +131,9 @@ Measurement MeasurePass(Subject& subject, int estimator, double tolerance, int s
     subject.Scene->Window->WaitForCompletion();
     result.Seconds = frame < 0 ? result.Seconds : std::min(result.Seconds, CpuSeconds() - start);
   }
-  result.Count = Statistic(subject, "Shares/Found") * Statistic(subject, "Samples/PerShare") /
-    static_cast<double>(subject.Truth.size());
-  result.Error = ErrorOf(subject, subject.Scene->ByPass());
+  result.Count = Statistic(subject, "LitFractions/Computed") *
+    Statistic(subject, "Samples/PerLitFraction") / static_cast<double>(subject.Truth.size());
+  result.Error = ErrorOf(subject, subject.Scene->RenderWithPass());
   return result;
 }
 
@@ -141,7 +141,7 @@ Measurement MeasureRays(Subject& subject, int steps)
 {
   long long rays = 0;
   const double start = CpuSeconds();
-  const std::vector<double> light = subject.Scene->ByRays(steps, &rays);
+  const std::vector<double> light = subject.Scene->RenderWithRayCaster(steps, &rays);
   const double seconds = CpuSeconds() - start;
   return { ErrorOf(subject, light), seconds,
     static_cast<double>(rays) / static_cast<double>(light.size()) };

@@ -4,7 +4,7 @@
 // The chart as a drawing, straight from the rows.
 #include "ChartFamilies.h"
 #include "ChartPlot.h"
-#include "Files/PendingFile.h"
+#include "Files/AtomicFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +151,7 @@ void DrawChart(Drawing& drawing, const ChartFamily& family, const ChartPanel& pa
   {
     x.Include(row.*cost);
     y.Include(row.Error);
-    y.Include(row.Asked > 0.0 ? row.Asked : row.Error);
+    y.Include(row.RequestedTolerance > 0.0 ? row.RequestedTolerance : row.Error);
   }
   x.From = left + Margins[0];
   x.To = left + Width - Margins[1];
@@ -174,9 +174,9 @@ void DrawChart(Drawing& drawing, const ChartFamily& family, const ChartPanel& pa
     for (const ChartRow& row : curve.Steps)
     {
       drawing.Mark(x.At(row.*cost), y.At(row.Error), color, curve.IsOurs);
-      if (row.Asked > 0.0)
+      if (row.RequestedTolerance > 0.0)
       {
-        drawing.Cross(x.At(row.*cost), y.At(row.Asked), color);
+        drawing.Cross(x.At(row.*cost), y.At(row.RequestedTolerance), color);
       }
     }
   }
@@ -225,7 +225,7 @@ void WriteChartSvg(
     top += Height;
   }
   drawing.Out << "</svg>\n";
-  PendingFile file(path, "--output");
+  AtomicFile file(path, "--output");
   file.Write(drawing.Out.str());
   file.Commit();
 }

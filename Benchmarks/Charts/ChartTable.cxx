@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChartTable.h"
 
-#include "Files/PendingFile.h"
-#include "Processes/Failure.h"
+#include "Files/AtomicFile.h"
+#include "Processes/CommandError.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -41,7 +41,7 @@ try
 }
 catch (const std::logic_error&)
 {
-  throw Failure(BadInput, "--output: " + path + " holds a line that cannot be read: " + line);
+  throw CommandError(BadInput, "--output: " + path + " holds a line that cannot be read: " + line);
 }
 
 }
@@ -70,7 +70,7 @@ void ChartTable::Read(const std::string& subject)
   std::getline(file, line);
   if (line != TitleOf(subject))
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--output: " + this->Path +
         " is of another chart (other files, or --quick); remove it or use another folder");
   }
@@ -108,18 +108,18 @@ void ChartTable::Write() const
   text << this->Head << Heading << "\n";
   for (const ChartRow& row : this->Rows)
   {
-    text << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << row.Asked << ','
-         << row.Error << ',' << row.Seconds << ',' << row.Count << "\n";
+    text << row.Scene << ',' << row.Method << ',' << row.Setting << ',' << row.RequestedTolerance
+         << ',' << row.Error << ',' << row.Seconds << ',' << row.Count << "\n";
   }
-  PendingFile file(this->Path, "--output");
+  AtomicFile file(this->Path, "--output");
   file.Write(text.str());
   file.Commit();
 }
 
-FrontDistance DistanceToFront(
+ParetoDistance DistanceToFront(
   const std::vector<ChartRow>& rows, const ChartRow& row, double ChartRow::*cost)
 {
-  FrontDistance distance;
+  ParetoDistance distance;
   for (const ChartRow& other : rows)
   {
     if (other.Scene != row.Scene)

@@ -17,7 +17,7 @@ struct ChartRow
   std::string Scene;
   std::string Method;
   std::string Setting;
-  double Asked = 0.0; ///< tolerance; 0: the method takes none
+  double RequestedTolerance = 0.0; ///< tolerance; 0: the method takes none
   double Error = 0.0;
   double Seconds = 0.0; ///< CPU
   double Count = 0.0;   ///< rays or samples a pixel
@@ -48,7 +48,7 @@ private:
 };
 
 /// How far a row lies off the front of all rows of its scene; 0 and 1 where it lies on it.
-struct FrontDistance
+struct ParetoDistance
 {
   double Off = 0.0;        ///< share by which some other row is better in both, error and cost
   std::string Than;        ///< that row: method and setting
@@ -56,7 +56,7 @@ struct FrontDistance
   double TimesError = 1.0; ///< error over the least that is had for as little
 };
 
-FrontDistance DistanceToFront(
+ParetoDistance DistanceToFront(
   const std::vector<ChartRow>& rows, const ChartRow& row, double ChartRow::*cost);
 
 /// Rows that no other row beats in error and in `cost`, by falling error.

@@ -41,7 +41,7 @@ std::pair<std::string, bool> Program::ReadOptions(int argc, char** argv) const
   return { only, complete };
 }
 
-int Program::Run(int argc, char** argv, Table& results, const std::string& output,
+int Program::Run(int argc, char** argv, ResultTable& results, const std::string& output,
   const std::function<std::vector<std::string>()>& circumstances)
 {
   const std::string program = "penumbra-benchmark-" + this->Name;
@@ -67,7 +67,7 @@ int Program::Run(int argc, char** argv, Table& results, const std::string& outpu
     return 2;
   }
   results.Write(output + "/" + this->Name, this->Title, circumstances());
-  return results.GetMissed().empty() ? 0 : 1;
+  return results.GetFailed().empty() ? 0 : 1;
 }
 
 std::string DateLine()

@@ -6,7 +6,7 @@
 #ifndef penumbra_Program_h
 #define penumbra_Program_h
 
-#include "Table.h"
+#include "ResultTable.h"
 
 #include <functional>
 #include <string>
@@ -47,7 +47,7 @@ struct Program
 
   /// Measures and writes the table to the folder `output`, which is one of the values. Returns the
   /// exit status: 0 all bars met, 1 some missed, 2 bad use or a failure that was told.
-  int Run(int argc, char** argv, Table& results, const std::string& output,
+  int Run(int argc, char** argv, ResultTable& results, const std::string& output,
     const std::function<std::vector<std::string>()>& circumstances);
 
 private:

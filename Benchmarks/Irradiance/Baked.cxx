@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 
-#include "Baking/MeshSites.h"
+#include "Baking/BakeInput.h"
+#include "BruteForce/ImageErrors.h"
 #include "Embree/RayScene.h"
-#include "BruteForce/Measure.h"
 #include "Meshes.h"
+#include "PeerTimings.h"
 #include "Pictures.h"
-#include "Rivals.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkLoopSubdivisionFilter.h"
 #include "vtkNew.h"
 #include "vtkPLYWriter.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -38,10 +38,10 @@ struct Truth
 
 Truth FindTruth(vtkPolyData* mesh)
 {
-  const MeshSites found = FindMeshSites(mesh, MeshChoices());
-  const Scene& scene = found.Blocking;
+  const BakeInput found = PrepareBakeInput(mesh, BakeInputOptions());
+  const Scene& scene = found.OccluderScene;
   const RayScene rays(scene, 1);
-  vtkNew<vtkPenumbraBruteForceSource> source;
+  vtkNew<vtkPenumbraBruteForceIrradiance> source;
   source->SetMinimumRays(16384);
   source->Begin(rays, VTK_DOUBLE_MAX, 1.0);
   Truth truth;
@@ -112,7 +112,7 @@ std::string WriteFor(const IrradianceBenchmark& benchmark, vtkPolyData* mesh, co
 
 void MeasureBaking(IrradianceBenchmark& benchmark)
 {
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   vtkNew<vtkLoopSubdivisionFilter> subdivision;
   subdivision->SetInputData(ReadOff(benchmark.Meshes + "/armadillo.off"));
   subdivision->SetNumberOfSubdivisions(1);
@@ -134,23 +134,23 @@ void MeasureBaking(IrradianceBenchmark& benchmark)
     const Baked& baked = cached.back();
     slowest = std::max(slowest, baked.Seconds / brute.Seconds);
     table.Add(name, "RMSE at tolerance " + std::to_string(tolerance).substr(0, 5), baked.Error,
-      Bar::AtMost, tolerance,
+      TargetKind::AtMost, tolerance,
       std::to_string(static_cast<int>(baked.Records)) + " records, " +
         std::to_string(baked.Rays * 1e-6).substr(0, 4) + " M rays; brute force alone " +
         std::to_string(brute.Error).substr(0, 6) + ", " +
         std::to_string(brute.Rays * 1e-6).substr(0, 4) + " M rays");
   }
   WriteBakings(benchmark.Output + "/baked-scan.png", cached[1].Mesh, best);
-  table.Add(name, "RMSE at the default tolerance", cached[1].Error, Bar::AtMost, .009,
+  table.Add(name, "RMSE at the default tolerance", cached[1].Error, TargetKind::AtMost, .009,
     "Embree alone: .0089 at 256 rays");
   table.Add(name, "time at equal RMSE, baking over brute force",
-    cached[1].Seconds / CostAtError(ladder, cached[1].Error), Bar::AtMost, .5,
+    cached[1].Seconds / CostAtError(ladder, cached[1].Error), TargetKind::AtMost, .5,
     "at an RMSE of " + std::to_string(cached[1].Error).substr(0, 6) +
       ": half of the rays, but reading, tree and fits cost, too");
   CompareTimes(table, name, { "MeshLab", benchmark.MeshLab, WriteFor(benchmark, mesh, truth) },
     cached[1].Error, cached[1].Seconds, .2);
-  table.Add(
-    name, "greatest time at equal tolerance, baking over brute force", slowest, Bar::AtMost, 1.0);
+  table.Add(name, "greatest time at equal tolerance, baking over brute force", slowest,
+    TargetKind::AtMost, 1.0);
 }
 
 }

@@ -5,7 +5,7 @@
 #ifndef penumbra_irradiance_Benchmark_h
 #define penumbra_irradiance_Benchmark_h
 
-#include "Table.h"
+#include "ResultTable.h"
 
 #include <ctime>
 #include <string>
@@ -20,7 +20,7 @@ struct IrradianceBenchmark
   std::string Output;   ///< folder for results
   std::string Radiance; ///< Python that has pyradiance; empty: left out
   std::string MeshLab;  ///< Python that has pymeshlab; empty: left out
-  Table Results;
+  ResultTable Results;
 };
 
 /// A unit sphere on and above a plane, 1024 x 1024 pixels, against closed forms and brute force; and

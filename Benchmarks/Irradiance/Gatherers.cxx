@@ -4,12 +4,12 @@
 // Rays and cube maps look around in one room, and in a building of which a point sees little.
 #include "Benchmark.h"
 
-#include "Scenes/Building.h"
+#include "BruteForce/ImageErrors.h"
 #include "Embree/RayScene.h"
 #include "Gathering/HemisphereGrid.h"
 #include "Gathering/RayGatherer.h"
-#include "BruteForce/Measure.h"
-#include "Shading/CosineDirections.h"
+#include "Scenes/Building.h"
+#include "Shading/HemisphereSampling.h"
 
 #include "vtkNew.h"
 #include "vtkPenumbraCubeMapGatherer.h"
@@ -40,9 +40,9 @@ std::vector<glm::vec3> PointsOnFloors(int along, int storeys)
   std::vector<glm::vec3> points;
   for (int i = 0; i < Points; ++i)
   {
-    const float x = RoomSize * static_cast<float>(along) * Uniform(random);
-    const float y = RoomSize * static_cast<float>(along) * Uniform(random);
-    const float storey = std::floor(static_cast<float>(storeys) * Uniform(random));
+    const float x = RoomSize * static_cast<float>(along) * NextFloat(random);
+    const float y = RoomSize * static_cast<float>(along) * NextFloat(random);
+    const float storey = std::floor(static_cast<float>(storeys) * NextFloat(random));
     points.emplace_back(x, y, RoomHeight * storey);
   }
   return points;
@@ -50,19 +50,19 @@ std::vector<glm::vec3> PointsOnFloors(int along, int storeys)
 
 Looks LookAround(const Gatherer& gatherer, int side, const std::vector<glm::vec3>& points)
 {
-  const HemisphereGrid& grid = HemisphereGrid::Of(side);
-  const glm::mat3 frame = FrameOf({ 0.f, 0.f, 1.f });
+  const HemisphereGrid& grid = HemisphereGrid::Get(side);
+  const glm::mat3 frame = FrameFromNormal({ 0.f, 0.f, 1.f });
   std::vector<glm::vec3> directions;
-  std::vector<Sight> sights;
+  std::vector<HemisphereSample> sights;
   Looks looks;
-  gatherer.Look(points.front(), frame, grid, 0, directions, sights); // tables, programs
+  gatherer.SampleHemisphere(points.front(), frame, grid, 0, directions, sights); // tables, programs
   const double start = Seconds();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const auto seed = Mix(static_cast<std::uint32_t>(i));
-    gatherer.Look(points[i], frame, grid, seed, directions, sights);
+    const auto seed = MixBits(static_cast<std::uint32_t>(i));
+    gatherer.SampleHemisphere(points[i], frame, grid, seed, directions, sights);
     double sum = 0.0;
-    for (const Sight& sight : sights)
+    for (const HemisphereSample& sight : sights)
     {
       sum += sight.Radiance.x;
     }
@@ -94,7 +94,7 @@ double HiddenShare(
     {
       const glm::vec2 at(k % DirectionsAlong, k / DirectionsAlong);
       const glm::vec2 square = (at + .5f) / static_cast<float>(DirectionsAlong);
-      const glm::vec3 direction = ToHemisphere(ToDisc(square.x, square.y));
+      const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(square.x, square.y));
       const Hit hit = rays.Intersect({ point + glm::vec3(0.f, 0.f, 1e-3f), direction });
       if (hit.IsHit())
       {
@@ -107,16 +107,16 @@ double HiddenShare(
 }
 
 /// Adds a step of a ladder to the table, and to `ladder` its error and its seconds.
-void AddStep(Table& table, const std::string& scene, const std::string& what, const Looks& looks,
-  const Looks& truth, std::vector<glm::dvec2>& ladder)
+void AddStep(ResultTable& table, const std::string& scene, const std::string& what,
+  const Looks& looks, const Looks& truth, std::vector<glm::dvec2>& ladder)
 {
   const double error = ErrorOf(looks, truth);
   ladder.emplace_back(error, looks.Seconds);
-  table.Add(scene, "RMSE by " + what, error, Bar::None, 0.0,
+  table.Add(scene, "RMSE by " + what, error, TargetKind::None, 0.0,
     std::to_string(1e3 * looks.Seconds).substr(0, 5) + " ms a look");
 }
 
-void Compare(Table& table, const std::string& name, int along, int storeys)
+void Compare(ResultTable& table, const std::string& name, int along, int storeys)
 {
   Scene scene;
   AddBuilding(scene, along, storeys);
@@ -131,7 +131,8 @@ void Compare(Table& table, const std::string& name, int along, int storeys)
   const std::vector<glm::vec3> points = PointsOnFloors(along, storeys);
   const Looks truth = LookAround(byRays, HemisphereGrid::MostSide, points);
   table.Add(name, "share of the triangles that a point does not see",
-    HiddenShare(rays, points, triangles), Bar::None, 0.0, std::to_string(triangles) + " triangles");
+    HiddenShare(rays, points, triangles), TargetKind::None, 0.0,
+    std::to_string(triangles) + " triangles");
   std::vector<glm::dvec2> rayLadder;
   for (const int side : { 8, 16, 32, 64, 128 })
   {
@@ -157,11 +158,11 @@ void Compare(Table& table, const std::string& name, int along, int storeys)
   {
     table.Add(name,
       "time at an RMSE of " + std::to_string(target).substr(1, 5) + ", cube maps over rays",
-      CostAtError(mapLadder, target) / CostAtError(rayLadder, target), Bar::None, 0.0,
+      CostAtError(mapLadder, target) / CostAtError(rayLadder, target), TargetKind::None, 0.0,
       "reach half a room");
   }
-  table.Add(name, "time of a look, a cube map of 64 over 1024 rays", allMaps / allRays, Bar::None,
-    0.0,
+  table.Add(name, "time of a look, a cube map of 64 over 1024 rays", allMaps / allRays,
+    TargetKind::None, 0.0,
     "reach without limit: " + std::to_string(1e3 * allMaps).substr(0, 5) + " ms over " +
       std::to_string(1e3 * allRays).substr(0, 5));
 }

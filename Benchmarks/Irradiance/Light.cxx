@@ -4,12 +4,12 @@
 // Light of several reflections: a room against independent paths, closed cubes against closed forms.
 #include "Benchmark.h"
 
-#include "Embree/RayScene.h"
 #include "BruteForce/PathTracer.h"
+#include "Embree/RayScene.h"
+#include "PeerTimings.h"
 #include "Pictures.h"
-#include "Rivals.h"
-#include "Shading/Illumination.h"
 #include "Scenes/Solids.h"
+#include "Shading/Illumination.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -53,7 +53,7 @@ std::vector<Asked> Look(const RayScene& rays, int step)
     for (int x = step / 2; x < Size; x += step)
     {
       Ray ray;
-      ray.Direction = scene.Eye.RayDirection({ x + .5, y + .5 });
+      ray.Direction = scene.ViewCamera.RayDirection({ x + .5, y + .5 });
       const Hit hit = rays.Intersect(ray);
       if (!hit.IsHit() || scene.Surfaces[hit.Surface].Front.AmbientColor.x > 0.f)
       {
@@ -72,7 +72,7 @@ std::vector<Asked> Look(const RayScene& rays, int step)
   return places;
 }
 
-glm::dvec3 Ask(const vtkPenumbraIrradianceSource* source, const Asked& place, long long& rays)
+glm::dvec3 Ask(const vtkPenumbraIrradianceProvider* source, const Asked& place, long long& rays)
 {
   const auto light = source->Irradiance(&place.Position.x, &place.Normal.x, Pi * RoomTolerance);
   rays += light.Rays;
@@ -88,7 +88,7 @@ double CountOf(const vtkPenumbraIrradianceCache* cache, const char* name)
 
 void MeasureRoom(IrradianceBenchmark& benchmark, int space)
 {
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   const bool onScreen = space == vtkPenumbraIrradianceCache::SCREEN;
   const PathTracer truth{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) };
   Scene scene;
@@ -134,7 +134,8 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
   file.close();
   const std::string name =
     std::string("box, albedo .5, 5 bounces, 256 x 256") + (onScreen ? ", screen space" : "");
-  const Bar atMost = onScreen ? Bar::None : Bar::AtMost; // bars are of the default
+  const TargetKind atMost =
+    onScreen ? TargetKind::None : TargetKind::AtMost; // bars are of the default
   table.Add(name, "RMSE over root mean square", std::sqrt(square / size), atMost, .018);
   table.Add(
     name, "records", CountOf(cache, "Cache/Records"), atMost, 10000.0, "Radiance: 11.9 thousand");
@@ -142,7 +143,7 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
     (CountOf(cache, "Rays/Gather") + static_cast<double>(own)) * 1e-6, atMost, 12.0,
     "Radiance: 15; " + std::to_string(static_cast<double>(own) * 1e-6).substr(0, 4) +
       " M of them at pixels that no record serves");
-  table.Add(name, "seconds: records, then look-ups", seconds, Bar::None, 0.0,
+  table.Add(name, "seconds: records, then look-ups", seconds, TargetKind::None, 0.0,
     std::to_string(placing) + " + " + std::to_string(seconds - placing));
   if (!onScreen)
   {
@@ -153,7 +154,7 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
   }
 }
 
-void MeasureFurnace(Table& table, double albedo)
+void MeasureFurnace(ResultTable& table, double albedo)
 {
   std::vector<Panel> panels;
   AddPanels(panels, { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 }, glm::dvec3(1.0));
@@ -184,7 +185,7 @@ void MeasureFurnace(Table& table, double albedo)
     worst = std::max(worst, std::abs(found / truth - 1.0));
   }
   table.Add("closed cube, albedo " + std::to_string(albedo).substr(0, 3) + ", 8 bounces",
-    "greatest relative bias of the radiance", worst, Bar::AtMost, 5e-4, "mitsuba: 2e-4");
+    "greatest relative bias of the radiance", worst, TargetKind::AtMost, 5e-4, "mitsuba: 2e-4");
 }
 
 }

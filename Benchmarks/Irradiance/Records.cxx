@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 
-#include "Records/RecordTree.h"
-#include "Shading/CosineDirections.h"
+#include "Records/RecordOctree.h"
+#include "Shading/HemisphereSampling.h"
 
 #include <limits>
 
@@ -18,34 +18,34 @@ void MeasureRecords(IrradianceBenchmark& benchmark)
   const float radius = std::sqrt(3.f * 4.f / (3.14159f * Count));
   std::uint32_t state = 1;
   const auto random = [&state]() {
-    return glm::vec3(2.f * Uniform(state) - 1.f, 2.f * Uniform(state) - 1.f, 0.f);
+    return glm::vec3(2.f * NextFloat(state) - 1.f, 2.f * NextFloat(state) - 1.f, 0.f);
   };
-  RecordTree tree;
+  RecordOctree tree;
   tree.Initialize(glm::vec3(0.f), 1.f);
   for (int i = 0; i < Count; ++i)
   {
     Record record;
     record.Position = random();
-    record.Radius = radius * (.5f + Uniform(state));
-    record.Lean = radius;
-    record.Found.Clearance.fill(std::numeric_limits<float>::infinity());
-    record.Found.Mean = glm::vec3(.5f);
+    record.Radius = radius * (.5f + NextFloat(state));
+    record.MaximumPlaneDistance = radius;
+    record.Gathered.Clearance.fill(std::numeric_limits<float>::infinity());
+    record.Gathered.Mean = glm::vec3(.5f);
     tree.Insert(record);
   }
   const double start = Seconds();
   int found = 0;
   for (int i = 0; i < Questions; ++i)
   {
-    Place place;
+    ShadingPoint place;
     place.Position = random();
     found += tree.LookUp(place).Found() ? 1 : 0;
   }
   const double micro = 1e6 * (Seconds() - start) / Questions;
-  Table& table = benchmark.Results;
-  table.Add("1 million records", "microseconds a look-up", micro, Bar::AtMost, 2.0,
+  ResultTable& table = benchmark.Results;
+  table.Add("1 million records", "microseconds a look-up", micro, TargetKind::AtMost, 2.0,
     std::to_string(100 * found / Questions) + " % served");
   table.Add("1 million records", "memory, MB", static_cast<double>(tree.GetBytes()) * 1e-6,
-    Bar::None, 0.0, std::to_string(sizeof(Record)) + " bytes of it a record");
+    TargetKind::None, 0.0, std::to_string(sizeof(Record)) + " bytes of it a record");
 }
 
 }

@@ -5,15 +5,15 @@
 // on the plane and (1 - n_z) / 2 on the sphere.
 #include "Benchmark.h"
 
+#include "BruteForce/ImageErrors.h"
 #include "Embree/RayScene.h"
-#include "BruteForce/Measure.h"
-#include "Rivals.h"
+#include "PeerTimings.h"
 #include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceCache.h"
 
 #include <cmath>
@@ -47,7 +47,7 @@ struct SphereScene
   /// What the middle of every `step`-th pixel sees, the sphere's outline aside.
   std::vector<Point> Look(const RayScene& rays, int step) const
   {
-    const Camera& eye = this->Drawn.Eye;
+    const Camera& eye = this->Drawn.ViewCamera;
     const glm::dvec3 center = glm::dvec3(0.0, 0.0, this->Height) - this->Drawn.Origin;
     const double outline = std::asin(1.0 / glm::length(center));
     std::vector<Point> points;
@@ -93,7 +93,7 @@ struct Outcome
   double Seconds = 0.0; ///< of asking
 };
 
-Outcome Ask(const vtkPenumbraIrradianceSource* source, const std::vector<Point>& points)
+Outcome Ask(const vtkPenumbraIrradianceProvider* source, const std::vector<Point>& points)
 {
   std::vector<double> answers;
   const double start = Seconds();
@@ -130,7 +130,7 @@ double BruteForceSeconds(
   std::vector<glm::dvec2> ladder;
   for (const double tolerance : { .02, .01, .005, .0025 })
   {
-    vtkNew<vtkPenumbraBruteForceSource> source;
+    vtkNew<vtkPenumbraBruteForceIrradiance> source;
     source->Begin(rays, Infinity, tolerance);
     const Outcome outcome = Ask(source, some);
     ladder.emplace_back(outcome.All, outcome.Seconds / static_cast<double>(some.size()) * pixels);
@@ -139,7 +139,7 @@ double BruteForceSeconds(
 }
 
 /// The cache of screen space at the tolerance `tolerance`.
-void MeasureOnScreen(Table& table, const std::string& name, const RayScene& rays,
+void MeasureOnScreen(ResultTable& table, const std::string& name, const RayScene& rays,
   const std::vector<Point>& points, double tolerance)
 {
   vtkNew<vtkPenumbraIrradianceCache> cache;
@@ -148,19 +148,20 @@ void MeasureOnScreen(Table& table, const std::string& name, const RayScene& rays
   cache->Begin(rays, Infinity, 2.0 * tolerance);
   const double placing = Seconds() - start;
   const Outcome outcome = Ask(cache, points);
-  table.Add(name, "screen space: records", CountOf(cache, "Cache/Records"), Bar::None);
-  table.Add(name, "screen space: rays, millions", CountOf(cache, "Rays/Gather") * 1e-6, Bar::None);
-  table.Add(name, "screen space: RMSE on the plane", outcome.Plane, Bar::AtMost, .003);
-  table.Add(name, "screen space: RMSE on the sphere", outcome.Sphere, Bar::AtMost, .006);
+  table.Add(name, "screen space: records", CountOf(cache, "Cache/Records"), TargetKind::None);
+  table.Add(
+    name, "screen space: rays, millions", CountOf(cache, "Rays/Gather") * 1e-6, TargetKind::None);
+  table.Add(name, "screen space: RMSE on the plane", outcome.Plane, TargetKind::AtMost, .003);
+  table.Add(name, "screen space: RMSE on the sphere", outcome.Sphere, TargetKind::AtMost, .006);
   table.Add(name, "screen space: seconds: records, then look-ups", placing + outcome.Seconds,
-    Bar::None, 0.0, std::to_string(placing) + " + " + std::to_string(outcome.Seconds));
+    TargetKind::None, 0.0, std::to_string(placing) + " + " + std::to_string(outcome.Seconds));
 }
 
 }
 
 void MeasureSpheres(IrradianceBenchmark& benchmark)
 {
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   int kept = 0;
   int tried = 0;
   for (const double height : { 1.0, 1.5 })
@@ -184,28 +185,30 @@ void MeasureSpheres(IrradianceBenchmark& benchmark)
       }
       const double records = CountOf(cache, "Cache/Records");
       const double seconds = placing + outcome.Seconds;
-      table.Add(name, "records", records, Bar::AtMost, 500.0, "Radiance, tuned: 453");
-      table.Add(name, "rays, millions", CountOf(cache, "Rays/Gather") * 1e-6, Bar::AtMost, .6);
-      table.Add(name, "RMSE on the plane", outcome.Plane, Bar::AtMost, .003,
+      table.Add(name, "records", records, TargetKind::AtMost, 500.0, "Radiance, tuned: 453");
+      table.Add(
+        name, "rays, millions", CountOf(cache, "Rays/Gather") * 1e-6, TargetKind::AtMost, .6);
+      table.Add(name, "RMSE on the plane", outcome.Plane, TargetKind::AtMost, .003,
         height == 1.0 ? "Radiance, tuned: .0031; its defaults .105" : "Radiance: .077 to .094");
-      table.Add(name, "RMSE on the sphere", outcome.Sphere, Bar::AtMost, .006,
+      table.Add(name, "RMSE on the sphere", outcome.Sphere, TargetKind::AtMost, .006,
         height == 1.0 ? "Radiance, tuned: .0083" : "");
-      table.Add(name, "seconds: records, then look-ups", seconds, Bar::None, 0.0,
+      table.Add(name, "seconds: records, then look-ups", seconds, TargetKind::None, 0.0,
         std::to_string(placing) + " + " + std::to_string(outcome.Seconds));
       CompareTimes(table, name,
         { "Radiance", benchmark.Radiance,
           "radiance.py '" + benchmark.Output + "' sphere " + std::to_string(height) },
         outcome.All, seconds, 1.0 / 3.0);
       const auto pixels = static_cast<double>(points.size());
-      table.Add(name, "gathers, brute force over cache", pixels / records, Bar::AtLeast, 1000.0);
+      table.Add(
+        name, "gathers, brute force over cache", pixels / records, TargetKind::AtLeast, 1000.0);
       table.Add(name, "time at equal RMSE, brute force over cache",
-        BruteForceSeconds(rays, scene.Look(rays, 16), outcome.All, pixels) / seconds, Bar::AtLeast,
-        30.0);
+        BruteForceSeconds(rays, scene.Look(rays, 16), outcome.All, pixels) / seconds,
+        TargetKind::AtLeast, 30.0);
       MeasureOnScreen(table, name, rays, points, tolerance);
     }
   }
   table.Add("both, tolerances .05 to .002", "share with RMSE <= tolerance",
-    static_cast<double>(kept) / tried, Bar::AtLeast, .95);
+    static_cast<double>(kept) / tried, TargetKind::AtLeast, .95);
 }
 
 }

@@ -35,7 +35,8 @@ int main(int argc, char** argv)
       "pixels from the sphere's outline",
       "brute force: every 16th pixel in both directions or every 400th point, a ladder of "
       "tolerances read at the cache's own error",
-      "Radiance and MeshLab: what they are asked for is in Benchmarks/Peers/scripts; CPU seconds of all "
+      "Radiance and MeshLab: what they are asked for is in Benchmarks/Peers/scripts; CPU seconds "
+      "of all "
       "their "
       "threads, reading and trees left out",
       "cube maps: by OpenGL without a graphics card (llvmpipe), its threads counted" };

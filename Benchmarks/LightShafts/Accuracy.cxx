@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr double WholeSphere = 12.566370614359172;
-constexpr double Density = 0.12; // scattering and extinction a world unit
+constexpr double EdgeDensity = 0.12; // scattering and extinction a world unit
 
 /// Few, and so many that only what depth does not tell is wrong: what a history of many jittered frames
 /// could gain lies between.
@@ -67,8 +67,8 @@ struct Accuracy
 
 Accuracy Compare(ShaftBenchmark& benchmark, ShaftScene& scene, const std::string& name)
 {
-  const std::vector<double> truth = scene.ByRays();
-  const std::vector<double> ours = scene.ByPass();
+  const std::vector<double> truth = scene.RenderWithRayCaster();
+  const std::vector<double> ours = scene.RenderWithPass();
   std::vector<double> lit = scene.Transmittance();
   for (double& value : lit)
   {
@@ -121,7 +121,7 @@ void WritePicture(const std::string& path, const std::vector<std::vector<double>
 
 void MeasureAccuracy(ShaftBenchmark& benchmark)
 {
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   Accuracy worst[2];
   double radial = 0.0;
   double bySteps[2] = { 0.0, 0.0 };
@@ -138,7 +138,7 @@ void MeasureAccuracy(ShaftBenchmark& benchmark)
       scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
       // Half the width of the picture is 0.485 on the plane at distance 1.
       scene.AddSun({ outside ? 0.72 : 0.2, 1.0, 0.32 });
-      scene.Fill(Density, Density);
+      scene.SetMedium(EdgeDensity, EdgeDensity);
       const std::string name = std::string(outside ? "outside-" : "inside-") + std::to_string(seed);
       const Accuracy one = Compare(benchmark, scene, name);
       worse.All = std::max(worse.All, one.All);
@@ -161,20 +161,21 @@ void MeasureAccuracy(ShaftBenchmark& benchmark)
     }
   }
   const std::string inside = "boxes and spheres, sun in view, worst of 3";
-  table.Add(inside, "relative RMSE", worst[0].All, Bar::AtMost, 0.025);
+  table.Add(inside, "relative RMSE", worst[0].All, TargetKind::AtMost, 0.025);
   table.Add(inside, "relative RMSE more than 3 pixels from edges", worst[0].AwayFromEdges,
-    Bar::AtMost, 0.02);
+    TargetKind::AtMost, 0.02);
   table.Add(inside, "share of the error without shadows", worst[0].All / worst[0].Unshadowed,
-    Bar::AtMost, 0.25);
-  table.Add(inside, "correlation of the missing light", worst[0].Correlation, Bar::AtLeast, 0.95);
+    TargetKind::AtMost, 0.25);
+  table.Add(
+    inside, "correlation of the missing light", worst[0].Correlation, TargetKind::AtLeast, 0.95);
   for (int i = 0; i < 2; ++i)
   {
-    table.Add(
-      inside, "relative RMSE with " + std::to_string(Steps[i]) + " steps", bySteps[i], Bar::None);
+    table.Add(inside, "relative RMSE with " + std::to_string(Steps[i]) + " steps", bySteps[i],
+      TargetKind::None);
   }
-  table.Add(inside, "relative RMSE of the paper's mean of a mask", radial, Bar::None);
+  table.Add(inside, "relative RMSE of the paper's mean of a mask", radial, TargetKind::None);
   const std::string outside = "the same, sun 48 % outside of the picture";
-  table.Add(outside, "relative RMSE", worst[1].All, Bar::AtMost, 0.035);
+  table.Add(outside, "relative RMSE", worst[1].All, TargetKind::AtMost, 0.035);
 }
 
 }

@@ -5,7 +5,7 @@
 #ifndef penumbra_LightShaftBenchmark_h
 #define penumbra_LightShaftBenchmark_h
 
-#include "Table.h"
+#include "ResultTable.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct ShaftBenchmark
   std::string PovRay;  ///< program; empty: no comparison with it
   std::string Mitsuba; ///< Python that has it; empty: no comparison with it
   bool Diagnose = false;
-  Table Results;
+  ResultTable Results;
 };
 
 /// Scattered light of some pictures side by side, white where fog hides all, `width` pixels each.

@@ -45,7 +45,7 @@ void Measure(ShaftScene& scene, vtkLight* sun, Chain& chain, int frame)
   scene.Window->Render();
   scene.Window->WaitForCompletion();
   chain.Seconds = std::min(chain.Seconds, ThreadSeconds() - start);
-  chain.Light = scene.ByPass();
+  chain.Light = scene.RenderWithPass();
 }
 
 }
@@ -57,7 +57,7 @@ void MeasureChained(ShaftBenchmark& benchmark)
   scene.AddSolids(14, 1);
   scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
   const vtkSmartPointer<vtkLight> sun = scene.AddSun({ 0.1, 1.0, 0.12 });
-  scene.Fill(0.12, 0.12);
+  scene.SetMedium(0.12, 0.12);
   scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
   scene.Pass->SetSpacing(vtkPenumbraLightShaftPass::GEOMETRIC);
   scene.Pass->SetTolerance(1.0 / 1024.0); // a share for every pixel
@@ -77,11 +77,11 @@ void MeasureChained(ShaftBenchmark& benchmark)
   const double error = std::sqrt(squares / static_cast<double>(chains[0].Light.size()));
   const double base = chains[2].Seconds;
   std::printf("  8x8 %.3f s, 64 %.3f s, 1 %.3f s\n", chains[0].Seconds, chains[1].Seconds, base);
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   const std::string name = "chained 8x8 against one loop of 64, q^i, 1024x768";
-  table.Add(name, "RMSE, 1/255", 255.0 * error, Bar::AtMost, 1.0);
+  table.Add(name, "RMSE, 1/255", 255.0 * error, TargetKind::AtMost, 1.0);
   table.Add(name, "share of its cost, beyond that of 1 sample",
-    (chains[0].Seconds - base) / (chains[1].Seconds - base), Bar::AtMost, 1.0 / 3.0);
+    (chains[0].Seconds - base) / (chains[1].Seconds - base), TargetKind::AtMost, 1.0 / 3.0);
 }
 
 }

@@ -5,7 +5,7 @@
 // frames, each against the plain frame of its round, in seconds of the drawing thread.
 #include "Benchmark.h"
 #include "FrameTimes.h"
-#include "Processes/KeepMemory.h"
+#include "Processes/MallocSettings.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
@@ -163,21 +163,22 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   char pages[80];
   std::snprintf(pages, sizeof pages, "thousands of page faults a frame: %.1f, plain %.1f",
     faults[2], faults[0]);
-  Table& table = benchmark.Results;
-  table.Add(scene, "seconds of a plain frame", base, Bar::None);
-  table.Add(
-    scene, "overhead at tolerance 1/64, plain frames", first / base, Bar::AtMost, 0.35, pages);
-  table.Add(scene, "overhead of two lights over that of one", second / first, Bar::AtMost, 1.6,
+  ResultTable& table = benchmark.Results;
+  table.Add(scene, "seconds of a plain frame", base, TargetKind::None);
+  table.Add(scene, "overhead at tolerance 1/64, plain frames", first / base, TargetKind::AtMost,
+    0.35, pages);
+  table.Add(scene, "overhead of two lights over that of one", second / first, TargetKind::AtMost,
+    1.6,
     std::string(pages) +
       "; little is common to both: nearly all of one light's cost is for its own shares");
   table.Add(scene, "overhead at tolerance 1/256, plain frames",
-    MedianOverhead(moving[4], moving[0]) / base, Bar::None);
+    MedianOverhead(moving[4], moving[0]) / base, TargetKind::None);
   table.Add(scene, "overhead at tolerance 1/64 with 64 steps, plain frames",
-    MedianOverhead(moving[5], moving[0]) / base, Bar::None);
+    MedianOverhead(moving[5], moving[0]) / base, TargetKind::None);
   table.Add(scene, "the first picture that stays, plain frames",
-    MedianQuotient(stopped[2], stopped[0]), Bar::None);
-  table.Add(
-    scene, "still, plain frames", MedianQuotient(still[2], still[0]), Bar::AtMost, 1.05, pages);
+    MedianQuotient(stopped[2], stopped[0]), TargetKind::None);
+  table.Add(scene, "still, plain frames", MedianQuotient(still[2], still[0]), TargetKind::AtMost,
+    1.05, pages);
 
   vtkNew<vtkUnsignedCharArray> before;
   vtkNew<vtkUnsignedCharArray> after;
@@ -186,7 +187,7 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   one.Window->GetRGBACharPixelData(0, 0, 1023, 767, 0, after);
   const unsigned char* a = before->GetPointer(0);
   const bool same = std::equal(a, a + before->GetNumberOfValues(), after->GetPointer(0));
-  table.Add(scene, "still: identical frames", same ? 1.0 : 0.0, Bar::AtLeast, 1.0);
+  table.Add(scene, "still: identical frames", same ? 1.0 : 0.0, TargetKind::AtLeast, 1.0);
 }
 
 }

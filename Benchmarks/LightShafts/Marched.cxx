@@ -4,7 +4,7 @@
 // The marched reference: a half-plane keeps light from straight above off one side, the medium has a
 // flat top; in closed form, by the ray caster, by POV-Ray's media.
 #include "Benchmark.h"
-#include "ClosedForms/HalfPlaneInHaze.h"
+#include "ClosedForms/HalfPlaneScattering.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -181,7 +181,7 @@ void CompareWithPovRay(
     }
   }
   benchmark.Results.Add(scene, "POV-Ray's time over ours at equal error",
-    equal.Seconds / ours.Seconds, Bar::AtLeast, 10.0,
+    equal.Seconds / ours.Seconds, TargetKind::AtLeast, 10.0,
     "POV-Ray " + std::to_string(equal.Error) + " with " +
       std::to_string(static_cast<int>(equal.Rays)) + " samples");
 }
@@ -199,7 +199,7 @@ void CompareWithMitsuba(ShaftBenchmark& benchmark, const std::string& scene, Run
     "%s: %.3f with 16, %.3f with 64 samples in %.2f s; from there by the square of the error",
     version.c_str(), few.Error, many.Error, many.Seconds);
   benchmark.Results.Add(scene, "Mitsuba volpath's time over ours at equal error",
-    many.Seconds * more * more / ours.Seconds, Bar::AtLeast, 10.0, remark);
+    many.Seconds * more * more / ours.Seconds, TargetKind::AtLeast, 10.0, remark);
 }
 
 }
@@ -213,15 +213,15 @@ void MeasureMarched(ShaftBenchmark& benchmark)
     const double y = static_cast<double>(i / Side) + 0.5;
     exact[i] = BoxedHaze().Exact(2.0 * x / Side - 1.0, 2.0 * y / Side - 1.0);
   }
-  Table& table = benchmark.Results;
+  ResultTable& table = benchmark.Results;
   const std::string scene = "half-plane, flat top, 256x256";
   const Run sixtyFour = ByRays(exact, 64, 1.0 / 256.0);
-  table.Add(scene, "relative RMSE at 64 steps", sixtyFour.Error, Bar::AtMost, 0.005);
-  table.Add(scene, "seconds at 64 steps", sixtyFour.Seconds, Bar::None);
+  table.Add(scene, "relative RMSE at 64 steps", sixtyFour.Error, TargetKind::AtMost, 0.005);
+  table.Add(scene, "seconds at 64 steps", sixtyFour.Seconds, TargetKind::None);
   const Run adaptive = ByRays(exact, 0, 1.0 / 256.0);
-  table.Add(scene, "relative RMSE at tolerance 1/256", adaptive.Error, Bar::None);
-  table.Add(scene, "shadow rays a pixel at tolerance 1/256", adaptive.Rays, Bar::None);
-  table.Add(scene, "seconds at tolerance 1/256", adaptive.Seconds, Bar::None);
+  table.Add(scene, "relative RMSE at tolerance 1/256", adaptive.Error, TargetKind::None);
+  table.Add(scene, "shadow rays a pixel at tolerance 1/256", adaptive.Rays, TargetKind::None);
+  table.Add(scene, "seconds at tolerance 1/256", adaptive.Seconds, TargetKind::None);
   if (!benchmark.PovRay.empty())
   {
     CompareWithPovRay(benchmark, scene, exact, adaptive);

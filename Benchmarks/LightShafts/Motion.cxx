@@ -17,7 +17,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Density = 0.12;
+constexpr double EdgeDensity = 0.12;
 
 double LargestChange(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -37,7 +37,7 @@ void SweepLight(ShaftBenchmark& benchmark)
   scene.AddFloor(12.0);
   scene.AddSolids(14, 1);
   scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
-  scene.Fill(Density, Density);
+  scene.SetMedium(EdgeDensity, EdgeDensity);
   vtkSmartPointer<vtkLight> sun = scene.AddSun({ 0.0, 1.0, 0.2 });
   std::vector<double> before;
   std::vector<double> truthBefore;
@@ -50,7 +50,7 @@ void SweepLight(ShaftBenchmark& benchmark)
   {
     const double a = angle * 0.017453292519943295;
     sun->SetPosition(std::sin(a), std::cos(a), 0.2);
-    const std::vector<double> now = scene.ByPass();
+    const std::vector<double> now = scene.RenderWithPass();
     if (!before.empty())
     {
       const double change = 255.0 * LargestChange(before, now);
@@ -64,7 +64,7 @@ void SweepLight(ShaftBenchmark& benchmark)
     }
     if (angle >= 160 && angle <= 168) // where the reference changes most
     {
-      const std::vector<double> truth = scene.ByRays(64);
+      const std::vector<double> truth = scene.RenderWithRayCaster(64);
       largestOfTruth = truthBefore.empty()
         ? 0.0
         : std::max(largestOfTruth, 255.0 * LargestChange(truthBefore, truth));
@@ -76,10 +76,10 @@ void SweepLight(ShaftBenchmark& benchmark)
     WritePicture(benchmark.Output + "/sweep.png", strip, scene.Width);
   }
   benchmark.Results.Add("light from 10 degrees outside to 180, 1 degree a frame",
-    "largest change of a pixel, 1/255", largest, Bar::AtMost, 3.0,
+    "largest change of a pixel, 1/255", largest, TargetKind::AtMost, 3.0,
     "at " + std::to_string(worst) + " degrees");
   benchmark.Results.Add("light from 160 to 168 degrees, 1 degree a frame",
-    "largest change of a pixel of the reference, 1/255", largestOfTruth, Bar::None);
+    "largest change of a pixel of the reference, 1/255", largestOfTruth, TargetKind::None);
 }
 
 /// A sphere that leaves the picture, one pixel a frame, under a sun outside of it.
@@ -92,7 +92,7 @@ void CrossBorder(ShaftBenchmark& benchmark)
     const vtkSmartPointer<vtkActor> ball = scene.AddSphere({ 0.0, 0.0, 2.0 }, 0.8);
     scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
     scene.AddSun({ 0.6, 1.0, 0.2 });
-    scene.Fill(Density, Density);
+    scene.SetMedium(EdgeDensity, EdgeDensity);
     scene.Pass->SetMargin(margin);
     std::vector<double> before;
     std::vector<double> truthBefore;
@@ -101,8 +101,8 @@ void CrossBorder(ShaftBenchmark& benchmark)
     {
       // A pixel is 11 * 0.728 / 120 world units at the ball's distance.
       ball->SetPosition(4.2 + 0.0667 * frame, 0.0, 0.0);
-      const std::vector<double> now = scene.ByPass();
-      const std::vector<double> truth = scene.ByRays(64);
+      const std::vector<double> now = scene.RenderWithPass();
+      const std::vector<double> truth = scene.RenderWithRayCaster(64);
       const std::vector<bool> own = scene.NearEdges(2);
       for (std::size_t i = 0; i < now.size() && !before.empty(); ++i)
       {
@@ -114,7 +114,8 @@ void CrossBorder(ShaftBenchmark& benchmark)
     }
     benchmark.Results.Add("a sphere crosses the border, 1 pixel a frame",
       "largest change beyond the reference's, 1/255", largest,
-      margin < 0.0 ? Bar::AtMost : Bar::None, 2.0, margin < 0.0 ? "default margin" : "no margin");
+      margin < 0.0 ? TargetKind::AtMost : TargetKind::None, 2.0,
+      margin < 0.0 ? "default margin" : "no margin");
   }
 }
 

@@ -4,7 +4,7 @@
 // What scenes made to be dear cost: CPU seconds at n, 2 n and 4 n primitives, the exponent of their
 // growth, rays per pixel and the error that is believed to be left.
 #include "Scenes/Adversaries.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -70,7 +70,7 @@ Cost Draw(vtkPolyData* mesh, const Options& options)
   if (options.Occlusion)
   {
     caster->AmbientOcclusionOn();
-    caster->SetIrradianceSource(vtkNew<vtkPenumbraBruteForceSource>());
+    caster->SetIrradianceSource(vtkNew<vtkPenumbraBruteForceIrradiance>());
   }
   const double start = CpuSeconds();
   caster->Update();

@@ -14,10 +14,10 @@ namespace penumbra
 struct Peer
 {
   std::string Name;
-  std::string Program;               ///< or, with a script, the variable that names its Python
-  std::string Joins;                 ///< the family of charts
-  std::string Script;                ///< of Benchmarks/Peers/scripts, that drives it; empty: no script does
-  std::vector<std::string> Settings; ///< of the script, from coarse to fine
+  std::string Program; ///< or, with a script, the variable that names its Python
+  std::string Joins;   ///< the family of charts
+  std::string Script;  ///< of Benchmarks/Peers/scripts, that drives it; empty: no script does
+  std::vector<std::string> Settings;      ///< of the script, from coarse to fine
   std::vector<std::string> LightSettings; ///< where there are lamps; empty: it knows none
   std::string Path; ///< of the program or Python here; empty: it is not installed
   std::string Version;

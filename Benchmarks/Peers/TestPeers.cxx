@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What is handed to programs of others, with a shell script in the place of one.
-#include "Places.h"
+#include "PointQueries.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Peers, AreHandedTheSceneInWorldCoordinates)
   surface.Front.Ambient = 1.f;
   surface.Front.AmbientColor = { 5.f, 0.f, 0.f };
   scene.Surfaces.push_back(surface);
-  LitPlaces asked;
+  PointQueryScene asked;
   asked.Drawn = &scene;
   asked.Albedo = .5;
   asked.Bounces = 3;
@@ -68,7 +68,7 @@ TEST(Peers, AnswerWithLightSecondsAndRays)
   const Peer peer = StandIn(folder,
     "test \"$2\" = '-aa .1 -ad 64' || exit 3\n"
     "head -c 24 /dev/zero >\"$3\"\necho a warning\necho\necho 1.5 64\necho\n");
-  const PlacesAnswer answer = RunPlaces(peer, folder.Path / "scene", "-aa .1 -ad 64", 2);
+  const PointQueryResult answer = RunPlaces(peer, folder.Path / "scene", "-aa .1 -ad 64", 2);
   ASSERT_EQ(answer.Light.size(), 2u);
   EXPECT_EQ(answer.Light[1], glm::dvec3(0.0));
   EXPECT_EQ(answer.Seconds, 1.5);

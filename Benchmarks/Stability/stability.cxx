@@ -4,7 +4,7 @@
 // Measures every row of the failure catalogue, the broken variant and VTK's own way included, and
 // writes the document about it. Run it by `./penumbra benchmark stability`.
 #include "Program.h"
-#include "Published.h"
+#include "PublishedLimitations.h"
 #include "Scenario.h"
 
 #include "vtkImageData.h"
@@ -25,7 +25,7 @@ using namespace penumbra;
 struct Measured
 {
   Scenario Row;
-  std::vector<Outcome> Outcomes; ///< ours, broken, and VTK's where it has one
+  std::vector<ScenarioResult> Outcomes; ///< ours, broken, and VTK's where it has one
 };
 
 std::string Number(double value)
@@ -36,12 +36,12 @@ std::string Number(double value)
 }
 
 /// Pictures side by side, with a gap between them.
-void WritePicture(const std::string& path, const std::vector<Outcome>& outcomes)
+void WritePicture(const std::string& path, const std::vector<ScenarioResult>& outcomes)
 {
   constexpr int gap = 4;
   int width = -gap;
   int height = 0;
-  for (const Outcome& outcome : outcomes)
+  for (const ScenarioResult& outcome : outcomes)
   {
     width += outcome.Picture.Width + gap;
     height = std::max(height, outcome.Picture.Height);
@@ -52,7 +52,7 @@ void WritePicture(const std::string& path, const std::vector<Outcome>& outcomes)
   auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
   std::fill(bytes, bytes + static_cast<std::size_t>(width) * height, 255);
   int left = 0;
-  for (const Outcome& outcome : outcomes)
+  for (const ScenarioResult& outcome : outcomes)
   {
     const Frame& frame = outcome.Picture;
     for (int i = 0; i < frame.Width * frame.Height; ++i)
@@ -75,7 +75,7 @@ std::vector<Measured> MeasureAll(const std::string& pictures)
   for (const Scenario& row : Catalogue())
   {
     Measured measured{ row, {} };
-    for (const Variant variant : { Variant::Ours, Variant::Broken, Variant::Peer })
+    for (const Variant variant : { Variant::Ours, Variant::Ablated, Variant::Peer })
     {
       if (variant != Variant::Peer || !row.Peer.empty())
       {
@@ -87,7 +87,7 @@ std::vector<Measured> MeasureAll(const std::string& pictures)
       TextOf(row.Measured).Name.c_str(), Number(row.Bound).c_str(),
       Number(measured.Outcomes[0].Value).c_str(), Number(measured.Outcomes[1].Value).c_str(),
       row.Peer.empty() ? "" : ("VTK " + Number(measured.Outcomes[2].Value)).c_str(),
-      row.IsOpen ? " OPEN" : "");
+      row.IsKnownFailure ? " OPEN" : "");
     std::fflush(stdout);
     rows.push_back(measured);
   }
@@ -110,7 +110,7 @@ void WriteMetrics(std::ostream& out, const std::vector<Measured>& rows)
 
 void WriteOpenRows(std::ostream& out, const std::vector<Measured>& rows)
 {
-  const auto isOpen = [](const Measured& row) { return row.Row.IsOpen; };
+  const auto isOpen = [](const Measured& row) { return row.Row.IsKnownFailure; };
   out << "\n## Open\n\n";
   if (std::none_of(rows.begin(), rows.end(), isOpen))
   {
@@ -132,7 +132,7 @@ void WriteWeaknesses(std::ostream& out)
   out
     << "\n## Published weaknesses\n\nWeaknesses that the papers state or contain, the remedy here, "
        "and the rows that test it.\n\n| paper, weakness | here | rows |\n|---|---|---|\n";
-  for (const Weakness& weakness : PublishedWeaknesses())
+  for (const PublishedLimitation& weakness : PublishedWeaknesses())
   {
     out << "| " << weakness.Source << " | " << weakness.Remedy << " |";
     for (const Scenario& row : Catalogue())
@@ -153,11 +153,11 @@ void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
   {
     const Scenario& row = measured.Row;
     const auto& outcomes = measured.Outcomes;
-    out << "| **" << row.Name << "**" << (row.IsOpen ? " (open)" : "") << "<br>" << row.Scene
-        << "; " << row.Motion << (row.Source.empty() ? "" : ".<br>" + row.Source)
+    out << "| **" << row.Name << "**" << (row.IsKnownFailure ? " (open)" : "") << "<br>"
+        << row.Scene << "; " << row.Motion << (row.Source.empty() ? "" : ".<br>" + row.Source)
         << " | ![](Pictures/Stability/" << row.Name << ".png) | " << TextOf(row.Measured).Name
         << " | " << Number(row.Bound) << " | " << Number(outcomes[0].Value) << " | "
-        << Number(outcomes[1].Value) << "<br>" << row.Broken << " | "
+        << Number(outcomes[1].Value) << "<br>" << row.AblatedMechanism << " | "
         << (row.Peer.empty() ? std::string("–") : Number(outcomes[2].Value) + "<br>" + row.Peer)
         << " |\n";
   }

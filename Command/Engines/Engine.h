@@ -20,7 +20,7 @@ namespace penumbra
 
 struct RenderOptions;
 
-struct Picture
+struct RenderResult
 {
   /// Is anything in view, as far as the engine can tell?
   enum class Coverages
@@ -43,12 +43,12 @@ struct Picture
 /// Told the share that is done.
 using ProgressListener = std::function<void(double share)>;
 
-Picture RenderWithRays(
+RenderResult RenderWithRays(
   vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
 
 /// A window about `renderer`, with the passes that are asked for. Each call draws what `renderer` then
 /// shows; the occlusion of one picture helps the next.
-std::function<Picture(const ProgressListener& progress)> PrepareRaster(
+std::function<RenderResult(const ProgressListener& progress)> PrepareRaster(
   vtkRenderer* renderer, const RenderOptions& options);
 
 /// Make OpenGL windows of the kind that `window` names, tried first in a process of its own. To be

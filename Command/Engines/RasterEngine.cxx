@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Engine.h"
 
-#include "Files/Pictures.h"
+#include "Files/ImageFiles.h"
 #include "Options/RenderOptions.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 
 #include "vtkDataArray.h"
@@ -104,7 +104,7 @@ void AddShafts(
 }
 
 /// What the pass knows of its last frame.
-void AddFindings(vtkPenumbraTemporalSSAOPass* pass, bool arrays, Picture& picture)
+void AddPassStatistics(vtkPenumbraTemporalSSAOPass* pass, bool arrays, RenderResult& picture)
 {
   vtkFieldData* statistics = pass->GetStatistics();
   for (int i = 0; i < statistics->GetNumberOfArrays(); ++i)
@@ -140,7 +140,7 @@ public:
   RasterDrawing(const RasterDrawing&) = delete;
   void operator=(const RasterDrawing&) = delete;
 
-  Picture Draw(const ProgressListener& progress);
+  RenderResult Draw(const ProgressListener& progress);
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
@@ -183,7 +183,7 @@ RasterDrawing::~RasterDrawing()
   }
 }
 
-Picture RasterDrawing::Draw(const ProgressListener& progress)
+RenderResult RasterDrawing::Draw(const ProgressListener& progress)
 {
   const auto start = std::chrono::steady_clock::now();
   const int width = this->Options.Resolution[0];
@@ -201,14 +201,14 @@ Picture RasterDrawing::Draw(const ProgressListener& progress)
     bytes->GetNumberOfTuples() == static_cast<vtkIdType>(width) * height;
   if (!errors.empty() || !complete)
   {
-    throw Failure(MachineCannot,
+    throw CommandError(Unavailable,
       "--engine raster: OpenGL cannot draw this picture: " +
         (errors.empty() ? "it is larger than a window can be; make --resolution smaller"
                         : errors.front()));
   }
   progress(1.0);
 
-  Picture picture;
+  RenderResult picture;
   picture.Warnings = this->Warnings;
   picture.Image = ToFloats(bytes, width, height, this->Options.Background);
   picture.Statistics = { { "Samples/PerPixel", this->Window->GetMultiSamples() } };
@@ -216,7 +216,7 @@ Picture RasterDrawing::Draw(const ProgressListener& progress)
   picture.EstimatedError = Unset;
   if (this->Occlusion)
   {
-    AddFindings(this->Occlusion, HoldsArrays(this->Options.Output), picture);
+    AddPassStatistics(this->Occlusion, HoldsArrays(this->Options.Output), picture);
   }
   picture.Threads =
     this->Options.Threads > 0 ? this->Options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
@@ -227,7 +227,7 @@ Picture RasterDrawing::Draw(const ProgressListener& progress)
 
 }
 
-std::function<Picture(const ProgressListener& progress)> PrepareRaster(
+std::function<RenderResult(const ProgressListener& progress)> PrepareRaster(
   vtkRenderer* renderer, const RenderOptions& options)
 {
   const auto drawing = std::make_shared<RasterDrawing>(renderer, options);

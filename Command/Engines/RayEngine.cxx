@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Engine.h"
 
-#include "Files/Pictures.h"
+#include "Files/ImageFiles.h"
 #include "Files/Report.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/Surfaces.h"
-#include "Options/FallOffs.h"
+#include "Options/Falloffs.h"
 #include "Options/RenderOptions.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 
 #include "vtkActor.h"
@@ -41,7 +41,7 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-struct Watch
+struct AlgorithmObserver
 {
   const ProgressListener& Listener;
   Clock::time_point FirstRay;
@@ -51,7 +51,7 @@ struct Watch
 // Progress above 0 is first reported when the scene is built.
 void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
 {
-  Watch& watch = *static_cast<Watch*>(clientData);
+  AlgorithmObserver& watch = *static_cast<AlgorithmObserver*>(clientData);
   if (!watch.Started && *static_cast<double*>(callData) > 0.0)
   {
     watch.Started = true;
@@ -63,7 +63,7 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
 // What the ray caster leaves out of the scene; triangles without area are nothing to see.
 void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 {
-  const std::string warning = StripFrame(static_cast<const char*>(callData));
+  const std::string warning = StripMessagePrefix(static_cast<const char*>(callData));
   if (warning.find("without area") == std::string::npos)
   {
     static_cast<std::vector<std::string>*>(clientData)->push_back(warning);
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkPenumbraMedium> MakeMedium(const ShaftOptions& shafts)
 
 }
 
-Picture RenderWithRays(
+RenderResult RenderWithRays(
   vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress)
 {
   vtkNew<vtkPenumbraRayCaster> caster;
@@ -120,7 +120,7 @@ Picture RenderWithRays(
   caster->SetResolution(options.Resolution[0], options.Resolution[1]);
   caster->SetTolerance(options.Tolerance);
   caster->SetMaximumLevel(options.MaximumLevel);
-  caster->SetSmallObjects(options.SmallObjects);
+  caster->SetFindSmallObjects(options.FindSmallObjects);
   caster->SetNumberOfThreads(options.Threads);
   caster->SetShadows(options.Shadows);
   if (options.Shafts.Enabled)
@@ -130,13 +130,13 @@ Picture RenderWithRays(
   caster->SetAmbientOcclusion(options.AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(
     std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));
-  caster->SetAmbientOcclusionFallOff(FallOffOf(options.AmbientOcclusionFallOff));
+  caster->SetAmbientOcclusionFalloff(FalloffOf(options.AmbientOcclusionFalloff));
   caster->SetAmbientOcclusionStrength(
     std::isnan(options.AmbientOcclusionStrength) ? -1.0 : options.AmbientOcclusionStrength);
   const LightOptions& light = options.Light;
   caster->SetIndirectLight(light.Indirect);
-  const Triple environment =
-    light.EnvironmentColor.value_or(options.BackgroundColor.value_or(Triple{ 0.0, 0.0, 0.0 }));
+  const Vector3 environment =
+    light.EnvironmentColor.value_or(options.BackgroundColor.value_or(Vector3{ 0.0, 0.0, 0.0 }));
   caster->SetEnvironmentColor(environment[0], environment[1], environment[2]);
   if (light.Indirect && !light.EnvironmentFile.empty())
   {
@@ -159,13 +159,13 @@ Picture RenderWithRays(
   caster->SetDPI(options.DotsPerInch);
   caster->SetGeometryArrays(HoldsArrays(options.Output));
 
-  Watch watch{ progress, Clock::now() };
+  AlgorithmObserver watch{ progress, Clock::now() };
   vtkNew<vtkCallbackCommand> observer;
   observer->SetCallback(OnProgress);
   observer->SetClientData(&watch);
   caster->AddObserver(vtkCommand::ProgressEvent, observer);
 
-  Picture picture;
+  RenderResult picture;
   vtkNew<vtkCallbackCommand> warningObserver;
   warningObserver->SetCallback(OnWarning);
   warningObserver->SetClientData(&picture.Warnings);
@@ -176,20 +176,20 @@ Picture RenderWithRays(
   caster->Update();
   const Clock::time_point end = Clock::now();
   const std::vector<std::string> errors = TakeErrors();
-  if (TellOfMemory(errors))
+  if (IndicatesOutOfMemory(errors))
   {
     throw std::bad_alloc();
   }
   if (!errors.empty())
   {
-    throw Failure(BadInput, "--engine ray: " + errors.front());
+    throw CommandError(BadInput, "--engine ray: " + errors.front());
   }
 
   picture.Image = caster->GetOutput();
   RestoreCellIds(picture.Image, renderer);
   picture.Statistics = ToJson(caster->GetStatistics());
   const bool empty = picture.Statistics["Pixels/Empty"] == picture.Statistics["Pixels/Total"];
-  picture.Coverage = empty ? Picture::Coverages::Empty : Picture::Coverages::Some;
+  picture.Coverage = empty ? RenderResult::Coverages::Empty : RenderResult::Coverages::Some;
   picture.Tolerance = options.Tolerance;
   picture.EstimatedError = caster->GetEstimatedError();
   picture.Threads =

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Engine.h"
 #include "Options/RenderOptions.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -143,7 +143,7 @@ void ChooseWindow(
   {
     if (TryWindow(nullptr).empty())
     {
-      throw Failure(MachineCannot,
+      throw CommandError(Unavailable,
         option + ": the window that $" + WindowVariable +
           " names gives no OpenGL; unset it, or use " + otherwise);
     }
@@ -157,7 +157,7 @@ void ChooseWindow(
       return;
     }
   }
-  throw Failure(MachineCannot,
+  throw CommandError(Unavailable,
     option + ": no OpenGL here by --window " + window +
       "; install libosmesa6 or libegl1, start an X server, or use " + otherwise);
 }

@@ -14,7 +14,7 @@
 namespace penumbra
 {
 
-void SayWarnings(const std::vector<std::string>& warnings)
+void PrintWarnings(const std::vector<std::string>& warnings)
 {
   std::string line;
   for (const std::string& warning : warnings)
@@ -23,7 +23,7 @@ void SayWarnings(const std::vector<std::string>& warnings)
   }
   if (!line.empty())
   {
-    Say(line);
+    PrintMessage(line);
   }
 }
 

@@ -16,7 +16,7 @@ namespace penumbra
 {
 
 /// All in one line; nothing where there are none.
-void SayWarnings(const std::vector<std::string>& warnings);
+void PrintWarnings(const std::vector<std::string>& warnings);
 
 /// Arrays of one value by their names; whole numbers as such.
 nlohmann::json ToJson(vtkFieldData* statistics);

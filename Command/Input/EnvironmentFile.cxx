@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentFile.h"
 
+#include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
-#include "Files/Pictures.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "ReadLimit.h"
 
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkImageData> ReadHdr(const std::string& path)
   const std::vector<std::string> errors = TakeErrors();
   if (!readable || !errors.empty())
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--hdri-file: " + path + ": VTK " + vtkVersion::GetVTKVersion() +
         " cannot read it; convert it to a .tif or .vti of floats" +
         (errors.empty() ? std::string() : " (" + errors.front() + ")"));
@@ -47,13 +47,13 @@ vtkSmartPointer<vtkImageData> ReadHdr(const std::string& path)
 }
 
 vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
-  const std::string& path, const std::optional<Triple>& up)
+  const std::string& path, const std::optional<Vector3>& up)
 {
   const std::filesystem::path file(path);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
   {
-    throw Failure(BadInput, "--hdri-file: " + path + ": no such file");
+    throw CommandError(BadInput, "--hdri-file: " + path + ": no such file");
   }
   RecordInput(path);
   auto limit = std::make_unique<ReadLimit>(path);
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   limit.reset();
   auto environment = vtkSmartPointer<vtkPenumbraEnvironment>::New();
   environment->SetImage(image);
-  const Triple upwards = up.value_or(Triple{ 0.0, 1.0, 0.0 });
+  const Vector3 upwards = up.value_or(Vector3{ 0.0, 1.0, 0.0 });
   environment->SetUp(upwards[0], upwards[1], upwards[2]);
   try
   {
@@ -70,13 +70,13 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   }
   catch (const std::runtime_error& error)
   {
-    throw Failure(BadInput, "--hdri-file: " + path + ": " + error.what());
+    throw CommandError(BadInput, "--hdri-file: " + path + ": " + error.what());
   }
   return environment;
 }
 
 void AddEnvironmentOptions(
-  CLI::App& app, std::string& path, std::optional<Triple>& up, const std::string& group)
+  CLI::App& app, std::string& path, std::optional<Vector3>& up, const std::string& group)
 {
   CLI::Option* file = app
                         .add_option("--hdri-file", path,

@@ -4,7 +4,7 @@
 
 #include "Files/InputFiles.h"
 #include "Parsing/Arguments.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/Worker.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Readers.h"
 
-#include "MeshFileChecks.h"
-#include "Processes/Failure.h"
+#include "MeshFileValidation.h"
+#include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 
 #include "vtkAVSucdReader.h"
@@ -172,7 +172,7 @@ const ReaderRow& FindReader(const std::string& path)
       return row;
     }
   }
-  throw Failure(BadInput,
+  throw CommandError(BadInput,
     path + ": unknown extension '" + extension + "'; `penumbra list` names those that can be read");
 }
 
@@ -183,32 +183,32 @@ void CheckFile(const std::string& path)
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status))
   {
-    throw Failure(BadInput, path + ": no such file; check the name");
+    throw CommandError(BadInput, path + ": no such file; check the name");
   }
   if (fs::is_directory(status))
   {
-    throw Failure(BadInput, path + ": this is a folder; name the files in it");
+    throw CommandError(BadInput, path + ": this is a folder; name the files in it");
   }
   if (!fs::is_regular_file(status))
   {
-    throw Failure(BadInput, path + ": not a regular file; copy it to one");
+    throw CommandError(BadInput, path + ": not a regular file; copy it to one");
   }
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file)
   {
-    throw Failure(BadInput, path + ": cannot be opened; check its permissions");
+    throw CommandError(BadInput, path + ": cannot be opened; check its permissions");
   }
   std::fclose(file);
   if (fs::file_size(path, error) == 0)
   {
-    throw Failure(BadInput, path + ": the file is empty; export it again");
+    throw CommandError(BadInput, path + ": the file is empty; export it again");
   }
 }
 
 [[noreturn]] void FailReading(
   const std::string& path, const ReaderRow& row, const std::string& reason)
 {
-  throw Failure(BadInput, path + ": the file is damaged or not " + row.Format + ": " + reason);
+  throw CommandError(BadInput, path + ": the file is damaged or not " + row.Format + ": " + reason);
 }
 
 }
@@ -223,13 +223,13 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
 {
   const ReaderRow& row = FindReader(path);
   CheckFile(path);
-  const Promise promise = CheckMeshFile(path);
+  const DeclaredCounts promise = CheckMeshFile(path);
   TakeErrors();
   const Algorithm reader = row.Make(path);
   reader->Update();
   vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
   const std::vector<std::string> errors = TakeErrors();
-  if (TellOfMemory(errors))
+  if (IndicatesOutOfMemory(errors))
   {
     throw std::bad_alloc();
   }
@@ -241,7 +241,7 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
   {
     FailReading(path, row, "its reader gives no reason");
   }
-  CheckPromise(path, data, promise);
+  CheckDeclaredCounts(path, data, promise);
   return data;
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces.h"
 
+#include "DataSetValidation.h"
 #include "Files/InputFiles.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 #include "ReadLimit.h"
 #include "Readers.h"
-#include "SoundnessChecks.h"
 
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
@@ -140,10 +140,10 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
   Surfaces surfaces;
   for (vtkDataSet* dataSet : FindDataSets(data))
   {
-    const std::string fault = FindFault(dataSet);
+    const std::string fault = FindInconsistency(dataSet);
     if (!fault.empty())
     {
-      throw Failure(BadInput, path + ": the file is damaged: " + fault);
+      throw CommandError(BadInput, path + ": the file is damaged: " + fault);
     }
     vtkSmartPointer<vtkPolyData> mesh = MakeMesh(dataSet);
     vtkIdType dropped = 0;
@@ -161,11 +161,11 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
   }
   if (surfaces.Points == 0)
   {
-    throw Failure(BadInput, path + ": the mesh is empty: there is nothing to draw");
+    throw CommandError(BadInput, path + ": the mesh is empty: there is nothing to draw");
   }
   if (surfaces.Meshes.empty())
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       path +
         (surfaces.DroppedPoints > 0 ? ": no cell has only finite coordinates; export the mesh again"
                                     : ": the mesh is empty: there is nothing to draw"));
@@ -183,7 +183,7 @@ Surfaces ReadSurfaces(const std::string& path)
   {
     return ExtractSurfaces(ReadFile(path), path);
   }
-  catch (const Failure&)
+  catch (const CommandError&)
   {
     throw;
   }
@@ -194,12 +194,12 @@ Surfaces ReadSurfaces(const std::string& path)
     {
       throw;
     }
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       path + ": the file is damaged: it asks for more memory than a file of its size may need");
   }
   catch (const std::exception& error)
   {
-    throw Failure(BadInput, path + ": the file is damaged: " + error.what());
+    throw CommandError(BadInput, path + ": the file is damaged: " + error.what());
   }
 }
 

@@ -3,11 +3,11 @@
 #include "RenderOptions.h"
 
 #include "Colormaps.h"
-#include "FallOffs.h"
-#include "Files/Pictures.h"
+#include "Falloffs.h"
+#include "Files/ImageFiles.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 
 #include "vtkPenumbraKernels.h"
@@ -24,7 +24,7 @@ namespace
 
 const Range Unit{ 0.0, 1.0 };
 // Lengths whose squares are finite and not 0.
-const Range Place{ -1e100, 1e100 };
+const Range ShadingPoint{ -1e100, 1e100 };
 const Range Length{ 1e-100, 1e100 };
 
 /// A flag that turns something off.
@@ -95,7 +95,7 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
   AddInteger(
     app, "--max-level", options.MaximumLevel, "Deepest subdivision of a pixel (ray): 2^-N", 0, 6)
     ->group("Engine");
-  AddNegation(app, "--no-small-objects", options.SmallObjects,
+  AddNegation(app, "--no-small-objects", options.FindSmallObjects,
     "Do not look for objects between the rays (ray)")
     ->group("Engine");
   AddInteger(app, "--threads", options.Threads, "Threads, 0: all; the picture is the same", 0, 1024)
@@ -108,10 +108,10 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
 
 void DeclareCamera(CLI::App& app, CameraOptions& camera)
 {
-  AddTriple(
-    app, "--camera-position", camera.Position, "Where the eye is; default: all is in view", Place);
+  AddTriple(app, "--camera-position", camera.Position, "Where the eye is; default: all is in view",
+    ShadingPoint);
   AddTriple(app, "--camera-focal-point", camera.FocalPoint,
-    "What it looks at; default: the centre of the bounds", Place);
+    "What it looks at; default: the centre of the bounds", ShadingPoint);
   AddDirection(app, "--camera-view-up", camera.ViewUp, "What is up; default: 0,1,0");
   AddDirection(app, "--camera-direction", camera.Direction,
     "Where it looks, all in view; default: 0,0,-1; not used with --camera-position");
@@ -148,7 +148,7 @@ void DeclareLook(CLI::App& app, RenderOptions& options)
     options.Lights.clear();
     for (const std::string& text : texts)
     {
-      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, Place);
+      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, ShadingPoint);
       numbers.resize(4, 1.0);
       options.Lights.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
     }
@@ -278,12 +278,12 @@ void RequireShafts(const CLI::App& app, const ShaftOptions& shafts)
   {
     if (!shafts.Enabled && app.count(name) > 0)
     {
-      throw Failure(BadInput, std::string(name) + " needs --light-shafts; give both");
+      throw CommandError(BadInput, std::string(name) + " needs --light-shafts; give both");
     }
   }
   if (shafts.Extinction < shafts.Scattering)
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--shafts-extinction: less than --shafts-scattering; what is scattered is lost, too");
   }
 }
@@ -295,7 +295,7 @@ void RequireColoring(const CLI::App& app, const RenderOptions& options)
   {
     if (!options.Coloring.Enabled && app.count(name) > 0)
     {
-      throw Failure(BadInput, std::string(name) + " needs --scalar-coloring; give both");
+      throw CommandError(BadInput, std::string(name) + " needs --scalar-coloring; give both");
     }
   }
 }
@@ -322,7 +322,7 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
     { 0.0, Infinity, true, true })
     ->default_str("")
     ->group(group);
-  AddChoice(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFallOff, FallOffNames(),
+  AddChoice(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFalloff, FalloffNames(),
     "How an occluder counts less with its distance: not, or 1 - t/R, 1 - (t/R)^2, 1 - sqrt(t/R) "
     "(ray)")
     ->group(group);
@@ -349,7 +349,7 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
 }
 
 /// What the picture would have to show and that engine cannot. Options that only say how the other engine
-/// works are idle, see FindIdleOptions().
+/// works are idle, see FindIgnoredOptions().
 void RequireEngine(const CLI::App& app, const RenderOptions& options)
 {
   if (options.Engine == "ray")
@@ -360,12 +360,13 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     if (app.count(name) > 0)
     {
-      throw Failure(BadInput, name + " is not possible with --engine raster; use --engine ray");
+      throw CommandError(
+        BadInput, name + " is not possible with --engine raster; use --engine ray");
     }
   }
   if (std::isinf(options.AmbientOcclusionRadius))
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--ambient-occlusion-radius: inf is not possible with --engine raster; use --engine ray");
   }
 }
@@ -390,51 +391,51 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
   RequireEngine(app, options);
   RequireColoring(app, options);
   RequireShafts(app, options.Shafts);
-  if (!options.Background && !HoldsAlpha(options.Output))
+  if (!options.Background && !SupportsAlpha(options.Output))
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--no-background: " + options.Output + " cannot hold transparency; use .png, .tif or .vti");
   }
   const double bytesPerPixel = 32.0;
   const double needed = bytesPerPixel * options.Resolution[0] * options.Resolution[1];
   if (needed > static_cast<double>(MachineMemory()))
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--resolution: the picture needs more memory than the machine has; "
       "make it smaller");
   }
-  const Triple& up = options.Camera.ViewUp.value_or(Triple{ 0, 1, 0 });
+  const Vector3& up = options.Camera.ViewUp.value_or(Vector3{ 0, 1, 0 });
   if (std::hypot(up[0], up[1], up[2]) == 0.0)
   {
-    throw Failure(BadInput, "--camera-view-up: 0,0,0 is no direction; give another");
+    throw CommandError(BadInput, "--camera-view-up: 0,0,0 is no direction; give another");
   }
-  const Triple& direction = options.Camera.Direction.value_or(Triple{ 0, 0, -1 });
+  const Vector3& direction = options.Camera.Direction.value_or(Vector3{ 0, 0, -1 });
   if (std::hypot(direction[0], direction[1], direction[2]) == 0.0)
   {
-    throw Failure(BadInput, "--camera-direction: 0,0,0 is no direction; give another");
+    throw CommandError(BadInput, "--camera-direction: 0,0,0 is no direction; give another");
   }
   if (options.Camera.Position && options.Camera.Position == options.Camera.FocalPoint)
   {
-    throw Failure(
+    throw CommandError(
       BadInput, "--camera-focal-point: it is the same as --camera-position; move one of them");
   }
-  const Triple& upwards = options.Light.EnvironmentUp.value_or(Triple{ 0, 1, 0 });
+  const Vector3& upwards = options.Light.EnvironmentUp.value_or(Vector3{ 0, 1, 0 });
   if (std::hypot(upwards[0], upwards[1], upwards[2]) == 0.0)
   {
-    throw Failure(BadInput, "--hdri-up: 0,0,0 is no direction; give another");
+    throw CommandError(BadInput, "--hdri-up: 0,0,0 is no direction; give another");
   }
   for (const std::array<double, 4>& light : options.Lights)
   {
     const double length = std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]) });
     if (light[3] < 0.0 || (light[3] == 0.0 && length == 0.0) ||
-      (light[3] > 0.0 && length > light[3] * Place.Most))
+      (light[3] > 0.0 && length > light[3] * ShadingPoint.Maximum))
     {
-      throw Failure(BadInput, "--light-position: w must be 0, with a direction, or positive");
+      throw CommandError(BadInput, "--light-position: w must be 0, with a direction, or positive");
     }
   }
 }
 
-std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOptions& options)
+std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOptions& options)
 {
   const bool ray = options.Engine == "ray";
   const bool orthographic = options.Camera.Orthographic;

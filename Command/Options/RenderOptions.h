@@ -20,10 +20,10 @@ constexpr double Unset = std::numeric_limits<double>::quiet_NaN();
 
 struct CameraOptions
 {
-  std::optional<Triple> Position;
-  std::optional<Triple> FocalPoint;
-  std::optional<Triple> ViewUp;
-  std::optional<Triple> Direction;
+  std::optional<Vector3> Position;
+  std::optional<Vector3> FocalPoint;
+  std::optional<Vector3> ViewUp;
+  std::optional<Vector3> Direction;
   double ViewAngle = 30.0;
   double ZoomFactor = 1.0;
   double Azimuth = 0.0;
@@ -57,9 +57,9 @@ struct ShaftOptions
 struct LightOptions
 {
   bool Indirect = false;
-  std::optional<Triple> EnvironmentColor; ///< unset: the background's
-  std::string EnvironmentFile;            ///< empty: one colour
-  std::optional<Triple> EnvironmentUp;
+  std::optional<Vector3> EnvironmentColor; ///< unset: the background's
+  std::string EnvironmentFile;             ///< empty: one colour
+  std::optional<Vector3> EnvironmentUp;
   double Albedo = 0.5;
   int Bounces = 3;
 };
@@ -73,15 +73,15 @@ struct RenderOptions
   double Tolerance = 1.0 / 256.0;
   bool HasTolerance = false; ///< it was asked for
   int MaximumLevel = 3;
-  bool SmallObjects = true;
+  bool FindSmallObjects = true;
   int Threads = 0;
 
   CameraOptions Camera;
   ColoringOptions Coloring;
 
-  std::optional<Triple> Color;
+  std::optional<Vector3> Color;
   double Opacity = 1.0;
-  std::optional<Triple> BackgroundColor;
+  std::optional<Vector3> BackgroundColor;
   bool Background = true;
   bool Lighting = true;
   std::vector<std::array<double, 4>> Lights; ///< w = 0: a direction
@@ -95,7 +95,7 @@ struct RenderOptions
 
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;          ///< 0: from the bounds
-  std::string AmbientOcclusionFallOff = "none"; ///< ray
+  std::string AmbientOcclusionFalloff = "none"; ///< ray
   double AmbientOcclusionStrength = Unset;
   double AmbientOcclusionLightAwareness = 0.0;      ///< raster
   std::string AmbientOcclusionKernel = "automatic"; ///< raster
@@ -119,7 +119,7 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options);
 void CheckRenderOptions(const CLI::App& app, const RenderOptions& options);
 
 /// What was asked for and changes nothing, one sentence each. Call after parsing.
-std::vector<std::string> FindIdleOptions(const CLI::App& app, const RenderOptions& options);
+std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOptions& options);
 
 }
 #endif

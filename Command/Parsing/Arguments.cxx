@@ -28,14 +28,14 @@ std::string Describe(const Range& range)
 {
   std::ostringstream text;
   text << "a number";
-  if (range.Least > -Infinity && range.Most < Infinity)
+  if (range.Minimum > -Infinity && range.Maximum < Infinity)
   {
-    text << (range.Open ? " above " : " from ") << range.Least << (range.Open ? " up to " : " to ")
-         << range.Most;
+    text << (range.IsExclusive ? " above " : " from ") << range.Minimum
+         << (range.IsExclusive ? " up to " : " to ") << range.Maximum;
   }
-  else if (range.Least > -Infinity)
+  else if (range.Minimum > -Infinity)
   {
-    text << (range.Open ? " above " : " of at least ") << range.Least;
+    text << (range.IsExclusive ? " above " : " of at least ") << range.Minimum;
   }
   return text.str();
 }
@@ -68,7 +68,7 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   {
     expected = std::to_string(least) + (most > least ? " or " + std::to_string(most) : "") +
       " numbers with commas between them" +
-      (range.Least > -Infinity ? ", each " + Describe(range) : std::string());
+      (range.Minimum > -Infinity ? ", each " + Describe(range) : std::string());
   }
   std::vector<double> numbers;
   std::istringstream stream(text + ",");
@@ -76,8 +76,8 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   {
     double value = 0.0;
     if (!ParseNumber(part, value) || std::isnan(value) ||
-      (std::isinf(value) && !range.AllowInfinity) || value < range.Least || value > range.Most ||
-      (range.Open && value == range.Least))
+      (std::isinf(value) && !range.AllowInfinity) || value < range.Minimum ||
+      value > range.Maximum || (range.IsExclusive && value == range.Minimum))
     {
       Refuse(option, text, expected);
     }
@@ -90,19 +90,19 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   return numbers;
 }
 
-CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description, const Range& range)
 {
   const auto store = [name, range, &target](const std::string& text) {
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, range);
-    target = Triple{ numbers[0], numbers[1], numbers[2] };
+    target = Vector3{ numbers[0], numbers[1], numbers[2] };
   };
   return app.add_option_function<std::string>(name, store, description)
     ->type_name("X,Y,Z")
     ->take_last();
 }
 
-CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description)
 {
   const auto store = [name, &target](const std::string& text) {
@@ -110,7 +110,7 @@ CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<
     const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
     const std::size_t axis =
       text.size() == sign + 1 ? axes.find(static_cast<char>(std::tolower(text[sign]))) : axes.npos;
-    target = Triple{};
+    target = Vector3{};
     if (axis != axes.npos)
     {
       (*target)[axis] = text[0] == '-' ? -1.0 : 1.0;
@@ -124,11 +124,11 @@ CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<
     ->take_last();
 }
 
-CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description)
 {
   const auto store = [name, &target](const std::string& text) {
-    target = Triple{};
+    target = Vector3{};
     vtkNew<vtkNamedColors> names;
     if (names->ColorExists(text))
     {
@@ -141,7 +141,8 @@ CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Trip
       std::from_chars(text.c_str() + 1, end, bytes, 16).ptr == end;
     if (hexadecimal)
     {
-      target = Triple{ (bytes >> 16) / 255.0, (bytes >> 8 & 255u) / 255.0, (bytes & 255u) / 255.0 };
+      target =
+        Vector3{ (bytes >> 16) / 255.0, (bytes >> 8 & 255u) / 255.0, (bytes & 255u) / 255.0 };
       return;
     }
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, { 0.0, 1.0 });

@@ -16,16 +16,16 @@
 namespace penumbra
 {
 
-using Triple = std::array<double, 3>;
+using Vector3 = std::array<double, 3>;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// What a number may be.
 struct Range
 {
-  double Least = -Infinity;
-  double Most = Infinity;
-  bool Open = false;          ///< Least itself is too small
+  double Minimum = -Infinity;
+  double Maximum = Infinity;
+  bool IsExclusive = false;   ///< Least itself is too small
   bool AllowInfinity = false; ///< "inf" is a value
 };
 
@@ -35,11 +35,11 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
 
 ///@{
 /// Declare an option; of several uses the last one wins. `name`: "--name", or several with commas.
-CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description, const Range& range = {});
-CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description);
-CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Triple>& target,
+CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description);
 CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
   const std::string& unit, const std::string& description, const Range& range = {});

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
-#include "Processes/Failure.h"
-#include "Processes/KeepMemory.h"
+#include "Processes/CommandError.h"
+#include "Processes/MallocSettings.h"
 #include "Processes/MessageLog.h"
 #include "Processes/Worker.h"
 
@@ -88,7 +88,7 @@ int Run(int argc, char** argv, const std::vector<Subcommand>& subcommands)
   }
   catch (const CLI::ParseError& error)
   {
-    throw Failure(BadInput, Explain(program, error));
+    throw CommandError(BadInput, Explain(program, error));
   }
   return actions.at(program.get_subcommands().front()->get_name())();
 }
@@ -98,7 +98,7 @@ int Run(int argc, char** argv, const std::vector<Subcommand>& subcommands)
 int penumbra::RunProgram(int argc, char** argv, const std::vector<Subcommand>& subcommands)
 {
   OccupyStandardStreams();
-  KeepFreedMemory();
+  RetainFreedMemory();
   OpenLog();
   std::signal(SIGCHLD, SIG_DFL); // Were it ignored, nobody would hear how a process ended.
   std::signal(SIGXFSZ, SIG_IGN); // A write beyond a quota then fails with a message.
@@ -111,5 +111,5 @@ int penumbra::RunProgram(int argc, char** argv, const std::vector<Subcommand>& s
     std::signal(cancelled.Signal, SIG_DFL);
     std::raise(cancelled.Signal); // So that a shell, too, sees what ended the program.
   }
-  return MachineCannot;
+  return Unavailable;
 }

@@ -38,7 +38,7 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(ErrorsMutex);
-      Errors.push_back(penumbra::StripFrame(text));
+      Errors.push_back(penumbra::StripMessagePrefix(text));
     }
     this->DisplayText(text);
   }
@@ -83,7 +83,7 @@ namespace penumbra
 {
 
 // The frame is "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n".
-std::string StripFrame(const std::string& text)
+std::string StripMessagePrefix(const std::string& text)
 {
   std::size_t begin = text.find("): ");
   begin = begin == std::string::npos ? text.find('\n') : begin + 2;
@@ -131,7 +131,7 @@ std::vector<std::string> TakeErrors()
   return errors;
 }
 
-bool TellOfMemory(const std::vector<std::string>& errors)
+bool IndicatesOutOfMemory(const std::vector<std::string>& errors)
 {
   return std::any_of(errors.begin(), errors.end(), [](const std::string& error) {
     return error.find("Unable to allocate") != std::string::npos ||
@@ -152,7 +152,7 @@ std::string LineOf(const std::string& line)
   return text + '\n';
 }
 
-void Say(const std::string& line)
+void PrintMessage(const std::string& line)
 {
   const std::string text = LineOf(line);
   [[maybe_unused]] const auto written = write(Terminal, text.data(), text.size());

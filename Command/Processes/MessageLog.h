@@ -24,16 +24,16 @@ std::string LogPath();
 std::vector<std::string> TakeErrors();
 
 /// Do VTK's errors say that memory ran out?
-bool TellOfMemory(const std::vector<std::string>& errors);
+bool IndicatesOutOfMemory(const std::vector<std::string>& errors);
 
 /// The sentence inside a message of VTK's macros.
-std::string StripFrame(const std::string& text);
+std::string StripMessagePrefix(const std::string& text);
 
 /// What Say() writes.
 std::string LineOf(const std::string& line);
 
 /// One line on the real stderr, after "penumbra: ". Line breaks in it become spaces.
-void Say(const std::string& line);
+void PrintMessage(const std::string& line);
 
 /// The real stderr, for progress.
 int TerminalDescriptor();

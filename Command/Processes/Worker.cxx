@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Worker.h"
 
-#include "Failure.h"
+#include "CommandError.h"
 #include "MessageLog.h"
 
 #include <algorithm>
@@ -30,14 +30,14 @@ namespace
 {
 
 // Shared between a worker and its supervisor.
-struct Report
+struct WorkerStatus
 {
   char Phase[1024];
   char Temporary[2][4096];
   int Blame;
 };
 
-Report* Mine = nullptr;
+WorkerStatus* CurrentStatus = nullptr;
 std::atomic<int> CancelSignal{ 0 };
 
 void RequestCancel(int number)
@@ -50,7 +50,7 @@ void CopyText(char* target, std::size_t size, const std::string& text)
   std::snprintf(target, size, "%s", text.c_str());
 }
 
-void RemoveTemporaries(const Report& report)
+void RemoveTemporaries(const WorkerStatus& report)
 {
   for (const char* path : report.Temporary)
   {
@@ -64,8 +64,8 @@ void RemoveTemporaries(const Report& report)
 // What a worker does when its supervisor is gone.
 void RemoveAndEnd(int)
 {
-  RemoveTemporaries(*Mine);
-  _exit(penumbra::MachineCannot);
+  RemoveTemporaries(*CurrentStatus);
+  _exit(penumbra::Unavailable);
 }
 
 // While it lives, the signals that cancel, and those of ended workers, arrive in Wait() alone. Signals
@@ -148,7 +148,7 @@ void LimitMemory()
 }
 
 // A status for a worker that was killed, and a line about it.
-int ExplainDeath(const Report& report, int signalNumber)
+int DescribeExit(const WorkerStatus& report, int signalNumber)
 {
   RemoveTemporaries(report);
   if (CancelSignal)
@@ -157,26 +157,28 @@ int ExplainDeath(const Report& report, int signalNumber)
   }
   if (signalNumber == SIGKILL)
   {
-    penumbra::Say(std::string(report.Phase) + ": ended by the system, most likely out of memory");
-    return penumbra::MachineCannot;
+    penumbra::PrintMessage(
+      std::string(report.Phase) + ": ended by the system, most likely out of memory");
+    return penumbra::Unavailable;
   }
   if (report.Blame == penumbra::BadInput)
   {
-    penumbra::Say(std::string(report.Phase) + ": the file is damaged: its reader crashed on it");
+    penumbra::PrintMessage(
+      std::string(report.Phase) + ": the file is damaged: its reader crashed on it");
     return penumbra::BadInput;
   }
-  penumbra::Say(std::string(report.Phase) + ": crashed (" + strsignal(signalNumber) +
+  penumbra::PrintMessage(std::string(report.Phase) + ": crashed (" + strsignal(signalNumber) +
     "); please report it, with the command and " +
     (penumbra::LogPath().empty() ? "the file" : penumbra::LogPath()));
-  return penumbra::MachineCannot;
+  return penumbra::Unavailable;
 }
 
 // The processes at work. Whatever ends the supervisor's work ends theirs.
-class Crew
+class WorkerPool
 {
 public:
-  explicit Crew(int count)
-    : Bytes(sizeof(Report) * count)
+  explicit WorkerPool(int count)
+    : Bytes(sizeof(WorkerStatus) * count)
   {
     void* memory =
       mmap(nullptr, this->Bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -184,9 +186,9 @@ public:
     {
       throw std::bad_alloc();
     }
-    this->Reports = static_cast<Report*>(memory);
+    this->Reports = static_cast<WorkerStatus*>(memory);
   }
-  ~Crew()
+  ~WorkerPool()
   {
     this->Kill();
     for (const auto& worker : this->Running)
@@ -196,8 +198,8 @@ public:
     }
     munmap(this->Reports, this->Bytes);
   }
-  Crew(const Crew&) = delete;
-  void operator=(const Crew&) = delete;
+  WorkerPool(const WorkerPool&) = delete;
+  void operator=(const WorkerPool&) = delete;
 
   bool IsAtWork() const { return !this->Running.empty(); }
   int Size() const { return static_cast<int>(this->Running.size()); }
@@ -210,12 +212,12 @@ public:
     const pid_t child = fork();
     if (child < 0 && !this->IsAtWork())
     {
-      throw penumbra::Failure(
-        penumbra::MachineCannot, std::string("cannot start a process: ") + strerror(errno));
+      throw penumbra::CommandError(
+        penumbra::Unavailable, std::string("cannot start a process: ") + strerror(errno));
     }
     if (child == 0)
     {
-      Mine = &this->Reports[number];
+      CurrentStatus = &this->Reports[number];
       this->Signals.EnterWorker();
       LimitMemory();
       std::exit(penumbra::RunGuarded([&]() { return task(number); }));
@@ -237,7 +239,7 @@ public:
     {
       return false;
     }
-    status = WIFSIGNALED(state) ? ExplainDeath(this->Reports[worker->second], WTERMSIG(state))
+    status = WIFSIGNALED(state) ? DescribeExit(this->Reports[worker->second], WTERMSIG(state))
                                 : WEXITSTATUS(state);
     this->Running.erase(worker);
     return true;
@@ -254,7 +256,7 @@ public:
 private:
   SignalGuard Signals;
   std::map<pid_t, int> Running;
-  Report* Reports = nullptr;
+  WorkerStatus* Reports = nullptr;
   std::size_t Bytes;
 };
 
@@ -278,38 +280,38 @@ unsigned long long MachineMemory()
 
 void EnterPhase(const std::string& what, int blame)
 {
-  if (Mine)
+  if (CurrentStatus)
   {
-    CopyText(Mine->Phase, sizeof(Mine->Phase), what);
-    Mine->Blame = blame;
+    CopyText(CurrentStatus->Phase, sizeof(CurrentStatus->Phase), what);
+    CurrentStatus->Blame = blame;
   }
 }
 
 void RemoveOnCrash(const std::string& path)
 {
-  if (Mine)
+  if (CurrentStatus)
   {
-    char* slot = Mine->Temporary[*Mine->Temporary[0] ? 1 : 0];
-    CopyText(slot, sizeof(Mine->Temporary[0]), path);
+    char* slot = CurrentStatus->Temporary[*CurrentStatus->Temporary[0] ? 1 : 0];
+    CopyText(slot, sizeof(CurrentStatus->Temporary[0]), path);
   }
 }
 
 void KeepOnCrash(const std::string& path)
 {
-  for (int i = 0; Mine && i < 2; ++i)
+  for (int i = 0; CurrentStatus && i < 2; ++i)
   {
-    if (path == Mine->Temporary[i])
+    if (path == CurrentStatus->Temporary[i])
     {
-      *Mine->Temporary[i] = '\0';
+      *CurrentStatus->Temporary[i] = '\0';
     }
   }
 }
 
 void RemoveTemporaries()
 {
-  if (Mine)
+  if (CurrentStatus)
   {
-    ::RemoveTemporaries(*Mine);
+    ::RemoveTemporaries(*CurrentStatus);
   }
 }
 
@@ -321,15 +323,15 @@ int RunGuarded(const std::function<int()>& body)
     errno = 0;
     if (!std::cout.flush())
     {
-      throw Failure(MachineCannot,
+      throw CommandError(Unavailable,
         std::string("standard output cannot be written: ") +
           (errno != 0 ? strerror(errno) : "an earlier write failed"));
     }
     return status;
   }
-  catch (const Failure& failure)
+  catch (const CommandError& failure)
   {
-    Say(failure.what());
+    PrintMessage(failure.what());
     return failure.ExitStatus;
   }
   catch (const Cancelled&)
@@ -338,27 +340,28 @@ int RunGuarded(const std::function<int()>& body)
   }
   catch (const std::bad_alloc&)
   {
-    Say((Mine ? Mine->Phase + std::string(": ") : std::string()) +
+    PrintMessage((CurrentStatus ? CurrentStatus->Phase + std::string(": ") : std::string()) +
       "out of memory; a smaller --resolution or a smaller mesh needs less");
-    return MachineCannot;
+    return Unavailable;
   }
   catch (const std::system_error& error)
   {
-    Say((Mine ? Mine->Phase + std::string(": ") : std::string()) +
+    PrintMessage((CurrentStatus ? CurrentStatus->Phase + std::string(": ") : std::string()) +
       "the machine refuses: " + error.what());
-    return MachineCannot;
+    return Unavailable;
   }
   catch (const std::exception& error)
   {
-    Say((Mine ? Mine->Phase + std::string(": ") : std::string()) + error.what());
-    return Mine && Mine->Blame == BadInput ? BadInput : MachineCannot;
+    PrintMessage(
+      (CurrentStatus ? CurrentStatus->Phase + std::string(": ") : std::string()) + error.what());
+    return CurrentStatus && CurrentStatus->Blame == BadInput ? BadInput : Unavailable;
   }
 }
 
 int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   const std::function<void(int finishedTasks)>& finished)
 {
-  Crew crew(count);
+  WorkerPool crew(count);
   int started = 0;
   int done = 0;
   int worst = Done;

@@ -13,7 +13,7 @@ namespace penumbra
 {
 
 /// What the worker is doing, for the message in case it dies of it.
-/// `blame`: BadInput where a crash means a damaged file, else MachineCannot.
+/// `blame`: BadInput where a crash means a damaged file, else Unavailable.
 void EnterPhase(const std::string& what, int blame);
 
 /// Remove `path` should the worker die before `path` is renamed to its final name; two at most.

@@ -5,7 +5,7 @@
 #include "Input/Surfaces.h"
 #include "Options/Colormaps.h"
 #include "Options/RenderOptions.h"
-#include "Processes/Failure.h"
+#include "Processes/CommandError.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -79,7 +79,7 @@ std::string ChooseArray(const Mappers& mappers, const ColoringOptions& options)
   {
     if (!std::count(names.begin(), names.end(), options.Array))
     {
-      throw Failure(BadInput,
+      throw CommandError(BadInput,
         "--coloring-array: no array '" + options.Array + "' at the " +
           (options.ByCells ? "cells" : "points") + "; " + exists);
     }
@@ -87,7 +87,7 @@ std::string ChooseArray(const Mappers& mappers, const ColoringOptions& options)
   }
   if (names.empty())
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       std::string("--scalar-coloring: no array at the ") + (options.ByCells ? "cells" : "points") +
         "; " + exists);
   }
@@ -122,13 +122,13 @@ void CheckComponent(vtkDataArray* array, const ColoringOptions& options)
   const int components = array->GetNumberOfComponents();
   if (options.Component >= components)
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--coloring-component " + std::to_string(options.Component) + ": the array '" +
         array->GetName() + "' has components 0 to " + std::to_string(components - 1));
   }
   if (options.Component == -2 && (components < 3 || components > 4))
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       std::string("--coloring-component -2: the array '") + array->GetName() +
         "' is no colour: it has " + std::to_string(components) + " components, not 3 or 4");
   }
@@ -152,7 +152,7 @@ void SetRange(vtkLookupTable* table, const Mappers& mappers, const std::string& 
   }
   if (range[0] > range[1])
   {
-    throw Failure(BadInput, "--scalar-coloring: the array '" + name + "' has no finite value");
+    throw CommandError(BadInput, "--scalar-coloring: the array '" + name + "' has no finite value");
   }
   table->SetTableRange(range);
 }
@@ -204,7 +204,7 @@ void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOption
   }
   if (options.ScalarBar && direct)
   {
-    throw Failure(BadInput,
+    throw CommandError(BadInput,
       "--coloring-scalar-bar: the array '" + name + "' holds colours, which have no legend");
   }
   if (options.ScalarBar)

@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPolyData> ComputeNormals(vtkPolyData* mesh, double featureAng
 
 void SetLook(vtkProperty* property, const RenderOptions& options, double unitsPerPoint)
 {
-  const Triple color = options.Color.value_or(Triple{ 1, 1, 1 });
+  const Vector3 color = options.Color.value_or(Vector3{ 1, 1, 1 });
   property->SetColor(color[0], color[1], color[2]);
   property->SetOpacity(options.Opacity);
   property->SetLighting(options.Lighting);
@@ -130,7 +130,7 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
     ColorByData(renderer, mappers, options.Coloring);
   }
   AddLights(renderer, options);
-  const Triple background = options.BackgroundColor.value_or(Triple{ 0, 0, 0 });
+  const Vector3 background = options.BackgroundColor.value_or(Vector3{ 0, 0, 0 });
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);
   PlaceCamera(

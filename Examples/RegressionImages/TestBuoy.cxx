@@ -96,7 +96,7 @@ TEST(Buoy, MayShowTheTimeOfDay)
       *static_cast<unsigned char*>(mask->GetScalarPointer(x, y, 0)) = y < 40 ? 0 : 255;
     }
   }
-  penumbra::Nearness near(1.0 / 16.0);
+  penumbra::ImageTolerance near(1.0 / 16.0);
   near.Mask = mask;
   EXPECT_IMAGE_NEAR(window, "buoy-window.png", near);
 }

@@ -3,18 +3,18 @@
 #include "vtkPenumbraIrradianceCache.h"
 
 #include "Embree/RayScene.h"
-#include "Execution/Numbers.h"
+#include "Execution/NaNCheck.h"
 #include "Execution/Statistics.h"
 #include "Records/Interreflection.h"
-#include "Records/PictureRecords.h"
-#include "Records/PictureSites.h"
-#include "Records/RecordData.h"
+#include "Records/PixelCandidates.h"
+#include "Records/RecordPolyData.h"
+#include "Records/ViewRecords.h"
 
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraGatherer.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -34,27 +34,27 @@ constexpr int StrideOfViewpoints = 8;
 /// Light: what of the tolerance bends may take, and what the grid of one record may err by, which is
 /// looked at closer where light varies and is blended with others. Measured by the benchmark
 /// `irradiance`: twice as many records of half as many rays each err less.
-constexpr double BendShare = .5;
+constexpr double HessianErrorFraction = .5;
 constexpr double GridNoise = 2.5;
 
 /// Of the progress of irradiance: the reflections but the last.
 constexpr double ProgressOfReflections = 0.5;
 
 /// The records of a picture, and the angle that their weights depend on.
-void Copy(const PictureRecords& from, penumbra::Quantities quantity, const Scene& scene,
-  vtkPolyData* records)
+void Copy(
+  const ViewRecords& from, penumbra::Quantities quantity, const Scene& scene, vtkPolyData* records)
 {
   ToPolyData(from.GetRecords(), quantity, scene, records);
   AddStatistic(
     records->GetFieldData(), "NormalAngle", vtkMath::DegreesFromRadians(from.GetNormalAngle()));
 }
 
-std::vector<Site> Viewpoints(const RayScene& rays, const ProgressCallback& progress)
+std::vector<RecordCandidate> Viewpoints(const RayScene& rays, const ProgressCallback& progress)
 {
-  std::vector<Site> all;
-  for (int level = 0; StrideOf(level) >= StrideOfViewpoints; ++level)
+  std::vector<RecordCandidate> all;
+  for (int level = 0; LevelStride(level) >= StrideOfViewpoints; ++level)
   {
-    const std::vector<Site> sites = SitesOfPicture(rays, level, progress);
+    const std::vector<RecordCandidate> sites = CandidatesInImage(rays, level, progress);
     all.insert(all.end(), sites.begin(), sites.end());
   }
   return all;
@@ -65,61 +65,62 @@ std::vector<Site> Viewpoints(const RayScene& rays, const ProgressCallback& progr
 struct vtkPenumbraIrradianceCache::Internals
 {
   /// What records were made for.
-  struct Purpose
+  struct BuildKey
   {
     std::uint64_t Scene = 0;
     double Radius = 0.0;
-    int FallOff = 0;
+    int Falloff = 0;
     IlluminationSettings Light;
     double Tolerance = 0.0;
     vtkMTimeType Settings = 0;
-    bool operator==(const Purpose& other) const
+    bool operator==(const BuildKey& other) const
     {
       return this->Scene == other.Scene && this->Radius == other.Radius &&
-        this->FallOff == other.FallOff && this->Light == other.Light &&
+        this->Falloff == other.Falloff && this->Light == other.Light &&
         this->Tolerance == other.Tolerance && this->Settings == other.Settings;
     }
   };
 
   /// One of the two quantities.
-  struct Half
+  struct QuantityCache
   {
-    Purpose Made;
-    std::unique_ptr<Gatherer> Foreign; ///< none: rays
-    Scene Units;                       ///< origin and scale alone: records outlive their scene
-    std::unique_ptr<PictureRecords> Records;
+    BuildKey Key;
+    std::unique_ptr<Gatherer> CustomGatherer; ///< none: rays
+    Scene Units; ///< origin and scale alone: records outlive their scene
+    std::unique_ptr<ViewRecords> Records;
 
     /// From world coordinates.
-    Place PlaceOf(const double point[3], const double normal[3]) const
+    ShadingPoint PlaceOf(const double point[3], const double normal[3]) const
     {
-      Place place;
+      ShadingPoint place;
       place.Position = this->Units.FromWorld(point);
       place.Normal = glm::vec3(normal[0], normal[1], normal[2]);
       return place;
     }
 
-    Interpolated Ask(const double point[3], const double normal[3], bool lazily) const
+    InterpolationResult Ask(const double point[3], const double normal[3], bool lazily) const
     {
-      const Place place = this->PlaceOf(point, normal);
+      const ShadingPoint place = this->PlaceOf(point, normal);
       return lazily ? this->Records->LookUpOrGather(place) : this->Records->LookUp(place);
     }
   };
 
-  Half Occlusion;
+  QuantityCache Occlusion;
   std::unique_ptr<OcclusionGatherer> Occluders;
-  double Accepted = 0.0; ///< by Begin(), for a single answer
-  vtkNew<vtkPenumbraBruteForceSource> BruteForce;
+  double QueryTolerance = 0.0; ///< by Begin(), for a single answer
+  vtkNew<vtkPenumbraBruteForceIrradiance> BruteForce;
 
-  Half Irradiance;
+  QuantityCache Irradiance;
   std::unique_ptr<Interreflection> Light;
 
-  vtkSmartPointer<vtkPenumbraGatherer> Foreign;
+  vtkSmartPointer<vtkPenumbraGatherer> CustomGatherer;
   vtkSmartPointer<vtkPolyData> InitialRecords;
 
-  static PlacementSettings MakeSettings(vtkPenumbraIrradianceCache* self, double accepted);
-  static float NormalAngle(vtkPenumbraIrradianceCache* self, const PlacementSettings& settings);
+  static RecordPlacementSettings MakeSettings(vtkPenumbraIrradianceCache* self, double accepted);
+  static float NormalAngle(
+    vtkPenumbraIrradianceCache* self, const RecordPlacementSettings& settings);
   bool MakeRecords(vtkPenumbraIrradianceCache* self, penumbra::Quantities quantity,
-    const RayGatherer& seen, const PlacementSettings& settings, const Progress& progress);
+    const RayGatherer& seen, const RecordPlacementSettings& settings, const Progress& progress);
 };
 
 vtkStandardNewMacro(vtkPenumbraIrradianceCache);
@@ -147,24 +148,24 @@ vtkPolyData* vtkPenumbraIrradianceCache::GetInitialRecords()
 
 void vtkPenumbraIrradianceCache::SetGatherer(vtkPenumbraGatherer* gatherer)
 {
-  if (this->Implementation->Foreign != gatherer)
+  if (this->Implementation->CustomGatherer != gatherer)
   {
-    this->Implementation->Foreign = gatherer;
+    this->Implementation->CustomGatherer = gatherer;
     this->Modified();
   }
 }
 
 vtkPenumbraGatherer* vtkPenumbraIrradianceCache::GetGatherer()
 {
-  return this->Implementation->Foreign;
+  return this->Implementation->CustomGatherer;
 }
 
 vtkMTimeType vtkPenumbraIrradianceCache::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Implementation->Foreign)
+  if (this->Implementation->CustomGatherer)
   {
-    time = std::max(time, this->Implementation->Foreign->GetMTime());
+    time = std::max(time, this->Implementation->CustomGatherer->GetMTime());
   }
   if (this->Implementation->InitialRecords)
   {
@@ -175,7 +176,7 @@ vtkMTimeType vtkPenumbraIrradianceCache::GetMTime()
 
 void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
 {
-  const Internals::Half& half = this->Implementation->Occlusion;
+  const Internals::QuantityCache& half = this->Implementation->Occlusion;
   if (half.Records)
   {
     Copy(*half.Records, Quantities::Occlusion, half.Units, records);
@@ -184,48 +185,48 @@ void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
 
 void vtkPenumbraIrradianceCache::GetIrradianceRecords(vtkPolyData* records) const
 {
-  const Internals::Half& half = this->Implementation->Irradiance;
+  const Internals::QuantityCache& half = this->Implementation->Irradiance;
   if (half.Records)
   {
     Copy(*half.Records, Quantities::Irradiance, half.Units, records);
   }
 }
 
-PlacementSettings vtkPenumbraIrradianceCache::Internals::MakeSettings(
+RecordPlacementSettings vtkPenumbraIrradianceCache::Internals::MakeSettings(
   vtkPenumbraIrradianceCache* self, double accepted)
 {
-  RequireNumbers("Tolerance, MinimumRadius, MaximumRadius and NormalAngle",
+  RequireNotNaN("Tolerance, MinimumRadius, MaximumRadius and NormalAngle",
     { self->Tolerance, self->MinimumRadius, self->MaximumRadius, self->NormalAngle });
-  PlacementSettings settings;
+  RecordPlacementSettings settings;
   settings.Tolerance =
     std::max(self->Tolerance > 0.0 ? self->Tolerance : SharedError * accepted, LeastTolerance);
   settings.Rule = static_cast<penumbra::RadiusRules>(self->RadiusRule);
-  settings.LeastPixels = self->MinimumRadius;
+  settings.MinimumRadiusPixels = self->MinimumRadius;
   settings.MostPixels = std::max(self->MinimumRadius, self->MaximumRadius);
   settings.Side = static_cast<int>(std::lround(std::sqrt(self->RaysPerRecord)));
   return settings;
 }
 
 float vtkPenumbraIrradianceCache::Internals::NormalAngle(
-  vtkPenumbraIrradianceCache* self, const PlacementSettings& settings)
+  vtkPenumbraIrradianceCache* self, const RecordPlacementSettings& settings)
 {
   return self->NormalAngle > 0.0
     ? static_cast<float>(vtkMath::RadiansFromDegrees(self->NormalAngle))
-    : Placement::NormalAngleFor(settings.Tolerance);
+    : RecordPlacement::NormalAngleFor(settings.Tolerance);
 }
 
 bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCache* self,
-  penumbra::Quantities quantity, const RayGatherer& seen, const PlacementSettings& settings,
+  penumbra::Quantities quantity, const RayGatherer& seen, const RecordPlacementSettings& settings,
   const Progress& progress)
 {
   const RayScene& rays = seen.GetRays();
-  Half& half = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
+  QuantityCache& half = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
   half.Records.reset();
-  half.Foreign = this->Foreign ? this->Foreign->Make(seen) : nullptr;
+  half.CustomGatherer = this->CustomGatherer ? this->CustomGatherer->Make(seen) : nullptr;
   std::vector<Record> initial;
   const auto other =
     quantity == Quantities::Occlusion ? Quantities::Irradiance : Quantities::Occlusion;
-  if (this->InitialRecords && !HoldsRecords(this->InitialRecords, other))
+  if (this->InitialRecords && !HasRecords(this->InitialRecords, other))
   {
     std::string problem;
     initial = FromPolyData(this->InitialRecords, quantity, rays.GetScene(), problem);
@@ -236,8 +237,9 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   }
   half.Units.Origin = rays.GetScene().Origin;
   half.Units.Scale = rays.GetScene().Scale;
-  const Gatherer& gatherer = half.Foreign ? *half.Foreign : static_cast<const Gatherer&>(seen);
-  half.Records = std::make_unique<PictureRecords>(
+  const Gatherer& gatherer =
+    half.CustomGatherer ? *half.CustomGatherer : static_cast<const Gatherer&>(seen);
+  half.Records = std::make_unique<ViewRecords>(
     rays, gatherer, settings, NormalAngle(self, settings), self->Space == SCREEN, initial);
   return self->IsLazy() || half.Records->PlaceLevels(progress);
 }
@@ -246,17 +248,17 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
   double tolerance, const Progress& progress)
 {
   Internals& self = *this->Implementation;
-  const Internals::Purpose purpose{ rays.GetId(), occluders.Radius, occluders.FallOff, {},
+  const Internals::BuildKey purpose{ rays.GetId(), occluders.Radius, occluders.Falloff, {},
     tolerance, this->GetMTime() };
-  if (self.Occlusion.Made == purpose)
+  if (self.Occlusion.Key == purpose)
   {
     return true;
   }
-  self.Occlusion.Made = Internals::Purpose();
-  self.Accepted = tolerance;
+  self.Occlusion.Key = Internals::BuildKey();
+  self.QueryTolerance = tolerance;
   self.BruteForce->Begin(rays, occluders, tolerance);
   self.Occluders = std::make_unique<OcclusionGatherer>(
-    rays, DistanceFallOff::InScene(occluders.Radius, occluders.FallOff, rays.GetScene().Scale));
+    rays, DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, rays.GetScene().Scale));
   try
   {
     if (!self.MakeRecords(this, Quantities::Occlusion, *self.Occluders,
@@ -269,21 +271,21 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
   {
     return false;
   }
-  self.Occlusion.Made = purpose;
+  self.Occlusion.Key = purpose;
   return true;
 }
 
-vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::Occlusion(
+vtkPenumbraIrradianceProvider::Estimate vtkPenumbraIrradianceCache::Occlusion(
   const double point[3], const double normal[3]) const
 {
-  return this->OcclusionWithin(point, normal, this->Implementation->Accepted);
+  return this->OcclusionWithin(point, normal, this->Implementation->QueryTolerance);
 }
 
-vtkPenumbraIrradianceSource::Estimate vtkPenumbraIrradianceCache::OcclusionWithin(
+vtkPenumbraIrradianceProvider::Estimate vtkPenumbraIrradianceCache::OcclusionWithin(
   const double point[3], const double normal[3], double tolerance) const
 {
   const Internals& self = *this->Implementation;
-  const Interpolated found = self.Occlusion.Ask(point, normal, this->IsLazy());
+  const InterpolationResult found = self.Occlusion.Ask(point, normal, this->IsLazy());
   if (!found.Found())
   {
     return self.BruteForce->OcclusionWithin(point, normal, tolerance);
@@ -299,23 +301,23 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
 {
   Internals& self = *this->Implementation;
   const RayScene& rays = light.GetRays();
-  const Internals::Purpose purpose{ rays.GetId(), 0.0, 0, light.GetSettings(), tolerance,
+  const Internals::BuildKey purpose{ rays.GetId(), 0.0, 0, light.GetSettings(), tolerance,
     this->GetMTime() };
-  if (self.Irradiance.Made == purpose)
+  if (self.Irradiance.Key == purpose)
   {
     return true;
   }
-  self.Irradiance.Made = Internals::Purpose();
-  PlacementSettings settings = Internals::MakeSettings(this, tolerance / vtkMath::Pi());
+  self.Irradiance.Key = Internals::BuildKey();
+  RecordPlacementSettings settings = Internals::MakeSettings(this, tolerance / vtkMath::Pi());
   settings.Refine = true;
-  settings.AllServe = true;
+  settings.KeepAllValid = true;
   self.Light =
     std::make_unique<Interreflection>(light, settings, Internals::NormalAngle(this, settings));
   if (settings.Side == 0)
   {
-    settings.Side = Placement::SideFor(GridNoise * settings.Tolerance);
+    settings.Side = RecordPlacement::SideFor(GridNoise * settings.Tolerance);
   }
-  settings.Tolerance *= BendShare;
+  settings.Tolerance *= HessianErrorFraction;
   const auto before = [&](double share) {
     return progress && progress(ProgressOfReflections * share);
   };
@@ -334,23 +336,23 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   {
     return false;
   }
-  self.Irradiance.Made = purpose;
+  self.Irradiance.Key = purpose;
   return true;
 }
 
-vtkPenumbraIrradianceSource::Light vtkPenumbraIrradianceCache::Irradiance(
+vtkPenumbraIrradianceProvider::Light vtkPenumbraIrradianceCache::Irradiance(
   const double point[3], const double normal[3], double tolerance) const
 {
   const Internals& self = *this->Implementation;
   Light light;
-  Interpolated found = self.Irradiance.Ask(point, normal, this->IsLazy());
+  InterpolationResult found = self.Irradiance.Ask(point, normal, this->IsLazy());
   if (!found.Found())
   {
     found = self.Irradiance.Records->Gather(self.Irradiance.PlaceOf(point, normal),
       std::max(tolerance / vtkMath::Pi(), LeastTolerance), light.Rays);
   }
-  const Place place = self.Irradiance.PlaceOf(point, normal);
-  const auto suns = self.Light->GetLight().FromSuns(
+  const ShadingPoint place = self.Irradiance.PlaceOf(point, normal);
+  const auto suns = self.Light->GetLight().EstimateSunlight(
     place.Position, place.Normal, tolerance / vtkMath::Pi(), light.Rays);
   light.Error = vtkMath::Pi() * std::hypot(found.Error, suns.Error);
   for (int c = 0; c < 3; ++c)
@@ -366,7 +368,7 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
   std::size_t records = 0;
   std::size_t bytes = 0;
   long long rays = 0;
-  for (const Internals::Half* half : { &self.Occlusion, &self.Irradiance })
+  for (const Internals::QuantityCache* half : { &self.Occlusion, &self.Irradiance })
   {
     if (half->Records)
     {
@@ -384,9 +386,9 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
   AddStatistic(statistics, "Cache/Records", static_cast<double>(records));
   AddStatistic(statistics, "Cache/Bytes", static_cast<double>(bytes));
   AddStatistic(statistics, "Rays/Gather", static_cast<double>(rays));
-  if (self.Foreign)
+  if (self.CustomGatherer)
   {
-    self.Foreign->Report(statistics);
+    self.CustomGatherer->Report(statistics);
   }
 }
 
@@ -401,6 +403,6 @@ void vtkPenumbraIrradianceCache::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalAngle: " << this->NormalAngle << "\n";
   os << indent << "RaysPerRecord: " << this->RaysPerRecord << "\n";
   os << indent << "Order: " << this->Order << "\n";
-  os << indent << "Gatherer: " << this->Implementation->Foreign.Get() << "\n";
+  os << indent << "Gatherer: " << this->Implementation->CustomGatherer.Get() << "\n";
   os << indent << "InitialRecords: " << this->Implementation->InitialRecords.Get() << "\n";
 }

@@ -18,7 +18,7 @@
 #define vtkPenumbraIrradianceCache_h
 
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro
-#include "vtkPenumbraIrradianceSource.h"
+#include "vtkPenumbraIrradianceProvider.h"
 
 #include <memory> // for std::unique_ptr
 
@@ -26,11 +26,11 @@ class vtkPenumbraGatherer;
 class vtkPolyData;
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT vtkPenumbraIrradianceCache
-  : public vtkPenumbraIrradianceSource
+  : public vtkPenumbraIrradianceProvider
 {
 public:
   static vtkPenumbraIrradianceCache* New();
-  vtkTypeMacro(vtkPenumbraIrradianceCache, vtkPenumbraIrradianceSource);
+  vtkTypeMacro(vtkPenumbraIrradianceCache, vtkPenumbraIrradianceProvider);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

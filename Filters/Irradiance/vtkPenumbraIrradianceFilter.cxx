@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceFilter.h"
 
+#include "Baking/BakeInput.h"
 #include "Baking/Baking.h"
-#include "Baking/Blocks.h"
-#include "Baking/MeshSites.h"
+#include "Baking/CompositeMesh.h"
 #include "Embree/RayScene.h"
-#include "Execution/Numbers.h"
+#include "Execution/NaNCheck.h"
 #include "Execution/Statistics.h"
 #include "Gathering/RayGatherer.h"
 #include "Records/Interreflection.h"
@@ -19,7 +19,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraGatherer.h"
 #include "vtkPointData.h"
@@ -45,9 +45,9 @@ constexpr float PixelOfSpacing = .5f;
 
 /// Surfaces of scans are rough: what of the tolerance bends and turns may take, and how many of those
 /// pixels a record may reach. Measured on a scan of 104 thousand points.
-constexpr double BendShare = .5;
-constexpr double TurnShare = .1;
-constexpr double MostPixels = 16.0;
+constexpr double HessianErrorFraction = .5;
+constexpr double RotationErrorFraction = .1;
+constexpr double MaximumRadiusPixels = 16.0;
 
 /// The noise of one record may be above the tolerance, since several are blended; brute force tells
 /// an error above its true one. Measured there, too.
@@ -72,7 +72,7 @@ constexpr std::size_t MostViewpoints = 256;
 
 /// `scale` times the means at every point or cell, 0 where nothing asked; where several faces of one
 /// cell asked, their mean.
-vtkSmartPointer<vtkFloatArray> ArrayOf(const MeshSites& mesh, const BakedValues& baked,
+vtkSmartPointer<vtkFloatArray> ArrayOf(const BakeInput& mesh, const BakedValues& baked,
   vtkIdType size, const char* name, int components, float scale)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -110,17 +110,18 @@ bool IsBlocked(const BakedValues& baked)
 }
 
 /// What records leave out; false when stopped.
-bool AddSuns(const Illumination& light, const std::vector<Site>& sites, double tolerance,
+bool AddSuns(const Illumination& light, const std::vector<RecordCandidate>& sites, double tolerance,
   const ProgressCallback& progress, BakedValues& baked)
 {
   std::atomic<long long> rays(0);
-  const bool done = InBatches(static_cast<int>(sites.size()), 1.0, 1.0, progress, [&](int i) {
-    long long own = 0;
-    const auto suns = light.FromSuns(sites[i].Position, sites[i].Normal, tolerance, own);
-    baked.Values[i].Mean += suns.Mean;
-    baked.Values[i].Error = std::hypot(baked.Values[i].Error, suns.Error);
-    rays += own;
-  });
+  const bool done =
+    ParallelForBatches(static_cast<int>(sites.size()), 1.0, 1.0, progress, [&](int i) {
+      long long own = 0;
+      const auto suns = light.EstimateSunlight(sites[i].Position, sites[i].Normal, tolerance, own);
+      baked.Values[i].Mean += suns.Mean;
+      baked.Values[i].Error = std::hypot(baked.Values[i].Error, suns.Error);
+      rays += own;
+    });
   baked.BruteForceRays += rays;
   return done;
 }
@@ -130,10 +131,10 @@ bool AddSuns(const Illumination& light, const std::vector<Site>& sites, double t
 /// A mesh in the making.
 struct vtkPenumbraIrradianceFilter::Work
 {
-  MeshSites Mesh;
+  BakeInput Mesh;
   std::unique_ptr<RayScene> Rays;
-  PlacementSettings Settings;
-  RecordTree Tree;
+  RecordPlacementSettings Settings;
+  RecordOctree Tree;
   BakedValues Baked;
   std::unique_ptr<Interreflection> Reflections; ///< of irradiance
   long long GatherRays = 0;
@@ -218,7 +219,7 @@ int vtkPenumbraIrradianceFilter::RequestData(
   this->EstimatedError = std::nan("");
   try
   {
-    RequireNumbers("Tolerance, Radius, PointRadius, Albedo and EnvironmentColor",
+    RequireNotNaN("Tolerance, Radius, PointRadius, Albedo and EnvironmentColor",
       { this->Tolerance, this->Radius, this->PointRadius, this->Albedo, this->EnvironmentColor[0],
         this->EnvironmentColor[1], this->EnvironmentColor[2] });
     vtkSMPTools::LocalScope(
@@ -255,12 +256,13 @@ void vtkPenumbraIrradianceFilter::Execute(
   }
   if (auto* composite = vtkCompositeDataSet::GetData(inputs[0]))
   {
-    const Blocks blocks(composite);
-    if (blocks.GetNumberOfOthers() > 0)
+    const CompositeMesh blocks(composite);
+    if (blocks.GetNumberOfSkippedBlocks() > 0)
     {
-      vtkWarningMacro(<< blocks.GetNumberOfOthers() << " blocks are no meshes: they take no part.");
+      vtkWarningMacro(<< blocks.GetNumberOfSkippedBlocks()
+                      << " blocks are no meshes: they take no part.");
     }
-    vtkPointSet* joined = blocks.GetJoined();
+    vtkPointSet* joined = blocks.GetMerged();
     const auto baked = vtkSmartPointer<vtkPointSet>::Take(joined->NewInstance());
     baked->ShallowCopy(joined);
     this->BakeOnto(joined, surroundings, baked);
@@ -281,7 +283,7 @@ void vtkPenumbraIrradianceFilter::Execute(
 void vtkPenumbraIrradianceFilter::BakeOnto(
   vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output)
 {
-  MeshChoices choices;
+  BakeInputOptions choices;
   choices.OfCells = this->OnCells;
   choices.ComputeNormals = this->ComputeNormals;
   choices.PointRadius = this->PointRadius;
@@ -293,13 +295,13 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
     }
     return this->GetAbortExecute() != 0;
   };
-  MeshSites& mesh = work.Mesh;
-  mesh = FindMeshSites(input, choices, work.Progress);
+  BakeInput& mesh = work.Mesh;
+  mesh = PrepareBakeInput(input, choices, work.Progress);
   if (surroundings)
   {
-    AddSurroundings(surroundings, mesh, work.Progress);
+    AddOccluders(surroundings, mesh, work.Progress);
   }
-  for (Site& site : mesh.Sites)
+  for (RecordCandidate& site : mesh.Sites)
   {
     site.Pixel *= PixelOfSpacing;
   }
@@ -313,9 +315,9 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
                     << " are of no surface and " << mesh.NotFinite
                     << " are not finite or have no normal: their value is 0.");
   }
-  work.Rays = std::make_unique<RayScene>(mesh.Blocking, this->NumberOfThreads, work.Progress);
+  work.Rays = std::make_unique<RayScene>(mesh.OccluderScene, this->NumberOfThreads, work.Progress);
   work.Tree.Initialize(glm::vec3(0.f), .5f);
-  work.Settings.MostPixels = MostPixels;
+  work.Settings.MostPixels = MaximumRadiusPixels;
   const bool light = this->Quantity == IRRADIANCE;
   if (!(light ? this->BakeIrradiance(work) : this->BakeOcclusion(work)))
   {
@@ -338,22 +340,24 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
 
 bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
 {
-  const Scene& scene = work.Mesh.Blocking;
-  const double radius = this->Radius > 0.0 ? this->Radius : DefaultRadiusShare * work.Mesh.Diagonal;
-  const vtkPenumbraIrradianceSource::Occluders occluders(radius, this->FallOff);
+  const Scene& scene = work.Mesh.OccluderScene;
+  const double radius =
+    this->Radius > 0.0 ? this->Radius : DefaultRadiusFraction * work.Mesh.Diagonal;
+  const vtkPenumbraIrradianceProvider::Occluders occluders(radius, this->Falloff);
   const OcclusionGatherer byRays(
-    *work.Rays, penumbra::DistanceFallOff::InScene(radius, this->FallOff, scene.Scale));
+    *work.Rays, penumbra::DistanceFalloff::InScene(radius, this->Falloff, scene.Scale));
   const std::unique_ptr<penumbra::Gatherer> foreign =
     this->Gatherer && this->Method == AUTOMATIC ? this->Gatherer->Make(byRays) : nullptr;
-  work.Settings.Tolerance = BendShare * this->Tolerance;
-  work.Settings.Side = Placement::SideFor(NoiseOfRecords * this->Tolerance);
-  work.Tree.SetNormalAngle(Placement::NormalAngleFor(TurnShare * this->Tolerance));
-  Placement places(
+  work.Settings.Tolerance = HessianErrorFraction * this->Tolerance;
+  work.Settings.Side = RecordPlacement::SideFor(NoiseOfRecords * this->Tolerance);
+  work.Tree.SetNormalAngle(
+    RecordPlacement::NormalAngleFor(RotationErrorFraction * this->Tolerance));
+  RecordPlacement places(
     foreign ? *foreign : static_cast<const penumbra::Gatherer&>(byRays), work.Settings, work.Tree);
-  vtkNew<vtkPenumbraBruteForceSource> source;
+  vtkNew<vtkPenumbraBruteForceIrradiance> source;
   source->SetMinimumRays(LeastRays);
   source->Begin(*work.Rays, occluders, NoiseOfAnswers * this->Tolerance);
-  const auto bruteForce = [&](const Site& site, long long& count) {
+  const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto answer = source->Occlusion(&world.x, &normal.x);
@@ -361,10 +365,10 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
     return BakedValue{ glm::vec3(static_cast<float>(answer.Value)),
       static_cast<float>(answer.Error) };
   };
-  vtkNew<vtkPenumbraBruteForceSource> few; // as many rays as told, whatever they say
+  vtkNew<vtkPenumbraBruteForceIrradiance> few; // as many rays as told, whatever they say
   few->Begin(*work.Rays, occluders, 0.0);
   const double noise = std::min(NoiseOfQuickAnswers * this->Tolerance, MostNoise);
-  const auto quick = [&](const Site& site, long long& count) {
+  const auto quick = [&](const RecordCandidate& site, long long& count) {
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto answer = few->OcclusionWithin(&world.x, &normal.x, noise);
@@ -372,7 +376,8 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
     return BakedValue{ glm::vec3(static_cast<float>(answer.Value)),
       static_cast<float>(answer.Error) };
   };
-  const Answers answers{ bruteForce, quick, static_cast<float>(NoiseOfShared * this->Tolerance) };
+  const PointEstimators answers{ bruteForce, quick,
+    static_cast<float>(NoiseOfShared * this->Tolerance) };
   const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, this->Method == AUTOMATIC, places,
     work.Tree, answers, work.Progress, work.Baked);
   for (BakedValue& value : work.Baked.Values)
@@ -385,7 +390,7 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
 
 bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
 {
-  const Scene& scene = work.Mesh.Blocking;
+  const Scene& scene = work.Mesh.OccluderScene;
   IlluminationSettings settings;
   settings.Environment = glm::max(
     glm::vec3(this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2]),
@@ -395,15 +400,15 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   settings.Bounces = this->Bounces;
   const Illumination light(*work.Rays, settings);
   const double tolerance = this->Tolerance / Pi; // of the mean over the hemisphere
-  work.Settings.Tolerance = BendShare * tolerance;
-  work.Settings.Side = Placement::SideFor(NoiseOfRecords * tolerance);
-  const float angle = Placement::NormalAngleFor(TurnShare * tolerance);
+  work.Settings.Tolerance = HessianErrorFraction * tolerance;
+  work.Settings.Side = RecordPlacement::SideFor(NoiseOfRecords * tolerance);
+  const float angle = RecordPlacement::NormalAngleFor(RotationErrorFraction * tolerance);
   work.Tree.SetNormalAngle(angle);
 
   const bool records = this->Method == AUTOMATIC;
   const bool several = records && this->Bounces > 1;
   work.Reflections = std::make_unique<Interreflection>(light, work.Settings, angle);
-  std::vector<Site> viewpoints;
+  std::vector<RecordCandidate> viewpoints;
   const std::size_t step = std::max<std::size_t>(work.Mesh.Sites.size() / MostViewpoints, 1);
   for (std::size_t i = 0; i < work.Mesh.Sites.size(); i += step)
   {
@@ -421,15 +426,15 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const LightGatherer& byRays = work.Reflections->GetGatherer();
   const std::unique_ptr<penumbra::Gatherer> foreign =
     this->Gatherer && records ? this->Gatherer->Make(byRays) : nullptr;
-  Placement places(
+  RecordPlacement places(
     foreign ? *foreign : static_cast<const penumbra::Gatherer&>(byRays), work.Settings, work.Tree);
-  vtkNew<vtkPenumbraBruteForceSource> source;
+  vtkNew<vtkPenumbraBruteForceIrradiance> source;
   source->SetMinimumRays(LeastRays);
   source->BeginIrradiance(light, this->Tolerance);
-  const auto bruteForce = [&](const Site& site, long long& count) {
+  const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
     if (const auto made = records ? places.Gather(site, count) : std::nullopt)
     {
-      return BakedValue{ made->Found.Mean, made->Found.Error };
+      return BakedValue{ made->Gathered.Mean, made->Gathered.Error };
     }
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
@@ -439,7 +444,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
         static_cast<float>(Pi),
       static_cast<float>(answer.Error / Pi) };
   };
-  const Answers answers{ bruteForce, {}, 0.f };
+  const PointEstimators answers{ bruteForce, {}, 0.f };
   const bool done = Bake(
     work.Mesh.Sites, work.Mesh.Spacing, records, places, work.Tree, answers, after, work.Baked);
   work.GatherRays = places.GetRays() + work.Reflections->GetRays();
@@ -469,7 +474,7 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   vtkFieldData* s = this->Statistics;
   AddStatistic(s, what + "Total", static_cast<double>(size));
   AddStatistic(s, what + "Interpolated", static_cast<double>(baked.Interpolated));
-  AddStatistic(s, what + "Shared", static_cast<double>(baked.Shared));
+  AddStatistic(s, what + "Shared", static_cast<double>(baked.Denoised));
   AddStatistic(s, what + "BruteForce", static_cast<double>(baked.BruteForce));
   AddStatistic(s, what + "Unused", static_cast<double>(work.Mesh.Unused));
   AddStatistic(s, what + "NotFinite", static_cast<double>(work.Mesh.NotFinite));
@@ -495,7 +500,7 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "FallOff: " << this->FallOff << "\n";
+  os << indent << "Falloff: " << this->Falloff << "\n";
   os << indent << "OnCells: " << this->OnCells << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";

@@ -63,9 +63,9 @@ public:
   ///@}
 
   ///@{
-  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceSource::FallOffs. Default: NO_FALL_OFF. */
-  vtkSetClampMacro(FallOff, int, 0, 3);
-  vtkGetMacro(FallOff, int);
+  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceProvider::Falloffs. Default: NO_FALLOFF. */
+  vtkSetClampMacro(Falloff, int, 0, 3);
+  vtkGetMacro(Falloff, int);
   ///@}
 
   ///@{
@@ -139,7 +139,7 @@ public:
 
   /**
    * Counts of the last execution, one value an array: `Points/Total`, `Points/Interpolated`,
-   * `Points/Shared`, `Points/BruteForce`, `Points/Unused`, `Points/NotFinite` (cells likewise), `Cache/Records`,
+   * `Points/Denoised`, `Points/BruteForce`, `Points/Unused`, `Points/NotFinite` (cells likewise), `Cache/Records`,
    * `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`, `Rays/Total`. Also in the output's field data.
    */
   vtkFieldData* GetStatistics();
@@ -175,7 +175,7 @@ private:
   double Albedo = 0.5;
   int Bounces = 3;
   double Radius = 0.0;
-  int FallOff = 0;
+  int Falloff = 0;
   bool OnCells = false;
   bool ComputeNormals = false;
   double PointRadius = 0.0;

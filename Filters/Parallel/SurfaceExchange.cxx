@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceExchange.h"
 
-#include "Import/DataSurface.h"
+#include "Import/SurfaceGeometry.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
@@ -31,14 +31,15 @@ vtkSmartPointer<vtkPolyData> SurfaceOfLeaf(vtkDataObject* data)
   vtkDataSet* dataSet = vtkDataSet::SafeDownCast(data);
   if (dataSet && dataSet->GetNumberOfPoints() > 0)
   {
-    const vtkSmartPointer<vtkPolyData> mesh = PolyDataOf(dataSet);
+    const vtkSmartPointer<vtkPolyData> mesh = ExtractSurface(dataSet);
     surface->CopyStructure(mesh);
     surface->GetPointData()->SetNormals(mesh->GetPointData()->GetNormals());
   }
   return surface;
 }
 
-vtkSmartPointer<vtkPolyData> Joined(const std::vector<vtkSmartPointer<vtkDataObject>>& parts)
+vtkSmartPointer<vtkPolyData> AppendSurfaces(
+  const std::vector<vtkSmartPointer<vtkDataObject>>& parts)
 {
   vtkNew<vtkAppendPolyData> append;
   for (const vtkSmartPointer<vtkDataObject>& part : parts)
@@ -57,7 +58,7 @@ vtkSmartPointer<vtkPolyData> Joined(const std::vector<vtkSmartPointer<vtkDataObj
 }
 
 /// The polygons whose bounds meet `box`, with their points alone.
-vtkSmartPointer<vtkPolyData> Cropped(vtkPolyData* surface, const vtkBoundingBox& box)
+vtkSmartPointer<vtkPolyData> CropToBox(vtkPolyData* surface, const vtkBoundingBox& box)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(VTK_DOUBLE);
@@ -113,7 +114,7 @@ vtkSmartPointer<vtkPolyData> Cropped(vtkPolyData* surface, const vtkBoundingBox&
 
 }
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data)
+vtkSmartPointer<vtkPolyData> ExtractCompositeSurface(vtkDataObject* data)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(data);
   if (!composite)
@@ -126,7 +127,7 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data)
   {
     parts.push_back(SurfaceOfLeaf(each->GetCurrentDataObject()));
   }
-  return Joined(parts);
+  return AppendSurfaces(parts);
 }
 
 std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* ranks, vtkPolyData* own)
@@ -151,8 +152,8 @@ std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* ranks, vtkPo
   return bounds;
 }
 
-vtkSmartPointer<vtkPolyData> GatherSurroundings(vtkMultiProcessController* ranks, vtkPolyData* own,
-  const std::vector<vtkBoundingBox>& bounds, double reach)
+vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* ranks,
+  vtkPolyData* own, const std::vector<vtkBoundingBox>& bounds, double reach)
 {
   const int self = ranks->GetLocalProcessId();
   vtkSmartPointer<vtkPolyData> result;
@@ -164,7 +165,7 @@ vtkSmartPointer<vtkPolyData> GatherSurroundings(vtkMultiProcessController* ranks
     if (sends && std::isfinite(reach))
     {
       box.Inflate(reach);
-      part = Cropped(own, box);
+      part = CropToBox(own, box);
     }
     else if (sends)
     {
@@ -175,17 +176,17 @@ vtkSmartPointer<vtkPolyData> GatherSurroundings(vtkMultiProcessController* ranks
     ranks->Gather(part, parts, asking);
     if (asking == self)
     {
-      result = Joined(parts);
+      result = AppendSurfaces(parts);
     }
   }
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> GatherAll(vtkMultiProcessController* ranks, vtkPolyData* own)
+vtkSmartPointer<vtkPolyData> AllGatherSurfaces(vtkMultiProcessController* ranks, vtkPolyData* own)
 {
   std::vector<vtkSmartPointer<vtkDataObject>> parts;
   ranks->AllGather(own, parts);
-  return Joined(parts);
+  return AppendSurfaces(parts);
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surfaces of other ranks. All but SurfaceOf() are collective: every rank has to call them.
+// Surfaces of other ranks. All but ExtractCompositeSurface() are collective: every rank has to call them.
 #ifndef penumbra_SurfaceExchange_h
 #define penumbra_SurfaceExchange_h
 
@@ -19,18 +19,18 @@ namespace penumbra
 
 /// All cells on the surface of a data object; composite: of its blocks, one after the other. Of their
 /// arrays the normals of points stay where every block has them.
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data);
+vtkSmartPointer<vtkPolyData> ExtractCompositeSurface(vtkDataObject* data);
 
 /// Of each rank's surface.
 std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* ranks, vtkPolyData* own);
 
 /// The polygons of the other ranks whose bounds come nearer than `reach` to those of this rank's; `reach`
 /// may be infinite.
-vtkSmartPointer<vtkPolyData> GatherSurroundings(vtkMultiProcessController* ranks, vtkPolyData* own,
-  const std::vector<vtkBoundingBox>& bounds, double reach);
+vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* ranks,
+  vtkPolyData* own, const std::vector<vtkBoundingBox>& bounds, double reach);
 
 /// The surfaces of all ranks, in their order.
-vtkSmartPointer<vtkPolyData> GatherAll(vtkMultiProcessController* ranks, vtkPolyData* own);
+vtkSmartPointer<vtkPolyData> AllGatherSurfaces(vtkMultiProcessController* ranks, vtkPolyData* own);
 
 }
 #endif

@@ -27,7 +27,8 @@ int vtkPenumbraDistributedIrradianceFilter::RequestData(
   {
     return this->Superclass::RequestData(request, inputs, outputs);
   }
-  const vtkSmartPointer<vtkPolyData> own = penumbra::SurfaceOf(vtkDataObject::GetData(inputs[0]));
+  const vtkSmartPointer<vtkPolyData> own =
+    penumbra::ExtractCompositeSurface(vtkDataObject::GetData(inputs[0]));
   const std::vector<vtkBoundingBox> bounds = penumbra::GatherBounds(ranks, own);
   vtkBoundingBox whole;
   for (const vtkBoundingBox& box : bounds)
@@ -38,10 +39,10 @@ int vtkPenumbraDistributedIrradianceFilter::RequestData(
   if (this->GetQuantity() == AMBIENT_OCCLUSION && whole.IsValid())
   {
     reach = this->GetRadius() > 0.0 ? this->GetRadius()
-                                    : penumbra::DefaultRadiusShare * whole.GetDiagonalLength();
+                                    : penumbra::DefaultRadiusFraction * whole.GetDiagonalLength();
   }
   vtkSmartPointer<vtkPolyData> surroundings =
-    penumbra::GatherSurroundings(ranks, own, bounds, reach);
+    penumbra::GatherRemoteOccluders(ranks, own, bounds, reach);
   if (whole.IsValid())
   {
     // Points of no polygon tell of the bounds, from which the radius may follow.

@@ -26,9 +26,9 @@ int vtkPenumbraDistributedRayCaster::RequestData(
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
     const vtkSmartPointer<vtkPolyData> own =
-      penumbra::SurfaceOf(vtkDataObject::GetData(inputs[0], i));
+      penumbra::ExtractCompositeSurface(vtkDataObject::GetData(inputs[0], i));
     vtkNew<vtkInformation> info;
-    info->Set(vtkDataObject::DATA_OBJECT(), penumbra::GatherAll(ranks, own));
+    info->Set(vtkDataObject::DATA_OBJECT(), penumbra::AllGatherSurfaces(ranks, own));
     joined->Append(info);
   }
   vtkInformationVector* all[] = { joined };

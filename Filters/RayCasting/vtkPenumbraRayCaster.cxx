@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraRayCaster.h"
 
-#include "Execution/Numbers.h"
+#include "Execution/NaNCheck.h"
 #include "Execution/Statistics.h"
 #include "Image/GeometryArrays.h"
-#include "Image/PictureImage.h"
+#include "Image/ImageRenderer.h"
 #include "Import/SceneExtraction.h"
-#include "Import/SceneExtractionTime.h"
+#include "Import/SceneModificationTime.h"
 #include "Media/MediumExtraction.h"
 #include "Shading/Illumination.h"
 
@@ -19,7 +19,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkRenderer.h"
@@ -87,8 +87,8 @@ struct vtkPenumbraRayCaster::Internals
   };
 
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkPenumbraIrradianceSource> IrradianceSource =
-    vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
+  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceSource =
+    vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   vtkNew<vtkFieldData> Statistics;
@@ -99,9 +99,9 @@ struct vtkPenumbraRayCaster::Internals
   void Forget();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
-  bool BeginSource(vtkPenumbraRayCaster* self, penumbra::Sampler& sampler);
-  void Report(const penumbra::PicturePart& totals, double squaredError, vtkIdType pixels);
-  static penumbra::PictureSettings MakeSettings(vtkPenumbraRayCaster* self);
+  bool BeginSource(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& sampler);
+  void Report(const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels);
+  static penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self);
 };
 
 vtkStandardNewMacro(vtkPenumbraRayCaster);
@@ -128,20 +128,21 @@ vtkRenderer* vtkPenumbraRayCaster::GetRenderer()
   return this->Implementation->Renderer;
 }
 
-void vtkPenumbraRayCaster::SetIrradianceSource(vtkPenumbraIrradianceSource* source)
+void vtkPenumbraRayCaster::SetIrradianceSource(vtkPenumbraIrradianceProvider* source)
 {
   if (this->Implementation->IrradianceSource != source)
   {
     this->Implementation->IrradianceSource = source;
     if (!source)
     {
-      this->Implementation->IrradianceSource = vtkSmartPointer<vtkPenumbraBruteForceSource>::New();
+      this->Implementation->IrradianceSource =
+        vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
     }
     this->Modified();
   }
 }
 
-vtkPenumbraIrradianceSource* vtkPenumbraRayCaster::GetIrradianceSource()
+vtkPenumbraIrradianceProvider* vtkPenumbraRayCaster::GetIrradianceSource()
 {
   return this->Implementation->IrradianceSource;
 }
@@ -265,7 +266,7 @@ int vtkPenumbraRayCaster::RequestData(
   own.Forget();
   try
   {
-    penumbra::RequireNumbers(
+    penumbra::RequireNotNaN(
       "Tolerance, AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo and "
       "EnvironmentColor",
       { this->Tolerance, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
@@ -341,7 +342,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   penumbra::Scene& scene = prepared->Drawn;
   scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
                          : penumbra::ExtractScene(data, options);
-  if (!scene.Eye.IsUsable())
+  if (!scene.ViewCamera.IsUsable())
   {
     throw std::runtime_error(
       "The camera sees nothing: position, focal point, view up, view angle and "
@@ -358,15 +359,15 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   this->PreparedTime = changed(); // mappers may have made their colours meanwhile
 }
 
-penumbra::PictureSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
+penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
 {
-  penumbra::PictureSettings settings;
+  penumbra::RenderSettings settings;
   settings.Packets = self->Packets;
   settings.Integration.Method =
     static_cast<penumbra::IntegrationSettings::Methods>(self->CoverageMethod);
   settings.Integration.Tolerance = self->Tolerance;
   settings.Integration.MaximumLevel = self->MaximumLevel;
-  settings.Integration.SmallObjects = self->SmallObjects;
+  settings.Integration.FindSmallObjects = self->FindSmallObjects;
   settings.Integration.Shadows = self->Shadows;
   settings.Integration.UniformSamples = self->UniformSamples;
   settings.Integration.Noise =
@@ -375,7 +376,7 @@ penumbra::PictureSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenum
 }
 
 bool vtkPenumbraRayCaster::Internals::BeginSource(
-  vtkPenumbraRayCaster* self, penumbra::Sampler& sampler)
+  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& sampler)
 {
   const double noise = OcclusionNoiseShare * self->Tolerance;
   const bool occlusion = self->AmbientOcclusion || self->GeometryArrays;
@@ -388,9 +389,9 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
   {
     const double radius = self->AmbientOcclusionRadius > 0.0
       ? self->AmbientOcclusionRadius
-      : penumbra::DefaultRadiusShare * GetDiagonal(this->Prepared->Drawn);
+      : penumbra::DefaultRadiusFraction * GetDiagonal(this->Prepared->Drawn);
     if (!this->IrradianceSource->Begin(
-          *this->Prepared->Rays, { radius, self->AmbientOcclusionFallOff }, noise, progress))
+          *this->Prepared->Rays, { radius, self->AmbientOcclusionFalloff }, noise, progress))
     {
       return false;
     }
@@ -426,8 +427,8 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     return false;
   }
   const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
-  penumbra::Sampler sampler(*this->Prepared->Rays, shading, scene.Eye);
-  const penumbra::PictureSettings settings = MakeSettings(self);
+  penumbra::CameraRayTracer sampler(*this->Prepared->Rays, shading, scene.ViewCamera);
+  const penumbra::RenderSettings settings = MakeSettings(self);
   const bool asks = self->AmbientOcclusion || self->IndirectLight || self->GeometryArrays;
   if (asks && !this->BeginSource(self, sampler))
   {
@@ -448,7 +449,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const auto progress = [self, begun, ended](double done) {
     return TellProgress(self, begun + (ended - begun) * done);
   };
-  penumbra::PicturePart totals;
+  penumbra::ImageRegion totals;
   double squaredError = 0.0;
   if (!penumbra::RenderImage(
         sampler, this->Prepared->Edges, settings, progress, image, totals, squaredError))
@@ -493,7 +494,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
 }
 
 void vtkPenumbraRayCaster::Internals::Report(
-  const penumbra::PicturePart& totals, double squaredError, vtkIdType pixels)
+  const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels)
 {
   const penumbra::RayCounts& rays = totals.Rays;
   vtkFieldData* s = this->Statistics;
@@ -512,8 +513,8 @@ void vtkPenumbraRayCaster::Internals::Report(
   AddStatistic(s, "Pixels/Total", pixels);
   AddStatistic(s, "Pixels/Empty", totals.Pixels.Empty);
   AddStatistic(s, "Pixels/Interior", totals.Pixels.Interior);
-  AddStatistic(s, "Pixels/Border", totals.Pixels.Border);
-  AddStatistic(s, "Pixels/Small", totals.Pixels.Small);
+  AddStatistic(s, "Pixels/Edge", totals.Pixels.Border);
+  AddStatistic(s, "Pixels/SmallObject", totals.Pixels.Small);
   AddStatistic(s, "Pixels/Refined", totals.Pixels.Refined);
   AddStatistic(s, "Pixels/Uniform", totals.Pixels.Uniform);
   AddStatistic(s, "Edges/Projected", totals.Edges);
@@ -530,14 +531,14 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverageMethod: " << this->CoverageMethod << "\n";
   os << indent << "UniformSamples: " << this->UniformSamples << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
-  os << indent << "SmallObjects: " << this->SmallObjects << "\n";
+  os << indent << "FindSmallObjects: " << this->FindSmallObjects << "\n";
   os << indent << "Shadows: " << this->Shadows << "\n";
   os << indent << "Environment: " << this->Implementation->Environment.Get() << "\n";
   os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
   os << indent << "LightShaftSteps: " << this->LightShaftSteps << "\n";
   os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
-  os << indent << "AmbientOcclusionFallOff: " << this->AmbientOcclusionFallOff << "\n";
+  os << indent << "AmbientOcclusionFalloff: " << this->AmbientOcclusionFalloff << "\n";
   os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << "\n";
   os << indent << "IndirectLight: " << this->IndirectLight << "\n";
   os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "

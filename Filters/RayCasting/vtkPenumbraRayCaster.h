@@ -25,7 +25,7 @@
 
 class vtkFieldData;
 class vtkPenumbraEnvironment;
-class vtkPenumbraIrradianceSource;
+class vtkPenumbraIrradianceProvider;
 class vtkPenumbraMedium;
 class vtkRenderer;
 
@@ -95,9 +95,9 @@ public:
 
   ///@{
   /** Find objects that lie between the corner rays (case 4 of [AA]). Default: on. */
-  vtkSetMacro(SmallObjects, bool);
-  vtkGetMacro(SmallObjects, bool);
-  vtkBooleanMacro(SmallObjects, bool);
+  vtkSetMacro(FindSmallObjects, bool);
+  vtkGetMacro(FindSmallObjects, bool);
+  vtkBooleanMacro(FindSmallObjects, bool);
   ///@}
 
   ///@{
@@ -139,9 +139,9 @@ public:
   ///@}
 
   ///@{
-  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceSource::FallOffs. Default: NO_FALL_OFF. */
-  vtkSetClampMacro(AmbientOcclusionFallOff, int, 0, 3);
-  vtkGetMacro(AmbientOcclusionFallOff, int);
+  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceProvider::Falloffs. Default: NO_FALLOFF. */
+  vtkSetClampMacro(AmbientOcclusionFalloff, int, 0, 3);
+  vtkGetMacro(AmbientOcclusionFalloff, int);
   ///@}
 
   ///@{
@@ -186,8 +186,8 @@ public:
 
   ///@{
   /** Who answers for occlusion and indirect light. Default: brute-force rays. */
-  virtual void SetIrradianceSource(vtkPenumbraIrradianceSource* source);
-  vtkPenumbraIrradianceSource* GetIrradianceSource();
+  virtual void SetIrradianceSource(vtkPenumbraIrradianceProvider* source);
+  vtkPenumbraIrradianceProvider* GetIrradianceSource();
   ///@}
 
   ///@{
@@ -258,12 +258,12 @@ private:
   int CoverageMethod = SILHOUETTES;
   int UniformSamples = 8;
   int MaximumLevel = 3;
-  bool SmallObjects = true;
+  bool FindSmallObjects = true;
   bool Shadows = false;
   int LightShaftSteps = 0;
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;
-  int AmbientOcclusionFallOff = 0;
+  int AmbientOcclusionFalloff = 0;
   double AmbientOcclusionStrength = -1.0;
   bool IndirectLight = false;
   double EnvironmentColor[3] = { 0.0, 0.0, 0.0 };

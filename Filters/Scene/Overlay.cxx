@@ -79,7 +79,7 @@ void Overlay::DrawImage(vtkImageData* image, int x, int y)
   }
 }
 
-void Overlay::PutOver(int x, int y, int count, glm::vec4* colors) const
+void Overlay::CompositeOver(int x, int y, int count, glm::vec4* colors) const
 {
   if (this->IsEmpty())
   {

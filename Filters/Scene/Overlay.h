@@ -34,7 +34,7 @@ public:
   void DrawImage(vtkImageData* image, int x, int y);
 
   /// Puts pixels (x, y) to (x + count - 1, y) of the overlay over `colors` (straight alpha).
-  void PutOver(int x, int y, int count, glm::vec4* colors) const;
+  void CompositeOver(int x, int y, int count, glm::vec4* colors) const;
 
 private:
   void Blend(int x, int y, glm::vec4 color);

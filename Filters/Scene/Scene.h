@@ -52,17 +52,17 @@ struct Background
 };
 
 /// How far occluders reach where nothing is told, of the diagonal of the bounds.
-constexpr double DefaultRadiusShare = 0.1;
+constexpr double DefaultRadiusFraction = 0.1;
 
 struct Scene
 {
   glm::dvec3 Origin{ 0.0 };
   double Scale = 1.0;
-  Camera Eye; ///< in scene coordinates
+  Camera ViewCamera; ///< in scene coordinates
   std::vector<Surface> Surfaces;
   std::vector<Light> Lights;
-  penumbra::Background Behind;
-  Overlay Over;                      ///< drawn over the finished picture
+  penumbra::Background BackgroundColors;
+  Overlay OverlayImage;              ///< drawn over the finished picture
   std::vector<std::string> Warnings; ///< what was left out, one sentence each
 
   /// From world to scene coordinates and back.

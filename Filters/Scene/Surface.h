@@ -84,10 +84,10 @@ struct Surface
   bool Backfaces = true;       ///< false: culled
   bool Frontfaces = true;      ///< false: culled
   bool ScalarColoring = false; ///< coloured by data: weaker ambient occlusion by default
-  bool ScreenSpace =
+  bool IsLineOrPoint =
     false; ///< a line or a point, widened towards the eye: casts and takes no shadow
 
-  bool LetsLightThrough() const;
+  bool IsTranslucent() const;
 
   /// Normal of a triangle, of any length: 0 only where it has no area, see below.
   glm::vec3 NormalOf(std::uint32_t triangle) const;
@@ -111,7 +111,7 @@ inline glm::vec3 Surface::NormalOf(std::uint32_t triangle) const
   return length > 0.0 ? glm::vec3(exact / length) : glm::vec3(0.f);
 }
 
-inline bool Surface::LetsLightThrough() const
+inline bool Surface::IsTranslucent() const
 {
   const auto translucent = [](const std::vector<glm::u8vec4>& colors) {
     return std::any_of(colors.begin(), colors.end(), [](glm::u8vec4 c) { return c.a < 255; });

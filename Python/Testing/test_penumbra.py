@@ -196,7 +196,7 @@ class TemporalOcclusion(unittest.TestCase):
         dark = plotter.screenshot(return_img=True).astype(float)
         self.assertTrue(occlusion.IsConverged())
         self.assertEqual(occlusion.GetActiveKernelName(), "traced")
-        self.assertGreater(counts_of(occlusion)["Samples/Still"], 0)
+        self.assertGreater(counts_of(occlusion)["Samples/Static"], 0)
         truth = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=1.0).astype(float)
         edges = numpy.abs(plain - plotter.penumbra.ray_cast()).max(axis=2) > 4
         self.assertLess(rmse(dark[~edges], truth[~edges]), 0.02 * 255)

@@ -34,4 +34,4 @@ from .vtkPenumbraFiltersIrradiance import *  # noqa: E402,F401,F403
 from .vtkPenumbraRenderingScreenSpace import *  # noqa: E402,F401,F403
 from .vtkPenumbraRenderingIrradiance import *  # noqa: E402,F401,F403
 
-vtkPenumbraTracedEstimator.MakeKnown()  # noqa: F405
+vtkPenumbraTracedEstimator.RegisterEstimator()  # noqa: F405

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Names of how occluders count less with their distance."""
 
-FALLOFFS = ("none", "linear", "quadratic", "square-root")  # as vtkPenumbraIrradianceSource has them
+FALLOFFS = ("none", "linear", "quadratic", "square-root")  # as vtkPenumbraIrradianceProvider has them
 
 
 def falloff_of(name):

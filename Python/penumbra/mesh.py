@@ -48,7 +48,7 @@ class MeshAccessor:
             raise ValueError(f"radius is a length, not {radius!r}")
         bake = vtkPenumbraIrradianceFilter()
         bake.SetRadius(0.0 if radius is None else min(radius, 1e299))
-        bake.SetFallOff(falloff_of(falloff))
+        bake.SetFalloff(falloff_of(falloff))
         return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
 
     def bake_irradiance(

@@ -57,7 +57,7 @@ class PlotterAccessor:
         require(self._plotter.render_window)
         occlusion = vtkPenumbraTemporalSSAOPass.AddTo(self._renderer)
         occlusion.SetRadiusUnit(
-            occlusion.SHARE_OF_BOUNDS if radius is None else occlusion.WORLD)
+            occlusion.FRACTION_OF_BOUNDS if radius is None else occlusion.WORLD)
         occlusion.SetRadius(0.1 if radius is None else radius)
         occlusion.SetTolerance(tolerance)
         occlusion.SetStrength(strength)
@@ -157,7 +157,7 @@ class PlotterAccessor:
         caster.SetShadows(shadows)
         caster.SetAmbientOcclusion(ambient_occlusion)
         caster.SetAmbientOcclusionRadius(0.0 if radius is None else radius)
-        caster.SetAmbientOcclusionFallOff(falloff_of(falloff))
+        caster.SetAmbientOcclusionFalloff(falloff_of(falloff))
         caster.SetAmbientOcclusionStrength(-1.0 if strength is None else strength)
         caster.SetIndirectLight(indirect_light)
         caster.SetEnvironmentColor(radiance(environment_color))

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceSplatPass.h"
 
-#include "Chain/PassPlaces.h"
+#include "Chain/PassSlots.h"
 #include "Frame/Composite.h"
 #include "Frame/EyeDepth.h"
 #include "Frame/PassStatistics.h"
-#include "Records/RecordData.h"
+#include "Records/RecordPolyData.h"
 #include "Scene.h"
-#include "Splats/RecordSplats.h"
+#include "Splats/RecordSplatter.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -58,7 +58,7 @@ struct vtkPenumbraIrradianceSplatPass::Internals
 
   DelegateImage Image;
   EyeDepth Depth;
-  RecordSplats Splats;
+  RecordSplatter Splats;
   Stage Resolve;
   penumbra::Composite Composite;
   vtkSmartPointer<vtkTextureObject> Means;
@@ -81,11 +81,11 @@ Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
     vtkGenericWarningMacro("There is no renderer to add the pass to.");
     return nullptr;
   }
-  if (Pass* present = FindPassOf<Pass>(FindPassPlaces(renderer)))
+  if (Pass* present = FindPassOf<Pass>(FindPassSlots(renderer)))
   {
     return present;
   }
-  const PassPlace place = MakePassPlaces(renderer).back();
+  const PassSlot place = EnsurePassSlots(renderer).back();
   vtkNew<Pass> pass;
   pass->SetDelegatePass(place.Pass);
   pass->SetOpaqueOnly(place.OpaqueOnly);
@@ -95,7 +95,7 @@ Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraIrradianceSplatPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = FindPassOf<Pass>(FindPassPlaces(renderer)))
+  if (Pass* pass = FindPassOf<Pass>(FindPassSlots(renderer)))
   {
     RemovePass(renderer, pass);
   }
@@ -126,7 +126,7 @@ bool vtkPenumbraIrradianceSplatPass::ReadRecords()
   if (own.ReadTime != own.Records->GetMTime())
   {
     own.ReadTime = own.Records->GetMTime();
-    own.OfLight = HoldsRecords(own.Records, Quantities::Irradiance);
+    own.OfLight = HasRecords(own.Records, Quantities::Irradiance);
     Scene frame; // that the records are read into: world units, near its origin
     double center[3] = { 0.0, 0.0, 0.0 };
     if (own.Records->GetNumberOfPoints() > 0)
@@ -168,7 +168,7 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
   {
     return false;
   }
-  const ScreenView& view = own.Image.GetView();
+  const ScreenTransform& view = own.Image.GetView();
   Allocate(own.Means, window, view.Width, view.Height, 4);
   Allocate(own.Result, window, view.Width, view.Height, 4);
   const double angle = this->NormalAngle > 0.0 ? this->NormalAngle : own.NormalAngle;
@@ -179,7 +179,7 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
   }
   {
     vtkShaderProgram* program = own.Resolve.Ready(window, vtkPenumbraSplatResolveFS);
-    const DrawInto into(window, own.Image.GetFramebuffer(), { own.Result });
+    const ScopedRenderTarget into(window, own.Image.GetFramebuffer(), { own.Result });
     if (!program || !into.IsComplete())
     {
       return false;
@@ -189,8 +189,8 @@ bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
     program->SetUniform2f("pixelSize", pixelSize);
     program->SetUniformf("light", own.OfLight ? 1.f : 0.f);
     program->SetUniformf("strength", static_cast<float>(this->Strength));
-    own.Resolve.Read("means", own.Means);
-    own.Resolve.Read("colors", own.OfLight ? own.Image.GetColor() : own.Means.Get());
+    own.Resolve.BindTexture("means", own.Means);
+    own.Resolve.BindTexture("colors", own.OfLight ? own.Image.GetColor() : own.Means.Get());
     own.Resolve.Draw();
   }
   this->NumberOfRenderedProps = props;
@@ -215,7 +215,7 @@ void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)
   this->GetWindow()->MakeCurrent();
   const std::vector<float> means = ReadBack(own.Means);
   const std::size_t pixels = means.size() / 4;
-  const ScreenView& view = own.Image.GetView();
+  const ScreenTransform& view = own.Image.GetView();
   image->SetDimensions(view.Width, view.Height, 1);
   const int channels = own.OfLight ? 3 : 1;
   const float unit = own.OfLight ? static_cast<float>(vtkMath::Pi()) : 1.f;

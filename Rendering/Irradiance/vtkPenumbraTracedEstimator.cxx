@@ -4,9 +4,9 @@
 
 #include "Frame/DelegateImage.h"
 #include "Frame/EyeDepth.h"
-#include "Import/SceneExtractionTime.h"
+#include "Import/SceneModificationTime.h"
 #include "Traced/InterpolatedOcclusion.h"
-#include "Traced/TracedGeometry.h"
+#include "Traced/OccluderGeometry.h"
 #include "Traced/TracedOcclusion.h"
 
 #include "vtkObjectFactory.h"
@@ -35,8 +35,8 @@ std::vector<float> Read(vtkTextureObject* texture)
 
 /// Means of the pixels of a lattice as a picture; others have that of the one of their block, as what it
 /// is: a neighbour's.
-std::vector<float> Spread(
-  const std::vector<float>& means, const penumbra::PixelLattice& lattice, int width, int height)
+std::vector<float> Spread(const std::vector<float>& means,
+  const penumbra::InterleavedPixels& lattice, int width, int height)
 {
   const int columns = lattice.CountIn(width, lattice.Column);
   const int rows = lattice.CountIn(height, lattice.Row);
@@ -62,7 +62,7 @@ std::vector<float> Spread(
 
 /// The part of a lattice that a part of its picture holds.
 std::vector<penumbra::Rectangle> PartsOf(
-  std::vector<penumbra::Rectangle> parts, const penumbra::PixelLattice& lattice)
+  std::vector<penumbra::Rectangle> parts, const penumbra::InterleavedPixels& lattice)
 {
   for (penumbra::Rectangle& part : parts)
   {
@@ -84,26 +84,26 @@ int EquivalentRays(double tolerance)
 
 /// In motion one pixel of a block of so many in both directions is traced a frame: by turns, those that
 /// meet in a corner first.
-constexpr int MovingStep = 2;
-constexpr int Turns = MovingStep * MovingStep;
-constexpr int ColumnOfTurn[Turns] = { 0, 1, 1, 0 };
-constexpr int RowOfTurn[Turns] = { 0, 1, 0, 1 };
+constexpr int InterleaveStep = 2;
+constexpr int NumberOfPhases = InterleaveStep * InterleaveStep;
+constexpr int PhaseColumn[NumberOfPhases] = { 0, 1, 1, 0 };
+constexpr int RowOfTurn[NumberOfPhases] = { 0, 1, 0, 1 };
 
 /// Samples of frames in motion start here, far from those that a still view usually takes.
-constexpr int MovingRun = 1 << 18;
+constexpr int MotionSequenceStart = 1 << 18;
 
-penumbra::PixelLattice LatticeOf(int turn)
+penumbra::InterleavedPixels LatticeOf(int turn)
 {
-  return { MovingStep, ColumnOfTurn[turn], RowOfTurn[turn] };
+  return { InterleaveStep, PhaseColumn[turn], RowOfTurn[turn] };
 }
 
 /// What is known of one renderer.
 struct Traced
 {
-  penumbra::TracedGeometry Geometry;
+  penumbra::OccluderGeometry Geometry;
   long long Version = 0;
-  int Turn = 0;                   ///< of the next frame in motion
-  penumbra::PixelLattice Lattice; ///< of the points
+  int FramePhase = 0;                  ///< of the next frame in motion
+  penumbra::InterleavedPixels Lattice; ///< of the points
   std::vector<penumbra::SurfacePoint> Points;
 };
 
@@ -142,14 +142,15 @@ try
     vtkWarningMacro("Rays do not hit "
       << missing << ". It casts no ambient occlusion; use a kernel that reads the depth buffer.");
   }
-  const penumbra::ScreenView& view = request.Depth->GetView();
-  const bool sparse =
-    request.Moving && this->SparseInMotion && view.Width >= MovingStep && view.Height >= MovingStep;
-  const penumbra::PixelLattice lattice = sparse ? LatticeOf(state.Turn) : penumbra::PixelLattice();
-  state.Turn = sparse ? (state.Turn + 1) % Turns : 0;
+  const penumbra::ScreenTransform& view = request.Depth->GetView();
+  const bool sparse = request.Moving && this->SparseInMotion && view.Width >= InterleaveStep &&
+    view.Height >= InterleaveStep;
+  const penumbra::InterleavedPixels lattice =
+    sparse ? LatticeOf(state.FramePhase) : penumbra::InterleavedPixels();
+  state.FramePhase = sparse ? (state.FramePhase + 1) % NumberOfPhases : 0;
   if (rebuilt || state.Version != request.Depth->GetVersion() || !(state.Lattice == lattice))
   {
-    state.Points = penumbra::FindSurface(Read(request.Depth->GetCurrent()),
+    state.Points = penumbra::ReconstructSurface(Read(request.Depth->GetCurrent()),
       request.Image->GetSamples() == 1, view, state.Geometry.GetRays(), lattice);
     state.Lattice = lattice;
     state.Version = request.Depth->GetVersion();
@@ -159,14 +160,15 @@ try
   this->Final = request.Tolerance > 0.0;
   if (this->Final)
   {
-    state.Geometry.SetEye(penumbra::EyeOf(view, state.Geometry.GetScene()));
+    state.Geometry.SetEye(penumbra::CameraFromView(view, state.Geometry.GetScene()));
     this->NumberOfRays += penumbra::InterpolateOcclusion(
       state.Points, state.Geometry.GetRays(), request.Radius, request.Tolerance, means);
     const bool done = target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
     return done ? EquivalentRays(request.Tolerance) : 0;
   }
   penumbra::TracedSamples samples;
-  samples.First = sparse ? MovingRun + request.FirstSample / Turns : request.FirstSample;
+  samples.First =
+    sparse ? MotionSequenceStart + request.FirstSample / NumberOfPhases : request.FirstSample;
   samples.Count = std::max(request.Samples / this->SamplesPerRay, 1);
   samples.Reach = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
   samples.Lattice = lattice;
@@ -190,9 +192,9 @@ catch (const std::exception& error)
 bool vtkPenumbraTracedEstimator::CanEstimate(vtkRenderer* renderer)
 try
 {
-  penumbra::TracedGeometry& geometry = this->Implementation->Renderers[renderer].Geometry;
+  penumbra::OccluderGeometry& geometry = this->Implementation->Renderers[renderer].Geometry;
   this->NumberOfTrees += geometry.Update(renderer, VTK_DOUBLE_MAX);
-  return geometry.IsWhole();
+  return geometry.HasAllOccluders();
 }
 catch (const std::exception&)
 {

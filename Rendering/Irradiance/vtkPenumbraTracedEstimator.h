@@ -29,7 +29,7 @@ public:
   static void Register();
 
   /** The same by a name that wrapped languages show. */
-  static void MakeKnown() { vtkPenumbraTracedEstimator::Register(); }
+  static void RegisterEstimator() { vtkPenumbraTracedEstimator::Register(); }
 
   ///@{
   /**

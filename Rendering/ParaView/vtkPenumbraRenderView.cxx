@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraRenderView.h"
 
-#include "ViewPass.h"
+#include "RenderViewPass.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -25,10 +25,10 @@ vtkStandardNewMacro(vtkPenumbraRenderView);
 
 struct vtkPenumbraRenderView::Internals
 {
-  vtkNew<penumbra::ViewPass> Pass;
+  vtkNew<penumbra::RenderViewPass> Pass;
   vtkNew<vtkLight> Sun;
   vtkNew<vtkPenumbraMedium> Medium;
-  std::set<std::string> Told;
+  std::set<std::string> LastWarning;
 };
 
 namespace
@@ -91,7 +91,7 @@ void vtkPenumbraRenderView::SetOcclusionKernel(const char* name)
   }
 }
 
-void vtkPenumbraRenderView::PlaceSun()
+void vtkPenumbraRenderView::UpdateSunLight()
 {
   vtkLight* sun = this->Implementation->Sun;
   vtkRenderer* renderer = this->GetRenderer();
@@ -113,7 +113,7 @@ void vtkPenumbraRenderView::PlaceSun()
 
 void vtkPenumbraRenderView::Configure(bool interactive)
 {
-  penumbra::ViewPass* pass = this->Implementation->Pass;
+  penumbra::RenderViewPass* pass = this->Implementation->Pass;
   const double diagonal =
     this->GeometryBounds.IsValid() ? this->GeometryBounds.GetDiagonalLength() : 0.0;
   pass->UseOcclusion = this->AmbientOcclusion && diagonal > 0.0;
@@ -172,7 +172,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   caster->SetShadows(this->LightShafts);
 }
 
-bool vtkPenumbraRenderView::IsBlendedFromRanks()
+bool vtkPenumbraRenderView::UsesOrderedCompositing()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool composited = this->SynchronizedRenderers->GetEnabled() && controller &&
@@ -198,9 +198,9 @@ void vtkPenumbraRenderView::WarnOnce(const char* text)
 void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
-  this->PlaceSun();
+  this->UpdateSunLight();
   this->Configure(interactive);
-  penumbra::ViewPass* pass = this->Implementation->Pass;
+  penumbra::RenderViewPass* pass = this->Implementation->Pass;
   vtkImageProcessingPass* present = this->SynchronizedRenderers->GetImageProcessingPass();
   const bool hasWork = pass->UseOcclusion || pass->UseShafts || pass->UseRays;
   if (hasWork && present && present != pass)
@@ -212,7 +212,7 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool shows = !controller || controller->GetLocalProcessId() == 0;
   const bool wanted =
-    hasWork && shows && !this->IsBlendedFromRanks() && !this->GetMakingSelection();
+    hasWork && shows && !this->UsesOrderedCompositing() && !this->GetMakingSelection();
   if (wanted && !this->SynchronizedRenderers->GetEnabled())
   {
     // Edges are smoothed once, when the pass is done: what ParaView does after putting pictures together.

@@ -107,9 +107,9 @@ private:
   vtkPenumbraRenderView(const vtkPenumbraRenderView&) = delete;
   void operator=(const vtkPenumbraRenderView&) = delete;
 
-  void PlaceSun();
+  void UpdateSunLight();
   void Configure(bool interactive);
-  bool IsBlendedFromRanks();
+  bool UsesOrderedCompositing();
   void WarnOnce(const char* text);
 
   struct Internals;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraBilateralFilterPass.h"
 
-#include "Chain/PassPlaces.h"
+#include "Chain/PassSlots.h"
 #include "Frame/Composite.h"
 #include "Frame/EyeDepth.h"
 
@@ -68,7 +68,7 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
   vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
   const int margin[2] = { 0, 0 };
   const int props = window ? own.Image.Draw(state, this->DelegatePass, margin, true) : -1;
-  const penumbra::ScreenView& view = own.Image.GetView();
+  const penumbra::ScreenTransform& view = own.Image.GetView();
   if (props < 0 || own.Depth.Update(window, own.Image, view) == penumbra::EyeDepth::Change::Failed)
   {
     return false;
@@ -91,7 +91,7 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
   for (int direction = 0; direction < 2; ++direction)
   {
     vtkShaderProgram* program = own.Smooth.Ready(window, source);
-    const penumbra::DrawInto into(
+    const penumbra::ScopedRenderTarget into(
       window, own.Image.GetFramebuffer(), { direction == 0 ? own.Between : own.Result });
     if (!program || !into.IsComplete())
     {
@@ -105,9 +105,9 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
     program->SetUniformf("distance",
       static_cast<float>(this->Distance > 0.0 ? this->Distance : UsualDistance * pixel));
     program->SetUniformf("byDepth", this->ByDepth ? 1.f : 0.f);
-    own.Smooth.Read("colors", direction == 0 ? own.Image.GetColor() : own.Between.Get());
-    own.Smooth.Read("eyeDepths", own.Depth.GetCurrent());
-    own.Smooth.Read("weights", own.WeightTexture);
+    own.Smooth.BindTexture("colors", direction == 0 ? own.Image.GetColor() : own.Between.Get());
+    own.Smooth.BindTexture("eyeDepths", own.Depth.GetCurrent());
+    own.Smooth.BindTexture("weights", own.WeightTexture);
     own.Smooth.Draw();
   }
   this->NumberOfRenderedProps = props;

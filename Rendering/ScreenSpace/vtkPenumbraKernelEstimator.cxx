@@ -144,7 +144,7 @@ int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderPro
   const int fetches = vtkPenumbraKernels::GetFetchesPerPoint(this->Kernel);
   const int points = std::clamp(request.Samples / fetches, 1, MaximumPoints);
   SetPoints(program, request.FirstSample / fetches, points);
-  program->SetUniformf("pixelRotation", request.TurnPixels ? 1.f : 0.f);
+  program->SetUniformf("pixelRotation", request.RotatePerPixel ? 1.f : 0.f);
   if (program->IsUniformUsed("thickness"))
   {
     program->SetUniformf("thickness", static_cast<float>(this->ThicknessOf(request)));
@@ -162,7 +162,7 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
         { "EstimateLib", this->GetShader() } });
   }
   vtkShaderProgram* program = state.Stage.Ready(request.Window, state.Source);
-  const penumbra::DrawInto into(
+  const penumbra::ScopedRenderTarget into(
     request.Window, request.Image->GetFramebuffer(), { target }, request.Image->GetDepth());
   if (!program || !into.IsComplete())
   {
@@ -170,7 +170,7 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
   }
   request.Depth->GetView().SetUniforms(program);
   const int samples = this->SetUniforms(request, program);
-  state.Stage.Read("eyeDepths", request.Depth->GetCurrent());
+  state.Stage.BindTexture("eyeDepths", request.Depth->GetCurrent());
   if (request.Parts)
   {
     state.Stage.Draw(*request.Parts);

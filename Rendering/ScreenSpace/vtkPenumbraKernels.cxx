@@ -21,13 +21,13 @@ struct Kernel
 {
   const char* Name;
   const char* Source;
-  const char* FallOff;
+  const char* Falloff;
   double Bias;
   int FetchesPerPoint;
   const char* Shader;
 };
 
-const Kernel Table[] = {
+const Kernel ResultTable[] = {
   { "volumetric", "[TSSAO eq. 3, 14]", "1 - t", 0.25, 1, vtkPenumbraEstimateVolumetricFS },
   { "patch", "[TSSAO eq. 12-13]", "", 0.26, 1, vtkPenumbraEstimatePatchFS },
   { "depth-difference", "[ISAO eq. 2]", "", 0.15, 1, vtkPenumbraEstimateDepthDifferenceFS },
@@ -37,7 +37,7 @@ const Kernel Table[] = {
 
 const Kernel* Row(int kernel)
 {
-  return kernel >= 0 && kernel < vtkPenumbraKernels::GetNumberOfKernels() ? Table + kernel
+  return kernel >= 0 && kernel < vtkPenumbraKernels::GetNumberOfKernels() ? ResultTable + kernel
                                                                           : nullptr;
 }
 
@@ -45,7 +45,7 @@ const Kernel* Row(int kernel)
 
 int vtkPenumbraKernels::GetNumberOfKernels()
 {
-  return static_cast<int>(std::size(Table));
+  return static_cast<int>(std::size(ResultTable));
 }
 
 const char* vtkPenumbraKernels::GetName(int kernel)
@@ -57,7 +57,7 @@ int vtkPenumbraKernels::Find(const char* name)
 {
   for (int kernel = 0; kernel < GetNumberOfKernels(); ++kernel)
   {
-    if (name && std::strcmp(name, Table[kernel].Name) == 0)
+    if (name && std::strcmp(name, ResultTable[kernel].Name) == 0)
     {
       return kernel;
     }
@@ -70,9 +70,9 @@ const char* vtkPenumbraKernels::GetSource(int kernel)
   return Row(kernel) ? Row(kernel)->Source : nullptr;
 }
 
-const char* vtkPenumbraKernels::GetFallOff(int kernel)
+const char* vtkPenumbraKernels::GetFalloff(int kernel)
 {
-  return Row(kernel) ? Row(kernel)->FallOff : nullptr;
+  return Row(kernel) ? Row(kernel)->Falloff : nullptr;
 }
 
 double vtkPenumbraKernels::GetBias(int kernel)
@@ -93,7 +93,7 @@ const char* vtkPenumbraKernels::GetShader(int kernel)
 void vtkPenumbraKernels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const Kernel& kernel : Table)
+  for (const Kernel& kernel : ResultTable)
   {
     os << indent << kernel.Name << ": " << kernel.Source << "\n";
   }

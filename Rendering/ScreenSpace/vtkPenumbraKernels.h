@@ -35,7 +35,7 @@ public:
    * The D(t) of [TSSAO eq. 1] whose occlusion the kernel estimates, t in radii, as a formula; empty:
    * it estimates none and is compared up to a factor.
    */
-  static const char* GetFallOff(int kernel);
+  static const char* GetFalloff(int kernel);
 
   /**
    * The error that remains however many samples are taken: RMSE against rays in the worst of the

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraLightShaftPass.h"
 
-#include "Chain/PassPlaces.h"
+#include "Chain/PassSlots.h"
 #include "Frame/PassStatistics.h"
-#include "Shafts/ShaftView.h"
+#include "Shafts/ShaftViewState.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "vtkBoundingBox.h"
@@ -86,8 +86,8 @@ double MeanThickness(const vtkRenderState* state, double diagonal)
 
 struct vtkPenumbraLightShaftPass::Internals
 {
-  std::map<vtkRenderer*, penumbra::ShaftView> Views;
-  penumbra::ShaftView* Last = nullptr;
+  std::map<vtkRenderer*, penumbra::ShaftViewState> Views;
+  penumbra::ShaftViewState* Last = nullptr;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   std::vector<vtkSmartPointer<vtkProp>> Emitters;
   vtkNew<vtkFieldData> Statistics;
@@ -113,14 +113,14 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
     vtkGenericWarningMacro("There is no renderer to add the pass to.");
     return nullptr;
   }
-  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
+  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
   {
     return present;
   }
-  const std::vector<penumbra::PassPlace> places = penumbra::MakePassPlaces(renderer);
-  const penumbra::PassPlace* occlusion = penumbra::FindPass(places,
+  const std::vector<penumbra::PassSlot> places = penumbra::EnsurePassSlots(renderer);
+  const penumbra::PassSlot* occlusion = penumbra::FindPass(places,
     [](vtkRenderPass* pass) { return vtkPenumbraTemporalSSAOPass::SafeDownCast(pass) != nullptr; });
-  const penumbra::PassPlace& place = occlusion ? *occlusion : places.back();
+  const penumbra::PassSlot& place = occlusion ? *occlusion : places.back();
   vtkNew<Pass> pass;
   pass->SetDelegatePass(place.Pass);
   pass->SetOpaqueOnly(place.OpaqueOnly);
@@ -130,7 +130,7 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
+  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
   {
     penumbra::RemovePass(renderer, pass);
   }
@@ -218,14 +218,14 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   settings.AutomaticTone = self->AutomaticTone;
   renderer->GetBackground(settings.Background.data());
 
-  penumbra::RadialSettings& paper = settings.Paper;
+  penumbra::RadialBlurSettings& paper = settings.Paper;
   paper.Steps = settings.Steps;
   paper.Passes = self->Passes;
   paper.Geometric = self->Spacing == GEOMETRIC;
   paper.Weight = self->Weight;
   paper.Decay = self->Decay;
   paper.Density = self->Density;
-  paper.SurfaceGlow = self->Occlusion == CONTRAST ? self->SurfaceGlow : 0.0;
+  paper.SurfaceEmission = self->Occlusion == CONTRAST ? self->SurfaceEmission : 0.0;
   paper.SkyIsPicture = self->Sky == PICTURE;
   paper.Block = settings.Block;
   paper.DelegateDrawsBackground = settings.DelegateDrawsBackground;
@@ -251,7 +251,7 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
   }
   penumbra::ShaftSettings settings = own.MakeSettings(this, state, vtkBoundingBox(bounds));
   const int none[2] = { 0, 0 };
-  penumbra::ScreenView view = penumbra::ScreenView::Of(renderer, size, none);
+  penumbra::ScreenTransform view = penumbra::ScreenTransform::FromRenderer(renderer, size, none);
   view.Unit = settings.Unit;
   const std::vector<vtkLight*> chosen(own.Lights.begin(), own.Lights.end());
   const std::vector<penumbra::ShaftLight> lights =
@@ -300,8 +300,8 @@ vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
   {
     penumbra::AddStatistic(own.Statistics, "Lights/Shaft", own.Last->GetNumberOfLights());
     penumbra::AddStatistic(
-      own.Statistics, "Shares/Found", static_cast<double>(own.Last->GetNewShares()));
-    penumbra::AddStatistic(own.Statistics, "Samples/PerShare", own.Steps);
+      own.Statistics, "LitFractions/Computed", static_cast<double>(own.Last->GetNewShares()));
+    penumbra::AddStatistic(own.Statistics, "Samples/PerLitFraction", own.Steps);
     penumbra::AddStatistic(own.Statistics, "Light/Gain", own.Last->GetGain());
   }
   return own.Statistics;
@@ -347,7 +347,7 @@ void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Passes: " << this->Passes << "\n";
   os << indent << "Occlusion: " << this->Occlusion << "\n";
   os << indent << "Sky: " << this->Sky << "\n";
-  os << indent << "SurfaceGlow: " << this->SurfaceGlow << "\n";
+  os << indent << "SurfaceEmission: " << this->SurfaceEmission << "\n";
   os << indent << "Lights: " << this->Implementation->Lights.size() << "\n";
   os << indent << "Emitters: " << this->Implementation->Emitters.size() << "\n";
   os << indent << "Margin: " << this->Margin << "\n";

@@ -175,14 +175,14 @@ public:
   {
     MASK,    ///< depth tells what is sky and what stands before emitters
     PREPASS, ///< with emitters: occluders are drawn black first, a second drawing of the scene
-    CONTRAST ///< they glow in their own colours times SurfaceGlow
+    CONTRAST ///< they glow in their own colours times SurfaceEmission
   };
   ///@{
-  /** Default: MASK. With CONTRAST SurfaceGlow is left of an occluder's colour, 0 to 1, default 0.2. */
+  /** Default: MASK. With CONTRAST SurfaceEmission is left of an occluder's colour, 0 to 1, default 0.2. */
   vtkSetClampMacro(Occlusion, int, MASK, CONTRAST);
   vtkGetMacro(Occlusion, int);
-  vtkPenumbraSetClampedNumberMacro(SurfaceGlow, 0.0, 1.0);
-  vtkGetMacro(SurfaceGlow, double);
+  vtkPenumbraSetClampedNumberMacro(SurfaceEmission, 0.0, 1.0);
+  vtkGetMacro(SurfaceEmission, double);
   ///@}
 
   /** RADIAL: what glows in the sky, times the light's colour. */
@@ -224,8 +224,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * Of the last frame, one value an array: `Lights/Shaft`, `Shares/Found` (lit shares found anew; 0 in
-   * a still scene), `Samples/PerShare` (depths fetched for each), `Light/Gain` (1 without
+   * Of the last frame, one value an array: `Lights/Shaft`, `LitFractions/Computed` (lit shares found anew; 0 in
+   * a still scene), `Samples/PerLitFraction` (depths fetched for each), `Light/Gain` (1 without
    * AutomaticTone).
    */
   vtkFieldData* GetStatistics();
@@ -265,7 +265,7 @@ private:
   int Spacing = EVEN;
   int Passes = 1;
   int Occlusion = MASK;
-  double SurfaceGlow = 0.2;
+  double SurfaceEmission = 0.2;
   int Sky = WHITE;
   double Margin = -1.0;
 };

@@ -54,10 +54,10 @@ public:
     const penumbra::DelegateImage* Image = nullptr; ///< colour and depth of the picture
     const penumbra::EyeDepth* Depth = nullptr;      ///< eye depths and the view, in radii
     double Radius = 1.0;                            ///< of occlusion, world units
-    int FirstSample = 0;    ///< samples that every pixel has had before this call
-    int Samples = 8;        ///< wanted for every pixel
-    bool Moving = false;    ///< one of a run of pictures that are much alike
-    bool TurnPixels = true; ///< samples shall differ from pixel to pixel
+    int FirstSample = 0;        ///< samples that every pixel has had before this call
+    int Samples = 8;            ///< wanted for every pixel
+    bool Moving = false;        ///< one of a run of pictures that are much alike
+    bool RotatePerPixel = true; ///< samples shall differ from pixel to pixel
     /// One estimate shall do, with this error: whoever can interpolates between few points that it looks
     /// at closely. 0: more samples follow.
     double Tolerance = 0.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraScreenSpacePass.h"
 
-#include "Chain/PassPlaces.h"
+#include "Chain/PassSlots.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLResourceFreeCallback.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraTemporalSSAOPass.h"
 
-#include "Chain/PassPlaces.h"
+#include "Chain/PassSlots.h"
 #include "Frame/PassStatistics.h"
-#include "Frame/WiderCamera.h"
-#include "Occlusion/OcclusionView.h"
+#include "Frame/ScopedCamera.h"
+#include "Occlusion/OcclusionViewState.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraOcclusionEstimator.h"
@@ -89,14 +89,14 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   /// What is kept of a renderer.
   struct Known
   {
-    penumbra::OcclusionView View;
+    penumbra::OcclusionViewState View;
     PropTimes Props;
     std::string Occlusion;       ///< the settings that decide on its value, as text
     vtkMTimeType HiddenTime = 0; ///< the estimator's
     int Margin = 0;              ///< pixels
   };
   std::map<vtkRenderer*, Known> Renderers;
-  penumbra::OcclusionView* Last = nullptr;
+  penumbra::OcclusionViewState* Last = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Named; ///< registered by another module
   std::string NameOfNamed;
@@ -131,11 +131,11 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
     vtkGenericWarningMacro("There is no renderer to add the pass to.");
     return nullptr;
   }
-  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
+  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
   {
     return present;
   }
-  const penumbra::PassPlace place = penumbra::MakePassPlaces(renderer).back();
+  const penumbra::PassSlot place = penumbra::EnsurePassSlots(renderer).back();
   vtkNew<Pass> pass;
   pass->SetDelegatePass(place.Pass);
   pass->SetOpaqueOnly(place.OpaqueOnly);
@@ -145,7 +145,7 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassPlaces(renderer)))
+  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
   {
     penumbra::RemovePass(renderer, pass);
   }
@@ -232,7 +232,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
       (window->GetOffScreenRendering() || !window->GetShowWindow()));
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   settings.DelegateOnce = this->DelegateOnce;
-  settings.FollowActors = this->FollowActors && this->OpaqueOnly;
+  settings.UseActorMotion = this->UseActorMotion && this->OpaqueOnly;
   // After compositing of several ranks the props that moved are not known.
   PropTimes props = FindPropTimes(renderer);
   Internals::Known& known = own.Renderers[renderer];
@@ -329,7 +329,7 @@ bool vtkPenumbraTemporalSSAOPass::IsConverged()
 
 double vtkPenumbraTemporalSSAOPass::GetEstimatedError()
 {
-  const penumbra::OcclusionView* view = this->Implementation->Last;
+  const penumbra::OcclusionViewState* view = this->Implementation->Last;
   return view ? view->GetConvergence().GetLargestError() : VTK_DOUBLE_MAX;
 }
 
@@ -348,11 +348,11 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
     own.Statistics->AddArray(kernel);
     penumbra::AddStatistic(own.Statistics, "Samples/PerPixel", own.Last->GetNewSamples());
     penumbra::AddStatistic(
-      own.Statistics, "Samples/Still", own.Last->GetConvergence().GetSamples());
+      own.Statistics, "Samples/Static", own.Last->GetConvergence().GetSamples());
     penumbra::AddStatistic(
-      own.Statistics, "Pixels/Kept", static_cast<double>(counts.Kept) / surface);
+      own.Statistics, "Pixels/Reprojected", static_cast<double>(counts.Kept) / surface);
     penumbra::AddStatistic(
-      own.Statistics, "Pixels/Followed", static_cast<double>(counts.Followed) / surface);
+      own.Statistics, "Pixels/ActorMotion", static_cast<double>(counts.Followed) / surface);
     penumbra::AddStatistic(
       own.Statistics, "Pixels/Disoccluded", static_cast<double>(counts.Disoccluded) / surface);
     penumbra::AddStatistic(
@@ -399,6 +399,6 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Filter: " << this->Filter << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "DelegateOnce: " << this->DelegateOnce << "\n";
-  os << indent << "FollowActors: " << this->FollowActors << "\n";
+  os << indent << "UseActorMotion: " << this->UseActorMotion << "\n";
   os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";
 }

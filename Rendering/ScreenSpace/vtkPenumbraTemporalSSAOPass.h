@@ -60,13 +60,13 @@ public:
   /** What Radius is measured in. */
   enum RadiusUnits
   {
-    SHARE_OF_BOUNDS, ///< diagonals of the visible props' bounds
-    WORLD,           ///< world units
-    PIXELS           ///< pixels, at the camera's focal point
+    FRACTION_OF_BOUNDS, ///< diagonals of the visible props' bounds
+    WORLD,              ///< world units
+    PIXELS              ///< pixels, at the camera's focal point
   };
   ///@{
-  /** Default: SHARE_OF_BOUNDS. */
-  vtkSetClampMacro(RadiusUnit, int, SHARE_OF_BOUNDS, PIXELS);
+  /** Default: FRACTION_OF_BOUNDS. */
+  vtkSetClampMacro(RadiusUnit, int, FRACTION_OF_BOUNDS, PIXELS);
   vtkGetMacro(RadiusUnit, int);
   ///@}
 
@@ -195,9 +195,9 @@ public:
    * History follows actors that move as rigid bodies: they are drawn once more, for which actor a pixel
    * shows. Off: it is dropped where depth shows that something moved. Needs OpaqueOnly. Default: on.
    */
-  vtkSetMacro(FollowActors, bool);
-  vtkGetMacro(FollowActors, bool);
-  vtkBooleanMacro(FollowActors, bool);
+  vtkSetMacro(UseActorMotion, bool);
+  vtkGetMacro(UseActorMotion, bool);
+  vtkBooleanMacro(UseActorMotion, bool);
   ///@}
 
   /** When a single Render() converges. */
@@ -223,8 +223,8 @@ public:
 
   /**
    * Of the last frame, one value an array: `Occlusion/Kernel` (the active one's name),
-   * `Samples/PerPixel` (new ones), `Samples/Still` (since the last change), and shares of the
-   * surface's pixels `Pixels/Kept`, `Pixels/Followed` (history on actors that moved), `Pixels/Disoccluded`,
+   * `Samples/PerPixel` (new ones), `Samples/Static` (since the last change), and shares of the
+   * surface's pixels `Pixels/Reprojected`, `Pixels/ActorMotion` (history on actors that moved), `Pixels/Disoccluded`,
    * `Pixels/Invalidated`, `Pixels/Converged`.
    */
   vtkFieldData* GetStatistics();
@@ -252,7 +252,7 @@ private:
   std::unique_ptr<Internals> Implementation;
 
   double Tolerance = 0.01;
-  int RadiusUnit = SHARE_OF_BOUNDS;
+  int RadiusUnit = FRACTION_OF_BOUNDS;
   double Radius = 0.1;
   double Strength = 1.0;
   double LightAwareness = 0.0;
@@ -268,7 +268,7 @@ private:
   bool Filter = true;
   double Margin = -1.0;
   bool DelegateOnce = false;
-  bool FollowActors = true;
+  bool UseActorMotion = true;
   int ConvergeInOneRender = OFFSCREEN;
 };
 

@@ -3,7 +3,7 @@
 //
 // The ray caster's pictures have the same bits whatever the instructions that Embree uses and whatever
 // the number of threads.
-#include "Gallery.h"
+#include "BaselineScenes.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkDataArray.h"
@@ -26,7 +26,8 @@ namespace
 constexpr const char* Variable = "PENUMBRA_EMBREE";
 
 /// Empty where the processor lacks the instructions.
-vtkSmartPointer<vtkImageData> Draw(const Exhibit& exhibit, const std::string& isa, int threads)
+vtkSmartPointer<vtkImageData> Draw(
+  const BaselineScene& exhibit, const std::string& isa, int threads)
 {
   setenv(Variable, ("isa=" + isa).c_str(), 1);
   const int warnings = vtkObject::GetGlobalWarningDisplay();
@@ -62,7 +63,7 @@ void ExpectSameBits(vtkImageData* a, vtkImageData* b, const std::string& what)
 
 TEST(InstructionSets, ChangeNoBitOfAPicture)
 {
-  for (const Exhibit& exhibit : Gallery())
+  for (const BaselineScene& exhibit : Gallery())
   {
     if (!exhibit.ByRays)
     {

@@ -24,7 +24,8 @@ namespace
 
 namespace fs = std::filesystem;
 
-Outcome Spawn(const std::vector<std::string>& command, const std::vector<std::string>& settings)
+ProgramResult Spawn(
+  const std::vector<std::string>& command, const std::vector<std::string>& settings)
 {
   const std::string place = (fs::temp_directory_path() / "penumbra-tests").string();
   const std::string base = place + "/run-" + std::to_string(getpid());
@@ -54,7 +55,7 @@ Outcome Spawn(const std::vector<std::string>& command, const std::vector<std::st
   }
   environmentPointers.push_back(nullptr);
 
-  Outcome outcome;
+  ProgramResult outcome;
   pid_t child = 0;
   int state = 0;
   if (posix_spawn(&child, command[0].c_str(), &actions, nullptr, arguments.data(),
@@ -109,7 +110,7 @@ std::string ProgramPath()
   return PENUMBRA_PROGRAM;
 }
 
-Outcome RunProgram(const std::vector<std::string>& arguments, const std::string& setting)
+ProgramResult RunProgram(const std::vector<std::string>& arguments, const std::string& setting)
 {
   std::vector<std::string> command = { ProgramPath() };
   command.insert(command.end(), arguments.begin(), arguments.end());
@@ -126,7 +127,7 @@ std::string Quote(const std::string& text)
   return "'" + text + "'";
 }
 
-Outcome RunShell(const std::string& script)
+ProgramResult RunShell(const std::string& script)
 {
   return Spawn({ "/bin/bash", "-c", script }, { LogSetting(), "PENUMBRA=" + ProgramPath() });
 }

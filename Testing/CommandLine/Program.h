@@ -13,7 +13,7 @@
 namespace penumbra_testing
 {
 
-struct Outcome
+struct ProgramResult
 {
   int Status = -1; ///< exit status; minus the number of the signal that ended it
   std::string Output;
@@ -37,11 +37,11 @@ public:
 };
 
 /// penumbra ARGUMENTS... `setting`: NAME=VALUE for its environment, or empty.
-Outcome RunProgram(
+ProgramResult RunProgram(
   const std::vector<std::string>& arguments, const std::string& setting = std::string());
 
 /// The program by way of a shell, for limits and redirections; $PENUMBRA is the program.
-Outcome RunShell(const std::string& script);
+ProgramResult RunShell(const std::string& script);
 
 /// For a shell; no text with quotes.
 std::string Quote(const std::string& text);

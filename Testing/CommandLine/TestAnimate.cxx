@@ -42,7 +42,7 @@ std::vector<std::string> Small(std::vector<std::string> arguments)
 
 void Make(const std::vector<std::string>& arguments)
 {
-  const Outcome outcome = RunProgram(Small(arguments));
+  const ProgramResult outcome = RunProgram(Small(arguments));
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   ASSERT_EQ(outcome.Errors, "");
 }
@@ -98,7 +98,7 @@ TEST(Animate, DrawsEachStepUnderTheCameraOfTheFirstAndReportsABadOne)
   WriteText(folder / "0.stl", SquareStl(0.0, 0.0));
   WriteText(folder / "1.stl", "solid nothing of the kind");
   WriteText(folder / "2.stl", SquareStl(0.5, 0.0));
-  const Outcome outcome = RunProgram(Small({ "animate", folder / "0.stl", folder / "1.stl",
+  const ProgramResult outcome = RunProgram(Small({ "animate", folder / "0.stl", folder / "1.stl",
     folder / "2.stl", "--time-series", "--output", folder / "{frame}.png" }));
   EXPECT_EQ(outcome.Status, 2);
   EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
@@ -201,7 +201,7 @@ TEST(Animate, SaysWhatIsWrong)
   {
     std::vector<std::string> arguments = { "animate", folder / "a.stl" };
     arguments.insert(arguments.end(), row.Options.begin(), row.Options.end());
-    const Outcome outcome = RunProgram(arguments);
+    const ProgramResult outcome = RunProgram(arguments);
     EXPECT_EQ(outcome.Status, 2) << row.Said;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
     EXPECT_NE(outcome.Errors.find(row.Said), std::string::npos) << outcome.Errors;

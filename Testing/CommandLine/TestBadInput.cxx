@@ -103,10 +103,10 @@ const Row Rows[] = {
     { "--ambient-occlusion-kernel", "steam", "march" } },
   { "NoPicture", 2, Square, "stl", { "--indirect", "--hdri-file", "nowhere.hdr" },
     { "--hdri-file", "nowhere.hdr" } },
-  { "UnknownFallOff", 2, Square, "stl",
+  { "UnknownFalloff", 2, Square, "stl",
     { "--ambient-occlusion", "--ambient-occlusion-falloff", "steep" },
     { "--ambient-occlusion-falloff", "steep", "square-root" } },
-  { "FallOffOfRaster", 2, Square, "stl",
+  { "FalloffOfRaster", 2, Square, "stl",
     { "--engine", "raster", "--ambient-occlusion", "--ambient-occlusion-falloff", "linear" },
     { "--ambient-occlusion-falloff", "--engine ray" } },
   { "UnknownGatherer", 2, Square, "stl", { "--ambient-occlusion", "--gatherer", "steam" },
@@ -221,7 +221,7 @@ const Row Rows[] = {
     { "warning", "--hdri-file has no effect without --indirect" } },
   { "UpWithoutAPicture", 0, Square, "stl", { "--indirect", "--hdri-up", "0,0,1" },
     { "warning", "--hdri-up has no effect without --hdri-file" } },
-  { "FallOffWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-falloff", "linear" },
+  { "FalloffWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-falloff", "linear" },
     { "warning", "--ambient-occlusion-falloff has no effect without --ambient-occlusion" } },
   { "StrengthWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-strength", "1" },
     { "warning", "--ambient-occlusion-strength has no effect" } },
@@ -300,7 +300,7 @@ TEST_P(BadInput, IsToldInOneLine)
     arguments.push_back(isPicture ? folder / row.Options[i] : row.Options[i]);
   }
 
-  const Outcome outcome = RunProgram(arguments);
+  const ProgramResult outcome = RunProgram(arguments);
   EXPECT_EQ(outcome.Status, row.Status) << outcome.Errors;
   EXPECT_EQ(outcome.Output, "");
   EXPECT_EQ(CountLines(outcome.Errors), row.Words.empty() ? 0 : 1) << outcome.Errors;
@@ -377,7 +377,7 @@ TEST(BadUse, IsToldInOneLine)
   const std::vector<std::string> before = folder.List();
   for (const std::vector<std::string>& command : commands)
   {
-    const Outcome outcome = RunProgram(command);
+    const ProgramResult outcome = RunProgram(command);
     const std::string name = testing::PrintToString(command);
     EXPECT_EQ(outcome.Status, 2) << name;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << name << outcome.Errors;

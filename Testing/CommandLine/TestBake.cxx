@@ -71,7 +71,7 @@ TEST(Bake, WritesTheSameValuesIntoEveryFormat)
   WriteSphere(folder / "sphere.vtp");
   for (const char* name : { "baked.vtp", "baked.vtu", "baked.vtk", "baked.ply" })
   {
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / name });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "");
@@ -98,8 +98,8 @@ TEST(Bake, WritesTheSameValuesIntoEveryFormat)
 TEST(Bake, ReportsWhatItDid)
 {
   const Folder folder("bake-report");
-  const Outcome outcome = RunProgram({ "bake", Head, "--output", folder / "head.vtp", "--tolerance",
-    ".05", "--statistics", folder / "report.json" });
+  const ProgramResult outcome = RunProgram({ "bake", Head, "--output", folder / "head.vtp",
+    "--tolerance", ".05", "--statistics", folder / "report.json" });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   const nlohmann::json report = ReadJson(folder / "report.json");
   const nlohmann::json& s = report["statistics"];
@@ -133,11 +133,11 @@ TEST(Bake, NeedsPolygonsOrAPointRadius)
   writer->SetInputData(cloud);
   writer->SetFileName((folder / "cloud.vtp").c_str());
   writer->Write();
-  const Outcome without =
+  const ProgramResult without =
     RunProgram({ "bake", folder / "cloud.vtp", "--output", folder / "baked.vtp" });
   EXPECT_EQ(without.Status, 2);
   EXPECT_NE(without.Errors.find("--point-radius"), std::string::npos) << without.Errors;
-  const Outcome with = RunProgram(
+  const ProgramResult with = RunProgram(
     { "bake", folder / "cloud.vtp", "--output", folder / "baked.vtp", "--point-radius", ".1" });
   EXPECT_EQ(with.Status, 0) << with.Errors;
   EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp"));
@@ -158,7 +158,7 @@ TEST(Bake, WritesColorsOfWhatIsAskedForOntoAMeshThatBringsTheOther)
   writer->SetInputData(sphere->GetOutput());
   writer->SetFileName((folder / "sphere.vtp").c_str());
   writer->Write();
-  const Outcome outcome =
+  const ProgramResult outcome =
     RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / "baked.ply" });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   vtkNew<vtkPLYReader> reader;
@@ -175,8 +175,9 @@ TEST(Bake, WritesTheLightOfTheSkyOntoAConvexBody)
   WriteSphere(folder / "sphere.vtp");
   for (const char* name : { "baked.vtp", "baked.ply" })
   {
-    const Outcome outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / name,
-      "--quantity", "irradiance", "--environment-color", "1,0.5,0", "--albedo", "0.8" });
+    const ProgramResult outcome =
+      RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / name, "--quantity",
+        "irradiance", "--environment-color", "1,0.5,0", "--albedo", "0.8" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "");
   }
@@ -198,14 +199,14 @@ TEST(Bake, WritesTheLightOfTheSkyOntoAConvexBody)
   EXPECT_EQ(colors->GetComponent(7, 1), 128.0);
 }
 
-TEST(Bake, LetsOcclusionFallOffByItsName)
+TEST(Bake, LetsOcclusionFalloffByItsName)
 {
   const Folder folder("bake-falloff");
   double last = 1.0;
-  for (const char* fallOff : { "none", "linear", "square-root" }) // ever less
+  for (const char* falloff : { "none", "linear", "square-root" }) // ever less
   {
-    const Outcome outcome = RunProgram({ "bake", Head, "--output", folder / "baked.vtp",
-      "--falloff", fallOff, "--tolerance", "0.2" });
+    const ProgramResult outcome = RunProgram({ "bake", Head, "--output", folder / "baked.vtp",
+      "--falloff", falloff, "--tolerance", "0.2" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     const auto values = ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp");
     double mean = 0.0;
@@ -213,8 +214,8 @@ TEST(Bake, LetsOcclusionFallOffByItsName)
     {
       mean += values->GetComponent(i, 0) / static_cast<double>(values->GetNumberOfTuples());
     }
-    EXPECT_LT(mean, .95 * last) << fallOff;
-    EXPECT_GT(mean, .005) << fallOff;
+    EXPECT_LT(mean, .95 * last) << falloff;
+    EXPECT_GT(mean, .005) << falloff;
     last = mean;
   }
 }
@@ -224,7 +225,7 @@ TEST(Bake, WritesTheLightOfAPictureOfTheSky)
   const Folder folder("bake-sky");
   WriteSphere(folder / "sphere.vtp");
   WriteSky(folder / "sky.hdr");
-  const Outcome outcome =
+  const ProgramResult outcome =
     RunProgram({ "bake", folder / "sphere.vtp", "--output", folder / "baked.vtp", "--quantity",
       "irradiance", "--hdri-file", folder / "sky.hdr", "--hdri-up", "+Z", "--bounces", "1" });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -252,7 +253,7 @@ TEST(Bake, RefusesWhatIsNoPictureOfTheSky)
   std::ofstream(folder / "text.hdr") << "no picture";
   for (const char* name : { "none.hdr", "cut.hdr", "text.hdr", "sphere.vtp" })
   {
-    const Outcome outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
+    const ProgramResult outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
       folder / "baked.vtp", "--quantity", "irradiance", "--hdri-file", folder / name });
     EXPECT_EQ(outcome.Status, 2) << name << outcome.Errors;
     EXPECT_NE(outcome.Errors.find(name), std::string::npos) << outcome.Errors;
@@ -264,7 +265,7 @@ TEST(Bake, LooksAroundByCubeMaps)
 {
   const Folder folder("bake-cube-map");
   WriteSphere(folder / "sphere.vtp");
-  const Outcome outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
+  const ProgramResult outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
     folder / "baked.vtp", "--gatherer", "cube-map", "--statistics", folder / "s.json" });
   if (outcome.Status == 3)
   {

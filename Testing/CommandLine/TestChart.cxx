@@ -50,7 +50,7 @@ std::map<std::string, Row> ReadRows(const std::string& path)
   return rows;
 }
 
-Outcome RunChart(const Folder& folder, const std::string& family)
+ProgramResult RunChart(const Folder& folder, const std::string& family)
 {
   return RunProgram({ "chart", "--quick", "--family", family, "--output", folder / "charts" });
 }
@@ -58,7 +58,7 @@ Outcome RunChart(const Folder& folder, const std::string& family)
 TEST(Chart, ShowsThatExactBordersBeatSamples)
 {
   const Folder folder("chart");
-  const Outcome outcome = RunChart(folder, "aa");
+  const ProgramResult outcome = RunChart(folder, "aa");
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_EQ(outcome.Errors, "");
   std::map<std::string, Row> rows = ReadRows(folder / "charts/aa.csv");
@@ -90,11 +90,12 @@ TEST(Chart, IsWholeWhenItIsCancelledAndGoesOnThere)
   const Folder folder("chart-cancelled");
   const std::string path = folder / "charts/irradiance.csv";
   // The signal comes after the first row. Shells let what runs in the background ignore SIGINT.
-  const Outcome cancelled = RunShell("env --default-signal=INT $PENUMBRA chart --quick --family "
-                                     "irradiance --output " +
-    Quote(folder / "charts") +
-    " & program=$!; while kill -0 $program && ! grep -q 'sphere on a floor' " + Quote(path) +
-    " 2>/dev/null; do sleep .01; done; kill -INT $program; wait $program 2>/dev/null");
+  const ProgramResult cancelled =
+    RunShell("env --default-signal=INT $PENUMBRA chart --quick --family "
+             "irradiance --output " +
+      Quote(folder / "charts") +
+      " & program=$!; while kill -0 $program && ! grep -q 'sphere on a floor' " + Quote(path) +
+      " 2>/dev/null; do sleep .01; done; kill -INT $program; wait $program 2>/dev/null");
   EXPECT_EQ(cancelled.Status, 130) << "the shell sees the signal as the program's end";
   EXPECT_EQ(cancelled.Errors, "");
   for (const auto& entry : std::filesystem::directory_iterator(folder / "charts"))
@@ -120,7 +121,7 @@ TEST(Chart, BakesOntoThePointsOfAMesh)
 {
   const Folder folder("chart-baking");
   WriteSphereWithArrays(folder / "ball.vtp");
-  const Outcome outcome = RunProgram({ "chart", folder / "ball.vtp", "--quick", "--family",
+  const ProgramResult outcome = RunProgram({ "chart", folder / "ball.vtp", "--quick", "--family",
     "irradiance", "--output", folder / "charts" });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   const std::map<std::string, Row> rows = ReadRows(folder / "charts/irradiance.csv");
@@ -138,12 +139,12 @@ TEST(Chart, RefusesFoldersAndMeshesThatDoNotSuit)
 {
   const Folder folder("chart-bad");
   WriteText(folder / "aa.csv", "something else\n");
-  const Outcome other =
+  const ProgramResult other =
     RunProgram({ "chart", "--quick", "--family", "aa", "--output", folder / "." });
   EXPECT_EQ(other.Status, 2);
   EXPECT_EQ(CountLines(other.Errors), 1) << other.Errors;
   EXPECT_EQ(ReadText(folder / "aa.csv"), "something else\n");
-  const Outcome none = RunProgram(
+  const ProgramResult none = RunProgram(
     { "chart", folder / "none.ply", "--quick", "--family", "aa", "--output", folder / "x" });
   EXPECT_EQ(none.Status, 2);
   EXPECT_EQ(CountLines(none.Errors), 1) << none.Errors;

@@ -16,8 +16,9 @@ namespace
 void Paint(const Folder& folder, const std::string& name, const std::string& color)
 {
   WriteText(folder / "square.stl", SquareStl());
-  const Outcome outcome = RunProgram({ "render", folder / "square.stl", "--no-lighting", "--color",
-    color, "--camera-zoom-factor", "9", "--resolution", "20,20", "--output", folder / name });
+  const ProgramResult outcome =
+    RunProgram({ "render", folder / "square.stl", "--no-lighting", "--color", color,
+      "--camera-zoom-factor", "9", "--resolution", "20,20", "--output", folder / name });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
 }
 
@@ -26,15 +27,15 @@ TEST(Compare, ReportsTheMetricAndTheThreshold)
   const Folder folder("compare");
   Paint(folder, "a.png", "0.4,0.4,0.4");
   Paint(folder, "b.png", "0.6,0.4,0.4");
-  const Outcome within = RunProgram(
+  const ProgramResult within = RunProgram(
     { "compare", folder / "a.png", folder / "b.png", "--metric", "max", "--threshold", "0.3" });
   EXPECT_EQ(within.Status, 0);
   EXPECT_EQ(within.Output, "max 0.2 from " + folder / "b.png" + ", within 0.3\n");
-  const Outcome above = RunProgram(
+  const ProgramResult above = RunProgram(
     { "compare", folder / "a.png", folder / "b.png", "--metric", "max", "--threshold", "0.1" });
   EXPECT_EQ(above.Status, 1);
   EXPECT_EQ(above.Errors, "");
-  const Outcome equal = RunProgram(
+  const ProgramResult equal = RunProgram(
     { "compare", folder / "a.png", folder / "a.png", "--metric", "ssim", "--threshold", "0" });
   EXPECT_EQ(equal.Status, 0) << equal.Output;
 }
@@ -45,7 +46,7 @@ TEST(Compare, TakesTheNearestBaseline)
   Paint(folder, "a.png", "0.4,0.4,0.4");
   Paint(folder, "b.png", "0.8,0.4,0.4");
   Paint(folder, "c.vti", "0.4,0.4,0.4");
-  const Outcome outcome =
+  const ProgramResult outcome =
     RunProgram({ "compare", folder / "a.png", folder / "b.png", folder / "c.vti", "--json" });
   const nlohmann::json report = nlohmann::json::parse(outcome.Output);
   EXPECT_EQ(report["baseline"], folder / "c.vti");
@@ -76,7 +77,7 @@ TEST(Compare, AsksForNearness)
   EXPECT_EQ(compare("c.png", { "--tolerance", "1" }).Output,
     "excess 100 from " + folder / "c.png" + ", above 1\n");
   EXPECT_EQ(compare("c.png", { "--tolerance", "1", "--mask", folder / "white.png" }).Status, 1);
-  const Outcome nothing = compare("c.png", { "--mask", folder / "black.png" });
+  const ProgramResult nothing = compare("c.png", { "--mask", folder / "black.png" });
   EXPECT_EQ(nothing.Status, 2);
   EXPECT_NE(nothing.Errors.find("the mask leaves no pixel"), std::string::npos) << nothing.Errors;
 }

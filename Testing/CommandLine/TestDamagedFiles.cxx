@@ -102,7 +102,7 @@ TEST_P(DamagedFiles, NeverCrashTheProgram)
   const auto expectNoCrash = [&](const std::string& bytes, const std::string& damage) {
     WriteText(folder / name, bytes);
     std::filesystem::remove(folder / "p.png");
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunProgram({ "render", folder / name, "--resolution", "12,9", "--output", folder / "p.png" });
     EXPECT_TRUE(outcome.Status == 0 || outcome.Status == 2) << outcome.Status << outcome.Errors;
     EXPECT_LE(CountLines(outcome.Errors), 1) << outcome.Errors;

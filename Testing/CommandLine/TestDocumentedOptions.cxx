@@ -35,7 +35,7 @@ TEST(Help, NamesEveryOptionThatTheDocumentationNames)
   std::set<std::string> offered = FindOptions(RunProgram({ "--help" }).Output);
   for (const char* command : { "render", "animate", "bake", "chart", "compare", "list", "info" })
   {
-    const Outcome help = RunProgram({ command, "--help" });
+    const ProgramResult help = RunProgram({ command, "--help" });
     EXPECT_EQ(help.Status, 0);
     EXPECT_EQ(help.Errors, "");
     offered.merge(FindOptions(help.Output));
@@ -80,7 +80,7 @@ TEST(F3D, OptionsOfItsPageAreUnderstood)
       arguments.push_back(
         word.rfind("--output", 0) == 0 ? "--output=" + folder / "picture.png" : word);
     }
-    const Outcome outcome = RunProgram(arguments);
+    const ProgramResult outcome = RunProgram(arguments);
     EXPECT_EQ(outcome.Status, 0) << line << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "") << line;
   }

@@ -17,7 +17,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-void ExpectRefused(const Outcome& outcome, const std::string& words)
+void ExpectRefused(const ProgramResult& outcome, const std::string& words)
 {
   EXPECT_EQ(outcome.Status, 2) << outcome.Errors;
   EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
@@ -25,7 +25,7 @@ void ExpectRefused(const Outcome& outcome, const std::string& words)
 }
 
 // `arguments`, quoted where needed, with a limit on the size of files.
-Outcome RunOnFullDisk(std::uintmax_t bytes, const std::string& arguments)
+ProgramResult RunOnFullDisk(std::uintmax_t bytes, const std::string& arguments)
 {
   return RunShell("set -o pipefail; prlimit --fsize=" + std::to_string(bytes) + " $PENUMBRA " +
     arguments + " 2>&1 | cat >&2"); // The limit is not for the messages.
@@ -195,7 +195,7 @@ TEST(Reading, EndsWithinItsLimit)
   ExpectRefused(RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "sphere.stl") +
                   " --read-limit 0.0001 --output " + Quote(folder / "p.png")),
     "sphere.stl: reading takes more than 0.0001 s");
-  const Outcome outcome = RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.nrrd") +
+  const ProgramResult outcome = RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.nrrd") +
     " --read-limit 1 --output " + Quote(folder / "p.png"));
   ExpectRefused(outcome, "a.nrrd: ");
   // An unknown line: VTK's reader waits for a known one for ever.
@@ -272,7 +272,7 @@ void ExpectCutsRefused(const Folder& folder, const std::string& name, const std:
       " --resolution 9,9 --output " + Quote(folder / "p.png"));
   };
   WriteText(folder / name, bytes);
-  const Outcome whole = render();
+  const ProgramResult whole = render();
   EXPECT_EQ(whole.Status, 0) << name << whole.Errors;
   fs::remove(folder / "p.png");
   const std::size_t end = bytes.find_last_not_of(" \n");
@@ -285,7 +285,7 @@ void ExpectCutsRefused(const Folder& folder, const std::string& name, const std:
   for (const std::size_t cut : cuts)
   {
     WriteText(folder / name, bytes.substr(0, cut));
-    const Outcome outcome = render();
+    const ProgramResult outcome = render();
     EXPECT_EQ(outcome.Status, 2) << name << " cut to " << cut << " of " << bytes.size() << ": "
                                  << outcome.Errors;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
@@ -370,8 +370,8 @@ TEST(Faults, ManyThreadsAreFine)
   WriteText(folder / "square.stl", SquareStl());
   for (const std::string threads : { "1", "1000" })
   {
-    const Outcome outcome = RunProgram({ "render", folder / "square.stl", "--resolution", "40,30",
-      "--threads", threads, "--output", folder / threads + ".png" });
+    const ProgramResult outcome = RunProgram({ "render", folder / "square.stl", "--resolution",
+      "40,30", "--threads", threads, "--output", folder / threads + ".png" });
     EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   }
   EXPECT_EQ(ReadText(folder / "1.png"), ReadText(folder / "1000.png"));
@@ -382,7 +382,7 @@ TEST(Faults, WritersOfOneFileLeaveOneWholeFile)
   const Folder folder("writers");
   WriteText(folder / "square.stl", SquareStl());
   const std::string bake = "$PENUMBRA bake " + Quote(folder / "square.stl") + " --output ";
-  const Outcome outcome = RunShell("for i in 1 2 3 4; do " + bake + Quote(folder / "p.ply") +
+  const ProgramResult outcome = RunShell("for i in 1 2 3 4; do " + bake + Quote(folder / "p.ply") +
     " & done; wait; " + bake + Quote(folder / "q.ply"));
   EXPECT_EQ(outcome.Errors, "");
   EXPECT_EQ(ReadText(folder / "p.ply"), ReadText(folder / "q.ply"));
@@ -415,7 +415,7 @@ TEST(Faults, SignalsLeaveNoPartOfAMesh)
   const std::vector<std::string> before = folder.List();
   for (const auto& [name, status] : { std::pair<std::string, int>{ "INT", 130 }, { "TERM", 143 } })
   {
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunShell("env --default-signal=INT $PENUMBRA bake " + Quote(folder / "sphere.ply") +
         " --tolerance 0.0001 --quantity irradiance --bounces 64" + " --albedo 1 --output " +
         Quote(folder / "p.ply") + " --statistics " + Quote(folder / "s.json") +

@@ -30,7 +30,7 @@ TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
     "raster", "--statistics", folder / "raster.json" };
   raster.insert(raster.end(), scene.begin(), scene.end());
   ASSERT_EQ(RunProgram(ray).Status, 0);
-  const Outcome outcome = RunProgram(raster);
+  const ProgramResult outcome = RunProgram(raster);
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_EQ(outcome.Errors, "");
   const auto traced = ReadImage(folder / "ray.vti");
@@ -66,13 +66,13 @@ TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
   const nlohmann::json fine = ReadJson(folder / "raster.json");
   EXPECT_EQ(fine["tolerance"], 0.004);
   EXPECT_LE(fine["estimated_error"], 0.004);
-  EXPECT_GT(fine["statistics"]["Samples/Still"], report["statistics"]["Samples/Still"]);
+  EXPECT_GT(fine["statistics"]["Samples/Static"], report["statistics"]["Samples/Static"]);
 }
 
 TEST(Render, SparesBrightColoursByLightAwareness)
 {
   const Folder folder("awareness");
-  const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+  const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
     "--resolution", "120,90", "--camera-direction=-1,-1,-2", "--no-lighting", "--color",
     "0.8,0.4,0.2", "--engine", "raster", "--ambient-occlusion", "--ambient-occlusion-kernel",
     "horizon", "--ambient-occlusion-light-awareness", "0.5", "--output", folder / "p.vti" });
@@ -100,7 +100,7 @@ TEST(Render, TellsMuchTheSameOcclusionByBothGatherers)
   const Folder folder("gatherers");
   for (const char* gatherer : { "rays", "cube-map" })
   {
-    const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
       "--resolution", "160,120", "--camera-direction=-1,-1,-2", "--ambient-occlusion",
       "--ambient-occlusion-radius", "inf", "--tolerance", "0.02", "--gatherer", gatherer,
       "--statistics", folder / "s.json", "--output", folder / gatherer + ".png" });
@@ -117,15 +117,15 @@ TEST(Render, TellsMuchTheSameOcclusionByBothGatherers)
   EXPECT_LT(Compare(folder / "rays.png", folder / "cube-map.png")["metrics"]["rmse"], 0.01);
 }
 
-TEST(Render, LetsOcclusionFallOffByItsName)
+TEST(Render, LetsOcclusionFalloffByItsName)
 {
   const Folder folder("falloff");
   double last = 1.0;
-  for (const char* fallOff : { "none", "quadratic", "linear", "square-root" }) // ever less
+  for (const char* falloff : { "none", "quadratic", "linear", "square-root" }) // ever less
   {
-    const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
       "--resolution", "60,40", "--camera-direction=-1,-1,-2", "--tolerance", "0.05",
-      "--ambient-occlusion-falloff", fallOff, "--output", folder / "p.vti" });
+      "--ambient-occlusion-falloff", falloff, "--output", folder / "p.vti" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "");
     const auto picture = ReadImage(folder / "p.vti");
@@ -135,8 +135,8 @@ TEST(Render, LetsOcclusionFallOffByItsName)
     {
       mean += occlusion->GetComponent(i, 0) / static_cast<double>(occlusion->GetNumberOfTuples());
     }
-    EXPECT_LT(mean, .9 * last) << fallOff;
-    EXPECT_GT(mean, .005) << fallOff;
+    EXPECT_LT(mean, .9 * last) << falloff;
+    EXPECT_GT(mean, .005) << falloff;
     last = mean;
   }
 }

@@ -29,7 +29,7 @@ vtkSmartPointer<vtkImageData> RenderSquare(
   std::vector<std::string> arguments = { "render", folder / "square.stl", "--output", folder / name,
     "--resolution", "40,30" };
   arguments.insert(arguments.end(), options.begin(), options.end());
-  const Outcome outcome = RunProgram(arguments);
+  const ProgramResult outcome = RunProgram(arguments);
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_EQ(outcome.Errors, "");
   return ReadImage(folder / name);
@@ -46,7 +46,7 @@ TEST(Render, ReadsEveryFormatIntoTheSamePicture)
     {
       continue; // This VTK has no reader for it.
     }
-    const Outcome outcome = RunProgram(
+    const ProgramResult outcome = RunProgram(
       { "render", folder / file, "--resolution", "60,40", "--output", folder / file + ".png" });
     EXPECT_EQ(outcome.Status, 0) << file << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "") << file;
@@ -231,7 +231,7 @@ TEST(Render, SeesASphereFromItsCenter)
 {
   const Folder folder("inside");
   WriteSpheres(folder.Path);
-  const Outcome outcome = RunProgram({ "render", folder / "sphere.ply", "--camera-position",
+  const ProgramResult outcome = RunProgram({ "render", folder / "sphere.ply", "--camera-position",
     "0,0,0", "--no-lighting", "--resolution", "20,15", "--output", folder / "p.png" });
   EXPECT_EQ(outcome.Status, 0);
   EXPECT_EQ(outcome.Errors, "");
@@ -294,7 +294,7 @@ TEST(Render, DrawsMuchTheSameLightShaftsByBothEngines)
   const Folder folder("engines");
   for (const std::string engine : { "ray", "raster" })
   {
-    const Outcome outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+    const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
       "--resolution", "120,90", "--engine", engine, "--output", folder / (engine + ".png"),
       "--light-shafts", "--shafts-phase", "hg:0.6", "--light-position=0.6,0.8,-1,0" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -308,7 +308,7 @@ TEST(Render, WarnsWhereAHeadlightMakesNoShafts)
   WriteText(folder / "square.stl", SquareStl());
   for (const char* engine : { "ray", "raster" })
   {
-    const Outcome outcome = RunProgram({ "render", folder / "square.stl", "--output",
+    const ProgramResult outcome = RunProgram({ "render", folder / "square.stl", "--output",
       folder / "p.png", "--light-shafts", "--engine", engine });
     EXPECT_EQ(outcome.Status, 0);
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
@@ -339,7 +339,7 @@ TEST(Render, ColorsByData)
     std::vector<std::string> arguments = { "render", folder / "sphere.vtp", "--no-lighting",
       "--resolution", "31,31", "--output", folder / "p.png", "--colormap", "gray" };
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = RunProgram(arguments);
+    const ProgramResult outcome = RunProgram(arguments);
     EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
     return PixelAt(ReadImage(folder / "p.png"), 15, 15)[0];
   };
@@ -351,7 +351,7 @@ TEST(Render, ColorsByData)
     0.5, 0.02);
   EXPECT_NEAR(center({ "--coloring-array", "Direction", "--coloring-range", "0,2" }), 0.5, 0.02);
   EXPECT_LT(center({ "--coloring-array", "Number", "--coloring-by-cells" }), 0.2);
-  const Outcome unknown = RunProgram(
+  const ProgramResult unknown = RunProgram(
     { "render", folder / "sphere.vtp", "--coloring-array", "Heat", "--output", folder / "q.png" });
   EXPECT_EQ(unknown.Status, 2);
   EXPECT_NE(unknown.Errors.find("Height, Direction"), std::string::npos) << unknown.Errors;
@@ -364,7 +364,7 @@ TEST(Render, DrawsALegendWithBothEngines)
   WriteSphereWithArrays(folder / "sphere.vtp");
   for (const char* engine : { "ray", "raster" })
   {
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunProgram({ "render", folder / "sphere.vtp", "--coloring-scalar-bar", "--coloring-array",
         "Height", "--resolution", "200,200", "--engine", engine, "--output", folder / "p.png" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -383,7 +383,7 @@ TEST(Render, MakesOnePictureOfEachFile)
   const Folder folder("each");
   WriteSpheres(folder.Path);
   WriteText(folder / "broken.ply", "ply\nno more\n");
-  const Outcome outcome = RunProgram({ "render", folder / "sphere.stl", folder / "broken.ply",
+  const ProgramResult outcome = RunProgram({ "render", folder / "sphere.stl", folder / "broken.ply",
     folder / "square.stl", "--jobs", "2", "--resolution", "20,20", "--output",
     folder / "out-{name}.png", "--statistics", folder / "out-{name}.json" });
   EXPECT_EQ(outcome.Status, 2);
@@ -412,7 +412,7 @@ TEST(Render, TakesColoursAndDirectionsByName)
   const Folder folder("names");
   WriteText(folder / "square.stl", SquareStl());
   const auto draw = [&](const std::string& color, const std::string& direction) {
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunProgram({ "render", folder / "square.stl", "--unlit", "--resolution", "9,9", "--output",
         folder / "{model}.png", "--color", color, "--camera-direction", direction });
     EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -423,7 +423,7 @@ TEST(Render, TakesColoursAndDirectionsByName)
   EXPECT_EQ(draw("1,0,0", "+x"), (Pixel{ 0, 0, 0 })); // seen from its edge
   for (const char* wrong : { "nocolour", "#12345", "#12345g", "1,2,3" })
   {
-    const Outcome outcome = RunProgram(
+    const ProgramResult outcome = RunProgram(
       { "render", folder / "square.stl", "--color", wrong, "--output", folder / "w.png" });
     EXPECT_EQ(outcome.Status, 2) << wrong;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
@@ -448,12 +448,12 @@ TEST(Render, ShowsProgressWhenAsked)
 {
   const Folder folder("progress");
   WriteText(folder / "square.stl", SquareStl());
-  const Outcome plain = RunProgram({ "render", folder / "square.stl", "--output", folder / "p.png",
-    "--resolution", "50,50", "--progress", "plain" });
+  const ProgramResult plain = RunProgram({ "render", folder / "square.stl", "--output",
+    folder / "p.png", "--resolution", "50,50", "--progress", "plain" });
   EXPECT_EQ(plain.Status, 0);
   EXPECT_NE(plain.Errors.find("writing 100 %\n"), std::string::npos) << plain.Errors;
-  const Outcome bar = RunProgram({ "render", folder / "square.stl", "--output", folder / "p.png",
-    "--resolution", "50,50", "--progress", "bar" });
+  const ProgramResult bar = RunProgram({ "render", folder / "square.stl", "--output",
+    folder / "p.png", "--resolution", "50,50", "--progress", "bar" });
   EXPECT_NE(bar.Errors.find("[####"), std::string::npos) << bar.Errors;
 }
 

@@ -61,7 +61,7 @@ TEST(RasterEngine, DrawsWhatTheRayEngineDraws)
   WriteSpheres(folder.Path);
   for (const char* engine : { "ray", "raster" })
   {
-    const Outcome outcome = RunProgram({ "render", folder / "sphere.ply", "--engine", engine,
+    const ProgramResult outcome = RunProgram({ "render", folder / "sphere.ply", "--engine", engine,
       "--resolution", "200,150", "--output", folder / engine + ".png" });
     if (outcome.Status == 3)
     {
@@ -83,7 +83,7 @@ TEST(OpenGL, IsMissedInOneLine)
   for (const char* option : { "--engine raster", "--ambient-occlusion --gatherer cube-map",
          "--indirect --gatherer cube-map" })
   {
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunShell("env -u DISPLAY -u VTK_DEFAULT_OPENGL_WINDOW $PENUMBRA render " +
         Quote(folder / "square.stl") + " " + option + " --window x --output " +
         Quote(folder / "p.png"));
@@ -102,7 +102,7 @@ TEST(Output, IsWholeOrNotThereWhenTheDiskIsFull)
   for (const char* extension : { "png", "jpg", "tif", "bmp", "vti" })
   {
     // A file may grow to 1 KiB at most.
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunShell("ulimit -f 1; $PENUMBRA render " + Quote(folder / "sphere.stl") +
         " --no-background --resolution 300,300 --output " + Quote(folder / "p." + extension));
     if (std::string(extension) == "jpg" || std::string(extension) == "bmp")
@@ -139,7 +139,7 @@ TEST(Output, MayHaveTheLongestName)
   const Folder folder("long-name");
   WriteText(folder / "square.stl", SquareStl());
   const std::string name = std::string(251, 'p') + ".png";
-  const Outcome outcome = RunProgram(
+  const ProgramResult outcome = RunProgram(
     { "render", folder / "square.stl", "--resolution", "9,9", "--output", folder / name });
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_TRUE(std::filesystem::exists(folder / name));
@@ -156,7 +156,7 @@ TEST(StandardOutput, IsToldWhenItIsFull)
     { std::string("list"), std::string("info"), std::string("--help"), std::string("--version"),
       "compare " + picture + " " + picture, "compare --json " + picture + " " + picture })
   {
-    const Outcome outcome = RunShell("$PENUMBRA " + command + " > /dev/full");
+    const ProgramResult outcome = RunShell("$PENUMBRA " + command + " > /dev/full");
     EXPECT_EQ(outcome.Status, 3) << command;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
     EXPECT_NE(outcome.Errors.find("standard output"), std::string::npos) << outcome.Errors;
@@ -164,7 +164,7 @@ TEST(StandardOutput, IsToldWhenItIsFull)
 }
 
 // A picture that takes long, begun in the background; then `script`, which knows it as $program.
-Outcome InterruptRender(const Folder& folder, const std::string& script)
+ProgramResult InterruptRender(const Folder& folder, const std::string& script)
 {
   // Shells let what runs in the background ignore SIGINT.
   return RunShell("env --default-signal=INT $PENUMBRA render " + Quote(folder / "sphere.stl") +
@@ -181,7 +181,7 @@ TEST(Cancelling, LeavesNothingBehindAndSaysBySignalWhy)
     { std::pair<std::string, int>{ "INT", 130 }, { "TERM", 143 }, { "HUP", 129 } })
   {
     // The shell sees the signal as the program's end.
-    const Outcome outcome =
+    const ProgramResult outcome =
       InterruptRender(folder, "kill -" + name + " $program; wait $program 2>/dev/null");
     EXPECT_EQ(outcome.Status, status) << name;
     EXPECT_EQ(outcome.Errors, "");
@@ -194,7 +194,7 @@ TEST(Cancelling, EndsTheWorkersOfAKilledSupervisor)
   const Folder folder("killed");
   WriteSpheres(folder.Path);
   const std::vector<std::string> before = folder.List();
-  const Outcome outcome = InterruptRender(folder,
+  const ProgramResult outcome = InterruptRender(folder,
     "worker=$(pgrep -P $program); kill -KILL $program; wait $program 2>/dev/null; "
     "for i in $(seq 100); do kill -0 $worker 2>/dev/null || exit 0; sleep 0.05; done; exit 1");
   EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
@@ -205,8 +205,8 @@ TEST(Cancelling, IsNotForSignalsThatAreIgnored)
 {
   const Folder folder("nohup");
   WriteSpheres(folder.Path);
-  const Outcome outcome = RunShell("trap '' HUP; $PENUMBRA render " + Quote(folder / "sphere.stl") +
-    " --resolution 1000,1000 --output " + Quote(folder / "p.png") +
+  const ProgramResult outcome = RunShell("trap '' HUP; $PENUMBRA render " +
+    Quote(folder / "sphere.stl") + " --resolution 1000,1000 --output " + Quote(folder / "p.png") +
     " & program=$!; for i in 1 2 3 4 5 6 7 8; do kill -HUP $program 2>/dev/null; sleep 0.05; "
     "done; wait $program");
   EXPECT_EQ(outcome.Status, 0);
@@ -222,7 +222,7 @@ TEST(Cancelling, EndsAComparisonWithoutItsPicture)
   const std::vector<std::string> before = folder.List();
   for (const char* delay : { "0.2", "0.5" })
   {
-    const Outcome outcome = RunShell("$PENUMBRA compare " + Quote(folder / "p.png") + " " +
+    const ProgramResult outcome = RunShell("$PENUMBRA compare " + Quote(folder / "p.png") + " " +
       Quote(folder / "p.png") + " --difference " + Quote(folder / "d.png") +
       " & program=$!; sleep " + delay + "; kill -TERM $program; wait $program");
     std::filesystem::remove(folder / "d.png"); // It may have been quicker.
@@ -236,7 +236,7 @@ TEST(Workers, AreHeardWhateverTheirParentMadeOfSignals)
   WriteText(folder / "square.stl", SquareStl());
   for (const char* option : { "--block-signal=CHLD", "--ignore-signal=CHLD" })
   {
-    const Outcome outcome =
+    const ProgramResult outcome =
       RunShell(std::string("timeout -k 1 60 env ") + option + " $PENUMBRA render " +
         Quote(folder / "square.stl") + " --resolution 9,9 --output " + Quote(folder / "p.png"));
     EXPECT_EQ(outcome.Status, 0) << option << outcome.Errors;
@@ -255,7 +255,7 @@ TEST(Workers, AreMissedWhereNoMoreProcessesAreAllowed)
   const Folder folder("processes");
   WriteText(folder / "square.stl", SquareStl());
   std::filesystem::permissions(folder.Path, std::filesystem::perms::all);
-  const Outcome outcome = RunShell("cd " + Quote(folder.Path) +
+  const ProgramResult outcome = RunShell("cd " + Quote(folder.Path) +
     " && PENUMBRA_LOG=/dev/null exec setpriv --reuid 64123 --clear-groups bash -c "
     "'ulimit -u 1; exec $PENUMBRA render square.stl --output p.png'");
   EXPECT_EQ(outcome.Status, 3) << outcome.Errors;
@@ -267,7 +267,8 @@ TEST(SetUpScript, NamesTheBenchmarksThatThereAre)
 {
   for (const char* arguments : { "benchmark", "benchmark wishful", "--system-vtk benchmark flat" })
   {
-    const Outcome outcome = RunShell(Quote(PENUMBRA_SOURCE_DIR "/penumbra") + " " + arguments);
+    const ProgramResult outcome =
+      RunShell(Quote(PENUMBRA_SOURCE_DIR "/penumbra") + " " + arguments);
     EXPECT_EQ(outcome.Status, 2) << arguments;
     EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;
     const bool ours = std::string(arguments).rfind("benchmark", 0) == 0;
@@ -284,7 +285,7 @@ TEST(Memory, TooLittleIsTold)
   const Folder folder("memory");
   WriteText(folder / "square.stl", SquareStl());
   const std::vector<std::string> before = folder.List();
-  const Outcome outcome = RunShell("ulimit -v 3000000; $PENUMBRA render " +
+  const ProgramResult outcome = RunShell("ulimit -v 3000000; $PENUMBRA render " +
     Quote(folder / "square.stl") + " --resolution 16000,16000 --output " + Quote(folder / "p.png"));
   EXPECT_EQ(outcome.Status, 3) << outcome.Errors;
   EXPECT_EQ(CountLines(outcome.Errors), 1) << outcome.Errors;

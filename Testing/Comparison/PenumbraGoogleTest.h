@@ -34,9 +34,9 @@ namespace penumbra
 
 /// When a picture is near its baseline; a number alone is the tolerance. See
 /// vtkPenumbraImageComparison for meaning, ranges and defaults.
-struct Nearness
+struct ImageTolerance
 {
-  Nearness(double tolerance = 1.0 / 16.0)
+  ImageTolerance(double tolerance = 1.0 / 16.0)
     : Tolerance(tolerance)
   {
   }
@@ -51,7 +51,7 @@ inline const bool WindowsAreDeterministic = (vtkPenumbraBaseline::PreferOSMesa()
 
 /// For the macros below.
 inline testing::AssertionResult IsImageNear(const char* expression, const char*, const char*,
-  vtkObject* picture, const std::string& fileName, const Nearness& nearness)
+  vtkObject* picture, const std::string& fileName, const ImageTolerance& nearness)
 {
   vtkNew<vtkPenumbraBaseline> baseline;
   baseline->SetPicture(picture);

@@ -43,7 +43,7 @@ double FullIntensity(vtkDataArray* color)
 }
 
 // Why `image` is not a picture, else nothing.
-std::string FindFault(vtkImageData* image)
+std::string FindInconsistency(vtkImageData* image)
 {
   int dimensions[3];
   image->GetDimensions(dimensions);
@@ -188,12 +188,12 @@ std::string vtkPenumbraImageComparison::Internals::FindFaults() const
   {
     others.push_back(this->MaskImage);
   }
-  std::string fault = FindFault(this->Image);
+  std::string fault = FindInconsistency(this->Image);
   for (vtkImageData* other : others)
   {
     if (fault.empty())
     {
-      fault = FindFault(other);
+      fault = FindInconsistency(other);
     }
     if (fault.empty() && SizeText(this->Image) != SizeText(other))
     {

@@ -49,7 +49,7 @@ protected:
     this->Scene.AddFloor(12.0);
     this->Scene.AddSolids(10, 2);
     this->Scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
-    this->Scene.Fill(0.12, 0.12);
+    this->Scene.SetMedium(0.12, 0.12);
   }
 
   std::vector<unsigned char> Picture()
@@ -77,10 +77,10 @@ TEST(LightShaftPassOverAFloor, IsEquationOne)
   scene.AddFloor(20.0);
   scene.Look({ 0.0, -6.0, 3.0 }, { 0.0, 0.0, 1.0 });
   scene.AddSun({ 0.3, 0.2, 1.0 });
-  scene.Fill(0.1, 0.25);
-  const std::vector<double> light = scene.ByPass();
+  scene.SetMedium(0.1, 0.25);
+  const std::vector<double> light = scene.RenderWithPass();
   const std::vector<double> left = scene.Transmittance();
-  const std::vector<double> truth = scene.ByRays();
+  const std::vector<double> truth = scene.RenderWithRayCaster();
   for (std::size_t i = 0; i < light.size(); ++i)
   {
     const double exact = 0.1 / 0.25 / WholeSphere * (1.0 - left[i]);
@@ -93,8 +93,8 @@ TEST(LightShaftPassOverAFloor, IsEquationOne)
 TEST_F(LightShaftPass, AgreesWithTheMarchedReference)
 {
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
-  const std::vector<double> light = this->Scene.ByPass();
-  const std::vector<double> truth = this->Scene.ByRays(64);
+  const std::vector<double> light = this->Scene.RenderWithPass();
+  const std::vector<double> truth = this->Scene.RenderWithRayCaster(64);
   std::vector<double> unshadowed = this->Scene.Transmittance();
   for (double& value : unshadowed)
   {
@@ -108,13 +108,13 @@ TEST_F(LightShaftPass, AgreesWithTheMarchedReference)
 TEST_F(LightShaftPass, AgreesWithItUnderALampAndInParallel)
 {
   this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
-  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.08);
+  EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.08);
   this->Scene.Renderer->RemoveAllLights();
   this->Scene.AddSun({ 1.0, 0.6, 0.9 });
   this->Scene.Look({ 0.5, -9.0, 8.0 }, { 0.0, 0.0, 1.0 });
   this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   this->Scene.Renderer->GetActiveCamera()->SetParallelScale(3.5);
-  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.05);
+  EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.05);
 }
 
 TEST_F(LightShaftPass, FollowsThePhaseFunctionsOfTheReference)
@@ -124,7 +124,8 @@ TEST_F(LightShaftPass, FollowsThePhaseFunctionsOfTheReference)
     { vtkPenumbraLightShaftPass::RAYLEIGH, vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN })
   {
     this->Scene.Pass->SetPhase(phase);
-    EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.03) << phase;
+    EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.03)
+      << phase;
   }
 }
 
@@ -133,12 +134,12 @@ TEST_F(LightShaftPass, AddsItsLightsUp)
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const vtkSmartPointer<vtkLight> lamp = this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
   this->Scene.Pass->SetMargin(0.0); // that of a light outside of the picture would be for all
-  const std::vector<double> both = this->Scene.ByPass();
+  const std::vector<double> both = this->Scene.RenderWithPass();
   this->Scene.Pass->AddLight(lamp);
-  const std::vector<double> one = this->Scene.ByPass();
+  const std::vector<double> one = this->Scene.RenderWithPass();
   this->Scene.Pass->RemoveAllLights();
   this->Scene.Pass->AddLight(sun);
-  const std::vector<double> other = this->Scene.ByPass();
+  const std::vector<double> other = this->Scene.RenderWithPass();
   for (std::size_t i = 0; i < both.size(); ++i)
   {
     EXPECT_NEAR(both[i], one[i] + other[i], 1e-6 + 2e-4 * both[i]);
@@ -149,12 +150,12 @@ TEST_F(LightShaftPass, ComputesAStillSceneOnce)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const std::vector<unsigned char> first = this->Picture();
-  EXPECT_GT(this->Statistic("Shares/Found"), 0.0);
+  EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
   EXPECT_EQ(this->Picture(), first);
-  EXPECT_EQ(this->Statistic("Shares/Found"), 0.0);
+  EXPECT_EQ(this->Statistic("LitFractions/Computed"), 0.0);
   sun->SetPosition(0.3, 1.0, 0.32);
   EXPECT_NE(this->Picture(), first);
-  EXPECT_GT(this->Statistic("Shares/Found"), 0.0);
+  EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
 }
 
 TEST_F(LightShaftPass, DrawsAStillSceneWithAMarginStraightIntoItsTarget)
@@ -164,7 +165,7 @@ TEST_F(LightShaftPass, DrawsAStillSceneWithAMarginStraightIntoItsTarget)
   const vtkSmartPointer<vtkActor> ball = this->Scene.AddSphere({ 0.0, -3.0, 2.0 }, 0.5);
   const std::vector<unsigned char> first = this->Picture();
   const std::vector<unsigned char> second = this->Picture();
-  EXPECT_EQ(this->Statistic("Shares/Found"), 0.0);
+  EXPECT_EQ(this->Statistic("LitFractions/Computed"), 0.0);
   EXPECT_EQ(this->Picture(), second);
   // A wider picture may round the place of an edge otherwise.
   int apart = 0;
@@ -176,10 +177,10 @@ TEST_F(LightShaftPass, DrawsAStillSceneWithAMarginStraightIntoItsTarget)
   // Moved without a word to the camera: depth tells.
   ball->SetPosition(0.5, 0.0, 0.0);
   const std::vector<unsigned char> moved = this->Picture();
-  EXPECT_GT(this->Statistic("Shares/Found"), 0.0);
+  EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
   vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
   this->Scene.Pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
-  this->Scene.Fill(0.12, 0.12);
+  this->Scene.SetMedium(0.12, 0.12);
   EXPECT_EQ(this->Picture(), moved);
 }
 
@@ -192,13 +193,13 @@ TEST_F(LightShaftPass, TakesManySunsAndLampsTogether)
     lights.push_back(this->Scene.AddSun({ 0.2 * i - 0.3, 1.0, 0.32 }));
     lights.push_back(this->Scene.AddLamp({ 2.0 * i - 3.0, 2.0, 3.0 }));
   }
-  const std::vector<double> all = this->Scene.ByPass();
+  const std::vector<double> all = this->Scene.RenderWithPass();
   std::vector<double> sum(all.size(), 0.0);
   for (vtkLight* light : lights)
   {
     this->Scene.Pass->RemoveAllLights();
     this->Scene.Pass->AddLight(light);
-    const std::vector<double> one = this->Scene.ByPass();
+    const std::vector<double> one = this->Scene.RenderWithPass();
     std::transform(one.begin(), one.end(), sum.begin(), sum.begin(), std::plus<double>());
   }
   EXPECT_LT(RelativeRmse(all, sum), 1e-5);
@@ -212,7 +213,7 @@ TEST_F(LightShaftPass, TakesLightFromThePictureBehind)
   wall->GetProperty()->SetColor(1.0, 1.0, 1.0);
   scene.Look({ 0.0, -6.0, 0.0 }, { 0.0, 0.0, 0.0 });
   scene.AddSun({ 0.0, -1.0, 0.5 });
-  scene.Fill(0.12, 0.12);
+  scene.SetMedium(0.12, 0.12);
   scene.Window->Render();
   vtkNew<vtkUnsignedCharArray> bytes;
   scene.Window->GetRGBACharPixelData(0, 0, 39, 29, 0, bytes);
@@ -232,7 +233,7 @@ TEST_F(LightShaftPass, IsFiniteWhereverTheLightStands)
     {
       const double a = angle * 0.017453292519943295;
       sun->SetPosition(std::sin(a), std::cos(a), 0.0);
-      for (const double value : this->Scene.ByPass())
+      for (const double value : this->Scene.RenderWithPass())
       {
         ASSERT_TRUE(value >= 0.0 && value < 1.0) << angle;
       }
@@ -279,12 +280,12 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
 TEST_F(LightShaftPass, AgreesWithTheReferenceInAMediumWithBounds)
 {
   this->Scene.Pass->SetBounds(-5.0, 3.0, -6.0, 7.0, 0.0, 4.5);
-  this->Scene.Fill(0.2, 0.3);
+  this->Scene.SetMedium(0.2, 0.3);
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.5 });
-  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.06);
+  EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.06);
   this->Scene.Renderer->RemoveAllLights();
   this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
-  EXPECT_LT(RelativeRmse(this->Scene.ByPass(), this->Scene.ByRays(64)), 0.08);
+  EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.08);
 }
 
 TEST_F(LightShaftPass, ChainsPassesThatAreOneLongLoop)
@@ -294,11 +295,11 @@ TEST_F(LightShaftPass, ChainsPassesThatAreOneLongLoop)
   this->Scene.Pass->SetSpacing(vtkPenumbraLightShaftPass::GEOMETRIC);
   this->Scene.Pass->SetDecay(0.99);
   this->Scene.Pass->SetSteps(64);
-  const std::vector<double> loop = this->Scene.ByPass();
+  const std::vector<double> loop = this->Scene.RenderWithPass();
   this->Scene.Pass->SetSteps(8);
-  const std::vector<double> few = this->Scene.ByPass();
+  const std::vector<double> few = this->Scene.RenderWithPass();
   this->Scene.Pass->SetPasses(2);
-  const std::vector<double> chain = this->Scene.ByPass();
+  const std::vector<double> chain = this->Scene.RenderWithPass();
   EXPECT_LT(RelativeRmse(chain, loop), 0.01);
   EXPECT_GT(RelativeRmse(few, loop), 0.02);
 }
@@ -308,9 +309,9 @@ TEST_F(LightShaftPass, GlowsInTheColoursOfThePictureBehind)
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
   this->Scene.Renderer->SetBackground(0.8, 0.4, 0.0);
   this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
-  const std::vector<double> white = this->Scene.ByPass();
+  const std::vector<double> white = this->Scene.RenderWithPass();
   this->Scene.Pass->SetSky(vtkPenumbraLightShaftPass::PICTURE);
-  const std::vector<double> red = this->Scene.ByPass();
+  const std::vector<double> red = this->Scene.RenderWithPass();
   vtkNew<vtkImageData> image;
   this->Scene.Pass->CopyShafts(image);
   vtkDataArray* light = image->GetPointData()->GetArray("LightShafts");
@@ -332,12 +333,12 @@ TEST_F(LightShaftPass, LetsChosenActorsGlowWhereTheyAreSeen)
   plate->GetProperty()->SetColor(0.0, 1.0, 0.0);
   scene.Look({ 0.0, -11.0, 2.0 }, { 0.0, 0.0, 2.0 });
   scene.AddSun({ 0.0, 1.0, 0.0 });
-  scene.Fill(0.12, 0.12);
+  scene.SetMedium(0.12, 0.12);
   scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
   scene.Pass->SetDensity(1000.0); // what glows itself, hardly blurred
   scene.Pass->AddEmitter(plate);
   const auto greens = [&scene]() {
-    EXPECT_EQ(scene.ByPass()[36 * 96 + 30], 0.0); // no red
+    EXPECT_EQ(scene.RenderWithPass()[36 * 96 + 30], 0.0); // no red
     vtkNew<vtkImageData> image;
     scene.Pass->CopyShafts(image);
     vtkDataArray* light = image->GetPointData()->GetArray("LightShafts");
@@ -370,11 +371,11 @@ TEST_F(LightShaftPass, TakesNoStreaksFromSurfacesBeyondSurfaceGlow)
         ->GetProperty()
         ->SetColor(shade, shade, shade);
     }
-    return this->Scene.ByPass();
+    return this->Scene.RenderWithPass();
   };
   EXPECT_EQ(paint(true), paint(false));
   this->Scene.Pass->SetOcclusion(vtkPenumbraLightShaftPass::CONTRAST);
-  this->Scene.Pass->SetSurfaceGlow(0.1);
+  this->Scene.Pass->SetSurfaceEmission(0.1);
   const std::vector<double> black = paint(false);
   const std::vector<double> white = paint(true);
   const std::vector<double> left = this->Scene.Transmittance();
@@ -396,7 +397,7 @@ TEST_F(LightShaftPass, LaysNoMoreLightOverAForegroundThanItsAirScatters)
     { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL })
   {
     this->Scene.Pass->SetEstimator(estimator);
-    const std::vector<double> light = this->Scene.ByPass();
+    const std::vector<double> light = this->Scene.RenderWithPass();
     const std::vector<double> left = this->Scene.Transmittance();
     for (std::size_t i = 0; i < light.size(); ++i)
     {
@@ -418,7 +419,7 @@ TEST_F(LightShaftPass, SweepsSteadilyPastTheCameraPlane)
     {
       const double a = angle * 0.017453292519943295;
       sun->SetPosition(std::sin(a), std::cos(a), 0.2);
-      const std::vector<double> now = this->Scene.ByPass();
+      const std::vector<double> now = this->Scene.RenderWithPass();
       for (std::size_t i = 0; i < before.size(); ++i)
       {
         ASSERT_LE(std::abs(now[i] - before[i]), 3.0 / 255.0) << estimator << " " << angle;
@@ -432,7 +433,7 @@ TEST_F(LightShaftPass, BalancesItsToneAndHoldsIt)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const auto largest = [this]() {
-    const std::vector<double> light = this->Scene.ByPass();
+    const std::vector<double> light = this->Scene.RenderWithPass();
     return *std::max_element(light.begin(), light.end());
   };
   sun->SetIntensity(100.0);
@@ -456,12 +457,12 @@ TEST_F(LightShaftPass, LiesOverAmbientOcclusionWhicheverCameFirst)
 {
   this->Scene.Renderer->SetBackground(0.5, 0.5, 0.5);
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
-  const std::vector<double> before = this->Scene.ByPass();
+  const std::vector<double> before = this->Scene.RenderWithPass();
   vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
   vtkPenumbraTemporalSSAOPass::AddTo(this->Scene.Renderer);
   this->Scene.Pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
-  this->Scene.Fill(0.12, 0.12);
-  const std::vector<double> after = this->Scene.ByPass();
+  this->Scene.SetMedium(0.12, 0.12);
+  const std::vector<double> after = this->Scene.RenderWithPass();
   const std::vector<unsigned char> one = this->Picture();
   for (std::size_t i = 0; i < before.size(); ++i)
   {
@@ -484,8 +485,8 @@ TEST_F(LightShaftPass, KnowsAnOccluderThatHasLeftThePicture)
   this->Scene.AddFloor(12.0);
   const vtkSmartPointer<vtkActor> ball = this->Scene.AddSphere({ 7.0, 0.0, 2.0 }, 0.8);
   this->Scene.AddSun({ 0.6, 1.0, 0.2 });
-  const std::vector<double> truth = this->Scene.ByRays(64);
-  const double error = RelativeRmse(this->Scene.ByPass(), truth);
+  const std::vector<double> truth = this->Scene.RenderWithRayCaster(64);
+  const double error = RelativeRmse(this->Scene.RenderWithPass(), truth);
   ball->VisibilityOff();
-  EXPECT_LT(error, 0.7 * RelativeRmse(this->Scene.ByPass(), truth));
+  EXPECT_LT(error, 0.7 * RelativeRmse(this->Scene.RenderWithPass(), truth));
 }

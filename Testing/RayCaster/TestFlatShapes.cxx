@@ -3,8 +3,8 @@
 //
 // Flat shapes of one colour against their exact coverage: the error and the rays that they may
 // cost, wherever in space they lie and however the camera looks at them.
+#include "BruteForce/ImageErrors.h"
 #include "ClosedForms/ExactCoverage.h"
-#include "BruteForce/Measure.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
@@ -93,25 +93,25 @@ namespace
 {
 
 /// A picture put elsewhere: world = Origin + Scale * picture coordinates.
-struct Place
+struct ShadingPoint
 {
   std::string Name;
   double Scale;
   glm::dvec3 Origin;
 };
 
-void PrintTo(const Place& place, std::ostream* out)
+void PrintTo(const ShadingPoint& place, std::ostream* out)
 {
   *out << place.Name;
 }
 
-class PlacedShapes : public testing::TestWithParam<Place>
+class PlacedShapes : public testing::TestWithParam<ShadingPoint>
 {
 };
 
 /// PictureOf() with everything moved to `place`, by the points or by the actor.
 vtkSmartPointer<vtkRenderer> PictureAt(
-  const Place& place, const std::vector<Shape>& shapes, bool moveTheActor)
+  const ShadingPoint& place, const std::vector<Shape>& shapes, bool moveTheActor)
 {
   vtkSmartPointer<vtkPolyData> mesh = MeshOf(shapes);
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints() && !moveTheActor; ++i)
@@ -158,11 +158,11 @@ TEST_P(PlacedShapes, LookAsTheyDoNearTheOrigin)
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, PlacedShapes,
-  testing::Values(Place{ "MillimetresAtTenMillion", 1e-3, { 1e7, -1e7, 1e7 } },
-    Place{ "AMillionthInSize", 1e-6 / Size, { 0.0, 0.0, 0.0 } },
-    Place{ "AMillionthInSizeFarAway", 1e-6 / Size, { 1e-4, 1e-4, -1e-4 } },
-    Place{ "AMillionInSize", 1e6 / Size, { -3e6, 0.0, 1e5 } }),
-  [](const testing::TestParamInfo<Place>& row) { return row.param.Name; });
+  testing::Values(ShadingPoint{ "MillimetresAtTenMillion", 1e-3, { 1e7, -1e7, 1e7 } },
+    ShadingPoint{ "AMillionthInSize", 1e-6 / Size, { 0.0, 0.0, 0.0 } },
+    ShadingPoint{ "AMillionthInSizeFarAway", 1e-6 / Size, { 1e-4, 1e-4, -1e-4 } },
+    ShadingPoint{ "AMillionInSize", 1e6 / Size, { -3e6, 0.0, 1e5 } }),
+  [](const testing::TestParamInfo<ShadingPoint>& row) { return row.param.Name; });
 
 namespace
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Lit meshes in space against brute force and closed forms, and the same meshes told otherwise.
-#include "BruteForce/Measure.h"
+#include "BruteForce/ImageErrors.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"

@@ -3,7 +3,7 @@
 //
 // Ambient occlusion in pictures against a closed form: a floor beside a sphere that hovers over it out
 // of view, as one square, as a chequerboard and as triangles smaller than pixels.
-#include "BruteForce/Measure.h"
+#include "BruteForce/ImageErrors.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
@@ -105,7 +105,7 @@ std::vector<glm::dvec3> Truth(int cells)
 // Floors of few, of many and of more cells than pixels.
 TEST(OcclusionPicture, IsWithinTheToleranceAndItsEstimateHonest)
 {
-  Honesty honesty;
+  ErrorCalibration honesty;
   for (const int cells : { 1, 80, 400 })
   {
     const vtkSmartPointer<vtkRenderer> renderer = FloorBesideASphere(cells);
@@ -129,7 +129,7 @@ TEST(OcclusionPicture, IsWithinTheToleranceAndItsEstimateHonest)
       EXPECT_LT(raysPerPixel, 4000.0);
     }
   }
-  EXPECT_GE(honesty.HonestShare(), 0.95);
+  EXPECT_GE(honesty.ConservativeFraction(), 0.95);
   EXPECT_LE(honesty.MedianRatio(), 3.0);
 }
 

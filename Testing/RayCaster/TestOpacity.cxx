@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Transparency and the alpha of pictures without background, against closed forms and each other.
-#include "BruteForce/Measure.h"
+#include "BruteForce/ImageErrors.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"

@@ -4,8 +4,8 @@
 // Meshes without holes that tempt a ray caster to find some: rays exactly through vertices and
 // edges, T-junctions, faces that lie in each other, slivers, the camera inside. Behind every white
 // mesh lies a red wall: whatever shines through is seen.
+#include "BruteForce/ImageErrors.h"
 #include "ClosedForms/ExactCoverage.h"
-#include "BruteForce/Measure.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"

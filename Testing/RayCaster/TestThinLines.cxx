@@ -3,8 +3,8 @@
 //
 // Lines and points thinner than a pixel: the light they send is that of their width and length, and
 // nowhere do they break. At 72 dots per inch a width in points is one in pixels.
+#include "BruteForce/ImageErrors.h"
 #include "ClosedForms/ExactCoverage.h"
-#include "BruteForce/Measure.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"

@@ -3,8 +3,8 @@
 //
 // Where antialiasing fails: things smaller than pixels, borders that are no object's, borders in
 // motion. Flat white shapes on black, against exact coverage.
+#include "Frames.h"
 #include "Scenario.h"
-#include "Stage.h"
 
 #include "Scenes/TestScene.h"
 
@@ -33,7 +33,7 @@ const char* const OpenGL = "OpenGL, 8 samples a pixel asked for (OSMesa gives 4)
 void AsPrinted(vtkPenumbraRayCaster* caster)
 {
   caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
-  caster->SmallObjectsOff();
+  caster->FindSmallObjectsOff();
 }
 
 void OneSample(vtkPenumbraRayCaster* caster)
@@ -46,7 +46,7 @@ Frame Draw(vtkRenderer* renderer, int width, int height, Variant variant, const 
 {
   return variant == Variant::Peer
     ? ByOpenGL(renderer, width, height, 8)
-    : ByRays(renderer, width, height, variant == Variant::Broken ? broken : Choice());
+    : ByRays(renderer, width, height, variant == Variant::Ablated ? broken : Choice());
 }
 
 Frame TruthOf(const std::vector<Shape>& shapes, int width = Size, int height = Size)
@@ -57,17 +57,17 @@ Frame TruthOf(const std::vector<Shape>& shapes, int width = Size, int height = S
 using Shapes = std::function<std::vector<Shape>()>;
 
 /// A still picture of shapes, by a measure of what it shows and what it should.
-std::function<Outcome(Variant)> Still(Shapes shapes, Choice broken,
+std::function<ScenarioResult(Variant)> Still(Shapes shapes, Choice broken,
   double (*measure)(const std::vector<double>&, const std::vector<double>&))
 {
   return [=](Variant variant) {
     const Frame picture = Draw(PictureOf(shapes(), Size, Size), Size, Size, variant, broken);
-    return Outcome{ measure(picture.Values, TruthOf(shapes()).Values), picture };
+    return ScenarioResult{ measure(picture.Values, TruthOf(shapes()).Values), picture };
   };
 }
 
 /// The camera moves by `step` pixels a frame, to the right.
-std::function<Outcome(Variant)> Pan(Shapes shapes, double step, int frames, Choice broken,
+std::function<ScenarioResult(Variant)> Pan(Shapes shapes, double step, int frames, Choice broken,
   double (*measure)(const std::vector<std::vector<double>>&))
 {
   return [=](Variant variant) {
@@ -83,12 +83,12 @@ std::function<Outcome(Variant)> Pan(Shapes shapes, double step, int frames, Choi
       renderer->GetActiveCamera()->SetPosition(eye[0] + step, eye[1], eye[2]);
       renderer->GetActiveCamera()->SetFocalPoint(target[0] + step, target[1], target[2]);
     }
-    return Outcome{ measure(times), picture };
+    return ScenarioResult{ measure(times), picture };
   };
 }
 
 /// Pixel by pixel against the truth, at positions that have nothing to do with one another.
-Outcome FastPan(Variant variant)
+ScenarioResult FastPan(Variant variant)
 {
   double worst = 0.0;
   Frame picture;
@@ -111,7 +111,7 @@ Outcome FastPan(Variant variant)
 
 /// The whole of a leaf-like star is seen while the camera zooms: how much light it reflects to the eye
 /// grows as the square of the scale.
-Outcome Zoom(Variant variant)
+ScenarioResult Zoom(Variant variant)
 {
   std::vector<std::vector<double>> times;
   Frame picture;
@@ -131,7 +131,7 @@ Outcome Zoom(Variant variant)
   return { EnergyChange(times), picture };
 }
 
-Outcome OddSizes(Variant variant)
+ScenarioResult OddSizes(Variant variant)
 {
   double worst = 0.0;
   Frame picture;
@@ -149,18 +149,18 @@ Outcome OddSizes(Variant variant)
 
 /// Half of the picture behind a slanted border, by [AA]'s own subdivision: dropping the sub-pixels that
 /// are undecided at the last level loses their light.
-Outcome PaperSubdivision(Variant variant)
+ScenarioResult PaperSubdivision(Variant variant)
 {
   const Frame picture = ByRays(
     PictureOf(HalfPlane(Size, Size), Size, Size), Size, Size, [&](vtkPenumbraRayCaster* caster) {
       caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
-      caster->SetMaximumLevel(variant == Variant::Broken ? 0 : 3);
+      caster->SetMaximumLevel(variant == Variant::Ablated ? 0 : 3);
     });
   return { LargestDifference(picture.Values, TruthOf(HalfPlane(Size, Size)).Values), picture };
 }
 
 /// A chequerboard of cells of one mesh, turned: borders of colours, not of objects.
-Outcome ColorJumps(Variant variant)
+ScenarioResult ColorJumps(Variant variant)
 {
   std::vector<Shape> cells;
   std::vector<Shape> white;
@@ -197,7 +197,7 @@ Outcome ColorJumps(Variant variant)
 }
 
 /// A picture, and the means of one of twice the size.
-Outcome TwoResolutions(Variant variant)
+ScenarioResult TwoResolutions(Variant variant)
 {
   std::vector<Shape> shapes = Rods(Size, Size, 4);
   const Frame small = Draw(PictureOf(shapes, Size, Size), Size, Size, variant, OneSample);
@@ -244,15 +244,15 @@ std::vector<Scenario> CoverageScenarios()
     { "LeafZoom", "a leaf of 48 spikes", "zoom, 1/64 a frame", Metric::Energy, 1e-4, sample,
       "[AA] drops sub-pixels of case 3 at L_max", OpenGL, Zoom },
     { "SlantedBorder", "half of the picture, by [AA]'s subdivision to level 3", "still",
-      Metric::Sameness, .13, "levels: none", "[AA] drops sub-pixels of case 3 at L_max", "",
-      PaperSubdivision },
+      Metric::MaximumDifference, .13, "levels: none", "[AA] drops sub-pixels of case 3 at L_max",
+      "", PaperSubdivision },
     { "ColourJumpsWithinOneObject", "a chequerboard of cells of one mesh", "still", Metric::Bias,
       .006, "refinement by estimated error: [AA] as printed", "[AA] no borders inside an object",
       OpenGL, ColorJumps },
     { "StraightEdge", "half of the picture", "still", Metric::CoverageMiss, 1e-6, sample,
       "[AA] no exact coverage", OpenGL, Still(edge, OneSample, CoverageMiss) },
-    { "OddSizes", "a disc in pictures of 1x1, 1x64, 127x3, 33x7, ...", "still", Metric::Sameness,
-      1e-4, sample, "", OpenGL, OddSizes },
+    { "OddSizes", "a disc in pictures of 1x1, 1x64, 127x3, 33x7, ...", "still",
+      Metric::MaximumDifference, 1e-4, sample, "", OpenGL, OddSizes },
     { "TwoResolutions", "rods, and the same picture twice as large", "still", Metric::Resolution,
       1e-5, sample, "", OpenGL, TwoResolutions },
   };

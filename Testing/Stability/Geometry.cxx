@@ -3,8 +3,8 @@
 //
 // Where the geometry itself is difficult: borders within one object, faces in one plane, cracks, sizes
 // and distances far from 1, points that are no numbers. By the ray caster, lit by a headlight.
+#include "Frames.h"
 #include "Scenario.h"
-#include "Stage.h"
 
 #include "BruteForce/BruteForce.h"
 #include "ClosedForms/ExactCoverage.h"
@@ -77,11 +77,11 @@ Frame Draw(vtkRenderer* renderer, Variant variant, const Choice& broken)
 {
   return variant == Variant::Peer
     ? ByOpenGL(renderer, Size, Size, 8)
-    : ByRays(renderer, Size, Size, variant == Variant::Broken ? broken : Choice());
+    : ByRays(renderer, Size, Size, variant == Variant::Ablated ? broken : Choice());
 }
 
 /// Against brute force.
-Outcome Judge(vtkRenderer* renderer, Variant variant, const Choice& broken)
+ScenarioResult Judge(vtkRenderer* renderer, Variant variant, const Choice& broken)
 {
   const Frame picture = Draw(renderer, variant, broken);
   std::vector<double> truth;
@@ -93,7 +93,7 @@ Outcome Judge(vtkRenderer* renderer, Variant variant, const Choice& broken)
   return { Rmse(picture.Values, truth), picture };
 }
 
-Outcome SelfSilhouettes(Variant variant)
+ScenarioResult SelfSilhouettes(Variant variant)
 {
   return Judge(Lit({ Burr() }, { -.6, 1.0, -.4 }), variant, [](vtkPenumbraRayCaster* caster) {
     caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
@@ -101,13 +101,13 @@ Outcome SelfSilhouettes(Variant variant)
   });
 }
 
-Outcome Interpenetration(Variant variant)
+ScenarioResult Interpenetration(Variant variant)
 {
   return Judge(
     Lit({ Burr(), Box({ .2, -.2, .1 }, { .9, .7, .5 }) }, { -.6, 1.0, -.4 }), variant, OneSample);
 }
 
-Outcome NonManifoldEdge(Variant variant)
+ScenarioResult NonManifoldEdge(Variant variant)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, -1.0);
@@ -128,7 +128,7 @@ Outcome NonManifoldEdge(Variant variant)
 }
 
 /// Planks with gaps on a plane that is seen at 2 degrees.
-Outcome GrazingPlanks(Variant variant)
+ScenarioResult GrazingPlanks(Variant variant)
 {
   std::vector<Mesh> planks;
   for (int i = 0; i < 40; ++i)
@@ -147,7 +147,7 @@ Outcome GrazingPlanks(Variant variant)
   return Judge(renderer, variant, OneSample);
 }
 
-Outcome WideAngle(Variant variant)
+ScenarioResult WideAngle(Variant variant)
 {
   std::vector<Mesh> boxes;
   for (int i = 0; i < 25; ++i)
@@ -163,11 +163,11 @@ Outcome WideAngle(Variant variant)
 }
 
 /// Strips side by side, each cut at other heights; behind them nothing. Broken: a tenth of a pixel apart.
-Outcome TJunctions(Variant variant)
+ScenarioResult TJunctions(Variant variant)
 {
   const glm::dvec2 along(std::cos(.37), std::sin(.37));
   const glm::dvec2 up(-along.y, along.x);
-  const double width = variant == Variant::Broken ? 14.2 : 14.3;
+  const double width = variant == Variant::Ablated ? 14.2 : 14.3;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> quads;
@@ -210,9 +210,9 @@ Mesh Tilted(glm::dvec2 center, double apart)
 
 /// A white and a black disc in one plane, divided otherwise: one of the two is seen everywhere, whoever
 /// comes first.
-Outcome CoplanarDuplicates(Variant variant)
+ScenarioResult CoplanarDuplicates(Variant variant)
 {
-  const double apart = variant == Variant::Broken ? 1e6 : 0.0;
+  const double apart = variant == Variant::Ablated ? 1e6 : 0.0;
   const Mesh discs[] = { Tilted({ 32.3, 31.9 }, apart), Tilted({ 39.6, 26.8 }, apart) };
   Frame pictures[2];
   for (const int first : { 0, 1 })
@@ -255,15 +255,15 @@ Renderer Placed(glm::dvec3 place, double scale, bool rounds)
   return renderer;
 }
 
-Outcome FarFromOrigin(Variant variant)
+ScenarioResult FarFromOrigin(Variant variant)
 {
   const Frame near = Draw(Placed(glm::dvec3(0.0), 1.0, false), variant, {});
-  const Frame far = Draw(Placed({ 1e7, -2e7, 1e7 }, 1.0, variant == Variant::Broken), variant, {});
+  const Frame far = Draw(Placed({ 1e7, -2e7, 1e7 }, 1.0, variant == Variant::Ablated), variant, {});
   return { Rmse(near.Values, far.Values), far };
 }
 
 /// Occlusion with a radius from the bounds; broken: from the author's own unit.
-std::function<Outcome(Variant)> Units(double scale)
+std::function<ScenarioResult(Variant)> Units(double scale)
 {
   return [scale](Variant variant) {
     const auto shaded = [&](double unit) {
@@ -271,16 +271,16 @@ std::function<Outcome(Variant)> Units(double scale)
         Placed(glm::dvec3(0.0), unit, false), Size, Size, [&](vtkPenumbraRayCaster* caster) {
           caster->AmbientOcclusionOn();
           caster->SetTolerance(1.0 / 64.0);
-          caster->SetAmbientOcclusionRadius(variant == Variant::Broken ? .2 : 0.0);
+          caster->SetAmbientOcclusionRadius(variant == Variant::Ablated ? .2 : 0.0);
         });
     };
     const Frame picture = shaded(scale);
-    return Outcome{ Rmse(shaded(1.0).Values, picture.Values), picture };
+    return ScenarioResult{ Rmse(shaded(1.0).Values, picture.Values), picture };
   };
 }
 
 /// The mirrored scene under occlusion.
-Outcome Mirror(Variant variant)
+ScenarioResult Mirror(Variant variant)
 {
   const auto shaded = [&](double side) {
     const Renderer renderer =
@@ -292,7 +292,7 @@ Outcome Mirror(Variant variant)
     }
     return ByRays(renderer, Size, Size, [&](vtkPenumbraRayCaster* caster) {
       caster->AmbientOcclusionOn();
-      caster->SetTolerance(variant == Variant::Broken ? .5 : 1.0 / 128.0);
+      caster->SetTolerance(variant == Variant::Ablated ? .5 : 1.0 / 128.0);
     });
   };
   const Frame mirrored = shaded(-1.0);
@@ -300,7 +300,7 @@ Outcome Mirror(Variant variant)
 }
 
 /// A thing at 1 before a white wall at 999,999 that hides a black one at 1,000,000.
-Outcome NearAndFar(Variant variant)
+ScenarioResult NearAndFar(Variant variant)
 {
   const Renderer renderer = NewRenderer();
   const auto wall = [&](double distance, double color) {
@@ -334,9 +334,9 @@ Outcome NearAndFar(Variant variant)
 }
 
 /// Points that are no numbers, and the cells around them left out by hand.
-Outcome NotNumbers(Variant variant)
+ScenarioResult NotNumbers(Variant variant)
 {
-  const double nan = variant == Variant::Broken ? 0.0 : std::nan("");
+  const double nan = variant == Variant::Ablated ? 0.0 : std::nan("");
   const Mesh whole = Burr();
   vtkIdType each = 0;
   const Mesh damaged =
@@ -364,11 +364,11 @@ Outcome NotNumbers(Variant variant)
 }
 
 /// From within a closed mesh: nothing but its walls.
-Outcome InsideAMesh(Variant variant)
+ScenarioResult InsideAMesh(Variant variant)
 {
   const Renderer renderer = NewRenderer();
   const Mesh burr = Burr();
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     vtkNew<vtkCellArray> kept;
     vtkNew<vtkIdList> corners;
@@ -392,7 +392,7 @@ Outcome InsideAMesh(Variant variant)
 }
 
 /// Rods behind a pane of glass.
-Outcome BehindGlass(Variant variant)
+ScenarioResult BehindGlass(Variant variant)
 {
   const std::vector<Shape> rods = Rods(Size, Size, 4);
   const Renderer renderer = PictureOf(rods, Size, Size);
@@ -401,7 +401,7 @@ Outcome BehindGlass(Variant variant)
   glass->GetProperty()->SetColor(.4, .4, .4);
   const Frame picture = Draw(renderer, variant, [](vtkPenumbraRayCaster* caster) {
     caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
-    caster->SmallObjectsOff();
+    caster->FindSmallObjectsOff();
   });
   std::vector<double> truth = SharesOf(rods, Size, Size);
   for (double& value : truth)
@@ -435,8 +435,8 @@ std::vector<Scenario> GeometryScenarios()
     { "InsideAClosedMesh", "a burr from within", "still", Metric::Leak, 1e-3, rounded, "", OpenGL,
       InsideAMesh },
     { "CoplanarDuplicates", "two discs in one slanted plane, added in either order", "still",
-      Metric::Sameness, .01, rounded, "", OpenGL, CoplanarDuplicates },
-    { "BehindGlass", "rods behind a translucent pane", "still", Metric::Sameness, .001,
+      Metric::MaximumDifference, .01, rounded, "", OpenGL, CoplanarDuplicates },
+    { "BehindGlass", "rods behind a translucent pane", "still", Metric::MaximumDifference, .001,
       "case 4, and exact borders: [AA] as printed", "[AA] case 4 is left out", OpenGL,
       BehindGlass },
     { "FarFromTheOrigin", "a burr at 1e7", "still", Metric::Bias, .001, rounded,

@@ -3,12 +3,12 @@
 //
 // Where interpolated occlusion fails: contacts, thin walls, corners, and answers that depend on who
 // asked before. The cache against closed forms at the places that a picture sees; baked meshes.
-#include "CacheStage.h"
+#include "CacheScenes.h"
+#include "Frames.h"
 #include "Scenario.h"
-#include "Stage.h"
 
 #include "Embree/RayScene.h"
-#include "Records/PictureSites.h"
+#include "Records/PixelCandidates.h"
 #include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
@@ -40,13 +40,13 @@ void UseWideHarmonicMean(Cache* cache)
   cache->SetMaximumRadius(1000.0);
 }
 
-glm::dvec3 World(const Scene& scene, const Site& site)
+glm::dvec3 World(const Scene& scene, const RecordCandidate& site)
 {
   return scene.ToWorld(site.Position);
 }
 
 /// A unit sphere, its centre at `height` above a floor: contact at 1. Seen in a picture of `size`.
-std::function<Outcome(Variant)> Sphere(double height, int size)
+std::function<ScenarioResult(Variant)> Sphere(double height, int size)
 {
   return [height, size](Variant variant) {
     Scene scene;
@@ -54,12 +54,12 @@ std::function<Outcome(Variant)> Sphere(double height, int size)
     const RayScene rays(scene, 1);
     vtkNew<Cache> cache;
     cache->SetTolerance(.01);
-    if (variant == Variant::Broken)
+    if (variant == Variant::Ablated)
     {
       UseWideHarmonicMean(cache);
     }
     cache->Begin(rays, Infinity, .02);
-    Outcome outcome{ 0.0, {} };
+    ScenarioResult outcome{ 0.0, {} };
     outcome.Picture = Picture(
       rays, cache,
       [height](glm::dvec3 position, glm::dvec3 normal) {
@@ -74,7 +74,7 @@ std::function<Outcome(Variant)> Sphere(double height, int size)
 }
 
 /// A corner of a floor and a wall: [IC] gives records there no radius, or too large ones.
-Outcome ConcaveCorner(Variant variant)
+ScenarioResult ConcaveCorner(Variant variant)
 {
   Scene scene;
   AddRectangle(scene, { -500.f, -500.f, 0.f }, { 1000.f, 0.f, 0.f }, { 0.f, 500.f, 0.f });
@@ -83,12 +83,12 @@ Outcome ConcaveCorner(Variant variant)
   const RayScene rays(scene, 1);
   vtkNew<Cache> cache;
   cache->SetTolerance(.01);
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     UseWideHarmonicMean(cache);
   }
   cache->Begin(rays, 1.0, .02);
-  Outcome outcome{ 0.0, {} };
+  ScenarioResult outcome{ 0.0, {} };
   outcome.Picture = Picture(
     rays, cache,
     [](glm::dvec3 position, glm::dvec3 normal) {
@@ -101,13 +101,13 @@ Outcome ConcaveCorner(Variant variant)
 
 /// A room that is open above beside one with a low lid, a sheet between them; a record of one must not
 /// serve the other.
-Outcome ThinWall(Variant variant)
+ScenarioResult ThinWall(Variant variant)
 {
   Scene scene;
   ArrangeTwoRooms(scene);
   const RayScene rays(scene, 1);
   vtkNew<Cache> cache;
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     UseWideHarmonicMean(cache);
   }
@@ -116,11 +116,11 @@ Outcome ThinWall(Variant variant)
 }
 
 /// All of the sky is blocked.
-Outcome ClosedBox(Variant variant)
+ScenarioResult ClosedBox(Variant variant)
 {
   Scene scene;
   AddBox(scene, { -3.f, -8.f, -1.f }, { 3.f, 4.f, 5.f });
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     scene.Surfaces.pop_back();
   }
@@ -155,36 +155,36 @@ std::size_t InFiveThreads(std::size_t i, std::size_t count)
 }
 
 /// The same questions in two orders, records made on one thread and on five.
-std::function<Outcome(Variant)> AskedAgain(OrderOfQuestions other)
+std::function<ScenarioResult(Variant)> AskedAgain(OrderOfQuestions other)
 {
   return [other](Variant variant) {
     Scene scene;
     ArrangeContact(scene, 1.0, 128);
     const RayScene rays(scene, 1);
-    const std::vector<Site> sites = SitesOfPicture(rays, 6);
+    const std::vector<RecordCandidate> sites = CandidatesInImage(rays, 6);
     std::vector<double> answers[2];
     Frame picture;
     for (const bool again : { false, true })
     {
       vtkNew<Cache> cache;
-      cache->SetOrder(variant == Variant::Broken ? Cache::LAZY : Cache::LEVELS);
+      cache->SetOrder(variant == Variant::Ablated ? Cache::LAZY : Cache::LEVELS);
       vtkSMPTools::LocalScope(
         vtkSMPTools::Config(again ? 5 : 1), [&]() { cache->Begin(rays, Infinity, .02); });
       answers[again].resize(sites.size());
       for (std::size_t i = 0; i < sites.size(); ++i)
       {
         const std::size_t question = again ? other(i, sites.size()) : i;
-        const Site& site = sites[question];
+        const RecordCandidate& site = sites[question];
         answers[again][question] = Ask(cache, World(scene, site), site.Normal);
       }
       picture = Picture(rays, cache);
     }
-    return Outcome{ LargestDifference(answers[0], answers[1]), picture };
+    return ScenarioResult{ LargestDifference(answers[0], answers[1]), picture };
   };
 }
 
 /// The inside of a sphere whose file has its normals turned outwards.
-Outcome InvertedNormals(Variant variant)
+ScenarioResult InvertedNormals(Variant variant)
 {
   vtkNew<vtkSphereSource> source;
   source->SetThetaResolution(24);
@@ -215,7 +215,7 @@ Outcome InvertedNormals(Variant variant)
 }
 
 /// A mesh in two units; broken: a radius in world units.
-Outcome BakedUnits(Variant variant)
+ScenarioResult BakedUnits(Variant variant)
 {
   std::vector<double> baked[2];
   for (const bool tiny : { false, true })
@@ -229,7 +229,7 @@ Outcome BakedUnits(Variant variant)
     dented->GetPointData()->Initialize();
     vtkNew<vtkPenumbraIrradianceFilter> filter;
     filter->SetInputData(dented);
-    filter->SetRadius(variant == Variant::Broken ? .2 : 0.0);
+    filter->SetRadius(variant == Variant::Ablated ? .2 : 0.0);
     filter->SetNumberOfThreads(1);
     filter->Update();
     vtkDataArray* values =
@@ -267,13 +267,14 @@ std::vector<Scenario> IrradianceScenarios()
     { "CacheClosedBox", "the inside of a closed box", "still", Metric::Leak, 0.0,
       "a wall: one is left out", "", "", ClosedBox },
     { "CacheOrderOfQuestions", "a sphere on a floor, asked from first to last and back", "still",
-      Metric::Sameness, 0.0, lazy, dependent, "", AskedAgain(Backwards) },
-    { "CacheTiles", "the same, asked at once and in two pieces", "still", Metric::Sameness, 0.0,
-      lazy, dependent, "", AskedAgain(InTwoPieces) },
-    { "CacheThreads", "the same, asked by one thread and as by five", "still", Metric::Sameness,
-      0.0, lazy, dependent, "", AskedAgain(InFiveThreads) },
+      Metric::MaximumDifference, 0.0, lazy, dependent, "", AskedAgain(Backwards) },
+    { "CacheTiles", "the same, asked at once and in two pieces", "still", Metric::MaximumDifference,
+      0.0, lazy, dependent, "", AskedAgain(InTwoPieces) },
+    { "CacheThreads", "the same, asked by one thread and as by five", "still",
+      Metric::MaximumDifference, 0.0, lazy, dependent, "", AskedAgain(InFiveThreads) },
     { "BakedInvertedNormals", "an open sphere whose normals point inwards", "still",
-      Metric::Sameness, 0.0, "computed normals: those of the file", "", "", InvertedNormals },
+      Metric::MaximumDifference, 0.0, "computed normals: those of the file", "", "",
+      InvertedNormals },
     { "BakedUnit", "a dented sphere of size 1e-6", "still", Metric::UnitIndependence, .01,
       "a radius from the bounds: .2", "[ISAO] distances in scene units", "", BakedUnits },
   };

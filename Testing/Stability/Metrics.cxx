@@ -57,7 +57,7 @@ MetricText TextOf(Metric metric)
         "RMSE between the turned picture and that of a camera turned by 90 degrees" };
     case Metric::Resolution:
       return { "resolution", "RMSE between a picture and the 2x2 means of one twice as large" };
-    case Metric::Sameness:
+    case Metric::MaximumDifference:
       return { "sameness", "largest difference of two pictures that must be the same" };
   }
   return {};

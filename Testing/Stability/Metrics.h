@@ -35,7 +35,7 @@ enum class Metric
   UnitIndependence,
   Rotation,
   Resolution,
-  Sameness
+  MaximumDifference
 };
 
 /// Name and definition, for people.

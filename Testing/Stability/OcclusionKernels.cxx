@@ -3,7 +3,7 @@
 //
 // What [TSSAO] and [ISAO] say or print of their kernels that would make them fail: each kernel as it is,
 // and with the line of its shader changed that settles it.
-#include "OcclusionStage.h"
+#include "OcclusionScenes.h"
 #include "Scenario.h"
 
 #include "vtkNew.h"
@@ -80,20 +80,20 @@ vtkSmartPointer<AlteredKernel> NewKernel(const char* name)
 }
 
 /// A floor before a wall, against a closed form.
-Outcome BeforeAWall(vtkPenumbraOcclusionEstimator* kernel, double (*truth)(double))
+ScenarioResult BeforeAWall(vtkPenumbraOcclusionEstimator* kernel, double (*truth)(double))
 {
   OcclusionScene scene(160, 96);
-  scene.Occlude(1.0)->SetTolerance(.005);
+  scene.AddOcclusionPass(1.0)->SetTolerance(.005);
   scene.Pass->SetEstimator(kernel);
   const std::vector<double> errors = ErrorsBeforeAWall(scene, truth);
   return { RootMeanSquare(errors), OpennessOf(scene) };
 }
 
 /// Directions that are distributed as the cosine already.
-Outcome CosineOnce(Variant variant)
+ScenarioResult CosineOnce(Variant variant)
 {
   const auto kernel = NewKernel("volumetric");
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     kernel->Replace("> 1e-4 ? 1.0", "> 1e-4 ? way.z");
   }
@@ -101,32 +101,32 @@ Outcome CosineOnce(Variant variant)
 }
 
 /// The kernel whose D is that of eq. 1; broken: another.
-std::function<Outcome(Variant)> InsteadOf(const char* other)
+std::function<ScenarioResult(Variant)> InsteadOf(const char* other)
 {
   return [other](Variant variant) {
-    return BeforeAWall(NewKernel(variant == Variant::Broken ? other : "horizon"), BehindWall);
+    return BeforeAWall(NewKernel(variant == Variant::Ablated ? other : "horizon"), BehindWall);
   };
 }
 
 /// The points that count are those behind what is seen.
-Outcome BehindTheSurface(Variant variant)
+ScenarioResult BehindTheSurface(Variant variant)
 {
   const auto kernel = NewKernel("depth-difference");
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     kernel->Replace("behind > 1e-4", "behind < -1e-4");
   }
   return BeforeAWall(kernel, BehindWall);
 }
 
-Outcome OpenPlane(Variant variant)
+ScenarioResult OpenPlane(Variant variant)
 {
   OcclusionScene scene(96, 72);
   scene.AddFloor();
-  scene.Look({ 0, -3, 3 }, { 0, 0, 0 });
-  scene.Occlude(1.0)->SetTolerance(.005);
+  scene.SetCamera({ 0, -3, 3 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0)->SetTolerance(.005);
   const auto kernel = NewKernel("depth-difference");
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     kernel->Replace("sign(dot(way, point.normal)) * ", "");
   }
@@ -137,13 +137,13 @@ Outcome OpenPlane(Variant variant)
 }
 
 /// From the first sample, and after two thousand million, more than a float counts one by one.
-Outcome ManySamples(Variant variant)
+ScenarioResult ManySamples(Variant variant)
 {
   const auto kernel = NewKernel("volumetric");
-  kernel->Begin(2000000000, variant == Variant::Broken);
+  kernel->Begin(2000000000, variant == Variant::Ablated);
   OcclusionScene scene(96, 72);
   Furnish(scene);
-  scene.Occlude(1.0)->SetTolerance(.005);
+  scene.AddOcclusionPass(1.0)->SetTolerance(.005);
   scene.Pass->FilterOff();
   scene.Pass->SetEstimator(kernel);
   scene.Window->Render();
@@ -154,7 +154,7 @@ Outcome ManySamples(Variant variant)
 }
 
 /// The inside of a trough of few facets and of many.
-Outcome Facets(Variant variant)
+ScenarioResult Facets(Variant variant)
 {
   const auto draw = [variant](int facets) {
     OcclusionScene scene(96, 72);
@@ -168,9 +168,9 @@ Outcome Facets(Variant variant)
       const auto to = at(i + 1);
       scene.AddWall({ from[0], -2, from[1] }, { 0, 4, 0 }, { to[0] - from[0], 0, to[1] - from[1] });
     }
-    scene.Look({ 0, -1, 4 }, { 0, 0, -.6 });
-    scene.Occlude(.25)->SetTolerance(.005);
-    scene.Pass->SetKernelName(variant == Variant::Broken ? "patch" : "automatic");
+    scene.SetCamera({ 0, -1, 4 }, { 0, 0, -.6 });
+    scene.AddOcclusionPass(.25)->SetTolerance(.005);
+    scene.Pass->SetKernelName(variant == Variant::Ablated ? "patch" : "automatic");
     scene.Window->Render();
     return OcclusionOf(scene);
   };
@@ -179,14 +179,14 @@ Outcome Facets(Variant variant)
 }
 
 /// One frame after a neighbour has moved; broken: nothing is left of the history there.
-Outcome AfterAChange(Variant variant)
+ScenarioResult AfterAChange(Variant variant)
 {
   OcclusionScene scene(64, 48);
   Furnish(scene);
-  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   scene.Pass->FilterOff();
   scene.Pass->SetFirstSamples(8);
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     scene.Pass->SetInvalidationWeight(0.0);
   }
@@ -210,7 +210,7 @@ std::vector<Scenario> OcclusionKernelScenarios()
     { "KernelCosineOnce", wall + " of D = 1 - t, volumetric kernel", "still", Metric::Bias, .02,
       "the cosine of eq. 3 left to the directions: applied again",
       "[TSSAO eq. 3] cosine applied twice", "", CosineOnce },
-    { "KernelFallOff", wall, "still", Metric::Bias, .03,
+    { "KernelFalloff", wall, "still", Metric::Bias, .03,
       "a kernel whose D is 1 within the radius: the volumetric one",
       "[TSSAO eq. 3] estimates another D", "", InsteadOf("volumetric") },
     { "KernelWithoutCosine", wall, "still", Metric::Bias, .03,

@@ -3,7 +3,7 @@
 //
 // The occlusion pass while something moves: what it keeps from earlier frames must neither flicker nor
 // linger. Occlusion in [0, 1], against what the pass converges to at the same place.
-#include "OcclusionStage.h"
+#include "OcclusionScenes.h"
 #include "Scenario.h"
 
 #include "vtkCamera.h"
@@ -36,7 +36,7 @@ void KeepUnchecked(Pass* pass)
 {
   pass->SetDepthTolerance(1.0);
   pass->SetInvalidationWeight(1000.0);
-  pass->FollowActorsOff();
+  pass->UseActorMotionOff();
 }
 
 void KeepBesideMoved(Pass* pass)
@@ -47,8 +47,8 @@ void KeepBesideMoved(Pass* pass)
 /// A scene that has been still for a while, on the way to convergence.
 void Start(OcclusionScene& scene, Variant variant, Breaking broken, int frames = 30)
 {
-  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
-  if (variant == Variant::Broken)
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  if (variant == Variant::Ablated)
   {
     broken(scene.Pass);
   }
@@ -72,7 +72,7 @@ std::vector<Vector> FloorPoints()
 using Step = void (*)(OcclusionScene&, int frame);
 
 /// Flicker of the floor while `move` moves something every frame.
-Outcome FlickerUnder(Step move, Breaking broken, Variant variant)
+ScenarioResult FlickerUnder(Step move, Breaking broken, Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
@@ -88,7 +88,7 @@ Outcome FlickerUnder(Step move, Breaking broken, Variant variant)
 }
 
 /// Error of the last of some frames.
-Outcome ErrorAfter(Step move, int frames, Breaking broken, Variant variant)
+ScenarioResult ErrorAfter(Step move, int frames, Breaking broken, Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
@@ -103,7 +103,7 @@ Outcome ErrorAfter(Step move, int frames, Breaking broken, Variant variant)
 }
 
 /// Frames until nothing is left of what was there before `event`.
-Outcome GhostAfter(Step event, Breaking broken, Variant variant)
+ScenarioResult GhostAfter(Step event, Breaking broken, Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
@@ -158,12 +158,12 @@ void Zoom(OcclusionScene& scene, int)
 
 void Graze(OcclusionScene& scene, int frame)
 {
-  scene.Look({ .02 * frame, -5.0, .45 }, { 0.0, 0.0, .3 });
+  scene.SetCamera({ .02 * frame, -5.0, .45 }, { 0.0, 0.0, .3 });
 }
 
 void Cut(OcclusionScene& scene, int)
 {
-  scene.Look({ 2.5, -3.5, 1.4 }, { 0.0, 0.0, .5 });
+  scene.SetCamera({ 2.5, -3.5, 1.4 }, { 0.0, 0.0, .5 });
 }
 
 void MoveBall(OcclusionScene& scene, int)
@@ -201,7 +201,7 @@ void TakeBallAway(OcclusionScene& scene, int)
 }
 
 /// Round the scene and back.
-Outcome Orbit(Variant variant)
+ScenarioResult Orbit(Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
@@ -218,7 +218,7 @@ Outcome Orbit(Variant variant)
 }
 
 /// Upright rods that turn before a wall.
-Outcome TurningRods(Variant variant)
+ScenarioResult TurningRods(Variant variant)
 {
   OcclusionScene scene(128, 96);
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 4, 0 });
@@ -228,7 +228,7 @@ Outcome TurningRods(Variant variant)
   {
     rods.push_back(scene.AddWall({ .4 * i - 1.2, .4, 0 }, { .06, 0, 0 }, { 0, 0, 1.5 }));
   }
-  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
   Start(scene, variant, KeepUnchecked);
   for (int frame = 0; frame < 12; ++frame)
   {
@@ -244,7 +244,7 @@ Outcome TurningRods(Variant variant)
 
 /// A ball leaves the picture to the left: what it hides from a column near the border, against a picture
 /// with all of its surroundings.
-Outcome CrossBorder(Variant variant)
+ScenarioResult CrossBorder(Variant variant)
 {
   double worst = 0.0;
   Frame picture;
@@ -252,8 +252,8 @@ Outcome CrossBorder(Variant variant)
     OcclusionScene scene(96, 72);
     scene.AddFloor();
     scene.AddSphere({ place, 0, .5 }, .5);
-    scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-    scene.Occlude(1.0)->SetTolerance(.005);
+    scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+    scene.AddOcclusionPass(1.0)->SetTolerance(.005);
     scene.Pass->SetMargin(margin);
     scene.Window->Render();
     return OcclusionOf(scene);
@@ -261,7 +261,7 @@ Outcome CrossBorder(Variant variant)
   for (int frame = 0; frame < 3; ++frame)
   {
     const double place = -2.2 - .3 * frame;
-    picture = draw(place, variant == Variant::Broken ? 0.0 : -1.0);
+    picture = draw(place, variant == Variant::Ablated ? 0.0 : -1.0);
     const Frame whole = draw(place, 30.0);
     worst = std::max(worst, Rmse(picture.Values, whole.Values));
   }
@@ -269,7 +269,7 @@ Outcome CrossBorder(Variant variant)
 }
 
 template <typename Function, typename... Arguments>
-std::function<Outcome(Variant)> Bind(Function function, Arguments... arguments)
+std::function<ScenarioResult(Variant)> Bind(Function function, Arguments... arguments)
 {
   return [=](Variant variant) { return function(arguments..., variant); };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What lies over a scene must not be darkened by the occlusion of what lies behind it.
-#include "OcclusionStage.h"
+#include "OcclusionScenes.h"
 #include "Scenario.h"
 
 #include "vtkColorTransferFunction.h"
@@ -33,7 +33,7 @@ namespace
 using Pass = vtkPenumbraTemporalSSAOPass;
 
 /// The colour of the picture with and without occlusion, where something else lies over the scene.
-Outcome Untouched(OcclusionScene& scene, Variant variant, const std::vector<Vector>& places)
+ScenarioResult Untouched(OcclusionScene& scene, Variant variant, const std::vector<Vector>& places)
 {
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
@@ -41,7 +41,7 @@ Outcome Untouched(OcclusionScene& scene, Variant variant, const std::vector<Vect
   vtkNew<Pass> byHand;
   if (variant == Variant::Ours)
   {
-    scene.Occlude(1.0);
+    scene.AddOcclusionPass(1.0);
   }
   else
   {
@@ -90,7 +90,7 @@ std::vector<Vector> Places(double left, double right, double low, double high)
 }
 
 /// Glass that is nearly opaque before a corner.
-Outcome BehindGlass(Variant variant)
+ScenarioResult BehindGlass(Variant variant)
 {
   OcclusionScene scene(96, 72);
   Furnish(scene);
@@ -100,7 +100,7 @@ Outcome BehindGlass(Variant variant)
 }
 
 /// A cloud that is nearly opaque before a corner.
-Outcome BehindAVolume(Variant variant)
+ScenarioResult BehindAVolume(Variant variant)
 {
   OcclusionScene scene(96, 72);
   Furnish(scene);
@@ -127,7 +127,7 @@ Outcome BehindAVolume(Variant variant)
 }
 
 /// Text and a scalar bar over a scene: beside them it looks as it does without them.
-Outcome TextAndScalarBar(Variant variant)
+ScenarioResult TextAndScalarBar(Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
@@ -161,7 +161,7 @@ Outcome TextAndScalarBar(Variant variant)
   const Frame covered = draw(true);
   if (variant == Variant::Ours)
   {
-    scene.Occlude(1.0);
+    scene.AddOcclusionPass(1.0);
   }
   else
   {
@@ -177,7 +177,7 @@ Outcome TextAndScalarBar(Variant variant)
     const bool isFree = plain.Values[i] == covered.Values[i];
     largest = std::max(largest, isFree ? std::abs(both.Values[i] - occluded.Values[i]) : 0.0);
   }
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     byHand->ReleaseGraphicsResources(scene.Window);
     scene.Renderer->SetPass(nullptr);
@@ -191,12 +191,12 @@ std::vector<Scenario> OcclusionOverlayScenarios()
 {
   const std::string byHand = "OpaqueOnly: the delegate draws everything";
   return {
-    { "OcclusionBehindGlass", "nearly opaque glass before a corner", "still", Metric::Sameness, .06,
-      byHand, "[TSSAO] translucent props", "", BehindGlass },
-    { "OcclusionBehindAVolume", "a nearly opaque cloud before a corner", "still", Metric::Sameness,
-      .01, byHand, "[TSSAO] volumes", "", BehindAVolume },
-    { "OcclusionBesideText", "text and a scalar bar over a corner", "still", Metric::Sameness, .02,
-      byHand, "", "", TextAndScalarBar },
+    { "OcclusionBehindGlass", "nearly opaque glass before a corner", "still",
+      Metric::MaximumDifference, .06, byHand, "[TSSAO] translucent props", "", BehindGlass },
+    { "OcclusionBehindAVolume", "a nearly opaque cloud before a corner", "still",
+      Metric::MaximumDifference, .01, byHand, "[TSSAO] volumes", "", BehindAVolume },
+    { "OcclusionBesideText", "text and a scalar bar over a corner", "still",
+      Metric::MaximumDifference, .02, byHand, "", "", TextAndScalarBar },
   };
 }
 

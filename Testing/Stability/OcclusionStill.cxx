@@ -3,7 +3,7 @@
 //
 // The occlusion pass in windows and scenes that are difficult without any motion: borders of the
 // picture, viewports, other projections, units, distances.
-#include "OcclusionStage.h"
+#include "OcclusionScenes.h"
 #include "Scenario.h"
 
 #include "vtkCamera.h"
@@ -38,17 +38,17 @@ Frame Drawn(OcclusionScene& scene)
 }
 
 /// A view that has converged, frame by frame.
-Outcome StillView(Variant variant)
+ScenarioResult StillView(Variant variant)
 {
   OcclusionScene scene(96, 72);
   Furnish(scene);
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
-    scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+    scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   }
   else if (variant == Variant::Ours)
   {
-    scene.Occlude(1.0);
+    scene.AddOcclusionPass(1.0);
   }
   std::vector<std::vector<double>> times;
   Frame picture;
@@ -61,10 +61,10 @@ Outcome StillView(Variant variant)
 }
 
 /// A floor before a wall, against the closed form, in one column of pixels.
-Outcome Wall(OcclusionScene& scene, Variant variant)
+ScenarioResult Wall(OcclusionScene& scene, Variant variant)
 {
-  scene.Occlude(1.0)->SetTolerance(.005);
-  if (variant == Variant::Broken)
+  scene.AddOcclusionPass(1.0)->SetTolerance(.005);
+  if (variant == Variant::Ablated)
   {
     OneFrame(scene.Pass);
   }
@@ -72,20 +72,20 @@ Outcome Wall(OcclusionScene& scene, Variant variant)
   return { RootMeanSquare(errors), OpennessOf(scene) };
 }
 
-Outcome InPerspective(Variant variant)
+ScenarioResult InPerspective(Variant variant)
 {
   OcclusionScene scene(160, 96);
   return Wall(scene, variant);
 }
 
-Outcome InParallel(Variant variant)
+ScenarioResult InParallel(Variant variant)
 {
   OcclusionScene scene(160, 96);
   scene.UseParallelProjection(true, 1.6);
   return Wall(scene, variant);
 }
 
-Outcome AtAWideAngle(Variant variant)
+ScenarioResult AtAWideAngle(Variant variant)
 {
   OcclusionScene scene(160, 160);
   scene.Renderer->GetActiveCamera()->SetViewAngle(150.0);
@@ -94,7 +94,7 @@ Outcome AtAWideAngle(Variant variant)
 
 /// With near and far as 1 : 1e6; broken: as 1 : 1e9, and the camera's own planes, which no depth buffer
 /// can hold.
-Outcome NearAndFar(Variant variant)
+ScenarioResult NearAndFar(Variant variant)
 {
   const auto draw = [variant](double nearPlane, double farPlane) {
     OcclusionScene scene(96, 72);
@@ -103,21 +103,21 @@ Outcome NearAndFar(Variant variant)
     {
       scene.Renderer->GetActiveCamera()->SetClippingRange(nearPlane, farPlane);
     }
-    scene.Occlude(1.0)->SetTolerance(.005);
-    scene.Pass->SetOpaqueOnly(variant != Variant::Broken);
+    scene.AddOcclusionPass(1.0)->SetTolerance(.005);
+    scene.Pass->SetOpaqueOnly(variant != Variant::Ablated);
     return Drawn(scene);
   };
-  const double nearPlane = variant == Variant::Broken ? 1e-6 : 1e-4;
-  const Frame picture = draw(nearPlane, variant == Variant::Broken ? 1e3 : 1e2);
+  const double nearPlane = variant == Variant::Ablated ? 1e-6 : 1e-4;
+  const Frame picture = draw(nearPlane, variant == Variant::Ablated ? 1e3 : 1e2);
   return { Rmse(picture.Values, draw(0.0, 0.0).Values), Inverted(picture) };
 }
 
 /// The scene moved by 5,000 km: as an actor; broken: in its points, which are floats.
-Outcome FarFromOrigin(Variant variant)
+ScenarioResult FarFromOrigin(Variant variant)
 {
   const auto draw = [&](const Vector& at) {
     OcclusionScene scene(96, 72);
-    const bool inPoints = variant == Variant::Broken;
+    const bool inPoints = variant == Variant::Ablated;
     const auto floor = inPoints
       ? scene.AddWall({ at[0] - 3, at[1] - 3, 0 }, { 6, 0, 0 }, { 0, 4, 0 })
       : scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 4, 0 });
@@ -128,8 +128,8 @@ Outcome FarFromOrigin(Variant variant)
       scene.Renderer->RemoveActor(wall);
       scene.AddWall({ -2, .7, 0 }, { 4, .3, 0 }, { 0, 0, 1 })->SetPosition(at[0], at[1], 0.0);
     }
-    scene.Look({ at[0], at[1] - 5, 3 }, { at[0], at[1], .4 });
-    scene.Occlude(1.0)->SetTolerance(.005);
+    scene.SetCamera({ at[0], at[1] - 5, 3 }, { at[0], at[1], .4 });
+    scene.AddOcclusionPass(1.0)->SetTolerance(.005);
     return Drawn(scene);
   };
   const Frame picture = draw({ 5e5, 5e6, 0 });
@@ -137,12 +137,12 @@ Outcome FarFromOrigin(Variant variant)
 }
 
 /// The bilateral filter over a black plate before a white wall; broken: at any distance.
-Outcome FilterAcrossAnEdge(Variant variant)
+ScenarioResult FilterAcrossAnEdge(Variant variant)
 {
   OcclusionScene scene(96, 72);
   scene.AddWall({ -20, 1, -20 }, { 40, 0, 0 }, { 0, 0, 40 });
   scene.AddWall({ -40, 0, -20 }, { 40, 0, 0 }, { 0, 0, 40 })->GetProperty()->SetColor(0, 0, 0);
-  scene.Look({ 0, -5, 0 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -5, 0 }, { 0, 0, 0 });
   const auto draw = [&] {
     scene.Window->Render();
     Frame frame{ scene.Width, scene.Height, {} };
@@ -158,7 +158,7 @@ Outcome FilterAcrossAnEdge(Variant variant)
   vtkNew<vtkPenumbraBilateralFilterPass> filter;
   filter->SetDelegatePass(steps);
   filter->SetReach(4);
-  filter->SetDistance(variant == Variant::Broken ? 1e3 : 0.0);
+  filter->SetDistance(variant == Variant::Ablated ? 1e3 : 0.0);
   scene.Renderer->SetPass(filter);
   const Frame filtered = draw();
   filter->ReleaseGraphicsResources(scene.Window);
@@ -166,7 +166,7 @@ Outcome FilterAcrossAnEdge(Variant variant)
   return { LargestDifference(plain.Values, filtered.Values), filtered };
 }
 
-std::function<Outcome(Variant)> Units(double unit)
+std::function<ScenarioResult(Variant)> Units(double unit)
 {
   return [unit](Variant variant) {
     const auto draw = [&](double scale) {
@@ -176,21 +176,21 @@ std::function<Outcome(Variant)> Units(double unit)
       {
         return OcclusionByVtk(scene, .5); // its default radius, which is in world units
       }
-      scene.Occlude(.5)->SetTolerance(.005);
+      scene.AddOcclusionPass(.5)->SetTolerance(.005);
       if (variant == Variant::Ours)
       {
-        scene.Pass->SetRadiusUnit(Pass::SHARE_OF_BOUNDS);
+        scene.Pass->SetRadiusUnit(Pass::FRACTION_OF_BOUNDS);
         scene.Pass->SetRadius(.1);
       }
       return Drawn(scene);
     };
     const Frame picture = draw(unit);
-    return Outcome{ Rmse(picture.Values, draw(1.0).Values), Inverted(picture) };
+    return ScenarioResult{ Rmse(picture.Values, draw(1.0).Values), Inverted(picture) };
   };
 }
 
 /// The scene mirrored in the plane x = 0, or the camera turned by 90 degrees.
-std::function<Outcome(Variant)> Transformed(bool mirrors)
+std::function<ScenarioResult(Variant)> Transformed(bool mirrors)
 {
   return [mirrors](Variant variant) {
     const auto draw = [&](bool transformed) {
@@ -207,8 +207,8 @@ std::function<Outcome(Variant)> Transformed(bool mirrors)
       {
         return OcclusionByVtk(scene, 1.0);
       }
-      scene.Occlude(1.0)->SetTolerance(.005);
-      if (variant == Variant::Broken)
+      scene.AddOcclusionPass(1.0)->SetTolerance(.005);
+      if (variant == Variant::Ablated)
       {
         OneFrame(scene.Pass);
       }
@@ -216,12 +216,13 @@ std::function<Outcome(Variant)> Transformed(bool mirrors)
     };
     const Frame plain = draw(false);
     const Frame other = draw(true);
-    return Outcome{ Rmse(mirrors ? Mirrored(plain).Values : Turned(plain).Values, other.Values),
-      Inverted(other) };
+    return ScenarioResult{
+      Rmse(mirrors ? Mirrored(plain).Values : Turned(plain).Values, other.Values), Inverted(other)
+    };
   };
 }
 
-Outcome TwoResolutions(Variant variant)
+ScenarioResult TwoResolutions(Variant variant)
 {
   const auto draw = [&](int times) {
     OcclusionScene scene(80 * times, 60 * times);
@@ -230,8 +231,8 @@ Outcome TwoResolutions(Variant variant)
     {
       return OcclusionByVtk(scene, 1.0);
     }
-    scene.Occlude(1.0)->SetTolerance(.005);
-    if (variant == Variant::Broken)
+    scene.AddOcclusionPass(1.0)->SetTolerance(.005);
+    if (variant == Variant::Ablated)
     {
       OneFrame(scene.Pass);
     }
@@ -242,7 +243,7 @@ Outcome TwoResolutions(Variant variant)
 }
 
 /// The same view filling a small picture and in the middle of a larger one.
-Outcome PictureBorder(Variant variant)
+ScenarioResult PictureBorder(Variant variant)
 {
   constexpr double small = 20.0;
   const double tangent = std::tan(small / 2.0 * std::acos(-1.0) / 180.0);
@@ -251,12 +252,12 @@ Outcome PictureBorder(Variant variant)
     OcclusionScene scene(width, height);
     Furnish(scene);
     scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
-    scene.Occlude(1.0)->SetMargin(margin);
+    scene.AddOcclusionPass(1.0)->SetMargin(margin);
     scene.Pass->SetTolerance(.005);
     return Drawn(scene);
   };
   const Frame whole = draw(192, 160, large, 0.0);
-  const Frame part = draw(96, 80, small, variant == Variant::Broken ? 0.0 : 50.0);
+  const Frame part = draw(96, 80, small, variant == Variant::Ablated ? 0.0 : 50.0);
   std::vector<double> middle;
   for (int i = 0; i < 96 * 80; ++i)
   {
@@ -266,12 +267,12 @@ Outcome PictureBorder(Variant variant)
 }
 
 /// A rod two radii before a wall: beside it, the wall is open.
-Outcome Halo(Variant variant)
+ScenarioResult Halo(Variant variant)
 {
   OcclusionScene scene(96, 72);
   scene.AddWall({ -6, 3, -4 }, { 12, 0, 0 }, { 0, 0, 8 });
   scene.AddWall({ -.1, 0, -4 }, { .2, 0, 0 }, { 0, 0, 8 });
-  scene.Look({ 0, -5, 0 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -5, 0 }, { 0, 0, 0 });
   Frame picture;
   if (variant == Variant::Peer)
   {
@@ -279,8 +280,8 @@ Outcome Halo(Variant variant)
   }
   else
   {
-    scene.Occlude(1.0)->SetTolerance(.005);
-    if (variant == Variant::Broken)
+    scene.AddOcclusionPass(1.0)->SetTolerance(.005);
+    if (variant == Variant::Ablated)
     {
       scene.Pass->SetKernelName("volumetric");
     }
@@ -295,11 +296,11 @@ Outcome Halo(Variant variant)
 }
 
 /// The right half of a window, and the same picture alone.
-Outcome Viewports(Variant variant)
+ScenarioResult Viewports(Variant variant)
 {
   OcclusionScene single(64, 72);
   Furnish(single);
-  single.Occlude(1.0)->SetTolerance(.005);
+  single.AddOcclusionPass(1.0)->SetTolerance(.005);
   const Frame alone = Drawn(single);
   OcclusionScene pair(128, 72);
   Furnish(pair);
@@ -308,9 +309,9 @@ Outcome Viewports(Variant variant)
   left->SetViewport(0, 0, .5, 1);
   pair.Window->AddRenderer(left);
   pair.Renderer->ResetCameraClippingRange();
-  pair.Occlude(1.0)->SetTolerance(.005);
+  pair.AddOcclusionPass(1.0)->SetTolerance(.005);
   Pass::AddTo(left);
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     pair.Pass->SetMargin(0.0);
   }
@@ -321,18 +322,18 @@ Outcome Viewports(Variant variant)
 }
 
 /// The window grows while a view converges.
-Outcome Resize(Variant variant)
+ScenarioResult Resize(Variant variant)
 {
   OcclusionScene scene(96, 72);
   Furnish(scene);
-  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   scene.Window->SetSize(48, 36);
   for (int frame = 0; frame < 6; ++frame)
   {
     scene.Window->Render();
   }
   scene.Window->SetSize(96, 72);
-  if (variant == Variant::Broken)
+  if (variant == Variant::Ablated)
   {
     OneFrame(scene.Pass);
   }
@@ -347,7 +348,7 @@ Outcome Resize(Variant variant)
   return { Rmse(picture.Values, Limit(scene).Values), Inverted(picture) };
 }
 
-Outcome TinyPictures(Variant variant)
+ScenarioResult TinyPictures(Variant variant)
 {
   double worst = 0.0;
   Frame picture;
@@ -355,8 +356,8 @@ Outcome TinyPictures(Variant variant)
   {
     OcclusionScene scene(width, height);
     Furnish(scene);
-    scene.Occlude(1.0)->SetTolerance(.005);
-    if (variant == Variant::Broken)
+    scene.AddOcclusionPass(1.0)->SetTolerance(.005);
+    if (variant == Variant::Ablated)
     {
       OneFrame(scene.Pass);
     }
@@ -406,7 +407,7 @@ std::vector<Scenario> OcclusionStillScenarios()
       .008, "a margin around the picture: none", "[TSSAO] the image border", "", PictureBorder },
     { "OcclusionHalo", "a rod three radii before a wall", "still", Metric::HaloWidth, 1, volumetric,
       "[TSSAO] dark halos", VtksOcclusion, Halo },
-    { "OcclusionViewports", "half of a window", "still", Metric::Sameness, .01,
+    { "OcclusionViewports", "half of a window", "still", Metric::MaximumDifference, .01,
       "a margin around the viewport: none", "[TSSAO] several viewports", "", Viewports },
     { "OcclusionResize", scene, "the window is resized on the way to convergence", Metric::Bias,
       .02, frame, "[TSSAO] resized window", "", Resize },

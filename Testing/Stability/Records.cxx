@@ -3,18 +3,18 @@
 //
 // What records of the cache must know beside a value and a radius: each row as it is, and by the same
 // records with one array of them altered. Then light of more than one reflection.
-#include "CacheStage.h"
+#include "CacheScenes.h"
 #include "Scenario.h"
 
-#include "Embree/RayScene.h"
 #include "BruteForce/PathTracer.h"
+#include "Embree/RayScene.h"
 #include "Records/Record.h"
-#include "Shading/Illumination.h"
 #include "Scenes/Solids.h"
+#include "Shading/Illumination.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -39,7 +39,7 @@ vtkSmartPointer<Cache> Records(
 {
   auto cache = vtkSmartPointer<Cache>::New();
   cache->Begin(rays, Infinity, tolerance);
-  if (variant != Variant::Broken)
+  if (variant != Variant::Ablated)
   {
     return cache;
   }
@@ -57,13 +57,13 @@ vtkSmartPointer<Cache> Records(
 }
 
 /// The floor under a sphere that touches it.
-Outcome Gradients(Variant variant)
+ScenarioResult Gradients(Variant variant)
 {
   Scene scene;
   ArrangeContact(scene, 1.0, 256);
   const RayScene rays(scene, 1);
   const auto cache = Records(rays, variant, "TranslationGradient", 0.0, .02);
-  Outcome outcome{ 0.0, {} };
+  ScenarioResult outcome{ 0.0, {} };
   outcome.Picture = Picture(
     rays, cache,
     [](glm::dvec3 position, glm::dvec3 normal) {
@@ -77,7 +77,7 @@ Outcome Gradients(Variant variant)
 
 /// Records at a sphere's normals weigh 1 where they lie; broken: by the formula as it is printed, whose
 /// root is of less than 0 where 1 - n.n rounds down.
-Outcome WeightWhereItLies(Variant variant)
+ScenarioResult WeightWhereItLies(Variant variant)
 {
   constexpr float normalFactor = 9.0124f;
   Frame picture{ 64, 64, {} };
@@ -89,8 +89,8 @@ Outcome WeightWhereItLies(Variant variant)
     record.Normal = glm::normalize(glm::vec3(
       std::sqrt(1.f - height * height) * glm::vec2(std::cos(angle), std::sin(angle)), height));
     record.Radius = 1.f;
-    record.Found.Clearance.fill(1.f);
-    picture.Values.push_back(variant == Variant::Broken
+    record.Gathered.Clearance.fill(1.f);
+    picture.Values.push_back(variant == Variant::Ablated
         ? 1.f - normalFactor * std::sqrt(1.f - glm::dot(record.Normal, record.Normal))
         : record.Weight(record, normalFactor));
   }
@@ -99,7 +99,7 @@ Outcome WeightWhereItLies(Variant variant)
 }
 
 /// A board close above a floor: its records look the same way as the floor below it.
-Outcome UnderABoard(Variant variant)
+ScenarioResult UnderABoard(Variant variant)
 {
   Scene scene;
   AddFloor(scene, 4.f);
@@ -107,7 +107,7 @@ Outcome UnderABoard(Variant variant)
   LookAt(scene, { 0.0, -6.0, 1.2 }, { 0.0, -.6, .1 }, 30.0, 128, 128);
   const RayScene rays(scene, 1);
   const auto cache = Records(rays, variant, "Lean", 100.0, .01);
-  vtkNew<vtkPenumbraBruteForceSource> truth;
+  vtkNew<vtkPenumbraBruteForceIrradiance> truth;
   truth->Begin(rays, Infinity, .01);
   double worst = 0.0;
   for (int i = 0; i < 60; ++i)
@@ -122,7 +122,7 @@ Outcome UnderABoard(Variant variant)
   return { worst, Picture(rays, cache) };
 }
 
-Outcome ThroughASheet(Variant variant)
+ScenarioResult ThroughASheet(Variant variant)
 {
   Scene scene;
   ArrangeTwoRooms(scene);
@@ -132,7 +132,7 @@ Outcome ThroughASheet(Variant variant)
 }
 
 /// Within a closed box whose walls shine and throw a quarter back, light is passed on for ever.
-Outcome Furnace(Variant variant)
+ScenarioResult Furnace(Variant variant)
 {
   std::vector<Panel> panels;
   AddPanels(panels, glm::dvec3(-1.0), glm::dvec3(1.0), glm::dvec3(1.0));
@@ -146,11 +146,11 @@ Outcome Furnace(Variant variant)
   const RayScene rays(scene, 1);
   IlluminationSettings settings;
   settings.Albedo = .25f;
-  settings.Bounces = variant == Variant::Broken ? 1 : 4;
+  settings.Bounces = variant == Variant::Ablated ? 1 : 4;
   const Illumination light(rays, settings);
   vtkNew<Cache> cache;
   cache->BeginIrradiance(light, .01);
-  Outcome outcome{ 0.0, {} };
+  ScenarioResult outcome{ 0.0, {} };
   outcome.Picture = Picture(
     rays,
     [&](glm::dvec3 position, glm::dvec3 normal) {
@@ -174,7 +174,7 @@ std::vector<Scenario> RecordScenarios()
       Metric::Leak, .05, "how far the way from a record is clear: everywhere",
       "[IC] records leak through thin walls", "", ThroughASheet },
     { "RecordWeights", "records of 4096 directions, asked for where they lie", "still",
-      Metric::Sameness, .01, "1 - n.n kept from falling below 0: as printed",
+      Metric::MaximumDifference, .01, "1 - n.n kept from falling below 0: as printed",
       "[IC] the weight's root of less than 0", "", WeightWhereItLies },
     { "LightOfManyReflections",
       "a closed box that shines and throws a quarter back, against the closed form", "still",

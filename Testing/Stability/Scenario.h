@@ -19,11 +19,11 @@ namespace penumbra
 enum class Variant
 {
   Ours,
-  Broken, ///< without the mechanism that the row guards
-  Peer    ///< VTK's own way, where it has one
+  Ablated, ///< without the mechanism that the row guards
+  Peer     ///< VTK's own way, where it has one
 };
 
-struct Outcome
+struct ScenarioResult
 {
   double Value;
   Frame Picture; ///< to look at; white for 1
@@ -36,11 +36,11 @@ struct Scenario
   std::string Motion;
   Metric Measured;
   double Bound;
-  std::string Broken; ///< what the broken variant lacks
-  std::string Source; ///< the published weakness; empty: none
-  std::string Peer;   ///< VTK's own way; empty: it has none
-  std::function<Outcome(Variant)> Measure;
-  bool IsOpen =
+  std::string AblatedMechanism; ///< what the broken variant lacks
+  std::string Source;           ///< the published weakness; empty: none
+  std::string Peer;             ///< VTK's own way; empty: it has none
+  std::function<ScenarioResult(Variant)> Measure;
+  bool IsKnownFailure =
     false; ///< known to be above its bound: the test demands that, so that this stays true
 };
 

@@ -140,13 +140,13 @@ void ShaftScene::Look(const Vector& from, const Vector& at, double angle)
   this->Renderer->ResetCameraClippingRange();
 }
 
-void ShaftScene::Fill(double scattering, double extinction)
+void ShaftScene::SetMedium(double scattering, double extinction)
 {
   this->Pass->SetScattering(scattering);
   this->Pass->SetExtinction(extinction);
 }
 
-std::vector<double> ShaftScene::ByPass()
+std::vector<double> ShaftScene::RenderWithPass()
 {
   this->Window->Render();
   vtkNew<vtkImageData> image;
@@ -161,7 +161,7 @@ std::vector<double> ShaftScene::Transmittance()
   return Component(image, "Transmittance");
 }
 
-std::vector<double> ShaftScene::ByRays(int steps, long long* shadowRays)
+std::vector<double> ShaftScene::RenderWithRayCaster(int steps, long long* shadowRays)
 {
   vtkNew<vtkPenumbraMedium> medium;
   medium->SetScattering(this->Pass->GetScattering());

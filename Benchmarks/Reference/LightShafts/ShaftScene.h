@@ -37,11 +37,11 @@ public:
   void Look(const Vector& from, const Vector& at, double angle = 40.0);
 
   /// The same medium for pass and reference.
-  void Fill(double scattering, double extinction);
+  void SetMedium(double scattering, double extinction);
 
   /// What is added to each pixel, red alone, row after row from below.
-  std::vector<double> ByPass();
-  std::vector<double> ByRays(int steps = 256, long long* shadowRays = nullptr);
+  std::vector<double> RenderWithPass();
+  std::vector<double> RenderWithRayCaster(int steps = 256, long long* shadowRays = nullptr);
   /// What is left of the picture, by the pass, after ByPass().
   std::vector<double> Transmittance();
   /// Pixels within `reach` of a jump of depth, by the pass, after ByPass().

@@ -62,9 +62,9 @@ void ShowPlane(vtkRenderer* renderer, double low, double high, double z)
   Show(renderer, plane->GetOutput());
 }
 
-SceneUnderOcclusion Spheres400()
+OcclusionTestScene Spheres400()
 {
-  SceneUnderOcclusion scene{ "S400", vtkSmartPointer<vtkRenderer>::New(), 1.0 };
+  OcclusionTestScene scene{ "S400", vtkSmartPointer<vtkRenderer>::New(), 1.0 };
   vtkNew<vtkAppendPolyData> spheres;
   for (int i = 0; i < 20; ++i)
   {
@@ -87,9 +87,9 @@ SceneUnderOcclusion Spheres400()
   return scene;
 }
 
-SceneUnderOcclusion Sticks()
+OcclusionTestScene Sticks()
 {
-  SceneUnderOcclusion scene{ "Sticks", vtkSmartPointer<vtkRenderer>::New(), .5 };
+  OcclusionTestScene scene{ "Sticks", vtkSmartPointer<vtkRenderer>::New(), .5 };
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(4);
   const auto between = [&](double low, double high) {
@@ -149,9 +149,9 @@ vtkSmartPointer<vtkPolyData> Placed(
 
 }
 
-SceneUnderOcclusion Scans(vtkPolyData* dragon, vtkPolyData* armadillo, vtkPolyData* elephant)
+OcclusionTestScene Scans(vtkPolyData* dragon, vtkPolyData* armadillo, vtkPolyData* elephant)
 {
-  SceneUnderOcclusion scene{ "Scans", vtkSmartPointer<vtkRenderer>::New(), .25 };
+  OcclusionTestScene scene{ "Scans", vtkSmartPointer<vtkRenderer>::New(), .25 };
   Show(scene.Renderer, Placed(dragon, false, 2.2, .2, 0.0));
   Show(scene.Renderer, Placed(armadillo, true, 1.6, -1.2, .6));
   Show(scene.Renderer, Placed(elephant, true, 1.3, 1.3, -.6));

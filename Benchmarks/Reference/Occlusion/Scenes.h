@@ -16,7 +16,7 @@ class vtkTransform;
 namespace penumbra
 {
 
-struct SceneUnderOcclusion
+struct OcclusionTestScene
 {
   std::string Name;
   vtkSmartPointer<vtkRenderer> Renderer; ///< white, unlit
@@ -24,13 +24,13 @@ struct SceneUnderOcclusion
 };
 
 /// 400 spheres at five heights over a plane.
-SceneUnderOcclusion Spheres400();
+OcclusionTestScene Spheres400();
 
 /// Sticks, plates and boxes, turned every way: thin things, whose backs one layer of depth hides.
-SceneUnderOcclusion Sticks();
+OcclusionTestScene Sticks();
 
 /// Three scans on a plane: ChineseDragon-10kv, armadillo and refined_elephant of libcgal-demo.
-SceneUnderOcclusion Scans(vtkPolyData* dragon, vtkPolyData* armadillo, vtkPolyData* elephant);
+OcclusionTestScene Scans(vtkPolyData* dragon, vtkPolyData* armadillo, vtkPolyData* elephant);
 
 ///@{
 /// What such scenes are made of: a mesh that is moved, and shown in white whatever the light; the plane

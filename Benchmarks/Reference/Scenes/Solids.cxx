@@ -88,7 +88,7 @@ void LookAt(Scene& scene, glm::dvec3 eye, glm::dvec3 target, double angle, int w
     }
   }
   scene.Origin = eye;
-  Camera& camera = scene.Eye;
+  Camera& camera = scene.ViewCamera;
   camera.Forward = glm::normalize(target - eye);
   camera.Right = glm::normalize(glm::cross(camera.Forward, glm::dvec3(0.0, 0.0, 1.0)));
   camera.Up = glm::cross(camera.Right, camera.Forward);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Baking.h"
 
-#include "Execution/Batches.h"
-#include "Neighbours.h"
-#include "Shading/CosineDirections.h"
+#include "Execution/ParallelFor.h"
+#include "LocalRegression.h"
+#include "Shading/HemisphereSampling.h"
 
 #include <atomic>
 #include <cstdint>
@@ -38,10 +38,10 @@ constexpr double ProgressOfRecords = 0.5;
 
 /// Which sites still need a record, one of each square of space and each octant of normals: the one
 /// nearest to the middle.
-class Squares
+class CandidateGrid
 {
 public:
-  explicit Squares(const std::vector<Site>& sites)
+  explicit CandidateGrid(const std::vector<RecordCandidate>& sites)
     : Sites(sites)
   {
   }
@@ -92,26 +92,26 @@ private:
     return key;
   }
 
-  const std::vector<Site>& Sites;
+  const std::vector<RecordCandidate>& Sites;
 };
 
 /// Runs work(i) for `count` sites at one place of the progress; throws Stopped.
 template <typename Work>
 void Each(std::size_t count, double share, const ProgressCallback& progress, const Work& work)
 {
-  if (!InBatches(static_cast<int>(count), share, share, progress, work, 0))
+  if (!ParallelForBatches(static_cast<int>(count), share, share, progress, work, 0))
   {
     throw Stopped();
   }
 }
 
 /// Those of `from` that no record covers; counts those that one serves.
-std::vector<std::size_t> Uncovered(const std::vector<Site>& sites, const RecordTree& tree,
-  const std::vector<std::size_t>& from, const ProgressCallback& progress)
+std::vector<std::size_t> Uncovered(const std::vector<RecordCandidate>& sites,
+  const RecordOctree& tree, const std::vector<std::size_t>& from, const ProgressCallback& progress)
 {
   std::vector<char> covered(from.size());
   Each(from.size(), 1.0, progress,
-    [&](int i) { covered[i] = Placement::IsCovered(tree, sites[from[i]]); });
+    [&](int i) { covered[i] = RecordPlacement::IsCovered(tree, sites[from[i]]); });
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < from.size(); ++i)
   {
@@ -124,24 +124,24 @@ std::vector<std::size_t> Uncovered(const std::vector<Site>& sites, const RecordT
 }
 
 /// Records from coarse to fine; false when stopped.
-bool PlaceRecords(const std::vector<Site>& sites, float spacing, double leastServed,
-  Placement& places, const RecordTree& tree, const ProgressCallback& progress)
+bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, double leastServed,
+  RecordPlacement& places, const RecordOctree& tree, const ProgressCallback& progress)
 {
   std::vector<std::size_t> left(sites.size());
   for (std::size_t i = 0; i < left.size(); ++i)
   {
     left[i] = i;
   }
-  const Squares squares(sites);
+  const CandidateGrid squares(sites);
   float width = CoarsestSquare * spacing;
   for (int level = 0; level < Levels && !left.empty(); ++level, width *= .5f)
   {
-    std::vector<Site> chosen;
+    std::vector<RecordCandidate> chosen;
     for (const std::size_t index : squares.Choose(left, width))
     {
       chosen.push_back(sites[index]);
     }
-    const std::size_t idle = places.GetIdle();
+    const std::size_t idle = places.GetNumberOfInvalidRecords();
     const auto step = [&](double share) {
       return progress && progress(ProgressOfRecords * (level + share) / Levels);
     };
@@ -152,7 +152,8 @@ bool PlaceRecords(const std::vector<Site>& sites, float spacing, double leastSer
     const std::size_t before = left.size();
     left = Uncovered(sites, tree, left, step);
     const auto made = static_cast<double>(chosen.size());
-    const double serving = 1.0 - static_cast<double>(places.GetIdle() - idle) / made;
+    const double serving =
+      1.0 - static_cast<double>(places.GetNumberOfInvalidRecords() - idle) / made;
     if (static_cast<double>(before - left.size()) * serving < leastServed * made)
     {
       break;
@@ -162,13 +163,13 @@ bool PlaceRecords(const std::vector<Site>& sites, float spacing, double leastSer
 }
 
 /// Values of the sites that records serve or lie at; returns the others.
-std::vector<std::size_t> Interpolate(const std::vector<Site>& sites, const RecordTree& tree,
-  double share, const ProgressCallback& progress, BakedValues& result)
+std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
+  const RecordOctree& tree, double share, const ProgressCallback& progress, BakedValues& result)
 {
   std::vector<char> asks(sites.size());
   std::atomic<std::size_t> interpolated(0);
   Each(sites.size(), share, progress, [&](int i) {
-    const Interpolated found = tree.LookUp(sites[i]);
+    const InterpolationResult found = tree.LookUp(sites[i]);
     const Record* here = found.Found() ? nullptr : tree.FindAt(sites[i]);
     if (found.Found())
     {
@@ -177,7 +178,7 @@ std::vector<std::size_t> Interpolate(const std::vector<Site>& sites, const Recor
     }
     else if (here)
     {
-      result.Values[i] = { here->Found.Mean, here->Found.Error };
+      result.Values[i] = { here->Gathered.Mean, here->Gathered.Error };
     }
     asks[i] = !found.Found() && !here;
   });
@@ -194,10 +195,10 @@ std::vector<std::size_t> Interpolate(const std::vector<Site>& sites, const Recor
 }
 
 /// Answers for sites without records.
-struct Asking
+struct PointEvaluator
 {
-  const std::vector<Site>& Sites;
-  const Answers& How;
+  const std::vector<RecordCandidate>& Sites;
+  const PointEstimators& How;
   BakedValues& Result;
 
   bool ByBruteForce(
@@ -219,8 +220,8 @@ struct Asking
       (IsOfTrial(this->Sites[index], spacing) ? trial : rest).push_back(index);
     }
     const double middle = begin + (end - begin) / SquaresOfTrial;
-    std::vector<Uncertain> answers(this->Sites.size());
-    if (!this->Ask(this->How.Quick, trial, begin, middle, progress))
+    std::vector<NoisyEstimate> answers(this->Sites.size());
+    if (!this->Ask(this->How.LowSample, trial, begin, middle, progress))
     {
       return false;
     }
@@ -230,30 +231,31 @@ struct Asking
       uncertain = which;
       return true;
     }
-    if (!this->Ask(this->How.Quick, rest, middle, end, progress))
+    if (!this->Ask(this->How.LowSample, rest, middle, end, progress))
     {
       return false;
     }
-    this->Result.Shared = this->Share(which, spacing, end, progress, answers, &uncertain);
+    this->Result.Denoised = this->Share(which, spacing, end, progress, answers, &uncertain);
     return true;
   }
 
 private:
-  static bool IsOfTrial(const Site& site, float spacing)
+  static bool IsOfTrial(const RecordCandidate& site, float spacing)
   {
     const glm::vec3 square = glm::floor(site.Position / (SquareOfTrial * spacing));
-    return SeedOf(square, glm::vec3(0.f)) % SquaresOfTrial == 0;
+    return HashPoint(square, glm::vec3(0.f)) % SquaresOfTrial == 0;
   }
 
   bool Ask(const BruteForceAnswer& answer, const std::vector<std::size_t>& which, double begin,
     double end, const ProgressCallback& progress)
   {
     std::atomic<long long> rays(0);
-    const bool done = InBatches(static_cast<int>(which.size()), begin, end, progress, [&](int i) {
-      long long own = 0;
-      this->Result.Values[which[i]] = answer(this->Sites[which[i]], own);
-      rays += own;
-    });
+    const bool done =
+      ParallelForBatches(static_cast<int>(which.size()), begin, end, progress, [&](int i) {
+        long long own = 0;
+        this->Result.Values[which[i]] = answer(this->Sites[which[i]], own);
+        rays += own;
+      });
     this->Result.BruteForceRays += rays;
     return done;
   }
@@ -261,7 +263,7 @@ private:
   /// How many of the values are certain with their neighbours' help: the most certain ones, as many as
   /// are allowed in the mean. With `uncertain` they take it, and the others are appended to that.
   std::size_t Share(const std::vector<std::size_t>& which, float spacing, double share,
-    const ProgressCallback& progress, std::vector<Uncertain>& answers,
+    const ProgressCallback& progress, std::vector<NoisyEstimate>& answers,
     std::vector<std::size_t>* uncertain)
   {
     for (const std::size_t index : which)
@@ -269,15 +271,15 @@ private:
       const BakedValue& value = this->Result.Values[index];
       answers[index] = { value.Mean.x, value.Error };
     }
-    const Neighbours neighbours(this->Sites, which, spacing);
-    std::vector<Uncertain> fitted(which.size());
+    const LocalRegression neighbours(this->Sites, which, spacing);
+    std::vector<NoisyEstimate> fitted(which.size());
     Each(which.size(), share, progress, [&](int i) {
       // Where all rays agree nothing is added: in the open occlusion is 0.
-      const Uncertain& own = answers[which[i]];
+      const NoisyEstimate& own = answers[which[i]];
       const bool agree = own.Mean == 0.f || own.Mean == 1.f;
       fitted[i] = agree ? own : neighbours.Fit(which[i], answers);
     });
-    const float limit = LimitOf(fitted, this->How.QuickAllowed);
+    const float limit = LimitOf(fitted, this->How.LowSampleError);
     std::size_t certain = 0;
     for (std::size_t i = 0; i < which.size(); ++i)
     {
@@ -296,10 +298,10 @@ private:
   }
 
   /// The greatest error for which the RMS of all up to it is `allowed`.
-  static float LimitOf(const std::vector<Uncertain>& values, float allowed)
+  static float LimitOf(const std::vector<NoisyEstimate>& values, float allowed)
   {
     std::vector<float> errors;
-    for (const Uncertain& value : values)
+    for (const NoisyEstimate& value : values)
     {
       if (std::isfinite(value.Error))
       {
@@ -326,12 +328,12 @@ private:
 
 }
 
-bool Bake(const std::vector<Site>& sites, float spacing, bool records, Placement& places,
-  const RecordTree& tree, const Answers& answers, const ProgressCallback& progress,
-  BakedValues& result)
+bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records,
+  RecordPlacement& places, const RecordOctree& tree, const PointEstimators& answers,
+  const ProgressCallback& progress, BakedValues& result)
 {
   result.Values.resize(sites.size());
-  const bool shares = records && answers.Quick;
+  const bool shares = records && answers.LowSample;
   if (records &&
     !PlaceRecords(
       sites, spacing, shares ? LeastServedOverShared : LeastServed, places, tree, progress))
@@ -340,7 +342,7 @@ bool Bake(const std::vector<Site>& sites, float spacing, bool records, Placement
   }
   const double begin = records ? ProgressOfRecords : 0.0;
   const std::vector<std::size_t> left = Interpolate(sites, tree, begin, progress, result);
-  Asking asking{ sites, answers, result };
+  PointEvaluator asking{ sites, answers, result };
   if (!shares)
   {
     return asking.ByBruteForce(left, begin, progress);

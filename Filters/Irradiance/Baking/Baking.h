@@ -6,8 +6,8 @@
 #ifndef penumbra_Baking_h
 #define penumbra_Baking_h
 
-#include "Execution/Batches.h"
-#include "Records/Placement.h"
+#include "Execution/ParallelFor.h"
+#include "Records/RecordPlacement.h"
 
 #include <functional>
 #include <vector>
@@ -23,21 +23,21 @@ struct BakedValue
 };
 
 /// Answers without records; adds the rays traced to its argument.
-using BruteForceAnswer = std::function<BakedValue(const Site& site, long long& rays)>;
+using BruteForceAnswer = std::function<BakedValue(const RecordCandidate& site, long long& rays)>;
 
 /// How places without a record are answered.
-struct Answers
+struct PointEstimators
 {
   BruteForceAnswer BruteForce;
-  BruteForceAnswer Quick;   ///< with few rays, one channel; none: brute force for all
-  float QuickAllowed = 0.f; ///< RMS error of values that neighbours have made certain
+  BruteForceAnswer LowSample; ///< with few rays, one channel; none: brute force for all
+  float LowSampleError = 0.f; ///< RMS error of values that neighbours have made certain
 };
 
 struct BakedValues
 {
   std::vector<BakedValue> Values; ///< one for each site
   std::size_t Interpolated = 0;
-  std::size_t Shared = 0;     ///< made certain by neighbours
+  std::size_t Denoised = 0;   ///< made certain by neighbours
   std::size_t BruteForce = 0; ///< the rest are places of records that serve nobody else
   long long BruteForceRays = 0;
 };
@@ -46,9 +46,9 @@ struct BakedValues
  * Sites' Pixel is their distance from neighbours. `records`: false leaves them out. False, or
  * Stopped is thrown, when `progress` stopped it.
  */
-bool Bake(const std::vector<Site>& sites, float spacing, bool records, Placement& places,
-  const RecordTree& tree, const Answers& answers, const ProgressCallback& progress,
-  BakedValues& result);
+bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records,
+  RecordPlacement& places, const RecordOctree& tree, const PointEstimators& answers,
+  const ProgressCallback& progress, BakedValues& result);
 
 }
 #endif

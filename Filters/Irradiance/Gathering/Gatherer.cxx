@@ -9,10 +9,11 @@ namespace penumbra
 
 Gatherer::~Gatherer() = default;
 
-long long Gatherer::Look(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
-  std::uint32_t seed, std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+long long Gatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
+  const HemisphereGrid& grid, std::uint32_t seed, std::vector<glm::vec3>& directions,
+  std::vector<HemisphereSample>& sights) const
 {
-  grid.Scatter(seed, directions);
+  grid.JitterDirections(seed, directions);
   std::vector<glm::vec3> inScene;
   inScene.reserve(directions.size());
   for (const glm::vec3& direction : directions)

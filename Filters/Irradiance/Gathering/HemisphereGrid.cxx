@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HemisphereGrid.h"
 
-#include "Shading/CosineDirections.h"
+#include "Shading/HemisphereSampling.h"
 
 #include <array>
 #include <memory>
@@ -47,7 +47,7 @@ glm::vec2 TiltOf(int i, int j, int side)
   {
     for (const Abscissa& v : PointsAlong(j, side))
     {
-      const glm::vec3 direction = ToHemisphere(ToDisc(u.At, v.At));
+      const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(u.At, v.At));
       // Solid angle is the disc's area over the cosine.
       sum += glm::vec2(direction) * (u.Weight * v.Weight / std::max(direction.z, 1e-6f));
     }
@@ -64,20 +64,20 @@ std::unique_ptr<HemisphereGrid> MakeGrid(int side)
   {
     for (int i = 0; i <= side; ++i)
     {
-      grid->Corners.push_back(
-        ToHemisphere(ToDisc(static_cast<float>(i) / length, static_cast<float>(j) / length)));
+      grid->Corners.push_back(DiskToHemisphere(SampleUniformDiskConcentric(
+        static_cast<float>(i) / length, static_cast<float>(j) / length)));
     }
   }
   for (int cell = 0; cell < grid->Cells(); ++cell)
   {
-    grid->Tilts.push_back(TiltOf(cell % side, cell / side, side));
+    grid->NormalDerivatives.push_back(TiltOf(cell % side, cell / side, side));
   }
   return grid;
 }
 
 }
 
-const HemisphereGrid& HemisphereGrid::Of(int side)
+const HemisphereGrid& HemisphereGrid::Get(int side)
 {
   static std::mutex mutex;
   static std::array<std::unique_ptr<HemisphereGrid>, MostSide + 1> grids;
@@ -90,7 +90,7 @@ const HemisphereGrid& HemisphereGrid::Of(int side)
   return *grid;
 }
 
-void HemisphereGrid::Scatter(std::uint32_t seed, std::vector<glm::vec3>& directions) const
+void HemisphereGrid::JitterDirections(std::uint32_t seed, std::vector<glm::vec3>& directions) const
 {
   directions.resize(this->Cells());
   const auto length = static_cast<float>(this->Side);
@@ -98,14 +98,14 @@ void HemisphereGrid::Scatter(std::uint32_t seed, std::vector<glm::vec3>& directi
   {
     for (int i = 0; i < this->Side; ++i)
     {
-      const float u = (static_cast<float>(i) + Uniform(seed)) / length;
-      const float v = (static_cast<float>(j) + Uniform(seed)) / length;
-      directions[j * this->Side + i] = ToHemisphere(ToDisc(u, v));
+      const float u = (static_cast<float>(i) + NextFloat(seed)) / length;
+      const float v = (static_cast<float>(j) + NextFloat(seed)) / length;
+      directions[j * this->Side + i] = DiskToHemisphere(SampleUniformDiskConcentric(u, v));
     }
   }
 }
 
-void HemisphereGrid::ScatterWithin(
+void HemisphereGrid::SubsampleCell(
   int cell, int finer, std::uint32_t& random, std::vector<glm::vec3>& directions) const
 {
   const auto length = static_cast<float>(this->Side * finer);
@@ -113,9 +113,9 @@ void HemisphereGrid::ScatterWithin(
   {
     const int i = cell % this->Side * finer + k % finer;
     const int j = cell / this->Side * finer + k / finer;
-    const float u = (static_cast<float>(i) + Uniform(random)) / length;
-    const float v = (static_cast<float>(j) + Uniform(random)) / length;
-    directions.push_back(ToHemisphere(ToDisc(u, v)));
+    const float u = (static_cast<float>(i) + NextFloat(random)) / length;
+    const float v = (static_cast<float>(j) + NextFloat(random)) / length;
+    directions.push_back(DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
   }
 }
 

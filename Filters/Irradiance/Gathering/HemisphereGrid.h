@@ -26,20 +26,20 @@ struct HemisphereGrid
   std::vector<glm::vec3> Corners; ///< (Side + 1)^2, row by row
   /// Per cell, 1/pi times the integral of the direction's tangential part over solid angle: how the
   /// share of the cell changes as the normal tilts.
-  std::vector<glm::vec2> Tilts;
+  std::vector<glm::vec2> NormalDerivatives;
 
   int Cells() const { return this->Side * this->Side; }
   glm::vec3 Corner(int i, int j) const { return this->Corners[j * (this->Side + 1) + i]; }
 
   /// One direction a cell, jittered by `seed`.
-  void Scatter(std::uint32_t seed, std::vector<glm::vec3>& directions) const;
+  void JitterDirections(std::uint32_t seed, std::vector<glm::vec3>& directions) const;
 
   /// `finer` * `finer` directions of one cell, appended to `directions`.
-  void ScatterWithin(
+  void SubsampleCell(
     int cell, int finer, std::uint32_t& random, std::vector<glm::vec3>& directions) const;
 
   /// The grid of `side`, made once.
-  VTKPENUMBRAFILTERSIRRADIANCE_EXPORT static const HemisphereGrid& Of(int side);
+  VTKPENUMBRAFILTERSIRRADIANCE_EXPORT static const HemisphereGrid& Get(int side);
 };
 
 }

@@ -3,7 +3,7 @@
 #include "RayGatherer.h"
 
 #include "Embree/RayScene.h"
-#include "Shading/CosineDirections.h"
+#include "Shading/HemisphereSampling.h"
 
 #include <utility>
 
@@ -30,9 +30,9 @@ glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
 }
 
 long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
-  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+  const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& sights) const
 {
-  const glm::vec3 origin = point + GapAbove(point) * normal;
+  const glm::vec3 origin = point + RayOriginOffset(point) * normal;
   const std::size_t count = directions.size();
   const std::size_t whole = (count + PacketSize - 1) / PacketSize * PacketSize;
   std::vector<Ray> rays(whole, Ray{ origin, normal, 1.f, 0.f });
@@ -49,27 +49,28 @@ long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
   hits.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    hits[i] = PassMarks(this->Rays, rays[i], hits[i]);
+    hits[i] = SkipLinesAndPoints(this->Rays, rays[i], hits[i]);
   }
-  const long long more = this->See(point, normal, rays, hits, sights);
-  const DistanceFallOff fallOff = this->GetFallOff();
-  for (Sight& sight : sights)
+  const long long more = this->ShadeHits(point, normal, rays, hits, sights);
+  const DistanceFalloff falloff = this->GetFalloff();
+  for (HemisphereSample& sight : sights)
   {
-    sight.Radiance *= std::isinf(sight.Distance) ? 1.f : fallOff.At(sight.Distance);
+    sight.Radiance *= std::isinf(sight.Distance) ? 1.f : falloff.Evaluate(sight.Distance);
   }
   return static_cast<long long>(count) + more;
 }
 
-OcclusionGatherer::OcclusionGatherer(const RayScene& scene, const DistanceFallOff& fallOff)
+OcclusionGatherer::OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff)
   : RayGatherer(scene),
-    Counting(fallOff)
+    Counting(falloff)
 {
 }
 
-long long OcclusionGatherer::See(glm::vec3 /*point*/, glm::vec3 /*normal*/,
-  const std::vector<Ray>& rays, const std::vector<Hit>& hits, std::vector<Sight>& sights) const
+long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, glm::vec3 /*normal*/,
+  const std::vector<Ray>& rays, const std::vector<Hit>& hits,
+  std::vector<HemisphereSample>& sights) const
 {
-  sights.assign(rays.size(), Sight());
+  sights.assign(rays.size(), HemisphereSample());
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     if (hits[i].IsHit())
@@ -90,7 +91,7 @@ LightGatherer::LightGatherer(const Illumination& light, KnownLight arriving, int
 {
 }
 
-void LightGatherer::FindBeams(glm::vec3 point, std::vector<Beam>& beams) const
+void LightGatherer::SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const
 {
   int lamp = 0;
   for (const Emitter& emitter : this->Light.GetEmitters())
@@ -119,19 +120,20 @@ void LightGatherer::FindBeams(glm::vec3 point, std::vector<Beam>& beams) const
   }
 }
 
-long long LightGatherer::See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-  const std::vector<Hit>& hits, std::vector<Sight>& sights) const
+long long LightGatherer::ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+  const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const
 {
-  sights.assign(rays.size(), Sight());
+  sights.assign(rays.size(), HemisphereSample());
   long long more = 0;
-  std::uint32_t random = Mix(SeedOf(point, normal) + static_cast<std::uint32_t>(rays.size()));
-  Illumination::Arriving arriving;
+  std::uint32_t random =
+    MixBits(HashPoint(point, normal) + static_cast<std::uint32_t>(rays.size()));
+  Illumination::IrradianceFunction arriving;
   if (this->Known)
   {
     arriving = [&](glm::vec3 at, glm::vec3 about) {
       const std::optional<glm::vec3> known = this->Known(at, about);
-      return known ? *known + this->Light.GuessSuns(at, about, random, more)
-                   : this->Light.FollowPath(at, about, this->Bounces, random, more);
+      return known ? *known + this->Light.SampleSuns(at, about, random, more)
+                   : this->Light.TracePath(at, about, this->Bounces, random, more);
     };
   }
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -141,7 +143,7 @@ long long LightGatherer::See(glm::vec3 point, glm::vec3 normal, const std::vecto
       sights[i].Distance = hits[i].Distance;
       sights[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
     }
-    sights[i].Radiance = this->Light.Along(rays[i], hits[i], arriving, more);
+    sights[i].Radiance = this->Light.IncidentRadiance(rays[i], hits[i], arriving, more);
   }
   return more;
 }

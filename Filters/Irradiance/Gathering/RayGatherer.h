@@ -32,12 +32,12 @@ public:
   }
 
   long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
-    std::vector<Sight>& sights) const override;
+    std::vector<HemisphereSample>& sights) const override;
 
   /// What `rays` from `point` see, whose first hits are `hits`, lines and points left out, before the
   /// fall-off. Fills `sights` and returns how many more rays that took.
-  virtual long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<Sight>& sights) const = 0;
+  virtual long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const = 0;
 
   const RayScene& GetRays() const { return this->Rays; }
 
@@ -50,15 +50,15 @@ private:
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT OcclusionGatherer : public RayGatherer
 {
 public:
-  /// `fallOff` in scene units.
-  OcclusionGatherer(const RayScene& scene, const DistanceFallOff& fallOff);
+  /// `falloff` in scene units.
+  OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff);
 
-  long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<Sight>& sights) const override;
-  DistanceFallOff GetFallOff() const override { return this->Counting; }
+  long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const override;
+  DistanceFalloff GetFalloff() const override { return this->Counting; }
 
 private:
-  DistanceFallOff Counting;
+  DistanceFalloff Counting;
 };
 
 /// Light: what surfaces emit, reflect of the lights and, where `arriving` is given, of what
@@ -76,10 +76,10 @@ public:
   /// refers to, must outlive this object.
   LightGatherer(const Illumination& light, KnownLight arriving, int bounces);
 
-  void FindBeams(glm::vec3 point, std::vector<Beam>& beams) const override;
-  long long See(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<Sight>& sights) const override;
-  DistanceFallOff GetFallOff() const override { return {}; }
+  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const override;
+  long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const override;
+  DistanceFalloff GetFalloff() const override { return {}; }
 
 private:
   const Illumination& Light;

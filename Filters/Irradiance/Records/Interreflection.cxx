@@ -3,7 +3,7 @@
 #include "Interreflection.h"
 
 #include "Embree/RayScene.h"
-#include "Shading/CosineDirections.h"
+#include "Shading/HemisphereSampling.h"
 
 namespace penumbra
 {
@@ -30,13 +30,13 @@ constexpr std::size_t FirstLevel = 64;
 constexpr double LeastShareMade = .02;
 
 /// What the records of `tree`, which must outlive it, know.
-LightGatherer::KnownLight KnownBy(const RecordTree& tree)
+LightGatherer::KnownLight KnownBy(const RecordOctree& tree)
 {
   return [&tree](glm::vec3 point, glm::vec3 normal) -> std::optional<glm::vec3> {
-    Place place;
+    ShadingPoint place;
     place.Position = point;
     place.Normal = normal;
-    const Interpolated found = tree.LookUp(place);
+    const InterpolationResult found = tree.LookUp(place);
     return found.Found() ? std::optional<glm::vec3>(found.Mean) : std::nullopt;
   };
 }
@@ -44,41 +44,42 @@ LightGatherer::KnownLight KnownBy(const RecordTree& tree)
 }
 
 Interreflection::Interreflection(
-  const Illumination& light, const PlacementSettings& settings, float normalAngle)
+  const Illumination& light, const RecordPlacementSettings& settings, float normalAngle)
   : Light(light),
     Settings(settings),
     NormalAngle(normalAngle)
 {
   this->Settings.Tolerance *= ToleranceShare;
   this->Settings.Side = 0;
-  this->Settings.AllServe = true;
+  this->Settings.KeepAllValid = true;
   this->Gatherers.push_back(std::make_unique<LightGatherer>(this->Light, nullptr, 0));
 }
 
-std::vector<Site> Interreflection::FindSites(
-  const std::vector<Site>& seen, const ProgressCallback& progress)
+std::vector<RecordCandidate> Interreflection::FindSites(
+  const std::vector<RecordCandidate>& seen, const ProgressCallback& progress)
 {
   const RayScene& rays = this->Light.GetRays();
-  const HemisphereGrid& grid = HemisphereGrid::Of(SideOfViewpoints);
+  const HemisphereGrid& grid = HemisphereGrid::Get(SideOfViewpoints);
   const std::size_t step = std::max<std::size_t>(seen.size() / MostViewpoints, 1);
-  std::vector<std::vector<Site>> found(grid.Cells()); // per ray: neighbours come far apart
+  std::vector<std::vector<RecordCandidate>> found(
+    grid.Cells()); // per ray: neighbours come far apart
   std::vector<glm::vec3> directions;
   for (std::size_t i = 0; i < seen.size(); i += step)
   {
     ThrowIfStopped(progress, 0.0);
-    const Site& from = seen[i];
-    const glm::mat3 frame = FrameOf(from.Normal);
-    grid.Scatter(SeedOf(from.Position, from.Normal), directions);
+    const RecordCandidate& from = seen[i];
+    const glm::mat3 frame = FrameFromNormal(from.Normal);
+    grid.JitterDirections(HashPoint(from.Position, from.Normal), directions);
     for (int k = 0; k < grid.Cells(); ++k)
     {
-      const Ray ray = Illumination::RayFrom(from.Position, from.Normal, frame * directions[k]);
+      const Ray ray = Illumination::SpawnRay(from.Position, from.Normal, frame * directions[k]);
       const Hit hit = rays.Intersect(ray);
       ++this->Rays;
-      if (!hit.IsHit() || rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
+      if (!hit.IsHit() || rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
       {
         continue;
       }
-      Site site;
+      RecordCandidate site;
       site.Position = ray.Origin + hit.Distance * ray.Direction;
       site.Normal = NormalAt(rays.GetScene(), hit);
       site.Normal = glm::dot(site.Normal, ray.Direction) > 0.f ? -site.Normal : site.Normal;
@@ -89,11 +90,11 @@ std::vector<Site> Interreflection::FindSites(
       }
     }
   }
-  std::vector<Site> sites;
+  std::vector<RecordCandidate> sites;
   double sum = 0.0;
-  for (const std::vector<Site>& part : found)
+  for (const std::vector<RecordCandidate>& part : found)
   {
-    for (const Site& site : part)
+    for (const RecordCandidate& site : part)
     {
       sites.push_back(site);
       sum += site.Pixel;
@@ -101,27 +102,28 @@ std::vector<Site> Interreflection::FindSites(
   }
   const auto least = LeastDistance *
     static_cast<float>(sum / std::max<double>(static_cast<double>(sites.size()), 1.0));
-  for (Site& site : sites)
+  for (RecordCandidate& site : sites)
   {
     site.Pixel = std::max(site.Pixel, least);
   }
   return sites;
 }
 
-bool Interreflection::Build(const std::vector<Site>& seen, const ProgressCallback& progress)
+bool Interreflection::Build(
+  const std::vector<RecordCandidate>& seen, const ProgressCallback& progress)
 {
   const int reflections = this->Light.GetSettings().Bounces - 1;
   if (reflections < 1 || this->Light.GetSettings().Albedo == 0.f)
   {
     return true;
   }
-  const std::vector<Site> sites = this->FindSites(seen, progress);
+  const std::vector<RecordCandidate> sites = this->FindSites(seen, progress);
   for (int reflection = 1; reflection <= reflections; ++reflection)
   {
-    auto tree = std::make_unique<RecordTree>();
-    tree->Enclose(this->Light.GetRays().GetScene());
+    auto tree = std::make_unique<RecordOctree>();
+    tree->InitializeFromScene(this->Light.GetRays().GetScene());
     tree->SetNormalAngle(this->NormalAngle);
-    Placement places(this->GetGatherer(), this->Settings, *tree);
+    RecordPlacement places(this->GetGatherer(), this->Settings, *tree);
     const auto step = [&](double share) {
       return progress && progress((reflection - 1 + .5 * share) / reflections);
     };

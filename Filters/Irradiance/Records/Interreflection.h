@@ -7,7 +7,7 @@
 #define penumbra_Interreflection_h
 
 #include "Gathering/RayGatherer.h"
-#include "Placement.h"
+#include "RecordPlacement.h"
 
 #include <memory>
 #include <vector>
@@ -19,11 +19,12 @@ class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Interreflection
 {
 public:
   /// `settings` are those of the records that will ask GetGatherer().
-  Interreflection(const Illumination& light, const PlacementSettings& settings, float normalAngle);
+  Interreflection(
+    const Illumination& light, const RecordPlacementSettings& settings, float normalAngle);
 
   /// `seen`: places that will ask. The records lie where rays from some of them end. False when
   /// `progress` stopped it.
-  bool Build(const std::vector<Site>& seen, const ProgressCallback& progress);
+  bool Build(const std::vector<RecordCandidate>& seen, const ProgressCallback& progress);
 
   /// Sees light of all reflections but the last. Before Build() that of the first.
   const LightGatherer& GetGatherer() const { return *this->Gatherers.back(); }
@@ -35,12 +36,13 @@ public:
   std::size_t GetBytes() const;
 
 private:
-  std::vector<Site> FindSites(const std::vector<Site>& seen, const ProgressCallback& progress);
+  std::vector<RecordCandidate> FindSites(
+    const std::vector<RecordCandidate>& seen, const ProgressCallback& progress);
 
   Illumination Light;
-  PlacementSettings Settings;
+  RecordPlacementSettings Settings;
   float NormalAngle;
-  std::vector<std::unique_ptr<RecordTree>> Trees;
+  std::vector<std::unique_ptr<RecordOctree>> Trees;
   std::vector<std::unique_ptr<LightGatherer>> Gatherers; ///< one more
   long long Rays = 0;
 };

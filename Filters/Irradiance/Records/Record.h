@@ -5,7 +5,7 @@
 #ifndef penumbra_Record_h
 #define penumbra_Record_h
 
-#include "Gathering/Derivatives.h"
+#include "Gathering/HemisphereEstimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,25 +14,25 @@ namespace penumbra
 {
 
 /// A place that asks: scene coordinates.
-struct Place
+struct ShadingPoint
 {
   glm::vec3 Position{ 0.f };
   glm::vec3 Normal{ 0.f, 0.f, 1.f }; ///< unit
 };
 
-struct Record : Place
+struct Record : ShadingPoint
 {
   float Radius = 0.f;
-  bool Serves = true; ///< false: things change too fast here; brute force is to answer around it
-  float Lean =
+  bool IsValid = true; ///< false: things change too fast here; brute force is to answer around it
+  float MaximumPlaneDistance =
     0.f; ///< a pixel: how far off the surface through it a place may lie, along the normals
   glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< the clearance's sectors begin here
-  Derived Found;
+  HemisphereEstimate Gathered;
 
   /// Weight at `place`, 0 to 1 [Tabellion, Lamorlette, after IC]: 1 - max(perr, nerr), with
   /// perr = |p - p_i| / R_i and nerr = normalFactor * sqrt(1 - n.n_i). 0 also behind a wall, and off
   /// the surface.
-  float Weight(const Place& place, float normalFactor) const
+  float Weight(const ShadingPoint& place, float normalFactor) const
   {
     const glm::vec3 d = place.Position - this->Position;
     const float square = glm::dot(d, d);
@@ -40,31 +40,32 @@ struct Record : Place
     {
       return 0.f;
     }
-    return std::min(1.f - std::sqrt(square) / this->Radius, this->Agreement(place, normalFactor));
+    return std::min(
+      1.f - std::sqrt(square) / this->Radius, this->NormalWeight(place, normalFactor));
   }
 
   /// The part of the weight that has nothing to do with the distance.
-  float Agreement(const Place& place, float normalFactor) const
+  float NormalWeight(const ShadingPoint& place, float normalFactor) const
   {
     const glm::vec3 d = place.Position - this->Position;
     const float turned = std::max(0.f, 1.f - glm::dot(place.Normal, this->Normal));
     const float error = normalFactor * std::sqrt(turned);
-    return error >= 1.f || this->IsOff(d, place.Normal) || this->IsBehindWall(d) ? 0.f
-                                                                                 : 1.f - error;
+    return error >= 1.f || this->IsOffPlane(d, place.Normal) || this->IsBehindWall(d) ? 0.f
+                                                                                      : 1.f - error;
   }
 
 private:
   /// On a smooth surface the chord is square to the mean of both normals up to the third order.
-  bool IsOff(glm::vec3 d, glm::vec3 normal) const
+  bool IsOffPlane(glm::vec3 d, glm::vec3 normal) const
   {
-    return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * this->Lean;
+    return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * this->MaximumPlaneDistance;
   }
 
   bool IsBehindWall(glm::vec3 d) const
   {
     const float x = glm::dot(d, this->Tangent);
     const float y = glm::dot(d, glm::cross(this->Normal, this->Tangent));
-    const float clear = this->Found.Clearance[SectorOf(x, y)];
+    const float clear = this->Gathered.Clearance[SectorOf(x, y)];
     return x * x + y * y > clear * clear;
   }
 };

@@ -3,15 +3,15 @@
 //
 // Light from cache and brute force against closed forms and against independent paths.
 #include "BruteForce/PathTracer.h"
-#include "Records/PictureSites.h"
+#include "Records/PixelCandidates.h"
+#include "Scenes/Solids.h"
 #include "Shading/EnvironmentMap.h"
 #include "Shading/Illumination.h"
-#include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -30,19 +30,19 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr int Size = 64;
 
 /// What a picture of `scene` sees at some of its pixels.
-std::vector<Site> SitesOf(const RayScene& rays, int levels)
+std::vector<RecordCandidate> SitesOf(const RayScene& rays, int levels)
 {
-  std::vector<Site> all;
+  std::vector<RecordCandidate> all;
   for (int level = 0; level < levels; ++level)
   {
-    const std::vector<Site> sites = SitesOfPicture(rays, level);
+    const std::vector<RecordCandidate> sites = CandidatesInImage(rays, level);
     all.insert(all.end(), sites.begin(), sites.end());
   }
   return all;
 }
 
-glm::dvec3 Ask(const vtkPenumbraIrradianceSource* source, const Scene& scene, const Site& site,
-  double tolerance = .01)
+glm::dvec3 Ask(const vtkPenumbraIrradianceProvider* source, const Scene& scene,
+  const RecordCandidate& site, double tolerance = .01)
 {
   const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
   const glm::dvec3 normal(site.Normal);
@@ -76,8 +76,8 @@ struct Room
   }
 
   /// RMSE over the root mean square of the truth.
-  double RelativeError(
-    const vtkPenumbraIrradianceSource* source, const std::vector<Site>& sites, int paths) const
+  double RelativeError(const vtkPenumbraIrradianceProvider* source,
+    const std::vector<RecordCandidate>& sites, int paths) const
   {
     double square = 0.0;
     double size = 0.0;
@@ -117,15 +117,15 @@ TEST(Irradiance, IsExactInAFurnace)
     settings.Bounces = 6;
     const Illumination light(rays, settings);
     vtkNew<vtkPenumbraIrradianceCache> cache;
-    vtkNew<vtkPenumbraBruteForceSource> brute;
-    for (vtkPenumbraIrradianceSource* source :
-      { static_cast<vtkPenumbraIrradianceSource*>(cache.Get()),
-        static_cast<vtkPenumbraIrradianceSource*>(brute.Get()) })
+    vtkNew<vtkPenumbraBruteForceIrradiance> brute;
+    for (vtkPenumbraIrradianceProvider* source :
+      { static_cast<vtkPenumbraIrradianceProvider*>(cache.Get()),
+        static_cast<vtkPenumbraIrradianceProvider*>(brute.Get()) })
     {
       ASSERT_TRUE(source->BeginIrradiance(light, .1));
       // Light of 0 to 5 reflections arrives.
       const double truth = Pi * (1.0 - std::pow(albedo, 6)) / (1.0 - albedo);
-      for (const Site& site : SitesOf(rays, 3))
+      for (const RecordCandidate& site : SitesOf(rays, 3))
       {
         const glm::dvec3 found = Ask(source, scene, site);
         EXPECT_NEAR(found.x / truth, 1.0, 5e-4);
@@ -153,8 +153,8 @@ TEST(Irradiance, UnderASkyIsWhatOcclusionLeavesOfIt)
   vtkNew<vtkPenumbraIrradianceCache> cache;
   ASSERT_TRUE(cache->BeginIrradiance(light, .006 * Pi));
   double square = 0.0;
-  const std::vector<Site> sites = SitesOf(rays, 9);
-  for (const Site& site : sites)
+  const std::vector<RecordCandidate> sites = SitesOf(rays, 9);
+  for (const RecordCandidate& site : sites)
   {
     const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
     const bool below = site.Normal.z > .999999f && world.z < 1e-3;
@@ -186,7 +186,7 @@ TEST(Irradiance, OfBruteForceAgreesWithIndependentPaths)
   const Room room(Size);
   const RayScene rays(room.Drawn, 0);
   const Illumination light(rays, room.Light());
-  vtkNew<vtkPenumbraBruteForceSource> source;
+  vtkNew<vtkPenumbraBruteForceIrradiance> source;
   ASSERT_TRUE(source->BeginIrradiance(light, .02));
   EXPECT_LE(room.RelativeError(source, SitesOf(rays, 7), 1500), .05);
 }
@@ -202,7 +202,7 @@ TEST(Irradiance, DependsNotOnThreads)
     vtkNew<vtkPenumbraIrradianceCache> cache;
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(threads), [&]() { cache->BeginIrradiance(light, .3); });
-    for (const Site& site : SitesOf(rays, 6))
+    for (const RecordCandidate& site : SitesOf(rays, 6))
     {
       answers[threads == 1 ? 0 : 1].push_back(Ask(cache, room.Drawn, site));
     }
@@ -224,7 +224,7 @@ TEST(Irradiance, IsFiniteInARoomWithALamp)
   const Illumination light(rays, settings);
   vtkNew<vtkPenumbraIrradianceCache> cache;
   ASSERT_TRUE(cache->BeginIrradiance(light, .3));
-  for (const Site& site : SitesOf(rays, 8))
+  for (const RecordCandidate& site : SitesOf(rays, 8))
   {
     const glm::dvec3 found = Ask(cache, room.Drawn, site);
     ASSERT_TRUE(std::isfinite(found.x + found.y + found.z));
@@ -279,7 +279,7 @@ TEST(Irradiance, OfASunInThePictureOfTheSkyHasSharpShadowsInTheCache)
   ASSERT_TRUE(cache->BeginIrradiance(Illumination(rays, settings), .01 * Pi));
   double square = 0.0;
   double count = 0.0;
-  for (const Site& site : SitesOf(rays, 9))
+  for (const RecordCandidate& site : SitesOf(rays, 9))
   {
     const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
     const double d = std::hypot(world.x, world.y);

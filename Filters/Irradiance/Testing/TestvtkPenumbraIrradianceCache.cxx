@@ -4,10 +4,10 @@
 // The cache against closed forms, over all pixels of a picture.
 #include "vtkPenumbraIrradianceCache.h"
 
+#include "ClosedForms/FalloffOcclusion.h"
 #include "Embree/RayScene.h"
-#include "ClosedForms/FadingOcclusion.h"
-#include "Records/PictureSites.h"
-#include "Records/RecordTree.h"
+#include "Records/PixelCandidates.h"
+#include "Records/RecordOctree.h"
 #include "Scenes/Solids.h"
 
 #include "vtkDataArray.h"
@@ -31,12 +31,12 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int Size = 256;
 
 /// Every place that the picture sees at its pixel centres, all levels of sites together.
-std::vector<Site> AllSites(const RayScene& rays)
+std::vector<RecordCandidate> AllSites(const RayScene& rays)
 {
-  std::vector<Site> all;
+  std::vector<RecordCandidate> all;
   for (int level = 0; level < PictureLevels; ++level)
   {
-    const std::vector<Site> sites = SitesOfPicture(rays, level);
+    const std::vector<RecordCandidate> sites = CandidatesInImage(rays, level);
     all.insert(all.end(), sites.begin(), sites.end());
   }
   return all;
@@ -46,9 +46,9 @@ std::vector<Site> AllSites(const RayScene& rays)
 struct View
 {
   const Scene& Seen;
-  std::vector<Site> Sites;
+  std::vector<RecordCandidate> Sites;
 
-  glm::dvec3 World(const Site& site) const
+  glm::dvec3 World(const RecordCandidate& site) const
   {
     return glm::dvec3(site.Position) / this->Seen.Scale + this->Seen.Origin;
   }
@@ -65,7 +65,7 @@ using Truth = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
 double ErrorOf(const vtkPenumbraIrradianceCache* cache, const View& view, const Truth& truth)
 {
   double square = 0.0;
-  for (const Site& site : view.Sites)
+  for (const RecordCandidate& site : view.Sites)
   {
     const glm::dvec3 world = view.World(site);
     square += std::pow(Ask(cache, world, site.Normal) - truth(world, site.Normal), 2.0);
@@ -192,7 +192,7 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallAndInACorner)
   {
     const RayScene rays(*scene, 0);
     View view{ *scene, {} };
-    for (const Site& site : SitesOfPicture(rays, PictureLevels - 3))
+    for (const RecordCandidate& site : CandidatesInImage(rays, PictureLevels - 3))
     {
       if (site.Normal.z > .9f)
       {
@@ -256,7 +256,7 @@ TEST(vtkPenumbraIrradianceCache, IsExactInTheOpenAndInAClosedBox)
       vtkNew<vtkPenumbraIrradianceCache> cache;
       cache->SetSpace(space);
       cache->Begin(rays, Infinity, .01);
-      for (const Site& site : view.Sites)
+      for (const RecordCandidate& site : view.Sites)
       {
         ASSERT_EQ(Ask(cache, view.World(site), site.Normal), scene == &open ? 0.0 : 1.0);
       }
@@ -281,7 +281,7 @@ TEST(vtkPenumbraIrradianceCache, DependsNeitherOnThreadsNorOnTheOrderOfQuestions
         vtkSMPTools::Config(threads), [&]() { cache->Begin(rays, 2.0, .02); });
       for (std::size_t i = 0; i < view.Sites.size(); ++i)
       {
-        const Site& site = view.Sites[threads == 1 ? i : view.Sites.size() - 1 - i];
+        const RecordCandidate& site = view.Sites[threads == 1 ? i : view.Sites.size() - 1 - i];
         answers[threads == 1 ? 0 : 1].push_back(Ask(cache, view.World(site), site.Normal));
       }
     }
@@ -337,8 +337,8 @@ TEST(vtkPenumbraIrradianceCache, GivesRecordsOutAndTakesThemIn)
     EXPECT_EQ(again->GetPointData()->GetArray("Serves")->GetComponent(i, 0),
       records->GetPointData()->GetArray("Serves")->GetComponent(i, 0));
   }
-  const View view{ scene, SitesOfPicture(rays, 6) };
-  for (const Site& site : view.Sites)
+  const View view{ scene, CandidatesInImage(rays, 6) };
+  for (const RecordCandidate& site : view.Sites)
   {
     EXPECT_NEAR(
       Ask(second, view.World(site), site.Normal), Ask(first, view.World(site), site.Normal), 1e-3);
@@ -421,31 +421,31 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallThatFallsOff)
   LookAt(scene, { 0, -4, 3 }, { 0, -.5, 0 }, 45.0, Size, Size);
   const RayScene rays(scene, 0);
   View view{ scene, {} };
-  for (const Site& site : SitesOfPicture(rays, PictureLevels - 3))
+  for (const RecordCandidate& site : CandidatesInImage(rays, PictureLevels - 3))
   {
     if (site.Normal.z > .9f)
     {
       view.Sites.push_back(site);
     }
   }
-  for (int fallOff = 0; fallOff < 4; ++fallOff)
+  for (int falloff = 0; falloff < 4; ++falloff)
   {
     for (const double radius : { .5, 2.0 })
     {
-      const FadingOcclusion fading{ radius, PowersOfFallOffs[fallOff] };
+      const FadingOcclusion fading{ radius, PowersOfFalloffs[falloff] };
       const Truth truth = [&](glm::dvec3 at, glm::dvec3) {
         return fading.BeforeWall(std::abs(at.y));
       };
       vtkNew<vtkPenumbraIrradianceCache> cache;
       cache->SetTolerance(.01);
-      cache->Begin(rays, { radius, fallOff }, .02);
-      EXPECT_LE(ErrorOf(cache, view, truth), .01) << fallOff << " " << radius;
-      EXPECT_LE(CountOf(cache, "Cache/Records"), 1500) << fallOff << " " << radius;
+      cache->Begin(rays, { radius, falloff }, .02);
+      EXPECT_LE(ErrorOf(cache, view, truth), .01) << falloff << " " << radius;
+      EXPECT_LE(CountOf(cache, "Cache/Records"), 1500) << falloff << " " << radius;
     }
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, MakesNewRecordsForAnotherFallOff)
+TEST(vtkPenumbraIrradianceCache, MakesNewRecordsForAnotherFalloff)
 {
   Scene scene;
   MakeSphereScene(scene, 1.0);
@@ -454,7 +454,7 @@ TEST(vtkPenumbraIrradianceCache, MakesNewRecordsForAnotherFallOff)
   const glm::dvec3 beside(1.2, 0.0, 0.0);
   cache->Begin(rays, 2.0, .02);
   const double whole = Ask(cache, beside);
-  cache->Begin(rays, { 2.0, vtkPenumbraIrradianceSource::LINEAR }, .02);
+  cache->Begin(rays, { 2.0, vtkPenumbraIrradianceProvider::LINEAR }, .02);
   EXPECT_LT(Ask(cache, beside), .8 * whole);
   cache->Begin(rays, 2.0, .02);
   EXPECT_EQ(Ask(cache, beside), whole);
@@ -477,7 +477,7 @@ TEST(vtkPenumbraIrradianceCache, DoesNotReachFromAPlateIntoAShallowPocket)
   LookAt(scene, { 0, -2.4, 4 }, { 0, 0, 0 }, 45.0, Size, Size);
   const RayScene rays(scene, 0);
   View view{ scene, {} };
-  for (const Site& site : AllSites(rays))
+  for (const RecordCandidate& site : AllSites(rays))
   {
     const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
     if (site.Normal.z > .9f && world.z < -.5 * Depth)
@@ -523,7 +523,7 @@ TEST(vtkPenumbraIrradianceCache, TakesNoRecordFromTheLineOfACorner)
     cache->SetTolerance(.01);
     cache->Begin(rays, 1.0, .02);
     double greatest = 0.0;
-    for (const Site& site : view.Sites)
+    for (const RecordCandidate& site : view.Sites)
     {
       const glm::dvec3 world = view.World(site);
       const double a = site.Normal.z > .5f ? -world.y : world.z;
@@ -558,17 +558,17 @@ TEST(RecordTree, ClampsThoseInWhoseSpheresARecordLies)
   constexpr float LeastPixels = 2.f;
   Record wide;
   wide.Radius = 10.f;
-  wide.Lean = .05f;
-  wide.Found.Clearance.fill(100.f);
+  wide.MaximumPlaneDistance = .05f;
+  wide.Gathered.Clearance.fill(100.f);
   Record narrow = wide;
   narrow.Position.x = 2.f;
   narrow.Radius = 1.f;
   Record idle = narrow;
   idle.Position.x = -1.f;
-  idle.Serves = false;
+  idle.IsValid = false;
   for (const bool wideFirst : { true, false })
   {
-    RecordTree tree;
+    RecordOctree tree;
     tree.Initialize(glm::vec3(0.f), 20.f);
     tree.InsertClamped(wideFirst ? wide : narrow, LeastPixels);
     tree.InsertClamped(wideFirst ? narrow : wide, LeastPixels);
@@ -583,13 +583,13 @@ TEST(RecordTree, LeavesEachRecordThePixelsThatItIsFor)
 {
   Record coarse;
   coarse.Radius = 10.f;
-  coarse.Lean = 2.f;
-  coarse.Found.Clearance.fill(100.f);
+  coarse.MaximumPlaneDistance = 2.f;
+  coarse.Gathered.Clearance.fill(100.f);
   Record fine = coarse;
   fine.Position.x = 1.f;
   fine.Radius = .5f;
-  fine.Lean = .01f;
-  RecordTree tree;
+  fine.MaximumPlaneDistance = .01f;
+  RecordOctree tree;
   tree.Initialize(glm::vec3(0.f), 20.f);
   tree.InsertClamped(coarse, 3.f);
   tree.InsertClamped(fine, 3.f);

@@ -4,9 +4,9 @@
 // Baked occlusion against closed forms.
 #include "vtkPenumbraIrradianceFilter.h"
 
-#include "Scenes/Adversaries.h"
-#include "ClosedForms/FadingOcclusion.h"
+#include "ClosedForms/FalloffOcclusion.h"
 #include "Gathering/Gatherer.h"
+#include "Scenes/Adversaries.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
@@ -757,30 +757,30 @@ TEST(vtkPenumbraIrradianceFilter, TakesAnEmptyMesh)
   EXPECT_EQ(filter->GetEstimatedError(), 0.0);
 }
 
-TEST(vtkPenumbraIrradianceFilter, LetsOccludersFallOff)
+TEST(vtkPenumbraIrradianceFilter, LetsOccludersFalloff)
 {
   vtkNew<vtkPlaneSource> ceiling;
   ceiling->SetOrigin(-20.0, -20.0, .6);
   ceiling->SetPoint1(20.0, -20.0, .6);
   ceiling->SetPoint2(-20.0, 20.0, .6);
   ceiling->Update();
-  for (int fallOff = 0; fallOff < 4; ++fallOff)
+  for (int falloff = 0; falloff < 4; ++falloff)
   {
     vtkNew<vtkPenumbraIrradianceFilter> filter;
     filter->SetInputData(Floor(40)->GetOutput());
     filter->SetInputData(1, ceiling->GetOutput());
     filter->SetRadius(2.0);
-    filter->SetFallOff(fallOff);
+    filter->SetFalloff(falloff);
     filter->Update();
     vtkDataArray* values = OutputOf(filter)->GetPointData()->GetArray("AmbientOcclusion");
     const double truth =
-      penumbra::FadingOcclusion{ 2.0, penumbra::PowersOfFallOffs[fallOff] }.UnderCeiling(.6);
+      penumbra::FadingOcclusion{ 2.0, penumbra::PowersOfFalloffs[falloff] }.UnderCeiling(.6);
     double square = 0.0;
     for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
     {
       square += std::pow(values->GetComponent(i, 0) - truth, 2.0);
     }
-    EXPECT_LE(std::sqrt(square / static_cast<double>(values->GetNumberOfTuples())), .01) << fallOff;
+    EXPECT_LE(std::sqrt(square / static_cast<double>(values->GetNumberOfTuples())), .01) << falloff;
   }
 }
 

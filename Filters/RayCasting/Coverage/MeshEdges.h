@@ -18,7 +18,7 @@ struct MeshEdge
 {
   std::uint32_t A, B;        ///< the edge's positions
   std::uint32_t Left, Right; ///< the opposite positions of its two triangles; equal on a border
-  bool Always;               ///< drawn as a border from every view
+  bool IsFeatureEdge;        ///< drawn as a border from every view
 };
 
 /**

@@ -5,7 +5,7 @@
 #ifndef penumbra_PixelErrors_h
 #define penumbra_PixelErrors_h
 
-#include "Sampling/Sampler.h"
+#include "Sampling/CameraRayTracer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +14,20 @@ namespace penumbra
 {
 
 // A corner nearer to an edge than this, in pixels, may lie on either side of it for the ray.
-inline constexpr double TrustDistance = 1e-3;
+inline constexpr double EdgePrecision = 1e-3;
 // Errors that no pixel with a surface in it is believed to be below: rounding; and with edges in it,
 // the precision to which a ray and an edge agree on a place.
 inline constexpr float ErrorFloor = 2e-5f;
-inline constexpr float BorderErrorFloor = 1.5e-4f;
+inline constexpr float EdgeErrorFloor = 1.5e-4f;
 // The share of what the last comparison of samples saw that is believed to be left as an error, and
 // by how much second differences are doubted: between the vertices of a mesh colours bend in kinks.
 // Measured on a smooth scan, so that 95 % of tiles err by less than is believed.
-inline constexpr float BelievedShare = 0.35f;
-inline constexpr float CurvatureDoubt = 3.f;
+inline constexpr float ResidualErrorFraction = 0.35f;
+inline constexpr float CurvatureSafetyFactor = 3.f;
 
 // How much more than each of a pixel's four corners a sample may err that stands for a share `area` of
 // it, so that the independent errors of all samples add up to the same.
-inline double OcclusionSlack(double area)
+inline double ToleranceScale(double area)
 {
   return 0.5 / std::sqrt(area);
 }

@@ -15,7 +15,7 @@ namespace
 {
 
 // How far such a corner moves towards the middle of the pixel, as a share of the way.
-constexpr double CornerInset = 4.0 * TrustDistance;
+constexpr double CornerInset = 4.0 * EdgePrecision;
 // Beyond this many edges in one pixel an arrangement costs more than it is worth.
 constexpr std::size_t MostEdges = 512;
 // The same where most pixels around have many: there their cost adds up.
@@ -38,7 +38,7 @@ PixelCounts& PixelCounts::operator+=(const PixelCounts& other)
   return *this;
 }
 
-PixelIntegrator::PixelIntegrator(const Sampler& sampler, const CornerGrid& corners,
+PixelIntegrator::PixelIntegrator(const CameraRayTracer& sampler, const CornerGrid& corners,
   const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings)
   : Source(sampler),
     Grid(corners),
@@ -51,7 +51,8 @@ PixelIntegrator::PixelIntegrator(const Sampler& sampler, const CornerGrid& corne
 Sample PixelIntegrator::Trace(glm::dvec2 local, double area)
 {
   ++this->Rays.Refinement;
-  return this->Source.At(glm::dvec2(this->X, this->Y) + local, this->Rays, OcclusionSlack(area));
+  return this->Source.TraceSample(
+    glm::dvec2(this->X, this->Y) + local, this->Rays, ToleranceScale(area));
 }
 
 void PixelIntegrator::LoadCorners(int x, int y)
@@ -66,16 +67,16 @@ void PixelIntegrator::LoadCorners(int x, int y)
   }
   this->TrustedCorners = 15u;
   this->Segments.clear();
-  this->Seen.clear();
+  this->VisibleTriangles.clear();
   this->PairsTested = 0;
-  this->Pierced = false;
+  this->HasIntersections = false;
 }
 
 bool PixelIntegrator::CornersAgree() const
 {
   for (int i = 1; i < 4; ++i)
   {
-    if (this->Corners[i].First.Surface != this->Corners[0].First.Surface)
+    if (this->Corners[i].FirstHit.Surface != this->Corners[0].FirstHit.Surface)
     {
       return false;
     }
@@ -84,43 +85,43 @@ bool PixelIntegrator::CornersAgree() const
 }
 
 PixelResult PixelIntegrator::Integrate(
-  int x, int y, const std::uint32_t* edgeIndices, std::size_t count, Density density)
+  int x, int y, const std::uint32_t* edgeIndices, std::size_t count, EdgeDensity density)
 {
   if (this->Settings.Method == IntegrationSettings::Methods::Uniform)
   {
     this->X = x;
     this->Y = y;
     ++this->Pixels.Uniform;
-    return this->Uniform(this->Settings.UniformSamples);
+    return this->IntegrateUniform(this->Settings.UniformSamples);
   }
   this->LoadCorners(x, y);
   if (this->Settings.Method == IntegrationSettings::Methods::Subdivision)
   {
-    if (this->Settings.SmallObjects)
+    if (this->Settings.FindSmallObjects)
     {
       this->LoadSegments(edgeIndices, count, true);
     }
-    return this->Subdivide(true);
+    return this->IntegrateSubdivided(true);
   }
   if (count <= MostEdges)
   {
     this->LoadSegments(edgeIndices, count, true);
   }
-  if (density == Density::Sparse && count > MostEdges)
+  if (density == EdgeDensity::Sparse && count > MostEdges)
   {
     return this->Sampled();
   }
-  if (density == Density::Dense || count > MostEdges ||
-    (density == Density::Crowded && this->Segments.size() > MostEdgesInCrowd))
+  if (density == EdgeDensity::Dense || count > MostEdges ||
+    (density == EdgeDensity::Crowded && this->Segments.size() > MostEdgesInCrowd))
   {
     ++this->Pixels.Uniform;
-    return this->UniformAdaptive();
+    return this->IntegrateUniformAdaptive();
   }
-  if (this->Segments.empty() || (!this->Settings.SmallObjects && this->CornersAgree()))
+  if (this->Segments.empty() || (!this->Settings.FindSmallObjects && this->CornersAgree()))
   {
-    return this->Smooth();
+    return this->IntegrateInterior();
   }
-  return this->Exact(edgeIndices, count);
+  return this->IntegrateExact(edgeIndices, count);
 }
 
 // The error of the mean of four corners is (f_xx + f_yy) / 12; second differences with the corners
@@ -132,7 +133,7 @@ float PixelIntegrator::CurvatureError() const
   {
     return 0.f;
   }
-  const std::uint32_t surface = this->Corners[0].First.Surface;
+  const std::uint32_t surface = this->Corners[0].FirstHit.Surface;
   float sum = 0.f;
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -150,7 +151,7 @@ float PixelIntegrator::CurvatureError() const
         const glm::ivec2 q = end == 0 ? p - step : p + 2 * step;
         if (q.x < this->Grid.GetLow().x || q.y < this->Grid.GetLow().y ||
           q.x > this->Grid.GetHigh().x || q.y > this->Grid.GetHigh().y ||
-          this->Grid.At(q.x, q.y).First.Surface != surface)
+          this->Grid.At(q.x, q.y).FirstHit.Surface != surface)
         {
           continue;
         }
@@ -169,7 +170,7 @@ float PixelIntegrator::CurvatureError() const
 
 // Where a border runs along the rim of the pixel, the rays of its corners may have met either side:
 // they are traced again a little to the inside.
-void PixelIntegrator::MoveCornersOffBorders()
+void PixelIntegrator::RetraceCornersOnEdges()
 {
   for (int i = 0; i < 4; ++i)
   {
@@ -183,21 +184,21 @@ void PixelIntegrator::MoveCornersOffBorders()
 
 // A ray exactly through a vertex or an edge can slip between the triangles. Where no border is near,
 // a single corner that disagrees with the other three is traced again a little to the inside.
-bool PixelIntegrator::RepairLeak()
+bool PixelIntegrator::RetraceIsolatedMiss()
 {
   for (int i = 0; i < 4; ++i)
   {
-    const Hit& odd = this->Corners[i].First;
-    const Hit& a = this->Corners[(i + 1) & 3].First;
-    const Hit& b = this->Corners[(i + 2) & 3].First;
-    const Hit& c = this->Corners[(i + 3) & 3].First;
+    const Hit& odd = this->Corners[i].FirstHit;
+    const Hit& a = this->Corners[(i + 1) & 3].FirstHit;
+    const Hit& b = this->Corners[(i + 2) & 3].FirstHit;
+    const Hit& c = this->Corners[(i + 3) & 3].FirstHit;
     if (a.Surface != b.Surface || a.Surface != c.Surface || odd.Surface == a.Surface)
     {
       continue;
     }
     const glm::dvec2 inward = glm::dvec2(0.5) - CornerOffset(i);
     const Sample again = this->Trace(CornerOffset(i) + CornerInset * inward);
-    if (again.First.Surface == a.Surface)
+    if (again.FirstHit.Surface == a.Surface)
     {
       this->Corners[i] = again;
       return true;
@@ -208,7 +209,7 @@ bool PixelIntegrator::RepairLeak()
 }
 
 // Is `test` true for one of the corners of this pixel and of those around it?
-bool PixelIntegrator::AnyCornerAround(const std::function<bool(const Sample&)>& test) const
+bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>& test) const
 {
   const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
   const glm::ivec2 high = glm::min(glm::ivec2(this->X, this->Y) + 2, this->Grid.GetHigh());
@@ -226,43 +227,44 @@ bool PixelIntegrator::AnyCornerAround(const std::function<bool(const Sample&)>& 
 }
 
 // Shadows may jump where no corner shows it; they do so next to where one does.
-bool PixelIntegrator::IsNearShadowBorder() const
+bool PixelIntegrator::IsNearShadowBoundary() const
 {
   if (!this->Settings.Shadows)
   {
     return false;
   }
-  return this->AnyCornerAround([this](const Sample& around) {
+  return this->AnyNeighborCorner([this](const Sample& around) {
     return std::any_of(this->Corners, this->Corners + 4, [&](const Sample& corner) {
-      return around.First.Surface == corner.First.Surface &&
+      return around.FirstHit.Surface == corner.FirstHit.Surface &&
         MaximumDifference(around.Color, corner.Color) > ShadowContrast;
     });
   });
 }
 
-PixelResult PixelIntegrator::Smooth()
+PixelResult PixelIntegrator::IntegrateInterior()
 {
-  this->MoveCornersOffBorders();
-  const bool agree = this->CornersAgree() || this->RepairLeak();
+  this->RetraceCornersOnEdges();
+  const bool agree = this->CornersAgree() || this->RetraceIsolatedMiss();
   PixelResult result;
   if (agree)
   {
     const float error = this->CurvatureError();
-    const bool empty = !this->Corners[0].First.IsHit() && !this->Source.HasShafts();
-    if (empty || (error <= 0.25f * this->Settings.Tolerance && !this->IsNearShadowBorder()))
+    const bool empty = !this->Corners[0].FirstHit.IsHit() && !this->Source.HasShafts();
+    if (empty || (error <= 0.25f * this->Settings.Tolerance && !this->IsNearShadowBoundary()))
     {
       ++(empty ? this->Pixels.Empty : this->Pixels.Interior);
       result.Color = Mean(this->Corners);
-      result.Error = empty ? EmptyErrorFloor : this->Believe(CurvatureDoubt * error, ErrorFloor);
+      result.Error =
+        empty ? EmptyErrorFloor : this->CombineErrors(CurvatureSafetyFactor * error, ErrorFloor);
       return result;
     }
   }
-  this->SeeAround();
+  this->FindNearbyIntersections();
   if (!this->Segments.empty())
   {
-    return this->Exact(nullptr, 0);
+    return this->IntegrateExact(nullptr, 0);
   }
-  return this->Subdivide(false);
+  return this->IntegrateSubdivided(false);
 }
 
 }

@@ -6,11 +6,11 @@
 #ifndef penumbra_PixelIntegrator_h
 #define penumbra_PixelIntegrator_h
 
-#include "Piercing.h"
 #include "PixelArrangement.h"
 #include "Sampling/CornerGrid.h"
 #include "Sampling/SampleCache.h"
 #include "Silhouettes.h"
+#include "TriangleIntersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ struct IntegrationSettings
   Methods Method = Methods::Silhouettes;
   double Tolerance = 1.0 / 256.0;
   int MaximumLevel = 3;
-  bool SmallObjects = true;
+  bool FindSmallObjects = true;
   int UniformSamples = 8;
   bool Shadows = false;
   double Noise = 0.0; ///< standard error of the colours themselves: not to be chased
@@ -52,7 +52,7 @@ struct PixelCounts
 };
 
 /// How many triangles and edges there are around a pixel.
-enum class Density
+enum class EdgeDensity
 {
   Sparse,
   Crowded, ///< many edges in most pixels of the tile
@@ -69,7 +69,7 @@ struct PixelResult
 class PixelIntegrator
 {
 public:
-  PixelIntegrator(const Sampler& sampler, const CornerGrid& corners,
+  PixelIntegrator(const CameraRayTracer& sampler, const CornerGrid& corners,
     const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings);
 
   /// To be called before the pixels of another tile.
@@ -82,7 +82,7 @@ public:
 
   /// Pixel (x, y), crossed by the listed edges.
   PixelResult Integrate(
-    int x, int y, const std::uint32_t* edgeIndices, std::size_t count, Density density);
+    int x, int y, const std::uint32_t* edgeIndices, std::size_t count, EdgeDensity density);
 
   /// Has a pixel been found, since BeginTile(), where triangles pass through each other?
   bool HasFoundPiercing() const { return this->FoundPiercing; }
@@ -117,27 +117,27 @@ private:
   };
 
   void LoadCorners(int x, int y);
-  double DeepestOf(const Sample& sample) const;
+  double MaximumOpaqueDepth(const Sample& sample) const;
   double JustBehind(double depth) const;
-  void Deepen(const Sample& sample);
+  void UpdateMaximumFaceDepth(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
-  bool IsNearShadowBorder() const;
-  bool AnyCornerAround(const std::function<bool(const Sample&)>& test) const;
-  PixelResult Smooth();
-  PixelResult Exact(const std::uint32_t* edgeIndices, std::size_t count);
-  PixelResult Subdivide(bool byObject);
-  PixelResult Uniform(int side);
-  PixelResult UniformAdaptive();
+  bool IsNearShadowBoundary() const;
+  bool AnyNeighborCorner(const std::function<bool(const Sample&)>& test) const;
+  PixelResult IntegrateInterior();
+  PixelResult IntegrateExact(const std::uint32_t* edgeIndices, std::size_t count);
+  PixelResult IntegrateSubdivided(bool byObject);
+  PixelResult IntegrateUniform(int side);
+  PixelResult IntegrateUniformAdaptive();
   PixelResult Sampled();
-  void See(const Sample& sample);
-  void SeeAround();
+  void AddTriangle(const Sample& sample);
+  void FindNearbyIntersections();
   bool AreTorn(const Hit& a, const Hit& b) const;
   void Glance();
   Hit ProbeAt(glm::dvec2 local);
-  void Probe();
-  bool AddPiercings();
-  void MoveCornersOffBorders();
-  bool RepairLeak();
+  void ProbeTrapezoids();
+  bool AddIntersectionSegments();
+  void RetraceCornersOnEdges();
+  bool RetraceIsolatedMiss();
   bool CornersAgree() const;
   float CurvatureError() const;
   void Descend(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
@@ -153,12 +153,12 @@ private:
 
   /// An error of coverage and shading with what colours err by themselves: about four of them make
   /// a pixel.
-  float Believe(float error, float floor) const
+  float CombineErrors(float error, float floor) const
   {
     return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Settings.Noise)), floor);
   }
 
-  const Sampler& Source;
+  const CameraRayTracer& Source;
   const CornerGrid& Grid;
   const std::vector<ProjectedEdge>& Edges;
   const IntegrationSettings Settings;
@@ -172,15 +172,15 @@ private:
   unsigned int TrustedCorners = 0; ///< those that no edge passes nearer than a ray is precise
   std::vector<PixelSegment> Segments;
   double NearestCulledDepth = 0.0;
-  double DeepestFace = 0.0;
+  double MaximumFaceDepth = 0.0;
   bool FoundPiercing = false;
   bool Wary = false;
-  std::vector<TriangleId> Seen; ///< triangles that samples met
-  bool Pierced = false;         ///< some of them pass through each other
-  std::size_t PairsTested = 0;  ///< the first so many of Seen know each other
+  std::vector<TriangleId> VisibleTriangles; ///< triangles that samples met
+  bool HasIntersections = false;            ///< some of them pass through each other
+  std::size_t PairsTested = 0;              ///< the first so many of Seen know each other
   PixelArrangement Arrangement;
   std::vector<glm::vec4> Colors; ///< of uniform samples
-  std::vector<Probing> Probed; ///< per face; empty: none was looked into
+  std::vector<Probing> Probed;   ///< per face; empty: none was looked into
 };
 
 }

@@ -48,32 +48,33 @@ double DistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
 }
 
 // How deep the surface that a sample met may lie anywhere in this pixel.
-double PixelIntegrator::DeepestOf(const Sample& sample) const
+double PixelIntegrator::MaximumOpaqueDepth(const Sample& sample) const
 {
   if (!(sample.OpaqueDepth < std::numeric_limits<float>::infinity()))
   {
     return std::numeric_limits<double>::infinity();
   }
-  if (sample.OpaqueDepth != sample.First.Distance)
+  if (sample.OpaqueDepth != sample.FirstHit.Distance)
   {
     return sample.OpaqueDepth +
-      this->Source.GetScene().Eye.DepthOfRayOrigins(); // behind something translucent
+      this->Source.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
   }
-  return DeepestInPixel(this->Source.GetScene(), { sample.First.Surface, sample.First.Triangle },
-    glm::dvec2(this->X, this->Y));
+  return MaximumDepthInPixel(this->Source.GetScene(),
+    { sample.FirstHit.Surface, sample.FirstHit.Triangle }, glm::dvec2(this->X, this->Y));
 }
 
 // The depth from which on something lies behind `depth`, whatever rays round.
 double PixelIntegrator::JustBehind(double depth) const
 {
-  return depth + SameDepth * std::abs(depth - this->Source.GetScene().Eye.DepthOfRayOrigins());
+  return depth +
+    SameDepth * std::abs(depth - this->Source.GetScene().ViewCamera.DepthOfRayOrigins());
 }
 
-void PixelIntegrator::Deepen(const Sample& sample)
+void PixelIntegrator::UpdateMaximumFaceDepth(const Sample& sample)
 {
   if (this->NearestCulledDepth < std::numeric_limits<double>::infinity())
   {
-    this->DeepestFace = std::max(this->DeepestFace, this->DeepestOf(sample));
+    this->MaximumFaceDepth = std::max(this->MaximumFaceDepth, this->MaximumOpaqueDepth(sample));
   }
 }
 
@@ -92,12 +93,12 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     limit = 0.0;
     for (const Sample& corner : this->Corners)
     {
-      limit = std::max(limit, this->DeepestOf(corner));
+      limit = std::max(limit, this->MaximumOpaqueDepth(corner));
     }
     limit = this->JustBehind(limit);
   }
 
-  const bool parallel = this->Source.GetScene().Eye.Parallel;
+  const bool parallel = this->Source.GetScene().ViewCamera.Parallel;
   const glm::dvec2 origin(this->X, this->Y);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -121,7 +122,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     }
     for (int corner = 0; corner < 4; ++corner)
     {
-      if (DistanceToSegment(CornerOffset(corner), a, a + d) < TrustDistance)
+      if (DistanceToSegment(CornerOffset(corner), a, a + d) < EdgePrecision)
       {
         this->TrustedCorners &= ~(1u << corner);
       }
@@ -133,65 +134,67 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
   }
 }
 
-void PixelIntegrator::See(const Sample& sample)
+void PixelIntegrator::AddTriangle(const Sample& sample)
 {
-  const TriangleId id{ sample.First.Surface, sample.First.Triangle };
-  if (sample.First.IsHit() && this->Seen.size() < MostTrianglesSeen &&
-    std::find(this->Seen.begin(), this->Seen.end(), id) == this->Seen.end())
+  const TriangleId id{ sample.FirstHit.Surface, sample.FirstHit.Triangle };
+  if (sample.FirstHit.IsHit() && this->VisibleTriangles.size() < MostTrianglesSeen &&
+    std::find(this->VisibleTriangles.begin(), this->VisibleTriangles.end(), id) ==
+      this->VisibleTriangles.end())
   {
-    this->Seen.push_back(id);
+    this->VisibleTriangles.push_back(id);
   }
 }
 
 // Cuts the pixel where triangles that were seen in it pass through each other; false when no new
 // border was found.
-bool PixelIntegrator::AddPiercings()
+bool PixelIntegrator::AddIntersectionSegments()
 {
   const std::size_t before = this->Segments.size();
   const glm::dvec2 origin(this->X, this->Y);
-  for (std::size_t i = this->PairsTested; i < this->Seen.size(); ++i)
+  for (std::size_t i = this->PairsTested; i < this->VisibleTriangles.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
       PixelSegment segment;
-      if (FindPiercing(this->Source.GetScene(), this->Seen[i], this->Seen[j], origin, segment))
+      if (IntersectTriangles(this->Source.GetScene(), this->VisibleTriangles[i],
+            this->VisibleTriangles[j], origin, segment))
       {
         this->Segments.push_back(segment);
       }
     }
   }
-  this->PairsTested = this->Seen.size();
-  this->Pierced = this->Pierced || this->Segments.size() > before;
+  this->PairsTested = this->VisibleTriangles.size();
+  this->HasIntersections = this->HasIntersections || this->Segments.size() > before;
   this->FoundPiercing = this->FoundPiercing || this->Segments.size() > before;
   return this->Segments.size() > before;
 }
 
 // Looks for piercings among the triangles at the corners, and where there are some, among those at
 // the corners around, too: they go on there.
-void PixelIntegrator::SeeAround()
+void PixelIntegrator::FindNearbyIntersections()
 {
   double nearest = std::numeric_limits<double>::infinity();
   double deepest = 0.0;
   for (const Sample& corner : this->Corners)
   {
-    this->See(corner);
+    this->AddTriangle(corner);
     nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
     deepest = std::max(deepest, static_cast<double>(corner.OpaqueDepth));
   }
   // Two objects at one depth may do so even if the triangles at the corners do not.
-  const Camera& eye = this->Source.GetScene().Eye;
+  const Camera& eye = this->Source.GetScene().ViewCamera;
   const double footprint = eye.PixelSize * (eye.Parallel ? 1.0 : nearest + eye.DepthOfRayOrigins());
-  this->Pierced =
+  this->HasIntersections =
     this->Wary || (!this->CornersAgree() && deepest - nearest < TouchingDepth * footprint);
-  if (!this->AddPiercings() && !this->Pierced)
+  if (!this->AddIntersectionSegments() && !this->HasIntersections)
   {
     return;
   }
-  this->AnyCornerAround([this](const Sample& around) {
-    this->See(around);
+  this->AnyNeighborCorner([this](const Sample& around) {
+    this->AddTriangle(around);
     return false;
   });
-  this->AddPiercings();
+  this->AddIntersectionSegments();
 }
 
 // Is there a border between two hits in one piece of a pixel?
@@ -224,15 +227,15 @@ void PixelIntegrator::Glance()
 Hit PixelIntegrator::ProbeAt(glm::dvec2 local)
 {
   Sample sample;
-  sample.First = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + local);
+  sample.FirstHit = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + local);
   ++this->Rays.Refinement;
-  this->See(sample);
-  return sample.First;
+  this->AddTriangle(sample);
+  return sample.FirstHit;
 }
 
 // The same where they do: two triangles that cover a face and cross in it show at different ones of its
 // outermost corners. Faces that no one triangle covers are torn.
-void PixelIntegrator::Probe()
+void PixelIntegrator::ProbeTrapezoids()
 {
   std::vector<Probing>& probings = this->Probed;
   probings.assign(this->Arrangement.GetFaces().size(), Probing());
@@ -287,9 +290,9 @@ bool PixelIntegrator::IsConstant(const Sample& sample) const
 
 bool PixelIntegrator::IsConstantBehindMedium(const Sample& sample) const
 {
-  return !sample.First.IsHit() ||
-    (!this->Source.IsTransparent() && !this->Source.AsksSource() &&
-      this->Source.GetShading().IsConstantPerTriangle(sample.First.Surface));
+  return !sample.FirstHit.IsHit() ||
+    (!this->Source.IsTransparent() && !this->Source.UsesIrradianceSource() &&
+      this->Source.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
 }
 
 PixelResult PixelIntegrator::FaceColor(std::size_t index)
@@ -305,12 +308,12 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   bool agree = true;
   for (int i = 0; i < 4; ++i)
   {
-    if ((inside >> i & 1u) && !this->Pierced && this->IsConstant(this->Corners[i]))
+    if ((inside >> i & 1u) && !this->HasIntersections && this->IsConstant(this->Corners[i]))
     {
       const Sample& corner = this->Corners[i];
       agree = agree &&
         (!known ||
-          (known->First.Surface == corner.First.Surface &&
+          (known->FirstHit.Surface == corner.FirstHit.Surface &&
             MaximumDifference(known->Color, corner.Color) <= this->Settings.Tolerance));
       known = known ? known : &corner;
     }
@@ -321,15 +324,15 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   if (known)
   {
-    this->Deepen(*known);
-    result.Color = known->First.IsHit()
+    this->UpdateMaximumFaceDepth(*known);
+    result.Color = known->FirstHit.IsHit()
       ? known->Color
       : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
     return result;
   }
   const Sample sample = this->Trace(face.Point, face.Area);
-  this->Deepen(sample);
-  this->See(sample);
+  this->UpdateMaximumFaceDepth(sample);
+  this->AddTriangle(sample);
   result.Color = sample.Color;
   if (inside == 0u && this->IsConstantBehindMedium(sample))
   {
@@ -337,14 +340,14 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   }
   // The face is one surface: how its corners differ from the sample tells how the colour varies
   // within it. A face without corners is taken to vary as much as a rim often does.
-  const bool unknown = !inside || this->IsNearShadowBorder();
+  const bool unknown = !inside || this->IsNearShadowBoundary();
   float variation = unknown ? UnknownVariation : 0.f;
   for (int i = 0; i < 4; ++i)
   {
     if (inside >> i & 1u)
     {
       const Sample& corner = this->Corners[i];
-      const bool torn = corner.First.Surface != sample.First.Surface;
+      const bool torn = corner.FirstHit.Surface != sample.FirstHit.Surface;
       variation = std::max(
         variation, std::max(torn ? 1.f : 0.f, MaximumDifference(corner.Color, sample.Color)));
     }
@@ -353,13 +356,13 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
   // Answers about occlusion and shafts are dear, and they seldom jump: there no face is split on
   // suspicion.
-  const bool dear = this->Source.AsksSource() || this->Source.HasShafts();
+  const bool dear = this->Source.UsesIrradianceSource() || this->Source.HasShafts();
   const bool suspicion = unknown && dear && variation <= UnknownVariation;
   if (variation * area > limit && !suspicion)
   {
     return this->SplitFace(index);
   }
-  result.Error = BelievedShare * variation;
+  result.Error = ResidualErrorFraction * variation;
   return result;
 }
 
@@ -392,7 +395,7 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
 void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::dvec2 low,
   double side, const Sample& middle, glm::vec4& color, float& squaredError)
 {
-  this->Deepen(middle);
+  this->UpdateMaximumFaceDepth(middle);
   const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
   const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
   const auto share = [&](double u, double s) {
@@ -403,7 +406,7 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
     side < std::ldexp(1.5, -this->Settings.MaximumLevel))
   {
     color += area * middle.Color;
-    const float error = BelievedShare * area * UnknownVariation;
+    const float error = ResidualErrorFraction * area * UnknownVariation;
     squaredError += error * error;
     return;
   }
@@ -416,13 +419,13 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
     const glm::dvec2 at = low + half * CornerOffset(i);
     quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half), 0.25 * area);
     sum += static_cast<float>(share(at.x, half)) * quarters[i].Color;
-    torn = torn || quarters[i].First.Surface != middle.First.Surface;
+    torn = torn || quarters[i].FirstHit.Surface != middle.FirstHit.Surface;
   }
   const float deviation = MaximumDifference(sum, area * middle.Color);
   if (!torn && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
   {
     color += sum;
-    squaredError += BelievedShare * BelievedShare * deviation * deviation;
+    squaredError += ResidualErrorFraction * ResidualErrorFraction * deviation * deviation;
     return;
   }
   for (int i = 0; i < 4; ++i)
@@ -431,11 +434,11 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   }
 }
 
-PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t count)
+PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, std::size_t count)
 {
   long long& counted = this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border;
   ++counted;
-  this->SeeAround();
+  this->FindNearbyIntersections();
   int probings = 0;
   // As soon as the arrangement costs more than rays that would do as well, those are traced instead.
   const long long rays = SamplesFor(this->Settings.Tolerance);
@@ -451,16 +454,16 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       return this->Sampled();
     }
     this->Probed.clear();
-    if (this->Pierced && probings < (this->Wary ? MostProbings : 1))
+    if (this->HasIntersections && probings < (this->Wary ? MostProbings : 1))
     {
       ++probings;
-      this->Wary ? this->Probe() : this->Glance();
-      if (this->AddPiercings())
+      this->Wary ? this->ProbeTrapezoids() : this->Glance();
+      if (this->AddIntersectionSegments())
       {
         continue;
       }
     }
-    this->DeepestFace = 0.0;
+    this->MaximumFaceDepth = 0.0;
     PixelResult result;
     double covered = 0.0;
     float squares = 0.f;
@@ -483,20 +486,20 @@ PixelResult PixelIntegrator::Exact(const std::uint32_t* edgeIndices, std::size_t
       squares += weight * face.Error * weight * face.Error;
       covered += area;
     }
-    if (this->JustBehind(this->DeepestFace) >= this->NearestCulledDepth)
+    if (this->JustBehind(this->MaximumFaceDepth) >= this->NearestCulledDepth)
     {
       // Something shows that was thought hidden.
       this->LoadSegments(edgeIndices, count, false);
       this->PairsTested = 0;
-      this->AddPiercings();
+      this->AddIntersectionSegments();
       continue;
     }
-    if (this->AddPiercings())
+    if (this->AddIntersectionSegments())
     {
       continue;
     }
     result.Color /= static_cast<float>(covered);
-    result.Error = this->Believe(std::sqrt(squares), BorderErrorFloor);
+    result.Error = this->CombineErrors(std::sqrt(squares), EdgeErrorFloor);
     return result;
   }
 }

@@ -6,7 +6,7 @@
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
-#include "Shading/ScrambledSequence.h"
+#include "Shading/OwenSobolSequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,31 +35,31 @@ constexpr float HiddenError = 0.25f;
 PixelResult PixelIntegrator::Sampled()
 {
   ++this->Pixels.Uniform;
-  const ScrambledSequence sequence(static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
+  const OwenSobolSequence sequence(static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(this->Y) * 0x85ebca77u);
   const int most = std::min(CrowdShare * SamplesFor(this->Settings.Tolerance), MostSamples);
   glm::dvec4 sums[Groups] = {};
   int inGroup = FirstSamples / Groups;
   int traced = 0;
-  glm::dvec2 points[Sampler::PacketSize];
-  Sample samples[Sampler::PacketSize];
+  glm::dvec2 points[CameraRayTracer::PacketSize];
+  Sample samples[CameraRayTracer::PacketSize];
   PixelResult result;
   for (int total = FirstSamples;; total *= 2)
   {
-    const double slack = OcclusionSlack(1.0 / total);
+    const double slack = ToleranceScale(1.0 / total);
     while (traced < total)
     {
-      for (int i = 0; i < Sampler::PacketSize; ++i)
+      for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
       {
         points[i] = glm::dvec2(this->X, this->Y) +
           glm::dvec2(sequence.At(static_cast<std::uint32_t>(traced + i)));
       }
-      this->Source.AtPacket(points, 0xffffu, samples, this->Rays, slack);
-      for (int i = 0; i < Sampler::PacketSize; ++i)
+      this->Source.TracePacket(points, 0xffffu, samples, this->Rays, slack);
+      for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
       {
         sums[(traced + i) / inGroup] += glm::dvec4(samples[i].Color);
       }
-      traced += Sampler::PacketSize;
+      traced += CameraRayTracer::PacketSize;
     }
     this->Rays.Refinement += total == FirstSamples ? total : total / 2;
 
@@ -76,7 +76,7 @@ PixelResult PixelIntegrator::Sampled()
       glm::max(squares / static_cast<double>(Groups) - mean * mean, 0.0) / (Groups - 1.0);
     const double largest = std::max(std::max(variance.r, variance.g), variance.b);
     result.Color = glm::vec4(mean);
-    result.Error = this->Believe(
+    result.Error = this->CombineErrors(
       Confidence * static_cast<float>(std::sqrt(largest)), HiddenError / static_cast<float>(total));
     if (result.Error <= this->Settings.Tolerance || total >= most)
     {

@@ -40,14 +40,14 @@ const Sample& PixelIntegrator::SampleAtFine(glm::ivec2 fine)
   const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
   ++this->Rays.Refinement;
   return this->Cache.Insert(
-    fine, this->Source.At(glm::dvec2(fine) * scale, this->Rays, OcclusionSlack(area)));
+    fine, this->Source.TraceSample(glm::dvec2(fine) * scale, this->Rays, ToleranceScale(area)));
 }
 
 bool PixelIntegrator::NeedsDescent(const Square& square) const
 {
   for (int i = 1; i < 4; ++i)
   {
-    if (square.Corners[i].First.Surface != square.Corners[0].First.Surface)
+    if (square.Corners[i].FirstHit.Surface != square.Corners[0].FirstHit.Surface)
     {
       return true;
     }
@@ -86,17 +86,18 @@ void PixelIntegrator::Descend(
     nodes[i] = square.Corners[(i % 3) / 2 + 2 * (i / 6)];
   }
   nodes[4] = this->SampleAtFine(square.Low + half);
-  if (!byObject && !this->NeedsDescent(square) && nodes[4].First.Surface == nodes[0].First.Surface)
+  if (!byObject && !this->NeedsDescent(square) &&
+    nodes[4].FirstHit.Surface == nodes[0].FirstHit.Surface)
   {
     // For colours bent like a parabola the mean of the corners and the middle err in opposite
     // directions, as 2 to -1.
     const float deviation = area * MaximumDifference(nodes[4].Color, mean);
     const float noise = area * 2.f * static_cast<float>(this->Settings.Noise);
-    const bool doubtful = square.Level == 0 && this->IsNearShadowBorder();
+    const bool doubtful = square.Level == 0 && this->IsNearShadowBoundary();
     if (!doubtful && deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
     {
       color += area / 3.f * (mean + 2.f * nodes[4].Color);
-      squaredError += BelievedShare * BelievedShare * deviation * deviation;
+      squaredError += ResidualErrorFraction * ResidualErrorFraction * deviation * deviation;
       return;
     }
   }
@@ -119,7 +120,7 @@ void PixelIntegrator::Descend(
   }
 }
 
-PixelResult PixelIntegrator::Subdivide(bool byObject)
+PixelResult PixelIntegrator::IntegrateSubdivided(bool byObject)
 {
   Square whole;
   whole.Low = glm::ivec2(this->X, this->Y) << this->Settings.MaximumLevel;
@@ -127,7 +128,7 @@ PixelResult PixelIntegrator::Subdivide(bool byObject)
   std::copy(this->Corners, this->Corners + 4, whole.Corners);
   if (byObject && !this->NeedsDescent(whole))
   {
-    ++(this->Corners[0].First.IsHit() ? this->Pixels.Interior : this->Pixels.Empty);
+    ++(this->Corners[0].FirstHit.IsHit() ? this->Pixels.Interior : this->Pixels.Empty);
   }
   else
   {
@@ -136,7 +137,7 @@ PixelResult PixelIntegrator::Subdivide(bool byObject)
   PixelResult result;
   float squares = 0.f;
   this->Descend(whole, byObject, result.Color, squares);
-  result.Error = this->Believe(std::sqrt(squares), ErrorFloor);
+  result.Error = this->CombineErrors(std::sqrt(squares), ErrorFloor);
   return result;
 }
 

@@ -92,25 +92,25 @@ float ErrorOfGrid(const std::vector<glm::vec4>& colors, int side)
 
 }
 
-PixelResult PixelIntegrator::Uniform(int side)
+PixelResult PixelIntegrator::IntegrateUniform(int side)
 {
   PixelResult result;
   glm::dvec4 sum(0.0);
   const int total = side * side;
   this->Colors.resize(total);
-  glm::dvec2 points[Sampler::PacketSize];
-  Sample samples[Sampler::PacketSize];
-  for (int first = 0; first < total; first += Sampler::PacketSize)
+  glm::dvec2 points[CameraRayTracer::PacketSize];
+  Sample samples[CameraRayTracer::PacketSize];
+  for (int first = 0; first < total; first += CameraRayTracer::PacketSize)
   {
-    const int count = std::min(total - first, static_cast<int>(Sampler::PacketSize));
-    for (int i = 0; i < Sampler::PacketSize; ++i)
+    const int count = std::min(total - first, static_cast<int>(CameraRayTracer::PacketSize));
+    for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
       const int k = std::min(first + i, total - 1);
       const int row = k / side;
       points[i] = glm::dvec2(this->X + (k % side + 0.5) / side, this->Y + (row + 0.5) / side);
     }
-    this->Source.AtPacket(
-      points, (1u << count) - 1u, samples, this->Rays, OcclusionSlack(1.0 / total));
+    this->Source.TracePacket(
+      points, (1u << count) - 1u, samples, this->Rays, ToleranceScale(1.0 / total));
     for (int i = 0; i < count; ++i)
     {
       this->Colors[first + i] = samples[i].Color;
@@ -119,25 +119,25 @@ PixelResult PixelIntegrator::Uniform(int side)
   }
   this->Rays.Primary += total;
   result.Color = glm::vec4(sum / static_cast<double>(total));
-  result.Error = this->Believe(ErrorOfGrid(this->Colors, side), 0.f);
+  result.Error = this->CombineErrors(ErrorOfGrid(this->Colors, side), 0.f);
   return result;
 }
 
 // 8 x 8 samples in four packets, each spread over the pixel; stops as soon as their mean is known.
-PixelResult PixelIntegrator::UniformAdaptive()
+PixelResult PixelIntegrator::IntegrateUniformAdaptive()
 {
   constexpr int Side = 8;
-  constexpr int Packets = Side * Side / Sampler::PacketSize;
+  constexpr int Packets = Side * Side / CameraRayTracer::PacketSize;
   PixelResult result;
   glm::vec4 sum(0.f);
   glm::vec4 squares(0.f);
-  const double slack = OcclusionSlack(1.0 / (Side * Side));
+  const double slack = ToleranceScale(1.0 / (Side * Side));
   bool hits =
     false; // where all miss something small is meant to be here, or it would not be asked for
   this->Colors.resize(Side * Side);
-  glm::dvec2 points[Sampler::PacketSize];
-  int places[Sampler::PacketSize];
-  Sample samples[Sampler::PacketSize];
+  glm::dvec2 points[CameraRayTracer::PacketSize];
+  int places[CameraRayTracer::PacketSize];
+  Sample samples[CameraRayTracer::PacketSize];
   float error = 0.f;
   for (int packet = 0; packet < Packets; ++packet)
   {
@@ -151,21 +151,21 @@ PixelResult PixelIntegrator::UniformAdaptive()
         points[i++] = glm::dvec2(this->X + (k % Side + 0.5) / Side, this->Y + (row + 0.5) / Side);
       }
     }
-    this->Source.AtPacket(points, 0xffffu, samples, this->Rays, slack);
-    this->Rays.Refinement += Sampler::PacketSize;
-    for (int j = 0; j < Sampler::PacketSize; ++j)
+    this->Source.TracePacket(points, 0xffffu, samples, this->Rays, slack);
+    this->Rays.Refinement += CameraRayTracer::PacketSize;
+    for (int j = 0; j < CameraRayTracer::PacketSize; ++j)
     {
       const Sample& sample = samples[j];
       this->Colors[places[j]] = sample.Color;
-      hits = hits || sample.First.IsHit();
+      hits = hits || sample.FirstHit.IsHit();
       sum += sample.Color;
       squares += sample.Color * sample.Color;
     }
-    const float n = static_cast<float>((packet + 1) * Sampler::PacketSize);
+    const float n = static_cast<float>((packet + 1) * CameraRayTracer::PacketSize);
     result.Color = sum / n;
     const float largest =
       LargestOf(glm::vec3(glm::max(squares / n - result.Color * result.Color, 0.f)));
-    const float regular = this->Believe(std::sqrt(largest) * std::pow(n, RegularPower),
+    const float regular = this->CombineErrors(std::sqrt(largest) * std::pow(n, RegularPower),
       this->Segments.empty() ? ErrorFloor : HiddenError / n);
     error = std::sqrt(largest / n);
     if (this->Segments.empty() && hits && regular < DenseShare * this->Settings.Tolerance)
@@ -175,7 +175,8 @@ PixelResult PixelIntegrator::UniformAdaptive()
     error = packet + 1 < Packets ? error : ErrorOfGrid(this->Colors, Side);
   }
   constexpr float Most = Side * Side;
-  result.Error = this->Believe(error, this->Segments.empty() ? ErrorFloor : HiddenError / Most);
+  result.Error =
+    this->CombineErrors(error, this->Segments.empty() ? ErrorFloor : HiddenError / Most);
   return result;
 }
 

@@ -12,7 +12,7 @@ namespace
 {
 
 /// Does the surface fold over at the edge, both its triangles on one side of it in the picture?
-bool Folds(const Surface& surface, const MeshEdge& e, const Camera& camera)
+bool IsSilhouette(const Surface& surface, const MeshEdge& e, const Camera& camera)
 {
   const glm::dvec3 a(surface.Positions[e.A]);
   const glm::dvec3 b(surface.Positions[e.B]);
@@ -104,7 +104,7 @@ void VisitCells(
 }
 
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
-  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeLists& lists)
+  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& lists)
 {
   const auto edge = [&](
                       std::size_t i) { return subset ? subset[i] : static_cast<std::uint32_t>(i); };
@@ -135,7 +135,7 @@ void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, con
   const double near = std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
   for (const MeshEdge& e : mesh)
   {
-    if (!e.Always && !Folds(surface, e, camera))
+    if (!e.IsFeatureEdge && !IsSilhouette(surface, e, camera))
     {
       continue;
     }

@@ -26,7 +26,7 @@ struct ProjectedEdge
 };
 
 /// Lists of edges per cell of a regular grid, in one array.
-struct EdgeLists
+struct EdgeBins
 {
   std::vector<std::uint32_t> Begin; ///< per cell, and the end
   std::vector<std::uint32_t> Edges;
@@ -41,7 +41,7 @@ constexpr double EdgeMargin = 2e-3;
  * of side `size` whose lower left corner is `origin`. Conservative by EdgeMargin.
  */
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
-  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeLists& lists);
+  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& lists);
 
 /**
  * Appends the edges of `surface` that are borders seen from `camera`, clipped to the front of it and

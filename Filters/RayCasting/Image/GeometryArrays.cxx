@@ -27,8 +27,8 @@ void AddArray(Array* array, const char* name, int components, vtkImageData* imag
 }
 }
 
-bool AddGeometryArrays(
-  const Sampler& sampler, const ProgressCallback& progress, vtkImageData* image, RayCounts& counts)
+bool AddGeometryArrays(const CameraRayTracer& sampler, const ProgressCallback& progress,
+  vtkImageData* image, RayCounts& counts)
 {
   vtkNew<vtkFloatArray> depths;
   vtkNew<vtkFloatArray> normals;
@@ -46,7 +46,7 @@ bool AddGeometryArrays(
   image->GetExtent(extent);
   const int width = extent[1] - extent[0] + 1;
   std::mutex totals;
-  return InBatches(extent[3] - extent[2] + 1, 0.0, 1.0, progress, [&](int row) {
+  return ParallelForBatches(extent[3] - extent[2] + 1, 0.0, 1.0, progress, [&](int row) {
     RayCounts rowCounts;
     for (int column = 0; column < width; ++column)
     {
@@ -67,8 +67,9 @@ bool AddGeometryArrays(
         continue;
       }
       const Surface& surface = scene.Surfaces[hit.Surface];
-      const Appearance seen = sampler.GetShading().Shade(ray, hit, rowCounts.Shadow);
-      depths->SetValue(id, static_cast<float>((hit.Distance + scene.Eye.Advance) / scene.Scale));
+      const ShadedHit seen = sampler.GetShading().Shade(ray, hit, rowCounts.Shadow);
+      depths->SetValue(
+        id, static_cast<float>((hit.Distance + scene.ViewCamera.Advance) / scene.Scale));
       for (int axis = 0; axis < 3; ++axis)
       {
         normals->SetTypedComponent(id, axis, seen.Normal[axis]);

@@ -5,8 +5,8 @@
 #ifndef penumbra_GeometryArrays_h
 #define penumbra_GeometryArrays_h
 
-#include "Execution/Batches.h"
-#include "Sampling/Sampler.h"
+#include "Execution/ParallelFor.h"
+#include "Sampling/CameraRayTracer.h"
 
 class vtkImageData;
 
@@ -15,8 +15,8 @@ namespace penumbra
 
 /// Adds `Depth`, `Normal`, `ObjectId`, `CellId` and, where the sampler asks for it,
 /// `AmbientOcclusion` for the extent of `image`, and the rays traced to `counts`. False when `progress` stopped it.
-bool AddGeometryArrays(
-  const Sampler& sampler, const ProgressCallback& progress, vtkImageData* image, RayCounts& counts);
+bool AddGeometryArrays(const CameraRayTracer& sampler, const ProgressCallback& progress,
+  vtkImageData* image, RayCounts& counts);
 
 }
 #endif

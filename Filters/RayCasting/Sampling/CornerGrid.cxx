@@ -14,18 +14,18 @@ CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate)
 {
 }
 
-void CornerGrid::TraceRow(const Sampler& sampler, int row, bool packets, RayCounts& counts)
+void CornerGrid::TraceRow(const CameraRayTracer& sampler, int row, bool packets, RayCounts& counts)
 {
-  static_assert(BlockSide * BlockSide == Sampler::PacketSize, "one packet a block");
-  const glm::ivec2 last(sampler.GetScene().Eye.Width, sampler.GetScene().Eye.Height);
+  static_assert(BlockSide * BlockSide == CameraRayTracer::PacketSize, "one packet a block");
+  const glm::ivec2 last(sampler.GetScene().ViewCamera.Width, sampler.GetScene().ViewCamera.Height);
   for (int column = 0; column < this->Blocks.x; ++column)
   {
     const glm::ivec2 first = (this->FirstBlock + glm::ivec2(column, row)) * BlockSide;
-    glm::dvec2 points[Sampler::PacketSize];
-    Sample samples[Sampler::PacketSize];
+    glm::dvec2 points[CameraRayTracer::PacketSize];
+    Sample samples[CameraRayTracer::PacketSize];
     unsigned int active = 0;
     // All corners of the block that the whole picture has, whichever part is asked for.
-    for (int i = 0; i < Sampler::PacketSize; ++i)
+    for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
       const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
       points[i] = glm::dvec2(p);
@@ -33,9 +33,9 @@ void CornerGrid::TraceRow(const Sampler& sampler, int row, bool packets, RayCoun
     }
     if (packets)
     {
-      sampler.AtPacket(points, active, samples, counts);
+      sampler.TracePacket(points, active, samples, counts);
     }
-    for (int i = 0; i < Sampler::PacketSize; ++i)
+    for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
       const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
       if (!(active >> i & 1u))
@@ -44,7 +44,7 @@ void CornerGrid::TraceRow(const Sampler& sampler, int row, bool packets, RayCoun
       }
       if (!packets)
       {
-        samples[i] = sampler.At(points[i], counts);
+        samples[i] = sampler.TraceSample(points[i], counts);
       }
       ++counts.Primary;
       if (p.x >= this->Low.x && p.x <= this->High.x && p.y >= this->Low.y && p.y <= this->High.y)

@@ -7,7 +7,7 @@
 #ifndef penumbra_CornerGrid_h
 #define penumbra_CornerGrid_h
 
-#include "Sampler.h"
+#include "CameraRayTracer.h"
 
 #include <vector>
 
@@ -26,7 +26,7 @@ public:
   int GetNumberOfRows() const { return this->Blocks.y; }
 
   /// Traces one row of blocks; rows are independent of each other.
-  void TraceRow(const Sampler& sampler, int row, bool packets, RayCounts& counts);
+  void TraceRow(const CameraRayTracer& sampler, int row, bool packets, RayCounts& counts);
 
   /// The sample at picture point (x, y), low.x <= x <= high.x and likewise for y.
   const Sample& At(int x, int y) const { return this->Samples[this->Index(x, y)]; }

@@ -6,7 +6,7 @@
 #ifndef penumbra_SampleCache_h
 #define penumbra_SampleCache_h
 
-#include "Sampler.h"
+#include "CameraRayTracer.h"
 
 #include <cstdint>
 #include <unordered_map>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraMedium.h"
 
-#include "ClosedForms/HalfPlaneInHaze.h"
+#include "ClosedForms/HalfPlaneScattering.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkCallbackCommand.h"

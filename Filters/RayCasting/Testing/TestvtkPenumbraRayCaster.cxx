@@ -14,7 +14,7 @@
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -168,7 +168,7 @@ TEST_F(SpheresTest, CountEachPixelOnce)
   this->Render();
   EXPECT_EQ(this->Statistic("Rays/Primary"), 102.0 * 76.0);
   EXPECT_EQ(this->Statistic("Pixels/Empty") + this->Statistic("Pixels/Interior") +
-      this->Statistic("Pixels/Border") + this->Statistic("Pixels/Small") +
+      this->Statistic("Pixels/Edge") + this->Statistic("Pixels/SmallObject") +
       this->Statistic("Pixels/Refined") + this->Statistic("Pixels/Uniform"),
     101.0 * 75.0);
   EXPECT_LT(this->Statistic("Rays/PerPixel"), 2.0);
@@ -212,11 +212,11 @@ TEST_F(SpheresTest, ShareTheirSceneBetweenTiles)
 }
 
 /// Brute force that knows the scenes it was asked about.
-class ListeningSource : public vtkPenumbraBruteForceSource
+class ListeningSource : public vtkPenumbraBruteForceIrradiance
 {
 public:
   static ListeningSource* New();
-  vtkTypeMacro(ListeningSource, vtkPenumbraBruteForceSource);
+  vtkTypeMacro(ListeningSource, vtkPenumbraBruteForceIrradiance);
 
   bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress) override
@@ -256,11 +256,11 @@ TEST_F(SpheresTest, RefuseNumbersThatAreNone)
 }
 
 /// A source whose answers fail.
-class FailingSource : public vtkPenumbraBruteForceSource
+class FailingSource : public vtkPenumbraBruteForceIrradiance
 {
 public:
   static FailingSource* New();
-  vtkTypeMacro(FailingSource, vtkPenumbraBruteForceSource);
+  vtkTypeMacro(FailingSource, vtkPenumbraBruteForceIrradiance);
 
   Estimate Occlusion(const double[3], const double[3]) const override
   {
@@ -295,7 +295,7 @@ TEST_F(SpheresTest, TellOfAnExceptionOnAnyThread)
     EXPECT_EQ(this->Caster->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
   }
   this->Caster->SetIrradianceSource(nullptr);
-  EXPECT_TRUE(vtkPenumbraBruteForceSource::SafeDownCast(this->Caster->GetIrradianceSource()));
+  EXPECT_TRUE(vtkPenumbraBruteForceIrradiance::SafeDownCast(this->Caster->GetIrradianceSource()));
 }
 
 TEST_F(SpheresTest, StopWhenAskedTo)

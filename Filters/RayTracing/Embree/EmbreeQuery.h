@@ -14,7 +14,7 @@
 namespace penumbra
 {
 
-struct Contenders;
+struct CandidateHits;
 
 #if RTC_VERSION_MAJOR >= 4
 /// What filters get to know of a query.
@@ -61,13 +61,13 @@ struct Query
 #else
 struct QueryContext : RTCIntersectContext
 {
-  Contenders* Contending;
+  CandidateHits* Contending;
 };
 
 struct Query
 {
   QueryContext Context;
-  explicit Query(bool coherent, Contenders* contending = nullptr)
+  explicit Query(bool coherent, CandidateHits* contending = nullptr)
   {
     rtcInitIntersectContext(&this->Context);
     this->Context.Contending = contending;

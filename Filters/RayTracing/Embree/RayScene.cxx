@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayScene.h"
 
-#include "Contest.h"
+#include "CoincidentSurfaces.h"
 #include "EmbreeQuery.h"
 #include "RayTriangle.h"
 
@@ -22,7 +22,7 @@ namespace penumbra
 struct TracedSurface
 {
   const Surface* Data;
-  float Reach;
+  float DepthTolerance;
 };
 
 namespace
@@ -36,16 +36,16 @@ constexpr std::size_t CompactFrom = 2000000;
 constexpr double SliverError = 1e-3;
 /// How far apart, in slacks of single precision, a ray may meet two triangles of one edge: those that
 /// it grazes.
-constexpr double TieReach = 64.0;
+constexpr double EdgeHitTolerance = 64.0;
 
 static_assert(RTC_INVALID_GEOMETRY_ID == Hit::None, "a miss of Embree's is a miss of ours");
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree reads our arrays");
 
 /// Drops hits of culled sides, and lets a ray go on as far as what it met may be contested.
-void JudgeHits(const RTCFilterFunctionNArguments* args)
+void IntersectFilter(const RTCFilterFunctionNArguments* args)
 {
   const auto& traced = *static_cast<const TracedSurface*>(args->geometryUserPtr);
-  Contenders* contending = static_cast<QueryContext*>(args->context)->Contending;
+  CandidateHits* contending = static_cast<QueryContext*>(args->context)->Contending;
   for (unsigned int i = 0; i < args->N; ++i)
   {
     const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
@@ -57,13 +57,13 @@ void JudgeHits(const RTCFilterFunctionNArguments* args)
     {
       args->valid[i] = 0;
     }
-    else if (args->valid[i] != 0 && traced.Reach > 0.f)
+    else if (args->valid[i] != 0 && traced.DepthTolerance > 0.f)
     {
-      const Contender hit{ RTCHitN_geomID(args->hit, args->N, i),
+      const CandidateHit hit{ RTCHitN_geomID(args->hit, args->N, i),
         RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
         RTCHitN_v(args->hit, args->N, i), RTCRayN_tfar(args->ray, args->N, i) };
-      const float reach = traced.Reach / glm::length(direction);
-      Contenders& contenders = contending[RTCRayN_id(args->ray, args->N, i)];
+      const float reach = traced.DepthTolerance / glm::length(direction);
+      CandidateHits& contenders = contending[RTCRayN_id(args->ray, args->N, i)];
       RTCRayN_tfar(args->ray, args->N, i) =
         std::min(contenders.Add(hit, reach) + reach, contenders.Far);
     }
@@ -71,7 +71,7 @@ void JudgeHits(const RTCFilterFunctionNArguments* args)
 }
 
 /// Of lines and points: they block no light.
-void DropAllHits(const RTCFilterFunctionNArguments* args)
+void RejectAllFilter(const RTCFilterFunctionNArguments* args)
 {
   std::fill_n(args->valid, args->N, 0);
 }
@@ -101,13 +101,13 @@ RTCGeometry MakeGeometry(RTCDevice device, TracedSurface& traced)
   SetBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.Positions);
   SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.Triangles);
   rtcSetGeometryUserData(geometry, &traced);
-  if (!surface.Frontfaces || !surface.Backfaces || traced.Reach > 0.f)
+  if (!surface.Frontfaces || !surface.Backfaces || traced.DepthTolerance > 0.f)
   {
-    rtcSetGeometryIntersectFilterFunction(geometry, JudgeHits);
+    rtcSetGeometryIntersectFilterFunction(geometry, IntersectFilter);
   }
-  if (surface.ScreenSpace)
+  if (surface.IsLineOrPoint)
   {
-    rtcSetGeometryOccludedFilterFunction(geometry, DropAllHits);
+    rtcSetGeometryOccludedFilterFunction(geometry, RejectAllFilter);
   }
   rtcCommitGeometry(geometry);
   return geometry;
@@ -210,7 +210,7 @@ void Fill(RTCRay& to, const Ray& from)
 }
 
 /// The lowest triangle of a surface, by number, of those that meet a ray in the same place.
-struct Tie
+struct EdgeHitQuery
 {
   const Scene& TracedScene;
   const Ray& TracedRay;
@@ -218,23 +218,23 @@ struct Tie
   Hit Lowest;             ///< its Surface and Triangle
 
   /// Embree's call for a triangle near the place.
-  static bool Consider(RTCPointQueryFunctionArguments* args);
+  static bool Callback(RTCPointQueryFunctionArguments* args);
 };
 
-bool Tie::Consider(RTCPointQueryFunctionArguments* args)
+bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
 {
-  Tie& self = *static_cast<Tie*>(args->userPtr);
+  EdgeHitQuery& self = *static_cast<EdgeHitQuery*>(args->userPtr);
   if (args->geomID != self.Lowest.Surface || args->primID >= self.Lowest.Triangle)
   {
     return false;
   }
   const Surface& surface = self.TracedScene.Surfaces[args->geomID];
   const RayTriangle other(surface, args->primID, self.TracedRay);
-  const bool isMet = other.IsSound && other.ToEdge > -other.Slack &&
+  const bool isMet = other.IsValid && other.EdgeDistance > -other.EdgeTolerance &&
     (other.IsFront ? surface.Frontfaces : surface.Backfaces);
   if (isMet && other.Distance >= self.TracedRay.Near && other.Distance <= self.TracedRay.Far &&
     std::abs(other.Distance - self.Met.Distance) * glm::length(self.TracedRay.Direction) <=
-      TieReach * self.Met.Slack)
+      EdgeHitTolerance * self.Met.EdgeTolerance)
   {
     self.Lowest.Triangle = args->primID;
   }
@@ -244,29 +244,30 @@ bool Tie::Consider(RTCPointQueryFunctionArguments* args)
 /// What Embree found, made independent of the instructions that it chose: surfaces near each other
 /// contend, the numbers follow from the triangle, and at an edge the triangle is chosen by rule.
 Hit MakeHit(
-  const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& met, Contenders* contenders)
+  const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& met, CandidateHits* contenders)
 {
   Hit found = met;
-  found.Beyond = found.Distance;
+  found.NextNear = found.Distance;
   if (contenders && contenders->Count > 0)
   {
-    found = rays.GetContest().Decide(ray, met, *contenders);
+    found = rays.GetContest().Resolve(ray, met, *contenders);
   }
   Hit hit = found;
   const Scene& scene = rays.GetScene();
   RayTriangle exact(scene.Surfaces[hit.Surface], hit.Triangle, ray);
   // Edge-on slivers say nothing: Embree's answer stands.
-  if (exact.IsSound &&
+  if (exact.IsValid &&
     std::abs(exact.Distance - found.Distance) <= SliverError * std::abs(exact.Distance))
   {
-    if (exact.IsAtEdge())
+    if (exact.IsOnEdge())
     {
-      Tie tie{ scene, ray, exact, hit };
+      EdgeHitQuery tie{ scene, ray, exact, hit };
       const glm::vec3 place(glm::dvec3(ray.Origin) + exact.Distance * glm::dvec3(ray.Direction));
-      RTCPointQuery query{ place.x, place.y, place.z, 0.f, static_cast<float>(4.0 * exact.Slack) };
+      RTCPointQuery query{ place.x, place.y, place.z, 0.f,
+        static_cast<float>(4.0 * exact.EdgeTolerance) };
       RTCPointQueryContext context;
       rtcInitPointQueryContext(&context);
-      rtcPointQuery(tree, &query, &context, Tie::Consider, &tie);
+      rtcPointQuery(tree, &query, &context, EdgeHitQuery::Callback, &tie);
       hit.Triangle = tie.Lowest.Triangle;
       exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Triangle, ray);
     }
@@ -275,8 +276,8 @@ Hit MakeHit(
     hit.V = static_cast<float>(std::clamp(exact.V, 0.0, 1.0 - u));
     hit.Distance = static_cast<float>(exact.Distance);
   }
-  const float farther = std::max(hit.Distance, found.Beyond);
-  hit.Beyond = farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
+  const float farther = std::max(hit.Distance, found.NextNear);
+  hit.NextNear = farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
   return hit;
 }
 
@@ -307,8 +308,8 @@ void Fill(Packet& to, int* valid, const Ray* rays)
 template <typename Packet, int Size>
 void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit* hits)
 {
-  Contenders contending[Size];
-  Contenders* const asked = scene.GetContest().IsEmpty() ? nullptr : contending;
+  CandidateHits contending[Size];
+  CandidateHits* const asked = scene.GetContest().IsEmpty() ? nullptr : contending;
   alignas(64) int valid[Size];
   alignas(64) Packet query;
   Fill<Size>(query.ray, valid, rays);
@@ -359,20 +360,21 @@ std::uint64_t NextId()
 
 RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& progress)
   : TracedScene(scene),
-    Contesting(std::make_unique<Contest>(scene)),
+    Contesting(std::make_unique<CoincidentSurfaces>(scene)),
     Id(NextId())
 {
   for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
   {
-    this->Traced.push_back({ &scene.Surfaces[i], this->Contesting->Reach(i) });
+    this->Traced.push_back({ &scene.Surfaces[i], this->Contesting->DepthTolerance(i) });
   }
   this->Device = rtcNewDevice(DeviceSettings(threads).c_str());
   Check(this->Device);
-  this->Wide = rtcGetDeviceProperty(this->Device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
+  this->TracesPackets16 =
+    rtcGetDeviceProperty(this->Device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   try
   {
-    this->Tree = rtcNewScene(this->Device);
-    rtcSetSceneFlags(this->Tree,
+    this->EmbreeScene = rtcNewScene(this->Device);
+    rtcSetSceneFlags(this->EmbreeScene,
       CountTriangles(scene) < CompactFrom
         ? RTC_SCENE_FLAG_ROBUST
         : static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
@@ -381,11 +383,11 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
       if (!scene.Surfaces[i].Triangles.empty())
       {
         RTCGeometry geometry = MakeGeometry(this->Device, this->Traced[i]);
-        rtcAttachGeometryByID(this->Tree, geometry, static_cast<unsigned int>(i));
+        rtcAttachGeometryByID(this->EmbreeScene, geometry, static_cast<unsigned int>(i));
         rtcReleaseGeometry(geometry);
       }
     }
-    Commit(this->Tree, this->Device, progress);
+    Commit(this->EmbreeScene, this->Device, progress);
   }
   catch (...)
   {
@@ -401,9 +403,9 @@ RayScene::~RayScene()
 
 void RayScene::Release()
 {
-  if (this->Tree)
+  if (this->EmbreeScene)
   {
-    rtcReleaseScene(this->Tree);
+    rtcReleaseScene(this->EmbreeScene);
   }
   if (this->Device)
   {
@@ -421,10 +423,10 @@ Hit RayScene::Intersect(const Ray& ray) const
   Fill(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  Contenders contending;
+  CandidateHits contending;
   contending.Far = ray.Far;
-  Contenders* const asked = this->Contesting->IsEmpty() ? nullptr : &contending;
-  Query(false, asked).Intersect(this->Tree, query);
+  CandidateHits* const asked = this->Contesting->IsEmpty() ? nullptr : &contending;
+  Query(false, asked).Intersect(this->EmbreeScene, query);
   Hit hit;
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
@@ -433,32 +435,32 @@ Hit RayScene::Intersect(const Ray& ray) const
     hit.U = query.hit.u;
     hit.V = query.hit.v;
     hit.Distance = query.ray.tfar;
-    hit = MakeHit(*this, this->Tree, ray, hit, asked);
+    hit = MakeHit(*this, this->EmbreeScene, ray, hit, asked);
   }
   return hit;
 }
 
 void RayScene::Intersect16(const Ray* rays, Hit* hits) const
 {
-  if (this->Wide)
+  if (this->TracesPackets16)
   {
-    IntersectPacket<RTCRayHit16, 16>(*this, this->Tree, rays, hits);
+    IntersectPacket<RTCRayHit16, 16>(*this, this->EmbreeScene, rays, hits);
     return;
   }
   // Without instructions for 16 Embree would trace one ray after the other.
-  IntersectPacket<RTCRayHit8, 8>(*this, this->Tree, rays, hits);
-  IntersectPacket<RTCRayHit8, 8>(*this, this->Tree, rays + 8, hits + 8);
+  IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays, hits);
+  IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays + 8, hits + 8);
 }
 
 void RayScene::Occluded16(const Ray* rays, bool* blocked) const
 {
-  if (this->Wide)
+  if (this->TracesPackets16)
   {
-    OccludedPacket<RTCRay16, 16>(this->Tree, rays, blocked);
+    OccludedPacket<RTCRay16, 16>(this->EmbreeScene, rays, blocked);
     return;
   }
-  OccludedPacket<RTCRay8, 8>(this->Tree, rays, blocked);
-  OccludedPacket<RTCRay8, 8>(this->Tree, rays + 8, blocked + 8);
+  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays, blocked);
+  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays + 8, blocked + 8);
 }
 
 bool RayScene::Occluded(const Ray& ray) const
@@ -469,15 +471,15 @@ bool RayScene::Occluded(const Ray& ray) const
   }
   RTCRay query;
   Fill(query, ray);
-  Query(false).Occluded(this->Tree, query);
+  Query(false).Occluded(this->EmbreeScene, query);
   return query.tfar < 0.f;
 }
 
-Hit PassMarks(const RayScene& rays, Ray ray, Hit hit)
+Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit)
 {
-  while (hit.IsHit() && rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
+  while (hit.IsHit() && rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
   {
-    ray.Near = hit.Beyond;
+    ray.Near = hit.NextNear;
     hit = rays.Intersect(ray);
   }
   return hit;

@@ -5,7 +5,7 @@
 #ifndef penumbra_RayScene_h
 #define penumbra_RayScene_h
 
-#include "Execution/Batches.h"
+#include "Execution/ParallelFor.h"
 #include "Scene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
@@ -20,7 +20,7 @@ struct RTCSceneTy;
 namespace penumbra
 {
 
-class Contest;
+class CoincidentSurfaces;
 struct TracedSurface;
 
 /// A ray; with directions from Camera::RayDirection distances are along the view axis.
@@ -43,7 +43,7 @@ struct Hit
   float U = 0.f;                 ///< weight of the triangle's second vertex
   float V = 0.f;                 ///< weight of its third vertex
   float Distance = std::numeric_limits<float>::infinity(); ///< in units of |Ray::Direction|
-  float Beyond = std::numeric_limits<float>::infinity();   ///< the Near that passes this triangle
+  float NextNear = std::numeric_limits<float>::infinity(); ///< the Near that passes this triangle
 
   bool IsHit() const { return this->Surface != None; }
 };
@@ -51,7 +51,7 @@ struct Hit
 class RayScene;
 
 /// The first hit of `ray` that is no line and no point, which block nothing; `hit` is its first one.
-VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit PassMarks(const RayScene& rays, Ray ray, Hit hit);
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit);
 
 /// Rays that are none (not finite, without direction, Near < 0 or > Far) meet nothing.
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayScene
@@ -72,14 +72,14 @@ public:
   /// Nearest hits of 16 rays; those with Near > Far are left out.
   void Intersect16(const Ray* rays, Hit* hits) const;
 
-  /// Is anything met? Surfaces with ScreenSpace do not count.
+  /// Is anything met? Surfaces with IsLineOrPoint do not count.
   bool Occluded(const Ray& ray) const;
 
   /// The same for 16 rays; those with Near > Far are not blocked.
   void Occluded16(const Ray* rays, bool* blocked) const;
 
   const Scene& GetScene() const { return this->TracedScene; }
-  const Contest& GetContest() const { return *this->Contesting; }
+  const CoincidentSurfaces& GetContest() const { return *this->Contesting; }
 
   /// No other scene of this process has the same.
   std::uint64_t GetId() const { return this->Id; }
@@ -88,12 +88,12 @@ private:
   void Release();
 
   const Scene& TracedScene;
-  std::unique_ptr<Contest> Contesting;
+  std::unique_ptr<CoincidentSurfaces> Contesting;
   std::vector<TracedSurface> Traced; ///< per surface: what filters know
   std::uint64_t Id;
   RTCDeviceTy* Device = nullptr;
-  RTCSceneTy* Tree = nullptr;
-  bool Wide = false; ///< this machine traces 16 rays at once, not 8
+  RTCSceneTy* EmbreeScene = nullptr;
+  bool TracesPackets16 = false; ///< this machine traces 16 rays at once, not 8
 };
 
 }

@@ -36,8 +36,8 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
   const glm::dvec3 p = glm::cross(direction, ac);
   const glm::dvec3 q = glm::cross(fromA, ab);
   const double volume = glm::dot(ab, p);
-  this->IsSound = volume != 0.0;
-  if (!this->IsSound)
+  this->IsValid = volume != 0.0;
+  if (!this->IsValid)
   {
     return;
   }
@@ -48,11 +48,11 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
   this->U = second / volume;
   this->V = third / volume;
   this->Distance = glm::dot(ac, q) / volume;
-  this->ToEdge = std::min(
+  this->EdgeDistance = std::min(
     { LineDistance(sign * second, p), LineDistance(sign * third, glm::cross(direction, ab)),
       LineDistance(sign * (volume - second - third), glm::cross(direction, ac - ab)) });
   const glm::dvec3 reach = glm::abs(fromA) + glm::max(glm::abs(ab), glm::abs(ac));
-  this->Slack = Roundings * 0.5 * std::numeric_limits<float>::epsilon() *
+  this->EdgeTolerance = Roundings * 0.5 * std::numeric_limits<float>::epsilon() *
     std::max({ reach.x, reach.y, reach.z });
 }
 

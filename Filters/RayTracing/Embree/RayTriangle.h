@@ -14,18 +14,21 @@ namespace penumbra
 
 struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayTriangle
 {
-  bool IsSound = false;  ///< the ray is not parallel to the triangle
-  bool IsFront = false;  ///< the ray comes from where the corners turn counterclockwise
-  double U = 0.0;        ///< weight of the triangle's second vertex
-  double V = 0.0;        ///< weight of its third vertex
-  double Distance = 0.0; ///< in units of |Ray::Direction|
-  double ToEdge = 0.0;   ///< from the ray to the nearest of the edges' lines; outside negative
-  double Slack = 0.0;    ///< how far single precision may take the ray for elsewhere
+  bool IsValid = false;       ///< the ray is not parallel to the triangle
+  bool IsFront = false;       ///< the ray comes from where the corners turn counterclockwise
+  double U = 0.0;             ///< weight of the triangle's second vertex
+  double V = 0.0;             ///< weight of its third vertex
+  double Distance = 0.0;      ///< in units of |Ray::Direction|
+  double EdgeDistance = 0.0;  ///< from the ray to the nearest of the edges' lines; outside negative
+  double EdgeTolerance = 0.0; ///< how far single precision may take the ray for elsewhere
 
   RayTriangle(const Surface& surface, std::uint32_t triangle, const Ray& ray);
 
   /// Does single precision not know on which side of an edge the ray is?
-  bool IsAtEdge() const { return this->ToEdge<this->Slack&& this->ToEdge> - this->Slack; }
+  bool IsOnEdge() const
+  {
+    return this->EdgeDistance<this->EdgeTolerance&& this->EdgeDistance> - this->EdgeTolerance;
+  }
 };
 
 }

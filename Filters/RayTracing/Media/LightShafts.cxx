@@ -28,7 +28,7 @@ constexpr double BorderShareOfStep = 1.0 / 64.0;
 constexpr double EndOfSteps = 1e-4;
 
 /// The share of light that steps with these visibilities are believed to overlook.
-double Hidden(const std::vector<float>& seen)
+double EstimateMissedLight(const std::vector<float>& seen)
 {
   int borders = 0;
   for (std::size_t i = 1; i < seen.size(); ++i)
@@ -40,13 +40,13 @@ double Hidden(const std::vector<float>& seen)
 
 }
 
-LightShafts::LightShafts(const Shading& shading, const Medium& medium, Effort effort)
-  : Shades(shading),
-    Fog(medium),
-    Work(effort)
+LightShafts::LightShafts(const Shading& shading, const Medium& medium, MarchQuality effort)
+  : SurfaceShading(shading),
+    ScatteringMedium(medium),
+    Quality(effort)
 {
   const Scene& scene = shading.GetScene();
-  const std::vector<Box> boxes = BoundTriangles(scene);
+  const std::vector<AxisAlignedBox> boxes = BoundOccluders(scene);
   for (const Light& light : scene.Lights)
   {
     if (light.CastsShadow && light.DiffuseColor != glm::vec3(0.f))
@@ -57,33 +57,35 @@ LightShafts::LightShafts(const Shading& shading, const Medium& medium, Effort ef
   }
 }
 
-LightShafts::Seen LightShafts::Along(
+LightShafts::InScattering LightShafts::Along(
   const Ray& ray, double from, double to, float weight, long long& shadowRays) const
 {
-  Seen seen;
+  InScattering seen;
   const glm::dvec3 origin(ray.Origin);
   const double length = glm::length(glm::dvec3(ray.Direction));
   const glm::dvec3 direction = glm::dvec3(ray.Direction) / length;
   double near = from * length;
   double far = to * length;
-  if (!this->Fog.Clip(origin, direction, near, far))
+  if (!this->ScatteringMedium.Clip(origin, direction, near, far))
   {
     return seen;
   }
-  seen.Transmittance = static_cast<float>(std::exp(-this->Fog.Extinction * (far - near)));
+  seen.Transmittance =
+    static_cast<float>(std::exp(-this->ScatteringMedium.Extinction * (far - near)));
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     const Light& light = this->Lights[i];
-    const ScatteringProfile profile(this->Fog, light, origin, direction, near, far);
+    const InScatteringDistribution profile(
+      this->ScatteringMedium, light, origin, direction, near, far);
     const glm::vec3 color = light.DiffuseColor;
     const double brightest = std::max(color.r, std::max(color.g, color.b));
-    const double worth = weight * brightest * profile.Total() / this->Work.Tolerance;
+    const double worth = weight * brightest * profile.Integral() / this->Quality.Tolerance;
     if (worth > 0.0)
     {
-      March march{ profile, light, origin, direction, worth, {}, 0.0, 1.0, 0.0, 0.0, 0.0, 0 };
-      this->Walk(march, this->Regions[i].Along(origin, direction, near, far));
-      seen.Light += static_cast<float>(march.Lit * profile.Total()) * color;
-      seen.Error += static_cast<float>(brightest * profile.Total() * march.Doubt);
+      RayMarch march{ profile, light, origin, direction, worth, {}, 0.0, 1.0, 0.0, 0.0, 0.0, 0 };
+      this->MarchIntervals(march, this->Regions[i].Along(origin, direction, near, far));
+      seen.Light += static_cast<float>(march.Lit * profile.Integral()) * color;
+      seen.Error += static_cast<float>(brightest * profile.Integral() * march.LitError);
       shadowRays += march.Rays;
     }
   }
@@ -91,20 +93,20 @@ LightShafts::Seen LightShafts::Along(
 }
 
 /// Through all that may be in shadow; everything else is lit, unless a spot's cone ends.
-void LightShafts::Walk(March& march, std::vector<Span> spans) const
+void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> spans) const
 {
   if (march.Source.Kind == Light::Kinds::Spot)
   {
-    spans = { { -std::numeric_limits<double>::infinity(), march.Profile.PlaceOf(1.0) } };
+    spans = { { -std::numeric_limits<double>::infinity(), march.Profile.InvertCDF(1.0) } };
   }
   double possible = 0.0;
-  for (Span& span : spans)
+  for (RayInterval& span : spans)
   {
-    span = { march.Profile.ShareAt(span.From), march.Profile.ShareAt(span.To) };
+    span = { march.Profile.CDF(span.From), march.Profile.CDF(span.To) };
     possible += span.To - span.From;
   }
   march.Lit = 1.0 - possible;
-  for (const Span& span : spans)
+  for (const RayInterval& span : spans)
   {
     const double size = span.To - span.From;
     if (!(size > 0.0))
@@ -113,30 +115,31 @@ void LightShafts::Walk(March& march, std::vector<Span> spans) const
     }
     march.Low = span.From;
     march.High = span.To;
-    const bool free = this->Work.Steps == 0;
+    const bool free = this->Quality.Steps == 0;
     const double wanted =
-      free ? march.Worth * size / LightPerStep : this->Work.Steps * size / possible;
-    this->Look(march, static_cast<int>(std::clamp(std::ceil(wanted), FewestSteps, MostSteps)));
-    while (free && march.Worth * size * Hidden(march.Seen) > HiddenTolerance &&
+      free ? march.Importance * size / LightPerStep : this->Quality.Steps * size / possible;
+    this->SampleVisibility(
+      march, static_cast<int>(std::clamp(std::ceil(wanted), FewestSteps, MostSteps)));
+    while (free && march.Importance * size * EstimateMissedLight(march.Seen) > HiddenTolerance &&
       static_cast<double>(march.Seen.size()) < MostSteps)
     {
-      this->LookCloser(march);
+      this->BisectSamples(march);
     }
-    march.Finest =
-      free ? BorderShare / std::max(march.Worth, 1.0) : BorderShareOfStep * size / wanted;
+    march.BoundaryTolerance =
+      free ? BorderShare / std::max(march.Importance, 1.0) : BorderShareOfStep * size / wanted;
     march.Lit += this->LitShare(march);
-    march.Doubt += size * Hidden(march.Seen) + 0.5 * march.Finest;
+    march.LitError += size * EstimateMissedLight(march.Seen) + 0.5 * march.BoundaryTolerance;
   }
 }
 
-double LightShafts::PlaceOfStep(const March& march, int i, int steps)
+double LightShafts::PlaceOfStep(const RayMarch& march, int i, int steps)
 {
   const double place = EndOfSteps + (1.0 - 2.0 * EndOfSteps) * i / (steps - 1);
   return march.Low + (march.High - march.Low) * place;
 }
 
 /// Visibility at `steps` places that scatter equally much, from the eye to the end.
-void LightShafts::Look(March& march, int steps) const
+void LightShafts::SampleVisibility(RayMarch& march, int steps) const
 {
   march.Seen.resize(steps);
   for (int i = 0; i < steps; ++i)
@@ -146,7 +149,7 @@ void LightShafts::Look(March& march, int steps) const
 }
 
 /// One more look between any two.
-void LightShafts::LookCloser(March& march) const
+void LightShafts::BisectSamples(RayMarch& march) const
 {
   const int steps = 2 * static_cast<int>(march.Seen.size()) - 1;
   std::vector<float> seen(steps);
@@ -158,22 +161,22 @@ void LightShafts::LookCloser(March& march) const
 }
 
 /// The share of the profile's light that is not shadowed.
-double LightShafts::LitShare(March& march) const
+double LightShafts::LitShare(RayMarch& march) const
 {
   const int steps = static_cast<int>(march.Seen.size());
   double sum = EndOfSteps * (march.High - march.Low) * (march.Seen.front() + march.Seen.back());
   for (int i = 1; i < steps; ++i)
   {
-    sum += this->Between(march, PlaceOfStep(march, i - 1, steps), march.Seen[i - 1],
+    sum += this->IntegrateInterval(march, PlaceOfStep(march, i - 1, steps), march.Seen[i - 1],
       PlaceOfStep(march, i, steps), march.Seen[i]);
   }
   return sum;
 }
 
-float LightShafts::Visible(March& march, double share) const
+float LightShafts::Visible(RayMarch& march, double share) const
 {
-  const glm::dvec3 point = march.Origin + march.Profile.PlaceOf(share) * march.Direction;
-  const WayToLight way = FindWay(march.Source, point);
+  const glm::dvec3 point = march.Origin + march.Profile.InvertCDF(share) * march.Direction;
+  const LightDirection way = DirectionToLight(march.Source, point);
   if (!way.InCone)
   {
     return 0.f;
@@ -182,16 +185,17 @@ float LightShafts::Visible(March& march, double share) const
   ray.Origin = glm::vec3(point);
   ray.Direction = glm::vec3(way.Direction);
   ray.Far = static_cast<float>(way.Distance);
-  return this->Shades.LightAlong(ray, march.Rays);
+  return this->SurfaceShading.TraceTransmittance(ray, march.Rays);
 }
 
-double LightShafts::Between(March& march, double low, float atLow, double high, float atHigh) const
+double LightShafts::IntegrateInterval(
+  RayMarch& march, double low, float atLow, double high, float atHigh) const
 {
   if (atLow == atHigh)
   {
     return (high - low) * atLow;
   }
-  if (high - low <= march.Finest)
+  if (high - low <= march.BoundaryTolerance)
   {
     return (high - low) * 0.5 * (atLow + atHigh);
   }
@@ -201,8 +205,8 @@ double LightShafts::Between(March& march, double low, float atLow, double high, 
     return (high - low) * 0.5 * (atLow + atHigh);
   }
   const float atMiddle = this->Visible(march, middle);
-  return this->Between(march, low, atLow, middle, atMiddle) +
-    this->Between(march, middle, atMiddle, high, atHigh);
+  return this->IntegrateInterval(march, low, atLow, middle, atMiddle) +
+    this->IntegrateInterval(march, middle, atMiddle, high, atHigh);
 }
 
 }

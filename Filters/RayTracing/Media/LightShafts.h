@@ -8,10 +8,10 @@
 #ifndef penumbra_LightShafts_h
 #define penumbra_LightShafts_h
 
+#include "InScatteringDistribution.h"
 #include "Medium.h"
-#include "ScatteringProfile.h"
 #include "Shading/Shading.h"
-#include "ShadowRegions.h"
+#include "ShadowVolumes.h"
 
 #include <vector>
 
@@ -21,7 +21,7 @@ namespace penumbra
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT LightShafts
 {
 public:
-  struct Effort
+  struct MarchQuality
   {
     double Tolerance; ///< the error accepted in a colour
     int Steps; ///< shadow rays for each light along a ray, beside those that find borders; 0: as
@@ -29,10 +29,10 @@ public:
   };
 
   /// Lights that cast no shadow (headlights) make no shafts. `shading` must outlive this object.
-  LightShafts(const Shading& shading, const Medium& medium, Effort effort);
+  LightShafts(const Shading& shading, const Medium& medium, MarchQuality effort);
 
   /// What the medium adds to a part of a ray, and leaves of what is behind.
-  struct Seen
+  struct InScattering
   {
     glm::vec3 Light{ 0.f };
     float Transmittance = 1.f;
@@ -41,42 +41,44 @@ public:
 
   /// Between the distances `from` and `to` of `ray`, which may be infinite. Only the share `weight`
   /// of the result reaches the eye: less of it, less work.
-  Seen Along(const Ray& ray, double from, double to, float weight, long long& shadowRays) const;
+  InScattering Along(
+    const Ray& ray, double from, double to, float weight, long long& shadowRays) const;
 
   /// No light makes shafts.
   bool IsEmpty() const { return this->Lights.empty(); }
 
 private:
   /// One light along one ray. Places are shares of what the whole ray scatters, were it lit.
-  struct March
+  struct RayMarch
   {
-    const ScatteringProfile& Profile;
+    const InScatteringDistribution& Profile;
     const Light& Source;
     glm::dvec3 Origin;
     glm::dvec3 Direction;
-    double Worth;            ///< of the whole ray, in tolerances
+    double Importance;       ///< of the whole ray, in tolerances
     std::vector<float> Seen; ///< what of the light arrives at each step
     double Low;              ///< the steps lie between these places
     double High;
-    double Finest; ///< borders are found to this share
-    double Lit;    ///< found so far
-    double Doubt;  ///< believed error of Lit
+    double BoundaryTolerance; ///< borders are found to this share
+    double Lit;               ///< found so far
+    double LitError;          ///< believed error of Lit
     long long Rays;
   };
 
-  void Walk(March& march, std::vector<Span> spans) const;
-  void Look(March& march, int steps) const;
-  void LookCloser(March& march) const;
-  double LitShare(March& march) const;
-  static double PlaceOfStep(const March& march, int i, int steps);
-  float Visible(March& march, double share) const;
-  double Between(March& march, double low, float atLow, double high, float atHigh) const;
+  void MarchIntervals(RayMarch& march, std::vector<RayInterval> spans) const;
+  void SampleVisibility(RayMarch& march, int steps) const;
+  void BisectSamples(RayMarch& march) const;
+  double LitShare(RayMarch& march) const;
+  static double PlaceOfStep(const RayMarch& march, int i, int steps);
+  float Visible(RayMarch& march, double share) const;
+  double IntegrateInterval(
+    RayMarch& march, double low, float atLow, double high, float atHigh) const;
 
-  const Shading& Shades;
-  const Medium Fog;
-  const Effort Work;
+  const Shading& SurfaceShading;
+  const Medium ScatteringMedium;
+  const MarchQuality Quality;
   std::vector<Light> Lights;
-  std::vector<ShadowRegions> Regions; ///< of each light
+  std::vector<ShadowVolumes> Regions; ///< of each light
 };
 
 }

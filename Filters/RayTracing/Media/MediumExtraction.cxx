@@ -47,7 +47,7 @@ std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scen
 }
 
 std::optional<LightShafts> MakeLightShafts(vtkPenumbraMedium* source, const Shading& shading,
-  double diagonal, LightShafts::Effort effort, std::string& warning)
+  double diagonal, LightShafts::MarchQuality effort, std::string& warning)
 {
   if (!source)
   {

@@ -22,8 +22,8 @@ std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scen
 /// The light shafts that `source` (null: none) makes of a scene; nothing where there are none, with
 /// the reason in `warning`.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::optional<LightShafts> MakeLightShafts(
-  vtkPenumbraMedium* source, const Shading& shading, double diagonal, LightShafts::Effort effort,
-  std::string& warning);
+  vtkPenumbraMedium* source, const Shading& shading, double diagonal,
+  LightShafts::MarchQuality effort, std::string& warning);
 
 }
 #endif

@@ -15,7 +15,7 @@ constexpr double Pi = 3.14159265358979323846;
 
 /// The glow's bound over the mean of the greatest channel: a sky whose radiance is the height above the
 /// horizon has its zenith at 4.
-constexpr double GlowOfMean = 8.0;
+constexpr double SunThreshold = 8.0;
 
 float Greatest(glm::vec3 color)
 {
@@ -28,7 +28,7 @@ EnvironmentMap::EnvironmentMap(
   int width, int height, std::vector<glm::vec3> radiances, glm::dvec3 up, glm::dvec3 right)
   : Width(width),
     Height(height),
-    Glows(std::move(radiances)),
+    ClampedRadiances(std::move(radiances)),
     Up(up),
     Right(right),
     Ahead(glm::cross(right, up))
@@ -39,17 +39,17 @@ EnvironmentMap::EnvironmentMap(
     const double share = .5 * (this->SineOfRow(row + 1) - this->SineOfRow(row)) / width;
     for (int i = 0; i < width; ++i)
     {
-      sum += share * Greatest(this->Glows[static_cast<std::size_t>(row) * width + i]);
+      sum += share * Greatest(this->ClampedRadiances[static_cast<std::size_t>(row) * width + i]);
     }
   }
-  const auto bound = static_cast<float>(GlowOfMean * sum);
+  const auto bound = static_cast<float>(SunThreshold * sum);
   for (int row = 0; row < height; ++row)
   {
     const double angle = 2.0 * Pi * (this->SineOfRow(row + 1) - this->SineOfRow(row)) / width;
     for (int i = 0; i < width; ++i)
     {
       const int texel = row * width + i;
-      glm::vec3& glow = this->Glows[texel];
+      glm::vec3& glow = this->ClampedRadiances[texel];
       const float greatest = Greatest(glow);
       if (greatest > bound)
       {
@@ -74,7 +74,7 @@ glm::vec3 EnvironmentMap::DirectionOf(double across, double sine) const
     sine * this->Up;
 }
 
-glm::vec3 EnvironmentMap::Glow(glm::vec3 direction) const
+glm::vec3 EnvironmentMap::ClampedRadiance(glm::vec3 direction) const
 {
   const glm::dvec3 w(direction);
   const double across =
@@ -82,17 +82,18 @@ glm::vec3 EnvironmentMap::Glow(glm::vec3 direction) const
   const double upwards = std::asin(std::clamp(glm::dot(w, this->Up), -1.0, 1.0)) / Pi + .5;
   const int i = std::clamp(static_cast<int>(across * this->Width), 0, this->Width - 1);
   const int row = std::clamp(static_cast<int>(upwards * this->Height), 0, this->Height - 1);
-  return this->Glows[static_cast<std::size_t>(row) * this->Width + i];
+  return this->ClampedRadiances[static_cast<std::size_t>(row) * this->Width + i];
 }
 
-EnvironmentMap::Sun EnvironmentMap::FindSun(glm::vec2 at) const
+EnvironmentMap::Sun EnvironmentMap::SampleSun(glm::vec2 at) const
 {
   const double sought = at.x * this->Total;
   const auto after = std::upper_bound(this->Suns.begin(), this->Suns.end(), sought,
-    [](double value, const Excess& sun) { return value < sun.Before; });
+    [](double value, const SunTexel& sun) { return value < sun.Cumulative; });
   const auto found = std::prev(after);
-  const double end = after == this->Suns.end() ? this->Total : after->Before;
-  const double within = std::clamp((sought - found->Before) / (end - found->Before), 0.0, 1.0);
+  const double end = after == this->Suns.end() ? this->Total : after->Cumulative;
+  const double within =
+    std::clamp((sought - found->Cumulative) / (end - found->Cumulative), 0.0, 1.0);
   const int row = found->Texel / this->Width;
   const double low = this->SineOfRow(row);
   const double sine = low + within * (this->SineOfRow(row + 1) - low);

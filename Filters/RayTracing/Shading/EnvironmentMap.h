@@ -26,7 +26,7 @@ public:
     int width, int height, std::vector<glm::vec3> radiances, glm::dvec3 up, glm::dvec3 right);
 
   /// Radiance that comes from `direction` (unit), suns left out.
-  glm::vec3 Glow(glm::vec3 direction) const;
+  glm::vec3 ClampedRadiance(glm::vec3 direction) const;
 
   bool HasSuns() const { return !this->Suns.empty(); }
 
@@ -35,10 +35,10 @@ public:
   {
     glm::vec3 Direction;
     glm::vec3
-      Strength; ///< radiance over the likelihood of a direction: irradiance square to it, each
+      Weight; ///< radiance over the likelihood of a direction: irradiance square to it, each
   };
   /// From a point of the unit square.
-  Sun FindSun(glm::vec2 at) const;
+  Sun SampleSun(glm::vec2 at) const;
 
 private:
   /// The direction of a place in the picture, both coordinates from 0 to 1; the second is that of the
@@ -48,19 +48,19 @@ private:
 
   int Width;
   int Height;
-  std::vector<glm::vec3> Glows;
+  std::vector<glm::vec3> ClampedRadiances;
   glm::dvec3 Up;
   glm::dvec3 Right;
   glm::dvec3 Ahead;
 
   /// A texel that is above the bound.
-  struct Excess
+  struct SunTexel
   {
     int Texel;
-    glm::vec3 Color; ///< its greatest channel 1
-    double Before;   ///< greatest channels times solid angles of all suns before it
+    glm::vec3 Color;   ///< its greatest channel 1
+    double Cumulative; ///< greatest channels times solid angles of all suns before it
   };
-  std::vector<Excess> Suns;
+  std::vector<SunTexel> Suns;
   double Total = 0.0;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Illumination.h"
 
-#include "CosineDirections.h"
-#include "ScrambledSequence.h"
+#include "HemisphereSampling.h"
+#include "OwenSobolSequence.h"
 
 namespace penumbra
 {
@@ -42,7 +42,7 @@ Illumination::Illumination(const RayScene& rays, const IlluminationSettings& set
   for (const Surface& surface : rays.GetScene().Surfaces)
   {
     const float strength = StrengthOf(surface);
-    if (!(strength > 0.f) || surface.ScreenSpace)
+    if (!(strength > 0.f) || surface.IsLineOrPoint)
     {
       continue;
     }
@@ -60,15 +60,16 @@ Illumination::Illumination(const RayScene& rays, const IlluminationSettings& set
   }
 }
 
-Ray Illumination::RayFrom(glm::vec3 point, glm::vec3 normal, glm::vec3 direction)
+Ray Illumination::SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction)
 {
   Ray ray;
-  ray.Origin = point + GapAbove(point) * normal;
+  ray.Origin = point + RayOriginOffset(point) * normal;
   ray.Direction = direction;
   return ray;
 }
 
-glm::vec3 Illumination::Along(Ray ray, Hit hit, const Arriving& arriving, long long& rays) const
+glm::vec3 Illumination::IncidentRadiance(
+  Ray ray, Hit hit, const IrradianceFunction& arriving, long long& rays) const
 {
   glm::vec3 sum(0.f);
   float left = 1.f;
@@ -77,11 +78,12 @@ glm::vec3 Illumination::Along(Ray ray, Hit hit, const Arriving& arriving, long l
     if (!hit.IsHit())
     {
       const EnvironmentMap* picture = this->Settings.Picture.get();
-      return sum + left * (picture ? picture->Glow(ray.Direction) : this->Settings.Environment);
+      return sum +
+        left * (picture ? picture->ClampedRadiance(ray.Direction) : this->Settings.Environment);
     }
-    if (!this->Rays.GetScene().Surfaces[hit.Surface].ScreenSpace)
+    if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
     {
-      const Appearance at = this->Shades.ShadeMatte(ray, hit, rays);
+      const ShadedHit at = this->Shades.ShadeDiffuse(ray, hit, rays);
       glm::vec3 light(at.Color);
       const glm::vec3 reflectance = this->Settings.Albedo * at.Reflectance;
       if (arriving && reflectance != glm::vec3(0.f))
@@ -97,24 +99,25 @@ glm::vec3 Illumination::Along(Ray ray, Hit hit, const Arriving& arriving, long l
         return sum;
       }
     }
-    ray.Near = hit.Beyond;
+    ray.Near = hit.NextNear;
     hit = this->Rays.Intersect(ray);
     ++rays;
   }
   return sum;
 }
 
-glm::vec3 Illumination::FromSun(
+glm::vec3 Illumination::SunContribution(
   glm::vec3 point, glm::vec3 normal, glm::vec2 at, long long& rays) const
 {
-  const EnvironmentMap::Sun sun = this->Settings.Picture->FindSun(at);
+  const EnvironmentMap::Sun sun = this->Settings.Picture->SampleSun(at);
   const float cosine = glm::dot(normal, sun.Direction);
-  return cosine > 0.f ? this->Shades.LightAlong(RayFrom(point, normal, sun.Direction), rays) *
-      cosine / Pi * sun.Strength
-                      : glm::vec3(0.f);
+  return cosine > 0.f
+    ? this->Shades.TraceTransmittance(SpawnRay(point, normal, sun.Direction), rays) * cosine / Pi *
+      sun.Weight
+    : glm::vec3(0.f);
 }
 
-Illumination::Sunlight Illumination::FromSuns(
+Illumination::Sunlight Illumination::EstimateSunlight(
   glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const
 {
   Sunlight result;
@@ -122,19 +125,19 @@ Illumination::Sunlight Illumination::FromSuns(
   {
     return result;
   }
-  const ScrambledSequence places(Mix(SeedOf(point, normal)));
+  const OwenSobolSequence places(MixBits(HashPoint(point, normal)));
   glm::dvec3 sum(0.0);
   std::vector<float> greys;
   for (std::uint32_t count = FirstSuns;; count *= 2)
   {
     while (greys.size() < count)
     {
-      const glm::vec3 light =
-        this->FromSun(point, normal, places.At(static_cast<std::uint32_t>(greys.size())), rays);
+      const glm::vec3 light = this->SunContribution(
+        point, normal, places.At(static_cast<std::uint32_t>(greys.size())), rays);
       sum += light;
       greys.push_back((light.x + light.y + light.z) / 3.f);
     }
-    const std::uint32_t partner = ScrambledSequence::FindPartner(count);
+    const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
     double differences = 0.0;
     for (std::uint32_t i = 0; i < count; ++i)
     {
@@ -150,34 +153,35 @@ Illumination::Sunlight Illumination::FromSuns(
   return result;
 }
 
-glm::vec3 Illumination::GuessSuns(
+glm::vec3 Illumination::SampleSuns(
   glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const
 {
   if (!this->HasSuns())
   {
     return glm::vec3(0.f);
   }
-  const float u = Uniform(random);
-  const float v = Uniform(random);
-  return this->FromSun(point, normal, { u, v }, rays);
+  const float u = NextFloat(random);
+  const float v = NextFloat(random);
+  return this->SunContribution(point, normal, { u, v }, rays);
 }
 
-glm::vec3 Illumination::FollowPath(
+glm::vec3 Illumination::TracePath(
   glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const
 {
-  const float u = Uniform(random);
-  const float v = Uniform(random);
-  const Ray ray = RayFrom(point, normal, FrameOf(normal) * ToHemisphere(ToDisc(u, v)));
+  const float u = NextFloat(random);
+  const float v = NextFloat(random);
+  const Ray ray = SpawnRay(
+    point, normal, FrameFromNormal(normal) * DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
   ++rays;
-  Arriving arriving;
+  IrradianceFunction arriving;
   if (bounces > 1)
   {
     arriving = [&](glm::vec3 next, glm::vec3 nextNormal) {
-      return this->FollowPath(next, nextNormal, bounces - 1, random, rays);
+      return this->TracePath(next, nextNormal, bounces - 1, random, rays);
     };
   }
-  const glm::vec3 suns = this->GuessSuns(point, normal, random, rays);
-  return suns + this->Along(ray, this->Rays.Intersect(ray), arriving, rays);
+  const glm::vec3 suns = this->SampleSuns(point, normal, random, rays);
+  return suns + this->IncidentRadiance(ray, this->Rays.Intersect(ray), arriving, rays);
 }
 
 }

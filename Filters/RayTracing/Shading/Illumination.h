@@ -48,12 +48,13 @@ public:
   Illumination(const RayScene& rays, const IlluminationSettings& settings);
 
   /// The mean that arrives at a point under the hemisphere about a normal (unit).
-  using Arriving = std::function<glm::vec3(glm::vec3 point, glm::vec3 normal)>;
+  using IrradianceFunction = std::function<glm::vec3(glm::vec3 point, glm::vec3 normal)>;
 
   /// Radiance that comes back along `ray` (its direction unit), whose first hit is `hit`: emitted,
   /// reflected of the lights, and of what is `arriving` where that is given; through translucent
   /// surfaces. Adds the rays that it traced to `rays`.
-  glm::vec3 Along(Ray ray, Hit hit, const Arriving& arriving, long long& rays) const;
+  glm::vec3 IncidentRadiance(
+    Ray ray, Hit hit, const IrradianceFunction& arriving, long long& rays) const;
 
   /// What the suns of the environment's picture send to a point: their part of the mean over the
   /// hemisphere, which Along() leaves out, and its standard error.
@@ -63,18 +64,19 @@ public:
     float Error = 0.f;
   };
   /// To about the error `tolerance`.
-  Sunlight FromSuns(glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const;
+  Sunlight EstimateSunlight(
+    glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const;
 
   /// One guess of it.
-  glm::vec3 GuessSuns(
+  glm::vec3 SampleSuns(
     glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const;
 
   /// One path's guess of the mean that arrives after at most `bounces` - 1 reflections, suns included.
-  glm::vec3 FollowPath(
+  glm::vec3 TracePath(
     glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const;
 
   /// A ray that leaves `point` on a surface.
-  static Ray RayFrom(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
+  static Ray SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
 
   /// What shines, where it is so few triangles that they may be small; else none.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
@@ -84,7 +86,7 @@ public:
 
 private:
   bool HasSuns() const { return this->Settings.Picture && this->Settings.Picture->HasSuns(); }
-  glm::vec3 FromSun(glm::vec3 point, glm::vec3 normal, glm::vec2 at, long long& rays) const;
+  glm::vec3 SunContribution(glm::vec3 point, glm::vec3 normal, glm::vec2 at, long long& rays) const;
 
   const RayScene& Rays;
   Shading Shades;

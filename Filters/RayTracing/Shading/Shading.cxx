@@ -69,7 +69,7 @@ glm::vec4 Sample(const Texture& texture, glm::vec2 at)
 }
 
 /// The colour that a surface brings for itself at a hit.
-glm::vec4 OwnColor(const Surface& surface, const Hit& hit, glm::uvec3 corners, glm::vec3 weights)
+glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners, glm::vec3 weights)
 {
   if (!surface.PointColors.empty())
   {
@@ -132,7 +132,7 @@ Shading::Shading(const RayScene& scene, bool shadows)
     std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.CastsShadow; });
   for (const Surface& surface : scene.GetScene().Surfaces)
   {
-    Look look;
+    SurfaceMaterial look;
     look.Front = MakeFinish(surface.Front);
     look.Back = surface.HasBackMaterial ? MakeFinish(surface.Back) : look.Front;
     look.AmbientShare = surface.Front.Ambient;
@@ -140,18 +140,18 @@ Shading::Shading(const RayScene& scene, bool shadows)
     look.Lit = surface.Front.Lighting && !lights.empty();
     look.Colored = HasOwnColor(surface);
     look.Constant = this->IsConstant(surface, look);
-    this->Looks.push_back(look);
-    this->Translucent |= surface.LetsLightThrough();
+    this->Materials.push_back(look);
+    this->Translucent |= surface.IsTranslucent();
   }
 }
 
-Shading::Finish Shading::MakeFinish(const Material& material)
+Shading::PhongCoefficients Shading::MakeFinish(const Material& material)
 {
   return { material.Ambient * material.AmbientColor, material.Diffuse * material.DiffuseColor,
     material.Specular * material.SpecularColor, material.SpecularPower, material.Opacity };
 }
 
-bool Shading::IsConstant(const Surface& surface, const Look& look) const
+bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& look) const
 {
   if (!surface.PointColors.empty() || surface.ColorTexture || surface.LitTexture)
   {
@@ -169,42 +169,42 @@ bool Shading::IsConstant(const Surface& surface, const Look& look) const
       [](const Light& light) { return light.Kind == Light::Kinds::Directional; });
 }
 
-Appearance Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const
+ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
   return this->ShadeAs(false, ray, hit, shadowRays);
 }
 
-Appearance Shading::ShadeMatte(const Ray& ray, const Hit& hit, long long& shadowRays) const
+ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
   return this->ShadeAs(true, ray, hit, shadowRays);
 }
 
-Appearance Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const
+ShadedHit Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
-  const Look& look = this->Looks[hit.Surface];
+  const SurfaceMaterial& look = this->Materials[hit.Surface];
   const glm::uvec3 corners = surface.Triangles[hit.Triangle];
   const glm::vec3 a = surface.Positions[corners.x];
   const glm::vec3 b = surface.Positions[corners.y];
   const glm::vec3 c = surface.Positions[corners.z];
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
 
-  Appearance at;
+  ShadedHit at;
   at.GeometricNormal = surface.NormalOf(hit.Triangle);
   const bool front = glm::dot(at.GeometricNormal, ray.Direction) < 0.f;
   if (!front)
   {
     at.GeometricNormal = -at.GeometricNormal;
   }
-  const glm::vec3 forward(scene.Eye.Forward);
+  const glm::vec3 forward(scene.ViewCamera.Forward);
   at.Normal = LightingNormal(surface, hit, corners, weights, front, at.GeometricNormal, forward);
 
-  const Finish* known = front ? &look.Front : &look.Back;
-  Finish colored = *known;
+  const PhongCoefficients* known = front ? &look.Front : &look.Back;
+  PhongCoefficients colored = *known;
   if (look.Colored)
   {
-    const glm::vec4 own = OwnColor(surface, hit, corners, weights);
+    const glm::vec4 own = MappedColor(surface, hit, corners, weights);
     colored.Ambient = look.AmbientShare * glm::vec3(own);
     colored.Diffuse = look.DiffuseShare * glm::vec3(own);
     colored.Opacity *= own.a;
@@ -215,7 +215,7 @@ Appearance Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long lon
     colored.Specular = glm::vec3(0.f);
     known = &colored;
   }
-  const Finish& finish = *known;
+  const PhongCoefficients& finish = *known;
   at.Reflectance = surface.Front.Lighting ? finish.Diffuse : glm::vec3(0.f);
 
   glm::vec3 rgb;
@@ -237,7 +237,7 @@ Appearance Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long lon
   else
   {
     const glm::vec3 point = weights.x * a + weights.y * b + weights.z * c;
-    rgb = this->Lighten(finish, at, point, shadowRays);
+    rgb = this->ApplyLights(finish, at, point, shadowRays);
   }
   at.Color = glm::vec4(rgb, finish.Opacity);
   if (surface.LitTexture && (front || surface.TextureOnBackfaces))
@@ -250,12 +250,12 @@ Appearance Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long lon
   return at;
 }
 
-glm::vec3 Shading::Lighten(
-  const Finish& finish, const Appearance& at, glm::vec3 point, long long& shadowRays) const
+glm::vec3 Shading::ApplyLights(const PhongCoefficients& finish, const ShadedHit& at,
+  glm::vec3 point, long long& shadowRays) const
 {
   const Scene& scene = this->Rays.GetScene();
-  const double moved = scene.Eye.Advance - scene.Eye.DepthOfRayOrigins();
-  const glm::vec3 eye(scene.Eye.Position - moved * scene.Eye.Forward);
+  const double moved = scene.ViewCamera.Advance - scene.ViewCamera.DepthOfRayOrigins();
+  const glm::vec3 eye(scene.ViewCamera.Position - moved * scene.ViewCamera.Forward);
   const glm::vec3 towardsEye = glm::normalize(eye - point);
   glm::vec3 diffuse(0.f);
   glm::vec3 specular(0.f);
@@ -307,11 +307,11 @@ float Shading::Transmittance(
   // Rounding of positions and of the hit: some units in the last place of the largest coordinate.
   const glm::vec3 size = glm::abs(point);
   const float gap = 1e-5f * std::max(size.x, std::max(size.y, size.z));
-  return this->LightAlong(
+  return this->TraceTransmittance(
     Ray{ point + gap * glm::normalize(normal), towards, 0.f, distance }, shadowRays);
 }
 
-float Shading::LightAlong(Ray ray, long long& shadowRays) const
+float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
 {
   if (!this->Translucent)
   {
@@ -329,20 +329,20 @@ float Shading::LightAlong(Ray ray, long long& shadowRays) const
     {
       return left;
     }
-    left *= this->LightThrough(hit, ray);
-    ray.Near = hit.Beyond + gap;
+    left *= this->SurfaceTransmittance(hit, ray);
+    ray.Near = hit.NextNear + gap;
   }
   return left;
 }
 
-float Shading::LightThrough(const Hit& hit, const Ray& ray) const
+float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
 {
   const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
-  if (surface.ScreenSpace)
+  if (surface.IsLineOrPoint)
   {
     return 1.f;
   }
-  const Look& look = this->Looks[hit.Surface];
+  const SurfaceMaterial& look = this->Materials[hit.Surface];
   const glm::uvec3 corners = surface.Triangles[hit.Triangle];
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
   const glm::vec3 a = surface.Positions[corners.x];
@@ -351,7 +351,7 @@ float Shading::LightThrough(const Hit& hit, const Ray& ray) const
   float opacity = glm::dot(normal, ray.Direction) < 0.f ? look.Front.Opacity : look.Back.Opacity;
   if (look.Colored)
   {
-    opacity *= OwnColor(surface, hit, corners, weights).a;
+    opacity *= MappedColor(surface, hit, corners, weights).a;
   }
   if (surface.LitTexture)
   {
@@ -364,8 +364,8 @@ float Shading::LightThrough(const Hit& hit, const Ray& ray) const
 glm::vec4 Shading::Background(glm::dvec2 p) const
 {
   const Scene& scene = this->Rays.GetScene();
-  const auto height = static_cast<float>(p.y / scene.Eye.Height);
-  return glm::mix(scene.Behind.Bottom, scene.Behind.Top, height);
+  const auto height = static_cast<float>(p.y / scene.ViewCamera.Height);
+  return glm::mix(scene.BackgroundColors.Bottom, scene.BackgroundColors.Top, height);
 }
 
 }

@@ -15,7 +15,7 @@ namespace penumbra
 {
 
 /// What a surface is and shows at a hit.
-struct Appearance
+struct ShadedHit
 {
   glm::vec4 Color{ 0.f };           ///< straight rgb (unclamped) and opacity
   glm::vec3 Normal{ 0.f };          ///< shading normal, unit, as VTK's lighting uses it
@@ -30,13 +30,13 @@ public:
   Shading(const RayScene& scene, bool shadows);
 
   /// Colour at a hit of `ray`. Adds the shadow rays it traced to `shadowRays`.
-  Appearance Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const;
+  ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const;
 
   /// What leaves the hit diffusely: no highlights, and nothing where no light shines.
-  Appearance ShadeMatte(const Ray& ray, const Hit& hit, long long& shadowRays) const;
+  ShadedHit ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const;
 
   /// The share of light that reaches the origin of `ray` from its far end.
-  float LightAlong(Ray ray, long long& shadowRays) const;
+  float TraceTransmittance(Ray ray, long long& shadowRays) const;
 
   const Scene& GetScene() const { return this->Rays.GetScene(); }
 
@@ -45,11 +45,14 @@ public:
 
   /// True where colour is one constant over each triangle (flat, directional lights, no
   /// highlight, no texture, no shadow): then one sample of a triangle serves all of it.
-  bool IsConstantPerTriangle(std::uint32_t surface) const { return this->Looks[surface].Constant; }
+  bool IsConstantPerTriangle(std::uint32_t surface) const
+  {
+    return this->Materials[surface].Constant;
+  }
 
 private:
   /// A material with its coefficients multiplied in.
-  struct Finish
+  struct PhongCoefficients
   {
     glm::vec3 Ambient;
     glm::vec3 Diffuse;
@@ -58,10 +61,10 @@ private:
     float Opacity;
   };
   /// What is known of a surface before any hit.
-  struct Look
+  struct SurfaceMaterial
   {
-    Finish Front;
-    Finish Back;
+    PhongCoefficients Front;
+    PhongCoefficients Back;
     float AmbientShare; ///< Material::Ambient, for surfaces that bring their own colours
     float DiffuseShare;
     bool Lit;
@@ -69,22 +72,22 @@ private:
     bool Constant;
   };
 
-  Appearance ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const;
-  static Finish MakeFinish(const Material& material);
-  bool IsConstant(const Surface& surface, const Look& look) const;
-  glm::vec3 Lighten(
-    const Finish& finish, const Appearance& at, glm::vec3 point, long long& shadowRays) const;
+  ShadedHit ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const;
+  static PhongCoefficients MakeFinish(const Material& material);
+  bool IsConstant(const Surface& surface, const SurfaceMaterial& look) const;
+  glm::vec3 ApplyLights(const PhongCoefficients& finish, const ShadedHit& at, glm::vec3 point,
+    long long& shadowRays) const;
   float Transmittance(glm::vec3 point, glm::vec3 towards, float distance, glm::vec3 normal,
     long long& shadowRays) const;
 
   /// The share of light that a surface lets pass where `ray` hits it.
-  float LightThrough(const Hit& hit, const Ray& ray) const;
+  float SurfaceTransmittance(const Hit& hit, const Ray& ray) const;
 
   const RayScene& Rays;
   bool Shadows;
   bool OneHeadlight;
   bool Translucent = false; ///< some surface lets light through
-  std::vector<Look> Looks;
+  std::vector<SurfaceMaterial> Materials;
 };
 
 }

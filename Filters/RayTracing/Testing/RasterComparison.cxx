@@ -27,9 +27,9 @@ Pixel Trace(const Scene& scene, const RayScene& rays, const Shading& shading, in
 {
   const glm::dvec2 center(i + .5, j + .5);
   Ray ray;
-  ray.Origin = scene.Eye.RayOrigin(center);
-  ray.Direction = scene.Eye.RayDirection(center);
-  ray.Near = static_cast<float>(scene.Eye.Near);
+  ray.Origin = scene.ViewCamera.RayOrigin(center);
+  ray.Direction = scene.ViewCamera.RayDirection(center);
+  ray.Near = static_cast<float>(scene.ViewCamera.Near);
   Pixel pixel;
   float left = 1.f;
   long long shadowRays = 0;
@@ -42,11 +42,11 @@ Pixel Trace(const Scene& scene, const RayScene& rays, const Shading& shading, in
     }
     const Surface& surface = scene.Surfaces[hit.Surface];
     // A cell may be drawn by several lines: each counts for itself.
-    const std::uint32_t cell = surface.ScreenSpace ? hit.Triangle / 2
-      : surface.CellIds.empty()                    ? hit.Triangle
-                                                   : surface.CellIds[hit.Triangle];
+    const std::uint32_t cell = surface.IsLineOrPoint ? hit.Triangle / 2
+      : surface.CellIds.empty()                      ? hit.Triangle
+                                                     : surface.CellIds[hit.Triangle];
     pixel.Layers.push_back((std::uint64_t(hit.Surface) << 32) + cell);
-    const Appearance at = shading.Shade(ray, hit, shadowRays);
+    const ShadedHit at = shading.Shade(ray, hit, shadowRays);
     const glm::vec3 color = glm::clamp(glm::vec3(at.Color), 0.f, 1.f);
     pixel.Color += left * at.Color.a * color;
     left *= 1.f - at.Color.a;

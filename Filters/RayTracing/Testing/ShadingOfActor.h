@@ -39,7 +39,7 @@ inline vtkSmartPointer<vtkPolyData> WithElevation(vtkPolyData* data)
 }
 
 /// One actor seen from a side that no symmetry favours.
-class ShadingOfActor : public ::testing::Test
+class ActorShadingTest : public ::testing::Test
 {
 public:
   void Show(vtkPolyData* data)

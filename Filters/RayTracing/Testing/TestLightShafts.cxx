@@ -63,7 +63,7 @@ struct Answer
   {
   }
 
-  LightShafts::Seen Along(glm::dvec3 origin, glm::dvec3 direction, double to)
+  LightShafts::InScattering Along(glm::dvec3 origin, glm::dvec3 direction, double to)
   {
     Ray ray;
     ray.Origin = glm::vec3(origin);
@@ -151,7 +151,7 @@ TEST(LightShafts, IsEquationOneWhereNothingShadows)
       const glm::dvec3 v = glm::normalize(glm::dvec3(0.3, 0.4, -0.8));
       const double phaseValue = medium.PhaseFunction(glm::dot(v, towards));
       const double exact = 0.2 * phaseValue * (1.0 - std::exp(-0.7 * s)) / 0.7;
-      const LightShafts::Seen seen = answer.Along({ 0.1, 0.2, 0.3 }, v, s);
+      const LightShafts::InScattering seen = answer.Along({ 0.1, 0.2, 0.3 }, v, s);
       EXPECT_NEAR(seen.Light.g, exact, 1e-6 * exact);
       EXPECT_NEAR(seen.Transmittance, std::exp(-0.7 * s), 1e-6);
     }
@@ -263,7 +263,7 @@ TEST(LightShafts, SpendsRaysAsTheToleranceAsksAndKnowsItsError)
     scene.Lights = { Sun({ 0.f, 0.f, -1.f }) };
     scene.Lights[0].DiffuseColor = glm::vec3(8.f);
     Answer answer(std::move(scene), Fog(0.3, 0.3), tolerance, steps);
-    std::vector<LightShafts::Seen> all;
+    std::vector<LightShafts::InScattering> all;
     for (int i = 0; i < 60; ++i)
     {
       const double slant = 0.4 * i / 60.0 - 0.3;
@@ -274,11 +274,11 @@ TEST(LightShafts, SpendsRaysAsTheToleranceAsksAndKnowsItsError)
     return all;
   };
   long long rays = 0;
-  const std::vector<LightShafts::Seen> truth = look(1e-5, 4096, rays);
+  const std::vector<LightShafts::InScattering> truth = look(1e-5, 4096, rays);
   long long before = 0;
   for (const double tolerance : { 1.0 / 64.0, 1.0 / 256.0, 1.0 / 1024.0 })
   {
-    const std::vector<LightShafts::Seen> seen = look(tolerance, 0, rays);
+    const std::vector<LightShafts::InScattering> seen = look(tolerance, 0, rays);
     double error = 0.0;
     double believed = 0.0;
     for (std::size_t i = 0; i < seen.size(); ++i)

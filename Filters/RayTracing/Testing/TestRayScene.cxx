@@ -163,7 +163,7 @@ TEST(RayScene, TakesTheLowestTriangleAtAnEdge)
         EXPECT_EQ(hit.Surface, 0u) << i;
         EXPECT_EQ(hit.Triangle, 0u) << i;
         EXPECT_EQ(hit.Distance, 5.f) << i;
-        EXPECT_GT(hit.Beyond, 5.f) << i;
+        EXPECT_GT(hit.NextNear, 5.f) << i;
       }
       EXPECT_EQ(single.U, hits[i].U) << i;
       EXPECT_EQ(single.V, hits[i].V) << i;
@@ -184,7 +184,7 @@ TEST(RayScene, TakesNoHiddenTriangleAtAnEdge)
   const Hit hit = rays.Intersect(Down(.25f, .25f));
   EXPECT_EQ(hit.Triangle, 2u);
   Ray behind = Down(.25f, .25f);
-  behind.Near = hit.Beyond;
+  behind.Near = hit.NextNear;
   EXPECT_EQ(rays.Intersect(behind).Triangle, 0u);
 }
 
@@ -254,7 +254,7 @@ TEST(RayScene, ChoosesBetweenSurfacesInOnePlaneByTheirLooks)
         EXPECT_EQ(hits[i].Surface, turned ? 2u : 0u);
         EXPECT_EQ(rays.Intersect(asked[i]).Surface, hits[i].Surface);
         Ray behind = asked[i];
-        behind.Near = hits[i].Beyond;
+        behind.Near = hits[i].NextNear;
         EXPECT_FALSE(rays.Intersect(behind).IsHit());
       }
     }
@@ -266,17 +266,17 @@ TEST(RayTriangle, KnowsTheDistanceToItsEdges)
   const Surface square = Square(-5.f);
   // Below the diagonal by .1; above the lower edge by .2.
   const RayTriangle inside(square, 0, Down(.3f, .3f - .1f * std::sqrt(2.f)));
-  EXPECT_TRUE(inside.IsSound);
+  EXPECT_TRUE(inside.IsValid);
   EXPECT_TRUE(inside.IsFront);
-  EXPECT_NEAR(inside.ToEdge, .1, 1e-6);
+  EXPECT_NEAR(inside.EdgeDistance, .1, 1e-6);
   EXPECT_NEAR(inside.Distance, 5.0, 1e-12);
   const RayTriangle low(square, 0, Down(.3f, -.8f));
-  EXPECT_NEAR(low.ToEdge, .2, 1e-6);
+  EXPECT_NEAR(low.EdgeDistance, .2, 1e-6);
   const RayTriangle outside(square, 1, Down(.3f, .3f - .1f * std::sqrt(2.f)));
-  EXPECT_NEAR(outside.ToEdge, -.1, 1e-6);
-  EXPECT_FALSE(outside.IsAtEdge());
-  EXPECT_TRUE(RayTriangle(square, 1, Down(.3f, .3f)).IsAtEdge());
-  EXPECT_FALSE(RayTriangle(square, 0, { { 0.f, 0.f, 0.f }, { 1.f, 0.f, 0.f } }).IsSound);
+  EXPECT_NEAR(outside.EdgeDistance, -.1, 1e-6);
+  EXPECT_FALSE(outside.IsOnEdge());
+  EXPECT_TRUE(RayTriangle(square, 1, Down(.3f, .3f)).IsOnEdge());
+  EXPECT_FALSE(RayTriangle(square, 0, { { 0.f, 0.f, 0.f }, { 1.f, 0.f, 0.f } }).IsValid);
 }
 
 TEST(RayScene, PassesCulledSides)
@@ -296,7 +296,7 @@ TEST(RayScene, LetsLightPassLinesAndPoints)
 {
   Scene scene;
   scene.Surfaces = { Square(-3.f), Square(-5.f) };
-  scene.Surfaces[0].ScreenSpace = true;
+  scene.Surfaces[0].IsLineOrPoint = true;
   const RayScene rays(scene, 1);
   Ray ray = Down(.1f, .2f);
   EXPECT_EQ(rays.Intersect(ray).Surface, 0u);

@@ -90,8 +90,8 @@ Scene Extract(vtkDataObject* data)
 Hit Look(const Scene& scene, double x, double y)
 {
   Ray ray;
-  ray.Origin = scene.Eye.RayOrigin({ x, y });
-  ray.Direction = scene.Eye.RayDirection({ x, y });
+  ray.Origin = scene.ViewCamera.RayOrigin({ x, y });
+  ray.Direction = scene.ViewCamera.RayDirection({ x, y });
   return RayScene(scene, 1).Intersect(ray);
 }
 
@@ -151,7 +151,7 @@ TEST(SceneExtraction, ResetsTheViewAsVTKDoes)
     EXPECT_NEAR(own.Origin[k], vtk.Origin[k], 1e-12);
   }
   EXPECT_EQ(own.Scale, vtk.Scale);
-  EXPECT_NEAR(own.Eye.PixelSize, vtk.Eye.PixelSize, 1e-15);
+  EXPECT_NEAR(own.ViewCamera.PixelSize, vtk.ViewCamera.PixelSize, 1e-15);
 }
 
 TEST(SceneExtraction, KeepsCellIdsOfPolygonsAndGrids)
@@ -314,7 +314,7 @@ TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
     {
       EXPECT_GT(glm::length(x), .1f);
       EXPECT_LT(glm::length(x), 10.f);
-      const glm::dvec2 p = scene.Eye.Project(x) - 50.0;
+      const glm::dvec2 p = scene.ViewCamera.Project(x) - 50.0;
       EXPECT_NEAR(std::abs(p.x), half, 2e-4) << center << " " << size;
       EXPECT_NEAR(std::abs(p.y), half, 2e-4) << center << " " << size;
     }
@@ -330,7 +330,7 @@ TEST(SceneExtraction, LosesNothingUnderAParallelCameraFarAway)
   camera->ParallelProjectionOn();
   camera->SetParallelScale(1.0);
   const Scene scene = ExtractScene(renderer, Square());
-  EXPECT_NEAR(scene.Eye.Advance / scene.Scale, std::sqrt(145e12), 4.0);
+  EXPECT_NEAR(scene.ViewCamera.Advance / scene.Scale, std::sqrt(145e12), 4.0);
   const glm::dvec3 first = (glm::dvec3(-.5) - scene.Origin) * scene.Scale;
   EXPECT_NEAR(glm::length(glm::dvec3(scene.Surfaces[0].Positions[0]) - first), 0.0, 1e-7);
   EXPECT_TRUE(Look(scene, 50.0, 50.0).IsHit());
@@ -364,9 +364,10 @@ TEST(SceneExtraction, ScalesWidthsWithTheResolutionOfTheScreen)
   options.DPI = 144;
   const Scene scene = ExtractScene(std::vector<vtkDataObject*>{ data }, options);
   ASSERT_EQ(scene.Surfaces.size(), 1u);
-  EXPECT_TRUE(scene.Surfaces[0].ScreenSpace);
+  EXPECT_TRUE(scene.Surfaces[0].IsLineOrPoint);
   const auto& x = scene.Surfaces[0].Positions;
-  EXPECT_NEAR(glm::length(scene.Eye.Project(x[3]) - scene.Eye.Project(x[0])), 2.0, 1e-4);
+  EXPECT_NEAR(
+    glm::length(scene.ViewCamera.Project(x[3]) - scene.ViewCamera.Project(x[0])), 2.0, 1e-4);
 }
 
 TEST(SceneExtraction, SwitchesLightsAndTakesTheAutomaticOneOnlyWhenAsked)

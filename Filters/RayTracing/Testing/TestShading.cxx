@@ -19,21 +19,21 @@
 
 using namespace penumbra;
 
-TEST_F(ShadingOfActor, IsVTKsWhenSmooth)
+TEST_F(ActorShadingTest, IsVTKsWhenSmooth)
 {
   this->Show(Sphere());
   this->Property()->SetColor(.9, .5, .2);
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWhenFlat)
+TEST_F(ActorShadingTest, IsVTKsWhenFlat)
 {
   this->Show(Sphere());
   this->Property()->SetInterpolationToFlat();
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithoutNormals)
+TEST_F(ActorShadingTest, IsVTKsWithoutNormals)
 {
   vtkNew<vtkCubeSource> cube;
   cube->Update();
@@ -42,7 +42,7 @@ TEST_F(ShadingOfActor, IsVTKsWithoutNormals)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithNormalsOfCells)
+TEST_F(ActorShadingTest, IsVTKsWithNormalsOfCells)
 {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(Sphere());
@@ -54,7 +54,7 @@ TEST_F(ShadingOfActor, IsVTKsWithNormalsOfCells)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithAmbientLightAndHighlight)
+TEST_F(ActorShadingTest, IsVTKsWithAmbientLightAndHighlight)
 {
   this->Show(Sphere());
   this->Property()->SetAmbient(.2);
@@ -66,7 +66,7 @@ TEST_F(ShadingOfActor, IsVTKsWithAmbientLightAndHighlight)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithoutLighting)
+TEST_F(ActorShadingTest, IsVTKsWithoutLighting)
 {
   this->Show(Sphere());
   this->Property()->SetAmbient(.3);
@@ -76,7 +76,7 @@ TEST_F(ShadingOfActor, IsVTKsWithoutLighting)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsInsideWithABackfaceProperty)
+TEST_F(ActorShadingTest, IsVTKsInsideWithABackfaceProperty)
 {
   this->Show(Sphere());
   this->Property()->SetFrontfaceCulling(true);
@@ -88,7 +88,7 @@ TEST_F(ShadingOfActor, IsVTKsInsideWithABackfaceProperty)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWhenMirrored)
+TEST_F(ActorShadingTest, IsVTKsWhenMirrored)
 {
   this->Show(Sphere());
   this->Actor->SetScale(-1.0, 1.2, .8);
@@ -96,7 +96,7 @@ TEST_F(ShadingOfActor, IsVTKsWhenMirrored)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsUnderALightKit)
+TEST_F(ActorShadingTest, IsVTKsUnderALightKit)
 {
   this->Show(Sphere());
   this->Property()->SetSpecular(.3);
@@ -118,7 +118,7 @@ TEST_F(ShadingOfActor, IsVTKsUnderALightKit)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsUnderPositionalLightsAndSpots)
+TEST_F(ActorShadingTest, IsVTKsUnderPositionalLightsAndSpots)
 {
   this->Show(Sphere());
   this->Property()->SetSpecular(.3);
@@ -140,7 +140,7 @@ TEST_F(ShadingOfActor, IsVTKsUnderPositionalLightsAndSpots)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsUnderAParallelCamera)
+TEST_F(ActorShadingTest, IsVTKsUnderAParallelCamera)
 {
   this->Show(Sphere());
   this->Renderer()->GetActiveCamera()->ParallelProjectionOn();
@@ -149,7 +149,7 @@ TEST_F(ShadingOfActor, IsVTKsUnderAParallelCamera)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsInHighlightsUnderAParallelCamera)
+TEST_F(ActorShadingTest, IsVTKsInHighlightsUnderAParallelCamera)
 {
   this->Show(Sphere());
   this->Renderer()->GetActiveCamera()->ParallelProjectionOn();
@@ -162,7 +162,7 @@ TEST_F(ShadingOfActor, IsVTKsInHighlightsUnderAParallelCamera)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsOffCentreWithAHorizontalAngle)
+TEST_F(ActorShadingTest, IsVTKsOffCentreWithAHorizontalAngle)
 {
   this->Show(Sphere());
   this->Renderer()->GetActiveCamera()->SetWindowCenter(.2, -.1);
@@ -171,7 +171,7 @@ TEST_F(ShadingOfActor, IsVTKsOffCentreWithAHorizontalAngle)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsOverAGradient)
+TEST_F(ActorShadingTest, IsVTKsOverAGradient)
 {
   this->Show(Sphere());
   this->Renderer()->GradientBackgroundOn();
@@ -188,7 +188,7 @@ namespace
 Scene FloorUnderSquare(float opacity)
 {
   Scene scene;
-  scene.Eye.Position = { 0.0, -3.0, 3.0 };
+  scene.ViewCamera.Position = { 0.0, -3.0, 3.0 };
   for (const float height : { 0.f, 1.f })
   {
     const float side = height > 0.f ? .5f : 2.f;
@@ -240,7 +240,7 @@ TEST(Shading, LetsLightThroughTranslucentSurfacesAndLines)
   Scene scene = FloorUnderSquare(.25f);
   EXPECT_NEAR(Floor(scene, true, .1f, .2f, rays), .85f, 1e-6);
   scene.Surfaces[1].Front.Opacity = 1.f;
-  scene.Surfaces[1].ScreenSpace = true;
+  scene.Surfaces[1].IsLineOrPoint = true;
   EXPECT_NEAR(Floor(scene, true, .1f, .2f, rays), 1.1f, 1e-6);
 }
 

@@ -20,13 +20,13 @@
 
 #include <cmath>
 
-TEST_F(ShadingOfActor, IsVTKsWithColorsOfPoints)
+TEST_F(ActorShadingTest, IsVTKsWithColorsOfPoints)
 {
   this->Show(WithElevation(Sphere()));
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithColorsOfCells)
+TEST_F(ActorShadingTest, IsVTKsWithColorsOfCells)
 {
   vtkNew<vtkPointDataToCellData> cells;
   cells->SetInputData(WithElevation(Sphere()));
@@ -37,7 +37,7 @@ TEST_F(ShadingOfActor, IsVTKsWithColorsOfCells)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWhenScalarsAreInterpolatedBeforeMapping)
+TEST_F(ActorShadingTest, IsVTKsWhenScalarsAreInterpolatedBeforeMapping)
 {
   this->Show(WithElevation(Sphere()));
   this->Mapper->InterpolateScalarsBeforeMappingOn();
@@ -48,7 +48,7 @@ TEST_F(ShadingOfActor, IsVTKsWhenScalarsAreInterpolatedBeforeMapping)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithALogarithmicTableAndNaN)
+TEST_F(ActorShadingTest, IsVTKsWithALogarithmicTableAndNaN)
 {
   vtkSmartPointer<vtkPolyData> data = WithElevation(Sphere());
   data->GetPointData()->GetScalars()->SetComponent(5, 0, std::nan(""));
@@ -61,7 +61,7 @@ TEST_F(ShadingOfActor, IsVTKsWithALogarithmicTableAndNaN)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithCategories)
+TEST_F(ActorShadingTest, IsVTKsWithCategories)
 {
   vtkSmartPointer<vtkPolyData> data = Sphere();
   vtkNew<vtkDoubleArray> kinds;
@@ -84,7 +84,7 @@ TEST_F(ShadingOfActor, IsVTKsWithCategories)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithATexture)
+TEST_F(ActorShadingTest, IsVTKsWithATexture)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->Update();
@@ -103,7 +103,7 @@ TEST_F(ShadingOfActor, IsVTKsWithATexture)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithATextureThatRepeatsOrStopsWithoutInterpolation)
+TEST_F(ActorShadingTest, IsVTKsWithATextureThatRepeatsOrStopsWithoutInterpolation)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->Update();
@@ -134,7 +134,7 @@ TEST_F(ShadingOfActor, IsVTKsWithATextureThatRepeatsOrStopsWithoutInterpolation)
   }
 }
 
-TEST_F(ShadingOfActor, IsVTKsInOneColorFromFieldData)
+TEST_F(ActorShadingTest, IsVTKsInOneColorFromFieldData)
 {
   vtkSmartPointer<vtkPolyData> data = Sphere();
   vtkNew<vtkDoubleArray> values;
@@ -149,7 +149,7 @@ TEST_F(ShadingOfActor, IsVTKsInOneColorFromFieldData)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsInColorsStoredAsBytes)
+TEST_F(ActorShadingTest, IsVTKsInColorsStoredAsBytes)
 {
   vtkSmartPointer<vtkPolyData> data = Sphere();
   vtkNew<vtkUnsignedCharArray> colors;

@@ -26,7 +26,7 @@
 #include "vtkProperty.h"
 #include "vtkVersionMacros.h"
 
-TEST_F(ShadingOfActor, IsVTKsOnConcavePolygonsAndStrips)
+TEST_F(ActorShadingTest, IsVTKsOnConcavePolygonsAndStrips)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkDoubleArray> values;
@@ -57,7 +57,7 @@ TEST_F(ShadingOfActor, IsVTKsOnConcavePolygonsAndStrips)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsBehindClippingPlanes)
+TEST_F(ActorShadingTest, IsVTKsBehindClippingPlanes)
 {
   this->Show(Sphere(6));
   vtkNew<vtkPlane> plane;
@@ -67,7 +67,7 @@ TEST_F(ShadingOfActor, IsVTKsBehindClippingPlanes)
   this->ExpectSamePicture(300);
 }
 
-TEST_F(ShadingOfActor, IsVTKsInAnAssemblyOfTransformedParts)
+TEST_F(ActorShadingTest, IsVTKsInAnAssemblyOfTransformedParts)
 {
   this->Show(Sphere());
   this->Renderer()->RemoveActor(this->Actor);
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkPolyData> Lines(bool normals)
 
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnLines)
+TEST_F(ActorShadingTest, IsVTKsOnLines)
 {
   this->Show(Lines(false));
   this->Mapper->SetScalarRange(0.0, 4.0);
@@ -126,7 +126,7 @@ TEST_F(ShadingOfActor, IsVTKsOnLines)
   this->ExpectSamePicture(300, 5.0);
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnLinesWithNormals)
+TEST_F(ActorShadingTest, IsVTKsOnLinesWithNormals)
 {
   this->Show(Lines(true));
   this->Mapper->ScalarVisibilityOff();
@@ -134,7 +134,7 @@ TEST_F(ShadingOfActor, IsVTKsOnLinesWithNormals)
   this->ExpectSamePicture(300);
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnWireframes)
+TEST_F(ActorShadingTest, IsVTKsOnWireframes)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetResolution(2, 2);
@@ -148,7 +148,7 @@ TEST_F(ShadingOfActor, IsVTKsOnWireframes)
   EXPECT_LE(result.Different, .06 * result.Pixels);
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnWireframesWithoutNormals)
+TEST_F(ActorShadingTest, IsVTKsOnWireframesWithoutNormals)
 {
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
   GTEST_SKIP() << "This VTK lights such lines otherwise.";
@@ -164,7 +164,7 @@ TEST_F(ShadingOfActor, IsVTKsOnWireframesWithoutNormals)
   EXPECT_LE(result.Different, .06 * result.Pixels);
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnPoints)
+TEST_F(ActorShadingTest, IsVTKsOnPoints)
 {
   this->Show(WithElevation(Sphere()));
   this->Property()->SetRepresentationToPoints();
@@ -172,7 +172,7 @@ TEST_F(ShadingOfActor, IsVTKsOnPoints)
   this->ExpectSamePicture(100);
 }
 
-TEST_F(ShadingOfActor, IsVTKsWithVisibleEdgesAndVertices)
+TEST_F(ActorShadingTest, IsVTKsWithVisibleEdgesAndVertices)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetResolution(3, 3);
@@ -190,7 +190,7 @@ TEST_F(ShadingOfActor, IsVTKsWithVisibleEdgesAndVertices)
   EXPECT_LE(result.Different, .2 * result.Pixels);
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnGlyphs)
+TEST_F(ActorShadingTest, IsVTKsOnGlyphs)
 {
   vtkNew<vtkPlaneSource> points;
   points->SetResolution(2, 2);
@@ -279,7 +279,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> CubeBlocks(unsigned int count)
 
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
+TEST_F(ActorShadingTest, IsVTKsOnBlocksOfTheirOwnLook)
 {
   const auto blocks = CubeBlocks(4);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
@@ -299,7 +299,7 @@ TEST_F(ShadingOfActor, IsVTKsOnBlocksOfTheirOwnLook)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnTheSurfaceOfAGrid)
+TEST_F(ActorShadingTest, IsVTKsOnTheSurfaceOfAGrid)
 {
   vtkNew<vtkImageData> grid;
   grid->SetDimensions(4, 3, 3);
@@ -316,7 +316,7 @@ TEST_F(ShadingOfActor, IsVTKsOnTheSurfaceOfAGrid)
   this->ExpectSamePicture();
 }
 
-TEST_F(ShadingOfActor, IsVTKsOnBlocksWithScalarsOfTheirOwn)
+TEST_F(ActorShadingTest, IsVTKsOnBlocksWithScalarsOfTheirOwn)
 {
   const auto blocks = CubeBlocks(2);
   for (unsigned int i = 0; i < 2; ++i)

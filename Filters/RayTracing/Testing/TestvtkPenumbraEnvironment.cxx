@@ -4,10 +4,10 @@
 // Irradiance of pictures of the environment against closed forms.
 #include "vtkPenumbraEnvironment.h"
 
+#include "Scenes/Solids.h"
 #include "Shading/EnvironmentMap.h"
 #include "Shading/Illumination.h"
-#include "Scenes/Solids.h"
-#include "vtkPenumbraBruteForceSource.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -69,7 +69,7 @@ Answer Ask(vtkPenumbraEnvironment* environment, glm::dvec3 normal, const Scene& 
   const RayScene rays(scene, 1);
   IlluminationSettings settings;
   settings.Picture = environment->GetMap();
-  vtkNew<vtkPenumbraBruteForceSource> source;
+  vtkNew<vtkPenumbraBruteForceIrradiance> source;
   source->BeginIrradiance(Illumination(rays, settings), tolerance);
   const auto light = source->Irradiance(&point.x, &normal.x, tolerance);
   return { { light.Value[0], light.Value[1], light.Value[2] }, light.Error, light.Rays };
@@ -139,7 +139,7 @@ TEST(vtkPenumbraEnvironment, LiesAroundAsInVTK)
   environment->SetUp(0.0, 0.0, 1.0);
   environment->SetRight(0.0, 2.0, 1.0);
   const auto seen = [&](glm::vec3 direction) {
-    return glm::dvec3(environment->GetMap()->Glow(direction)) - 4.0;
+    return glm::dvec3(environment->GetMap()->ClampedRadiance(direction)) - 4.0;
   };
   EXPECT_NEAR(seen({ 0, 1, 0 }).x, 0.0, .06);
   EXPECT_NEAR(seen({ 1, 0, 0 }).x, Pi / 2, .06); // Right x Up
@@ -192,7 +192,7 @@ TEST(vtkPenumbraEnvironment, TakesWholeNumbersAsStandardRGB)
   vtkNew<vtkPenumbraEnvironment> environment;
   environment->SetImage(image);
   environment->SetIntensity(2.0);
-  const glm::vec3 seen = environment->GetMap()->Glow({ 0.f, 1.f, 0.f });
+  const glm::vec3 seen = environment->GetMap()->ClampedRadiance({ 0.f, 1.f, 0.f });
   EXPECT_NEAR(seen.x, 2.0 * .5029, .0002); // ((188 / 255 + .055) / 1.055)^2.4
   EXPECT_EQ(seen.z, seen.x);
 }

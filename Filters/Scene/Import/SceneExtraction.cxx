@@ -21,7 +21,7 @@ namespace
 {
 
 /// Adds the points of `piece`, at one of its places, that are finite.
-void AddBounds(const Piece& piece, const glm::dmat4& toWorld, double bounds[6])
+void AddBounds(const DrawItem& piece, const glm::dmat4& toWorld, double bounds[6])
 {
   for (vtkIdType i = 0; i < piece.Data->GetNumberOfPoints(); ++i)
   {
@@ -39,11 +39,11 @@ void AddBounds(const Piece& piece, const glm::dmat4& toWorld, double bounds[6])
   }
 }
 
-void ComputeBounds(const std::vector<Piece>& pieces, double bounds[6])
+void ComputeBounds(const std::vector<DrawItem>& pieces, double bounds[6])
 {
   std::fill_n(bounds, 6, std::numeric_limits<double>::infinity());
   bounds[1] = bounds[3] = bounds[5] = -bounds[0];
-  for (const Piece& piece : pieces)
+  for (const DrawItem& piece : pieces)
   {
     if (!piece.Copies)
     {
@@ -57,12 +57,12 @@ void ComputeBounds(const std::vector<Piece>& pieces, double bounds[6])
   }
 }
 
-void AddPieces(const std::vector<Piece>& pieces, const ExtractionOptions& options, Scene& scene)
+void AddPieces(const std::vector<DrawItem>& pieces, const ExtractionOptions& options, Scene& scene)
 {
-  for (const Piece& piece : pieces)
+  for (const DrawItem& piece : pieces)
   {
     ThrowIfStopped(options.Progress, 0.0);
-    AddPiece(piece, options.DPI / 72.0, scene);
+    AddDrawItem(piece, options.DPI / 72.0, scene);
   }
 }
 
@@ -71,7 +71,7 @@ void AddPieces(const std::vector<Piece>& pieces, const ExtractionOptions& option
 Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<Piece> pieces = CollectPieces(renderer, scene.Warnings, options.Progress);
+  const std::vector<DrawItem> pieces = CollectDrawItems(renderer, scene.Warnings, options.Progress);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
@@ -89,14 +89,14 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<Piece> pieces = CollectPieces(data, scene.Warnings, options.Progress);
+  const std::vector<DrawItem> pieces = CollectDrawItems(data, scene.Warnings, options.Progress);
   double bounds[6];
   ComputeBounds(pieces, bounds);
   ResetCamera(bounds, options, scene);
   scene.Lights = { MakeHeadlight(scene) };
   if (options.Background)
   {
-    scene.Behind.Bottom = scene.Behind.Top = glm::vec4(0.f, 0.f, 0.f, 1.f);
+    scene.BackgroundColors.Bottom = scene.BackgroundColors.Top = glm::vec4(0.f, 0.f, 0.f, 1.f);
   }
   AddPieces(pieces, options, scene);
   return scene;

@@ -6,7 +6,7 @@
 #ifndef penumbra_SceneExtraction_h
 #define penumbra_SceneExtraction_h
 
-#include "Execution/Batches.h"
+#include "Execution/ParallelFor.h"
 #include "Scene.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 

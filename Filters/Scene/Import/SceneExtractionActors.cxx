@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionActors.h"
 
-#include "DataSurface.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionOverlay.h"
-#include "SceneExtractionWarnings.h"
+#include "SurfaceGeometry.h"
+#include "UnsupportedFeatures.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
@@ -93,12 +93,12 @@ public:
     }
   }
 
-  void AddData(vtkDataObject* data, const Piece& look, ScalarMapper* scalars)
+  void AddData(vtkDataObject* data, const DrawItem& look, ScalarMapper* scalars)
   {
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
       ForEachBlock(composite, nullptr, look, scalars,
-        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars) {
+        [&](vtkDataSet* leaf, const DrawItem& blockLook, ScalarMapper* blockScalars) {
           this->AddDataSet(leaf, blockLook, blockScalars);
         });
     }
@@ -114,12 +114,12 @@ public:
   }
 
   /// What was added, with attributes that can be read.
-  std::vector<Piece> Take()
+  std::vector<DrawItem> Take()
   {
-    for (Piece& piece : this->Pieces)
+    for (DrawItem& piece : this->Pieces)
     {
       std::vector<std::string> left;
-      piece.Data = WithoutMisfits(piece.Data, left);
+      piece.Data = DropMismatchedAttributes(piece.Data, left);
       piece.Progress = this->Progress;
       for (const std::string& what : left)
       {
@@ -144,7 +144,7 @@ private:
       this->Warnings.push_back(std::string(prop->GetClassName()) + " is not supported; left out.");
       return;
     }
-    Piece look;
+    DrawItem look;
     look.ObjectId = this->NextObject++;
     look.Name = "Object " + std::to_string(look.ObjectId);
     vtkMapper* mapper = actor->GetMapper();
@@ -163,7 +163,7 @@ private:
     look.BackProperty = actor->GetBackfaceProperty();
     look.LitTexture = MakeTexture(actor->GetTexture(), look.Name, this->Warnings);
     look.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
-    WarnOfActor(actor, look.Name, this->Warnings);
+    WarnUnsupportedActor(actor, look.Name, this->Warnings);
     mapper->Update();
     vtkNew<ScalarMapper> scalars;
     scalars->ShallowCopy(mapper);
@@ -171,7 +171,7 @@ private:
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
       ForEachBlock(composite, mapper, look, scalars,
-        [&](vtkDataSet* leaf, const Piece& blockLook, ScalarMapper* blockScalars) {
+        [&](vtkDataSet* leaf, const DrawItem& blockLook, ScalarMapper* blockScalars) {
           this->AddMapped(mapper, leaf, blockLook, blockScalars);
         });
     }
@@ -185,7 +185,7 @@ private:
     }
   }
 
-  void AddMapped(vtkMapper* mapper, vtkDataSet* data, const Piece& look, ScalarMapper* scalars)
+  void AddMapped(vtkMapper* mapper, vtkDataSet* data, const DrawItem& look, ScalarMapper* scalars)
   {
     auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
     if (!glyphs)
@@ -193,16 +193,16 @@ private:
       this->AddDataSet(data, look, scalars);
       return;
     }
-    for (Piece& piece : MakeGlyphs(glyphs, data, look, scalars, this->Warnings))
+    for (DrawItem& piece : MakeGlyphs(glyphs, data, look, scalars, this->Warnings))
     {
       this->Pieces.push_back(std::move(piece));
     }
   }
 
-  void AddDataSet(vtkDataSet* data, const Piece& look, ScalarMapper* scalars)
+  void AddDataSet(vtkDataSet* data, const DrawItem& look, ScalarMapper* scalars)
   {
-    Piece piece = look;
-    piece.Data = PolyDataOf(data, this->Progress);
+    DrawItem piece = look;
+    piece.Data = ExtractSurface(data, this->Progress);
     if (piece.Data != data)
     {
       piece.CellIds = piece.Data->GetCellData()->GetArray("vtkOriginalCellIds");
@@ -217,7 +217,7 @@ private:
     }
   }
 
-  std::vector<Piece> Pieces;
+  std::vector<DrawItem> Pieces;
   std::vector<std::string>& Warnings;
   const ProgressCallback& Progress;
 };
@@ -230,7 +230,7 @@ bool DrawsByShadersAlone(vtkMapper* mapper)
     mapper, { "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper", "vtkPointGaussianMapper" });
 }
 
-std::vector<Piece> CollectPieces(
+std::vector<DrawItem> CollectDrawItems(
   vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress)
 {
   WarnOfRenderer(renderer, warnings);
@@ -246,13 +246,13 @@ std::vector<Piece> CollectPieces(
   return collector.Take();
 }
 
-std::vector<Piece> CollectPieces(const std::vector<vtkDataObject*>& data,
+std::vector<DrawItem> CollectDrawItems(const std::vector<vtkDataObject*>& data,
   std::vector<std::string>& warnings, const ProgressCallback& progress)
 {
   Collector collector(warnings, progress);
   for (vtkDataObject* object : data)
   {
-    Piece look;
+    DrawItem look;
     look.ObjectId = collector.NextObject++;
     look.Name = "Object " + std::to_string(look.ObjectId);
     look.Property = vtkSmartPointer<vtkProperty>::New();

@@ -6,7 +6,7 @@
 #ifndef penumbra_SceneExtractionActors_h
 #define penumbra_SceneExtractionActors_h
 
-#include "Tessellation/SceneExtractionPiece.h"
+#include "Tessellation/SceneExtractionItem.h"
 
 #include "vtkPenumbraFiltersSceneModule.h"
 
@@ -24,11 +24,11 @@ namespace penumbra
 VTKPENUMBRAFILTERSSCENE_EXPORT bool DrawsByShadersAlone(vtkMapper* mapper);
 
 /// What `renderer` draws. Names in `warnings` what it cannot turn into pieces.
-std::vector<Piece> CollectPieces(
+std::vector<DrawItem> CollectDrawItems(
   vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress);
 
 /// Data sets and the leaves of composite ones, in VTK's default look.
-std::vector<Piece> CollectPieces(const std::vector<vtkDataObject*>& data,
+std::vector<DrawItem> CollectDrawItems(const std::vector<vtkDataObject*>& data,
   std::vector<std::string>& warnings, const ProgressCallback& progress);
 
 }

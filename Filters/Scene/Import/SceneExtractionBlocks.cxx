@@ -118,7 +118,8 @@ bool HasTextures(Attributes*, long)
 class Walk
 {
 public:
-  Walk(vtkCompositeDataDisplayAttributes* attributes, const Piece& look, const BlockFunction& use)
+  Walk(
+    vtkCompositeDataDisplayAttributes* attributes, const DrawItem& look, const BlockFunction& use)
     : Attributes(attributes),
       Look(look),
       Use(use)
@@ -187,7 +188,7 @@ private:
 
   void Draw(vtkDataSet* leaf, const BlockState& state) const
   {
-    Piece piece = this->Look;
+    DrawItem piece = this->Look;
     if (state.HasColor || state.HasOpacity)
     {
       auto property = vtkSmartPointer<vtkProperty>::New();
@@ -219,13 +220,13 @@ private:
   }
 
   vtkCompositeDataDisplayAttributes* Attributes;
-  const Piece& Look;
+  const DrawItem& Look;
   const BlockFunction& Use;
 };
 
 }
 
-void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const Piece& look,
+void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& look,
   ScalarMapper* scalars, const BlockFunction& use)
 {
   vtkCompositeDataDisplayAttributes* attributes =

@@ -18,11 +18,11 @@ class vtkDataSet;
 namespace penumbra
 {
 
-using BlockFunction = std::function<void(vtkDataSet*, const Piece&, ScalarMapper*)>;
+using BlockFunction = std::function<void(vtkDataSet*, const DrawItem&, ScalarMapper*)>;
 
 /// Calls `use` for every visible leaf that is a data set, with `look` and a copy of `scalars` (null
 /// without one) changed by what `mapper` (may be null) says of the block or those above it.
-void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const Piece& look,
+void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& look,
   ScalarMapper* scalars, const BlockFunction& use);
 
 /// When what `mapper` says of the blocks of `data` last changed.

@@ -5,7 +5,7 @@
 #ifndef penumbra_SceneExtractionColors_h
 #define penumbra_SceneExtractionColors_h
 
-#include "Tessellation/SceneExtractionPiece.h"
+#include "Tessellation/SceneExtractionItem.h"
 
 #include "vtkMapper.h"
 #include "vtkNew.h"

@@ -168,7 +168,7 @@ void Append(std::vector<T>& to, const std::vector<T>& from)
 /// Can both be one surface, once colours are per cell?
 bool IsAlike(const Surface& a, const Surface& b)
 {
-  return a.ScreenSpace == b.ScreenSpace && a.NormalRule == b.NormalRule &&
+  return a.IsLineOrPoint == b.IsLineOrPoint && a.NormalRule == b.NormalRule &&
     a.Normals.empty() == b.Normals.empty() &&
     a.TriangleNormals.empty() == b.TriangleNormals.empty() && a.LitTexture == b.LitTexture &&
     a.Front.Lighting == b.Front.Lighting && a.Front.Ambient == b.Front.Ambient &&
@@ -200,7 +200,7 @@ void Merge(Surface&& copy, std::uint32_t id, Surface& into)
   Append(into.TextureCoordinates, copy.TextureCoordinates);
 }
 
-void AddOnce(const Piece& piece, double pixelsPerPoint, Scene& scene)
+void AddOnce(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
 {
   if (piece.Property->GetRepresentation() == VTK_SURFACE)
   {
@@ -211,7 +211,7 @@ void AddOnce(const Piece& piece, double pixelsPerPoint, Scene& scene)
 
 }
 
-std::vector<Piece> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const Piece& look,
+std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const DrawItem& look,
   ScalarMapper* scalars, std::vector<std::string>& warnings)
 {
   if (mapper->GetUseSourceTableTree())
@@ -220,11 +220,11 @@ std::vector<Piece> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const 
       look.Name + ": glyphs from a source table tree are not supported; left out.");
     return {};
   }
-  std::vector<Piece> shapes;
+  std::vector<DrawItem> shapes;
   const int sources = std::max(1, mapper->GetNumberOfInputConnections(1));
   for (int i = 0; i < sources; ++i)
   {
-    Piece shape = look;
+    DrawItem shape = look;
     shape.Data = mapper->GetSource(i);
     if (!shape.Data)
     {
@@ -264,7 +264,7 @@ std::vector<Piece> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const 
   return shapes;
 }
 
-void AddPiece(const Piece& piece, double pixelsPerPoint, Scene& scene)
+void AddDrawItem(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
 {
   if (!piece.Copies)
   {
@@ -277,8 +277,8 @@ void AddPiece(const Piece& piece, double pixelsPerPoint, Scene& scene)
   Scene alone;
   alone.Origin = scene.Origin;
   alone.Scale = scene.Scale;
-  alone.Eye = scene.Eye;
-  Piece copy = piece;
+  alone.ViewCamera = scene.ViewCamera;
+  DrawItem copy = piece;
   copy.Colors.Way = Coloring::Ways::Single;
   for (std::size_t i = 0; i < piece.Copies->Places.size(); ++i)
   {

@@ -5,7 +5,7 @@
 #ifndef penumbra_SceneExtractionGlyphs_h
 #define penumbra_SceneExtractionGlyphs_h
 
-#include "Tessellation/SceneExtractionPiece.h"
+#include "Tessellation/SceneExtractionItem.h"
 
 #include <string>
 #include <vector>
@@ -19,12 +19,12 @@ namespace penumbra
 class ScalarMapper;
 
 /// One piece with copies for every shape that `mapper` sets at points of `data`, in `look`.
-std::vector<Piece> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const Piece& look,
+std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const DrawItem& look,
   ScalarMapper* scalars, std::vector<std::string>& warnings);
 
 /// Adds all that is drawn of `piece`, at every place it is copied to; copies of one kind become one
 /// surface, and their cells are the points they stand at.
-void AddPiece(const Piece& piece, double pixelsPerPoint, Scene& scene);
+void AddDrawItem(const DrawItem& piece, double pixelsPerPoint, Scene& scene);
 
 }
 #endif

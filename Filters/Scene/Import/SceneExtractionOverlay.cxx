@@ -41,7 +41,7 @@ bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
         text, look, static_cast<int>(size.x), static_cast<int>(size.y), dpi);
     }
   }
-  return DrawText(text, look, at, dpi, scene.Over);
+  return DrawText(text, look, at, dpi, scene.OverlayImage);
 }
 
 }
@@ -54,7 +54,7 @@ bool IsOverlay(vtkProp* prop)
 glm::dvec2 PlaceInPicture(vtkCoordinate* coordinate, const Scene& scene)
 {
   const double* value = coordinate->GetValue();
-  const glm::dvec2 size(scene.Eye.Width, scene.Eye.Height);
+  const glm::dvec2 size(scene.ViewCamera.Width, scene.ViewCamera.Height);
   glm::dvec2 place(value[0], value[1]);
   switch (coordinate->GetCoordinateSystem())
   {
@@ -66,7 +66,7 @@ glm::dvec2 PlaceInPicture(vtkCoordinate* coordinate, const Scene& scene)
       place = .5 * (place + 1.0) * size;
       break;
     case VTK_WORLD:
-      place = scene.Eye.Project(scene.FromWorld(value));
+      place = scene.ViewCamera.Project(scene.FromWorld(value));
       break;
     default:
       break; // pixels
@@ -94,7 +94,7 @@ bool DrawText(
 
 void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
 {
-  scene.Over = Overlay(scene.Eye.Width, scene.Eye.Height);
+  scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   bool drawn = true;

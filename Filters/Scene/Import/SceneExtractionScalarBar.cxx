@@ -143,7 +143,7 @@ public:
   Drawing(vtkScalarBarActor* bar, int dpi, Scene& scene)
     : Bar(bar),
       DPI(dpi),
-      Over(scene.Over),
+      Over(scene.OverlayImage),
       Vertical(bar->GetOrientation() == VTK_ORIENT_VERTICAL)
   {
     this->Low = PlaceInPicture(bar->GetPositionCoordinate(), scene);

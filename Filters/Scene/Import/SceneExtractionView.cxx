@@ -112,7 +112,7 @@ double DistanceInFront(glm::dvec3 eye, glm::dvec3 forward, bool parallel, const 
 
 void SetOrigin(glm::dvec3 position, const double bounds[6], double fallback, Scene& scene)
 {
-  Camera& eye = scene.Eye;
+  Camera& eye = scene.ViewCamera;
   double advance = 0.0;
   if (IsFinite(bounds))
   {
@@ -178,7 +178,7 @@ Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const Scene& scene)
   result.Position = (ToVector(position) - scene.Origin) * scene.Scale;
   const glm::dvec3 way = ToVector(focus) - ToVector(position);
   const double length = glm::length(way);
-  result.Direction = glm::vec3(length > 0.0 ? way / length : scene.Eye.Forward);
+  result.Direction = glm::vec3(length > 0.0 ? way / length : scene.ViewCamera.Forward);
   const glm::dvec3 color = ToVector(light->GetDiffuseColor()) * light->GetIntensity();
   // VTK's shaders light highlights with the diffuse colour too.
   result.DiffuseColor = color;
@@ -204,12 +204,13 @@ void ExtractCamera(
   {
     scene.Warnings.emplace_back("Stereo is not supported: one eye is drawn.");
   }
-  scene.Eye.Width = options.Resolution[0];
-  scene.Eye.Height = options.Resolution[1];
+  scene.ViewCamera.Width = options.Resolution[0];
+  scene.ViewCamera.Height = options.Resolution[1];
   glm::dvec3 position;
-  const double aspect = static_cast<double>(scene.Eye.Width) / scene.Eye.Height;
-  const bool rigid = SetPose(camera->GetModelViewTransformMatrix(), scene.Eye, position);
-  const bool plain = SetLens(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.Eye);
+  const double aspect = static_cast<double>(scene.ViewCamera.Width) / scene.ViewCamera.Height;
+  const bool rigid = SetPose(camera->GetModelViewTransformMatrix(), scene.ViewCamera, position);
+  const bool plain =
+    SetLens(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera);
   if (!rigid || !plain)
   {
     scene.Warnings.emplace_back(
@@ -224,7 +225,7 @@ void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene
   const glm::dvec3 low = any ? glm::dvec3(bounds[0], bounds[2], bounds[4]) : glm::dvec3(-.5);
   const glm::dvec3 high = any ? glm::dvec3(bounds[1], bounds[3], bounds[5]) : glm::dvec3(.5);
   const double radius = low == high ? .5 : .5 * glm::length(high - low);
-  Camera& eye = scene.Eye;
+  Camera& eye = scene.ViewCamera;
   eye = Camera();
   eye.Width = options.Resolution[0];
   eye.Height = options.Resolution[1];
@@ -241,7 +242,7 @@ void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene
 Light MakeHeadlight(const Scene& scene)
 {
   Light light;
-  light.Direction = scene.Eye.Forward;
+  light.Direction = scene.ViewCamera.Forward;
   light.Headlight = true;
   light.CastsShadow = false;
   return light;
@@ -271,11 +272,11 @@ void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, 
   {
     return;
   }
-  scene.Behind.Bottom = glm::vec4(ToVector(renderer->GetBackground()), 1.0);
-  scene.Behind.Top = scene.Behind.Bottom;
+  scene.BackgroundColors.Bottom = glm::vec4(ToVector(renderer->GetBackground()), 1.0);
+  scene.BackgroundColors.Top = scene.BackgroundColors.Bottom;
   if (renderer->GetGradientBackground())
   {
-    scene.Behind.Top = glm::vec4(ToVector(renderer->GetBackground2()), 1.0);
+    scene.BackgroundColors.Top = glm::vec4(ToVector(renderer->GetBackground2()), 1.0);
   }
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionLines.h"
 
+#include "LineExpansion.h"
 #include "SceneExtractionClipping.h"
-#include "SceneExtractionMarks.h"
+#include "SceneExtractionSegments.h"
 #include "SceneExtractionSurfaces.h"
-#include "Widening.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -61,7 +61,7 @@ Material MakeUnlit(const double color[3], double opacity)
 class Widener
 {
 public:
-  Widener(const Piece& piece, double pixelsPerPoint, Scene& scene)
+  Widener(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
     : From(piece),
       PixelsPerPoint(pixelsPerPoint),
       To(scene),
@@ -86,11 +86,11 @@ public:
     const Material* Single = nullptr;
   };
 
-  void Add(const std::vector<Mark>& marks, const Look& look)
+  void Add(const std::vector<LineSegment>& marks, const Look& look)
   {
     this->Result = Surface();
     this->Result.ObjectId = this->From.ObjectId;
-    this->Result.ScreenSpace = true;
+    this->Result.IsLineOrPoint = true;
     this->Result.Front = look.Single ? *look.Single : this->Own.Front;
     this->Result.Front.Lighting = look.Lit && this->Result.Front.Lighting;
     if (!look.Single)
@@ -98,7 +98,7 @@ public:
       this->Result.ScalarColoring = this->Own.ScalarColoring;
       this->Result.ColorTexture = this->Own.ColorTexture;
     }
-    for (const Mark& mark : marks)
+    for (const LineSegment& mark : marks)
     {
       this->Widen(mark, look);
     }
@@ -116,7 +116,7 @@ private:
     return i < this->Points.size() && std::isfinite(glm::dot(this->Points[i], this->Points[i]));
   }
 
-  void Widen(const Mark& mark, const Look& look)
+  void Widen(const LineSegment& mark, const Look& look)
   {
     if (!this->IsUsable(mark.From) || !this->IsUsable(mark.To))
     {
@@ -143,16 +143,16 @@ private:
     const glm::dvec3 way = b - a;
     b = a + end * way;
     a = a + start * way;
-    if (isPoint ? WidenPoint(this->To.Eye, a, width, quad)
-                : WidenSegment(this->To.Eye, a, b, width, quad))
+    if (isPoint ? ExpandPoint(this->To.ViewCamera, a, width, quad)
+                : ExpandLine(this->To.ViewCamera, a, b, width, quad))
     {
       this->AddQuad(mark, look, quad, start + quad.Start * (end - start),
         start + quad.End * (end - start), way);
     }
   }
 
-  void AddQuad(
-    const Mark& mark, const Look& look, const Quad& quad, double start, double end, glm::dvec3 way)
+  void AddQuad(const LineSegment& mark, const Look& look, const Quad& quad, double start,
+    double end, glm::dvec3 way)
   {
     const auto first = static_cast<std::uint32_t>(this->Result.Positions.size());
     for (int i = 0; i < 4; ++i)
@@ -172,7 +172,7 @@ private:
   }
 
   /// The attributes at the share t of a mark.
-  void AddAttributes(const Mark& mark, const Look& look, float t, glm::dvec3 way)
+  void AddAttributes(const LineSegment& mark, const Look& look, float t, glm::dvec3 way)
   {
     if (look.Lit)
     {
@@ -204,7 +204,7 @@ private:
     }
   }
 
-  glm::vec3 Normal(const Mark& mark, float t, glm::dvec3 way) const
+  glm::vec3 Normal(const LineSegment& mark, float t, glm::dvec3 way) const
   {
     const auto convert = [&](vtkDataArray* from, std::uint32_t i) {
       double n[3];
@@ -223,12 +223,12 @@ private:
     }
     // VTK's choice for wireframes without normals: across the line, as much towards the eye as can
     // be.
-    const Camera& eye = this->To.Eye;
+    const Camera& eye = this->To.ViewCamera;
     const glm::dvec3 across = glm::dot(way, eye.Up) * eye.Right - glm::dot(way, eye.Right) * eye.Up;
     return glm::normalize(glm::cross(across, way));
   }
 
-  const Piece& From;
+  const DrawItem& From;
   double PixelsPerPoint;
   Scene& To;
   std::vector<glm::vec3> Points;
@@ -240,7 +240,7 @@ private:
 
 }
 
-void AddLinesAndPoints(const Piece& piece, double pixelsPerPoint, Scene& scene)
+void AddLinesAndPoints(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
 {
   vtkProperty* property = piece.Property;
   const int representation = property->GetRepresentation();

@@ -6,14 +6,14 @@
 #ifndef penumbra_SceneExtractionLines_h
 #define penumbra_SceneExtractionLines_h
 
-#include "SceneExtractionPiece.h"
+#include "SceneExtractionItem.h"
 
 namespace penumbra
 {
 
 /// Adds what of `piece` is drawn as lines and points. `pixelsPerPoint`: the width in pixels of
 /// what is one wide.
-void AddLinesAndPoints(const Piece& piece, double pixelsPerPoint, Scene& scene);
+void AddLinesAndPoints(const DrawItem& piece, double pixelsPerPoint, Scene& scene);
 
 }
 #endif

@@ -29,7 +29,7 @@ bool IsFinite(glm::vec3 x)
 class Triangles
 {
 public:
-  Triangles(const Piece& piece, Surface& surface)
+  Triangles(const DrawItem& piece, Surface& surface)
     : Data(piece.Data),
       Progress(piece.Progress),
       Target(surface)
@@ -207,7 +207,7 @@ std::uint32_t CellOf(const std::vector<std::uint32_t>& cells, std::size_t triang
   return cells.empty() ? static_cast<std::uint32_t>(triangle) : cells[triangle];
 }
 
-void SetNormals(const Piece& piece, const SceneTransform& placement,
+void SetNormals(const DrawItem& piece, const SceneTransform& placement,
   const std::vector<std::uint32_t>& cells, Surface& surface)
 {
   const auto convert = [&](vtkDataArray* from, vtkIdType i) {
@@ -255,7 +255,7 @@ std::vector<glm::vec2> MakeCoordinates(vtkDataArray* from)
 
 }
 
-std::vector<glm::vec3> MakePositions(const Piece& piece, const Scene& scene)
+std::vector<glm::vec3> MakePositions(const DrawItem& piece, const Scene& scene)
 {
   const SceneTransform placement(piece.ToWorld, scene);
   const vtkIdType count = piece.Data->GetNumberOfPoints();
@@ -270,7 +270,7 @@ std::vector<glm::vec3> MakePositions(const Piece& piece, const Scene& scene)
   return positions;
 }
 
-void SetColors(const Piece& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
+void SetColors(const DrawItem& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
 {
   const Coloring& coloring = piece.Colors;
   surface.ScalarColoring = coloring.Way != Coloring::Ways::None;
@@ -311,7 +311,7 @@ void SetColors(const Piece& piece, const std::vector<std::uint32_t>& cells, Surf
   }
 }
 
-void SetCellIds(const Piece& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
+void SetCellIds(const DrawItem& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
 {
   surface.CellIds = cells;
   if (piece.CellIds)
@@ -325,7 +325,7 @@ void SetCellIds(const Piece& piece, const std::vector<std::uint32_t>& cells, Sur
   }
 }
 
-void AddSurface(const Piece& piece, Scene& scene)
+void AddSurface(const DrawItem& piece, Scene& scene)
 {
   if (piece.Data->GetPolys()->GetNumberOfCells() + piece.Data->GetStrips()->GetNumberOfCells() == 0)
   {

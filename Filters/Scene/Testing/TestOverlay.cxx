@@ -40,7 +40,7 @@ std::vector<glm::vec4> Alone(const Overlay& overlay)
     static_cast<std::size_t>(width) * overlay.GetHeight(), glm::vec4(0.f));
   for (int y = 0; y < overlay.GetHeight(); ++y)
   {
-    overlay.PutOver(0, y, width, &colors[static_cast<std::size_t>(y) * width]);
+    overlay.CompositeOver(0, y, width, &colors[static_cast<std::size_t>(y) * width]);
   }
   return colors;
 }
@@ -92,10 +92,10 @@ TEST(Overlay, ComposesStraightAlphaOverAnyPicture)
   Overlay overlay(1, 1);
   overlay.FillRectangle({ 0.0, 0.0 }, { 1.0, 1.0 }, { 1.f, 0.f, 0.f, .5f });
   glm::vec4 opaque(0.f, 1.f, 0.f, 1.f);
-  overlay.PutOver(0, 0, 1, &opaque);
+  overlay.CompositeOver(0, 0, 1, &opaque);
   EXPECT_EQ(opaque, glm::vec4(.5f, .5f, 0.f, 1.f));
   glm::vec4 half(0.f, 1.f, 0.f, .5f);
-  overlay.PutOver(0, 0, 1, &half);
+  overlay.CompositeOver(0, 0, 1, &half);
   EXPECT_FLOAT_EQ(half.a, .75f);
   EXPECT_FLOAT_EQ(half.r, .5f / .75f);
   EXPECT_FLOAT_EQ(half.g, .25f / .75f);
@@ -122,12 +122,12 @@ TEST(Overlay, DrawsTextAsVTKDoes)
 
   const Scene scene = ExtractScene(renderer, Options(200, 100));
   EXPECT_TRUE(scene.Warnings.empty());
-  ASSERT_FALSE(scene.Over.IsEmpty());
+  ASSERT_FALSE(scene.OverlayImage.IsEmpty());
   int written = 0;
   for (int y = 0; y < 100; ++y)
   {
     std::vector<glm::vec4> row(200, glm::vec4(.2f, .3f, .4f, 1.f));
-    scene.Over.PutOver(0, y, 200, row.data());
+    scene.OverlayImage.CompositeOver(0, y, 200, row.data());
     for (int x = 0; x < 200; ++x)
     {
       for (int k = 0; k < 3; ++k)
@@ -163,24 +163,24 @@ TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
     }
     const Scene scene = ExtractScene(renderer, Options(400, 300));
     EXPECT_TRUE(scene.Warnings.empty());
-    const std::vector<glm::vec4> colors = Alone(scene.Over);
+    const std::vector<glm::vec4> colors = Alone(scene.OverlayImage);
     const auto red = [&](int x, int y) { return colors[y * 400 + x].r; };
     if (vertical)
     {
       // The band starts at (.82, .1) of the picture; red grows upwards.
       EXPECT_LT(red(335, 35), red(335, 120));
       EXPECT_LT(red(335, 120), red(335, 200));
-      EXPECT_GT(Largest(scene.Over, { 360, 30 }, { 400, 240 }).a, .5f);  // labels
-      EXPECT_GT(Largest(scene.Over, { 330, 246 }, { 400, 270 }).a, .5f); // title
+      EXPECT_GT(Largest(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, .5f);  // labels
+      EXPECT_GT(Largest(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, .5f); // title
     }
     else
     {
       EXPECT_LT(red(50, 35), red(200, 35));
       EXPECT_LT(red(200, 35), red(350, 35));
-      EXPECT_GT(Largest(scene.Over, { 40, 50 }, { 360, 72 }).a, .5f);
-      EXPECT_GT(Largest(scene.Over, { 150, 72 }, { 250, 90 }).a, .5f);
+      EXPECT_GT(Largest(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, .5f);
+      EXPECT_GT(Largest(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, .5f);
     }
-    EXPECT_EQ(Largest(scene.Over, { 0, 0 }, { 4, 300 }).a, 0.f);
+    EXPECT_EQ(Largest(scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "Embree/RayScene.h"
 #include "Embree/RayTriangle.h"
 #include "Gathering/HemisphereGrid.h"
-#include "Shading/CosineDirections.h"
+#include "Shading/HemisphereSampling.h"
 
 namespace penumbra
 {
@@ -19,7 +19,7 @@ constexpr float ShareOfGap = .25f;
 constexpr float DepthError = 1e-5f;
 
 /// What fills a part of a cell: one surface, or nothing.
-struct Patch
+struct CellFragment
 {
   std::uint32_t Surface = Hit::None;
   float Share = 0.f;
@@ -30,22 +30,22 @@ struct Patch
 
 struct Patches
 {
-  std::vector<Patch> All;
+  std::vector<CellFragment> All;
   std::vector<std::size_t> First; ///< those of cell i are from First[i] on to before First[i + 1]
 };
 
-Patches FindPatches(const Hemicube& cube, const Hemicube::Cells& cells,
-  const TriangleBundles& bundles, const std::vector<NumberedTexel>& texels,
-  const DistanceFallOff& fallOff)
+Patches FindFragments(const Hemicube& cube, const Hemicube::Cells& cells,
+  const TriangleClusters& bundles, const std::vector<HemicubeTexel>& texels,
+  const DistanceFalloff& falloff)
 {
   std::vector<std::uint32_t> surfaces(texels.size(), Hit::None);
   std::vector<float> counting(texels.size(), 1.f);
   for (std::size_t i = 0; i < texels.size(); ++i)
   {
     const float distance = texels[i].Depth * glm::length(cube.GetDirections()[i]);
-    if (texels[i].Number > 0.f && distance <= fallOff.Reach)
+    if (texels[i].Number > 0.f && distance <= falloff.Radius)
     {
-      counting[i] = fallOff.At(distance);
+      counting[i] = falloff.Evaluate(distance);
       surfaces[i] = bundles.GetTriangle(static_cast<std::size_t>(texels[i].Number)).Surface;
     }
   }
@@ -55,7 +55,7 @@ Patches FindPatches(const Hemicube& cube, const Hemicube::Cells& cells,
     patches.First.push_back(patches.All.size());
     for (std::size_t i = cells.First[cell]; i < cells.First[cell + 1]; ++i)
     {
-      const Hemicube::Part& part = cells.Parts[i];
+      const Hemicube::TexelWeight& part = cells.Parts[i];
       const std::uint32_t surface = surfaces[part.Texel];
       std::size_t at = patches.First.back();
       while (at < patches.All.size() && patches.All[at].Surface != surface)
@@ -66,7 +66,7 @@ Patches FindPatches(const Hemicube& cube, const Hemicube::Cells& cells,
       {
         patches.All.push_back({ surface });
       }
-      Patch& patch = patches.All[at];
+      CellFragment& patch = patches.All[at];
       patch.Share += part.Share;
       patch.Counted += counting[part.Texel] * part.Share;
       if (part.Share > patch.Most)
@@ -82,23 +82,24 @@ Patches FindPatches(const Hemicube& cube, const Hemicube::Cells& cells,
 
 /// The texel as `ray` would have met it.
 Hit HitOf(
-  const Scene& scene, const TriangleBundles& bundles, const NumberedTexel& texel, const Ray& ray)
+  const Scene& scene, const TriangleClusters& bundles, const HemicubeTexel& texel, const Ray& ray)
 {
   const auto& which = bundles.GetTriangle(static_cast<std::size_t>(texel.Number));
   const RayTriangle met(scene.Surfaces[which.Surface], which.Triangle, ray);
-  const double u = met.IsSound ? std::clamp(met.U, 0.0, 1.0) : 1.0 / 3.0;
+  const double u = met.IsValid ? std::clamp(met.U, 0.0, 1.0) : 1.0 / 3.0;
   Hit hit;
   hit.Surface = which.Surface;
   hit.Triangle = which.Triangle;
   hit.U = static_cast<float>(u);
-  hit.V = static_cast<float>(met.IsSound ? std::clamp(met.V, 0.0, 1.0 - u) : 1.0 / 3.0);
+  hit.V = static_cast<float>(met.IsValid ? std::clamp(met.V, 0.0, 1.0 - u) : 1.0 / 3.0);
   return hit;
 }
 
 /// What a cell shows as a whole: distance and normal are those of what fills most of it.
-Sight Join(const Patches& patches, int cell, const std::vector<Sight>& seen)
+HemisphereSample CombineFragments(
+  const Patches& patches, int cell, const std::vector<HemisphereSample>& seen)
 {
-  Sight sight;
+  HemisphereSample sight;
   float most = 0.f;
   for (std::size_t i = patches.First[cell]; i < patches.First[cell + 1]; ++i)
   {
@@ -121,18 +122,19 @@ CubeMapGatherer::CubeMapGatherer(
   : Seen(seen),
     Cube(side),
     Bundles(seen.GetRays().GetScene()),
-    Picture(std::make_unique<CubeMapPicture>(seen.GetRays().GetScene(), this->Bundles, this->Cube)),
+    Picture(
+      std::make_unique<HemicubeRenderer>(seen.GetRays().GetScene(), this->Bundles, this->Cube)),
     Counts(std::move(counts))
 {
 }
 
-void CubeMapGatherer::FindBeams(glm::vec3 point, std::vector<Beam>& beams) const
+void CubeMapGatherer::SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const
 {
-  this->Seen.FindBeams(point, beams);
+  this->Seen.SampleEmitters(point, beams);
 }
 
 long long CubeMapGatherer::Gather(glm::vec3 point, glm::vec3 normal,
-  const std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+  const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& sights) const
 {
   return this->Seen.Gather(point, normal, directions, sights);
 }
@@ -143,24 +145,26 @@ const Hemicube::Cells& CubeMapGatherer::CellsOf(const HemisphereGrid& grid) cons
   const auto found = this->Cells.find(grid.Side);
   return found != this->Cells.end()
     ? found->second
-    : this->Cells.emplace(grid.Side, this->Cube.CutInto(grid)).first->second;
+    : this->Cells.emplace(grid.Side, this->Cube.MapToGrid(grid)).first->second;
 }
 
-long long CubeMapGatherer::Look(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
-  std::uint32_t /*seed*/, std::vector<glm::vec3>& directions, std::vector<Sight>& sights) const
+long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
+  const HemisphereGrid& grid, std::uint32_t /*seed*/, std::vector<glm::vec3>& directions,
+  std::vector<HemisphereSample>& sights) const
 {
-  const float gap = GapAbove(point);
+  const float gap = RayOriginOffset(point);
   const glm::vec3 origin = point + gap * frame[2];
-  std::vector<NumberedTexel> texels;
+  std::vector<HemicubeTexel> texels;
   this->Counts->Triangles +=
     this->Picture->Draw(origin, frame, ShareOfGap * gap, this->GetReach(), texels);
   ++this->Counts->Pictures;
 
   const Hemicube::Cells& cells = this->CellsOf(grid);
-  const Patches patches = FindPatches(this->Cube, cells, this->Bundles, texels, this->GetFallOff());
+  const Patches patches =
+    FindFragments(this->Cube, cells, this->Bundles, texels, this->GetFalloff());
   std::vector<Ray> rays;
   std::vector<Hit> hits;
-  for (const Patch& patch : patches.All)
+  for (const CellFragment& patch : patches.All)
   {
     const glm::vec3 along = frame * this->Cube.GetDirections()[patch.Texel];
     const float length = glm::length(along);
@@ -168,15 +172,15 @@ long long CubeMapGatherer::Look(glm::vec3 point, const glm::mat3& frame, const H
     Hit hit;
     if (patch.Surface != Hit::None)
     {
-      const NumberedTexel& texel = texels[patch.Texel];
+      const HemicubeTexel& texel = texels[patch.Texel];
       hit = HitOf(this->Seen.GetRays().GetScene(), this->Bundles, texel, rays.back());
       hit.Distance = texel.Depth * length;
-      hit.Beyond = hit.Distance * (1.f + DepthError);
+      hit.NextNear = hit.Distance * (1.f + DepthError);
     }
     hits.push_back(hit);
   }
-  std::vector<Sight> seen;
-  const long long traced = this->Seen.See(point, frame[2], rays, hits, seen);
+  std::vector<HemisphereSample> seen;
+  const long long traced = this->Seen.ShadeHits(point, frame[2], rays, hits, seen);
 
   directions.clear();
   sights.clear();
@@ -184,8 +188,8 @@ long long CubeMapGatherer::Look(glm::vec3 point, const glm::mat3& frame, const H
   {
     const glm::vec2 at(cell % grid.Side, cell / grid.Side);
     const glm::vec2 middle = (at + .5f) / static_cast<float>(grid.Side);
-    directions.push_back(ToHemisphere(ToDisc(middle.x, middle.y)));
-    sights.push_back(Join(patches, cell, seen));
+    directions.push_back(DiskToHemisphere(SampleUniformDiskConcentric(middle.x, middle.y)));
+    sights.push_back(CombineFragments(patches, cell, seen));
     // Of m x m texels that a straight border cuts, as of rays: m^-3.
     const auto parts = static_cast<float>(cells.First[cell + 1] - cells.First[cell]);
     sights.back().Variance = 1.f / (parts * std::sqrt(parts));

@@ -7,8 +7,8 @@
 #ifndef penumbra_CubeMapGatherer_h
 #define penumbra_CubeMapGatherer_h
 
-#include "CubeMapPicture.h"
 #include "Gathering/RayGatherer.h"
+#include "HemicubeRenderer.h"
 
 #include <atomic>
 #include <cstdint>
@@ -34,25 +34,25 @@ public:
   /// scene has too many triangles. `seen` must outlive this object.
   CubeMapGatherer(const RayGatherer& seen, int side, std::shared_ptr<CubeMapCounts> counts);
 
-  void FindBeams(glm::vec3 point, std::vector<Beam>& beams) const override;
+  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const override;
 
   /// Single directions are looked at by rays.
   long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
-    std::vector<Sight>& sights) const override;
+    std::vector<HemisphereSample>& sights) const override;
 
-  long long Look(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
+  long long SampleHemisphere(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
     std::uint32_t seed, std::vector<glm::vec3>& directions,
-    std::vector<Sight>& sights) const override;
-  bool LooksAtOnce() const override { return true; }
-  DistanceFallOff GetFallOff() const override { return this->Seen.GetFallOff(); }
+    std::vector<HemisphereSample>& sights) const override;
+  bool SamplesGridAtOnce() const override { return true; }
+  DistanceFalloff GetFalloff() const override { return this->Seen.GetFalloff(); }
 
 private:
   const Hemicube::Cells& CellsOf(const HemisphereGrid& grid) const;
 
   const RayGatherer& Seen;
   Hemicube Cube;
-  TriangleBundles Bundles;
-  std::unique_ptr<CubeMapPicture> Picture;
+  TriangleClusters Bundles;
+  std::unique_ptr<HemicubeRenderer> Picture;
   std::shared_ptr<CubeMapCounts> Counts;
   mutable std::mutex Mutex;
   mutable std::map<int, Hemicube::Cells> Cells; ///< by the side of the grid, guarded by Mutex

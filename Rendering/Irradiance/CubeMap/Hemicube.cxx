@@ -3,7 +3,7 @@
 #include "Hemicube.h"
 
 #include "Gathering/HemisphereGrid.h"
-#include "Shading/CosineDirections.h"
+#include "Shading/HemisphereSampling.h"
 
 #include <algorithm>
 #include <limits>
@@ -72,14 +72,14 @@ Hemicube::Hemicube(int side)
   const double step = 2.0 / side;
   for (const Face& face : this->Faces)
   {
-    const bool top = face.Least < 0.f;
+    const bool top = face.MinimumUp < 0.f;
     for (int j = 0; j < face.Height; ++j)
     {
       for (int i = 0; i < face.Width; ++i)
       {
         const std::size_t texel =
           static_cast<std::size_t>(face.Y + j) * this->GetWidth() + face.X + i;
-        const glm::dvec2 low(-1.0 + i * step, face.Least + j * step);
+        const glm::dvec2 low(-1.0 + i * step, face.MinimumUp + j * step);
         const glm::dvec2 high = low + step;
         this->Directions[texel] = this->LookAlong(face, i, j, { .5f, .5f });
         this->Shares[texel] =
@@ -93,12 +93,12 @@ glm::vec3 Hemicube::LookAlong(const Face& face, int x, int y, glm::vec2 within) 
 {
   const float step = 2.f / static_cast<float>(this->Side);
   const glm::vec2 at = (glm::vec2(x, y) + within) * step;
-  return face.Ahead + (at.x - 1.f) * face.Right + (at.y + face.Least) * face.Up;
+  return face.Forward + (at.x - 1.f) * face.Right + (at.y + face.MinimumUp) * face.Up;
 }
 
-Hemicube::Cells Hemicube::CutInto(const HemisphereGrid& grid) const
+Hemicube::Cells Hemicube::MapToGrid(const HemisphereGrid& grid) const
 {
-  std::vector<std::vector<Part>> parts(grid.Cells());
+  std::vector<std::vector<TexelWeight>> parts(grid.Cells());
   for (const Face& face : this->Faces)
   {
     for (int j = 0; j < face.Height; ++j)
@@ -112,8 +112,8 @@ Hemicube::Cells Hemicube::CutInto(const HemisphereGrid& grid) const
             (glm::vec2(k % PartsAlong, k / PartsAlong) + .5f) / static_cast<float>(PartsAlong);
           const glm::vec3 w = this->LookAlong(face, i, j, within);
           const float square = glm::dot(w, w);
-          const glm::vec2 at = FromDisc(glm::vec2(w) / std::sqrt(square));
-          std::vector<Part>& of =
+          const glm::vec2 at = InvertUniformDiskConcentric(glm::vec2(w) / std::sqrt(square));
+          std::vector<TexelWeight>& of =
             parts[CellAlong(at.y, grid.Side) * grid.Side + CellAlong(at.x, grid.Side)];
           if (of.empty() || of.back().Texel != texel)
           {
@@ -132,18 +132,18 @@ Hemicube::Cells Hemicube::CutInto(const HemisphereGrid& grid) const
     {
       const glm::vec2 at(cell % grid.Side, cell / grid.Side);
       const glm::vec2 middle = (at + .5f) / static_cast<float>(grid.Side);
-      const glm::vec3 w = ToHemisphere(ToDisc(middle.x, middle.y));
+      const glm::vec3 w = DiskToHemisphere(SampleUniformDiskConcentric(middle.x, middle.y));
       const auto cosine = [&](glm::vec3 d) { return glm::dot(d, w) / glm::length(d); };
       const auto nearest = std::max_element(this->Directions.begin(), this->Directions.end(),
         [&](glm::vec3 a, glm::vec3 b) { return cosine(a) < cosine(b); });
       parts[cell].push_back({ static_cast<int>(nearest - this->Directions.begin()), 1.f });
     }
     float sum = 0.f;
-    for (const Part& part : parts[cell])
+    for (const TexelWeight& part : parts[cell])
     {
       sum += part.Share;
     }
-    for (const Part& part : parts[cell])
+    for (const TexelWeight& part : parts[cell])
     {
       cells.Parts.push_back({ part.Texel, part.Share / sum });
     }

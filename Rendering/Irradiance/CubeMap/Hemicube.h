@@ -27,9 +27,9 @@ public:
   {
     glm::vec3 Right;
     glm::vec3 Up;
-    glm::vec3 Ahead;
-    float Least; ///< along Up, of what is seen at distance 1 along Ahead; the most is 1
-    int X;       ///< of its first texel in the picture
+    glm::vec3 Forward;
+    float MinimumUp; ///< along Up, of what is seen at distance 1 along Ahead; the most is 1
+    int X;           ///< of its first texel in the picture
     int Y;
     int Width; ///< texels
     int Height;
@@ -46,10 +46,10 @@ public:
   const std::vector<glm::vec3>& GetDirections() const { return this->Directions; }
 
   /// 1/pi times the integral of the cosine over the solid angle of each texel, exactly: their sum is 1.
-  const std::vector<float>& GetShares() const { return this->Shares; }
+  const std::vector<float>& GetFormFactors() const { return this->Shares; }
 
   /// A texel and what share of a cell it fills.
-  struct Part
+  struct TexelWeight
   {
     int Texel;
     float Share;
@@ -57,11 +57,11 @@ public:
   /// The parts of cell i are from First[i] on to before First[i + 1]; their shares add up to 1.
   struct Cells
   {
-    std::vector<Part> Parts;
+    std::vector<TexelWeight> Parts;
     std::vector<std::size_t> First;
   };
   /// What fills the cells of `grid`. Every cell has a part.
-  Cells CutInto(const HemisphereGrid& grid) const;
+  Cells MapToGrid(const HemisphereGrid& grid) const;
 
 private:
   /// The middle of part (i, j) of so many along each side of a texel; length 1 along Ahead.

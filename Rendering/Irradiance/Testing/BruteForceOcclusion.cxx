@@ -4,7 +4,7 @@
 
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"
-#include "Shading/CosineDirections.h"
+#include "Shading/HemisphereSampling.h"
 
 std::vector<float> BruteForceOcclusion(
   vtkRenderer* renderer, int width, int height, double radius, int side)
@@ -21,8 +21,8 @@ std::vector<float> BruteForceOcclusion(
     const std::size_t column = pixel % width;
     const glm::dvec2 center(static_cast<double>(column) + .5, static_cast<double>(line) + .5);
     penumbra::Ray view;
-    view.Origin = scene.Eye.RayOrigin(center);
-    view.Direction = scene.Eye.RayDirection(center);
+    view.Origin = scene.ViewCamera.RayOrigin(center);
+    view.Direction = scene.ViewCamera.RayDirection(center);
     const penumbra::Hit hit = tree.Intersect(view);
     if (!hit.IsHit())
     {
@@ -35,19 +35,20 @@ std::vector<float> BruteForceOcclusion(
       glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a));
     normal = glm::dot(normal, view.Direction) > 0.f ? -normal : normal;
     const glm::vec3 point = view.Origin + hit.Distance * view.Direction;
-    const glm::mat3 frame = penumbra::FrameOf(normal);
-    std::uint32_t state = penumbra::SeedOf(point, normal);
+    const glm::mat3 frame = penumbra::FrameFromNormal(normal);
+    std::uint32_t state = penumbra::HashPoint(point, normal);
     penumbra::Ray probe;
-    probe.Origin = point + penumbra::GapAbove(point) * normal;
+    probe.Origin = point + penumbra::RayOriginOffset(point) * normal;
     probe.Far = static_cast<float>(radius * scene.Scale);
     int blocked = 0;
     for (int cell = 0; cell < side * side; ++cell)
     {
       const int row = cell / side;
-      const float u = static_cast<float>(cell % side) + penumbra::Uniform(state);
-      const float v = static_cast<float>(row) + penumbra::Uniform(state);
+      const float u = static_cast<float>(cell % side) + penumbra::NextFloat(state);
+      const float v = static_cast<float>(row) + penumbra::NextFloat(state);
       const auto cells = static_cast<float>(side);
-      probe.Direction = frame * penumbra::ToHemisphere(penumbra::ToDisc(u / cells, v / cells));
+      probe.Direction = frame *
+        penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(u / cells, v / cells));
       blocked += tree.Occluded(probe);
     }
     picture[pixel] = static_cast<float>(blocked) / static_cast<float>(side * side);

@@ -4,15 +4,15 @@
 // What cube maps see against closed forms, and against rays.
 #include "vtkPenumbraCubeMapGatherer.h"
 
-#include "Scenes/Building.h"
+#include "ClosedForms/FalloffOcclusion.h"
 #include "CubeMap/Hemicube.h"
-#include "CubeMap/TriangleBundles.h"
+#include "CubeMap/TriangleClusters.h"
 #include "Embree/RayScene.h"
-#include "ClosedForms/FadingOcclusion.h"
-#include "Gathering/Derivatives.h"
+#include "Gathering/HemisphereEstimate.h"
 #include "Gathering/RayGatherer.h"
-#include "Shading/CosineDirections.h"
+#include "Scenes/Building.h"
 #include "Scenes/Solids.h"
+#include "Shading/HemisphereSampling.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceFilter.h"
 
@@ -38,22 +38,22 @@ constexpr float Infinity = std::numeric_limits<float>::infinity();
 constexpr int Side = 32;
 constexpr unsigned int Rings = 64; ///< of spheres
 
-Derived Look(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
+HemisphereEstimate Look(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
 {
-  const HemisphereGrid& grid = HemisphereGrid::Of(Side);
-  const glm::mat3 frame = FrameOf(normal);
+  const HemisphereGrid& grid = HemisphereGrid::Get(Side);
+  const glm::mat3 frame = FrameFromNormal(normal);
   std::vector<glm::vec3> directions;
-  std::vector<Sight> sights;
-  gatherer.Look(point, frame, grid, 1, directions, sights);
-  return Derive(grid, frame, directions, sights, gatherer.GetFallOff());
+  std::vector<HemisphereSample> sights;
+  gatherer.SampleHemisphere(point, frame, grid, 1, directions, sights);
+  return EstimateHemisphere(grid, frame, directions, sights, gatherer.GetFalloff());
 }
 
 /// Occlusion by rays and by cube map in one scene.
 struct Both
 {
-  explicit Both(const Scene& scene, const DistanceFallOff& fallOff = {}, int resolution = 64)
+  explicit Both(const Scene& scene, const DistanceFalloff& falloff = {}, int resolution = 64)
     : Rays(scene, 1),
-      ByRays(this->Rays, fallOff)
+      ByRays(this->Rays, falloff)
   {
     this->Maker->SetResolution(resolution);
     this->ByCubeMap = this->Maker->Make(this->ByRays);
@@ -92,11 +92,11 @@ TEST(Hemicube, TexelsShareTheHemisphere)
     const Hemicube cube(side);
     double sum = 0.0;
     glm::dvec3 mean(0.0);
-    for (std::size_t i = 0; i < cube.GetShares().size(); ++i)
+    for (std::size_t i = 0; i < cube.GetFormFactors().size(); ++i)
     {
       const glm::dvec3 w = glm::normalize(glm::dvec3(cube.GetDirections()[i]));
-      sum += cube.GetShares()[i];
-      mean += double(cube.GetShares()[i]) * w;
+      sum += cube.GetFormFactors()[i];
+      mean += double(cube.GetFormFactors()[i]) * w;
     }
     EXPECT_NEAR(sum, 1.0, 1e-5);
     EXPECT_NEAR(mean.x, 0.0, 1e-5);
@@ -110,7 +110,7 @@ TEST(Hemicube, PartsFillEveryCellOnce)
   const Hemicube cube(16);
   for (const int side : { 8, 32, 64 }) // cells larger and smaller than texels
   {
-    const Hemicube::Cells cells = cube.CutInto(HemisphereGrid::Of(side));
+    const Hemicube::Cells cells = cube.MapToGrid(HemisphereGrid::Get(side));
     ASSERT_EQ(cells.First.size(), static_cast<std::size_t>(side) * side + 1);
     for (int cell = 0; cell < side * side; ++cell)
     {
@@ -130,13 +130,13 @@ TEST(TriangleBundles, LeaveOutOnlyWhatIsOutOfSight)
   AddSphere(scene, { 5.0, 0.0, 0.0 }, 1.0);
   AddSphere(scene, { -5.0, 0.0, 0.0 }, 1.0);
   AddSphere(scene, { 0.0, 5.0, 0.0 }, 1.0);
-  const TriangleBundles bundles(scene);
+  const TriangleClusters bundles(scene);
   const glm::vec3 x(1.f, 0.f, 0.f);
   const glm::vec3 y(0.f, 1.f, 0.f);
   const glm::vec3 z(0.f, 0.f, 1.f);
-  const ViewPyramid ahead{ glm::vec3(0.f), { x, x - y, x + y, x - z, x + z }, Infinity };
-  TriangleBundles::Runs runs;
-  const long long found = bundles.FindInSight(ahead, TriangleBundles::Both, runs);
+  const Frustum ahead{ glm::vec3(0.f), { x, x - y, x + y, x - z, x + z }, Infinity };
+  TriangleClusters::DrawRanges runs;
+  const long long found = bundles.CullToFrustum(ahead, TriangleClusters::Both, runs);
   const auto all = static_cast<long long>(bundles.GetNumberOfTriangles());
   EXPECT_GE(found, all / 3);
   EXPECT_LT(found, all / 2);
@@ -153,9 +153,8 @@ TEST(TriangleBundles, LeaveOutOnlyWhatIsOutOfSight)
     }
   }
   EXPECT_EQ(drawn.size(), scene.Surfaces[0].Triangles.size());
-  const ViewPyramid near{ ahead.Eye, ahead.Inwards,
-    3.f }; // boxes of bundles reach a little further
-  EXPECT_LT(bundles.FindInSight(near, TriangleBundles::Both, runs), all / 20);
+  const Frustum near{ ahead.Eye, ahead.Inwards, 3.f }; // boxes of bundles reach a little further
+  EXPECT_LT(bundles.CullToFrustum(near, TriangleClusters::Both, runs), all / 20);
 }
 
 TEST(CubeMapGatherer, SeesNothingFromAnOpenPlane)
@@ -205,14 +204,15 @@ TEST(CubeMapGatherer, FindsTheGradientsThatRaysFind)
   const Scene scene = SphereOverFloor(height);
   const Both both(scene);
   const double rho = 1.2;
-  const Derived found = Look(*both.ByCubeMap, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
-  const Derived rays = Look(both.ByRays, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
+  const HemisphereEstimate found = Look(*both.ByCubeMap, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
+  const HemisphereEstimate rays = Look(both.ByRays, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
   const double slope =
     (SphereOverFloorTruth(height, rho + .01) - SphereOverFloorTruth(height, rho - .01)) / .02;
   EXPECT_NEAR(found.Translation[0].x, slope, .1 * std::abs(slope));
   EXPECT_NEAR(found.Translation[0].y, 0.0, .05 * std::abs(slope));
   EXPECT_NEAR(found.Rotation[0].x, rays.Rotation[0].x, .02);
-  EXPECT_NEAR(found.RimDistance, rays.RimDistance, .1f * rays.RimDistance);
+  EXPECT_NEAR(
+    found.OccluderEdgeDistance, rays.OccluderEdgeDistance, .1f * rays.OccluderEdgeDistance);
   EXPECT_NEAR(found.HarmonicMean, rays.HarmonicMean, .15f * rays.HarmonicMean);
   EXPECT_NEAR(found.Nearest, rays.Nearest, .1f * rays.Nearest);
 }
@@ -253,8 +253,8 @@ TEST(CubeMapGatherer, PassesSidesThatAreCulled)
     scene.Surfaces[1].Backfaces = !front;
     const Both both(scene);
     const glm::vec3 up(0.f, 0.f, 1.f);
-    const Derived found = Look(*both.ByCubeMap, glm::vec3(0.f), up);
-    const Derived rays = Look(both.ByRays, glm::vec3(0.f), up);
+    const HemisphereEstimate found = Look(*both.ByCubeMap, glm::vec3(0.f), up);
+    const HemisphereEstimate rays = Look(both.ByRays, glm::vec3(0.f), up);
     // The near side is a third as far away as the far one.
     EXPECT_NEAR(found.HarmonicMean, rays.HarmonicMean, .1f * rays.HarmonicMean);
   }
@@ -288,12 +288,12 @@ TEST(CubeMapGatherer, SeesTheLightThatRaysSee)
   maker->SetResolution(128);
   const std::unique_ptr<Gatherer> byCubeMap = maker->Make(byRays);
   const glm::vec3 point(.2f, -.4f, -1.f);
-  const HemisphereGrid& grid = HemisphereGrid::Of(HemisphereGrid::MostSide);
-  const glm::mat3 frame = FrameOf({ 0.f, 0.f, 1.f });
+  const HemisphereGrid& grid = HemisphereGrid::Get(HemisphereGrid::MostSide);
+  const glm::mat3 frame = FrameFromNormal({ 0.f, 0.f, 1.f });
   std::vector<glm::vec3> directions;
-  std::vector<Sight> sights;
-  byRays.Look(point, frame, grid, 1, directions, sights);
-  const glm::vec3 truth = Derive(grid, frame, directions, sights, Infinity).Mean;
+  std::vector<HemisphereSample> sights;
+  byRays.SampleHemisphere(point, frame, grid, 1, directions, sights);
+  const glm::vec3 truth = EstimateHemisphere(grid, frame, directions, sights, Infinity).Mean;
   const glm::vec3 found = Look(*byCubeMap, point, { 0.f, 0.f, 1.f }).Mean;
   ASSERT_GT(truth.x, .01f);
   for (int c = 0; c < 3; ++c)
@@ -354,14 +354,14 @@ TEST(CubeMapGatherer, FallsOffWithTheDistanceOfAWall)
   Scene scene;
   AddFloor(scene, 1000.f);
   AddRectangle(scene, { -1000.f, 0.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 0.f, 1000.f });
-  for (int fallOff = 0; fallOff < 4; ++fallOff)
+  for (int falloff = 0; falloff < 4; ++falloff)
   {
-    const Both both(scene, { 2.f, static_cast<DistanceFallOff::Shapes>(fallOff) });
-    const FadingOcclusion truth{ 2.0, PowersOfFallOffs[fallOff] };
+    const Both both(scene, { 2.f, static_cast<DistanceFalloff::Shapes>(falloff) });
+    const FadingOcclusion truth{ 2.0, PowersOfFalloffs[falloff] };
     for (const float distance : { .05f, .5f, 1.2f })
     {
       EXPECT_NEAR(both.Occlusion({ 0.f, -distance, 0.f }), truth.BeforeWall(distance), .006)
-        << fallOff << " " << distance;
+        << falloff << " " << distance;
     }
   }
 }

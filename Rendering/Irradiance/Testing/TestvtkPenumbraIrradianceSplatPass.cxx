@@ -163,7 +163,7 @@ void AddRoom(CachedScene& scene, Vector at = { 0, 0, 0 })
   wall({ -1, -1, 1 }, { 1.5, 0, 0 }, { 0, 1.5, 0 });
   wall({ -1, -1, 0 }, { 1.5, 0, 0 }, { 0, 0, 1 });
   wall({ -1, -1, 0 }, { 0, 1.5, 0 }, { 0, 0, 1 });
-  scene.Look({ at[0] - 4, at[1] - 6, at[2] + 5 }, { at[0], at[1], at[2] + .5 });
+  scene.SetCamera({ at[0] - 4, at[1] - 6, at[2] + 5 }, { at[0], at[1], at[2] + .5 });
 }
 
 /// Lit by the sky alone, through the cache.
@@ -273,7 +273,7 @@ TEST(vtkPenumbraIrradianceSplatPass, DrawsTheDelegateWhereThereIsNothingToSplat)
   OcclusionScene scene(64, 48);
   scene.AddFloor();
   scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
   auto* pass = vtkPenumbraIrradianceSplatPass::AddTo(scene.Renderer);

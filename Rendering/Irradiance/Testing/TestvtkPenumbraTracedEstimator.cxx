@@ -36,7 +36,7 @@ void AddSpheres(OcclusionScene& scene)
     const int y = i / 5;
     scene.AddSphere({ x - 2.0, y - 2.0, .4 + .3 * ((7 * x + 3 * y) % 5) }, .6);
   }
-  scene.Look({ 0, -7, 6 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -7, 6 }, { 0, 0, 0 });
 }
 
 /// The scene with rays instead of a kernel.
@@ -44,7 +44,7 @@ vtkPenumbraTemporalSSAOPass* Trace(OcclusionScene& scene, double radius)
 {
   vtkNew<vtkPenumbraTracedEstimator> estimator;
   estimator->SetSamplesPerRay(4);
-  vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(radius);
+  vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(radius);
   pass->SetEstimator(estimator);
   return pass;
 }
@@ -81,7 +81,7 @@ TEST(TracedEstimator, SeesNoOcclusionOnAnOpenPlane)
 {
   OcclusionScene scene;
   scene.AddFloor();
-  scene.Look({ 0, -4, 1 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 1 }, { 0, 0, 0 });
   Trace(scene, 1.0);
   scene.Window->Render();
   for (const float value : scene.Array("AmbientOcclusion"))
@@ -110,7 +110,7 @@ TEST(TracedEstimator, SeesThreeQuartersBlockedInACorner)
   scene.AddFloor();
   scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
   scene.AddWall({ 0, -20, 0 }, { 0, 40, 0 }, { 0, 0, 20 });
-  scene.Look({ -.03, -.04, .05 }, { 0, 0, 0 });
+  scene.SetCamera({ -.03, -.04, .05 }, { 0, 0, 0 });
   scene.Renderer->GetActiveCamera()->SetClippingRange(.001, 1.0);
   Trace(scene, 5.0)->SetTolerance(.004);
   scene.Window->Render();
@@ -123,7 +123,7 @@ TEST(TracedEstimator, SeesTheShadowOfASphereOverAPlane)
   OcclusionScene scene;
   scene.AddFloor(200.0);
   scene.AddSphere({ 0, 0, 1.5 }, 1.0);
-  scene.Look({ 0, -7, 4 }, { 0, 0, .6 });
+  scene.SetCamera({ 0, -7, 4 }, { 0, 0, .6 });
   Trace(scene, 100.0)->SetTolerance(.004);
   scene.Window->Render();
   for (const double rho : { 1.5, 2.0, 3.0 })
@@ -252,7 +252,7 @@ TEST(TracedEstimator, SeesTheSameWithSeveralSamplesAPixel)
   {
     OcclusionScene scene(160, 120, samples);
     scene.AddFloor();
-    scene.Look({ 0, -4, .3 }, { 0, 0, 0 });
+    scene.SetCamera({ 0, -4, .3 }, { 0, 0, 0 });
     Trace(scene, 1.0);
     scene.Window->Render();
     const std::vector<float> occlusions = scene.Array("AmbientOcclusion");
@@ -269,7 +269,7 @@ TEST(TracedEstimator, SeesTheSameFarFromTheOrigin)
     OcclusionScene scene;
     scene.AddWall({ shift[0] - 20, shift[1] - 20, 0 }, { 40, 0, 0 }, { 0, 40, 0 });
     scene.AddSphere({ shift[0], shift[1], .5 }, .5);
-    scene.Look({ shift[0], shift[1] - 4, 3 }, shift);
+    scene.SetCamera({ shift[0], shift[1] - 4, 3 }, shift);
     Trace(scene, 1.0);
     scene.Window->Render();
     pictures[far] = scene.Array("AmbientOcclusion");
@@ -298,10 +298,10 @@ TEST(TracedEstimator, BuildsItsTreeAgainOnlyWhenTheSceneChanges)
   OcclusionScene scene;
   scene.AddFloor();
   vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   Trace(scene, 1.0);
   scene.Window->Render();
-  scene.Look({ .5, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ .5, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   EXPECT_EQ(Estimator(scene)->GetNumberOfTrees(), 1);
   const double under = scene.At("AmbientOcclusion", { .4, -.4, 0 });
@@ -318,7 +318,7 @@ TEST(TracedEstimator, NoticesWhatMovesOutOfSight)
     OcclusionScene scene;
     scene.AddFloor();
     const auto sphere = scene.AddSphere({ moved ? 9.0 : 2.4, 0, .5 }, .5);
-    scene.Look({ 0, -2, 6 }, { 0, 0, 0 });
+    scene.SetCamera({ 0, -2, 6 }, { 0, 0, 0 });
     Trace(scene, 1.5);
     scene.Window->Render();
     sphere->SetPosition(2.4, 0, .5);
@@ -335,7 +335,7 @@ TEST(TracedEstimator, LeavesTranslucentThingsOut)
   OcclusionScene scene;
   scene.AddFloor();
   scene.AddSphere({ 0, 0, .5 }, .5)->GetProperty()->SetOpacity(.5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   Trace(scene, 1.0);
   scene.Window->Render();
   EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.6, 0 }), 0.0);
@@ -352,7 +352,7 @@ TEST(TracedEstimator, LeavesOutWhatATextureMakesTranslucent)
   OcclusionScene scene;
   scene.AddFloor();
   scene.AddWall({ -2, 0, 0 }, { 4, 0, 0 }, { 0, 0, 2 })->SetTexture(texture);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   Trace(scene, 1.0);
   scene.Window->Render();
   EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.3, 0 }), 0.0);
@@ -366,7 +366,7 @@ TEST(TracedEstimator, WorksUnderAParallelCamera)
   OcclusionScene scene;
   scene.AddFloor();
   scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(1.5);
   Trace(scene, 1.0)->SetTolerance(.004);
@@ -374,7 +374,7 @@ TEST(TracedEstimator, WorksUnderAParallelCamera)
   for (const double y : { .2, .5, .8 })
   {
     const std::array<int, 2> pixel = scene.Pixel({ 0, -y, 0 });
-    const Vector seen = scene.OnFloor(pixel[0] + .5, pixel[1] + .5);
+    const Vector seen = scene.FloorPointAt(pixel[0] + .5, pixel[1] + .5);
     EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -y, 0 }), truth(-seen[1]), .015) << y;
   }
 }
@@ -384,7 +384,7 @@ TEST(TracedEstimator, IsTheKernelTracedOnceItIsRegistered)
   vtkPenumbraTracedEstimator::Register();
   OcclusionScene scene(96, 72);
   AddSpheres(scene);
-  scene.Occlude(1.0)->SetKernelName("traced");
+  scene.AddOcclusionPass(1.0)->SetKernelName("traced");
   EXPECT_STREQ(scene.Pass->GetKernelName(), "traced");
   scene.Window->Render();
   EXPECT_STREQ(scene.Pass->GetActiveKernelName(), "traced");
@@ -398,8 +398,8 @@ TEST(TracedEstimator, IsChosenWhereItIsNeededAndPossible)
   OcclusionScene scene;
   scene.AddFloor();
   vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
-  vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+  vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
   const auto choice = [&]() {
     scene.Window->Render();
     auto* kernel =
@@ -428,8 +428,8 @@ TEST(TracedEstimator, IsNotChosenForSpheresAndTubesThatRaysMiss)
   scene.AddFloor();
   const vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
   vtkProperty* property = sphere->GetProperty();
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
-  vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+  vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
   int warnings = 0;
   std::string last;
   vtkNew<vtkCallbackCommand> count;
@@ -462,7 +462,7 @@ TEST(TracedEstimator, IsNotChosenForSpheresAndTubesThatRaysMiss)
   pass->SetEstimator(estimator);
   for (const double x : { 0.0, .1, .2 })
   {
-    scene.Look({ x, -4, 3 }, { 0, 0, 0 });
+    scene.SetCamera({ x, -4, 3 }, { 0, 0, 0 });
     scene.Window->Render();
   }
   EXPECT_EQ(warnings, 1);
@@ -479,7 +479,7 @@ TEST(TracedEstimator, InterpolatesOneStillPictureWithinTheTolerance)
     AddSpheres(scene);
     scene.UseParallelProjection(parallel, 3.0);
     const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
-    vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+    vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
     pass->SetTolerance(.02);
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
     scene.Window->Render();
@@ -487,7 +487,7 @@ TEST(TracedEstimator, InterpolatesOneStillPictureWithinTheTolerance)
     EXPECT_TRUE(pass->IsConverged());
     EXPECT_EQ(pass->GetEstimatedError(), .02);
     // From another place nothing of it is left.
-    scene.Look({ 1, -7, 6 }, { 0, 0, 0 });
+    scene.SetCamera({ 1, -7, 6 }, { 0, 0, 0 });
     const std::vector<float> there = BruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
     scene.Window->Render();
     EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), there), .02) << parallel;
@@ -497,7 +497,7 @@ TEST(TracedEstimator, InterpolatesOneStillPictureWithinTheTolerance)
 TEST(TracedEstimator, DrawsAnEmptyScene)
 {
   OcclusionScene scene;
-  scene.Occlude(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
+  scene.AddOcclusionPass(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
   vtkNew<vtkPenumbraTracedEstimator> estimator;
   scene.Pass->SetEstimator(estimator);
   scene.Window->Render();

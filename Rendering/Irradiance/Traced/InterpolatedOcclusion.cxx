@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InterpolatedOcclusion.h"
 
-#include "Execution/Batches.h"
-#include "Frame/ScreenView.h"
+#include "Execution/ParallelFor.h"
+#include "Frame/ScreenTransform.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -16,7 +16,7 @@
 namespace penumbra
 {
 
-Camera EyeOf(const ScreenView& view, const Scene& scene)
+Camera CameraFromView(const ScreenTransform& view, const Scene& scene)
 {
   Matrix eyeToWorld;
   vtkMatrix4x4::Invert(view.WorldToEye.data(), eyeToWorld.data());

@@ -6,17 +6,17 @@
 #ifndef penumbra_InterpolatedOcclusion_h
 #define penumbra_InterpolatedOcclusion_h
 
-#include "DepthSurface.h"
+#include "SurfaceFromDepth.h"
 
 #include <vector>
 
 namespace penumbra
 {
 
-struct ScreenView;
+struct ScreenTransform;
 
 /// The eye of a view, in the coordinates of a scene.
-Camera EyeOf(const ScreenView& view, const Scene& scene);
+Camera CameraFromView(const ScreenTransform& view, const Scene& scene);
 
 /// Fills `means`, 0 open, 1 blocked, with an RMSE of about `tolerance` in 16x16 pixels. `rays` is of a
 /// scene with the eye of the picture; `radius` in world units. Returns the number of rays.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedOcclusion.h"
 
-#include "Execution/Batches.h"
-#include "Shading/CosineDirections.h"
+#include "Execution/ParallelFor.h"
+#include "Shading/HemisphereSampling.h"
 
 #include <algorithm>
 #include <atomic>
@@ -98,12 +98,12 @@ private:
     int blocked[PacketSize] = {};
     for (int sample = 0; sample < this->Samples.Count; ++sample)
     {
-      const PixelLattice& lattice = this->Samples.Lattice;
+      const InterleavedPixels& lattice = this->Samples.Lattice;
       const glm::dvec2 shifted = SequencePoint(this->Samples.First + sample) +
         PixelShift((lattice.Column + (block.X + i) * lattice.Step) % Period,
           (lattice.Row + (block.Y + j) * lattice.Step) % Period);
-      const glm::vec3 direction = ToHemisphere(
-        ToDisc(static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
+      const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(
+        static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
       this->TracePacket(pixels, size, direction, blocked);
     }
     for (int k = 0; k < size; ++k)
@@ -125,7 +125,7 @@ private:
       {
         const SurfacePoint& point = this->Points[pixels[k]];
         rays[k].Origin = point.Position;
-        rays[k].Direction = FrameOf(point.Normal) * direction;
+        rays[k].Direction = FrameFromNormal(point.Normal) * direction;
         rays[k].Far = this->Samples.Reach;
       }
     }

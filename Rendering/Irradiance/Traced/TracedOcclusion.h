@@ -5,8 +5,8 @@
 #ifndef penumbra_TracedOcclusion_h
 #define penumbra_TracedOcclusion_h
 
-#include "DepthSurface.h"
 #include "Frame/Stage.h"
+#include "SurfaceFromDepth.h"
 
 #include <vector>
 
@@ -15,10 +15,10 @@ namespace penumbra
 
 struct TracedSamples
 {
-  int First = 0;        ///< samples that every pixel has had
-  int Count = 1;        ///< more of them
-  float Reach = 1.f;    ///< of the rays, in scene coordinates
-  PixelLattice Lattice; ///< that the points are of
+  int First = 0;             ///< samples that every pixel has had
+  int Count = 1;             ///< more of them
+  float Reach = 1.f;         ///< of the rays, in scene coordinates
+  InterleavedPixels Lattice; ///< that the points are of
 };
 
 /// Fills `means` within `parts` of a picture of this width, 0 open, 1 blocked. Returns the number of

@@ -6,9 +6,9 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPenumbraApplyOcclusionLib.h"
 #include "vtkPenumbraCompositeFS.h"
 #include "vtkPenumbraCompositeSamplesFS.h"
-#include "vtkPenumbraDarkenLib.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 
@@ -20,9 +20,9 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const Darkening& darkening, bool background)
 {
   static const std::string samplesSource = Assemble(vtkPenumbraCompositeSamplesFS,
-    { { "ViewLib", vtkPenumbraViewLib }, { "DarkenLib", vtkPenumbraDarkenLib } });
+    { { "ViewLib", vtkPenumbraViewLib }, { "DarkenLib", vtkPenumbraApplyOcclusionLib } });
   static const std::string source =
-    Assemble(vtkPenumbraCompositeFS, { { "DarkenLib", vtkPenumbraDarkenLib } });
+    Assemble(vtkPenumbraCompositeFS, { { "DarkenLib", vtkPenumbraApplyOcclusionLib } });
   const bool manySamples = image.GetSamples() > 1;
   vtkShaderProgram* program = this->Darken.Ready(window, manySamples ? samplesSource : source);
   if (!program)
@@ -31,7 +31,7 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   }
   const int* at = image.GetViewport();
   const int* margin = image.GetMargin();
-  const DrawOver target(window, at, true);
+  const ScopedBlending target(window, at, true);
   if (!manySamples || background)
   {
     window->GetState()->vtkglDisable(GL_BLEND);
@@ -46,14 +46,14 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   program->SetUniformf("strength", static_cast<float>(darkening.Strength));
   program->SetUniformf("lightAwareness", static_cast<float>(darkening.LightAwareness));
   program->SetUniformf("background", background ? 1.f : 0.f);
-  this->Darken.Read("colors", colors);
-  this->Darken.Read(manySamples ? "depthSamples" : "depthBuffer", image.GetSampleDepth());
+  this->Darken.BindTexture("colors", colors);
+  this->Darken.BindTexture(manySamples ? "depthSamples" : "depthBuffer", image.GetSampleDepth());
   if (manySamples)
   {
     program->SetUniformi("sampleCount", image.GetSamples());
-    this->Darken.Read("eyeDepths", depth.GetCurrent());
+    this->Darken.BindTexture("eyeDepths", depth.GetCurrent());
   }
-  this->Darken.Read("occlusions", occlusions ? occlusions : depth.GetCurrent());
+  this->Darken.BindTexture("occlusions", occlusions ? occlusions : depth.GetCurrent());
   this->Darken.Draw();
   return true;
 }

@@ -3,7 +3,7 @@
 #include "DelegateImage.h"
 
 #include "OpenGLFunctions.h"
-#include "WiderCamera.h"
+#include "ScopedCamera.h"
 #include "vtkFrameBufferObjectBase.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -85,10 +85,10 @@ void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
   const bool isRight = this->Color && this->Color->GetContext() == window &&
     static_cast<int>(this->Color->GetWidth()) == this->View.Width &&
     static_cast<int>(this->Color->GetHeight()) == this->View.Height && this->Samples == samples &&
-    !this->Straight;
+    !this->UsesTarget;
   if (!isRight)
   {
-    this->Straight = false;
+    this->UsesTarget = false;
     this->Samples = samples;
     this->Color = this->CreateColor(window, samples);
     this->Depth = NewTexture(window, 1);
@@ -153,7 +153,8 @@ int DelegateImage::SamplesOf(const vtkRenderState* state)
                : state->GetRenderer()->GetRenderWindow()->GetMultiSamples();
 }
 
-bool DelegateImage::Aim(const vtkRenderState* state, const int margin[2], const double* bounds)
+bool DelegateImage::SetUpView(
+  const vtkRenderState* state, const int margin[2], const double* bounds)
 {
   vtkRenderer* renderer = state->GetRenderer();
   this->Viewport[0] = this->Viewport[1] = 0;
@@ -172,15 +173,15 @@ bool DelegateImage::Aim(const vtkRenderState* state, const int margin[2], const 
   }
   this->Margin[0] = margin[0];
   this->Margin[1] = margin[1];
-  this->View = ScreenView::Of(renderer, this->Viewport + 2, margin);
-  this->Tight = bounds && this->View.TightenDepth(bounds);
+  this->View = ScreenTransform::FromRenderer(renderer, this->Viewport + 2, margin);
+  this->HasTightClipping = bounds && this->View.TightenClippingRange(bounds);
   return true;
 }
 
 int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2],
   bool oneSample, const double* bounds)
 {
-  if (!this->Aim(state, margin, bounds))
+  if (!this->SetUpView(state, margin, bounds))
   {
     return -1;
   }
@@ -194,7 +195,7 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
       vtkRenderState inner(renderer);
       inner.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
       inner.SetFrameBuffer(this->Framebuffer);
-      std::optional<WiderCamera> wider;
+      std::optional<ScopedCamera> wider;
       std::vector<vtkProp*> visible;
       if (this->IsWider())
       {
@@ -222,7 +223,7 @@ bool DelegateImage::DrawAgain(
     color = this->CreateColor(window, this->Samples);
   }
   return FillTextures(this->Framebuffer, color, this->SampleDepth, GL_COLOR_BUFFER_BIT, [&]() {
-    std::optional<WiderCamera> wider;
+    std::optional<ScopedCamera> wider;
     if (this->IsWider())
     {
       wider.emplace(renderer, this->View);
@@ -249,11 +250,11 @@ vtkOpenGLFramebufferObject* DelegateImage::GetReadableTarget(const vtkRenderStat
   return readable ? target : nullptr;
 }
 
-int DelegateImage::DrawStraight(const vtkRenderState* state, vtkRenderPass* delegate)
+int DelegateImage::DrawToTarget(const vtkRenderState* state, vtkRenderPass* delegate)
 {
   const int none[2] = { 0, 0 };
   vtkOpenGLFramebufferObject* target = GetReadableTarget(state);
-  if (!target || !this->Aim(state, none))
+  if (!target || !this->SetUpView(state, none))
   {
     return -1;
   }
@@ -266,7 +267,7 @@ int DelegateImage::DrawStraight(const vtkRenderState* state, vtkRenderPass* dele
   this->PrepareFramebuffers(
     static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow()));
   delegate->Render(state);
-  this->Straight = true;
+  this->UsesTarget = true;
   this->Samples = 1;
   this->Color = target->GetColorAttachmentAsTextureObject(0);
   this->Depth = depth;
@@ -279,13 +280,13 @@ void DelegateImage::ReleaseGraphicsResources(vtkWindow* window)
   for (vtkSmartPointer<vtkTextureObject>* texture :
     { &this->Color, &this->Depth, &this->SampleDepth })
   {
-    if (*texture && !this->Straight)
+    if (*texture && !this->UsesTarget)
     {
       (*texture)->ReleaseGraphicsResources(window);
     }
     *texture = nullptr;
   }
-  this->Straight = false;
+  this->UsesTarget = false;
   for (vtkSmartPointer<vtkOpenGLFramebufferObject>* framebuffer :
     { &this->Framebuffer, &this->Resolved })
   {

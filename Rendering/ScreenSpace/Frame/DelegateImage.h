@@ -7,7 +7,7 @@
 #ifndef penumbra_DelegateImage_h
 #define penumbra_DelegateImage_h
 
-#include "ScreenView.h"
+#include "ScreenTransform.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
@@ -38,7 +38,7 @@ public:
 
   /// Finds out what Draw() would draw where: the view, the viewport. False when that is nothing.
   /// `bounds`: of all that may be seen, where the clipping planes may be moved to them.
-  bool Aim(const vtkRenderState* state, const int margin[2], const double* bounds = nullptr);
+  bool SetUpView(const vtkRenderState* state, const int margin[2], const double* bounds = nullptr);
 
   /// Draws the delegate for the renderer of `state`; `margin` in pixels on each side, in x and y.
   /// With as many samples a pixel as the target, or one. Returns the number of props drawn, -1 when
@@ -49,7 +49,7 @@ public:
   /// The same straight into the target of `state`, whose depth is then GetDepth(); there is no colour
   /// to read, and no margin. Nothing is drawn, and -1 returned, unless the target's depth is a texture
   /// of the picture's size with one sample a pixel.
-  int DrawStraight(const vtkRenderState* state, vtkRenderPass* delegate);
+  int DrawToTarget(const vtkRenderState* state, vtkRenderPass* delegate);
 
   /// After Draw(): draws props of the scene, which `props` does, into a texture of the picture's size;
   /// only what the picture shows of them. Zero elsewhere. False when OpenGL refuses.
@@ -68,7 +68,7 @@ public:
   int GetSamples() const { return this->Samples; }
 
   /// How the picture with its margin looks at the scene.
-  const ScreenView& GetView() const { return this->View; }
+  const ScreenTransform& GetView() const { return this->View; }
 
   /// Where the picture without its margin belongs in the target: origin, size.
   const int* GetViewport() const { return this->Viewport; }
@@ -84,7 +84,10 @@ public:
 
 private:
   /// Another camera than the renderer's draws.
-  bool IsWider() const { return this->Margin[0] > 0 || this->Margin[1] > 0 || this->Tight; }
+  bool IsWider() const
+  {
+    return this->Margin[0] > 0 || this->Margin[1] > 0 || this->HasTightClipping;
+  }
 
   void PrepareFramebuffers(vtkOpenGLRenderWindow* window);
   void Prepare(vtkOpenGLRenderWindow* window, int samples);
@@ -98,9 +101,9 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;
   int Samples = 1;
-  bool Tight = false;    ///< the clipping planes are not the camera's
-  bool Straight = false; ///< Color and Depth belong to the target
-  ScreenView View;
+  bool HasTightClipping = false; ///< the clipping planes are not the camera's
+  bool UsesTarget = false;       ///< Color and Depth belong to the target
+  ScreenTransform View;
   int Viewport[4] = { 0, 0, 0, 0 };
   int Margin[2] = { 0, 0 };
 };

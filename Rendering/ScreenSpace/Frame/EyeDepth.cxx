@@ -28,16 +28,16 @@ long long NextVersion()
 
 }
 
-EyeDepth::Change EyeDepth::Update(
-  vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view, bool moved)
+EyeDepth::Change EyeDepth::Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  const ScreenTransform& view, bool moved)
 {
   // The current picture keeps its size: it becomes the previous one of a picture with another size.
   Allocate(this->Textures[1 - this->Current], window, view.Width, view.Height, 1);
-  const ScreenView& last = this->GetView();
+  const ScreenTransform& last = this->GetView();
   vtkTextureObject* current = this->GetCurrent();
   const bool comparable =
     this->Filled && current && current->GetContext() == window && last.Parallel == view.Parallel;
-  if (comparable && !moved && last.SeesLike(view))
+  if (comparable && !moved && last.HasSameView(view))
   {
     this->Views[this->Current] = view; // the clipping planes may have changed
     if (this->IsUnchanged(window, image))
@@ -53,7 +53,7 @@ EyeDepth::Change EyeDepth::Update(
   {
     return Change::Failed;
   }
-  return comparable ? Change::Some : Change::All;
+  return comparable ? Change::Moved : Change::Reset;
 }
 
 bool EyeDepth::IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& image)
@@ -66,10 +66,10 @@ bool EyeDepth::IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& i
     return false;
   }
   // The target only has to have the right size: nothing is written.
-  const DrawInto target(window, image.GetFramebuffer(), { this->GetPrevious() });
+  const ScopedRenderTarget target(window, image.GetFramebuffer(), { this->GetPrevious() });
   this->GetView().SetUniforms(program);
-  this->Compare.Read("depthBuffer", image.GetDepth());
-  this->Compare.Read("eyeDepths", this->GetCurrent());
+  this->Compare.BindTexture("depthBuffer", image.GetDepth());
+  this->Compare.BindTexture("eyeDepths", this->GetCurrent());
   window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   const unsigned int changed = this->Compare.DrawAndCount();
   window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -81,13 +81,13 @@ bool EyeDepth::Fill(vtkOpenGLRenderWindow* window, const DelegateImage& image)
   static const std::string source =
     Assemble(vtkPenumbraEyeDepthFS, { { "ViewLib", vtkPenumbraViewLib } });
   vtkShaderProgram* program = this->Linearize.Ready(window, source);
-  const DrawInto target(window, image.GetFramebuffer(), { this->GetCurrent() });
+  const ScopedRenderTarget target(window, image.GetFramebuffer(), { this->GetCurrent() });
   if (!program || !target.IsComplete())
   {
     return false;
   }
   this->GetView().SetUniforms(program);
-  this->Linearize.Read("depthBuffer", image.GetDepth());
+  this->Linearize.BindTexture("depthBuffer", image.GetDepth());
   this->Linearize.Draw();
   return true;
 }

@@ -19,26 +19,26 @@ public:
   enum class Change
   {
     None,  ///< same view, same depth
-    Some,  ///< the eye or something in view moved: GetPrevious() and GetPreviousView() are valid
-    All,   ///< another projection or window: there is no previous picture
+    Moved, ///< the eye or something in view moved: GetPrevious() and GetPreviousView() are valid
+    Reset, ///< another projection or window: there is no previous picture
     Failed ///< OpenGL refuses
   };
 
   /// `view`: that of the image, with the unit of length that the depths shall have.
   /// `moved`: something that depth does not show is known to have changed.
-  Change Update(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view,
-    bool moved = false);
+  Change Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+    const ScreenTransform& view, bool moved = false);
 
   vtkTextureObject* GetCurrent() const { return this->Textures[this->Current]; }
   vtkTextureObject* GetPrevious() const { return this->Textures[1 - this->Current]; }
-  const ScreenView& GetView() const { return this->Views[this->Current]; }
-  const ScreenView& GetPreviousView() const { return this->Views[1 - this->Current]; }
+  const ScreenTransform& GetView() const { return this->Views[this->Current]; }
+  const ScreenTransform& GetPreviousView() const { return this->Views[1 - this->Current]; }
 
   /// Another number whenever the current depths are others, and other depths never have the same one.
   long long GetVersion() const { return this->Version; }
 
   /// The next Update() says All.
-  void Forget() { this->Filled = false; }
+  void Invalidate() { this->Filled = false; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -47,7 +47,7 @@ private:
   bool Fill(vtkOpenGLRenderWindow* window, const DelegateImage& image);
 
   vtkSmartPointer<vtkTextureObject> Textures[2];
-  ScreenView Views[2];
+  ScreenTransform Views[2];
   int Current = 0;
   long long Version = 0;
   bool Filled = false;

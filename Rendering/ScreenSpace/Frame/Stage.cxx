@@ -46,7 +46,7 @@ vtkShaderProgram* Stage::Ready(vtkOpenGLRenderWindow* window, const std::string&
   return program && program->GetCompiled() ? program : nullptr;
 }
 
-void Stage::Read(const char* name, vtkTextureObject* texture)
+void Stage::BindTexture(const char* name, vtkTextureObject* texture)
 {
   texture->Activate();
   this->Quad->Program->SetUniformi(name, texture->GetTextureUnit());
@@ -135,8 +135,9 @@ struct SavedState
   const vtkOpenGLState::ScopedglEnableDisable DepthTest;
 };
 
-DrawInto::DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-  const std::vector<vtkTextureObject*>& targets, vtkTextureObject* depth)
+ScopedRenderTarget::ScopedRenderTarget(vtkOpenGLRenderWindow* window,
+  vtkOpenGLFramebufferObject* framebuffer, const std::vector<vtkTextureObject*>& targets,
+  vtkTextureObject* depth)
   : Window(window),
     Saved(std::make_unique<SavedState>(window->GetState())),
     Framebuffer(framebuffer),
@@ -166,7 +167,7 @@ DrawInto::DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* fr
   }
 }
 
-DrawInto::~DrawInto()
+ScopedRenderTarget::~ScopedRenderTarget()
 {
   this->Framebuffer->RemoveColorAttachments(this->Count);
   if (this->Depth)
@@ -176,7 +177,7 @@ DrawInto::~DrawInto()
   this->Window->GetState()->PopFramebufferBindings();
 }
 
-DrawOver::DrawOver(vtkOpenGLRenderWindow* window, const int viewport[4], bool depths)
+ScopedBlending::ScopedBlending(vtkOpenGLRenderWindow* window, const int viewport[4], bool depths)
   : Saved(std::make_unique<SavedState>(window->GetState()))
 {
   vtkOpenGLState* state = window->GetState();
@@ -189,7 +190,7 @@ DrawOver::DrawOver(vtkOpenGLRenderWindow* window, const int viewport[4], bool de
   state->vtkglDepthFunc(GL_ALWAYS);
 }
 
-DrawOver::~DrawOver() = default;
+ScopedBlending::~ScopedBlending() = default;
 
 bool Allocate(vtkSmartPointer<vtkTextureObject>& texture, vtkOpenGLRenderWindow* window, int width,
   int height, int components)

@@ -48,7 +48,7 @@ public:
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& source);
 
   /// What the sampler `name` reads in the next Draw().
-  void Read(const char* name, vtkTextureObject* texture);
+  void BindTexture(const char* name, vtkTextureObject* texture);
 
   /// Draws into whatever is bound: all of it, or only within some rectangles.
   void Draw();
@@ -73,14 +73,14 @@ struct SavedState;
 
 /// While it lives, stages draw into textures: all of them, all at once, without blending. With a
 /// depth texture only pixels that show a surface are drawn; it stays as it is. Then OpenGL is as it was.
-class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DrawInto
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScopedRenderTarget
 {
 public:
-  DrawInto(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
+  ScopedRenderTarget(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     const std::vector<vtkTextureObject*>& targets, vtkTextureObject* depth = nullptr);
-  ~DrawInto();
-  DrawInto(const DrawInto&) = delete;
-  void operator=(const DrawInto&) = delete;
+  ~ScopedRenderTarget();
+  ScopedRenderTarget(const ScopedRenderTarget&) = delete;
+  void operator=(const ScopedRenderTarget&) = delete;
 
   /// False: OpenGL does not accept these textures as targets.
   bool IsComplete() const { return this->Complete; }
@@ -96,13 +96,13 @@ private:
 
 /// While it lives, stages are blended over part of whatever is bound: alpha is what they hide of it, and
 /// their colours are multiplied by it already. `depths`: they replace depths, too.
-class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT DrawOver
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScopedBlending
 {
 public:
-  DrawOver(vtkOpenGLRenderWindow* window, const int viewport[4], bool depths);
-  ~DrawOver();
-  DrawOver(const DrawOver&) = delete;
-  void operator=(const DrawOver&) = delete;
+  ScopedBlending(vtkOpenGLRenderWindow* window, const int viewport[4], bool depths);
+  ~ScopedBlending();
+  ScopedBlending(const ScopedBlending&) = delete;
+  void operator=(const ScopedBlending&) = delete;
 
 private:
   std::unique_ptr<SavedState> Saved;

@@ -3,8 +3,8 @@
 #include "ActorMotion.h"
 
 #include "Frame/OpenGLFunctions.h"
+#include "Frame/ScopedCamera.h"
 #include "Frame/Stage.h"
-#include "Frame/WiderCamera.h"
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
@@ -30,7 +30,7 @@ namespace
 constexpr int MostActors = 255;
 
 /// A motion that changes lengths by more than this share is not that of a rigid body.
-constexpr double Rigidity = 1e-6;
+constexpr double RigidityTolerance = 1e-6;
 
 /// When the mesh of an actor was last another one.
 vtkMTimeType MeshTime(vtkActor* actor)
@@ -56,7 +56,7 @@ bool IsRigid(const Matrix& matrix)
     {
       const double product =
         matrix[i] * matrix[j] + matrix[4 + i] * matrix[4 + j] + matrix[8 + i] * matrix[8 + j];
-      if (!(std::abs(product - (i == j ? 1.0 : 0.0)) < Rigidity))
+      if (!(std::abs(product - (i == j ? 1.0 : 0.0)) < RigidityTolerance))
       {
         return false;
       }
@@ -67,7 +67,7 @@ bool IsRigid(const Matrix& matrix)
 
 }
 
-bool ActorMotion::IsMotion(const Known& before, const Known& now, Matrix& toWorldBefore)
+bool ActorMotion::IsMotion(const ActorState& before, const ActorState& now, Matrix& toWorldBefore)
 {
   if (before.MeshTime != now.MeshTime || before.ToWorld == now.ToWorld)
   {
@@ -79,10 +79,10 @@ bool ActorMotion::IsMotion(const Known& before, const Known& now, Matrix& toWorl
   return IsRigid(toWorldBefore);
 }
 
-void ActorMotion::Look(vtkRenderer* renderer)
+void ActorMotion::UpdateMotion(vtkRenderer* renderer)
 {
-  this->Moved.clear();
-  std::map<std::pair<vtkActor*, int>, Known> found;
+  this->MovedActors.clear();
+  std::map<std::pair<vtkActor*, int>, ActorState> found;
   for (vtkProp* prop : VisibleProps(renderer))
   {
     prop->InitPathTraversal();
@@ -94,7 +94,7 @@ void ActorMotion::Look(vtkRenderer* renderer)
       {
         continue;
       }
-      Known now;
+      ActorState now;
       std::copy_n(node->GetMatrix()->GetData(), 16, now.ToWorld.begin());
       now.MeshTime = MeshTime(actor);
       std::pair<vtkActor*, int> key(actor, 0);
@@ -105,9 +105,9 @@ void ActorMotion::Look(vtkRenderer* renderer)
       const auto before = this->Last.find(key);
       Motion motion{ actor, now.ToWorld, {} };
       if (before != this->Last.end() && IsMotion(before->second, now, motion.ToWorldBefore) &&
-        static_cast<int>(this->Moved.size()) < MostActors)
+        static_cast<int>(this->MovedActors.size()) < MostActors)
       {
-        this->Moved.push_back(motion);
+        this->MovedActors.push_back(motion);
       }
     }
   }
@@ -116,22 +116,22 @@ void ActorMotion::Look(vtkRenderer* renderer)
 
 bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDepth& depth)
 {
-  if (this->Moved.empty())
+  if (this->MovedActors.empty())
   {
     return false;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const ScreenView& view = depth.GetView();
+  const ScreenTransform& view = depth.GetView();
   std::vector<float> matrices;
-  for (const Motion& motion : this->Moved)
+  for (const Motion& motion : this->MovedActors)
   {
-    const Matrix matrix = view.ToEyeOf(depth.GetPreviousView(), motion.ToWorldBefore.data());
+    const Matrix matrix = view.EyeTransformTo(depth.GetPreviousView(), motion.ToWorldBefore.data());
     for (int i = 0; i < 16; ++i)
     {
       matrices.push_back(static_cast<float>(matrix[4 * (i % 4) + i / 4]));
     }
   }
-  const auto rows = static_cast<int>(this->Moved.size());
+  const auto rows = static_cast<int>(this->MovedActors.size());
   this->Matrices = vtkSmartPointer<vtkTextureObject>::New();
   this->Matrices->SetContext(window);
   this->Matrices->Create2DFromRaw(4, rows, 4, VTK_FLOAT, matrices.data());
@@ -152,7 +152,7 @@ bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDep
     gl->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_CONSTANT_ALPHA, GL_ZERO);
     for (int i = 0; i < rows; ++i)
     {
-      const Motion& motion = this->Moved[i];
+      const Motion& motion = this->MovedActors[i];
       glBlendColor(0.f, 0.f, 0.f, static_cast<float>(i + 1) / MostActors);
       vtkNew<vtkMatrix4x4> toWorld;
       toWorld->DeepCopy(motion.ToWorld.data());

@@ -22,10 +22,10 @@ class ActorMotion
 {
 public:
   /// Finds which of the renderer's actors moved since the last call; to be called when they are drawn.
-  void Look(vtkRenderer* renderer);
+  void UpdateMotion(vtkRenderer* renderer);
 
   /// Nothing has moved since the last call.
-  void Rest() { this->Moved.clear(); }
+  void ClearMotion() { this->MovedActors.clear(); }
 
   /// Draws the actors that moved, as Draw() of `image` did the scene. False when there are none, or
   /// when OpenGL refuses. `depth`: of this frame and the last one.
@@ -44,7 +44,7 @@ public:
 
 private:
   /// An actor's place, and when its mesh was changed.
-  struct Known
+  struct ActorState
   {
     Matrix ToWorld{};
     vtkMTimeType MeshTime = 0;
@@ -56,11 +56,11 @@ private:
     Matrix ToWorldBefore; ///< from world to world
   };
 
-  static bool IsMotion(const Known& before, const Known& now, Matrix& toWorldBefore);
+  static bool IsMotion(const ActorState& before, const ActorState& now, Matrix& toWorldBefore);
 
   /// By actor and, of those that are part of several assemblies, number.
-  std::map<std::pair<vtkActor*, int>, Known> Last;
-  std::vector<Motion> Moved;
+  std::map<std::pair<vtkActor*, int>, ActorState> Last;
+  std::vector<Motion> MovedActors;
   vtkSmartPointer<vtkTextureObject> Target;
   vtkSmartPointer<vtkTextureObject> Matrices;
 };

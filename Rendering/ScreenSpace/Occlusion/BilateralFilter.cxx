@@ -5,7 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPenumbraBilateralFS.h"
 #include "vtkPenumbraBilateralLib.h"
-#include "vtkPenumbraBilateralSpotsFS.h"
+#include "vtkPenumbraBilateralSinglePassFS.h"
 #include "vtkPenumbraMeanFS.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
@@ -27,7 +27,7 @@ std::string WithPieces(const char* source)
 }
 
 bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
+  const ScreenTransform& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
   vtkTextureObject* between, vtkTextureObject* target, const BilateralSettings& settings,
   const std::vector<Rectangle>& parts)
 {
@@ -35,7 +35,7 @@ bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& 
   for (int direction = 0; direction < 2; ++direction)
   {
     vtkShaderProgram* program = this->Smooth.Ready(window, source);
-    const DrawInto into(
+    const ScopedRenderTarget into(
       window, image.GetFramebuffer(), { direction == 0 ? between : target }, image.GetDepth());
     if (!program || !into.IsComplete())
     {
@@ -47,20 +47,20 @@ bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& 
     program->SetUniformf("convergedWeight", static_cast<float>(settings.ConvergedWeight));
     program->SetUniformf("distanceInPixels", static_cast<float>(settings.DistanceInPixels));
     program->SetUniformf("mean", direction == 0 ? 0.f : 1.f);
-    this->Smooth.Read("eyeDepths", eyeDepths);
-    this->Smooth.Read("values", direction == 0 ? values : between);
+    this->Smooth.BindTexture("eyeDepths", eyeDepths);
+    this->Smooth.BindTexture("values", direction == 0 ? values : between);
     this->Smooth.Draw(parts);
   }
   return true;
 }
 
-bool BilateralFilter::ApplyToSpots(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
+bool BilateralFilter::ApplySinglePass(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  const ScreenTransform& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
   vtkTextureObject* target, const BilateralSettings& settings, const std::vector<Rectangle>& parts)
 {
-  static const std::string source = WithPieces(vtkPenumbraBilateralSpotsFS);
-  vtkShaderProgram* program = this->Spots.Ready(window, source);
-  const DrawInto into(window, image.GetFramebuffer(), { target }, image.GetDepth());
+  static const std::string source = WithPieces(vtkPenumbraBilateralSinglePassFS);
+  vtkShaderProgram* program = this->SinglePass.Ready(window, source);
+  const ScopedRenderTarget into(window, image.GetFramebuffer(), { target }, image.GetDepth());
   if (!program || !into.IsComplete())
   {
     return false;
@@ -68,9 +68,9 @@ bool BilateralFilter::ApplyToSpots(vtkOpenGLRenderWindow* window, const Delegate
   view.SetUniforms(program);
   program->SetUniformf("convergedWeight", static_cast<float>(settings.ConvergedWeight));
   program->SetUniformf("distanceInPixels", static_cast<float>(settings.DistanceInPixels));
-  this->Spots.Read("eyeDepths", eyeDepths);
-  this->Spots.Read("values", values);
-  this->Spots.Draw(parts);
+  this->SinglePass.BindTexture("eyeDepths", eyeDepths);
+  this->SinglePass.BindTexture("values", values);
+  this->SinglePass.Draw(parts);
   return true;
 }
 
@@ -78,7 +78,7 @@ bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& i
   vtkTextureObject* values, vtkTextureObject* target, const std::vector<Rectangle>& parts)
 {
   vtkShaderProgram* program = this->Mean.Ready(window, vtkPenumbraMeanFS);
-  const DrawInto into(window, image.GetFramebuffer(), { target }, image.GetDepth());
+  const ScopedRenderTarget into(window, image.GetFramebuffer(), { target }, image.GetDepth());
   if (!program || !into.IsComplete())
   {
     return false;
@@ -86,7 +86,7 @@ bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& i
   const float pixelSize[2] = { 1.f / static_cast<float>(target->GetWidth()),
     1.f / static_cast<float>(target->GetHeight()) };
   program->SetUniform2f("pixelSize", pixelSize);
-  this->Mean.Read("values", values);
+  this->Mean.BindTexture("values", values);
   this->Mean.Draw(parts);
   return true;
 }
@@ -94,7 +94,7 @@ bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& i
 void BilateralFilter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Smooth.ReleaseGraphicsResources(window);
-  this->Spots.ReleaseGraphicsResources(window);
+  this->SinglePass.ReleaseGraphicsResources(window);
   this->Mean.ReleaseGraphicsResources(window);
 }
 

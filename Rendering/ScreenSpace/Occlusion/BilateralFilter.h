@@ -25,14 +25,14 @@ public:
   /// From `values` (r: sum, g: number of samples) over `between` (two floats) to means in
   /// `target`.
   /// `view` is that of `eyeDepths`. Only within `parts`. False when OpenGL refuses.
-  bool Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenView& view,
+  bool Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenTransform& view,
     vtkTextureObject* eyeDepths, vtkTextureObject* values, vtkTextureObject* between,
     vtkTextureObject* target, const BilateralSettings& settings,
     const std::vector<Rectangle>& parts);
 
   /// The same in one step: cheaper where all but some spots have converged, else dearer.
-  bool ApplyToSpots(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-    const ScreenView& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
+  bool ApplySinglePass(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+    const ScreenTransform& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
     vtkTextureObject* target, const BilateralSettings& settings,
     const std::vector<Rectangle>& parts);
 
@@ -44,7 +44,7 @@ public:
 
 private:
   Stage Smooth;
-  Stage Spots;
+  Stage SinglePass;
   Stage Mean;
 };
 

@@ -30,7 +30,7 @@ constexpr double WeightOfSteps = 4.0;
 void Convergence::Restart(double carried)
 {
   *this = Convergence();
-  this->Carried = carried;
+  this->StaleSamples = carried;
 }
 
 void Convergence::Reopen()
@@ -43,7 +43,7 @@ void Convergence::Reopen()
   this->LargestError = VTK_DOUBLE_MAX;
 }
 
-void Convergence::Settle(int samples, double error)
+void Convergence::MarkConverged(int samples, double error)
 {
   *this = Convergence();
   this->Samples = samples;
@@ -51,7 +51,7 @@ void Convergence::Settle(int samples, double error)
   this->LargestError = error;
 }
 
-int Convergence::GetSamplesToReading() const
+int Convergence::GetSamplesUntilCheck() const
 {
   return std::max(FirstReading, 2 * this->SamplesAtReading) - this->Samples;
 }
@@ -60,26 +60,26 @@ void Convergence::Add(
   int samples, int width, double tolerance, const std::function<std::vector<float>()>& read)
 {
   this->Samples += samples;
-  if (this->GetSamplesToReading() > 0)
+  if (this->GetSamplesUntilCheck() > 0)
   {
     return;
   }
   std::vector<float> now = read();
-  if (now.size() == this->Reading.size() && width > 0)
+  if (now.size() == this->PreviousValues.size() && width > 0)
   {
-    this->Judge(now, width, tolerance);
+    this->UpdateTileErrors(now, width, tolerance);
   }
-  this->Reading = std::move(now);
+  this->PreviousValues = std::move(now);
   this->SamplesAtReading = this->Samples;
 }
 
-void Convergence::Judge(const std::vector<float>& now, int width, double tolerance)
+void Convergence::UpdateTileErrors(const std::vector<float>& now, int width, double tolerance)
 {
   const int height = static_cast<int>(now.size()) / width;
   // Of c samples carried over, wrong by e, c e / (c + 2 n) is left after 2 n new ones: the change since
   // n new ones, times 1 + c / n.
   const double scale =
-    ErrorOfDifference * (1.0 + this->Carried / std::max(this->SamplesAtReading, 1));
+    ErrorOfDifference * (1.0 + this->StaleSamples / std::max(this->SamplesAtReading, 1));
   const int columns = (width + TileSide - 1) / TileSide;
   const int rows = (height + TileSide - 1) / TileSide;
   std::vector<double> sums(static_cast<std::size_t>(columns) * rows, 0.0);
@@ -91,7 +91,7 @@ void Convergence::Judge(const std::vector<float>& now, int width, double toleran
     {
       const std::size_t at = static_cast<std::size_t>(j) * width + i;
       const std::size_t tile = static_cast<std::size_t>(j / TileSide) * columns + i / TileSide;
-      const double difference = scale * (static_cast<double>(now[at]) - this->Reading[at]);
+      const double difference = scale * (static_cast<double>(now[at]) - this->PreviousValues[at]);
       sums[tile] += now[at] >= 0.f ? difference * difference : 0.0;
       steps[tile] += now[at] >= 0.f ? difference : 0.0;
       counts[tile] += now[at] >= 0.f;

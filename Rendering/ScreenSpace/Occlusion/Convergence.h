@@ -33,13 +33,13 @@ public:
     int samples, int width, double tolerance, const std::function<std::vector<float>()>& read);
 
   /// All is known with this error: nothing is open.
-  void Settle(int samples, double error);
+  void MarkConverged(int samples, double error);
 
   /// What open tiles have had.
   int GetSamples() const { return this->Samples; }
 
   /// How many more make it look at the picture again.
-  int GetSamplesToReading() const;
+  int GetSamplesUntilCheck() const;
 
   /// What they had when the picture was last looked at.
   int GetSamplesAtReading() const { return this->SamplesAtReading; }
@@ -51,19 +51,19 @@ public:
   bool IsKnown() const { return this->Known; }
 
   /// Where tiles are open, neighbours joined.
-  const std::vector<Rectangle>& GetOpen() const { return this->Open; }
+  const std::vector<Rectangle>& GetActiveTiles() const { return this->Open; }
 
   /// The largest of the errors believed in of the tiles; infinite before they are known.
   double GetLargestError() const { return this->LargestError; }
 
 private:
-  void Judge(const std::vector<float>& now, int width, double tolerance);
+  void UpdateTileErrors(const std::vector<float>& now, int width, double tolerance);
 
-  double Carried = 0.0;
+  double StaleSamples = 0.0;
   int Samples = 0;
   int SamplesAtReading = 0;
   bool Known = false;
-  std::vector<float> Reading;
+  std::vector<float> PreviousValues;
   std::vector<double> TileErrors; ///< squared; negative: open
   std::vector<Rectangle> Open;
   double LargestError = VTK_DOUBLE_MAX;

@@ -6,15 +6,15 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraAccumulateFS.h"
-#include "vtkPenumbraGivenEstimateLib.h"
-#include "vtkPenumbraHistoryFS.h"
-#include "vtkPenumbraMotionLib.h"
-#include "vtkPenumbraNeighbourLib.h"
-#include "vtkPenumbraRestLib.h"
+#include "vtkPenumbraActorMotionLib.h"
+#include "vtkPenumbraCameraMotionLib.h"
+#include "vtkPenumbraNoSampleValidationLib.h"
+#include "vtkPenumbraPrecomputedEstimateLib.h"
+#include "vtkPenumbraReprojectFS.h"
+#include "vtkPenumbraSampleValidationLib.h"
 #include "vtkPenumbraSoundLib.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraSurfaceLib.h"
-#include "vtkPenumbraTrustLib.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -28,12 +28,13 @@ namespace
 /// Several programs: on some drivers what is skipped costs as much as what is done.
 std::string Reprojection(const TemporalSettings& settings, const std::string& estimate)
 {
-  return Assemble(vtkPenumbraHistoryFS,
+  return Assemble(vtkPenumbraReprojectFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
       { "EstimateLib", estimate }, { "SoundLib", vtkPenumbraSoundLib },
-      { "MotionLib", settings.Motion ? vtkPenumbraMotionLib : vtkPenumbraRestLib },
+      { "MotionLib", settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
       { "NeighbourLib",
-        settings.NeighbourValidation ? vtkPenumbraNeighbourLib : vtkPenumbraTrustLib } });
+        settings.NeighbourValidation ? vtkPenumbraSampleValidationLib
+                                     : vtkPenumbraNoSampleValidationLib } });
 }
 
 /// What all stages need.
@@ -48,8 +49,8 @@ void SetWeights(vtkShaderProgram* program, int samples, const TemporalSettings& 
 void SetMotion(
   Stage& stage, vtkShaderProgram* program, const EyeDepth& depth, const TemporalSettings& settings)
 {
-  const ScreenView& before = depth.GetPreviousView();
-  const Matrix matrix = depth.GetView().ToEyeOf(before);
+  const ScreenTransform& before = depth.GetPreviousView();
+  const Matrix matrix = depth.GetView().EyeTransformTo(before);
   float columns[16];
   for (int i = 0; i < 16; ++i)
   {
@@ -71,18 +72,18 @@ void SetMotion(
     program->SetUniformf("invalidationWeight",
       settings.PropsChanged ? 0.f : static_cast<float>(settings.InvalidationWeight));
   }
-  stage.Read("eyeDepths", depth.GetCurrent());
-  stage.Read("previousEyeDepths", depth.GetPrevious());
+  stage.BindTexture("eyeDepths", depth.GetCurrent());
+  stage.BindTexture("previousEyeDepths", depth.GetPrevious());
   if (settings.Motion)
   {
-    stage.Read("movedActors", settings.Motion->GetTarget());
-    stage.Read("actorMotions", settings.Motion->GetMatrices());
+    stage.BindTexture("movedActors", settings.Motion->GetTarget());
+    stage.BindTexture("actorMotions", settings.Motion->GetMatrices());
   }
 }
 
 }
 
-bool TemporalHistory::Prepare(vtkOpenGLRenderWindow* window, const ScreenView& view)
+bool TemporalHistory::Prepare(vtkOpenGLRenderWindow* window, const ScreenTransform& view)
 {
   const vtkSmartPointer<vtkTextureObject>& last = this->Textures[this->Current];
   const bool isNew = !last || last->GetContext() != window;
@@ -95,7 +96,7 @@ bool TemporalHistory::Prepare(vtkOpenGLRenderWindow* window, const ScreenView& v
   return isNew;
 }
 
-void TemporalHistory::FitSpare(vtkOpenGLRenderWindow* window, const ScreenView& view)
+void TemporalHistory::FitSpare(vtkOpenGLRenderWindow* window, const ScreenTransform& view)
 {
   Allocate(this->Textures[1 - this->Current], window, view.Width, view.Height, 2);
 }
@@ -105,24 +106,25 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   const TemporalSettings& settings, const std::vector<Rectangle>& parts)
 {
   const bool isNew = this->Prepare(window, depth.GetView());
-  const bool moved = change == EyeDepth::Change::Some && !isNew;
-  Stage& stage = !moved            ? this->Accumulate
+  const bool moved = change == EyeDepth::Change::Moved && !isNew;
+  Stage& stage = !moved            ? this->Accumulation
     : settings.NeighbourValidation ? this->Validate
                                    : this->Reproject;
   vtkShaderProgram* program = stage.Ready(window,
-    moved ? Reprojection(settings, vtkPenumbraGivenEstimateLib)
+    moved ? Reprojection(settings, vtkPenumbraPrecomputedEstimateLib)
           : Assemble(vtkPenumbraAccumulateFS, { { "SoundLib", vtkPenumbraSoundLib } }));
-  const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
+  const ScopedRenderTarget target(
+    window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
   {
     return false;
   }
   depth.GetView().SetUniforms(program);
   TemporalSettings weights = settings;
-  weights.WeightCap = change == EyeDepth::Change::All || isNew ? 0.0 : settings.WeightCap;
+  weights.WeightCap = change == EyeDepth::Change::Reset || isNew ? 0.0 : settings.WeightCap;
   SetWeights(program, samples, weights);
-  stage.Read("estimates", estimates);
-  stage.Read("history", this->GetSpare());
+  stage.BindTexture("estimates", estimates);
+  stage.BindTexture("history", this->GetScratchTexture());
   if (moved)
   {
     SetMotion(stage, program, depth, settings);
@@ -132,14 +134,14 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   return true;
 }
 
-int TemporalHistory::Follow(const vtkPenumbraOcclusionEstimator::Request& request,
+int TemporalHistory::ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::Request& request,
   vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings)
 {
   this->Prepare(request.Window, request.Depth->GetView());
   vtkShaderProgram* program =
     this->Estimate.Ready(request.Window, Reprojection(settings, estimator->GetShader()));
-  const DrawInto target(request.Window, request.Image->GetFramebuffer(), { this->GetTexture() },
-    request.Image->GetDepth());
+  const ScopedRenderTarget target(request.Window, request.Image->GetFramebuffer(),
+    { this->GetTexture() }, request.Image->GetDepth());
   if (!program || !target.IsComplete())
   {
     return 0;
@@ -148,28 +150,29 @@ int TemporalHistory::Follow(const vtkPenumbraOcclusionEstimator::Request& reques
   const int samples = estimator->SetUniforms(request, program);
   SetWeights(program, samples, settings);
   SetMotion(this->Estimate, program, *request.Depth, settings);
-  this->Estimate.Read("history", this->GetSpare());
+  this->Estimate.BindTexture("history", this->GetScratchTexture());
   this->Estimate.Draw(*request.Parts);
   this->FitSpare(request.Window, request.Depth->GetView());
   return samples;
 }
 
-bool TemporalHistory::AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+bool TemporalHistory::Accumulate(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   vtkTextureObject* estimates, int samples, const std::vector<Rectangle>& parts)
 {
   vtkShaderProgram* program =
     this->Sum.Ready(window, Assemble(vtkPenumbraSumFS, { { "SoundLib", vtkPenumbraSoundLib } }));
-  const DrawInto target(window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
+  const ScopedRenderTarget target(
+    window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
   {
     return false;
   }
-  const ScreenView& view = image.GetView();
+  const ScreenTransform& view = image.GetView();
   const float pixelSize[2] = { 1.f / static_cast<float>(view.Width),
     1.f / static_cast<float>(view.Height) };
   program->SetUniform2f("pixelSize", pixelSize);
   program->SetUniformf("newSamples", static_cast<float>(samples));
-  this->Sum.Read("estimates", estimates);
+  this->Sum.BindTexture("estimates", estimates);
   vtkOpenGLState* state = window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
@@ -192,7 +195,7 @@ void TemporalHistory::ReleaseGraphicsResources(vtkWindow* window)
   this->Reproject.ReleaseGraphicsResources(window);
   this->Validate.ReleaseGraphicsResources(window);
   this->Estimate.ReleaseGraphicsResources(window);
-  this->Accumulate.ReleaseGraphicsResources(window);
+  this->Accumulation.ReleaseGraphicsResources(window);
   this->Sum.ReleaseGraphicsResources(window);
 }
 

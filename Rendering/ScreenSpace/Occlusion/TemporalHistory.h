@@ -39,33 +39,33 @@ public:
 
   /// After Change::Some, the same in one step with the estimate itself, by an estimator with a shader.
   /// Returns how many new samples those were, 0 when OpenGL refuses.
-  int Follow(const vtkPenumbraOcclusionEstimator::Request& request,
+  int ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::Request& request,
     vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings);
 
   /// The same where nothing changed.
-  bool AddTo(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* estimates,
-    int samples, const std::vector<Rectangle>& parts);
+  bool Accumulate(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+    vtkTextureObject* estimates, int samples, const std::vector<Rectangle>& parts);
 
   vtkTextureObject* GetTexture() const { return this->Textures[this->Current]; }
 
   /// The texture that the next Add() will fill: free until then.
-  vtkTextureObject* GetSpare() const { return this->Textures[1 - this->Current]; }
+  vtkTextureObject* GetScratchTexture() const { return this->Textures[1 - this->Current]; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   /// Makes the spare texture the current one, with the size of the view. True if there is no history.
-  bool Prepare(vtkOpenGLRenderWindow* window, const ScreenView& view);
+  bool Prepare(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
 
   /// The spare texture held a history of another size; gives it that of the current one.
-  void FitSpare(vtkOpenGLRenderWindow* window, const ScreenView& view);
+  void FitSpare(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
 
   vtkSmartPointer<vtkTextureObject> Textures[2];
   int Current = 0;
   Stage Reproject;
   Stage Validate; ///< the same, and looks whether neighbours have moved
   Stage Estimate; ///< one of the two, with the estimate
-  Stage Accumulate;
+  Stage Accumulation;
   Stage Sum;
 };
 

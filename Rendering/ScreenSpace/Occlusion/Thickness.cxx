@@ -56,7 +56,7 @@ void MeasureLine(const std::vector<float>& depths, const Line& line, double pixe
 
 }
 
-double MedianWidth(const std::vector<float>& eyeDepths, const ScreenView& view)
+double MedianWidth(const std::vector<float>& eyeDepths, const ScreenTransform& view)
 {
   constexpr float none = 1e30f;
   const auto width = static_cast<std::size_t>(view.Width);

@@ -5,7 +5,7 @@
 #ifndef penumbra_Thickness_h
 #define penumbra_Thickness_h
 
-#include "Frame/ScreenView.h"
+#include "Frame/ScreenTransform.h"
 
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace penumbra
 
 /// The median, over pixels of things whose outline is seen, of the shorter of their widths along row
 /// and column, in units of the view; 0 where nothing has an outline. `eyeDepths`: row after row.
-double MedianWidth(const std::vector<float>& eyeDepths, const ScreenView& view);
+double MedianWidth(const std::vector<float>& eyeDepths, const ScreenTransform& view);
 
 }
 #endif

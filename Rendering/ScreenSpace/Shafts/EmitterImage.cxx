@@ -3,7 +3,7 @@
 #include "EmitterImage.h"
 
 #include "Frame/OpenGLFunctions.h"
-#include "Frame/WiderCamera.h"
+#include "Frame/ScopedCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -19,7 +19,7 @@
 namespace penumbra
 {
 
-void EmitterImage::Allocate(vtkOpenGLRenderWindow* window, const ScreenView& view)
+void EmitterImage::Allocate(vtkOpenGLRenderWindow* window, const ScreenTransform& view)
 {
   if (this->Color && this->Color->GetContext() == window &&
     static_cast<int>(this->Color->GetWidth()) == view.Width &&
@@ -51,7 +51,7 @@ bool EmitterImage::CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage&
     1.f / static_cast<float>(image.GetView().Height) };
   program->SetUniform2f("pixelSize", pixelSize);
   program->SetUniformf("block", static_cast<float>(block));
-  this->Depths.Read("depthBuffer", image.GetDepth());
+  this->Depths.BindTexture("depthBuffer", image.GetDepth());
   window->GetState()->vtkglDepthFunc(GL_ALWAYS);
   this->Depths.Draw();
   window->GetState()->vtkglDepthFunc(GL_LEQUAL);
@@ -59,7 +59,7 @@ bool EmitterImage::CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage&
 }
 
 bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
-  const ScreenView& view, int block, const std::vector<vtkProp*>& emitters, bool prepass)
+  const ScreenTransform& view, int block, const std::vector<vtkProp*>& emitters, bool prepass)
 {
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -69,7 +69,7 @@ bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
   bool hasDepth = false;
   const bool drawn = FillTextures(
     this->Framebuffer, this->Color, this->Depth, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, [&]() {
-      const WiderCamera camera(renderer, view);
+      const ScopedCamera camera(renderer, view);
       const auto glows = [&](vtkProp* prop) {
         return std::find(emitters.begin(), emitters.end(), prop) != emitters.end();
       };

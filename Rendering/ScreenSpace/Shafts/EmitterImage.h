@@ -21,7 +21,7 @@ class EmitterImage
 public:
   /// `view`: of one pixel in each block of the image's, `block` pixels a side. False when OpenGL
   /// refuses.
-  bool Draw(const vtkRenderState* state, const DelegateImage& image, const ScreenView& view,
+  bool Draw(const vtkRenderState* state, const DelegateImage& image, const ScreenTransform& view,
     int block, const std::vector<vtkProp*>& emitters, bool prepass);
 
   /// rgb: colour, a: 1 where an emitter is seen.
@@ -30,7 +30,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, const ScreenView& view);
+  void Allocate(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
   bool CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage& image, int block);
 
   Stage Depths;

@@ -18,7 +18,7 @@ namespace
 {
 
 /// In eye coordinates with z along the view axis, in the view's unit; w = 0: a direction.
-void ToEye(const ScreenView& view, const double world[3], double w, double eye[3])
+void ToEye(const ScreenTransform& view, const double world[3], double w, double eye[3])
 {
   for (int row = 0; row < 3; ++row)
   {
@@ -29,7 +29,7 @@ void ToEye(const ScreenView& view, const double world[3], double w, double eye[3
   }
 }
 
-bool IsSeen(const float place[4], const ScreenView& view)
+bool IsSeen(const float place[4], const ScreenTransform& view)
 {
   if (place[2] <= 0.f && !view.Parallel)
   {
@@ -53,7 +53,7 @@ bool IsSeen(const float place[4], const ScreenView& view)
   return true;
 }
 
-ShaftLight Convert(vtkLight* light, const ScreenView& view)
+ShaftLight Convert(vtkLight* light, const ScreenTransform& view)
 {
   double position[3];
   double focus[3];
@@ -67,15 +67,15 @@ ShaftLight Convert(vtkLight* light, const ScreenView& view)
   const bool positional = light->GetPositional() != 0;
   for (int i = 0; i < 3; ++i)
   {
-    result.Place[i] = static_cast<float>(-eye[i]);
+    result.Position[i] = static_cast<float>(-eye[i]);
     result.Cone[i] = static_cast<float>(eye[i]);
     result.Color[i] = static_cast<float>(light->GetDiffuseColor()[i] * light->GetIntensity());
   }
   if (positional)
   {
     ToEye(view, position, 1.0, eye);
-    std::copy(eye, eye + 3, result.Place);
-    result.Place[3] = 1.f;
+    std::copy(eye, eye + 3, result.Position);
+    result.Position[3] = 1.f;
     const double* attenuation = light->GetAttenuationValues();
     for (int i = 0; i < 3; ++i)
     {
@@ -88,16 +88,16 @@ ShaftLight Convert(vtkLight* light, const ScreenView& view)
       result.Exponent = static_cast<float>(light->GetExponent());
     }
   }
-  result.InPicture = IsSeen(result.Place, view);
+  result.InPicture = IsSeen(result.Position, view);
   return result;
 }
 
 bool IsUsable(const ShaftLight& light)
 {
   const auto finite = [](float x) { return std::isfinite(x); };
-  const float square = light.Place[0] * light.Place[0] + light.Place[1] * light.Place[1] +
-    light.Place[2] * light.Place[2];
-  return std::all_of(light.Place, light.Place + 4, finite) &&
+  const float square = light.Position[0] * light.Position[0] +
+    light.Position[1] * light.Position[1] + light.Position[2] * light.Position[2];
+  return std::all_of(light.Position, light.Position + 4, finite) &&
     std::all_of(light.Color, light.Color + 3, finite) &&
     std::all_of(light.Attenuation, light.Attenuation + 3, finite) && square > 0.f &&
     std::any_of(light.Color, light.Color + 3, [](float c) { return c > 0.f; });
@@ -108,7 +108,7 @@ bool IsUsable(const ShaftLight& light)
 bool ShaftLightGroup::Join(const ShaftLight& light)
 {
   const bool joins =
-    !this->IsLamp() && !light.IsLamp() && static_cast<int>(this->Lights.size()) < Most;
+    !this->IsLamp() && !light.IsPositional() && static_cast<int>(this->Lights.size()) < Most;
   if (joins)
   {
     this->Lights.push_back(light);
@@ -121,7 +121,7 @@ void ShaftLightGroup::SetUniforms(vtkShaderProgram* program) const
   float places[Most][4] = {};
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
-    std::copy_n(this->Lights[i].Place, 4, places[i]);
+    std::copy_n(this->Lights[i].Position, 4, places[i]);
   }
   program->SetUniform4fv("lights", Most, places);
   program->SetUniformi("lightCount", static_cast<int>(this->Lights.size()));
@@ -151,7 +151,7 @@ std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, 
 {
   std::vector<ShaftLight> sorted = lights;
   std::stable_partition(
-    sorted.begin(), sorted.end(), [](const ShaftLight& light) { return !light.IsLamp(); });
+    sorted.begin(), sorted.end(), [](const ShaftLight& light) { return !light.IsPositional(); });
   std::vector<ShaftLightGroup> groups;
   for (const ShaftLight& light : sorted)
   {
@@ -165,14 +165,14 @@ std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, 
 
 bool ShaftLight::operator==(const ShaftLight& other) const
 {
-  return std::equal(this->Place, this->Place + 4, other.Place) &&
+  return std::equal(this->Position, this->Position + 4, other.Position) &&
     std::equal(this->Color, this->Color + 3, other.Color) &&
     std::equal(this->Attenuation, this->Attenuation + 3, other.Attenuation) &&
     std::equal(this->Cone, this->Cone + 4, other.Cone) && this->Exponent == other.Exponent;
 }
 
 std::vector<ShaftLight> FindShaftLights(
-  vtkRenderer* renderer, const std::vector<vtkLight*>& chosen, const ScreenView& view)
+  vtkRenderer* renderer, const std::vector<vtkLight*>& chosen, const ScreenTransform& view)
 {
   std::vector<ShaftLight> found;
   vtkLightCollection* lights = renderer->GetLights();

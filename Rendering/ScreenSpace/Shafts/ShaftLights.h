@@ -6,7 +6,7 @@
 #ifndef penumbra_ShaftLights_h
 #define penumbra_ShaftLights_h
 
-#include "Frame/ScreenView.h"
+#include "Frame/ScreenTransform.h"
 
 #include <vector>
 
@@ -18,8 +18,9 @@ namespace penumbra
 
 struct ShaftLight
 {
-  float Place[4] = { 0.f, 0.f, 1.f, 0.f }; ///< where it is (w = 1), or unit direction to it (w = 0)
-  float Color[3] = { 1.f, 1.f, 1.f };      ///< times intensity
+  float Position[4] = { 0.f, 0.f, 1.f,
+    0.f };                            ///< where it is (w = 1), or unit direction to it (w = 0)
+  float Color[3] = { 1.f, 1.f, 1.f }; ///< times intensity
   float Attenuation[3] = { 1.f, 0.f, 0.f };
   float Cone[4] = { 0.f, 0.f, 1.f, -2.f }; ///< the way of a spot, cosine of its cone; -2: none
   float Exponent = 1.f;
@@ -27,7 +28,7 @@ struct ShaftLight
   /// Seen on the picture: then nothing outside of it can shadow what is inside.
   bool InPicture = false;
 
-  bool IsLamp() const { return this->Place[3] > 0.f; }
+  bool IsPositional() const { return this->Position[3] > 0.f; }
   bool operator==(const ShaftLight& other) const;
 };
 
@@ -46,7 +47,7 @@ public:
   bool Join(const ShaftLight& light);
 
   const std::vector<ShaftLight>& GetLights() const { return this->Lights; }
-  bool IsLamp() const { return this->Lights.front().IsLamp(); }
+  bool IsLamp() const { return this->Lights.front().IsPositional(); }
 
   /// Sets the lights' uniforms of vtkPenumbraShaftLib.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
@@ -61,7 +62,7 @@ private:
 /// Those of `renderer` that are on, not black and finite: all but headlights, or the `chosen` ones
 /// if there are any. `view` has no margin.
 std::vector<ShaftLight> FindShaftLights(
-  vtkRenderer* renderer, const std::vector<vtkLight*>& chosen, const ScreenView& view);
+  vtkRenderer* renderer, const std::vector<vtkLight*>& chosen, const ScreenTransform& view);
 
 /// As few groups as there may be; `alone`: one for each light.
 std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, bool alone);

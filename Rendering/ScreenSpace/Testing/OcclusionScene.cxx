@@ -69,7 +69,7 @@ vtkSmartPointer<vtkActor> OcclusionScene::AddSphere(const Vector& center, double
   return actor;
 }
 
-void OcclusionScene::Look(const Vector& from, const Vector& at, const Vector& up)
+void OcclusionScene::SetCamera(const Vector& from, const Vector& at, const Vector& up)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->SetPosition(from.data());
@@ -85,7 +85,7 @@ void OcclusionScene::UseParallelProjection(bool parallel, double halfHeight)
   this->Renderer->ResetCameraClippingRange();
 }
 
-vtkPenumbraTemporalSSAOPass* OcclusionScene::Occlude(double radius)
+vtkPenumbraTemporalSSAOPass* OcclusionScene::AddOcclusionPass(double radius)
 {
   this->Pass = vtkPenumbraTemporalSSAOPass::AddTo(this->Renderer);
   this->Pass->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
@@ -120,7 +120,7 @@ std::array<int, 2> OcclusionScene::Pixel(const Vector& position)
   return { static_cast<int>(at[0]), static_cast<int>(at[1]) };
 }
 
-Vector OcclusionScene::OnFloor(double x, double y)
+Vector OcclusionScene::FloorPointAt(double x, double y)
 {
   double ends[2][4];
   for (int end = 0; end < 2; ++end)
@@ -168,14 +168,14 @@ std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(dou
 {
   scene.AddFloor();
   scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   const int foot = scene.Pixel({ 0, 0, 0 })[1];
   std::vector<double> errors;
   for (int row = 0; row < foot; ++row)
   {
-    const Vector floor = scene.OnFloor(80.5, row + .5);
+    const Vector floor = scene.FloorPointAt(80.5, row + .5);
     errors.push_back(occlusion[row * scene.Width + 80] - truth(-floor[1]));
   }
   return errors;

@@ -32,13 +32,13 @@ public:
   vtkSmartPointer<vtkActor> AddFloor(double size = 20.0);
   vtkSmartPointer<vtkActor> AddSphere(const Vector& center, double radius);
 
-  void Look(const Vector& from, const Vector& at, const Vector& up = { 0.0, 0.0, 1.0 });
+  void SetCamera(const Vector& from, const Vector& at, const Vector& up = { 0.0, 0.0, 1.0 });
 
   /// \c halfHeight of the picture in world units.
   void UseParallelProjection(bool parallel, double halfHeight);
 
   /// Adds the pass, with a radius in world units.
-  vtkPenumbraTemporalSSAOPass* Occlude(double radius);
+  vtkPenumbraTemporalSSAOPass* AddOcclusionPass(double radius);
 
   /// The array of the last frame, row after row from below.
   std::vector<float> Array(const std::string& name);
@@ -50,7 +50,7 @@ public:
   std::array<int, 2> Pixel(const Vector& position);
 
   /// The point of the plane z = 0 that is seen at a place of the picture, in pixels.
-  Vector OnFloor(double x, double y);
+  Vector FloorPointAt(double x, double y);
 
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;

@@ -41,8 +41,8 @@ struct Corner
     }
     this->Scene.Renderer->AddViewProp(this->Whole);
     this->Whole->SetPosition(-1.0, 0, 0);
-    this->Scene.Look({ 2, 2.5, 2 }, { 0, .5, .5 });
-    this->Scene.Occlude(.5)->SetConvergeInOneRender(Pass::NEVER);
+    this->Scene.SetCamera({ 2, 2.5, 2 }, { 0, .5, .5 });
+    this->Scene.AddOcclusionPass(.5)->SetConvergeInOneRender(Pass::NEVER);
     this->Scene.Pass->SetKernelName("horizon");
   }
 
@@ -87,11 +87,11 @@ TEST(MovingActors, TakeTheirHistoryAlong)
     for (const bool follows : { false, true })
     {
       Corner corner(multiSamples);
-      corner.Scene.Pass->SetFollowActors(follows);
+      corner.Scene.Pass->SetUseActorMotion(follows);
       corner.Rest(16);
       corner.Move(8);
-      kept[follows] = Share(corner.Scene, "Pixels/Kept");
-      EXPECT_EQ(Share(corner.Scene, "Pixels/Followed") > .9, follows) << multiSamples;
+      kept[follows] = Share(corner.Scene, "Pixels/Reprojected");
+      EXPECT_EQ(Share(corner.Scene, "Pixels/ActorMotion") > .9, follows) << multiSamples;
       errors[follows] = corner.Error();
     }
     EXPECT_GT(kept[true], .85) << multiSamples;
@@ -106,8 +106,8 @@ TEST(MovingActors, AreNotLookedForWhereOnlyTheEyeMoves)
   corner.Rest(10);
   corner.Scene.Renderer->GetActiveCamera()->Azimuth(.25);
   corner.Scene.Window->Render();
-  EXPECT_EQ(Share(corner.Scene, "Pixels/Followed"), 0.0);
-  EXPECT_GT(Share(corner.Scene, "Pixels/Kept"), .9);
+  EXPECT_EQ(Share(corner.Scene, "Pixels/ActorMotion"), 0.0);
+  EXPECT_GT(Share(corner.Scene, "Pixels/Reprojected"), .9);
 }
 
 TEST(MovingActors, AreFollowedAsRigidBodiesAlone)
@@ -115,15 +115,15 @@ TEST(MovingActors, AreFollowedAsRigidBodiesAlone)
   OcclusionScene scene;
   scene.AddFloor();
   const auto sphere = scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
-  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   for (int frame = 0; frame < 10; ++frame)
   {
     scene.Window->Render();
   }
   const auto followed = [&]() {
     scene.Window->Render();
-    return Share(scene, "Pixels/Followed");
+    return Share(scene, "Pixels/ActorMotion");
   };
   sphere->SetPosition(.02, 0, .5);
   EXPECT_GT(followed(), .05);
@@ -142,14 +142,14 @@ TEST(MovingActors, LeaveTheHistoryOfWhatHidesThem)
   OcclusionScene scene;
   scene.AddWall({ -9, 0, -9 }, { 18, 0, 0 }, { 0, 0, 18 });
   const auto sphere = scene.AddSphere({ 0, 2, 0 }, 1.0);
-  scene.Look({ 0, -4, 0 }, { 0, 0, 0 });
-  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  scene.SetCamera({ 0, -4, 0 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   for (int frame = 0; frame < 10; ++frame)
   {
     sphere->AddPosition(.1, 0, 0);
     scene.Window->Render();
   }
-  EXPECT_EQ(Share(scene, "Pixels/Followed"), 0.0);
+  EXPECT_EQ(Share(scene, "Pixels/ActorMotion"), 0.0);
   EXPECT_EQ(Share(scene, "Pixels/Disoccluded"), 0.0);
 }
 

@@ -48,8 +48,8 @@ void ShowSphereOnFloor(OcclusionScene& scene)
 {
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
   scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-  scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   scene.Pass->SetKernelName("march");
 }
 
@@ -119,8 +119,8 @@ TEST(OcclusionHistory, ForgetsPropsThatDisappear)
     scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
     const auto oldest = scene.AddSphere({ -.7, 0, .5 }, .5);
     scene.AddSphere({ .9, 0, .5 }, .5);
-    scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-    scene.Occlude(1.0)->SetConvergeInOneRender(Pass::NEVER);
+    scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+    scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
     scene.Pass->SetKernelName("march");
     Render(scene, 40, .25);
     disappear(scene, oldest);
@@ -167,20 +167,20 @@ TEST(OcclusionHistory, IsKeptBySettingsThatDoNotChangeOcclusion)
       {
         Render(scene, 3);
       }
-      const double still = Statistic(scene, "Samples/Still");
+      const double still = Statistic(scene, "Samples/Static");
       change(scene.Pass);
       Render(scene, 1, azimuth);
-      EXPECT_GT(Statistic(scene, "Pixels/Kept"), azimuth == 0.0 ? .999 : .9) << number;
+      EXPECT_GT(Statistic(scene, "Pixels/Reprojected"), azimuth == 0.0 ? .999 : .9) << number;
       if (azimuth == 0.0)
       {
-        EXPECT_GE(Statistic(scene, "Samples/Still"), still) << number;
+        EXPECT_GE(Statistic(scene, "Samples/Static"), still) << number;
       }
     }
     ++number;
   }
   scene.Pass->SetRadius(.5);
   Render(scene, 1);
-  EXPECT_EQ(Statistic(scene, "Pixels/Kept"), 0.0);
+  EXPECT_EQ(Statistic(scene, "Pixels/Reprojected"), 0.0);
 }
 
 TEST(OcclusionHistory, RefinesToASmallerTolerance)
@@ -193,11 +193,11 @@ TEST(OcclusionHistory, RefinesToASmallerTolerance)
     scene.Window->Render();
   }
   ASSERT_TRUE(scene.Pass->IsConverged());
-  const double coarse = Statistic(scene, "Samples/Still");
+  const double coarse = Statistic(scene, "Samples/Static");
   scene.Pass->SetTolerance(.008);
   scene.Window->Render();
   EXPECT_FALSE(scene.Pass->IsConverged());
-  EXPECT_GT(Statistic(scene, "Samples/Still"), coarse);
+  EXPECT_GT(Statistic(scene, "Samples/Static"), coarse);
   for (int frame = 0; frame < 600 && !scene.Pass->IsConverged(); ++frame)
   {
     scene.Window->Render();
@@ -247,7 +247,7 @@ TEST(OcclusionHistory, SurvivesAZoom)
       scene.Renderer->GetActiveCamera()->Dolly(factor);
       scene.Renderer->ResetCameraClippingRange();
       scene.Window->Render();
-      least = std::min(least, Statistic(scene, "Pixels/Kept"));
+      least = std::min(least, Statistic(scene, "Pixels/Reprojected"));
     }
     EXPECT_GE(least, .9) << factor;
     const std::vector<float> zoomed = scene.Array("AmbientOcclusion");
@@ -293,7 +293,7 @@ TEST(PassSetters, RejectNaN)
   EXPECT_REJECTED(shafts, Weight)
   EXPECT_REJECTED(shafts, Decay)
   EXPECT_REJECTED(shafts, Density)
-  EXPECT_REJECTED(shafts, SurfaceGlow)
+  EXPECT_REJECTED(shafts, SurfaceEmission)
   EXPECT_REJECTED(shafts, Margin)
   EXPECT_REJECTED(filter, Distance)
   EXPECT_REJECTED(kernel, Thickness)

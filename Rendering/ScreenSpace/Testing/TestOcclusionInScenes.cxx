@@ -45,7 +45,7 @@ void Furnish(OcclusionScene& scene, double unit = 1.0, const Vector& at = { 0, 0
   scene.AddWall(place(-3, -3, 0), { 6 * unit, 0, 0 }, { 0, 4 * unit, 0 });
   scene.AddWall(place(-3, 1, 0), { 6 * unit, 0, 0 }, { 0, 0, 2 * unit });
   scene.AddSphere(place(0, 0, .5), .5 * unit);
-  scene.Look(place(0, -5, 3), place(0, 0, .4));
+  scene.SetCamera(place(0, -5, 3), place(0, 0, .4));
 }
 
 int LargestDifference(const std::vector<int>& a, const std::vector<int>& b)
@@ -95,7 +95,7 @@ TEST(OcclusionInScenes, IsLeftOutInStereo)
 {
   OcclusionScene scene;
   Furnish(scene);
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   scene.Window->SetStereoTypeToAnaglyph();
   scene.Window->StereoRenderOn();
   scene.Pass->SetStrength(0.0);
@@ -145,7 +145,7 @@ TEST(OcclusionInScenes, LeavesAnOverlayWhereAndAsItIs)
   };
   scene.Renderer->AddViewProp(overlay);
   EXPECT_LE(labelled(), 1);
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   EXPECT_LE(labelled(), 1);
 }
 
@@ -153,7 +153,7 @@ TEST(OcclusionInScenes, IsTheSameAtEveryScaleAndPlace)
 {
   OcclusionScene reference;
   Furnish(reference);
-  reference.Occlude(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::SHARE_OF_BOUNDS);
+  reference.AddOcclusionPass(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::FRACTION_OF_BOUNDS);
   reference.Pass->SetRadius(.1);
   reference.Window->Render();
   const std::vector<int> picture = reference.Picture();
@@ -176,8 +176,8 @@ TEST(OcclusionInScenes, IsTheSameFarFromTheOrigin)
     const auto floor = scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 4, 0 });
     floor->SetPosition(at[0], at[1], at[2]);
     scene.AddSphere({ at[0], at[1], at[2] + .5 }, .5);
-    scene.Look({ at[0], at[1] - 5, at[2] + 3 }, { at[0], at[1], at[2] + .4 });
-    scene.Occlude(1.0);
+    scene.SetCamera({ at[0], at[1] - 5, at[2] + 3 }, { at[0], at[1], at[2] + .4 });
+    scene.AddOcclusionPass(1.0);
     scene.Window->Render();
     return scene.Array("AmbientOcclusion");
   };
@@ -193,7 +193,7 @@ TEST(OcclusionInScenes, DoesNotDependOnTheClippingPlanes)
     {
       scene.Renderer->GetActiveCamera()->SetClippingRange(nearPlane, farPlane);
     }
-    scene.Occlude(1.0);
+    scene.AddOcclusionPass(1.0);
     scene.Window->Render();
     return scene.Array("AmbientOcclusion");
   };
@@ -216,7 +216,7 @@ TEST(OcclusionInScenes, LeavesTheDepthThatTheCameraWouldLeave)
       return values;
     };
     const std::vector<float> plain = depths();
-    scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+    scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
     const std::vector<float> occluded = depths();
     float largest = 0.f;
     for (std::size_t i = 0; i < plain.size(); ++i)
@@ -234,7 +234,7 @@ TEST(OcclusionInScenes, GoesOnBeyondThePicturesBorder)
     OcclusionScene scene(width, height);
     Furnish(scene);
     scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
-    scene.Occlude(1.0)->SetMargin(margin);
+    scene.AddOcclusionPass(1.0)->SetMargin(margin);
     scene.Pass->SetKernelName("horizon");
     scene.Pass->SetTolerance(.003);
     scene.Window->Render();
@@ -261,7 +261,7 @@ TEST(OcclusionInScenes, FollowsTheCameraWithoutStartingAgain)
 {
   OcclusionScene scene;
   Furnish(scene);
-  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   for (int frame = 0; frame < 30; ++frame)
   {
     scene.Window->Render();
@@ -274,7 +274,7 @@ TEST(OcclusionInScenes, FollowsTheCameraWithoutStartingAgain)
   const auto share = [&](const char* name) {
     return scene.Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
   };
-  EXPECT_GT(share("Pixels/Kept"), .97);
+  EXPECT_GT(share("Pixels/Reprojected"), .97);
   EXPECT_LT(share("Pixels/Disoccluded"), .03);
   const std::vector<float> moving = scene.Array("AmbientOcclusion");
   scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
@@ -288,7 +288,7 @@ TEST(OcclusionInScenes, StaysSmoothWhenTheEyeStops)
   // that all pixels share.
   OcclusionScene scene;
   Furnish(scene);
-  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   scene.Pass->SetKernelName("march");
   for (int frame = 0; frame < 28; ++frame)
   {
@@ -315,8 +315,8 @@ TEST(OcclusionInScenes, ForgetsWhatAMovedActorShadowed)
   OcclusionScene scene;
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
   const auto sphere = scene.AddSphere({ -.7, 0, .5 }, .5);
-  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   for (int frame = 0; frame < 40; ++frame)
   {
     scene.Window->Render();
@@ -346,7 +346,7 @@ TEST(OcclusionInScenes, IsTheSameWithTranslucentThingsVolumesAndPeelingBeforeIt)
     scene.Renderer->SetUseDepthPeeling(peeling);
     scene.Window->Render();
     const std::vector<int> plain = scene.Picture();
-    scene.Occlude(1.0);
+    scene.AddOcclusionPass(1.0);
     scene.Window->Render();
     const std::vector<int> darkened = scene.Picture();
     const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
@@ -367,7 +367,7 @@ TEST(OcclusionInScenes, StaysInItsViewport)
 {
   OcclusionScene single(80, 120);
   Furnish(single);
-  single.Occlude(1.0);
+  single.AddOcclusionPass(1.0);
   single.Window->Render();
   const std::vector<int> alone = single.Picture();
 
@@ -379,7 +379,7 @@ TEST(OcclusionInScenes, StaysInItsViewport)
   left->SetViewport(0, 0, .5, 1);
   pair.Window->AddRenderer(left);
   pair.Renderer->ResetCameraClippingRange();
-  pair.Occlude(1.0);
+  pair.AddOcclusionPass(1.0);
   vtkPenumbraTemporalSSAOPass::AddTo(left);
   pair.Window->Render();
   const std::vector<int> both = pair.Picture();
@@ -401,7 +401,7 @@ TEST(OcclusionInScenes, SurvivesResizingAndLosingItsResources)
 {
   OcclusionScene scene;
   Furnish(scene);
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   const std::vector<float> first = scene.Array("AmbientOcclusion");
   for (const auto& [width, height] : { std::pair<int, int>(1, 1), { 33, 7 }, { 301, 199 } })
@@ -425,7 +425,7 @@ TEST(OcclusionInScenes, CanBeSwitchedOnAndOff500TimesInTheSameMemory)
   const auto toggle = [&](int times) {
     for (int time = 0; time < times; ++time)
     {
-      scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+      scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
       scene.Window->Render();
       vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
     }
@@ -485,7 +485,7 @@ TEST(OcclusionInScenes, WorksWithEveryAntialiasing)
         scene.Renderer->SetUseDepthPeeling(peeling);
         scene.Window->Render();
         const std::vector<int> plain = scene.Picture();
-        scene.Occlude(1.0)->SetStrength(0.0);
+        scene.AddOcclusionPass(1.0)->SetStrength(0.0);
         scene.Window->Render();
         EXPECT_LE(LargestDifference(scene.Picture(), plain), 2)
           << samples << " samples, FXAA " << fxaa << ", peeling " << peeling;
@@ -512,7 +512,7 @@ TEST(OcclusionInScenes, LeavesHardwareSelectionAlone)
   };
   scene.Window->Render();
   const unsigned int plain = count();
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   EXPECT_EQ(count(), plain);
   EXPECT_GE(plain, 3u);
@@ -538,10 +538,10 @@ TEST(OcclusionInScenes, ShowsASkyboxInEveryFrame)
     skybox->SetProjection(vtkSkybox::Sphere);
     skybox->SetTexture(texture);
     scene.Renderer->AddActor(skybox);
-    scene.Look({ 0, -12, 1 }, { 0, 0, 3 });
+    scene.SetCamera({ 0, -12, 1 }, { 0, 0, 3 });
     scene.Window->Render();
     const std::vector<int> plain = scene.Picture();
-    vtkPenumbraTemporalSSAOPass* pass = scene.Occlude(1.0);
+    vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
     pass->SetStrength(0.0);
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
     pass->SetTolerance(.05);
@@ -565,7 +565,7 @@ TEST(OcclusionInScenes, WarnsOnceOfShadowsAndOcclusionOfTheRenderer)
   Furnish(scene);
   scene.Renderer->UseShadowsOn();
   scene.Renderer->UseSSAOOn();
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   vtkNew<vtkStringOutputWindow> output;
   const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
   vtkOutputWindow::SetInstance(output);
@@ -585,7 +585,7 @@ TEST(OcclusionInScenes, WarnsOnceOfShadowsAndOcclusionOfTheRenderer)
 TEST(OcclusionInScenes, DrawsEmptyScenesAndRefusesBadNumbers)
 {
   OcclusionScene scene;
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   EXPECT_NEAR(scene.Picture()[1], 76.5, 1.0); // the background's green
   Furnish(scene);

@@ -3,8 +3,8 @@
 //
 // Sort-last parallel rendering: every rank draws its own actors, the nearest of all pictures wins, and
 // only then comes the pass. Nothing may tell how many ranks there were.
+#include "DepthImage.h"
 #include "OcclusionScene.h"
-#include "ShownPicture.h"
 
 #include "vtkCamera.h"
 #include "vtkProperty.h"
@@ -16,7 +16,7 @@
 namespace
 {
 
-using penumbra::DepthPicture;
+using penumbra::DepthImage;
 
 constexpr int Width = 160;
 constexpr int Height = 120;
@@ -32,14 +32,14 @@ DepthPicture Draw(int rank, int ranks)
     actors.push_back(scene.AddSphere({ .8 * i - 2.0, .3 * (i % 3), .4 }, .45));
     actors.back()->GetProperty()->SetColor(.1 * i, .5, 1.0 - .1 * i);
   }
-  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
   scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, 20.0);
   for (int i = 0; i < static_cast<int>(actors.size()); ++i)
   {
     actors[i]->SetVisibility(i % ranks == rank);
   }
   scene.Window->Render();
-  return penumbra::TakePicture(scene.Window);
+  return penumbra::CaptureDepthImage(scene.Window);
 }
 
 /// The nearest of the pictures of all ranks.
@@ -48,7 +48,7 @@ DepthPicture Composite(int ranks)
   DepthPicture whole = Draw(0, ranks);
   for (int rank = 1; rank < ranks; ++rank)
   {
-    penumbra::Merge(whole, Draw(rank, ranks));
+    penumbra::DepthComposite(whole, Draw(rank, ranks));
   }
   return whole;
 }
@@ -56,12 +56,12 @@ DepthPicture Composite(int ranks)
 /// The picture under the pass, in a window that knows nothing of the actors.
 void Occlude(OcclusionScene& scene, int ranks)
 {
-  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
   scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, 20.0);
-  vtkNew<penumbra::ShowPicture> show;
+  vtkNew<penumbra::ShowDepthImagePass> show;
   show->Shown = Composite(ranks);
   scene.Renderer->SetPass(show);
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
 }
 

@@ -39,7 +39,7 @@ std::string Estimate(const std::string& kernel)
       { "Kernel", Shader("Occlusion/glsl/vtkPenumbraEstimate" + kernel + "FS.glsl") },
       { "HemisphereLib", Shader("Occlusion/glsl/vtkPenumbraHemisphereLib.glsl") } });
   return text.substr(0, text.rfind("void main()")) +
-    Shader("Frame/glsl/vtkPenumbraDarkenLib.glsl") +
+    Shader("Frame/glsl/vtkPenumbraApplyOcclusionLib.glsl") +
     Shader("Occlusion/glsl/vtkPenumbraBilateralLib.glsl");
 }
 
@@ -85,8 +85,8 @@ protected:
     program->SetUniformf("pixelRotation", 1.f);
     program->SetUniformf("distanceInPixels", 4.f);
     {
-      const penumbra::DrawInto into(this->Context, this->Framebuffer, { this->Target });
-      stage.Read("eyeDepths", this->Depths);
+      const penumbra::ScopedRenderTarget into(this->Context, this->Framebuffer, { this->Target });
+      stage.BindTexture("eyeDepths", this->Depths);
       stage.Draw();
     }
     stage.ReleaseGraphicsResources(this->Window);

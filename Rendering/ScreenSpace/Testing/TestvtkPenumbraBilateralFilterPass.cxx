@@ -27,7 +27,7 @@ void Furnish(OcclusionScene& scene)
     const double shade = strip % 2;
     wall->GetProperty()->SetColor(shade, x < 0 ? shade : 1.0, shade);
   }
-  scene.Look({ 0, -5, 0 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -5, 0 }, { 0, 0, 0 });
   scene.UseParallelProjection(true, 30.0);
 }
 

@@ -63,9 +63,9 @@ TEST_P(Kernels, SeeNoOcclusionOnAnOpenPlane)
   {
     OcclusionScene scene;
     scene.AddFloor();
-    scene.Look({ 1, -4, 2 }, { 0, 0, 0 });
+    scene.SetCamera({ 1, -4, 2 }, { 0, 0, 0 });
     scene.UseParallelProjection(parallel, 1.5);
-    scene.Occlude(1.0)->SetKernelName(GetParam().Kernel);
+    scene.AddOcclusionPass(1.0)->SetKernelName(GetParam().Kernel);
     scene.Window->Render();
     const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
     // The seam between the plane's two triangles may be off by the depth buffer's rounding.
@@ -81,7 +81,7 @@ TEST_P(Kernels, SeeNoOcclusionOnAnOpenPlane)
 TEST_P(Kernels, SeeHalfTheSkyAtTheFootOfAWall)
 {
   OcclusionScene scene;
-  scene.Occlude(1.0)->SetKernelName(GetParam().Kernel);
+  scene.AddOcclusionPass(1.0)->SetKernelName(GetParam().Kernel);
   const std::vector<double> errors = ErrorsBeforeAWall(scene, GetParam().Truth);
   EXPECT_STREQ(scene.Pass->GetActiveKernelName(), GetParam().Kernel);
   EXPECT_LT(RootMeanSquare(errors), GetParam().Rmse);
@@ -94,9 +94,9 @@ TEST_P(Kernels, DarkenAShallowValleyBetweenFacetsNoMoreThanTheirRow)
   const double rise = std::tan(vtkMath::RadiansFromDegrees(10.0));
   scene.AddWall({ 0, -20, 0 }, { 20, 0, 20 * rise }, { 0, 40, 0 });
   scene.AddWall({ 0, -20, 0 }, { -20, 0, 20 * rise }, { 0, 40, 0 });
-  scene.Look({ 0, 0, 4 }, { 0, 0, 0 }, { 0, 1, 0 });
+  scene.SetCamera({ 0, 0, 4 }, { 0, 0, 0 }, { 0, 1, 0 });
   scene.UseParallelProjection(true, 1.5);
-  scene.Occlude(1.0)->SetKernelName(GetParam().Kernel);
+  scene.AddOcclusionPass(1.0)->SetKernelName(GetParam().Kernel);
   scene.Window->Render();
   double darkest = 0.0;
   for (double x = .01; x < 1.0; x += .02)

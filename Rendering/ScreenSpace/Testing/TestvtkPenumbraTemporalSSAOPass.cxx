@@ -32,8 +32,8 @@ TEST(TemporalSSAOPass, SeesNoOcclusionOnAnOpenPlane)
 {
   OcclusionScene scene;
   scene.AddFloor();
-  scene.Look({ 0, -4, 2 }, { 0, 0, 0 });
-  scene.Occlude(1.0);
+  scene.SetCamera({ 0, -4, 2 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   ASSERT_EQ(occlusion.size(), 160u * 120u);
@@ -48,8 +48,8 @@ TEST(TemporalSSAOPass, TellsDepthAlongTheViewAxis)
 {
   OcclusionScene scene;
   scene.AddWall({ -5, 3, -5 }, { 10, 0, 0 }, { 0, 0, 10 });
-  scene.Look({ 0, -4, 0 }, { 0, 0, 0 });
-  scene.Occlude(1.0);
+  scene.SetCamera({ 0, -4, 0 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   for (const float depth : scene.Array("Depth"))
   {
@@ -60,7 +60,7 @@ TEST(TemporalSSAOPass, TellsDepthAlongTheViewAxis)
 TEST(TemporalSSAOPass, SeesHalfTheSkyAtTheFootOfAWall)
 {
   OcclusionScene scene;
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   const std::vector<double> errors = ErrorsBeforeAWall(scene);
   for (std::size_t row = 0; row < errors.size(); ++row)
   {
@@ -74,8 +74,8 @@ TEST(TemporalSSAOPass, FreezesOnceConverged)
   OcclusionScene scene;
   scene.AddFloor();
   scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
-  scene.Occlude(1.0);
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   EXPECT_TRUE(scene.Pass->IsConverged());
   EXPECT_LE(scene.Pass->GetEstimatedError(), scene.Pass->GetTolerance());
@@ -86,7 +86,7 @@ TEST(TemporalSSAOPass, FreezesOnceConverged)
     EXPECT_EQ(scene.Picture(), first);
     EXPECT_EQ(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
   }
-  scene.Look({ .1, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ .1, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   EXPECT_GT(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
 }
@@ -98,8 +98,8 @@ TEST(TemporalSSAOPass, ForgetsAllOfItBeforeItConvergesInOneRender)
     OcclusionScene scene;
     scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
     const auto sphere = scene.AddSphere({ moved ? -.5 : .5, 0, .5 }, .5);
-    scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-    scene.Occlude(1.0)->SetTolerance(.003);
+    scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+    scene.AddOcclusionPass(1.0)->SetTolerance(.003);
     for (int frame = 0; moved && frame < 3; ++frame)
     {
       scene.Window->Render();
@@ -117,8 +117,8 @@ TEST(TemporalSSAOPass, BelievesNoMeanThatStillHoldsOldSamples)
   OcclusionScene scene;
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
   const auto sphere = scene.AddSphere({ -.5, 0, .5 }, .5);
-  scene.Look({ 0, -5, 3 }, { 0, 0, .4 });
-  scene.Occlude(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   for (int frame = 0; frame < 20; ++frame)
   {
     scene.Window->Render();
@@ -143,9 +143,9 @@ TEST(TemporalSSAOPass, FollowsColoursWithoutNewSamples)
   OcclusionScene scene;
   scene.AddFloor();
   const auto sphere = scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Renderer->SetViewport(.25, .25, 1, 1);
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   ASSERT_TRUE(scene.Pass->IsConverged());
   sphere->GetProperty()->SetColor(0, .5, 1);
@@ -178,10 +178,10 @@ TEST(TemporalSSAOPass, LeavesThePictureExactlyAsItWasWhenRemoved)
   OcclusionScene scene;
   scene.AddFloor(1.0);
   scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   const std::vector<int> before = scene.Picture();
-  scene.Occlude(1.0);
+  scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   EXPECT_NE(scene.Picture(), before);
   vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
@@ -199,11 +199,11 @@ TEST(TemporalSSAOPass, LeavesEdgesAsSmoothAsTheyAre)
   scene.Renderer->SetBackground2(.9, .1, .5);
   scene.AddSphere({ 0, 0, .5 }, .7);
   scene.AddWall({ -1, 1, -.5 }, { 2, .1, .3 }, { 0, .2, 1.5 });
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   ASSERT_GT(scene.Window->GetMultiSamples(), 1);
   const std::vector<int> plain = scene.Picture();
-  scene.Occlude(1.0)->SetStrength(0.0);
+  scene.AddOcclusionPass(1.0)->SetStrength(0.0);
   scene.Window->Render();
   const std::vector<int> through = scene.Picture();
   int largest = 0;
@@ -222,8 +222,8 @@ TEST(TemporalSSAOPass, MakesNoHalosWithManySamples)
   scene.AddFloor();
   scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
   scene.Renderer->SetBackground(1, 1, 1);
-  scene.Look({ 0, -8, 6 }, { 0, 0, 0 });
-  scene.Occlude(.5);
+  scene.SetCamera({ 0, -8, 6 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(.5);
   scene.Window->Render();
   const std::array<int, 2> center = scene.Pixel({ 0, -2, 1.2 });
   const std::vector<int> picture = scene.Picture();
@@ -242,8 +242,8 @@ TEST(TemporalSSAOPass, SparesBrightColoursByLightAwareness)
   OcclusionScene scene;
   const auto floor = scene.AddFloor();
   const auto wall = scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
-  scene.Look({ 0, -5, 3 }, { 0, 0, .2 });
-  scene.Occlude(1.0)->SetLightAwareness(.75);
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .2 });
+  scene.AddOcclusionPass(1.0)->SetLightAwareness(.75);
   const std::array<int, 2> foot = scene.Pixel({ 0, -.05, 0 });
   const std::size_t at = 4 * (static_cast<std::size_t>(foot[1]) * scene.Width + foot[0]);
   for (const double brightness : { 1.0, .4 })
@@ -265,10 +265,10 @@ TEST(TemporalSSAOPass, DrawsThePlainSceneWithRadiusZero)
   OcclusionScene scene;
   scene.AddFloor(1.0);
   scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.Look({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
-  scene.Occlude(0.0);
+  scene.AddOcclusionPass(0.0);
   scene.Window->Render();
   EXPECT_EQ(scene.Picture(), plain);
   scene.Pass->SetStrength(0.0);

@@ -224,11 +224,11 @@ TEST_F(vtkPenumbraBaselineTest, IsOneLineInGoogleTest)
   EXPECT_TRUE(fs::exists(
     this->At("failed/vtkPenumbraBaselineTest.IsOneLineInGoogleTest.picture.actual.png")));
 
-  penumbra::Nearness loose(0.5);
+  penumbra::ImageTolerance loose(0.5);
   loose.PixelLimit = 1.0;
   loose.TilePixelLimit = 1.0;
   EXPECT_IMAGE_NEAR(canvas, path, loose);
-  penumbra::Nearness elsewhere(0.0);
+  penumbra::ImageTolerance elsewhere(0.0);
   const auto mask = Canvas(0, 8);
   mask->Update();
   elsewhere.Mask = mask->GetOutput();

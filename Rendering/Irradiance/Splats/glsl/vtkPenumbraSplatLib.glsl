@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Records as a texture, see RecordSplats.cxx: each has some texels in a row; rows that are full are
+// Records as a texture, see RecordSplatter.cxx: each has some texels in a row; rows that are full are
 // followed by further columns.
 uniform sampler2D records;
 uniform int rows;

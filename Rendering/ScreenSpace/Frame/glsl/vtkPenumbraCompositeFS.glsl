@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The scene, darkened, with its own depth.
-//VTK::Penumbra::DarkenLib
+//VTK::Penumbra::ApplyOcclusionLib
 uniform sampler2D colors;
 uniform sampler2D depthBuffer;
 uniform sampler2D occlusions;

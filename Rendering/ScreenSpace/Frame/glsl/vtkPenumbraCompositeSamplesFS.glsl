@@ -6,7 +6,7 @@
 // The scene with several samples a pixel, darkened: each sample by the occlusion of the surface that
 // it shows, which at an edge is that of a neighbouring pixel. So edges stay smooth and get no halos.
 //VTK::Penumbra::ViewLib
-//VTK::Penumbra::DarkenLib
+//VTK::Penumbra::ApplyOcclusionLib
 uniform sampler2DMS colors;
 uniform sampler2DMS depthSamples;
 uniform sampler2D eyeDepths;

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Steps of a chart in which programs of others tell what light arrives at places on surfaces.
+#ifndef penumbra_ChartPointQueries_h
+#define penumbra_ChartPointQueries_h
+
+#include "ChartFamilies.h"
+#include "PointQueries.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+/// What programs of others are asked, and the error of their answers.
+struct PointQuerySteps
+{
+  std::string Scene;
+  bool Lamps = false; ///< light, not occlusion
+  std::function<PointQueryScene(const Peer& peer)> Prepare;
+  std::function<double(const PointQueryScene& asked, const std::vector<glm::dvec3>& light)> Error;
+};
+
+/// Adds a step for each setting of those peers that know such a scene.
+void AddPeers(ChartFamily& family, const std::vector<Peer>& peers, const PointQuerySteps& steps);
+
+/// Occlusion baked onto the points of a mesh.
+void AddBaking(ChartFamily& family, const ChartMesh& mesh, const ChartRequest& request);
+
+}
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderOutput.h"
+
+#include "Files/ImageFiles.h"
+#include "Files/InputFiles.h"
+#include "Files/Report.h"
+#include "Input/Surfaces.h"
+#include "Options/RenderOptions.h"
+#include "Processes/CommandError.h"
+#include "Processes/ProgressLine.h"
+#include "Processes/Worker.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Every pixel has the colour of the background, or none at all.
+bool ShowsOnlyBackground(vtkImageData* image, vtkRenderer* renderer, bool background)
+{
+  vtkDataArray* color = image->GetPointData()->GetArray("Color");
+  if (!background)
+  {
+    return color->GetRange(3)[1] <= 0.0;
+  }
+  const double* expected = renderer->GetBackground();
+  for (int c = 0; c < 3; ++c)
+  {
+    const double* range = color->GetRange(c);
+    if (std::max(expected[c] - range[0], range[1] - expected[c]) > 0.5 / 255.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Why a picture shows nothing; empty where it shows something.
+std::string ExplainEmptiness(
+  const RenderResult& picture, vtkRenderer* renderer, const RenderOptions& options)
+{
+  const bool empty = picture.Coverage == RenderResult::Coverages::Empty;
+  if (!empty && !ShowsOnlyBackground(picture.Image, renderer, options.Background))
+  {
+    return std::string();
+  }
+  if (options.Opacity == 0.0)
+  {
+    return "everything is transparent: the picture shows only the background; raise --opacity";
+  }
+  if (empty)
+  {
+    return "nothing in view; check the --camera options";
+  }
+  return picture.Coverage == RenderResult::Coverages::Unknown
+    ? "nothing to see: the picture shows only the background; check the --camera options, the "
+      "colours and the lights"
+    : "what is in view cannot be told from the background; check the colours and the lights";
+}
+
+}
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string ReplaceAll(std::string pattern, const std::string& place, const std::string& value)
+{
+  for (std::size_t at = 0; (at = pattern.find(place, at)) != std::string::npos; at += value.size())
+  {
+    pattern.replace(at, place.size(), value);
+  }
+  return pattern;
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
+  const std::vector<std::string>& files, ProgressLine& progress, std::vector<std::string>& warnings)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    progress.Show("reading", static_cast<double>(i) / files.size());
+    EnterPhase(files[i], BadInput);
+    const Surfaces surfaces = ReadSurfaces(files[i]);
+    meshes.insert(meshes.end(), surfaces.Meshes.begin(), surfaces.Meshes.end());
+    if (surfaces.DroppedPoints > 0)
+    {
+      warnings.push_back(files[i] + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
+        std::to_string(surfaces.Points) +
+        " points are not finite: left out, with the cells around them");
+    }
+  }
+  return meshes;
+}
+
+OutputFiles::OutputFiles(const RenderOptions& options)
+  : Output(options.Output, "--output")
+{
+  if (!options.Statistics.empty())
+  {
+    this->Statistics.emplace(options.Statistics, "--statistics");
+  }
+}
+
+std::vector<std::string> OutputFiles::Save(const RenderResult& picture, vtkRenderer* renderer,
+  const RenderOptions& options, const PhaseTimes& preparation, const std::string& note)
+{
+  std::vector<std::string> warnings = picture.Warnings;
+  const std::string emptiness = ExplainEmptiness(picture, renderer, options);
+  if (!emptiness.empty())
+  {
+    warnings.push_back(emptiness);
+  }
+  EnterPhase("writing " + options.Output, Unavailable);
+  const Clock::time_point lap = Clock::now();
+  WritePicture(
+    picture.Image, this->Output, options.Output, !options.Background, options.DotsPerInch, note);
+  const double writeSeconds = SecondsSince(lap);
+  if (this->Statistics)
+  {
+    const nlohmann::json report = { { "statistics", picture.Statistics },
+      { "estimated_error", picture.EstimatedError }, { "tolerance", picture.Tolerance },
+      { "threads", picture.Threads },
+      { "seconds",
+        { { "read", preparation.ReadSeconds },
+          { "build", preparation.SceneSeconds + picture.BuildSeconds },
+          { "render", picture.RenderSeconds }, { "write", writeSeconds },
+          { "total", SecondsSince(preparation.Start) } } },
+      { "peak_memory_bytes", PeakMemory() } };
+    this->Statistics->Write(report.dump(2) + "\n");
+    this->Statistics->Commit();
+  }
+  this->Output.Commit();
+  return warnings;
+}
+
+void RecordInputs(const RenderOptions& options)
+{
+  for (const std::string& file : options.Files)
+  {
+    RecordInput(file);
+  }
+  RecordInput(options.Light.EnvironmentFile);
+}
+
+void CheckFiles(const RenderOptions& picture)
+{
+  RefuseInput(picture.Output, "--output");
+  if (picture.Statistics.empty())
+  {
+    return;
+  }
+  RefuseInput(picture.Statistics, "--statistics");
+  std::error_code ignored;
+  if (std::filesystem::weakly_canonical(picture.Statistics, ignored) ==
+    std::filesystem::weakly_canonical(picture.Output, ignored))
+  {
+    throw CommandError(
+      BadInput, "--statistics " + picture.Statistics + ": this is the --output; name another file");
+  }
+}
+
+}

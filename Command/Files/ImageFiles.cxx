@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageFiles.h"
+
+#include "AtomicFile.h"
+#include "EarlyEnds.h"
+#include "InputFiles.h"
+#include "PixelDensity.h"
+#include "Processes/CommandError.h"
+#include "Processes/MessageLog.h"
+
+#include "vtkBMPReader.h"
+#include "vtkBMPWriter.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkJPEGReader.h"
+#include "vtkJPEGWriter.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkTIFFReader.h"
+#include "vtkTIFFWriter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Keyword of the note in the text of a .png.
+constexpr const char* NoteKey = "Penumbra";
+
+// VTK's writer keeps the resolution for its subclasses.
+class TiffWriter : public vtkTIFFWriter
+{
+public:
+  static TiffWriter* New();
+  vtkTypeMacro(TiffWriter, vtkTIFFWriter);
+
+  void SetDotsPerInch(int dotsPerInch)
+  {
+    this->XResolution = dotsPerInch;
+    this->YResolution = dotsPerInch;
+  }
+};
+vtkStandardNewMacro(TiffWriter);
+
+std::string Extension(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return std::tolower(letter); });
+  return extension == ".jpeg" ? ".jpg" : extension == ".tiff" ? ".tif" : extension;
+}
+
+// A picture of 8 bits a channel.
+vtkSmartPointer<vtkImageData> Quantize(vtkImageData* image, bool alpha)
+{
+  vtkDataArray* color = image->GetPointData()->GetArray("Color");
+  auto quantized = vtkSmartPointer<vtkImageData>::New();
+  quantized->SetDimensions(image->GetDimensions());
+  vtkNew<vtkUnsignedCharArray> bytes;
+  const int components = alpha ? 4 : 3;
+  bytes->SetNumberOfComponents(components);
+  bytes->SetNumberOfTuples(color->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      const double value = std::clamp(color->GetComponent(i, c), 0.0, 1.0);
+      bytes->SetTypedComponent(i, c, static_cast<unsigned char>(std::lround(255.0 * value)));
+    }
+  }
+  quantized->GetPointData()->SetScalars(bytes);
+  return quantized;
+}
+
+template <typename Writer>
+std::string Encode(vtkImageData* image, Writer* writer)
+{
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* result = writer->GetResult();
+  if (!result || result->GetNumberOfValues() == 0)
+  {
+    throw CommandError(BadInput,
+      "--output: the format cannot hold so large a picture; choose another or a smaller "
+      "--resolution");
+  }
+  return std::string(
+    reinterpret_cast<const char*>(result->GetPointer(0)), result->GetNumberOfValues());
+}
+
+// Check what a writer that writes to files left behind.
+void CheckWritten(unsigned long errorCode, const AtomicFile& file)
+{
+  const std::vector<std::string> errors = TakeErrors();
+  std::error_code missing;
+  const auto size = std::filesystem::file_size(file.TemporaryPath(), missing);
+  if (errorCode == vtkErrorCode::OutOfDiskSpaceError)
+  {
+    file.Fail("no space left; free some or choose another place");
+  }
+  if (errorCode != vtkErrorCode::NoError || !errors.empty() || missing || size == 0)
+  {
+    file.Fail(errors.empty() ? "the file stayed incomplete" : errors.front());
+  }
+}
+
+void WriteTiff(vtkImageData* image, AtomicFile& file, int dotsPerInch)
+{
+  vtkNew<TiffWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(file.TemporaryPath().c_str());
+  writer->SetCompressionToDeflate();
+  writer->SetDotsPerInch(dotsPerInch);
+  writer->Write();
+  CheckWritten(writer->GetErrorCode(), file);
+  // Neither the writer nor the library below it notices a full disk.
+  if (!IsWholeTiff(file.TemporaryPath()))
+  {
+    file.Fail("the file stayed incomplete");
+  }
+}
+
+void WriteArrays(vtkImageData* image, AtomicFile& file, int dotsPerInch)
+{
+  vtkNew<vtkImageData> output;
+  output->ShallowCopy(image);
+  vtkNew<vtkIntArray> density;
+  density->SetName("DotsPerInch");
+  density->InsertNextValue(dotsPerInch);
+  output->GetFieldData()->AddArray(density);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(output);
+  writer->SetFileName(file.TemporaryPath().c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->Write();
+  CheckWritten(writer->GetErrorCode(), file);
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkImageData> Read(const std::string& path)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+}
+
+std::string PictureExtensions()
+{
+  return ".png .jpg .jpeg .tif .tiff .bmp .vti";
+}
+
+void CheckPictureExtension(const std::string& path, const std::string& option)
+{
+  const std::string extension = Extension(path);
+  for (const char* known : { ".png", ".jpg", ".tif", ".bmp", ".vti" })
+  {
+    if (extension == known)
+    {
+      return;
+    }
+  }
+  throw CommandError(BadInput,
+    option + " " + path + ": not a format of pictures; end it in one of " + PictureExtensions());
+}
+
+bool SupportsAlpha(const std::string& path)
+{
+  const std::string extension = Extension(path);
+  return extension != ".jpg" && extension != ".bmp";
+}
+
+bool HoldsArrays(const std::string& path)
+{
+  return Extension(path) == ".vti";
+}
+
+void WritePicture(vtkImageData* image, AtomicFile& file, const std::string& path, bool alpha,
+  int dotsPerInch, const std::string& note)
+{
+  const std::string extension = Extension(path);
+  TakeErrors();
+  if (extension == ".vti")
+  {
+    WriteArrays(image, file, dotsPerInch);
+    return;
+  }
+  const vtkSmartPointer<vtkImageData> quantized = Quantize(image, alpha);
+  if (extension == ".tif")
+  {
+    WriteTiff(quantized, file, dotsPerInch);
+    return;
+  }
+  std::string bytes;
+  if (extension == ".jpg")
+  {
+    vtkNew<vtkJPEGWriter> writer;
+    bytes = Encode(quantized, writer.Get());
+    SetDensityOfJpeg(bytes, dotsPerInch);
+  }
+  else if (extension == ".bmp")
+  {
+    vtkNew<vtkBMPWriter> writer;
+    bytes = Encode(quantized, writer.Get());
+    SetDensityOfBmp(bytes, dotsPerInch);
+  }
+  else
+  {
+    vtkNew<vtkPNGWriter> writer;
+    if (!note.empty())
+    {
+      writer->AddText(NoteKey, note.c_str());
+    }
+    bytes = Encode(quantized, writer.Get());
+    SetDensityOfPng(bytes, dotsPerInch);
+  }
+  file.Write(bytes);
+}
+
+std::string ReadNote(const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    return std::string();
+  }
+  TakeErrors();
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  int chunks[2] = { 0, 0 };
+  reader->GetTextChunks(NoteKey, chunks);
+  return TakeErrors().empty() && chunks[1] > chunks[0] ? reader->GetTextValue(chunks[0]) : "";
+}
+
+vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    throw CommandError(BadInput, path + ": no such file");
+  }
+  CheckPictureExtension(path, "picture");
+  RecordInput(path);
+  const std::string extension = Extension(path);
+  TakeErrors();
+  const vtkSmartPointer<vtkImageData> image = extension == ".vti"
+    ? Read<vtkXMLImageDataReader>(path)
+    : extension == ".tif" ? Read<vtkTIFFReader>(path)
+    : extension == ".bmp" ? Read<vtkBMPReader>(path)
+    : extension == ".jpg" ? Read<vtkJPEGReader>(path)
+                          : Read<vtkPNGReader>(path);
+  const std::vector<std::string> errors = TakeErrors();
+  if (!errors.empty() || !image || image->GetNumberOfPoints() == 0)
+  {
+    throw CommandError(BadInput,
+      path + ": cannot be read as a picture: " + (errors.empty() ? "it is empty" : errors.front()));
+  }
+  return image;
+}
+
+}

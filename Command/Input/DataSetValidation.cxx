@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DataSetValidation.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkGenericCell.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <sstream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Calls `visit(index, value)` for each value until it returns false; tells whether none did.
+template <typename Visitor>
+bool EveryValue(vtkDataArray* array, const Visitor& visit)
+{
+  const vtkIdType count = array->GetNumberOfValues();
+  const auto everyOf = [&](const auto* values) {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (!visit(i, static_cast<vtkIdType>(values[i])))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  if (auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(array))
+  {
+    return everyOf(wide->GetPointer(0));
+  }
+  if (auto* narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(array))
+  {
+    return everyOf(narrow->GetPointer(0));
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (!visit(i, static_cast<vtkIdType>(array->GetComponent(i, 0))))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string FindInconsistency(vtkCellArray* cells, vtkIdType points)
+{
+  if (!cells || cells->GetNumberOfCells() == 0)
+  {
+    return std::string();
+  }
+  vtkDataArray* connectivity = cells->GetConnectivityArray();
+  const vtkIdType size = connectivity->GetNumberOfValues();
+  vtkIdType before = 0;
+  const bool ordered = EveryValue(cells->GetOffsetsArray(), [&](vtkIdType i, vtkIdType offset) {
+    const bool sound = offset >= before && offset <= size && (i > 0 || offset == 0);
+    before = offset;
+    return sound;
+  });
+  if (!ordered || before > size)
+  {
+    return "its cells overlap or reach beyond their list";
+  }
+  vtkIdType culprit = 0;
+  const bool inRange = EveryValue(connectivity, [&](vtkIdType i, vtkIdType id) {
+    culprit = id;
+    return (id >= 0 && id < points) || i >= before;
+  });
+  if (!inRange)
+  {
+    std::ostringstream message;
+    message << "a cell uses point " << culprit << ", but there are only " << points << " points";
+    return message.str();
+  }
+  return std::string();
+}
+
+// Corners of a cell of each type; 0 where the number varies.
+std::array<int, 256> CountCorners()
+{
+  std::array<int, 256> corners = {};
+  for (int type = 0; type < VTK_POLYHEDRON; ++type)
+  {
+    const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+    corners[type] = cell ? static_cast<int>(cell->GetNumberOfPoints()) : 0;
+  }
+  return corners;
+}
+
+std::string FindFaultOfTypes(vtkUnstructuredGrid* grid)
+{
+  static const std::array<int, 256> corners = CountCorners();
+  vtkCellArray* cells = grid->GetCells();
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int needed = corners[static_cast<unsigned char>(grid->GetCellType(cell))];
+    if (needed > 0 && cells->GetCellSize(cell) != needed)
+    {
+      std::ostringstream message;
+      message << "cell " << cell << " has " << cells->GetCellSize(cell) << " corners instead of "
+              << needed;
+      return message.str();
+    }
+  }
+  return std::string();
+}
+
+std::string FindInconsistency(vtkDataSetAttributes* attributes, vtkIdType tuples)
+{
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    if (array && array->GetNumberOfTuples() < tuples)
+    {
+      return std::string("the array '") + (array->GetName() ? array->GetName() : "") +
+        "' is too short";
+    }
+  }
+  return std::string();
+}
+
+}
+
+std::string FindInconsistency(vtkDataSet* data)
+{
+  std::string fault;
+  const auto check = [&fault](const std::string& found) { fault = fault.empty() ? found : fault; };
+  const vtkIdType points = data->GetNumberOfPoints();
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    for (vtkCellArray* cells :
+      { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+    {
+      check(FindInconsistency(cells, points));
+    }
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    check(FindInconsistency(grid->GetCells(), points));
+    if (fault.empty())
+    {
+      check(FindFaultOfTypes(grid));
+    }
+  }
+  if (fault.empty())
+  {
+    check(FindInconsistency(data->GetPointData(), points));
+    check(FindInconsistency(data->GetCellData(), data->GetNumberOfCells()));
+  }
+  return fault;
+}
+
+}

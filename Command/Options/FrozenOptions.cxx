@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrozenOptions.h"
+
+#include "RenderOptions.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkMapper.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Shares of the bounds' diagonal: the defaults that Options.md tells.
+constexpr double RadiusShare = 0.1;
+constexpr double ScatteringShare = 0.25;
+
+void FreezeCamera(vtkCamera* camera, CameraOptions& options)
+{
+  Vector3 position;
+  Vector3 focalPoint;
+  Vector3 viewUp;
+  camera->GetPosition(position.data());
+  camera->GetFocalPoint(focalPoint.data());
+  camera->GetViewUp(viewUp.data());
+  options.Position = position;
+  options.FocalPoint = focalPoint;
+  options.ViewUp = viewUp;
+  options.ParallelScale = camera->GetParallelScale();
+  options.Azimuth = 0.0;
+  options.Elevation = 0.0;
+}
+
+void FixColors(vtkRenderer* renderer, ColoringOptions& options)
+{
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetActors()->InitTraversal(cookie);
+  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    if (mapper && mapper->GetScalarVisibility())
+    {
+      const double* range = mapper->GetLookupTable()->GetRange();
+      options.Array = mapper->GetArrayName();
+      options.Range = { range[0], range[1] };
+      return;
+    }
+  }
+}
+
+}
+
+void FreezeOptions(vtkRenderer* renderer, RenderOptions& options)
+{
+  FreezeCamera(renderer->GetActiveCamera(), options.Camera);
+  if (options.Coloring.Enabled)
+  {
+    FixColors(renderer, options.Coloring);
+  }
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
+  if (options.AmbientOcclusionRadius == 0.0)
+  {
+    options.AmbientOcclusionRadius = RadiusShare * diagonal;
+  }
+  if (std::isnan(options.Shafts.Scattering))
+  {
+    options.Shafts.Scattering = ScatteringShare / diagonal;
+  }
+}
+
+}

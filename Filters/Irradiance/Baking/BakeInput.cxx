@@ -1,0 +1,511 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BakeInput.h"
+
+#include "Import/SurfaceGeometry.h"
+#include "Shading/HemisphereSampling.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkPolygon.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Sides of the discs that stand for points.
+constexpr unsigned int DiscSides = 6;
+
+/// Of the radius of those discs: how high above a point rays start, so that the discs of its
+/// neighbours on a convex surface do not block it.
+constexpr float LiftOfDiscs = .5f;
+
+bool IsFinite(const double x[3])
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+void Include(vtkPolyData* mesh, vtkBoundingBox& bounds)
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    if (IsFinite(x))
+    {
+      bounds.AddPoint(x);
+    }
+  }
+}
+
+vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh, const ProgressCallback& progress)
+{
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(mesh);
+  filter->PassLinesOff();
+  filter->PassVertsOff();
+  UpdateStoppably(filter, progress);
+  return filter->GetOutput()->GetPolys();
+}
+
+/// Cells at one point from which on VTK's search for neighbours, all pairs of them, takes too long.
+constexpr vtkIdType ManyCells = 1024;
+
+bool HasCrowdedPoint(vtkPolyData* mesh)
+{
+  std::vector<vtkIdType> cells(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      if (++cells[static_cast<std::size_t>(ids->GetId(k))] >= ManyCells)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The polygons, each turned like the neighbour that it was reached from; the first of each part stays.
+/// Edges are sorted, so that many at one point cost no more than others.
+vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
+{
+  struct Edge
+  {
+    vtkIdType Low, High, Cell;
+    bool Forward;
+  };
+  struct Link
+  {
+    vtkIdType From, To;
+    bool Against;
+  };
+  const auto turned = vtkSmartPointer<vtkCellArray>::New();
+  turned->DeepCopy(polygons);
+  std::vector<Edge> edges;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < turned->GetNumberOfCells(); ++cell)
+  {
+    turned->GetCellAtId(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType from = ids->GetId(k);
+      const vtkIdType to = ids->GetId((k + 1) % ids->GetNumberOfIds());
+      edges.push_back({ std::min(from, to), std::max(from, to), cell, from < to });
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.Low, a.High, a.Cell) < std::tie(b.Low, b.High, b.Cell);
+  });
+  std::vector<Link> links;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+  {
+    const Edge& a = edges[i];
+    const Edge& b = edges[i + 1];
+    if (a.Low == b.Low && a.High == b.High && a.Cell != b.Cell)
+    {
+      links.push_back({ a.Cell, b.Cell, a.Forward == b.Forward });
+      links.push_back({ b.Cell, a.Cell, a.Forward == b.Forward });
+    }
+  }
+  const auto before = [](const Link& a, const Link& b) { return a.From < b.From; };
+  std::stable_sort(links.begin(), links.end(), before);
+  enum : char
+  {
+    Unseen,
+    Kept,
+    Reversed
+  };
+  std::vector<char> states(static_cast<std::size_t>(turned->GetNumberOfCells()), Unseen);
+  std::vector<vtkIdType> waiting;
+  for (vtkIdType first = 0; first < turned->GetNumberOfCells(); ++first)
+  {
+    if (states[first] == Unseen)
+    {
+      states[first] = Kept;
+      waiting.push_back(first);
+    }
+    while (!waiting.empty())
+    {
+      const vtkIdType cell = waiting.back();
+      waiting.pop_back();
+      const auto [begin, end] =
+        std::equal_range(links.begin(), links.end(), Link{ cell, 0, false }, before);
+      for (auto link = begin; link != end; ++link)
+      {
+        if (states[link->To] == Unseen)
+        {
+          states[link->To] = (states[cell] == Reversed) != link->Against ? Reversed : Kept;
+          waiting.push_back(link->To);
+        }
+      }
+    }
+    // All of its part is known by now: the part began at its first polygon.
+    if (states[first] == Reversed)
+    {
+      turned->ReverseCellAtId(first);
+    }
+  }
+  return turned;
+}
+
+/// Per point; neighbours are turned the same way round.
+vtkSmartPointer<vtkDataArray> ComputedNormals(
+  vtkPolyData* surface, const ProgressCallback& progress)
+{
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(surface->GetPoints());
+  polygons->SetPolys(surface->GetPolys());
+  polygons->SetStrips(surface->GetStrips());
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(polygons);
+  normals->SplittingOff();
+  if (surface->GetNumberOfStrips() == 0 && HasCrowdedPoint(polygons))
+  {
+    polygons->SetPolys(Turned(polygons->GetPolys()));
+    normals->ConsistencyOff();
+  }
+  else
+  {
+    normals->ConsistencyOn();
+  }
+  UpdateStoppably(normals, progress);
+  vtkDataArray* found = normals->GetOutput()->GetPointData()->GetNormals();
+  return found && found->GetNumberOfTuples() == surface->GetNumberOfPoints() ? found : nullptr;
+}
+
+/// A mesh on its way into a scene.
+class MeshReading
+{
+public:
+  MeshReading(vtkPointSet* data, const BakeInputOptions& choices, const ProgressCallback& progress)
+    : Data(data),
+      Choices(choices),
+      Progress(progress),
+      Mesh(DropMismatchedAttributes(
+        FacingOutwards(ExtractSurface(data, progress), data, progress), Result.LeftOut))
+  {
+  }
+
+  BakeInput Read()
+  {
+    this->Center();
+    this->AddTriangles();
+    if (this->Triangles.empty() && this->Choices.PointRadius > 0.0)
+    {
+      this->FindNormals();
+      this->AddDiscs();
+    }
+    else if (this->Choices.OfCells)
+    {
+      this->AddCells();
+    }
+    else
+    {
+      this->FindNormals();
+      this->AddPoints();
+    }
+    this->Finish();
+    return std::move(this->Result);
+  }
+
+private:
+  void Center()
+  {
+    vtkBoundingBox& bounds = this->Result.Bounds;
+    Include(this->Mesh, bounds);
+    double center[3] = { 0.0, 0.0, 0.0 };
+    if (bounds.IsValid())
+    {
+      bounds.GetCenter(center);
+      this->Result.Diagonal = bounds.GetDiagonalLength();
+    }
+    Scene& scene = this->Result.OccluderScene;
+    scene.Origin = { center[0], center[1], center[2] };
+    scene.Scale = this->Result.Diagonal > 0.0 ? 1.0 / this->Result.Diagonal : 1.0;
+    this->Positions.reserve(this->Mesh->GetNumberOfPoints() + 1);
+    for (vtkIdType i = 0; i < this->Mesh->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      this->Mesh->GetPoint(i, x);
+      this->Positions.emplace_back(scene.FromWorld(x));
+    }
+    this->Finite.resize(this->Positions.size());
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      const glm::vec3 p = this->Positions[i];
+      this->Finite[i] = std::isfinite(p.x + p.y + p.z);
+      this->Positions[i] = this->Finite[i] ? p : glm::vec3(0.f);
+    }
+  }
+
+  void AddTriangles()
+  {
+    const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(this->Mesh, this->Progress);
+    this->EdgeSums.assign(this->Positions.size(), 0.f);
+    this->EdgeCounts.assign(this->Positions.size(), 0);
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, ids);
+      if (ids->GetNumberOfIds() != 3)
+      {
+        continue;
+      }
+      const glm::uvec3 corners(ids->GetId(0), ids->GetId(1), ids->GetId(2));
+      if (!this->Finite[corners.x] || !this->Finite[corners.y] || !this->Finite[corners.z])
+      {
+        continue;
+      }
+      this->Triangles.push_back(corners);
+      for (int k = 0; k < 3; ++k)
+      {
+        const unsigned int from = corners[k];
+        const unsigned int to = corners[(k + 1) % 3];
+        const float length = glm::distance(this->Positions[from], this->Positions[to]);
+        for (const unsigned int end : { from, to })
+        {
+          this->EdgeSums[end] += length;
+          ++this->EdgeCounts[end];
+        }
+      }
+    }
+  }
+
+  void FindNormals()
+  {
+    this->Normals = this->Mesh->GetPointData()->GetNormals();
+    if (!this->Normals || this->Choices.ComputeNormals)
+    {
+      this->Normals = ComputedNormals(this->Mesh, this->Progress);
+    }
+  }
+
+  /// Unit normal of a point; 0 where there is none.
+  glm::vec3 NormalOf(vtkIdType point)
+  {
+    double n[3] = { 0.0, 0.0, 0.0 };
+    if (this->Normals)
+    {
+      this->Normals->GetTuple(point, n);
+    }
+    const glm::dvec3 normal(n[0], n[1], n[2]);
+    const double length = glm::length(normal);
+    return length > 0.0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0.f);
+  }
+
+  /// `id` is of the surface.
+  void AddSite(vtkIdType id, glm::vec3 position, glm::vec3 normal, float spacing)
+  {
+    if (!this->Originals.empty())
+    {
+      id = this->Originals[static_cast<std::size_t>(id)];
+    }
+    if (id < 0)
+    {
+      return; // a point that the data set lacks
+    }
+    if (normal == glm::vec3(0.f))
+    {
+      ++this->Result.NotFinite;
+      return;
+    }
+    RecordCandidate site;
+    site.Position = position;
+    site.Normal = normal;
+    site.Pixel = spacing;
+    this->Result.Sites.push_back(site);
+    this->Result.Ids.push_back(id);
+  }
+
+  /// Of `count` points or cells; several sites may be faces of one cell.
+  void CountUnused(vtkIdType count)
+  {
+    std::vector<vtkIdType> ids = this->Result.Ids;
+    std::sort(ids.begin(), ids.end());
+    const auto asked = std::unique(ids.begin(), ids.end()) - ids.begin();
+    this->Result.Unused = std::max<vtkIdType>(count - asked - this->Result.NotFinite, 0);
+  }
+
+  void AddPoints()
+  {
+    this->Originals = OriginalIds(this->Mesh, this->Data, vtkDataObject::POINT);
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      const auto point = static_cast<vtkIdType>(i);
+      if (!this->Finite[i])
+      {
+        ++this->Result.NotFinite;
+      }
+      else if (this->EdgeCounts[i] > 0)
+      {
+        this->AddSite(point, this->Positions[i], this->NormalOf(point),
+          this->EdgeSums[i] / static_cast<float>(this->EdgeCounts[i]));
+      }
+    }
+    this->CountUnused(this->Data->GetNumberOfPoints());
+  }
+
+  void AddCells()
+  {
+    this->Originals = OriginalIds(this->Mesh, this->Data, vtkDataObject::CELL);
+    for (vtkIdType cell = 0; cell < this->Mesh->GetNumberOfCells(); ++cell)
+    {
+      if (cell % StoppableCells == 0)
+      {
+        ThrowIfStopped(this->Progress, 0.0);
+      }
+      vtkCell* polygon = this->Mesh->GetCell(cell);
+      if (polygon->GetCellDimension() != 2)
+      {
+        continue;
+      }
+      glm::vec3 center(0.f);
+      bool finite = true;
+      const vtkIdType count = polygon->GetNumberOfPoints();
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        finite = finite && this->Finite[polygon->GetPointId(k)];
+        center += this->Positions[polygon->GetPointId(k)] / static_cast<float>(count);
+      }
+      if (!finite)
+      {
+        ++this->Result.NotFinite;
+        continue;
+      }
+      double n[3];
+      vtkPolygon::ComputeNormal(polygon->GetPoints(), n);
+      const glm::vec3 normal(n[0], n[1], n[2]);
+      float size = 0.f;
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        size = std::max(size, glm::distance(center, this->Positions[polygon->GetPointId(k)]));
+      }
+      if (normal != glm::vec3(0.f))
+      {
+        this->AddSite(cell, center, glm::normalize(normal), size);
+      }
+    }
+    this->CountUnused(this->Data->GetNumberOfCells());
+  }
+
+  void AddDiscs()
+  {
+    const auto radius =
+      static_cast<float>(this->Choices.PointRadius * this->Result.OccluderScene.Scale);
+    const auto count = static_cast<vtkIdType>(this->Positions.size());
+    for (vtkIdType point = 0; point < count; ++point)
+    {
+      const glm::vec3 normal = this->NormalOf(point);
+      if (!this->Finite[point] || normal == glm::vec3(0.f))
+      {
+        ++this->Result.NotFinite;
+        continue;
+      }
+      const glm::vec3 center = this->Positions[point];
+      const glm::mat3 frame = FrameFromNormal(normal);
+      const auto first = static_cast<unsigned int>(this->Positions.size());
+      for (unsigned int k = 0; k < DiscSides; ++k)
+      {
+        const float angle = 6.2831853f * static_cast<float>(k) / DiscSides;
+        this->Positions.push_back(
+          center + radius * (std::cos(angle) * frame[0] + std::sin(angle) * frame[1]));
+        this->Triangles.emplace_back(
+          static_cast<unsigned int>(point), first + k, first + (k + 1) % DiscSides);
+      }
+      this->AddSite(point, center + LiftOfDiscs * radius * normal, normal, radius);
+    }
+  }
+
+  void Finish()
+  {
+    double sum = 0.0;
+    for (const RecordCandidate& site : this->Result.Sites)
+    {
+      sum += site.Pixel;
+    }
+    if (!this->Result.Sites.empty())
+    {
+      this->Result.Spacing =
+        static_cast<float>(sum / static_cast<double>(this->Result.Sites.size()));
+    }
+    Surface surface;
+    surface.Positions = std::move(this->Positions);
+    surface.Triangles = std::move(this->Triangles);
+    this->Result.OccluderScene.Surfaces.push_back(std::move(surface));
+  }
+
+  vtkPointSet* Data;
+  const BakeInputOptions& Choices;
+  const ProgressCallback& Progress;
+  BakeInput Result;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkSmartPointer<vtkDataArray> Normals;
+  std::vector<vtkIdType> Originals; ///< per point or cell of Mesh: that of Data; empty: the same
+  std::vector<glm::vec3> Positions;
+  std::vector<char> Finite;
+  std::vector<glm::uvec3> Triangles;
+  std::vector<float> EdgeSums; ///< per point: lengths of the edges of its triangles
+  std::vector<int> EdgeCounts;
+};
+
+}
+
+BakeInput PrepareBakeInput(
+  vtkPointSet* data, const BakeInputOptions& choices, const ProgressCallback& progress)
+{
+  return MeshReading(data, choices, progress).Read();
+}
+
+void AddOccluders(vtkPolyData* surroundings, BakeInput& mesh, const ProgressCallback& progress)
+{
+  Include(surroundings, mesh.Bounds);
+  mesh.Diagonal = mesh.Bounds.IsValid() ? mesh.Bounds.GetDiagonalLength() : 0.0;
+  const Scene& scene = mesh.OccluderScene;
+  Surface surface;
+  std::vector<char> finite;
+  for (vtkIdType i = 0; i < surroundings->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    surroundings->GetPoint(i, x);
+    finite.push_back(IsFinite(x));
+    surface.Positions.emplace_back(finite.back() ? scene.FromWorld(x) : glm::dvec3(0.0));
+  }
+  const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(surroundings, progress);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    if (ids->GetNumberOfIds() != 3)
+    {
+      continue;
+    }
+    const glm::uvec3 corners(ids->GetId(0), ids->GetId(1), ids->GetId(2));
+    if (finite[corners.x] && finite[corners.y] && finite[corners.z])
+    {
+      surface.Triangles.push_back(corners);
+    }
+  }
+  mesh.OccluderScene.Surfaces.push_back(std::move(surface));
+}
+
+}

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocalRegression.h"
+
+#include "Shading/HemisphereSampling.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+
+/// How far neighbours count, in spacings, and how much their normals may differ (cosine). Measured on a
+/// scan of 104 thousand points: further ones, and more different ones, bring more bias than they take
+/// noise.
+constexpr float ReachInSpacings = 2.5f;
+constexpr float LeastCosine = .95f;
+
+/// Brute force tells a variance above the true one, by this.
+constexpr double ShareOfVariance = .6;
+
+/// Answers with less noise than the others count more; this share of the mean variance, added to that
+/// of each, keeps single ones from deciding.
+constexpr float CommonShare = .5f;
+
+/// Added to the diagonal, over the sum of weights: where all neighbours lie in a line, or all have one
+/// normal, the function is level across.
+constexpr double Ridge = 1e-3;
+
+/// Fitted values err by less than noise and scatter together tell, by this. Measured there, too.
+constexpr double ShareOfError = .8;
+
+/// So many more answers than terms.
+constexpr std::size_t LeastSurplus = 2;
+
+/// Sites of one cell that are looked at: many times what a mesh of even density has there.
+constexpr std::size_t MostOfCell = 128;
+
+}
+
+LocalRegression::LocalRegression(
+  const std::vector<RecordCandidate>& sites, const std::vector<std::size_t>& which, float spacing)
+  : Sites(sites),
+    Reach(std::max(ReachInSpacings * spacing, 1e-30f))
+{
+  std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
+  for (const std::size_t index : which)
+  {
+    keyed.emplace_back(KeyOf(this->CellOf(sites[index].Position)), index);
+  }
+  std::sort(keyed.begin(), keyed.end());
+  for (const auto& [key, index] : keyed)
+  {
+    const std::size_t at = this->Order.size();
+    const auto cell = this->Cells.emplace(key, std::make_pair(at, at)).first;
+    cell->second.second = at + 1;
+    this->Order.push_back(index);
+  }
+}
+
+std::array<std::int64_t, 3> LocalRegression::CellOf(glm::vec3 position) const
+{
+  const glm::dvec3 cell = glm::floor(glm::dvec3(position) / static_cast<double>(this->Reach));
+  return { static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
+    static_cast<std::int64_t>(cell.z) };
+}
+
+std::uint64_t LocalRegression::KeyOf(const std::array<std::int64_t, 3>& cell)
+{
+  // Far cells may share a key: their sites are told apart by distance.
+  constexpr std::uint64_t Mask = (1u << 21) - 1;
+  return (static_cast<std::uint64_t>(cell[0]) & Mask) << 42 |
+    (static_cast<std::uint64_t>(cell[1]) & Mask) << 21 |
+    (static_cast<std::uint64_t>(cell[2]) & Mask);
+}
+
+void LocalRegression::FindRows(
+  std::size_t index, const std::vector<NoisyEstimate>& answers, std::vector<Row>& rows) const
+{
+  const RecordCandidate& site = this->Sites[index];
+  const glm::mat3 frame = FrameFromNormal(site.Normal);
+  const std::array<std::int64_t, 3> middle = this->CellOf(site.Position);
+  rows.clear();
+  const auto add = [&](std::size_t which) {
+    const RecordCandidate& other = this->Sites[which];
+    const glm::vec3 d = (other.Position - site.Position) / this->Reach;
+    const float square = glm::dot(d, d);
+    if (square < 1.f && glm::dot(other.Normal, site.Normal) > LeastCosine)
+    {
+      rows.push_back({ { 1.0, glm::dot(d, frame[0]), glm::dot(d, frame[1]),
+                         glm::dot(other.Normal, frame[0]), glm::dot(other.Normal, frame[1]) },
+        1.0 - square, answers[which] });
+    }
+  };
+  for (int k = 0; k < 27; ++k)
+  {
+    const auto found = this->Cells.find(
+      KeyOf({ middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1 }));
+    if (found == this->Cells.end())
+    {
+      continue;
+    }
+    // Of a crowded cell some sites tell what all of them would.
+    const auto [first, last] = found->second;
+    const std::size_t step = (last - first + MostOfCell - 1) / MostOfCell;
+    for (std::size_t at = first; at < last; at += step)
+    {
+      add(this->Order[at]);
+    }
+    // The site asked for is among them: a cell's sites are in their order.
+    const auto begin = this->Order.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto own =
+      std::lower_bound(begin, begin + static_cast<std::ptrdiff_t>(last - first), index);
+    const auto place = static_cast<std::size_t>(own - begin);
+    if (step > 1 && place < last - first && *own == index && place % step != 0)
+    {
+      add(index);
+    }
+  }
+  float variance = 0.f;
+  for (const Row& row : rows)
+  {
+    variance += row.Answer.Error * row.Answer.Error / static_cast<float>(rows.size());
+  }
+  for (Row& row : rows)
+  {
+    const float own = row.Answer.Error * row.Answer.Error;
+    row.Weight *= variance > 0.f ? variance / (own + CommonShare * variance) : 1.f;
+  }
+}
+
+NoisyEstimate LocalRegression::Fit(
+  std::size_t index, const std::vector<NoisyEstimate>& answers) const
+{
+  thread_local std::vector<Row> rows; // its memory is kept
+  this->FindRows(index, answers, rows);
+  if (rows.size() < Terms + LeastSurplus)
+  {
+    return {};
+  }
+  // Least squares: the normal equations, and two right sides: the answers, for the function; the first
+  // unit vector, for how much each answer weighs in its value here.
+  double m[Terms][Terms + 2] = {};
+  double weights = 0.0;
+  for (const Row& row : rows)
+  {
+    weights += row.Weight;
+    for (int i = 0; i < Terms; ++i)
+    {
+      for (int j = 0; j <= i; ++j)
+      {
+        m[i][j] += row.Weight * row.Term[i] * row.Term[j];
+      }
+      m[i][Terms] += row.Weight * row.Term[i] * row.Answer.Mean;
+    }
+  }
+  for (int i = 1; i < Terms; ++i)
+  {
+    m[i][i] += Ridge * weights;
+    for (int j = 0; j < i; ++j)
+    {
+      m[j][i] = m[i][j];
+    }
+  }
+  m[0][Terms + 1] = 1.0;
+  for (int pivot = 0; pivot < Terms; ++pivot) // positive definite: no search for pivots
+  {
+    for (int i = 0; i < Terms; ++i)
+    {
+      const double factor = i == pivot ? 0.0 : m[i][pivot] / m[pivot][pivot];
+      for (int j = pivot; j < Terms + 2; ++j)
+      {
+        m[i][j] -= factor * m[pivot][j];
+      }
+    }
+  }
+  double residual = 0.0;
+  double noise = 0.0;
+  double variance = 0.0;
+  for (const Row& row : rows)
+  {
+    double expected = 0.0;
+    double share = 0.0;
+    for (int i = 0; i < Terms; ++i)
+    {
+      expected += m[i][Terms] / m[i][i] * row.Term[i];
+      share += m[i][Terms + 1] / m[i][i] * row.Term[i] * row.Weight;
+    }
+    const double own = ShareOfVariance * row.Answer.Error * row.Answer.Error;
+    residual += row.Weight * (row.Answer.Mean - expected) * (row.Answer.Mean - expected);
+    noise += row.Weight * own;
+    variance += share * share * own;
+  }
+  const double freedom = 1.0 - Terms / static_cast<double>(rows.size());
+  const double unexplained = std::max(0.0, (residual / freedom - noise) / weights);
+  return { static_cast<float>(m[0][Terms] / m[0][0]),
+    static_cast<float>(ShareOfError * std::sqrt(variance + unexplained)) };
+}
+
+}

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// With L the radiance, the mean is F = 1/pi * integral of L cos. Where L jumps by dL across a
+// boundary, F changes as the boundary moves. Let e be the unit normal of the boundary, in the
+// tangent plane of the sphere of directions, towards the side with less; dl its element; r the
+// distance of the nearer side, whose rim it is, and w its direction. When the point moves by d, the
+// rim is seen to move by -d.e/r, so that
+//
+//   gradient  g = -1/pi * sum over boundaries of dL cos(w) e dl / r,
+//
+// of which the part in the tangent plane is kept. e dl = w x dw is linear in the path: a staircase
+// along the sides of cells leads to the same sum as the smooth boundary. Differentiating once more
+// with the rim fixed in space, the symmetric part that remains for closed rims is
+//
+//   Hessian   H = -4/pi * sum of dL cos(w) / r^2 * sym(w e^T) dl.
+//
+// A round object's rim slides along it as the point moves; H leaves that out, being used for
+// radii only. Where the rim is not an object's end but the limit of reach on a surface with normal
+// m, the boundary moves along m' = m - (m.w) w by -(m.d) / (reach |m'|), which has its own term.
+//
+// With a fall-off D the radiance of a place at distance t in direction w is D(t), which changes by
+// -D'(t) w.d as the point moves: that adds its mean over the hemisphere to g. To H it adds the mean of
+// D'' w w^T + D'/t (1 - w w^T), and both mixed derivatives: the sums above of the jumps of -D' w.
+#include "HemisphereEstimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr float Pi = 3.14159265f;
+
+/// Parts of luminance (ITU-R BT.709): one Hessian serves all channels.
+const glm::vec3 Luminance(.2126f, .7152f, .0722f);
+
+/// A cell on a straight boundary holds p of one side; p (1 - p), the variance of its one sample, is
+/// 1/6 in the mean, and a staircase has about 4/3 sides a cell.
+constexpr float VariancePerSide = 1.f / 8.f;
+
+/// Directions lower than this (cosine to the normal) may meet walls; steeper surfaces than that
+/// (cosine between normals) are walls.
+constexpr float LowCosine = .35f;
+constexpr float SteepCosine = .7f;
+
+/// Directions lower than this do not count for the nearest hit [IC]: on every concave surface it
+/// would be 0.
+constexpr float GrazingCosine = .3f;
+
+/// Normals of one plane.
+constexpr float FlatCosine = .99999f;
+
+/// No rim is believed to be further than this times the hit that tells of it.
+constexpr float FarthestOccluderEdge = 4.f;
+
+/// Nor nearer than this, in scene units: in a corner it would be 0, and derivatives infinite.
+constexpr float NearestRim = 1e-9f;
+
+/// Surfaces seen more face-on than this (sine, squared) have no clear line where reach ends.
+constexpr float LeastSlope = .05f;
+
+/// Sums over the boundaries between cells.
+class Boundaries
+{
+public:
+  Boundaries(const HemisphereGrid& grid, const glm::mat3& frame,
+    const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& sights,
+    const DistanceFalloff& falloff)
+    : Grid(grid),
+      ToLocal(glm::transpose(frame)),
+      Directions(directions),
+      Sights(sights),
+      Fading(falloff)
+  {
+  }
+
+  /// The side from corner `from` to corner `to` between cells `one` and `other`.
+  void Add(int one, int other, glm::vec3 from, glm::vec3 to)
+  {
+    const bool oneIsNear = this->Sights[one].Distance <= this->Sights[other].Distance;
+    const int near = oneIsNear ? one : other;
+    const int far = oneIsNear ? other : one;
+    const glm::vec3 step = this->Sights[near].Radiance - this->Sights[far].Radiance;
+    if (step == glm::vec3(0.f))
+    {
+      return;
+    }
+    this->Variance += step * step *
+      (.5f * VariancePerSide * (this->Sights[one].Variance + this->Sights[other].Variance));
+    const glm::vec3 w = glm::normalize(from + to);
+    glm::vec3 across = glm::cross(w, to - from); // e dl
+    const glm::vec3 apart = this->Directions[far] - this->Directions[near];
+    if (glm::dot(across, apart) < 0.f)
+    {
+      across = -across;
+    }
+    const float cosine = std::max(w.z, 0.f);
+    glm::vec2 change;
+    const float length = glm::length(across);
+    const float rim = this->Rim(near, far, std::abs(glm::dot(apart, across)) / (2.f * length));
+    const glm::vec3 m = this->ToLocal * this->Sights[near].Normal;
+    const glm::vec3 slope = m - glm::dot(m, w) * w;
+    const bool endsByReach = this->EndsByReach(near, far, m);
+    if (endsByReach)
+    {
+      change = glm::vec2(m) *
+        (-cosine * glm::dot(slope, across) / Pi /
+          (this->Fading.Radius * std::max(glm::dot(slope, slope), LeastSlope)));
+    }
+    else
+    {
+      change = glm::vec2(across) * (-cosine / (Pi * rim));
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Gradient[c] += step[c] * change;
+    }
+    const float drop = glm::dot(step, Luminance);
+    this->Slopes += std::abs(drop) * cosine * length / rim;
+    this->SlopesPerRim += std::abs(drop) * cosine * length / (rim * rim);
+    const float bend = -4.f * cosine * drop / (Pi * rim * rim);
+    this->HessianSums += bend * Symmetric(glm::vec2(w), glm::vec2(across));
+    // Where reach ends the fall-off is 0, wherever that is: one of the two derivatives is left.
+    this->HessianSums +=
+      (endsByReach ? 1.f : 2.f) * Symmetric(this->Drift(near) - this->Drift(far), change);
+  }
+
+  /// What lies within `cell`, whose part of the hemisphere is `share`, counts more or less as the point
+  /// moves.
+  void AddFading(int cell, float share)
+  {
+    const float distance = std::max(this->Sights[cell].Distance, NearestRim);
+    if (this->Fading.IsConstant() || std::isinf(distance))
+    {
+      return;
+    }
+    const glm::vec2 drift = share * this->Drift(cell);
+    for (glm::vec2& gradient : this->Gradient)
+    {
+      gradient += drift;
+    }
+    const glm::vec2 w(this->Directions[cell]);
+    const float slope = this->Fading.Derivative(distance) / distance;
+    const float bend = this->Fading.SecondDerivative(distance) - slope;
+    this->HessianSums += share * (bend * Symmetric(w, w) + glm::vec3(slope, slope, 0.f));
+  }
+
+  /// Largest absolute eigenvalue of the Hessian.
+  float Bend() const
+  {
+    const float difference = this->HessianSums.x - this->HessianSums.y;
+    return .5f *
+      (std::abs(this->HessianSums.x + this->HessianSums.y) +
+        std::sqrt(difference * difference + 4.f * this->HessianSums.z * this->HessianSums.z));
+  }
+
+  float OccluderEdgeDistance() const
+  {
+    return this->SlopesPerRim > 0.f ? this->Slopes / this->SlopesPerRim
+                                    : std::numeric_limits<float>::infinity();
+  }
+
+  glm::vec3 Variance{ 0.f };
+  std::array<glm::vec2, 3> Gradient{};
+
+private:
+  /// xx, yy, xy of the symmetric part of a b^T.
+  static glm::vec3 Symmetric(glm::vec2 a, glm::vec2 b)
+  {
+    return { a.x * b.x, a.y * b.y, .5f * (a.x * b.y + a.y * b.x) };
+  }
+
+  /// How the fall-off of what `cell` sees changes as the point moves.
+  glm::vec2 Drift(int cell) const
+  {
+    const float distance = std::max(this->Sights[cell].Distance, NearestRim);
+    return this->Fading.IsConstant() || std::isinf(distance)
+      ? glm::vec2(0.f)
+      : -this->Fading.Derivative(distance) * glm::vec2(this->Directions[cell]);
+  }
+
+  /// Distance of the rim that ends the surface met in cell `near`, an angle `gap` away: a flat one goes on
+  /// until half-way to `far`; were it round, it would end there tangentially. Not further than what lies
+  /// behind.
+  float Rim(int near, int far, float gap) const
+  {
+    const float distance = this->Sights[near].Distance;
+    const glm::vec3 m = this->ToLocal * this->Sights[near].Normal;
+    const float here = glm::dot(m, this->Directions[near]);
+    float stretch = 1.f;
+    if (IsFlat(this->Grid, this->Sights, near))
+    {
+      const float between = here + glm::dot(m, this->Directions[far]);
+      stretch = between * here > 0.f ? 2.f * here / between : FarthestOccluderEdge;
+    }
+    else if (m != glm::vec3(0.f))
+    {
+      const float sine = std::min(std::abs(here), 1.f);
+      stretch = 1.f + gap * sine / std::max(1.f - std::sqrt(1.f - sine * sine), 1e-6f);
+    }
+    const float rim =
+      std::max(distance * std::min(stretch, FarthestOccluderEdge), this->Sights[near].OccluderEdge);
+    return std::max(std::min(rim, this->Sights[far].Distance), NearestRim);
+  }
+
+  /// Nothing was seen in `far`: is that because the surface of `near` goes on beyond reach?
+  bool EndsByReach(int near, int far, glm::vec3 m) const
+  {
+    if (std::isinf(this->Fading.Radius) || !std::isinf(this->Sights[far].Distance))
+    {
+      return false;
+    }
+    const float here = glm::dot(m, this->Directions[near]);
+    const float there = glm::dot(m, this->Directions[far]);
+    return here * there > 0.f && std::abs(here) > .1f &&
+      this->Sights[near].Distance * here / there >= this->Fading.Radius;
+  }
+
+  const HemisphereGrid& Grid;
+  glm::mat3 ToLocal;
+  const std::vector<glm::vec3>& Directions;
+  const std::vector<HemisphereSample>& Sights;
+  DistanceFalloff Fading;
+  glm::vec3 HessianSums{ 0.f }; ///< xx, yy, xy
+  float Slopes = 0.f;           ///< their absolute values
+  float SlopesPerRim = 0.f;     ///< each over its rim's distance
+};
+
+void AddBoundaries(const HemisphereGrid& grid, Boundaries& boundaries)
+{
+  const int side = grid.Side;
+  for (int j = 0; j < side; ++j)
+  {
+    for (int i = 0; i < side; ++i)
+    {
+      const int cell = j * side + i;
+      if (i + 1 < side)
+      {
+        boundaries.Add(cell, cell + 1, grid.Corner(i + 1, j), grid.Corner(i + 1, j + 1));
+      }
+      if (j + 1 < side)
+      {
+        boundaries.Add(cell, cell + side, grid.Corner(i, j + 1), grid.Corner(i + 1, j + 1));
+      }
+    }
+  }
+}
+
+}
+
+bool IsFlat(const HemisphereGrid& grid, const std::vector<HemisphereSample>& sights, int cell)
+{
+  const int i = cell % grid.Side;
+  const int j = cell / grid.Side;
+  const glm::vec3 normal = sights[cell].Normal;
+  const auto agrees = [&](bool exists, int other) {
+    return exists && std::abs(glm::dot(sights[other].Normal, normal)) > FlatCosine;
+  };
+  return agrees(i > 0, cell - 1) || agrees(i + 1 < grid.Side, cell + 1) ||
+    agrees(j > 0, cell - grid.Side) || agrees(j + 1 < grid.Side, cell + grid.Side);
+}
+
+HemisphereEstimate EstimateHemisphere(const HemisphereGrid& grid, const glm::mat3& frame,
+  const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& sights,
+  const DistanceFalloff& falloff)
+{
+  HemisphereEstimate result;
+  result.Clearance.fill(std::numeric_limits<float>::infinity());
+  const float share = 1.f / static_cast<float>(grid.Cells());
+  std::array<glm::vec2, 3> tilt{};
+  glm::dvec3 sum(0.0);
+  double inverse = 0.0;
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    const HemisphereSample& sight = sights[cell];
+    const glm::vec3 w = directions[cell];
+    sum += sight.Radiance;
+    for (int c = 0; c < 3; ++c)
+    {
+      tilt[c] += sight.Radiance[c] * grid.NormalDerivatives[cell];
+    }
+    if (std::isinf(sight.Distance))
+    {
+      continue;
+    }
+    inverse += 1.0 / std::max(sight.Distance, 1e-30f);
+    if (w.z > GrazingCosine)
+    {
+      result.Nearest = std::min(result.Nearest, sight.Distance);
+    }
+    if (w.z < LowCosine && std::abs(glm::dot(sight.Normal, frame[2])) < SteepCosine)
+    {
+      float& clear = result.Clearance[SectorOf(w.x, w.y)];
+      clear = std::min(clear, sight.Distance * std::sqrt(1.f - w.z * w.z));
+    }
+  }
+  result.Mean = glm::vec3(sum / static_cast<double>(grid.Cells()));
+  if (inverse > 0.0)
+  {
+    result.HarmonicMean = static_cast<float>(grid.Cells() / inverse);
+  }
+
+  Boundaries boundaries(grid, frame, directions, sights, falloff);
+  AddBoundaries(grid, boundaries);
+  for (int cell = 0; cell < grid.Cells(); ++cell)
+  {
+    boundaries.AddFading(cell, share);
+  }
+  result.Error = std::sqrt(glm::dot(boundaries.Variance, Luminance)) * share;
+  result.HessianNorm = boundaries.Bend();
+  result.OccluderEdgeDistance = boundaries.OccluderEdgeDistance();
+  for (int c = 0; c < 3; ++c)
+  {
+    result.Translation[c] = frame * glm::vec3(boundaries.Gradient[c], 0.f);
+    result.Rotation[c] = frame * glm::vec3(tilt[c], 0.f);
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PixelCandidates.h"
+
+#include "Embree/RayScene.h"
+#include "Execution/ParallelFor.h"
+
+namespace penumbra
+{
+namespace
+{
+
+/// Surfaces seen more edge-on than this (cosine) do not make pixels still larger.
+constexpr double LeastCosine = .02;
+
+/// No record reaches nearer to the eye than this share of its own distance, where its radius would be
+/// many more pixels: one that misses everything far away says nothing there.
+constexpr double NearestShare = .5;
+
+bool IsOfLevel(int x, int y, int stride, int level)
+{
+  if (level == 0)
+  {
+    return true;
+  }
+  const bool oddX = (x / stride & 1) != 0;
+  const bool oddY = (y / stride & 1) != 0;
+  return level % 2 == 1 ? oddX && oddY : oddX != oddY;
+}
+
+}
+
+int LevelStride(int level)
+{
+  return CoarsestStride >> (level + 1) / 2;
+}
+
+bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
+{
+  const Scene& scene = rays.GetScene();
+  const Camera& eye = scene.ViewCamera;
+  Ray ray;
+  ray.Origin = glm::vec3(eye.RayOrigin(at));
+  ray.Direction = glm::vec3(eye.RayDirection(at));
+  ray.Near = static_cast<float>(std::max(eye.Near - eye.DepthOfRayOrigins(), 0.0));
+  Hit hit = rays.Intersect(ray);
+  while (hit.IsHit() && scene.Surfaces[hit.Surface].IsLineOrPoint)
+  {
+    ray.Near = hit.NextNear;
+    hit = rays.Intersect(ray);
+  }
+  if (!hit.IsHit())
+  {
+    return false;
+  }
+  const Surface& surface = scene.Surfaces[hit.Surface];
+  const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+  const glm::dvec3 a(surface.Positions[corners.x]);
+  const glm::dvec3 normal = glm::cross(
+    glm::dvec3(surface.Positions[corners.y]) - a, glm::dvec3(surface.Positions[corners.z]) - a);
+  const double length = glm::length(normal);
+  if (!(length > 0.0))
+  {
+    return false;
+  }
+  const double facing = glm::dot(normal, glm::dvec3(ray.Direction));
+  site.Position = ray.Origin + hit.Distance * ray.Direction;
+  site.Normal = (facing > 0.0 ? -1.0 : 1.0) / length * normal;
+  const double cosine = std::abs(facing) / (length * glm::length(glm::dvec3(ray.Direction)));
+  const double depth = hit.Distance + eye.DepthOfRayOrigins();
+  const double pixel = eye.PixelSize * (eye.Parallel ? 1.0 : depth);
+  site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, LeastCosine)));
+  if (!eye.Parallel)
+  {
+    site.MaximumRadius =
+      static_cast<float>((1.0 - NearestShare) * depth * glm::length(glm::dvec3(ray.Direction)));
+  }
+  return true;
+}
+
+std::vector<RecordCandidate> CandidatesInImage(
+  const RayScene& rays, int level, const ProgressCallback& progress)
+{
+  const Camera& eye = rays.GetScene().ViewCamera;
+  const int stride = LevelStride(level);
+  const int rows = (eye.Height + stride - 1) / stride;
+  std::vector<std::vector<RecordCandidate>> found(rows);
+  const bool done = ParallelForBatches(rows, 0.0, 0.0, progress, [&](int row) {
+    for (int x = 0; x < eye.Width; x += stride)
+    {
+      RecordCandidate site;
+      const int y = row * stride;
+      if (IsOfLevel(x, y, stride, level) && FindCandidate(rays, { x + .5, y + .5 }, site))
+      {
+        found[row].push_back(site);
+      }
+    }
+  });
+  if (!done)
+  {
+    throw Stopped();
+  }
+  std::vector<RecordCandidate> sites;
+  for (const std::vector<RecordCandidate>& row : found)
+  {
+    sites.insert(sites.end(), row.begin(), row.end());
+  }
+  return sites;
+}
+
+}

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScreenSpaceRecords.h"
+
+#include "Embree/RayScene.h"
+#include "Execution/ParallelFor.h"
+#include "PixelCandidates.h"
+
+#include <optional>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Corners that are no records.
+constexpr std::int32_t Unknown = -1;
+constexpr std::int32_t Nothing = -2; ///< nothing is seen there
+
+/// Where the best corner weighs less, the square is halved: of squares whose corners are not all of one
+/// surface, beside which others lie on one side only.
+constexpr float LeastWeight = .05f;
+constexpr float LeastWeightBeside = .4f;
+
+/// With all four corners a place may lie further from some of them than their radius, but not more
+/// than this times.
+constexpr float ReachOfFour = 2.f;
+
+int PowerOfTwoBelow(double limit)
+{
+  int power = 1;
+  while (2 * power <= limit)
+  {
+    power *= 2;
+  }
+  return power;
+}
+
+}
+
+ScreenSpaceRecords::ScreenSpaceRecords(const RayScene& rays, const RecordPlacement& places,
+  const RecordPlacementSettings& settings, float normalAngle)
+  : Seen(rays),
+    Places(places),
+    NormalFactor(RecordOctree::NormalFactorOf(normalAngle)),
+    Unit(PowerOfTwoBelow(settings.MinimumRadiusPixels)),
+    Coarsest(PowerOfTwoBelow(settings.MostPixels / this->Unit))
+{
+  const Camera& eye = rays.GetScene().ViewCamera;
+  const int wide = this->Coarsest * this->Unit;
+  this->Size =
+    this->Coarsest * glm::ivec2((eye.Width + wide - 1) / wide, (eye.Height + wide - 1) / wide);
+  this->Corners.assign(this->CornerAt(this->Size) + 1, Unknown);
+  this->Sides.assign(static_cast<std::size_t>(this->Size.x) * this->Size.y, 0);
+}
+
+std::size_t ScreenSpaceRecords::CornerAt(glm::ivec2 corner) const
+{
+  return static_cast<std::size_t>(corner.y) * (this->Size.x + 1) + corner.x;
+}
+
+bool ScreenSpaceRecords::PlaceLevels(const ProgressCallback& progress)
+{
+  std::vector<Square> squares;
+  for (int y = 0; y < this->Size.y; y += this->Coarsest)
+  {
+    for (int x = 0; x < this->Size.x; x += this->Coarsest)
+    {
+      squares.push_back({ { x, y }, this->Coarsest });
+    }
+  }
+  for (int side = this->Coarsest; !squares.empty(); side /= 2)
+  {
+    for (const Square& square : squares)
+    {
+      for (int y = 0; y < side; ++y)
+      {
+        const auto row = this->Sides.begin() +
+          static_cast<std::ptrdiff_t>(square.Low.y + y) * this->Size.x + square.Low.x;
+        std::fill(row, row + side, static_cast<std::uint8_t>(side));
+      }
+    }
+    if (!this->MakeRecords(squares, [&](double share) {
+          return progress && progress((1.0 - .5 * side / this->Coarsest) * share);
+        }))
+    {
+      return false;
+    }
+    if (side == 1)
+    {
+      break;
+    }
+    std::vector<char> fails(squares.size());
+    const double share = 1.0 - .5 * side / this->Coarsest;
+    if (!ParallelForBatches(static_cast<int>(squares.size()), share, share, progress,
+          [&](int i) { fails[i] = this->NeedsSubdivision(squares[i]); }))
+    {
+      return false;
+    }
+    std::vector<Square> halved;
+    for (std::size_t i = 0; i < squares.size(); ++i)
+    {
+      for (int quarter = 0; fails[i] && quarter < 4; ++quarter)
+      {
+        const glm::ivec2 step(quarter & 1, quarter >> 1);
+        halved.push_back({ squares[i].Low + side / 2 * step, side / 2 });
+      }
+    }
+    squares = std::move(halved);
+  }
+  return true;
+}
+
+bool ScreenSpaceRecords::MakeRecords(
+  const std::vector<Square>& squares, const ProgressCallback& progress)
+{
+  std::vector<glm::ivec2> wanted;
+  for (const Square& square : squares)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const glm::ivec2 corner = square.Low + square.Side * glm::ivec2(k & 1, k >> 1);
+      std::int32_t& entry = this->Corners[this->CornerAt(corner)];
+      if (entry == Unknown)
+      {
+        entry = Nothing;
+        wanted.push_back(corner);
+      }
+    }
+  }
+  struct Outcome
+  {
+    std::optional<Record> Made;
+    long long Rays = 0;
+  };
+  std::vector<Outcome> outcomes(wanted.size());
+  if (!ParallelForBatches(static_cast<int>(wanted.size()), 0.0, 1.0, progress, [&](int i) {
+        RecordCandidate site;
+        if (FindCandidate(this->Seen, this->PixelAt(wanted[i]), site))
+        {
+          outcomes[i].Made = this->Places.Gather(site, outcomes[i].Rays);
+        }
+      }))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    this->Rays += outcomes[i].Rays;
+    if (outcomes[i].Made)
+    {
+      this->Corners[this->CornerAt(wanted[i])] = static_cast<std::int32_t>(this->Records.size());
+      this->Records.push_back(*outcomes[i].Made);
+    }
+  }
+  return true;
+}
+
+void ScreenSpaceRecords::FindCorners(glm::dvec2 at, int side, const Record* (&corners)[4]) const
+{
+  const glm::ivec2 low = glm::ivec2(at) / side * side;
+  for (int k = 0; k < 4; ++k)
+  {
+    const std::int32_t entry =
+      this->Corners[this->CornerAt(low + side * glm::ivec2(k & 1, k >> 1))];
+    corners[k] = entry >= 0 ? &this->Records[entry] : nullptr;
+  }
+}
+
+bool ScreenSpaceRecords::NeedsSubdivision(const Square& square) const
+{
+  const glm::dvec2 middle = glm::dvec2(square.Low) + .5 * square.Side;
+  RecordCandidate site;
+  if (!FindCandidate(this->Seen, this->PixelAt(middle), site))
+  {
+    const Record* corners[4];
+    this->FindCorners(middle, square.Side, corners);
+    return std::any_of(
+      corners, corners + 4, [](const Record* record) { return record != nullptr; });
+  }
+  float greatest = 0.f;
+  int agreeing = 0;
+  for (int side = square.Side; side <= this->Coarsest; side *= 2)
+  {
+    const Record* corners[4];
+    this->FindCorners(middle, side, corners);
+    for (const Record* record : corners)
+    {
+      const float weight = record ? record->Weight(site, this->NormalFactor) : 0.f;
+      if (side == square.Side && record && record->NormalWeight(site, this->NormalFactor) > 0.f)
+      {
+        ++agreeing;
+        if (weight == 0.f)
+        {
+          return true;
+        }
+      }
+      greatest = std::max(greatest, weight);
+    }
+  }
+  return greatest <= (agreeing == 4 ? LeastWeight : LeastWeightBeside);
+}
+
+InterpolationResult ScreenSpaceRecords::LookUp(const ShadingPoint& place) const
+{
+  const Camera& eye = this->Seen.GetScene().ViewCamera;
+  const glm::dvec2 pixel = eye.Project(place.Position);
+  InterpolationResult result;
+  if (!(eye.Parallel || eye.Depth(place.Position) > 0.0) ||
+    !(pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x <= eye.Width && pixel.y <= eye.Height))
+  {
+    return result;
+  }
+  const glm::dvec2 at =
+    glm::clamp((pixel - .5) / double(this->Unit), glm::dvec2(0.0), glm::dvec2(this->Size) - 1e-6);
+  const glm::ivec2 finest(at);
+  int side = this->Sides[static_cast<std::size_t>(finest.y) * this->Size.x + finest.x];
+  for (; side <= this->Coarsest && !result.Found(); side *= 2)
+  {
+    const Record* corners[4];
+    this->FindCorners(at, side, corners);
+    const glm::vec2 f = glm::fract(at / double(side));
+    float weights[4];
+    bool all = true;
+    for (int k = 0; k < 4; ++k)
+    {
+      weights[k] = (k & 1 ? f.x : 1.f - f.x) * (k >> 1 ? f.y : 1.f - f.y);
+      all = all && corners[k] && corners[k]->IsValid &&
+        glm::distance(place.Position, corners[k]->Position) < ReachOfFour * corners[k]->Radius &&
+        corners[k]->NormalWeight(place, this->NormalFactor) > 0.f;
+    }
+    RecordInterpolator blend;
+    for (int k = 0; k < 4; ++k)
+    {
+      const float served = corners[k] && corners[k]->IsValid
+        ? weights[k] * (all ? 1.f : corners[k]->Weight(place, this->NormalFactor))
+        : 0.f;
+      if (served > 0.f)
+      {
+        blend.Add(*corners[k], place, served);
+      }
+    }
+    result = blend.Result();
+  }
+  return result;
+}
+
+std::size_t ScreenSpaceRecords::GetBytes() const
+{
+  return this->Records.capacity() * sizeof(Record) +
+    this->Corners.capacity() * sizeof(std::int32_t) + this->Sides.capacity();
+}
+
+}

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewRecords.h"
+
+#include "Embree/RayScene.h"
+#include "PixelCandidates.h"
+#include "Shading/HemisphereSampling.h"
+#include "Shading/OwenSobolSequence.h"
+
+namespace penumbra
+{
+namespace
+{
+
+/// Where after the coarse levels more than this share of records does not serve, the rest is left
+/// to brute force.
+constexpr double MostIdle = 0.7;
+constexpr int CoarseStride = 16;
+
+/// The error of n rays over n^(-3/4), as of vtkPenumbraBruteForceIrradiance's, and no more rays than this.
+constexpr double ReferenceError = .42;
+constexpr std::uint32_t MostRays = 16384;
+
+}
+
+ViewRecords::ViewRecords(const RayScene& rays, const Gatherer& gatherer,
+  const RecordPlacementSettings& settings, float normalAngle, bool onScreen,
+  const std::vector<Record>& initial)
+  : Rays(rays),
+    Source(gatherer),
+    Places(gatherer, settings, this->Tree)
+{
+  this->Tree.InitializeFromScene(rays.GetScene());
+  this->Tree.SetNormalAngle(normalAngle);
+  if (onScreen)
+  {
+    this->Screen = std::make_unique<ScreenSpaceRecords>(rays, this->Places, settings, normalAngle);
+    return;
+  }
+  for (const Record& record : initial)
+  {
+    this->Tree.Insert(record);
+  }
+}
+
+bool ViewRecords::PlaceLevels(const ProgressCallback& progress)
+{
+  if (this->Screen)
+  {
+    return this->Screen->PlaceLevels(progress);
+  }
+  for (int level = 0; level < PictureLevels; ++level)
+  {
+    const auto step = [&](double share) {
+      return progress && progress((level + share) / PictureLevels);
+    };
+    if (!this->Places.AddLevel(CandidatesInImage(this->Rays, level, step), step))
+    {
+      return false;
+    }
+    const auto made = static_cast<double>(this->Tree.GetRecords().size());
+    if (LevelStride(level) <= CoarseStride &&
+      static_cast<double>(this->Places.GetNumberOfInvalidRecords()) > MostIdle * made)
+    {
+      break;
+    }
+  }
+  return true;
+}
+
+InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& place)
+{
+  const std::lock_guard<std::mutex> lock(this->Lock);
+  InterpolationResult found = this->Tree.LookUp(place);
+  if (!found.Found())
+  {
+    RecordCandidate site;
+    site.Position = place.Position;
+    site.Normal = place.Normal;
+    site.Pixel = this->PixelAt(place.Position);
+    if (const std::optional<Record> made = this->Places.Gather(site, this->LazyRays))
+    {
+      this->Tree.Insert(*made);
+      found = this->Tree.LookUp(place);
+    }
+  }
+  return found;
+}
+
+InterpolationResult ViewRecords::Gather(
+  const ShadingPoint& place, double tolerance, long long& rays) const
+{
+  const double needed = std::pow(ReferenceError / tolerance, 4.0 / 3.0);
+  std::uint32_t count = 4;
+  while (count < needed && count < MostRays)
+  {
+    count *= 2;
+  }
+  const glm::mat3 frame = FrameFromNormal(place.Normal);
+  const OwenSobolSequence sequence(HashPoint(place.Position, place.Normal));
+  std::vector<glm::vec3> directions;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const glm::vec2 at = sequence.At(i);
+    directions.push_back(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
+  }
+  std::vector<HemisphereSample> sights;
+  rays += this->Source.Gather(place.Position, place.Normal, directions, sights);
+  InterpolationResult result;
+  const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
+  float squares = 0.f;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    result.Mean += sights[i].Radiance / static_cast<float>(count);
+    const glm::vec3 difference = sights[i].Radiance - sights[i ^ partner].Radiance;
+    squares += glm::dot(difference, difference) / 6.f;
+  }
+  result.Error = std::sqrt(squares) / static_cast<float>(count);
+  return result;
+}
+
+float ViewRecords::PixelAt(glm::vec3 position) const
+{
+  const Camera& eye = this->Rays.GetScene().ViewCamera;
+  const double depth = eye.Parallel ? 1.0 : eye.Depth(position);
+  return static_cast<float>(eye.PixelSize * std::abs(depth));
+}
+
+}

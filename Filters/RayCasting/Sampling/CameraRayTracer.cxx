@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CameraRayTracer.h"
+
+#include "vtkPenumbraIrradianceProvider.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+// Layers composed along one ray, and what of the light behind still matters.
+constexpr int MaximumLayers = 256;
+constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
+// How much occlusion may darken colours that stand for data.
+constexpr float StrengthOnScalars = 0.6f;
+
+constexpr float Pi = 3.14159265f;
+
+glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
+{
+  return scene.ToWorld(
+    glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction));
+}
+
+}
+
+RayCounts& RayCounts::operator+=(const RayCounts& other)
+{
+  this->Primary += other.Primary;
+  this->Refinement += other.Refinement;
+  this->Auxiliary += other.Auxiliary;
+  this->Shadow += other.Shadow;
+  this->Shaft += other.Shaft;
+  this->Occlusion += other.Occlusion;
+  this->Indirect += other.Indirect;
+  return *this;
+}
+
+CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera)
+  : Rays(rays),
+    Shades(shading),
+    Eye(camera)
+{
+  const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
+  this->Transparent = std::any_of(surfaces.begin(), surfaces.end(),
+    [](const Surface& surface) { return surface.IsTranslucent(); });
+}
+
+Ray CameraRayTracer::MakeRay(glm::dvec2 p) const
+{
+  Ray ray;
+  ray.Origin = glm::vec3(this->Eye.RayOrigin(p));
+  ray.Direction = glm::vec3(this->Eye.RayDirection(p));
+  ray.Near = static_cast<float>(std::max(this->Eye.Near - this->Eye.DepthOfRayOrigins(), 0.0));
+  return ray;
+}
+
+glm::vec4 CameraRayTracer::Background(glm::dvec2 p) const
+{
+  glm::vec4 c = this->Shades.Background(p);
+  return { c.r * c.a, c.g * c.a, c.b * c.a, c.a };
+}
+
+void CameraRayTracer::SetOcclusion(
+  const vtkPenumbraIrradianceProvider* source, double strength, double tolerance)
+{
+  this->OcclusionTolerance = tolerance;
+  this->OcclusionSource = source;
+  this->OcclusionStrength = static_cast<float>(strength);
+}
+
+void CameraRayTracer::SetIndirectLight(
+  const vtkPenumbraIrradianceProvider* source, float albedo, double tolerance)
+{
+  this->IrradianceSource = source;
+  this->Albedo = albedo;
+  this->IrradianceTolerance = tolerance;
+}
+
+float CameraRayTracer::Occlusion(
+  const Ray& ray, const Hit& hit, const ShadedHit& seen, RayCounts& counts, double slack) const
+{
+  const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
+  const vtkPenumbraIrradianceProvider::Estimate estimate =
+    this->OcclusionSource->OcclusionWithin(&point.x, &normal.x, slack * this->OcclusionTolerance);
+  counts.Occlusion += estimate.Rays;
+  return static_cast<float>(estimate.Value);
+}
+
+glm::vec3 CameraRayTracer::Indirect(
+  const Ray& ray, const Hit& hit, const ShadedHit& seen, RayCounts& counts, double slack) const
+{
+  const glm::vec3 reflectance = this->Albedo * seen.Reflectance;
+  if (reflectance == glm::vec3(0.f))
+  {
+    return reflectance;
+  }
+  const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
+  const vtkPenumbraIrradianceProvider::Light light =
+    this->IrradianceSource->Irradiance(&point.x, &normal.x, slack * this->IrradianceTolerance);
+  counts.Indirect += light.Rays;
+  return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / Pi;
+}
+
+void CameraRayTracer::AddMedium(
+  const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const
+{
+  const float share = 1.f - sample.Color.a;
+  const LightShafts::InScattering seen = this->Shafts->Along(ray, from, to, share, counts.Shaft);
+  sample.Color += share * glm::vec4(seen.Light, 1.f - seen.Transmittance);
+  sample.Error += share * seen.Error;
+}
+
+void CameraRayTracer::CompositeLayers(
+  glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double slack) const
+{
+  glm::vec4& color = sample.Color;
+  Hit hit = sample.FirstHit;
+  Ray rest = ray;
+  double place = -this->Eye.Advance;
+  for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
+  {
+    if (this->Shafts)
+    {
+      this->AddMedium(ray, place, hit.Distance, sample, counts);
+      place = hit.Distance;
+    }
+    const ShadedHit seen = this->Shades.Shade(ray, hit, counts.Shadow);
+    glm::vec4 c = seen.Color;
+    const Surface& surface = this->GetScene().Surfaces[hit.Surface];
+    if (this->OcclusionSource && !surface.IsLineOrPoint)
+    {
+      const float strength = this->OcclusionStrength >= 0.f ? this->OcclusionStrength
+        : surface.ScalarColoring                            ? StrengthOnScalars
+                                                            : 1.f;
+      const float open = 1.f - strength * this->Occlusion(ray, hit, seen, counts, slack);
+      c = glm::vec4(open * glm::vec3(c), c.a);
+    }
+    if (this->IrradianceSource && !surface.IsLineOrPoint)
+    {
+      c += glm::vec4(this->Indirect(ray, hit, seen, counts, slack), 0.f);
+    }
+    const float share = (1.f - color.a) * c.a;
+    color += glm::vec4(share * c.r, share * c.g, share * c.b, share);
+    if (c.a >= 1.f || color.a > OpaqueAlpha)
+    {
+      sample.OpaqueDepth = hit.Distance;
+      break;
+    }
+    // On behind this hit; the smallest step that leaves the surface.
+    rest.Near = hit.NextNear;
+    hit = this->Rays.Intersect(rest);
+  }
+  if (this->Shafts && !hit.IsHit())
+  {
+    this->AddMedium(ray, place, std::numeric_limits<double>::infinity(), sample, counts);
+  }
+  if (color.a < 1.f)
+  {
+    color += (1.f - color.a) * this->Background(p);
+  }
+}
+
+Sample CameraRayTracer::TraceSample(glm::dvec2 p, RayCounts& counts, double slack) const
+{
+  const Ray ray = this->MakeRay(p);
+  Sample sample;
+  sample.FirstHit = this->Rays.Intersect(ray);
+  this->CompositeLayers(p, ray, sample, counts, slack);
+  return sample;
+}
+
+void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
+  RayCounts& counts, double slack) const
+{
+  Ray rays[PacketSize];
+  Hit hits[PacketSize];
+  for (int i = 0; i < PacketSize; ++i)
+  {
+    if (active >> i & 1u)
+    {
+      rays[i] = this->MakeRay(points[i]);
+    }
+    else
+    {
+      rays[i].Near = 1.f;
+      rays[i].Far = 0.f;
+    }
+  }
+  this->Rays.Intersect16(rays, hits);
+  for (int i = 0; i < PacketSize; ++i)
+  {
+    if (active >> i & 1u)
+    {
+      samples[i] = Sample();
+      samples[i].FirstHit = hits[i];
+      this->CompositeLayers(points[i], rays[i], samples[i], counts, slack);
+    }
+  }
+}
+
+}

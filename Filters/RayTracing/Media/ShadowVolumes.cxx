@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowVolumes.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Boxes: two to the power of this. More cost more for each ray than they save in steps.
+constexpr int Levels = 4;
+// Boxes and light are rounded; regions grow by this share of the box's coordinates.
+constexpr float Margin = 1e-5f;
+
+/// Halves a set of triangles at the median along its longest side, again and again.
+void Divide(std::vector<AxisAlignedBox>& triangles, std::size_t begin, std::size_t end, int levels,
+  std::vector<AxisAlignedBox>& boxes)
+{
+  if (begin == end)
+  {
+    return;
+  }
+  AxisAlignedBox whole = triangles[begin];
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    whole.Low = glm::min(whole.Low, triangles[i].Low);
+    whole.High = glm::max(whole.High, triangles[i].High);
+  }
+  if (levels == 0 || end - begin == 1)
+  {
+    const glm::vec3 margin = Margin * (glm::abs(whole.Low) + glm::abs(whole.High));
+    boxes.push_back({ whole.Low - margin, whole.High + margin });
+    return;
+  }
+  const glm::vec3 size = whole.High - whole.Low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t middle = begin + (end - begin) / 2;
+  std::nth_element(triangles.begin() + begin, triangles.begin() + middle, triangles.begin() + end,
+    [axis](const AxisAlignedBox& a, const AxisAlignedBox& b) {
+      return a.Low[axis] + a.High[axis] < b.Low[axis] + b.High[axis];
+    });
+  Divide(triangles, begin, middle, levels - 1, boxes);
+  Divide(triangles, middle, end, levels - 1, boxes);
+}
+
+}
+
+std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene)
+{
+  std::vector<AxisAlignedBox> triangles;
+  for (const Surface& surface : scene.Surfaces)
+  {
+    if (surface.IsLineOrPoint)
+    {
+      continue;
+    }
+    for (const glm::uvec3& corners : surface.Triangles)
+    {
+      const glm::vec3& a = surface.Positions[corners.x];
+      const glm::vec3& b = surface.Positions[corners.y];
+      const glm::vec3& c = surface.Positions[corners.z];
+      triangles.push_back({ glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c) });
+    }
+  }
+  std::vector<AxisAlignedBox> boxes;
+  Divide(triangles, 0, triangles.size(), Levels, boxes);
+  return boxes;
+}
+
+ShadowVolumes::ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Light& light)
+{
+  // The light as a homogeneous point: a place, or the direction towards it.
+  const glm::dvec4 source = light.Kind == Light::Kinds::Directional
+    ? glm::dvec4(-glm::dvec3(light.Direction), 0.0)
+    : glm::dvec4(glm::dvec3(light.Position), 1.0);
+  for (const AxisAlignedBox& box : boxes)
+  {
+    Region region;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Nothing is shadowed before the faces that the light shines on.
+      glm::dvec3 normal(0.0);
+      normal[axis] = 1.0;
+      if (source[axis] > source.w * box.High[axis])
+      {
+        region.push_back({ normal, box.High[axis] });
+      }
+      if (source[axis] < source.w * box.Low[axis])
+      {
+        region.push_back({ -normal, -box.Low[axis] });
+      }
+      AddSides(region, axis, source, box);
+    }
+    this->Regions.push_back(std::move(region));
+  }
+}
+
+/// Seen along one axis the box is a rectangle, and its shadow lies between the two lines through the
+/// light that touch the rectangle.
+void ShadowVolumes::AddSides(Region& region, int axis, glm::dvec4 light, const AxisAlignedBox& box)
+{
+  const int i = (axis + 1) % 3;
+  const int j = (axis + 2) % 3;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double x = corner & 1 ? box.High[i] : box.Low[i];
+    const double y = corner & 2 ? box.High[j] : box.Low[j];
+    glm::dvec3 normal(0.0);
+    normal[i] = light.w * y - light[j];
+    normal[j] = light[i] - light.w * x;
+    const double offset = normal[i] * x + normal[j] * y;
+    double least = 0.0;
+    double most = 0.0;
+    for (int other = 0; other < 4; ++other)
+    {
+      const double height = normal[i] * (other & 1 ? box.High[i] : box.Low[i]) +
+        normal[j] * (other & 2 ? box.High[j] : box.Low[j]) - offset;
+      least = std::min(least, height);
+      most = std::max(most, height);
+    }
+    const double rounding = 1e-12 * (most - least);
+    if (most <= rounding && least < 0.0)
+    {
+      region.push_back({ normal, offset });
+    }
+    if (least >= -rounding && most > 0.0)
+    {
+      region.push_back({ -normal, -offset });
+    }
+  }
+}
+
+std::vector<RayInterval> ShadowVolumes::Along(
+  glm::dvec3 origin, glm::dvec3 direction, double from, double to) const
+{
+  std::vector<RayInterval> spans;
+  for (const Region& region : this->Regions)
+  {
+    RayInterval span{ from, to };
+    for (const HalfSpace& half : region)
+    {
+      const double height = glm::dot(half.Normal, origin) - half.Offset;
+      const double rise = glm::dot(half.Normal, direction);
+      if (rise > 0.0)
+      {
+        span.To = std::min(span.To, -height / rise);
+      }
+      else if (rise < 0.0)
+      {
+        span.From = std::max(span.From, -height / rise);
+      }
+      else if (height > 0.0)
+      {
+        span.To = span.From;
+      }
+      if (!(span.From < span.To))
+      {
+        break;
+      }
+    }
+    if (span.From < span.To)
+    {
+      spans.push_back(span);
+    }
+  }
+  std::sort(spans.begin(), spans.end(),
+    [](const RayInterval& a, const RayInterval& b) { return a.From < b.From; });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < spans.size(); ++i)
+  {
+    if (spans[i].From <= spans[last].To)
+    {
+      spans[last].To = std::max(spans[last].To, spans[i].To);
+    }
+    else
+    {
+      spans[++last] = spans[i];
+    }
+  }
+  spans.resize(spans.empty() ? 0 : last + 1);
+  return spans;
+}
+
+}

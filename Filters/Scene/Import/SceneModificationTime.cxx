@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneModificationTime.h"
+
+#include "SceneExtractionBlocks.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkCoordinate.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkFollower.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkProp3D.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+
+class MTimeCollector
+{
+public:
+  vtkMTimeType Time = 0;
+
+  void Add(vtkObject* object)
+  {
+    if (object)
+    {
+      this->Time = std::max(this->Time, object->GetMTime());
+    }
+  }
+
+  void AddView(vtkRenderer* renderer)
+  {
+    this->Add(renderer);
+    if (renderer->IsActiveCameraCreated())
+    {
+      this->AddCamera(renderer->GetActiveCamera());
+    }
+    vtkLightCollection* lights = renderer->GetLights();
+    this->Add(lights);
+    vtkCollectionSimpleIterator position;
+    lights->InitTraversal(position);
+    while (vtkLight* light = lights->GetNextLight(position))
+    {
+      this->Add(light);
+      this->Add(light->GetTransformMatrix());
+    }
+  }
+
+  void AddProp(vtkProp* prop)
+  {
+    this->Add(prop);
+    this->AddOverlay(prop);
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      vtkCollectionSimpleIterator position;
+      path->InitTraversal(position);
+      while (vtkAssemblyNode* node = path->GetNextNode(position))
+      {
+        this->AddPlace(node->GetViewProp());
+      }
+      if (auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp()))
+      {
+        this->AddActor(actor);
+      }
+    }
+  }
+
+private:
+  void AddCamera(vtkCamera* camera)
+  {
+    if (camera)
+    {
+      this->Add(camera);
+      this->Add(camera->GetUserTransform());
+      this->Add(camera->GetUserViewTransform());
+      this->Add(camera->GetModelTransformMatrix());
+      this->Add(camera->GetExplicitProjectionTransformMatrix());
+    }
+  }
+
+  /// A prop and what moves it.
+  void AddPlace(vtkProp* prop)
+  {
+    this->Add(prop);
+    if (auto* placed = vtkProp3D::SafeDownCast(prop))
+    {
+      this->Time = std::max(this->Time, placed->GetUserTransformMatrixMTime());
+    }
+    if (auto* follower = vtkFollower::SafeDownCast(prop))
+    {
+      this->AddCamera(follower->GetCamera());
+    }
+  }
+
+  void AddActor(vtkActor* actor)
+  {
+    this->Add(actor->GetProperty());
+    this->Add(actor->GetBackfaceProperty());
+    if (vtkTexture* texture = actor->GetTexture())
+    {
+      this->Add(texture);
+      this->Add(texture->GetLookupTable());
+      this->AddInputs(texture);
+    }
+    vtkMapper* mapper = actor->GetMapper();
+    if (!mapper)
+    {
+      return;
+    }
+    this->Add(mapper);
+    this->AddInputs(mapper);
+    if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+    {
+      this->Add(planes);
+      for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+      {
+        this->Add(planes->GetItem(i));
+      }
+    }
+    if (auto* blocks = vtkCompositeDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0)))
+    {
+      this->Time = std::max(this->Time, GetBlockMTime(blocks, mapper));
+    }
+  }
+
+  /// What flows into `algorithm`: through its mesh, glyph or picture ports.
+  void AddInputs(vtkAlgorithm* algorithm)
+  {
+    for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+    {
+      for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+      {
+        int output = 0;
+        vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, i, output);
+        producer->Update(output);
+        this->AddData(producer->GetOutputDataObject(output));
+      }
+    }
+  }
+
+  void AddData(vtkDataObject* data)
+  {
+    this->Add(data);
+    auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+    if (!composite)
+    {
+      return;
+    }
+    vtkSmartPointer<vtkCompositeDataIterator> blocks;
+    blocks.TakeReference(composite->NewIterator());
+    if (auto* tree = vtkDataObjectTreeIterator::SafeDownCast(blocks))
+    {
+      tree->VisitOnlyLeavesOff();
+    }
+    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    {
+      this->Add(blocks->GetCurrentDataObject());
+    }
+  }
+
+  void AddOverlay(vtkProp* prop)
+  {
+    if (auto* text = vtkTextActor::SafeDownCast(prop))
+    {
+      this->AddRectangle(text);
+      this->Add(text->GetTextProperty());
+    }
+    else if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
+    {
+      this->AddRectangle(bar);
+      this->Add(bar->GetLookupTable());
+      this->Add(bar->GetTitleTextProperty());
+      this->Add(bar->GetLabelTextProperty());
+      this->Add(bar->GetAnnotationTextProperty());
+    }
+  }
+
+  void AddRectangle(vtkActor2D* actor)
+  {
+    for (vtkCoordinate* place : { actor->GetPositionCoordinate(), actor->GetPosition2Coordinate() })
+    {
+      for (; place; place = place->GetReferenceCoordinate())
+      {
+        this->Add(place);
+      }
+    }
+  }
+};
+
+}
+
+vtkMTimeType GetSceneMTime(vtkRenderer* renderer)
+{
+  MTimeCollector latest;
+  latest.AddView(renderer);
+  vtkPropCollection* props = renderer->GetViewProps();
+  latest.Add(props);
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    latest.AddProp(prop);
+  }
+  return latest.Time;
+}
+
+vtkMTimeType GetGeometryMTime(vtkRenderer* renderer)
+{
+  MTimeCollector latest;
+  vtkPropCollection* props = renderer->GetViewProps();
+  latest.Add(props);
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (vtkProp3D::SafeDownCast(prop))
+    {
+      latest.AddProp(prop);
+    }
+  }
+  return latest.Time;
+}
+
+}

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceGeometry.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkGeometryFilter.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+
+#include <glm/glm.hpp>
+
+#include <stdexcept>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr const char* OriginalPoints = "vtkOriginalPointIds";
+constexpr const char* OriginalCells = "vtkOriginalCellIds";
+
+glm::dvec3 MeanOf(vtkPoints* points)
+{
+  glm::dvec3 sum(0.0);
+  const vtkIdType count = points->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double x[3];
+    points->GetPoint(i, x);
+    sum += glm::dvec3(x[0], x[1], x[2]);
+  }
+  return sum / static_cast<double>(count);
+}
+
+/// Of a cell's size: nearer to the plane of a face its middle is on neither side.
+constexpr double LeastHeight = 1e-6;
+
+/// Does `polygon` face the middle of the volumetric `cell` that it bounds?
+bool FacesInto(vtkGenericCell* cell, vtkCell* polygon)
+{
+  if (cell->GetCellDimension() != 3)
+  {
+    return false;
+  }
+  double n[3];
+  vtkPolygon::ComputeNormal(polygon->GetPoints(), n);
+  const glm::dvec3 outwards = MeanOf(polygon->GetPoints()) - MeanOf(cell->GetPoints());
+  return glm::dot(glm::dvec3(n[0], n[1], n[2]), outwards) < -LeastHeight * glm::length(outwards);
+}
+
+}
+
+void UpdateStoppably(vtkAlgorithm* filter, const ProgressCallback& progress)
+{
+  struct Watch
+  {
+    const ProgressCallback& Progress;
+    bool Stops;
+  };
+  Watch watch{ progress, false };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&watch);
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    auto& self = *static_cast<Watch*>(data);
+    self.Stops = self.Stops || (self.Progress && self.Progress(0.0));
+    if (self.Stops)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  filter->Update();
+  filter->RemoveObserver(tag);
+  if (watch.Stops)
+  {
+    throw Stopped();
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, const ProgressCallback& progress)
+{
+  if (vtkPolyData* polygons = vtkPolyData::SafeDownCast(data))
+  {
+    return polygons;
+  }
+  vtkNew<vtkGeometryFilter> surface;
+  surface->SetInputData(data);
+  surface->PassThroughPointIdsOn();
+  surface->PassThroughCellIdsOn();
+  UpdateStoppably(surface, progress);
+  return surface->GetOutput();
+}
+
+std::vector<vtkIdType> OriginalIds(vtkPolyData* surface, vtkDataSet* data, int type)
+{
+  if (vtkPolyData::SafeDownCast(data) || surface->GetNumberOfElements(type) == 0)
+  {
+    return {};
+  }
+  const char* name = type == vtkDataObject::POINT ? OriginalPoints : OriginalCells;
+  vtkDataArray* array = surface->GetAttributes(type)->GetArray(name);
+  const vtkIdType count = surface->GetNumberOfElements(type);
+  if (!array || array->GetNumberOfTuples() != count)
+  {
+    throw std::runtime_error(std::string("VTK's surface lacks the array ") + name);
+  }
+  const vtkIdType end = data->GetNumberOfElements(type);
+  std::vector<vtkIdType> ids(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto id = static_cast<vtkIdType>(array->GetComponent(i, 0));
+    ids[static_cast<std::size_t>(i)] = id >= 0 && id < end ? id : -1;
+  }
+  return ids;
+}
+
+vtkSmartPointer<vtkPolyData> FacingOutwards(
+  vtkPolyData* surface, vtkDataSet* data, const ProgressCallback& progress)
+{
+  const std::vector<vtkIdType> ids = OriginalIds(surface, data, vtkDataObject::CELL);
+  vtkSmartPointer<vtkPolyData> turned = surface;
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkGenericCell> polygon;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const auto place = static_cast<vtkIdType>(i);
+    if (i % StoppableCells == 0)
+    {
+      ThrowIfStopped(progress, 0.0);
+    }
+    surface->GetCell(place, polygon);
+    if (ids[i] < 0 || polygon->GetCellDimension() != 2)
+    {
+      continue;
+    }
+    data->GetCell(ids[i], cell);
+    if (!FacesInto(cell, polygon))
+    {
+      continue;
+    }
+    if (turned == surface)
+    {
+      turned = vtkSmartPointer<vtkPolyData>::New();
+      turned->ShallowCopy(surface);
+      vtkNew<vtkCellArray> polygons;
+      polygons->DeepCopy(surface->GetPolys());
+      turned->SetPolys(polygons);
+      turned->BuildCells();
+    }
+    turned->ReverseCell(place);
+  }
+  return turned;
+}
+
+vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
+  vtkPolyData* surface, std::vector<std::string>& left)
+{
+  struct Attribute
+  {
+    int Of;
+    int Which;
+    int Components; ///< 0: any
+    const char* Name;
+  };
+  static constexpr Attribute attributes[] = {
+    { vtkDataObject::POINT, vtkDataSetAttributes::NORMALS, 3, "normals of points" },
+    { vtkDataObject::CELL, vtkDataSetAttributes::NORMALS, 3, "normals of cells" },
+    { vtkDataObject::POINT, vtkDataSetAttributes::TCOORDS, 0, "texture coordinates" },
+  };
+  vtkSmartPointer<vtkPolyData> kept = surface;
+  for (const Attribute& attribute : attributes)
+  {
+    vtkDataArray* array = surface->GetAttributes(attribute.Of)->GetAttribute(attribute.Which);
+    const vtkIdType count = surface->GetNumberOfElements(attribute.Of);
+    if (!array ||
+      (array->GetNumberOfTuples() == count &&
+        (attribute.Components == 0 || array->GetNumberOfComponents() == attribute.Components)))
+    {
+      continue;
+    }
+    if (kept == surface)
+    {
+      kept = vtkSmartPointer<vtkPolyData>::New();
+      kept->ShallowCopy(surface);
+    }
+    kept->GetAttributes(attribute.Of)->SetActiveAttribute(-1, attribute.Which);
+    left.push_back(std::to_string(array->GetNumberOfTuples()) + " " + attribute.Name + ", where " +
+      std::to_string(count) + " are needed, left out.");
+  }
+  return kept;
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneExtractionItem.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+
+SceneTransform::SceneTransform(const glm::dmat4& toWorld, const Scene& scene)
+  : Linear(scene.Scale * glm::dmat3(toWorld)),
+    Shift(scene.Scale * (glm::dvec3(toWorld[3]) - scene.Origin))
+{
+  // Lengths of normals stay about the same, so that nothing over- or underflows.
+  const double size = std::cbrt(std::abs(glm::determinant(this->Linear)));
+  this->NormalMatrix =
+    size > 0.0 ? glm::transpose(glm::inverse(this->Linear / size)) : glm::dmat3(1.0);
+}
+
+glm::vec3 SceneTransform::Point(const double x[3]) const
+{
+  return this->Linear * glm::dvec3(x[0], x[1], x[2]) + this->Shift;
+}
+
+glm::vec3 SceneTransform::Normal(const double n[3]) const
+{
+  return this->NormalMatrix * glm::dvec3(n[0], n[1], n[2]);
+}
+
+Material MakeMaterial(vtkProperty* property)
+{
+  const auto color = [](const double* c) { return glm::vec3(c[0], c[1], c[2]); };
+  Material material;
+  material.AmbientColor = color(property->GetAmbientColor());
+  material.DiffuseColor = color(property->GetDiffuseColor());
+  material.SpecularColor = color(property->GetSpecularColor());
+  material.Ambient = static_cast<float>(property->GetAmbient());
+  material.Diffuse = static_cast<float>(property->GetDiffuse());
+  material.Specular = static_cast<float>(property->GetSpecular());
+  material.SpecularPower = static_cast<float>(property->GetSpecularPower());
+  material.Opacity = static_cast<float>(property->GetOpacity());
+  material.Lighting = property->GetLighting();
+  return material;
+}
+
+}

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RecordSplatter.h"
+
+#include "Frame/OpenGLFunctions.h"
+#include "Records/RecordOctree.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPenumbraSplatFS.h"
+#include "vtkPenumbraSplatLib.h"
+#include "vtkPenumbraSplatMeanFS.h"
+#include "vtkPenumbraSplatSurfaceFS.h"
+#include "vtkPenumbraSplatVS.h"
+#include "vtkShaderProgram.h"
+
+namespace penumbra
+{
+namespace
+{
+
+/// Every OpenGL of VTK's has textures of this size.
+constexpr std::size_t MostRows = 4096;
+
+/// Texels of a record: position and radius, normal and lean, tangent and share, clearances (2), mean,
+/// and of each channel translation and rotation.
+constexpr int TexelsBeforeGradients = 6;
+
+/// A record that does not serve counts so much, only where no other does: the pass has no brute force.
+constexpr float ShareOfIdle = 1e-3f;
+
+void Append(std::vector<glm::vec4>& texels, const Record& record, int channels)
+{
+  const auto& clearance = record.Gathered.Clearance;
+  texels.emplace_back(record.Position, record.Radius);
+  texels.emplace_back(record.Normal, record.MaximumPlaneDistance);
+  texels.emplace_back(record.Tangent, record.IsValid ? 1.f : ShareOfIdle);
+  texels.emplace_back(clearance[0], clearance[1], clearance[2], clearance[3]);
+  texels.emplace_back(clearance[4], clearance[5], clearance[6], clearance[7]);
+  texels.emplace_back(record.Gathered.Mean, 0.f);
+  for (int c = 0; c < channels; ++c)
+  {
+    texels.emplace_back(record.Gathered.Translation[c], 0.f);
+    texels.emplace_back(record.Gathered.Rotation[c], 0.f);
+  }
+}
+
+/// From records to eye coordinates, and what follows from it.
+void SetTransforms(vtkShaderProgram* program, const ScreenTransform& view, glm::dvec3 origin)
+{
+  glm::dmat4 toEye;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      toEye[column][row] = view.WorldToEye[4 * row + column];
+    }
+  }
+  toEye[3] = toEye * glm::dvec4(origin, 1.0); // in double: both may be far away
+  const glm::dmat3 turn(toEye);
+  glm::mat4 recordsToEye(toEye);
+  glm::mat3 eyeToRecords(glm::inverse(turn));
+  glm::mat3 normalToRecords(glm::transpose(turn));
+  program->SetUniformMatrix4x4("recordsToEye", &recordsToEye[0][0]);
+  program->SetUniformMatrix3x3("eyeToRecords", &eyeToRecords[0][0]);
+  program->SetUniformMatrix3x3("normalToRecords", &normalToRecords[0][0]);
+  program->SetUniformf("stretch",
+    static_cast<float>(
+      std::max({ glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2]) })));
+}
+
+/// While it lives, what is drawn is added up.
+class ScopedAdditiveBlending
+{
+public:
+  explicit ScopedAdditiveBlending(vtkOpenGLState* state)
+    : Blend(state, GL_BLEND),
+      Cull(state, GL_CULL_FACE),
+      Function(state)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  }
+
+private:
+  const vtkOpenGLState::ScopedglEnableDisable Blend;
+  const vtkOpenGLState::ScopedglEnableDisable Cull;
+  const vtkOpenGLState::ScopedglBlendFuncSeparate Function;
+};
+
+}
+
+RecordSplatter::RecordSplatter() = default;
+RecordSplatter::~RecordSplatter() = default;
+
+void RecordSplatter::SetRecords(std::vector<Record> records, glm::dvec3 origin, int channels)
+{
+  this->Records = std::move(records);
+  this->Origin = origin;
+  this->Channels = channels;
+  this->RecordTexture = nullptr;
+}
+
+void RecordSplatter::Upload(vtkOpenGLRenderWindow* window)
+{
+  const std::size_t count = this->Records.size();
+  const std::size_t rows = std::min(count, MostRows);
+  const std::size_t columns = (count + rows - 1) / rows;
+  this->Rows = static_cast<int>(rows);
+  this->Texels = TexelsBeforeGradients + 2 * this->Channels;
+  const auto width = static_cast<std::size_t>(this->Texels) * columns;
+  std::vector<glm::vec4> table(width * rows);
+  std::vector<glm::vec4> texels;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    texels.clear();
+    Append(texels, this->Records[i], this->Channels);
+    const std::size_t at = i % rows * width + i / rows * texels.size();
+    std::copy(texels.begin(), texels.end(), table.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+  this->RecordTexture = vtkSmartPointer<vtkTextureObject>::New();
+  this->RecordTexture->SetContext(window);
+  this->RecordTexture->Create2DFromRaw(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(rows), 4, VTK_FLOAT, table.data());
+}
+
+bool RecordSplatter::FindSurface(
+  vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths)
+{
+  static const std::string source = AssembleView(vtkPenumbraSplatSurfaceFS);
+  const ScreenTransform& view = image.GetView();
+  Allocate(this->Surfaces, window, view.Width, view.Height, 4);
+  vtkShaderProgram* program = this->Surface.Ready(window, source);
+  const ScopedRenderTarget into(
+    window, image.GetFramebuffer(), { this->Surfaces }, image.GetDepth());
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  view.SetUniforms(program);
+  this->Surface.BindTexture("eyeDepths", eyeDepths);
+  this->Surface.Draw();
+  return true;
+}
+
+bool RecordSplatter::AccumulateSplats(
+  vtkOpenGLRenderWindow* window, const DelegateImage& image, float normalAngle)
+{
+  static const auto assemble = [](const char* source) {
+    return Assemble(AssembleView(source), { { "SplatLib", vtkPenumbraSplatLib } });
+  };
+  static const std::string vertexSource = assemble(vtkPenumbraSplatVS);
+  static const std::string fragmentSource = assemble(vtkPenumbraSplatFS);
+  if (!this->RecordTexture || this->RecordTexture->GetContext() != window)
+  {
+    this->Upload(window);
+    this->Vertices = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
+  }
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vertexSource.c_str(), fragmentSource.c_str(), "");
+  const ScreenTransform& view = image.GetView();
+  std::vector<vtkTextureObject*> targets;
+  for (int i = 0; i < 2 + this->Channels; ++i)
+  {
+    Allocate(this->SplatSums[i], window, view.Width, view.Height, 4);
+    targets.push_back(this->SplatSums[i]);
+  }
+  const ScopedRenderTarget into(window, image.GetFramebuffer(), targets, image.GetDepth());
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const ScopedAdditiveBlending adding(window->GetState());
+  window->GetState()->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
+  window->GetState()->vtkglClear(GL_COLOR_BUFFER_BIT);
+  view.SetUniforms(program);
+  SetTransforms(program, view, this->Origin);
+  this->RecordTexture->Activate();
+  this->Surfaces->Activate();
+  program->SetUniformi("records", this->RecordTexture->GetTextureUnit());
+  program->SetUniformi("surfaces", this->Surfaces->GetTextureUnit());
+  program->SetUniformi("rows", this->Rows);
+  program->SetUniformi("texels", this->Texels);
+  program->SetUniformi("channels", this->Channels);
+  program->SetUniformf("normalFactor", RecordOctree::NormalFactorOf(normalAngle));
+  this->Vertices->Bind();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(this->Records.size()));
+  this->Vertices->Release();
+  this->Surfaces->Deactivate();
+  this->RecordTexture->Deactivate();
+  return true;
+}
+
+bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkTextureObject* eyeDepths, float normalAngle, vtkTextureObject* means)
+{
+  if (!this->FindSurface(window, image, eyeDepths) ||
+    !this->AccumulateSplats(window, image, normalAngle))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = this->Mean.Ready(window, vtkPenumbraSplatMeanFS);
+  const ScopedRenderTarget into(window, image.GetFramebuffer(), { means });
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const ScreenTransform& view = image.GetView();
+  const float pixelSize[2] = { 1.f / static_cast<float>(view.Width),
+    1.f / static_cast<float>(view.Height) };
+  program->SetUniform2f("pixelSize", pixelSize);
+  this->Mean.BindTexture("values", this->SplatSums[0]);
+  this->Mean.BindTexture("ways", this->SplatSums[1]);
+  const bool single = this->Channels == 1; // what the others hold does not matter
+  this->Mean.BindTexture("slopes0", this->SplatSums[2]);
+  this->Mean.BindTexture("slopes1", this->SplatSums[single ? 2 : 3]);
+  this->Mean.BindTexture("slopes2", this->SplatSums[single ? 2 : 4]);
+  this->Mean.Draw();
+  return true;
+}
+
+void RecordSplatter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkSmartPointer<vtkTextureObject>* texture :
+    { &this->Surfaces, &this->RecordTexture, &this->SplatSums[0], &this->SplatSums[1],
+      &this->SplatSums[2], &this->SplatSums[3], &this->SplatSums[4] })
+  {
+    if (*texture)
+    {
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
+    }
+  }
+  if (this->Vertices)
+  {
+    this->Vertices->ReleaseGraphicsResources();
+    this->Vertices = nullptr;
+  }
+  this->Surface.ReleaseGraphicsResources(window);
+  this->Mean.ReleaseGraphicsResources(window);
+}
+
+}

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderViewPass.h"
+
+#include "Frame/OpenGLFunctions.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWindow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace penumbra
+{
+
+vtkStandardNewMacro(RenderViewPass);
+
+namespace
+{
+
+/// Is it the drawing of all props by this process, with ParaView's camera around it?
+bool DrawsAll(vtkRenderPass* delegate)
+{
+  auto* camera = vtkCameraPass::SafeDownCast(delegate);
+  return camera && camera->GetDelegatePass() && camera->GetDelegatePass()->IsA("vtkPVDefaultPass");
+}
+
+}
+
+void RenderViewPass::Render(const vtkRenderState* state)
+{
+  if (this->UseRays && this->RenderByRays(state))
+  {
+    return;
+  }
+  vtkRenderPass* whole = this->Camera;
+  if (this->ShowsMoreThanOpaque && DrawsAll(this->DelegatePass))
+  {
+    this->Stages->SetOpaquePass(this->WithEffects(this->Opaque, true));
+    this->Camera->SetDelegatePass(this->Stages);
+  }
+  else
+  {
+    whole = this->WithEffects(this->DelegatePass, false);
+  }
+  whole->Render(state);
+  this->NumberOfRenderedProps = whole->GetNumberOfRenderedProps();
+}
+
+vtkRenderPass* RenderViewPass::WithEffects(vtkRenderPass* delegate, bool opaqueOnly)
+{
+  vtkRenderPass* whole = delegate;
+  if (this->UseOcclusion)
+  {
+    this->Occlusion->SetOpaqueOnly(opaqueOnly);
+    this->Occlusion->SetDelegateOnce(!opaqueOnly); // A composited picture is put together once.
+    this->Occlusion->SetDelegatePass(whole);
+    whole = this->Occlusion;
+  }
+  if (this->UseShafts)
+  {
+    this->Shafts->SetOpaqueOnly(opaqueOnly);
+    this->Shafts->SetDelegatePass(whole);
+    whole = this->Shafts;
+  }
+  return whole;
+}
+
+bool RenderViewPass::RenderByRays(const vtkRenderState* state)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const int* tiles = window->GetTileScale();
+  if (renderer->GetSelector() || tiles[0] > 1 || tiles[1] > 1)
+  {
+    return false;
+  }
+  int size[2];
+  int at[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &at[0], &at[1]);
+  // The ray caster would say that it leaves the renderer's passes out; afterwards it holds on to nothing.
+  const vtkSmartPointer<vtkRenderPass> passes = renderer->GetPass();
+  renderer->SetPass(nullptr);
+  this->Caster->SetRenderer(renderer);
+  this->Caster->SetResolution(size);
+  this->Caster->Update();
+  this->Caster->SetRenderer(nullptr);
+  renderer->SetPass(passes);
+  vtkDataArray* colors = this->Caster->GetOutput()->GetPointData()->GetArray("Color");
+  if (!colors)
+  {
+    return false;
+  }
+  std::vector<unsigned char> bytes(4 * static_cast<std::size_t>(size[0]) * size[1]);
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    double rgba[4];
+    colors->GetTuple(i, rgba);
+    for (int k = 0; k < 4; ++k)
+    {
+      const double value = std::clamp(rgba[k], 0.0, 1.0);
+      bytes[4 * static_cast<std::size_t>(i) + k] =
+        static_cast<unsigned char>(std::lround(255.0 * value));
+    }
+  }
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
+  gl->vtkglDisable(GL_BLEND);
+  gl->vtkglDisable(GL_DEPTH_TEST);
+  window->DrawPixels(at[0], at[1], at[0] + size[0] - 1, at[1] + size[1] - 1, 0, 0, size[0] - 1,
+    size[1] - 1, size[0], size[1], 4, VTK_UNSIGNED_CHAR, bytes.data());
+  this->NumberOfRenderedProps = state->GetPropArrayCount();
+  return true;
+}
+
+void RenderViewPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Occlusion->ReleaseGraphicsResources(window);
+  this->Shafts->ReleaseGraphicsResources(window);
+  this->Stages->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+}

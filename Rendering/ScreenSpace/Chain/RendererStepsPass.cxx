@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RendererStepsPass.h"
+
+#include "vtkHardwareSelector.h"
+#include "vtkHiddenLineRemovalPass.h"
+#include "vtkLightsPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+
+vtkStandardNewMacro(RendererStepsPass);
+
+RendererStepsPass::RendererStepsPass()
+  : LightsPass(vtkSmartPointer<vtkLightsPass>::New()),
+    Smoothing(vtkSmartPointer<vtkOpenGLFXAAFilter>::New())
+{
+}
+
+RendererStepsPass::~RendererStepsPass() = default;
+
+void RendererStepsPass::Render(const vtkRenderState* state)
+{
+  this->NumberOfRenderedProps = 0;
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(state->GetRenderer());
+  vtkProp** props = state->GetPropArray();
+  const int count = state->GetPropArrayCount();
+  if (!renderer || count == 0)
+  {
+    return;
+  }
+  if (renderer->GetUseShadows() && !this->WarnedOfShadows)
+  {
+    this->WarnedOfShadows = true;
+    vtkWarningMacro("vtkRenderer::UseShadows has no effect together with Penumbra's passes. Remove "
+                    "the passes, or render shadows with vtkPenumbraRayCaster.");
+  }
+  if (renderer->GetUseSSAO() && !this->WarnedOfOcclusion)
+  {
+    this->WarnedOfOcclusion = true;
+    vtkWarningMacro(
+      "vtkRenderer::UseSSAO has no effect together with Penumbra's passes. Turn it off "
+      "and use vtkPenumbraTemporalSSAOPass.");
+  }
+  this->LightsPass->Render(state);
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    this->NumberOfRenderedProps = selector->Render(renderer, props, count);
+    return;
+  }
+
+  if (renderer->GetUseHiddenLineRemoval() &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(props, count))
+  {
+    vtkNew<vtkHiddenLineRemovalPass> hiddenLines;
+    hiddenLines->Render(state);
+    this->NumberOfRenderedProps += hiddenLines->GetNumberOfRenderedProps();
+  }
+  else
+  {
+    this->OpaquePass->Render(state);
+    this->NumberOfRenderedProps += this->OpaquePass->GetNumberOfRenderedProps();
+  }
+
+  const bool translucent = std::any_of(
+    props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  if (translucent)
+  {
+    renderer->DeviceRenderTranslucentPolygonalGeometry(state->GetFrameBuffer());
+  }
+  if (renderer->GetUseFXAA())
+  {
+    this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
+    this->Smoothing->Execute(renderer);
+  }
+  const bool volumesPeeled =
+    translucent && renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes();
+  for (int i = 0; i < count && !volumesPeeled; ++i)
+  {
+    this->NumberOfRenderedProps += props[i]->RenderVolumetricGeometry(renderer);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    this->NumberOfRenderedProps += props[i]->RenderOverlay(renderer);
+  }
+}
+
+void RendererStepsPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->OpaquePass)
+  {
+    this->OpaquePass->ReleaseGraphicsResources(window);
+  }
+  this->Smoothing->ReleaseGraphicsResources();
+}
+
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The stages of a renderer as vtkOpenGLRenderer itself runs them - lights, opaque, translucent with
+// or without depth peeling, FXAA, volumes, overlays - with a pass of ours in place of the opaque one.
+#ifndef penumbra_RendererStepsPass_h
+#define penumbra_RendererStepsPass_h
+
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+#include "vtkSmartPointer.h"
+
+namespace penumbra
+{
+
+class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT RendererStepsPass : public vtkOpenGLRenderPass
+{
+public:
+  static RendererStepsPass* New();
+  vtkTypeMacro(RendererStepsPass, vtkOpenGLRenderPass);
+
+  void SetOpaquePass(vtkRenderPass* pass) { this->OpaquePass = pass; }
+  vtkRenderPass* GetOpaquePass() { return this->OpaquePass; }
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  RendererStepsPass();
+  ~RendererStepsPass() override;
+
+  vtkSmartPointer<vtkRenderPass> OpaquePass;
+  vtkSmartPointer<vtkRenderPass> LightsPass;
+  vtkSmartPointer<vtkOpenGLFXAAFilter> Smoothing;
+  bool WarnedOfShadows = false;
+  bool WarnedOfOcclusion = false;
+};
+
+}
+#endif

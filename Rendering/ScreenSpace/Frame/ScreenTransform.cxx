@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScreenTransform.h"
+
+#include "Stage.h"
+
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPenumbraViewLib.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Clipping planes so many times too far off waste the depth buffer's digits.
+constexpr double ClippingRangeRatio = 32.0;
+
+Matrix Copy(vtkMatrix4x4* matrix)
+{
+  Matrix copy;
+  std::copy_n(matrix->GetData(), 16, copy.begin());
+  return copy;
+}
+
+void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
+{
+  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
+  program->SetUniform2f(name, values);
+}
+
+}
+
+ScreenTransform ScreenTransform::FromRenderer(
+  vtkRenderer* renderer, const int size[2], const int margin[2])
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  ScreenTransform view;
+  view.Width = size[0] + 2 * margin[0];
+  view.Height = size[1] + 2 * margin[1];
+  view.Parallel = camera->GetParallelProjection() != 0;
+  view.WorldToEye = Copy(camera->GetModelViewTransformMatrix());
+  view.Projection =
+    Copy(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  const int sides[2] = { view.Width, view.Height };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    double* row = view.Projection.data() + 4 * axis;
+    std::transform(row, row + 4, row,
+      [&](double entry) { return entry * size[axis] / static_cast<double>(sides[axis]); });
+    // In perspective x = depth * (ndc + row[2]) / row[0]; parallel x = (ndc - row[3]) / row[0].
+    view.Scale[axis] = 2.0 / (sides[axis] * row[axis]);
+    view.Offset[axis] = (-1.0 + (view.Parallel ? -row[3] : row[2])) / row[axis];
+  }
+  return view;
+}
+
+bool ScreenTransform::TightenClippingRange(const double bounds[6])
+{
+  const double* lastRow = this->Projection.data() + 12;
+  const bool usual = this->Projection[8] == 0.0 && this->Projection[9] == 0.0 &&
+    lastRow[0] == 0.0 && lastRow[1] == 0.0 && lastRow[this->Parallel ? 2 : 3] == 0.0;
+  if (!usual)
+  {
+    return false;
+  }
+  double& c = this->Projection[10];
+  double& d = this->Projection[11];
+  double nearest = VTK_DOUBLE_MAX;
+  double farthest = -VTK_DOUBLE_MAX;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double* row = this->WorldToEye.data() + 8;
+    const double depth = -(row[0] * bounds[corner & 1] + row[1] * bounds[2 + (corner >> 1 & 1)] +
+      row[2] * bounds[4 + (corner >> 2)] + row[3]);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  const double planes[2] = { (this->Parallel ? d + 1.0 : d) / (this->Parallel ? c : c - 1.0),
+    (this->Parallel ? d - 1.0 : d) / (this->Parallel ? c : c + 1.0) };
+  const double slack = std::max(farthest - nearest, 1e-3 * (planes[1] - planes[0]));
+  const double lower = std::max(planes[0], this->Parallel ? nearest - slack : 0.5 * nearest);
+  const double upper = std::min(planes[1], this->Parallel ? farthest + slack : 2.0 * farthest);
+  const bool coarse = this->Parallel ? planes[1] - planes[0] > ClippingRangeRatio * (upper - lower)
+                                     : lower > ClippingRangeRatio * planes[0];
+  if (!(lower < upper) || !coarse || !std::isfinite(upper - lower))
+  {
+    return false;
+  }
+  const auto [a, b] = this->DepthToEye();
+  c = (this->Parallel ? -2.0 : -(upper + lower)) / (upper - lower);
+  d = (this->Parallel ? -(upper + lower) : -2.0 * upper * lower) / (upper - lower);
+  // Both depths z are linear in q = a + b (1 - z), the distance or its inverse.
+  const auto [now, slope] = this->DepthToEye();
+  this->ToCameraDepth[0] = slope / b;
+  this->ToCameraDepth[1] = 1.0 - (now + slope - a) / b;
+  return true;
+}
+
+std::pair<double, double> ScreenTransform::DepthToEye() const
+{
+  // With z the depth buffer's value, clip z is 2 z - 1; near the far plane 1 - z is exact.
+  const double c = this->Projection[10];
+  const double d = this->Projection[11];
+  return this->Parallel ? std::make_pair((d - 1.0) / c / this->Unit, 2.0 / c / this->Unit)
+                        : std::make_pair((1.0 + c) / d * this->Unit, -2.0 / d * this->Unit);
+}
+
+ScreenTransform ScreenTransform::Downsampled(int block) const
+{
+  const int middle = block / 2; // The row and column that stand for their block.
+  ScreenTransform view = *this;
+  view.Width = (this->Width + block - 1) / block;
+  view.Height = (this->Height + block - 1) / block;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    view.Scale[axis] = this->Scale[axis] * block;
+    view.Offset[axis] += this->Scale[axis] * (middle + 0.5 - 0.5 * block);
+    // Clip coordinates: the blocks may reach beyond the picture.
+    const int sides[2] = { this->Width, this->Height };
+    const int blocks[2] = { view.Width, view.Height };
+    const double wider = static_cast<double>(block) * blocks[axis] / sides[axis];
+    const double shift = wider + (2.0 * middle + 1.0 - block) / sides[axis] - 1.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      double& entry = view.Projection[4 * axis + k];
+      entry = (entry - shift * view.Projection[12 + k]) / wider;
+    }
+  }
+  return view;
+}
+
+void ScreenTransform::SetUniforms(vtkShaderProgram* program) const
+{
+  const double unit = this->Parallel ? this->Unit : 1.0;
+  const float pixelToEye[4] = { static_cast<float>(this->Scale[0] / unit),
+    static_cast<float>(this->Scale[1] / unit), static_cast<float>(this->Offset[0] / unit),
+    static_cast<float>(this->Offset[1] / unit) };
+  program->SetUniform4f("pixelToEye", pixelToEye);
+  program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
+  SetVector(program, "pixelSize", 1.0 / this->Width, 1.0 / this->Height);
+  const auto [origin, slope] = this->DepthToEye();
+  SetVector(program, "depthToEye", origin, slope);
+}
+
+Matrix ScreenTransform::EyeTransformTo(const ScreenTransform& other, const double* motion) const
+{
+  Matrix eyeToWorld;
+  vtkMatrix4x4::Invert(this->WorldToEye.data(), eyeToWorld.data());
+  Matrix product;
+  if (motion)
+  {
+    vtkMatrix4x4::Multiply4x4(motion, eyeToWorld.data(), product.data());
+    eyeToWorld = product;
+  }
+  vtkMatrix4x4::Multiply4x4(other.WorldToEye.data(), eyeToWorld.data(), product.data());
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      product[4 * row + column] *= this->Unit / other.Unit;
+    }
+    product[4 * row + 3] /= other.Unit;
+  }
+  return product;
+}
+
+bool ScreenTransform::HasSameView(const ScreenTransform& other) const
+{
+  return this->Width == other.Width && this->Height == other.Height &&
+    this->Parallel == other.Parallel && this->Unit == other.Unit &&
+    this->WorldToEye == other.WorldToEye && std::equal(this->Scale, this->Scale + 2, other.Scale) &&
+    std::equal(this->Offset, this->Offset + 2, other.Offset);
+}
+
+std::string AssembleView(const std::string& source)
+{
+  return Assemble(source, { { "ViewLib", vtkPenumbraViewLib } });
+}
+
+double PixelAtFocus(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double height = std::max(renderer->GetSize()[1], 1);
+  if (camera->GetParallelProjection())
+  {
+    return 2.0 * camera->GetParallelScale() / height;
+  }
+  const double half = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0;
+  return 2.0 * camera->GetDistance() * std::tan(half) / height;
+}
+
+}

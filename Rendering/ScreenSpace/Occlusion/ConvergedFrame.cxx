@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ConvergedFrame.h"
+
+#include "Frame/OpenGLFunctions.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPenumbraConvergedCompositeFS.h"
+#include "vtkPenumbraConvergedCopyFS.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Whoever draws the whole picture finds what DelegateImage offers, too.
+void Clear(vtkOpenGLState* gl, const int at[4])
+{
+  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
+  gl->vtkglScissor(at[0], at[1], at[2], at[3]);
+  gl->vtkglEnable(GL_SCISSOR_TEST);
+  gl->vtkglEnable(GL_DEPTH_TEST);
+  gl->vtkglDepthFunc(GL_LEQUAL);
+  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl->vtkglDepthMask(GL_TRUE);
+  gl->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
+  gl->vtkglClearDepth(1.0);
+  gl->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void SetVector(vtkShaderProgram* program, const char* name, double x, double y)
+{
+  const float values[2] = { static_cast<float>(x), static_cast<float>(y) };
+  program->SetUniform2f(name, values);
+}
+
+void SetPixelSize(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
+{
+  SetVector(program, name, 1.0 / texture->GetWidth(), 1.0 / texture->GetHeight());
+}
+
+}
+
+bool ConvergedFrame::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
+  const DelegateImage& image, const CompositeInputs& darkness, bool clear)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+  vtkOpenGLFramebufferObject* target = DelegateImage::GetReadableTarget(state);
+  if (!target)
+  {
+    this->Known = false;
+    return false;
+  }
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
+  if (clear)
+  {
+    Clear(gl, image.GetViewport());
+  }
+  delegate->Render(state);
+  this->Props = delegate->GetNumberOfRenderedProps();
+  vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();
+  this->Known = this->Known || this->Store(window, image, depth, darkness);
+  this->Known = this->Known && this->Darken(window, image, target, darkness.DepthAndFactor);
+  return this->Known;
+}
+
+bool ConvergedFrame::Store(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkTextureObject* depth, const CompositeInputs& darkness)
+{
+  vtkShaderProgram* program = this->Copy.Ready(window, vtkPenumbraConvergedCopyFS);
+  const ScopedRenderTarget into(window, image.GetFramebuffer(), { darkness.DepthAndFactor });
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const int* at = image.GetViewport();
+  const int* margin = image.GetMargin();
+  SetVector(program, "offset", at[0] - margin[0], at[1] - margin[1]);
+  SetPixelSize(program, "targetPixelSize", depth);
+  SetPixelSize(program, "pixelSize", darkness.Occlusions);
+  program->SetUniformf("strength", static_cast<float>(darkness.Strength));
+  this->Copy.BindTexture("depthBuffer", depth);
+  this->Copy.BindTexture("occlusions", darkness.Occlusions);
+  this->Copy.Draw({ { margin[0], margin[1], at[2], at[3] } });
+  return true;
+}
+
+bool ConvergedFrame::Darken(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkOpenGLFramebufferObject* target, vtkTextureObject* memory)
+{
+  vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();
+  vtkShaderProgram* program = this->Multiply.Ready(window, vtkPenumbraConvergedCompositeFS);
+  const ScopedRenderTarget into(
+    window, image.GetFramebuffer(), { target->GetColorAttachmentAsTextureObject(0) });
+  if (!program || !into.IsComplete())
+  {
+    return false;
+  }
+  const int* at = image.GetViewport();
+  const int* margin = image.GetMargin();
+  SetVector(program, "offset", margin[0] - at[0], margin[1] - at[1]);
+  SetPixelSize(program, "targetPixelSize", depth);
+  SetPixelSize(program, "pixelSize", memory);
+  this->Multiply.BindTexture("depthBuffer", depth);
+  this->Multiply.BindTexture("memory", memory);
+
+  vtkOpenGLState* gl = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate function(gl);
+  gl->vtkglViewport(at[0], at[1], at[2], at[3]);
+  gl->vtkglEnable(GL_BLEND);
+  gl->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  GLuint query = 0;
+  GLuint unchanged = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  this->Multiply.Draw();
+  glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &unchanged);
+  glDeleteQueries(1, &query);
+  return unchanged == static_cast<GLuint>(at[2]) * static_cast<GLuint>(at[3]);
+}
+
+void ConvergedFrame::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Copy.ReleaseGraphicsResources(window);
+  this->Multiply.ReleaseGraphicsResources(window);
+  this->Known = false;
+}
+
+}

@@ -1,0 +1,500 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShaftViewState.h"
+
+#include "Frame/OpenGLFunctions.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPenumbraShaftBlendFS.h"
+#include "vtkPenumbraShaftBoundedLib.h"
+#include "vtkPenumbraShaftCompositeFS.h"
+#include "vtkPenumbraShaftDepthLib.h"
+#include "vtkPenumbraShaftDirectionalBoxLib.h"
+#include "vtkPenumbraShaftDirectionalLib.h"
+#include "vtkPenumbraShaftDownsampleDepthFS.h"
+#include "vtkPenumbraShaftLib.h"
+#include "vtkPenumbraShaftLitColorLib.h"
+#include "vtkPenumbraShaftLitFractionLib.h"
+#include "vtkPenumbraShaftPositionalLib.h"
+#include "vtkPenumbraShaftReuseFS.h"
+#include "vtkPenumbraShaftScatterFS.h"
+#include "vtkPenumbraShaftSceneColorLib.h"
+#include "vtkPenumbraShaftSceneColorMSLib.h"
+#include "vtkPenumbraShaftUnboundedLib.h"
+#include "vtkPenumbraShaftVisibilityFS.h"
+#include "vtkPenumbraViewLib.h"
+#include "vtkPointData.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace penumbra
+{
+
+namespace
+{
+
+auto AsTuple(const ShaftSettings& s)
+{
+  return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial, s.Paper,
+    s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.Prepass, s.Emitters, s.AutomaticTone,
+    s.Unit, s.Range);
+}
+
+void SetSize(vtkShaderProgram* program, const char* name, double width, double height)
+{
+  const float size[2] = { static_cast<float>(1.0 / width), static_cast<float>(1.0 / height) };
+  program->SetUniform2f(name, size);
+}
+
+void SetNumber(vtkShaderProgram* program, const char* name, double value)
+{
+  program->SetUniformf(name, static_cast<float>(value));
+}
+
+/// A shader with the pieces for a kind of light and of medium.
+std::string AssembleFor(bool lamp, bool bounded, const char* source,
+  std::vector<std::pair<std::string, std::string>> pieces)
+{
+  pieces.insert(pieces.begin(),
+    { { "ViewLib", vtkPenumbraViewLib }, { "ShaftLib", vtkPenumbraShaftLib },
+      { "Medium", bounded ? vtkPenumbraShaftBoundedLib : vtkPenumbraShaftUnboundedLib },
+      { "Light",
+        lamp        ? vtkPenumbraShaftPositionalLib
+          : bounded ? vtkPenumbraShaftDirectionalBoxLib
+                    : vtkPenumbraShaftDirectionalLib } });
+  return Assemble(source, pieces);
+}
+
+}
+
+bool ShaftSettings::operator==(const ShaftSettings& other) const
+{
+  return AsTuple(*this) == AsTuple(other);
+}
+
+bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate,
+  const std::vector<ShaftLight>& lights, const ShaftSettings& settings)
+{
+  this->Window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+  this->NewLitFractions = 0;
+  if (!this->Image.SetUpView(state, settings.Margin))
+  {
+    return false;
+  }
+  ScreenTransform view = this->Image.GetView();
+  view.Unit = settings.Unit;
+  // What glows in colours cannot be known by depths.
+  const bool colored =
+    settings.Radial && (settings.Paper.DependsOnColor() || !settings.Emitters.empty());
+  this->Known = this->Known && !colored && settings == this->Settings && lights == this->Lights &&
+    this->Depth.GetView().HasSameView(view);
+  this->Settings = settings;
+  this->Lights = lights;
+  this->Groups = GroupLights(lights, settings.Radial);
+  const bool again = this->Known && this->Seen;
+  if (again && this->DrawAgain(state, delegate))
+  {
+    return true;
+  }
+  this->Seen = false;
+  // Part of the target may hold old light: what is drawn now has to replace it.
+  const bool simple = !again && !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
+    settings.Margin[1] == 0 && !settings.Radial && !settings.AutomaticTone;
+  this->Props = simple ? this->Image.DrawToTarget(state, delegate) : -1;
+  const bool straight = this->Props >= 0;
+  if (!straight)
+  {
+    this->Props = this->Image.Draw(state, delegate, settings.Margin);
+  }
+  if (this->Props < 0)
+  {
+    return false;
+  }
+  const EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view);
+  if (change == EyeDepth::Change::Failed)
+  {
+    return false;
+  }
+  this->Known = this->Known && change == EyeDepth::Change::None;
+  const bool still = this->Known && !settings.DelegateDrawsBackground && !settings.Bounded;
+  if (still && (straight || this->Target.DrawToTarget(state, delegate) >= 0))
+  {
+    // From now on the delegate draws straight into the target, this picture already.
+    this->Seen = this->RememberTarget(straight ? this->Image : this->Target);
+    return this->CompositeStraight();
+  }
+  if (!this->Known)
+  {
+    this->Known = this->Compute(state);
+  }
+  return this->Known && (straight ? this->CompositeStraight() : this->Composite());
+}
+
+bool ShaftViewState::RememberTarget(const DelegateImage& image)
+{
+  ScreenTransform view = image.GetView();
+  view.Unit = this->Settings.Unit;
+  this->TargetDepth.Invalidate();
+  return this->TargetDepth.Update(this->Window, image, view) != EyeDepth::Change::Failed;
+}
+
+bool ShaftViewState::DrawAgain(const vtkRenderState* state, vtkRenderPass* delegate)
+{
+  static const std::string source =
+    Assemble(vtkPenumbraShaftReuseFS, { { "ViewLib", vtkPenumbraViewLib } });
+  const int props = this->Target.DrawToTarget(state, delegate);
+  vtkShaderProgram* program = props < 0 ? nullptr : this->Reuse.Ready(this->Window, source);
+  if (!program)
+  {
+    return false;
+  }
+  this->Props = props;
+  const ScopedRenderTarget target(
+    this->Window, this->Target.GetFramebuffer(), { this->Target.GetColor() });
+  const ScopedBlending over(this->Window, this->Target.GetViewport(), false);
+  const ScreenTransform& view = this->TargetDepth.GetView();
+  view.SetUniforms(program);
+  program->SetUniform2f("offset", this->GetOffset().data());
+  SetSize(program, "shaftsPixelSize", this->Shafts->GetWidth(), this->Shafts->GetHeight());
+  SetNumber(program, "gain", this->GetGain());
+  this->Reuse.BindTexture("depthBuffer", this->Target.GetDepth());
+  this->Reuse.BindTexture("eyeDepths", this->TargetDepth.GetCurrent());
+  this->Reuse.BindTexture("shafts", this->Shafts);
+  return this->Reuse.DrawAndCount() ==
+    static_cast<unsigned int>(view.Width) * static_cast<unsigned int>(view.Height);
+}
+
+bool ShaftViewState::Compute(const vtkRenderState* state)
+{
+  const int block = this->Settings.Block;
+  this->Coarse = this->Depth.GetView().Downsampled(block);
+  this->Filled = false;
+  if (block > 1 && !this->FillCoarseDepths())
+  {
+    return false;
+  }
+  if (this->Settings.Radial && !this->DrawEmission(state))
+  {
+    return false;
+  }
+  this->LitFractions.resize(std::max(this->LitFractions.size(), this->Groups.size()));
+  for (std::size_t i = 0; i < this->Groups.size(); ++i)
+  {
+    if (!this->ComputeLitFractions(i))
+    {
+      return false;
+    }
+  }
+  if (!this->Settings.AutomaticTone)
+  {
+    this->Tone.Forget();
+    return true;
+  }
+  return this->FillShafts() &&
+    this->Tone.Update(this->Window, this->Image, this->Shafts,
+      this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data());
+}
+
+bool ShaftViewState::DrawEmission(const vtkRenderState* state)
+{
+  const bool any = !this->Settings.Emitters.empty();
+  if (any &&
+    !this->Emitters.Draw(state, this->Image, this->Coarse, this->Settings.Block,
+      this->Settings.Emitters, this->Settings.Prepass))
+  {
+    return false;
+  }
+  return this->RadialBlur.DrawEmission(this->Window, this->Image, this->Coarse,
+    any ? this->Emitters.GetColor() : nullptr, this->Settings.Paper);
+}
+
+bool ShaftViewState::FillCoarseDepths()
+{
+  Allocate(this->CoarseDepths, this->Window, this->Coarse.Width, this->Coarse.Height, 1);
+  vtkShaderProgram* program =
+    this->Downsample.Ready(this->Window, vtkPenumbraShaftDownsampleDepthFS);
+  const ScopedRenderTarget target(
+    this->Window, this->Image.GetFramebuffer(), { this->CoarseDepths });
+  if (!program || !target.IsComplete())
+  {
+    return false;
+  }
+  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetNumber(program, "block", this->Settings.Block);
+  this->Downsample.BindTexture("eyeDepths", this->Depth.GetCurrent());
+  this->Downsample.Draw();
+  return true;
+}
+
+void ShaftViewState::SetBox(vtkShaderProgram* program) const
+{
+  const ScreenTransform& view = this->Depth.GetView();
+  const Matrix& toEye = view.WorldToEye;
+  float turn[16] = {};
+  float low[3];
+  float high[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double eye = 0.0;
+    for (int row = 0; row < 3; ++row)
+    {
+      const double entry = toEye[4 * row + axis];
+      eye -= entry * toEye[4 * row + 3];
+      turn[4 * row + axis] = static_cast<float>(row == 2 ? -entry : entry);
+    }
+    const auto fromEye = [&](double bound) {
+      return static_cast<float>(std::clamp((bound - eye) / view.Unit, -1e30, 1e30));
+    };
+    low[axis] = fromEye(this->Settings.Bounds[2 * axis]);
+    high[axis] = fromEye(this->Settings.Bounds[2 * axis + 1]);
+  }
+  turn[15] = 1.f;
+  program->SetUniformMatrix4x4("eyeToWorld", turn);
+  program->SetUniform3f("low", low);
+  program->SetUniform3f("high", high);
+}
+
+void ShaftViewState::SetMedium(vtkShaderProgram* program) const
+{
+  const ShaftSettings& settings = this->Settings;
+  SetNumber(program, "scattering", settings.Scattering * settings.Unit);
+  SetNumber(program, "extinction", settings.Extinction * settings.Unit);
+  program->SetUniformi("phase", settings.Phase);
+  SetNumber(program, "asymmetry", settings.Asymmetry);
+  if (settings.Bounded)
+  {
+    this->SetBox(program);
+  }
+}
+
+bool ShaftViewState::ComputeLitFractions(std::size_t number)
+{
+  const ShaftSettings& settings = this->Settings;
+  const ShaftLightGroup& lights = this->Groups[number];
+  vtkSmartPointer<vtkTextureObject>& shares = this->LitFractions[number];
+  Allocate(shares, this->Window, this->Coarse.Width, this->Coarse.Height, 4);
+  vtkTextureObject* depths =
+    settings.Block > 1 ? this->CoarseDepths.Get() : this->Depth.GetCurrent();
+  this->NewLitFractions += static_cast<long long>(this->Coarse.Width) * this->Coarse.Height *
+    static_cast<long long>(lights.GetLights().size());
+  if (settings.Radial)
+  {
+    return this->RadialBlur.Find(this->Window, this->Image, this->Coarse, depths,
+      lights.GetLights().front(), settings.Paper, shares);
+  }
+  Stage& stage = this->Visibility[lights.IsLamp()];
+  vtkShaderProgram* program = stage.Ready(this->Window,
+    AssembleFor(lights.IsLamp(), settings.Bounded, vtkPenumbraShaftVisibilityFS,
+      { { "Estimator", vtkPenumbraShaftDepthLib } }));
+  const ScopedRenderTarget target(this->Window, this->Image.GetFramebuffer(), { shares });
+  if (!program || !target.IsComplete())
+  {
+    return false;
+  }
+  this->Coarse.SetUniforms(program);
+  this->SetMedium(program);
+  lights.SetUniforms(program);
+  program->SetUniformi("steps", settings.Steps);
+  SetNumber(program, "thickness", settings.Thickness / settings.Unit);
+  SetNumber(program, "range", settings.Range / settings.Unit);
+  stage.BindTexture("eyeDepths", depths);
+  stage.Draw();
+  return true;
+}
+
+bool ShaftViewState::FillShafts()
+{
+  if (this->Filled)
+  {
+    return true;
+  }
+  const ScreenTransform& view = this->Depth.GetView();
+  Allocate(this->Shafts, this->Window, view.Width, view.Height, 4);
+  const ScopedRenderTarget target(this->Window, this->Image.GetFramebuffer(), { this->Shafts });
+  this->Filled = target.IsComplete();
+  for (std::size_t i = 0; this->Filled && i < this->Groups.size(); ++i)
+  {
+    vtkOpenGLState* gl = this->Window->GetState();
+    gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    i == 0 ? gl->vtkglDisable(GL_BLEND) : gl->vtkglEnable(GL_BLEND);
+    const float left = i == 0 ? 1.f : 0.f;
+    this->Filled = this->Scatter(i, { 0.f, left }, { 0.f, 0.f });
+  }
+  return this->Filled;
+}
+
+bool ShaftViewState::Scatter(
+  std::size_t number, const std::array<float, 2>& alpha, const std::array<float, 2>& offset)
+{
+  const ShaftLightGroup& lights = this->Groups[number];
+  vtkTextureObject* shares = this->LitFractions[number];
+  Stage& stage = this->InScatter[lights.IsLamp()];
+  const char* share =
+    this->Settings.Radial ? vtkPenumbraShaftLitColorLib : vtkPenumbraShaftLitFractionLib;
+  vtkShaderProgram* program = stage.Ready(this->Window,
+    AssembleFor(
+      lights.IsLamp(), this->Settings.Bounded, vtkPenumbraShaftScatterFS, { { "Share", share } }));
+  if (!program)
+  {
+    return false;
+  }
+  this->Depth.GetView().SetUniforms(program);
+  this->SetMedium(program);
+  lights.SetUniforms(program);
+  lights.SetColors(program, this->Settings.Exposure);
+  program->SetUniform2f("alpha", alpha.data());
+  program->SetUniform2f("offset", offset.data());
+  SetNumber(program, "block", this->Settings.Block);
+  const bool exact = this->Settings.Radial && this->Settings.Block == 1;
+  SetNumber(program, "interleaved", exact ? 0.0 : 1.0);
+  SetSize(program, "texelSize", shares->GetWidth(), shares->GetHeight());
+  stage.BindTexture("eyeDepths", this->Depth.GetCurrent());
+  stage.BindTexture("litShares", shares);
+  stage.Draw();
+  return true;
+}
+
+std::array<float, 2> ShaftViewState::GetOffset() const
+{
+  const int* at = this->Image.GetViewport();
+  const int* margin = this->Image.GetMargin();
+  return { static_cast<float>(margin[0] - at[0]), static_cast<float>(margin[1] - at[1]) };
+}
+
+bool ShaftViewState::Composite()
+{
+  static const std::string oneSample =
+    Assemble(vtkPenumbraShaftCompositeFS, { { "Picture", vtkPenumbraShaftSceneColorLib } });
+  static const std::string manySamples =
+    Assemble(vtkPenumbraShaftCompositeFS, { { "Picture", vtkPenumbraShaftSceneColorMSLib } });
+  const bool many = this->Image.GetSamples() > 1;
+  vtkShaderProgram* program = nullptr;
+  if (this->FillShafts())
+  {
+    program = this->Composition.Ready(this->Window, many ? manySamples : oneSample);
+  }
+  if (!program)
+  {
+    return false;
+  }
+  const ScopedBlending target(this->Window, this->Image.GetViewport(), true);
+  program->SetUniform2f("offset", this->GetOffset().data());
+  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetNumber(program, "gain", this->GetGain());
+  SetNumber(program, "background", this->Settings.DelegateDrawsBackground ? 1.0 : 0.0);
+  this->Composition.BindTexture("colors", this->Image.GetColor());
+  this->Composition.BindTexture("depthBuffer", this->Image.GetDepth());
+  this->Composition.BindTexture("shafts", this->Shafts);
+  if (many)
+  {
+    program->SetUniformi("sampleCount", this->Image.GetSamples());
+    this->Composition.BindTexture("depthSamples", this->Image.GetSampleDepth());
+  }
+  this->Composition.Draw();
+  return true;
+}
+
+bool ShaftViewState::CompositeStraight()
+{
+  // In motion what the lights add goes straight to the target. Where several draw one after the other
+  // that would be rounded in between.
+  if (this->NewLitFractions > 0 && this->Groups.size() == 1 && !this->Filled)
+  {
+    const ScopedBlending target(this->Window, this->Image.GetViewport(), false);
+    return this->Scatter(0, { 1.f, -1.f }, this->GetOffset());
+  }
+  vtkShaderProgram* program = nullptr;
+  if (this->FillShafts())
+  {
+    program = this->MediumBlend.Ready(this->Window, vtkPenumbraShaftBlendFS);
+  }
+  if (!program)
+  {
+    return false;
+  }
+  const ScopedBlending target(this->Window, this->Image.GetViewport(), false);
+  program->SetUniform2f("offset", this->GetOffset().data());
+  SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
+  SetNumber(program, "gain", this->GetGain());
+  this->MediumBlend.BindTexture("shafts", this->Shafts);
+  this->MediumBlend.Draw();
+  return true;
+}
+
+void ShaftViewState::CopyTo(vtkImageData* image)
+{
+  const int* size = this->Image.GetViewport() + 2;
+  image->SetDimensions(size[0], size[1], 1);
+  vtkNew<vtkFloatArray> shafts;
+  shafts->SetName("LightShafts");
+  shafts->SetNumberOfComponents(3);
+  shafts->SetNumberOfTuples(image->GetNumberOfPoints());
+  vtkNew<vtkFloatArray> transmittance;
+  transmittance->SetName("Transmittance");
+  transmittance->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->AddArray(shafts);
+  image->GetPointData()->AddArray(transmittance);
+  if (!this->Known || !this->FillShafts())
+  {
+    return;
+  }
+  const std::vector<float> values = ReadBack(this->Shafts);
+  const int width = this->Depth.GetView().Width;
+  for (int j = 0; j < size[1]; ++j)
+  {
+    for (int i = 0; i < size[0]; ++i)
+    {
+      const std::size_t at = 4 *
+        (static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * width + i +
+          this->Image.GetMargin()[0]);
+      const vtkIdType to = static_cast<vtkIdType>(j) * size[0] + i;
+      for (int k = 0; k < 3; ++k)
+      {
+        shafts->SetTypedComponent(to, k, static_cast<float>(this->GetGain()) * values[at + k]);
+      }
+      transmittance->SetValue(to, values[at + 3]);
+    }
+  }
+}
+
+void ShaftViewState::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Image.ReleaseGraphicsResources(window);
+  this->Depth.ReleaseGraphicsResources(window);
+  this->Target.ReleaseGraphicsResources(window);
+  this->TargetDepth.ReleaseGraphicsResources(window);
+  this->RadialBlur.ReleaseGraphicsResources(window);
+  this->Tone.ReleaseGraphicsResources(window);
+  this->Emitters.ReleaseGraphicsResources(window);
+  for (Stage* stage :
+    { &this->Downsample, &this->Visibility[0], &this->Visibility[1], &this->InScatter[0],
+      &this->InScatter[1], &this->Composition, &this->MediumBlend, &this->Reuse })
+  {
+    stage->ReleaseGraphicsResources(window);
+  }
+  this->LitFractions.push_back(this->CoarseDepths);
+  this->LitFractions.push_back(this->Shafts);
+  for (vtkTextureObject* texture : this->LitFractions)
+  {
+    if (texture)
+    {
+      texture->ReleaseGraphicsResources(window);
+    }
+  }
+  this->LitFractions.clear();
+  this->CoarseDepths = nullptr;
+  this->Shafts = nullptr;
+  this->Known = false;
+  this->Filled = false;
+  this->Seen = false;
+}
+
+}
