@@ -83,23 +83,23 @@ public:
   {
     for (int i = this->FaceBegin[face]; i < this->FaceBegin[face + 1]; ++i)
     {
-      visit(this->Trapezoids[this->OfFaces[i]]);
+      visit(this->Trapezoids[this->TrapezoidsByFace[i]]);
     }
   }
 
 private:
-  bool CollectEvents(const PixelSegment* segments, int count, std::size_t mostCrossings);
-  bool CutSlabs(const PixelSegment* segments, int count, std::size_t mostTrapezoids);
+  bool CollectEvents(const PixelSegment* segments, int count, std::size_t maximumCrossings);
+  bool CutSlabs(const PixelSegment* segments, int count, std::size_t maximumTrapezoids);
   void JoinSlabs(const PixelSegment* segments, int count);
   void CollectFaces();
   void ListTrapezoids();
-  int FaceInSlab(std::size_t slab, glm::dvec2 p) const;
-  int Root(int trapezoid);
-  int FaceAt(glm::dvec2 p) const;
+  int FindFaceInSlab(std::size_t slab, glm::dvec2 p) const;
+  int FindRoot(int trapezoid);
+  int FindFace(glm::dvec2 p) const;
 
   struct Crossing
   {
-    double Middle, Left, Right;
+    double Center, Left, Right;
   };
 
   std::vector<double> Events;
@@ -107,8 +107,8 @@ private:
   std::vector<Trapezoid> Trapezoids;
   std::vector<int> Parent;
   std::vector<Face> Faces;
-  std::vector<int> FaceBegin; ///< of each face the first in OfFaces, and the end
-  std::vector<int> OfFaces;   ///< trapezoids, face by face
+  std::vector<int> FaceBegin;        ///< of each face the first in OfFaces, and the end
+  std::vector<int> TrapezoidsByFace; ///< trapezoids, face by face
   std::vector<Crossing> Crossings;
   std::vector<glm::dvec2> Barriers;
 };

@@ -27,14 +27,14 @@ inline constexpr float CurvatureSafetyFactor = 3.f;
 
 // How much more than each of a pixel's four corners a sample may err that stands for a share `area` of
 // it, so that the independent errors of all samples add up to the same.
-inline double ToleranceScale(double area)
+inline double ComputeToleranceScale(double area)
 {
   return 0.5 / std::sqrt(area);
 }
 
 // How many well-spread samples bring the error of a pixel that straight borders cross, of any contrast,
 // down to `tolerance`; a power of two, from 64 to 4,096. It is what such a pixel may cost.
-inline int SamplesFor(double tolerance)
+inline int ComputeMaximumSamples(double tolerance)
 {
   const double enough = std::pow(0.5 / std::max(tolerance, 1e-6), 4.0 / 3.0);
   int samples = 64;
@@ -45,27 +45,27 @@ inline int SamplesFor(double tolerance)
   return samples;
 }
 
-inline float MaximumDifference(const glm::vec4& a, const glm::vec4& b)
+inline float ComputeMaximumDifference(const glm::vec4& a, const glm::vec4& b)
 {
   const glm::vec4 d = glm::abs(a - b);
   return std::max(std::max(d.r, d.g), std::max(d.b, d.a));
 }
 
-inline float Contrast(const Sample* corners)
+inline float ComputeContrast(const Sample* corners)
 {
   const glm::vec4 low = glm::min(
     glm::min(corners[0].Color, corners[1].Color), glm::min(corners[2].Color, corners[3].Color));
   const glm::vec4 high = glm::max(
     glm::max(corners[0].Color, corners[1].Color), glm::max(corners[2].Color, corners[3].Color));
-  return MaximumDifference(low, high);
+  return ComputeMaximumDifference(low, high);
 }
 
-inline glm::vec4 Mean(const Sample* corners)
+inline glm::vec4 ComputeMean(const Sample* corners)
 {
   return 0.25f * ((corners[0].Color + corners[1].Color) + (corners[2].Color + corners[3].Color));
 }
 
-inline glm::dvec2 CornerOffset(int corner)
+inline glm::dvec2 GetCornerOffset(int corner)
 {
   return { corner & 1, corner >> 1 };
 }

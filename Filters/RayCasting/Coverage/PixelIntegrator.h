@@ -41,12 +41,12 @@ struct IntegrationSettings
 /// Pixels by what was done to them.
 struct PixelCounts
 {
-  long long Empty = 0;    ///< case 1: nothing but background
-  long long Interior = 0; ///< case 2: the corners serve
-  long long Border = 0;   ///< case 3: cut by edges, covered exactly
-  long long Small = 0;    ///< case 4: something lies between four equal corners
-  long long Refined = 0;  ///< subdivided for contrast or for want of edges
-  long long Uniform = 0;  ///< sampled uniformly: too dense, or on request
+  long long Empty = 0;       ///< case 1: nothing but background
+  long long Interior = 0;    ///< case 2: the corners serve
+  long long Edge = 0;        ///< case 3: cut by edges, covered exactly
+  long long SmallObject = 0; ///< case 4: something lies between four equal corners
+  long long Refined = 0;     ///< subdivided for contrast or for want of edges
+  long long Uniform = 0;     ///< sampled uniformly: too dense, or on request
 
   PixelCounts& operator+=(const PixelCounts& other);
 };
@@ -69,15 +69,15 @@ struct PixelResult
 class PixelIntegrator
 {
 public:
-  PixelIntegrator(const CameraRayTracer& sampler, const CornerGrid& corners,
+  PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
     const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings);
 
   /// To be called before the pixels of another tile.
   void BeginTile()
   {
     this->Cache.Clear();
-    this->FoundPiercing = false;
-    this->Wary = false;
+    this->FoundIntersection = false;
+    this->SearchAllPixels = false;
   }
 
   /// Pixel (x, y), crossed by the listed edges.
@@ -85,10 +85,10 @@ public:
     int x, int y, const std::uint32_t* edgeIndices, std::size_t count, EdgeDensity density);
 
   /// Has a pixel been found, since BeginTile(), where triangles pass through each other?
-  bool HasFoundPiercing() const { return this->FoundPiercing; }
+  bool HasFoundIntersection() const { return this->FoundIntersection; }
 
   /// Looks for more of them in every pixel with edges that follows.
-  void BeWary() { this->Wary = true; }
+  void SearchAllPixelsForIntersections() { this->SearchAllPixels = true; }
 
   /// What the medium in front of the last pixel's corners is believed to err, at most.
   float GetMediumError() const { return this->MediumError; }
@@ -105,20 +105,21 @@ private:
   };
 
   /// Where a face is looked into and what rays found there.
-  struct Probing
+  struct FaceProbe
   {
     static constexpr int Sides = 8;
 
-    glm::dvec2 Outermost[Sides]; ///< the corners farthest to each side
+    glm::dvec2 ExtremePoints[Sides]; ///< the corners farthest to each side
     bool IsEmpty = true;
-    bool IsTorn = false; ///< there is a border in the face that the arrangement does not have
+    bool IsDiscontinuous =
+      false; ///< there is a border in the face that the arrangement does not have
 
     void Add(glm::dvec2 point);
   };
 
   void LoadCorners(int x, int y);
   double MaximumOpaqueDepth(const Sample& sample) const;
-  double JustBehind(double depth) const;
+  double ComputeDepthBehind(double depth) const;
   void UpdateMaximumFaceDepth(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
   bool IsNearShadowBoundary() const;
@@ -128,27 +129,27 @@ private:
   PixelResult IntegrateSubdivided(bool byObject);
   PixelResult IntegrateUniform(int side);
   PixelResult IntegrateUniformAdaptive();
-  PixelResult Sampled();
+  PixelResult IntegrateSampled();
   void AddTriangle(const Sample& sample);
   void FindNearbyIntersections();
-  bool AreTorn(const Hit& a, const Hit& b) const;
-  void Glance();
+  bool AreDisconnected(const Hit& a, const Hit& b) const;
+  void ProbeLargeTrapezoids();
   Hit ProbeAt(glm::dvec2 local);
   void ProbeTrapezoids();
   bool AddIntersectionSegments();
   void RetraceCornersOnEdges();
   bool RetraceIsolatedMiss();
   bool CornersAgree() const;
-  float CurvatureError() const;
-  void Descend(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
-  bool NeedsDescent(const Square& square) const;
+  float EstimateCurvatureError() const;
+  void Subdivide(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
+  bool NeedsSubdivision(const Square& square) const;
   bool IsConstant(const Sample& sample) const;
   bool IsConstantBehindMedium(const Sample& sample) const;
-  PixelResult FaceColor(std::size_t face);
+  PixelResult ComputeFaceColor(std::size_t face);
   PixelResult SplitFace(std::size_t face);
   void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,
-    const Sample& middle, glm::vec4& color, float& squaredError);
-  const Sample& SampleAtFine(glm::ivec2 fine);
+    const Sample& center, glm::vec4& color, float& squaredError);
+  const Sample& GetGridSample(glm::ivec2 fine);
   Sample Trace(glm::dvec2 local, double area = 1.0);
 
   /// An error of coverage and shading with what colours err by themselves: about four of them make
@@ -158,7 +159,7 @@ private:
     return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Settings.Noise)), floor);
   }
 
-  const CameraRayTracer& Source;
+  const CameraRayTracer& Tracer;
   const CornerGrid& Grid;
   const std::vector<ProjectedEdge>& Edges;
   const IntegrationSettings Settings;
@@ -173,14 +174,14 @@ private:
   std::vector<PixelSegment> Segments;
   double NearestCulledDepth = 0.0;
   double MaximumFaceDepth = 0.0;
-  bool FoundPiercing = false;
-  bool Wary = false;
+  bool FoundIntersection = false;
+  bool SearchAllPixels = false;
   std::vector<TriangleId> VisibleTriangles; ///< triangles that samples met
   bool HasIntersections = false;            ///< some of them pass through each other
   std::size_t PairsTested = 0;              ///< the first so many of Seen know each other
   PixelArrangement Arrangement;
-  std::vector<glm::vec4> Colors; ///< of uniform samples
-  std::vector<Probing> Probed;   ///< per face; empty: none was looked into
+  std::vector<glm::vec4> Colors;     ///< of uniform samples
+  std::vector<FaceProbe> FaceProbes; ///< per face; empty: none was looked into
 };
 
 }

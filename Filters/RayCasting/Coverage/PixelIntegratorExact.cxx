@@ -18,20 +18,20 @@ namespace
 {
 
 // Faces below this share of a pixel are left out: no ray could be aimed at them.
-constexpr double SmallestFace = 1e-6;
+constexpr double MinimumFaceArea = 1e-6;
 // Objects in one pixel whose depths differ by less than this many pixels may touch.
 constexpr double TouchingDepth = 16.0;
 // Pieces of such a pixel that are large enough to be worth a glance, and where triangles are known to pass
 // through each other; how far from the sides of pieces rays keep, as a share, and how often pieces that
 // this brings forth are looked into in turn.
-constexpr double SmallestGlance = 0.02;
-constexpr double SmallestProbe = 0.005;
+constexpr double MinimumTrapezoidArea = 0.02;
+constexpr double MinimumProbedFaceArea = 0.005;
 constexpr double ProbeInset = 0.02;
-constexpr int MostProbings = 4;
+constexpr int MaximumProbePasses = 4;
 // Triangles of one pixel that are tested for passing through each other.
-constexpr std::size_t MostTrianglesSeen = 48;
+constexpr std::size_t MaximumTriangles = 48;
 // Distances along rays nearer to each other than this, relatively, are one.
-constexpr double SameDepth = 1e-5;
+constexpr double RelativeDepthTolerance = 1e-5;
 // Trapezoids that cost about as much as a ray.
 constexpr std::size_t TrapezoidsPerRay = 16;
 // How much the colour is taken to vary across a piece of surface of which one sample is known.
@@ -57,17 +57,18 @@ double PixelIntegrator::MaximumOpaqueDepth(const Sample& sample) const
   if (sample.OpaqueDepth != sample.FirstHit.Distance)
   {
     return sample.OpaqueDepth +
-      this->Source.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
+      this->Tracer.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
   }
-  return MaximumDepthInPixel(this->Source.GetScene(),
+  return MaximumDepthInPixel(this->Tracer.GetScene(),
     { sample.FirstHit.Surface, sample.FirstHit.Triangle }, glm::dvec2(this->X, this->Y));
 }
 
 // The depth from which on something lies behind `depth`, whatever rays round.
-double PixelIntegrator::JustBehind(double depth) const
+double PixelIntegrator::ComputeDepthBehind(double depth) const
 {
   return depth +
-    SameDepth * std::abs(depth - this->Source.GetScene().ViewCamera.DepthOfRayOrigins());
+    RelativeDepthTolerance *
+    std::abs(depth - this->Tracer.GetScene().ViewCamera.DepthOfRayOrigins());
 }
 
 void PixelIntegrator::UpdateMaximumFaceDepth(const Sample& sample)
@@ -95,10 +96,10 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     {
       limit = std::max(limit, this->MaximumOpaqueDepth(corner));
     }
-    limit = this->JustBehind(limit);
+    limit = this->ComputeDepthBehind(limit);
   }
 
-  const bool parallel = this->Source.GetScene().ViewCamera.Parallel;
+  const bool parallel = this->Tracer.GetScene().ViewCamera.Parallel;
   const glm::dvec2 origin(this->X, this->Y);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -122,7 +123,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     }
     for (int corner = 0; corner < 4; ++corner)
     {
-      if (DistanceToSegment(CornerOffset(corner), a, a + d) < EdgePrecision)
+      if (DistanceToSegment(GetCornerOffset(corner), a, a + d) < EdgePrecision)
       {
         this->TrustedCorners &= ~(1u << corner);
       }
@@ -137,7 +138,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
 void PixelIntegrator::AddTriangle(const Sample& sample)
 {
   const TriangleId id{ sample.FirstHit.Surface, sample.FirstHit.Triangle };
-  if (sample.FirstHit.IsHit() && this->VisibleTriangles.size() < MostTrianglesSeen &&
+  if (sample.FirstHit.IsHit() && this->VisibleTriangles.size() < MaximumTriangles &&
     std::find(this->VisibleTriangles.begin(), this->VisibleTriangles.end(), id) ==
       this->VisibleTriangles.end())
   {
@@ -156,7 +157,7 @@ bool PixelIntegrator::AddIntersectionSegments()
     for (std::size_t j = 0; j < i; ++j)
     {
       PixelSegment segment;
-      if (IntersectTriangles(this->Source.GetScene(), this->VisibleTriangles[i],
+      if (IntersectTriangles(this->Tracer.GetScene(), this->VisibleTriangles[i],
             this->VisibleTriangles[j], origin, segment))
       {
         this->Segments.push_back(segment);
@@ -165,7 +166,7 @@ bool PixelIntegrator::AddIntersectionSegments()
   }
   this->PairsTested = this->VisibleTriangles.size();
   this->HasIntersections = this->HasIntersections || this->Segments.size() > before;
-  this->FoundPiercing = this->FoundPiercing || this->Segments.size() > before;
+  this->FoundIntersection = this->FoundIntersection || this->Segments.size() > before;
   return this->Segments.size() > before;
 }
 
@@ -174,46 +175,47 @@ bool PixelIntegrator::AddIntersectionSegments()
 void PixelIntegrator::FindNearbyIntersections()
 {
   double nearest = std::numeric_limits<double>::infinity();
-  double deepest = 0.0;
+  double farthest = 0.0;
   for (const Sample& corner : this->Corners)
   {
     this->AddTriangle(corner);
     nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
-    deepest = std::max(deepest, static_cast<double>(corner.OpaqueDepth));
+    farthest = std::max(farthest, static_cast<double>(corner.OpaqueDepth));
   }
   // Two objects at one depth may do so even if the triangles at the corners do not.
-  const Camera& eye = this->Source.GetScene().ViewCamera;
-  const double footprint = eye.PixelSize * (eye.Parallel ? 1.0 : nearest + eye.DepthOfRayOrigins());
-  this->HasIntersections =
-    this->Wary || (!this->CornersAgree() && deepest - nearest < TouchingDepth * footprint);
+  const Camera& camera = this->Tracer.GetScene().ViewCamera;
+  const double footprint =
+    camera.PixelSize * (camera.Parallel ? 1.0 : nearest + camera.DepthOfRayOrigins());
+  this->HasIntersections = this->SearchAllPixels ||
+    (!this->CornersAgree() && farthest - nearest < TouchingDepth * footprint);
   if (!this->AddIntersectionSegments() && !this->HasIntersections)
   {
     return;
   }
-  this->AnyNeighborCorner([this](const Sample& around) {
-    this->AddTriangle(around);
+  this->AnyNeighborCorner([this](const Sample& neighbor) {
+    this->AddTriangle(neighbor);
     return false;
   });
   this->AddIntersectionSegments();
 }
 
 // Is there a border between two hits in one piece of a pixel?
-bool PixelIntegrator::AreTorn(const Hit& a, const Hit& b) const
+bool PixelIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
 {
   if (a.Surface != b.Surface || !a.IsHit() || a.Triangle == b.Triangle)
   {
     return a.Surface != b.Surface;
   }
-  return this->Source.GetShading().IsConstantPerTriangle(a.Surface) &&
-    !ShareAnEdge(this->Source.GetScene(), { a.Surface, a.Triangle }, { b.Surface, b.Triangle });
+  return this->Tracer.GetShading().IsConstantPerTriangle(a.Surface) &&
+    !HaveCommonEdge(this->Tracer.GetScene(), { a.Surface, a.Triangle }, { b.Surface, b.Triangle });
 }
 
 // Looks for triangles that no corner met, where surfaces may pass through each other.
-void PixelIntegrator::Glance()
+void PixelIntegrator::ProbeLargeTrapezoids()
 {
   for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
   {
-    if (t.Area() < SmallestGlance)
+    if (t.Area() < MinimumTrapezoidArea)
     {
       continue;
     }
@@ -227,7 +229,7 @@ void PixelIntegrator::Glance()
 Hit PixelIntegrator::ProbeAt(glm::dvec2 local)
 {
   Sample sample;
-  sample.FirstHit = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + local);
+  sample.FirstHit = this->Tracer.TraceFirstHit(glm::dvec2(this->X, this->Y) + local);
   ++this->Rays.Refinement;
   this->AddTriangle(sample);
   return sample.FirstHit;
@@ -237,46 +239,46 @@ Hit PixelIntegrator::ProbeAt(glm::dvec2 local)
 // outermost corners. Faces that no one triangle covers are torn.
 void PixelIntegrator::ProbeTrapezoids()
 {
-  std::vector<Probing>& probings = this->Probed;
-  probings.assign(this->Arrangement.GetFaces().size(), Probing());
+  std::vector<FaceProbe>& probes = this->FaceProbes;
+  probes.assign(this->Arrangement.GetFaces().size(), FaceProbe());
   for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
   {
-    for (int corner = 0; corner < 4 && t.Area() > SmallestFace; ++corner)
+    for (int corner = 0; corner < 4 && t.Area() > MinimumFaceArea; ++corner)
     {
-      const glm::dvec2 at = ProbeInset + (1.0 - 2.0 * ProbeInset) * CornerOffset(corner);
-      probings[t.Face].Add(t.At(at.x, at.y));
+      const glm::dvec2 at = ProbeInset + (1.0 - 2.0 * ProbeInset) * GetCornerOffset(corner);
+      probes[t.Face].Add(t.At(at.x, at.y));
     }
   }
-  for (std::size_t i = 0; i < probings.size(); ++i)
+  for (std::size_t i = 0; i < probes.size(); ++i)
   {
-    if (this->Arrangement.GetFaces()[i].Area < SmallestProbe)
+    if (this->Arrangement.GetFaces()[i].Area < MinimumProbedFaceArea)
     {
       continue;
     }
-    const glm::dvec2* const begin = probings[i].Outermost;
+    const glm::dvec2* const begin = probes[i].ExtremePoints;
     const Hit first = this->ProbeAt(*begin);
-    for (int side = 1; side < Probing::Sides; ++side)
+    for (int side = 1; side < FaceProbe::Sides; ++side)
     {
       const glm::dvec2* const at = begin + side;
       if (std::find(begin, at, *at) == at)
       {
         const Hit hit = this->ProbeAt(*at);
-        probings[i].IsTorn = probings[i].IsTorn || this->AreTorn(first, hit);
+        probes[i].IsDiscontinuous = probes[i].IsDiscontinuous || this->AreDisconnected(first, hit);
       }
     }
   }
 }
 
-void PixelIntegrator::Probing::Add(glm::dvec2 point)
+void PixelIntegrator::FaceProbe::Add(glm::dvec2 point)
 {
   // In turn to the left, below, to the right, above and between.
   static const glm::dvec2 Directions[Sides] = { { -1.0, 0.0 }, { -1.0, -1.0 }, { 0.0, -1.0 },
     { 1.0, -1.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { -1.0, 1.0 } };
   for (int side = 0; side < Sides; ++side)
   {
-    if (this->IsEmpty || glm::dot(point - this->Outermost[side], Directions[side]) > 0.0)
+    if (this->IsEmpty || glm::dot(point - this->ExtremePoints[side], Directions[side]) > 0.0)
     {
-      this->Outermost[side] = point;
+      this->ExtremePoints[side] = point;
     }
   }
   this->IsEmpty = false;
@@ -285,26 +287,26 @@ void PixelIntegrator::Probing::Add(glm::dvec2 point)
 // Has a face one colour all over, whichever of its points is asked? A medium changes it a little.
 bool PixelIntegrator::IsConstant(const Sample& sample) const
 {
-  return !this->Source.HasShafts() && this->IsConstantBehindMedium(sample);
+  return !this->Tracer.HasShafts() && this->IsConstantBehindMedium(sample);
 }
 
 bool PixelIntegrator::IsConstantBehindMedium(const Sample& sample) const
 {
   return !sample.FirstHit.IsHit() ||
-    (!this->Source.IsTransparent() && !this->Source.UsesIrradianceSource() &&
-      this->Source.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
+    (!this->Tracer.HasTranslucentSurfaces() && !this->Tracer.UsesIrradianceSource() &&
+      this->Tracer.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
 }
 
-PixelResult PixelIntegrator::FaceColor(std::size_t index)
+PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
 {
   const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
   const unsigned int inside = face.Corners & this->TrustedCorners;
-  if (!this->Probed.empty() && this->Probed[index].IsTorn)
+  if (!this->FaceProbes.empty() && this->FaceProbes[index].IsDiscontinuous)
   {
     return this->SplitFace(index);
   }
   PixelResult result;
-  const Sample* known = nullptr;
+  const Sample* reference = nullptr;
   bool agree = true;
   for (int i = 0; i < 4; ++i)
   {
@@ -312,22 +314,22 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
     {
       const Sample& corner = this->Corners[i];
       agree = agree &&
-        (!known ||
-          (known->FirstHit.Surface == corner.FirstHit.Surface &&
-            MaximumDifference(known->Color, corner.Color) <= this->Settings.Tolerance));
-      known = known ? known : &corner;
+        (!reference ||
+          (reference->FirstHit.Surface == corner.FirstHit.Surface &&
+            ComputeMaximumDifference(reference->Color, corner.Color) <= this->Settings.Tolerance));
+      reference = reference ? reference : &corner;
     }
   }
-  if (known && !agree)
+  if (reference && !agree)
   {
     return this->SplitFace(index);
   }
-  if (known)
+  if (reference)
   {
-    this->UpdateMaximumFaceDepth(*known);
-    result.Color = known->FirstHit.IsHit()
-      ? known->Color
-      : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
+    this->UpdateMaximumFaceDepth(*reference);
+    result.Color = reference->FirstHit.IsHit()
+      ? reference->Color
+      : this->Tracer.GetBackground(glm::dvec2(this->X, this->Y) + face.Point);
     return result;
   }
   const Sample sample = this->Trace(face.Point, face.Area);
@@ -347,18 +349,18 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
     if (inside >> i & 1u)
     {
       const Sample& corner = this->Corners[i];
-      const bool torn = corner.FirstHit.Surface != sample.FirstHit.Surface;
-      variation = std::max(
-        variation, std::max(torn ? 1.f : 0.f, MaximumDifference(corner.Color, sample.Color)));
+      const bool disconnected = corner.FirstHit.Surface != sample.FirstHit.Surface;
+      variation = std::max(variation,
+        std::max(disconnected ? 1.f : 0.f, ComputeMaximumDifference(corner.Color, sample.Color)));
     }
   }
   const float area = static_cast<float>(face.Area);
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
   // Answers about occlusion and shafts are dear, and they seldom jump: there no face is split on
   // suspicion.
-  const bool dear = this->Source.UsesIrradianceSource() || this->Source.HasShafts();
-  const bool suspicion = unknown && dear && variation <= UnknownVariation;
-  if (variation * area > limit && !suspicion)
+  const bool isExpensive = this->Tracer.UsesIrradianceSource() || this->Tracer.HasShafts();
+  const bool skipSplit = unknown && isExpensive && variation <= UnknownVariation;
+  if (variation * area > limit && !skipSplit)
   {
     return this->SplitFace(index);
   }
@@ -374,10 +376,10 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
   float area = 0.f;
   float squares = 0.f;
   this->Arrangement.VisitTrapezoids(index, [&](const PixelArrangement::Trapezoid& t) {
-    if (t.Area() > SmallestFace)
+    if (t.Area() > MinimumFaceArea)
     {
-      const Sample middle = this->Trace(t.Centroid(), t.Area());
-      this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, middle, result.Color, squares);
+      const Sample center = this->Trace(t.Centroid(), t.Area());
+      this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, center, result.Color, squares);
       area += static_cast<float>(t.Area());
     }
   });
@@ -393,9 +395,9 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
 }
 
 void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::dvec2 low,
-  double side, const Sample& middle, glm::vec4& color, float& squaredError)
+  double side, const Sample& center, glm::vec4& color, float& squaredError)
 {
-  this->UpdateMaximumFaceDepth(middle);
+  this->UpdateMaximumFaceDepth(center);
   const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
   const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
   const auto share = [&](double u, double s) {
@@ -405,7 +407,7 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   if (area * UnknownVariation < this->Settings.Tolerance ||
     side < std::ldexp(1.5, -this->Settings.MaximumLevel))
   {
-    color += area * middle.Color;
+    color += area * center.Color;
     const float error = ResidualErrorFraction * area * UnknownVariation;
     squaredError += error * error;
     return;
@@ -413,16 +415,16 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   const double half = 0.5 * side;
   Sample quarters[4];
   glm::vec4 sum(0.f);
-  bool torn = false;
+  bool disconnected = false;
   for (int i = 0; i < 4; ++i)
   {
-    const glm::dvec2 at = low + half * CornerOffset(i);
+    const glm::dvec2 at = low + half * GetCornerOffset(i);
     quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half), 0.25 * area);
     sum += static_cast<float>(share(at.x, half)) * quarters[i].Color;
-    torn = torn || quarters[i].FirstHit.Surface != middle.FirstHit.Surface;
+    disconnected = disconnected || quarters[i].FirstHit.Surface != center.FirstHit.Surface;
   }
-  const float deviation = MaximumDifference(sum, area * middle.Color);
-  if (!torn && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
+  const float deviation = ComputeMaximumDifference(sum, area * center.Color);
+  if (!disconnected && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
   {
     color += sum;
     squaredError += ResidualErrorFraction * ResidualErrorFraction * deviation * deviation;
@@ -430,34 +432,35 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   }
   for (int i = 0; i < 4; ++i)
   {
-    this->SplitTrapezoid(t, low + half * CornerOffset(i), half, quarters[i], color, squaredError);
+    this->SplitTrapezoid(
+      t, low + half * GetCornerOffset(i), half, quarters[i], color, squaredError);
   }
 }
 
 PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, std::size_t count)
 {
-  long long& counted = this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border;
-  ++counted;
+  long long& pixelCount = this->CornersAgree() ? this->Pixels.SmallObject : this->Pixels.Edge;
+  ++pixelCount;
   this->FindNearbyIntersections();
-  int probings = 0;
+  int probePasses = 0;
   // As soon as the arrangement costs more than rays that would do as well, those are traced instead.
-  const long long rays = SamplesFor(this->Settings.Tolerance);
-  const long long mostRays = this->Rays.Refinement + rays;
-  const PixelArrangement::Limits limits{ static_cast<std::size_t>(rays),
-    static_cast<std::size_t>(rays) * TrapezoidsPerRay };
+  const long long sampleBudget = ComputeMaximumSamples(this->Settings.Tolerance);
+  const long long maximumRays = this->Rays.Refinement + sampleBudget;
+  const PixelArrangement::Limits limits{ static_cast<std::size_t>(sampleBudget),
+    static_cast<std::size_t>(sampleBudget) * TrapezoidsPerRay };
   for (;;)
   {
     if (!this->Arrangement.Build(
           this->Segments.data(), static_cast<int>(this->Segments.size()), limits))
     {
-      --counted;
-      return this->Sampled();
+      --pixelCount;
+      return this->IntegrateSampled();
     }
-    this->Probed.clear();
-    if (this->HasIntersections && probings < (this->Wary ? MostProbings : 1))
+    this->FaceProbes.clear();
+    if (this->HasIntersections && probePasses < (this->SearchAllPixels ? MaximumProbePasses : 1))
     {
-      ++probings;
-      this->Wary ? this->ProbeTrapezoids() : this->Glance();
+      ++probePasses;
+      this->SearchAllPixels ? this->ProbeTrapezoids() : this->ProbeLargeTrapezoids();
       if (this->AddIntersectionSegments())
       {
         continue;
@@ -471,22 +474,22 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
     for (std::size_t i = 0; i < faces; ++i)
     {
       const double area = this->Arrangement.GetFaces()[i].Area;
-      if (area < SmallestFace)
+      if (area < MinimumFaceArea)
       {
         continue;
       }
-      if (this->Rays.Refinement > mostRays)
+      if (this->Rays.Refinement > maximumRays)
       {
-        --counted;
-        return this->Sampled();
+        --pixelCount;
+        return this->IntegrateSampled();
       }
-      const PixelResult face = this->FaceColor(i);
+      const PixelResult face = this->ComputeFaceColor(i);
       const float weight = static_cast<float>(area);
       result.Color += weight * face.Color;
       squares += weight * face.Error * weight * face.Error;
       covered += area;
     }
-    if (this->JustBehind(this->MaximumFaceDepth) >= this->NearestCulledDepth)
+    if (this->ComputeDepthBehind(this->MaximumFaceDepth) >= this->NearestCulledDepth)
     {
       // Something shows that was thought hidden.
       this->LoadSegments(edgeIndices, count, false);

@@ -20,8 +20,8 @@ namespace
 constexpr int Groups = 16;
 constexpr int FirstSamples = 64;
 // Borders as close as those of slivers need more samples than single straight ones, by this at most.
-constexpr int CrowdShare = 4;
-constexpr int MostSamples = 4096;
+constexpr int SampleBudgetFactor = 4;
+constexpr int MaximumSamples = 4096;
 // Errors above the standard error: few are.
 constexpr float Confidence = 1.5f;
 // Something may hide between n samples: this over n.
@@ -32,12 +32,13 @@ constexpr float HiddenError = 0.25f;
 // Samples of a sequence, twice as many each time until their groups agree to the tolerance or there are
 // as many as it is worth. Each group is a run of the sequence and so evenly spread by itself: the scatter
 // of their means tells the error of the whole, and rather more.
-PixelResult PixelIntegrator::Sampled()
+PixelResult PixelIntegrator::IntegrateSampled()
 {
   ++this->Pixels.Uniform;
   const OwenSobolSequence sequence(static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(this->Y) * 0x85ebca77u);
-  const int most = std::min(CrowdShare * SamplesFor(this->Settings.Tolerance), MostSamples);
+  const int maximumSamples =
+    std::min(SampleBudgetFactor * ComputeMaximumSamples(this->Settings.Tolerance), MaximumSamples);
   glm::dvec4 sums[Groups] = {};
   int inGroup = FirstSamples / Groups;
   int traced = 0;
@@ -46,7 +47,7 @@ PixelResult PixelIntegrator::Sampled()
   PixelResult result;
   for (int total = FirstSamples;; total *= 2)
   {
-    const double slack = ToleranceScale(1.0 / total);
+    const double toleranceScale = ComputeToleranceScale(1.0 / total);
     while (traced < total)
     {
       for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
@@ -54,7 +55,7 @@ PixelResult PixelIntegrator::Sampled()
         points[i] = glm::dvec2(this->X, this->Y) +
           glm::dvec2(sequence.At(static_cast<std::uint32_t>(traced + i)));
       }
-      this->Source.TracePacket(points, 0xffffu, samples, this->Rays, slack);
+      this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale);
       for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
       {
         sums[(traced + i) / inGroup] += glm::dvec4(samples[i].Color);
@@ -78,7 +79,7 @@ PixelResult PixelIntegrator::Sampled()
     result.Color = glm::vec4(mean);
     result.Error = this->CombineErrors(
       Confidence * static_cast<float>(std::sqrt(largest)), HiddenError / static_cast<float>(total));
-    if (result.Error <= this->Settings.Tolerance || total >= most)
+    if (result.Error <= this->Settings.Tolerance || total >= maximumSamples)
     {
       return result;
     }
