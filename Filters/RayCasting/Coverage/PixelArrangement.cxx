@@ -11,17 +11,19 @@ namespace penumbra
 
 namespace
 {
-// Lengths, in pixels, below which two things are one: far below what a ray resolves (1e-4), far
-// above the rounding of coordinates in double.
+// Distance in pixels below which two coordinates are equal. It is far below the precision of a ray (1e-4)
+// and far above the rounding of coordinates in double precision.
 constexpr double Epsilon = 1e-10;
 
+// Returns the y of the segment at x.
 double ComputeHeight(const PixelSegment& s, double x)
 {
   const double u = (x - s.A.x) / (s.B.x - s.A.x);
   return std::clamp(s.A.y + u * (s.B.y - s.A.y), 0.0, 1.0);
 }
 
-// Where two segments cross properly, the x of it; false otherwise. Shared end points are events anyway.
+// Computes the x at which two segments cross in their interiors. Returns false if they do not. Common end
+// points are events already.
 bool FindCrossing(const PixelSegment& s, const PixelSegment& t, double& x)
 {
   const glm::dvec2 d = s.B - s.A;
@@ -128,7 +130,7 @@ bool PixelArrangement::CollectEvents(
     }
   }
   std::sort(this->Events.begin(), this->Events.end());
-  // Join events closer than Epsilon; the first and last stay 0 and 1.
+  // Merge events closer than Epsilon. The first and last remain 0 and 1.
   std::size_t kept = 0;
   for (const double x : this->Events)
   {
@@ -208,7 +210,7 @@ void PixelArrangement::JoinSlabs(const PixelSegment* segments, int count)
   const int slabs = static_cast<int>(this->SlabBegin.size()) - 1;
   for (int slab = 0; slab + 1 < slabs; ++slab)
   {
-    // Vertical segments lie between two slabs and close that part of the passage.
+    // Vertical segments lie between two slabs and separate their trapezoids.
     const double x = this->Events[slab + 1];
     this->Barriers.clear();
     for (int i = 0; i < count; ++i)
@@ -302,7 +304,7 @@ void PixelArrangement::ListTrapezoids()
   }
   std::partial_sum(this->FaceBegin.begin(), this->FaceBegin.end(), this->FaceBegin.begin());
   this->TrapezoidsByFace.resize(this->Trapezoids.size());
-  // From the last on, so that the ends become the beginnings.
+  // In descending order, so that FaceBegin moves from the end of each face to its beginning.
   for (std::size_t i = this->Trapezoids.size(); i-- > 0;)
   {
     this->TrapezoidsByFace[--this->FaceBegin[this->Trapezoids[i].Face + 1]] = static_cast<int>(i);
@@ -327,7 +329,7 @@ int PixelArrangement::FindFace(glm::dvec2 p) const
 
 int PixelArrangement::FindFaceInSlab(std::size_t slab, glm::dvec2 p) const
 {
-  // Inside means well inside, relative to the trapezoid's own height.
+  // Minimum distance of an inside point from bottom and top, as a fraction of the height.
   constexpr double Margin = 1e-3;
   const Trapezoid* const first = this->Trapezoids.data() + this->SlabBegin[slab];
   const Trapezoid* const end = this->Trapezoids.data() + this->SlabBegin[slab + 1];

@@ -11,22 +11,6 @@
 namespace penumbra
 {
 
-namespace
-{
-
-// How far such a corner moves towards the middle of the pixel, as a share of the way.
-constexpr double CornerInset = 4.0 * EdgePrecision;
-// Beyond this many edges in one pixel an arrangement costs more than it is worth.
-constexpr std::size_t MaximumEdges = 512;
-// The same where most pixels around have many: there their cost adds up.
-constexpr std::size_t MaximumEdgesInCrowdedTile = 32;
-// A difference that only a shadow makes between neighbouring corners of one surface.
-constexpr float ShadowContrast = 0.05f;
-// The same where there is nothing but background.
-constexpr float EmptyErrorFloor = 1e-6f;
-
-}
-
 PixelCounts& PixelCounts::operator+=(const PixelCounts& other)
 {
   this->Empty += other.Empty;
@@ -47,7 +31,7 @@ PixelIntegrator::PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid
 {
 }
 
-// A sample that stands for a share `area` of the pixel.
+// Traces a sample that represents the fraction `area` of the pixel.
 Sample PixelIntegrator::Trace(glm::dvec2 local, double area)
 {
   ++this->Rays.Refinement;
@@ -124,8 +108,8 @@ PixelResult PixelIntegrator::Integrate(
   return this->IntegrateExact(edgeIndices, count);
 }
 
-// The error of the mean of four corners is (f_xx + f_yy) / 12; second differences with the corners
-// around stand for the derivatives. A jump shows up as a second difference, too.
+// The error of the mean of four corners is (f_xx + f_yy) / 12. Second differences with the neighboring
+// corners approximate the derivatives. Discontinuities also cause second differences.
 float PixelIntegrator::EstimateCurvatureError() const
 {
   const float contrast = ComputeContrast(this->Corners);
@@ -163,13 +147,13 @@ float PixelIntegrator::EstimateCurvatureError() const
     }
     sum += worst;
   }
-  // Second differences of noise alone are about 2.4 of its standard errors.
+  // The expected second difference of noise is about 2.4 of its standard errors.
   const float noise = 2.f * 2.4f * static_cast<float>(this->Settings.Noise);
   return std::max(sum - noise, 0.f) / 12.f;
 }
 
-// Where a border runs along the rim of the pixel, the rays of its corners may have met either side:
-// they are traced again a little to the inside.
+// If an edge runs along a side of the pixel, the rays of its corners may hit either side of the edge.
+// These corners are traced again at a position slightly inside the pixel.
 void PixelIntegrator::RetraceCornersOnEdges()
 {
   for (int i = 0; i < 4; ++i)
@@ -182,8 +166,8 @@ void PixelIntegrator::RetraceCornersOnEdges()
   }
 }
 
-// A ray exactly through a vertex or an edge can slip between the triangles. Where no border is near,
-// a single corner that disagrees with the other three is traced again a little to the inside.
+// A ray exactly through a vertex or an edge can miss both triangles. If no edge is near, a single
+// corner that differs from the other three is traced again slightly inside the pixel.
 bool PixelIntegrator::RetraceIsolatedMiss()
 {
   for (int i = 0; i < 4; ++i)
@@ -208,7 +192,7 @@ bool PixelIntegrator::RetraceIsolatedMiss()
   return false;
 }
 
-// Is `test` true for one of the corners of this pixel and of those around it?
+// Returns true if `test` is true for a corner of this pixel or of its neighbors.
 bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>& test) const
 {
   const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
@@ -226,7 +210,8 @@ bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>
   return false;
 }
 
-// Shadows may jump where no corner shows it; they do so next to where one does.
+// A shadow boundary may cross a pixel without a difference between its corners. The corners of a
+// neighboring pixel then show one.
 bool PixelIntegrator::IsNearShadowBoundary() const
 {
   if (!this->Settings.Shadows)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator that covers pixels exactly: edges and piercings cut the pixel into faces,
-// each face is one surface.
+// Exact coverage in PixelIntegrator: projected edges and intersections of triangles cut the pixel into
+// faces, and each face shows one surface.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -17,27 +17,8 @@ namespace penumbra
 namespace
 {
 
-// Faces below this share of a pixel are left out: no ray could be aimed at them.
-constexpr double MinimumFaceArea = 1e-6;
-// Objects in one pixel whose depths differ by less than this many pixels may touch.
-constexpr double TouchingDepth = 16.0;
-// Pieces of such a pixel that are large enough to be worth a glance, and where triangles are known to pass
-// through each other; how far from the sides of pieces rays keep, as a share, and how often pieces that
-// this brings forth are looked into in turn.
-constexpr double MinimumTrapezoidArea = 0.02;
-constexpr double MinimumProbedFaceArea = 0.005;
-constexpr double ProbeInset = 0.02;
-constexpr int MaximumProbePasses = 4;
-// Triangles of one pixel that are tested for passing through each other.
-constexpr std::size_t MaximumTriangles = 48;
-// Distances along rays nearer to each other than this, relatively, are one.
-constexpr double RelativeDepthTolerance = 1e-5;
-// Trapezoids that cost about as much as a ray.
-constexpr std::size_t TrapezoidsPerRay = 16;
-// How much the colour is taken to vary across a piece of surface of which one sample is known.
-constexpr float UnknownVariation = 0.25f;
-
-double DistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
+/// Returns the distance of p to the segment from a to b.
+double ComputeDistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
 {
   const glm::dvec2 d = b - a;
   const double square = glm::dot(d, d);
@@ -47,7 +28,7 @@ double DistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
 
 }
 
-// How deep the surface that a sample met may lie anywhere in this pixel.
+// Returns the maximum depth in this pixel of the opaque surface that a sample hit.
 double PixelIntegrator::MaximumOpaqueDepth(const Sample& sample) const
 {
   if (!(sample.OpaqueDepth < std::numeric_limits<float>::infinity()))
@@ -63,7 +44,7 @@ double PixelIntegrator::MaximumOpaqueDepth(const Sample& sample) const
     { sample.FirstHit.Surface, sample.FirstHit.Triangle }, glm::dvec2(this->X, this->Y));
 }
 
-// The depth from which on something lies behind `depth`, whatever rays round.
+// Returns the smallest depth that is behind `depth` in spite of rounding.
 double PixelIntegrator::ComputeDepthBehind(double depth) const
 {
   return depth +
@@ -84,10 +65,10 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
   this->Segments.clear();
   this->NearestCulledDepth = std::numeric_limits<double>::infinity();
 
-  // An edge behind the opaque surfaces that all four corners see cannot show, unless one in front of
-  // it opens them: culling is undone when a face turns out to lie deeper (see Exact). In a valley
-  // the edge at the bottom lies deeper than the corners, but not deeper than the planes that meet
-  // there.
+  // An edge behind the opaque surfaces at all four corners is hidden, unless an edge in front of it
+  // uncovers it. IntegrateExact() therefore loads the segments again without culling when a face is
+  // deeper. In a valley the edge at the bottom is deeper than the corners, but not deeper than the
+  // planes of the triangles that meet there. The limit is the maximum depth of these planes.
   double limit = std::numeric_limits<double>::infinity();
   if (cull && count > 0)
   {
@@ -123,7 +104,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     }
     for (int corner = 0; corner < 4; ++corner)
     {
-      if (DistanceToSegment(GetCornerOffset(corner), a, a + d) < EdgePrecision)
+      if (ComputeDistanceToSegment(GetCornerOffset(corner), a, a + d) < EdgePrecision)
       {
         this->TrustedCorners &= ~(1u << corner);
       }
@@ -146,8 +127,8 @@ void PixelIntegrator::AddTriangle(const Sample& sample)
   }
 }
 
-// Cuts the pixel where triangles that were seen in it pass through each other; false when no new
-// border was found.
+// Adds the intersections of the visible triangles to the segments. Returns false if there are no new
+// ones.
 bool PixelIntegrator::AddIntersectionSegments()
 {
   const std::size_t before = this->Segments.size();
@@ -170,8 +151,8 @@ bool PixelIntegrator::AddIntersectionSegments()
   return this->Segments.size() > before;
 }
 
-// Looks for piercings among the triangles at the corners, and where there are some, among those at
-// the corners around, too: they go on there.
+// Intersects the triangles at the corners. If any intersect, also those at neighboring corners, because
+// intersections continue there.
 void PixelIntegrator::FindNearbyIntersections()
 {
   double nearest = std::numeric_limits<double>::infinity();
@@ -182,7 +163,7 @@ void PixelIntegrator::FindNearbyIntersections()
     nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
     farthest = std::max(farthest, static_cast<double>(corner.OpaqueDepth));
   }
-  // Two objects at one depth may do so even if the triangles at the corners do not.
+  // Two surfaces at similar depths may intersect even if the triangles at the corners do not.
   const Camera& camera = this->Tracer.GetScene().ViewCamera;
   const double footprint =
     camera.PixelSize * (camera.Parallel ? 1.0 : nearest + camera.DepthOfRayOrigins());
@@ -199,7 +180,7 @@ void PixelIntegrator::FindNearbyIntersections()
   this->AddIntersectionSegments();
 }
 
-// Is there a border between two hits in one piece of a pixel?
+// Returns true if there is an edge between two hits in one face.
 bool PixelIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
 {
   if (a.Surface != b.Surface || !a.IsHit() || a.Triangle == b.Triangle)
@@ -210,7 +191,7 @@ bool PixelIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
     !HaveCommonEdge(this->Tracer.GetScene(), { a.Surface, a.Triangle }, { b.Surface, b.Triangle });
 }
 
-// Looks for triangles that no corner met, where surfaces may pass through each other.
+// Finds triangles that no corner ray hit, in pixels in which surfaces may intersect.
 void PixelIntegrator::ProbeLargeTrapezoids()
 {
   for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
@@ -235,8 +216,9 @@ Hit PixelIntegrator::ProbeAt(glm::dvec2 local)
   return sample.FirstHit;
 }
 
-// The same where they do: two triangles that cover a face and cross in it show at different ones of its
-// outermost corners. Faces that no one triangle covers are torn.
+// Finds triangles that no corner ray hit, in pixels in which surfaces are known to intersect. If two
+// triangles intersect within a face, rays at its extreme points hit different triangles. Faces whose
+// hits are disconnected are marked as discontinuous.
 void PixelIntegrator::ProbeTrapezoids()
 {
   std::vector<FaceProbe>& probes = this->FaceProbes;
@@ -271,7 +253,7 @@ void PixelIntegrator::ProbeTrapezoids()
 
 void PixelIntegrator::FaceProbe::Add(glm::dvec2 point)
 {
-  // In turn to the left, below, to the right, above and between.
+  // Counterclockwise, starting at the left.
   static const glm::dvec2 Directions[Sides] = { { -1.0, 0.0 }, { -1.0, -1.0 }, { 0.0, -1.0 },
     { 1.0, -1.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { -1.0, 1.0 } };
   for (int side = 0; side < Sides; ++side)
@@ -284,7 +266,7 @@ void PixelIntegrator::FaceProbe::Add(glm::dvec2 point)
   this->IsEmpty = false;
 }
 
-// Has a face one colour all over, whichever of its points is asked? A medium changes it a little.
+// Returns true if the color is constant over the face that contains the sample. A medium makes it vary.
 bool PixelIntegrator::IsConstant(const Sample& sample) const
 {
   return !this->Tracer.HasShafts() && this->IsConstantBehindMedium(sample);
@@ -340,8 +322,8 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   {
     return result;
   }
-  // The face is one surface: how its corners differ from the sample tells how the colour varies
-  // within it. A face without corners is taken to vary as much as a rim often does.
+  // The face is one surface, so the differences between its corners and the sample estimate the
+  // variation of the color. A face without corners is assumed to vary by UnknownVariation.
   const bool unknown = !inside || this->IsNearShadowBoundary();
   float variation = unknown ? UnknownVariation : 0.f;
   for (int i = 0; i < 4; ++i)
@@ -356,8 +338,8 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   }
   const float area = static_cast<float>(face.Area);
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
-  // Answers about occlusion and shafts are dear, and they seldom jump: there no face is split on
-  // suspicion.
+  // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not split
+  // because of an assumed variation.
   const bool isExpensive = this->Tracer.UsesIrradianceSource() || this->Tracer.HasShafts();
   const bool skipSplit = unknown && isExpensive && variation <= UnknownVariation;
   if (variation * area > limit && !skipSplit)
@@ -368,8 +350,8 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   return result;
 }
 
-// Colours that bend or jump within a face, or surfaces that meet there without an edge
-// (interpenetration): the face's trapezoids are quartered until their samples agree.
+// Subdivides the trapezoids of a face until their samples agree. Used if the color varies nonlinearly or
+// is discontinuous within the face, or if surfaces intersect there.
 PixelResult PixelIntegrator::SplitFace(std::size_t index)
 {
   PixelResult result;
@@ -385,7 +367,7 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
   });
   if (!(area > 0.f))
   {
-    // Nothing but slivers: one ray for all of them.
+    // All trapezoids are too small. One ray represents them.
     result.Color = this->Trace(this->Arrangement.GetFaces()[index].Point).Color;
     return result;
   }
@@ -400,10 +382,10 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   this->UpdateMaximumFaceDepth(center);
   const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
   const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
-  const auto share = [&](double u, double s) {
+  const auto computeArea = [&](double u, double s) {
     return (t.X1 - t.X0) * s * s * (height + slope * (u + 0.5 * s - 0.5));
   };
-  const float area = static_cast<float>(share(low.x, side));
+  const float area = static_cast<float>(computeArea(low.x, side));
   if (area * UnknownVariation < this->Settings.Tolerance ||
     side < std::ldexp(1.5, -this->Settings.MaximumLevel))
   {
@@ -420,7 +402,7 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   {
     const glm::dvec2 at = low + half * GetCornerOffset(i);
     quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half), 0.25 * area);
-    sum += static_cast<float>(share(at.x, half)) * quarters[i].Color;
+    sum += static_cast<float>(computeArea(at.x, half)) * quarters[i].Color;
     disconnected = disconnected || quarters[i].FirstHit.Surface != center.FirstHit.Surface;
   }
   const float deviation = ComputeMaximumDifference(sum, area * center.Color);
@@ -443,7 +425,7 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
   ++pixelCount;
   this->FindNearbyIntersections();
   int probePasses = 0;
-  // As soon as the arrangement costs more than rays that would do as well, those are traced instead.
+  // The pixel is sampled as soon as the arrangement costs more than samples of the same accuracy.
   const long long sampleBudget = ComputeMaximumSamples(this->Settings.Tolerance);
   const long long maximumRays = this->Rays.Refinement + sampleBudget;
   const PixelArrangement::Limits limits{ static_cast<std::size_t>(sampleBudget),
@@ -491,7 +473,7 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
     }
     if (this->ComputeDepthBehind(this->MaximumFaceDepth) >= this->NearestCulledDepth)
     {
-      // Something shows that was thought hidden.
+      // An edge that was culled may be visible.
       this->LoadSegments(edgeIndices, count, false);
       this->PairsTested = 0;
       this->AddIntersectionSegments();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator for single pixels in which so much lies that covering them exactly would
-// cost more than sampling them to the tolerance.
+// Adaptive sampling in PixelIntegrator, for single pixels whose exact coverage would cost more than
+// samples of the same accuracy.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -17,21 +17,14 @@ namespace penumbra
 namespace
 {
 
+// Number of groups whose means estimate the error.
 constexpr int Groups = 16;
-constexpr int FirstSamples = 64;
-// Borders as close as those of slivers need more samples than single straight ones, by this at most.
-constexpr int SampleBudgetFactor = 4;
-constexpr int MaximumSamples = 4096;
-// Errors above the standard error: few are.
-constexpr float Confidence = 1.5f;
-// Something may hide between n samples: this over n.
-constexpr float HiddenError = 0.25f;
 
 }
 
-// Samples of a sequence, twice as many each time until their groups agree to the tolerance or there are
-// as many as it is worth. Each group is a run of the sequence and so evenly spread by itself: the scatter
-// of their means tells the error of the whole, and rather more.
+// Doubles the number of samples until the estimated error is below the tolerance or the maximum number is
+// reached. Each group of samples is a contiguous part of the Owen-scrambled Sobol sequence and has low
+// discrepancy. The variance of the means of the groups is a conservative estimate of the error.
 PixelResult PixelIntegrator::IntegrateSampled()
 {
   ++this->Pixels.Uniform;
@@ -40,12 +33,12 @@ PixelResult PixelIntegrator::IntegrateSampled()
   const int maximumSamples =
     std::min(SampleBudgetFactor * ComputeMaximumSamples(this->Settings.Tolerance), MaximumSamples);
   glm::dvec4 sums[Groups] = {};
-  int inGroup = FirstSamples / Groups;
+  int inGroup = MinimumSamples / Groups;
   int traced = 0;
   glm::dvec2 points[CameraRayTracer::PacketSize];
   Sample samples[CameraRayTracer::PacketSize];
   PixelResult result;
-  for (int total = FirstSamples;; total *= 2)
+  for (int total = MinimumSamples;; total *= 2)
   {
     const double toleranceScale = ComputeToleranceScale(1.0 / total);
     while (traced < total)
@@ -62,7 +55,7 @@ PixelResult PixelIntegrator::IntegrateSampled()
       }
       traced += CameraRayTracer::PacketSize;
     }
-    this->Rays.Refinement += total == FirstSamples ? total : total / 2;
+    this->Rays.Refinement += total == MinimumSamples ? total : total / 2;
 
     glm::dvec4 sum(0.0);
     glm::dvec4 squares(0.0);
@@ -77,8 +70,8 @@ PixelResult PixelIntegrator::IntegrateSampled()
       glm::max(squares / static_cast<double>(Groups) - mean * mean, 0.0) / (Groups - 1.0);
     const double largest = std::max(std::max(variance.r, variance.g), variance.b);
     result.Color = glm::vec4(mean);
-    result.Error = this->CombineErrors(
-      Confidence * static_cast<float>(std::sqrt(largest)), HiddenError / static_cast<float>(total));
+    result.Error = this->CombineErrors(ConfidenceFactor * static_cast<float>(std::sqrt(largest)),
+      HiddenError / static_cast<float>(total));
     if (result.Error <= this->Settings.Tolerance || total >= maximumSamples)
     {
       return result;

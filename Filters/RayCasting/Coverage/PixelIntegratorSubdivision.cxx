@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator that subdivides pixels [AA], by object or driven by the error.
+// Recursive subdivision of pixels in PixelIntegrator [AA], controlled by surface ids or by the estimated
+// error.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -16,10 +17,7 @@ namespace penumbra
 namespace
 {
 
-// The share of its contrast by which the mean of a square's corners errs, RMS over all straight
-// borders through it (measured: uniform samples of a half-plane).
-constexpr float ContrastError = 0.3f;
-// The share of a pixel that its middle stands for, when no more samples are needed.
+// Weight of the center sample of a square that is not subdivided further (Simpson's rule).
 constexpr double CenterWeight = 2.0 / 3.0;
 
 }
@@ -30,7 +28,7 @@ const Sample& PixelIntegrator::GetGridSample(glm::ivec2 fine)
   {
     return *cached;
   }
-  // The level of the squares that have this place for a corner first, whichever pixel asks.
+  // The coarsest level at which this position is a corner. It is independent of the current pixel.
   int level = this->Settings.MaximumLevel;
   for (glm::ivec2 p = fine; level > 1 && (p.x | p.y) % 2 == 0; p /= 2)
   {
@@ -52,7 +50,7 @@ bool PixelIntegrator::NeedsSubdivision(const Square& square) const
       return true;
     }
   }
-  // Case 4: something inside, though the corners agree.
+  // Case 4: an edge inside, although the corners agree.
   const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
   const glm::dvec2 low = glm::dvec2(square.Low) * scale - glm::dvec2(this->X, this->Y);
   const double side = std::ldexp(1.0, -square.Level);
@@ -89,8 +87,8 @@ void PixelIntegrator::Subdivide(
   if (!byObject && !this->NeedsSubdivision(square) &&
     nodes[4].FirstHit.Surface == nodes[0].FirstHit.Surface)
   {
-    // For colours bent like a parabola the mean of the corners and the middle err in opposite
-    // directions, as 2 to -1.
+    // For quadratic colors, the errors of the mean of the corners and of the center have the ratio
+    // 2 : -1, so their weighted mean is exact.
     const float deviation = area * ComputeMaximumDifference(nodes[4].Color, mean);
     const float noise = area * 2.f * static_cast<float>(this->Settings.Noise);
     const bool doubtful = square.Level == 0 && this->IsNearShadowBoundary();

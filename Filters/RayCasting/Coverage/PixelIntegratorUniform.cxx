@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator that samples pixels uniformly.
+// Uniform sampling of pixels in PixelIntegrator.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -16,21 +16,12 @@ namespace penumbra
 namespace
 {
 
-// Sampling of a crowded pixel stops when its error is this share of the tolerance, as far as regular
-// samples of straight borders tell, which err like this power of their number.
-constexpr double UniformToleranceFraction = 0.1;
-constexpr float RegularSamplingExponent = -0.75f;
-// Where edges cross a pixel something may hide between n samples: this over n.
-constexpr float HiddenError = 0.25f;
-// What a single sample of a pixel is taken to err.
-constexpr float SingleSampleError = 0.125f;
-
 float GetMaximumComponent(const glm::vec3& squares)
 {
   return std::max(std::max(squares.r, squares.g), squares.b);
 }
 
-// The mean square of what neighbours differ by.
+/// Mean square of the differences between neighbors.
 class Differences
 {
 public:
@@ -51,10 +42,10 @@ private:
   int Count = 0;
 };
 
-// The error of the mean of side x side samples. Each stands for the place around it, where it varies by
-// half the square of what its neighbours differ by: noise does so everywhere, a border where it runs.
-// Where one runs along a row or a column all samples of one side of it err alike: that shows in what the
-// means of neighbouring rows or columns differ by.
+/// Estimates the error of the mean of side x side samples. The variance of a sample is half the mean
+/// square of the differences between neighbors, both for noise and for edges. If an edge is parallel to
+/// rows or columns, the errors of its samples are equal. The differences between the means of
+/// neighboring rows or columns bound this error.
 float EstimateGridError(const std::vector<glm::vec4>& colors, int side)
 {
   if (side < 2)
@@ -126,7 +117,8 @@ PixelResult PixelIntegrator::IntegrateUniform(int side)
   return result;
 }
 
-// 8 x 8 samples in four packets, each spread over the pixel; stops as soon as their mean is known.
+// Traces 8 x 8 samples in four packets, each spread over the pixel. Stops early if the estimated error of
+// their mean is small.
 PixelResult PixelIntegrator::IntegrateUniformAdaptive()
 {
   constexpr int Side = 8;
@@ -135,8 +127,8 @@ PixelResult PixelIntegrator::IntegrateUniformAdaptive()
   glm::vec4 sum(0.f);
   glm::vec4 squares(0.f);
   const double toleranceScale = ComputeToleranceScale(1.0 / (Side * Side));
-  bool hits =
-    false; // where all miss something small is meant to be here, or it would not be asked for
+  // If no sample hits a surface, a small object is expected in the pixel, and sampling does not stop.
+  bool hits = false;
   this->Colors.resize(Side * Side);
   glm::dvec2 points[CameraRayTracer::PacketSize];
   int indices[CameraRayTracer::PacketSize];

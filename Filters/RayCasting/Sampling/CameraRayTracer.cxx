@@ -17,8 +17,8 @@ constexpr int MaximumLayers = 256;
 // Accumulated alpha above which layers behind are ignored. They would change the color by 1/4096 at
 // most, which is below half a step of 8-bit colors.
 constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
-// Default strength of occlusion on surfaces colored by scalars. Below 1, so that their colors remain
-// comparable with the color legend.
+// Default strength of occlusion on surfaces colored by scalars. Below 1, so that the colors still
+// represent the data.
 constexpr float StrengthOnScalars = 0.6f;
 
 constexpr float Pi = 3.14159265f;
