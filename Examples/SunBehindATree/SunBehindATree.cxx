@@ -108,12 +108,12 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.9, 0.0);
 
   // The directional light is behind the tree.
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(0.05, 0.35, -1.0);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
-  sun->SetIntensity(2.0);
-  sun->SetDiffuseColor(1.0, 0.85, 0.6);
-  renderer->AddLight(sun);
+  vtkNew<vtkLight> light;
+  light->SetPosition(0.05, 0.35, -1.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetIntensity(2.0);
+  light->SetDiffuseColor(1.0, 0.85, 0.6);
+  renderer->AddLight(light);
 
   vtkNew<vtkPenumbraMedium> haze;
   haze->SetScattering(0.12); // per world unit

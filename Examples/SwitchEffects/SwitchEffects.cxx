@@ -65,9 +65,9 @@ void AddScene(vtkRenderer* renderer)
   floor->SetPoint1(2.5, -2.5, 0.0);
   floor->SetPoint2(-2.5, 2.5, 0.0);
   Add(renderer, floor);
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(-1.5, -1.0, 1.5);
-  renderer->AddLight(sun);
+  vtkNew<vtkLight> light;
+  light->SetPosition(-1.5, -1.0, 1.5);
+  renderer->AddLight(light);
   renderer->GetActiveCamera()->SetPosition(0.5, -7.0, 3.5);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.4);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);

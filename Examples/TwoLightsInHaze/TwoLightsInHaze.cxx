@@ -35,15 +35,15 @@ vtkActor* Add(vtkRenderer* renderer, vtkAlgorithm* source)
   return actor;
 }
 
-void AddSun(
+void AddDirectionalLight(
   vtkRenderer* renderer, double x, double y, double z, double red, double green, double blue)
 {
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(x, y, z);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
-  sun->SetDiffuseColor(red, green, blue);
-  sun->SetIntensity(2.0);
-  renderer->AddLight(sun);
+  vtkNew<vtkLight> light;
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetDiffuseColor(red, green, blue);
+  light->SetIntensity(2.0);
+  renderer->AddLight(light);
 }
 
 }
@@ -73,8 +73,8 @@ int main(int argc, char* argv[])
     renderer->GetActiveCamera()->SetParallelScale(4.0);
   }
 
-  AddSun(renderer, -0.22, 0.12, -1.0, 1.0, 0.6, 0.25);
-  AddSun(renderer, 0.22, 0.12, -1.0, 0.25, 0.5, 1.0);
+  AddDirectionalLight(renderer, -0.22, 0.12, -1.0, 1.0, 0.6, 0.25);
+  AddDirectionalLight(renderer, 0.22, 0.12, -1.0, 0.25, 0.5, 1.0);
   vtkPenumbraLightShaftPass* shafts = vtkPenumbraLightShaftPass::AddTo(renderer);
   shafts->SetScattering(0.06); // per world unit
   shafts->SetPhase(vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN);

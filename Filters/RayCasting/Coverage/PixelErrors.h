@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Functions that the parts of PixelIntegrator share: color differences, and numbers of samples.
+// Functions used by all parts of PixelIntegrator: color differences, and numbers of samples.
 #ifndef penumbra_PixelErrors_h
 #define penumbra_PixelErrors_h
 

@@ -39,7 +39,7 @@ protected:
   void SetUp() override
   {
     this->Haze.Intensity = 8.0;
-    this->Sun = this->Haze.AddTo(this->Renderer);
+    this->Light = this->Haze.AddTo(this->Renderer);
     this->Haze.Describe(this->Medium);
     this->Caster->SetRenderer(this->Renderer);
     this->Caster->SetResolution(Width, Height);
@@ -72,7 +72,7 @@ protected:
 
   penumbra::HalfPlaneInHaze Haze;
   vtkNew<vtkRenderer> Renderer;
-  vtkLight* Sun = nullptr;
+  vtkLight* Light = nullptr;
   vtkNew<vtkPenumbraMedium> Medium;
   vtkNew<vtkPenumbraRayCaster> Caster;
   int Warnings = 0;
@@ -112,7 +112,7 @@ TEST_F(MediumTest, AttenuatesTheBackground)
 {
   // The light is negligible. The path through the medium has a length of 6.3.
   this->Renderer->SetBackground(1.0, 0.5, 0.25);
-  this->Sun->SetIntensity(1e-30);
+  this->Light->SetIntensity(1e-30);
   this->Medium->SetBounds(-2.0, 5.0, -1000.0, 1000.0, -1000.0, 1000.0);
   const std::vector<float> image = this->Render();
   const int center = 4 * (Height / 2 * Width + Width / 2) - 4 * Width;
@@ -169,7 +169,7 @@ TEST_F(MediumTest, IsIgnoredWithOneWarningIfInvalid)
   EXPECT_EQ(this->Warnings, 1);
 
   this->Medium->SetBounds(0.0, 1.0, 0.0, 1.0, 0.0, 1.0);
-  this->Sun->SetIntensity(0.0);
+  this->Light->SetIntensity(0.0);
   this->Warnings = 0;
   EXPECT_EQ(plain, this->Render());
   EXPECT_EQ(this->Warnings, 1);
