@@ -4,6 +4,8 @@
 
 #include "vtkPenumbraIrradianceProvider.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,8 +22,6 @@ constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
 // Default strength of occlusion on surfaces colored by scalars. Below 1, so that the colors still
 // represent the data.
 constexpr float StrengthOnScalars = 0.6f;
-
-constexpr float Pi = 3.14159265f;
 
 glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
 {
@@ -109,7 +109,7 @@ glm::vec3 CameraRayTracer::ComputeIndirectLight(const Ray& ray, const Hit& hit,
   const vtkPenumbraIrradianceProvider::Light light = this->IrradianceSource->Irradiance(
     &point.x, &normal.x, toleranceScale * this->IrradianceTolerance);
   counts.Indirect += light.Rays;
-  return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / Pi;
+  return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / glm::pi<float>();
 }
 
 void CameraRayTracer::AddMedium(
