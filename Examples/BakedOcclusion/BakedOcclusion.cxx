@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bakes ambient occlusion. A filter adds the array `AmbientOcclusion` to the points of a mesh. Here, the
-// array is mapped to gray and rendered without lighting.
+// Bakes ambient occlusion. A filter adds the array `AmbientOcclusion` to the points of a mesh.
+// Here, the array is mapped to gray and rendered without lighting.
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPenumbraRayCaster.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Replaces vtkSSAOPass. The image shows the same scene with the pass of VTK on the left and with the pass
-// of Penumbra on the right.
+// Replaces vtkSSAOPass. The image shows the same scene with the pass of VTK on the left and with
+// the pass of Penumbra on the right.
 //
 //   FromVtkSSAOPass IMAGE.png [MESH.ply]
 #include "vtkPenumbraTemporalSSAOPass.h"
@@ -93,8 +93,8 @@ void AddVTKPass(vtkRenderer* renderer)
   renderer->SetPass(occlusion);
 }
 
-/// After: the radius defaults to a tenth of the diagonal of the visible bounds; the application sets the
-/// accepted error.
+/// After: the radius defaults to a tenth of the diagonal of the visible bounds; the application
+/// sets the accepted error.
 void AddPenumbraPass(vtkRenderer* renderer)
 {
   vtkPenumbraTemporalSSAOPass* occlusion = vtkPenumbraTemporalSSAOPass::AddTo(renderer);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders indirect light with the irradiance cache. The red wall reflects light onto the white sphere
-// next to it. The cache computes irradiance at a few hundred points and interpolates between them.
+// Renders indirect light with the irradiance cache. The red wall reflects light onto the white
+// sphere next to it. The cache computes irradiance at a few hundred points and interpolates between
+// them.
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Uses the rendered image as a data set. The ray caster is part of a pipeline. In addition to colors, it
-// outputs depth, normals, object and cell ids, statistics, and the estimated error.
+// Uses the rendered image as a data set. The ray caster is part of a pipeline. In addition to
+// colors, it outputs depth, normals, object and cell ids, statistics, and the estimated error.
 #include "vtkPenumbraRayCaster.h"
 
 #include <vtkDataArray.h>

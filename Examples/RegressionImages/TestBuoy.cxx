@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compares images with baselines, in one line per test. A baseline is an image that was reviewed and
-// committed. Images of the ray caster must be equal to it, images of OpenGL similar.
+// Compares images with baselines, in one line per test. A baseline is an image that was reviewed
+// and committed. Images of the ray caster must be equal to it, images of OpenGL similar.
 //
-// After an intended change, run `PENUMBRA_ACCEPT=replace ./TestBuoy` and review the changes with git.
+// After an intended change, run `PENUMBRA_ACCEPT=replace ./TestBuoy` and review the changes with
+// git.
 #include "PenumbraGoogleTest.h"
 #include "vtkPenumbraRayCaster.h"
 

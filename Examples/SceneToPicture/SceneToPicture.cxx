@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders a VTK scene as an antialiased image, without a window or OpenGL. The ray caster accepts an
-// unmodified vtkRenderer, and its output is a vtkImageData.
+// Renders a VTK scene as an antialiased image, without a window or OpenGL. The ray caster accepts
+// an unmodified vtkRenderer, and its output is a vtkImageData.
 #include "vtkPenumbraRayCaster.h"
 
 #include <vtkActor.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders the records of an irradiance cache with OpenGL, without tracing further rays. The ray caster
-// computes the records. The left image shows their positions, which are dense near contacts. The right
-// image interpolates the same records from another camera position.
+// Renders the records of an irradiance cache with OpenGL, without tracing further rays. The ray
+// caster computes the records. The left image shows their positions, which are dense near contacts.
+// The right image interpolates the same records from another camera position.
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceSplatPass.h"
 #include "vtkPenumbraRayCaster.h"
@@ -68,7 +68,8 @@ void SetCamera(vtkRenderer* renderer, double x, double y, double z)
   renderer->ResetCameraClippingRange();
 }
 
-/// Adds the records as points. They are slightly translucent, so that they are rendered after the pass.
+/// Adds the records as points. They are slightly translucent, so that they are rendered after the
+/// pass.
 void AddPoints(vtkRenderer* renderer, vtkPolyData* records)
 {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();

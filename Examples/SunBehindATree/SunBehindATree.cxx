@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders light shafts by ray casting, or with an OpenGL pass in a window. A medium fills the scene and
-// scatters light wherever it is not in shadow. Both renderers use the same parameters of the medium.
+// Renders light shafts by ray casting, or with an OpenGL pass in a window. A medium fills the scene
+// and scatters light wherever it is not in shadow. Both renderers use the same parameters of the
+// medium.
 //   SunBehindATree IMAGE.png [window]
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraMedium.h"

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Adds and removes effects of an existing renderer, in a window without a GUI toolkit. Key `a` toggles
-// ambient occlusion, `l` light shafts. The text shows the statistics of the effects. `q` quits.
+// Adds and removes effects of an existing renderer, in a window without a GUI toolkit. Key `a`
+// toggles ambient occlusion, `l` light shafts. The text shows the statistics of the effects. `q`
+// quits.
 //
 //   VTK_DEFAULT_OPENGL_WINDOW=vtkXOpenGLRenderWindow SwitchEffects
 //
-// With `--keys al IMAGE.png` the program simulates these keys and saves the resulting image. The test
-// uses this mode.
+// With `--keys al IMAGE.png` the program simulates these keys and saves the resulting image. The
+// test uses this mode.
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tuning constants of pixel coverage: when a pixel is cut exactly, when it is sampled instead, and how
-// errors are estimated. Lengths are in pixels, areas in pixel areas, colors in [0, 1]. After changing a
-// value run TestCoverageOfScenes and TestHardScenes (errors against a reference) and TestCeilings
-// (numbers of rays).
+// Tuning constants of pixel coverage: when a pixel is cut exactly, when it is sampled instead, and
+// how errors are estimated. Lengths are in pixels, areas in pixel areas, colors in [0, 1]. After
+// changing a value run TestCoverageOfScenes and TestHardScenes (errors against a reference) and
+// TestCeilings (numbers of rays).
 #ifndef penumbra_CoverageConstants_h
 #define penumbra_CoverageConstants_h
 
@@ -15,22 +15,26 @@ namespace penumbra
 
 // --- Edges of the scene ---
 
-/// Edges across which colors change by less than this fraction of the tolerance are not feature edges.
+/// Edges across which colors change by less than this fraction of the tolerance are not feature
+/// edges.
 constexpr double EdgeContrastFraction = 0.25;
 /// Distance of a corner to an edge below which its ray may hit either side of the edge.
 constexpr double EdgePrecision = 1e-3;
-/// Fraction of the distance to the pixel center by which such a corner is moved before it is retraced.
+/// Fraction of the distance to the pixel center by which such a corner is moved before it is
+/// retraced.
 constexpr double CornerInset = 4.0 * EdgePrecision;
 
 // --- Surfaces with subpixel triangles ---
 
-/// Number of triangles, approximately, from which the mean projected area of a surface is estimated.
+/// Number of triangles, approximately, from which the mean projected area of a surface is
+/// estimated.
 constexpr std::size_t MaximumTrianglesSampled = 10000;
 /// Mean projected area of a triangle below which a surface is sampled. Measured: exact coverage and
 /// 8 x 8 samples take the same time at this area.
 constexpr double SubpixelArea = 1.0;
 /// A surface is sampled only if it has more triangles than this number per pixel of its projected
-/// bounds plus MinimumTriangles. Fewer small triangles are small objects, which are covered exactly.
+/// bounds plus MinimumTriangles. Fewer small triangles are small objects, which are covered
+/// exactly.
 constexpr double TrianglesPerPixel = 0.5;
 constexpr double MinimumTriangles = 4096.0;
 /// Number of triangles whose projection takes as long as sampling one pixel completely (measured).
@@ -72,14 +76,14 @@ constexpr int MaximumProbePasses = 4;
 
 /// Minimum estimated error of a pixel without edges: rounding.
 constexpr float ErrorFloor = 2e-5f;
-/// Minimum estimated error of a pixel with edges: differences between the positions of an edge in the
-/// arrangement and along a ray.
+/// Minimum estimated error of a pixel with edges: differences between the positions of an edge in
+/// the arrangement and along a ray.
 constexpr float EdgeErrorFloor = 1.5e-4f;
 /// Minimum estimated error of a pixel that contains only background.
 constexpr float EmptyErrorFloor = 1e-6f;
-/// Fraction of the last difference between samples that is estimated to remain as an error. Together
-/// with CurvatureSafetyFactor chosen on a smooth scan so that the error of 95 % of the tiles is below
-/// its estimate.
+/// Fraction of the last difference between samples that is estimated to remain as an error.
+/// Together with CurvatureSafetyFactor chosen on a smooth scan so that the error of 95 % of the
+/// tiles is below its estimate.
 constexpr float ResidualErrorFraction = 0.35f;
 /// Safety factor of errors estimated from second differences: across the vertices of a mesh the
 /// gradient of colors is discontinuous.
@@ -88,8 +92,8 @@ constexpr float CurvatureSafetyFactor = 3.f;
 constexpr float ShadowContrast = 0.05f;
 /// Assumed variation of color on a piece of surface with only one sample.
 constexpr float UnknownVariation = 0.25f;
-/// RMS error of the mean of four corners relative to their contrast, over all straight edges through a
-/// square. Measured with uniform samples of a half-plane.
+/// RMS error of the mean of four corners relative to their contrast, over all straight edges
+/// through a square. Measured with uniform samples of a half-plane.
 constexpr float ContrastError = 0.3f;
 
 // --- Samples ---
@@ -97,13 +101,15 @@ constexpr float ContrastError = 0.3f;
 /// Range of the number of samples of a pixel that is too expensive to cover exactly.
 constexpr int MinimumSamples = 64;
 constexpr int MaximumSamples = 4096;
-/// Factor on the number of samples that straight edges require. Dense edges, as of slivers, need more.
+/// Factor on the number of samples that straight edges require. Dense edges, as of slivers, need
+/// more.
 constexpr int SampleBudgetFactor = 4;
 /// Factor on the standard error of these samples, so that few errors exceed the estimate.
 constexpr float ConfidenceFactor = 1.5f;
 /// Estimated error of objects between n samples, times n.
 constexpr float HiddenError = 0.25f;
-/// Uniform sampling of a pixel stops when the estimated error is below this fraction of the tolerance.
+/// Uniform sampling of a pixel stops when the estimated error is below this fraction of the
+/// tolerance.
 constexpr double UniformToleranceFraction = 0.1;
 /// The error of n regular samples of a straight edge is proportional to this power of n.
 constexpr float RegularSamplingExponent = -0.75f;

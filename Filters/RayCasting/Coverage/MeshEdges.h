@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The edges of one surface, with their adjacent triangles. The image may be discontinuous across a
-// feature edge (boundary, crease, color seam) from every view, and across other edges only if they are
-// silhouettes.
+// feature edge (boundary, crease, color seam) from every view, and across other edges only if they
+// are silhouettes.
 #ifndef penumbra_MeshEdges_h
 #define penumbra_MeshEdges_h
 

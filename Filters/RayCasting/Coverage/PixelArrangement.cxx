@@ -11,8 +11,8 @@ namespace penumbra
 
 namespace
 {
-// Distance in pixels below which two coordinates are equal. It is far below the precision of a ray (1e-4)
-// and far above the rounding of coordinates in double precision.
+// Distance in pixels below which two coordinates are equal. It is far below the precision of a ray
+// (1e-4) and far above the rounding of coordinates in double precision.
 constexpr double Epsilon = 1e-10;
 
 // Returns the y of the segment at x.
@@ -22,8 +22,8 @@ double ComputeHeight(const PixelSegment& s, double x)
   return std::clamp(s.A.y + u * (s.B.y - s.A.y), 0.0, 1.0);
 }
 
-// Computes the x at which two segments cross in their interiors. Returns false if they do not. Common end
-// points are events already.
+// Computes the x at which two segments cross in their interiors. Returns false if they do not.
+// Common end points are events already.
 bool FindCrossing(const PixelSegment& s, const PixelSegment& t, double& x)
 {
   const glm::dvec2 d = s.B - s.A;

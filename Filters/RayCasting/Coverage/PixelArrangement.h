@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Arrangement of projected edges in one pixel: a slab decomposition into trapezoids, which are joined to
-// faces. Areas are exact up to rounding.
+// Arrangement of projected edges in one pixel: a slab decomposition into trapezoids, which are
+// joined to faces. Areas are exact up to rounding.
 #ifndef penumbra_PixelArrangement_h
 #define penumbra_PixelArrangement_h
 
@@ -70,8 +70,8 @@ public:
     std::size_t Trapezoids = std::numeric_limits<std::size_t>::max();
   };
 
-  /// Cuts the pixel by `count` segments, each inside the unit square (ClipToPixel()). Returns false if a
-  /// limit is exceeded; the arrangement is then undefined.
+  /// Cuts the pixel by `count` segments, each inside the unit square (ClipToPixel()). Returns false
+  /// if a limit is exceeded; the arrangement is then undefined.
   bool Build(const PixelSegment* segments, int count, const Limits& limits);
   void Build(const PixelSegment* segments, int count) { this->Build(segments, count, Limits()); }
 

@@ -14,16 +14,16 @@
 namespace penumbra
 {
 
-/// Returns the factor on the tolerance of a sample that represents the fraction `area` of a pixel, so
-/// that the independent errors of all samples add up to the same as those of four corners.
+/// Returns the factor on the tolerance of a sample that represents the fraction `area` of a pixel,
+/// so that the independent errors of all samples add up to the same as those of four corners.
 inline double ComputeToleranceScale(double area)
 {
   return 0.5 / std::sqrt(area);
 }
 
-/// Returns the number of low-discrepancy samples that reduce the error of a pixel with straight edges of
-/// any contrast to `tolerance`: a power of two in [MinimumSamples, MaximumSamples]. It bounds the cost of
-/// exact coverage.
+/// Returns the number of low-discrepancy samples that reduce the error of a pixel with straight
+/// edges of any contrast to `tolerance`: a power of two in [MinimumSamples, MaximumSamples]. It
+/// bounds the cost of exact coverage.
 inline int ComputeMaximumSamples(double tolerance)
 {
   const double required = std::pow(0.5 / std::max(tolerance, 1e-6), 4.0 / 3.0);

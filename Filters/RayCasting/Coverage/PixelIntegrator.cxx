@@ -108,8 +108,8 @@ PixelResult PixelIntegrator::Integrate(
   return this->IntegrateExact(edgeIndices, count);
 }
 
-// The error of the mean of four corners is (f_xx + f_yy) / 12. Second differences with the neighboring
-// corners approximate the derivatives. Discontinuities also cause second differences.
+// The error of the mean of four corners is (f_xx + f_yy) / 12. Second differences with the
+// neighboring corners approximate the derivatives. Discontinuities also cause second differences.
 float PixelIntegrator::EstimateCurvatureError() const
 {
   const float contrast = ComputeContrast(this->Corners);
@@ -152,8 +152,8 @@ float PixelIntegrator::EstimateCurvatureError() const
   return std::max(sum - noise, 0.f) / 12.f;
 }
 
-// If an edge runs along a side of the pixel, the rays of its corners may hit either side of the edge.
-// These corners are traced again at a position slightly inside the pixel.
+// If an edge runs along a side of the pixel, the rays of its corners may hit either side of the
+// edge. These corners are traced again at a position slightly inside the pixel.
 void PixelIntegrator::RetraceCornersOnEdges()
 {
   for (int i = 0; i < 4; ++i)

@@ -154,8 +154,8 @@ private:
   const Sample& GetGridSample(glm::ivec2 fine);
   Sample Trace(glm::dvec2 local, double area = 1.0);
 
-  /// Combines an error of coverage and shading with the noise of sampled colors. About four colors are
-  /// averaged per pixel, which halves the noise.
+  /// Combines an error of coverage and shading with the noise of sampled colors. About four colors
+  /// are averaged per pixel, which halves the noise.
   float CombineErrors(float error, float floor) const
   {
     return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Settings.Noise)), floor);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact coverage in PixelIntegrator: projected edges and intersections of triangles cut the pixel into
-// faces, and each face shows one surface.
+// Exact coverage in PixelIntegrator: projected edges and intersections of triangles cut the pixel
+// into faces, and each face shows one surface.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -127,8 +127,8 @@ void PixelIntegrator::AddTriangle(const Sample& sample)
   }
 }
 
-// Adds the intersections of the visible triangles to the segments. Returns false if there are no new
-// ones.
+// Adds the intersections of the visible triangles to the segments. Returns false if there are no
+// new ones.
 bool PixelIntegrator::AddIntersectionSegments()
 {
   const std::size_t before = this->Segments.size();
@@ -151,8 +151,8 @@ bool PixelIntegrator::AddIntersectionSegments()
   return this->Segments.size() > before;
 }
 
-// Intersects the triangles at the corners. If any intersect, also those at neighboring corners, because
-// intersections continue there.
+// Intersects the triangles at the corners. If any intersect, also those at neighboring corners,
+// because intersections continue there.
 void PixelIntegrator::FindNearbyIntersections()
 {
   double nearest = std::numeric_limits<double>::infinity();
@@ -216,9 +216,9 @@ Hit PixelIntegrator::ProbeAt(glm::dvec2 local)
   return sample.FirstHit;
 }
 
-// Finds triangles that no corner ray hit, in pixels in which surfaces are known to intersect. If two
-// triangles intersect within a face, rays at its extreme points hit different triangles. Faces whose
-// hits are disconnected are marked as discontinuous.
+// Finds triangles that no corner ray hit, in pixels in which surfaces are known to intersect. If
+// two triangles intersect within a face, rays at its extreme points hit different triangles. Faces
+// whose hits are disconnected are marked as discontinuous.
 void PixelIntegrator::ProbeTrapezoids()
 {
   std::vector<FaceProbe>& probes = this->FaceProbes;
@@ -266,7 +266,8 @@ void PixelIntegrator::FaceProbe::Add(glm::dvec2 point)
   this->IsEmpty = false;
 }
 
-// Returns true if the color is constant over the face that contains the sample. A medium makes it vary.
+// Returns true if the color is constant over the face that contains the sample. A medium makes it
+// vary.
 bool PixelIntegrator::IsConstant(const Sample& sample) const
 {
   return !this->Tracer.HasShafts() && this->IsConstantBehindMedium(sample);
@@ -338,8 +339,8 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   }
   const float area = static_cast<float>(face.Area);
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
-  // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not split
-  // because of an assumed variation.
+  // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not
+  // split because of an assumed variation.
   const bool isExpensive = this->Tracer.UsesIrradianceSource() || this->Tracer.HasShafts();
   const bool skipSplit = unknown && isExpensive && variation <= UnknownVariation;
   if (variation * area > limit && !skipSplit)
@@ -350,8 +351,8 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   return result;
 }
 
-// Subdivides the trapezoids of a face until their samples agree. Used if the color varies nonlinearly or
-// is discontinuous within the face, or if surfaces intersect there.
+// Subdivides the trapezoids of a face until their samples agree. Used if the color varies
+// nonlinearly or is discontinuous within the face, or if surfaces intersect there.
 PixelResult PixelIntegrator::SplitFace(std::size_t index)
 {
   PixelResult result;

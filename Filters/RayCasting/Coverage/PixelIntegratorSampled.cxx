@@ -22,9 +22,10 @@ constexpr int Groups = 16;
 
 }
 
-// Doubles the number of samples until the estimated error is below the tolerance or the maximum number is
-// reached. Each group of samples is a contiguous part of the Owen-scrambled Sobol sequence and has low
-// discrepancy. The variance of the means of the groups is a conservative estimate of the error.
+// Doubles the number of samples until the estimated error is below the tolerance or the maximum
+// number is reached. Each group of samples is a contiguous part of the Owen-scrambled Sobol
+// sequence and has low discrepancy. The variance of the means of the groups is a conservative
+// estimate of the error.
 PixelResult PixelIntegrator::IntegrateSampled()
 {
   ++this->Pixels.Uniform;

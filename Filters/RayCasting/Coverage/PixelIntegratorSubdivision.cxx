@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Recursive subdivision of pixels in PixelIntegrator [AA], controlled by surface ids or by the estimated
-// error.
+// Recursive subdivision of pixels in PixelIntegrator [AA], controlled by surface ids or by the
+// estimated error.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"

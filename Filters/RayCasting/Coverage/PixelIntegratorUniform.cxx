@@ -42,10 +42,10 @@ private:
   int Count = 0;
 };
 
-/// Estimates the error of the mean of side x side samples. The variance of a sample is half the mean
-/// square of the differences between neighbors, both for noise and for edges. If an edge is parallel to
-/// rows or columns, the errors of its samples are equal. The differences between the means of
-/// neighboring rows or columns bound this error.
+/// Estimates the error of the mean of side x side samples. The variance of a sample is half the
+/// mean square of the differences between neighbors, both for noise and for edges. If an edge is
+/// parallel to rows or columns, the errors of its samples are equal. The differences between the
+/// means of neighboring rows or columns bound this error.
 float EstimateGridError(const std::vector<glm::vec4>& colors, int side)
 {
   if (side < 2)
@@ -117,8 +117,8 @@ PixelResult PixelIntegrator::IntegrateUniform(int side)
   return result;
 }
 
-// Traces 8 x 8 samples in four packets, each spread over the pixel. Stops early if the estimated error of
-// their mean is small.
+// Traces 8 x 8 samples in four packets, each spread over the pixel. Stops early if the estimated
+// error of their mean is small.
 PixelResult PixelIntegrator::IntegrateUniformAdaptive()
 {
   constexpr int Side = 8;
@@ -127,7 +127,8 @@ PixelResult PixelIntegrator::IntegrateUniformAdaptive()
   glm::vec4 sum(0.f);
   glm::vec4 squares(0.f);
   const double toleranceScale = ComputeToleranceScale(1.0 / (Side * Side));
-  // If no sample hits a surface, a small object is expected in the pixel, and sampling does not stop.
+  // If no sample hits a surface, a small object is expected in the pixel, and sampling does not
+  // stop.
   bool hits = false;
   this->Colors.resize(Side * Side);
   glm::dvec2 points[CameraRayTracer::PacketSize];

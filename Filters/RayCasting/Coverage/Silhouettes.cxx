@@ -131,7 +131,8 @@ void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, con
 {
   low -= 2.0 * EdgeMargin;
   high += 2.0 * EdgeMargin;
-  // Points nearer than this are clipped. In perspective projection, points at depth 0 cannot be projected.
+  // Points nearer than this are clipped. In perspective projection, points at depth 0 cannot be
+  // projected.
   const double near = std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
   for (const MeshEdge& e : mesh)
   {

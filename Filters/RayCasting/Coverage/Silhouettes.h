@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Edges at which the image may be discontinuous, projected in double precision and binned into tiles and
-// pixels.
+// Edges at which the image may be discontinuous, projected in double precision and binned into
+// tiles and pixels.
 #ifndef penumbra_Silhouettes_h
 #define penumbra_Silhouettes_h
 
@@ -33,14 +33,14 @@ struct EdgeBins
   std::vector<std::uint32_t> Edges;
 };
 
-/// Distance in pixels up to which an edge outside a cell is also binned into it. Above EdgePrecision,
-/// so that a pixel has all edges that may affect its corner rays.
+/// Distance in pixels up to which an edge outside a cell is also binned into it. Above
+/// EdgePrecision, so that a pixel has all edges that may affect its corner rays.
 constexpr double EdgeMargin = 2e-3;
 
 /**
  * Bins the edges into a grid of `cells.x` by `cells.y` squares of side `size` with the lower left
- * corner `origin`. `subset` lists `count` indices of edges; null: the first `count` edges. The bins are
- * conservative by EdgeMargin.
+ * corner `origin`. `subset` lists `count` indices of edges; null: the first `count` edges. The bins
+ * are conservative by EdgeMargin.
  */
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
   std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& bins);

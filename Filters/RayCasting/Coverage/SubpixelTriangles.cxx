@@ -15,7 +15,8 @@ namespace penumbra
 namespace
 {
 
-/// Computes the corners of the triangle in the image. Returns false if a corner is behind the camera.
+/// Computes the corners of the triangle in the image. Returns false if a corner is behind the
+/// camera.
 bool ProjectTriangle(
   const Surface& surface, std::size_t triangle, const Camera& camera, glm::dvec2 (&corners)[3])
 {
@@ -71,8 +72,8 @@ bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
 namespace
 {
 
-/// Computes the pixels [first, last] within [low, high) that the projected bounds of `surface` cover.
-/// All of them if the bounds extend behind the camera.
+/// Computes the pixels [first, last] within [low, high) that the projected bounds of `surface`
+/// cover. All of them if the bounds extend behind the camera.
 void BoundPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, glm::ivec2 high,
   glm::ivec2& first, glm::ivec2& last)
 {
@@ -141,8 +142,8 @@ void MarkCoveredPixels(const Surface& surface, const Camera& camera, glm::ivec2 
     const glm::vec2 c = projected[triangle.z];
     const glm::vec2 minimum = glm::floor(glm::min(glm::min(a, b), c) - ProjectionPrecision);
     const glm::vec2 maximum = glm::floor(glm::max(glm::max(a, b), c) + ProjectionPrecision);
-    // Triangles behind the camera (NaN) are skipped. A triangle that crosses the camera plane is much
-    // larger than a pixel, so corner rays hit it.
+    // Triangles behind the camera (NaN) are skipped. A triangle that crosses the camera plane is
+    // much larger than a pixel, so corner rays hit it.
     if (!(maximum.x >= 0.f && maximum.y >= 0.f && minimum.x <= last.x && minimum.y <= last.y))
     {
       continue;

@@ -35,9 +35,9 @@ double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
 bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b);
 
 /**
- * Computes the projected intersection of `a` and `b` in the pixel with the lower left corner `origin`.
- * Returns false if they do not intersect there, or if they have a common edge, which is then the edge
- * between them.
+ * Computes the projected intersection of `a` and `b` in the pixel with the lower left corner
+ * `origin`. Returns false if they do not intersect there, or if they have a common edge, which is
+ * then the edge between them.
  */
 bool IntersectTriangles(
   const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin, PixelSegment& segment);

@@ -70,8 +70,8 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
       region.Errors[index] = std::hypot(result.Error, integrator.GetMediumError());
       region.RaysPerPixel[index] += static_cast<float>(integrator.Rays.GetImageRays() - before);
     }
-    // Triangles that intersect in one pixel also intersect in its neighbors. Render the tile again and
-    // search all pixels with edges for intersections.
+    // Triangles that intersect in one pixel also intersect in its neighbors. Render the tile again
+    // and search all pixels with edges for intersections.
     if (y + 1 == high.y && !searchAll && integrator.HasFoundIntersection())
     {
       searchAll = true;

@@ -26,8 +26,7 @@ struct RenderSettings
 struct SceneEdges
 {
   std::vector<std::vector<MeshEdge>> EdgesBySurface;
-  std::vector<char>
-    Dense; ///< per surface: true if its triangles are smaller than pixels and its edges are not used
+  std::vector<char> Dense; ///< per surface: its triangles are smaller than pixels
 };
 
 /// Finds the edges of all surfaces. Throws Stopped if `progress` requests a stop.
@@ -54,9 +53,9 @@ struct ImageRegion
 };
 
 /**
- * Renders the pixels [region.Low, region.High), which must lie in the image of the camera. The colors
- * do not depend on the region or on the number of threads. Returns false if `progress` requested a
- * stop.
+ * Renders the pixels [region.Low, region.High), which must lie in the image of the camera. The
+ * colors do not depend on the region or on the number of threads. Returns false if `progress`
+ * requested a stop.
  */
 bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, ImageRegion& region);

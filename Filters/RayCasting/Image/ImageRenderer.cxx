@@ -15,8 +15,8 @@ namespace penumbra
 namespace
 {
 
-// Approximate number of pixels of a region. The regions of an image are rendered one after the other
-// to bound memory. A region consists of whole rows of tiles.
+// Approximate number of pixels of a region. The regions of an image are rendered one after the
+// other to bound memory. A region consists of whole rows of tiles.
 constexpr int PixelsPerRegion = 1 << 22;
 // Regions start at multiples of this number of pixels, the side of a tile in ImageRegion.cxx.
 constexpr int Alignment = 32;
@@ -30,8 +30,8 @@ void AddFloatArray(vtkImageData* image, const char* name, int components)
   image->GetPointData()->AddArray(array);
 }
 
-/// Copies the rows of `region` that lie in `image`, with `overlay` composited over them. Returns the sum
-/// of their squared errors.
+/// Copies the rows of `region` that lie in `image`, with `overlay` composited over them. Returns
+/// the sum of their squared errors.
 double CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image)
 {
   const auto find = [image](const char* name) {

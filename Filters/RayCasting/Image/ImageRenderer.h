@@ -25,8 +25,8 @@ TileErrors EvaluateTiles(vtkImageData* image, double limit);
 
 /**
  * Adds the arrays `Color`, `Rays` and `EstimatedError` to `image`, whose extent is set, and
- * composites the overlay of the scene over `Color`. Adds counts to `totals` and the squared errors of
- * all pixels to `squaredError`. Returns false if `progress` requested a stop.
+ * composites the overlay of the scene over `Color`. Adds counts to `totals` and the squared errors
+ * of all pixels to `squaredError`. Returns false if `progress` requested a stop.
  */
 bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,

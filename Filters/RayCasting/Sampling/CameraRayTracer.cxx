@@ -14,7 +14,8 @@ namespace penumbra
 
 namespace
 {
-// Maximum number of layers composited along one ray. Bounds the cost of stacked translucent surfaces.
+// Maximum number of layers composited along one ray. Bounds the cost of stacked translucent
+// surfaces.
 constexpr int MaximumLayers = 256;
 // Accumulated alpha above which layers behind are ignored. They would change the color by 1/4096 at
 // most, which is below half a step of 8-bit colors.

@@ -48,9 +48,9 @@ public:
 
   CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera);
 
-  /// Returns the color along the ray through image point p. The caller counts the camera ray itself.
-  /// `toleranceScale` multiplies the tolerances of occlusion and irradiance; it is larger than 1 for a
-  /// sample that is averaged with others.
+  /// Returns the color along the ray through image point p. The caller counts the camera ray
+  /// itself. `toleranceScale` multiplies the tolerances of occlusion and irradiance; it is larger
+  /// than 1 for a sample that is averaged with others.
   Sample TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale = 1.0) const;
 
   /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.
@@ -74,7 +74,8 @@ public:
   /// Returns true if every sample queries an irradiance source, which makes samples expensive.
   bool UsesIrradianceSource() const { return this->OcclusionSource || this->IrradianceSource; }
 
-  /// Sets the light shafts of a participating medium; `shafts` must outlive this object. Null: no medium.
+  /// Sets the light shafts of a participating medium; `shafts` must outlive this object. Null: no
+  /// medium.
   void SetShafts(const LightShafts* shafts) { this->Shafts = shafts; }
   bool HasShafts() const { return this->Shafts != nullptr; }
 

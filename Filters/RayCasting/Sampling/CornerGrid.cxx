@@ -24,7 +24,8 @@ void CornerGrid::TraceRow(const CameraRayTracer& tracer, int row, bool packets, 
     glm::dvec2 points[CameraRayTracer::PacketSize];
     Sample samples[CameraRayTracer::PacketSize];
     unsigned int active = 0;
-    // Trace all corners of the block that lie in the whole image: packets must not depend on the region.
+    // Trace all corners of the block that lie in the whole image: packets must not depend on the
+    // region.
     for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
       const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Upper bounds of the number of rays for adversarial scenes. They follow from the tolerance, not from the
-// number of primitives.
+// Upper bounds of the number of rays for adversarial scenes. They follow from the tolerance, not
+// from the number of primitives.
 #include "vtkPenumbraRayCaster.h"
 
 #include "Scenes/Adversaries.h"
@@ -47,7 +47,8 @@ std::string MakeName(const ::testing::TestParamInfo<Row>& row)
   return row.param.Name;
 }
 
-/// Renders side * side pixels, each 1/64 wide, each divided into `subdivisions` * `subdivisions` pixels.
+/// Renders side * side pixels, each 1/64 wide, each divided into `subdivisions` * `subdivisions`
+/// pixels.
 void Render(const std::string& name, int primitives, int side, vtkPenumbraRayCaster* caster,
   int subdivisions = 1)
 {

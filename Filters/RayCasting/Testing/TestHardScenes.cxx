@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes with edges inside pixels that the corner rays do not detect. The error of every tile is below
-// the tolerance, or its estimated error is not. The reference has 32 x 32 samples per pixel.
+// Scenes with edges inside pixels that the corner rays do not detect. The error of every tile is
+// below the tolerance, or its estimated error is not. The reference has 32 x 32 samples per pixel.
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"

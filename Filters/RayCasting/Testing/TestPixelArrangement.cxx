@@ -86,7 +86,8 @@ TEST(PixelArrangement, KeepsOneFaceAroundOpenSegments)
 
 TEST(PixelArrangement, SatisfiesEulersFormulaForRandomLines)
 {
-  // n lines in general position with k crossings inside the pixel form 1 + n + k faces of total area 1.
+  // n lines in general position with k crossings inside the pixel form 1 + n + k faces of total
+  // area 1.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-0.5, 1.5);
   for (int trial = 0; trial < 200; ++trial)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every change of a scene appears in the next image, and nothing is rendered again without a change. The
-// table has one row for each kind of object in a scene.
+// Every change of a scene appears in the next image, and nothing is rendered again without a
+// change. The table has one row for each kind of object in a scene.
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"

@@ -471,7 +471,8 @@ TEST(RayCasterSettings, ComputesMaximumLevelFromViewing)
 
 TEST(RayCasterOcclusion, MatchesTheClosedFormOfOcclusionBesideAWall)
 {
-  // Occlusion by a wall of height 1 along y at distance d on the floor: (1 - d / sqrt(d^2 + 1)) / 2.
+  // Occlusion by a wall of height 1 along y at distance d on the floor: (1 - d / sqrt(d^2 + 1)) /
+  // 2.
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkPlaneSource> floor;
   floor->SetOrigin(0.0, -500.0, 0.0);
