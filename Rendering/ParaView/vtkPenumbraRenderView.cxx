@@ -83,8 +83,8 @@ void vtkPenumbraRenderView::SetOcclusionKernel(const char* name)
   const std::string kernel = name ? name : "";
   if (vtkPenumbraKernels::Find(kernel.c_str()) < 0)
   {
-    vtkErrorMacro("OcclusionKernel: there is no kernel '" << kernel << "'; " << this->OcclusionKernel
-                                              << " remains selected.");
+    vtkErrorMacro("OcclusionKernel: there is no kernel '"
+      << kernel << "'; " << this->OcclusionKernel << " remains selected.");
   }
   else if (kernel != this->OcclusionKernel)
   {
@@ -129,8 +129,9 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   pass->HasNonOpaqueProps = volumes || HasVisibleTranslucentActors(this->GetRenderer());
   if (pass->UseRays && volumes)
   {
-    this->WarnOnce("Ray casting does not support volumes: the still render is rasterized. Hide the volumes, or turn "
-                   "off \"Ray cast still renders\".");
+    this->WarnOnce("Ray casting does not support volumes: the still render is rasterized. Hide the "
+                   "volumes, or turn "
+                   "off Still By Rays.");
     pass->UseRays = false;
   }
   if (diagonal <= 0.0)
@@ -183,9 +184,9 @@ bool vtkPenumbraRenderView::UsesOrderedCompositing()
   {
     return false;
   }
-  this->WarnOnce(
-    "Ordered compositing of volumes or translucent surfaces from several ranks does not provide depths: "
-    "ambient occlusion and light shafts are not rendered.");
+  this->WarnOnce("Ordered compositing of volumes or translucent surfaces from several ranks does "
+                 "not provide depths: "
+                 "ambient occlusion and light shafts are not rendered.");
   return true;
 }
 
@@ -207,8 +208,9 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   const bool hasWork = pass->UseOcclusion || pass->UseShafts || pass->UseRays;
   if (hasWork && present && present != pass)
   {
-    this->WarnOnce("Ambient occlusion and light shafts are not rendered while tone mapping is on. Turn off tone "
-                   "mapping to render them.");
+    this->WarnOnce(
+      "Ambient occlusion and light shafts are not rendered while tone mapping is on. Turn off tone "
+      "mapping to render them.");
     return;
   }
   // The composited image is only available on the first rank.
