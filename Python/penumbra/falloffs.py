@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Names of the falloffs of occlusion with distance."""
 
-FALLOFFS = ("none", "linear", "quadratic", "square-root")  # in the order of vtkPenumbraIrradianceProvider::Falloffs
+# In the order of vtkPenumbraIrradianceProvider::Falloffs.
+FALLOFFS = ("none", "linear", "quadratic", "square-root")
 
 
 def falloff_index(name):

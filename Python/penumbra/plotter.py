@@ -64,7 +64,8 @@ class PlotterAccessor:
         occlusion.SetKernelName(kernel)
         if occlusion.GetKernelName() != kernel:
             self.disable_temporal_ssao()
-            raise ValueError(f"kernel must be 'automatic', 'traced' or a name of vtkPenumbraKernels, not {kernel!r}")
+            raise ValueError(
+                f"kernel must be 'automatic', 'traced' or a name of vtkPenumbraKernels, not {kernel!r}")
         self._plotter.render()
         return occlusion
 
@@ -116,7 +117,8 @@ class PlotterAccessor:
     def ray_cast(
         self, *, tolerance=1.0 / 256.0, window_size=None, ambient_occlusion=False, radius=None,
         falloff="none", strength=None, shadows=False, indirect_light=False,
-        environment_color="black", albedo=0.5, bounces=3, transparent_background=False, as_float=False, return_statistics=False,
+        environment_color="black", albedo=0.5, bounces=3, transparent_background=False,
+        as_float=False, return_statistics=False,
     ):
         """Return an image of the scene by ray casting, antialiased to a tolerance.
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceSplatPass
- * @brief   Shades the image of its delegate pass with the records of an irradiance cache [IC, splatting].
+ * @brief   Shades the image of its delegate pass with irradiance cache records [IC, splatting].
  *
- * Each record is rendered as a splat with the record's radius over the visible surface. OpenGL's blending
- * sums the weights and the weighted values. The result equals the interpolation of
- * vtkPenumbraIrradianceCache at the same points: ambient occlusion that darkens the image, or irradiance
- * that is multiplied by its colors. The records are any vtkPolyData written by the cache, for this view
- * or for others. No rays are traced, also when the camera moves.
+ * Each record is rendered as a splat with the record's radius over the visible surface. OpenGL's
+ * blending sums the weights and the weighted values. The result equals the interpolation of
+ * vtkPenumbraIrradianceCache at the same points: ambient occlusion that darkens the image, or
+ * irradiance that is multiplied by its colors. The records are any vtkPolyData written by the
+ * cache, for this view or for others. No rays are traced, also when the camera moves.
  */
 #ifndef vtkPenumbraIrradianceSplatPass_h
 #define vtkPenumbraIrradianceSplatPass_h
@@ -39,8 +39,8 @@ public:
 
   ///@{
   /**
-   * Records as returned by vtkPenumbraIrradianceCache::GetRecords() or GetIrradianceRecords(), in world
-   * coordinates. Without records the image of the delegate pass is unchanged. Default: none.
+   * Records as returned by vtkPenumbraIrradianceCache::GetRecords() or GetIrradianceRecords(), in
+   * world coordinates. Without records the image of the delegate pass is unchanged. Default: none.
    */
   virtual void SetRecords(vtkPolyData* records);
   vtkPolyData* GetRecords();
@@ -48,9 +48,9 @@ public:
 
   ///@{
   /**
-   * Maximum angle between the normals of a record and of a surface that uses it, in degrees. 0 selects
-   * the value of the field data array `NormalAngle` of the records, or 9 degrees [IC] without that array.
-   * Range: [0, 90]. Default: 0.
+   * Maximum angle between the normals of a record and of a surface that uses it, in degrees. 0
+   * selects the value of the field data array `NormalAngle` of the records, or 9 degrees [IC]
+   * without that array. Range: [0, 90]. Default: 0.
    */
   vtkPenumbraSetClampedNumberMacro(NormalAngle, 0.0, 90.0);
   vtkGetMacro(NormalAngle, double);
@@ -58,9 +58,9 @@ public:
 
   ///@{
   /**
-   * Strength of the effect. With occlusion: rgb = color * (1 - Strength * occlusion). With irradiance:
-   * rgb = color * Strength * irradiance / pi, where color is the diffuse reflectance, rendered without
-   * lighting. Range: [0, 1]. Default: 1.
+   * Strength of the effect. With occlusion: rgb = color * (1 - Strength * occlusion). With
+   * irradiance: rgb = color * Strength * irradiance / pi, where color is the diffuse reflectance,
+   * rendered without lighting. Range: [0, 1]. Default: 1.
    */
   vtkPenumbraSetClampedNumberMacro(Strength, 0.0, 1.0);
   vtkGetMacro(Strength, double);
@@ -68,8 +68,8 @@ public:
 
   /**
    * Copies the interpolated values of the last frame, one tuple per pixel: `AmbientOcclusion` (1
-   * component) or `Irradiance` (3 components), and `Weight`, the sum of the weights of the records, which
-   * is 0 if no record covers the pixel.
+   * component) or `Irradiance` (3 components), and `Weight`, the sum of the weights of the records,
+   * which is 0 if no record covers the pixel.
    */
   void CopyResult(vtkImageData* image);
 

@@ -33,8 +33,8 @@ std::vector<float> ReadTexture(vtkTextureObject* texture)
   return values;
 }
 
-/// Expands the means of the traced pixels to a whole image. Pixels that were not traced get -1 - mean of the
-/// traced pixel of their block: the negative sign marks a neighbor's value.
+/// Expands the means of the traced pixels to a whole image. Pixels that were not traced get -1 - m,
+/// where m is the mean of the traced pixel of their block: a negative value marks a neighbor's mean.
 std::vector<float> ExpandToImage(const std::vector<float>& means,
   const penumbra::InterleavedPixels& lattice, int width, int height)
 {
@@ -76,20 +76,22 @@ std::vector<penumbra::Rectangle> ConvertToLattice(
   return parts;
 }
 
-/// Number of independent rays per pixel whose standard error is `tolerance` if half of them are blocked.
+/// Number of independent rays per pixel whose standard error is `tolerance` if half of them are
+/// blocked.
 int ComputeEquivalentRays(double tolerance)
 {
   return std::max(static_cast<int>(.25 / (tolerance * tolerance)), 1);
 }
 
-/// Side of the blocks of pixels of which one is traced per frame while the view moves. The phases go around
-/// the block diagonally first.
+/// Side of the blocks of pixels of which one is traced per frame while the view moves. The phases
+/// go around the block diagonally first.
 constexpr int InterleaveStep = 2;
 constexpr int NumberOfPhases = InterleaveStep * InterleaveStep;
 constexpr int PhaseColumn[NumberOfPhases] = { 0, 1, 1, 0 };
 constexpr int PhaseRow[NumberOfPhases] = { 0, 1, 0, 1 };
 
-/// Index of the first sample of frames in motion, beyond the indices that a static view normally reaches.
+/// Index of the first sample of frames in motion, beyond the indices that a static view normally
+/// reaches.
 constexpr int MotionSequenceStart = 1 << 18;
 
 penumbra::InterleavedPixels PhaseLattice(int phase)

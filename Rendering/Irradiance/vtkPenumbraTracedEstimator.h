@@ -4,10 +4,11 @@
  * @class   vtkPenumbraTracedEstimator
  * @brief   Ray-traced ambient occlusion of the surface in the depth buffer.
  *
- * Each pixel traces one or a few rays per frame against the meshes of the renderer, within the radius.
- * The depth buffer only defines the ray origins, so the mean converges to the occlusion of [TSSAO eq. 1]
- * with D = 1 up to the radius. If the request has a tolerance, records of the irradiance cache are
- * interpolated instead. The meshes must be in this process. Their BVH is rebuilt whenever they change.
+ * Each pixel traces one or a few rays per frame against the meshes of the renderer, within the
+ * radius. The depth buffer only defines the ray origins, so the mean converges to the occlusion of
+ * [TSSAO eq. 1] with D = 1 up to the radius. If the request has a tolerance, records of the
+ * irradiance cache are interpolated instead. The meshes must be in this process. Their BVH is
+ * rebuilt whenever they change.
  */
 #ifndef vtkPenumbraTracedEstimator_h
 #define vtkPenumbraTracedEstimator_h
@@ -33,8 +34,8 @@ public:
 
   ///@{
   /**
-   * Number of requested samples that one traced ray replaces; at least one ray per pixel is traced. A
-   * ray costs about as much as 8 depth fetches. Range: [1, 512]. Default: 32.
+   * Number of requested samples that one traced ray replaces; at least one ray per pixel is traced.
+   * A ray costs about as much as 8 depth fetches. Range: [1, 512]. Default: 32.
    */
   vtkSetClampMacro(SamplesPerRay, int, 1, 512);
   vtkGetMacro(SamplesPerRay, int);
@@ -43,8 +44,8 @@ public:
   ///@{
   /**
    * If on, one pixel of each 2 x 2 block is traced per frame while the view moves (interleaved
-   * sampling). The others use their history, their neighbors and, if both are unavailable, the traced
-   * pixel. If off, all pixels are traced. Default: on.
+   * sampling). The others use their history, their neighbors and, if both are unavailable, the
+   * traced pixel. If off, all pixels are traced. Default: on.
    */
   vtkSetMacro(SparseInMotion, bool);
   vtkGetMacro(SparseInMotion, bool);
@@ -59,7 +60,10 @@ public:
 
   bool NeedsMargin() override { return false; }
 
-  /** Returns whether the last estimate was interpolated from irradiance records, which needs no further frames. */
+  /**
+   * Returns whether the last estimate was interpolated from irradiance records, which needs no
+   * further frames.
+   */
   bool IsFinal() override { return this->Final; }
 
   void ReleaseGraphicsResources(vtkWindow* window) override;

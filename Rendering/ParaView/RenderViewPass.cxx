@@ -87,8 +87,8 @@ bool RenderViewPass::RenderRayCast(const vtkRenderState* state)
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  // The ray caster warns about renderers with a pass, so the pass is removed meanwhile. The renderer is released
-  // afterwards to avoid a reference cycle.
+  // The ray caster warns about renderers with a pass, so the pass is removed meanwhile. The
+  // renderer is released afterwards to avoid a reference cycle.
   const vtkSmartPointer<vtkRenderPass> rendererPass = renderer->GetPass();
   renderer->SetPass(nullptr);
   this->Caster->SetRenderer(renderer);
@@ -118,8 +118,8 @@ bool RenderViewPass::RenderRayCast(const vtkRenderState* state)
   const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
   gl->vtkglDisable(GL_BLEND);
   gl->vtkglDisable(GL_DEPTH_TEST);
-  window->DrawPixels(origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, 0, 0, size[0] - 1,
-    size[1] - 1, size[0], size[1], 4, VTK_UNSIGNED_CHAR, bytes.data());
+  window->DrawPixels(origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, 0, 0,
+    size[0] - 1, size[1] - 1, size[0], size[1], 4, VTK_UNSIGNED_CHAR, bytes.data());
   this->NumberOfRenderedProps = state->GetPropArrayCount();
   return true;
 }

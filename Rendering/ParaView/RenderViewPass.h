@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Image processing pass of vtkPenumbraRenderView: ambient occlusion followed by light shafts, or a ray-cast
-// image instead. If this process renders all props, the effects apply to the opaque props, and translucent
-// props and volumes are rendered over them. Otherwise they apply to the composited image of all ranks.
+// Image processing pass of vtkPenumbraRenderView: ambient occlusion followed by light shafts, or a
+// ray-cast image instead. If this process renders all props, the effects apply to the opaque props,
+// and translucent props and volumes are rendered over them. Otherwise they apply to the composited
+// image of all ranks.
 #ifndef penumbra_RenderViewPass_h
 #define penumbra_RenderViewPass_h
 
@@ -32,8 +33,8 @@ public:
   bool UseOcclusion = false;
   bool UseShafts = false;
   bool UseRays = false;
-  /// If on, translucent props or volumes are visible and are rendered over the effects. If off, the image is
-  /// processed as a composited image of several ranks, with the same result.
+  /// If on, translucent props or volumes are visible and are rendered over the effects. If off, the
+  /// image is processed as a composited image of several ranks, with the same result.
   bool HasNonOpaqueProps = false;
 
   void Render(const vtkRenderState* state) override;

@@ -34,8 +34,8 @@ struct vtkPenumbraRenderView::Internals
 namespace
 {
 
-/// Returns whether a volume is visible. Representations that support volumes always have a visible one, which is
-/// empty while they show a surface.
+/// Returns whether a volume is visible. Representations that support volumes always have a visible
+/// one, which is empty while they show a surface.
 bool HasVisibleVolumes(vtkRenderer* renderer)
 {
   for (vtkVolume* volume : vtk::Range(renderer->GetVolumes()))

@@ -4,9 +4,10 @@
  * @class   vtkPenumbraRenderView
  * @brief   ParaView render view with ambient occlusion, light shafts and ray-cast still renders.
  *
- * The passes process the color and depth that ParaView composites from all ranks, so the result does not
- * depend on the number of ranks. A still render meets the tolerance when it appears: screenshots and
- * animations need no further settings. While the view moves, each frame adds a few samples.
+ * The passes process the color and depth that ParaView composites from all ranks, so the result
+ * does not depend on the number of ranks. A still render meets the tolerance when it appears:
+ * screenshots and animations need no further settings. While the view moves, each frame adds a few
+ * samples.
  */
 #ifndef vtkPenumbraRenderView_h
 #define vtkPenumbraRenderView_h
@@ -25,7 +26,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Accepted RMSE of a still render over any 16 x 16 pixels, in [0, 1] intensity. Range: [1e-4, 1]. Default: 0.01. */
+  /**
+   * Accepted RMSE of a still render over any 16 x 16 pixels, in [0, 1] intensity. Range: [1e-4, 1].
+   * Default: 0.01.
+   */
   vtkSetClampMacro(PenumbraTolerance, double, 1e-4, 1.0);
   vtkGetMacro(PenumbraTolerance, double);
   ///@}
@@ -37,7 +41,10 @@ public:
   ///@}
 
   ///@{
-  /** Occlusion radius as a fraction of the diagonal of the scene bounds. Range: [1e-4, 10]. Default: 0.1. */
+  /**
+   * Occlusion radius as a fraction of the diagonal of the scene bounds. Range: [1e-4, 10]. Default:
+   * 0.1.
+   */
   vtkSetClampMacro(OcclusionRadius, double, 1e-4, 10.0);
   vtkGetMacro(OcclusionRadius, double);
   ///@}
@@ -49,7 +56,10 @@ public:
   ///@}
 
   ///@{
-  /** Name of the occlusion kernel, one of vtkPenumbraKernels, which only need depth. Default: "march". */
+  /**
+   * Name of the occlusion kernel, one of vtkPenumbraKernels, which only need depth. Default:
+   * "march".
+   */
   void SetOcclusionKernel(const char* name);
   const char* GetOcclusionKernel() const { return this->OcclusionKernel.c_str(); }
   ///@}
@@ -61,7 +71,10 @@ public:
   ///@}
 
   ///@{
-  /** Scattering optical depth of the haze over the diagonal of the scene bounds. Range: [0, 100]. Default: 0.25. */
+  /**
+   * Scattering optical depth of the haze over the diagonal of the scene bounds. Range: [0, 100].
+   * Default: 0.25.
+   */
   vtkSetClampMacro(ShaftDensity, double, 0.0, 100.0);
   vtkGetMacro(ShaftDensity, double);
   ///@}
@@ -73,13 +86,19 @@ public:
   ///@}
 
   ///@{
-  /** Assumed thickness of visible surfaces, as a fraction of the diagonal of the scene bounds. Range: [1e-4, 10]. Default: 0.1. */
+  /**
+   * Assumed thickness of visible surfaces, as a fraction of the diagonal of the scene bounds.
+   * Range: [1e-4, 10]. Default: 0.1.
+   */
   vtkSetClampMacro(ShaftThickness, double, 1e-4, 10.0);
   vtkGetMacro(ShaftThickness, double);
   ///@}
 
   ///@{
-  /** Direction from the scene towards the sun, a distant light that exists while LightShafts is on. Default: (1, 1, 1). */
+  /**
+   * Direction from the scene towards the sun, a distant light that exists while LightShafts is on.
+   * Default: (1, 1, 1).
+   */
   vtkSetVector3Macro(SunDirection, double);
   vtkGetVector3Macro(SunDirection, double);
   ///@}
@@ -92,8 +111,8 @@ public:
 
   ///@{
   /**
-   * If on, still renders are ray cast, with antialiasing errors below 1/256. Requires that one process has all
-   * data; otherwise the view is rasterized. Default: off.
+   * If on, still renders are ray cast, with antialiasing errors below 1/256. Requires that one
+   * process has all data; otherwise the view is rasterized. Default: off.
    */
   vtkSetMacro(StillByRays, bool);
   vtkGetMacro(StillByRays, bool);

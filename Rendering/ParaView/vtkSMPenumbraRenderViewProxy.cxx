@@ -18,7 +18,8 @@ bool vtkSMPenumbraRenderViewProxy::IsContextReadyForRendering()
     Capabilities::Supports(Capabilities::GetLocalCapabilities(), Capabilities::RENDERING);
   if (!canRender && !this->Warned)
   {
-    vtkErrorMacro("The render view needs an X display, and none is available: start an X server, for example with "
+    vtkErrorMacro("The render view needs an X display, and none is available: start an X server, "
+                  "for example with "
                   "xvfb-run -s \"-screen 0 1280x1024x24\" pvpython .... Filters do not need one.");
     this->Warned = true;
   }
@@ -35,7 +36,8 @@ vtkImageData* vtkSMPenumbraRenderViewProxy::CaptureWindowInternal(
   int viewSize[2] = { 0, 0 };
   vtkSMPropertyHelper(this, "ViewSize").Get(viewSize, 2);
   const int imageSize[2] = { viewSize[0] * magnificationX, viewSize[1] * magnificationY };
-  if ((magnificationX <= 1 && magnificationY <= 1) || std::max(imageSize[0], imageSize[1]) > LargestSide)
+  if ((magnificationX <= 1 && magnificationY <= 1) ||
+    std::max(imageSize[0], imageSize[1]) > LargestSide)
   {
     return this->Superclass::CaptureWindowInternal(magnificationX, magnificationY);
   }

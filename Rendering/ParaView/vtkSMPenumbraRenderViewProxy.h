@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMPenumbraRenderViewProxy
- * @brief   Client-side proxy of vtkPenumbraRenderView, which captures large screenshots without tiles.
+ * @brief   Client-side proxy of vtkPenumbraRenderView that captures screenshots without tiles.
  *
- * ParaView renders screenshots larger than the view in tiles. Screen-space effects would show seams between
- * them. This proxy resizes the view to the size of the image while it is captured. Images with a side larger
- * than LargestSide pixels are still rendered in tiles.
+ * ParaView renders screenshots larger than the view in tiles. Screen-space effects would show seams
+ * between them. This proxy resizes the view to the size of the image while it is captured. Images
+ * with a side larger than LargestSide pixels are still rendered in tiles.
  *
  * ParaView derives the class name from the XML element `PenumbraRenderViewProxy`.
  */

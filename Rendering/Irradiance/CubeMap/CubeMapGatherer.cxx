@@ -191,7 +191,8 @@ long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& fr
     const glm::vec2 center = (corner + .5f) / static_cast<float>(grid.Side);
     directions.push_back(DiskToHemisphere(SampleUniformDiskConcentric(center.x, center.y)));
     samples.push_back(CombineFragments(fragments, cell, shaded));
-    // The variance of m x m texels that a straight edge crosses decreases as m^-3, as with stratified rays.
+    // The variance of m x m texels that a straight edge crosses decreases as m^-3, as with
+    // stratified rays.
     const auto count = static_cast<float>(cells.First[cell + 1] - cells.First[cell]);
     samples.back().Variance = 1.f / (count * std::sqrt(count));
   }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gathers by rasterizing the scene into a hemicube around a point [IC], instead of tracing rays. Each grid cell
-// averages the surfaces in its texels by their weights. Each surface in a cell is shaded once, at one texel, by
-// the gatherer that traces rays.
+// Gathers by rasterizing the scene into a hemicube around a point [IC], instead of tracing rays.
+// Each grid cell averages the surfaces in its texels by their weights. Each surface in a cell is
+// shaded once, at one texel, by the gatherer that traces rays.
 #ifndef penumbra_CubeMapGatherer_h
 #define penumbra_CubeMapGatherer_h
 
@@ -30,8 +30,9 @@ struct CubeMapCounts
 class CubeMapGatherer : public Gatherer
 {
 public:
-  /// `rays` shades the hits and must outlive this object. `side`: width of a cube face in texels, even. Throws
-  /// std::runtime_error if OpenGL is not available or if the scene has too many triangles.
+  /// `rays` shades the hits and must outlive this object. `side`: width of a cube face in texels,
+  /// even. Throws std::runtime_error if OpenGL is not available or if the scene has too many
+  /// triangles.
   CubeMapGatherer(const RayGatherer& rays, int side, std::shared_ptr<CubeMapCounts> counts);
 
   void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& emitters) const override;

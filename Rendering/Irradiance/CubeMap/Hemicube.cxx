@@ -15,15 +15,16 @@ namespace penumbra
 namespace
 {
 
-/// Subdivisions of a texel along each side. Each part is assigned to the cell that contains its center.
+/// Subdivisions of a texel along each side. Each part is assigned to the cell that contains its
+/// center.
 constexpr int TexelSubdivisions = 4;
 
-/// Rotation of the cube about z, in radians. Edges parallel to x and y are frequent; the rotation prevents them
-/// from following rows of texels.
+/// Rotation of the cube about z, in radians. Edges parallel to x and y are frequent; the rotation
+/// prevents them from following rows of texels.
 constexpr float Rotation = .35f;
 
-/// Form factor of the rectangle [0, u] x [0, v] in a plane at distance 1 that is perpendicular to the normal
-/// (closed form for a differential area).
+/// Form factor of the rectangle [0, u] x [0, v] in a plane at distance 1 that is perpendicular to
+/// the normal (closed form for a differential area).
 double IntegrateTopFace(double u, double v)
 {
   const double a = std::sqrt(1.0 + u * u);

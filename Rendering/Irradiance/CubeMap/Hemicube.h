@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Hemicube around a point, packed into one image: the top face has `side` x `side` texels, each of the four side
-// faces has half as many. Holds the constant data: directions and form factors of the texels.
+// Hemicube around a point, packed into one image: the top face has `side` x `side` texels, each of
+// the four side faces has half as many. Holds the constant data: directions and form factors of the
+// texels.
 #ifndef penumbra_Hemicube_h
 #define penumbra_Hemicube_h
 
@@ -21,8 +22,8 @@ struct HemisphereGrid;
 class VTKPENUMBRARENDERINGIRRADIANCE_EXPORT Hemicube
 {
 public:
-  /// A full or half face with its view frustum. Axes are local: the origin is the center of the cube, and the top
-  /// face is viewed along +z. Right, Up and -Forward form a right-handed system.
+  /// A full or half face with its view frustum. Axes are local: the origin is the center of the
+  /// cube, and the top face is viewed along +z. Right, Up and -Forward form a right-handed system.
   struct Face
   {
     glm::vec3 Right;
@@ -45,8 +46,8 @@ public:
   /// Local direction of each texel center; its component along Forward of its face is 1.
   const std::vector<glm::vec3>& GetDirections() const { return this->Directions; }
 
-  /// Exact form factor of each texel: 1/pi times the integral of the cosine over its solid angle. The sum is 1
-  /// [Cohen & Greenberg 1985].
+  /// Exact form factor of each texel: 1/pi times the integral of the cosine over its solid angle.
+  /// The sum is 1 [Cohen & Greenberg 1985].
   const std::vector<float>& GetFormFactors() const { return this->FormFactors; }
 
   /// A texel and the fraction of a cell that it covers, weighted by the cosine.
@@ -65,7 +66,8 @@ public:
   Cells MapToGrid(const HemisphereGrid& grid) const;
 
 private:
-  /// Local direction of a point in texel (x, y); `offset` is in [0, 1] x [0, 1]. Its component along Forward is 1.
+  /// Local direction of a point in texel (x, y); `offset` is in [0, 1] x [0, 1]. Its component
+  /// along Forward is 1.
   glm::vec3 ComputeDirection(const Face& face, int x, int y, glm::vec2 offset) const;
 
   int Side;

@@ -73,8 +73,8 @@ HemicubeRenderer::~HemicubeRenderer()
     graphics.Depths->ReleaseGraphicsResources(graphics.Context);
     graphics.Window->Finalize();
   });
-  // Deleted in the calling thread: it may hold the lock of VTK's garbage collector, for which the OpenGL thread
-  // would wait.
+  // Deleted in the calling thread: it may hold the lock of VTK's garbage collector, for which the
+  // OpenGL thread would wait.
   this->OpenGL.reset();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders triangle ids and depths of a scene into a hemicube with OpenGL, in an offscreen window, and reads them
-// back.
+// Renders triangle ids and depths of a scene into a hemicube with OpenGL, in an offscreen window,
+// and reads them back.
 #ifndef penumbra_HemicubeRenderer_h
 #define penumbra_HemicubeRenderer_h
 
@@ -16,8 +16,8 @@
 namespace penumbra
 {
 
-/// Nearest triangle in a texel: its id (see TriangleClusters; 0 for background) and its depth along the axis of
-/// the face.
+/// Nearest triangle in a texel: its id (see TriangleClusters; 0 for background) and its depth along
+/// the axis of the face.
 struct HemicubeTexel
 {
   float TriangleId;
@@ -31,8 +31,9 @@ public:
   HemicubeRenderer(const Scene& scene, const TriangleClusters& clusters, const Hemicube& cube);
   ~HemicubeRenderer();
 
-  /// Renders the triangles at distances in [near, far] from `eye` in the hemisphere around the third axis of `frame`.
-  /// Returns the number of rendered triangles. Thread-safe; concurrent calls are serialized.
+  /// Renders the triangles at distances in [near, far] from `eye` in the hemisphere around the
+  /// third axis of `frame`. Returns the number of rendered triangles. Thread-safe; concurrent calls
+  /// are serialized.
   long long Draw(glm::vec3 eye, const glm::mat3& frame, float near, float far,
     std::vector<HemicubeTexel>& texels);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Worker thread that makes all OpenGL calls of a gatherer: an OpenGL context belongs to one thread, but gatherers
-// are called by many.
+// Worker thread that makes all OpenGL calls of a gatherer: an OpenGL context belongs to one thread,
+// but gatherers are called by many.
 #ifndef penumbra_OpenGLThread_h
 #define penumbra_OpenGLThread_h
 
@@ -36,8 +36,8 @@ public:
   OpenGLThread(const OpenGLThread&) = delete;
   void operator=(const OpenGLThread&) = delete;
 
-  /// Runs `job` on the thread and waits for its end. Concurrent jobs run one after the other. Rethrows the exception
-  /// of the job.
+  /// Runs `job` on the thread and waits for its end. Concurrent jobs run one after the other.
+  /// Rethrows the exception of the job.
   void Run(const std::function<void()>& job)
   {
     const std::lock_guard<std::mutex> callerLock(this->CallerMutex);

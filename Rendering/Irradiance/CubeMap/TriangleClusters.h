@@ -61,7 +61,8 @@ public:
     std::vector<int> First;
     std::vector<int> Count;
   };
-  /// Finds the triangles with the visible `sides` whose cluster intersects the frustum. Returns their number.
+  /// Finds the triangles with the visible `sides` whose cluster intersects the frustum. Returns
+  /// their number.
   long long CullToFrustum(const Frustum& view, Sides sides, DrawRanges& ranges) const;
 
 private:

@@ -21,15 +21,16 @@ namespace penumbra
 namespace
 {
 
-/// Maximum height of the record texture; all OpenGL versions that VTK supports have textures of this size.
+/// Maximum height of the record texture; all OpenGL versions that VTK supports have textures of
+/// this size.
 constexpr std::size_t MaximumRows = 4096;
 
-/// Texels of a record: position and radius, normal and plane distance, tangent and weight factor, clearances
-/// (2 texels), mean; then the translation and rotation gradients of each channel.
+/// Texels of a record: position and radius, normal and plane distance, tangent and weight factor,
+/// clearances (2 texels), mean; then the translation and rotation gradients of each channel.
 constexpr int TexelsBeforeGradients = 6;
 
-/// Weight factor of invalid records. They only matter at pixels that no valid record covers, because this pass
-/// cannot trace rays.
+/// Weight factor of invalid records. They only matter at pixels that no valid record covers,
+/// because this pass cannot trace rays.
 constexpr float InvalidRecordWeight = 1e-3f;
 
 void AppendTexels(std::vector<glm::vec4>& texels, const Record& record, int channels)

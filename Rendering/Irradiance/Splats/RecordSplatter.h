@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders records as splats over the visible surface and averages them by their weights [IC, splatting].
+// Renders records as splats over the visible surface and averages them by their weights [IC,
+// splatting].
 #ifndef penumbra_RecordSplatter_h
 #define penumbra_RecordSplatter_h
 
@@ -23,14 +24,15 @@ public:
   RecordSplatter();
   ~RecordSplatter();
 
-  /// Sets the records. Positions are relative to `origin` (world coordinates). `channels`: number of used
-  /// channels of the mean, 1 or 3.
+  /// Sets the records. Positions are relative to `origin` (world coordinates). `channels`: number
+  /// of used channels of the mean, 1 or 3.
   void SetRecords(std::vector<Record> records, glm::dvec3 origin, int channels);
   std::size_t GetNumberOfRecords() const { return this->Records.size(); }
 
-  /// Interpolates the records at the surface that `eyeDepths` defines. Fills `means` (four floats) with the mean
-  /// over the hemisphere and, in the last channel, the sum of the weights. Records whose normals differ by
-  /// `normalAngle` (radians) or more are ignored. Returns false if OpenGL reports an error.
+  /// Interpolates the records at the surface that `eyeDepths` defines. Fills `means` (four floats)
+  /// with the mean over the hemisphere and, in the last channel, the sum of the weights. Records
+  /// whose normals differ by `normalAngle` (radians) or more are ignored. Returns false if OpenGL
+  /// reports an error.
   bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths,
     float normalAngle, vtkTextureObject* means);
 

@@ -141,7 +141,7 @@ TEST(TriangleClusters, CullOnlyTrianglesOutsideTheFrustum)
   const auto all = static_cast<long long>(clusters.GetNumberOfTriangles());
   EXPECT_GE(found, all / 3);
   EXPECT_LT(found, all / 2);
-  std::set<std::uint32_t> drawn;
+  std::set<std::uint32_t> visible;
   for (std::size_t i = 0; i < ranges.First.size(); ++i)
   {
     for (int corner = ranges.First[i]; corner < ranges.First[i] + ranges.Count[i]; corner += 3)
@@ -149,11 +149,11 @@ TEST(TriangleClusters, CullOnlyTrianglesOutsideTheFrustum)
       const auto& triangle = clusters.GetTriangle(static_cast<std::size_t>(corner) / 3 + 1);
       if (triangle.Surface == 0)
       {
-        drawn.insert(triangle.Triangle);
+        visible.insert(triangle.Triangle);
       }
     }
   }
-  EXPECT_EQ(drawn.size(), scene.Surfaces[0].Triangles.size());
+  EXPECT_EQ(visible.size(), scene.Surfaces[0].Triangles.size());
   const Frustum near{ frustum.Eye, frustum.Inwards,
     3.f }; // bounding boxes of clusters may extend closer
   EXPECT_LT(clusters.CullToFrustum(near, TriangleClusters::Both, ranges), all / 20);

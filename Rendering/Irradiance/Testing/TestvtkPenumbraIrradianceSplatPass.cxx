@@ -81,7 +81,8 @@ public:
       this->Caster->GetOutput()->GetPointData()->GetArray(name)->GetComponent(pixel, channel));
   }
 
-  /// Pixels whose 5 x 5 neighborhood lies in one plane: elsewhere a depth buffer does not define the normal.
+  /// Pixels whose 5 x 5 neighborhood lies in one plane: elsewhere a depth buffer does not define
+  /// the normal.
   std::vector<vtkIdType> FindFlatPixels()
   {
     std::vector<vtkIdType> pixels;

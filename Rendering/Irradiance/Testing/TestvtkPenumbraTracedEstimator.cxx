@@ -278,7 +278,7 @@ TEST(TracedEstimator, IsIndependentOfTheDistanceFromTheOrigin)
 
 TEST(TracedEstimator, IsIndependentOfThreadCount)
 {
-  const auto draw = [](int threads) {
+  const auto render = [](int threads) {
     std::vector<float> result;
     vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, [&]() {
       OcclusionScene scene(96, 72);
@@ -289,7 +289,7 @@ TEST(TracedEstimator, IsIndependentOfThreadCount)
     });
     return result;
   };
-  EXPECT_EQ(MaximumDifference(draw(1), draw(4)), 0.0);
+  EXPECT_EQ(MaximumDifference(render(1), render(4)), 0.0);
 }
 
 TEST(TracedEstimator, RebuildsTheBVHOnlyWhenTheSceneChanges)
@@ -312,8 +312,9 @@ TEST(TracedEstimator, RebuildsTheBVHOnlyWhenTheSceneChanges)
 
 TEST(TracedEstimator, UpdatesWhenAnOffscreenOccluderMoves)
 {
-  // The sphere moves outside of the image, where no depth shows it, but it occludes the floor at the image edge.
-  const auto draw = [](bool moved) {
+  // The sphere moves outside of the image, where no depth shows it, but it occludes the floor at
+  // the image edge.
+  const auto render = [](bool moved) {
     OcclusionScene scene;
     scene.AddFloor();
     const auto sphere = scene.AddSphere({ moved ? 9.0 : 2.4, 0, .5 }, .5);
@@ -324,9 +325,9 @@ TEST(TracedEstimator, UpdatesWhenAnOffscreenOccluderMoves)
     scene.Window->Render();
     return scene.Array("AmbientOcclusion");
   };
-  const std::vector<float> always = draw(false);
+  const std::vector<float> always = render(false);
   EXPECT_GT(*std::max_element(always.begin(), always.end()), .05f);
-  EXPECT_LT(Rmse(draw(true), always), .01); // the accepted error
+  EXPECT_LT(Rmse(render(true), always), .01); // the accepted error
 }
 
 TEST(TracedEstimator, IgnoresTranslucentActors)
@@ -373,8 +374,8 @@ TEST(TracedEstimator, MatchesTheClosedFormInParallelProjection)
   for (const double y : { .2, .5, .8 })
   {
     const std::array<int, 2> pixel = scene.Pixel({ 0, -y, 0 });
-    const Vector seen = scene.FloorPointAt(pixel[0] + .5, pixel[1] + .5);
-    EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -y, 0 }), reference(-seen[1]), .015) << y;
+    const Vector point = scene.FloorPointAt(pixel[0] + .5, pixel[1] + .5);
+    EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -y, 0 }), reference(-point[1]), .015) << y;
   }
 }
 
@@ -435,9 +436,9 @@ TEST(TracedEstimator, IsNotSelectedForImpostorSpheresAndTubes)
   std::pair<int*, std::string*> client(&warnings, &last);
   count->SetClientData(&client);
   count->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
-    auto* seen = static_cast<std::pair<int*, std::string*>*>(data);
-    ++*seen->first;
-    *seen->second = static_cast<const char*>(text);
+    auto* result = static_cast<std::pair<int*, std::string*>*>(data);
+    ++*result->first;
+    *result->second = static_cast<const char*>(text);
   });
   const auto choice = [&]() {
     scene.Window->Render();

@@ -32,11 +32,13 @@ namespace penumbra
 namespace
 {
 
-/// Maximum distance, in radii, between the camera and its position at the last build. Scene coordinates are
-/// relative to that position; beyond this distance their rounding to floats could become visible.
+/// Maximum distance, in radii, between the camera and its position at the last build. Scene
+/// coordinates are relative to that position; beyond this distance their rounding to floats could
+/// become visible.
 constexpr double MaximumCameraMove = 1e4;
 
-/// Returns whether a data set has vertices or lines. Data sets other than vtkPolyData are assumed to have them.
+/// Returns whether a data set has vertices or lines. Data sets other than vtkPolyData are assumed
+/// to have them.
 bool HasCells(vtkDataObject* data, vtkIdType (vtkPolyData::*count)())
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -90,8 +92,8 @@ std::string FindObstacle(vtkProp* prop)
   return {};
 }
 
-/// Returns the first visible prop that rays cannot hit, with the reason; empty if they can hit all. Overlays
-/// and volumes do not write depth and are skipped.
+/// Returns the first visible prop that rays cannot hit, with the reason; empty if they can hit all.
+/// Overlays and volumes do not write depth and are skipped.
 std::string FindMissing(vtkRenderer* renderer)
 {
   vtkPropCollection* props = renderer->GetViewProps();
@@ -118,7 +120,8 @@ std::string FindMissing(vtkRenderer* renderer)
   return {};
 }
 
-/// Removes all attributes except the geometry, and all translucent surfaces, which have no depth either.
+/// Removes all attributes except the geometry, and all translucent surfaces, which have no depth
+/// either.
 void RemoveShadingData(Scene& scene)
 {
   std::vector<Surface> surfaces;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// BVH over the opaque meshes of a renderer. It is rebuilt when the meshes change; camera motion reuses it.
+// BVH over the opaque meshes of a renderer. It is rebuilt when the meshes change; camera motion
+// reuses it.
 #ifndef penumbra_OccluderGeometry_h
 #define penumbra_OccluderGeometry_h
 
@@ -20,8 +21,8 @@ namespace penumbra
 class OccluderGeometry
 {
 public:
-  /// Updates the BVH for rays of length `radius` (world units). Returns whether it was rebuilt. Throws the
-  /// exceptions of RayScene.
+  /// Updates the BVH for rays of length `radius` (world units). Returns whether it was rebuilt.
+  /// Throws the exceptions of RayScene.
   bool Update(vtkRenderer* renderer, double radius);
 
   /// Sets the camera of the scene; the BVH does not change.

@@ -20,17 +20,19 @@ namespace
 /// Pixels with a larger eye depth are background; same value as in vtkPenumbraViewLib.glsl.
 constexpr float BackgroundDepth = 1e17f;
 
-/// Rounding error of a float depth buffer near 1: twice its spacing, because the rasterizer rounds as well.
+/// Rounding error of a float depth buffer near 1: twice its spacing, because the rasterizer rounds
+/// as well.
 constexpr double DepthPrecision = 0x1p-23;
 
-/// Half length of the search ray around the depth of a pixel: this multiple of the depth error plus this many
-/// pixel widths.
+/// Half length of the search ray around the depth of a pixel: this multiple of the depth error plus
+/// this many pixel widths.
 constexpr double SearchDepthErrors = 16.0;
 constexpr double SearchPixelWidths = 4.0;
 
-/// Depths that lie in a plane within this fraction of the pixel width define position and normal without a ray.
-/// Measured with `./penumbra benchmark ambient-occlusion --only traced`: compared with 0.02, the errors of up to
-/// 16 frames are equal, and converged errors are 0.0003 to 0.0006 larger, in two thirds of the time.
+/// Depths that lie in a plane within this fraction of the pixel width define position and normal
+/// without a ray. Measured with `./penumbra benchmark ambient-occlusion --only traced`: compared
+/// with 0.02, the errors of up to 16 frames are equal, and converged errors are 0.0003 to 0.0006
+/// larger, in two thirds of the time.
 constexpr float PlanarTolerance = 0.1f;
 
 /// Error of a rasterized vertex position (subpixel snapping), in pixels.
@@ -123,7 +125,8 @@ private:
     return this->EyeDepths[static_cast<std::size_t>(j) * this->View.Width + i];
   }
 
-  /// Pixel center on the plane at eye depth 1 (any depth in parallel projection), in units of the view.
+  /// Pixel center on the plane at eye depth 1 (any depth in parallel projection), in units of the
+  /// view.
   glm::vec2 PixelOnPlane(int i, int j) const
   {
     const double unit = this->View.Parallel ? this->View.Unit : 1.0;
@@ -156,7 +159,8 @@ private:
     return this->View.Parallel ? depth : 1.f / depth;
   }
 
-  /// Returns whether the depths around a pixel lie in one plane and are precise enough to decide it.
+  /// Returns whether the depths around a pixel lie in one plane and are precise enough to decide
+  /// it.
   bool IsPlanar(int i, int j) const
   {
     const float depth = this->DepthAt(i, j);
@@ -200,8 +204,8 @@ private:
     return this->OffsetFromSurface(ray, ray.Origin + hit.Distance * ray.Direction, normal, 0.f);
   }
 
-  /// Orients the normal towards the camera and offsets the position along it. `error`: distance that the
-  /// position may have from the surface.
+  /// Orients the normal towards the camera and offsets the position along it. `error`: distance
+  /// that the position may have from the surface.
   SurfacePoint OffsetFromSurface(
     const Ray& ray, glm::vec3 position, glm::vec3 normal, float error) const
   {
@@ -214,7 +218,8 @@ private:
     return point;
   }
 
-  /// Offset to the one of two opposite neighbors whose depth is closer, which is more likely on the same surface.
+  /// Offset to the one of two opposite neighbors whose depth is closer, which is more likely on the
+  /// same surface.
   glm::vec3 OffsetToNearerNeighbor(glm::vec3 position, int i, int j, int right, int up) const
   {
     const glm::vec3 next =
@@ -246,8 +251,8 @@ private:
   glm::mat3 EyeToScene{ 1.f }; ///< rotation and scale
   glm::vec3 Eye{ 0.f };        ///< camera position in scene coordinates
   float UnitLength = 1.f;      ///< unit of the view in scene coordinates
-  double DepthSlope =
-    0.0; ///< change of eye depth (of its inverse in perspective) per unit of the buffer
+  /// Change of eye depth (of its inverse in perspective) per unit of the depth buffer.
+  double DepthSlope = 0.0;
 };
 
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reconstructs the position and normal of the visible surface per pixel from a depth buffer, in scene
-// coordinates. If the depths around a pixel are sampled at pixel centers, are precise and lie in a plane, they
-// define position and normal. Otherwise a ray through the pixel center searches the meshes near that depth. If
-// the ray misses (lines, points, geometry that only the depth buffer has), the neighboring depths are used.
+// Reconstructs the position and normal of the visible surface per pixel from a depth buffer, in
+// scene coordinates. If the depths around a pixel are sampled at pixel centers, are precise and lie
+// in a plane, they define position and normal. Otherwise a ray through the pixel center searches
+// the meshes near that depth. If the ray misses (lines, points, geometry that only the depth buffer
+// has), the neighboring depths are used.
 #ifndef penumbra_SurfaceFromDepth_h
 #define penumbra_SurfaceFromDepth_h
 
@@ -35,13 +36,14 @@ struct InterleavedPixels
     return this->Step == other.Step && this->Column == other.Column && this->Row == other.Row;
   }
 
-  /// Number of lattice columns (or rows) of an image of `size` columns (or rows), starting at `first`.
+  /// Number of lattice columns (or rows) of an image of `size` columns (or rows), starting at
+  /// `first`.
   int CountIn(int size, int first) const { return (size - first + this->Step - 1) / this->Step; }
 };
 
 /// Returns the surface points of the lattice, row by row.
-/// `eyeDepths`: eye depth per pixel in the unit of the view, row by row. `atCenters`: the depths are sampled at
-/// pixel centers, not at one of several samples per pixel.
+/// `eyeDepths`: eye depth per pixel in the unit of the view, row by row. `atCenters`: the depths
+/// are sampled at pixel centers, not at one of several samples per pixel.
 std::vector<SurfacePoint> ReconstructSurface(const std::vector<float>& eyeDepths, bool atCenters,
   const ScreenTransform& view, const RayScene& rays, const InterleavedPixels& lattice = {});
 

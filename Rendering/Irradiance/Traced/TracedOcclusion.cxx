@@ -15,12 +15,12 @@ namespace penumbra
 namespace
 {
 
-/// Period of the ray directions in x and y, in pixels: the width of the bilateral filter, so that every
-/// 5 x 5 window contains each of the 25 directions once.
+/// Period of the ray directions in x and y, in pixels: the width of the bilateral filter, so that
+/// every 5 x 5 window contains each of the 25 directions once.
 constexpr int Period = 5;
 
-/// Side of the blocks of pixels. A block has 16 pixels with the same directions in their tangent frames, which
-/// form a coherent packet.
+/// Side of the blocks of pixels. A block has 16 pixels with the same directions in their tangent
+/// frames, which form a coherent packet.
 constexpr int BlockSize = 4 * Period;
 constexpr int PacketSize = 16;
 
@@ -29,16 +29,16 @@ double Fraction(double x)
   return x - std::floor(x);
 }
 
-/// Point of the unit square for a sample index, the same for all pixels: the additive R2 sequence of the
-/// plastic number [Roberts 2018]. Any run of consecutive points has low discrepancy.
+/// Point of the unit square for a sample index, the same for all pixels: the additive R2 sequence
+/// of the plastic number [Roberts 2018]. Any run of consecutive points has low discrepancy.
 glm::dvec2 ComputeSequencePoint(int sample)
 {
   return { Fraction(.5 + sample * 0.75487766624669276),
     Fraction(.5 + sample * 0.56984029099805327) };
 }
 
-/// Shift of the sequence for pixel (i, j) modulo Period: one of 25 Hammersley points in base 5, chosen so that
-/// adjacent pixels have distant shifts.
+/// Shift of the sequence for pixel (i, j) modulo Period: one of 25 Hammersley points in base 5,
+/// chosen so that adjacent pixels have distant shifts.
 glm::dvec2 ComputePixelShift(int i, int j)
 {
   const int low = (i + 2 * j) % Period;

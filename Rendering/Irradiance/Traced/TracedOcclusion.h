@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Traces a few cosine-distributed rays per pixel from the visible surface and averages their occlusion.
+// Traces a few cosine-distributed rays per pixel from the visible surface and averages their
+// occlusion.
 #ifndef penumbra_TracedOcclusion_h
 #define penumbra_TracedOcclusion_h
 
@@ -21,8 +22,8 @@ struct TracedSamples
   InterleavedPixels Lattice; ///< lattice of the points
 };
 
-/// Fills `means` (0 open, 1 blocked) within the rectangles `parts` of an image with `width` columns. Returns
-/// the number of rays.
+/// Fills `means` (0 open, 1 blocked) within the rectangles `parts` of an image with `width`
+/// columns. Returns the number of rays.
 long long TraceOcclusion(const std::vector<SurfacePoint>& points, int width, const RayScene& rays,
   const TracedSamples& samples, const std::vector<Rectangle>& parts, std::vector<float>& means);
 

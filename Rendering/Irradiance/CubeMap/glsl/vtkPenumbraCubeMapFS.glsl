@@ -3,8 +3,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Writes the triangle id and the depth along the axis of the face. The depth test compares inverse depths, which
-// have the same relative precision at all distances.
+// Writes the triangle id and the depth along the axis of the face. The depth test compares inverse
+// depths, which have the same relative precision at all distances.
 uniform float near;
 
 flat in float triangleId;

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Projects vertices onto one face of a cube around `eye`, with a near plane and an infinite far plane.
+// Projects vertices onto one face of a cube around `eye`, with a near plane and an infinite far
+// plane.
 in vec4 vertex; // position in scene coordinates, and the id of its triangle
 
 uniform vec3 eye;

@@ -3,11 +3,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Extrapolates one record to the surface of a pixel, multiplied by its weight [IC, after Tabellion, Lamorlette].
-// Blending sums the outputs. The computation equals penumbra::Record::Weight() and
-// penumbra::RecordInterpolator::Add(); offsets, normal differences and gradients are expressed along two tangents
-// of the surface. Outputs: 0 value at the midpoint and weight; 1 offset and normal difference; from 2, for each
-// channel, translation and rotation gradient.
+// Extrapolates one record to the surface of a pixel, multiplied by its weight [IC, after Tabellion,
+// Lamorlette]. Blending sums the outputs. The computation equals penumbra::Record::Weight() and
+// penumbra::RecordInterpolator::Add(); offsets, normal differences and gradients are expressed
+// along two tangents of the surface. Outputs: 0 value at the midpoint and weight; 1 offset and
+// normal difference; from 2, for each channel, translation and rotation gradient.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SplatLib
 uniform sampler2D surfaces;  // unit normal, eye depth
@@ -31,7 +31,8 @@ float clearance(float x, float y)
 // d: offset from the record; recordPlane: its normal and maximum plane distance.
 float computeWeight(vec3 d, vec3 normal, vec4 recordPlane, float radius)
 {
-  float error = max(length(d) / radius, normalFactor * sqrt(max(0.0, 1.0 - dot(normal, recordPlane.xyz))));
+  float error =
+    max(length(d) / radius, normalFactor * sqrt(max(0.0, 1.0 - dot(normal, recordPlane.xyz))));
   bool offPlane = abs(dot(d, normal + recordPlane.xyz)) > 2.0 * recordPlane.w;
   vec4 tangent = recordTexel(record, 2);
   vec2 offset = vec2(dot(d, tangent.xyz), dot(d, cross(recordPlane.xyz, tangent.xyz)));
@@ -64,7 +65,8 @@ void main()
   vec3 other = abs(normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   vec3 first = normalize(cross(normal, other));
   mat2x3 tangents = mat2x3(first, cross(normal, first));
-  vec4 offset = vec4(surfaceDerivative(tangents, d), surfaceDerivative(tangents, normal - recordPlane.xyz));
+  vec4 offset =
+    vec4(surfaceDerivative(tangents, d), surfaceDerivative(tangents, normal - recordPlane.xyz));
   vec4 midpointValue = vec4(recordTexel(record, 5).rgb, 1.0);
   vec4 gradients[3] = vec4[3](vec4(0.0), vec4(0.0), vec4(0.0));
   for (int c = 0; c < channels; ++c)

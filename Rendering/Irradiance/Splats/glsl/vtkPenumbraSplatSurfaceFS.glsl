@@ -3,9 +3,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reconstructs the visible surface from eye depths. rgb: unit normal towards the camera in eye coordinates, a: eye
-// depth. Along rows and along columns, the shader uses the three consecutive pixels that are closest to a plane:
-// the center and its neighbors, or the center and two pixels on one side.
+// Reconstructs the visible surface from eye depths. rgb: unit normal towards the camera in eye
+// coordinates, a: eye depth. Along rows and along columns, the shader uses the three consecutive
+// pixels that are closest to a plane: the center and its neighbors, or the center and two pixels on
+// one side.
 //VTK::Penumbra::ViewLib
 uniform sampler2D eyeDepths;
 
@@ -55,6 +56,7 @@ void main()
 {
   vec2 pixel = gl_FragCoord.xy;
   float center = eyeDepthAt(pixel);
-  vec3 normal = cross(surfaceDerivative(pixel, vec2(1.0, 0.0), center), surfaceDerivative(pixel, vec2(0.0, 1.0), center));
+  vec3 normal = cross(surfaceDerivative(pixel, vec2(1.0, 0.0), center),
+    surfaceDerivative(pixel, vec2(0.0, 1.0), center));
   gl_FragData[0] = vec4(normalize(normal), center);
 }

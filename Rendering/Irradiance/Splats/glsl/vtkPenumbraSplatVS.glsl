@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Renders one record as a rectangle that covers its sphere, at the depth of the far side of the sphere. With the
-// depth test GL_GREATER, only pixels whose surface is in front of that depth are shaded. Four vertices form a
-// triangle strip.
+// Renders one record as a rectangle that covers its sphere, at the depth of the far side of the
+// sphere. With the depth test GL_GREATER, only pixels whose surface is in front of that depth are
+// shaded. Four vertices form a triangle strip.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SplatLib
 uniform mat4 recordsToEye;
