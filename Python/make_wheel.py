@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts sources, wrapped modules and libraries together as a wheel (PEP 427)."""
+"""Build a wheel (PEP 427) from the Python sources, the wrapped modules and the libraries."""
 import argparse
 import base64
 import hashlib
@@ -22,7 +22,7 @@ def metadata(version):
     return f"""Metadata-Version: 2.1
 Name: {NAME}
 Version: {version}
-Summary: How much of it is visible? Ambient occlusion, light shafts, flawless antialiasing for VTK.
+Summary: Ambient occlusion, light shafts and antialiased ray casting for VTK, to a chosen error.
 License: BSD-3-Clause
 Requires-Python: >=3.12
 Requires-Dist: cvista[all]==9.7.0.5
@@ -45,20 +45,20 @@ ENTRY_POINTS = f"""[pyvista.accessors]
 """
 
 
-def needed(library):
-    """The libraries beside VTK, Penumbra and the system's that one needs, with their paths."""
+def find_dependencies(library):
+    """Return the TBB libraries that a library depends on, with their paths."""
     listed = subprocess.run(["ldd", library], capture_output=True, text=True, check=True).stdout
     pairs = (line.split(" => ") for line in listed.splitlines() if " => " in line)
     return {name.strip(): path.split()[0] for name, path in pairs if "libtbb" in name}
 
 
-def cvista_folder():
+def find_cvista():
     found = importlib.util.find_spec("cvista")
     return next(iter(found.submodule_search_locations)) if found else ""
 
 
-def stubs(modules, libraries):
-    """Type stubs of the wrapped modules, where the VTK that they belong to is at hand."""
+def generate_stubs(modules, libraries):
+    """Return the type stubs of the wrapped modules; empty if cvista is not installed."""
     with tempfile.TemporaryDirectory() as folder:
         package = pathlib.Path(folder, NAME)
         package.mkdir()
@@ -66,12 +66,12 @@ def stubs(modules, libraries):
         for file in modules + libraries:
             shutil.copy(file, package)
         names = [module.name.split(".")[0] for module in modules]
-        made = subprocess.run(
+        run = subprocess.run(
             [sys.executable, "-m", "cvista.generate_pyi", "-p", NAME, "-o", str(package), *names],
-            env=os.environ | {"PYTHONPATH": folder, "LD_LIBRARY_PATH": cvista_folder()},
+            env=os.environ | {"PYTHONPATH": folder, "LD_LIBRARY_PATH": find_cvista()},
             capture_output=True, text=True)
-        if made.returncode:
-            print("no type stubs:", made.stderr.strip().splitlines()[-1], file=sys.stderr)
+        if run.returncode:
+            print("The wheel has no type stubs:", run.stderr.strip().splitlines()[-1], file=sys.stderr)
         return {f"{NAME}/{stub.name}": stub.read_bytes() for stub in package.glob("*.pyi")}
 
 
@@ -89,8 +89,8 @@ def main():
     files |= {f"{NAME}/{path.name}": path.read_bytes() for path in modules + options.libraries}
     for library in options.libraries:
         files |= {f"{NAME}/{name}": pathlib.Path(path).read_bytes()
-                  for name, path in needed(library).items()}
-    files |= stubs(modules, options.libraries)
+                  for name, path in find_dependencies(library).items()}
+    files |= generate_stubs(modules, options.libraries)
 
     tag = f"cp312-abi3-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
     folder = f"{NAME}-{options.version}.dist-info"
@@ -108,7 +108,7 @@ def main():
     for old in options.output.glob("*.whl"):
         old.unlink()
     wheel = options.output / f"{NAME}-{options.version}-{tag}.whl"
-    # Embree makes the wheel: 16 MB of it deflated, 9 by LZMA, which pip reads as well.
+    # LZMA instead of deflate: Embree, the largest file, takes 9 MB instead of 16 MB, and pip supports both.
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_LZMA) as archive:
         for name, content in files.items():
             archive.writestr(name, content)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: baking. A filter adds the array `AmbientOcclusion` to the points of any mesh; then it is
-// data like other data, drawn here as a colour without any light.
+// Bakes ambient occlusion. A filter adds the array `AmbientOcclusion` to the points of a mesh.
+// Here, the array is mapped to gray and rendered without lighting.
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -38,22 +38,22 @@ int main(int argc, char* argv[])
   vtkNew<vtkPenumbraIrradianceFilter> bake;
   bake->SetInputConnection(mesh->GetOutputPort());
   bake->SetTolerance(0.01); // RMSE over all points
-  bake->SetRadius(10.0);    // reach of an occluder, world units
+  bake->SetRadius(10.0);    // maximum distance of an occluder, in world units
   bake->Update();
   double range[2];
   vtkPolyData* baked = vtkPolyData::SafeDownCast(bake->GetOutput());
   baked->GetPointData()->GetArray("AmbientOcclusion")->GetRange(range);
-  std::cout << "blocked share from " << range[0] << " to " << range[1] << "\n";
+  std::cout << "ambient occlusion from " << range[0] << " to " << range[1] << "\n";
 
-  vtkNew<vtkLookupTable> grey; // white where open
-  grey->SetHueRange(0.0, 0.0);
-  grey->SetSaturationRange(0.0, 0.0);
-  grey->SetValueRange(1.0, 0.0);
+  vtkNew<vtkLookupTable> gray; // white: no occlusion
+  gray->SetHueRange(0.0, 0.0);
+  gray->SetSaturationRange(0.0, 0.0);
+  gray->SetValueRange(1.0, 0.0);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(baked);
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray("AmbientOcclusion");
-  mapper->SetLookupTable(grey);
+  mapper->SetLookupTable(gray);
   mapper->SetScalarRange(0.0, 1.0);
   mapper->InterpolateScalarsBeforeMappingOn();
   vtkNew<vtkActor> actor;
@@ -77,6 +77,6 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(bytes->GetOutputPort());
   writer->SetFileName(argc > 1 ? argv[1] : "BakedOcclusion.png");
   writer->Write();
-  // The outside is open, the hole is not.
+  // The outside of the torus is not occluded; its hole is.
   return range[0] < 0.01 && range[1] > 0.2 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: what changes in a program that uses vtkSSAOPass. The picture shows the same scene with
-// VTK's pass on the left, with Penumbra's on the right.
+// Replaces vtkSSAOPass. The image shows the same scene with the pass of VTK on the left and with
+// the pass of Penumbra on the right.
 //
-//   FromVtkSSAOPass picture.png [mesh.ply]
+//   FromVtkSSAOPass IMAGE.png [MESH.ply]
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include <vtkActor.h>
@@ -42,7 +42,7 @@ void Add(vtkRenderer* renderer, vtkAlgorithm* source)
   renderer->AddActor(actor);
 }
 
-/// The mesh, or a torus, on a floor.
+/// Adds the mesh, or a torus, on a floor.
 void AddScene(vtkRenderer* renderer, const char* path)
 {
   vtkSmartPointer<vtkPolyDataAlgorithm> shape;
@@ -78,8 +78,8 @@ void AddScene(vtkRenderer* renderer, const char* path)
   renderer->ResetCameraClippingRange();
 }
 
-/// Before: the radius in world units, a kernel of samples, a blur against its noise.
-void UseVtk(vtkRenderer* renderer)
+/// Before: the application sets the radius in world units, the number of samples, and a blur.
+void AddVTKPass(vtkRenderer* renderer)
 {
   double b[6];
   renderer->ComputeVisiblePropBounds(b);
@@ -93,8 +93,9 @@ void UseVtk(vtkRenderer* renderer)
   renderer->SetPass(occlusion);
 }
 
-/// After: the radius is a tenth of the diagonal of what is visible, and the error is chosen.
-void UsePenumbra(vtkRenderer* renderer)
+/// After: the radius defaults to a tenth of the diagonal of the visible bounds; the application
+/// sets the accepted error.
+void AddPenumbraPass(vtkRenderer* renderer)
 {
   vtkPenumbraTemporalSSAOPass* occlusion = vtkPenumbraTemporalSSAOPass::AddTo(renderer);
   occlusion->SetTolerance(0.01);
@@ -105,22 +106,22 @@ void UsePenumbra(vtkRenderer* renderer)
 int main(int argc, char* argv[])
 {
   vtkNew<vtkImageAppend> both;
-  for (auto* use : { UseVtk, UsePenumbra })
+  for (auto* addPass : { AddVTKPass, AddPenumbraPass })
   {
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1.0, 1.0, 1.0);
     AddScene(renderer, argc > 2 ? argv[2] : nullptr);
-    use(renderer);
+    addPass(renderer);
     vtkNew<vtkRenderWindow> window;
     window->OffScreenRenderingOn();
     window->SetMultiSamples(8);
     window->SetSize(420, 420);
     window->AddRenderer(renderer);
-    vtkNew<vtkWindowToImageFilter> picture;
-    picture->SetInput(window);
-    picture->ReadFrontBufferOff();
-    picture->Update();
-    both->AddInputData(picture->GetOutput());
+    vtkNew<vtkWindowToImageFilter> image;
+    image->SetInput(window);
+    image->ReadFrontBufferOff();
+    image->Update();
+    both->AddInputData(image->GetOutput());
   }
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(both->GetOutputPort());

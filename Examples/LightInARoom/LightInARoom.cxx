@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: the irradiance cache in the ray caster. Light goes from surface to surface: the red wall
-// reddens the white ball beside it. The cache finds it at some hundred places, not at every pixel.
+// Renders indirect light with the irradiance cache. The red wall reflects light onto the white
+// sphere next to it. The cache computes irradiance at a few hundred points and interpolates between
+// them.
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -37,7 +38,7 @@ void Add(vtkRenderer* renderer, vtkAlgorithm* source, double red, double green, 
   renderer->AddActor(actor);
 }
 
-/// A wall of a room that is 2 wide, deep and high, about the origin.
+/// Adds a wall of a room of size 2 x 2 x 2 that is centered at the origin.
 void AddWall(vtkRenderer* renderer, const double normal[3], double red, double green, double blue)
 {
   vtkNew<vtkPlaneSource> wall;
@@ -64,21 +65,21 @@ int main(int argc, char* argv[])
   AddWall(renderer, back, 0.9, 0.9, 0.9);
   AddWall(renderer, left, 0.9, 0.15, 0.1);
   AddWall(renderer, right, 0.15, 0.8, 0.2);
-  vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(0.4);
-  ball->SetCenter(-0.4, -0.6, 0.0);
-  ball->SetThetaResolution(96);
-  ball->SetPhiResolution(64);
-  Add(renderer, ball, 0.9, 0.9, 0.9);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.4);
+  sphere->SetCenter(-0.4, -0.6, 0.0);
+  sphere->SetThetaResolution(96);
+  sphere->SetPhiResolution(64);
+  Add(renderer, sphere, 0.9, 0.9, 0.9);
   renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 4.6);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
 
-  vtkNew<vtkLight> lamp;
-  lamp->SetPositional(true);
-  lamp->SetConeAngle(180.0);
-  lamp->SetPosition(0.2, 0.8, 0.3);
-  lamp->SetIntensity(0.7);
-  renderer->AddLight(lamp);
+  vtkNew<vtkLight> light;
+  light->SetPositional(true);
+  light->SetConeAngle(180.0);
+  light->SetPosition(0.2, 0.8, 0.3);
+  light->SetIntensity(0.7);
+  renderer->AddLight(light);
 
   vtkNew<vtkPenumbraIrradianceCache> cache;
   vtkNew<vtkPenumbraRayCaster> caster;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: the picture of a data set is itself a data set. The ray caster takes its input from a
-// pipeline, and beside the colours it tells depth, normals and what lies in every pixel, the work
-// that it did, and the error that it believes it made.
+// Uses the rendered image as a data set. The ray caster is part of a pipeline. In addition to
+// colors, it outputs depth, normals, object and cell ids, statistics, and the estimated error.
 #include "vtkPenumbraRayCaster.h"
 
 #include <vtkDataArray.h>
@@ -31,7 +30,7 @@ int main()
   for (int i = 0; i < pixels->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = pixels->GetArray(i);
-    std::cout << array->GetName() << ": " << array->GetNumberOfComponents() << " a pixel\n";
+    std::cout << array->GetName() << ": " << array->GetNumberOfComponents() << " per pixel\n";
   }
 
   vtkFieldData* statistics = caster->GetStatistics();
@@ -42,9 +41,9 @@ int main()
   }
   std::cout << "estimated error = " << caster->GetEstimatedError() << "\n";
 
-  // Depth is infinite where nothing is seen.
+  // Depth is infinite for pixels without a surface.
   vtkDataArray* depth = pixels->GetArray("Depth");
-  const bool open = std::isinf(depth->GetTuple1(120 * 320 + 160));
-  std::cout << "the middle of the picture is " << (open ? "open" : "covered") << "\n";
+  const bool background = std::isinf(depth->GetTuple1(120 * 320 + 160));
+  std::cout << "the center pixel shows " << (background ? "the background" : "a surface") << "\n";
   return caster->GetEstimatedError() <= caster->GetTolerance() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

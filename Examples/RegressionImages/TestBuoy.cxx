@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: pictures as regression tests. What a scene looks like is compared, in one line, with a
-// picture that somebody looked at and found right. By the ray caster the pictures have to be equal, by
-// OpenGL near.
+// Compares images with baselines, in one line per test. A baseline is an image that was reviewed
+// and committed. Images of the ray caster must be equal to it, images of OpenGL similar.
 //
-// After a change that is meant: PENUMBRA_ACCEPT=replace ./TestBuoy, then look at what git shows.
+// After an intended change, run `PENUMBRA_ACCEPT=replace ./TestBuoy` and review the changes with
+// git.
 #include "PenumbraGoogleTest.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -36,7 +36,7 @@ void Add(vtkRenderer* renderer, vtkPolyDataAlgorithm* shape, double red, double 
 }
 
 // The code under test.
-void ShowBuoy(vtkRenderer* renderer)
+void AddBuoy(vtkRenderer* renderer)
 {
   vtkNew<vtkSphereSource> body;
   body->SetThetaResolution(32);
@@ -52,30 +52,30 @@ void ShowBuoy(vtkRenderer* renderer)
   renderer->ResetCamera();
 }
 
-TEST(Buoy, LooksAsBeforeByTheRayCaster)
+TEST(Buoy, MatchesItsBaselineWithTheRayCaster)
 {
   vtkNew<vtkRenderer> renderer;
-  ShowBuoy(renderer);
+  AddBuoy(renderer);
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
   caster->SetResolution(200, 200);
   EXPECT_IMAGE_NEAR(caster, "buoy.png", 0.0);
 }
 
-TEST(Buoy, LooksAsBeforeInAWindow)
+TEST(Buoy, MatchesItsBaselineInAWindow)
 {
   vtkNew<vtkRenderer> renderer;
-  ShowBuoy(renderer);
+  AddBuoy(renderer);
   vtkNew<vtkRenderWindow> window;
   window->SetSize(200, 200);
   window->AddRenderer(renderer);
   EXPECT_IMAGE_NEAR(window, "buoy-window.png", 1.0 / 16.0);
 }
 
-TEST(Buoy, MayShowTheTimeOfDay)
+TEST(Buoy, MatchesItsBaselineOutsideAMask)
 {
   vtkNew<vtkRenderer> renderer;
-  ShowBuoy(renderer);
+  AddBuoy(renderer);
   vtkNew<vtkTextActor> clock;
   clock->SetInput(__TIME__);
   clock->GetTextProperty()->SetFontSize(24);
@@ -85,7 +85,7 @@ TEST(Buoy, MayShowTheTimeOfDay)
   window->SetSize(200, 200);
   window->AddRenderer(renderer);
 
-  // The lowest 40 rows of pixels do not count.
+  // The comparison ignores the lowest 40 rows of pixels.
   auto mask = vtkSmartPointer<vtkImageData>::New();
   mask->SetDimensions(200, 200, 1);
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
@@ -96,9 +96,9 @@ TEST(Buoy, MayShowTheTimeOfDay)
       *static_cast<unsigned char*>(mask->GetScalarPointer(x, y, 0)) = y < 40 ? 0 : 255;
     }
   }
-  penumbra::ImageTolerance near(1.0 / 16.0);
-  near.Mask = mask;
-  EXPECT_IMAGE_NEAR(window, "buoy-window.png", near);
+  penumbra::ImageTolerance tolerance(1.0 / 16.0);
+  tolerance.Mask = mask;
+  EXPECT_IMAGE_NEAR(window, "buoy-window.png", tolerance);
 }
 
 }

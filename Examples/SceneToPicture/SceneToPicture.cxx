@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: a VTK scene becomes an antialiased picture without a window or OpenGL.
-// The ray caster takes the renderer as it is, and its output is an ordinary vtkImageData.
+// Renders a VTK scene as an antialiased image, without a window or OpenGL. The ray caster accepts
+// an unmodified vtkRenderer, and its output is a vtkImageData.
 #include "vtkPenumbraRayCaster.h"
 
 #include <vtkActor.h>
@@ -22,7 +22,7 @@
 
 int main(int argc, char* argv[])
 {
-  // The scene is built as for any VTK picture.
+  // A scene as for any VTK image.
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(64);
   sphere->SetPhiResolution(32);
@@ -36,15 +36,15 @@ int main(int argc, char* argv[])
   renderer->SetBackground(0.1, 0.2, 0.3);
   renderer->ResetCamera();
 
-  // What the picture should be, and how wrong it may be.
+  // The resolution and the accepted RMSE of each tile of 16x16 pixels.
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
   caster->SetResolution(400, 300);
   caster->SetTolerance(1.0 / 512.0);
   caster->Update();
-  std::cout << "estimated error " << caster->GetEstimatedError() << "\n";
+  std::cout << "estimated error: " << caster->GetEstimatedError() << "\n";
 
-  // The array Color holds floats in [0, 1]; a PNG wants bytes.
+  // The array Color contains floats in [0, 1]. PNG requires bytes.
   vtkNew<vtkImageShiftScale> bytes;
   bytes->SetInputConnection(caster->GetOutputPort());
   bytes->SetScale(255.0);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: records that a picture by rays has gathered are drawn by OpenGL, here and from elsewhere,
-// without another ray. On the left where the records lie, few of them in the open and many where things
-// touch; on the right the same records from another side.
+// Renders the records of an irradiance cache with OpenGL, without tracing further rays. The ray
+// caster computes the records. The left image shows their positions, which are dense near contacts.
+// The right image interpolates the same records from another camera position.
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceSplatPass.h"
 #include "vtkPenumbraRayCaster.h"
@@ -35,7 +35,7 @@ void Add(vtkRenderer* renderer, vtkAlgorithm* source)
   mapper->SetInputConnection(source->GetOutputPort());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff(); // so that nothing but occlusion is seen
+  actor->GetProperty()->LightingOff(); // to show occlusion only
   renderer->AddActor(actor);
 }
 
@@ -46,13 +46,13 @@ void AddScene(vtkRenderer* renderer)
   floor->SetPoint1(8.0, -8.0, 0.0);
   floor->SetPoint2(-8.0, 8.0, 0.0);
   Add(renderer, floor);
-  const double balls[3][4] = { { 0.0, 0.0, 1.0, 1.0 }, { 1.9, -0.6, 0.6, 0.6 },
+  const double spheres[3][4] = { { 0.0, 0.0, 1.0, 1.0 }, { 1.9, -0.6, 0.6, 0.6 },
     { -1.7, -0.9, 1.1, 0.5 } };
-  for (const double* ball : balls)
+  for (const double* sphere : spheres)
   {
     vtkNew<vtkSphereSource> source;
-    source->SetCenter(ball);
-    source->SetRadius(ball[3]);
+    source->SetCenter(sphere);
+    source->SetRadius(sphere[3]);
     source->SetThetaResolution(128);
     source->SetPhiResolution(96);
     Add(renderer, source);
@@ -60,7 +60,7 @@ void AddScene(vtkRenderer* renderer)
   renderer->SetBackground(1.0, 1.0, 1.0);
 }
 
-void Look(vtkRenderer* renderer, double x, double y, double z)
+void SetCamera(vtkRenderer* renderer, double x, double y, double z)
 {
   renderer->GetActiveCamera()->SetPosition(x, y, z);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.6);
@@ -68,7 +68,8 @@ void Look(vtkRenderer* renderer, double x, double y, double z)
   renderer->ResetCameraClippingRange();
 }
 
-/// Drawn after the pass: a little translucent.
+/// Adds the records as points. They are slightly translucent, so that they are rendered after the
+/// pass.
 void AddPoints(vtkRenderer* renderer, vtkPolyData* records)
 {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
@@ -88,13 +89,13 @@ void AddPoints(vtkRenderer* renderer, vtkPolyData* records)
 
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkRenderer> here;
-  AddScene(here);
-  Look(here, 0.0, -7.0, 4.0);
+  vtkNew<vtkRenderer> left;
+  AddScene(left);
+  SetCamera(left, 0.0, -7.0, 4.0);
 
   vtkNew<vtkPenumbraIrradianceCache> cache;
   vtkNew<vtkPenumbraRayCaster> caster;
-  caster->SetRenderer(here);
+  caster->SetRenderer(left);
   caster->SetAmbientOcclusion(true);
   caster->SetAmbientOcclusionRadius(6.0);
   caster->SetIrradianceSource(cache);
@@ -106,21 +107,21 @@ int main(int argc, char* argv[])
   std::cout << records->GetNumberOfPoints() << " records from "
             << caster->GetStatistics()->GetArray("Rays/Gather")->GetComponent(0, 0) << " rays\n";
 
-  vtkNew<vtkRenderer> elsewhere;
-  AddScene(elsewhere);
-  Look(elsewhere, 1.6, -6.9, 3.3);
+  vtkNew<vtkRenderer> right;
+  AddScene(right);
+  SetCamera(right, 1.6, -6.9, 3.3);
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(4);
   window->SetSize(900, 400);
-  here->SetViewport(0.0, 0.0, 0.5, 1.0);
-  elsewhere->SetViewport(0.5, 0.0, 1.0, 1.0);
-  for (vtkRenderer* renderer : { here.Get(), elsewhere.Get() })
+  left->SetViewport(0.0, 0.0, 0.5, 1.0);
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  for (vtkRenderer* renderer : { left.Get(), right.Get() })
   {
     window->AddRenderer(renderer);
     vtkPenumbraIrradianceSplatPass::AddTo(renderer)->SetRecords(records);
   }
-  AddPoints(here, records);
+  AddPoints(left, records);
   window->Render();
 
   vtkNew<vtkWindowToImageFilter> image;
@@ -129,10 +130,11 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(argc > 1 ? argv[1] : "SplattedRecords.png");
   writer->Write();
-  const double served = vtkPenumbraIrradianceSplatPass::AddTo(elsewhere)
-                          ->GetStatistics()
-                          ->GetArray("Pixels/Interpolated")
-                          ->GetComponent(0, 0);
-  std::cout << "seen from elsewhere, records speak of " << 100.0 * served << " % of the pixels\n";
-  return served > 0.5 ? EXIT_SUCCESS : EXIT_FAILURE;
+  const double interpolated = vtkPenumbraIrradianceSplatPass::AddTo(right)
+                                ->GetStatistics()
+                                ->GetArray("Pixels/Interpolated")
+                                ->GetComponent(0, 0);
+  std::cout << "from the other camera, " << 100.0 * interpolated
+            << " % of the pixels are interpolated\n";
+  return interpolated > 0.5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: light shafts. A medium fills the scene, and the light that it scatters is seen wherever
-// nothing stands between it and the sun: by rays, and by a pass in an OpenGL window, which takes the
-// same numbers.
-//   SunBehindATree PICTURE.png [window]
+// Renders light shafts by ray casting, or with an OpenGL pass in a window. A medium fills the scene
+// and scatters light wherever it is not in shadow. Both renderers use the same parameters of the
+// medium.
+//   SunBehindATree IMAGE.png [window]
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
@@ -41,16 +41,16 @@ void Add(vtkRenderer* renderer, vtkAlgorithm* source, double red, double green, 
   renderer->AddActor(actor);
 }
 
-bool Write(vtkAlgorithm* picture, const char* path)
+bool Write(vtkAlgorithm* image, const char* path)
 {
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(path);
   writer->Write();
   return writer->GetErrorCode() == 0;
 }
 
-bool DrawByRays(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path)
+bool RenderWithRayCaster(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path)
 {
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
@@ -65,22 +65,22 @@ bool DrawByRays(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path
   return Write(bytes, path);
 }
 
-bool DrawInWindow(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path)
+bool RenderInWindow(vtkRenderer* renderer, vtkPenumbraMedium* haze, const char* path)
 {
   vtkPenumbraLightShaftPass* shafts = vtkPenumbraLightShaftPass::AddTo(renderer);
   shafts->SetScattering(haze->GetScattering());
   shafts->SetPhase(haze->GetPhase());
   shafts->SetAsymmetry(haze->GetAsymmetry());
-  shafts->SetTolerance(1.0 / 1024.0); // leaves are small: every pixel for itself
+  shafts->SetTolerance(1.0 / 1024.0); // small leaves need full resolution
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetSize(400, 300);
   window->AddRenderer(renderer);
   window->Render();
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
-  return Write(picture, path);
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  return Write(image, path);
 }
 
 }
@@ -96,10 +96,10 @@ int main(int argc, char* argv[])
   // Leaves on a spiral around the top.
   for (int i = 0; i < 60; ++i)
   {
-    const double up = (i + 0.5) / 60.0;
-    const double away = 1.1 * std::sqrt(up * (1.0 - up)) + 0.1;
+    const double height = (i + 0.5) / 60.0;
+    const double radius = 1.1 * std::sqrt(height * (1.0 - height)) + 0.1;
     vtkNew<vtkSphereSource> leaf;
-    leaf->SetCenter(away * std::cos(2.4 * i), 0.8 + 1.6 * up, away * std::sin(2.4 * i));
+    leaf->SetCenter(radius * std::cos(2.4 * i), 0.8 + 1.6 * height, radius * std::sin(2.4 * i));
     leaf->SetRadius(0.13);
     leaf->SetThetaResolution(16);
     leaf->SetPhiResolution(12);
@@ -108,21 +108,21 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(0.0, 0.2, 7.0);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.9, 0.0);
 
-  // The sun stands behind the tree.
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(0.05, 0.35, -1.0);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
-  sun->SetIntensity(2.0);
-  sun->SetDiffuseColor(1.0, 0.85, 0.6);
-  renderer->AddLight(sun);
+  // The directional light is behind the tree.
+  vtkNew<vtkLight> light;
+  light->SetPosition(0.05, 0.35, -1.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetIntensity(2.0);
+  light->SetDiffuseColor(1.0, 0.85, 0.6);
+  renderer->AddLight(light);
 
   vtkNew<vtkPenumbraMedium> haze;
-  haze->SetScattering(0.12); // a world unit
+  haze->SetScattering(0.12); // per world unit
   haze->SetPhase(vtkPenumbraMedium::HENYEY_GREENSTEIN);
-  haze->SetAsymmetry(0.5); // forward
+  haze->SetAsymmetry(0.5); // scatters mainly forward
 
   const char* path = argc > 1 ? argv[1] : "SunBehindATree.png";
-  const bool drawn =
-    argc > 2 ? DrawInWindow(renderer, haze, path) : DrawByRays(renderer, haze, path);
-  return drawn ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool written =
+    argc > 2 ? RenderInWindow(renderer, haze, path) : RenderWithRayCaster(renderer, haze, path);
+  return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

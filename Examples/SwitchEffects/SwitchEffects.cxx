@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: effects as passes of a renderer that is there already, in a window without a toolkit.
-// Key `a` switches ambient occlusion, `l` light shafts; the text tells what they did. `q` ends.
+// Adds and removes effects of an existing renderer, in a window without a GUI toolkit. Key `a`
+// toggles ambient occlusion, `l` light shafts. The text shows the statistics of the effects. `q`
+// quits.
 //
 //   VTK_DEFAULT_OPENGL_WINDOW=vtkXOpenGLRenderWindow SwitchEffects
 //
-// With `--keys al picture.png` the keys are pressed by the program itself, which saves what it then
-// shows; that is its test.
+// With `--keys al IMAGE.png` the program simulates these keys and saves the resulting image. The
+// test uses this mode.
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 
@@ -53,28 +54,28 @@ void AddScene(vtkRenderer* renderer)
 {
   for (int i = 0; i < 9; ++i)
   {
-    vtkNew<vtkSphereSource> ball;
-    ball->SetCenter(i % 3 - 1.0, i / 3 - 1.0, 0.5);
-    ball->SetRadius(0.5);
-    ball->SetThetaResolution(48);
-    ball->SetPhiResolution(32);
-    Add(renderer, ball);
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(i % 3 - 1.0, i / 3 - 1.0, 0.5);
+    sphere->SetRadius(0.5);
+    sphere->SetThetaResolution(48);
+    sphere->SetPhiResolution(32);
+    Add(renderer, sphere);
   }
   vtkNew<vtkPlaneSource> floor;
   floor->SetOrigin(-2.5, -2.5, 0.0);
   floor->SetPoint1(2.5, -2.5, 0.0);
   floor->SetPoint2(-2.5, 2.5, 0.0);
   Add(renderer, floor);
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(-1.5, -1.0, 1.5);
-  renderer->AddLight(sun);
+  vtkNew<vtkLight> light;
+  light->SetPosition(-1.5, -1.0, 1.5);
+  renderer->AddLight(light);
   renderer->GetActiveCamera()->SetPosition(0.5, -7.0, 3.5);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.4);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange();
 }
 
-/// The renderer with its effects, and what they tell.
+/// The renderer with its effects and the text of their statistics.
 struct Viewer
 {
   vtkNew<vtkRenderer> Renderer;
@@ -82,11 +83,11 @@ struct Viewer
   vtkPenumbraTemporalSSAOPass* Occlusion = nullptr;
   vtkPenumbraLightShaftPass* Shafts = nullptr;
 
-  void Press(char key);
-  void Tell();
+  void HandleKey(char key);
+  void UpdateText();
 };
 
-void Viewer::Press(char key)
+void Viewer::HandleKey(char key)
 {
   if (key == 'a' && this->Occlusion)
   {
@@ -120,8 +121,8 @@ void Append(std::ostream& text, const char* name, vtkFieldData* statistics)
   }
 }
 
-/// Of the last frame.
-void Viewer::Tell()
+/// Shows the statistics of the last frame.
+void Viewer::UpdateText()
 {
   std::ostringstream text;
   if (this->Occlusion)
@@ -140,9 +141,9 @@ void OnKey(vtkObject* caller, unsigned long, void* viewer, void*)
 {
   auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
   auto* self = static_cast<Viewer*>(viewer);
-  self->Press(interactor->GetKeyCode());
+  self->HandleKey(interactor->GetKeyCode());
   interactor->Render();
-  self->Tell();
+  self->UpdateText();
   interactor->Render();
 }
 
@@ -155,7 +156,7 @@ int main(int argc, char* argv[])
   viewer.Text->GetTextProperty()->SetFontSize(14);
   viewer.Text->SetPosition(8, 8);
   viewer.Renderer->AddViewProp(viewer.Text);
-  viewer.Tell();
+  viewer.UpdateText();
   vtkNew<vtkRenderWindow> window;
   window->SetSize(640, 480);
   window->AddRenderer(viewer.Renderer);
@@ -177,11 +178,11 @@ int main(int argc, char* argv[])
     interactor->SetKeyCode(*key);
     interactor->InvokeEvent(vtkCommand::CharEvent);
   }
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(argv[3]);
   writer->Write();
   std::cout << viewer.Text->GetInput() << std::endl;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One idea: light shafts in a window of OpenGL. Two suns of different colours shine through a row of
-// columns; AddTo() shows what they light of the haze between.
-//   TwoLightsInHaze PICTURE.png [parallel]
+// Renders light shafts with OpenGL. Two directional lights of different colors illuminate a row of
+// columns in haze; AddTo() adds the light shafts.
+//   TwoLightsInHaze IMAGE.png [parallel]
 #include "vtkPenumbraLightShaftPass.h"
 
 #include <vtkActor.h>
@@ -35,15 +35,15 @@ vtkActor* Add(vtkRenderer* renderer, vtkAlgorithm* source)
   return actor;
 }
 
-void AddSun(
+void AddDirectionalLight(
   vtkRenderer* renderer, double x, double y, double z, double red, double green, double blue)
 {
-  vtkNew<vtkLight> sun;
-  sun->SetPosition(x, y, z);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
-  sun->SetDiffuseColor(red, green, blue);
-  sun->SetIntensity(2.0);
-  renderer->AddLight(sun);
+  vtkNew<vtkLight> light;
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetDiffuseColor(red, green, blue);
+  light->SetIntensity(2.0);
+  renderer->AddLight(light);
 }
 
 }
@@ -73,10 +73,10 @@ int main(int argc, char* argv[])
     renderer->GetActiveCamera()->SetParallelScale(4.0);
   }
 
-  AddSun(renderer, -0.22, 0.12, -1.0, 1.0, 0.6, 0.25);
-  AddSun(renderer, 0.22, 0.12, -1.0, 0.25, 0.5, 1.0);
+  AddDirectionalLight(renderer, -0.22, 0.12, -1.0, 1.0, 0.6, 0.25);
+  AddDirectionalLight(renderer, 0.22, 0.12, -1.0, 0.25, 0.5, 1.0);
   vtkPenumbraLightShaftPass* shafts = vtkPenumbraLightShaftPass::AddTo(renderer);
-  shafts->SetScattering(0.06); // a world unit
+  shafts->SetScattering(0.06); // per world unit
   shafts->SetPhase(vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN);
   shafts->SetAsymmetry(0.4);
 
@@ -86,11 +86,11 @@ int main(int argc, char* argv[])
   window->AddRenderer(renderer);
   window->Render();
 
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(argc > 1 ? argv[1] : "TwoLightsInHaze.png");
   writer->Write();
   return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

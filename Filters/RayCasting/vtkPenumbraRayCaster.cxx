@@ -37,31 +37,32 @@
 namespace
 {
 
-// Of a picture, in pixels.
-constexpr int LargestSide = 65535;
-// A pixel is the mean of about four answers of the irradiance source, so each may err twice as much.
-constexpr double OcclusionNoiseShare = 2.0;
-// Of the progress, which is 0 before: the scene is built.
-constexpr double ProgressOfScene = 1e-6;
-// Of the progress: what the irradiance source prepares.
-constexpr double ProgressOfSource = 0.25;
-// Of the progress: the arrays beside the colour.
-constexpr double ProgressOfGeometry = 0.25;
+// Maximum width and height of the image, in pixels.
+constexpr int MaximumResolution = 65535;
+// Tolerance of one result of the irradiance source, in tolerances of the image. The color of a pixel
+// is the mean of about four results, which halves their error.
+constexpr double SourceToleranceFactor = 2.0;
+// Progress reported when the scene has been built. It stays 0 until then.
+constexpr double SceneProgress = 1e-6;
+// Fraction of the progress for the preparation of the irradiance source.
+constexpr double SourceProgress = 0.25;
+// Fraction of the progress for the geometry arrays.
+constexpr double GeometryProgress = 0.25;
 
 using penumbra::AddStatistic;
 
-/// True when asked to stop: then nobody is told anything more.
-bool TellProgress(vtkAlgorithm* self, double share)
+/// Reports progress unless an abort was requested. Returns true if the execution must stop.
+bool ReportProgress(vtkAlgorithm* self, double fraction)
 {
   if (!self->GetAbortExecute())
   {
-    self->UpdateProgress(share);
+    self->UpdateProgress(fraction);
   }
   return self->GetAbortExecute() != 0;
 }
 
-/// Diagonal of the bounds of what is drawn, in world units.
-double GetDiagonal(const penumbra::Scene& scene)
+/// Returns the diagonal of the bounds of all surfaces, in world units.
+double ComputeDiagonal(const penumbra::Scene& scene)
 {
   vtkBoundingBox bounds;
   for (const penumbra::Surface& surface : scene.Surfaces)
@@ -78,10 +79,10 @@ double GetDiagonal(const penumbra::Scene& scene)
 
 struct vtkPenumbraRayCaster::Internals
 {
-  /// A scene that is ready to be traced.
+  /// An extracted scene with its ray tracing structures.
   struct PreparedScene
   {
-    penumbra::Scene Drawn;
+    penumbra::Scene SceneData;
     std::unique_ptr<penumbra::RayScene> Rays;
     penumbra::SceneEdges Edges;
   };
@@ -93,13 +94,13 @@ struct vtkPenumbraRayCaster::Internals
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
   vtkNew<vtkFieldData> Statistics;
   double EstimatedError = std::nan("");
-  std::unique_ptr<PreparedScene> Prepared; ///< kept while parts of its picture are asked for
+  std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
   vtkMTimeType PreparedTime = 0;
 
-  void Forget();
+  void ResetResults();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
-  bool BeginSource(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& sampler);
+  bool BeginSource(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
   void Report(const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels);
   static penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self);
 };
@@ -177,7 +178,7 @@ vtkPenumbraEnvironment* vtkPenumbraRayCaster::GetEnvironment()
 
 void vtkPenumbraRayCaster::SetMaximumLevelFromViewing(double distance, double pixelPitch)
 {
-  // The eye resolves 2^-13 rad; a pixel seen under `angle` needs sides 2^L times smaller [AA].
+  // The eye resolves 2^-13 rad. A pixel that subtends `angle` is divided 2^L times per side [AA].
   const double angle = std::atan2(pixelPitch, distance);
   this->SetMaximumLevel(static_cast<int>(std::ceil(std::log2(std::max(angle * 8192.0, 1.0)))));
 }
@@ -233,7 +234,7 @@ int vtkPenumbraRayCaster::RequestInformation(
 int vtkPenumbraRayCaster::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Any part of the picture needs the whole scene.
+  // Any part of the image needs the whole scene.
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* info = inputs[0]->GetInformationObject(i);
@@ -256,14 +257,15 @@ int vtkPenumbraRayCaster::RequestData(
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   image->SetExtent(extent);
   if (std::min(this->Resolution[0], this->Resolution[1]) < 1 ||
-    std::max(this->Resolution[0], this->Resolution[1]) > LargestSide)
+    std::max(this->Resolution[0], this->Resolution[1]) > MaximumResolution)
   {
-    vtkErrorMacro("Resolution must be 1 x 1 to " << LargestSide << " x " << LargestSide << ".");
+    vtkErrorMacro(
+      "Resolution must be 1 x 1 to " << MaximumResolution << " x " << MaximumResolution << ".");
     return 0;
   }
 
-  Internals& own = *this->Implementation;
-  own.Forget();
+  Internals& internals = *this->Implementation;
+  internals.ResetResults();
   try
   {
     penumbra::RequireNotNaN(
@@ -271,10 +273,10 @@ int vtkPenumbraRayCaster::RequestData(
       "EnvironmentColor",
       { this->Tolerance, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
         this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
-    own.Prepare(this, inputs[0]);
+    internals.Prepare(this, inputs[0]);
     bool finished = true;
-    vtkSMPTools::LocalScope(
-      vtkSMPTools::Config(this->NumberOfThreads), [&]() { finished = own.Execute(this, image); });
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(this->NumberOfThreads),
+      [&]() { finished = internals.Execute(this, image); });
     if (!finished)
     {
       image->Initialize();
@@ -282,18 +284,18 @@ int vtkPenumbraRayCaster::RequestData(
     const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
     if (!finished || std::equal(extent, extent + 6, whole))
     {
-      own.Prepared.reset();
+      internals.Prepared.reset();
     }
   }
   catch (const penumbra::Stopped&)
   {
     image->Initialize();
-    own.Prepared.reset();
+    internals.Prepared.reset();
   }
   catch (const std::bad_alloc&)
   {
     image->Initialize();
-    vtkErrorMacro("Out of memory: ask for a smaller resolution or a smaller scene.");
+    vtkErrorMacro("Out of memory. Reduce Resolution or simplify the scene.");
     return 0;
   }
   catch (const std::exception& error)
@@ -305,7 +307,7 @@ int vtkPenumbraRayCaster::RequestData(
   return 1;
 }
 
-void vtkPenumbraRayCaster::Internals::Forget()
+void vtkPenumbraRayCaster::Internals::ResetResults()
 {
   this->Statistics->Initialize();
   this->EstimatedError = std::nan("");
@@ -319,15 +321,15 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   {
     data.push_back(vtkDataObject::GetData(inputs, i));
   }
-  const auto changed = [&]() {
+  const auto computeTime = [&]() {
     vtkMTimeType time = self->GetMTime();
-    for (vtkDataObject* one : data)
+    for (vtkDataObject* object : data)
     {
-      time = std::max(time, one->GetMTime());
+      time = std::max(time, object->GetMTime());
     }
     return time;
   };
-  if (this->Prepared && changed() <= this->PreparedTime)
+  if (this->Prepared && computeTime() <= this->PreparedTime)
   {
     return;
   }
@@ -336,17 +338,17 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Resolution[1] = self->Resolution[1];
   options.DPI = self->DPI;
   options.Background = self->Background;
-  options.Progress = [self](double) { return TellProgress(self, 0.0); };
-  this->Prepared.reset(); // two scenes may be more than the memory holds
+  options.Progress = [self](double) { return ReportProgress(self, 0.0); };
+  this->Prepared.reset(); // frees the memory before the next scene is built
   auto prepared = std::make_unique<PreparedScene>();
-  penumbra::Scene& scene = prepared->Drawn;
+  penumbra::Scene& scene = prepared->SceneData;
   scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
                          : penumbra::ExtractScene(data, options);
   if (!scene.ViewCamera.IsUsable())
   {
     throw std::runtime_error(
-      "The camera sees nothing: position, focal point, view up, view angle and "
-      "parallel scale must be finite, none far beyond the scene's size.");
+      "The camera is not usable: position, focal point, view up, view angle and "
+      "parallel scale must be finite and not much larger than the scene.");
   }
   for (const std::string& warning : scene.Warnings)
   {
@@ -356,7 +358,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
   prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
   this->Prepared = std::move(prepared);
-  this->PreparedTime = changed(); // mappers may have made their colours meanwhile
+  this->PreparedTime = computeTime(); // extraction may have updated the mappers
 }
 
 penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
@@ -371,35 +373,35 @@ penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumb
   settings.Integration.Shadows = self->Shadows;
   settings.Integration.UniformSamples = self->UniformSamples;
   settings.Integration.Noise =
-    self->AmbientOcclusion || self->IndirectLight ? OcclusionNoiseShare * self->Tolerance : 0.0;
+    self->AmbientOcclusion || self->IndirectLight ? SourceToleranceFactor * self->Tolerance : 0.0;
   return settings;
 }
 
 bool vtkPenumbraRayCaster::Internals::BeginSource(
-  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& sampler)
+  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer)
 {
-  const double noise = OcclusionNoiseShare * self->Tolerance;
+  const double noise = SourceToleranceFactor * self->Tolerance;
   const bool occlusion = self->AmbientOcclusion || self->GeometryArrays;
-  const double half = occlusion && self->IndirectLight ? .5 : 1.0;
+  const double phaseFraction = occlusion && self->IndirectLight ? 0.5 : 1.0;
   double done = 0.0;
-  const auto progress = [&](double share) {
-    return TellProgress(self, ProgressOfSource * (done + half * share));
+  const auto progress = [&](double fraction) {
+    return ReportProgress(self, SourceProgress * (done + phaseFraction * fraction));
   };
   if (occlusion)
   {
     const double radius = self->AmbientOcclusionRadius > 0.0
       ? self->AmbientOcclusionRadius
-      : penumbra::DefaultRadiusFraction * GetDiagonal(this->Prepared->Drawn);
+      : penumbra::DefaultRadiusFraction * ComputeDiagonal(this->Prepared->SceneData);
     if (!this->IrradianceSource->Begin(
           *this->Prepared->Rays, { radius, self->AmbientOcclusionFalloff }, noise, progress))
     {
       return false;
     }
-    done = half;
+    done = phaseFraction;
   }
   if (self->AmbientOcclusion)
   {
-    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
+    tracer.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
   }
   if (self->IndirectLight && self->Albedo > 0.0)
   {
@@ -411,9 +413,9 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
     settings.Bounces = self->Bounces;
     settings.Shadows = self->Shadows;
     const penumbra::Illumination light(*this->Prepared->Rays, settings);
-    // Of the irradiance, Albedo / pi is seen.
+    // The image contains Albedo / pi of the irradiance.
     const double tolerance = noise * vtkMath::Pi() / self->Albedo;
-    sampler.SetIndirectLight(this->IrradianceSource, settings.Albedo, tolerance);
+    tracer.SetIndirectLight(this->IrradianceSource, settings.Albedo, tolerance);
     return this->IrradianceSource->BeginIrradiance(light, tolerance, progress);
   }
   return true;
@@ -421,65 +423,67 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
 
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
-  const penumbra::Scene& scene = this->Prepared->Drawn;
-  if (TellProgress(self, ProgressOfScene))
+  const penumbra::Scene& scene = this->Prepared->SceneData;
+  if (ReportProgress(self, SceneProgress))
   {
     return false;
   }
   const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
-  penumbra::CameraRayTracer sampler(*this->Prepared->Rays, shading, scene.ViewCamera);
+  penumbra::CameraRayTracer tracer(*this->Prepared->Rays, shading, scene.ViewCamera);
   const penumbra::RenderSettings settings = MakeSettings(self);
-  const bool asks = self->AmbientOcclusion || self->IndirectLight || self->GeometryArrays;
-  if (asks && !this->BeginSource(self, sampler))
+  const bool usesSource = self->AmbientOcclusion || self->IndirectLight || self->GeometryArrays;
+  if (usesSource && !this->BeginSource(self, tracer))
   {
     return false;
   }
 
   std::string warning;
-  const std::optional<penumbra::LightShafts> shafts = penumbra::MakeLightShafts(
-    this->Medium, shading, GetDiagonal(scene), { self->Tolerance, self->LightShaftSteps }, warning);
-  sampler.SetShafts(shafts ? &*shafts : nullptr);
+  const std::optional<penumbra::LightShafts> shafts = penumbra::MakeLightShafts(this->Medium,
+    shading, ComputeDiagonal(scene), { self->Tolerance, self->LightShaftSteps }, warning);
+  tracer.SetShafts(shafts ? &*shafts : nullptr);
   if (!warning.empty())
   {
     vtkWarningWithObjectMacro(self, << warning);
   }
 
-  const double begun = asks ? ProgressOfSource : 0.0;
-  const double ended = self->GeometryArrays ? 1.0 - ProgressOfGeometry : 1.0;
-  const auto progress = [self, begun, ended](double done) {
-    return TellProgress(self, begun + (ended - begun) * done);
+  const double progressBegin = usesSource ? SourceProgress : 0.0;
+  const double progressEnd = self->GeometryArrays ? 1.0 - GeometryProgress : 1.0;
+  const auto progress = [self, progressBegin, progressEnd](double done) {
+    return ReportProgress(self, progressBegin + (progressEnd - progressBegin) * done);
   };
   penumbra::ImageRegion totals;
   double squaredError = 0.0;
   if (!penumbra::RenderImage(
-        sampler, this->Prepared->Edges, settings, progress, image, totals, squaredError))
+        tracer, this->Prepared->Edges, settings, progress, image, totals, squaredError))
   {
     return false;
   }
-  // What colours err by themselves is the source's to keep.
+  // The error of the irradiance source itself is bounded by the source, so the limit allows for it.
   const double limit = std::hypot(self->Tolerance, 0.5 * settings.Integration.Noise);
-  const penumbra::TileErrors judged = penumbra::JudgeTiles(image, limit);
-  if (self->CoverageMethod != UNIFORM && judged.Over > 0)
+  const penumbra::TileErrors tiles = penumbra::EvaluateTiles(image, limit);
+  if (self->CoverageMethod != UNIFORM && tiles.AboveTolerance > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "The tolerance of " << self->Tolerance << " was not reached in " << judged.Over << " of "
-                          << judged.Tiles << " tiles of 16x16 pixels: the worst of them is believed"
-                          << " to err by " << judged.Worst << ".");
+      "The tolerance of " << self->Tolerance << " was not reached in " << tiles.AboveTolerance
+                          << " of " << tiles.Tiles
+                          << " tiles of 16x16 pixels. The largest estimated error of a"
+                          << " tile is " << tiles.MaximumError
+                          << ". Increase Tolerance or MaximumLevel.");
   }
   if (self->GeometryArrays)
   {
-    sampler.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,
-      OcclusionNoiseShare * self->Tolerance);
-    const auto geometry = [self, ended](double done) {
-      return TellProgress(self, ended + (1.0 - ended) * done);
+    tracer.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,
+      SourceToleranceFactor * self->Tolerance);
+    const auto geometry = [self, progressEnd](double done) {
+      return ReportProgress(self, progressEnd + (1.0 - progressEnd) * done);
     };
-    if (!penumbra::AddGeometryArrays(sampler, geometry, image, totals.Rays))
+    if (!penumbra::AddGeometryArrays(tracer, geometry, image, totals.Rays))
     {
       return false;
     }
   }
   this->Report(totals, squaredError, image->GetNumberOfPoints());
-  if (asks)
+  if (usesSource)
   {
     this->IrradianceSource->Report(this->Statistics);
     vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
@@ -509,12 +513,12 @@ void vtkPenumbraRayCaster::Internals::Report(
   AddStatistic(s, "Rays/Total",
     rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Indirect +
       rays.Auxiliary);
-  AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.InPicture()) / pixels);
+  AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.GetImageRays()) / pixels);
   AddStatistic(s, "Pixels/Total", pixels);
   AddStatistic(s, "Pixels/Empty", totals.Pixels.Empty);
   AddStatistic(s, "Pixels/Interior", totals.Pixels.Interior);
-  AddStatistic(s, "Pixels/Edge", totals.Pixels.Border);
-  AddStatistic(s, "Pixels/SmallObject", totals.Pixels.Small);
+  AddStatistic(s, "Pixels/Edge", totals.Pixels.Edge);
+  AddStatistic(s, "Pixels/SmallObject", totals.Pixels.SmallObject);
   AddStatistic(s, "Pixels/Refined", totals.Pixels.Refined);
   AddStatistic(s, "Pixels/Uniform", totals.Pixels.Uniform);
   AddStatistic(s, "Edges/Projected", totals.Edges);

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraRayCaster
- * @brief   A picture of a VTK scene by ray casting, antialiased to a tolerance.
+ * @brief   Renders an image of a VTK scene by ray casting, antialiased to a tolerance.
  *
- * Produces one vtkImageData with the point array `Color` (4 floats: unclamped, straight alpha, no
- * gamma; bottom row first). The scene comes from SetRenderer() or, without one, from the data sets
- * on the repeatable input port, drawn white under one headlight with the view reset to their bounds.
+ * The output is a vtkImageData with the point array `Color` (4 floats: unclamped, straight alpha, no
+ * gamma correction; bottom row first). The scene comes from SetRenderer(). Without a renderer, the
+ * data sets on the repeatable input port are rendered in white under one headlight, with the camera
+ * reset to their bounds.
  *
- * Antialiasing is [AA]'s: rays through pixel corners, then work only where the four corners of a
- * pixel are not enough. By default the borders are taken from the geometry itself and covered
- * exactly (SILHOUETTES); the paper's subdivision stays selectable.
+ * Antialiasing follows [AA]: one ray passes through each pixel corner, and only pixels whose four
+ * corners are not sufficient get more work. By default the edges are projected from the geometry and
+ * their coverage is exact (SILHOUETTES). The subdivision of the paper can be selected instead.
  *
- * No OpenGL is used and no window is opened.
+ * The class uses no OpenGL and opens no window.
  */
 #ifndef vtkPenumbraRayCaster_h
 #define vtkPenumbraRayCaster_h
@@ -38,70 +39,70 @@ public:
 
   ///@{
   /**
-   * The scene: visible actors, camera, lights and background of a renderer. It needs no window.
-   * Whatever of it changes (VTK's objects tell by Modified()), the next Update() draws it again.
-   * Default: none, the data sets of input port 0 are drawn.
+   * Renderer that provides the scene: visible actors, camera, lights and background. It needs no
+   * window. The next Update() renders again if any object of the scene was modified (GetMTime()).
+   * Default: none, the data sets of input port 0 are rendered.
    */
   virtual void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}
 
   ///@{
-  /** Width and height of the picture in pixels, each 1 to 65535. Default: 1000 x 600. */
+  /** Width and height of the image in pixels. Range: [1, 65535] each. Default: 1000 x 600. */
   vtkSetVector2Macro(Resolution, int);
   vtkGetVector2Macro(Resolution, int);
   ///@}
 
   ///@{
   /**
-   * The error that the caller accepts: RMSE of every tile of 16x16 pixels, colours in [0, 1].
-   * Coverage known from the geometry is exact whatever the tolerance. A warning says where it was not
-   * reached, as far as EstimatedError tells; UNIFORM does not look at it. Default: 1/256.
+   * Accepted RMSE of every tile of 16x16 pixels, for colors in [0, 1]. Coverage computed from the
+   * geometry is exact for any tolerance. A warning reports the number of tiles whose estimated error
+   * is larger. UNIFORM ignores the tolerance. Range: [1e-6, 1]. Default: 1/256.
    */
   vtkSetClampMacro(Tolerance, double, 1e-6, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
-  /** How the share of a pixel that a surface covers is found. */
+  /** Methods to compute the fraction of a pixel that a surface covers. */
   enum CoverageMethods
   {
     SILHOUETTES, ///< exact areas between the projected edges of the surfaces; the default
-    SUBDIVISION, ///< [AA]: five more rays divide a pixel, down to MaximumLevel
-    UNIFORM      ///< UniformSamples x UniformSamples rays in every pixel, for comparison
+    SUBDIVISION, ///< [AA]: recursive subdivision by five rays per pixel, down to MaximumLevel
+    UNIFORM      ///< UniformSamples x UniformSamples rays per pixel, for comparison
   };
   ///@{
-  /** How coverage is found. Default: SILHOUETTES. */
+  /** Method that computes coverage, one of CoverageMethods. Default: SILHOUETTES. */
   vtkSetClampMacro(CoverageMethod, int, SILHOUETTES, UNIFORM);
   vtkGetMacro(CoverageMethod, int);
   ///@}
 
   ///@{
-  /** Samples along each side of a pixel under UNIFORM, 1 to 64. Default: 8. */
+  /** Number of samples along each side of a pixel with UNIFORM. Range: [1, 64]. Default: 8. */
   vtkSetClampMacro(UniformSamples, int, 1, 64);
   vtkGetMacro(UniformSamples, int);
   ///@}
 
   ///@{
-  /** Deepest level of subdivision, 0 to 6; level L has sub-pixels of side 2^-L [AA eq. 3]. Default: 3. */
+  /** Maximum level of subdivision; subpixels of level L have the side 2^-L [AA eq. 3]. Range: [0, 6]. Default: 3. */
   vtkSetClampMacro(MaximumLevel, int, 0, 6);
   vtkGetMacro(MaximumLevel, int);
   ///@}
 
   /**
-   * Choose MaximumLevel from the viewing distance and the pixel pitch of the display (same unit of
-   * length): the eye resolves 2^-13 rad [AA].
+   * Set MaximumLevel from the viewing distance and the pixel pitch of the display, both in the same
+   * unit of length. The human eye resolves 2^-13 rad [AA].
    */
   void SetMaximumLevelFromViewing(double distance, double pixelPitch);
 
   ///@{
-  /** Find objects that lie between the corner rays (case 4 of [AA]). Default: on. */
+  /** If on, find objects that lie between the corner rays (case 4 of [AA]). Default: on. */
   vtkSetMacro(FindSmallObjects, bool);
   vtkGetMacro(FindSmallObjects, bool);
   vtkBooleanMacro(FindSmallObjects, bool);
   ///@}
 
   ///@{
-  /** Cast hard shadows of the lights. Default: off. */
+  /** If on, lights cast hard shadows. Default: off. */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
   vtkBooleanMacro(Shadows, bool);
@@ -109,8 +110,8 @@ public:
 
   ///@{
   /**
-   * The medium in which light shafts are seen: lights that cast shadows (all but headlights) light it
-   * up, single scattering [Shafts eq. 1]. Default: none.
+   * Participating medium in which light shafts are rendered: single scattering [Shafts eq. 1] of the
+   * lights that cast shadows, which are all but headlights. Default: none.
    */
   virtual void SetMedium(vtkPenumbraMedium* medium);
   vtkPenumbraMedium* GetMedium();
@@ -118,42 +119,42 @@ public:
 
   ///@{
   /**
-   * Shadow rays for each light along a view ray, 0 to 4096, beside those that find the borders of
-   * shafts; 0: as many as Tolerance needs. Default: 0.
+   * Number of shadow rays per light along a camera ray, in addition to those that locate the
+   * boundaries of shafts. 0: the number that Tolerance requires. Range: [0, 4096]. Default: 0.
    */
   vtkSetClampMacro(LightShaftSteps, int, 0, 4096);
   vtkGetMacro(LightShaftSteps, int);
   ///@}
 
   ///@{
-  /** Darken by ambient occlusion: rgb = colour * (1 - strength * AO). Default: off. */
+  /** If on, multiply colors by 1 - AmbientOcclusionStrength * ambient occlusion. Default: off. */
   vtkSetMacro(AmbientOcclusion, bool);
   vtkGetMacro(AmbientOcclusion, bool);
   vtkBooleanMacro(AmbientOcclusion, bool);
   ///@}
 
   ///@{
-  /** Reach of an occluder in world units; 0: a tenth of the diagonal of the visible bounds. Default: 0. */
+  /** Maximum distance of an occluder in world units. 0: a tenth of the diagonal of the visible bounds. Default: 0. */
   vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionRadius, double);
   ///@}
 
   ///@{
-  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceProvider::Falloffs. Default: NO_FALLOFF. */
+  /** Attenuation of an occluder with its distance, one of vtkPenumbraIrradianceProvider::Falloffs. Default: NO_FALLOFF. */
   vtkSetClampMacro(AmbientOcclusionFalloff, int, 0, 3);
   vtkGetMacro(AmbientOcclusionFalloff, int);
   ///@}
 
   ///@{
-  /** Strength of the darkening in [0, 1]; negative: 1, and 0.6 on surfaces coloured by scalars. Default: -1. */
+  /** Strength of ambient occlusion in [0, 1]. Negative: 1, and 0.6 on surfaces colored by scalars. Default: -1. */
   vtkSetClampMacro(AmbientOcclusionStrength, double, -1.0, 1.0);
   vtkGetMacro(AmbientOcclusionStrength, double);
   ///@}
 
   ///@{
   /**
-   * Add the light that surfaces throw at each other and that comes from the environment: rgb +=
-   * Albedo * diffuse colour * E / pi, E the irradiance. Default: off.
+   * If on, add the light that other surfaces reflect and that the environment emits:
+   * Albedo * diffuse color * E / pi, where E is the irradiance. Default: off.
    */
   vtkSetMacro(IndirectLight, bool);
   vtkGetMacro(IndirectLight, bool);
@@ -161,75 +162,76 @@ public:
   ///@}
 
   ///@{
-  /** Radiance that comes from where nothing is, 0 up. Default: 0, 0, 0. */
+  /** Radiance of the environment, which rays receive that hit no surface. Range: >= 0. Default: (0, 0, 0). */
   vtkSetVector3Macro(EnvironmentColor, double);
   vtkGetVector3Macro(EnvironmentColor, double);
   ///@}
 
   ///@{
-  /** A picture of the environment, instead of EnvironmentColor. Default: none. */
+  /** Environment map, used instead of EnvironmentColor. Default: none. */
   virtual void SetEnvironment(vtkPenumbraEnvironment* environment);
   vtkPenumbraEnvironment* GetEnvironment();
   ///@}
 
   ///@{
-  /** Share of indirect light that a white surface throws back, in [0, 1]. Default: 0.5. */
+  /** Fraction of indirect light that a white surface reflects. Range: [0, 1]. Default: 0.5. */
   vtkSetClampMacro(Albedo, double, 0.0, 1.0);
   vtkGetMacro(Albedo, double);
   ///@}
 
   ///@{
-  /** Diffuse reflections of indirect light on its way to the eye, 1 to 64, the last one included. Default: 3. */
+  /** Number of diffuse reflections of indirect light on its path to the camera, including the last one. Range: [1, 64]. Default: 3. */
   vtkSetClampMacro(Bounces, int, 1, 64);
   vtkGetMacro(Bounces, int);
   ///@}
 
   ///@{
-  /** Who answers for occlusion and indirect light. Default: brute-force rays. */
+  /** Object that computes ambient occlusion and irradiance. Default: vtkPenumbraBruteForceIrradiance. */
   virtual void SetIrradianceSource(vtkPenumbraIrradianceProvider* source);
   vtkPenumbraIrradianceProvider* GetIrradianceSource();
   ///@}
 
   ///@{
-  /** Also produce `Depth`, `Normal`, `ObjectId`, `CellId`, `AmbientOcclusion` at pixel centres. Default: off. */
+  /** If on, also output the arrays `Depth`, `Normal`, `ObjectId`, `CellId`, `AmbientOcclusion` (AOVs), sampled at pixel centers. Default: off. */
   vtkSetMacro(GeometryArrays, bool);
   vtkGetMacro(GeometryArrays, bool);
   vtkBooleanMacro(GeometryArrays, bool);
   ///@}
 
   ///@{
-  /** Draw the background; off: it is left out, alpha is the covered share. Default: on. */
+  /** If on, render the background. If off, alpha is the covered fraction of the pixel. Default: on. */
   vtkSetMacro(Background, bool);
   vtkGetMacro(Background, bool);
   vtkBooleanMacro(Background, bool);
   ///@}
 
   ///@{
-  /** Trace corner rays 16 at a time; off only to measure what that gains. Default: on. */
+  /** If on, trace corner rays in packets of 16. Off is useful only to measure the gain. Default: on. */
   vtkSetMacro(Packets, bool);
   vtkGetMacro(Packets, bool);
   vtkBooleanMacro(Packets, bool);
   ///@}
 
   ///@{
-  /** Threads, 0: all. The picture does not depend on it. Default: 0. */
+  /** Number of threads; 0: all. The image does not depend on it. Range: [0, 1024]. Default: 0. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   ///@{
-  /** Screen resolution in dots per inch: line widths and point sizes are in points of 1/72 inch. Default: 72. */
+  /** Screen resolution in dots per inch. Line widths and point sizes are in points of 1/72 inch. Range: [1, 9600]. Default: 72. */
   vtkSetClampMacro(DPI, int, 1, 9600);
   vtkGetMacro(DPI, int);
   ///@}
 
   /**
-   * Counts of the last execution, one value an array: `Rays/Primary`, `Rays/Total`, `Rays/PerPixel`,
-   * `Pixels/Refined`, ... None when it did not come to its end. Also in the field data of the output.
+   * Counts of the last execution, one array with one value each: `Rays/Primary`, `Rays/Total`,
+   * `Rays/PerPixel`, `Pixels/Refined`, ... Empty if the execution was stopped or failed. The arrays
+   * are also in the field data of the output.
    */
   vtkFieldData* GetStatistics();
 
-  /** RMS over the picture of the error believed to be made, colours in [0, 1]; NaN without a picture. */
+  /** Estimated RMS error of the image, for colors in [0, 1]; NaN if there is no image. */
   double GetEstimatedError();
 
   vtkMTimeType GetMTime() override;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What cannot work says so in one clear message: another ParaView, no display, a server without more."""
+"""Each unsupported environment causes one clear message: another ParaView version, no display, a server."""
 import os
 import re
 import socket
@@ -15,7 +15,7 @@ from plugin import *
 PLUGIN = os.environ["PENUMBRA_PLUGIN"]
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-DRAW = """
+RENDER = """
 from paraview.simple import *
 import sys
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
@@ -26,14 +26,14 @@ Show(baked, view)
 try:
     SaveScreenshot(sys.argv[2], view)
 except RuntimeError:
-    print("no picture", flush=True)
+    print("no image", flush=True)
 """
 
-# The same picture by this process alone and by a server that has no display.
+# Renders the same image in this process and with a server that has no display.
 CONNECT = """
 from paraview.simple import *
 import sys
-def draw(name, remote):
+def render(name, remote):
     LoadPlugin(sys.argv[1], remote=remote, ns=globals())
     if remote:
         LoadPlugin(sys.argv[1], remote=False, ns=globals())
@@ -43,9 +43,9 @@ def draw(name, remote):
     Show(BakeAmbientOcclusion(Input=Sphere(ThetaResolution=30)), view)
     view.CameraPosition = [0, -3, 1]
     SaveScreenshot(name, view)
-draw(sys.argv[2], False)
+render(sys.argv[2], False)
 Connect("localhost", int(sys.argv[4]))
-draw(sys.argv[3], True)
+render(sys.argv[3], True)
 """
 
 
@@ -59,67 +59,67 @@ def run_script(folder, script, arguments, display=True):
 
 
 def errors(run):
-    """What ParaView reports as errors, without colours and places in its sources."""
+    """Return the errors reported by ParaView, without color codes and source locations."""
     text = re.sub(r"\x1b\[[0-9;]*m", "", run.stderr)
     return [line.split("ERR|", 1)[1] for line in text.splitlines() if "ERR|" in line]
 
 
 class OtherParaView(unittest.TestCase):
-    def test_names_the_version_that_the_plugin_is_for(self):
+    def test_reports_the_required_version(self):
         with tempfile.TemporaryDirectory() as folder:
-            # As it looks to another version: libraries have their version in their names.
+            # Simulate another version: library names contain the version.
             other = os.path.join(folder, "Penumbra.so")
             with open(PLUGIN, "rb") as file:
                 content = file.read()
             with open(other, "wb") as file:
                 file.write(content.replace(b"-pv5.11.so", b"-pv5.99.so"))
-            run = run_script(folder, DRAW, [other, os.path.join(folder, "picture.png")])
+            run = run_script(folder, RENDER, [other, os.path.join(folder, "image.png")])
         self.assertEqual(run.returncode, 1)
-        told = errors(run)
-        self.assertEqual(len(told), 1, told)
-        self.assertIn("-pv5.99.so", told[0])
-        self.assertIn("cannot open shared object file", told[0])
+        messages = errors(run)
+        self.assertEqual(len(messages), 1, messages)
+        self.assertIn("-pv5.99.so", messages[0])
+        self.assertIn("cannot open shared object file", messages[0])
 
-    def test_is_refused_when_it_is_built(self):
+    def test_is_rejected_by_cmake(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, text in (
                     ("ParaViewConfig.cmake", "set(ParaView_FOUND 1)\n"),
                     ("ParaViewConfigVersion.cmake", 'set(PACKAGE_VERSION "5.99.0")\n')):
                 with open(os.path.join(folder, name), "w") as file:
                     file.write(text)
-            right = os.environ["PENUMBRA_PARAVIEW_DIR"]
+            installed = os.environ["PENUMBRA_PARAVIEW_DIR"]
             run = subprocess.run(
                 [os.environ["PENUMBRA_CMAKE"], "-S", ROOT, "-B", os.path.join(folder, "build"),
                  "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={os.environ['PENUMBRA_NINJA']}",
                  "-DPENUMBRA_BUILD_PLUGIN=ON", f"-DParaView_DIR={folder}",
-                 # The right one: /lib is another name for /usr/lib.
-                 f"-DCMAKE_IGNORE_PATH={right};{right.removeprefix('/usr')}",
+                 # Ignore the installed version: /lib is a link to /usr/lib.
+                 f"-DCMAKE_IGNORE_PATH={installed};{installed.removeprefix('/usr')}",
                  "-DPython3_EXECUTABLE=/usr/bin/python3"],
                 capture_output=True, text=True, timeout=120)
         self.assertEqual(run.returncode, 1)
         self.assertEqual(run.stderr.count("CMake Error"), 1, run.stderr)
-        told = " ".join(run.stderr.split())
-        self.assertIn("The plugin needs ParaView 5.11 (found: 5.99.0)", told)
+        messages = " ".join(run.stderr.split())
+        self.assertIn("The plugin needs ParaView 5.11 (found: 5.99.0)", messages)
 
 
 class NoDisplay(unittest.TestCase):
-    def test_filters_work_and_the_view_says_what_is_missing(self):
+    def test_filters_work_and_the_view_reports_an_error(self):
         with tempfile.TemporaryDirectory() as folder:
-            picture = os.path.join(folder, "picture.png")
-            run = run_script(folder, DRAW, [PLUGIN, picture], display=False)
-            self.assertFalse(os.path.exists(picture))
+            image = os.path.join(folder, "image.png")
+            run = run_script(folder, RENDER, [PLUGIN, image], display=False)
+            self.assertFalse(os.path.exists(image))
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("baked", run.stdout)
-        ours = [line for line in errors(run) if "There is no display to draw by" in line]
-        self.assertEqual(len(ours), 1, run.stderr)
+        messages = [line for line in errors(run) if "The render view needs an X display" in line]
+        self.assertEqual(len(messages), 1, run.stderr)
 
 
 class Server(unittest.TestCase):
     def start_server(self):
-        """One without a display: ParaView then switches remote rendering off. Its port."""
-        with socket.socket() as trial:
-            trial.bind(("localhost", 0))
-            port = trial.getsockname()[1]
+        """Start a server without a display, for which ParaView disables remote rendering. Return its port."""
+        with socket.socket() as probe:
+            probe.bind(("localhost", 0))
+            port = probe.getsockname()[1]
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
         server = subprocess.Popen(
             ["pvserver", f"--server-port={port}"], env=environment, text=True,
@@ -131,15 +131,15 @@ class Server(unittest.TestCase):
                 break
         return port
 
-    def test_without_a_display_gives_the_picture_that_one_process_draws(self):
+    def test_without_a_display_renders_the_image_of_one_process(self):
         port = self.start_server()
         with tempfile.TemporaryDirectory() as folder:
-            names = [os.path.join(folder, name) for name in ("alone.png", "connected.png")]
+            names = [os.path.join(folder, name) for name in ("local.png", "connected.png")]
             run = run_script(folder, CONNECT, [PLUGIN, *names, str(port)])
             self.assertEqual(run.returncode, 0, run.stderr)
-            alone, connected = (read_picture(name).astype(int) for name in names)
-        self.assertGreater(numpy.ptp(alone), 50)
-        self.assertLess((numpy.abs(alone - connected).max(axis=2) > 8).mean(), 0.001)
+            local, connected = (read_image(name).astype(int) for name in names)
+        self.assertGreater(numpy.ptp(local), 50)
+        self.assertLess((numpy.abs(local - connected).max(axis=2) > 8).mean(), 0.001)
 
 
 run_tests()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same pictures and values from one, two and four ranks, some without data. Starts itself under MPI."""
+"""Compares images and values of one, two and four ranks, some without data. Runs itself under MPI."""
 import os
 import subprocess
 import sys
@@ -13,7 +13,7 @@ from plugin import *
 from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
 
 
-# The last one draws the occlusion of data that one rank has got from all: no picture is composited.
+# "gathered": one rank collects all data and renders with occlusion; no image is composited.
 EFFECTS = ("none", "occlusion", "shafts", "gathered")
 
 
@@ -22,7 +22,7 @@ def is_first():
 
 
 def leaves(data):
-    """The data sets of a composite one, or the one that it is."""
+    """Return the leaves of a composite data set, or the data set itself."""
     if not data.IsA("vtkCompositeDataSet"):
         return [data]
     found = []
@@ -36,7 +36,7 @@ def leaves(data):
 
 
 def scene():
-    """A contour of which each rank has a part, and a floor that only one has."""
+    """Return a contour that is distributed over the ranks, and a floor on one rank."""
     contour = Contour(
         Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[170], ComputeNormals=1)
     floor = Plane(Origin=[-20, -20, -11], Point1=[20, -20, -11], Point2=[-20, 20, -11],
@@ -45,12 +45,12 @@ def scene():
 
 
 def compute(folder):
-    """What every rank runs: filters on data that is spread over ranks."""
+    """Executed by every rank: run the filters on distributed data."""
     start()
     contour, floor = scene()
     both = AppendGeometry(Input=[contour, floor])
     blocks = GroupDatasets(Input=[contour, floor])
-    # Brute force: how well records do is not the question here.
+    # Brute force, to exclude the interpolation error of records.
     rays = {"Method": "Brute Force", "Tolerance": 0.02}
     for name, baked, array in (
         ("occlusion", BakeAmbientOcclusion(Input=both, **rays), "AmbientOcclusion"),
@@ -65,14 +65,14 @@ def compute(folder):
             points, values, normals = (numpy.concatenate(each) for each in zip(*parts))
             numpy.savez(os.path.join(folder, name + ".npz"), points=points, values=values,
                         normals=normals)
-    reader = XMLPolyDataReader(FileName=[os.path.join(folder, "ball.vtp")])
+    reader = XMLPolyDataReader(FileName=[os.path.join(folder, "sphere.vtp")])
     for name, inputs in (("file", [reader]), ("pieces", [contour, floor])):
         cast = AdaptiveRayCast(Input=inputs, Resolution=[150, 90], AmbientOcclusion=1)
         SaveData(os.path.join(folder, name + ".pvti"), proxy=cast)
 
 
 def draw(folder):
-    """What every rank runs: pictures of a view."""
+    """Executed by every rank: render images of a view."""
     start()
     view = CreateView("PenumbraRenderView")
     view.ViewSize = [200, 160]
@@ -96,11 +96,11 @@ def draw(folder):
             view.CameraPosition = [40 + step, -50, 40]
             Render(view)
         if is_first():
-            print(f"{effect}: {(time.monotonic() - begin) / 3:.2f} s a picture", flush=True)
+            print(f"{effect}: {(time.monotonic() - begin) / 3:.2f} s per image", flush=True)
 
 
 def draw_cloud(folder):
-    """What every rank runs: a volume, of which each has a part, over a contour and a floor."""
+    """Executed by every rank: render a distributed volume over a contour and a floor."""
     start()
     view = CreateView("PenumbraRenderView")
     view.ViewSize = [200, 160]
@@ -114,15 +114,15 @@ def draw_cloud(folder):
     cloud = Show(Wavelet(), view)
     cloud.Representation = "Volume"
     ColorBy(cloud, ("POINTS", "RTData"))
-    for name, cloudy, occlusion in (("surfaces", 0, 0), ("dark", 0, 1), ("cloud", 1, 0), ("both", 1, 1)):
-        cloud.Visibility = cloudy
+    for name, has_cloud, occlusion in (("surfaces", 0, 0), ("dark", 0, 1), ("cloud", 1, 0), ("both", 1, 1)):
+        cloud.Visibility = has_cloud
         view.AmbientOcclusion = occlusion
         SaveScreenshot(os.path.join(folder, name + ".png"), view)
 
 
 def run_ranks(ranks, command):
-    """The command, run by so many ranks."""
-    # This process is a rank of its own already: its children shall not take part in that.
+    """Run the command with a number of ranks."""
+    # This process is an MPI rank itself; its environment must not be inherited.
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith(("OMPI_", "PMIX_", "PMI_"))}
     return subprocess.run(
@@ -132,9 +132,9 @@ def run_ranks(ranks, command):
 
 
 def results(ranks, what, read):
-    """What `read` finds in the folder that so many ranks have filled."""
+    """Run a command of this script with a number of ranks and return its results, loaded by `read`."""
     with tempfile.TemporaryDirectory() as folder:
-        SaveData(os.path.join(folder, "ball.vtp"), proxy=ball())
+        SaveData(os.path.join(folder, "sphere.vtp"), proxy=sphere())
         run = run_ranks(
             ranks, ["pvbatch", "--force-offscreen-rendering", __file__, what, folder])
         if run.returncode:
@@ -143,19 +143,19 @@ def results(ranks, what, read):
         return read(folder, run.stderr)
 
 
-def pictures(folder, _):
-    return {effect: read_picture(os.path.join(folder, effect + ".png")).astype(int)
+def images(folder, _):
+    return {effect: read_image(os.path.join(folder, effect + ".png")).astype(int)
             for effect in EFFECTS}
 
 
 def clouds(folder, messages):
-    shown = {name: read_picture(os.path.join(folder, name + ".png")).astype(int)
+    shown = {name: read_image(os.path.join(folder, name + ".png")).astype(int)
              for name in ("surfaces", "dark", "cloud", "both")}
     return shown, messages
 
 
 def computed(folder, _):
-    """Values by position, and colours of pictures."""
+    """Load values by position, and the colors of images."""
     baked = {name: dict(numpy.load(os.path.join(folder, name + ".npz")))
              for name in ("occlusion", "blocks", "irradiance", "alone")}
     for name in ("file", "pieces"):
@@ -166,34 +166,34 @@ def computed(folder, _):
     return baked
 
 
-def by_place(data):
-    """Values by position and normal: ranks order their points otherwise, and have those of borders
-    twice, with normals that know one side alone."""
+def by_point(data):
+    """Return values by position and normal. The order of points depends on the ranks. Points on partition
+    boundaries occur twice, with normals of one side only."""
     keys = numpy.concatenate([data["points"].round(2), data["normals"].round(2) + 0.0], axis=1)
     return {tuple(key): value for key, value in zip(keys, data["values"])}
 
 
 class Ranks(unittest.TestCase):
     def setUp(self):
-        trial = run_ranks(2, ["true"])
-        if trial.returncode:
-            self.skipTest("MPI starts no processes on this machine: " + trial.stderr.strip())
+        probe = run_ranks(2, ["true"])
+        if probe.returncode:
+            self.skipTest("MPI cannot start processes on this machine: " + probe.stderr.strip())
 
-    def test_give_the_same_pictures(self):
-        one = results(1, "draw", pictures)
+    def test_render_the_same_images(self):
+        one = results(1, "draw", images)
         for effect in EFFECTS[1:]:
             self.assertGreater(numpy.abs(one[effect] - one["none"]).max(), 32)
         for ranks in (2, 4):
-            many = results(ranks, "draw", pictures)
+            many = results(ranks, "draw", images)
             for effect in EFFECTS:
-                off = numpy.abs(many[effect] - one[effect]).max(axis=2)
-                print(f"{effect}: {(off > 0).mean():.2%} of pixels differ, "
-                      f"{(off > 8).mean():.2%} by more than 8/255, at most {off.max()}", flush=True)
-                # Data that comes together has its triangles in another order: that shows on borders.
-                self.assertLessEqual((off > 8).mean(), 0.001 if effect == "gathered" else 0)
+                difference = numpy.abs(many[effect] - one[effect]).max(axis=2)
+                print(f"{effect}: {(difference > 0).mean():.2%} of pixels differ, "
+                      f"{(difference > 8).mean():.2%} by more than 8/255, at most {difference.max()}", flush=True)
+                # Gathered data has another order of triangles, which affects edges.
+                self.assertLessEqual((difference > 8).mean(), 0.001 if effect == "gathered" else 0)
 
-    def test_leave_effects_out_where_volumes_are_blended(self):
-        warning = "ambient occlusion and light shafts are left out"
+    def test_disable_effects_with_ordered_compositing(self):
+        warning = "ambient occlusion and light shafts are not rendered"
         for ranks in (1, 2):
             shown, messages = results(ranks, "draw_cloud", clouds)
             self.assertGreater(numpy.abs(shown["dark"] - shown["surfaces"]).max(), 32)
@@ -206,26 +206,26 @@ class Ranks(unittest.TestCase):
                 self.assertEqual(darkened, 0)
                 self.assertEqual(messages.count(warning), 1)
 
-    def test_let_pieces_block_one_another(self):
+    def test_pieces_occlude_each_other(self):
         one = results(1, "compute", computed)
-        # Without the other ranks the floor would be open.
+        # Without the geometry of other ranks the floor would be unoccluded.
         on_floor = one["occlusion"]["points"][:, 2] == -11
         self.assertGreater(one["occlusion"]["values"][on_floor].max(), 0.2)
         for ranks in (2, 4):
             many = results(ranks, "compute", computed)
-            # The errors of two answers, each within its tolerance.
+            # Bounds: combined error of two results, each within its tolerance.
             for name, bound in (("occlusion", 0.028), ("blocks", 0.028), ("irradiance", 0.07)):
-                truth, found = by_place(one[name]), by_place(many[name])
-                places = truth.keys() & found.keys()
-                self.assertGreater(len(places), 0.8 * max(len(truth), len(found)))
-                error = rmse([truth[place] for place in places], [found[place] for place in places])
+                reference, values = by_point(one[name]), by_point(many[name])
+                points = reference.keys() & values.keys()
+                self.assertGreater(len(points), 0.8 * max(len(reference), len(values)))
+                error = rmse([reference[point] for point in points], [values[point] for point in points])
                 print(f"{name}: {error:.4f} from one rank's", flush=True)
                 self.assertLess(error, bound)
             self.assertEqual(numpy.ptp(many["alone"]["values"]), 0)
             numpy.testing.assert_array_equal(many["file"], one["file"])
-            off = numpy.abs(many["pieces"] - one["pieces"]).max(axis=1)
-            print(f"picture of pieces: {(off > 1 / 512).mean():.2%} of pixels differ", flush=True)
-            self.assertLess((off > 8 / 255).mean(), 0.001)
+            difference = numpy.abs(many["pieces"] - one["pieces"]).max(axis=1)
+            print(f"image of pieces: {(difference > 1 / 512).mean():.2%} of pixels differ", flush=True)
+            self.assertLess((difference > 8 / 255).mean(), 0.001)
 
 
 if len(sys.argv) > 1:

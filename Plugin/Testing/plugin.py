@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Loads the plugin into pvpython, runs a script's tests, and holds scenes with known answers."""
+"""Shared by the tests: loads the plugin into pvpython, creates scenes with closed forms and runs the tests."""
 import os
 import sys
 import unittest
@@ -17,33 +17,33 @@ SPHERE_HEIGHT = 0.8
 
 
 def start():
-    """An empty ParaView with the plugin."""
+    """Reset the session and load the plugin."""
     ResetSession()
     paraview.simple._DisableFirstRenderCameraReset()
     LoadPlugin(os.environ["PENUMBRA_PLUGIN"], remote=False, ns=sys.modules["__main__"].__dict__)
 
 
 def plane(resolution=24):
-    """A square of side 6 at z = 0 that looks up."""
+    """Return a square of side 6 at z = 0 that faces up."""
     return Plane(
         Origin=[-3, -3, 0], Point1=[3, -3, 0], Point2=[-3, 3, 0],
         XResolution=resolution, YResolution=resolution)
 
 
-def ball(height=SPHERE_HEIGHT):
+def sphere(height=SPHERE_HEIGHT):
     return Sphere(
         Center=[0, 0, height], Radius=SPHERE_RADIUS, ThetaResolution=120, PhiResolution=120)
 
 
-def view_of_ball(kind, size=(200, 200)):
-    """Plane and ball from above and aside, without lights: pixels show 1 - occlusion."""
+def sphere_view(kind, size=(200, 200)):
+    """Return a view of plane and sphere from above, without lighting: pixels show 1 - occlusion."""
     view = CreateView(kind)
     view.ViewSize = size
     view.OrientationAxesVisibility = 0
     view.CameraPosition = [0, -6, 8]
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
-    for source in (plane(), ball()):
+    for source in (plane(), sphere()):
         shown = Show(source, view)
         shown.Ambient = 1
         shown.Diffuse = 0
@@ -53,14 +53,14 @@ def view_of_ball(kind, size=(200, 200)):
 
 
 def screenshot(view, folder, **options):
-    """What SaveScreenshot writes."""
-    path = os.path.join(folder, "picture.png")
+    """Return the image written by SaveScreenshot."""
+    path = os.path.join(folder, "image.png")
     SaveScreenshot(path, view, **options)
-    return read_picture(path)
+    return read_image(path)
 
 
-def read_picture(path):
-    """Rows from bottom to top."""
+def read_image(path):
+    """Return the rows of a PNG file from bottom to top."""
     reader = vtkPNGReader()
     reader.SetFileName(path)
     reader.Update()
@@ -69,8 +69,8 @@ def read_picture(path):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1).copy()
 
 
-def plane_pixels(view):
-    """Which pixels show the plane, four pixels away from other things, and its points there."""
+def plane_mask(view):
+    """Return the mask of the pixels that show the plane, at least four pixels from edges, and their points."""
     width, height = view.ViewSize
     eye = numpy.array(view.CameraPosition, float)
     axis = numpy.array(view.CameraFocalPoint) - eye
@@ -80,38 +80,38 @@ def plane_pixels(view):
     slope = numpy.tan(numpy.radians(view.CameraViewAngle) / 2)
     x = (2 * (numpy.arange(width) + 0.5) - width) / height * slope
     y = (2 * (numpy.arange(height) + 0.5) - height) / height * slope
-    ways = axis + x[None, :, None] * right + y[:, None, None] * numpy.cross(right, axis)
-    points = eye - ways * (eye[2] / ways[..., 2:])
+    directions = axis + x[None, :, None] * right + y[:, None, None] * numpy.cross(right, axis)
+    points = eye - directions * (eye[2] / directions[..., 2:])
     margin = 4 * 2 * slope / height * numpy.linalg.norm(eye)
-    to_ball = eye - [0, 0, SPHERE_HEIGHT]
-    along = -(ways @ to_ball) / (ways**2).sum(axis=2)
-    nearest = numpy.linalg.norm(to_ball + along[..., None] * ways, axis=2)
-    seen = (numpy.abs(points[..., :2]).max(axis=2) < 3 - margin) & (nearest > SPHERE_RADIUS + margin)
-    return seen, points[seen]
+    to_eye = eye - [0, 0, SPHERE_HEIGHT]
+    parameter = -(directions @ to_eye) / (directions**2).sum(axis=2)
+    nearest = numpy.linalg.norm(to_eye + parameter[..., None] * directions, axis=2)
+    mask = (numpy.abs(points[..., :2]).max(axis=2) < 3 - margin) & (nearest > SPHERE_RADIUS + margin)
+    return mask, points[mask]
 
 
-def rising_ball(folder):
-    """A series of files: the ball at time 0, higher by one at time 1."""
-    names = [os.path.join(folder, f"ball{time}.vtp") for time in (0, 1)]
+def rising_sphere(folder):
+    """Return a reader of a time series: the sphere at time 0, one unit higher at time 1."""
+    names = [os.path.join(folder, f"sphere{time}.vtp") for time in (0, 1)]
     for time, name in enumerate(names):
-        SaveData(name, proxy=ball(SPHERE_HEIGHT + time))
+        SaveData(name, proxy=sphere(SPHERE_HEIGHT + time))
     return XMLPolyDataReader(FileName=names)
 
 
-def occlusion_under_ball(points, height=SPHERE_HEIGHT):
-    """Closed form: the share of a hemisphere about +z that a sphere above the horizon covers."""
+def occlusion_under_sphere(points, height=SPHERE_HEIGHT):
+    """Closed form: fraction of the hemisphere around +z covered by a sphere above the horizon."""
     distance = numpy.linalg.norm(points - [0, 0, height], axis=1)
     return SPHERE_RADIUS**2 * height / distance**3
 
 
 def arrays(data, name="AmbientOcclusion"):
-    """Points of a fetched data set, and one of their arrays."""
+    """Return the points of a data set and one of their arrays."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     return points, vtk_to_numpy(data.GetPointData().GetArray(name))
 
 
-def data_of(source):
-    """What a filter made at the time that it was last asked for."""
+def output_data(source):
+    """Return the output of the last update of a filter."""
     return source.SMProxy.GetClientSideObject().GetOutputDataObject(0)
 
 
@@ -120,8 +120,8 @@ def statistic(data, name):
 
 
 def resident_megabytes():
-    with open("/proc/self/statm") as numbers:
-        return int(numbers.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
 def rmse(a, b):
@@ -129,7 +129,7 @@ def rmse(a, b):
 
 
 def run_tests():
-    """Runs the tests of the calling script; the exit status tells."""
+    """Run the tests of the calling script and exit; status 0 if all pass."""
     result = unittest.TextTestRunner(verbosity=2).run(
         unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"]))
     os._exit(0 if result.wasSuccessful() else 1)

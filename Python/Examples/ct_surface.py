@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surfaces from a segmented scan of a frog, organ by organ: occlusion tells which lies before which."""
+"""Surfaces of the organs in a segmented scan of a frog; ambient occlusion shows their depth order."""
 import matplotlib.image
 import numpy
 import penumbra  # noqa: F401
 import pyvista as pv
 
-# A part of the data of the Whole Frog Project, which PyVista brings along.
+# A subset of the Whole Frog Project, which is part of PyVista.
 tissues = pv.examples.load_frog_tissues()
 coarse = tissues.extract_subset(tissues.extent, rate=(4, 4, 2))
 organs = coarse.contour_labels(smoothing=True, output_mesh_type="triangles")
@@ -16,12 +16,12 @@ plotter.add_mesh(organs, scalars="boundary_labels", component=0, cmap="tab20", s
 plotter.camera_position = "yx"
 plotter.camera.zoom(1.4)
 plain = plotter.penumbra.ray_cast(tolerance=1 / 64)
-picture, counts = plotter.penumbra.ray_cast(
+image, statistics = plotter.penumbra.ray_cast(
     tolerance=1 / 64, ambient_occlusion=True, return_statistics=True)
-print(f"{organs.n_cells} triangles, {counts['Rays/PerPixel']:.1f} rays a pixel")
+print(f"{organs.n_cells} triangles, {statistics['Rays/PerPixel']:.1f} rays per pixel")
 
-matplotlib.image.imsave("ct_surface.png", picture)
+matplotlib.image.imsave("ct_surface.png", image)
 
-# Occlusion takes light away and adds none.
-difference = plain.astype(int) - picture.astype(int)
+# Ambient occlusion only darkens the image.
+difference = plain.astype(int) - image.astype(int)
 assert difference.max() > 40 and numpy.count_nonzero(difference < -4) < 0.01 * difference.size

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scanned head: how open does each of its points lie? Baked once, shown by rays."""
+"""Ambient occlusion baked onto a scanned head, rendered by ray casting."""
 import pathlib
 
 import matplotlib.image
@@ -15,9 +15,9 @@ print(f"{points:.0f} points, {records:.0f} records, error {baked.field_data['Est
 
 plotter = pv.Plotter(off_screen=True, window_size=(480, 480))
 plotter.add_mesh(baked, scalars="AmbientOcclusion", cmap="bone_r", clim=(0, 1), show_scalar_bar=False)
-picture = plotter.penumbra.ray_cast(tolerance=1 / 128)
+image = plotter.penumbra.ray_cast(tolerance=1 / 128)
 
-matplotlib.image.imsave("scanned_mesh.png", picture)
+matplotlib.image.imsave("scanned_mesh.png", image)
 
 values = baked["AmbientOcclusion"]
 assert 0.0 <= values.min() and values.max() <= 1.0 and 0.05 < values.mean() < 0.6

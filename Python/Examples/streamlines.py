@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A flow around a ball as tubes: ambient occlusion tells which tube lies before which."""
+"""Streamlines around a sphere as tubes; ambient occlusion shows their depth order."""
 import numpy
 import penumbra  # noqa: F401
 import pyvista as pv

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A wave on a membrane, as a movie: each frame has converged when it is written."""
+"""A movie of a wave on a membrane; each frame has converged when it is saved."""
 import matplotlib.animation
 import matplotlib.pyplot
 import numpy

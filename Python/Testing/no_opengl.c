@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
    SPDX-License-Identifier: BSD-3-Clause
 
-   A machine without OpenGL: preloaded, it hides the libraries that VTK looks for. */
+   Simulates a machine without OpenGL: if preloaded, hides the OpenGL libraries from VTK. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The wheel, as a user has it: installed beside cvista and PyVista, no display."""
+"""Tests of the installed wheel with cvista and PyVista, without a display."""
 import importlib.metadata
 import math
 import os
@@ -16,7 +16,7 @@ import numpy
 import pyvista
 
 import penumbra
-from penumbra.statistics import counts_of
+from penumbra.statistics import statistics_dict
 
 
 def rmse(a, b):
@@ -27,21 +27,21 @@ def plane():
     return pyvista.Plane(i_size=6, j_size=6, i_resolution=24, j_resolution=24)
 
 
-def ball():
+def sphere():
     return pyvista.Sphere(
         radius=0.5, center=(0, 0, 0.8), theta_resolution=120, phi_resolution=120)
 
 
 def scene(**options):
     plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
-    for mesh in (plane(), ball()):
+    for mesh in (plane(), sphere()):
         plotter.add_mesh(mesh, color="white", **options)
     plotter.camera_position = [(2.0, -4.0, 3.0), (0.0, 0.0, 0.3), (0.0, 0.0, 1.0)]
     return plotter
 
 
 def closed_form(points):
-    """The share of a hemisphere about +z that the ball covers."""
+    """Fraction of the hemisphere around +z that the sphere covers."""
     return 0.25 * 0.8 / numpy.linalg.norm(points - [0, 0, 0.8], axis=1) ** 3
 
 
@@ -52,157 +52,156 @@ class BakedOcclusion(unittest.TestCase):
         self.assertGreater(values.max(), 0.3)
 
     def test_matches_the_closed_form_under_a_sphere(self):
-        both = plane().merge(ball(), merge_points=False)
+        both = plane().merge(sphere(), merge_points=False)
         baked = both.penumbra.bake_ambient_occlusion(radius=math.inf)
         on_plane = numpy.abs(baked.points[:, 2]) < 1e-6
-        truth = closed_form(baked.points[on_plane])
-        self.assertLess(rmse(baked["AmbientOcclusion"][on_plane], truth), 0.01)
+        reference = closed_form(baked.points[on_plane])
+        self.assertLess(rmse(baked["AmbientOcclusion"][on_plane], reference), 0.01)
         self.assertGreater(baked.field_data["Rays/Total"][0], 0)
         self.assertLess(baked.field_data["EstimatedError"][0], 0.01)
         self.assertNotIn("AmbientOcclusion", both.array_names)
 
-    def test_lets_blocks_block_one_another(self):
-        blocks = pyvista.MultiBlock([plane(), ball()])
+    def test_blocks_occlude_each_other(self):
+        blocks = pyvista.MultiBlock([plane(), sphere()])
         self.check(blocks.penumbra.bake_ambient_occlusion(radius=100.0)[0])
 
-    def test_can_go_into_the_mesh_itself(self):
-        mesh = ball()
+    def test_inplace_adds_the_array_to_the_mesh(self):
+        mesh = sphere()
         self.assertIs(mesh.penumbra.bake_ambient_occlusion(inplace=True), mesh)
         self.assertEqual(len(mesh["AmbientOcclusion"]), mesh.n_points)
 
-    def test_gives_cells_of_small_volumes_their_own_values(self):
+    def test_computes_one_value_per_cell_of_a_volume(self):
         grid = pyvista.ImageData(dimensions=(3, 3, 3)).cast_to_unstructured_grid()
         baked = grid.penumbra.bake_ambient_occlusion(on="cells")
         self.assertEqual(baked.cell_data["AmbientOcclusion"].size, 8)
         self.assertLess(baked.cell_data["AmbientOcclusion"].max(), 0.05)
 
-    def test_stops_at_ctrl_c(self):
-        mesh = ball()
+    def test_aborts_on_ctrl_c(self):
+        mesh = sphere()
         alarm = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
         alarm.start()
         with self.assertRaises(KeyboardInterrupt):
             mesh.penumbra.bake_ambient_occlusion(tolerance=1e-4, inplace=True)
         self.assertNotIn("AmbientOcclusion", mesh.point_data)
 
-    def test_can_go_onto_cells(self):
-        baked = ball().penumbra.bake_ambient_occlusion(on="cells")
+    def test_computes_cell_values(self):
+        baked = sphere().penumbra.bake_ambient_occlusion(on="cells")
         self.assertEqual(len(baked.cell_data["AmbientOcclusion"]), baked.n_cells)
 
-    def test_shares_its_values_with_vtk(self):
-        baked = ball().penumbra.bake_ambient_occlusion()
+    def test_array_shares_memory_with_vtk(self):
+        baked = sphere().penumbra.bake_ambient_occlusion()
         baked["AmbientOcclusion"][0] = 0.75
         array = baked.GetPointData().GetArray("AmbientOcclusion")
         self.assertEqual(array.GetValue(0), 0.75)
 
-    def test_falls_off_with_distance(self):
-        both = plane().merge(ball(), merge_points=False)
+    def test_falloffs_reduce_occlusion(self):
+        both = plane().merge(sphere(), merge_points=False)
         means = [
             both.penumbra.bake_ambient_occlusion(radius=2.0, falloff=name)["AmbientOcclusion"].mean()
             for name in ("none", "quadratic", "linear", "square-root")]
         self.assertEqual(means, sorted(means, reverse=True))
         self.assertLess(means[3], 0.5 * means[0])
 
-    def test_refuses_what_makes_no_sense(self):
-        bake = ball().penumbra.bake_ambient_occlusion
-        for wrong in ({"tolerance": 0.0}, {"radius": -1.0}, {"radius": math.nan}, {"on": "edges"},
+    def test_rejects_invalid_arguments(self):
+        bake = sphere().penumbra.bake_ambient_occlusion
+        for arguments in ({"tolerance": 0.0}, {"radius": -1.0}, {"radius": math.nan}, {"on": "edges"},
                       {"falloff": "steep"}):
             with self.assertRaises(ValueError):
-                bake(**wrong)
+                bake(**arguments)
         with self.assertRaisesRegex(TypeError, "extract_surface"):
             pyvista.ImageData(dimensions=(3, 3, 3)).penumbra.bake_ambient_occlusion()
 
 
 class BakedIrradiance(unittest.TestCase):
     def test_matches_the_closed_form_under_a_sphere(self):
-        both = plane().merge(ball(), merge_points=False)
+        both = plane().merge(sphere(), merge_points=False)
         colors = (1.0, 0.5, 0.25)
         baked = both.penumbra.bake_irradiance(environment_color=colors, bounces=1)
         on_plane = numpy.abs(baked.points[:, 2]) < 1e-6
-        truth = math.pi * numpy.outer(1 - closed_form(baked.points[on_plane]), colors)
-        self.assertLess(rmse(baked["Irradiance"][on_plane], truth), 0.01)
+        reference = math.pi * numpy.outer(1 - closed_form(baked.points[on_plane]), colors)
+        self.assertLess(rmse(baked["Irradiance"][on_plane], reference), 0.01)
         self.assertNotIn("AmbientOcclusion", baked.array_names)
 
-    def test_takes_colours_by_name(self):
-        baked = ball().penumbra.bake_irradiance(environment_color="red", albedo=0.0)
+    def test_accepts_color_names(self):
+        baked = sphere().penumbra.bake_irradiance(environment_color="red", albedo=0.0)
         self.assertLess(rmse(baked["Irradiance"], numpy.full((baked.n_points, 3), (math.pi, 0, 0))), 0.01)
 
-    def test_refuses_what_makes_no_sense(self):
-        bake = ball().penumbra.bake_irradiance
-        for wrong in ({"albedo": 2.0}, {"bounces": 0}, {"environment_color": (1.0, -1.0, 0.0)},
+    def test_rejects_invalid_arguments(self):
+        bake = sphere().penumbra.bake_irradiance
+        for arguments in ({"albedo": 2.0}, {"bounces": 0}, {"environment_color": (1.0, -1.0, 0.0)},
                       {"environment_color": (1.0, 1.0)}, {"tolerance": math.nan}):
             with self.assertRaises(ValueError):
-                bake(**wrong)
+                bake(**arguments)
 
 
-class RayCastPicture(unittest.TestCase):
-    def test_covers_the_exact_share_of_every_pixel(self):
+class RayCastImage(unittest.TestCase):
+    def test_computes_exact_pixel_coverage(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))
         square = pyvista.Plane(i_size=0.73, j_size=0.41, i_resolution=1, j_resolution=1)
         plotter.add_mesh(square, color="white", lighting=False)
         plotter.camera_position = "xy"
         plotter.enable_parallel_projection()
         plotter.camera.parallel_scale = 0.5
-        picture = plotter.penumbra.ray_cast(transparent_background=True, as_float=True)
-        self.assertEqual(picture.shape, (20, 20, 4))
-        self.assertAlmostEqual(float(picture[..., 3].sum()), 0.73 * 0.41 * 400, places=3)
+        image = plotter.penumbra.ray_cast(transparent_background=True, as_float=True)
+        self.assertEqual(image.shape, (20, 20, 4))
+        self.assertAlmostEqual(float(image[..., 3].sum()), 0.73 * 0.41 * 400, places=3)
 
-    def test_agrees_with_the_window_away_from_edges(self):
+    def test_matches_the_window_away_from_edges(self):
         plotter = scene()
-        picture = plotter.penumbra.ray_cast()
+        image = plotter.penumbra.ray_cast()
         window = plotter.screenshot(return_img=True)
-        self.assertEqual(picture.shape, window.shape)
-        self.assertEqual(picture.dtype, window.dtype)
-        off = numpy.abs(picture.astype(int) - window.astype(int)).max(axis=2)
-        self.assertLess(numpy.count_nonzero(off > 4), 0.05 * off.size)
+        self.assertEqual(image.shape, window.shape)
+        self.assertEqual(image.dtype, window.dtype)
+        difference = numpy.abs(image.astype(int) - window.astype(int)).max(axis=2)
+        self.assertLess(numpy.count_nonzero(difference > 4), 0.05 * difference.size)
 
-    def test_tells_its_error_and_its_work(self):
-        _, counts = scene().penumbra.ray_cast(return_statistics=True)
-        self.assertGreater(counts["Rays/Total"], 0)
-        self.assertLess(counts["EstimatedError"], 1 / 256)
+    def test_returns_error_and_statistics(self):
+        _, statistics = scene().penumbra.ray_cast(return_statistics=True)
+        self.assertGreater(statistics["Rays/Total"], 0)
+        self.assertLess(statistics["EstimatedError"], 1 / 256)
 
-    def test_darkens_where_the_ball_hides_the_sky(self):
+    def test_ambient_occlusion_only_darkens(self):
         plotter = scene()
         plain = plotter.penumbra.ray_cast(as_float=True)
         dark = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=100.0, as_float=True)
         self.assertTrue((dark <= plain + 1 / 128).all())
         self.assertLess((dark / plain).min(), 0.7)
 
-
     def test_adds_light_from_the_environment(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))
         plotter.add_mesh(pyvista.Plane(), color="white")
         plotter.camera_position = "xy"
         plotter.camera.zoom(4)
-        straight = plotter.penumbra.ray_cast(as_float=True)
-        picture = plotter.penumbra.ray_cast(
+        direct = plotter.penumbra.ray_cast(as_float=True)
+        image = plotter.penumbra.ray_cast(
             indirect_light=True, environment_color=(0.5, 0.25, 1.0), albedo=0.5, bounces=1,
             as_float=True)
-        added = (picture - straight)[10, 10]
+        added = (image - direct)[10, 10]
         numpy.testing.assert_allclose(added, [0.25, 0.125, 0.5], atol=0.004)
 
-    def test_refuses_what_makes_no_sense(self):
+    def test_rejects_invalid_arguments(self):
         plotter = scene()
-        for wrong in ({"tolerance": 2.0}, {"strength": 3.0}, {"radius": -1.0}, {"albedo": -0.1},
+        for arguments in ({"tolerance": 2.0}, {"strength": 3.0}, {"radius": -1.0}, {"albedo": -0.1},
                       {"bounces": 65}, {"window_size": (0, 20)}):
-            with self.assertRaisesRegex(ValueError, next(iter(wrong))):
-                plotter.penumbra.ray_cast(**wrong)
+            with self.assertRaisesRegex(ValueError, next(iter(arguments))):
+                plotter.penumbra.ray_cast(**arguments)
 
 
 class TemporalOcclusion(unittest.TestCase):
-    def test_comes_near_to_rays(self):
+    def test_matches_ray_casting(self):
         plotter = scene(lighting=False)
         plain = plotter.screenshot(return_img=True).astype(float)
         occlusion = plotter.penumbra.enable_temporal_ssao(radius=1.0)
         dark = plotter.screenshot(return_img=True).astype(float)
         self.assertTrue(occlusion.IsConverged())
         self.assertEqual(occlusion.GetActiveKernelName(), "traced")
-        self.assertGreater(counts_of(occlusion)["Samples/Static"], 0)
-        truth = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=1.0).astype(float)
+        self.assertGreater(statistics_dict(occlusion)["Samples/Static"], 0)
+        reference = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=1.0).astype(float)
         edges = numpy.abs(plain - plotter.penumbra.ray_cast()).max(axis=2) > 4
-        self.assertLess(rmse(dark[~edges], truth[~edges]), 0.02 * 255)
+        self.assertLess(rmse(dark[~edges], reference[~edges]), 0.02 * 255)
         self.assertGreater(rmse(plain, dark), 0.03 * 255)
 
-    def test_can_be_switched_off_again(self):
+    def test_can_be_disabled(self):
         plotter = scene()
         plain = plotter.screenshot(return_img=True)
         plotter.penumbra.enable_temporal_ssao()
@@ -210,15 +209,15 @@ class TemporalOcclusion(unittest.TestCase):
         plotter.penumbra.disable_temporal_ssao()
         numpy.testing.assert_array_equal(plotter.screenshot(return_img=True), plain)
 
-    def test_refuses_what_makes_no_sense(self):
+    def test_rejects_invalid_arguments(self):
         plotter = scene()
-        for wrong in ({"radius": -1.0}, {"tolerance": 2.0}, {"strength": 3.0}):
+        for arguments in ({"radius": -1.0}, {"tolerance": 2.0}, {"strength": 3.0}):
             with self.assertRaises(ValueError):
-                plotter.penumbra.enable_temporal_ssao(**wrong)
+                plotter.penumbra.enable_temporal_ssao(**arguments)
 
 
 class LightShafts(unittest.TestCase):
-    def test_add_light_to_the_picture(self):
+    def test_add_light_to_the_image(self):
         plotter = scene()
         plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
         plain = plotter.screenshot(return_img=True).astype(int)
@@ -226,16 +225,16 @@ class LightShafts(unittest.TestCase):
         hazy = plotter.screenshot(return_img=True).astype(int)
         self.assertGreater(numpy.abs(hazy - plain).max(), 8)
 
-    def test_refuse_what_makes_no_sense(self):
+    def test_reject_invalid_arguments(self):
         plotter = scene()
-        for wrong in ({"phase": "mie"}, {"scattering": -1.0}, {"extinction": math.nan},
+        for arguments in ({"phase": "mie"}, {"scattering": -1.0}, {"extinction": math.nan},
                       {"asymmetry": 1.5}, {"tolerance": 0.0}):
-            with self.assertRaisesRegex(ValueError, next(iter(wrong))):
-                plotter.penumbra.enable_light_shafts(**wrong)
+            with self.assertRaisesRegex(ValueError, next(iter(arguments))):
+                plotter.penumbra.enable_light_shafts(**arguments)
 
 
 class RenderPassesProvider(unittest.TestCase):
-    def test_is_found_and_darkens(self):
+    def test_is_registered_and_darkens(self):
         plotter = scene()
         passes = plotter.render_passes
         self.assertEqual(dict(passes.provider_errors), {})
@@ -253,9 +252,9 @@ class Package(unittest.TestCase):
             env={name: value for name, value in os.environ.items() if name != "DISPLAY"}
             | environment)
 
-    def test_draws_from_a_plain_script_without_a_display(self):
+    def test_renders_without_a_display(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "picture.png")
+            path = os.path.join(folder, "image.png")
             run = self.run_script(
                 "import penumbra, pyvista\n"
                 "plotter = pyvista.Plotter(off_screen=True, window_size=(64, 48))\n"
@@ -265,7 +264,7 @@ class Package(unittest.TestCase):
             self.assertEqual(run.returncode, 0, run.stderr)
             self.assertGreater(numpy.ptp(pyvista.read(path).active_scalars), 50)
 
-    def test_is_found_by_pyvista_and_loads_no_more_of_it_than_is_used(self):
+    def test_is_registered_with_pyvista_and_imports_it_lazily(self):
         run = self.run_script(
             "import sys, pyvista\n"
             "mesh = pyvista.Sphere()\n"
@@ -278,10 +277,10 @@ class Package(unittest.TestCase):
         run = self.run_script("import sys, penumbra\nprint('pyvista' in sys.modules)\n")
         self.assertEqual(run.stdout, "False\n", run.stderr)
 
-    def test_says_that_there_is_no_opengl(self):
+    def test_reports_missing_opengl(self):
         compiler = shutil.which("cc")
         if not compiler:
-            self.skipTest("no C compiler to hide the libraries with")
+            self.skipTest("no C compiler to build the library that hides OpenGL")
         with tempfile.TemporaryDirectory() as folder:
             hiding = os.path.join(folder, "no_opengl.so")
             source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "no_opengl.c")
@@ -295,9 +294,9 @@ class Package(unittest.TestCase):
                     f"plotter.penumbra.{effect}()\n", LD_PRELOAD=hiding)
                 self.assertEqual(run.returncode, 1, run.stderr)
                 self.assertEqual(run.stdout, "(48, 64, 3)\n")
-                self.assertIn("there is no OpenGL here", run.stderr.splitlines()[-1])
+                self.assertIn("OpenGL is not available", run.stderr.splitlines()[-1])
 
-    def test_says_what_is_missing_without_its_vtk(self):
+    def test_reports_missing_cvista(self):
         run = self.run_script(
             "import sys\n"
             "sys.modules['cvista'] = None\n"
@@ -305,7 +304,7 @@ class Package(unittest.TestCase):
         self.assertEqual(run.returncode, 1)
         self.assertIn("pip install 'cvista[all]'", run.stderr.splitlines()[-1])
 
-    def test_refuses_a_python_that_is_too_old(self):
+    def test_rejects_old_python_versions(self):
         run = self.run_script(
             "import sys\n"
             "sys.version_info = (3, 11, 2)\n"
@@ -315,7 +314,7 @@ class Package(unittest.TestCase):
         metadata = importlib.metadata.metadata("penumbra")
         self.assertEqual(metadata["Requires-Python"], ">=3.12")
 
-    def test_refuses_a_pyvista_on_another_vtk(self):
+    def test_rejects_another_vtk_backend(self):
         run = self.run_script("import penumbra", PYVISTA_VTK_BACKEND="vtk")
         self.assertEqual(run.returncode, 1)
         self.assertIn("same VTK", run.stderr.splitlines()[-1])

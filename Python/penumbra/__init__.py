@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much of it is visible? Ambient occlusion, light shafts and flawless antialiasing for VTK.
+"""Ambient occlusion, light shafts and antialiased ray casting for VTK.
 
-All public classes of Penumbra are here under their VTK names. PyVista finds ``plotter.penumbra`` and
-``mesh.penumbra`` by itself, see :mod:`penumbra.plotter` and :mod:`penumbra.mesh`.
+This package contains all public classes of Penumbra under their VTK names. PyVista registers the accessors
+``plotter.penumbra`` and ``mesh.penumbra`` automatically, see :mod:`penumbra.plotter` and
+:mod:`penumbra.mesh`.
 """
 import os as _os
 import sys as _sys
@@ -13,19 +14,18 @@ if _sys.version_info < (3, 12):
         "penumbra needs CPython 3.12 or newer; this is " + ".".join(map(str, _sys.version_info[:2])))
 
 try:
-    # Windows of this VTK draw, and its libraries are loaded, only once these are imported.
+    # These imports load the VTK libraries and register the OpenGL render windows.
     from cvista import vtkFiltersGeometry, vtkFiltersGeneral, vtkRenderingAnnotation  # noqa: F401
     from cvista import vtkRenderingFreeType, vtkRenderingOpenGL2  # noqa: F401
 except ImportError as error:
     raise ImportError(
-        "penumbra needs VTK with rendering as the package cvista; install it by "
+        "penumbra needs VTK with rendering from the package cvista; install it with "
         "pip install 'cvista[all]'"
     ) from error
 
 if _os.environ.get("PYVISTA_VTK_BACKEND", "cvista") != "cvista":
     raise ImportError(
-        "penumbra and PyVista have to use the same VTK: leave PYVISTA_VTK_BACKEND unset, or set it "
-        "to cvista"
+        "penumbra and PyVista must use the same VTK: unset PYVISTA_VTK_BACKEND, or set it to cvista"
     )
 
 from .vtkPenumbraFiltersRayTracing import *  # noqa: E402,F401,F403

@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colours as PyVista takes them, and radiances, which have no upper end."""
+"""Conversion of colors and radiances."""
 import math
 
 import pyvista
 
 
-def radiance(color):
-    """Three floats of a colour by any of PyVista's names, or of numbers from 0 up."""
+def parse_radiance(color):
+    """Return three floats from a PyVista color name or from three numbers >= 0, which may exceed 1."""
     if isinstance(color, str):
         return pyvista.Color(color).float_rgb
     values = [float(value) for value in color]
     if len(values) != 3 or not all(0.0 <= value < math.inf for value in values):
-        raise ValueError(f"environment_color is a colour or three numbers from 0 up, not {color!r}")
+        raise ValueError(f"environment_color must be a color name or three numbers >= 0, not {color!r}")
     return values

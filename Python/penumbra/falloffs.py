@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names of how occluders count less with their distance."""
+"""Names of the falloffs of occlusion with distance."""
 
-FALLOFFS = ("none", "linear", "quadratic", "square-root")  # as vtkPenumbraIrradianceProvider has them
+# In the order of vtkPenumbraIrradianceProvider::Falloffs.
+FALLOFFS = ("none", "linear", "quadratic", "square-root")
 
 
-def falloff_of(name):
-    """The number that the classes take."""
+def falloff_index(name):
+    """Return the enumeration value of a falloff."""
     if name not in FALLOFFS:
-        raise ValueError(f"falloff is one of {', '.join(FALLOFFS)}, not {name!r}")
+        raise ValueError(f"falloff must be one of {', '.join(FALLOFFS)}, not {name!r}")
     return FALLOFFS.index(name)

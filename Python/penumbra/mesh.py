@@ -1,18 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""``mesh.penumbra``: visibility baked onto PyVista's meshes."""
+"""``mesh.penumbra``: ambient occlusion and irradiance baked onto PyVista meshes."""
 import pyvista
 
-from .colors import radiance
-from .falloffs import falloff_of
-from .statistics import counts_of, update
+from .colors import parse_radiance
+from .falloffs import falloff_index
+from .statistics import statistics_dict, update_or_raise
 from .vtkPenumbraFiltersIrradiance import vtkPenumbraIrradianceFilter
 
 
 @pyvista.register_dataset_accessor("penumbra", pyvista.MultiBlock)
 @pyvista.register_dataset_accessor("penumbra", pyvista.DataSet)
 class MeshAccessor:
-    """Registered as ``mesh.penumbra`` for PyVista's data sets and multiblocks."""
+    """Accessor ``mesh.penumbra`` of PyVista data sets and multiblocks."""
 
     def __init__(self, mesh):
         self._mesh = mesh
@@ -26,78 +26,79 @@ class MeshAccessor:
         Parameters
         ----------
         tolerance : float
-            The error that you accept: RMSE over all points, 0.0001 to 1.
+            Accepted RMSE over all points, in the unit of the array. Range: [1e-4, 1].
         radius : float, optional
-            Reach of an occluder in the mesh's own unit, may be ``inf``; default: a tenth of the
-            diagonal of its bounds.
+            Maximum distance of occluders in the unit of the mesh; may be ``inf``. Default: a tenth of
+            the diagonal of the bounds.
         falloff : {"none", "linear", "quadratic", "square-root"}
-            How an occluder at a share s of the radius counts: 1, 1 - s, 1 - s^2, or 1 - sqrt(s).
+            Weight of an occluder at the fraction s of the radius: 1, 1 - s, 1 - s^2, or 1 - sqrt(s).
         on : {"points", "cells"}
-            A value for every point, or for the centre of every cell.
+            Compute a value for every point, or for the center of every cell.
         compute_normals : bool
-            Compute normals even where the mesh brings some.
+            If True, compute normals even if the mesh has normals.
         point_radius : float
-            Where there are no polygons: the radius of the discs that stand for points.
+            Radius of the disks that represent points if the mesh has no polygons.
         inplace : bool
-            Add the array to this mesh instead of to a copy.
+            If True, add the array to this mesh instead of to a copy.
 
-        The blocks of a multiblock may block one another. Counts of the work done are in the field
-        data; ``EstimatedError`` among them is the error that the filter believes it made.
+        The blocks of a multiblock occlude each other. Statistics are in the field data, with
+        ``EstimatedError``, the estimated RMSE.
         """
         if radius is not None and not radius > 0.0:
-            raise ValueError(f"radius is a length, not {radius!r}")
+            raise ValueError(f"radius must be > 0, not {radius!r}")
         bake = vtkPenumbraIrradianceFilter()
         bake.SetRadius(0.0 if radius is None else min(radius, 1e299))
-        bake.SetFalloff(falloff_of(falloff))
+        bake.SetFalloff(falloff_index(falloff))
         return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
 
     def bake_irradiance(
         self, *, tolerance=0.01, environment_color="white", albedo=0.5, bounces=3, on="points",
         compute_normals=False, point_radius=0.0, inplace=False,
     ):
-        """Return the mesh with the array ``Irradiance``: red, green and blue; pi in the open.
+        """Return the mesh with the array ``Irradiance``: red, green and blue; pi if unoccluded.
 
         Parameters
         ----------
         tolerance : float
-            The error that you accept: RMSE over all points, 0.0001 to 1.
+            Accepted RMSE over all points, in the unit of the array. Range: [1e-4, 1].
         environment_color : color or sequence of float
-            The radiance that comes from where nothing is; three floats may be above 1.
+            Radiance of the environment; three floats may exceed 1.
         albedo : float
-            The share of light that the surface throws back, 0 to 1.
+            Fraction of light that the surface reflects. Range: [0, 1].
         bounces : int
-            Reflections up to the eye's, which is the last, 1 to 64; 1: straight light alone.
+            Number of reflections, including the one towards the camera; 1: direct light only.
+            Range: [1, 64].
         on, compute_normals, point_radius, inplace
             As in ``bake_ambient_occlusion``.
         """
         if not 0.0 <= albedo <= 1.0:
-            raise ValueError(f"albedo is 0 to 1, not {albedo!r}")
+            raise ValueError(f"albedo must be in [0, 1], not {albedo!r}")
         if not 1 <= bounces <= 64:
-            raise ValueError(f"bounces is 1 to 64, not {bounces!r}")
+            raise ValueError(f"bounces must be in [1, 64], not {bounces!r}")
         bake = vtkPenumbraIrradianceFilter()
         bake.SetQuantity(bake.IRRADIANCE)
-        bake.SetEnvironmentColor(radiance(environment_color))
+        bake.SetEnvironmentColor(parse_radiance(environment_color))
         bake.SetAlbedo(albedo)
         bake.SetBounces(bounces)
         return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
 
     def _bake(self, bake, tolerance, on, compute_normals, point_radius, inplace):
         if on not in ("points", "cells"):
-            raise ValueError(f"on is 'points' or 'cells', not {on!r}")
+            raise ValueError(f"on must be 'points' or 'cells', not {on!r}")
         if not 1e-4 <= tolerance <= 1.0:
-            raise ValueError(f"tolerance is 0.0001 to 1, not {tolerance!r}")
+            raise ValueError(f"tolerance must be in [0.0001, 1], not {tolerance!r}")
         if isinstance(self._mesh, pyvista.Grid):
             raise TypeError(
-                f"{type(self._mesh).__name__} has no surface of its own: use its extract_surface()")
+                f"{type(self._mesh).__name__} is not a surface mesh: pass its extract_surface() instead")
         bake.SetInputDataObject(self._mesh)
         bake.SetTolerance(tolerance)
         bake.SetOnCells(on == "cells")
         bake.SetComputeNormals(compute_normals)
         bake.SetPointRadius(point_radius)
-        update(bake)
+        update_or_raise(bake)
         baked = pyvista.wrap(bake.GetOutputDataObject(0))
-        for name, count in counts_of(bake).items():
-            baked.field_data[name] = [count]
+        for name, value in statistics_dict(bake).items():
+            baked.field_data[name] = [value]
         baked.field_data["EstimatedError"] = [bake.GetEstimatedError()]
         if inplace:
             self._mesh.copy_from(baked) if isinstance(self._mesh, pyvista.DataSet) else (

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Can a window draw? VTK does not tell: without OpenGL it crashes at the first picture."""
+"""Check for OpenGL, because VTK does not report that it is missing and crashes in the first render."""
 import ctypes
 
-# What VTK looks for when neither an X server nor EGL is there.
-LAST_RESORT = ("libOSMesa.so", "libOSMesa.so.6")
+# Libraries that VTK loads if neither an X server nor EGL is available.
+OSMESA_LIBRARIES = ("libOSMesa.so", "libOSMesa.so.6")
 
 
-def _is_there(library):
+def _is_available(library):
     try:
         ctypes.CDLL(library)
     except OSError:
@@ -15,10 +15,10 @@ def _is_there(library):
     return True
 
 
-def require(window):
-    """Raise where VTK took its last resort, a window of OSMesa, and that is missing, too."""
+def require_opengl(window):
+    """Raise RuntimeError if VTK fell back to an OSMesa window and OSMesa is not installed."""
     if window is not None and window.GetClassName() == "vtkOSOpenGLRenderWindow" and not any(
-            map(_is_there, LAST_RESORT)):
+            map(_is_available, OSMESA_LIBRARIES)):
         raise RuntimeError(
-            "there is no OpenGL here: install libegl1 or libosmesa6, start an X server, or use "
-            "plotter.penumbra.ray_cast(), which needs none")
+            "OpenGL is not available: install libegl1 or libosmesa6, start an X server, or use "
+            "plotter.penumbra.ray_cast(), which does not need OpenGL")

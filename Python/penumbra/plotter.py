@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""``plotter.penumbra``: passes and ray-cast pictures for PyVista's plotters."""
+"""``plotter.penumbra``: render passes and ray casting for PyVista plotters."""
 import numpy
 import pyvista
 
 from cvista.util.numpy_support import vtk_to_numpy
 
-from .colors import radiance
-from .falloffs import falloff_of
-from .opengl import require
-from .statistics import counts_of, update
+from .colors import parse_radiance
+from .falloffs import falloff_index
+from .opengl import require_opengl
+from .statistics import statistics_dict, update_or_raise
 from .vtkPenumbraFiltersRayCasting import vtkPenumbraRayCaster
 from .vtkPenumbraRenderingScreenSpace import (
     vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass)
@@ -24,7 +24,7 @@ def _check(condition, message):
 
 @pyvista.register_plotter_component("penumbra")
 class PlotterAccessor:
-    """Registered as ``plotter.penumbra``; it works on the plotter's active renderer."""
+    """Accessor ``plotter.penumbra``, which applies to the active renderer of the plotter."""
 
     def __init__(self, plotter):
         self._plotter = plotter
@@ -36,25 +36,25 @@ class PlotterAccessor:
     def enable_temporal_ssao(
         self, *, radius=None, tolerance=0.01, strength=1.0, kernel="automatic",
     ):
-        """Darken by ambient occlusion, which converges while the view is still.
+        """Add ambient occlusion, which converges while the view is static.
 
         Parameters
         ----------
         radius : float, optional
-            Reach of an occluder in world units; default: a tenth of the diagonal of the bounds.
+            Maximum distance of occluders in world units. Default: a tenth of the diagonal of the bounds.
         tolerance : float
-            The error accepted in a still view: RMSE of any 16x16 pixels, 0.0001 to 1.
+            Accepted RMSE of a static view over any 16x16 pixels. Range: [1e-4, 1].
         strength : float
-            Colours are multiplied by ``1 - strength * occlusion``.
+            Colors are multiplied by ``1 - strength * occlusion``. Range: [0, 1].
         kernel : str
-            ``"automatic"``, ``"traced"`` (true rays), or a kernel of ``vtkPenumbraKernels``.
+            ``"automatic"``, ``"traced"`` (ray tracing), or a kernel of ``vtkPenumbraKernels``.
 
         Returns the pass, a ``vtkPenumbraTemporalSSAOPass``.
         """
-        _check(radius is None or radius > 0.0, f"radius is a length, not {radius!r}")
-        _check(1e-4 <= tolerance <= 1.0, f"tolerance is 0.0001 to 1, not {tolerance!r}")
-        _check(0.0 <= strength <= 1.0, f"strength is 0 to 1, not {strength!r}")
-        require(self._plotter.render_window)
+        _check(radius is None or radius > 0.0, f"radius must be > 0, not {radius!r}")
+        _check(1e-4 <= tolerance <= 1.0, f"tolerance must be in [0.0001, 1], not {tolerance!r}")
+        _check(0.0 <= strength <= 1.0, f"strength must be in [0, 1], not {strength!r}")
+        require_opengl(self._plotter.render_window)
         occlusion = vtkPenumbraTemporalSSAOPass.AddTo(self._renderer)
         occlusion.SetRadiusUnit(
             occlusion.FRACTION_OF_BOUNDS if radius is None else occlusion.WORLD)
@@ -64,12 +64,13 @@ class PlotterAccessor:
         occlusion.SetKernelName(kernel)
         if occlusion.GetKernelName() != kernel:
             self.disable_temporal_ssao()
-            raise ValueError(f"there is no kernel {kernel!r}")
+            raise ValueError(
+                f"kernel must be 'automatic', 'traced' or a name of vtkPenumbraKernels, not {kernel!r}")
         self._plotter.render()
         return occlusion
 
     def disable_temporal_ssao(self):
-        """Remove what ``enable_temporal_ssao`` added."""
+        """Remove the pass added by ``enable_temporal_ssao``."""
         vtkPenumbraTemporalSSAOPass.RemoveFrom(self._renderer)
         self._plotter.render()
 
@@ -77,26 +78,28 @@ class PlotterAccessor:
         self, *, scattering=None, extinction=None, phase="isotropic", asymmetry=0.6,
         tolerance=1.0 / 256.0,
     ):
-        """Show light shafts of all lights but headlights in a homogeneous haze.
+        """Add light shafts of all lights except headlights in a homogeneous medium.
 
         Parameters
         ----------
         scattering, extinction : float, optional
-            Shares of light scattered and lost per world unit; default: a quarter over the diagonal
-            of the bounds, and nothing absorbed.
+            Coefficients per world unit, >= 0. Default: a scattering optical depth of 0.25 over the
+            diagonal of the bounds, without absorption.
         phase : {"isotropic", "rayleigh", "henyey-greenstein"}
-            Where scattered light goes; ``asymmetry`` is the last one's mean cosine, -0.999 to 0.999.
+            Phase function. ``asymmetry`` is the mean cosine of "henyey-greenstein"; range:
+            [-0.999, 0.999].
         tolerance : float
-            The error accepted in a colour, 0.0001 to 1.
+            Accepted error of a color. Range: [1e-4, 1].
 
         Returns the pass, a ``vtkPenumbraLightShaftPass``.
         """
-        for name, share in (("scattering", scattering), ("extinction", extinction)):
-            _check(share is None or share >= 0.0, f"{name} is 0 or more, not {share!r}")
-        _check(phase in PHASES, f"phase is one of {', '.join(PHASES)}, not {phase!r}")
-        _check(-0.999 <= asymmetry <= 0.999, f"asymmetry is -0.999 to 0.999, not {asymmetry!r}")
-        _check(1e-4 <= tolerance <= 1.0, f"tolerance is 0.0001 to 1, not {tolerance!r}")
-        require(self._plotter.render_window)
+        for name, coefficient in (("scattering", scattering), ("extinction", extinction)):
+            _check(coefficient is None or coefficient >= 0.0,
+                   f"{name} must be >= 0, not {coefficient!r}")
+        _check(phase in PHASES, f"phase must be one of {', '.join(PHASES)}, not {phase!r}")
+        _check(-0.999 <= asymmetry <= 0.999, f"asymmetry must be in [-0.999, 0.999], not {asymmetry!r}")
+        _check(1e-4 <= tolerance <= 1.0, f"tolerance must be in [0.0001, 1], not {tolerance!r}")
+        require_opengl(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
         shafts.SetScattering(-1.0 if scattering is None else scattering)
         shafts.SetExtinction(-1.0 if extinction is None else extinction)
@@ -107,47 +110,48 @@ class PlotterAccessor:
         return shafts
 
     def disable_light_shafts(self):
-        """Remove what ``enable_light_shafts`` added."""
+        """Remove the pass added by ``enable_light_shafts``."""
         vtkPenumbraLightShaftPass.RemoveFrom(self._renderer)
         self._plotter.render()
 
     def ray_cast(
         self, *, tolerance=1.0 / 256.0, window_size=None, ambient_occlusion=False, radius=None,
-        falloff="none", strength=None, shadows=False, indirect_light=False, environment_color="black", albedo=0.5,
-        bounces=3, transparent_background=False, as_float=False, return_statistics=False,
+        falloff="none", strength=None, shadows=False, indirect_light=False,
+        environment_color="black", albedo=0.5, bounces=3, transparent_background=False,
+        as_float=False, return_statistics=False,
     ):
-        """Return a picture of the scene by ray casting, antialiased to a tolerance.
+        """Return an image of the scene by ray casting, antialiased to a tolerance.
 
-        Needs no window: nothing is rendered. The picture is an array of rows from top to bottom, as
-        ``plotter.screenshot`` returns it: bytes, or with ``as_float`` unclamped colours; with
-        ``transparent_background`` a fourth channel is the covered share of each pixel.
+        Does not need a window or OpenGL. The image is an array of rows from top to bottom, as returned by
+        ``plotter.screenshot``: bytes, or unclamped colors with ``as_float``. With
+        ``transparent_background``, the fourth channel is the covered fraction of each pixel.
 
         Parameters
         ----------
         tolerance : float
-            The error accepted: RMSE of any 16x16 pixels, colours in [0, 1].
+            Accepted RMSE over any 16x16 pixels, for colors in [0, 1]. Range: [1e-6, 1].
         window_size : tuple of int, optional
-            Width and height; default: the plotter's.
+            Width and height in pixels. Default: the size of the plotter's window.
         ambient_occlusion, radius, falloff, strength
-            Darken by ambient occlusion; radius in world units, default a tenth of the diagonal;
-            falloff as in ``mesh.penumbra.bake_ambient_occlusion``.
+            Ambient occlusion. The radius is in world units, default: a tenth of the diagonal of the
+            bounds. Falloff as in ``mesh.penumbra.bake_ambient_occlusion``.
         shadows : bool
-            Cast hard shadows of the lights.
+            If True, the lights cast hard shadows.
         indirect_light : bool
-            Add light from the environment, and what surfaces throw at each other.
+            If True, add the light of the environment and of diffuse interreflection.
         environment_color, albedo, bounces
-            Of indirect light, as in ``mesh.penumbra.bake_irradiance``.
+            Parameters of indirect light, as in ``mesh.penumbra.bake_irradiance``.
         return_statistics : bool
-            Return ``(picture, counts)``; ``EstimatedError`` among the counts is the error that the
-            ray caster believes it made.
+            If True, return ``(image, statistics)``. The statistics include ``EstimatedError``, the
+            estimated RMSE.
         """
-        _check(1e-6 <= tolerance <= 1.0, f"tolerance is 0.000001 to 1, not {tolerance!r}")
-        _check(radius is None or radius > 0.0, f"radius is a length, not {radius!r}")
-        _check(strength is None or 0.0 <= strength <= 1.0, f"strength is 0 to 1, not {strength!r}")
-        _check(0.0 <= albedo <= 1.0, f"albedo is 0 to 1, not {albedo!r}")
-        _check(1 <= bounces <= 64, f"bounces is 1 to 64, not {bounces!r}")
+        _check(1e-6 <= tolerance <= 1.0, f"tolerance must be in [0.000001, 1], not {tolerance!r}")
+        _check(radius is None or radius > 0.0, f"radius must be > 0, not {radius!r}")
+        _check(strength is None or 0.0 <= strength <= 1.0, f"strength must be in [0, 1], not {strength!r}")
+        _check(0.0 <= albedo <= 1.0, f"albedo must be in [0, 1], not {albedo!r}")
+        _check(1 <= bounces <= 64, f"bounces must be in [1, 64], not {bounces!r}")
         width, height = window_size or self._plotter.window_size
-        _check(width >= 1 and height >= 1, f"window_size is 1 by 1 or more, not {window_size!r}")
+        _check(width >= 1 and height >= 1, f"window_size must be at least 1 by 1, not {window_size!r}")
         if not self._renderer.camera.is_set and not self._renderer.camera_set:
             self._plotter.reset_camera()
         caster = vtkPenumbraRayCaster()
@@ -157,18 +161,19 @@ class PlotterAccessor:
         caster.SetShadows(shadows)
         caster.SetAmbientOcclusion(ambient_occlusion)
         caster.SetAmbientOcclusionRadius(0.0 if radius is None else radius)
-        caster.SetAmbientOcclusionFalloff(falloff_of(falloff))
+        caster.SetAmbientOcclusionFalloff(falloff_index(falloff))
         caster.SetAmbientOcclusionStrength(-1.0 if strength is None else strength)
         caster.SetIndirectLight(indirect_light)
-        caster.SetEnvironmentColor(radiance(environment_color))
+        caster.SetEnvironmentColor(parse_radiance(environment_color))
         caster.SetAlbedo(albedo)
         caster.SetBounces(bounces)
         caster.SetBackground(not transparent_background)
-        update(caster)
+        update_or_raise(caster)
         colors = vtk_to_numpy(caster.GetOutput().GetPointData().GetArray("Color"))
-        picture = colors.reshape(int(height), int(width), 4)[::-1, :, : 4 if transparent_background else 3]
+        channels = 4 if transparent_background else 3
+        image = colors.reshape(int(height), int(width), 4)[::-1, :, :channels]
         if not as_float:
-            picture = (numpy.clip(picture, 0.0, 1.0) * 255.0 + 0.5).astype(numpy.uint8)
+            image = (numpy.clip(image, 0.0, 1.0) * 255.0 + 0.5).astype(numpy.uint8)
         if not return_statistics:
-            return picture
-        return picture, counts_of(caster) | {"EstimatedError": caster.GetEstimatedError()}
+            return image
+        return image, statistics_dict(caster) | {"EstimatedError": caster.GetEstimatedError()}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ambient occlusion and light shafts for the chain of pyvista-render-passes."""
+"""Provider of ambient occlusion and light shafts for pyvista-render-passes."""
 from pyvista_render_passes import BasePassProvider
 
 from . import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
@@ -15,7 +15,7 @@ DEFAULTS = {
 
 
 class OcclusionProvider(BasePassProvider):
-    """Found by its entry point; off until switched on::
+    """Registered by an entry point. Disabled until its state is set::
 
         plotter.render_passes.set_state({"providers": {"penumbra": {"ambient_occlusion": True}}})
     """
@@ -37,12 +37,12 @@ class OcclusionProvider(BasePassProvider):
 
     def veto(self, settings):
         if settings.get("ssao") and self._state["ambient_occlusion"]:
-            return "the scene would be darkened twice: switch one ambient occlusion off"
+            return "ambient occlusion would be applied twice: disable ssao or the provider penumbra"
         return None
 
     def build_pass(self, stage, renderer, chain, delegate):
         state = self._state
-        whole = delegate
+        last_pass = delegate
         if state["ambient_occlusion"]:
             occlusion = vtkPenumbraTemporalSSAOPass()
             if state["radius"] is not None:
@@ -50,10 +50,10 @@ class OcclusionProvider(BasePassProvider):
                 occlusion.SetRadius(state["radius"])
             occlusion.SetStrength(state["strength"])
             occlusion.SetTolerance(state["tolerance"])
-            occlusion.SetDelegatePass(whole)
-            whole = occlusion
+            occlusion.SetDelegatePass(last_pass)
+            last_pass = occlusion
         if state["light_shafts"]:
             shafts = vtkPenumbraLightShaftPass()
-            shafts.SetDelegatePass(whole)
-            whole = shafts
-        return whole
+            shafts.SetDelegatePass(last_pass)
+            last_pass = shafts
+        return last_pass

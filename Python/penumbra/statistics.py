@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Counts of the work done, and errors as Python exceptions."""
+"""Statistics as dictionaries, and VTK errors as Python exceptions."""
 import contextlib
 import signal
 
 from cvista.vtkCommonCore import VTK_STRING
 
 
-def counts_of(algorithm):
-    """The statistics of a filter or pass: a dictionary of numbers (or texts) by name."""
+def statistics_dict(algorithm):
+    """Return the statistics of a filter or pass as a dictionary of numbers or strings."""
     data = algorithm.GetStatistics()
     arrays = (data.GetAbstractArray(i) for i in range(data.GetNumberOfArrays()))
     return {array.GetName(): array.GetValue(0) for array in arrays}
@@ -16,7 +16,7 @@ def counts_of(algorithm):
 
 @contextlib.contextmanager
 def _interruptible(algorithm):
-    """Let Ctrl-C stop the filter, which then leaves no result, and raise KeyboardInterrupt here."""
+    """Abort the filter on Ctrl-C, without a result, and raise KeyboardInterrupt."""
     interrupted = []
 
     def stop(number, frame):
@@ -25,10 +25,10 @@ def _interruptible(algorithm):
 
     try:
         before = signal.signal(signal.SIGINT, stop)
-    except ValueError:  # another thread than the main one: Ctrl-C does not arrive here
+    except ValueError:  # only the main thread receives Ctrl-C
         yield
         return
-    # Python looks for signals while it runs: at each progress of the filter.
+    # Python handles signals only while it executes code, here at each progress event of the filter.
     observer = algorithm.AddObserver("ProgressEvent", lambda caller, event: None)
     try:
         yield
@@ -39,22 +39,22 @@ def _interruptible(algorithm):
         raise KeyboardInterrupt
 
 
-def update(algorithm):
-    """Run a filter; what it reports as an error is raised."""
+def update_or_raise(algorithm):
+    """Update a filter. Raise RuntimeError if it reports an error."""
     errors = []
 
-    def remember(caller, event, text):
+    def record_error(caller, event, text):
         errors.append(text)
 
-    remember.CallDataType = VTK_STRING
-    observer = algorithm.AddObserver("ErrorEvent", remember)
+    record_error.CallDataType = VTK_STRING
+    observer = algorithm.AddObserver("ErrorEvent", record_error)
     executive = algorithm.GetExecutive()
-    watching = executive.AddObserver("ErrorEvent", remember)
+    executive_observer = executive.AddObserver("ErrorEvent", record_error)
     try:
         with _interruptible(algorithm):
             algorithm.Update()
     finally:
         algorithm.RemoveObserver(observer)
-        executive.RemoveObserver(watching)
+        executive.RemoveObserver(executive_observer)
     if errors:
         raise RuntimeError(errors[0].strip().splitlines()[-1])

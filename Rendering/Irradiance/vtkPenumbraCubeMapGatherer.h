@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraCubeMapGatherer
- * @brief   Looks around by rasterising into half a cube, through OpenGL [IC].
+ * @brief   Gathers by rasterizing the scene into a hemicube with OpenGL [IC].
  *
- * Give it to vtkPenumbraIrradianceCache::SetGatherer(). From every record five pictures are drawn: one
- * along the normal, four half ones to the sides, each only of what is not wholly out of its sight. Rays
- * stop at the first thing they meet, pictures do not: in large scenes that are mostly hidden rays are
- * faster, see Documentation/reference/vtkPenumbraCubeMapGatherer.md.
+ * Pass an instance to vtkPenumbraIrradianceCache::SetGatherer(). Each record renders the five faces
+ * of a hemicube: one face along the normal and four half faces to the sides. Triangle clusters
+ * outside of a face's frustum are culled. Rays are faster in large scenes with much hidden
+ * geometry, because a ray stops at its first hit; see
+ * Documentation/reference/vtkPenumbraCubeMapGatherer.md.
  *
- * A window that nobody sees is opened, in a thread of its own: by VTK_DEFAULT_OPENGL_WINDOW, OSMesa, EGL
- * or X. Without OpenGL the cache, and who asks it, end with an error.
+ * The class creates an offscreen window in a separate thread, with VTK_DEFAULT_OPENGL_WINDOW,
+ * OSMesa, EGL or X. If OpenGL is not available, the cache and the filter that uses it report an
+ * error.
  */
 #ifndef vtkPenumbraCubeMapGatherer_h
 #define vtkPenumbraCubeMapGatherer_h
@@ -33,15 +35,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Texels along a cube's side, 8 to 1024, rounded down to an even number: 3 times its square are drawn for a record. Default: 64. */
+  /**
+   * Texels along one edge of the cube, rounded down to an even number. A record renders 3 *
+   * Resolution^2 texels. Range: [8, 1024]. Default: 64.
+   */
   vtkSetClampMacro(Resolution, int, 8, 1024);
   vtkGetMacro(Resolution, int);
   ///@}
 
   VTK_WRAPEXCLUDE std::unique_ptr<penumbra::Gatherer> Make(
-    const penumbra::RayGatherer& seen) override;
+    const penumbra::RayGatherer& rays) override;
 
-  /** `CubeMaps/Total`, and `CubeMaps/Triangles` drawn into all of their faces. */
+  /**
+   * Adds `CubeMaps/Total`, and `CubeMaps/Triangles`: the number of triangles rendered into all
+   * faces.
+   */
   void Report(vtkFieldData* statistics) const override;
 
 protected:

@@ -32,11 +32,11 @@ namespace
 using namespace penumbra;
 using Pass = vtkPenumbraIrradianceSplatPass;
 
-/// [IC]'s, degrees.
-constexpr double UsualNormalAngle = 9.0;
+/// Maximum angle between the normals of a record and of a surface that uses it, degrees [IC].
+constexpr double DefaultNormalAngle = 9.0;
 
-/// Eye depths beyond this are empty pixels: vtkPenumbraViewLib.glsl.
-constexpr float FarAway = 1e17f;
+/// Pixels with a larger eye depth are background; same value as in vtkPenumbraViewLib.glsl.
+constexpr float BackgroundDepth = 1e17f;
 
 vtkSmartPointer<vtkFloatArray> NewArray(const char* name, int components, std::size_t count)
 {
@@ -53,8 +53,8 @@ struct vtkPenumbraIrradianceSplatPass::Internals
 {
   vtkSmartPointer<vtkPolyData> Records;
   vtkMTimeType ReadTime = 0;
-  bool OfLight = false;
-  double NormalAngle = UsualNormalAngle;
+  bool HasIrradiance = false;
+  double NormalAngle = DefaultNormalAngle;
 
   DelegateImage Image;
   EyeDepth Depth;
@@ -62,7 +62,7 @@ struct vtkPenumbraIrradianceSplatPass::Internals
   Stage Resolve;
   penumbra::Composite Composite;
   vtkSmartPointer<vtkTextureObject> Means;
-  vtkSmartPointer<vtkTextureObject> Result; ///< occlusion, or the colour that light gives
+  vtkSmartPointer<vtkTextureObject> Result; ///< occlusion, or the lit color
   vtkNew<vtkFieldData> Statistics;
   bool Drawn = false;
 };
@@ -78,18 +78,18 @@ Pass* vtkPenumbraIrradianceSplatPass::AddTo(vtkRenderer* renderer)
 {
   if (!renderer)
   {
-    vtkGenericWarningMacro("There is no renderer to add the pass to.");
+    vtkGenericWarningMacro("vtkPenumbraIrradianceSplatPass::AddTo() needs a renderer, got null.");
     return nullptr;
   }
   if (Pass* present = FindPassOf<Pass>(FindPassSlots(renderer)))
   {
     return present;
   }
-  const PassSlot place = EnsurePassSlots(renderer).back();
+  const PassSlot slot = EnsurePassSlots(renderer).back();
   vtkNew<Pass> pass;
-  pass->SetDelegatePass(place.Pass);
-  pass->SetOpaqueOnly(place.OpaqueOnly);
-  place.Set(pass);
+  pass->SetDelegatePass(slot.Pass);
+  pass->SetOpaqueOnly(slot.OpaqueOnly);
+  slot.Set(pass);
   return pass;
 }
 
@@ -118,37 +118,38 @@ vtkPolyData* vtkPenumbraIrradianceSplatPass::GetRecords()
 
 bool vtkPenumbraIrradianceSplatPass::ReadRecords()
 {
-  Internals& own = *this->Implementation;
-  if (!own.Records)
+  Internals& internals = *this->Implementation;
+  if (!internals.Records)
   {
     return false;
   }
-  if (own.ReadTime != own.Records->GetMTime())
+  if (internals.ReadTime != internals.Records->GetMTime())
   {
-    own.ReadTime = own.Records->GetMTime();
-    own.OfLight = HasRecords(own.Records, Quantities::Irradiance);
-    Scene frame; // that the records are read into: world units, near its origin
+    internals.ReadTime = internals.Records->GetMTime();
+    internals.HasIrradiance = HasRecords(internals.Records, Quantities::Irradiance);
+    Scene frame; // coordinate system of the records: world units, origin at their center
     double center[3] = { 0.0, 0.0, 0.0 };
-    if (own.Records->GetNumberOfPoints() > 0)
+    if (internals.Records->GetNumberOfPoints() > 0)
     {
-      own.Records->GetCenter(center);
+      internals.Records->GetCenter(center);
     }
     frame.Origin = { center[0], center[1], center[2] };
     frame.Scale = 1.0;
     std::string problem;
-    own.Splats.SetRecords(
-      FromPolyData(
-        own.Records, own.OfLight ? Quantities::Irradiance : Quantities::Occlusion, frame, problem),
-      frame.Origin, own.OfLight ? 3 : 1);
+    internals.Splats.SetRecords(
+      FromPolyData(internals.Records,
+        internals.HasIrradiance ? Quantities::Irradiance : Quantities::Occlusion, frame, problem),
+      frame.Origin, internals.HasIrradiance ? 3 : 1);
     if (!problem.empty())
     {
-      vtkWarningMacro("Records are not drawn: " << problem << ".");
+      vtkWarningMacro("The irradiance records are not rendered: " << problem << ".");
     }
-    vtkDataArray* angle = own.Records->GetFieldData()->GetArray("NormalAngle");
-    const double told = angle && angle->GetNumberOfTuples() == 1 ? angle->GetComponent(0, 0) : 0.0;
-    own.NormalAngle = told > 0.0 && told <= 90.0 ? told : UsualNormalAngle;
+    vtkDataArray* angle = internals.Records->GetFieldData()->GetArray("NormalAngle");
+    const double stored =
+      angle && angle->GetNumberOfTuples() == 1 ? angle->GetComponent(0, 0) : 0.0;
+    internals.NormalAngle = stored > 0.0 && stored <= 90.0 ? stored : DefaultNormalAngle;
   }
-  return own.Splats.GetNumberOfRecords() > 0;
+  return internals.Splats.GetNumberOfRecords() > 0;
 }
 
 bool vtkPenumbraIrradianceSplatPass::RenderEffect(const vtkRenderState* state)
@@ -159,75 +160,80 @@ bool vtkPenumbraIrradianceSplatPass::RenderEffect(const vtkRenderState* state)
 
 bool vtkPenumbraIrradianceSplatPass::RenderSplats(const vtkRenderState* state)
 {
-  Internals& own = *this->Implementation;
+  Internals& internals = *this->Implementation;
   vtkOpenGLRenderWindow* window = this->EnterWindow(state->GetRenderer());
   const int margin[2] = { 0, 0 };
-  const int props = window ? own.Image.Draw(state, this->DelegatePass, margin, own.OfLight) : -1;
+  const int props =
+    window ? internals.Image.Draw(state, this->DelegatePass, margin, internals.HasIrradiance) : -1;
   if (props < 0 ||
-    own.Depth.Update(window, own.Image, own.Image.GetView()) == EyeDepth::Change::Failed)
+    internals.Depth.Update(window, internals.Image, internals.Image.GetView()) ==
+      EyeDepth::Change::Failed)
   {
     return false;
   }
-  const ScreenTransform& view = own.Image.GetView();
-  Allocate(own.Means, window, view.Width, view.Height, 4);
-  Allocate(own.Result, window, view.Width, view.Height, 4);
-  const double angle = this->NormalAngle > 0.0 ? this->NormalAngle : own.NormalAngle;
-  if (!own.Splats.Draw(window, own.Image, own.Depth.GetCurrent(),
-        static_cast<float>(vtkMath::RadiansFromDegrees(angle)), own.Means))
+  const ScreenTransform& view = internals.Image.GetView();
+  Allocate(internals.Means, window, view.Width, view.Height, 4);
+  Allocate(internals.Result, window, view.Width, view.Height, 4);
+  const double angle = this->NormalAngle > 0.0 ? this->NormalAngle : internals.NormalAngle;
+  if (!internals.Splats.Draw(window, internals.Image, internals.Depth.GetCurrent(),
+        static_cast<float>(vtkMath::RadiansFromDegrees(angle)), internals.Means))
   {
     return false;
   }
   {
-    vtkShaderProgram* program = own.Resolve.Ready(window, vtkPenumbraSplatResolveFS);
-    const ScopedRenderTarget into(window, own.Image.GetFramebuffer(), { own.Result });
-    if (!program || !into.IsComplete())
+    vtkShaderProgram* program = internals.Resolve.Ready(window, vtkPenumbraSplatResolveFS);
+    const ScopedRenderTarget target(window, internals.Image.GetFramebuffer(), { internals.Result });
+    if (!program || !target.IsComplete())
     {
       return false;
     }
     const float pixelSize[2] = { 1.f / static_cast<float>(view.Width),
       1.f / static_cast<float>(view.Height) };
     program->SetUniform2f("pixelSize", pixelSize);
-    program->SetUniformf("light", own.OfLight ? 1.f : 0.f);
+    program->SetUniformf("light", internals.HasIrradiance ? 1.f : 0.f);
     program->SetUniformf("strength", static_cast<float>(this->Strength));
-    own.Resolve.BindTexture("means", own.Means);
-    own.Resolve.BindTexture("colors", own.OfLight ? own.Image.GetColor() : own.Means.Get());
-    own.Resolve.Draw();
+    internals.Resolve.BindTexture("means", internals.Means);
+    internals.Resolve.BindTexture(
+      "colors", internals.HasIrradiance ? internals.Image.GetColor() : internals.Means.Get());
+    internals.Resolve.Draw();
   }
   this->NumberOfRenderedProps = props;
-  return own.Composite.Draw(window, own.Image, own.Depth,
-    own.OfLight ? own.Result.Get() : own.Image.GetColor(), own.OfLight ? nullptr : own.Result.Get(),
-    { own.OfLight ? 0.0 : this->Strength, 0.0 }, !this->OpaqueOnly);
+  return internals.Composite.Draw(window, internals.Image, internals.Depth,
+    internals.HasIrradiance ? internals.Result.Get() : internals.Image.GetColor(),
+    internals.HasIrradiance ? nullptr : internals.Result.Get(),
+    { internals.HasIrradiance ? 0.0 : this->Strength, 0.0 }, !this->OpaqueOnly);
 }
 
 void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)
 {
-  Internals& own = *this->Implementation;
+  Internals& internals = *this->Implementation;
   if (!image)
   {
-    vtkErrorMacro("There is no image to copy to.");
+    vtkErrorMacro("CopyResult() needs an image, got null.");
     return;
   }
   image->Initialize();
-  if (!own.Drawn)
+  if (!internals.Drawn)
   {
     return;
   }
   this->GetWindow()->MakeCurrent();
-  const std::vector<float> means = ReadBack(own.Means);
+  const std::vector<float> means = ReadBack(internals.Means);
   const std::size_t pixels = means.size() / 4;
-  const ScreenTransform& view = own.Image.GetView();
+  const ScreenTransform& view = internals.Image.GetView();
   image->SetDimensions(view.Width, view.Height, 1);
-  const int channels = own.OfLight ? 3 : 1;
-  const float unit = own.OfLight ? static_cast<float>(vtkMath::Pi()) : 1.f;
-  const auto values = NewArray(own.OfLight ? "Irradiance" : "AmbientOcclusion", channels, pixels);
+  const int channels = internals.HasIrradiance ? 3 : 1;
+  const float factor = internals.HasIrradiance ? static_cast<float>(vtkMath::Pi()) : 1.f;
+  const auto values =
+    NewArray(internals.HasIrradiance ? "Irradiance" : "AmbientOcclusion", channels, pixels);
   const auto weights = NewArray("Weight", 1, pixels);
   for (std::size_t i = 0; i < pixels; ++i)
   {
     for (int c = 0; c < channels; ++c)
     {
       const float value = means[4 * i + c];
-      values->SetTypedComponent(
-        static_cast<vtkIdType>(i), c, own.OfLight ? unit * value : std::min(value, 1.f));
+      values->SetTypedComponent(static_cast<vtkIdType>(i), c,
+        internals.HasIrradiance ? factor * value : std::min(value, 1.f));
     }
     weights->SetValue(static_cast<vtkIdType>(i), means[4 * i + 3]);
   }
@@ -237,37 +243,37 @@ void vtkPenumbraIrradianceSplatPass::CopyResult(vtkImageData* image)
 
 vtkFieldData* vtkPenumbraIrradianceSplatPass::GetStatistics()
 {
-  Internals& own = *this->Implementation;
-  own.Statistics->Initialize();
-  if (own.Drawn)
+  Internals& internals = *this->Implementation;
+  internals.Statistics->Initialize();
+  if (internals.Drawn)
   {
     this->GetWindow()->MakeCurrent();
-    const std::vector<float> means = ReadBack(own.Means);
-    const std::vector<float> depths = ReadBack(own.Depth.GetCurrent());
+    const std::vector<float> means = ReadBack(internals.Means);
+    const std::vector<float> depths = ReadBack(internals.Depth.GetCurrent());
     double surface = 0.0;
-    double served = 0.0;
+    double covered = 0.0;
     for (std::size_t i = 0; i < depths.size(); ++i)
     {
-      surface += depths[i] < FarAway ? 1.0 : 0.0;
-      served += means[4 * i + 3] > 0.f ? 1.0 : 0.0;
+      surface += depths[i] < BackgroundDepth ? 1.0 : 0.0;
+      covered += means[4 * i + 3] > 0.f ? 1.0 : 0.0;
     }
-    AddStatistic(
-      own.Statistics, "Cache/Records", static_cast<double>(own.Splats.GetNumberOfRecords()));
-    AddStatistic(own.Statistics, "Pixels/Interpolated", served / std::max(surface, 1.0));
+    AddStatistic(internals.Statistics, "Cache/Records",
+      static_cast<double>(internals.Splats.GetNumberOfRecords()));
+    AddStatistic(internals.Statistics, "Pixels/Interpolated", covered / std::max(surface, 1.0));
   }
-  return own.Statistics;
+  return internals.Statistics;
 }
 
 void vtkPenumbraIrradianceSplatPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  Internals& own = *this->Implementation;
-  own.Image.ReleaseGraphicsResources(window);
-  own.Depth.ReleaseGraphicsResources(window);
-  own.Splats.ReleaseGraphicsResources(window);
-  own.Resolve.ReleaseGraphicsResources(window);
-  own.Composite.ReleaseGraphicsResources(window);
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &own.Means, &own.Result })
+  Internals& internals = *this->Implementation;
+  internals.Image.ReleaseGraphicsResources(window);
+  internals.Depth.ReleaseGraphicsResources(window);
+  internals.Splats.ReleaseGraphicsResources(window);
+  internals.Resolve.ReleaseGraphicsResources(window);
+  internals.Composite.ReleaseGraphicsResources(window);
+  for (vtkSmartPointer<vtkTextureObject>* texture : { &internals.Means, &internals.Result })
   {
     if (*texture)
     {
@@ -275,7 +281,7 @@ void vtkPenumbraIrradianceSplatPass::ReleaseGraphicsResources(vtkWindow* window)
       *texture = nullptr;
     }
   }
-  own.Drawn = false;
+  internals.Drawn = false;
 }
 
 void vtkPenumbraIrradianceSplatPass::PrintSelf(ostream& os, vtkIndent indent)

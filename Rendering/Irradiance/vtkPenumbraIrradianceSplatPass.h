@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceSplatPass
- * @brief   Draws the records of an irradiance cache over what its delegate draws [IC, splatting].
+ * @brief   Shades the image of its delegate pass with irradiance cache records [IC, splatting].
  *
- * Every record is drawn as a splat as large as it serves, over the surface that is seen first; weights
- * and weighted values are added up by OpenGL's blending. What comes out is what
- * vtkPenumbraIrradianceCache interpolates at the same places: ambient occlusion that darkens the
- * picture, or light that its colours reflect. The records are any vtkPolyData that the cache wrote, for
- * this view or for others: moving the eye gathers nothing.
+ * Each record is rendered as a splat with the record's radius over the visible surface. OpenGL's
+ * blending sums the weights and the weighted values. The result equals the interpolation of
+ * vtkPenumbraIrradianceCache at the same points: ambient occlusion that darkens the image, or
+ * irradiance that is multiplied by its colors. The records are any vtkPolyData written by the
+ * cache, for this view or for others. No rays are traced, also when the camera moves.
  */
 #ifndef vtkPenumbraIrradianceSplatPass_h
 #define vtkPenumbraIrradianceSplatPass_h
@@ -32,15 +32,15 @@ public:
   vtkTypeMacro(vtkPenumbraIrradianceSplatPass, vtkPenumbraScreenSpacePass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Hangs a pass among a renderer's, around its opaque props, or returns the one that is there. */
+  /** Inserts a pass around the opaque props of the renderer, or returns the existing one. */
   static vtkPenumbraIrradianceSplatPass* AddTo(vtkRenderer* renderer);
-  /** Takes it out again, if there is one. */
+  /** Removes the pass from the renderer, if it has one. */
   static void RemoveFrom(vtkRenderer* renderer);
 
   ///@{
   /**
-   * Records, as vtkPenumbraIrradianceCache::GetRecords() or GetIrradianceRecords() gives them, world
-   * coordinates. Default: none, the picture is the delegate's.
+   * Records as returned by vtkPenumbraIrradianceCache::GetRecords() or GetIrradianceRecords(), in
+   * world coordinates. Without records the image of the delegate pass is unchanged. Default: none.
    */
   virtual void SetRecords(vtkPolyData* records);
   vtkPolyData* GetRecords();
@@ -48,8 +48,9 @@ public:
 
   ///@{
   /**
-   * Greatest angle between normals that share a record, degrees, up to 90; 0: the one that the records'
-   * field data tells (`NormalAngle`), else 9, that of [IC]. Default: 0.
+   * Maximum angle between the normals of a record and of a surface that uses it, in degrees. 0
+   * selects the value of the field data array `NormalAngle` of the records, or 9 degrees [IC]
+   * without that array. Range: [0, 90]. Default: 0.
    */
   vtkPenumbraSetClampedNumberMacro(NormalAngle, 0.0, 90.0);
   vtkGetMacro(NormalAngle, double);
@@ -57,22 +58,24 @@ public:
 
   ///@{
   /**
-   * Of occlusion: rgb = color * (1 - Strength * occlusion). Of light: rgb = color * Strength *
-   * irradiance / pi; draw the scene unlit, its colours being what surfaces reflect. 0 to 1. Default: 1.
+   * Strength of the effect. With occlusion: rgb = color * (1 - Strength * occlusion). With
+   * irradiance: rgb = color * Strength * irradiance / pi, where color is the diffuse reflectance,
+   * rendered without lighting. Range: [0, 1]. Default: 1.
    */
   vtkPenumbraSetClampedNumberMacro(Strength, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
 
   /**
-   * What the last frame interpolated, one value a pixel: `AmbientOcclusion` (1) or `Irradiance` (3), and
-   * `Weight`, the sum of the records' weights, 0 where there is none.
+   * Copies the interpolated values of the last frame, one tuple per pixel: `AmbientOcclusion` (1
+   * component) or `Irradiance` (3 components), and `Weight`, the sum of the weights of the records,
+   * which is 0 if no record covers the pixel.
    */
   void CopyResult(vtkImageData* image);
 
   /**
-   * Of the last frame: `Cache/Records` drawn, `Pixels/Interpolated`, the share of the pixels with a
-   * surface that a record serves.
+   * Statistics of the last frame: `Cache/Records`, the number of records rendered, and
+   * `Pixels/Interpolated`, the fraction of the surface pixels that at least one record covers.
    */
   vtkFieldData* GetStatistics();
 

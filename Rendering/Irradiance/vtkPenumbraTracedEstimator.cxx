@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkPenumbraTracedEstimator);
 namespace
 {
 
-std::vector<float> Read(vtkTextureObject* texture)
+std::vector<float> ReadTexture(vtkTextureObject* texture)
 {
   unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
   std::vector<float> values(static_cast<std::size_t>(size[0]) * size[1]);
@@ -33,35 +33,35 @@ std::vector<float> Read(vtkTextureObject* texture)
   return values;
 }
 
-/// Means of the pixels of a lattice as a picture; others have that of the one of their block, as what it
-/// is: a neighbour's.
-std::vector<float> Spread(const std::vector<float>& means,
+/// Expands the means of the traced pixels to a whole image. Pixels that were not traced get -1 - m,
+/// where m is the mean of the traced pixel of their block: a negative value marks a neighbor's mean.
+std::vector<float> ExpandToImage(const std::vector<float>& means,
   const penumbra::InterleavedPixels& lattice, int width, int height)
 {
   const int columns = lattice.CountIn(width, lattice.Column);
   const int rows = lattice.CountIn(height, lattice.Row);
-  std::vector<float> picture(static_cast<std::size_t>(width) * height);
+  std::vector<float> image(static_cast<std::size_t>(width) * height);
   for (int j = 0; j < height; ++j)
   {
     const float* row = means.data() + std::min(j / lattice.Step, rows - 1) * columns;
-    float* to = picture.data() + static_cast<std::size_t>(j) * width;
+    float* target = image.data() + static_cast<std::size_t>(j) * width;
     for (int i = 0; i < width; ++i)
     {
-      to[i] = -1.f - row[std::min(i / lattice.Step, columns - 1)];
+      target[i] = -1.f - row[std::min(i / lattice.Step, columns - 1)];
     }
     if (j % lattice.Step == lattice.Row)
     {
       for (int i = lattice.Column; i < width; i += lattice.Step)
       {
-        to[i] = row[i / lattice.Step];
+        target[i] = row[i / lattice.Step];
       }
     }
   }
-  return picture;
+  return image;
 }
 
-/// The part of a lattice that a part of its picture holds.
-std::vector<penumbra::Rectangle> PartsOf(
+/// Converts rectangles of image pixels to rectangles of lattice points.
+std::vector<penumbra::Rectangle> ConvertToLattice(
   std::vector<penumbra::Rectangle> parts, const penumbra::InterleavedPixels& lattice)
 {
   for (penumbra::Rectangle& part : parts)
@@ -76,34 +76,36 @@ std::vector<penumbra::Rectangle> PartsOf(
   return parts;
 }
 
-/// So many rays of a pixel have this error where half of them are blocked.
-int EquivalentRays(double tolerance)
+/// Number of independent rays per pixel whose standard error is `tolerance` if half of them are
+/// blocked.
+int ComputeEquivalentRays(double tolerance)
 {
   return std::max(static_cast<int>(.25 / (tolerance * tolerance)), 1);
 }
 
-/// In motion one pixel of a block of so many in both directions is traced a frame: by turns, those that
-/// meet in a corner first.
+/// Side of the blocks of pixels of which one is traced per frame while the view moves. The phases
+/// go around the block diagonally first.
 constexpr int InterleaveStep = 2;
 constexpr int NumberOfPhases = InterleaveStep * InterleaveStep;
 constexpr int PhaseColumn[NumberOfPhases] = { 0, 1, 1, 0 };
-constexpr int RowOfTurn[NumberOfPhases] = { 0, 1, 0, 1 };
+constexpr int PhaseRow[NumberOfPhases] = { 0, 1, 0, 1 };
 
-/// Samples of frames in motion start here, far from those that a still view usually takes.
+/// Index of the first sample of frames in motion, beyond the indices that a static view normally
+/// reaches.
 constexpr int MotionSequenceStart = 1 << 18;
 
-penumbra::InterleavedPixels LatticeOf(int turn)
+penumbra::InterleavedPixels PhaseLattice(int phase)
 {
-  return { InterleaveStep, PhaseColumn[turn], RowOfTurn[turn] };
+  return { InterleaveStep, PhaseColumn[phase], PhaseRow[phase] };
 }
 
-/// What is known of one renderer.
-struct Traced
+/// Cached geometry and surface points of one renderer.
+struct RendererState
 {
   penumbra::OccluderGeometry Geometry;
   long long Version = 0;
-  int FramePhase = 0;                  ///< of the next frame in motion
-  penumbra::InterleavedPixels Lattice; ///< of the points
+  int FramePhase = 0;                  ///< phase of the next frame in motion
+  penumbra::InterleavedPixels Lattice; ///< lattice of Points
   std::vector<penumbra::SurfacePoint> Points;
 };
 
@@ -111,9 +113,9 @@ struct Traced
 
 struct vtkPenumbraTracedEstimator::Internals
 {
-  std::map<vtkRenderer*, Traced> Renderers;
+  std::map<vtkRenderer*, RendererState> Renderers;
   std::vector<float> Means;
-  std::string Warned; ///< of the prop that rays do not hit
+  std::string Warned; ///< last reported prop that rays do not hit
 };
 
 vtkPenumbraTracedEstimator::vtkPenumbraTracedEstimator()
@@ -132,7 +134,7 @@ void vtkPenumbraTracedEstimator::Register()
 int vtkPenumbraTracedEstimator::Estimate(const Request& request, vtkTextureObject* target)
 try
 {
-  Traced& state = this->Implementation->Renderers[request.Renderer];
+  RendererState& state = this->Implementation->Renderers[request.Renderer];
   const bool rebuilt = state.Geometry.Update(request.Renderer, request.Radius);
   this->NumberOfTrees += rebuilt;
   const std::string& missing = state.Geometry.GetMissing();
@@ -146,11 +148,11 @@ try
   const bool sparse = request.Moving && this->SparseInMotion && view.Width >= InterleaveStep &&
     view.Height >= InterleaveStep;
   const penumbra::InterleavedPixels lattice =
-    sparse ? LatticeOf(state.FramePhase) : penumbra::InterleavedPixels();
+    sparse ? PhaseLattice(state.FramePhase) : penumbra::InterleavedPixels();
   state.FramePhase = sparse ? (state.FramePhase + 1) % NumberOfPhases : 0;
   if (rebuilt || state.Version != request.Depth->GetVersion() || !(state.Lattice == lattice))
   {
-    state.Points = penumbra::ReconstructSurface(Read(request.Depth->GetCurrent()),
+    state.Points = penumbra::ReconstructSurface(ReadTexture(request.Depth->GetCurrent()),
       request.Image->GetSamples() == 1, view, state.Geometry.GetRays(), lattice);
     state.Lattice = lattice;
     state.Version = request.Depth->GetVersion();
@@ -160,32 +162,34 @@ try
   this->Final = request.Tolerance > 0.0;
   if (this->Final)
   {
-    state.Geometry.SetEye(penumbra::CameraFromView(view, state.Geometry.GetScene()));
+    state.Geometry.SetCamera(penumbra::CameraFromView(view, state.Geometry.GetScene()));
     this->NumberOfRays += penumbra::InterpolateOcclusion(
       state.Points, state.Geometry.GetRays(), request.Radius, request.Tolerance, means);
-    const bool done = target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
-    return done ? EquivalentRays(request.Tolerance) : 0;
+    const bool uploaded =
+      target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
+    return uploaded ? ComputeEquivalentRays(request.Tolerance) : 0;
   }
   penumbra::TracedSamples samples;
   samples.First =
     sparse ? MotionSequenceStart + request.FirstSample / NumberOfPhases : request.FirstSample;
   samples.Count = std::max(request.Samples / this->SamplesPerRay, 1);
-  samples.Reach = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
+  samples.Radius = static_cast<float>(request.Radius * state.Geometry.GetScene().Scale);
   samples.Lattice = lattice;
-  const std::vector<penumbra::Rectangle> whole = { { 0, 0, view.Width, view.Height } };
+  const std::vector<penumbra::Rectangle> wholeImage = { { 0, 0, view.Width, view.Height } };
   this->NumberOfRays += penumbra::TraceOcclusion(state.Points,
     lattice.CountIn(view.Width, lattice.Column), state.Geometry.GetRays(), samples,
-    PartsOf(request.Parts ? *request.Parts : whole, lattice), means);
+    ConvertToLattice(request.Parts ? *request.Parts : wholeImage, lattice), means);
   if (sparse)
   {
-    means = Spread(means, lattice, view.Width, view.Height);
+    means = ExpandToImage(means, lattice, view.Width, view.Height);
   }
-  const bool done = target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
-  return done ? samples.Count : 0;
+  const bool uploaded =
+    target->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, means.data());
+  return uploaded ? samples.Count : 0;
 }
 catch (const std::exception& error)
 {
-  vtkErrorMacro("The scene cannot be traced: " << error.what());
+  vtkErrorMacro("Ambient occlusion cannot be ray traced: " << error.what());
   return 0;
 }
 

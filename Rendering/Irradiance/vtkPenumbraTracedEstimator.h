@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraTracedEstimator
- * @brief   Ambient occlusion of what the depth buffer shows, by true rays.
+ * @brief   Ray-traced ambient occlusion of the surface in the depth buffer.
  *
- * Every pixel asks a ray or a few a frame: is anything of the scene within the radius? Nothing is
- * guessed from the picture, so that the mean converges to the occlusion of [TSSAO eq. 1] with D = 1
- * up to the radius. Where one estimate shall do, records of the irradiance cache are interpolated.
- * Needs the scene's meshes on this machine; the tree over them is built again whenever they change.
+ * Each pixel traces one or a few rays per frame against the meshes of the renderer, within the
+ * radius. The depth buffer only defines the ray origins, so the mean converges to the occlusion of
+ * [TSSAO eq. 1] with D = 1 up to the radius. If the request has a tolerance, records of the
+ * irradiance cache are interpolated instead. The meshes must be in this process. Their BVH is
+ * rebuilt whenever they change.
  */
 #ifndef vtkPenumbraTracedEstimator_h
 #define vtkPenumbraTracedEstimator_h
@@ -25,16 +26,16 @@ public:
   vtkTypeMacro(vtkPenumbraTracedEstimator, vtkPenumbraOcclusionEstimator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Make it known to vtkPenumbraTemporalSSAOPass as the kernel "traced". */
+  /** Registers this class with vtkPenumbraTemporalSSAOPass as the kernel "traced". */
   static void Register();
 
-  /** The same by a name that wrapped languages show. */
+  /** Same as Register(), under a name that is available in wrapped languages. */
   static void RegisterEstimator() { vtkPenumbraTracedEstimator::Register(); }
 
   ///@{
   /**
-   * One ray a pixel for so many samples asked for (at least one ray), 1 to 512: a ray costs about
-   * as much as 8 depths fetched. Default: 32.
+   * Number of requested samples that one traced ray replaces; at least one ray per pixel is traced.
+   * A ray costs about as much as 8 depth fetches. Range: [1, 512]. Default: 32.
    */
   vtkSetClampMacro(SamplesPerRay, int, 1, 512);
   vtkGetMacro(SamplesPerRay, int);
@@ -42,8 +43,9 @@ public:
 
   ///@{
   /**
-   * While the picture moves, one pixel of every 2 x 2 is traced a frame, by turns; the others go by their
-   * history, their neighbours and, where both fail, that pixel. Off: all pixels. Default: on.
+   * If on, one pixel of each 2 x 2 block is traced per frame while the view moves (interleaved
+   * sampling). The others use their history, their neighbors and, if both are unavailable, the
+   * traced pixel. If off, all pixels are traced. Default: on.
    */
   vtkSetMacro(SparseInMotion, bool);
   vtkGetMacro(SparseInMotion, bool);
@@ -52,18 +54,21 @@ public:
 
   int Estimate(const Request& request, vtkTextureObject* target) override;
 
-  /** Are all opaque props of the renderer meshes that rays can meet? */
+  /** Returns whether all opaque props of the renderer are meshes that rays can hit. */
   bool CanEstimate(vtkRenderer* renderer) override;
   vtkMTimeType GetSceneMTime(vtkRenderer* renderer) override;
 
   bool NeedsMargin() override { return false; }
 
-  /** It has answered from the irradiance cache. */
+  /**
+   * Returns whether the last estimate was interpolated from irradiance records, which needs no
+   * further frames.
+   */
   bool IsFinal() override { return this->Final; }
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  /** Rays traced, and trees built, since this object exists. */
+  /** Number of rays traced and of BVHs built since this object was created. */
   vtkGetMacro(NumberOfRays, vtkTypeInt64);
   vtkGetMacro(NumberOfTrees, vtkTypeInt64);
 

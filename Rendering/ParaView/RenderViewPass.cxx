@@ -27,8 +27,8 @@ vtkStandardNewMacro(RenderViewPass);
 namespace
 {
 
-/// Is it the drawing of all props by this process, with ParaView's camera around it?
-bool DrawsAll(vtkRenderPass* delegate)
+/// Returns whether the pass renders all props in this process, inside ParaView's camera pass.
+bool RendersAllProps(vtkRenderPass* delegate)
 {
   auto* camera = vtkCameraPass::SafeDownCast(delegate);
   return camera && camera->GetDelegatePass() && camera->GetDelegatePass()->IsA("vtkPVDefaultPass");
@@ -38,44 +38,44 @@ bool DrawsAll(vtkRenderPass* delegate)
 
 void RenderViewPass::Render(const vtkRenderState* state)
 {
-  if (this->UseRays && this->RenderByRays(state))
+  if (this->UseRays && this->RenderRayCast(state))
   {
     return;
   }
-  vtkRenderPass* whole = this->Camera;
-  if (this->ShowsMoreThanOpaque && DrawsAll(this->DelegatePass))
+  vtkRenderPass* pass = this->Camera;
+  if (this->HasNonOpaqueProps && RendersAllProps(this->DelegatePass))
   {
-    this->Stages->SetOpaquePass(this->WithEffects(this->Opaque, true));
-    this->Camera->SetDelegatePass(this->Stages);
+    this->Steps->SetOpaquePass(this->ConnectEffects(this->Opaque, true));
+    this->Camera->SetDelegatePass(this->Steps);
   }
   else
   {
-    whole = this->WithEffects(this->DelegatePass, false);
+    pass = this->ConnectEffects(this->DelegatePass, false);
   }
-  whole->Render(state);
-  this->NumberOfRenderedProps = whole->GetNumberOfRenderedProps();
+  pass->Render(state);
+  this->NumberOfRenderedProps = pass->GetNumberOfRenderedProps();
 }
 
-vtkRenderPass* RenderViewPass::WithEffects(vtkRenderPass* delegate, bool opaqueOnly)
+vtkRenderPass* RenderViewPass::ConnectEffects(vtkRenderPass* delegate, bool opaqueOnly)
 {
-  vtkRenderPass* whole = delegate;
+  vtkRenderPass* pass = delegate;
   if (this->UseOcclusion)
   {
     this->Occlusion->SetOpaqueOnly(opaqueOnly);
-    this->Occlusion->SetDelegateOnce(!opaqueOnly); // A composited picture is put together once.
-    this->Occlusion->SetDelegatePass(whole);
-    whole = this->Occlusion;
+    this->Occlusion->SetDelegateOnce(!opaqueOnly); // Images are composited only once.
+    this->Occlusion->SetDelegatePass(pass);
+    pass = this->Occlusion;
   }
   if (this->UseShafts)
   {
     this->Shafts->SetOpaqueOnly(opaqueOnly);
-    this->Shafts->SetDelegatePass(whole);
-    whole = this->Shafts;
+    this->Shafts->SetDelegatePass(pass);
+    pass = this->Shafts;
   }
-  return whole;
+  return pass;
 }
 
-bool RenderViewPass::RenderByRays(const vtkRenderState* state)
+bool RenderViewPass::RenderRayCast(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -85,16 +85,17 @@ bool RenderViewPass::RenderByRays(const vtkRenderState* state)
     return false;
   }
   int size[2];
-  int at[2];
-  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &at[0], &at[1]);
-  // The ray caster would say that it leaves the renderer's passes out; afterwards it holds on to nothing.
-  const vtkSmartPointer<vtkRenderPass> passes = renderer->GetPass();
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  // The ray caster warns about renderers with a pass, so the pass is removed meanwhile. The
+  // renderer is released afterwards to avoid a reference cycle.
+  const vtkSmartPointer<vtkRenderPass> rendererPass = renderer->GetPass();
   renderer->SetPass(nullptr);
   this->Caster->SetRenderer(renderer);
   this->Caster->SetResolution(size);
   this->Caster->Update();
   this->Caster->SetRenderer(nullptr);
-  renderer->SetPass(passes);
+  renderer->SetPass(rendererPass);
   vtkDataArray* colors = this->Caster->GetOutput()->GetPointData()->GetArray("Color");
   if (!colors)
   {
@@ -117,8 +118,8 @@ bool RenderViewPass::RenderByRays(const vtkRenderState* state)
   const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
   gl->vtkglDisable(GL_BLEND);
   gl->vtkglDisable(GL_DEPTH_TEST);
-  window->DrawPixels(at[0], at[1], at[0] + size[0] - 1, at[1] + size[1] - 1, 0, 0, size[0] - 1,
-    size[1] - 1, size[0], size[1], 4, VTK_UNSIGNED_CHAR, bytes.data());
+  window->DrawPixels(origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, 0, 0,
+    size[0] - 1, size[1] - 1, size[0], size[1], 4, VTK_UNSIGNED_CHAR, bytes.data());
   this->NumberOfRenderedProps = state->GetPropArrayCount();
   return true;
 }
@@ -127,7 +128,7 @@ void RenderViewPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Occlusion->ReleaseGraphicsResources(window);
   this->Shafts->ReleaseGraphicsResources(window);
-  this->Stages->ReleaseGraphicsResources(window);
+  this->Steps->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkPenumbraRenderView makes of ParaView's picture: occlusion, then light shafts; or, instead of
-// all that, a picture by rays. Where ParaView leaves drawing to this process alone, that is what opaque
-// props get: translucent ones and volumes come on top. Else it is the picture put together from all ranks.
+// Image processing pass of vtkPenumbraRenderView: ambient occlusion followed by light shafts, or a
+// ray-cast image instead. If this process renders all props, the effects apply to the opaque props,
+// and translucent props and volumes are rendered over them. Otherwise they apply to the composited
+// image of all ranks.
 #ifndef penumbra_RenderViewPass_h
 #define penumbra_RenderViewPass_h
 
@@ -32,18 +33,18 @@ public:
   bool UseOcclusion = false;
   bool UseShafts = false;
   bool UseRays = false;
-  /// Translucent props or volumes are shown, which come on top of the effects. Otherwise the picture is
-  /// made as where several ranks have put it together, so that it is the same.
-  bool ShowsMoreThanOpaque = false;
+  /// If on, translucent props or volumes are visible and are rendered over the effects. If off, the
+  /// image is processed as a composited image of several ranks, with the same result.
+  bool HasNonOpaqueProps = false;
 
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 private:
-  vtkRenderPass* WithEffects(vtkRenderPass* delegate, bool opaqueOnly);
-  bool RenderByRays(const vtkRenderState* state);
+  vtkRenderPass* ConnectEffects(vtkRenderPass* delegate, bool opaqueOnly);
+  bool RenderRayCast(const vtkRenderState* state);
 
-  vtkNew<RendererStepsPass> Stages;
+  vtkNew<RendererStepsPass> Steps;
   vtkNew<vtkCameraPass> Camera;
   vtkNew<vtkOpaquePass> Opaque;
 };

@@ -28,14 +28,15 @@ struct vtkPenumbraRenderView::Internals
   vtkNew<penumbra::RenderViewPass> Pass;
   vtkNew<vtkLight> Sun;
   vtkNew<vtkPenumbraMedium> Medium;
-  std::set<std::string> LastWarning;
+  std::set<std::string> IssuedWarnings;
 };
 
 namespace
 {
 
-/// Representations that could show a volume hold a visible one even where they show a surface: empty.
-bool ShowsVolumes(vtkRenderer* renderer)
+/// Returns whether a volume is visible. Representations that support volumes always have a visible
+/// one, which is empty while they show a surface.
+bool HasVisibleVolumes(vtkRenderer* renderer)
 {
   for (vtkVolume* volume : vtk::Range(renderer->GetVolumes()))
   {
@@ -48,7 +49,7 @@ bool ShowsVolumes(vtkRenderer* renderer)
   return false;
 }
 
-bool ShowsTranslucentActors(vtkRenderer* renderer)
+bool HasVisibleTranslucentActors(vtkRenderer* renderer)
 {
   for (vtkActor* actor : vtk::Range(renderer->GetActors()))
   {
@@ -70,7 +71,7 @@ vtkPenumbraRenderView::vtkPenumbraRenderView()
 
 vtkPenumbraRenderView::~vtkPenumbraRenderView()
 {
-  // The superclass' pass outlives this object's members.
+  // The renderers of the superclass outlive the members of this object.
   if (this->SynchronizedRenderers->GetImageProcessingPass() == this->Implementation->Pass)
   {
     this->SynchronizedRenderers->SetImageProcessingPass(nullptr);
@@ -79,14 +80,15 @@ vtkPenumbraRenderView::~vtkPenumbraRenderView()
 
 void vtkPenumbraRenderView::SetOcclusionKernel(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  if (vtkPenumbraKernels::Find(wanted.c_str()) < 0)
+  const std::string kernel = name ? name : "";
+  if (vtkPenumbraKernels::Find(kernel.c_str()) < 0)
   {
-    vtkErrorMacro("There is no kernel '" << wanted << "'; " << this->OcclusionKernel << " stays.");
+    vtkErrorMacro("OcclusionKernel: unknown kernel '"
+      << kernel << "'; " << this->OcclusionKernel << " remains selected.");
   }
-  else if (wanted != this->OcclusionKernel)
+  else if (kernel != this->OcclusionKernel)
   {
-    this->OcclusionKernel = wanted;
+    this->OcclusionKernel = kernel;
     this->Modified();
   }
 }
@@ -95,10 +97,10 @@ void vtkPenumbraRenderView::UpdateSunLight()
 {
   vtkLight* sun = this->Implementation->Sun;
   vtkRenderer* renderer = this->GetRenderer();
-  const bool shines = this->LightShafts && this->SunIntensity > 0.0;
-  if (shines != static_cast<bool>(renderer->GetLights()->IsItemPresent(sun)))
+  const bool enabled = this->LightShafts && this->SunIntensity > 0.0;
+  if (enabled != static_cast<bool>(renderer->GetLights()->IsItemPresent(sun)))
   {
-    shines ? renderer->AddLight(sun) : renderer->RemoveLight(sun);
+    enabled ? renderer->AddLight(sun) : renderer->RemoveLight(sun);
   }
   double center[3] = { 0.0, 0.0, 0.0 };
   if (this->GeometryBounds.IsValid())
@@ -123,11 +125,13 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   {
     return;
   }
-  const bool volumes = ShowsVolumes(this->GetRenderer());
-  pass->ShowsMoreThanOpaque = volumes || ShowsTranslucentActors(this->GetRenderer());
+  const bool volumes = HasVisibleVolumes(this->GetRenderer());
+  pass->HasNonOpaqueProps = volumes || HasVisibleTranslucentActors(this->GetRenderer());
   if (pass->UseRays && volumes)
   {
-    this->WarnOnce("Volumes are shown: rays do not draw them, the picture is drawn as usual.");
+    this->WarnOnce("Ray casting does not support volumes: the still render is rasterized. Hide the "
+                   "volumes, or turn "
+                   "off Still By Rays.");
     pass->UseRays = false;
   }
   if (diagonal <= 0.0)
@@ -139,8 +143,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   occlusion->SetTolerance(this->PenumbraTolerance);
   occlusion->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);
   occlusion->SetRadius(this->OcclusionRadius * diagonal);
-  occlusion->SetMargin(
-    0.0); // What lies beyond the border is not known of composited pictures either.
+  occlusion->SetMargin(0.0); // Composited images have no margin either.
   occlusion->SetStrength(this->OcclusionStrength);
   occlusion->SetKernelName(this->OcclusionKernel.c_str());
   occlusion->SetConvergeInOneRender(
@@ -153,8 +156,8 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   shafts->SetExposure(this->ShaftExposure);
   shafts->SetThickness(this->ShaftThickness * diagonal);
   shafts->RemoveAllLights();
-  shafts->AddLight(
-    this->Implementation->Sun); // Without any, lights that follow the camera would do.
+  // Always added: without lights, the pass would use headlights and camera lights.
+  shafts->AddLight(this->Implementation->Sun);
   for (vtkLight* light : vtk::Range(this->GetRenderer()->GetLights()))
   {
     if (light->LightTypeIsSceneLight())
@@ -181,15 +184,15 @@ bool vtkPenumbraRenderView::UsesOrderedCompositing()
   {
     return false;
   }
-  this->WarnOnce(
-    "Volumes or translucent surfaces are put together from several ranks, without depths: "
-    "ambient occlusion and light shafts are left out.");
+  this->WarnOnce("Ordered compositing of volumes or translucent surfaces from several ranks does "
+                 "not provide depths: "
+                 "ambient occlusion and light shafts are not rendered.");
   return true;
 }
 
 void vtkPenumbraRenderView::WarnOnce(const char* text)
 {
-  if (this->Implementation->Told.insert(text).second)
+  if (this->Implementation->IssuedWarnings.insert(text).second)
   {
     vtkWarningMacro(<< text);
   }
@@ -205,21 +208,23 @@ void vtkPenumbraRenderView::AboutToRenderOnLocalProcess(bool interactive)
   const bool hasWork = pass->UseOcclusion || pass->UseShafts || pass->UseRays;
   if (hasWork && present && present != pass)
   {
-    this->WarnOnce("Tone mapping is on: ambient occlusion and light shafts are left out.");
+    this->WarnOnce(
+      "Ambient occlusion and light shafts are not rendered while tone mapping is on. Turn off tone "
+      "mapping to render them.");
     return;
   }
-  // Where pictures of several ranks are put together, one of them gets the result.
+  // The composited image is only available on the first rank.
   auto* controller = vtkMultiProcessController::GetGlobalController();
-  const bool shows = !controller || controller->GetLocalProcessId() == 0;
-  const bool wanted =
-    hasWork && shows && !this->UsesOrderedCompositing() && !this->GetMakingSelection();
-  if (wanted && !this->SynchronizedRenderers->GetEnabled())
+  const bool hasImage = !controller || controller->GetLocalProcessId() == 0;
+  const bool active =
+    hasWork && hasImage && !this->UsesOrderedCompositing() && !this->GetMakingSelection();
+  if (active && !this->SynchronizedRenderers->GetEnabled())
   {
-    // Edges are smoothed once, when the pass is done: what ParaView does after putting pictures together.
+    // ParaView applies FXAA once after this pass, as it does after compositing.
     this->GetRenderer()->SetUseFXAA(false);
   }
-  this->SynchronizedRenderers->SetUseDepthBuffer(wanted);
-  this->SynchronizedRenderers->SetImageProcessingPass(wanted ? pass : nullptr);
+  this->SynchronizedRenderers->SetUseDepthBuffer(active);
+  this->SynchronizedRenderers->SetImageProcessingPass(active ? pass : nullptr);
 }
 
 void vtkPenumbraRenderView::PrintSelf(ostream& os, vtkIndent indent)

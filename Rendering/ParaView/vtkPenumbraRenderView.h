@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraRenderView
- * @brief   ParaView's render view with ambient occlusion, light shafts and stills by rays.
+ * @brief   ParaView render view with ambient occlusion, light shafts and ray-cast still renders.
  *
- * The passes see the picture that ParaView has put together from all ranks, colour and depth: what
- * they make of it does not depend on how many there are. A still picture has met the tolerance when
- * it appears, so that screenshots and animations need nothing else; while the view moves, each frame
- * adds a few samples.
+ * The passes process the color and depth that ParaView composites from all ranks, so the result
+ * does not depend on the number of ranks. A still render meets the tolerance when it appears:
+ * screenshots and animations need no further settings. While the view moves, each frame adds a few
+ * samples.
  */
 #ifndef vtkPenumbraRenderView_h
 #define vtkPenumbraRenderView_h
@@ -26,73 +26,94 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The error accepted in a still picture, 0.0001 to 1. Default: 0.01. */
+  /**
+   * Accepted RMSE of a still render over any 16 x 16 pixels, in [0, 1] intensity. Range: [1e-4, 1].
+   * Default: 0.01.
+   */
   vtkSetClampMacro(PenumbraTolerance, double, 1e-4, 1.0);
   vtkGetMacro(PenumbraTolerance, double);
   ///@}
 
   ///@{
-  /** Darken by ambient occlusion. Default: on. */
+  /** If on, colors are darkened by ambient occlusion. Default: on. */
   vtkSetMacro(AmbientOcclusion, bool);
   vtkGetMacro(AmbientOcclusion, bool);
   ///@}
 
   ///@{
-  /** Reach of an occluder as a share of the diagonal of the scene's bounds, 0.0001 to 10. Default: 0.1. */
+  /**
+   * Occlusion radius as a fraction of the diagonal of the scene bounds. Range: [1e-4, 10]. Default:
+   * 0.1.
+   */
   vtkSetClampMacro(OcclusionRadius, double, 1e-4, 10.0);
   vtkGetMacro(OcclusionRadius, double);
   ///@}
 
   ///@{
-  /** Colours are multiplied by 1 - OcclusionStrength * occlusion; 0 to 1. Default: 1. */
+  /** Colors are multiplied by 1 - OcclusionStrength * occlusion. Range: [0, 1]. Default: 1. */
   vtkSetClampMacro(OcclusionStrength, double, 0.0, 1.0);
   vtkGetMacro(OcclusionStrength, double);
   ///@}
 
   ///@{
-  /** The kernel by name, one of vtkPenumbraKernels: they need nothing but depth. Default: "march". */
+  /**
+   * Name of the occlusion kernel, one of vtkPenumbraKernels, which only need depth. Default:
+   * "march".
+   */
   void SetOcclusionKernel(const char* name);
   const char* GetOcclusionKernel() const { return this->OcclusionKernel.c_str(); }
   ///@}
 
   ///@{
-  /** Show light shafts of the sun and of all lights that stand in the scene. Default: off. */
+  /** If on, light shafts of the sun and of all scene lights are rendered. Default: off. */
   vtkSetMacro(LightShafts, bool);
   vtkGetMacro(LightShafts, bool);
   ///@}
 
   ///@{
-  /** Haze: light scattered on a way as long as the diagonal of the bounds, 0 to 100. Default: 0.25. */
+  /**
+   * Scattering optical depth of the haze over the diagonal of the scene bounds. Range: [0, 100].
+   * Default: 0.25.
+   */
   vtkSetClampMacro(ShaftDensity, double, 0.0, 100.0);
   vtkGetMacro(ShaftDensity, double);
   ///@}
 
   ///@{
-  /** Scattered light is multiplied by this, 0 to 1000. Default: 1, physical. */
+  /** Factor of the scattered light; 1 is physically correct. Range: [0, 1000]. Default: 1. */
   vtkSetClampMacro(ShaftExposure, double, 0.0, 1000.0);
   vtkGetMacro(ShaftExposure, double);
   ///@}
 
   ///@{
-  /** How far what is seen reaches back, as a share of the diagonal, 0.0001 to 10. Default: 0.1. */
+  /**
+   * Assumed thickness of visible surfaces, as a fraction of the diagonal of the scene bounds.
+   * Range: [1e-4, 10]. Default: 0.1.
+   */
   vtkSetClampMacro(ShaftThickness, double, 1e-4, 10.0);
   vtkGetMacro(ShaftThickness, double);
   ///@}
 
   ///@{
-  /** A light far away in this direction, with light shafts only. Default: (1, 1, 1). */
+  /**
+   * Direction from the scene towards the sun, a distant light that exists while LightShafts is on.
+   * Default: (1, 1, 1).
+   */
   vtkSetVector3Macro(SunDirection, double);
   vtkGetVector3Macro(SunDirection, double);
   ///@}
 
   ///@{
-  /** Its intensity, 0 (none) to 100. Default: 1. */
+  /** Intensity of the sun; 0 disables it. Range: [0, 100]. Default: 1. */
   vtkSetClampMacro(SunIntensity, double, 0.0, 100.0);
   vtkGetMacro(SunIntensity, double);
   ///@}
 
   ///@{
-  /** Draw still pictures by rays, antialiased to 1/256; where one process has all data. Default: off. */
+  /**
+   * If on, still renders are ray cast, with antialiasing errors below 1/256. Requires that one
+   * process has all data; otherwise the view is rasterized. Default: off.
+   */
   vtkSetMacro(StillByRays, bool);
   vtkGetMacro(StillByRays, bool);
   ///@}

@@ -14,15 +14,16 @@ vtkStandardNewMacro(vtkSMPenumbraRenderViewProxy);
 bool vtkSMPenumbraRenderViewProxy::IsContextReadyForRendering()
 {
   using Capabilities = vtkPVRenderingCapabilitiesInformation;
-  static const bool draws =
+  static const bool canRender =
     Capabilities::Supports(Capabilities::GetLocalCapabilities(), Capabilities::RENDERING);
-  if (!draws && !this->Warned)
+  if (!canRender && !this->Warned)
   {
-    vtkErrorMacro("There is no display to draw by: start an X server, such as "
-                  "xvfb-run -s \"-screen 0 1280x1024x24\" pvpython ...; filters need none.");
+    vtkErrorMacro("The render view needs an X display, and none is available: start an X server, "
+                  "for example with "
+                  "xvfb-run -s \"-screen 0 1280x1024x24\" pvpython .... Filters do not need one.");
     this->Warned = true;
   }
-  return draws && this->Superclass::IsContextReadyForRendering();
+  return canRender && this->Superclass::IsContextReadyForRendering();
 }
 
 vtkImageData* vtkSMPenumbraRenderViewProxy::CaptureWindowInternal(
@@ -32,28 +33,29 @@ vtkImageData* vtkSMPenumbraRenderViewProxy::CaptureWindowInternal(
   {
     return nullptr;
   }
-  int shown[2] = { 0, 0 };
-  vtkSMPropertyHelper(this, "ViewSize").Get(shown, 2);
-  const int large[2] = { shown[0] * magnificationX, shown[1] * magnificationY };
-  if ((magnificationX <= 1 && magnificationY <= 1) || std::max(large[0], large[1]) > LargestSide)
+  int viewSize[2] = { 0, 0 };
+  vtkSMPropertyHelper(this, "ViewSize").Get(viewSize, 2);
+  const int imageSize[2] = { viewSize[0] * magnificationX, viewSize[1] * magnificationY };
+  if ((magnificationX <= 1 && magnificationY <= 1) ||
+    std::max(imageSize[0], imageSize[1]) > LargestSide)
   {
     return this->Superclass::CaptureWindowInternal(magnificationX, magnificationY);
   }
-  // Text is as large in a larger picture as it is in tiles: it follows the resolution.
+  // Scale the PPI as well, so that text has the same size relative to the image as with tiles.
   const int resolution = vtkSMPropertyHelper(this, "PPI").GetAsInt();
   vtkSMPropertyHelper(this, "PPI").Set(resolution * std::max(magnificationX, magnificationY));
-  vtkSMPropertyHelper(this, "ViewSize").Set(large, 2);
+  vtkSMPropertyHelper(this, "ViewSize").Set(imageSize, 2);
   this->UpdateVTKObjects();
-  vtkImageData* picture = this->Superclass::CaptureWindowInternal(1, 1);
+  vtkImageData* image = this->Superclass::CaptureWindowInternal(1, 1);
   vtkSMPropertyHelper(this, "PPI").Set(resolution);
-  vtkSMPropertyHelper(this, "ViewSize").Set(shown, 2);
+  vtkSMPropertyHelper(this, "ViewSize").Set(viewSize, 2);
   this->UpdateVTKObjects();
   vtkRenderWindow* window = this->GetRenderWindow();
   if (window && window->GetShowWindow())
   {
-    this->StillRender(); // Nothing is left of what was shown.
+    this->StillRender(); // Restore the content of the visible window.
   }
-  return picture;
+  return image;
 }
 
 void vtkSMPenumbraRenderViewProxy::PrintSelf(ostream& os, vtkIndent indent)

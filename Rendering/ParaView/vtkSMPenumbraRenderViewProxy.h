@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMPenumbraRenderViewProxy
- * @brief   The client's side of vtkPenumbraRenderView: draws pictures larger than the view in one.
+ * @brief   Client-side proxy of vtkPenumbraRenderView that captures screenshots without tiles.
  *
- * ParaView draws a screenshot that is larger than the view in tiles, each of which sees no more than
- * itself: occlusion and light shafts would show seams. So the view is made as large as the picture while
- * that is taken; only where that is beyond LargestSide pixels tiles remain.
+ * ParaView renders screenshots larger than the view in tiles. Screen-space effects would show seams
+ * between them. This proxy resizes the view to the size of the image while it is captured. Images
+ * with a side larger than LargestSide pixels are still rendered in tiles.
  *
- * The name is the one that ParaView looks for by the XML element `PenumbraRenderViewProxy`.
+ * ParaView derives the class name from the XML element `PenumbraRenderViewProxy`.
  */
 #ifndef vtkSMPenumbraRenderViewProxy_h
 #define vtkSMPenumbraRenderViewProxy_h
@@ -23,7 +23,7 @@ public:
   vtkTypeMacro(vtkSMPenumbraRenderViewProxy, vtkSMRenderViewProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Of a picture that is drawn in one, in pixels. */
+  /** Maximum width and height of an image that is captured without tiles, in pixels. */
   static constexpr int LargestSide = 8192;
 
 protected:

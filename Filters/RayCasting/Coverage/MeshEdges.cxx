@@ -16,11 +16,11 @@ using Index = std::uint32_t;
 struct HalfEdge
 {
   Index To;          ///< the canonical position with the larger index
-  Index Triangle;    ///< its triangle
-  std::uint8_t Side; ///< it runs from corner Side to corner Side + 1 of the triangle
+  Index Triangle;    ///< the triangle that contains the half-edge
+  std::uint8_t Side; ///< the half-edge runs from corner Side to corner Side + 1
 };
 
-/// For every position the first one at exactly the same place.
+/// Returns for every position the index of the first position with equal coordinates.
 std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
 {
   std::size_t size = 16;
@@ -33,7 +33,7 @@ std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
   std::vector<Index> canonical(positions.size());
   for (Index i = 0; i < positions.size(); ++i)
   {
-    const glm::vec3 p = positions[i] + glm::vec3(0.f); // -0 becomes 0
+    const glm::vec3 p = positions[i] + glm::vec3(0.f); // turns -0 into 0
     std::uint32_t bits[3];
     std::memcpy(bits, &p, sizeof(bits));
     std::uint64_t hash = bits[0] * 0x9e3779b97f4a7c15ull;
@@ -53,7 +53,8 @@ std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
   return canonical;
 }
 
-/// Half-edges sorted by their smaller position: those of position v lie in [Begin[v], Begin[v + 1]).
+/// Half-edges grouped by their smaller position; those of position v are Edges[Begin[v]] to
+/// Edges[Begin[v + 1] - 1].
 struct HalfEdges
 {
   std::vector<Index> Begin;
@@ -92,28 +93,30 @@ struct HalfEdges
   }
 };
 
+/// Decides whether an edge between two triangles is a feature edge.
 class CreaseTest
 {
 public:
   CreaseTest(const Surface& surface, double contrast)
-    : Drawn(surface),
+    : Mesh(surface),
       NormalLimit(contrast * contrast),
       ColorLimit(static_cast<int>(contrast * 255.0))
   {
   }
 
-  /// Can the picture jump between the two triangles that share the edge?
+  /// Returns true if the image may be discontinuous between the two triangles of the edge.
   bool operator()(const HalfEdge& e, const HalfEdge& f) const
   {
-    const Surface& s = this->Drawn;
+    const Surface& s = this->Mesh;
     const Index a[2] = { s.Triangles[e.Triangle][e.Side],
       s.Triangles[e.Triangle][(e.Side + 1) % 3] };
     Index b[2] = { s.Triangles[f.Triangle][(f.Side + 1) % 3], s.Triangles[f.Triangle][f.Side] };
     if (s.Positions[a[0]] != s.Positions[b[0]])
     {
-      return true; // wound against each other
+      return true; // the triangles have opposite orientations
     }
-    if (!s.CellColors.empty() && this->Differ(s.CellColors[e.Triangle], s.CellColors[f.Triangle]))
+    if (!s.CellColors.empty() &&
+      this->ColorsDiffer(s.CellColors[e.Triangle], s.CellColors[f.Triangle]))
     {
       return true;
     }
@@ -128,7 +131,8 @@ public:
         continue;
       }
       if (this->NormalsDiffer(s.Normals[a[end]], s.Normals[b[end]]) ||
-        (!s.PointColors.empty() && this->Differ(s.PointColors[a[end]], s.PointColors[b[end]])))
+        (!s.PointColors.empty() &&
+          this->ColorsDiffer(s.PointColors[a[end]], s.PointColors[b[end]])))
       {
         return true;
       }
@@ -139,10 +143,10 @@ public:
 private:
   glm::dvec3 FlatNormal(Index triangle) const
   {
-    const glm::uvec3 t = this->Drawn.Triangles[triangle];
-    const glm::dvec3 a(this->Drawn.Positions[t.x]);
+    const glm::uvec3 t = this->Mesh.Triangles[triangle];
+    const glm::dvec3 a(this->Mesh.Positions[t.x]);
     const glm::dvec3 n = glm::cross(
-      glm::dvec3(this->Drawn.Positions[t.y]) - a, glm::dvec3(this->Drawn.Positions[t.z]) - a);
+      glm::dvec3(this->Mesh.Positions[t.y]) - a, glm::dvec3(this->Mesh.Positions[t.z]) - a);
     const double length = glm::length(n);
     return length > 0.0 ? n / length : n;
   }
@@ -153,13 +157,13 @@ private:
     return glm::dot(d, d) > this->NormalLimit;
   }
 
-  bool Differ(const glm::u8vec4& c, const glm::u8vec4& d) const
+  bool ColorsDiffer(const glm::u8vec4& c, const glm::u8vec4& d) const
   {
     const glm::ivec4 e = glm::abs(glm::ivec4(c) - glm::ivec4(d));
     return std::max(std::max(e.x, e.y), std::max(e.z, e.w)) > this->ColorLimit;
   }
 
-  const Surface& Drawn;
+  const Surface& Mesh;
   double NormalLimit;
   int ColorLimit;
 };
@@ -191,7 +195,7 @@ std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast)
       {
         ++next;
       }
-      if (begin->To != v) // else the edge has no length
+      if (begin->To != v) // skip edges of zero length
       {
         const bool pair = next - begin == 2;
         const HalfEdge& other = pair ? begin[1] : begin[0];

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The edges of one surface: which triangles meet there, and whether the picture may change across
-// the edge from every view (border, crease, colour seam) or only where the surface folds over.
+// The edges of one surface, with their adjacent triangles. The image may be discontinuous across a
+// feature edge (boundary, crease, color seam) from every view, and across other edges only if they
+// are silhouettes.
 #ifndef penumbra_MeshEdges_h
 #define penumbra_MeshEdges_h
 
@@ -14,17 +15,18 @@
 namespace penumbra
 {
 
+/// An edge and its adjacent triangles.
 struct MeshEdge
 {
-  std::uint32_t A, B;        ///< the edge's positions
-  std::uint32_t Left, Right; ///< the opposite positions of its two triangles; equal on a border
-  bool IsFeatureEdge;        ///< drawn as a border from every view
+  std::uint32_t A, B;        ///< indices of the two positions of the edge
+  std::uint32_t Left, Right; ///< opposite positions of its two triangles; equal on a boundary
+  bool IsFeatureEdge;        ///< projected from every view
 };
 
 /**
- * The edges of `surface` that can matter. Positions at the same place count as one, so that meshes
- * without shared points are connected. An edge between two triangles whose colours can differ by
- * no more than `contrast` (in [0, 1], under full light) is not a crease.
+ * Returns the edges of `surface`. Positions with equal coordinates count as one, which connects
+ * meshes without shared points. An edge between two triangles is not a feature edge if their colors
+ * differ by `contrast` at most (in [0, 1], under full light).
  */
 std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast);
 

@@ -11,18 +11,20 @@ namespace penumbra
 
 namespace
 {
-// Lengths, in pixels, below which two things are one: far below what a ray resolves (1e-4), far
-// above the rounding of coordinates in double.
+// Distance in pixels below which two coordinates are equal. It is far below the precision of a ray
+// (1e-4) and far above the rounding of coordinates in double precision.
 constexpr double Epsilon = 1e-10;
 
-double HeightAt(const PixelSegment& s, double x)
+// Returns the y of the segment at x.
+double ComputeHeight(const PixelSegment& s, double x)
 {
   const double u = (x - s.A.x) / (s.B.x - s.A.x);
   return std::clamp(s.A.y + u * (s.B.y - s.A.y), 0.0, 1.0);
 }
 
-// Where two segments cross properly, the x of it; false otherwise. Shared end points are events anyway.
-bool CrossAt(const PixelSegment& s, const PixelSegment& t, double& x)
+// Computes the x at which two segments cross in their interiors. Returns false if they do not.
+// Common end points are events already.
+bool FindCrossing(const PixelSegment& s, const PixelSegment& t, double& x)
 {
   const glm::dvec2 d = s.B - s.A;
   const glm::dvec2 e = t.B - t.A;
@@ -106,7 +108,7 @@ bool PixelArrangement::Build(const PixelSegment* segments, int count, const Limi
 }
 
 bool PixelArrangement::CollectEvents(
-  const PixelSegment* segments, int count, std::size_t mostCrossings)
+  const PixelSegment* segments, int count, std::size_t maximumCrossings)
 {
   this->Events.assign({ 0.0, 1.0 });
   std::size_t crossings = 0;
@@ -117,9 +119,9 @@ bool PixelArrangement::CollectEvents(
     for (int j = 0; j < i; ++j)
     {
       double x;
-      if (CrossAt(segments[i], segments[j], x))
+      if (FindCrossing(segments[i], segments[j], x))
       {
-        if (++crossings > mostCrossings)
+        if (++crossings > maximumCrossings)
         {
           return false;
         }
@@ -128,7 +130,7 @@ bool PixelArrangement::CollectEvents(
     }
   }
   std::sort(this->Events.begin(), this->Events.end());
-  // Join events closer than Epsilon; the first and last stay 0 and 1.
+  // Merge events closer than Epsilon. The first and last remain 0 and 1.
   std::size_t kept = 0;
   for (const double x : this->Events)
   {
@@ -142,7 +144,8 @@ bool PixelArrangement::CollectEvents(
   return true;
 }
 
-bool PixelArrangement::CutSlabs(const PixelSegment* segments, int count, std::size_t mostTrapezoids)
+bool PixelArrangement::CutSlabs(
+  const PixelSegment* segments, int count, std::size_t maximumTrapezoids)
 {
   this->Trapezoids.clear();
   this->SlabBegin.assign(1, 0);
@@ -150,24 +153,25 @@ bool PixelArrangement::CutSlabs(const PixelSegment* segments, int count, std::si
   {
     const double x0 = this->Events[slab];
     const double x1 = this->Events[slab + 1];
-    const double middle = 0.5 * (x0 + x1);
+    const double center = 0.5 * (x0 + x1);
     this->Crossings.clear();
     for (int i = 0; i < count; ++i)
     {
       const PixelSegment& s = segments[i];
-      if (std::min(s.A.x, s.B.x) < middle && std::max(s.A.x, s.B.x) > middle)
+      if (std::min(s.A.x, s.B.x) < center && std::max(s.A.x, s.B.x) > center)
       {
-        this->Crossings.push_back({ HeightAt(s, middle), HeightAt(s, x0), HeightAt(s, x1) });
+        this->Crossings.push_back(
+          { ComputeHeight(s, center), ComputeHeight(s, x0), ComputeHeight(s, x1) });
       }
     }
     std::sort(this->Crossings.begin(), this->Crossings.end(),
-      [](const Crossing& a, const Crossing& b) { return a.Middle < b.Middle; });
+      [](const Crossing& a, const Crossing& b) { return a.Center < b.Center; });
     Trapezoid t{ x0, x1, 0.0, 0.0, 0.0, 0.0, -1 };
     for (const Crossing& c : this->Crossings)
     {
       t.Top0 = std::max(c.Left, t.Bottom0);
       t.Top1 = std::max(c.Right, t.Bottom1);
-      if (c.Middle - 0.5 * (t.Bottom0 + t.Bottom1) > Epsilon)
+      if (c.Center - 0.5 * (t.Bottom0 + t.Bottom1) > Epsilon)
       {
         this->Trapezoids.push_back(t);
       }
@@ -178,7 +182,7 @@ bool PixelArrangement::CutSlabs(const PixelSegment* segments, int count, std::si
     t.Top1 = 1.0;
     this->Trapezoids.push_back(t);
     this->SlabBegin.push_back(static_cast<int>(this->Trapezoids.size()));
-    if (this->Trapezoids.size() > mostTrapezoids)
+    if (this->Trapezoids.size() > maximumTrapezoids)
     {
       return false;
     }
@@ -186,7 +190,7 @@ bool PixelArrangement::CutSlabs(const PixelSegment* segments, int count, std::si
   return true;
 }
 
-int PixelArrangement::Root(int trapezoid)
+int PixelArrangement::FindRoot(int trapezoid)
 {
   while (this->Parent[trapezoid] != trapezoid)
   {
@@ -206,7 +210,7 @@ void PixelArrangement::JoinSlabs(const PixelSegment* segments, int count)
   const int slabs = static_cast<int>(this->SlabBegin.size()) - 1;
   for (int slab = 0; slab + 1 < slabs; ++slab)
   {
-    // Vertical segments lie between two slabs and close that part of the passage.
+    // Vertical segments lie between two slabs and separate their trapezoids.
     const double x = this->Events[slab + 1];
     this->Barriers.clear();
     for (int i = 0; i < count; ++i)
@@ -227,16 +231,16 @@ void PixelArrangement::JoinSlabs(const PixelSegment* segments, int count)
       const Trapezoid& right = this->Trapezoids[b];
       double low = std::max(left.Bottom1, right.Bottom0);
       const double high = std::min(left.Top1, right.Top0);
-      double open = 0.0;
+      double opening = 0.0;
       for (const glm::dvec2& barrier : this->Barriers)
       {
-        open = std::max(open, std::min(barrier.x, high) - low);
+        opening = std::max(opening, std::min(barrier.x, high) - low);
         low = std::max(low, barrier.y);
       }
-      open = std::max(open, high - low);
-      if (open > 10.0 * Epsilon)
+      opening = std::max(opening, high - low);
+      if (opening > 10.0 * Epsilon)
       {
-        this->Parent[this->Root(a)] = this->Root(b);
+        this->Parent[this->FindRoot(a)] = this->FindRoot(b);
       }
       (left.Top1 < right.Top0 ? a : b) += 1;
     }
@@ -249,7 +253,7 @@ void PixelArrangement::CollectFaces()
   const int count = static_cast<int>(this->Trapezoids.size());
   for (int i = 0; i < count; ++i)
   {
-    if (this->Root(i) == i)
+    if (this->FindRoot(i) == i)
     {
       this->Trapezoids[i].Face = static_cast<int>(this->Faces.size());
       this->Faces.emplace_back();
@@ -258,7 +262,7 @@ void PixelArrangement::CollectFaces()
   for (int i = 0; i < count; ++i)
   {
     Trapezoid& t = this->Trapezoids[i];
-    t.Face = this->Trapezoids[this->Root(i)].Face;
+    t.Face = this->Trapezoids[this->FindRoot(i)].Face;
     Face& face = this->Faces[t.Face];
     const double area = t.Area();
     face.Area += area;
@@ -278,7 +282,7 @@ void PixelArrangement::CollectFaces()
     {
       face.Point /= face.Area;
     }
-    if (this->FaceAt(face.Point) == static_cast<int>(f))
+    if (this->FindFace(face.Point) == static_cast<int>(f))
     {
       continue;
     }
@@ -299,17 +303,17 @@ void PixelArrangement::ListTrapezoids()
     ++this->FaceBegin[t.Face + 1];
   }
   std::partial_sum(this->FaceBegin.begin(), this->FaceBegin.end(), this->FaceBegin.begin());
-  this->OfFaces.resize(this->Trapezoids.size());
-  // From the last on, so that the ends become the beginnings.
+  this->TrapezoidsByFace.resize(this->Trapezoids.size());
+  // In descending order, so that FaceBegin moves from the end of each face to its beginning.
   for (std::size_t i = this->Trapezoids.size(); i-- > 0;)
   {
-    this->OfFaces[--this->FaceBegin[this->Trapezoids[i].Face + 1]] = static_cast<int>(i);
+    this->TrapezoidsByFace[--this->FaceBegin[this->Trapezoids[i].Face + 1]] = static_cast<int>(i);
   }
   this->FaceBegin.erase(this->FaceBegin.begin());
   this->FaceBegin.push_back(static_cast<int>(this->Trapezoids.size()));
 }
 
-int PixelArrangement::FaceAt(glm::dvec2 p) const
+int PixelArrangement::FindFace(glm::dvec2 p) const
 {
   if (!(p.x >= 0.0 && p.x <= 1.0))
   {
@@ -317,24 +321,28 @@ int PixelArrangement::FaceAt(glm::dvec2 p) const
   }
   const auto end = std::lower_bound(this->Events.begin() + 1, this->Events.end(), p.x);
   const auto slab = static_cast<std::size_t>(end - this->Events.begin()) - 1;
-  const int face = this->FaceInSlab(slab, p);
+  const int face = this->FindFaceInSlab(slab, p);
   // A point on the line between two slabs lies in both.
   const bool onLine = p.x == *end && slab + 2 < this->SlabBegin.size();
-  return face < 0 && onLine ? this->FaceInSlab(slab + 1, p) : face;
+  return face < 0 && onLine ? this->FindFaceInSlab(slab + 1, p) : face;
 }
 
-int PixelArrangement::FaceInSlab(std::size_t slab, glm::dvec2 p) const
+int PixelArrangement::FindFaceInSlab(std::size_t slab, glm::dvec2 p) const
 {
-  // Inside means well inside, relative to the trapezoid's own height.
+  // Minimum distance of an inside point from bottom and top, as a fraction of the height.
   constexpr double Margin = 1e-3;
   const Trapezoid* const first = this->Trapezoids.data() + this->SlabBegin[slab];
   const Trapezoid* const end = this->Trapezoids.data() + this->SlabBegin[slab + 1];
   const double u = (p.x - first->X0) / (first->X1 - first->X0);
-  const auto bottomOf = [=](const Trapezoid& t) { return t.Bottom0 + u * (t.Bottom1 - t.Bottom0); };
-  const auto topOf = [=](const Trapezoid& t) { return t.Top0 + u * (t.Top1 - t.Top0); };
-  const Trapezoid* const found = std::partition_point(first, end,
-    [&](const Trapezoid& t) { return !(p.y < topOf(t) - Margin * (topOf(t) - bottomOf(t))); });
-  return found != end && p.y > bottomOf(*found) + Margin * (topOf(*found) - bottomOf(*found))
+  const auto computeBottom = [=](const Trapezoid& t) {
+    return t.Bottom0 + u * (t.Bottom1 - t.Bottom0);
+  };
+  const auto computeTop = [=](const Trapezoid& t) { return t.Top0 + u * (t.Top1 - t.Top0); };
+  const Trapezoid* const found = std::partition_point(first, end, [&](const Trapezoid& t) {
+    return !(p.y < computeTop(t) - Margin * (computeTop(t) - computeBottom(t)));
+  });
+  return found != end &&
+      p.y > computeBottom(*found) + Margin * (computeTop(*found) - computeBottom(*found))
     ? found->Face
     : -1;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pieces into which projected edges cut one pixel: a slab decomposition into trapezoids, which
-// are joined to faces. Areas are exact up to rounding.
+// Arrangement of projected edges in one pixel: a slab decomposition into trapezoids, which are
+// joined to faces. Areas are exact up to rounding.
 #ifndef penumbra_PixelArrangement_h
 #define penumbra_PixelArrangement_h
 
@@ -17,20 +17,21 @@
 namespace penumbra
 {
 
-/// A straight piece of an edge in pixel coordinates, the pixel being [0, 1] x [0, 1].
+/// A line segment in pixel coordinates; the pixel is [0, 1] x [0, 1].
 struct PixelSegment
 {
   glm::dvec2 A;
   glm::dvec2 B;
 };
 
-/// Clips a segment to the unit square; false when nothing (or only a point) is left.
+/// Clips a segment to the unit square. Returns false if nothing or only a point is left.
 VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool ClipToPixel(PixelSegment& segment);
 
+/// Subdivision of a pixel into faces by line segments.
 class VTKPENUMBRAFILTERSRAYCASTING_EXPORT PixelArrangement
 {
 public:
-  /// Left and right x, and the y of bottom and top at both.
+  /// Trapezoid with vertical sides: x of the left and right side, y of bottom and top at both.
   struct Trapezoid
   {
     double X0, X1;
@@ -43,7 +44,7 @@ public:
       return 0.5 * (this->X1 - this->X0) *
         ((this->Top0 - this->Bottom0) + (this->Top1 - this->Bottom1));
     }
-    /// The point at relative coordinates u (along x) and v (from bottom to top).
+    /// Returns the point at relative coordinates u (along x) and v (from bottom to top), in [0, 1].
     glm::dvec2 At(double u, double v) const
     {
       const double bottom = this->Bottom0 + u * (this->Bottom1 - this->Bottom0);
@@ -53,53 +54,54 @@ public:
     glm::dvec2 Centroid() const;
   };
 
-  /// A connected piece of the pixel that no segment crosses.
+  /// A connected part of the pixel that no segment crosses.
   struct Face
   {
     double Area = 0.0;
-    glm::dvec2 Point{ 0.0 };  ///< strictly inside: the centroid, where that lies inside
+    glm::dvec2 Point{ 0.0 };  ///< a point strictly inside; the centroid if that is inside
     double Offset = 0.0;      ///< distance from Point to the centroid
-    unsigned int Corners = 0; ///< bit i: contains corner (i & 1, i >> 1) of the pixel
+    unsigned int Corners = 0; ///< bit i is set if the face contains corner (i & 1, i >> 1)
   };
 
-  /// What an arrangement may grow to.
+  /// Maximum numbers of crossings and trapezoids.
   struct Limits
   {
     std::size_t Crossings = std::numeric_limits<std::size_t>::max();
     std::size_t Trapezoids = std::numeric_limits<std::size_t>::max();
   };
 
-  /// Cuts the pixel by `count` segments, each inside the unit square (ClipToPixel). False, and nothing
-  /// to be read, where that takes more than the limits allow.
+  /// Cuts the pixel by `count` segments, each inside the unit square (ClipToPixel()). Returns false
+  /// if a limit is exceeded; the arrangement is then undefined.
   bool Build(const PixelSegment* segments, int count, const Limits& limits);
   void Build(const PixelSegment* segments, int count) { this->Build(segments, count, Limits()); }
 
   const std::vector<Face>& GetFaces() const { return this->Faces; }
   const std::vector<Trapezoid>& GetTrapezoids() const { return this->Trapezoids; }
 
-  /// Calls visit(trapezoid) for those of a face, in their order.
+  /// Calls visit(trapezoid) for the trapezoids of a face in ascending order.
   template <typename Visit>
   void VisitTrapezoids(std::size_t face, Visit visit) const
   {
     for (int i = this->FaceBegin[face]; i < this->FaceBegin[face + 1]; ++i)
     {
-      visit(this->Trapezoids[this->OfFaces[i]]);
+      visit(this->Trapezoids[this->TrapezoidsByFace[i]]);
     }
   }
 
 private:
-  bool CollectEvents(const PixelSegment* segments, int count, std::size_t mostCrossings);
-  bool CutSlabs(const PixelSegment* segments, int count, std::size_t mostTrapezoids);
+  bool CollectEvents(const PixelSegment* segments, int count, std::size_t maximumCrossings);
+  bool CutSlabs(const PixelSegment* segments, int count, std::size_t maximumTrapezoids);
   void JoinSlabs(const PixelSegment* segments, int count);
   void CollectFaces();
   void ListTrapezoids();
-  int FaceInSlab(std::size_t slab, glm::dvec2 p) const;
-  int Root(int trapezoid);
-  int FaceAt(glm::dvec2 p) const;
+  int FindFaceInSlab(std::size_t slab, glm::dvec2 p) const;
+  int FindRoot(int trapezoid);
+  int FindFace(glm::dvec2 p) const;
 
+  /// Height of a segment at the center, left and right side of a slab.
   struct Crossing
   {
-    double Middle, Left, Right;
+    double Center, Left, Right;
   };
 
   std::vector<double> Events;
@@ -107,8 +109,8 @@ private:
   std::vector<Trapezoid> Trapezoids;
   std::vector<int> Parent;
   std::vector<Face> Faces;
-  std::vector<int> FaceBegin; ///< of each face the first in OfFaces, and the end
-  std::vector<int> OfFaces;   ///< trapezoids, face by face
+  std::vector<int> FaceBegin;        ///< first entry of each face in TrapezoidsByFace, and the end
+  std::vector<int> TrapezoidsByFace; ///< indices of trapezoids, grouped by face
   std::vector<Crossing> Crossings;
   std::vector<glm::dvec2> Barriers;
 };

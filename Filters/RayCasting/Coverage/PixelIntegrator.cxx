@@ -11,48 +11,32 @@
 namespace penumbra
 {
 
-namespace
-{
-
-// How far such a corner moves towards the middle of the pixel, as a share of the way.
-constexpr double CornerInset = 4.0 * EdgePrecision;
-// Beyond this many edges in one pixel an arrangement costs more than it is worth.
-constexpr std::size_t MostEdges = 512;
-// The same where most pixels around have many: there their cost adds up.
-constexpr std::size_t MostEdgesInCrowd = 32;
-// A difference that only a shadow makes between neighbouring corners of one surface.
-constexpr float ShadowContrast = 0.05f;
-// The same where there is nothing but background.
-constexpr float EmptyErrorFloor = 1e-6f;
-
-}
-
 PixelCounts& PixelCounts::operator+=(const PixelCounts& other)
 {
   this->Empty += other.Empty;
   this->Interior += other.Interior;
-  this->Border += other.Border;
-  this->Small += other.Small;
+  this->Edge += other.Edge;
+  this->SmallObject += other.SmallObject;
   this->Refined += other.Refined;
   this->Uniform += other.Uniform;
   return *this;
 }
 
-PixelIntegrator::PixelIntegrator(const CameraRayTracer& sampler, const CornerGrid& corners,
+PixelIntegrator::PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
   const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings)
-  : Source(sampler),
+  : Tracer(tracer),
     Grid(corners),
     Edges(edges),
     Settings(settings)
 {
 }
 
-// A sample that stands for a share `area` of the pixel.
+// Traces a sample that represents the fraction `area` of the pixel.
 Sample PixelIntegrator::Trace(glm::dvec2 local, double area)
 {
   ++this->Rays.Refinement;
-  return this->Source.TraceSample(
-    glm::dvec2(this->X, this->Y) + local, this->Rays, ToleranceScale(area));
+  return this->Tracer.TraceSample(
+    glm::dvec2(this->X, this->Y) + local, this->Rays, ComputeToleranceScale(area));
 }
 
 void PixelIntegrator::LoadCorners(int x, int y)
@@ -103,16 +87,16 @@ PixelResult PixelIntegrator::Integrate(
     }
     return this->IntegrateSubdivided(true);
   }
-  if (count <= MostEdges)
+  if (count <= MaximumEdges)
   {
     this->LoadSegments(edgeIndices, count, true);
   }
-  if (density == EdgeDensity::Sparse && count > MostEdges)
+  if (density == EdgeDensity::Sparse && count > MaximumEdges)
   {
-    return this->Sampled();
+    return this->IntegrateSampled();
   }
-  if (density == EdgeDensity::Dense || count > MostEdges ||
-    (density == EdgeDensity::Crowded && this->Segments.size() > MostEdgesInCrowd))
+  if (density == EdgeDensity::Dense || count > MaximumEdges ||
+    (density == EdgeDensity::Crowded && this->Segments.size() > MaximumEdgesInCrowdedTile))
   {
     ++this->Pixels.Uniform;
     return this->IntegrateUniformAdaptive();
@@ -124,11 +108,11 @@ PixelResult PixelIntegrator::Integrate(
   return this->IntegrateExact(edgeIndices, count);
 }
 
-// The error of the mean of four corners is (f_xx + f_yy) / 12; second differences with the corners
-// around stand for the derivatives. A jump shows up as a second difference, too.
-float PixelIntegrator::CurvatureError() const
+// The error of the mean of four corners is (f_xx + f_yy) / 12. Second differences with the
+// neighboring corners approximate the derivatives. Discontinuities also cause second differences.
+float PixelIntegrator::EstimateCurvatureError() const
 {
-  const float contrast = Contrast(this->Corners);
+  const float contrast = ComputeContrast(this->Corners);
   if (contrast == 0.f)
   {
     return 0.f;
@@ -145,7 +129,7 @@ float PixelIntegrator::CurvatureError() const
       const glm::ivec2 p = glm::ivec2(this->X, this->Y) + line * side;
       const glm::vec4& first = this->Grid.At(p.x, p.y).Color;
       const glm::vec4& second = this->Grid.At(p.x + step.x, p.y + step.y).Color;
-      float least = contrast;
+      float minimum = contrast;
       for (int end = 0; end < 2; ++end)
       {
         const glm::ivec2 q = end == 0 ? p - step : p + 2 * step;
@@ -157,50 +141,50 @@ float PixelIntegrator::CurvatureError() const
         }
         const glm::vec4& outer = this->Grid.At(q.x, q.y).Color;
         const glm::vec4 d = end == 0 ? outer - 2.f * first + second : first - 2.f * second + outer;
-        least = std::min(least, MaximumDifference(d, glm::vec4(0.f)));
+        minimum = std::min(minimum, ComputeMaximumDifference(d, glm::vec4(0.f)));
       }
-      worst = std::max(worst, least);
+      worst = std::max(worst, minimum);
     }
     sum += worst;
   }
-  // Second differences of noise alone are about 2.4 of its standard errors.
+  // The expected second difference of noise is about 2.4 of its standard errors.
   const float noise = 2.f * 2.4f * static_cast<float>(this->Settings.Noise);
   return std::max(sum - noise, 0.f) / 12.f;
 }
 
-// Where a border runs along the rim of the pixel, the rays of its corners may have met either side:
-// they are traced again a little to the inside.
+// If an edge runs along a side of the pixel, the rays of its corners may hit either side of the
+// edge. These corners are traced again at a position slightly inside the pixel.
 void PixelIntegrator::RetraceCornersOnEdges()
 {
   for (int i = 0; i < 4; ++i)
   {
     if (!(this->TrustedCorners >> i & 1u))
     {
-      const glm::dvec2 inward = glm::dvec2(0.5) - CornerOffset(i);
-      this->Corners[i] = this->Trace(CornerOffset(i) + CornerInset * inward);
+      const glm::dvec2 inward = glm::dvec2(0.5) - GetCornerOffset(i);
+      this->Corners[i] = this->Trace(GetCornerOffset(i) + CornerInset * inward);
     }
   }
 }
 
-// A ray exactly through a vertex or an edge can slip between the triangles. Where no border is near,
-// a single corner that disagrees with the other three is traced again a little to the inside.
+// A ray exactly through a vertex or an edge can miss both triangles. If no edge is near, a single
+// corner that differs from the other three is traced again slightly inside the pixel.
 bool PixelIntegrator::RetraceIsolatedMiss()
 {
   for (int i = 0; i < 4; ++i)
   {
-    const Hit& odd = this->Corners[i].FirstHit;
+    const Hit& isolated = this->Corners[i].FirstHit;
     const Hit& a = this->Corners[(i + 1) & 3].FirstHit;
     const Hit& b = this->Corners[(i + 2) & 3].FirstHit;
     const Hit& c = this->Corners[(i + 3) & 3].FirstHit;
-    if (a.Surface != b.Surface || a.Surface != c.Surface || odd.Surface == a.Surface)
+    if (a.Surface != b.Surface || a.Surface != c.Surface || isolated.Surface == a.Surface)
     {
       continue;
     }
-    const glm::dvec2 inward = glm::dvec2(0.5) - CornerOffset(i);
-    const Sample again = this->Trace(CornerOffset(i) + CornerInset * inward);
-    if (again.FirstHit.Surface == a.Surface)
+    const glm::dvec2 inward = glm::dvec2(0.5) - GetCornerOffset(i);
+    const Sample retraced = this->Trace(GetCornerOffset(i) + CornerInset * inward);
+    if (retraced.FirstHit.Surface == a.Surface)
     {
-      this->Corners[i] = again;
+      this->Corners[i] = retraced;
       return true;
     }
     return false;
@@ -208,7 +192,7 @@ bool PixelIntegrator::RetraceIsolatedMiss()
   return false;
 }
 
-// Is `test` true for one of the corners of this pixel and of those around it?
+// Returns true if `test` is true for a corner of this pixel or of its neighbors.
 bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>& test) const
 {
   const glm::ivec2 low = glm::max(glm::ivec2(this->X, this->Y) - 1, this->Grid.GetLow());
@@ -226,17 +210,18 @@ bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>
   return false;
 }
 
-// Shadows may jump where no corner shows it; they do so next to where one does.
+// A shadow boundary may cross a pixel without a difference between its corners. The corners of a
+// neighboring pixel then show one.
 bool PixelIntegrator::IsNearShadowBoundary() const
 {
   if (!this->Settings.Shadows)
   {
     return false;
   }
-  return this->AnyNeighborCorner([this](const Sample& around) {
+  return this->AnyNeighborCorner([this](const Sample& neighbor) {
     return std::any_of(this->Corners, this->Corners + 4, [&](const Sample& corner) {
-      return around.FirstHit.Surface == corner.FirstHit.Surface &&
-        MaximumDifference(around.Color, corner.Color) > ShadowContrast;
+      return neighbor.FirstHit.Surface == corner.FirstHit.Surface &&
+        ComputeMaximumDifference(neighbor.Color, corner.Color) > ShadowContrast;
     });
   });
 }
@@ -248,12 +233,12 @@ PixelResult PixelIntegrator::IntegrateInterior()
   PixelResult result;
   if (agree)
   {
-    const float error = this->CurvatureError();
-    const bool empty = !this->Corners[0].FirstHit.IsHit() && !this->Source.HasShafts();
+    const float error = this->EstimateCurvatureError();
+    const bool empty = !this->Corners[0].FirstHit.IsHit() && !this->Tracer.HasShafts();
     if (empty || (error <= 0.25f * this->Settings.Tolerance && !this->IsNearShadowBoundary()))
     {
       ++(empty ? this->Pixels.Empty : this->Pixels.Interior);
-      result.Color = Mean(this->Corners);
+      result.Color = ComputeMean(this->Corners);
       result.Error =
         empty ? EmptyErrorFloor : this->CombineErrors(CurvatureSafetyFactor * error, ErrorFloor);
       return result;

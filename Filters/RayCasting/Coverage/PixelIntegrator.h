@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The colour of one pixel from its corners, the edges that cross it and as many more rays as the
-// tolerance asks for: the four cases of [AA], exact coverage, and error-driven refinement.
+// Computes the color of one pixel from its corners, the edges that cross it, and additional rays as
+// required by the tolerance: the four cases of [AA], exact coverage, and error-driven refinement.
 #ifndef penumbra_PixelIntegrator_h
 #define penumbra_PixelIntegrator_h
 
@@ -21,6 +21,7 @@
 namespace penumbra
 {
 
+/// Settings of PixelIntegrator; see the properties of vtkPenumbraRayCaster with the same names.
 struct IntegrationSettings
 {
   enum class Methods
@@ -35,23 +36,23 @@ struct IntegrationSettings
   bool FindSmallObjects = true;
   int UniformSamples = 8;
   bool Shadows = false;
-  double Noise = 0.0; ///< standard error of the colours themselves: not to be chased
+  double Noise = 0.0; ///< standard error of sampled colors, which refinement cannot reduce
 };
 
-/// Pixels by what was done to them.
+/// Number of pixels by method.
 struct PixelCounts
 {
-  long long Empty = 0;    ///< case 1: nothing but background
-  long long Interior = 0; ///< case 2: the corners serve
-  long long Border = 0;   ///< case 3: cut by edges, covered exactly
-  long long Small = 0;    ///< case 4: something lies between four equal corners
-  long long Refined = 0;  ///< subdivided for contrast or for want of edges
-  long long Uniform = 0;  ///< sampled uniformly: too dense, or on request
+  long long Empty = 0;       ///< case 1: only background
+  long long Interior = 0;    ///< case 2: mean of the corners
+  long long Edge = 0;        ///< case 3: exact coverage between edges
+  long long SmallObject = 0; ///< case 4: edges between four corners on one surface
+  long long Refined = 0;     ///< subdivided because of contrast, or without edges
+  long long Uniform = 0;     ///< sampled: dense geometry, or UNIFORM
 
   PixelCounts& operator+=(const PixelCounts& other);
 };
 
-/// How many triangles and edges there are around a pixel.
+/// Density of triangles and edges near a pixel.
 enum class EdgeDensity
 {
   Sparse,
@@ -59,66 +60,68 @@ enum class EdgeDensity
   Dense    ///< triangles smaller than pixels
 };
 
+/// Color and estimated error of a pixel.
 struct PixelResult
 {
-  glm::vec4 Color{ 0.f }; ///< premultiplied
-  float Error = 0.f;      ///< believed, as an RMS over the three colours
+  glm::vec4 Color{ 0.f }; ///< premultiplied by alpha
+  float Error = 0.f;      ///< estimated RMS error of the three color components
 };
 
-/// One per thread; scratch memory is kept between pixels.
+/// Integrates one pixel at a time. Each thread needs its own object, which keeps scratch memory.
 class PixelIntegrator
 {
 public:
-  PixelIntegrator(const CameraRayTracer& sampler, const CornerGrid& corners,
+  PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
     const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings);
 
-  /// To be called before the pixels of another tile.
+  /// Resets the state of a tile. Call it before the first pixel of a tile.
   void BeginTile()
   {
     this->Cache.Clear();
-    this->FoundPiercing = false;
-    this->Wary = false;
+    this->FoundIntersection = false;
+    this->SearchAllPixels = false;
   }
 
-  /// Pixel (x, y), crossed by the listed edges.
+  /// Computes pixel (x, y), which the listed edges cross.
   PixelResult Integrate(
     int x, int y, const std::uint32_t* edgeIndices, std::size_t count, EdgeDensity density);
 
-  /// Has a pixel been found, since BeginTile(), where triangles pass through each other?
-  bool HasFoundPiercing() const { return this->FoundPiercing; }
+  /// Returns true if intersecting triangles were found in a pixel since BeginTile().
+  bool HasFoundIntersection() const { return this->FoundIntersection; }
 
-  /// Looks for more of them in every pixel with edges that follows.
-  void BeWary() { this->Wary = true; }
+  /// Searches all following pixels with edges for intersecting triangles.
+  void SearchAllPixelsForIntersections() { this->SearchAllPixels = true; }
 
-  /// What the medium in front of the last pixel's corners is believed to err, at most.
+  /// Returns the maximum estimated error of the medium over the corners of the last pixel.
   float GetMediumError() const { return this->MediumError; }
 
   RayCounts Rays;
   PixelCounts Pixels;
 
 private:
+  /// A square of the subdivision of a pixel.
   struct Square
   {
-    glm::ivec2 Low; ///< in units of the finest level
+    glm::ivec2 Low; ///< lower left corner, in units of the finest level
     int Level;
     Sample Corners[4]; ///< (0, 0), (1, 0), (0, 1), (1, 1)
   };
 
-  /// Where a face is looked into and what rays found there.
-  struct Probing
+  /// Positions at which a face is probed by rays, and the result.
+  struct FaceProbe
   {
     static constexpr int Sides = 8;
 
-    glm::dvec2 Outermost[Sides]; ///< the corners farthest to each side
+    glm::dvec2 ExtremePoints[Sides]; ///< farthest trapezoid corner in each direction
     bool IsEmpty = true;
-    bool IsTorn = false; ///< there is a border in the face that the arrangement does not have
+    bool IsDiscontinuous = false; ///< the face contains an edge that the arrangement lacks
 
     void Add(glm::dvec2 point);
   };
 
   void LoadCorners(int x, int y);
   double MaximumOpaqueDepth(const Sample& sample) const;
-  double JustBehind(double depth) const;
+  double ComputeDepthBehind(double depth) const;
   void UpdateMaximumFaceDepth(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
   bool IsNearShadowBoundary() const;
@@ -128,59 +131,60 @@ private:
   PixelResult IntegrateSubdivided(bool byObject);
   PixelResult IntegrateUniform(int side);
   PixelResult IntegrateUniformAdaptive();
-  PixelResult Sampled();
+  PixelResult IntegrateSampled();
   void AddTriangle(const Sample& sample);
   void FindNearbyIntersections();
-  bool AreTorn(const Hit& a, const Hit& b) const;
-  void Glance();
+  bool AreDisconnected(const Hit& a, const Hit& b) const;
+  void ProbeLargeTrapezoids();
   Hit ProbeAt(glm::dvec2 local);
   void ProbeTrapezoids();
   bool AddIntersectionSegments();
   void RetraceCornersOnEdges();
   bool RetraceIsolatedMiss();
   bool CornersAgree() const;
-  float CurvatureError() const;
-  void Descend(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
-  bool NeedsDescent(const Square& square) const;
+  float EstimateCurvatureError() const;
+  void Subdivide(const Square& square, bool byObject, glm::vec4& color, float& squaredError);
+  bool NeedsSubdivision(const Square& square) const;
   bool IsConstant(const Sample& sample) const;
   bool IsConstantBehindMedium(const Sample& sample) const;
-  PixelResult FaceColor(std::size_t face);
+  PixelResult ComputeFaceColor(std::size_t face);
   PixelResult SplitFace(std::size_t face);
   void SplitTrapezoid(const PixelArrangement::Trapezoid& trapezoid, glm::dvec2 low, double side,
-    const Sample& middle, glm::vec4& color, float& squaredError);
-  const Sample& SampleAtFine(glm::ivec2 fine);
+    const Sample& center, glm::vec4& color, float& squaredError);
+  const Sample& GetGridSample(glm::ivec2 fine);
   Sample Trace(glm::dvec2 local, double area = 1.0);
 
-  /// An error of coverage and shading with what colours err by themselves: about four of them make
-  /// a pixel.
+  /// Combines an error of coverage and shading with the noise of sampled colors. About four colors
+  /// are averaged per pixel, which halves the noise.
   float CombineErrors(float error, float floor) const
   {
     return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Settings.Noise)), floor);
   }
 
-  const CameraRayTracer& Source;
+  const CameraRayTracer& Tracer;
   const CornerGrid& Grid;
   const std::vector<ProjectedEdge>& Edges;
   const IntegrationSettings Settings;
   SampleCache Cache;
 
-  // The pixel at work.
+  // State of the current pixel.
   int X = 0;
   int Y = 0;
   Sample Corners[4];
   float MediumError = 0.f;
-  unsigned int TrustedCorners = 0; ///< those that no edge passes nearer than a ray is precise
+  unsigned int TrustedCorners =
+    0; ///< bits of the corners farther than EdgePrecision from all edges
   std::vector<PixelSegment> Segments;
   double NearestCulledDepth = 0.0;
   double MaximumFaceDepth = 0.0;
-  bool FoundPiercing = false;
-  bool Wary = false;
-  std::vector<TriangleId> VisibleTriangles; ///< triangles that samples met
-  bool HasIntersections = false;            ///< some of them pass through each other
-  std::size_t PairsTested = 0;              ///< the first so many of Seen know each other
+  bool FoundIntersection = false;
+  bool SearchAllPixels = false;
+  std::vector<TriangleId> VisibleTriangles; ///< triangles hit by samples
+  bool HasIntersections = false;            ///< some of them intersect, or may
+  std::size_t PairsTested = 0;              ///< number of triangles whose pairs were intersected
   PixelArrangement Arrangement;
-  std::vector<glm::vec4> Colors; ///< of uniform samples
-  std::vector<Probing> Probed;   ///< per face; empty: none was looked into
+  std::vector<glm::vec4> Colors;     ///< colors of uniform samples
+  std::vector<FaceProbe> FaceProbes; ///< per face; empty if the faces were not probed
 };
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator that covers pixels exactly: edges and piercings cut the pixel into faces,
-// each face is one surface.
+// Exact coverage in PixelIntegrator: projected edges and intersections of triangles cut the pixel
+// into faces, and each face shows one surface.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -17,27 +17,8 @@ namespace penumbra
 namespace
 {
 
-// Faces below this share of a pixel are left out: no ray could be aimed at them.
-constexpr double SmallestFace = 1e-6;
-// Objects in one pixel whose depths differ by less than this many pixels may touch.
-constexpr double TouchingDepth = 16.0;
-// Pieces of such a pixel that are large enough to be worth a glance, and where triangles are known to pass
-// through each other; how far from the sides of pieces rays keep, as a share, and how often pieces that
-// this brings forth are looked into in turn.
-constexpr double SmallestGlance = 0.02;
-constexpr double SmallestProbe = 0.005;
-constexpr double ProbeInset = 0.02;
-constexpr int MostProbings = 4;
-// Triangles of one pixel that are tested for passing through each other.
-constexpr std::size_t MostTrianglesSeen = 48;
-// Distances along rays nearer to each other than this, relatively, are one.
-constexpr double SameDepth = 1e-5;
-// Trapezoids that cost about as much as a ray.
-constexpr std::size_t TrapezoidsPerRay = 16;
-// How much the colour is taken to vary across a piece of surface of which one sample is known.
-constexpr float UnknownVariation = 0.25f;
-
-double DistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
+/// Returns the distance of p to the segment from a to b.
+double ComputeDistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
 {
   const glm::dvec2 d = b - a;
   const double square = glm::dot(d, d);
@@ -47,7 +28,7 @@ double DistanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b)
 
 }
 
-// How deep the surface that a sample met may lie anywhere in this pixel.
+// Returns the maximum depth in this pixel of the opaque surface that a sample hit.
 double PixelIntegrator::MaximumOpaqueDepth(const Sample& sample) const
 {
   if (!(sample.OpaqueDepth < std::numeric_limits<float>::infinity()))
@@ -57,17 +38,18 @@ double PixelIntegrator::MaximumOpaqueDepth(const Sample& sample) const
   if (sample.OpaqueDepth != sample.FirstHit.Distance)
   {
     return sample.OpaqueDepth +
-      this->Source.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
+      this->Tracer.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
   }
-  return MaximumDepthInPixel(this->Source.GetScene(),
+  return MaximumDepthInPixel(this->Tracer.GetScene(),
     { sample.FirstHit.Surface, sample.FirstHit.Triangle }, glm::dvec2(this->X, this->Y));
 }
 
-// The depth from which on something lies behind `depth`, whatever rays round.
-double PixelIntegrator::JustBehind(double depth) const
+// Returns the smallest depth that is behind `depth` in spite of rounding.
+double PixelIntegrator::ComputeDepthBehind(double depth) const
 {
   return depth +
-    SameDepth * std::abs(depth - this->Source.GetScene().ViewCamera.DepthOfRayOrigins());
+    RelativeDepthTolerance *
+    std::abs(depth - this->Tracer.GetScene().ViewCamera.DepthOfRayOrigins());
 }
 
 void PixelIntegrator::UpdateMaximumFaceDepth(const Sample& sample)
@@ -83,10 +65,10 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
   this->Segments.clear();
   this->NearestCulledDepth = std::numeric_limits<double>::infinity();
 
-  // An edge behind the opaque surfaces that all four corners see cannot show, unless one in front of
-  // it opens them: culling is undone when a face turns out to lie deeper (see Exact). In a valley
-  // the edge at the bottom lies deeper than the corners, but not deeper than the planes that meet
-  // there.
+  // An edge behind the opaque surfaces at all four corners is hidden, unless an edge in front of it
+  // uncovers it. IntegrateExact() therefore loads the segments again without culling when a face is
+  // deeper. In a valley the edge at the bottom is deeper than the corners, but not deeper than the
+  // planes of the triangles that meet there. The limit is the maximum depth of these planes.
   double limit = std::numeric_limits<double>::infinity();
   if (cull && count > 0)
   {
@@ -95,10 +77,10 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     {
       limit = std::max(limit, this->MaximumOpaqueDepth(corner));
     }
-    limit = this->JustBehind(limit);
+    limit = this->ComputeDepthBehind(limit);
   }
 
-  const bool parallel = this->Source.GetScene().ViewCamera.Parallel;
+  const bool parallel = this->Tracer.GetScene().ViewCamera.Parallel;
   const glm::dvec2 origin(this->X, this->Y);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -122,7 +104,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     }
     for (int corner = 0; corner < 4; ++corner)
     {
-      if (DistanceToSegment(CornerOffset(corner), a, a + d) < EdgePrecision)
+      if (ComputeDistanceToSegment(GetCornerOffset(corner), a, a + d) < EdgePrecision)
       {
         this->TrustedCorners &= ~(1u << corner);
       }
@@ -137,7 +119,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
 void PixelIntegrator::AddTriangle(const Sample& sample)
 {
   const TriangleId id{ sample.FirstHit.Surface, sample.FirstHit.Triangle };
-  if (sample.FirstHit.IsHit() && this->VisibleTriangles.size() < MostTrianglesSeen &&
+  if (sample.FirstHit.IsHit() && this->VisibleTriangles.size() < MaximumTriangles &&
     std::find(this->VisibleTriangles.begin(), this->VisibleTriangles.end(), id) ==
       this->VisibleTriangles.end())
   {
@@ -145,8 +127,8 @@ void PixelIntegrator::AddTriangle(const Sample& sample)
   }
 }
 
-// Cuts the pixel where triangles that were seen in it pass through each other; false when no new
-// border was found.
+// Adds the intersections of the visible triangles to the segments. Returns false if there are no
+// new ones.
 bool PixelIntegrator::AddIntersectionSegments()
 {
   const std::size_t before = this->Segments.size();
@@ -156,7 +138,7 @@ bool PixelIntegrator::AddIntersectionSegments()
     for (std::size_t j = 0; j < i; ++j)
     {
       PixelSegment segment;
-      if (IntersectTriangles(this->Source.GetScene(), this->VisibleTriangles[i],
+      if (IntersectTriangles(this->Tracer.GetScene(), this->VisibleTriangles[i],
             this->VisibleTriangles[j], origin, segment))
       {
         this->Segments.push_back(segment);
@@ -165,55 +147,56 @@ bool PixelIntegrator::AddIntersectionSegments()
   }
   this->PairsTested = this->VisibleTriangles.size();
   this->HasIntersections = this->HasIntersections || this->Segments.size() > before;
-  this->FoundPiercing = this->FoundPiercing || this->Segments.size() > before;
+  this->FoundIntersection = this->FoundIntersection || this->Segments.size() > before;
   return this->Segments.size() > before;
 }
 
-// Looks for piercings among the triangles at the corners, and where there are some, among those at
-// the corners around, too: they go on there.
+// Intersects the triangles at the corners. If any intersect, also those at neighboring corners,
+// because intersections continue there.
 void PixelIntegrator::FindNearbyIntersections()
 {
   double nearest = std::numeric_limits<double>::infinity();
-  double deepest = 0.0;
+  double farthest = 0.0;
   for (const Sample& corner : this->Corners)
   {
     this->AddTriangle(corner);
     nearest = std::min(nearest, static_cast<double>(corner.OpaqueDepth));
-    deepest = std::max(deepest, static_cast<double>(corner.OpaqueDepth));
+    farthest = std::max(farthest, static_cast<double>(corner.OpaqueDepth));
   }
-  // Two objects at one depth may do so even if the triangles at the corners do not.
-  const Camera& eye = this->Source.GetScene().ViewCamera;
-  const double footprint = eye.PixelSize * (eye.Parallel ? 1.0 : nearest + eye.DepthOfRayOrigins());
-  this->HasIntersections =
-    this->Wary || (!this->CornersAgree() && deepest - nearest < TouchingDepth * footprint);
+  // Two surfaces at similar depths may intersect even if the triangles at the corners do not.
+  const Camera& camera = this->Tracer.GetScene().ViewCamera;
+  const double footprint =
+    camera.PixelSize * (camera.Parallel ? 1.0 : nearest + camera.DepthOfRayOrigins());
+  this->HasIntersections = this->SearchAllPixels ||
+    (!this->CornersAgree() && farthest - nearest < TouchingDepth * footprint);
   if (!this->AddIntersectionSegments() && !this->HasIntersections)
   {
     return;
   }
-  this->AnyNeighborCorner([this](const Sample& around) {
-    this->AddTriangle(around);
+  this->AnyNeighborCorner([this](const Sample& neighbor) {
+    this->AddTriangle(neighbor);
     return false;
   });
   this->AddIntersectionSegments();
 }
 
-// Is there a border between two hits in one piece of a pixel?
-bool PixelIntegrator::AreTorn(const Hit& a, const Hit& b) const
+// Returns true if there is an edge between two hits in one face.
+bool PixelIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
 {
   if (a.Surface != b.Surface || !a.IsHit() || a.Triangle == b.Triangle)
   {
     return a.Surface != b.Surface;
   }
-  return this->Source.GetShading().IsConstantPerTriangle(a.Surface) &&
-    !ShareAnEdge(this->Source.GetScene(), { a.Surface, a.Triangle }, { b.Surface, b.Triangle });
+  return this->Tracer.GetShading().IsConstantPerTriangle(a.Surface) &&
+    !HaveCommonEdge(this->Tracer.GetScene(), { a.Surface, a.Triangle }, { b.Surface, b.Triangle });
 }
 
-// Looks for triangles that no corner met, where surfaces may pass through each other.
-void PixelIntegrator::Glance()
+// Finds triangles that no corner ray hit, in pixels in which surfaces may intersect.
+void PixelIntegrator::ProbeLargeTrapezoids()
 {
   for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
   {
-    if (t.Area() < SmallestGlance)
+    if (t.Area() < MinimumTrapezoidArea)
     {
       continue;
     }
@@ -227,84 +210,86 @@ void PixelIntegrator::Glance()
 Hit PixelIntegrator::ProbeAt(glm::dvec2 local)
 {
   Sample sample;
-  sample.FirstHit = this->Source.FirstHit(glm::dvec2(this->X, this->Y) + local);
+  sample.FirstHit = this->Tracer.TraceFirstHit(glm::dvec2(this->X, this->Y) + local);
   ++this->Rays.Refinement;
   this->AddTriangle(sample);
   return sample.FirstHit;
 }
 
-// The same where they do: two triangles that cover a face and cross in it show at different ones of its
-// outermost corners. Faces that no one triangle covers are torn.
+// Finds triangles that no corner ray hit, in pixels in which surfaces are known to intersect. If
+// two triangles intersect within a face, rays at its extreme points hit different triangles. Faces
+// whose hits are disconnected are marked as discontinuous.
 void PixelIntegrator::ProbeTrapezoids()
 {
-  std::vector<Probing>& probings = this->Probed;
-  probings.assign(this->Arrangement.GetFaces().size(), Probing());
+  std::vector<FaceProbe>& probes = this->FaceProbes;
+  probes.assign(this->Arrangement.GetFaces().size(), FaceProbe());
   for (const PixelArrangement::Trapezoid& t : this->Arrangement.GetTrapezoids())
   {
-    for (int corner = 0; corner < 4 && t.Area() > SmallestFace; ++corner)
+    for (int corner = 0; corner < 4 && t.Area() > MinimumFaceArea; ++corner)
     {
-      const glm::dvec2 at = ProbeInset + (1.0 - 2.0 * ProbeInset) * CornerOffset(corner);
-      probings[t.Face].Add(t.At(at.x, at.y));
+      const glm::dvec2 at = ProbeInset + (1.0 - 2.0 * ProbeInset) * GetCornerOffset(corner);
+      probes[t.Face].Add(t.At(at.x, at.y));
     }
   }
-  for (std::size_t i = 0; i < probings.size(); ++i)
+  for (std::size_t i = 0; i < probes.size(); ++i)
   {
-    if (this->Arrangement.GetFaces()[i].Area < SmallestProbe)
+    if (this->Arrangement.GetFaces()[i].Area < MinimumProbedFaceArea)
     {
       continue;
     }
-    const glm::dvec2* const begin = probings[i].Outermost;
+    const glm::dvec2* const begin = probes[i].ExtremePoints;
     const Hit first = this->ProbeAt(*begin);
-    for (int side = 1; side < Probing::Sides; ++side)
+    for (int side = 1; side < FaceProbe::Sides; ++side)
     {
       const glm::dvec2* const at = begin + side;
       if (std::find(begin, at, *at) == at)
       {
         const Hit hit = this->ProbeAt(*at);
-        probings[i].IsTorn = probings[i].IsTorn || this->AreTorn(first, hit);
+        probes[i].IsDiscontinuous = probes[i].IsDiscontinuous || this->AreDisconnected(first, hit);
       }
     }
   }
 }
 
-void PixelIntegrator::Probing::Add(glm::dvec2 point)
+void PixelIntegrator::FaceProbe::Add(glm::dvec2 point)
 {
-  // In turn to the left, below, to the right, above and between.
+  // Counterclockwise, starting at the left.
   static const glm::dvec2 Directions[Sides] = { { -1.0, 0.0 }, { -1.0, -1.0 }, { 0.0, -1.0 },
     { 1.0, -1.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { -1.0, 1.0 } };
   for (int side = 0; side < Sides; ++side)
   {
-    if (this->IsEmpty || glm::dot(point - this->Outermost[side], Directions[side]) > 0.0)
+    if (this->IsEmpty || glm::dot(point - this->ExtremePoints[side], Directions[side]) > 0.0)
     {
-      this->Outermost[side] = point;
+      this->ExtremePoints[side] = point;
     }
   }
   this->IsEmpty = false;
 }
 
-// Has a face one colour all over, whichever of its points is asked? A medium changes it a little.
+// Returns true if the color is constant over the face that contains the sample. A medium makes it
+// vary.
 bool PixelIntegrator::IsConstant(const Sample& sample) const
 {
-  return !this->Source.HasShafts() && this->IsConstantBehindMedium(sample);
+  return !this->Tracer.HasShafts() && this->IsConstantBehindMedium(sample);
 }
 
 bool PixelIntegrator::IsConstantBehindMedium(const Sample& sample) const
 {
   return !sample.FirstHit.IsHit() ||
-    (!this->Source.IsTransparent() && !this->Source.UsesIrradianceSource() &&
-      this->Source.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
+    (!this->Tracer.HasTranslucentSurfaces() && !this->Tracer.UsesIrradianceSource() &&
+      this->Tracer.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
 }
 
-PixelResult PixelIntegrator::FaceColor(std::size_t index)
+PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
 {
   const PixelArrangement::Face face = this->Arrangement.GetFaces()[index];
   const unsigned int inside = face.Corners & this->TrustedCorners;
-  if (!this->Probed.empty() && this->Probed[index].IsTorn)
+  if (!this->FaceProbes.empty() && this->FaceProbes[index].IsDiscontinuous)
   {
     return this->SplitFace(index);
   }
   PixelResult result;
-  const Sample* known = nullptr;
+  const Sample* reference = nullptr;
   bool agree = true;
   for (int i = 0; i < 4; ++i)
   {
@@ -312,22 +297,22 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
     {
       const Sample& corner = this->Corners[i];
       agree = agree &&
-        (!known ||
-          (known->FirstHit.Surface == corner.FirstHit.Surface &&
-            MaximumDifference(known->Color, corner.Color) <= this->Settings.Tolerance));
-      known = known ? known : &corner;
+        (!reference ||
+          (reference->FirstHit.Surface == corner.FirstHit.Surface &&
+            ComputeMaximumDifference(reference->Color, corner.Color) <= this->Settings.Tolerance));
+      reference = reference ? reference : &corner;
     }
   }
-  if (known && !agree)
+  if (reference && !agree)
   {
     return this->SplitFace(index);
   }
-  if (known)
+  if (reference)
   {
-    this->UpdateMaximumFaceDepth(*known);
-    result.Color = known->FirstHit.IsHit()
-      ? known->Color
-      : this->Source.Background(glm::dvec2(this->X, this->Y) + face.Point);
+    this->UpdateMaximumFaceDepth(*reference);
+    result.Color = reference->FirstHit.IsHit()
+      ? reference->Color
+      : this->Tracer.GetBackground(glm::dvec2(this->X, this->Y) + face.Point);
     return result;
   }
   const Sample sample = this->Trace(face.Point, face.Area);
@@ -338,8 +323,8 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   {
     return result;
   }
-  // The face is one surface: how its corners differ from the sample tells how the colour varies
-  // within it. A face without corners is taken to vary as much as a rim often does.
+  // The face is one surface, so the differences between its corners and the sample estimate the
+  // variation of the color. A face without corners is assumed to vary by UnknownVariation.
   const bool unknown = !inside || this->IsNearShadowBoundary();
   float variation = unknown ? UnknownVariation : 0.f;
   for (int i = 0; i < 4; ++i)
@@ -347,18 +332,18 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
     if (inside >> i & 1u)
     {
       const Sample& corner = this->Corners[i];
-      const bool torn = corner.FirstHit.Surface != sample.FirstHit.Surface;
-      variation = std::max(
-        variation, std::max(torn ? 1.f : 0.f, MaximumDifference(corner.Color, sample.Color)));
+      const bool disconnected = corner.FirstHit.Surface != sample.FirstHit.Surface;
+      variation = std::max(variation,
+        std::max(disconnected ? 1.f : 0.f, ComputeMaximumDifference(corner.Color, sample.Color)));
     }
   }
   const float area = static_cast<float>(face.Area);
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
-  // Answers about occlusion and shafts are dear, and they seldom jump: there no face is split on
-  // suspicion.
-  const bool dear = this->Source.UsesIrradianceSource() || this->Source.HasShafts();
-  const bool suspicion = unknown && dear && variation <= UnknownVariation;
-  if (variation * area > limit && !suspicion)
+  // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not
+  // split because of an assumed variation.
+  const bool isExpensive = this->Tracer.UsesIrradianceSource() || this->Tracer.HasShafts();
+  const bool skipSplit = unknown && isExpensive && variation <= UnknownVariation;
+  if (variation * area > limit && !skipSplit)
   {
     return this->SplitFace(index);
   }
@@ -366,24 +351,24 @@ PixelResult PixelIntegrator::FaceColor(std::size_t index)
   return result;
 }
 
-// Colours that bend or jump within a face, or surfaces that meet there without an edge
-// (interpenetration): the face's trapezoids are quartered until their samples agree.
+// Subdivides the trapezoids of a face until their samples agree. Used if the color varies
+// nonlinearly or is discontinuous within the face, or if surfaces intersect there.
 PixelResult PixelIntegrator::SplitFace(std::size_t index)
 {
   PixelResult result;
   float area = 0.f;
   float squares = 0.f;
   this->Arrangement.VisitTrapezoids(index, [&](const PixelArrangement::Trapezoid& t) {
-    if (t.Area() > SmallestFace)
+    if (t.Area() > MinimumFaceArea)
     {
-      const Sample middle = this->Trace(t.Centroid(), t.Area());
-      this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, middle, result.Color, squares);
+      const Sample center = this->Trace(t.Centroid(), t.Area());
+      this->SplitTrapezoid(t, { 0.0, 0.0 }, 1.0, center, result.Color, squares);
       area += static_cast<float>(t.Area());
     }
   });
   if (!(area > 0.f))
   {
-    // Nothing but slivers: one ray for all of them.
+    // All trapezoids are too small. One ray represents them.
     result.Color = this->Trace(this->Arrangement.GetFaces()[index].Point).Color;
     return result;
   }
@@ -393,19 +378,19 @@ PixelResult PixelIntegrator::SplitFace(std::size_t index)
 }
 
 void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::dvec2 low,
-  double side, const Sample& middle, glm::vec4& color, float& squaredError)
+  double side, const Sample& center, glm::vec4& color, float& squaredError)
 {
-  this->UpdateMaximumFaceDepth(middle);
+  this->UpdateMaximumFaceDepth(center);
   const double height = 0.5 * (t.Top0 + t.Top1 - t.Bottom0 - t.Bottom1);
   const double slope = (t.Top1 - t.Bottom1) - (t.Top0 - t.Bottom0);
-  const auto share = [&](double u, double s) {
+  const auto computeArea = [&](double u, double s) {
     return (t.X1 - t.X0) * s * s * (height + slope * (u + 0.5 * s - 0.5));
   };
-  const float area = static_cast<float>(share(low.x, side));
+  const float area = static_cast<float>(computeArea(low.x, side));
   if (area * UnknownVariation < this->Settings.Tolerance ||
     side < std::ldexp(1.5, -this->Settings.MaximumLevel))
   {
-    color += area * middle.Color;
+    color += area * center.Color;
     const float error = ResidualErrorFraction * area * UnknownVariation;
     squaredError += error * error;
     return;
@@ -413,16 +398,16 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   const double half = 0.5 * side;
   Sample quarters[4];
   glm::vec4 sum(0.f);
-  bool torn = false;
+  bool disconnected = false;
   for (int i = 0; i < 4; ++i)
   {
-    const glm::dvec2 at = low + half * CornerOffset(i);
+    const glm::dvec2 at = low + half * GetCornerOffset(i);
     quarters[i] = this->Trace(t.At(at.x + 0.5 * half, at.y + 0.5 * half), 0.25 * area);
-    sum += static_cast<float>(share(at.x, half)) * quarters[i].Color;
-    torn = torn || quarters[i].FirstHit.Surface != middle.FirstHit.Surface;
+    sum += static_cast<float>(computeArea(at.x, half)) * quarters[i].Color;
+    disconnected = disconnected || quarters[i].FirstHit.Surface != center.FirstHit.Surface;
   }
-  const float deviation = MaximumDifference(sum, area * middle.Color);
-  if (!torn && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
+  const float deviation = ComputeMaximumDifference(sum, area * center.Color);
+  if (!disconnected && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
   {
     color += sum;
     squaredError += ResidualErrorFraction * ResidualErrorFraction * deviation * deviation;
@@ -430,34 +415,35 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
   }
   for (int i = 0; i < 4; ++i)
   {
-    this->SplitTrapezoid(t, low + half * CornerOffset(i), half, quarters[i], color, squaredError);
+    this->SplitTrapezoid(
+      t, low + half * GetCornerOffset(i), half, quarters[i], color, squaredError);
   }
 }
 
 PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, std::size_t count)
 {
-  long long& counted = this->CornersAgree() ? this->Pixels.Small : this->Pixels.Border;
-  ++counted;
+  long long& pixelCount = this->CornersAgree() ? this->Pixels.SmallObject : this->Pixels.Edge;
+  ++pixelCount;
   this->FindNearbyIntersections();
-  int probings = 0;
-  // As soon as the arrangement costs more than rays that would do as well, those are traced instead.
-  const long long rays = SamplesFor(this->Settings.Tolerance);
-  const long long mostRays = this->Rays.Refinement + rays;
-  const PixelArrangement::Limits limits{ static_cast<std::size_t>(rays),
-    static_cast<std::size_t>(rays) * TrapezoidsPerRay };
+  int probePasses = 0;
+  // The pixel is sampled as soon as the arrangement costs more than samples of the same accuracy.
+  const long long sampleBudget = ComputeMaximumSamples(this->Settings.Tolerance);
+  const long long maximumRays = this->Rays.Refinement + sampleBudget;
+  const PixelArrangement::Limits limits{ static_cast<std::size_t>(sampleBudget),
+    static_cast<std::size_t>(sampleBudget) * TrapezoidsPerRay };
   for (;;)
   {
     if (!this->Arrangement.Build(
           this->Segments.data(), static_cast<int>(this->Segments.size()), limits))
     {
-      --counted;
-      return this->Sampled();
+      --pixelCount;
+      return this->IntegrateSampled();
     }
-    this->Probed.clear();
-    if (this->HasIntersections && probings < (this->Wary ? MostProbings : 1))
+    this->FaceProbes.clear();
+    if (this->HasIntersections && probePasses < (this->SearchAllPixels ? MaximumProbePasses : 1))
     {
-      ++probings;
-      this->Wary ? this->ProbeTrapezoids() : this->Glance();
+      ++probePasses;
+      this->SearchAllPixels ? this->ProbeTrapezoids() : this->ProbeLargeTrapezoids();
       if (this->AddIntersectionSegments())
       {
         continue;
@@ -471,24 +457,24 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
     for (std::size_t i = 0; i < faces; ++i)
     {
       const double area = this->Arrangement.GetFaces()[i].Area;
-      if (area < SmallestFace)
+      if (area < MinimumFaceArea)
       {
         continue;
       }
-      if (this->Rays.Refinement > mostRays)
+      if (this->Rays.Refinement > maximumRays)
       {
-        --counted;
-        return this->Sampled();
+        --pixelCount;
+        return this->IntegrateSampled();
       }
-      const PixelResult face = this->FaceColor(i);
+      const PixelResult face = this->ComputeFaceColor(i);
       const float weight = static_cast<float>(area);
       result.Color += weight * face.Color;
       squares += weight * face.Error * weight * face.Error;
       covered += area;
     }
-    if (this->JustBehind(this->MaximumFaceDepth) >= this->NearestCulledDepth)
+    if (this->ComputeDepthBehind(this->MaximumFaceDepth) >= this->NearestCulledDepth)
     {
-      // Something shows that was thought hidden.
+      // An edge that was culled may be visible.
       this->LoadSegments(edgeIndices, count, false);
       this->PairsTested = 0;
       this->AddIntersectionSegments();

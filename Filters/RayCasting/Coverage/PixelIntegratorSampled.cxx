@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator for single pixels in which so much lies that covering them exactly would
-// cost more than sampling them to the tolerance.
+// Adaptive sampling in PixelIntegrator, for single pixels whose exact coverage would cost more than
+// samples of the same accuracy.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -17,36 +17,31 @@ namespace penumbra
 namespace
 {
 
+// Number of groups whose means estimate the error.
 constexpr int Groups = 16;
-constexpr int FirstSamples = 64;
-// Borders as close as those of slivers need more samples than single straight ones, by this at most.
-constexpr int CrowdShare = 4;
-constexpr int MostSamples = 4096;
-// Errors above the standard error: few are.
-constexpr float Confidence = 1.5f;
-// Something may hide between n samples: this over n.
-constexpr float HiddenError = 0.25f;
 
 }
 
-// Samples of a sequence, twice as many each time until their groups agree to the tolerance or there are
-// as many as it is worth. Each group is a run of the sequence and so evenly spread by itself: the scatter
-// of their means tells the error of the whole, and rather more.
-PixelResult PixelIntegrator::Sampled()
+// Doubles the number of samples until the estimated error is below the tolerance or the maximum
+// number is reached. Each group of samples is a contiguous part of the Owen-scrambled Sobol
+// sequence and has low discrepancy. The variance of the means of the groups is a conservative
+// estimate of the error.
+PixelResult PixelIntegrator::IntegrateSampled()
 {
   ++this->Pixels.Uniform;
   const OwenSobolSequence sequence(static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(this->Y) * 0x85ebca77u);
-  const int most = std::min(CrowdShare * SamplesFor(this->Settings.Tolerance), MostSamples);
+  const int maximumSamples =
+    std::min(SampleBudgetFactor * ComputeMaximumSamples(this->Settings.Tolerance), MaximumSamples);
   glm::dvec4 sums[Groups] = {};
-  int inGroup = FirstSamples / Groups;
+  int inGroup = MinimumSamples / Groups;
   int traced = 0;
   glm::dvec2 points[CameraRayTracer::PacketSize];
   Sample samples[CameraRayTracer::PacketSize];
   PixelResult result;
-  for (int total = FirstSamples;; total *= 2)
+  for (int total = MinimumSamples;; total *= 2)
   {
-    const double slack = ToleranceScale(1.0 / total);
+    const double toleranceScale = ComputeToleranceScale(1.0 / total);
     while (traced < total)
     {
       for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
@@ -54,14 +49,14 @@ PixelResult PixelIntegrator::Sampled()
         points[i] = glm::dvec2(this->X, this->Y) +
           glm::dvec2(sequence.At(static_cast<std::uint32_t>(traced + i)));
       }
-      this->Source.TracePacket(points, 0xffffu, samples, this->Rays, slack);
+      this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale);
       for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
       {
         sums[(traced + i) / inGroup] += glm::dvec4(samples[i].Color);
       }
       traced += CameraRayTracer::PacketSize;
     }
-    this->Rays.Refinement += total == FirstSamples ? total : total / 2;
+    this->Rays.Refinement += total == MinimumSamples ? total : total / 2;
 
     glm::dvec4 sum(0.0);
     glm::dvec4 squares(0.0);
@@ -76,9 +71,9 @@ PixelResult PixelIntegrator::Sampled()
       glm::max(squares / static_cast<double>(Groups) - mean * mean, 0.0) / (Groups - 1.0);
     const double largest = std::max(std::max(variance.r, variance.g), variance.b);
     result.Color = glm::vec4(mean);
-    result.Error = this->CombineErrors(
-      Confidence * static_cast<float>(std::sqrt(largest)), HiddenError / static_cast<float>(total));
-    if (result.Error <= this->Settings.Tolerance || total >= most)
+    result.Error = this->CombineErrors(ConfidenceFactor * static_cast<float>(std::sqrt(largest)),
+      HiddenError / static_cast<float>(total));
+    if (result.Error <= this->Settings.Tolerance || total >= maximumSamples)
     {
       return result;
     }

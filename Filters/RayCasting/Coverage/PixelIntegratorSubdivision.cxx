@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator that subdivides pixels [AA], by object or driven by the error.
+// Recursive subdivision of pixels in PixelIntegrator [AA], controlled by surface ids or by the
+// estimated error.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -16,34 +17,31 @@ namespace penumbra
 namespace
 {
 
-// The share of its contrast by which the mean of a square's corners errs, RMS over all straight
-// borders through it (measured: uniform samples of a half-plane).
-constexpr float ContrastError = 0.3f;
-// The share of a pixel that its middle stands for, when no more samples are needed.
-constexpr double LargestShare = 2.0 / 3.0;
+// Weight of the center sample of a square that is not subdivided further (Simpson's rule).
+constexpr double CenterWeight = 2.0 / 3.0;
 
 }
 
-const Sample& PixelIntegrator::SampleAtFine(glm::ivec2 fine)
+const Sample& PixelIntegrator::GetGridSample(glm::ivec2 fine)
 {
-  if (const Sample* known = this->Cache.Find(fine))
+  if (const Sample* cached = this->Cache.Find(fine))
   {
-    return *known;
+    return *cached;
   }
-  // The level of the squares that have this place for a corner first, whichever pixel asks.
+  // The coarsest level at which this position is a corner. It is independent of the current pixel.
   int level = this->Settings.MaximumLevel;
   for (glm::ivec2 p = fine; level > 1 && (p.x | p.y) % 2 == 0; p /= 2)
   {
     --level;
   }
-  const double area = LargestShare * std::ldexp(1.0, -2 * (level - 1));
+  const double area = CenterWeight * std::ldexp(1.0, -2 * (level - 1));
   const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
   ++this->Rays.Refinement;
-  return this->Cache.Insert(
-    fine, this->Source.TraceSample(glm::dvec2(fine) * scale, this->Rays, ToleranceScale(area)));
+  return this->Cache.Insert(fine,
+    this->Tracer.TraceSample(glm::dvec2(fine) * scale, this->Rays, ComputeToleranceScale(area)));
 }
 
-bool PixelIntegrator::NeedsDescent(const Square& square) const
+bool PixelIntegrator::NeedsSubdivision(const Square& square) const
 {
   for (int i = 1; i < 4; ++i)
   {
@@ -52,7 +50,7 @@ bool PixelIntegrator::NeedsDescent(const Square& square) const
       return true;
     }
   }
-  // Case 4: something inside, though the corners agree.
+  // Case 4: an edge inside, although the corners agree.
   const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
   const glm::dvec2 low = glm::dvec2(square.Low) * scale - glm::dvec2(this->X, this->Y);
   const double side = std::ldexp(1.0, -square.Level);
@@ -67,15 +65,15 @@ bool PixelIntegrator::NeedsDescent(const Square& square) const
   return false;
 }
 
-void PixelIntegrator::Descend(
+void PixelIntegrator::Subdivide(
   const Square& square, bool byObject, glm::vec4& color, float& squaredError)
 {
   const float area = std::ldexp(1.f, -2 * square.Level);
-  const glm::vec4 mean = Mean(square.Corners);
-  if (square.Level >= this->Settings.MaximumLevel || (byObject && !this->NeedsDescent(square)))
+  const glm::vec4 mean = ComputeMean(square.Corners);
+  if (square.Level >= this->Settings.MaximumLevel || (byObject && !this->NeedsSubdivision(square)))
   {
     color += area * mean;
-    const float error = area * ContrastError * Contrast(square.Corners);
+    const float error = area * ContrastError * ComputeContrast(square.Corners);
     squaredError += error * error;
     return;
   }
@@ -85,13 +83,13 @@ void PixelIntegrator::Descend(
   {
     nodes[i] = square.Corners[(i % 3) / 2 + 2 * (i / 6)];
   }
-  nodes[4] = this->SampleAtFine(square.Low + half);
-  if (!byObject && !this->NeedsDescent(square) &&
+  nodes[4] = this->GetGridSample(square.Low + half);
+  if (!byObject && !this->NeedsSubdivision(square) &&
     nodes[4].FirstHit.Surface == nodes[0].FirstHit.Surface)
   {
-    // For colours bent like a parabola the mean of the corners and the middle err in opposite
-    // directions, as 2 to -1.
-    const float deviation = area * MaximumDifference(nodes[4].Color, mean);
+    // For quadratic colors, the errors of the mean of the corners and of the center have the ratio
+    // 2 : -1, so their weighted mean is exact.
+    const float deviation = area * ComputeMaximumDifference(nodes[4].Color, mean);
     const float noise = area * 2.f * static_cast<float>(this->Settings.Noise);
     const bool doubtful = square.Level == 0 && this->IsNearShadowBoundary();
     if (!doubtful && deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
@@ -103,7 +101,7 @@ void PixelIntegrator::Descend(
   }
   for (const int i : { 1, 3, 5, 7 })
   {
-    nodes[i] = this->SampleAtFine(square.Low + half * glm::ivec2(i % 3, i / 3));
+    nodes[i] = this->GetGridSample(square.Low + half * glm::ivec2(i % 3, i / 3));
   }
   for (int child = 0; child < 4; ++child)
   {
@@ -116,7 +114,7 @@ void PixelIntegrator::Descend(
     {
       part.Corners[i] = nodes[(cy + (i >> 1)) * 3 + cx + (i & 1)];
     }
-    this->Descend(part, byObject, color, squaredError);
+    this->Subdivide(part, byObject, color, squaredError);
   }
 }
 
@@ -126,17 +124,17 @@ PixelResult PixelIntegrator::IntegrateSubdivided(bool byObject)
   whole.Low = glm::ivec2(this->X, this->Y) << this->Settings.MaximumLevel;
   whole.Level = 0;
   std::copy(this->Corners, this->Corners + 4, whole.Corners);
-  if (byObject && !this->NeedsDescent(whole))
+  if (byObject && !this->NeedsSubdivision(whole))
   {
     ++(this->Corners[0].FirstHit.IsHit() ? this->Pixels.Interior : this->Pixels.Empty);
   }
   else
   {
-    ++(byObject && this->CornersAgree() ? this->Pixels.Small : this->Pixels.Refined);
+    ++(byObject && this->CornersAgree() ? this->Pixels.SmallObject : this->Pixels.Refined);
   }
   PixelResult result;
   float squares = 0.f;
-  this->Descend(whole, byObject, result.Color, squares);
+  this->Subdivide(whole, byObject, result.Color, squares);
   result.Error = this->CombineErrors(std::sqrt(squares), ErrorFloor);
   return result;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of PixelIntegrator that samples pixels uniformly.
+// Uniform sampling of pixels in PixelIntegrator.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -16,21 +16,12 @@ namespace penumbra
 namespace
 {
 
-// Sampling of a crowded pixel stops when its error is this share of the tolerance, as far as regular
-// samples of straight borders tell, which err like this power of their number.
-constexpr double DenseShare = 0.1;
-constexpr float RegularPower = -0.75f;
-// Where edges cross a pixel something may hide between n samples: this over n.
-constexpr float HiddenError = 0.25f;
-// What a single sample of a pixel is taken to err.
-constexpr float UnknownError = 0.125f;
-
-float LargestOf(const glm::vec3& squares)
+float GetMaximumComponent(const glm::vec3& squares)
 {
   return std::max(std::max(squares.r, squares.g), squares.b);
 }
 
-// The mean square of what neighbours differ by.
+/// Mean square of the differences between neighbors.
 class Differences
 {
 public:
@@ -41,31 +32,34 @@ public:
     ++this->Count;
   }
 
-  float Mean() const { return LargestOf(this->Sum) / static_cast<float>(this->Count); }
+  float ComputeMean() const
+  {
+    return GetMaximumComponent(this->Sum) / static_cast<float>(this->Count);
+  }
 
 private:
   glm::vec3 Sum{ 0.f };
   int Count = 0;
 };
 
-// The error of the mean of side x side samples. Each stands for the place around it, where it varies by
-// half the square of what its neighbours differ by: noise does so everywhere, a border where it runs.
-// Where one runs along a row or a column all samples of one side of it err alike: that shows in what the
-// means of neighbouring rows or columns differ by.
-float ErrorOfGrid(const std::vector<glm::vec4>& colors, int side)
+/// Estimates the error of the mean of side x side samples. The variance of a sample is half the
+/// mean square of the differences between neighbors, both for noise and for edges. If an edge is
+/// parallel to rows or columns, the errors of its samples are equal. The differences between the
+/// means of neighboring rows or columns bound this error.
+float EstimateGridError(const std::vector<glm::vec4>& colors, int side)
 {
   if (side < 2)
   {
-    return UnknownError;
+    return SingleSampleError;
   }
   const float n = static_cast<float>(side);
-  Differences ofSamples;
-  float byLines = 0.f;
+  Differences sampleDifferences;
+  float lineError = 0.f;
   for (int axis = 0; axis < 2; ++axis)
   {
     const int along = axis == 0 ? 1 : side;
     const int across = axis == 0 ? side : 1;
-    Differences ofLines;
+    Differences lineDifferences;
     glm::vec4 before(0.f);
     for (int line = 0; line < side; ++line)
     {
@@ -76,18 +70,18 @@ float ErrorOfGrid(const std::vector<glm::vec4>& colors, int side)
         mean += color / n;
         if (i > 0)
         {
-          ofSamples.Add(color, colors[line * across + (i - 1) * along]);
+          sampleDifferences.Add(color, colors[line * across + (i - 1) * along]);
         }
       }
       if (line > 0)
       {
-        ofLines.Add(mean, before);
+        lineDifferences.Add(mean, before);
       }
       before = mean;
     }
-    byLines = std::max(byLines, 0.125f * ofLines.Mean() / n);
+    lineError = std::max(lineError, 0.125f * lineDifferences.ComputeMean() / n);
   }
-  return std::sqrt(std::max(0.5f * ofSamples.Mean() / (n * n), byLines));
+  return std::sqrt(std::max(0.5f * sampleDifferences.ComputeMean() / (n * n), lineError));
 }
 
 }
@@ -109,8 +103,8 @@ PixelResult PixelIntegrator::IntegrateUniform(int side)
       const int row = k / side;
       points[i] = glm::dvec2(this->X + (k % side + 0.5) / side, this->Y + (row + 0.5) / side);
     }
-    this->Source.TracePacket(
-      points, (1u << count) - 1u, samples, this->Rays, ToleranceScale(1.0 / total));
+    this->Tracer.TracePacket(
+      points, (1u << count) - 1u, samples, this->Rays, ComputeToleranceScale(1.0 / total));
     for (int i = 0; i < count; ++i)
     {
       this->Colors[first + i] = samples[i].Color;
@@ -119,11 +113,12 @@ PixelResult PixelIntegrator::IntegrateUniform(int side)
   }
   this->Rays.Primary += total;
   result.Color = glm::vec4(sum / static_cast<double>(total));
-  result.Error = this->CombineErrors(ErrorOfGrid(this->Colors, side), 0.f);
+  result.Error = this->CombineErrors(EstimateGridError(this->Colors, side), 0.f);
   return result;
 }
 
-// 8 x 8 samples in four packets, each spread over the pixel; stops as soon as their mean is known.
+// Traces 8 x 8 samples in four packets, each spread over the pixel. Stops early if the estimated
+// error of their mean is small.
 PixelResult PixelIntegrator::IntegrateUniformAdaptive()
 {
   constexpr int Side = 8;
@@ -131,12 +126,13 @@ PixelResult PixelIntegrator::IntegrateUniformAdaptive()
   PixelResult result;
   glm::vec4 sum(0.f);
   glm::vec4 squares(0.f);
-  const double slack = ToleranceScale(1.0 / (Side * Side));
-  bool hits =
-    false; // where all miss something small is meant to be here, or it would not be asked for
+  const double toleranceScale = ComputeToleranceScale(1.0 / (Side * Side));
+  // If no sample hits a surface, a small object is expected in the pixel, and sampling does not
+  // stop.
+  bool hits = false;
   this->Colors.resize(Side * Side);
   glm::dvec2 points[CameraRayTracer::PacketSize];
-  int places[CameraRayTracer::PacketSize];
+  int indices[CameraRayTracer::PacketSize];
   Sample samples[CameraRayTracer::PacketSize];
   float error = 0.f;
   for (int packet = 0; packet < Packets; ++packet)
@@ -147,16 +143,16 @@ PixelResult PixelIntegrator::IntegrateUniformAdaptive()
       const int row = k / Side;
       if ((k % Side + 2 * row) % Packets == packet)
       {
-        places[i] = k;
+        indices[i] = k;
         points[i++] = glm::dvec2(this->X + (k % Side + 0.5) / Side, this->Y + (row + 0.5) / Side);
       }
     }
-    this->Source.TracePacket(points, 0xffffu, samples, this->Rays, slack);
+    this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale);
     this->Rays.Refinement += CameraRayTracer::PacketSize;
     for (int j = 0; j < CameraRayTracer::PacketSize; ++j)
     {
       const Sample& sample = samples[j];
-      this->Colors[places[j]] = sample.Color;
+      this->Colors[indices[j]] = sample.Color;
       hits = hits || sample.FirstHit.IsHit();
       sum += sample.Color;
       squares += sample.Color * sample.Color;
@@ -164,19 +160,21 @@ PixelResult PixelIntegrator::IntegrateUniformAdaptive()
     const float n = static_cast<float>((packet + 1) * CameraRayTracer::PacketSize);
     result.Color = sum / n;
     const float largest =
-      LargestOf(glm::vec3(glm::max(squares / n - result.Color * result.Color, 0.f)));
-    const float regular = this->CombineErrors(std::sqrt(largest) * std::pow(n, RegularPower),
-      this->Segments.empty() ? ErrorFloor : HiddenError / n);
+      GetMaximumComponent(glm::vec3(glm::max(squares / n - result.Color * result.Color, 0.f)));
+    const float regular =
+      this->CombineErrors(std::sqrt(largest) * std::pow(n, RegularSamplingExponent),
+        this->Segments.empty() ? ErrorFloor : HiddenError / n);
     error = std::sqrt(largest / n);
-    if (this->Segments.empty() && hits && regular < DenseShare * this->Settings.Tolerance)
+    if (this->Segments.empty() && hits &&
+      regular < UniformToleranceFraction * this->Settings.Tolerance)
     {
       break;
     }
-    error = packet + 1 < Packets ? error : ErrorOfGrid(this->Colors, Side);
+    error = packet + 1 < Packets ? error : EstimateGridError(this->Colors, Side);
   }
-  constexpr float Most = Side * Side;
+  constexpr float Total = Side * Side;
   result.Error =
-    this->CombineErrors(error, this->Segments.empty() ? ErrorFloor : HiddenError / Most);
+    this->CombineErrors(error, this->Segments.empty() ? ErrorFloor : HiddenError / Total);
   return result;
 }
 

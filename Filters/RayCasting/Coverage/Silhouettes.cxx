@@ -11,19 +11,19 @@ namespace penumbra
 namespace
 {
 
-/// Does the surface fold over at the edge, both its triangles on one side of it in the picture?
+/// Returns true if both triangles of the edge project to the same side of it.
 bool IsSilhouette(const Surface& surface, const MeshEdge& e, const Camera& camera)
 {
   const glm::dvec3 a(surface.Positions[e.A]);
   const glm::dvec3 b(surface.Positions[e.B]);
   const glm::dvec3 view = camera.Parallel ? camera.Forward : a - camera.Position;
-  const glm::dvec3 normal = glm::cross(view, b - a); // of the plane through eye and edge
+  const glm::dvec3 normal = glm::cross(view, b - a); // of the plane through the camera and the edge
   const double left = glm::dot(normal, glm::dvec3(surface.Positions[e.Left]) - a);
   const double right = glm::dot(normal, glm::dvec3(surface.Positions[e.Right]) - a);
   return !(left * right < 0.0);
 }
 
-/// Clips the segment to the rectangle; false when nothing is left.
+/// Clips the edge to the rectangle. Returns false if nothing is left.
 bool ClipToRectangle(ProjectedEdge& e, glm::dvec2 low, glm::dvec2 high)
 {
   double enter = 0.0;
@@ -48,22 +48,22 @@ bool ClipToRectangle(ProjectedEdge& e, glm::dvec2 low, glm::dvec2 high)
   {
     return false;
   }
-  const ProjectedEdge whole = e;
-  const double depth = whole.DepthB - whole.DepthA;
+  const ProjectedEdge original = e;
+  const double depth = original.DepthB - original.DepthA;
   if (enter > 0.0)
   {
-    e.A = whole.A + enter * d;
-    e.DepthA = whole.DepthA + enter * depth;
+    e.A = original.A + enter * d;
+    e.DepthA = original.DepthA + enter * depth;
   }
   if (leave < 1.0)
   {
-    e.B = whole.A + leave * d;
-    e.DepthB = whole.DepthA + leave * depth;
+    e.B = original.A + leave * d;
+    e.DepthB = original.DepthA + leave * depth;
   }
   return true;
 }
 
-/// Calls visit(cell) for every cell that the segment touches or passes within EdgeMargin.
+/// Calls visit(cell) for every cell whose distance to the edge is EdgeMargin at most.
 template <typename Visit>
 void VisitCells(
   const ProjectedEdge& e, glm::dvec2 origin, double size, glm::ivec2 cells, Visit visit)
@@ -77,15 +77,15 @@ void VisitCells(
   }
   const int first = std::max(static_cast<int>(std::floor(a.x - margin)), 0);
   const int last = std::min(static_cast<int>(std::floor(b.x + margin)), cells.x - 1);
-  const bool upright = !(b.x > a.x); // one that runs along a line between columns lies in both
-  const double slope = upright ? 0.0 : (b.y - a.y) / (b.x - a.x);
+  const bool vertical = !(b.x > a.x); // on the line between two columns, the edge is in both
+  const double slope = vertical ? 0.0 : (b.y - a.y) / (b.x - a.x);
   const double low = std::min(a.y, b.y);
   const double high = std::max(a.y, b.y);
   for (int column = first; column <= last; ++column)
   {
     double y0 = low;
     double y1 = high;
-    if (last > first && !upright)
+    if (last > first && !vertical)
     {
       const double u = a.y + slope * (column - margin - a.x);
       const double v = a.y + slope * (column + 1 + margin - a.x);
@@ -104,25 +104,25 @@ void VisitCells(
 }
 
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
-  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& lists)
+  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& bins)
 {
   const auto edge = [&](
                       std::size_t i) { return subset ? subset[i] : static_cast<std::uint32_t>(i); };
-  lists.Begin.assign(static_cast<std::size_t>(cells.x) * cells.y + 1, 0);
+  bins.Begin.assign(static_cast<std::size_t>(cells.x) * cells.y + 1, 0);
   for (std::size_t i = 0; i < count; ++i)
   {
-    VisitCells(edges[edge(i)], origin, size, cells, [&](int cell) { ++lists.Begin[cell + 1]; });
+    VisitCells(edges[edge(i)], origin, size, cells, [&](int cell) { ++bins.Begin[cell + 1]; });
   }
-  for (std::size_t cell = 1; cell < lists.Begin.size(); ++cell)
+  for (std::size_t cell = 1; cell < bins.Begin.size(); ++cell)
   {
-    lists.Begin[cell] += lists.Begin[cell - 1];
+    bins.Begin[cell] += bins.Begin[cell - 1];
   }
-  lists.Edges.resize(lists.Begin.back());
-  std::vector<std::uint32_t> next(lists.Begin.begin(), lists.Begin.end() - 1);
+  bins.Edges.resize(bins.Begin.back());
+  std::vector<std::uint32_t> next(bins.Begin.begin(), bins.Begin.end() - 1);
   for (std::size_t i = 0; i < count; ++i)
   {
     VisitCells(
-      edges[edge(i)], origin, size, cells, [&](int cell) { lists.Edges[next[cell]++] = edge(i); });
+      edges[edge(i)], origin, size, cells, [&](int cell) { bins.Edges[next[cell]++] = edge(i); });
   }
 }
 
@@ -131,7 +131,8 @@ void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, con
 {
   low -= 2.0 * EdgeMargin;
   high += 2.0 * EdgeMargin;
-  // Nothing is drawn nearer than this; a point on the eye's plane has no picture.
+  // Points nearer than this are clipped. In perspective projection, points at depth 0 cannot be
+  // projected.
   const double near = std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
   for (const MeshEdge& e : mesh)
   {

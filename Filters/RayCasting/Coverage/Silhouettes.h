@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The edges where the picture can change, projected in double and sorted into tiles and pixels.
+// Edges at which the image may be discontinuous, projected in double precision and binned into
+// tiles and pixels.
 #ifndef penumbra_Silhouettes_h
 #define penumbra_Silhouettes_h
 
@@ -14,38 +15,39 @@
 namespace penumbra
 {
 
-/// A projected edge in picture coordinates.
+/// A projected edge in image coordinates (pixels).
 struct ProjectedEdge
 {
   glm::dvec2 A;
   glm::dvec2 B;
-  /// Depth along the edge is linear in 1/depth (perspective) or in depth (parallel): the value at
-  /// either end.
+  /// Value at A and B that is linear along the projected edge: 1/depth in perspective projection,
+  /// depth in parallel projection.
   double DepthA;
   double DepthB;
 };
 
-/// Lists of edges per cell of a regular grid, in one array.
+/// Edges binned into the cells of a regular grid, in one array.
 struct EdgeBins
 {
-  std::vector<std::uint32_t> Begin; ///< per cell, and the end
+  std::vector<std::uint32_t> Begin; ///< first entry of each cell in Edges, and the end
   std::vector<std::uint32_t> Edges;
 };
 
-/// How near to a pixel an edge must pass to be listed with it, in pixels: more than the precision
-/// of a ray.
+/// Distance in pixels up to which an edge outside a cell is also binned into it. Above
+/// EdgePrecision, so that a pixel has all edges that may affect its corner rays.
 constexpr double EdgeMargin = 2e-3;
 
 /**
- * Sorts the edges chosen by `subset` (all, if null) into the cells of `cells.x` by `cells.y` squares
- * of side `size` whose lower left corner is `origin`. Conservative by EdgeMargin.
+ * Bins the edges into a grid of `cells.x` by `cells.y` squares of side `size` with the lower left
+ * corner `origin`. `subset` lists `count` indices of edges; null: the first `count` edges. The bins
+ * are conservative by EdgeMargin.
  */
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
-  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& lists);
+  std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& bins);
 
 /**
- * Appends the edges of `surface` that are borders seen from `camera`, clipped to the front of it and
- * to the rectangle [low, high] of the picture (with a margin).
+ * Appends the feature edges and silhouettes of `surface` as seen from `camera`. They are clipped to
+ * the near plane and to the rectangle [low, high] of the image, enlarged by twice EdgeMargin.
  */
 void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, const Camera& camera,
   glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SubpixelTriangles.h"
 
+#include "CoverageConstants.h"
 #include "Execution/ParallelFor.h"
 
 #include <algorithm>
@@ -14,18 +15,8 @@ namespace penumbra
 namespace
 {
 
-// Triangles looked at to judge a surface, and the mean area in pixels below which it is dense
-// (measured: where exact coverage and 8 x 8 samples take the same time).
-constexpr std::size_t TrianglesJudged = 10000;
-constexpr double DenseArea = 1.0;
-constexpr double TrianglesPerPixel = 0.5;
-constexpr double FewTriangles = 4096.0;
-// Looking at this many triangles costs as much as sampling one pixel to the end (measured).
-constexpr double TrianglesForAPixel = 40.0;
-// Of a projected position in single precision, in pixels.
-constexpr float Precision = 0.01f;
-
-/// The triangle's corners in the picture; false when it reaches behind the eye.
+/// Computes the corners of the triangle in the image. Returns false if a corner is behind the
+/// camera.
 bool ProjectTriangle(
   const Surface& surface, std::size_t triangle, const Camera& camera, glm::dvec2 (&corners)[3])
 {
@@ -45,12 +36,12 @@ bool ProjectTriangle(
 
 bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
 {
-  const std::size_t stride = surface.Triangles.size() / TrianglesJudged + 1;
+  const std::size_t stride = surface.Triangles.size() / MaximumTrianglesSampled + 1;
   const glm::dvec2 size(camera.Width, camera.Height);
-  glm::dvec2 least = size;
-  glm::dvec2 most(0.0);
+  glm::dvec2 minimum = size;
+  glm::dvec2 maximum(0.0);
   double area = 0.0;
-  double seen = 0.0;
+  double visible = 0.0;
   for (std::size_t t = 0; t < surface.Triangles.size(); t += stride)
   {
     glm::dvec2 p[3];
@@ -64,33 +55,34 @@ bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
     {
       continue;
     }
-    least = glm::max(glm::min(least, low), 0.0);
-    most = glm::min(glm::max(most, high), size);
+    minimum = glm::max(glm::min(minimum, low), 0.0);
+    maximum = glm::min(glm::max(maximum, high), size);
     const glm::dvec2 d = p[1] - p[0];
     const glm::dvec2 e = p[2] - p[0];
     area += 0.5 * std::abs(d.x * e.y - d.y * e.x);
-    seen += 1.0;
+    visible += 1.0;
   }
-  // Small triangles that are few for the pixels they lie among are objects to be covered exactly.
-  const glm::dvec2 extent = glm::max(most - least, 1.0);
-  return seen > 0.0 && area < DenseArea * seen &&
-    seen * static_cast<double>(stride) > TrianglesPerPixel * extent.x * extent.y + FewTriangles;
+  // Small triangles that are sparse in the image are small objects, which are covered exactly.
+  const glm::dvec2 extent = glm::max(maximum - minimum, 1.0);
+  return visible > 0.0 && area < SubpixelArea * visible &&
+    visible * static_cast<double>(stride) >
+    TrianglesPerPixel * extent.x * extent.y + MinimumTriangles;
 }
 
 namespace
 {
 
-/// The pixels of [low, high) that the bounds of `surface` may touch; all of them when it reaches
-/// behind the eye.
+/// Computes the pixels [first, last] within [low, high) that the projected bounds of `surface`
+/// cover. All of them if the bounds extend behind the camera.
 void BoundPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, glm::ivec2 high,
   glm::ivec2& first, glm::ivec2& last)
 {
-  glm::vec3 least(std::numeric_limits<float>::max());
-  glm::vec3 most(-std::numeric_limits<float>::max());
+  glm::vec3 minimum(std::numeric_limits<float>::max());
+  glm::vec3 maximum(-std::numeric_limits<float>::max());
   for (const glm::vec3& p : surface.Positions)
   {
-    least = glm::min(least, p);
-    most = glm::max(most, p);
+    minimum = glm::min(minimum, p);
+    maximum = glm::max(maximum, p);
   }
   first = low;
   last = high - 1;
@@ -99,7 +91,7 @@ void BoundPixels(const Surface& surface, const Camera& camera, glm::ivec2 low, g
   for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 corner(
-      i & 1 ? most.x : least.x, i & 2 ? most.y : least.y, i & 4 ? most.z : least.z);
+      i & 1 ? maximum.x : minimum.x, i & 2 ? maximum.y : minimum.y, i & 4 ? maximum.z : minimum.z);
     if (!camera.Parallel && camera.Depth(corner) <= 0.0)
     {
       return;
@@ -123,7 +115,8 @@ void MarkCoveredPixels(const Surface& surface, const Camera& camera, glm::ivec2 
   glm::ivec2 final;
   BoundPixels(surface, camera, low, high, first, final);
   const glm::dvec2 bounded = glm::max(glm::dvec2(final - first) + 1.0, 0.0);
-  if (static_cast<double>(surface.Triangles.size()) > TrianglesForAPixel * bounded.x * bounded.y)
+  if (static_cast<double>(surface.Triangles.size()) >
+    TrianglesPerSampledPixel * bounded.x * bounded.y)
   {
     for (int y = first.y; y <= final.y; ++y)
     {
@@ -133,7 +126,7 @@ void MarkCoveredPixels(const Surface& surface, const Camera& camera, glm::ivec2 
     }
     return;
   }
-  // Positions first: each belongs to about six triangles.
+  // Project positions first, because each belongs to about six triangles.
   std::vector<glm::vec2> projected(surface.Positions.size());
   ParallelFor<std::size_t>(0, projected.size(), 0, [&](std::size_t i) {
     const glm::dvec3 p(surface.Positions[i]);
@@ -147,15 +140,16 @@ void MarkCoveredPixels(const Surface& surface, const Camera& camera, glm::ivec2 
     const glm::vec2 a = projected[triangle.x];
     const glm::vec2 b = projected[triangle.y];
     const glm::vec2 c = projected[triangle.z];
-    const glm::vec2 least = glm::floor(glm::min(glm::min(a, b), c) - Precision);
-    const glm::vec2 most = glm::floor(glm::max(glm::max(a, b), c) + Precision);
-    // A triangle that reaches behind the eye is much larger than a pixel: corners see it.
-    if (!(most.x >= 0.f && most.y >= 0.f && least.x <= last.x && least.y <= last.y))
+    const glm::vec2 minimum = glm::floor(glm::min(glm::min(a, b), c) - ProjectionPrecision);
+    const glm::vec2 maximum = glm::floor(glm::max(glm::max(a, b), c) + ProjectionPrecision);
+    // Triangles behind the camera (NaN) are skipped. A triangle that crosses the camera plane is
+    // much larger than a pixel, so corner rays hit it.
+    if (!(maximum.x >= 0.f && maximum.y >= 0.f && minimum.x <= last.x && minimum.y <= last.y))
     {
       continue;
     }
-    const glm::ivec2 from(glm::max(least, 0.f));
-    const glm::ivec2 to(glm::min(most, last));
+    const glm::ivec2 from(glm::max(minimum, 0.f));
+    const glm::ivec2 to(glm::min(maximum, last));
     for (int y = from.y; y <= to.y; ++y)
     {
       char* row = pixels.data() + static_cast<std::size_t>(y) * size.x;

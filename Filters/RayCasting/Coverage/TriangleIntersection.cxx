@@ -17,17 +17,18 @@ double Cross(glm::dvec2 a, glm::dvec2 b)
   return a.x * b.y - a.y * b.x;
 }
 
-/// A triangle in pixel coordinates with the quantity that is linear there: 1/depth in perspective,
-/// depth in parallel projection.
-struct SeenTriangle
+/// A triangle in pixel coordinates, with a value that is linear in them: 1/depth in perspective
+/// projection, depth in parallel projection.
+struct ProjectedTriangle
 {
   glm::dvec2 Corners[3];
-  double Turn; ///< twice the signed area
-  glm::dvec2 Slope;
-  double AtOrigin;
+  double DoubleArea; ///< signed
+  glm::dvec2 Gradient;
+  double ValueAtOrigin;
 };
 
-bool See(const Scene& scene, TriangleId id, glm::dvec2 origin, SeenTriangle& seen)
+bool ProjectTriangle(
+  const Scene& scene, TriangleId id, glm::dvec2 origin, ProjectedTriangle& projected)
 {
   const Surface& surface = scene.Surfaces[id.Surface];
   const glm::uvec3 triangle = surface.Triangles[id.Triangle];
@@ -40,32 +41,32 @@ bool See(const Scene& scene, TriangleId id, glm::dvec2 origin, SeenTriangle& see
     {
       return false;
     }
-    seen.Corners[i] = scene.ViewCamera.Project(p) - origin;
+    projected.Corners[i] = scene.ViewCamera.Project(p) - origin;
     linear[i] = scene.ViewCamera.Parallel ? depth : 1.0 / depth;
   }
-  const glm::dvec2 d = seen.Corners[1] - seen.Corners[0];
-  const glm::dvec2 e = seen.Corners[2] - seen.Corners[0];
-  seen.Turn = Cross(d, e);
-  if (std::abs(seen.Turn) < 1e-9)
+  const glm::dvec2 d = projected.Corners[1] - projected.Corners[0];
+  const glm::dvec2 e = projected.Corners[2] - projected.Corners[0];
+  projected.DoubleArea = Cross(d, e);
+  if (std::abs(projected.DoubleArea) < 1e-9)
   {
-    return false; // seen edge-on
+    return false; // edge-on
   }
   const double u = linear[1] - linear[0];
   const double v = linear[2] - linear[0];
-  seen.Slope = glm::dvec2(u * e.y - v * d.y, v * d.x - u * e.x) / seen.Turn;
-  seen.AtOrigin = linear[0] - glm::dot(seen.Slope, seen.Corners[0]);
+  projected.Gradient = glm::dvec2(u * e.y - v * d.y, v * d.x - u * e.x) / projected.DoubleArea;
+  projected.ValueAtOrigin = linear[0] - glm::dot(projected.Gradient, projected.Corners[0]);
   return true;
 }
 
-/// Narrows [enter, leave] to the part of p + t d inside the triangle.
+/// Narrows [enter, leave] to the range of t for which p + t * d is inside the triangle.
 void ClipToTriangle(
-  const SeenTriangle& triangle, glm::dvec2 p, glm::dvec2 d, double& enter, double& leave)
+  const ProjectedTriangle& triangle, glm::dvec2 p, glm::dvec2 d, double& enter, double& leave)
 {
   for (int i = 0; i < 3; ++i)
   {
     const glm::dvec2 corner = triangle.Corners[i];
     const glm::dvec2 side = triangle.Corners[(i + 1) % 3] - corner;
-    const double sign = triangle.Turn > 0.0 ? 1.0 : -1.0;
+    const double sign = triangle.DoubleArea > 0.0 ? 1.0 : -1.0;
     const double distance = sign * Cross(side, p - corner);
     const double rate = sign * Cross(side, d);
     if (rate > 0.0)
@@ -85,7 +86,7 @@ void ClipToTriangle(
 
 }
 
-bool ShareAnEdge(const Scene& scene, TriangleId a, TriangleId b)
+bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b)
 {
   const Surface& s = scene.Surfaces[a.Surface];
   const Surface& t = scene.Surfaces[b.Surface];
@@ -102,50 +103,51 @@ bool ShareAnEdge(const Scene& scene, TriangleId a, TriangleId b)
 
 double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
 {
-  SeenTriangle seen;
-  if (!See(scene, id, origin, seen))
+  ProjectedTriangle projected;
+  if (!ProjectTriangle(scene, id, origin, projected))
   {
     return std::numeric_limits<double>::infinity();
   }
-  const glm::dvec2 low = glm::min(seen.Slope, 0.0);
-  const glm::dvec2 high = glm::max(seen.Slope, 0.0);
+  const glm::dvec2 low = glm::min(projected.Gradient, 0.0);
+  const glm::dvec2 high = glm::max(projected.Gradient, 0.0);
   if (scene.ViewCamera.Parallel)
   {
-    return seen.AtOrigin + high.x + high.y;
+    return projected.ValueAtOrigin + high.x + high.y;
   }
-  const double least = seen.AtOrigin + low.x + low.y;
-  return least > 0.0 ? 1.0 / least : std::numeric_limits<double>::infinity();
+  const double minimum = projected.ValueAtOrigin + low.x + low.y;
+  return minimum > 0.0 ? 1.0 / minimum : std::numeric_limits<double>::infinity();
 }
 
 bool IntersectTriangles(
   const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin, PixelSegment& segment)
 {
-  SeenTriangle s;
-  SeenTriangle t;
-  if (ShareAnEdge(scene, a, b) || !See(scene, a, origin, s) || !See(scene, b, origin, t))
+  ProjectedTriangle s;
+  ProjectedTriangle t;
+  if (HaveCommonEdge(scene, a, b) || !ProjectTriangle(scene, a, origin, s) ||
+    !ProjectTriangle(scene, b, origin, t))
   {
     return false;
   }
-  const glm::dvec2 slope = s.Slope - t.Slope;
-  const double square = glm::dot(slope, slope);
-  const double level = s.AtOrigin - t.AtOrigin;
-  if (!(square > 1e-24 * (glm::dot(s.Slope, s.Slope) + glm::dot(t.Slope, t.Slope))))
+  const glm::dvec2 gradient = s.Gradient - t.Gradient;
+  const double square = glm::dot(gradient, gradient);
+  const double level = s.ValueAtOrigin - t.ValueAtOrigin;
+  if (!(square > 1e-24 * (glm::dot(s.Gradient, s.Gradient) + glm::dot(t.Gradient, t.Gradient))))
   {
     return false; // parallel
   }
-  const glm::dvec2 foot = -slope * (level / square);
-  const glm::dvec2 direction = glm::dvec2(-slope.y, slope.x) / std::sqrt(square);
+  const glm::dvec2 foot = -gradient * (level / square);
+  const glm::dvec2 direction = glm::dvec2(-gradient.y, gradient.x) / std::sqrt(square);
   const double along = glm::dot(glm::dvec2(0.5) - foot, direction);
-  const glm::dvec2 middle = foot + along * direction;
+  const glm::dvec2 center = foot + along * direction;
   double enter = -1.0;
   double leave = 1.0;
-  ClipToTriangle(s, middle, direction, enter, leave);
-  ClipToTriangle(t, middle, direction, enter, leave);
+  ClipToTriangle(s, center, direction, enter, leave);
+  ClipToTriangle(t, center, direction, enter, leave);
   if (!(leave - enter > 1e-6))
   {
     return false;
   }
-  segment = { middle + enter * direction, middle + leave * direction };
+  segment = { center + enter * direction, center + leave * direction };
   return ClipToPixel(segment);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where two triangles pass through each other the picture has a border that no edge of a mesh gives.
+// Intersections of pairs of triangles: image edges that do not correspond to a mesh edge.
 #ifndef penumbra_TriangleIntersection_h
 #define penumbra_TriangleIntersection_h
 
@@ -13,7 +13,7 @@
 namespace penumbra
 {
 
-/// A triangle of a scene.
+/// Index of a triangle in a scene.
 struct TriangleId
 {
   std::uint32_t Surface;
@@ -26,18 +26,18 @@ struct TriangleId
 };
 
 /**
- * The largest depth that the plane of a triangle reaches in the pixel whose lower left corner is
- * `origin`; infinity where it runs away.
+ * Returns the largest depth of the plane of a triangle in the pixel with the lower left corner
+ * `origin`. Infinity if the plane is unbounded there.
  */
 double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin);
 
-/// Do two triangles have two places in common?
-bool ShareAnEdge(const Scene& scene, TriangleId a, TriangleId b);
+/// Returns true if two triangles have two equal positions.
+bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b);
 
 /**
- * The line along which `a` and `b` pass through each other, as seen in the pixel whose lower left
- * corner is `origin`. False when they do not meet there, or share an edge (then that is the border
- * between them).
+ * Computes the projected intersection of `a` and `b` in the pixel with the lower left corner
+ * `origin`. Returns false if they do not intersect there, or if they have a common edge, which is
+ * then the edge between them.
  */
 bool IntersectTriangles(
   const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin, PixelSegment& segment);

@@ -27,7 +27,7 @@ void AddArray(Array* array, const char* name, int components, vtkImageData* imag
 }
 }
 
-bool AddGeometryArrays(const CameraRayTracer& sampler, const ProgressCallback& progress,
+bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& progress,
   vtkImageData* image, RayCounts& counts)
 {
   vtkNew<vtkFloatArray> depths;
@@ -41,19 +41,19 @@ bool AddGeometryArrays(const CameraRayTracer& sampler, const ProgressCallback& p
   AddArray(cells.Get(), "CellId", 1, image);
   AddArray(occlusions.Get(), "AmbientOcclusion", 1, image);
 
-  const Scene& scene = sampler.GetScene();
+  const Scene& scene = tracer.GetScene();
   int extent[6];
   image->GetExtent(extent);
   const int width = extent[1] - extent[0] + 1;
-  std::mutex totals;
+  std::mutex totalsMutex;
   return ParallelForBatches(extent[3] - extent[2] + 1, 0.0, 1.0, progress, [&](int row) {
     RayCounts rowCounts;
     for (int column = 0; column < width; ++column)
     {
       const vtkIdType id = static_cast<vtkIdType>(row) * width + column;
       const glm::dvec2 p(extent[0] + column + 0.5, extent[2] + row + 0.5);
-      const Ray ray = sampler.MakeRay(p);
-      const Hit hit = sampler.FirstHit(p);
+      const Ray ray = tracer.MakeRay(p);
+      const Hit hit = tracer.TraceFirstHit(p);
       ++rowCounts.Auxiliary;
       if (!hit.IsHit())
       {
@@ -67,18 +67,18 @@ bool AddGeometryArrays(const CameraRayTracer& sampler, const ProgressCallback& p
         continue;
       }
       const Surface& surface = scene.Surfaces[hit.Surface];
-      const ShadedHit seen = sampler.GetShading().Shade(ray, hit, rowCounts.Shadow);
+      const ShadedHit shaded = tracer.GetShading().Shade(ray, hit, rowCounts.Shadow);
       depths->SetValue(
         id, static_cast<float>((hit.Distance + scene.ViewCamera.Advance) / scene.Scale));
       for (int axis = 0; axis < 3; ++axis)
       {
-        normals->SetTypedComponent(id, axis, seen.Normal[axis]);
+        normals->SetTypedComponent(id, axis, shaded.Normal[axis]);
       }
       objects->SetValue(id, surface.ObjectId);
       cells->SetValue(id, surface.CellIds.empty() ? hit.Triangle : surface.CellIds[hit.Triangle]);
-      occlusions->SetValue(id, sampler.Occlusion(ray, hit, seen, rowCounts));
+      occlusions->SetValue(id, tracer.ComputeOcclusion(ray, hit, shaded, rowCounts));
     }
-    const std::lock_guard<std::mutex> lock(totals);
+    const std::lock_guard<std::mutex> lock(totalsMutex);
     counts.Auxiliary += rowCounts.Auxiliary + rowCounts.Shadow + rowCounts.Occlusion;
   });
 }

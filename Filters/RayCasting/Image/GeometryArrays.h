@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What lies at the centres of pixels, beside their colour.
+// Arrays of the geometry at pixel centers (AOVs).
 #ifndef penumbra_GeometryArrays_h
 #define penumbra_GeometryArrays_h
 
@@ -13,9 +13,10 @@ class vtkImageData;
 namespace penumbra
 {
 
-/// Adds `Depth`, `Normal`, `ObjectId`, `CellId` and, where the sampler asks for it,
-/// `AmbientOcclusion` for the extent of `image`, and the rays traced to `counts`. False when `progress` stopped it.
-bool AddGeometryArrays(const CameraRayTracer& sampler, const ProgressCallback& progress,
+/// Adds `Depth`, `Normal`, `ObjectId`, `CellId` and `AmbientOcclusion` for the extent of `image`.
+/// `tracer` must have an occlusion source. Adds the number of rays to `counts`. Returns false if
+/// `progress` requested a stop.
+bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& progress,
   vtkImageData* image, RayCounts& counts);
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a traced scene to the pixels of a picture's part: corners, edges, then tiles in parallel.
+// Renders a rectangular region of the image: corner rays, projected edges, then tiles in parallel.
 #ifndef penumbra_ImageRegion_h
 #define penumbra_ImageRegion_h
 
@@ -14,35 +14,36 @@
 namespace penumbra
 {
 
+/// Settings that are the same for all regions of an image.
 struct RenderSettings
 {
   IntegrationSettings Integration;
-  bool Packets = true; ///< corner rays 16 at a time
+  bool Packets = true; ///< If on, trace corner rays in packets of 16.
 };
 
-/// The edges of a scene's meshes where its picture may change. Finding them takes longer than drawing
-/// a small part, so they are found once for all parts.
+/// Mesh edges of a scene at which the image may be discontinuous. They are computed once for all
+/// regions, because this takes longer than rendering a small region.
 struct SceneEdges
 {
-  std::vector<std::vector<MeshEdge>> OfSurfaces;
-  std::vector<char> Dense; ///< per surface: its triangles are too small for edges to be looked at
+  std::vector<std::vector<MeshEdge>> EdgesBySurface;
+  std::vector<char> Dense; ///< per surface: its triangles are smaller than pixels
 };
 
-/// Throws Stopped when `progress` asks to stop.
+/// Finds the edges of all surfaces. Throws Stopped if `progress` requests a stop.
 SceneEdges FindSceneEdges(
   const Scene& scene, const RenderSettings& settings, const ProgressCallback& progress = {});
 
-/// The pixels [Low, High), row by row from the bottom.
+/// The pixels [Low, High) of the image with their results, row by row from the bottom.
 struct ImageRegion
 {
   glm::ivec2 Low{ 0 };
   glm::ivec2 High{ 0 };
-  std::vector<glm::vec4> Colors; ///< straight alpha
-  std::vector<float> Errors;
-  std::vector<float> RayShares; ///< rays traced for each pixel
+  std::vector<glm::vec4> Colors;   ///< not premultiplied by alpha
+  std::vector<float> Errors;       ///< estimated RMS error per pixel
+  std::vector<float> RaysPerPixel; ///< refinement rays; uniform sampling: all rays
   RayCounts Rays;
   PixelCounts Pixels;
-  long long Edges = 0; ///< projected edges that were borders
+  long long Edges = 0; ///< number of projected edges
 
   std::size_t Index(int x, int y) const
   {
@@ -52,11 +53,12 @@ struct ImageRegion
 };
 
 /**
- * Fills part.Low to High, which must lie in the camera's picture. Pixels do not depend on the part
- * asked for nor on the number of threads. False when `progress` stopped it.
+ * Renders the pixels [region.Low, region.High), which must lie in the image of the camera. The
+ * colors do not depend on the region or on the number of threads. Returns false if `progress`
+ * requested a stop.
  */
-bool RenderRegion(const CameraRayTracer& sampler, const SceneEdges& meshes,
-  const RenderSettings& settings, const ProgressCallback& progress, ImageRegion& part);
+bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
+  const RenderSettings& settings, const ProgressCallback& progress, ImageRegion& region);
 
 }
 #endif

@@ -15,9 +15,10 @@ namespace penumbra
 namespace
 {
 
-// Parts of a picture are rendered one after the other, so that memory stays bounded: whole rows of
-// tiles with about this many pixels.
-constexpr int PixelsPerPart = 1 << 22;
+// Approximate number of pixels of a region. The regions of an image are rendered one after the
+// other to bound memory. A region consists of whole rows of tiles.
+constexpr int PixelsPerRegion = 1 << 22;
+// Regions start at multiples of this number of pixels, the side of a tile in ImageRegion.cxx.
 constexpr int Alignment = 32;
 
 void AddFloatArray(vtkImageData* image, const char* name, int components)
@@ -29,8 +30,9 @@ void AddFloatArray(vtkImageData* image, const char* name, int components)
   image->GetPointData()->AddArray(array);
 }
 
-/// Those rows of `part` that belong to `image`, with `over` over them; the sum of their squared errors.
-double CopyRows(ImageRegion& part, const Overlay& over, vtkImageData* image)
+/// Copies the rows of `region` that lie in `image`, with `overlay` composited over them. Returns
+/// the sum of their squared errors.
+double CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image)
 {
   const auto find = [image](const char* name) {
     return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
@@ -42,17 +44,17 @@ double CopyRows(ImageRegion& part, const Overlay& over, vtkImageData* image)
   image->GetExtent(extent);
   const int width = extent[1] - extent[0] + 1;
   double squaredError = 0.0;
-  for (int y = std::max(part.Low.y, extent[2]); y < std::min(part.High.y, extent[3] + 1); ++y)
+  for (int y = std::max(region.Low.y, extent[2]); y < std::min(region.High.y, extent[3] + 1); ++y)
   {
-    const std::size_t from = part.Index(extent[0], y);
+    const std::size_t from = region.Index(extent[0], y);
     const vtkIdType to = static_cast<vtkIdType>(y - extent[2]) * width;
-    over.CompositeOver(extent[0], y, width, &part.Colors[from]);
-    std::copy_n(&part.Colors[from].x, 4 * width, color->GetPointer(4 * to));
-    std::copy_n(&part.RayShares[from], width, rays->GetPointer(to));
-    std::copy_n(&part.Errors[from], width, errors->GetPointer(to));
+    overlay.CompositeOver(extent[0], y, width, &region.Colors[from]);
+    std::copy_n(&region.Colors[from].x, 4 * width, color->GetPointer(4 * to));
+    std::copy_n(&region.RaysPerPixel[from], width, rays->GetPointer(to));
+    std::copy_n(&region.Errors[from], width, errors->GetPointer(to));
     for (int x = 0; x < width; ++x)
     {
-      squaredError += static_cast<double>(part.Errors[from + x]) * part.Errors[from + x];
+      squaredError += static_cast<double>(region.Errors[from + x]) * region.Errors[from + x];
     }
   }
   return squaredError;
@@ -60,7 +62,7 @@ double CopyRows(ImageRegion& part, const Overlay& over, vtkImageData* image)
 
 }
 
-TileErrors JudgeTiles(vtkImageData* image, double limit)
+TileErrors EvaluateTiles(vtkImageData* image, double limit)
 {
   constexpr int Side = 16;
   vtkFloatArray* errors =
@@ -68,7 +70,7 @@ TileErrors JudgeTiles(vtkImageData* image, double limit)
   int extent[6];
   image->GetExtent(extent);
   const int width = extent[1] - extent[0] + 1;
-  TileErrors judged;
+  TileErrors tiles;
   for (int y = extent[2] / Side * Side; y <= extent[3]; y += Side)
   {
     for (int x = extent[0] / Side * Side; x <= extent[1]; x += Side)
@@ -86,15 +88,15 @@ TileErrors JudgeTiles(vtkImageData* image, double limit)
         }
       }
       const double error = std::sqrt(squares / count);
-      ++judged.Tiles;
-      judged.Over += error > limit ? 1 : 0;
-      judged.Worst = std::max(judged.Worst, error);
+      ++tiles.Tiles;
+      tiles.AboveTolerance += error > limit ? 1 : 0;
+      tiles.MaximumError = std::max(tiles.MaximumError, error);
     }
   }
-  return judged;
+  return tiles;
 }
 
-bool RenderImage(const CameraRayTracer& sampler, const SceneEdges& meshes,
+bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,
   ImageRegion& totals, double& squaredError)
 {
@@ -103,7 +105,7 @@ bool RenderImage(const CameraRayTracer& sampler, const SceneEdges& meshes,
   AddFloatArray(image, "EstimatedError", 1);
   image->GetPointData()->SetActiveScalars("Color");
 
-  const Scene& scene = sampler.GetScene();
+  const Scene& scene = tracer.GetScene();
   int extent[6];
   image->GetExtent(extent);
   const int height = extent[3] - extent[2] + 1;
@@ -111,25 +113,25 @@ bool RenderImage(const CameraRayTracer& sampler, const SceneEdges& meshes,
   const int right = std::min((extent[1] / Alignment + 1) * Alignment, scene.ViewCamera.Width);
   const int bottom = extent[2] / Alignment * Alignment;
   const int top = std::min((extent[3] / Alignment + 1) * Alignment, scene.ViewCamera.Height);
-  const int rows = std::max(PixelsPerPart / std::max(right - left, 1) / Alignment, 1) * Alignment;
+  const int rows = std::max(PixelsPerRegion / std::max(right - left, 1) / Alignment, 1) * Alignment;
   for (int low = bottom; low <= extent[3]; low += rows)
   {
-    ImageRegion part;
-    part.Low = { left, low };
-    part.High = { right, std::min(low + rows, top) };
+    ImageRegion region;
+    region.Low = { left, low };
+    region.High = { right, std::min(low + rows, top) };
     const double done = static_cast<double>(std::max(low, extent[2]) - extent[2]) / height;
-    const double share = static_cast<double>(part.High.y - low) / height;
-    const auto partProgress = [&](double inPart) {
-      return progress(std::min(done + share * inPart, 1.0));
+    const double fraction = static_cast<double>(region.High.y - low) / height;
+    const auto regionProgress = [&](double inRegion) {
+      return progress(std::min(done + fraction * inRegion, 1.0));
     };
-    if (!RenderRegion(sampler, meshes, settings, partProgress, part))
+    if (!RenderRegion(tracer, sceneEdges, settings, regionProgress, region))
     {
       return false;
     }
-    squaredError += CopyRows(part, scene.OverlayImage, image);
-    totals.Rays += part.Rays;
-    totals.Pixels += part.Pixels;
-    totals.Edges = std::max(totals.Edges, part.Edges);
+    squaredError += CopyRows(region, scene.OverlayImage, image);
+    totals.Rays += region.Rays;
+    totals.Pixels += region.Pixels;
+    totals.Edges = std::max(totals.Edges, region.Edges);
   }
   return true;
 }

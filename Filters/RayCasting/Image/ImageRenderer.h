@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a traced scene to the arrays of an image, part by part, so that memory stays bounded.
+// Renders the arrays of an image, region by region, so that memory stays bounded.
 #ifndef penumbra_ImageRenderer_h
 #define penumbra_ImageRenderer_h
 
@@ -12,23 +12,23 @@ class vtkImageData;
 namespace penumbra
 {
 
-/// Tiles of 16x16 pixels by the error that they are believed to have.
+/// Estimated errors of the tiles of 16x16 pixels.
 struct TileErrors
 {
-  vtkIdType Tiles = 0;
-  vtkIdType Over = 0; ///< those above the limit
-  double Worst = 0.0; ///< RMSE of the worst of all
+  vtkIdType Tiles = 0;          ///< number of tiles
+  vtkIdType AboveTolerance = 0; ///< number of tiles whose estimated RMSE is above the limit
+  double MaximumError = 0.0;    ///< largest estimated RMSE of a tile
 };
 
-/// Compares the tiles of a picture with `limit`.
-TileErrors JudgeTiles(vtkImageData* image, double limit);
+/// Compares the estimated RMSE of the tiles of `image` (array `EstimatedError`) with `limit`.
+TileErrors EvaluateTiles(vtkImageData* image, double limit);
 
 /**
- * Adds `Color`, `Rays` and `EstimatedError` to `image`, which has its extent, with what lies over the
- * picture. `totals` collects counts; `squaredError` the sum over all pixels. False when `progress`
- * stopped it.
+ * Adds the arrays `Color`, `Rays` and `EstimatedError` to `image`, whose extent is set, and
+ * composites the overlay of the scene over `Color`. Adds counts to `totals` and the squared errors
+ * of all pixels to `squaredError`. Returns false if `progress` requested a stop.
  */
-bool RenderImage(const CameraRayTracer& sampler, const SceneEdges& meshes,
+bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,
   ImageRegion& totals, double& squaredError);
 

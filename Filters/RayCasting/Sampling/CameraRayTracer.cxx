@@ -4,6 +4,8 @@
 
 #include "vtkPenumbraIrradianceProvider.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,13 +14,15 @@ namespace penumbra
 
 namespace
 {
-// Layers composed along one ray, and what of the light behind still matters.
+// Maximum number of layers composited along one ray. Bounds the cost of stacked translucent
+// surfaces.
 constexpr int MaximumLayers = 256;
+// Accumulated alpha above which layers behind are ignored. They would change the color by 1/4096 at
+// most, which is below half a step of 8-bit colors.
 constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
-// How much occlusion may darken colours that stand for data.
+// Default strength of occlusion on surfaces colored by scalars. Below 1, so that the colors still
+// represent the data.
 constexpr float StrengthOnScalars = 0.6f;
-
-constexpr float Pi = 3.14159265f;
 
 glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
 {
@@ -42,26 +46,27 @@ RayCounts& RayCounts::operator+=(const RayCounts& other)
 
 CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera)
   : Rays(rays),
-    Shades(shading),
-    Eye(camera)
+    SurfaceShading(shading),
+    ViewCamera(camera)
 {
   const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
-  this->Transparent = std::any_of(surfaces.begin(), surfaces.end(),
+  this->Translucent = std::any_of(surfaces.begin(), surfaces.end(),
     [](const Surface& surface) { return surface.IsTranslucent(); });
 }
 
 Ray CameraRayTracer::MakeRay(glm::dvec2 p) const
 {
   Ray ray;
-  ray.Origin = glm::vec3(this->Eye.RayOrigin(p));
-  ray.Direction = glm::vec3(this->Eye.RayDirection(p));
-  ray.Near = static_cast<float>(std::max(this->Eye.Near - this->Eye.DepthOfRayOrigins(), 0.0));
+  ray.Origin = glm::vec3(this->ViewCamera.RayOrigin(p));
+  ray.Direction = glm::vec3(this->ViewCamera.RayDirection(p));
+  ray.Near =
+    static_cast<float>(std::max(this->ViewCamera.Near - this->ViewCamera.DepthOfRayOrigins(), 0.0));
   return ray;
 }
 
-glm::vec4 CameraRayTracer::Background(glm::dvec2 p) const
+glm::vec4 CameraRayTracer::GetBackground(glm::dvec2 p) const
 {
-  glm::vec4 c = this->Shades.Background(p);
+  glm::vec4 c = this->SurfaceShading.Background(p);
   return { c.r * c.a, c.g * c.a, c.b * c.a, c.a };
 }
 
@@ -81,103 +86,105 @@ void CameraRayTracer::SetIndirectLight(
   this->IrradianceTolerance = tolerance;
 }
 
-float CameraRayTracer::Occlusion(
-  const Ray& ray, const Hit& hit, const ShadedHit& seen, RayCounts& counts, double slack) const
+float CameraRayTracer::ComputeOcclusion(const Ray& ray, const Hit& hit, const ShadedHit& shaded,
+  RayCounts& counts, double toleranceScale) const
 {
   const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
-  const vtkPenumbraIrradianceProvider::Estimate estimate =
-    this->OcclusionSource->OcclusionWithin(&point.x, &normal.x, slack * this->OcclusionTolerance);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(shaded.GeometricNormal));
+  const vtkPenumbraIrradianceProvider::Estimate estimate = this->OcclusionSource->OcclusionWithin(
+    &point.x, &normal.x, toleranceScale * this->OcclusionTolerance);
   counts.Occlusion += estimate.Rays;
   return static_cast<float>(estimate.Value);
 }
 
-glm::vec3 CameraRayTracer::Indirect(
-  const Ray& ray, const Hit& hit, const ShadedHit& seen, RayCounts& counts, double slack) const
+glm::vec3 CameraRayTracer::ComputeIndirectLight(const Ray& ray, const Hit& hit,
+  const ShadedHit& shaded, RayCounts& counts, double toleranceScale) const
 {
-  const glm::vec3 reflectance = this->Albedo * seen.Reflectance;
+  const glm::vec3 reflectance = this->Albedo * shaded.Reflectance;
   if (reflectance == glm::vec3(0.f))
   {
     return reflectance;
   }
   const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(seen.GeometricNormal));
-  const vtkPenumbraIrradianceProvider::Light light =
-    this->IrradianceSource->Irradiance(&point.x, &normal.x, slack * this->IrradianceTolerance);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(shaded.GeometricNormal));
+  const vtkPenumbraIrradianceProvider::Light light = this->IrradianceSource->Irradiance(
+    &point.x, &normal.x, toleranceScale * this->IrradianceTolerance);
   counts.Indirect += light.Rays;
-  return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / Pi;
+  return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / glm::pi<float>();
 }
 
 void CameraRayTracer::AddMedium(
   const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const
 {
-  const float share = 1.f - sample.Color.a;
-  const LightShafts::InScattering seen = this->Shafts->Along(ray, from, to, share, counts.Shaft);
-  sample.Color += share * glm::vec4(seen.Light, 1.f - seen.Transmittance);
-  sample.Error += share * seen.Error;
+  const float weight = 1.f - sample.Color.a;
+  const LightShafts::InScattering scattered =
+    this->Shafts->Along(ray, from, to, weight, counts.Shaft);
+  sample.Color += weight * glm::vec4(scattered.Light, 1.f - scattered.Transmittance);
+  sample.Error += weight * scattered.Error;
 }
 
 void CameraRayTracer::CompositeLayers(
-  glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double slack) const
+  glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double toleranceScale) const
 {
   glm::vec4& color = sample.Color;
   Hit hit = sample.FirstHit;
-  Ray rest = ray;
-  double place = -this->Eye.Advance;
+  Ray continuation = ray;
+  double distance = -this->ViewCamera.Advance;
   for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
   {
     if (this->Shafts)
     {
-      this->AddMedium(ray, place, hit.Distance, sample, counts);
-      place = hit.Distance;
+      this->AddMedium(ray, distance, hit.Distance, sample, counts);
+      distance = hit.Distance;
     }
-    const ShadedHit seen = this->Shades.Shade(ray, hit, counts.Shadow);
-    glm::vec4 c = seen.Color;
+    const ShadedHit shaded = this->SurfaceShading.Shade(ray, hit, counts.Shadow);
+    glm::vec4 c = shaded.Color;
     const Surface& surface = this->GetScene().Surfaces[hit.Surface];
     if (this->OcclusionSource && !surface.IsLineOrPoint)
     {
       const float strength = this->OcclusionStrength >= 0.f ? this->OcclusionStrength
         : surface.ScalarColoring                            ? StrengthOnScalars
                                                             : 1.f;
-      const float open = 1.f - strength * this->Occlusion(ray, hit, seen, counts, slack);
-      c = glm::vec4(open * glm::vec3(c), c.a);
+      const float unoccluded =
+        1.f - strength * this->ComputeOcclusion(ray, hit, shaded, counts, toleranceScale);
+      c = glm::vec4(unoccluded * glm::vec3(c), c.a);
     }
     if (this->IrradianceSource && !surface.IsLineOrPoint)
     {
-      c += glm::vec4(this->Indirect(ray, hit, seen, counts, slack), 0.f);
+      c += glm::vec4(this->ComputeIndirectLight(ray, hit, shaded, counts, toleranceScale), 0.f);
     }
-    const float share = (1.f - color.a) * c.a;
-    color += glm::vec4(share * c.r, share * c.g, share * c.b, share);
+    const float weight = (1.f - color.a) * c.a;
+    color += glm::vec4(weight * c.r, weight * c.g, weight * c.b, weight);
     if (c.a >= 1.f || color.a > OpaqueAlpha)
     {
       sample.OpaqueDepth = hit.Distance;
       break;
     }
-    // On behind this hit; the smallest step that leaves the surface.
-    rest.Near = hit.NextNear;
-    hit = this->Rays.Intersect(rest);
+    // NextNear is the smallest distance that excludes this hit.
+    continuation.Near = hit.NextNear;
+    hit = this->Rays.Intersect(continuation);
   }
   if (this->Shafts && !hit.IsHit())
   {
-    this->AddMedium(ray, place, std::numeric_limits<double>::infinity(), sample, counts);
+    this->AddMedium(ray, distance, std::numeric_limits<double>::infinity(), sample, counts);
   }
   if (color.a < 1.f)
   {
-    color += (1.f - color.a) * this->Background(p);
+    color += (1.f - color.a) * this->GetBackground(p);
   }
 }
 
-Sample CameraRayTracer::TraceSample(glm::dvec2 p, RayCounts& counts, double slack) const
+Sample CameraRayTracer::TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale) const
 {
   const Ray ray = this->MakeRay(p);
   Sample sample;
   sample.FirstHit = this->Rays.Intersect(ray);
-  this->CompositeLayers(p, ray, sample, counts, slack);
+  this->CompositeLayers(p, ray, sample, counts, toleranceScale);
   return sample;
 }
 
 void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
-  RayCounts& counts, double slack) const
+  RayCounts& counts, double toleranceScale) const
 {
   Ray rays[PacketSize];
   Hit hits[PacketSize];
@@ -200,7 +207,7 @@ void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active,
     {
       samples[i] = Sample();
       samples[i].FirstHit = hits[i];
-      this->CompositeLayers(points[i], rays[i], samples[i], counts, slack);
+      this->CompositeLayers(points[i], rays[i], samples[i], counts, toleranceScale);
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one ray through the picture sees: all layers down to the first opaque one, composed.
+// Traces one camera ray and composites its layers front to back, down to the first opaque one.
 #ifndef penumbra_CameraRayTracer_h
 #define penumbra_CameraRayTracer_h
 
@@ -15,29 +15,32 @@ class vtkPenumbraIrradianceProvider;
 namespace penumbra
 {
 
-/// Rays by purpose.
+/// Number of rays by purpose.
 struct RayCounts
 {
-  long long Primary = 0;    ///< through pixel corners, or all of uniform sampling
+  long long Primary = 0;    ///< through pixel corners; with uniform sampling, all samples
   long long Refinement = 0; ///< inside pixels
-  long long Auxiliary = 0;  ///< through pixel centres, for the geometry arrays
+  long long Auxiliary = 0;  ///< through pixel centers, for the geometry arrays
   long long Shadow = 0;
-  long long Shaft = 0;     ///< to lights, from the medium
-  long long Occlusion = 0; ///< asked for by the irradiance source
-  long long Indirect = 0;  ///< asked for by it, for light
+  long long Shaft = 0;     ///< shadow rays from points in the medium
+  long long Occlusion = 0; ///< traced by the irradiance source for ambient occlusion
+  long long Indirect = 0;  ///< traced by the irradiance source for irradiance
 
-  long long InPicture() const { return this->Primary + this->Refinement; }
+  long long GetImageRays() const { return this->Primary + this->Refinement; }
   RayCounts& operator+=(const RayCounts& other);
 };
 
+/// Color and first hit of one camera ray.
 struct Sample
 {
   glm::vec4 Color{ 0.f }; ///< premultiplied by alpha, background included
   Hit FirstHit;
-  float OpaqueDepth = std::numeric_limits<float>::infinity(); ///< of the first opaque surface
-  float Error = 0.f;                                          ///< believed, of what the medium adds
+  float OpaqueDepth =
+    std::numeric_limits<float>::infinity(); ///< distance of the first opaque surface
+  float Error = 0.f;                        ///< estimated error of the in-scattered light
 };
 
+/// Computes the color of image points. All methods but the setters may be called from any thread.
 class CameraRayTracer
 {
 public:
@@ -45,58 +48,61 @@ public:
 
   CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera);
 
-  /// What the ray through picture point p sees. Does not count that ray itself. `slack`: occlusion may
-  /// err by so many times the tolerance, because the sample will be averaged with others.
-  Sample TraceSample(glm::dvec2 p, RayCounts& counts, double slack = 1.0) const;
+  /// Returns the color along the ray through image point p. The caller counts the camera ray
+  /// itself. `toleranceScale` multiplies the tolerances of occlusion and irradiance; it is larger
+  /// than 1 for a sample that is averaged with others.
+  Sample TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale = 1.0) const;
 
-  /// The same for PacketSize points at once; points without a set bit in `active` are left out.
+  /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.
   void TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
-    RayCounts& counts, double slack = 1.0) const;
+    RayCounts& counts, double toleranceScale = 1.0) const;
 
-  /// The first hit alone.
-  Hit FirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
+  /// Returns the first hit without shading it.
+  Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
-  /// Asks `source` (after its Begin()) for the blocked share of the sky wherever colour is wanted and
-  /// darkens by `strength`; a negative strength: 1, or less on surfaces coloured by data. `tolerance`:
-  /// what Begin() was told.
+  /// Multiplies colors by 1 - `strength` * occlusion. `source` computes the occlusion and has been
+  /// prepared by Begin() with the same `tolerance`. A negative strength selects 1, or less on
+  /// surfaces colored by scalars. Null: no occlusion.
   void SetOcclusion(const vtkPenumbraIrradianceProvider* source, double strength, double tolerance);
 
-  /// Asks `source` (after its BeginIrradiance()) for the light that arrives, to the error `tolerance`,
-  /// and adds what of it surfaces of `albedo` times their colour throw back. Null: none.
+  /// Adds reflected irradiance. `source` computes the irradiance and has been prepared by
+  /// BeginIrradiance() with the same `tolerance`. Surfaces reflect `albedo` times their color.
+  /// Null: no indirect light.
   void SetIndirectLight(
     const vtkPenumbraIrradianceProvider* source, float albedo, double tolerance);
 
-  /// Is a source asked about every sample? Such samples are dear.
+  /// Returns true if every sample queries an irradiance source, which makes samples expensive.
   bool UsesIrradianceSource() const { return this->OcclusionSource || this->IrradianceSource; }
 
-  /// Draws a medium around everything; `shafts` must outlive this object. Null: none.
+  /// Sets the light shafts of a participating medium; `shafts` must outlive this object. Null: no
+  /// medium.
   void SetShafts(const LightShafts* shafts) { this->Shafts = shafts; }
   bool HasShafts() const { return this->Shafts != nullptr; }
 
-  /// The blocked share of the sky at a hit.
-  float Occlusion(const Ray& ray, const Hit& hit, const ShadedHit& seen, RayCounts& counts,
-    double slack = 1.0) const;
+  /// Returns the ambient occlusion at a hit, in [0, 1]. SetOcclusion() must have set a source.
+  float ComputeOcclusion(const Ray& ray, const Hit& hit, const ShadedHit& shaded, RayCounts& counts,
+    double toleranceScale = 1.0) const;
 
   Ray MakeRay(glm::dvec2 p) const;
 
-  /// Background at p, premultiplied.
-  glm::vec4 Background(glm::dvec2 p) const;
+  /// Returns the background at image point p, premultiplied by alpha.
+  glm::vec4 GetBackground(glm::dvec2 p) const;
 
-  const Shading& GetShading() const { return this->Shades; }
+  const Shading& GetShading() const { return this->SurfaceShading; }
   const Scene& GetScene() const { return this->Rays.GetScene(); }
-  bool IsTransparent() const { return this->Transparent; }
+  bool HasTranslucentSurfaces() const { return this->Translucent; }
 
 private:
   void AddMedium(const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const;
-  glm::vec3 Indirect(
-    const Ray& ray, const Hit& hit, const ShadedHit& seen, RayCounts& counts, double slack) const;
+  glm::vec3 ComputeIndirectLight(const Ray& ray, const Hit& hit, const ShadedHit& shaded,
+    RayCounts& counts, double toleranceScale) const;
   void CompositeLayers(
-    glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double slack) const;
+    glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double toleranceScale) const;
 
   const RayScene& Rays;
-  const Shading& Shades;
-  const Camera& Eye;
-  bool Transparent = false; ///< some surface lets light through
+  const Shading& SurfaceShading;
+  const Camera& ViewCamera;
+  bool Translucent = false; ///< at least one surface is translucent
   const vtkPenumbraIrradianceProvider* OcclusionSource = nullptr;
   float OcclusionStrength = 1.f;
   double OcclusionTolerance = 0.0;

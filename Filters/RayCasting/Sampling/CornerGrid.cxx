@@ -14,17 +14,18 @@ CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate)
 {
 }
 
-void CornerGrid::TraceRow(const CameraRayTracer& sampler, int row, bool packets, RayCounts& counts)
+void CornerGrid::TraceRow(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts)
 {
-  static_assert(BlockSide * BlockSide == CameraRayTracer::PacketSize, "one packet a block");
-  const glm::ivec2 last(sampler.GetScene().ViewCamera.Width, sampler.GetScene().ViewCamera.Height);
+  static_assert(BlockSide * BlockSide == CameraRayTracer::PacketSize, "one packet per block");
+  const glm::ivec2 last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height);
   for (int column = 0; column < this->Blocks.x; ++column)
   {
     const glm::ivec2 first = (this->FirstBlock + glm::ivec2(column, row)) * BlockSide;
     glm::dvec2 points[CameraRayTracer::PacketSize];
     Sample samples[CameraRayTracer::PacketSize];
     unsigned int active = 0;
-    // All corners of the block that the whole picture has, whichever part is asked for.
+    // Trace all corners of the block that lie in the whole image: packets must not depend on the
+    // region.
     for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
       const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
@@ -33,7 +34,7 @@ void CornerGrid::TraceRow(const CameraRayTracer& sampler, int row, bool packets,
     }
     if (packets)
     {
-      sampler.TracePacket(points, active, samples, counts);
+      tracer.TracePacket(points, active, samples, counts);
     }
     for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
@@ -44,7 +45,7 @@ void CornerGrid::TraceRow(const CameraRayTracer& sampler, int row, bool packets,
       }
       if (!packets)
       {
-        samples[i] = sampler.TraceSample(points[i], counts);
+        samples[i] = tracer.TraceSample(points[i], counts);
       }
       ++counts.Primary;
       if (p.x >= this->Low.x && p.x <= this->High.x && p.y >= this->Low.y && p.y <= this->High.y)

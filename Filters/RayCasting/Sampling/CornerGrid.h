@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The samples at the corners of the pixels of a picture's part [AA]. Rays go in blocks of 4 x 4
-// corners that are aligned to the whole picture, so that a corner's result never depends on which
-// part is asked for.
+// Samples at the pixel corners of an image region [AA]. Rays are traced in blocks of 4 x 4 corners,
+// aligned to the whole image, so that the sample of a corner does not depend on the region.
 #ifndef penumbra_CornerGrid_h
 #define penumbra_CornerGrid_h
 
@@ -19,16 +18,16 @@ class CornerGrid
 public:
   static constexpr int BlockSide = 4;
 
-  /// Room for the corners of the pixels [low, high), or for none; nothing is traced yet.
+  /// Allocates samples for the corners of the pixels [low, high), unless `allocate` is false.
   CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate = true);
 
-  /// Rows of blocks.
+  /// Returns the number of rows of blocks.
   int GetNumberOfRows() const { return this->Blocks.y; }
 
-  /// Traces one row of blocks; rows are independent of each other.
-  void TraceRow(const CameraRayTracer& sampler, int row, bool packets, RayCounts& counts);
+  /// Traces one row of blocks. Different rows may be traced in parallel.
+  void TraceRow(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts);
 
-  /// The sample at picture point (x, y), low.x <= x <= high.x and likewise for y.
+  /// Returns the sample at image point (x, y), for x in [low.x, high.x] and y in [low.y, high.y].
   const Sample& At(int x, int y) const { return this->Samples[this->Index(x, y)]; }
   Sample& At(int x, int y) { return this->Samples[this->Index(x, y)]; }
 

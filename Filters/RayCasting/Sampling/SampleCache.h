@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Samples by their place on a fine grid, so that rays on shared corners and sides of sub-pixels are
-// traced once [AA].
+// Stores samples by their position on a fine grid, so that rays at shared corners and sides of
+// subpixels are traced once [AA].
 #ifndef penumbra_SampleCache_h
 #define penumbra_SampleCache_h
 
@@ -14,12 +14,13 @@
 namespace penumbra
 {
 
+/// Hash map from integer grid positions to samples. Not thread-safe.
 class SampleCache
 {
 public:
   void Clear() { this->Samples.clear(); }
 
-  /// The sample kept for `fine`, or null.
+  /// Returns the sample at grid position `fine`, or null.
   const Sample* Find(glm::ivec2 fine) const
   {
     const auto found = this->Samples.find(Key(fine));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The adaptive picture of scenes of every kind against 32 x 32 samples in every pixel.
+// Compares adaptively rendered scenes with a reference of 32 x 32 samples per pixel.
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"
@@ -36,9 +36,9 @@ namespace
 struct SceneRow
 {
   std::string Name;
-  std::function<void(vtkRenderer*)> Fill;
+  std::function<void(vtkRenderer*)> AddProps;
   bool Shadows;
-  double Bound; ///< of the RMSE of the worst tile of 16 x 16 pixels
+  double Bound; ///< upper bound of the RMSE of a tile of 16 x 16 pixels
 };
 
 vtkActor* Add(vtkRenderer* renderer, vtkPolyDataAlgorithm* source, bool smooth = false)
@@ -87,7 +87,7 @@ const SceneRow Rows[] = {
       AddSphere(r, 0.4, 0.1, 0.1, 0.7)->GetProperty()->SetColor(0.9, 0.2, 0.1);
     },
     false, 1.0 / 256.0 },
-  { "ACubeThroughACone",
+  { "CubeIntersectingACone",
     [](vtkRenderer* r) {
       vtkNew<vtkConeSource> cone;
       cone->SetHeight(2.0);
@@ -104,7 +104,7 @@ const SceneRow Rows[] = {
       AddSphere(r, 0.4, 0.1, 0.6, 0.4, true)->GetProperty()->SetColor(0.9, 0.2, 0.1);
     },
     false, 1.0 / 256.0 },
-  { "AHighlight",
+  { "SpecularHighlight",
     [](vtkRenderer* r) {
       vtkActor* sphere = AddSphere(r, 0.0, 0.0, 0.0, 0.9, true);
       sphere->GetProperty()->SetSpecular(0.8);
@@ -162,19 +162,19 @@ class CoverageOfScenes : public ::testing::TestWithParam<SceneRow>
 {
 };
 
-std::string NameOf(const ::testing::TestParamInfo<SceneRow>& row)
+std::string MakeName(const ::testing::TestParamInfo<SceneRow>& row)
 {
   return row.param.Name;
 }
 
 }
 
-TEST_P(CoverageOfScenes, KeepsTheTolerance)
+TEST_P(CoverageOfScenes, IsWithinTheTolerance)
 {
   constexpr int Side = 128;
   constexpr int Tile = 16;
   vtkNew<vtkRenderer> renderer;
-  GetParam().Fill(renderer);
+  GetParam().AddProps(renderer);
   renderer->SetBackground(0.2, 0.3, 0.4);
   renderer->GetActiveCamera()->SetPosition(1.0, -5.0, 2.5);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
@@ -183,44 +183,44 @@ TEST_P(CoverageOfScenes, KeepsTheTolerance)
   caster->SetRenderer(renderer);
   caster->SetResolution(Side, Side);
   caster->SetShadows(GetParam().Shadows);
-  const Pixels ours = Render(caster);
+  const Pixels adaptive = Render(caster);
   caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
   caster->SetUniformSamples(32);
-  const Pixels truth = Render(caster);
+  const Pixels reference = Render(caster);
 
   double worst = 0.0;
-  std::string where;
-  double worstBelieved = 0.0;
+  std::string worstTile;
+  double worstEstimate = 0.0;
   for (int ty = 0; ty < Side; ty += Tile)
   {
     for (int tx = 0; tx < Side; tx += Tile)
     {
       double squares = 0.0;
-      double believed = 0.0;
+      double estimated = 0.0;
       for (int i = 0; i < Tile * Tile; ++i)
       {
         const std::size_t pixel = (ty + i / Tile) * Side + tx + i % Tile;
         for (int c = 0; c < 3; ++c)
         {
-          const double d = ours.Colors[4 * pixel + c] - truth.Colors[4 * pixel + c];
+          const double d = adaptive.Colors[4 * pixel + c] - reference.Colors[4 * pixel + c];
           squares += d * d / 3.0;
         }
-        believed += static_cast<double>(ours.Errors[pixel]) * ours.Errors[pixel];
+        estimated += static_cast<double>(adaptive.Errors[pixel]) * adaptive.Errors[pixel];
       }
       const double error = std::sqrt(squares / (Tile * Tile));
       if (error > worst)
       {
         worst = error;
-        where = std::to_string(tx) + "," + std::to_string(ty);
-        worstBelieved = std::sqrt(believed / (Tile * Tile));
+        worstTile = std::to_string(tx) + "," + std::to_string(ty);
+        worstEstimate = std::sqrt(estimated / (Tile * Tile));
       }
     }
   }
-  RecordProperty("At", where);
+  RecordProperty("At", worstTile);
   RecordProperty("WorstTile", std::to_string(worst));
-  RecordProperty("RaysPerPixel", std::to_string(ours.RaysPerPixel));
-  EXPECT_LE(worst, GetParam().Bound) << "believed " << worstBelieved << " there";
-  EXPECT_LE(ours.RaysPerPixel, 6.0);
+  RecordProperty("RaysPerPixel", std::to_string(adaptive.RaysPerPixel));
+  EXPECT_LE(worst, GetParam().Bound) << "estimated error of this tile: " << worstEstimate;
+  EXPECT_LE(adaptive.RaysPerPixel, 6.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(RayCaster, CoverageOfScenes, ::testing::ValuesIn(Rows), NameOf);
+INSTANTIATE_TEST_SUITE_P(RayCaster, CoverageOfScenes, ::testing::ValuesIn(Rows), MakeName);

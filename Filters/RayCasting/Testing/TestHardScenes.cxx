@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes whose borders lie where no edge at the corners of a pixel leads: every tile either keeps the
-// tolerance or says that it does not. The truth is 32 x 32 samples in every pixel.
+// Scenes with edges inside pixels that the corner rays do not detect. The error of every tile is
+// below the tolerance, or its estimated error is not. The reference has 32 x 32 samples per pixel.
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"
@@ -37,7 +37,7 @@ namespace
 
 constexpr int Side = 96;
 constexpr int Tile = 16;
-constexpr int TrueSamples = 32;
+constexpr int ReferenceSamples = 32;
 
 class Random
 {
@@ -63,7 +63,7 @@ vtkActor* Add(vtkRenderer* renderer, vtkPolyData* data)
   return actor;
 }
 
-/// Points at different depths, each 2 pixels wide.
+/// Adds points at different depths, each 2 pixels wide.
 void AddPoints(vtkRenderer* renderer)
 {
   Random random;
@@ -83,7 +83,7 @@ void AddPoints(vtkRenderer* renderer)
   renderer->GetActiveCamera()->ParallelProjectionOn();
 }
 
-/// Flat spheres that pass through each other.
+/// Adds flat-shaded spheres that intersect each other.
 void AddSpheres(vtkRenderer* renderer)
 {
   Random random;
@@ -103,7 +103,7 @@ void AddSpheres(vtkRenderer* renderer)
   }
 }
 
-/// Triangles given by three points each.
+/// Adds triangles of three points each.
 vtkActor* AddTriangles(vtkRenderer* renderer, vtkPoints* points)
 {
   vtkNew<vtkCellArray> cells;
@@ -118,8 +118,8 @@ vtkActor* AddTriangles(vtkRenderer* renderer, vtkPoints* points)
   return Add(renderer, data);
 }
 
-/// Small sheets that face the eye, one behind the other.
-void AddSheets(vtkRenderer* renderer)
+/// Adds small triangles that face the camera, one behind the other.
+void AddFacingTriangles(vtkRenderer* renderer)
 {
   Random random;
   for (int i = 0; i < 300; ++i)
@@ -139,8 +139,8 @@ void AddSheets(vtkRenderer* renderer)
   }
 }
 
-/// Random triangles.
-void AddSoup(vtkRenderer* renderer)
+/// Adds random triangles.
+void AddRandomTriangles(vtkRenderer* renderer)
 {
   Random random;
   vtkNew<vtkPoints> points;
@@ -162,17 +162,18 @@ void AddSoup(vtkRenderer* renderer)
 struct SceneRow
 {
   std::string Name;
-  std::function<void(vtkRenderer*)> Fill;
+  std::function<void(vtkRenderer*)> AddProps;
   double ViewAngle = 30.0;
-  double TruthErrs = 0.0; ///< borders of points are upright: samples in rows and columns err most
+  double ReferenceError =
+    0.0; ///< regular samples are least accurate for the axis-aligned edges of points
 };
 
 const SceneRow Rows[] = {
   { "PointsAtDifferentDepths", AddPoints, 30.0, 1.0 / 512.0 },
-  { "SpheresThroughEachOther", AddSpheres },
-  { "SheetsFacingTheEye", AddSheets },
-  { "TrianglesThroughEachOther", AddSoup },
-  { "TrianglesUnderATinyAngle", AddSoup, 0.001 },
+  { "IntersectingSpheres", AddSpheres },
+  { "TrianglesFacingTheCamera", AddFacingTriangles },
+  { "IntersectingTriangles", AddRandomTriangles },
+  { "IntersectingTrianglesInANarrowView", AddRandomTriangles, 0.001 },
 };
 
 std::ostream& operator<<(std::ostream& os, const SceneRow& row)
@@ -180,12 +181,12 @@ std::ostream& operator<<(std::ostream& os, const SceneRow& row)
   return os << row.Name;
 }
 
-std::string NameOf(const ::testing::TestParamInfo<SceneRow>& row)
+std::string MakeName(const ::testing::TestParamInfo<SceneRow>& row)
 {
   return row.param.Name;
 }
 
-std::vector<float> Copy(vtkPenumbraRayCaster* caster, const char* name)
+std::vector<float> CopyArray(vtkPenumbraRayCaster* caster, const char* name)
 {
   vtkPointData* data = caster->GetOutput()->GetPointData();
   auto* array = vtkFloatArray::SafeDownCast(data->GetArray(name));
@@ -193,25 +194,25 @@ std::vector<float> Copy(vtkPenumbraRayCaster* caster, const char* name)
     array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
 }
 
-std::vector<float> Draw(vtkPenumbraRayCaster* caster)
+std::vector<float> Render(vtkPenumbraRayCaster* caster)
 {
   caster->Update();
-  return Copy(caster, "Color");
+  return CopyArray(caster, "Color");
 }
 
 vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(const SceneRow& row)
 {
   vtkNew<vtkRenderer> renderer;
-  row.Fill(renderer);
+  row.AddProps(renderer);
   renderer->SetBackground(0.2, 0.3, 0.4);
   renderer->ResetCamera();
   vtkCamera* camera = renderer->GetActiveCamera();
-  const auto halfWidth = [&]() {
+  const auto computeHalfWidth = [&]() {
     return std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
   };
-  const double before = halfWidth();
+  const double originalWidth = computeHalfWidth();
   camera->SetViewAngle(row.ViewAngle);
-  camera->Dolly(halfWidth() / before);
+  camera->Dolly(computeHalfWidth() / originalWidth);
   auto caster = vtkSmartPointer<vtkPenumbraRayCaster>::New();
   caster->SetRenderer(renderer);
   caster->SetResolution(Side, Side);
@@ -221,11 +222,11 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(const SceneRow& row)
 struct TileError
 {
   double Error;
-  double Believed;
+  double Estimated;
 };
 
-std::vector<TileError> JudgeTiles(const std::vector<float>& colors,
-  const std::vector<float>& errors, const std::vector<float>& truth)
+std::vector<TileError> ComputeTileErrors(const std::vector<float>& colors,
+  const std::vector<float>& errors, const std::vector<float>& reference)
 {
   std::vector<TileError> tiles;
   for (int ty = 0; ty < Side; ty += Tile)
@@ -233,18 +234,18 @@ std::vector<TileError> JudgeTiles(const std::vector<float>& colors,
     for (int tx = 0; tx < Side; tx += Tile)
     {
       double squares = 0.0;
-      double believed = 0.0;
+      double estimated = 0.0;
       for (int i = 0; i < Tile * Tile; ++i)
       {
         const std::size_t pixel = (ty + i / Tile) * Side + tx + i % Tile;
         for (int c = 0; c < 3; ++c)
         {
-          const double d = colors[4 * pixel + c] - truth[4 * pixel + c];
+          const double d = colors[4 * pixel + c] - reference[4 * pixel + c];
           squares += d * d / 3.0;
         }
-        believed += static_cast<double>(errors[pixel]) * errors[pixel];
+        estimated += static_cast<double>(errors[pixel]) * errors[pixel];
       }
-      tiles.push_back({ std::sqrt(squares / (Tile * Tile)), std::sqrt(believed / (Tile * Tile)) });
+      tiles.push_back({ std::sqrt(squares / (Tile * Tile)), std::sqrt(estimated / (Tile * Tile)) });
     }
   }
   return tiles;
@@ -256,42 +257,42 @@ class HardScenes : public ::testing::TestWithParam<SceneRow>
 
 }
 
-TEST_P(HardScenes, NoTileErrsByMoreThanItSays)
+TEST_P(HardScenes, ReportEveryTileAboveTheTolerance)
 {
   const auto caster = MakeCaster(GetParam());
-  const std::vector<float> colors = Draw(caster);
-  const std::vector<float> errors = Copy(caster, "EstimatedError");
+  const std::vector<float> colors = Render(caster);
+  const std::vector<float> errors = CopyArray(caster, "EstimatedError");
   caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(TrueSamples);
-  const std::vector<float> truth = Draw(caster);
+  caster->SetUniformSamples(ReferenceSamples);
+  const std::vector<float> reference = Render(caster);
   const double tolerance = caster->GetTolerance();
   double worst = 0.0;
-  for (const TileError& tile : JudgeTiles(colors, errors, truth))
+  for (const TileError& tile : ComputeTileErrors(colors, errors, reference))
   {
     worst = std::max(worst, tile.Error);
-    EXPECT_FALSE(tile.Error > tolerance + GetParam().TruthErrs && tile.Believed < tolerance)
-      << "error " << tile.Error << ", believed " << tile.Believed;
+    EXPECT_FALSE(tile.Error > tolerance + GetParam().ReferenceError && tile.Estimated < tolerance)
+      << "error " << tile.Error << ", estimated " << tile.Estimated;
   }
   RecordProperty("WorstTile", std::to_string(worst));
 }
 
-TEST_P(HardScenes, UniformSamplesSayWhatTheyErr)
+TEST_P(HardScenes, HaveCalibratedErrorEstimatesWithUniformSamples)
 {
   const auto caster = MakeCaster(GetParam());
   caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
-  caster->SetUniformSamples(TrueSamples);
-  const std::vector<float> truth = Draw(caster);
+  caster->SetUniformSamples(ReferenceSamples);
+  const std::vector<float> reference = Render(caster);
   for (const int samples : { 2, 4, 8 })
   {
     caster->SetUniformSamples(samples);
-    const std::vector<float> colors = Draw(caster);
-    const std::vector<float> errors = Copy(caster, "EstimatedError");
+    const std::vector<float> colors = Render(caster);
+    const std::vector<float> errors = CopyArray(caster, "EstimatedError");
     std::vector<double> ratios;
-    for (const TileError& tile : JudgeTiles(colors, errors, truth))
+    for (const TileError& tile : ComputeTileErrors(colors, errors, reference))
     {
       if (tile.Error > 1e-3)
       {
-        ratios.push_back(tile.Believed / tile.Error);
+        ratios.push_back(tile.Estimated / tile.Error);
       }
     }
     ASSERT_FALSE(ratios.empty());
@@ -301,14 +302,14 @@ TEST_P(HardScenes, UniformSamplesSayWhatTheyErr)
   }
 }
 
-TEST(Tolerance, IsReportedOnceWhereItIsNotReached)
+TEST(Tolerance, WarnsOnceIfItIsNotReached)
 {
   vtkNew<vtkCallbackCommand> count;
   int warnings = 0;
   count->SetClientData(&warnings);
   count->SetCallback(
     [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
-  const auto caster = MakeCaster({ "SpheresThroughEachOther", AddSpheres });
+  const auto caster = MakeCaster({ "IntersectingSpheres", AddSpheres });
   caster->AddObserver(vtkCommand::WarningEvent, count);
   caster->Update();
   EXPECT_EQ(warnings, 0);
@@ -320,4 +321,4 @@ TEST(Tolerance, IsReportedOnceWhereItIsNotReached)
   EXPECT_EQ(warnings, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(RayCaster, HardScenes, ::testing::ValuesIn(Rows), NameOf);
+INSTANTIATE_TEST_SUITE_P(RayCaster, HardScenes, ::testing::ValuesIn(Rows), MakeName);

@@ -36,7 +36,7 @@ std::vector<double> SortedAreas(const PixelArrangement& arrangement)
 
 }
 
-TEST(PixelArrangement, OfNothingIsTheWholePixel)
+TEST(PixelArrangement, WithoutSegmentsIsOneFace)
 {
   const PixelArrangement arrangement = Arrange({});
   ASSERT_EQ(arrangement.GetFaces().size(), 1u);
@@ -44,7 +44,7 @@ TEST(PixelArrangement, OfNothingIsTheWholePixel)
   EXPECT_EQ(arrangement.GetFaces()[0].Corners, 15u);
 }
 
-TEST(PixelArrangement, CutsALineIntoItsTwoAreas)
+TEST(PixelArrangement, ComputesTheAreasOnBothSidesOfALine)
 {
   // y = 0.25 + 0.5 x has 0.5 below it.
   const PixelArrangement arrangement = Arrange({ { { -1.0, -0.25 }, { 2.0, 1.25 } } });
@@ -54,7 +54,7 @@ TEST(PixelArrangement, CutsALineIntoItsTwoAreas)
   EXPECT_NEAR(areas[1], 0.5, 1e-12);
 }
 
-TEST(PixelArrangement, TakesVerticalAndHorizontalEdges)
+TEST(PixelArrangement, HandlesVerticalAndHorizontalSegments)
 {
   const PixelArrangement arrangement =
     Arrange({ { { 0.25, -1.0 }, { 0.25, 2.0 } }, { { -1.0, 0.5 }, { 2.0, 0.5 } } });
@@ -66,7 +66,7 @@ TEST(PixelArrangement, TakesVerticalAndHorizontalEdges)
   EXPECT_NEAR(areas[3], 0.375, 1e-12);
 }
 
-TEST(PixelArrangement, FindsATriangleWithinThePixel)
+TEST(PixelArrangement, FindsATriangleInsideThePixel)
 {
   const glm::dvec2 a(0.3, 0.3), b(0.6, 0.4), c(0.35, 0.7);
   const PixelArrangement arrangement = Arrange({ { a, b }, { b, c }, { c, a } });
@@ -77,16 +77,17 @@ TEST(PixelArrangement, FindsATriangleWithinThePixel)
   EXPECT_NEAR(areas[1], 1.0 - area, 1e-12);
 }
 
-TEST(PixelArrangement, LooseEndsDivideNothing)
+TEST(PixelArrangement, KeepsOneFaceAroundOpenSegments)
 {
   EXPECT_EQ(Arrange({ { { 0.2, 0.2 }, { 0.8, 0.7 } } }).GetFaces().size(), 1u);
   EXPECT_EQ(Arrange({ { { 0.5, 0.0 }, { 0.5, 0.9 } } }).GetFaces().size(), 1u);
   EXPECT_EQ(Arrange({ { { 0.5, 0.0 }, { 0.5, 1.0 } } }).GetFaces().size(), 2u);
 }
 
-TEST(PixelArrangement, OfRandomLinesObeysEulersFormula)
+TEST(PixelArrangement, SatisfiesEulersFormulaForRandomLines)
 {
-  // n lines in general position with k crossings inside make 1 + n + k faces, which fill the pixel.
+  // n lines in general position with k crossings inside the pixel form 1 + n + k faces of total
+  // area 1.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-0.5, 1.5);
   for (int trial = 0; trial < 200; ++trial)
@@ -126,9 +127,9 @@ TEST(PixelArrangement, OfRandomLinesObeysEulersFormula)
   }
 }
 
-TEST(PixelArrangement, PutsThePointOfEachFaceInside)
+TEST(PixelArrangement, PlacesTheFacePointInsideTheFace)
 {
-  // A ring: the face around has its centroid in the hole.
+  // The centroid of the ring lies in its hole.
   const glm::dvec2 a(0.2, 0.2), b(0.8, 0.2), c(0.8, 0.8), d(0.2, 0.8);
   const PixelArrangement arrangement = Arrange({ { a, b }, { b, c }, { c, d }, { d, a } });
   ASSERT_EQ(arrangement.GetFaces().size(), 2u);
@@ -141,7 +142,7 @@ TEST(PixelArrangement, PutsThePointOfEachFaceInside)
   }
 }
 
-TEST(PixelArrangement, StopsAtItsLimits)
+TEST(PixelArrangement, StopsAtTheLimits)
 {
   std::vector<PixelSegment> segments;
   for (int i = 0; i < 20; ++i) // a grid of 400 crossings, 441 faces

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whatever of a scene changes, the next picture shows it; where nothing changes, nothing is drawn
-// again. A row each for all that a picture is made of.
+// Every change of a scene appears in the next image, and nothing is rendered again without a
+// change. The table has one row for each kind of object in a scene.
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"
@@ -48,7 +48,8 @@ using Change = std::function<void()>;
 struct Row
 {
   const char* Name;
-  Change (*Build)(vtkRenderer* renderer); ///< adds to the scene; what it returns changes the scene
+  Change (*Build)(
+    vtkRenderer* renderer); ///< adds props; the result is a function that changes the scene
 };
 
 std::ostream& operator<<(std::ostream& os, const Row& row)
@@ -104,8 +105,8 @@ Change BuildCameraTransform(vtkRenderer* renderer)
   AddSphere(renderer);
   vtkNew<vtkTransform> transform;
   renderer->GetActiveCamera()->SetUserTransform(transform);
-  vtkSmartPointer<vtkTransform> kept = transform;
-  return [=] { kept->Scale(2.0, 2.0, 1.0); };
+  vtkSmartPointer<vtkTransform> userTransform = transform;
+  return [=] { userTransform->Scale(2.0, 2.0, 1.0); };
 }
 
 Change BuildLight(vtkRenderer* renderer)
@@ -180,7 +181,7 @@ Change BuildPoints(vtkRenderer* renderer)
   };
 }
 
-Change BuildTable(vtkRenderer* renderer)
+Change BuildLookupTable(vtkRenderer* renderer)
 {
   vtkSmartPointer<vtkLookupTable> table = vtkSmartPointer<vtkLookupTable>::New();
   vtkNew<vtkPolyDataMapper> mapper;
@@ -231,9 +232,9 @@ Change BuildTexture(vtkRenderer* renderer)
 
 vtkSmartPointer<vtkGlyph3DMapper> AddGlyphs(vtkRenderer* renderer, vtkSphereSource* shape)
 {
-  vtkNew<vtkPlaneSource> places;
+  vtkNew<vtkPlaneSource> points;
   auto mapper = vtkSmartPointer<vtkGlyph3DMapper>::New();
-  mapper->SetInputConnection(places->GetOutputPort());
+  mapper->SetInputConnection(points->GetOutputPort());
   mapper->SetSourceConnection(shape->GetOutputPort());
   renderer->AddActor(MakeActor(mapper));
   return mapper;
@@ -306,7 +307,7 @@ Change BuildBlock(vtkRenderer* renderer)
   };
 }
 
-// Composite mappers read these since VTK 9.3.
+// Composite mappers support these attributes since VTK 9.3.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 Change BuildBlockColor(vtkRenderer* renderer)
 {
@@ -320,7 +321,7 @@ Change BuildBlockColor(vtkRenderer* renderer)
   return [=] { attributes->SetBlockColor(mesh, red); };
 }
 
-Change BuildBlockTable(vtkRenderer* renderer)
+Change BuildBlockLookupTable(vtkRenderer* renderer)
 {
   const auto mesh = MakeColoredSphere();
   const auto mapper = AddBlocks(renderer, mesh);
@@ -340,7 +341,7 @@ Change BuildText(vtkRenderer* renderer)
   return [=] { text->GetTextProperty()->SetColor(1.0, 0.0, 0.0); };
 }
 
-Change BuildTextPlace(vtkRenderer* renderer)
+Change BuildTextPosition(vtkRenderer* renderer)
 {
   vtkNew<vtkTextActor> text;
   text->SetInput("A");
@@ -372,7 +373,7 @@ const Row Rows[] = {
   { "UserMatrix", BuildUserMatrix },
   { "Source", BuildSource },
   { "Points", BuildPoints },
-  { "Table", BuildTable },
+  { "LookupTable", BuildLookupTable },
   { "ClippingPlane", BuildClippingPlane },
   { "NewClippingPlane", BuildNewClippingPlane },
   { "Texture", BuildTexture },
@@ -384,10 +385,10 @@ const Row Rows[] = {
   { "Block", BuildBlock },
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   { "BlockColor", BuildBlockColor },
-  { "BlockTable", BuildBlockTable },
+  { "BlockLookupTable", BuildBlockLookupTable },
 #endif
   { "Text", BuildText },
-  { "TextPlace", BuildTextPlace },
+  { "TextPosition", BuildTextPosition },
   { "ScalarBar", BuildScalarBar },
 };
 
@@ -407,7 +408,7 @@ protected:
     this->Caster->AddObserver(vtkCommand::EndEvent, count);
   }
 
-  static std::vector<float> Draw(vtkPenumbraRayCaster* caster)
+  static std::vector<float> Render(vtkPenumbraRayCaster* caster)
   {
     caster->Update();
     auto* color =
@@ -420,27 +421,27 @@ protected:
   vtkNew<vtkPenumbraRayCaster> Caster;
 };
 
-TEST_P(SceneChange, ShowsInTheNextPicture)
+TEST_P(SceneChange, AppearsInTheNextImage)
 {
   const Change change = GetParam().Build(this->Renderer);
-  const std::vector<float> before = Draw(this->Caster);
-  EXPECT_EQ(Draw(this->Caster), before);
-  EXPECT_EQ(this->Executions, 1) << "drawn again though nothing changed";
+  const std::vector<float> before = Render(this->Caster);
+  EXPECT_EQ(Render(this->Caster), before);
+  EXPECT_EQ(this->Executions, 1) << "rendered again without a change";
   change();
-  const std::vector<float> after = Draw(this->Caster);
+  const std::vector<float> after = Render(this->Caster);
   EXPECT_EQ(this->Executions, 2);
   EXPECT_NE(after, before);
   vtkNew<vtkPenumbraRayCaster> fresh;
   fresh->SetRenderer(this->Renderer);
   fresh->SetResolution(40, 40);
-  EXPECT_EQ(after, Draw(fresh));
+  EXPECT_EQ(after, Render(fresh));
 }
 
-std::string NameOf(const testing::TestParamInfo<Row>& row)
+std::string MakeName(const testing::TestParamInfo<Row>& row)
 {
   return row.param.Name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, SceneChange, testing::ValuesIn(Rows), NameOf);
+INSTANTIATE_TEST_SUITE_P(Table, SceneChange, testing::ValuesIn(Rows), MakeName);
 
 }

@@ -39,7 +39,7 @@ protected:
   void SetUp() override
   {
     this->Haze.Intensity = 8.0;
-    this->Sun = this->Haze.AddTo(this->Renderer);
+    this->Light = this->Haze.AddTo(this->Renderer);
     this->Haze.Describe(this->Medium);
     this->Caster->SetRenderer(this->Renderer);
     this->Caster->SetResolution(Width, Height);
@@ -63,7 +63,7 @@ protected:
     return this->Caster->GetStatistics()->GetArray(name)->GetTuple1(0);
   }
 
-  /// The closed form through picture point (x, y).
+  /// Returns the closed form along the ray through image point (x, y).
   double Exact(double x, double y) const
   {
     return this->Haze.Exact(
@@ -72,7 +72,7 @@ protected:
 
   penumbra::HalfPlaneInHaze Haze;
   vtkNew<vtkRenderer> Renderer;
-  vtkLight* Sun = nullptr;
+  vtkLight* Light = nullptr;
   vtkNew<vtkPenumbraMedium> Medium;
   vtkNew<vtkPenumbraRayCaster> Caster;
   int Warnings = 0;
@@ -80,12 +80,12 @@ protected:
 
 }
 
-TEST_F(MediumTest, MakesThePictureOfTheClosedForm)
+TEST_F(MediumTest, MatchesTheClosedForm)
 {
   for (const int steps : { 0, 64 })
   {
     this->Caster->SetLightShaftSteps(steps);
-    const std::vector<float> picture = this->Render();
+    const std::vector<float> image = this->Render();
     double squares = 0.0;
     double reference = 0.0;
     for (int y = 0; y < Height; ++y)
@@ -97,7 +97,7 @@ TEST_F(MediumTest, MakesThePictureOfTheClosedForm)
         {
           exact += this->Exact(x + (k % 8 + 0.5) / 8.0, y + (k / 8 + 0.5) / 8.0) / 64.0;
         }
-        const double error = picture[4 * (y * Width + x)] - exact;
+        const double error = image[4 * (y * Width + x)] - exact;
         squares += error * error;
         reference += exact * exact;
       }
@@ -108,20 +108,20 @@ TEST_F(MediumTest, MakesThePictureOfTheClosedForm)
   }
 }
 
-TEST_F(MediumTest, TakesLightFromWhatLiesBehind)
+TEST_F(MediumTest, AttenuatesTheBackground)
 {
-  // All but no light, and 6.3 units of fog before the sky.
+  // The light is negligible. The path through the medium has a length of 6.3.
   this->Renderer->SetBackground(1.0, 0.5, 0.25);
-  this->Sun->SetIntensity(1e-30);
+  this->Light->SetIntensity(1e-30);
   this->Medium->SetBounds(-2.0, 5.0, -1000.0, 1000.0, -1000.0, 1000.0);
-  const std::vector<float> picture = this->Render();
-  const int middle = 4 * (Height / 2 * Width + Width / 2) - 4 * Width;
-  EXPECT_NEAR(picture[middle], std::exp(-0.5 * 6.3), 2e-3);
-  EXPECT_NEAR(picture[middle + 1], 0.5 * picture[middle], 1e-6);
-  EXPECT_NEAR(picture[middle + 3], 1.0, 1e-6);
+  const std::vector<float> image = this->Render();
+  const int center = 4 * (Height / 2 * Width + Width / 2) - 4 * Width;
+  EXPECT_NEAR(image[center], std::exp(-0.5 * 6.3), 2e-3);
+  EXPECT_NEAR(image[center + 1], 0.5 * image[center], 1e-6);
+  EXPECT_NEAR(image[center + 3], 1.0, 1e-6);
 }
 
-TEST_F(MediumTest, HasTheSameBitsForAnyThreadsAndTiles)
+TEST_F(MediumTest, IsIndependentOfThreadCountAndExtent)
 {
   this->Caster->SetNumberOfThreads(1);
   const std::vector<float> one = this->Render();
@@ -136,13 +136,13 @@ TEST_F(MediumTest, HasTheSameBitsForAnyThreadsAndTiles)
   {
     for (int x = 20; x <= 40; ++x)
     {
-      const int part = (y - 7) * 21 + x - 20;
-      ASSERT_EQ(color->GetTypedComponent(part, 0), one[4 * (y * Width + x)]);
+      const int pixel = (y - 7) * 21 + x - 20;
+      ASSERT_EQ(color->GetTypedComponent(pixel, 0), one[4 * (y * Width + x)]);
     }
   }
 }
 
-TEST_F(MediumTest, LeavesThePictureAloneOnBadInputAndWarnsOnce)
+TEST_F(MediumTest, IsIgnoredWithOneWarningIfInvalid)
 {
   this->Renderer->SetBackground(0.2, 0.4, 0.6);
   this->Caster->SetMedium(nullptr);
@@ -151,12 +151,12 @@ TEST_F(MediumTest, LeavesThePictureAloneOnBadInputAndWarnsOnce)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double bad[][3] = { { nan, 1.0, 0.0 }, { 1.0, nan, 0.0 },
     { std::numeric_limits<double>::infinity(), 1.0, 0.0 }, { 1.0, 1.0, nan } };
-  for (const auto& numbers : bad)
+  for (const auto& coefficients : bad)
   {
     this->Warnings = 0;
-    this->Medium->SetScattering(numbers[0]);
-    this->Medium->SetExtinction(numbers[1]);
-    this->Medium->SetAsymmetry(numbers[2]);
+    this->Medium->SetScattering(coefficients[0]);
+    this->Medium->SetExtinction(coefficients[1]);
+    this->Medium->SetAsymmetry(coefficients[2]);
     EXPECT_EQ(plain, this->Render());
     EXPECT_EQ(this->Warnings, 1);
   }
@@ -169,7 +169,7 @@ TEST_F(MediumTest, LeavesThePictureAloneOnBadInputAndWarnsOnce)
   EXPECT_EQ(this->Warnings, 1);
 
   this->Medium->SetBounds(0.0, 1.0, 0.0, 1.0, 0.0, 1.0);
-  this->Sun->SetIntensity(0.0);
+  this->Light->SetIntensity(0.0);
   this->Warnings = 0;
   EXPECT_EQ(plain, this->Render());
   EXPECT_EQ(this->Warnings, 1);

@@ -40,8 +40,8 @@
 namespace
 {
 
-/// Three spheres, one of them coloured, one in front of another, lit by the headlight.
-class SpheresTest : public ::testing::Test
+/// Three spheres of different colors that overlap in the image, lit by the headlight.
+class RayCaster : public ::testing::Test
 {
 protected:
   void SetUp() override
@@ -95,7 +95,7 @@ protected:
 
 }
 
-TEST_F(SpheresTest, HasTheResolutionAskedFor)
+TEST_F(RayCaster, HasTheRequestedResolution)
 {
   this->Render();
   int dimensions[3];
@@ -105,7 +105,7 @@ TEST_F(SpheresTest, HasTheResolutionAskedFor)
   EXPECT_EQ(dimensions[2], 1);
 }
 
-TEST_F(SpheresTest, AreTheSameForAnyNumberOfThreads)
+TEST_F(RayCaster, IsIndependentOfThreadCount)
 {
   this->Caster->SetNumberOfThreads(1);
   const std::vector<float> one = this->Render();
@@ -117,7 +117,7 @@ TEST_F(SpheresTest, AreTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST_F(SpheresTest, AreTheSameInAnyTiling)
+TEST_F(RayCaster, IsIndependentOfTheUpdateExtent)
 {
   for (int method : { vtkPenumbraRayCaster::SILHOUETTES, vtkPenumbraRayCaster::SUBDIVISION })
   {
@@ -130,9 +130,9 @@ TEST_F(SpheresTest, AreTheSameInAnyTiling)
       const int extent[6] = { tile[0], tile[1], tile[2], tile[3], 0, 0 };
       this->Caster->Modified();
       this->Caster->UpdateExtent(extent);
-      int got[6];
-      this->Caster->GetOutput()->GetExtent(got);
-      ASSERT_TRUE(std::equal(got, got + 6, extent));
+      int outputExtent[6];
+      this->Caster->GetOutput()->GetExtent(outputExtent);
+      ASSERT_TRUE(std::equal(outputExtent, outputExtent + 6, extent));
       const float* part = this->Array("Color")->GetPointer(0);
       const int width = tile[1] - tile[0] + 1;
       for (int y = tile[2]; y <= tile[3]; ++y)
@@ -146,7 +146,7 @@ TEST_F(SpheresTest, AreTheSameInAnyTiling)
   }
 }
 
-TEST_F(SpheresTest, AgreeWithManyUniformSamples)
+TEST_F(RayCaster, MatchesUniformSampling)
 {
   const std::vector<float> exact = this->Render();
   this->Caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
@@ -160,10 +160,10 @@ TEST_F(SpheresTest, AgreeWithManyUniformSamples)
     worst = std::max(worst, std::abs(exact[i] - samples[i]));
   }
   EXPECT_LT(std::sqrt(squares / exact.size()), 5e-4);
-  EXPECT_LT(worst, 0.02f); // 32 samples along a border are off by up to 1/64 themselves
+  EXPECT_LT(worst, 0.02f); // the error of 32 samples along an edge is 1/64 at most
 }
 
-TEST_F(SpheresTest, CountEachPixelOnce)
+TEST_F(RayCaster, CountsEachPixelOnce)
 {
   this->Render();
   EXPECT_EQ(this->Statistic("Rays/Primary"), 102.0 * 76.0);
@@ -174,34 +174,35 @@ TEST_F(SpheresTest, CountEachPixelOnce)
   EXPECT_LT(this->Statistic("Rays/PerPixel"), 2.0);
 }
 
-TEST_F(SpheresTest, WithoutBackgroundComposeOverAnyColour)
+TEST_F(RayCaster, CompositesOverAnyColorWithoutBackground)
 {
   this->Caster->BackgroundOff();
-  const std::vector<float> bare = this->Render();
+  const std::vector<float> withoutBackground = this->Render();
   this->Caster->BackgroundOn();
-  const std::vector<float> direct = this->Render();
-  const float behind[3] = { 0.1f, 0.2f, 0.3f };
-  for (std::size_t i = 0; i < bare.size(); i += 4)
+  const std::vector<float> withBackground = this->Render();
+  const float background[3] = { 0.1f, 0.2f, 0.3f };
+  for (std::size_t i = 0; i < withoutBackground.size(); i += 4)
   {
     for (int c = 0; c < 3; ++c)
     {
-      EXPECT_NEAR(
-        bare[i + c] * bare[i + 3] + behind[c] * (1.f - bare[i + 3]), direct[i + c], 1.f / 255.f);
+      EXPECT_NEAR(withoutBackground[i + c] * withoutBackground[i + 3] +
+          background[c] * (1.f - withoutBackground[i + 3]),
+        withBackground[i + c], 1.f / 255.f);
     }
   }
 }
 
-TEST_F(SpheresTest, ShareTheirSceneBetweenTiles)
+TEST_F(RayCaster, UpdatesTheCachedSceneBetweenExtents)
 {
-  const auto draw = [&](int low) {
+  const auto renderExtent = [&](int low) {
     int extent[6] = { 20, 79, low, low + 19, 0, 0 };
     this->Caster->UpdateExtent(extent);
     const float* part = this->Array("Color")->GetPointer(0);
     return std::vector<float>(part, part + 4 * 60 * 20);
   };
-  const std::vector<float> parts[2] = { draw(10), draw(30) };
+  const std::vector<float> parts[2] = { renderExtent(10), renderExtent(30) };
   vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(0))->SetPosition(1, 1, 0);
-  EXPECT_NE(parts[1], draw(30));
+  EXPECT_NE(parts[1], renderExtent(30));
   vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(0))->SetPosition(0, 0, 0);
   const std::vector<float> whole = this->Render();
   for (int y = 0; y < 40; ++y)
@@ -211,12 +212,12 @@ TEST_F(SpheresTest, ShareTheirSceneBetweenTiles)
   }
 }
 
-/// Brute force that knows the scenes it was asked about.
-class ListeningSource : public vtkPenumbraBruteForceIrradiance
+/// Brute force that records the ids of its scenes.
+class RecordingSource : public vtkPenumbraBruteForceIrradiance
 {
 public:
-  static ListeningSource* New();
-  vtkTypeMacro(ListeningSource, vtkPenumbraBruteForceIrradiance);
+  static RecordingSource* New();
+  vtkTypeMacro(RecordingSource, vtkPenumbraBruteForceIrradiance);
 
   bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress) override
@@ -227,11 +228,11 @@ public:
 
   std::set<std::uint64_t> Scenes;
 };
-vtkStandardNewMacro(ListeningSource);
+vtkStandardNewMacro(RecordingSource);
 
-TEST_F(SpheresTest, BuildTheirSceneOnceForAllTiles)
+TEST_F(RayCaster, BuildsTheSceneOnceForAllExtents)
 {
-  vtkNew<ListeningSource> source;
+  vtkNew<RecordingSource> source;
   this->Caster->AmbientOcclusionOn();
   this->Caster->SetIrradianceSource(source);
   for (const int low : { 10, 20, 30 })
@@ -242,7 +243,7 @@ TEST_F(SpheresTest, BuildTheirSceneOnceForAllTiles)
   EXPECT_EQ(source->Scenes.size(), 1U);
 }
 
-TEST_F(SpheresTest, RefuseNumbersThatAreNone)
+TEST_F(RayCaster, RejectsInvalidSettings)
 {
   this->Caster->SetTolerance(std::nan(""));
   vtkObject::GlobalWarningDisplayOff();
@@ -255,7 +256,7 @@ TEST_F(SpheresTest, RefuseNumbersThatAreNone)
   vtkObject::GlobalWarningDisplayOn();
 }
 
-/// A source whose answers fail.
+/// A source that throws exceptions.
 class FailingSource : public vtkPenumbraBruteForceIrradiance
 {
 public:
@@ -264,43 +265,43 @@ public:
 
   Estimate Occlusion(const double[3], const double[3]) const override
   {
-    throw std::runtime_error("no answer");
+    throw std::runtime_error("test failure");
   }
 
   Estimate OcclusionWithin(const double[3], const double[3], double) const override
   {
-    throw std::runtime_error("no answer");
+    throw std::runtime_error("test failure");
   }
 };
 vtkStandardNewMacro(FailingSource);
 
-TEST_F(SpheresTest, TellOfAnExceptionOnAnyThread)
+TEST_F(RayCaster, ReportsExceptionsOfAnyThread)
 {
   vtkNew<FailingSource> source;
-  vtkNew<vtkCallbackCommand> listen;
-  std::string told;
-  listen->SetClientData(&told);
-  listen->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
+  vtkNew<vtkCallbackCommand> observer;
+  std::string message;
+  observer->SetClientData(&message);
+  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
     *static_cast<std::string*>(data) += static_cast<const char*>(text);
   });
-  this->Caster->AddObserver(vtkCommand::ErrorEvent, listen);
+  this->Caster->AddObserver(vtkCommand::ErrorEvent, observer);
   this->Caster->AmbientOcclusionOn();
   this->Caster->SetIrradianceSource(source);
   for (const int threads : { 1, 4 })
   {
-    told.clear();
+    message.clear();
     this->Caster->SetNumberOfThreads(threads);
     this->Caster->Update();
-    EXPECT_NE(told.find("no answer"), std::string::npos) << told;
+    EXPECT_NE(message.find("test failure"), std::string::npos) << message;
     EXPECT_EQ(this->Caster->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
   }
   this->Caster->SetIrradianceSource(nullptr);
   EXPECT_TRUE(vtkPenumbraBruteForceIrradiance::SafeDownCast(this->Caster->GetIrradianceSource()));
 }
 
-TEST_F(SpheresTest, StopWhenAskedTo)
+TEST_F(RayCaster, StopsOnAbort)
 {
-  const std::vector<float> picture = this->Render();
+  const std::vector<float> image = this->Render();
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
     vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
@@ -314,16 +315,16 @@ TEST_F(SpheresTest, StopWhenAskedTo)
   this->Caster->RemoveObserver(observer);
   this->Caster->AbortExecuteOff();
   this->Caster->Modified();
-  EXPECT_EQ(picture, this->Render());
+  EXPECT_EQ(image, this->Render());
   EXPECT_GT(this->Statistic("Rays/Total"), 0.0);
 }
 
-TEST_F(SpheresTest, StopSoonWhereverTheyAreAskedTo)
+TEST_F(RayCaster, StopsAtTheNextProgressEvent)
 {
   struct Watch
   {
     double StopAt = 0.0;
-    int Later = -1; ///< events after they were asked to stop
+    int Later = -1; ///< events after the abort was requested
   };
   Watch watch;
   vtkNew<vtkCallbackCommand> observer;
@@ -340,30 +341,30 @@ TEST_F(SpheresTest, StopSoonWhereverTheyAreAskedTo)
   this->Caster->AddObserver(vtkCommand::ProgressEvent, observer);
   this->Caster->GeometryArraysOn();
   this->Caster->SetResolution(40, 30);
-  for (const double stopAt : { 0.0, .26, .4, .6, .8, .9 })
+  for (const double stopAt : { 0.0, 0.26, 0.4, 0.6, 0.8, 0.9 })
   {
     watch = { stopAt, -1 };
     this->Caster->SetAbortExecute(0);
     this->Caster->Modified();
     this->Caster->Update();
     EXPECT_GE(watch.Later, 0) << stopAt;
-    EXPECT_LE(watch.Later, 1) << stopAt; // VTK's own last one
+    EXPECT_LE(watch.Later, 1) << stopAt; // the last event of vtkAlgorithm
     EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
     EXPECT_EQ(this->Caster->GetStatistics()->GetNumberOfArrays(), 0) << stopAt;
   }
 }
 
-TEST_F(SpheresTest, RefuseCamerasThatSeeNothing)
+TEST_F(RayCaster, RejectsUnusableCameras)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   int errors = 0;
-  vtkNew<vtkCallbackCommand> listen;
-  listen->SetClientData(&errors);
-  listen->SetCallback(
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&errors);
+  observer->SetCallback(
     [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
-  this->Caster->AddObserver(vtkCommand::ErrorEvent, listen);
+  this->Caster->AddObserver(vtkCommand::ErrorEvent, observer);
   this->Caster->AmbientOcclusionOn();
-  const auto refuse = [&](const char* what) {
+  const auto expectError = [&](const char* what) {
     errors = 0;
     this->Caster->Update();
     EXPECT_EQ(errors, 1) << what;
@@ -371,18 +372,18 @@ TEST_F(SpheresTest, RefuseCamerasThatSeeNothing)
   };
   camera->ParallelProjectionOn();
   camera->SetParallelScale(1e20);
-  refuse("scale");
+  expectError("scale");
   camera->ParallelProjectionOff();
   camera->SetViewAngle(std::nan(""));
-  refuse("angle");
+  expectError("angle");
   camera->SetViewAngle(30.0);
   camera->SetPosition(std::nan(""), 0.0, 1.0);
-  refuse("position");
+  expectError("position");
   camera->SetPosition(std::numeric_limits<double>::infinity(), 0.0, 1.0);
-  refuse("far position");
+  expectError("far position");
 }
 
-TEST_F(SpheresTest, StandAPointThatIsNotFinite)
+TEST_F(RayCaster, TerminatesForPointsThatAreNotFinite)
 {
   for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
   {
@@ -406,14 +407,14 @@ TEST_F(SpheresTest, StandAPointThatIsNotFinite)
     this->Caster->AmbientOcclusionOn();
     this->Caster->IndirectLightOn();
     this->Caster->SetResolution(40, 30);
-    this->Caster->Update(); // ends
+    this->Caster->Update();
     this->Renderer->RemoveActor(actor);
   }
 }
 
-TEST_F(SpheresTest, StandSliversWithoutWidth)
+TEST_F(RayCaster, RendersFiniteColorsForDegenerateSlivers)
 {
-  // In single precision nothing is left of their normals.
+  // The normals of these triangles vanish in single precision.
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(3);
   const auto next = [&]() {
@@ -445,32 +446,33 @@ TEST_F(SpheresTest, StandSliversWithoutWidth)
   this->Caster->AmbientOcclusionOn();
   this->Caster->IndirectLightOn();
   this->Caster->SetResolution(160, 120);
-  for (const float value : this->Render()) // ends
+  for (const float value : this->Render())
   {
     ASSERT_TRUE(std::isfinite(value));
   }
 }
 
-TEST_F(SpheresTest, RenderAgainWhenTheSceneChanges)
+TEST_F(RayCaster, RendersAgainAfterTheSceneChanges)
 {
   const std::vector<float> before = this->Render();
   this->Renderer->GetActiveCamera()->Azimuth(10.0);
   EXPECT_NE(before, this->Render());
 }
 
-TEST(vtkPenumbraRayCaster, TakesTheLevelFromTheEyesResolution)
+TEST(RayCasterSettings, ComputesMaximumLevelFromViewing)
 {
   vtkNew<vtkPenumbraRayCaster> caster;
-  // A display of 2^-10 rad a pixel needs 2^3 parts a side [AA].
+  // A pixel that subtends 2^-10 rad is divided 2^3 times per side [AA].
   caster->SetMaximumLevelFromViewing(1024.0, 1.0);
   EXPECT_EQ(caster->GetMaximumLevel(), 3);
   caster->SetMaximumLevelFromViewing(8192.0, 1.0);
   EXPECT_EQ(caster->GetMaximumLevel(), 0);
 }
 
-TEST(vtkPenumbraRayCaster, DarkensTheFootOfAWallAsTheClosedFormSays)
+TEST(RayCasterOcclusion, MatchesTheClosedFormOfOcclusionBesideAWall)
 {
-  // A wall of height 1 along y, seen from a floor point at distance d: (1 - d / sqrt(d^2 + 1)) / 2.
+  // Occlusion by a wall of height 1 along y at distance d on the floor: (1 - d / sqrt(d^2 + 1)) /
+  // 2.
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkPlaneSource> floor;
   floor->SetOrigin(0.0, -500.0, 0.0);
@@ -494,7 +496,7 @@ TEST(vtkPenumbraRayCaster, DarkensTheFootOfAWallAsTheClosedFormSays)
   renderer->GetActiveCamera()->SetParallelScale(0.75);
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
-  caster->SetResolution(16, 16); // a pixel is 0.09375 wide, the left border lies at x = 0.25
+  caster->SetResolution(16, 16); // a pixel is 0.09375 wide, the left side of the image is x = 0.25
   caster->AmbientOcclusionOn();
   caster->SetAmbientOcclusionRadius(1000.0);
   caster->GeometryArraysOn();
@@ -513,7 +515,7 @@ TEST(vtkPenumbraRayCaster, DarkensTheFootOfAWallAsTheClosedFormSays)
       meanOcclusion += occlusion->GetValue(16 * y + x) / 16.0;
       meanColor += color->GetTypedComponent(16 * y + x, 0) / 16.0;
     }
-    // Three standard errors of a mean of 16 answers to twice the tolerance.
+    // Three standard errors of a mean of 16 results with an error of twice the tolerance.
     EXPECT_NEAR(meanOcclusion, exact, 0.006) << d;
     EXPECT_NEAR(meanColor, 1.0 - exact, 0.006) << d;
   }

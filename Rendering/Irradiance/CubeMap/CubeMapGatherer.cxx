@@ -12,134 +12,135 @@ namespace penumbra
 namespace
 {
 
-/// What is nearer than this share of the gap between a point and where it looks from is not seen.
-constexpr float ShareOfGap = .25f;
+/// Distance of the near plane, as a fraction of the offset of the ray origin from its surface.
+constexpr float NearFraction = .25f;
 
-/// Of depths, relatively: rays that go on start so much further.
+/// Relative error of depths; continuation rays start this much farther.
 constexpr float DepthError = 1e-5f;
 
-/// What fills a part of a cell: one surface, or nothing.
+/// One surface, or the background, in a grid cell.
 struct CellFragment
 {
   std::uint32_t Surface = Hit::None;
-  float Share = 0.f;
-  float Counted = 0.f; ///< of the share, after the fall-off
-  float Most = 0.f;    ///< of its texels' shares
-  int Texel = 0;       ///< that texel, which stands for all
+  float Weight = 0.f;        ///< fraction of the cell
+  float FalloffWeight = 0.f; ///< Weight, multiplied by the falloff
+  float MaximumWeight = 0.f; ///< largest weight of its texels
+  int Texel = 0;             ///< the texel with that weight, which is shaded
 };
 
-struct Patches
+struct CellFragments
 {
   std::vector<CellFragment> All;
-  std::vector<std::size_t> First; ///< those of cell i are from First[i] on to before First[i + 1]
+  std::vector<std::size_t> First; ///< cell i has the fragments [First[i], First[i + 1])
 };
 
-Patches FindFragments(const Hemicube& cube, const Hemicube::Cells& cells,
-  const TriangleClusters& bundles, const std::vector<HemicubeTexel>& texels,
+CellFragments FindFragments(const Hemicube& cube, const Hemicube::Cells& cells,
+  const TriangleClusters& clusters, const std::vector<HemicubeTexel>& texels,
   const DistanceFalloff& falloff)
 {
   std::vector<std::uint32_t> surfaces(texels.size(), Hit::None);
-  std::vector<float> counting(texels.size(), 1.f);
+  std::vector<float> falloffs(texels.size(), 1.f);
   for (std::size_t i = 0; i < texels.size(); ++i)
   {
     const float distance = texels[i].Depth * glm::length(cube.GetDirections()[i]);
-    if (texels[i].Number > 0.f && distance <= falloff.Radius)
+    if (texels[i].TriangleId > 0.f && distance <= falloff.Radius)
     {
-      counting[i] = falloff.Evaluate(distance);
-      surfaces[i] = bundles.GetTriangle(static_cast<std::size_t>(texels[i].Number)).Surface;
+      falloffs[i] = falloff.Evaluate(distance);
+      surfaces[i] = clusters.GetTriangle(static_cast<std::size_t>(texels[i].TriangleId)).Surface;
     }
   }
-  Patches patches;
+  CellFragments fragments;
   for (std::size_t cell = 0; cell + 1 < cells.First.size(); ++cell)
   {
-    patches.First.push_back(patches.All.size());
+    fragments.First.push_back(fragments.All.size());
     for (std::size_t i = cells.First[cell]; i < cells.First[cell + 1]; ++i)
     {
-      const Hemicube::TexelWeight& part = cells.Parts[i];
+      const Hemicube::TexelWeight& part = cells.Texels[i];
       const std::uint32_t surface = surfaces[part.Texel];
-      std::size_t at = patches.First.back();
-      while (at < patches.All.size() && patches.All[at].Surface != surface)
+      std::size_t index = fragments.First.back();
+      while (index < fragments.All.size() && fragments.All[index].Surface != surface)
       {
-        ++at;
+        ++index;
       }
-      if (at == patches.All.size())
+      if (index == fragments.All.size())
       {
-        patches.All.push_back({ surface });
+        fragments.All.push_back({ surface });
       }
-      CellFragment& patch = patches.All[at];
-      patch.Share += part.Share;
-      patch.Counted += counting[part.Texel] * part.Share;
-      if (part.Share > patch.Most)
+      CellFragment& fragment = fragments.All[index];
+      fragment.Weight += part.Weight;
+      fragment.FalloffWeight += falloffs[part.Texel] * part.Weight;
+      if (part.Weight > fragment.MaximumWeight)
       {
-        patch.Most = part.Share;
-        patch.Texel = part.Texel;
+        fragment.MaximumWeight = part.Weight;
+        fragment.Texel = part.Texel;
       }
     }
   }
-  patches.First.push_back(patches.All.size());
-  return patches;
+  fragments.First.push_back(fragments.All.size());
+  return fragments;
 }
 
-/// The texel as `ray` would have met it.
-Hit HitOf(
-  const Scene& scene, const TriangleClusters& bundles, const HemicubeTexel& texel, const Ray& ray)
+/// Returns the hit of `ray` with the triangle in a texel; its distance is not set.
+Hit ComputeHit(
+  const Scene& scene, const TriangleClusters& clusters, const HemicubeTexel& texel, const Ray& ray)
 {
-  const auto& which = bundles.GetTriangle(static_cast<std::size_t>(texel.Number));
-  const RayTriangle met(scene.Surfaces[which.Surface], which.Triangle, ray);
-  const double u = met.IsValid ? std::clamp(met.U, 0.0, 1.0) : 1.0 / 3.0;
+  const auto& triangle = clusters.GetTriangle(static_cast<std::size_t>(texel.TriangleId));
+  const RayTriangle intersection(scene.Surfaces[triangle.Surface], triangle.Triangle, ray);
+  const double u = intersection.IsValid ? std::clamp(intersection.U, 0.0, 1.0) : 1.0 / 3.0;
   Hit hit;
-  hit.Surface = which.Surface;
-  hit.Triangle = which.Triangle;
+  hit.Surface = triangle.Surface;
+  hit.Triangle = triangle.Triangle;
   hit.U = static_cast<float>(u);
-  hit.V = static_cast<float>(met.IsValid ? std::clamp(met.V, 0.0, 1.0 - u) : 1.0 / 3.0);
+  hit.V =
+    static_cast<float>(intersection.IsValid ? std::clamp(intersection.V, 0.0, 1.0 - u) : 1.0 / 3.0);
   return hit;
 }
 
-/// What a cell shows as a whole: distance and normal are those of what fills most of it.
+/// Combines the fragments of a cell. Distance and normal are those of the largest surface in it.
 HemisphereSample CombineFragments(
-  const Patches& patches, int cell, const std::vector<HemisphereSample>& seen)
+  const CellFragments& fragments, int cell, const std::vector<HemisphereSample>& shaded)
 {
-  HemisphereSample sight;
-  float most = 0.f;
-  for (std::size_t i = patches.First[cell]; i < patches.First[cell + 1]; ++i)
+  HemisphereSample sample;
+  float maximumWeight = 0.f;
+  for (std::size_t i = fragments.First[cell]; i < fragments.First[cell + 1]; ++i)
   {
-    const float share = patches.All[i].Share;
-    sight.Radiance += patches.All[i].Counted * seen[i].Radiance;
-    if (share > most && !std::isinf(seen[i].Distance))
+    const float weight = fragments.All[i].Weight;
+    sample.Radiance += fragments.All[i].FalloffWeight * shaded[i].Radiance;
+    if (weight > maximumWeight && !std::isinf(shaded[i].Distance))
     {
-      most = share;
-      sight.Distance = seen[i].Distance;
-      sight.Normal = seen[i].Normal;
+      maximumWeight = weight;
+      sample.Distance = shaded[i].Distance;
+      sample.Normal = shaded[i].Normal;
     }
   }
-  return sight;
+  return sample;
 }
 
 }
 
 CubeMapGatherer::CubeMapGatherer(
-  const RayGatherer& seen, int side, std::shared_ptr<CubeMapCounts> counts)
-  : Seen(seen),
+  const RayGatherer& rays, int side, std::shared_ptr<CubeMapCounts> counts)
+  : Rays(rays),
     Cube(side),
-    Bundles(seen.GetRays().GetScene()),
-    Picture(
-      std::make_unique<HemicubeRenderer>(seen.GetRays().GetScene(), this->Bundles, this->Cube)),
+    Clusters(rays.GetRays().GetScene()),
+    Renderer(
+      std::make_unique<HemicubeRenderer>(rays.GetRays().GetScene(), this->Clusters, this->Cube)),
     Counts(std::move(counts))
 {
 }
 
-void CubeMapGatherer::SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const
+void CubeMapGatherer::SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& emitters) const
 {
-  this->Seen.SampleEmitters(point, beams);
+  this->Rays.SampleEmitters(point, emitters);
 }
 
 long long CubeMapGatherer::Gather(glm::vec3 point, glm::vec3 normal,
-  const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& sights) const
+  const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const
 {
-  return this->Seen.Gather(point, normal, directions, sights);
+  return this->Rays.Gather(point, normal, directions, samples);
 }
 
-const Hemicube::Cells& CubeMapGatherer::CellsOf(const HemisphereGrid& grid) const
+const Hemicube::Cells& CubeMapGatherer::FindCells(const HemisphereGrid& grid) const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   const auto found = this->Cells.find(grid.Side);
@@ -150,49 +151,50 @@ const Hemicube::Cells& CubeMapGatherer::CellsOf(const HemisphereGrid& grid) cons
 
 long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
   const HemisphereGrid& grid, std::uint32_t /*seed*/, std::vector<glm::vec3>& directions,
-  std::vector<HemisphereSample>& sights) const
+  std::vector<HemisphereSample>& samples) const
 {
-  const float gap = RayOriginOffset(point);
-  const glm::vec3 origin = point + gap * frame[2];
+  const float offset = RayOriginOffset(point);
+  const glm::vec3 origin = point + offset * frame[2];
   std::vector<HemicubeTexel> texels;
   this->Counts->Triangles +=
-    this->Picture->Draw(origin, frame, ShareOfGap * gap, this->GetReach(), texels);
-  ++this->Counts->Pictures;
+    this->Renderer->Draw(origin, frame, NearFraction * offset, this->GetReach(), texels);
+  ++this->Counts->CubeMaps;
 
-  const Hemicube::Cells& cells = this->CellsOf(grid);
-  const Patches patches =
-    FindFragments(this->Cube, cells, this->Bundles, texels, this->GetFalloff());
+  const Hemicube::Cells& cells = this->FindCells(grid);
+  const CellFragments fragments =
+    FindFragments(this->Cube, cells, this->Clusters, texels, this->GetFalloff());
   std::vector<Ray> rays;
   std::vector<Hit> hits;
-  for (const CellFragment& patch : patches.All)
+  for (const CellFragment& fragment : fragments.All)
   {
-    const glm::vec3 along = frame * this->Cube.GetDirections()[patch.Texel];
-    const float length = glm::length(along);
-    rays.push_back({ origin, along / length });
+    const glm::vec3 direction = frame * this->Cube.GetDirections()[fragment.Texel];
+    const float length = glm::length(direction);
+    rays.push_back({ origin, direction / length });
     Hit hit;
-    if (patch.Surface != Hit::None)
+    if (fragment.Surface != Hit::None)
     {
-      const HemicubeTexel& texel = texels[patch.Texel];
-      hit = HitOf(this->Seen.GetRays().GetScene(), this->Bundles, texel, rays.back());
+      const HemicubeTexel& texel = texels[fragment.Texel];
+      hit = ComputeHit(this->Rays.GetRays().GetScene(), this->Clusters, texel, rays.back());
       hit.Distance = texel.Depth * length;
       hit.NextNear = hit.Distance * (1.f + DepthError);
     }
     hits.push_back(hit);
   }
-  std::vector<HemisphereSample> seen;
-  const long long traced = this->Seen.ShadeHits(point, frame[2], rays, hits, seen);
+  std::vector<HemisphereSample> shaded;
+  const long long traced = this->Rays.ShadeHits(point, frame[2], rays, hits, shaded);
 
   directions.clear();
-  sights.clear();
+  samples.clear();
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    const glm::vec2 at(cell % grid.Side, cell / grid.Side);
-    const glm::vec2 middle = (at + .5f) / static_cast<float>(grid.Side);
-    directions.push_back(DiskToHemisphere(SampleUniformDiskConcentric(middle.x, middle.y)));
-    sights.push_back(CombineFragments(patches, cell, seen));
-    // Of m x m texels that a straight border cuts, as of rays: m^-3.
-    const auto parts = static_cast<float>(cells.First[cell + 1] - cells.First[cell]);
-    sights.back().Variance = 1.f / (parts * std::sqrt(parts));
+    const glm::vec2 corner(cell % grid.Side, cell / grid.Side);
+    const glm::vec2 center = (corner + .5f) / static_cast<float>(grid.Side);
+    directions.push_back(DiskToHemisphere(SampleUniformDiskConcentric(center.x, center.y)));
+    samples.push_back(CombineFragments(fragments, cell, shaded));
+    // The variance of m x m texels that a straight edge crosses decreases as m^-3, as with
+    // stratified rays.
+    const auto count = static_cast<float>(cells.First[cell + 1] - cells.First[cell]);
+    samples.back().Variance = 1.f / (count * std::sqrt(count));
   }
   return traced;
 }

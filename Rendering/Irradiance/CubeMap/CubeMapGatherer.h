@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gathers by rasterising what a point sees into half a cube [IC], instead of tracing rays. Cells hold
-// what their texels show by shares; what a surface means that fills part of a cell is asked at one place,
-// of the gatherer by rays, which shades it.
+// Gathers by rasterizing the scene into a hemicube around a point [IC], instead of tracing rays.
+// Each grid cell averages the surfaces in its texels by their weights. Each surface in a cell is
+// shaded once, at one texel, by the gatherer that traces rays.
 #ifndef penumbra_CubeMapGatherer_h
 #define penumbra_CubeMapGatherer_h
 
@@ -20,39 +20,40 @@
 namespace penumbra
 {
 
-/// Of all cube maps.
+/// Counts over all cube maps of a gatherer.
 struct CubeMapCounts
 {
-  std::atomic<long long> Pictures{ 0 };
+  std::atomic<long long> CubeMaps{ 0 };
   std::atomic<long long> Triangles{ 0 };
 };
 
 class CubeMapGatherer : public Gatherer
 {
 public:
-  /// `side`: of a cube's face in texels, even. Throws std::runtime_error without OpenGL, or when the
-  /// scene has too many triangles. `seen` must outlive this object.
-  CubeMapGatherer(const RayGatherer& seen, int side, std::shared_ptr<CubeMapCounts> counts);
+  /// `rays` shades the hits and must outlive this object. `side`: width of a cube face in texels,
+  /// even. Throws std::runtime_error if OpenGL is not available or if the scene has too many
+  /// triangles.
+  CubeMapGatherer(const RayGatherer& rays, int side, std::shared_ptr<CubeMapCounts> counts);
 
-  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const override;
+  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& emitters) const override;
 
-  /// Single directions are looked at by rays.
+  /// Traces rays in the given directions.
   long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
-    std::vector<HemisphereSample>& sights) const override;
+    std::vector<HemisphereSample>& samples) const override;
 
   long long SampleHemisphere(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
     std::uint32_t seed, std::vector<glm::vec3>& directions,
-    std::vector<HemisphereSample>& sights) const override;
+    std::vector<HemisphereSample>& samples) const override;
   bool SamplesGridAtOnce() const override { return true; }
-  DistanceFalloff GetFalloff() const override { return this->Seen.GetFalloff(); }
+  DistanceFalloff GetFalloff() const override { return this->Rays.GetFalloff(); }
 
 private:
-  const Hemicube::Cells& CellsOf(const HemisphereGrid& grid) const;
+  const Hemicube::Cells& FindCells(const HemisphereGrid& grid) const;
 
-  const RayGatherer& Seen;
+  const RayGatherer& Rays;
   Hemicube Cube;
-  TriangleClusters Bundles;
-  std::unique_ptr<HemicubeRenderer> Picture;
+  TriangleClusters Clusters;
+  std::unique_ptr<HemicubeRenderer> Renderer;
   std::shared_ptr<CubeMapCounts> Counts;
   mutable std::mutex Mutex;
   mutable std::map<int, Hemicube::Cells> Cells; ///< by the side of the grid, guarded by Mutex

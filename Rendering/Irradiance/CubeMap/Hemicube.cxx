@@ -5,6 +5,8 @@
 #include "Gathering/HemisphereGrid.h"
 #include "Shading/HemisphereSampling.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -13,41 +15,41 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+/// Subdivisions of a texel along each side. Each part is assigned to the cell that contains its
+/// center.
+constexpr int TexelSubdivisions = 4;
 
-/// Parts along each side of a texel, which go to the cell that their middle looks through.
-constexpr int PartsAlong = 4;
+/// Rotation of the cube about z, in radians. Edges parallel to x and y are frequent; the rotation
+/// prevents them from following rows of texels.
+constexpr float Rotation = .35f;
 
-/// Borders along x and y are the likeliest; turned by so many radians about z, they cut texels evenly
-/// instead of following their rows.
-constexpr float Turn = .35f;
-
-/// Share of the rectangle from the axis to (u, v), square to the axis at distance 1, the axis being the
-/// normal: the closed form of a differential area's form factor.
-double ShareAhead(double u, double v)
+/// Form factor of the rectangle [0, u] x [0, v] in a plane at distance 1 that is perpendicular to
+/// the normal (closed form for a differential area).
+double IntegrateTopFace(double u, double v)
 {
   const double a = std::sqrt(1.0 + u * u);
   const double b = std::sqrt(1.0 + v * v);
-  return (u / a * std::atan(v / a) + v / b * std::atan(u / b)) / (2.0 * Pi);
+  return (u / a * std::atan(v / a) + v / b * std::atan(u / b)) / (2.0 * vtkMath::Pi());
 }
 
-/// The same where the normal is the direction of z.
-double ShareAside(double u, double z)
+/// Same for a side face at distance 1, whose rectangle extends to height z along the normal.
+double IntegrateSideFace(double u, double z)
 {
   const double a = std::sqrt(1.0 + z * z);
-  return (std::atan(u) - std::atan(u / a) / a) / (2.0 * Pi);
+  return (std::atan(u) - std::atan(u / a) / a) / (2.0 * vtkMath::Pi());
 }
 
-template <typename Corner>
-double ShareOf(const Corner& corner, glm::dvec2 low, glm::dvec2 high)
+/// Form factor of the rectangle [low, high] from its integral.
+template <typename Integral>
+double ComputeFormFactor(const Integral& integral, glm::dvec2 low, glm::dvec2 high)
 {
-  return corner(high.x, high.y) - corner(low.x, high.y) - corner(high.x, low.y) +
-    corner(low.x, low.y);
+  return integral(high.x, high.y) - integral(low.x, high.y) - integral(high.x, low.y) +
+    integral(low.x, low.y);
 }
 
-int CellAlong(float at, int side)
+int ComputeCellIndex(float coordinate, int side)
 {
-  return std::clamp(static_cast<int>(at * static_cast<float>(side)), 0, side - 1);
+  return std::clamp(static_cast<int>(coordinate * static_cast<float>(side)), 0, side - 1);
 }
 
 }
@@ -55,7 +57,7 @@ int CellAlong(float at, int side)
 Hemicube::Hemicube(int side)
   : Side(side)
 {
-  const glm::vec3 x(std::cos(Turn), std::sin(Turn), 0.f);
+  const glm::vec3 x(std::cos(Rotation), std::sin(Rotation), 0.f);
   const glm::vec3 y(-x.y, x.x, 0.f);
   const glm::vec3 z(0.f, 0.f, 1.f);
   const int half = side / 2;
@@ -68,7 +70,7 @@ Hemicube::Hemicube(int side)
   } };
   const auto texels = static_cast<std::size_t>(this->GetWidth()) * this->GetHeight();
   this->Directions.resize(texels);
-  this->Shares.resize(texels);
+  this->FormFactors.resize(texels);
   const double step = 2.0 / side;
   for (const Face& face : this->Faces)
   {
@@ -81,24 +83,25 @@ Hemicube::Hemicube(int side)
           static_cast<std::size_t>(face.Y + j) * this->GetWidth() + face.X + i;
         const glm::dvec2 low(-1.0 + i * step, face.MinimumUp + j * step);
         const glm::dvec2 high = low + step;
-        this->Directions[texel] = this->LookAlong(face, i, j, { .5f, .5f });
-        this->Shares[texel] =
-          static_cast<float>(top ? ShareOf(ShareAhead, low, high) : ShareOf(ShareAside, low, high));
+        this->Directions[texel] = this->ComputeDirection(face, i, j, { .5f, .5f });
+        this->FormFactors[texel] =
+          static_cast<float>(top ? ComputeFormFactor(IntegrateTopFace, low, high)
+                                 : ComputeFormFactor(IntegrateSideFace, low, high));
       }
     }
   }
 }
 
-glm::vec3 Hemicube::LookAlong(const Face& face, int x, int y, glm::vec2 within) const
+glm::vec3 Hemicube::ComputeDirection(const Face& face, int x, int y, glm::vec2 offset) const
 {
   const float step = 2.f / static_cast<float>(this->Side);
-  const glm::vec2 at = (glm::vec2(x, y) + within) * step;
+  const glm::vec2 at = (glm::vec2(x, y) + offset) * step;
   return face.Forward + (at.x - 1.f) * face.Right + (at.y + face.MinimumUp) * face.Up;
 }
 
 Hemicube::Cells Hemicube::MapToGrid(const HemisphereGrid& grid) const
 {
-  std::vector<std::vector<TexelWeight>> parts(grid.Cells());
+  std::vector<std::vector<TexelWeight>> weights(grid.Cells());
   for (const Face& face : this->Faces)
   {
     for (int j = 0; j < face.Height; ++j)
@@ -106,20 +109,21 @@ Hemicube::Cells Hemicube::MapToGrid(const HemisphereGrid& grid) const
       for (int i = 0; i < face.Width; ++i)
       {
         const int texel = (face.Y + j) * this->GetWidth() + face.X + i;
-        for (int k = 0; k < PartsAlong * PartsAlong; ++k)
+        for (int k = 0; k < TexelSubdivisions * TexelSubdivisions; ++k)
         {
-          const glm::vec2 within =
-            (glm::vec2(k % PartsAlong, k / PartsAlong) + .5f) / static_cast<float>(PartsAlong);
-          const glm::vec3 w = this->LookAlong(face, i, j, within);
+          const glm::vec2 offset = (glm::vec2(k % TexelSubdivisions, k / TexelSubdivisions) + .5f) /
+            static_cast<float>(TexelSubdivisions);
+          const glm::vec3 w = this->ComputeDirection(face, i, j, offset);
           const float square = glm::dot(w, w);
           const glm::vec2 at = InvertUniformDiskConcentric(glm::vec2(w) / std::sqrt(square));
-          std::vector<TexelWeight>& of =
-            parts[CellAlong(at.y, grid.Side) * grid.Side + CellAlong(at.x, grid.Side)];
-          if (of.empty() || of.back().Texel != texel)
+          std::vector<TexelWeight>& weightsOfCell =
+            weights[ComputeCellIndex(at.y, grid.Side) * grid.Side +
+              ComputeCellIndex(at.x, grid.Side)];
+          if (weightsOfCell.empty() || weightsOfCell.back().Texel != texel)
           {
-            of.push_back({ texel, 0.f });
+            weightsOfCell.push_back({ texel, 0.f });
           }
-          of.back().Share += w.z / (square * square);
+          weightsOfCell.back().Weight += w.z / (square * square);
         }
       }
     }
@@ -127,28 +131,28 @@ Hemicube::Cells Hemicube::MapToGrid(const HemisphereGrid& grid) const
   Cells cells;
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    cells.First.push_back(cells.Parts.size());
-    if (parts[cell].empty()) // smaller than a texel
+    cells.First.push_back(cells.Texels.size());
+    if (weights[cell].empty()) // the cell is smaller than a texel: use the nearest one
     {
-      const glm::vec2 at(cell % grid.Side, cell / grid.Side);
-      const glm::vec2 middle = (at + .5f) / static_cast<float>(grid.Side);
-      const glm::vec3 w = DiskToHemisphere(SampleUniformDiskConcentric(middle.x, middle.y));
+      const glm::vec2 corner(cell % grid.Side, cell / grid.Side);
+      const glm::vec2 center = (corner + .5f) / static_cast<float>(grid.Side);
+      const glm::vec3 w = DiskToHemisphere(SampleUniformDiskConcentric(center.x, center.y));
       const auto cosine = [&](glm::vec3 d) { return glm::dot(d, w) / glm::length(d); };
       const auto nearest = std::max_element(this->Directions.begin(), this->Directions.end(),
         [&](glm::vec3 a, glm::vec3 b) { return cosine(a) < cosine(b); });
-      parts[cell].push_back({ static_cast<int>(nearest - this->Directions.begin()), 1.f });
+      weights[cell].push_back({ static_cast<int>(nearest - this->Directions.begin()), 1.f });
     }
     float sum = 0.f;
-    for (const TexelWeight& part : parts[cell])
+    for (const TexelWeight& texel : weights[cell])
     {
-      sum += part.Share;
+      sum += texel.Weight;
     }
-    for (const TexelWeight& part : parts[cell])
+    for (const TexelWeight& texel : weights[cell])
     {
-      cells.Parts.push_back({ part.Texel, part.Share / sum });
+      cells.Texels.push_back({ texel.Texel, texel.Weight / sum });
     }
   }
-  cells.First.push_back(cells.Parts.size());
+  cells.First.push_back(cells.Texels.size());
   return cells;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The upper half of a cube about a point, as one picture: `side` x `side` texels look up, half as many
-// look to each of four sides. What of it never changes: where texels look, what each counts.
+// Hemicube around a point, packed into one image: the top face has `side` x `side` texels, each of
+// the four side faces has half as many. Holds the constant data: directions and form factors of the
+// texels.
 #ifndef penumbra_Hemicube_h
 #define penumbra_Hemicube_h
 
@@ -21,56 +22,58 @@ struct HemisphereGrid;
 class VTKPENUMBRARENDERINGIRRADIANCE_EXPORT Hemicube
 {
 public:
-  /// One square or half of one, seen at right angles. Axes are local: the middle of the cube is the
-  /// origin, its top looks along +z; Right, Up and against Ahead are a right-handed system.
+  /// A full or half face with its view frustum. Axes are local: the origin is the center of the
+  /// cube, and the top face is viewed along +z. Right, Up and -Forward form a right-handed system.
   struct Face
   {
     glm::vec3 Right;
     glm::vec3 Up;
     glm::vec3 Forward;
-    float MinimumUp; ///< along Up, of what is seen at distance 1 along Ahead; the most is 1
-    int X;           ///< of its first texel in the picture
-    int Y;
-    int Width; ///< texels
+    float MinimumUp; ///< lower edge along Up, at distance 1 along Forward; the upper edge is 1
+    int X;           ///< column of its first texel in the image
+    int Y;           ///< row of its first texel
+    int Width;       ///< texels
     int Height;
   };
 
-  /// `side`: even.
+  /// `side`: width of the top face in texels, even.
   explicit Hemicube(int side);
 
   int GetWidth() const { return 3 * this->Side; }
   int GetHeight() const { return this->Side; }
   const std::array<Face, 5>& GetFaces() const { return this->Faces; }
 
-  /// Where the middle of each texel looks, local; of length 1 along its face's Ahead.
+  /// Local direction of each texel center; its component along Forward of its face is 1.
   const std::vector<glm::vec3>& GetDirections() const { return this->Directions; }
 
-  /// 1/pi times the integral of the cosine over the solid angle of each texel, exactly: their sum is 1.
-  const std::vector<float>& GetFormFactors() const { return this->Shares; }
+  /// Exact form factor of each texel: 1/pi times the integral of the cosine over its solid angle.
+  /// The sum is 1 [Cohen & Greenberg 1985].
+  const std::vector<float>& GetFormFactors() const { return this->FormFactors; }
 
-  /// A texel and what share of a cell it fills.
+  /// A texel and the fraction of a cell that it covers, weighted by the cosine.
   struct TexelWeight
   {
     int Texel;
-    float Share;
+    float Weight;
   };
-  /// The parts of cell i are from First[i] on to before First[i + 1]; their shares add up to 1.
+  /// Cell i has the texels [First[i], First[i + 1]); their weights sum to 1.
   struct Cells
   {
-    std::vector<TexelWeight> Parts;
+    std::vector<TexelWeight> Texels;
     std::vector<std::size_t> First;
   };
-  /// What fills the cells of `grid`. Every cell has a part.
+  /// Computes the texels of the cells of `grid`. Every cell has at least one.
   Cells MapToGrid(const HemisphereGrid& grid) const;
 
 private:
-  /// The middle of part (i, j) of so many along each side of a texel; length 1 along Ahead.
-  glm::vec3 LookAlong(const Face& face, int x, int y, glm::vec2 within) const;
+  /// Local direction of a point in texel (x, y); `offset` is in [0, 1] x [0, 1]. Its component
+  /// along Forward is 1.
+  glm::vec3 ComputeDirection(const Face& face, int x, int y, glm::vec2 offset) const;
 
   int Side;
   std::array<Face, 5> Faces;
   std::vector<glm::vec3> Directions;
-  std::vector<float> Shares;
+  std::vector<float> FormFactors;
 };
 
 }

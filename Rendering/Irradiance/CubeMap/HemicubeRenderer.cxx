@@ -25,16 +25,17 @@ namespace
 {
 
 constexpr const char* NoOpenGL =
-  "A cube map needs OpenGL, and there is none here that draws into pictures of floats: install "
-  "libosmesa6 or libegl1, start an X server, or gather by rays.";
+  "Gathering by cube maps needs OpenGL with floating-point render targets, which is not available: "
+  "install libosmesa6 or libegl1, start an X server, or gather by rays.";
 
-Frustum PyramidOf(const Hemicube::Face& face, glm::vec3 eye, const glm::mat3& frame, float reach)
+Frustum ComputeFrustum(const Hemicube::Face& face, glm::vec3 eye, const glm::mat3& frame, float far)
 {
   const glm::vec3 right = frame * face.Right;
   const glm::vec3 up = frame * face.Up;
-  const glm::vec3 ahead = frame * face.Forward;
-  return { eye, { ahead, ahead - right, ahead + right, ahead - up, up - face.MinimumUp * ahead },
-    reach };
+  const glm::vec3 forward = frame * face.Forward;
+  return { eye,
+    { forward, forward - right, forward + right, forward - up, up - face.MinimumUp * forward },
+    far };
 }
 
 }
@@ -44,17 +45,17 @@ struct HemicubeRenderer::Graphics
   vtkNew<vtkRenderWindow> Window;
   vtkOpenGLRenderWindow* Context = nullptr;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkSmartPointer<vtkTextureObject> Numbers;
+  vtkSmartPointer<vtkTextureObject> TriangleIds;
   vtkNew<vtkTextureObject> Depths;
-  vtkNew<vtkOpenGLBufferObject> Corners;
+  vtkNew<vtkOpenGLBufferObject> Vertices;
   vtkNew<vtkOpenGLVertexArrayObject> Attributes;
   vtkShaderProgram* Program = nullptr;
-  TriangleClusters::DrawRanges Runs;
+  TriangleClusters::DrawRanges Ranges;
 };
 
 HemicubeRenderer::HemicubeRenderer(
-  const Scene& scene, const TriangleClusters& bundles, const Hemicube& cube)
-  : Bundles(bundles),
+  const Scene& scene, const TriangleClusters& clusters, const Hemicube& cube)
+  : Clusters(clusters),
     Cube(cube)
 {
   this->Thread.Run([&] { this->Open(scene); });
@@ -63,70 +64,71 @@ HemicubeRenderer::HemicubeRenderer(
 HemicubeRenderer::~HemicubeRenderer()
 {
   this->Thread.Run([this] {
-    Graphics& own = *this->OpenGL;
-    own.Context->MakeCurrent();
-    own.Attributes->ReleaseGraphicsResources();
-    own.Corners->ReleaseGraphicsResources();
-    own.Framebuffer->ReleaseGraphicsResources(own.Context);
-    own.Numbers->ReleaseGraphicsResources(own.Context);
-    own.Depths->ReleaseGraphicsResources(own.Context);
-    own.Window->Finalize();
+    Graphics& graphics = *this->OpenGL;
+    graphics.Context->MakeCurrent();
+    graphics.Attributes->ReleaseGraphicsResources();
+    graphics.Vertices->ReleaseGraphicsResources();
+    graphics.Framebuffer->ReleaseGraphicsResources(graphics.Context);
+    graphics.TriangleIds->ReleaseGraphicsResources(graphics.Context);
+    graphics.Depths->ReleaseGraphicsResources(graphics.Context);
+    graphics.Window->Finalize();
   });
-  // Here: whoever deletes a gatherer may hold VTK's lock for collecting garbage, which the thread would
-  // wait for.
+  // Deleted in the calling thread: it may hold the lock of VTK's garbage collector, for which the
+  // OpenGL thread would wait.
   this->OpenGL.reset();
 }
 
 void HemicubeRenderer::Open(const Scene& scene)
 {
-  auto own = std::make_unique<Graphics>();
-  own->Window->SetOffScreenRendering(1);
-  own->Window->SetShowWindow(false);
-  own->Window->SetSize(8, 8);
-  own->Window->AddRenderer(vtkNew<vtkRenderer>());
-  own->Window->Render();
-  own->Context = vtkOpenGLRenderWindow::SafeDownCast(own->Window);
-  if (!own->Context || !own->Context->SupportsOpenGL())
+  auto graphics = std::make_unique<Graphics>();
+  graphics->Window->SetOffScreenRendering(1);
+  graphics->Window->SetShowWindow(false);
+  graphics->Window->SetSize(8, 8);
+  graphics->Window->AddRenderer(vtkNew<vtkRenderer>());
+  graphics->Window->Render();
+  graphics->Context = vtkOpenGLRenderWindow::SafeDownCast(graphics->Window);
+  if (!graphics->Context || !graphics->Context->SupportsOpenGL())
   {
     throw std::runtime_error(NoOpenGL);
   }
-  vtkOpenGLRenderWindow* context = own->Context;
+  vtkOpenGLRenderWindow* context = graphics->Context;
   context->MakeCurrent();
-  Allocate(own->Numbers, context, this->Cube.GetWidth(), this->Cube.GetHeight(), 2);
-  own->Depths->SetContext(context);
-  own->Depths->AllocateDepth(
+  Allocate(graphics->TriangleIds, context, this->Cube.GetWidth(), this->Cube.GetHeight(), 2);
+  graphics->Depths->SetContext(context);
+  graphics->Depths->AllocateDepth(
     this->Cube.GetWidth(), this->Cube.GetHeight(), vtkTextureObject::Float32);
-  own->Framebuffer->SetContext(context);
+  graphics->Framebuffer->SetContext(context);
   context->GetState()->PushFramebufferBindings();
-  own->Framebuffer->Bind();
-  own->Framebuffer->AddColorAttachment(0, own->Numbers);
-  own->Framebuffer->AddDepthAttachment(own->Depths);
-  own->Framebuffer->ActivateDrawBuffer(0);
-  own->Framebuffer->ActivateReadBuffer(0);
-  own->Program =
+  graphics->Framebuffer->Bind();
+  graphics->Framebuffer->AddColorAttachment(0, graphics->TriangleIds);
+  graphics->Framebuffer->AddDepthAttachment(graphics->Depths);
+  graphics->Framebuffer->ActivateDrawBuffer(0);
+  graphics->Framebuffer->ActivateReadBuffer(0);
+  graphics->Program =
     context->GetShaderCache()->ReadyShaderProgram(vtkPenumbraCubeMapVS, vtkPenumbraCubeMapFS, "");
-  if (!own->Program || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  if (!graphics->Program || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
     throw std::runtime_error(NoOpenGL);
   }
-  own->Corners->Upload(this->Bundles.MakeCorners(scene), vtkOpenGLBufferObject::ArrayBuffer);
-  own->Attributes->Bind();
-  own->Attributes->AddAttributeArray(
-    own->Program, own->Corners, "corner", 0, sizeof(IdVertex), VTK_FLOAT, 4, false);
-  own->Attributes->Release();
-  this->OpenGL = std::move(own);
+  graphics->Vertices->Upload(
+    this->Clusters.CreateVertices(scene), vtkOpenGLBufferObject::ArrayBuffer);
+  graphics->Attributes->Bind();
+  graphics->Attributes->AddAttributeArray(
+    graphics->Program, graphics->Vertices, "vertex", 0, sizeof(IdVertex), VTK_FLOAT, 4, false);
+  graphics->Attributes->Release();
+  this->OpenGL = std::move(graphics);
 }
 
-long long HemicubeRenderer::Draw(glm::vec3 eye, const glm::mat3& frame, float near, float reach,
-  std::vector<HemicubeTexel>& texels)
+long long HemicubeRenderer::Draw(
+  glm::vec3 eye, const glm::mat3& frame, float near, float far, std::vector<HemicubeTexel>& texels)
 {
   texels.resize(this->Cube.GetDirections().size());
   long long triangles = 0;
   this->Thread.Run([&] {
-    Graphics& own = *this->OpenGL;
-    own.Context->MakeCurrent();
-    vtkOpenGLState* state = own.Context->GetState();
-    own.Framebuffer->Bind();
+    Graphics& graphics = *this->OpenGL;
+    graphics.Context->MakeCurrent();
+    vtkOpenGLState* state = graphics.Context->GetState();
+    graphics.Framebuffer->Bind();
     const int width = this->Cube.GetWidth();
     const int height = this->Cube.GetHeight();
     state->vtkglDisable(GL_SCISSOR_TEST);
@@ -138,40 +140,40 @@ long long HemicubeRenderer::Draw(glm::vec3 eye, const glm::mat3& frame, float ne
     state->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
     state->vtkglClearDepth(0.0);
     state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    own.Context->GetShaderCache()->ReadyShaderProgram(own.Program);
-    own.Attributes->Bind();
+    graphics.Context->GetShaderCache()->ReadyShaderProgram(graphics.Program);
+    graphics.Attributes->Bind();
     for (const Hemicube::Face& face : this->Cube.GetFaces())
     {
-      this->DrawFace(face, eye, frame, near, reach, triangles);
+      this->DrawFace(face, eye, frame, near, far, triangles);
     }
-    own.Attributes->Release();
+    graphics.Attributes->Release();
     glReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, texels.data());
   });
   return triangles;
 }
 
 void HemicubeRenderer::DrawFace(const Hemicube::Face& face, glm::vec3 eye, const glm::mat3& frame,
-  float near, float reach, long long& triangles)
+  float near, float far, long long& triangles)
 {
-  Graphics& own = *this->OpenGL;
-  vtkOpenGLState* state = own.Context->GetState();
-  const Frustum view = PyramidOf(face, eye, frame, reach);
+  Graphics& graphics = *this->OpenGL;
+  vtkOpenGLState* state = graphics.Context->GetState();
+  const Frustum view = ComputeFrustum(face, eye, frame, far);
   const glm::vec3 right = frame * face.Right;
-  const glm::vec3 ahead = frame * face.Forward;
-  // From [Least, 1] to [-1, 1].
-  const float stretch = 2.f / (1.f - face.MinimumUp);
-  const glm::vec3 up = stretch * (frame * face.Up) + (1.f - stretch) * ahead;
-  own.Program->SetUniform3f("eye", &eye[0]);
-  own.Program->SetUniform3f("right", &right[0]);
-  own.Program->SetUniform3f("up", &up[0]);
-  own.Program->SetUniform3f("ahead", &ahead[0]);
-  own.Program->SetUniformf("near", near);
+  const glm::vec3 forward = frame * face.Forward;
+  // Maps [MinimumUp, 1] to [-1, 1].
+  const float scale = 2.f / (1.f - face.MinimumUp);
+  const glm::vec3 up = scale * (frame * face.Up) + (1.f - scale) * forward;
+  graphics.Program->SetUniform3f("eye", &eye[0]);
+  graphics.Program->SetUniform3f("right", &right[0]);
+  graphics.Program->SetUniform3f("up", &up[0]);
+  graphics.Program->SetUniform3f("forward", &forward[0]);
+  graphics.Program->SetUniformf("near", near);
   state->vtkglViewport(face.X, face.Y, face.Width, face.Height);
   for (const auto sides :
     { TriangleClusters::Both, TriangleClusters::FrontOnly, TriangleClusters::BackOnly })
   {
-    triangles += this->Bundles.CullToFrustum(view, sides, own.Runs);
-    if (own.Runs.First.empty())
+    triangles += this->Clusters.CullToFrustum(view, sides, graphics.Ranges);
+    if (graphics.Ranges.First.empty())
     {
       continue;
     }
@@ -184,8 +186,8 @@ void HemicubeRenderer::DrawFace(const Hemicube::Face& face, glm::vec3 eye, const
       state->vtkglEnable(GL_CULL_FACE);
       state->vtkglCullFace(sides == TriangleClusters::FrontOnly ? GL_BACK : GL_FRONT);
     }
-    glMultiDrawArrays(GL_TRIANGLES, own.Runs.First.data(), own.Runs.Count.data(),
-      static_cast<GLsizei>(own.Runs.First.size()));
+    glMultiDrawArrays(GL_TRIANGLES, graphics.Ranges.First.data(), graphics.Ranges.Count.data(),
+      static_cast<GLsizei>(graphics.Ranges.First.size()));
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Draws what a half cube about a point sees of a scene, through a window of its own that nobody sees,
-// and reads it back.
+// Renders triangle ids and depths of a scene into a hemicube with OpenGL, in an offscreen window,
+// and reads them back.
 #ifndef penumbra_HemicubeRenderer_h
 #define penumbra_HemicubeRenderer_h
 
@@ -16,37 +16,37 @@
 namespace penumbra
 {
 
-/// What is seen first in a texel: the number of its triangle (see TriangleClusters), 0 for none, and its
-/// distance along the face's axis.
+/// Nearest triangle in a texel: its id (see TriangleClusters; 0 for background) and its depth along
+/// the axis of the face.
 struct HemicubeTexel
 {
-  float Number;
+  float TriangleId;
   float Depth;
 };
 
 class HemicubeRenderer
 {
 public:
-  /// Throws std::runtime_error when there is no OpenGL. All arguments must outlive this object.
-  HemicubeRenderer(const Scene& scene, const TriangleClusters& bundles, const Hemicube& cube);
+  /// Throws std::runtime_error if OpenGL is not available. All arguments must outlive this object.
+  HemicubeRenderer(const Scene& scene, const TriangleClusters& clusters, const Hemicube& cube);
   ~HemicubeRenderer();
 
-  /// What is seen from `eye` within `reach`, the hemisphere about the third axis of `frame`; nothing
-  /// nearer than `near`. Returns how many triangles were drawn. May be called by many threads at once,
-  /// but one picture is drawn after the other.
-  long long Draw(glm::vec3 eye, const glm::mat3& frame, float near, float reach,
+  /// Renders the triangles at distances in [near, far] from `eye` in the hemisphere around the
+  /// third axis of `frame`. Returns the number of rendered triangles. Thread-safe; concurrent calls
+  /// are serialized.
+  long long Draw(glm::vec3 eye, const glm::mat3& frame, float near, float far,
     std::vector<HemicubeTexel>& texels);
 
 private:
   void Open(const Scene& scene);
   void DrawFace(const Hemicube::Face& face, glm::vec3 eye, const glm::mat3& frame, float near,
-    float reach, long long& triangles);
+    float far, long long& triangles);
 
   struct Graphics;
 
-  const TriangleClusters& Bundles;
+  const TriangleClusters& Clusters;
   const Hemicube& Cube;
-  std::unique_ptr<Graphics> OpenGL; ///< used by Thread alone while it runs
+  std::unique_ptr<Graphics> OpenGL; ///< used only by Thread while it runs
   OpenGLThread Thread;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A thread that alone talks to OpenGL: gatherers are asked by many threads, but a context belongs to one.
+// Worker thread that makes all OpenGL calls of a gatherer: an OpenGL context belongs to one thread,
+// but gatherers are called by many.
 #ifndef penumbra_OpenGLThread_h
 #define penumbra_OpenGLThread_h
 
@@ -35,10 +36,11 @@ public:
   OpenGLThread(const OpenGLThread&) = delete;
   void operator=(const OpenGLThread&) = delete;
 
-  /// Runs `job` on the thread, jobs of others before or after it, and waits for it. Throws what it threw.
+  /// Runs `job` on the thread and waits for its end. Concurrent jobs run one after the other.
+  /// Rethrows the exception of the job.
   void Run(const std::function<void()>& job)
   {
-    const std::lock_guard<std::mutex> turn(this->CallerMutex);
+    const std::lock_guard<std::mutex> callerLock(this->CallerMutex);
     std::unique_lock<std::mutex> lock(this->Mutex);
     this->Thrown = nullptr;
     this->Job = &job;
@@ -74,13 +76,13 @@ private:
     }
   }
 
-  std::mutex CallerMutex; ///< held while a job is run for somebody
+  std::mutex CallerMutex; ///< held by the caller whose job runs
   std::mutex Mutex;
   std::condition_variable Changed;
   const std::function<void()>* Job = nullptr;
   std::exception_ptr Thrown;
   bool Stopping = false;
-  std::thread Worker; ///< last: it uses the others
+  std::thread Worker; ///< last member: it uses the others
 };
 
 }

@@ -12,20 +12,20 @@ namespace penumbra
 namespace
 {
 
-/// Triangles of a bundle: leaving one out has to cost less than drawing it.
-constexpr std::size_t BundleSize = 128;
+/// Maximum number of triangles of a cluster. Culling a cluster must cost less than rendering it.
+constexpr std::size_t ClusterSize = 128;
 
-/// Numbers that single precision holds.
-constexpr std::size_t MostTriangles = (std::size_t(1) << 24) - 1;
+/// Largest triangle id that a float represents exactly with all smaller ones.
+constexpr std::size_t MaximumTriangles = (std::size_t(1) << 24) - 1;
 
-glm::vec3 CornerOf(const Scene& scene, const TriangleClusters::Triangle& which, int corner)
+glm::vec3 GetVertex(const Scene& scene, const TriangleClusters::Triangle& triangle, int vertex)
 {
-  const Surface& surface = scene.Surfaces[which.Surface];
-  return surface.Positions[surface.Triangles[which.Triangle][corner]];
+  const Surface& surface = scene.Surfaces[triangle.Surface];
+  return surface.Positions[surface.Triangles[triangle.Triangle][vertex]];
 }
 
-/// Every third bit.
-std::uint64_t Spread(std::uint64_t x)
+/// Inserts two zero bits after each of the lowest 21 bits.
+std::uint64_t SpreadBits(std::uint64_t x)
 {
   x = (x | x << 32) & 0x001f00000000ffffu;
   x = (x | x << 16) & 0x001f0000ff0000ffu;
@@ -34,23 +34,23 @@ std::uint64_t Spread(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249u;
 }
 
-/// Places that are near each other mostly have keys that are (Morton's order). `at`: 0 to 1.
-std::uint64_t KeyOf(glm::vec3 at)
+/// Morton code of a point of the unit cube; nearby points mostly have nearby codes.
+std::uint64_t ComputeMortonCode(glm::vec3 point)
 {
   std::uint64_t key = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const float scaled = glm::clamp(at[axis], 0.f, 1.f) * 2097151.f;
-    key |= Spread(static_cast<std::uint64_t>(scaled)) << axis;
+    const float scaled = glm::clamp(point[axis], 0.f, 1.f) * 2097151.f;
+    key |= SpreadBits(static_cast<std::uint64_t>(scaled)) << axis;
   }
   return key;
 }
 
-struct Sorted
+struct SortedTriangle
 {
   int Sides;
   std::uint64_t Key;
-  TriangleClusters::Triangle Which;
+  TriangleClusters::Triangle Triangle;
 };
 
 }
@@ -59,7 +59,7 @@ TriangleClusters::TriangleClusters(const Scene& scene)
 {
   glm::vec3 low(std::numeric_limits<float>::max());
   glm::vec3 high(-low);
-  std::vector<Sorted> sorted;
+  std::vector<SortedTriangle> sorted;
   for (std::uint32_t s = 0; s < scene.Surfaces.size(); ++s)
   {
     const Surface& surface = scene.Surfaces[s];
@@ -73,97 +73,100 @@ TriangleClusters::TriangleClusters(const Scene& scene)
       sorted.push_back({ sides, 0, { s, t } });
       for (int c = 0; c < 3; ++c)
       {
-        const glm::vec3 corner = CornerOf(scene, sorted.back().Which, c);
-        low = glm::min(low, corner);
-        high = glm::max(high, corner);
+        const glm::vec3 vertex = GetVertex(scene, sorted.back().Triangle, c);
+        low = glm::min(low, vertex);
+        high = glm::max(high, vertex);
       }
     }
   }
-  if (sorted.size() > MostTriangles)
+  if (sorted.size() > MaximumTriangles)
   {
-    throw std::runtime_error("A cube map cannot number more than " + std::to_string(MostTriangles) +
-      " triangles: gather by rays.");
+    throw std::runtime_error("Gathering by cube maps supports at most " +
+      std::to_string(MaximumTriangles) + " triangles: simplify the scene or gather by rays.");
   }
   const glm::vec3 size = glm::max(high - low, glm::vec3(1e-30f));
-  for (Sorted& one : sorted)
+  for (SortedTriangle& item : sorted)
   {
-    const glm::vec3 middle = (CornerOf(scene, one.Which, 0) + CornerOf(scene, one.Which, 1) +
-                               CornerOf(scene, one.Which, 2)) /
+    const glm::vec3 centroid =
+      (GetVertex(scene, item.Triangle, 0) + GetVertex(scene, item.Triangle, 1) +
+        GetVertex(scene, item.Triangle, 2)) /
       3.f;
-    one.Key = KeyOf((middle - low) / size);
+    item.Key = ComputeMortonCode((centroid - low) / size);
   }
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Sorted& a, const Sorted& b) {
-    return a.Sides != b.Sides ? a.Sides < b.Sides : a.Key < b.Key;
-  });
+  std::stable_sort(
+    sorted.begin(), sorted.end(), [](const SortedTriangle& a, const SortedTriangle& b) {
+      return a.Sides != b.Sides ? a.Sides < b.Sides : a.Key < b.Key;
+    });
   for (std::size_t first = 0; first < sorted.size();)
   {
     std::size_t end = first;
     low = glm::vec3(std::numeric_limits<float>::max());
     high = -low;
-    for (; end < sorted.size() && end - first < BundleSize &&
+    for (; end < sorted.size() && end - first < ClusterSize &&
          sorted[end].Sides == sorted[first].Sides;
          ++end)
     {
-      this->Triangles.push_back(sorted[end].Which);
+      this->Triangles.push_back(sorted[end].Triangle);
       for (int c = 0; c < 3; ++c)
       {
-        const glm::vec3 corner = CornerOf(scene, sorted[end].Which, c);
-        low = glm::min(low, corner);
-        high = glm::max(high, corner);
+        const glm::vec3 vertex = GetVertex(scene, sorted[end].Triangle, c);
+        low = glm::min(low, vertex);
+        high = glm::max(high, vertex);
       }
     }
-    this->Bundles[sorted[first].Sides].push_back({ .5f * (low + high), .5f * (high - low),
+    this->Clusters[sorted[first].Sides].push_back({ .5f * (low + high), .5f * (high - low),
       static_cast<int>(first), static_cast<int>(end - first) });
     first = end;
   }
 }
 
-std::vector<IdVertex> TriangleClusters::MakeCorners(const Scene& scene) const
+std::vector<IdVertex> TriangleClusters::CreateVertices(const Scene& scene) const
 {
-  std::vector<IdVertex> corners;
-  corners.reserve(3 * this->Triangles.size());
+  std::vector<IdVertex> vertices;
+  vertices.reserve(3 * this->Triangles.size());
   for (std::size_t i = 0; i < this->Triangles.size(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      corners.push_back({ CornerOf(scene, this->Triangles[i], c), static_cast<float>(i + 1) });
+      vertices.push_back({ GetVertex(scene, this->Triangles[i], c), static_cast<float>(i + 1) });
     }
   }
-  return corners;
+  return vertices;
 }
 
-long long TriangleClusters::CullToFrustum(const Frustum& view, Sides sides, DrawRanges& runs) const
+long long TriangleClusters::CullToFrustum(
+  const Frustum& view, Sides sides, DrawRanges& ranges) const
 {
-  runs.First.clear();
-  runs.Count.clear();
-  long long found = 0;
-  for (const Bundle& bundle : this->Bundles[sides])
+  ranges.First.clear();
+  ranges.Count.clear();
+  long long count = 0;
+  for (const Cluster& cluster : this->Clusters[sides])
   {
-    const glm::vec3 to = bundle.Middle - view.Eye;
-    const glm::vec3 apart = glm::max(glm::abs(to) - bundle.Half, glm::vec3(0.f));
-    bool in = glm::length(apart) <= view.Reach;
-    for (std::size_t i = 0; in && i < view.Inwards.size(); ++i)
+    const glm::vec3 offset = cluster.Center - view.Eye;
+    const glm::vec3 distance = glm::max(glm::abs(offset) - cluster.HalfSize, glm::vec3(0.f));
+    bool visible = glm::length(distance) <= view.Far;
+    for (std::size_t i = 0; visible && i < view.Inwards.size(); ++i)
     {
       const glm::vec3& inwards = view.Inwards[i];
-      in = glm::dot(inwards, to) + glm::dot(glm::abs(inwards), bundle.Half) >= 0.f;
+      visible = glm::dot(inwards, offset) + glm::dot(glm::abs(inwards), cluster.HalfSize) >= 0.f;
     }
-    if (!in)
+    if (!visible)
     {
       continue;
     }
-    found += bundle.Count;
-    const int first = 3 * bundle.First;
-    if (!runs.First.empty() && runs.First.back() + runs.Count.back() == first)
+    count += cluster.Count;
+    const int first = 3 * cluster.First;
+    if (!ranges.First.empty() && ranges.First.back() + ranges.Count.back() == first)
     {
-      runs.Count.back() += 3 * bundle.Count;
+      ranges.Count.back() += 3 * cluster.Count;
     }
     else
     {
-      runs.First.push_back(first);
-      runs.Count.push_back(3 * bundle.Count);
+      ranges.First.push_back(first);
+      ranges.Count.push_back(3 * cluster.Count);
     }
   }
-  return found;
+  return count;
 }
 
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles of a scene in bundles that lie together, so that those out of sight are left out by the
-// bundle.
+// Groups the triangles of a scene into spatially compact clusters for frustum culling.
 #ifndef penumbra_TriangleClusters_h
 #define penumbra_TriangleClusters_h
 
@@ -16,66 +15,67 @@
 namespace penumbra
 {
 
-/// A corner as OpenGL gets it: position, and the number of its triangle from 1 on.
+/// Vertex for OpenGL: position, and the id of its triangle, starting at 1.
 struct IdVertex
 {
   glm::vec3 Position;
-  float Number;
+  float TriangleId;
 };
 
-/// What is seen from a point: within five planes through it.
+/// View frustum: five planes through the camera and a maximum distance.
 struct Frustum
 {
   glm::vec3 Eye;
-  std::array<glm::vec3, 5> Inwards; ///< normals of the planes
-  float Reach;                      ///< nothing further is seen
+  std::array<glm::vec3, 5> Inwards; ///< inward normals of the planes
+  float Far;                        ///< maximum distance
 };
 
 class VTKPENUMBRARENDERINGIRRADIANCE_EXPORT TriangleClusters
 {
 public:
-  /// Lines and points are left out. Throws std::runtime_error when there are too many triangles.
+  /// Lines and points are skipped. Throws std::runtime_error if there are too many triangles.
   explicit TriangleClusters(const Scene& scene);
 
-  /// Three a triangle, in the order of the bundles.
-  std::vector<IdVertex> MakeCorners(const Scene& scene) const;
+  /// Returns three vertices per triangle, in the order of the clusters.
+  std::vector<IdVertex> CreateVertices(const Scene& scene) const;
 
   struct Triangle
   {
     std::uint32_t Surface;
     std::uint32_t Triangle;
   };
-  /// The triangle of a number from 1 on.
-  const Triangle& GetTriangle(std::size_t number) const { return this->Triangles[number - 1]; }
+  /// Returns the triangle with an id, starting at 1.
+  const Triangle& GetTriangle(std::size_t id) const { return this->Triangles[id - 1]; }
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
 
-  /// Which sides of triangles are seen.
+  /// Visible sides of triangles.
   enum Sides
   {
     Both,
     FrontOnly,
     BackOnly
   };
-  /// Runs of corners that lie next to each other: where they begin, and how long they are.
+  /// Ranges of consecutive vertices, for glMultiDrawArrays().
   struct DrawRanges
   {
     std::vector<int> First;
     std::vector<int> Count;
   };
-  /// What may be in sight of the triangles of which `sides` are seen; returns how many.
-  long long CullToFrustum(const Frustum& view, Sides sides, DrawRanges& runs) const;
+  /// Finds the triangles with the visible `sides` whose cluster intersects the frustum. Returns
+  /// their number.
+  long long CullToFrustum(const Frustum& view, Sides sides, DrawRanges& ranges) const;
 
 private:
-  struct Bundle
+  struct Cluster
   {
-    glm::vec3 Middle;
-    glm::vec3 Half; ///< of its box
-    int First;      ///< triangle
+    glm::vec3 Center;
+    glm::vec3 HalfSize; ///< of the bounding box
+    int First;          ///< first triangle
     int Count;
   };
 
   std::vector<Triangle> Triangles;
-  std::array<std::vector<Bundle>, 3> Bundles;
+  std::array<std::vector<Cluster>, 3> Clusters; ///< indexed by Sides
 };
 
 }

@@ -21,22 +21,24 @@ namespace penumbra
 namespace
 {
 
-/// Every OpenGL of VTK's has textures of this size.
-constexpr std::size_t MostRows = 4096;
+/// Maximum height of the record texture; all OpenGL versions that VTK supports have textures of
+/// this size.
+constexpr std::size_t MaximumRows = 4096;
 
-/// Texels of a record: position and radius, normal and lean, tangent and share, clearances (2), mean,
-/// and of each channel translation and rotation.
+/// Texels of a record: position and radius, normal and plane distance, tangent and weight factor,
+/// clearances (2 texels), mean; then the translation and rotation gradients of each channel.
 constexpr int TexelsBeforeGradients = 6;
 
-/// A record that does not serve counts so much, only where no other does: the pass has no brute force.
-constexpr float ShareOfIdle = 1e-3f;
+/// Weight factor of invalid records. They only matter at pixels that no valid record covers,
+/// because this pass cannot trace rays.
+constexpr float InvalidRecordWeight = 1e-3f;
 
-void Append(std::vector<glm::vec4>& texels, const Record& record, int channels)
+void AppendTexels(std::vector<glm::vec4>& texels, const Record& record, int channels)
 {
   const auto& clearance = record.Gathered.Clearance;
   texels.emplace_back(record.Position, record.Radius);
   texels.emplace_back(record.Normal, record.MaximumPlaneDistance);
-  texels.emplace_back(record.Tangent, record.IsValid ? 1.f : ShareOfIdle);
+  texels.emplace_back(record.Tangent, record.IsValid ? 1.f : InvalidRecordWeight);
   texels.emplace_back(clearance[0], clearance[1], clearance[2], clearance[3]);
   texels.emplace_back(clearance[4], clearance[5], clearance[6], clearance[7]);
   texels.emplace_back(record.Gathered.Mean, 0.f);
@@ -47,7 +49,7 @@ void Append(std::vector<glm::vec4>& texels, const Record& record, int channels)
   }
 }
 
-/// From records to eye coordinates, and what follows from it.
+/// Sets the transforms between record and eye coordinates.
 void SetTransforms(vtkShaderProgram* program, const ScreenTransform& view, glm::dvec3 origin)
 {
   glm::dmat4 toEye;
@@ -58,20 +60,20 @@ void SetTransforms(vtkShaderProgram* program, const ScreenTransform& view, glm::
       toEye[column][row] = view.WorldToEye[4 * row + column];
     }
   }
-  toEye[3] = toEye * glm::dvec4(origin, 1.0); // in double: both may be far away
-  const glm::dmat3 turn(toEye);
+  toEye[3] = toEye * glm::dvec4(origin, 1.0); // in double precision: both translations may be large
+  const glm::dmat3 linear(toEye);
   glm::mat4 recordsToEye(toEye);
-  glm::mat3 eyeToRecords(glm::inverse(turn));
-  glm::mat3 normalToRecords(glm::transpose(turn));
+  glm::mat3 eyeToRecords(glm::inverse(linear));
+  glm::mat3 normalToRecords(glm::transpose(linear));
   program->SetUniformMatrix4x4("recordsToEye", &recordsToEye[0][0]);
   program->SetUniformMatrix3x3("eyeToRecords", &eyeToRecords[0][0]);
   program->SetUniformMatrix3x3("normalToRecords", &normalToRecords[0][0]);
-  program->SetUniformf("stretch",
+  program->SetUniformf("unitScale",
     static_cast<float>(
-      std::max({ glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2]) })));
+      std::max({ glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2]) })));
 }
 
-/// While it lives, what is drawn is added up.
+/// Enables additive blending during its lifetime.
 class ScopedAdditiveBlending
 {
 public:
@@ -107,7 +109,7 @@ void RecordSplatter::SetRecords(std::vector<Record> records, glm::dvec3 origin, 
 void RecordSplatter::Upload(vtkOpenGLRenderWindow* window)
 {
   const std::size_t count = this->Records.size();
-  const std::size_t rows = std::min(count, MostRows);
+  const std::size_t rows = std::min(count, MaximumRows);
   const std::size_t columns = (count + rows - 1) / rows;
   this->Rows = static_cast<int>(rows);
   this->Texels = TexelsBeforeGradients + 2 * this->Channels;
@@ -117,9 +119,9 @@ void RecordSplatter::Upload(vtkOpenGLRenderWindow* window)
   for (std::size_t i = 0; i < count; ++i)
   {
     texels.clear();
-    Append(texels, this->Records[i], this->Channels);
-    const std::size_t at = i % rows * width + i / rows * texels.size();
-    std::copy(texels.begin(), texels.end(), table.begin() + static_cast<std::ptrdiff_t>(at));
+    AppendTexels(texels, this->Records[i], this->Channels);
+    const std::size_t offset = i % rows * width + i / rows * texels.size();
+    std::copy(texels.begin(), texels.end(), table.begin() + static_cast<std::ptrdiff_t>(offset));
   }
   this->RecordTexture = vtkSmartPointer<vtkTextureObject>::New();
   this->RecordTexture->SetContext(window);
@@ -127,16 +129,16 @@ void RecordSplatter::Upload(vtkOpenGLRenderWindow* window)
     static_cast<unsigned int>(width), static_cast<unsigned int>(rows), 4, VTK_FLOAT, table.data());
 }
 
-bool RecordSplatter::FindSurface(
+bool RecordSplatter::RenderSurface(
   vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths)
 {
   static const std::string source = AssembleView(vtkPenumbraSplatSurfaceFS);
   const ScreenTransform& view = image.GetView();
   Allocate(this->Surfaces, window, view.Width, view.Height, 4);
   vtkShaderProgram* program = this->Surface.Ready(window, source);
-  const ScopedRenderTarget into(
+  const ScopedRenderTarget target(
     window, image.GetFramebuffer(), { this->Surfaces }, image.GetDepth());
-  if (!program || !into.IsComplete())
+  if (!program || !target.IsComplete())
   {
     return false;
   }
@@ -168,12 +170,12 @@ bool RecordSplatter::AccumulateSplats(
     Allocate(this->SplatSums[i], window, view.Width, view.Height, 4);
     targets.push_back(this->SplatSums[i]);
   }
-  const ScopedRenderTarget into(window, image.GetFramebuffer(), targets, image.GetDepth());
-  if (!program || !into.IsComplete())
+  const ScopedRenderTarget target(window, image.GetFramebuffer(), targets, image.GetDepth());
+  if (!program || !target.IsComplete())
   {
     return false;
   }
-  const ScopedAdditiveBlending adding(window->GetState());
+  const ScopedAdditiveBlending blending(window->GetState());
   window->GetState()->vtkglClearColor(0.f, 0.f, 0.f, 0.f);
   window->GetState()->vtkglClear(GL_COLOR_BUFFER_BIT);
   view.SetUniforms(program);
@@ -197,14 +199,14 @@ bool RecordSplatter::AccumulateSplats(
 bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   vtkTextureObject* eyeDepths, float normalAngle, vtkTextureObject* means)
 {
-  if (!this->FindSurface(window, image, eyeDepths) ||
+  if (!this->RenderSurface(window, image, eyeDepths) ||
     !this->AccumulateSplats(window, image, normalAngle))
   {
     return false;
   }
   vtkShaderProgram* program = this->Mean.Ready(window, vtkPenumbraSplatMeanFS);
-  const ScopedRenderTarget into(window, image.GetFramebuffer(), { means });
-  if (!program || !into.IsComplete())
+  const ScopedRenderTarget target(window, image.GetFramebuffer(), { means });
+  if (!program || !target.IsComplete())
   {
     return false;
   }
@@ -213,11 +215,12 @@ bool RecordSplatter::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& im
     1.f / static_cast<float>(view.Height) };
   program->SetUniform2f("pixelSize", pixelSize);
   this->Mean.BindTexture("values", this->SplatSums[0]);
-  this->Mean.BindTexture("ways", this->SplatSums[1]);
-  const bool single = this->Channels == 1; // what the others hold does not matter
-  this->Mean.BindTexture("slopes0", this->SplatSums[2]);
-  this->Mean.BindTexture("slopes1", this->SplatSums[single ? 2 : 3]);
-  this->Mean.BindTexture("slopes2", this->SplatSums[single ? 2 : 4]);
+  this->Mean.BindTexture("offsets", this->SplatSums[1]);
+  const bool single =
+    this->Channels == 1; // the other gradients are then multiplied by unused channels
+  this->Mean.BindTexture("gradients0", this->SplatSums[2]);
+  this->Mean.BindTexture("gradients1", this->SplatSums[single ? 2 : 3]);
+  this->Mean.BindTexture("gradients2", this->SplatSums[single ? 2 : 4]);
   this->Mean.Draw();
   return true;
 }

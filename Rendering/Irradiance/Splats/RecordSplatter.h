@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Records drawn over a visible surface, each as far as it serves, and added up [IC, splatting].
+// Renders records as splats over the visible surface and averages them by their weights [IC,
+// splatting].
 #ifndef penumbra_RecordSplatter_h
 #define penumbra_RecordSplatter_h
 
@@ -23,20 +24,22 @@ public:
   RecordSplatter();
   ~RecordSplatter();
 
-  /// Positions are world coordinates less `origin`. `channels`: of the mean, the first 1 or 3 count.
+  /// Sets the records. Positions are relative to `origin` (world coordinates). `channels`: number
+  /// of used channels of the mean, 1 or 3.
   void SetRecords(std::vector<Record> records, glm::dvec3 origin, int channels);
   std::size_t GetNumberOfRecords() const { return this->Records.size(); }
 
-  /// Fills `means` (four floats) with what the records say of the surface that the image shows from
-  /// `eyeDepths`: means over the hemisphere, and in the last channel the records' weight. Records whose
-  /// normals differ by `normalAngle` (radians) or more do not count. False when OpenGL refuses.
+  /// Interpolates the records at the surface that `eyeDepths` defines. Fills `means` (four floats)
+  /// with the mean over the hemisphere and, in the last channel, the sum of the weights. Records
+  /// whose normals differ by `normalAngle` (radians) or more are ignored. Returns false if OpenGL
+  /// reports an error.
   bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths,
     float normalAngle, vtkTextureObject* means);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool FindSurface(
+  bool RenderSurface(
     vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* eyeDepths);
   void Upload(vtkOpenGLRenderWindow* window);
   bool AccumulateSplats(
@@ -51,9 +54,10 @@ private:
   Stage Mean;
   vtkSmartPointer<vtkTextureObject> Surfaces;
   std::array<vtkSmartPointer<vtkTextureObject>, 5>
-    SplatSums;                                          ///< values, ways, slopes of the channels
-  vtkSmartPointer<vtkTextureObject> RecordTexture;      ///< the records
-  vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices; ///< none: OpenGL wants it nevertheless
+    SplatSums; ///< values, offsets, gradients per channel
+  vtkSmartPointer<vtkTextureObject> RecordTexture;
+  vtkSmartPointer<vtkOpenGLVertexArrayObject>
+    Vertices; ///< empty, but OpenGL requires one to be bound
 };
 
 }

@@ -6,24 +6,24 @@
 #include "Import/SceneExtraction.h"
 #include "Shading/HemisphereSampling.h"
 
-std::vector<float> BruteForceOcclusion(
+std::vector<float> ComputeBruteForceOcclusion(
   vtkRenderer* renderer, int width, int height, double radius, int side)
 {
   penumbra::ExtractionOptions options;
   options.Resolution[0] = width;
   options.Resolution[1] = height;
   const penumbra::Scene scene = penumbra::ExtractScene(renderer, options);
-  const penumbra::RayScene tree(scene, 1);
-  std::vector<float> picture(static_cast<std::size_t>(width) * height, 0.f);
-  for (std::size_t pixel = 0; pixel < picture.size(); ++pixel)
+  const penumbra::RayScene rays(scene, 1);
+  std::vector<float> image(static_cast<std::size_t>(width) * height, 0.f);
+  for (std::size_t pixel = 0; pixel < image.size(); ++pixel)
   {
     const std::size_t line = pixel / width;
     const std::size_t column = pixel % width;
     const glm::dvec2 center(static_cast<double>(column) + .5, static_cast<double>(line) + .5);
-    penumbra::Ray view;
-    view.Origin = scene.ViewCamera.RayOrigin(center);
-    view.Direction = scene.ViewCamera.RayDirection(center);
-    const penumbra::Hit hit = tree.Intersect(view);
+    penumbra::Ray cameraRay;
+    cameraRay.Origin = scene.ViewCamera.RayOrigin(center);
+    cameraRay.Direction = scene.ViewCamera.RayDirection(center);
+    const penumbra::Hit hit = rays.Intersect(cameraRay);
     if (!hit.IsHit())
     {
       continue;
@@ -33,13 +33,13 @@ std::vector<float> BruteForceOcclusion(
     const glm::vec3 a = surface.Positions[corners.x];
     glm::vec3 normal = glm::normalize(
       glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a));
-    normal = glm::dot(normal, view.Direction) > 0.f ? -normal : normal;
-    const glm::vec3 point = view.Origin + hit.Distance * view.Direction;
+    normal = glm::dot(normal, cameraRay.Direction) > 0.f ? -normal : normal;
+    const glm::vec3 point = cameraRay.Origin + hit.Distance * cameraRay.Direction;
     const glm::mat3 frame = penumbra::FrameFromNormal(normal);
     std::uint32_t state = penumbra::HashPoint(point, normal);
-    penumbra::Ray probe;
-    probe.Origin = point + penumbra::RayOriginOffset(point) * normal;
-    probe.Far = static_cast<float>(radius * scene.Scale);
+    penumbra::Ray occlusionRay;
+    occlusionRay.Origin = point + penumbra::RayOriginOffset(point) * normal;
+    occlusionRay.Far = static_cast<float>(radius * scene.Scale);
     int blocked = 0;
     for (int cell = 0; cell < side * side; ++cell)
     {
@@ -47,11 +47,11 @@ std::vector<float> BruteForceOcclusion(
       const float u = static_cast<float>(cell % side) + penumbra::NextFloat(state);
       const float v = static_cast<float>(row) + penumbra::NextFloat(state);
       const auto cells = static_cast<float>(side);
-      probe.Direction = frame *
+      occlusionRay.Direction = frame *
         penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(u / cells, v / cells));
-      blocked += tree.Occluded(probe);
+      blocked += rays.Occluded(occlusionRay);
     }
-    picture[pixel] = static_cast<float>(blocked) / static_cast<float>(side * side);
+    image[pixel] = static_cast<float>(blocked) / static_cast<float>(side * side);
   }
-  return picture;
+  return image;
 }

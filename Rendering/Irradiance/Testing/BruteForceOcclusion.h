@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The truth of the screen side: occlusion at the centres of a picture's pixels, by rays from the
-// meshes themselves; nothing is taken from a depth buffer.
+// Reference ambient occlusion at pixel centers, by brute-force rays against the meshes, without a
+// depth buffer.
 #ifndef BruteForceOcclusion_h
 #define BruteForceOcclusion_h
 
@@ -10,9 +10,9 @@
 
 class vtkRenderer;
 
-/// Row after row from below; 0 where nothing is seen. A grid of `side` x `side` cosine rays a pixel,
-/// within `radius`.
-std::vector<float> BruteForceOcclusion(
+/// Returns the occlusion per pixel, row by row from the bottom; background is 0. Each pixel traces
+/// `side` x `side` stratified cosine-distributed rays of length `radius` (world units).
+std::vector<float> ComputeBruteForceOcclusion(
   vtkRenderer* renderer, int width, int height, double radius, int side);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What cube maps see against closed forms, and against rays.
+// Compares gathering by cube maps with closed forms and with rays.
 #include "vtkPenumbraCubeMapGatherer.h"
 
 #include "ClosedForms/FalloffOcclusion.h"
@@ -36,37 +36,38 @@ namespace
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 constexpr int Side = 32;
-constexpr unsigned int Rings = 64; ///< of spheres
+constexpr unsigned int Rings = 64; ///< resolution of spheres
 
-HemisphereEstimate Look(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
+HemisphereEstimate Estimate(const Gatherer& gatherer, glm::vec3 point, glm::vec3 normal)
 {
   const HemisphereGrid& grid = HemisphereGrid::Get(Side);
   const glm::mat3 frame = FrameFromNormal(normal);
   std::vector<glm::vec3> directions;
-  std::vector<HemisphereSample> sights;
-  gatherer.SampleHemisphere(point, frame, grid, 1, directions, sights);
-  return EstimateHemisphere(grid, frame, directions, sights, gatherer.GetFalloff());
+  std::vector<HemisphereSample> samples;
+  gatherer.SampleHemisphere(point, frame, grid, 1, directions, samples);
+  return EstimateHemisphere(grid, frame, directions, samples, gatherer.GetFalloff());
 }
 
-/// Occlusion by rays and by cube map in one scene.
-struct Both
+/// Gathers occlusion of one scene by rays and by cube maps.
+struct GathererPair
 {
-  explicit Both(const Scene& scene, const DistanceFalloff& falloff = {}, int resolution = 64)
+  explicit GathererPair(
+    const Scene& scene, const DistanceFalloff& falloff = {}, int resolution = 64)
     : Rays(scene, 1),
       ByRays(this->Rays, falloff)
   {
-    this->Maker->SetResolution(resolution);
-    this->ByCubeMap = this->Maker->Make(this->ByRays);
+    this->CubeMaps->SetResolution(resolution);
+    this->ByCubeMap = this->CubeMaps->Make(this->ByRays);
   }
 
   float Occlusion(glm::vec3 point, glm::vec3 normal = { 0.f, 0.f, 1.f }) const
   {
-    return Look(*this->ByCubeMap, point, normal).Mean.x;
+    return Estimate(*this->ByCubeMap, point, normal).Mean.x;
   }
 
   RayScene Rays;
   OcclusionGatherer ByRays;
-  vtkNew<vtkPenumbraCubeMapGatherer> Maker;
+  vtkNew<vtkPenumbraCubeMapGatherer> CubeMaps;
   std::unique_ptr<Gatherer> ByCubeMap;
 };
 
@@ -78,14 +79,14 @@ Scene SphereOverFloor(double height)
   return scene;
 }
 
-double SphereOverFloorTruth(double height, double rho)
+double SphereOverFloorOcclusion(double height, double rho)
 {
   return height * std::pow(height * height + rho * rho, -1.5);
 }
 
 }
 
-TEST(Hemicube, TexelsShareTheHemisphere)
+TEST(Hemicube, FormFactorsSumToOne)
 {
   for (const int side : { 8, 32, 128 })
   {
@@ -105,7 +106,7 @@ TEST(Hemicube, TexelsShareTheHemisphere)
   }
 }
 
-TEST(Hemicube, PartsFillEveryCellOnce)
+TEST(Hemicube, WeightsOfEveryCellSumToOne)
 {
   const Hemicube cube(16);
   for (const int side : { 8, 32, 64 }) // cells larger and smaller than texels
@@ -117,132 +118,137 @@ TEST(Hemicube, PartsFillEveryCellOnce)
       float sum = 0.f;
       for (std::size_t i = cells.First[cell]; i < cells.First[cell + 1]; ++i)
       {
-        sum += cells.Parts[i].Share;
+        sum += cells.Texels[i].Weight;
       }
       EXPECT_NEAR(sum, 1.f, 1e-5f);
     }
   }
 }
 
-TEST(TriangleBundles, LeaveOutOnlyWhatIsOutOfSight)
+TEST(TriangleClusters, CullOnlyTrianglesOutsideTheFrustum)
 {
   Scene scene;
   AddSphere(scene, { 5.0, 0.0, 0.0 }, 1.0);
   AddSphere(scene, { -5.0, 0.0, 0.0 }, 1.0);
   AddSphere(scene, { 0.0, 5.0, 0.0 }, 1.0);
-  const TriangleClusters bundles(scene);
+  const TriangleClusters clusters(scene);
   const glm::vec3 x(1.f, 0.f, 0.f);
   const glm::vec3 y(0.f, 1.f, 0.f);
   const glm::vec3 z(0.f, 0.f, 1.f);
-  const Frustum ahead{ glm::vec3(0.f), { x, x - y, x + y, x - z, x + z }, Infinity };
-  TriangleClusters::DrawRanges runs;
-  const long long found = bundles.CullToFrustum(ahead, TriangleClusters::Both, runs);
-  const auto all = static_cast<long long>(bundles.GetNumberOfTriangles());
+  const Frustum frustum{ glm::vec3(0.f), { x, x - y, x + y, x - z, x + z }, Infinity };
+  TriangleClusters::DrawRanges ranges;
+  const long long found = clusters.CullToFrustum(frustum, TriangleClusters::Both, ranges);
+  const auto all = static_cast<long long>(clusters.GetNumberOfTriangles());
   EXPECT_GE(found, all / 3);
   EXPECT_LT(found, all / 2);
-  std::set<std::uint32_t> drawn;
-  for (std::size_t i = 0; i < runs.First.size(); ++i)
+  std::set<std::uint32_t> visible;
+  for (std::size_t i = 0; i < ranges.First.size(); ++i)
   {
-    for (int corner = runs.First[i]; corner < runs.First[i] + runs.Count[i]; corner += 3)
+    for (int corner = ranges.First[i]; corner < ranges.First[i] + ranges.Count[i]; corner += 3)
     {
-      const auto& which = bundles.GetTriangle(static_cast<std::size_t>(corner) / 3 + 1);
-      if (which.Surface == 0)
+      const auto& triangle = clusters.GetTriangle(static_cast<std::size_t>(corner) / 3 + 1);
+      if (triangle.Surface == 0)
       {
-        drawn.insert(which.Triangle);
+        visible.insert(triangle.Triangle);
       }
     }
   }
-  EXPECT_EQ(drawn.size(), scene.Surfaces[0].Triangles.size());
-  const Frustum near{ ahead.Eye, ahead.Inwards, 3.f }; // boxes of bundles reach a little further
-  EXPECT_LT(bundles.CullToFrustum(near, TriangleClusters::Both, runs), all / 20);
+  EXPECT_EQ(visible.size(), scene.Surfaces[0].Triangles.size());
+  const Frustum near{ frustum.Eye, frustum.Inwards,
+    3.f }; // bounding boxes of clusters may extend closer
+  EXPECT_LT(clusters.CullToFrustum(near, TriangleClusters::Both, ranges), all / 20);
 }
 
-TEST(CubeMapGatherer, SeesNothingFromAnOpenPlane)
+TEST(CubeMapGatherer, ReturnsZeroOnAnOpenPlane)
 {
   Scene scene;
   AddFloor(scene, 1000.f);
-  const Both both(scene);
+  const GathererPair both(scene);
   for (const glm::vec3 normal : { glm::vec3(0.f, 0.f, 1.f), glm::vec3(0.f, 0.f, -1.f) })
   {
     EXPECT_EQ(both.Occlusion({ 1.f, 2.f, 0.f }, normal), 0.f);
   }
 }
 
-TEST(CubeMapGatherer, SeesAllOfAClosedBox)
+TEST(CubeMapGatherer, ReturnsOneInAClosedBox)
 {
   Scene scene;
   AddBox(scene, { -1.f, -1.f, -1.f }, { 1.f, 1.f, 1.f });
-  const Both both(scene);
+  const GathererPair both(scene);
   EXPECT_EQ(both.Occlusion({ .3f, -.2f, -1.f }), 1.f);
   EXPECT_EQ(both.Occlusion({ 1.f, .999f, .9f }, { -1.f, 0.f, 0.f }), 1.f);
 }
 
-TEST(CubeMapGatherer, SeesHalfAtTheFootOfAWall)
+TEST(CubeMapGatherer, ReturnsOneHalfAtTheFootOfAWall)
 {
   Scene scene;
   AddFloor(scene, 1000.f);
   AddRectangle(scene, { -1000.f, 0.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 0.f, 1000.f });
-  const Both both(scene);
+  const GathererPair both(scene);
   EXPECT_NEAR(both.Occlusion({ 0.f, -.01f, 0.f }), .5f, .005f);
 }
 
-TEST(CubeMapGatherer, AgreesWithTheClosedFormBesideASphere)
+TEST(CubeMapGatherer, MatchesTheClosedFormNearASphere)
 {
   const double height = 1.5;
   const Scene scene = SphereOverFloor(height);
-  const Both both(scene);
+  const GathererPair both(scene);
   for (const double rho : { 0.0, .5, 1.0, 2.0, 4.0 })
   {
     const glm::vec3 point(.6 * rho, .8 * rho, 0.0);
-    EXPECT_NEAR(both.Occlusion(point), SphereOverFloorTruth(height, rho), .003) << rho;
+    EXPECT_NEAR(both.Occlusion(point), SphereOverFloorOcclusion(height, rho), .003) << rho;
   }
 }
 
-TEST(CubeMapGatherer, FindsTheGradientsThatRaysFind)
+TEST(CubeMapGatherer, MatchesTheGradientsOfRays)
 {
   const double height = 1.5;
   const Scene scene = SphereOverFloor(height);
-  const Both both(scene);
+  const GathererPair both(scene);
   const double rho = 1.2;
-  const HemisphereEstimate found = Look(*both.ByCubeMap, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
-  const HemisphereEstimate rays = Look(both.ByRays, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
-  const double slope =
-    (SphereOverFloorTruth(height, rho + .01) - SphereOverFloorTruth(height, rho - .01)) / .02;
-  EXPECT_NEAR(found.Translation[0].x, slope, .1 * std::abs(slope));
-  EXPECT_NEAR(found.Translation[0].y, 0.0, .05 * std::abs(slope));
-  EXPECT_NEAR(found.Rotation[0].x, rays.Rotation[0].x, .02);
+  const HemisphereEstimate cubeMap =
+    Estimate(*both.ByCubeMap, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
+  const HemisphereEstimate rays = Estimate(both.ByRays, { rho, 0.0, 0.0 }, { 0.f, 0.f, 1.f });
+  const double derivative =
+    (SphereOverFloorOcclusion(height, rho + .01) - SphereOverFloorOcclusion(height, rho - .01)) /
+    .02;
+  EXPECT_NEAR(cubeMap.Translation[0].x, derivative, .1 * std::abs(derivative));
+  EXPECT_NEAR(cubeMap.Translation[0].y, 0.0, .05 * std::abs(derivative));
+  EXPECT_NEAR(cubeMap.Rotation[0].x, rays.Rotation[0].x, .02);
   EXPECT_NEAR(
-    found.OccluderEdgeDistance, rays.OccluderEdgeDistance, .1f * rays.OccluderEdgeDistance);
-  EXPECT_NEAR(found.HarmonicMean, rays.HarmonicMean, .15f * rays.HarmonicMean);
-  EXPECT_NEAR(found.Nearest, rays.Nearest, .1f * rays.Nearest);
+    cubeMap.OccluderEdgeDistance, rays.OccluderEdgeDistance, .1f * rays.OccluderEdgeDistance);
+  EXPECT_NEAR(cubeMap.HarmonicMean, rays.HarmonicMean, .15f * rays.HarmonicMean);
+  EXPECT_NEAR(cubeMap.Nearest, rays.Nearest, .1f * rays.Nearest);
 }
 
-TEST(CubeMapGatherer, EndsAtItsReachAsRaysDo)
+TEST(CubeMapGatherer, IgnoresOccludersBeyondTheRadius)
 {
   const Scene scene = SphereOverFloor(1.5);
-  for (const float reach : { .4f, 1.f, 1.6f })
+  for (const float radius : { .4f, 1.f, 1.6f })
   {
-    const Both both(scene, reach);
+    const GathererPair both(scene, radius);
     for (const float x : { 0.f, 1.f })
     {
       const glm::vec3 point(x, 0.f, 0.f);
-      EXPECT_NEAR(both.Occlusion(point), Look(both.ByRays, point, { 0.f, 0.f, 1.f }).Mean.x, .015f);
+      EXPECT_NEAR(
+        both.Occlusion(point), Estimate(both.ByRays, point, { 0.f, 0.f, 1.f }).Mean.x, .015f);
     }
   }
 }
 
-TEST(CubeMapGatherer, SeesWhatRaysSeeInABuilding)
+TEST(CubeMapGatherer, MatchesRaysInABuilding)
 {
   Scene scene;
   AddBuilding(scene, 3, 2);
-  const Both both(scene, 2.f);
+  const GathererPair both(scene, 2.f);
   for (const glm::vec3 point : { glm::vec3(5.f, 5.2f, 0.f), glm::vec3(1.5f, 9.7f, RoomHeight) })
   {
-    EXPECT_NEAR(both.Occlusion(point), Look(both.ByRays, point, { 0.f, 0.f, 1.f }).Mean.x, .015f);
+    EXPECT_NEAR(
+      both.Occlusion(point), Estimate(both.ByRays, point, { 0.f, 0.f, 1.f }).Mean.x, .015f);
   }
 }
 
-TEST(CubeMapGatherer, PassesSidesThatAreCulled)
+TEST(CubeMapGatherer, IgnoresCulledSides)
 {
   Scene scene;
   AddFloor(scene, 1000.f);
@@ -251,82 +257,83 @@ TEST(CubeMapGatherer, PassesSidesThatAreCulled)
   {
     scene.Surfaces[1].Frontfaces = front;
     scene.Surfaces[1].Backfaces = !front;
-    const Both both(scene);
+    const GathererPair both(scene);
     const glm::vec3 up(0.f, 0.f, 1.f);
-    const HemisphereEstimate found = Look(*both.ByCubeMap, glm::vec3(0.f), up);
-    const HemisphereEstimate rays = Look(both.ByRays, glm::vec3(0.f), up);
-    // The near side is a third as far away as the far one.
-    EXPECT_NEAR(found.HarmonicMean, rays.HarmonicMean, .1f * rays.HarmonicMean);
+    const HemisphereEstimate cubeMap = Estimate(*both.ByCubeMap, glm::vec3(0.f), up);
+    const HemisphereEstimate rays = Estimate(both.ByRays, glm::vec3(0.f), up);
+    // The near side is at one third of the distance of the far side.
+    EXPECT_NEAR(cubeMap.HarmonicMean, rays.HarmonicMean, .1f * rays.HarmonicMean);
   }
 }
 
-TEST(CubeMapGatherer, SeesFarAwayAndTinyScenes)
+TEST(CubeMapGatherer, IsIndependentOfTheSceneScale)
 {
   for (const float size : { 1e-5f, 1.f, 1e4f })
   {
     Scene scene;
     AddFloor(scene, 1000.f * size);
     AddSphere(scene, { 0.0, 0.0, 1.5 * size }, size, Rings);
-    const Both both(scene);
-    EXPECT_NEAR(both.Occlusion({ size, 0.f, 0.f }), SphereOverFloorTruth(1.5, 1.0), .003) << size;
+    const GathererPair both(scene);
+    EXPECT_NEAR(both.Occlusion({ size, 0.f, 0.f }), SphereOverFloorOcclusion(1.5, 1.0), .003)
+      << size;
   }
 }
 
-TEST(CubeMapGatherer, SeesTheLightThatRaysSee)
+TEST(CubeMapGatherer, MatchesTheLightOfRays)
 {
   Scene scene;
   AddBox(scene, { -1.f, -1.f, -1.f }, { 1.f, 1.f, 1.f });
   AddRectangle(scene, { -.3f, -.3f, .9f }, { .6f, 0.f, 0.f }, { 0.f, .6f, 0.f });
-  Material& lamp = scene.Surfaces.back().Front;
-  lamp.Ambient = 1.f;
-  lamp.AmbientColor = { 1.f, .5f, .25f };
-  lamp.Diffuse = 0.f;
+  Material& emitter = scene.Surfaces.back().Front;
+  emitter.Ambient = 1.f;
+  emitter.AmbientColor = { 1.f, .5f, .25f };
+  emitter.Diffuse = 0.f;
   const RayScene rays(scene, 1);
-  const Illumination light(rays, IlluminationSettings());
-  const LightGatherer byRays(light, nullptr, 0);
-  vtkNew<vtkPenumbraCubeMapGatherer> maker;
-  maker->SetResolution(128);
-  const std::unique_ptr<Gatherer> byCubeMap = maker->Make(byRays);
+  const Illumination illumination(rays, IlluminationSettings());
+  const LightGatherer byRays(illumination, nullptr, 0);
+  vtkNew<vtkPenumbraCubeMapGatherer> cubeMaps;
+  cubeMaps->SetResolution(128);
+  const std::unique_ptr<Gatherer> byCubeMap = cubeMaps->Make(byRays);
   const glm::vec3 point(.2f, -.4f, -1.f);
   const HemisphereGrid& grid = HemisphereGrid::Get(HemisphereGrid::MostSide);
   const glm::mat3 frame = FrameFromNormal({ 0.f, 0.f, 1.f });
   std::vector<glm::vec3> directions;
-  std::vector<HemisphereSample> sights;
-  byRays.SampleHemisphere(point, frame, grid, 1, directions, sights);
-  const glm::vec3 truth = EstimateHemisphere(grid, frame, directions, sights, Infinity).Mean;
-  const glm::vec3 found = Look(*byCubeMap, point, { 0.f, 0.f, 1.f }).Mean;
-  ASSERT_GT(truth.x, .01f);
+  std::vector<HemisphereSample> samples;
+  byRays.SampleHemisphere(point, frame, grid, 1, directions, samples);
+  const glm::vec3 reference = EstimateHemisphere(grid, frame, directions, samples, Infinity).Mean;
+  const glm::vec3 light = Estimate(*byCubeMap, point, { 0.f, 0.f, 1.f }).Mean;
+  ASSERT_GT(reference.x, .01f);
   for (int c = 0; c < 3; ++c)
   {
-    EXPECT_NEAR(found[c], truth[c], .02f * truth[c]);
+    EXPECT_NEAR(light[c], reference[c], .02f * reference[c]);
   }
 }
 
-TEST(CubeMapGatherer, AnswersTheSameToManyThreads)
+TEST(CubeMapGatherer, IsIndependentOfThreadCount)
 {
   const Scene scene = SphereOverFloor(1.5);
-  const Both both(scene);
-  std::vector<float> answers(16);
+  const GathererPair both(scene);
+  std::vector<float> values(16);
   vtkSMPTools::For(0, 16, 1, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      answers[i] = both.Occlusion({ static_cast<float>(i % 4), 0.f, 0.f });
+      values[i] = both.Occlusion({ static_cast<float>(i % 4), 0.f, 0.f });
     }
   });
   for (int i = 4; i < 16; ++i)
   {
-    EXPECT_EQ(answers[i], answers[i % 4]);
+    EXPECT_EQ(values[i], values[i % 4]);
   }
 }
 
-TEST(CubeMapGatherer, ServesTheCache)
+TEST(CubeMapGatherer, GathersRecordsOfTheCache)
 {
   Scene scene = SphereOverFloor(1.5);
   LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, 128, 128);
   const RayScene rays(scene, 1);
-  vtkNew<vtkPenumbraCubeMapGatherer> maker;
+  vtkNew<vtkPenumbraCubeMapGatherer> cubeMaps;
   vtkNew<vtkPenumbraIrradianceCache> cache;
-  cache->SetGatherer(maker);
+  cache->SetGatherer(cubeMaps);
   const double tolerance = .02;
   cache->Begin(rays, Infinity, tolerance);
   double square = 0.0;
@@ -335,7 +342,8 @@ TEST(CubeMapGatherer, ServesTheCache)
   {
     const double point[3] = { rho * std::sin(40.0 * rho), rho * std::cos(40.0 * rho), 0.0 };
     const double normal[3] = { 0.0, 0.0, 1.0 };
-    square += std::pow(cache->Occlusion(point, normal).Value - SphereOverFloorTruth(1.5, rho), 2.0);
+    square +=
+      std::pow(cache->Occlusion(point, normal).Value - SphereOverFloorOcclusion(1.5, rho), 2.0);
     count += 1.0;
   }
   EXPECT_LE(std::sqrt(square / count), tolerance);
@@ -345,28 +353,28 @@ TEST(CubeMapGatherer, ServesTheCache)
                        const char* name) { return statistics->GetArray(name)->GetComponent(0, 0); };
   EXPECT_EQ(value("CubeMaps/Total"), value("Cache/Records"));
   EXPECT_GT(value("CubeMaps/Triangles"), value("CubeMaps/Total"));
-  // Only a few, along horizons.
+  // A few rays remain, along horizons.
   EXPECT_LT(value("Rays/Gather"), 100.0 * value("Cache/Records"));
 }
 
-TEST(CubeMapGatherer, FallsOffWithTheDistanceOfAWall)
+TEST(CubeMapGatherer, MatchesTheClosedFormsOfFalloffs)
 {
   Scene scene;
   AddFloor(scene, 1000.f);
   AddRectangle(scene, { -1000.f, 0.f, 0.f }, { 2000.f, 0.f, 0.f }, { 0.f, 0.f, 1000.f });
   for (int falloff = 0; falloff < 4; ++falloff)
   {
-    const Both both(scene, { 2.f, static_cast<DistanceFalloff::Shapes>(falloff) });
-    const FadingOcclusion truth{ 2.0, PowersOfFalloffs[falloff] };
+    const GathererPair both(scene, { 2.f, static_cast<DistanceFalloff::Shapes>(falloff) });
+    const FadingOcclusion reference{ 2.0, PowersOfFalloffs[falloff] };
     for (const float distance : { .05f, .5f, 1.2f })
     {
-      EXPECT_NEAR(both.Occlusion({ 0.f, -distance, 0.f }), truth.BeforeWall(distance), .006)
+      EXPECT_NEAR(both.Occlusion({ 0.f, -distance, 0.f }), reference.BeforeWall(distance), .006)
         << falloff << " " << distance;
     }
   }
 }
 
-TEST(CubeMapGatherer, ServesBaking)
+TEST(CubeMapGatherer, GathersRecordsOfBaking)
 {
   vtkNew<vtkPlaneSource> floor;
   floor->SetOrigin(-6.0, -6.0, 0.0);
@@ -387,10 +395,10 @@ TEST(CubeMapGatherer, ServesBaking)
   vtkDataArray* values =
     vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("AmbientOcclusion");
   ASSERT_TRUE(values);
-  const double truth = FadingOcclusion{ 2.0, 0.0 }.UnderCeiling(.6);
+  const double reference = FadingOcclusion{ 2.0, 0.0 }.UnderCeiling(.6);
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    EXPECT_NEAR(values->GetComponent(i, 0), truth, .03);
+    EXPECT_NEAR(values->GetComponent(i, 0), reference, .03);
   }
   const auto value = [&](const char* name) {
     return filter->GetStatistics()->GetArray(name)->GetComponent(0, 0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Records drawn by OpenGL against what the cache interpolates from the same records.
+// Compares records splatted by OpenGL with the interpolation of the cache from the same records.
 #include "vtkPenumbraIrradianceSplatPass.h"
 
 #include "../../ScreenSpace/Testing/OcclusionScene.h"
@@ -25,20 +25,20 @@
 namespace
 {
 
-constexpr int PictureWidth = 96;
-constexpr int PictureHeight = 72;
+constexpr int ImageWidth = 96;
+constexpr int ImageHeight = 72;
 
-/// A scene, the cache that a picture by rays has filled, and that picture's arrays.
+/// A scene with a cache that ray casting fills, and the arrays of the ray-cast image.
 class CachedScene : public OcclusionScene
 {
 public:
   CachedScene()
-    : OcclusionScene(PictureWidth, PictureHeight)
+    : OcclusionScene(ImageWidth, ImageHeight)
   {
     this->Renderer->SetBackground(0.0, 0.0, 0.0);
   }
 
-  /// The picture by rays, with occlusion or with light from surface to surface.
+  /// Ray casts the scene with ambient occlusion or with indirect light.
   void CastRays(bool light = false)
   {
     this->Caster->SetResolution(this->Width, this->Height);
@@ -69,21 +69,21 @@ public:
     return pass;
   }
 
-  float Drawn(const char* name, vtkIdType pixel, int channel = 0)
+  float SplatValue(const char* name, vtkIdType pixel, int channel = 0)
   {
     return static_cast<float>(
       this->Result->GetPointData()->GetArray(name)->GetComponent(pixel, channel));
   }
 
-  float Cast(const char* name, vtkIdType pixel, int channel = 0)
+  float RayCastValue(const char* name, vtkIdType pixel, int channel = 0)
   {
     return static_cast<float>(
       this->Caster->GetOutput()->GetPointData()->GetArray(name)->GetComponent(pixel, channel));
   }
 
-  /// Pixels all of whose neighbours within two lie on the same plane: elsewhere a depth buffer cannot
-  /// tell the normal.
-  std::vector<vtkIdType> FlatPixels()
+  /// Pixels whose 5 x 5 neighborhood lies in one plane: elsewhere a depth buffer does not define
+  /// the normal.
+  std::vector<vtkIdType> FindFlatPixels()
   {
     std::vector<vtkIdType> pixels;
     for (int y = 2; y < Height - 2; ++y)
@@ -91,15 +91,16 @@ public:
       for (int x = 2; x < Width - 2; ++x)
       {
         const vtkIdType here = x + static_cast<vtkIdType>(y) * Width;
-        bool flat = this->Cast("ObjectId", here) >= 0.f;
+        bool flat = this->RayCastValue("ObjectId", here) >= 0.f;
         for (int k = 0; k < 25 && flat; ++k)
         {
           const vtkIdType other = here + k % 5 - 2 + (k / 5 - 2) * static_cast<vtkIdType>(Width);
-          flat = this->Cast("ObjectId", other) == this->Cast("ObjectId", here);
+          flat = this->RayCastValue("ObjectId", other) == this->RayCastValue("ObjectId", here);
           for (int c = 0; c < 3; ++c)
           {
             flat = flat &&
-              std::abs(this->Cast("Normal", other, c) - this->Cast("Normal", here, c)) < 1e-3f;
+              std::abs(this->RayCastValue("Normal", other, c) -
+                this->RayCastValue("Normal", here, c)) < 1e-3f;
           }
         }
         if (flat)
@@ -117,11 +118,11 @@ public:
   vtkNew<vtkImageData> Result;
 };
 
-/// What a picture of the pass differs by from that of the rays, at flat pixels.
+/// Difference between the images of the pass and of ray casting at flat pixels.
 struct Difference
 {
   double Rms = 0.0;
-  double ShareApart = 0.0; ///< of the pixels, those that differ by more than 2/255
+  double FractionAbove = 0.0; ///< fraction of the pixels that differ by more than 2/255
   std::size_t Pixels = 0;
 };
 
@@ -131,27 +132,28 @@ Difference Compare(const std::vector<vtkIdType>& pixels, const Values& differenc
   Difference result;
   result.Pixels = pixels.size();
   double square = 0.0;
-  double apart = 0.0;
+  double above = 0.0;
   for (const vtkIdType pixel : pixels)
   {
     const double difference = differenceAt(pixel);
     square += difference * difference;
-    apart += std::abs(difference) > 2.0 / 255.0 ? 1.0 : 0.0;
+    above += std::abs(difference) > 2.0 / 255.0 ? 1.0 : 0.0;
   }
   const auto count = static_cast<double>(std::max<std::size_t>(pixels.size(), 1));
   result.Rms = std::sqrt(square / count);
-  result.ShareApart = apart / count;
+  result.FractionAbove = above / count;
   return result;
 }
 
 Difference CompareOcclusion(CachedScene& scene)
 {
-  return Compare(scene.FlatPixels(), [&](vtkIdType pixel) {
-    return scene.Drawn("AmbientOcclusion", pixel) - scene.Cast("AmbientOcclusion", pixel);
+  return Compare(scene.FindFlatPixels(), [&](vtkIdType pixel) {
+    return scene.SplatValue("AmbientOcclusion", pixel) -
+      scene.RayCastValue("AmbientOcclusion", pixel);
   });
 }
 
-/// A floor, two walls and a table, seen from above: all of it flat.
+/// Adds a floor, two walls and a table, all planar, viewed from above.
 void AddRoom(CachedScene& scene, Vector at = { 0, 0, 0 })
 {
   const auto wall = [&](Vector corner, Vector side, Vector other) {
@@ -166,11 +168,11 @@ void AddRoom(CachedScene& scene, Vector at = { 0, 0, 0 })
   scene.SetCamera({ at[0] - 4, at[1] - 6, at[2] + 5 }, { at[0], at[1], at[2] + .5 });
 }
 
-/// Lit by the sky alone, through the cache.
+/// Lights the scene by the sky only, through the cache.
 void UseSky(CachedScene& scene)
 {
   scene.Renderer->AutomaticLightCreationOff();
-  vtkNew<vtkLight> dark; // without any light VTK would draw plain colours
+  vtkNew<vtkLight> dark; // without a light VTK would create a headlight
   dark->SetIntensity(0.0);
   scene.Renderer->AddLight(dark);
   vtkActorCollection* actors = scene.Renderer->GetActors();
@@ -189,7 +191,7 @@ void UseSky(CachedScene& scene)
 
 }
 
-TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheToTwoStepsOfAPicture)
+TEST(vtkPenumbraIrradianceSplatPass, MatchesTheCacheWithinTwoGrayLevels)
 {
   CachedScene scene;
   AddRoom(scene);
@@ -197,15 +199,15 @@ TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheToTwoStepsOfAPicture)
   vtkPenumbraIrradianceSplatPass* pass = scene.Splat();
 
   const Difference difference = CompareOcclusion(scene);
-  EXPECT_GT(difference.Pixels, PictureWidth * PictureHeight / 3);
-  EXPECT_LT(difference.Rms, 1.5 / 255.0); // where no record serves, the cache asks rays
-  EXPECT_LT(difference.ShareApart, .005);
+  EXPECT_GT(difference.Pixels, ImageWidth * ImageHeight / 3);
+  EXPECT_LT(difference.Rms, 1.5 / 255.0); // where no record is valid, the cache traces rays
+  EXPECT_LT(difference.FractionAbove, .005);
   EXPECT_GT(pass->GetStatistics()->GetArray("Pixels/Interpolated")->GetComponent(0, 0), .99);
   EXPECT_EQ(pass->GetStatistics()->GetArray("Cache/Records")->GetComponent(0, 0),
     scene.Records->GetNumberOfPoints());
 }
 
-TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheUnderAParallelCamera)
+TEST(vtkPenumbraIrradianceSplatPass, MatchesTheCacheInParallelProjection)
 {
   CachedScene scene;
   AddRoom(scene);
@@ -214,12 +216,12 @@ TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheUnderAParallelCamera)
   scene.Splat();
 
   const Difference difference = CompareOcclusion(scene);
-  EXPECT_GT(difference.Pixels, PictureWidth * PictureHeight / 3);
-  EXPECT_LT(difference.Rms, 1.5 / 255.0); // where no record serves, the cache asks rays
-  EXPECT_LT(difference.ShareApart, .005);
+  EXPECT_GT(difference.Pixels, ImageWidth * ImageHeight / 3);
+  EXPECT_LT(difference.Rms, 1.5 / 255.0); // where no record is valid, the cache traces rays
+  EXPECT_LT(difference.FractionAbove, .005);
 }
 
-TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheFarFromTheOrigin)
+TEST(vtkPenumbraIrradianceSplatPass, MatchesTheCacheFarFromTheOrigin)
 {
   CachedScene scene;
   AddRoom(scene, { 4e5, -7e5, 1e5 });
@@ -230,7 +232,7 @@ TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheFarFromTheOrigin)
   EXPECT_LT(difference.Rms, 1.5 / 255.0);
 }
 
-TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheAboutLight)
+TEST(vtkPenumbraIrradianceSplatPass, MatchesTheIrradianceOfTheCache)
 {
   CachedScene scene;
   AddRoom(scene);
@@ -240,16 +242,16 @@ TEST(vtkPenumbraIrradianceSplatPass, AgreesWithTheCacheAboutLight)
   for (int channel = 0; channel < 3; ++channel)
   {
     const double reflectance = .5 * (channel == 0 ? 1.0 : channel == 1 ? .6 : .3);
-    const Difference difference = Compare(scene.FlatPixels(), [&](vtkIdType pixel) {
-      return scene.Drawn("Irradiance", pixel, channel) / vtkMath::Pi() -
-        scene.Cast("Color", pixel, channel) / reflectance;
+    const Difference difference = Compare(scene.FindFlatPixels(), [&](vtkIdType pixel) {
+      return scene.SplatValue("Irradiance", pixel, channel) / vtkMath::Pi() -
+        scene.RayCastValue("Color", pixel, channel) / reflectance;
     });
     EXPECT_LT(difference.Rms, 1.5 / 255.0) << channel;
-    EXPECT_LT(difference.ShareApart, .02) << channel;
+    EXPECT_LT(difference.FractionAbove, .02) << channel;
   }
 }
 
-TEST(vtkPenumbraIrradianceSplatPass, DarkensTheColoursOfItsDelegate)
+TEST(vtkPenumbraIrradianceSplatPass, DarkensTheColorsOfItsDelegate)
 {
   CachedScene scene;
   AddRoom(scene);
@@ -261,14 +263,14 @@ TEST(vtkPenumbraIrradianceSplatPass, DarkensTheColoursOfItsDelegate)
   pass->SetStrength(0.0);
   scene.Window->Render();
   EXPECT_EQ(scene.Picture(), plain);
-  for (vtkIdType pixel = 0; pixel < static_cast<vtkIdType>(PictureWidth) * PictureHeight; ++pixel)
+  for (vtkIdType pixel = 0; pixel < static_cast<vtkIdType>(ImageWidth) * ImageHeight; ++pixel)
   {
-    const double open = 1.0 - scene.Drawn("AmbientOcclusion", pixel);
+    const double open = 1.0 - scene.SplatValue("AmbientOcclusion", pixel);
     ASSERT_NEAR(dark[4 * pixel], open * plain[4 * pixel], 1.01) << pixel;
   }
 }
 
-TEST(vtkPenumbraIrradianceSplatPass, DrawsTheDelegateWhereThereIsNothingToSplat)
+TEST(vtkPenumbraIrradianceSplatPass, RendersTheDelegateWithoutRecords)
 {
   OcclusionScene scene(64, 48);
   scene.AddFloor();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Occlusion by true rays against closed forms and against brute force over the same meshes.
+// Compares ray-traced occlusion with closed forms and with brute force over the same meshes.
 #include "../../ScreenSpace/Testing/OcclusionScene.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraTracedEstimator.h"
@@ -26,7 +26,7 @@
 namespace
 {
 
-/// Spheres at several heights over a floor.
+/// Adds spheres at several heights over a floor.
 void AddSpheres(OcclusionScene& scene)
 {
   scene.AddFloor();
@@ -39,8 +39,8 @@ void AddSpheres(OcclusionScene& scene)
   scene.SetCamera({ 0, -7, 6 }, { 0, 0, 0 });
 }
 
-/// The scene with rays instead of a kernel.
-vtkPenumbraTemporalSSAOPass* Trace(OcclusionScene& scene, double radius)
+/// Adds an occlusion pass that traces rays.
+vtkPenumbraTemporalSSAOPass* AddTracedPass(OcclusionScene& scene, double radius)
 {
   vtkNew<vtkPenumbraTracedEstimator> estimator;
   estimator->SetSamplesPerRay(4);
@@ -49,52 +49,51 @@ vtkPenumbraTemporalSSAOPass* Trace(OcclusionScene& scene, double radius)
   return pass;
 }
 
-vtkPenumbraTracedEstimator* Estimator(OcclusionScene& scene)
+vtkPenumbraTracedEstimator* GetEstimator(OcclusionScene& scene)
 {
   return vtkPenumbraTracedEstimator::SafeDownCast(scene.Pass->GetEstimator());
 }
 
-double Rmse(const std::vector<float>& some, const std::vector<float>& others)
+double Rmse(const std::vector<float>& a, const std::vector<float>& b)
 {
-  EXPECT_EQ(some.size(), others.size());
+  EXPECT_EQ(a.size(), b.size());
   double squares = 0.0;
-  for (std::size_t i = 0; i < some.size(); ++i)
+  for (std::size_t i = 0; i < a.size(); ++i)
   {
-    squares += std::pow(some[i] - others[i], 2.0);
+    squares += std::pow(a[i] - b[i], 2.0);
   }
-  return std::sqrt(squares / static_cast<double>(some.size()));
+  return std::sqrt(squares / static_cast<double>(a.size()));
 }
 
-/// Largest difference over the picture.
-double Apart(const std::vector<float>& some, const std::vector<float>& others)
+double MaximumDifference(const std::vector<float>& a, const std::vector<float>& b)
 {
-  EXPECT_EQ(some.size(), others.size());
-  double apart = 0.0;
-  for (std::size_t i = 0; i < some.size(); ++i)
+  EXPECT_EQ(a.size(), b.size());
+  double difference = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
   {
-    apart = std::max(apart, static_cast<double>(std::abs(some[i] - others[i])));
+    difference = std::max(difference, static_cast<double>(std::abs(a[i] - b[i])));
   }
-  return apart;
+  return difference;
 }
 
-TEST(TracedEstimator, SeesNoOcclusionOnAnOpenPlane)
+TEST(TracedEstimator, ReturnsZeroOnAnOpenPlane)
 {
   OcclusionScene scene;
   scene.AddFloor();
   scene.SetCamera({ 0, -4, 1 }, { 0, 0, 0 });
-  Trace(scene, 1.0);
+  AddTracedPass(scene, 1.0);
   scene.Window->Render();
   for (const float value : scene.Array("AmbientOcclusion"))
   {
     ASSERT_EQ(value, 0.f);
   }
-  EXPECT_GT(Estimator(scene)->GetNumberOfRays(), 0);
+  EXPECT_GT(GetEstimator(scene)->GetNumberOfRays(), 0);
 }
 
-TEST(TracedEstimator, SeesHalfTheSkyAtTheFootOfAWall)
+TEST(TracedEstimator, MatchesTheClosedFormNearAWall)
 {
   OcclusionScene scene;
-  Trace(scene, 1.0)->SetTolerance(.004);
+  AddTracedPass(scene, 1.0)->SetTolerance(.004);
   const std::vector<double> errors = ErrorsBeforeAWall(scene);
   for (std::size_t row = 0; row < errors.size(); ++row)
   {
@@ -103,33 +102,33 @@ TEST(TracedEstimator, SeesHalfTheSkyAtTheFootOfAWall)
   EXPECT_LT(RootMeanSquare(errors), .005);
 }
 
-TEST(TracedEstimator, SeesThreeQuartersBlockedInACorner)
+TEST(TracedEstimator, ReturnsThreeQuartersInACorner)
 {
-  // Floor at the edge of two walls at a right angle: a quarter of the disc stays open.
+  // Floor at the foot of two perpendicular walls: a quarter of the disk stays open.
   OcclusionScene scene;
   scene.AddFloor();
   scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
   scene.AddWall({ 0, -20, 0 }, { 0, 40, 0 }, { 0, 0, 20 });
   scene.SetCamera({ -.03, -.04, .05 }, { 0, 0, 0 });
   scene.Renderer->GetActiveCamera()->SetClippingRange(.001, 1.0);
-  Trace(scene, 5.0)->SetTolerance(.004);
+  AddTracedPass(scene, 5.0)->SetTolerance(.004);
   scene.Window->Render();
   EXPECT_NEAR(scene.At("AmbientOcclusion", { -.001, -.001, 0 }), .75, .01);
 }
 
-TEST(TracedEstimator, SeesTheShadowOfASphereOverAPlane)
+TEST(TracedEstimator, MatchesTheClosedFormUnderASphere)
 {
-  // h / (h^2 + rho^2)^1.5 for a unit sphere whose centre is h above the plane.
+  // h / (h^2 + rho^2)^1.5 for a unit sphere whose center is h above the plane.
   OcclusionScene scene;
   scene.AddFloor(200.0);
   scene.AddSphere({ 0, 0, 1.5 }, 1.0);
   scene.SetCamera({ 0, -7, 4 }, { 0, 0, .6 });
-  Trace(scene, 100.0)->SetTolerance(.004);
+  AddTracedPass(scene, 100.0)->SetTolerance(.004);
   scene.Window->Render();
   for (const double rho : { 1.5, 2.0, 3.0 })
   {
-    const double truth = 1.5 / std::pow(1.5 * 1.5 + rho * rho, 1.5);
-    EXPECT_NEAR(scene.At("AmbientOcclusion", { rho, 0, 0 }), truth, .015) << rho;
+    const double reference = 1.5 / std::pow(1.5 * 1.5 + rho * rho, 1.5);
+    EXPECT_NEAR(scene.At("AmbientOcclusion", { rho, 0, 0 }), reference, .015) << rho;
   }
 }
 
@@ -137,49 +136,49 @@ TEST(TracedEstimator, ConvergesToBruteForce)
 {
   OcclusionScene scene(96, 72);
   AddSpheres(scene);
-  vtkPenumbraTemporalSSAOPass* pass = Trace(scene, 1.0);
-  const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 24);
+  vtkPenumbraTemporalSSAOPass* pass = AddTracedPass(scene, 1.0);
+  const std::vector<float> reference = ComputeBruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 24);
   scene.Window->Render();
-  const double converged = Rmse(scene.Array("AmbientOcclusion"), truth);
+  const double converged = Rmse(scene.Array("AmbientOcclusion"), reference);
   EXPECT_LT(converged, .015);
 
-  // One ray a pixel and frame: filtered, the first frame is near already.
-  Estimator(scene)->SetSamplesPerRay(32);
+  // One ray per pixel and frame. The filter already makes the first frame a good estimate.
+  GetEstimator(scene)->SetSamplesPerRay(32);
   pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   scene.Window->Render();
-  const double first = Rmse(scene.Array("AmbientOcclusion"), truth);
+  const double first = Rmse(scene.Array("AmbientOcclusion"), reference);
   EXPECT_LT(first, .15);
   for (int frame = 1; frame < 16; ++frame)
   {
     scene.Window->Render();
   }
-  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .5 * first);
+  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), reference), .5 * first);
 }
 
-TEST(TracedEstimator, TracesAFourthOfThePixelsInMotion)
+TEST(TracedEstimator, TracesOneQuarterOfThePixelsInMotion)
 {
-  // Sizes that are no multiple of the blocks.
+  // The image size is not a multiple of the block size.
   OcclusionScene scene(97, 71);
   AddSpheres(scene);
-  vtkPenumbraTemporalSSAOPass* pass = Trace(scene, 1.0);
-  Estimator(scene)->SetSamplesPerRay(32);
+  vtkPenumbraTemporalSSAOPass* pass = AddTracedPass(scene, 1.0);
+  GetEstimator(scene)->SetSamplesPerRay(32);
   pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-  const auto raysOf = [&scene](int frames) {
-    const long long before = Estimator(scene)->GetNumberOfRays();
+  const auto countRays = [&scene](int frames) {
+    const long long before = GetEstimator(scene)->GetNumberOfRays();
     for (int frame = 0; frame < frames; ++frame)
     {
       scene.Renderer->GetActiveCamera()->Azimuth(.25);
       scene.Window->Render();
     }
-    return static_cast<double>(Estimator(scene)->GetNumberOfRays() - before);
+    return static_cast<double>(GetEstimator(scene)->GetNumberOfRays() - before);
   };
-  const double all = raysOf(1); // nothing is known before the first
-  EXPECT_NEAR(raysOf(4) / all, 1.0, .02);
-  raysOf(28);
-  const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 97, 71, 1.0, 24);
-  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .05);
-  Estimator(scene)->SparseInMotionOff();
-  EXPECT_NEAR(raysOf(1) / all, 1.0, .02);
+  const double all = countRays(1); // without a history all pixels are traced
+  EXPECT_NEAR(countRays(4) / all, 1.0, .02);
+  countRays(28);
+  const std::vector<float> reference = ComputeBruteForceOcclusion(scene.Renderer, 97, 71, 1.0, 24);
+  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), reference), .05);
+  GetEstimator(scene)->SparseInMotionOff();
+  EXPECT_NEAR(countRays(1) / all, 1.0, .02);
 }
 
 TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
@@ -188,10 +187,10 @@ TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
   {
     OcclusionScene scene(62, 45);
     AddSpheres(scene);
-    vtkPenumbraTemporalSSAOPass* pass = Trace(scene, 1.0);
-    Estimator(scene)->SetSamplesPerRay(samplesPerRay);
+    vtkPenumbraTemporalSSAOPass* pass = AddTracedPass(scene, 1.0);
+    GetEstimator(scene)->SetSamplesPerRay(samplesPerRay);
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-    pass->SetDepthTolerance(1e-9); // no history: all that a pixel has is of the last frame
+    pass->SetDepthTolerance(1e-9); // disables the history: all samples are from the last frame
     std::vector<int> traced(62 * 45);
     for (int frame = 0; frame < 5; ++frame)
     {
@@ -208,14 +207,14 @@ TEST(TracedEstimator, TracesEveryPixelWithinFourFramesOfMotion)
   }
 }
 
-TEST(TracedEstimator, TracesPicturesOfFewPixelsInMotion)
+TEST(TracedEstimator, TracesTinyImagesInMotion)
 {
   for (const int width : { 1, 2, 3 })
   {
     const int height = width == 2 ? 3 : width;
     OcclusionScene scene(width, height);
     AddSpheres(scene);
-    Trace(scene, 1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
+    AddTracedPass(scene, 1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
     for (int frame = 0; frame < 5; ++frame)
     {
       scene.Renderer->GetActiveCamera()->Azimuth(.25);
@@ -230,39 +229,39 @@ TEST(TracedEstimator, TracesPicturesOfFewPixelsInMotion)
   }
 }
 
-TEST(TracedEstimator, SeesTheSameWhateverTheClippingRange)
+TEST(TracedEstimator, IsIndependentOfTheClippingRange)
 {
-  std::vector<float> pictures[2];
+  std::vector<float> images[2];
   for (const bool wide : { false, true })
   {
     OcclusionScene scene(96, 72);
     AddSpheres(scene);
-    Trace(scene, 1.0);
+    AddTracedPass(scene, 1.0);
     scene.Renderer->GetActiveCamera()->SetClippingRange(wide ? .0005 : 1.0, 50.0);
     scene.Window->Render();
-    pictures[wide] = scene.Array("AmbientOcclusion");
+    images[wide] = scene.Array("AmbientOcclusion");
   }
-  EXPECT_LT(Rmse(pictures[0], pictures[1]), .01);
+  EXPECT_LT(Rmse(images[0], images[1]), .01);
 }
 
-TEST(TracedEstimator, SeesTheSameWithSeveralSamplesAPixel)
+TEST(TracedEstimator, IsIndependentOfMultisampling)
 {
-  // Nearly edge-on: depths of samples aside of the pixel's centre lie far off the plane through it.
+  // Grazing view: the depths of off-center samples are far from the plane through the pixel center.
   for (const int samples : { 0, 8 })
   {
     OcclusionScene scene(160, 120, samples);
     scene.AddFloor();
     scene.SetCamera({ 0, -4, .3 }, { 0, 0, 0 });
-    Trace(scene, 1.0);
+    AddTracedPass(scene, 1.0);
     scene.Window->Render();
     const std::vector<float> occlusions = scene.Array("AmbientOcclusion");
     EXPECT_EQ(*std::max_element(occlusions.begin(), occlusions.end()), 0.f) << samples;
   }
 }
 
-TEST(TracedEstimator, SeesTheSameFarFromTheOrigin)
+TEST(TracedEstimator, IsIndependentOfTheDistanceFromTheOrigin)
 {
-  std::vector<float> pictures[2];
+  std::vector<float> images[2];
   for (const bool far : { false, true })
   {
     const Vector shift = far ? Vector{ 5e5, 5e6, 0 } : Vector{ 0, 0, 0 };
@@ -270,78 +269,79 @@ TEST(TracedEstimator, SeesTheSameFarFromTheOrigin)
     scene.AddWall({ shift[0] - 20, shift[1] - 20, 0 }, { 40, 0, 0 }, { 0, 40, 0 });
     scene.AddSphere({ shift[0], shift[1], .5 }, .5);
     scene.SetCamera({ shift[0], shift[1] - 4, 3 }, shift);
-    Trace(scene, 1.0);
+    AddTracedPass(scene, 1.0);
     scene.Window->Render();
-    pictures[far] = scene.Array("AmbientOcclusion");
+    images[far] = scene.Array("AmbientOcclusion");
   }
-  EXPECT_LT(Rmse(pictures[0], pictures[1]), 1.0 / 255);
+  EXPECT_LT(Rmse(images[0], images[1]), 1.0 / 255);
 }
 
-TEST(TracedEstimator, GivesTheSameBitsWithOneThreadAndWithMany)
+TEST(TracedEstimator, IsIndependentOfThreadCount)
 {
-  const auto draw = [](int threads) {
+  const auto render = [](int threads) {
     std::vector<float> result;
     vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, [&]() {
       OcclusionScene scene(96, 72);
       AddSpheres(scene);
-      Trace(scene, 1.0);
+      AddTracedPass(scene, 1.0);
       scene.Window->Render();
       result = scene.Array("AmbientOcclusion");
     });
     return result;
   };
-  EXPECT_EQ(Apart(draw(1), draw(4)), 0.0);
+  EXPECT_EQ(MaximumDifference(render(1), render(4)), 0.0);
 }
 
-TEST(TracedEstimator, BuildsItsTreeAgainOnlyWhenTheSceneChanges)
+TEST(TracedEstimator, RebuildsTheBVHOnlyWhenTheSceneChanges)
 {
   OcclusionScene scene;
   scene.AddFloor();
   vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  Trace(scene, 1.0);
+  AddTracedPass(scene, 1.0);
   scene.Window->Render();
   scene.SetCamera({ .5, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
-  EXPECT_EQ(Estimator(scene)->GetNumberOfTrees(), 1);
-  const double under = scene.At("AmbientOcclusion", { .4, -.4, 0 });
+  EXPECT_EQ(GetEstimator(scene)->GetNumberOfTrees(), 1);
+  const double before = scene.At("AmbientOcclusion", { .4, -.4, 0 });
   sphere->SetPosition(3, 0, .5);
   scene.Window->Render();
-  EXPECT_EQ(Estimator(scene)->GetNumberOfTrees(), 2);
-  EXPECT_LT(scene.At("AmbientOcclusion", { .4, -.4, 0 }), .5 * under);
+  EXPECT_EQ(GetEstimator(scene)->GetNumberOfTrees(), 2);
+  EXPECT_LT(scene.At("AmbientOcclusion", { .4, -.4, 0 }), .5 * before);
 }
 
-TEST(TracedEstimator, NoticesWhatMovesOutOfSight)
+TEST(TracedEstimator, UpdatesWhenAnOffscreenOccluderMoves)
 {
-  // Beyond the picture's border: no depth tells of it, but the floor's edge lies in its shadow.
-  const auto draw = [](bool moved) {
+  // The sphere moves outside of the image, where no depth shows it, but it occludes the floor at
+  // the image edge.
+  const auto render = [](bool moved) {
     OcclusionScene scene;
     scene.AddFloor();
     const auto sphere = scene.AddSphere({ moved ? 9.0 : 2.4, 0, .5 }, .5);
     scene.SetCamera({ 0, -2, 6 }, { 0, 0, 0 });
-    Trace(scene, 1.5);
+    AddTracedPass(scene, 1.5);
     scene.Window->Render();
     sphere->SetPosition(2.4, 0, .5);
     scene.Window->Render();
     return scene.Array("AmbientOcclusion");
   };
-  const std::vector<float> always = draw(false);
+  const std::vector<float> always = render(false);
   EXPECT_GT(*std::max_element(always.begin(), always.end()), .05f);
-  EXPECT_LT(Rmse(draw(true), always), .01); // the accepted error
+  EXPECT_LT(Rmse(render(true), always), .01); // the accepted error
 }
 
-TEST(TracedEstimator, LeavesTranslucentThingsOut)
+TEST(TracedEstimator, IgnoresTranslucentActors)
 {
   OcclusionScene scene;
   scene.AddFloor();
   scene.AddSphere({ 0, 0, .5 }, .5)->GetProperty()->SetOpacity(.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  Trace(scene, 1.0);
+  AddTracedPass(scene, 1.0);
   scene.Window->Render();
   EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.6, 0 }), 0.0);
 }
 
-TEST(TracedEstimator, LeavesOutWhatATextureMakesTranslucent)
+TEST(TracedEstimator, IgnoresActorsWithTranslucentTextures)
 {
   vtkNew<vtkImageData> veil;
   veil->SetDimensions(2, 2, 1);
@@ -353,14 +353,14 @@ TEST(TracedEstimator, LeavesOutWhatATextureMakesTranslucent)
   scene.AddFloor();
   scene.AddWall({ -2, 0, 0 }, { 4, 0, 0 }, { 0, 0, 2 })->SetTexture(texture);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  Trace(scene, 1.0);
+  AddTracedPass(scene, 1.0);
   scene.Window->Render();
   EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.3, 0 }), 0.0);
 }
 
-TEST(TracedEstimator, WorksUnderAParallelCamera)
+TEST(TracedEstimator, MatchesTheClosedFormInParallelProjection)
 {
-  const auto truth = [](double a) {
+  const auto reference = [](double a) {
     return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
   };
   OcclusionScene scene;
@@ -369,17 +369,17 @@ TEST(TracedEstimator, WorksUnderAParallelCamera)
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(1.5);
-  Trace(scene, 1.0)->SetTolerance(.004);
+  AddTracedPass(scene, 1.0)->SetTolerance(.004);
   scene.Window->Render();
   for (const double y : { .2, .5, .8 })
   {
     const std::array<int, 2> pixel = scene.Pixel({ 0, -y, 0 });
-    const Vector seen = scene.FloorPointAt(pixel[0] + .5, pixel[1] + .5);
-    EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -y, 0 }), truth(-seen[1]), .015) << y;
+    const Vector point = scene.FloorPointAt(pixel[0] + .5, pixel[1] + .5);
+    EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -y, 0 }), reference(-point[1]), .015) << y;
   }
 }
 
-TEST(TracedEstimator, IsTheKernelTracedOnceItIsRegistered)
+TEST(TracedEstimator, IsAvailableAsKernelAfterRegistration)
 {
   vtkPenumbraTracedEstimator::Register();
   OcclusionScene scene(96, 72);
@@ -388,11 +388,11 @@ TEST(TracedEstimator, IsTheKernelTracedOnceItIsRegistered)
   EXPECT_STREQ(scene.Pass->GetKernelName(), "traced");
   scene.Window->Render();
   EXPECT_STREQ(scene.Pass->GetActiveKernelName(), "traced");
-  const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 16);
-  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .02);
+  const std::vector<float> reference = ComputeBruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 16);
+  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), reference), .02);
 }
 
-TEST(TracedEstimator, IsChosenWhereItIsNeededAndPossible)
+TEST(TracedEstimator, IsSelectedAutomaticallyIfNeededAndPossible)
 {
   vtkPenumbraTracedEstimator::Register();
   OcclusionScene scene;
@@ -408,20 +408,20 @@ TEST(TracedEstimator, IsChosenWhereItIsNeededAndPossible)
     return std::string(pass->GetActiveKernelName());
   };
   EXPECT_EQ(choice(), "traced");
-  // One layer of depth is good enough, and cheaper.
+  // A depth-based kernel meets this tolerance and is cheaper.
   const double bias = vtkPenumbraKernels::GetBias(vtkPenumbraKernels::Find("march"));
   pass->SetTolerance(1.01 * bias);
   EXPECT_EQ(choice(), "march");
   pass->SetTolerance(.99 * bias);
   EXPECT_EQ(choice(), "traced");
-  // Between frames of something that moves there is no time for a tree.
+  // No BVH is built between the frames of a moving object.
   pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   sphere->SetPosition(.1, 0, .5);
   EXPECT_NE(choice(), "traced");
   EXPECT_EQ(choice(), "traced");
 }
 
-TEST(TracedEstimator, IsNotChosenForSpheresAndTubesThatRaysMiss)
+TEST(TracedEstimator, IsNotSelectedForImpostorSpheresAndTubes)
 {
   vtkPenumbraTracedEstimator::Register();
   OcclusionScene scene;
@@ -436,15 +436,15 @@ TEST(TracedEstimator, IsNotChosenForSpheresAndTubesThatRaysMiss)
   std::pair<int*, std::string*> client(&warnings, &last);
   count->SetClientData(&client);
   count->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
-    auto* seen = static_cast<std::pair<int*, std::string*>*>(data);
-    ++*seen->first;
-    *seen->second = static_cast<const char*>(text);
+    auto* result = static_cast<std::pair<int*, std::string*>*>(data);
+    ++*result->first;
+    *result->second = static_cast<const char*>(text);
   });
   const auto choice = [&]() {
     scene.Window->Render();
     return std::string(pass->GetActiveKernelName());
   };
-  property->RenderPointsAsSpheresOn(); // of a surface without vertices
+  property->RenderPointsAsSpheresOn(); // no effect: the surface has no vertices
   property->RenderLinesAsTubesOn();
   EXPECT_EQ(choice(), "traced");
   property->SetRepresentationToPoints();
@@ -470,7 +470,7 @@ TEST(TracedEstimator, IsNotChosenForSpheresAndTubesThatRaysMiss)
   EXPECT_NE(last.find("lines as tubes"), std::string::npos) << last;
 }
 
-TEST(TracedEstimator, InterpolatesOneStillPictureWithinTheTolerance)
+TEST(TracedEstimator, InterpolatesStaticViewsWithinTheTolerance)
 {
   vtkPenumbraTracedEstimator::Register();
   for (const bool parallel : { false, true })
@@ -478,23 +478,24 @@ TEST(TracedEstimator, InterpolatesOneStillPictureWithinTheTolerance)
     OcclusionScene scene(64, 48);
     AddSpheres(scene);
     scene.UseParallelProjection(parallel, 3.0);
-    const std::vector<float> truth = BruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
+    const std::vector<float> reference =
+      ComputeBruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
     vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
     pass->SetTolerance(.02);
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
     scene.Window->Render();
-    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), truth), .02) << parallel;
+    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), reference), .02) << parallel;
     EXPECT_TRUE(pass->IsConverged());
     EXPECT_EQ(pass->GetEstimatedError(), .02);
-    // From another place nothing of it is left.
+    // Another camera position must not reuse the previous estimate.
     scene.SetCamera({ 1, -7, 6 }, { 0, 0, 0 });
-    const std::vector<float> there = BruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
+    const std::vector<float> moved = ComputeBruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
     scene.Window->Render();
-    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), there), .02) << parallel;
+    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), moved), .02) << parallel;
   }
 }
 
-TEST(TracedEstimator, DrawsAnEmptyScene)
+TEST(TracedEstimator, ReturnsZeroInAnEmptyScene)
 {
   OcclusionScene scene;
   scene.AddOcclusionPass(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);

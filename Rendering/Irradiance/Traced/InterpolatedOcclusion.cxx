@@ -23,17 +23,17 @@ Camera CameraFromView(const ScreenTransform& view, const Scene& scene)
   const auto column = [&](int index) {
     return glm::dvec3(eyeToWorld[index], eyeToWorld[4 + index], eyeToWorld[8 + index]);
   };
-  Camera eye;
-  eye.Parallel = view.Parallel;
-  eye.Right = column(0);
-  eye.Up = column(1);
-  eye.Forward = -column(2);
-  eye.Position = (column(3) - scene.Origin) * scene.Scale;
-  eye.Width = view.Width;
-  eye.Height = view.Height;
-  eye.PixelSize = view.Scale[0] * (view.Parallel ? scene.Scale : 1.0);
-  eye.Center = glm::dvec2(-view.Offset[0] / view.Scale[0], -view.Offset[1] / view.Scale[1]);
-  return eye;
+  Camera camera;
+  camera.Parallel = view.Parallel;
+  camera.Right = column(0);
+  camera.Up = column(1);
+  camera.Forward = -column(2);
+  camera.Position = (column(3) - scene.Origin) * scene.Scale;
+  camera.Width = view.Width;
+  camera.Height = view.Height;
+  camera.PixelSize = view.Scale[0] * (view.Parallel ? scene.Scale : 1.0);
+  camera.Center = glm::dvec2(-view.Offset[0] / view.Scale[0], -view.Offset[1] / view.Scale[1]);
+  return camera;
 }
 
 long long InterpolateOcclusion(const std::vector<SurfacePoint>& points, const RayScene& rays,
@@ -48,9 +48,9 @@ long long InterpolateOcclusion(const std::vector<SurfacePoint>& points, const Ra
     {
       const glm::dvec3 position = glm::dvec3(points[i].Position) / scene.Scale + scene.Origin;
       const glm::dvec3 normal(points[i].Normal);
-      const auto found = cache->Occlusion(&position.x, &normal.x);
-      means[i] = static_cast<float>(found.Value);
-      count += found.Rays;
+      const auto occlusion = cache->Occlusion(&position.x, &normal.x);
+      means[i] = static_cast<float>(occlusion.Value);
+      count += occlusion.Rays;
     }
   });
   vtkNew<vtkFieldData> statistics;

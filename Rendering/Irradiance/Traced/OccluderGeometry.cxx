@@ -32,11 +32,13 @@ namespace penumbra
 namespace
 {
 
-/// Coordinates are relative to where the eye was when they were rounded. Once it has moved so many
-/// radii, their rounding might be seen.
-constexpr double FarthestMove = 1e4;
+/// Maximum distance, in radii, between the camera and its position at the last build. Scene
+/// coordinates are relative to that position; beyond this distance their rounding to floats could
+/// become visible.
+constexpr double MaximumCameraMove = 1e4;
 
-/// Whether a data set has vertices or lines. Grids may have them, too: they are assumed to.
+/// Returns whether a data set has vertices or lines. Data sets other than vtkPolyData are assumed
+/// to have them.
 bool HasCells(vtkDataObject* data, vtkIdType (vtkPolyData::*count)())
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -56,8 +58,8 @@ bool HasCells(vtkDataObject* data, vtkIdType (vtkPolyData::*count)())
   return data && (!mesh || (mesh->*count)() > 0);
 }
 
-/// What of a prop rays cannot hit although it is rendered with depth; empty if there is nothing.
-std::string FindUnseen(vtkProp* prop)
+/// Returns why rays cannot hit a prop that is rendered with depth; empty if they can.
+std::string FindObstacle(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!actor)
@@ -90,8 +92,8 @@ std::string FindUnseen(vtkProp* prop)
   return {};
 }
 
-/// The first visible prop that rays cannot hit, and why; empty if they can hit all. Overlays and
-/// volumes have no depth.
+/// Returns the first visible prop that rays cannot hit, with the reason; empty if they can hit all.
+/// Overlays and volumes do not write depth and are skipped.
 std::string FindMissing(vtkRenderer* renderer)
 {
   vtkPropCollection* props = renderer->GetViewProps();
@@ -107,18 +109,19 @@ std::string FindMissing(vtkRenderer* renderer)
     prop->InitPathTraversal();
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
-      const std::string unseen = FindUnseen(path->GetLastNode()->GetViewProp());
-      if (!unseen.empty())
+      const std::string reason = FindObstacle(path->GetLastNode()->GetViewProp());
+      if (!reason.empty())
       {
         return "prop " + std::to_string(index) + " of the renderer (" + prop->GetClassName() +
-          "): " + unseen;
+          "): " + reason;
       }
     }
   }
   return {};
 }
 
-/// Drops all that rays do not ask for; depth passes leave out what is translucent, and so do the rays.
+/// Removes all attributes except the geometry, and all translucent surfaces, which have no depth
+/// either.
 void RemoveShadingData(Scene& scene)
 {
   std::vector<Surface> surfaces;
@@ -126,12 +129,12 @@ void RemoveShadingData(Scene& scene)
   {
     if (!surface.IsTranslucent() && !surface.IsLineOrPoint)
     {
-      Surface bare;
-      bare.Positions = std::move(surface.Positions);
-      bare.Triangles = std::move(surface.Triangles);
-      bare.Frontfaces = surface.Frontfaces;
-      bare.Backfaces = surface.Backfaces;
-      surfaces.push_back(std::move(bare));
+      Surface geometry;
+      geometry.Positions = std::move(surface.Positions);
+      geometry.Triangles = std::move(surface.Triangles);
+      geometry.Frontfaces = surface.Frontfaces;
+      geometry.Backfaces = surface.Backfaces;
+      surfaces.push_back(std::move(geometry));
     }
   }
   scene.Surfaces = std::move(surfaces);
@@ -141,10 +144,10 @@ void RemoveShadingData(Scene& scene)
 
 bool OccluderGeometry::Update(vtkRenderer* renderer, double radius)
 {
-  double eye[3];
-  renderer->GetActiveCamera()->GetPosition(eye);
-  const double moved = std::sqrt(vtkMath::Distance2BetweenPoints(eye, this->Eye));
-  if (this->Rays && GetGeometryMTime(renderer) == this->Time && moved <= FarthestMove * radius)
+  double position[3];
+  renderer->GetActiveCamera()->GetPosition(position);
+  const double moved = std::sqrt(vtkMath::Distance2BetweenPoints(position, this->CameraPosition));
+  if (this->Rays && GetGeometryMTime(renderer) == this->Time && moved <= MaximumCameraMove * radius)
   {
     this->Missing = FindMissing(renderer);
     return false;
@@ -155,12 +158,13 @@ bool OccluderGeometry::Update(vtkRenderer* renderer, double radius)
   options.Resolution[1] = std::max(size[1], 1);
   this->Rays.reset();
   this->Meshes = std::make_unique<Scene>(ExtractScene(renderer, options));
-  this->Missing = FindMissing(renderer); // the pipelines are up to date now
+  this->Missing = FindMissing(renderer); // after extraction, which updates the pipelines
   RemoveShadingData(*this->Meshes);
   this->Rays =
     std::make_unique<RayScene>(*this->Meshes, vtkSMPTools::GetEstimatedNumberOfThreads());
-  this->Time = GetGeometryMTime(renderer); // mappers may have made their colours meanwhile
-  std::copy_n(eye, 3, this->Eye);
+  this->Time =
+    GetGeometryMTime(renderer); // after extraction, in which mappers may create their colors
+  std::copy_n(position, 3, this->CameraPosition);
   return true;
 }
 

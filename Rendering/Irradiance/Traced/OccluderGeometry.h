@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A renderer's opaque meshes as a tree for rays, kept until they change: the eye may move on without
-// them.
+// BVH over the opaque meshes of a renderer. It is rebuilt when the meshes change; camera motion
+// reuses it.
 #ifndef penumbra_OccluderGeometry_h
 #define penumbra_OccluderGeometry_h
 
@@ -21,12 +21,12 @@ namespace penumbra
 class OccluderGeometry
 {
 public:
-  /// Brings the tree up to date for occluders within `radius` (world units). True when it was built
-  /// anew. Throws what RayScene throws.
+  /// Updates the BVH for rays of length `radius` (world units). Returns whether it was rebuilt.
+  /// Throws the exceptions of RayScene.
   bool Update(vtkRenderer* renderer, double radius);
 
-  /// From where the scene is seen; rays that exist already do not change.
-  void SetEye(const Camera& eye) { this->Meshes->ViewCamera = eye; }
+  /// Sets the camera of the scene; the BVH does not change.
+  void SetCamera(const Camera& camera) { this->Meshes->ViewCamera = camera; }
 
   const RayScene& GetRays() const { return *this->Rays; }
   const Scene& GetScene() const { return *this->Meshes; }
@@ -41,7 +41,7 @@ private:
   std::unique_ptr<Scene> Meshes;
   std::unique_ptr<RayScene> Rays;
   vtkMTimeType Time = 0;
-  double Eye[3] = { 0.0, 0.0, 0.0 };
+  double CameraPosition[3] = { 0.0, 0.0, 0.0 }; ///< at the last build, world coordinates
   std::string Missing;
 };
 

@@ -17,23 +17,26 @@ namespace penumbra
 namespace
 {
 
-/// Eye depths beyond this are empty pixels: vtkPenumbraViewLib.glsl.
-constexpr float FarAway = 1e17f;
+/// Pixels with a larger eye depth are background; same value as in vtkPenumbraViewLib.glsl.
+constexpr float BackgroundDepth = 1e17f;
 
-/// Steps of a depth buffer of floats, near its far end; twice that, since the rasteriser rounds too.
-constexpr double DepthStep = 0x1p-23;
+/// Rounding error of a float depth buffer near 1: twice its spacing, because the rasterizer rounds
+/// as well.
+constexpr double DepthPrecision = 0x1p-23;
 
-/// The mesh is looked for so many steps of depth, and so many widths of a pixel, before and behind.
-constexpr double StepsAround = 16.0;
-constexpr double PixelsAround = 4.0;
+/// Half length of the search ray around the depth of a pixel: this multiple of the depth error plus
+/// this many pixel widths.
+constexpr double SearchDepthErrors = 16.0;
+constexpr double SearchPixelWidths = 4.0;
 
-/// Where depths lie in a plane within this share of a pixel's width, they tell all that the mesh would.
-/// Measured, `./penumbra benchmark ambient-occlusion --only traced`: the errors of up to 16 frames are those of
-/// .02, converged they are .0003 to .0006 larger, in two thirds of the time.
-constexpr float FlatWithin = 0.1f;
+/// Depths that lie in a plane within this fraction of the pixel width define position and normal
+/// without a ray. Measured with `./penumbra benchmark ambient-occlusion --only traced`: compared
+/// with 0.02, the errors of up to 16 frames are equal, and converged errors are 0.0003 to 0.0006
+/// larger, in two thirds of the time.
+constexpr float PlanarTolerance = 0.1f;
 
-/// As far off in pixels as the rasteriser may place a corner.
-constexpr float Snap = 1.f / 128.f;
+/// Error of a rasterized vertex position (subpixel snapping), in pixels.
+constexpr float VertexSnapping = 1.f / 128.f;
 
 constexpr int PacketSize = 16;
 
@@ -54,64 +57,64 @@ public:
     {
       for (int column = 0; column < 3; ++column)
       {
-        this->Turn[column][row] =
+        this->EyeToScene[column][row] =
           static_cast<float>(eyeToWorld[4 * row + column] * view.Unit * scene.Scale);
       }
       this->Eye[row] =
         static_cast<float>((eyeToWorld[4 * row + 3] - scene.Origin[row]) * scene.Scale);
     }
     this->UnitLength = static_cast<float>(view.Unit * scene.Scale);
-    // See ScreenTransform::SetUniforms: how fast eye depth, or its inverse, changes with the buffer's.
-    this->Slope = std::abs(view.Parallel ? 2.0 / view.Projection[10] / view.Unit
-                                         : 2.0 / view.Projection[11] * view.Unit);
+    // See ScreenTransform::SetUniforms().
+    this->DepthSlope = std::abs(view.Parallel ? 2.0 / view.Projection[10] / view.Unit
+                                              : 2.0 / view.Projection[11] * view.Unit);
   }
 
-  /// What depths alone do not tell is looked for in packets of pixels of one row.
-  void FindRow(const InterleavedPixels& lattice, int row, SurfacePoint* points) const
+  /// Reconstructs the points of one row. Pixels whose depths are not planar are traced in packets.
+  void ReconstructRow(const InterleavedPixels& lattice, int row, SurfacePoint* points) const
   {
     Ray rays[PacketSize];
     int pixels[PacketSize];
-    SurfacePoint* wanted[PacketSize];
+    SurfacePoint* targets[PacketSize];
     int count = 0;
     for (int i = lattice.Column; i < this->View.Width; i += lattice.Step, ++points)
     {
-      const Ray ray = this->RayNear(i, row);
-      if (ray.Near <= ray.Far && this->AtCenters && this->IsFlat(i, row))
+      const Ray ray = this->SearchRay(i, row);
+      if (ray.Near <= ray.Far && this->AtCenters && this->IsPlanar(i, row))
       {
-        *points = this->FromDepths(ray, i, row);
+        *points = this->ReconstructFromDepths(ray, i, row);
       }
       else if (ray.Near <= ray.Far)
       {
         rays[count] = ray;
-        wanted[count] = points;
+        targets[count] = points;
         pixels[count++] = i;
       }
       if (count == PacketSize || (count > 0 && i + lattice.Step >= this->View.Width))
       {
-        std::fill(rays + count, rays + PacketSize, Nothing());
-        this->FindPacket(rays, pixels, count, row, wanted);
+        std::fill(rays + count, rays + PacketSize, EmptyRay());
+        this->TracePacket(rays, pixels, count, row, targets);
         count = 0;
       }
     }
   }
 
 private:
-  static Ray Nothing()
+  static Ray EmptyRay()
   {
     Ray ray;
     ray.Far = -1.f;
     return ray;
   }
 
-  void FindPacket(
-    const Ray* rays, const int* pixels, int count, int row, SurfacePoint* const* wanted) const
+  void TracePacket(
+    const Ray* rays, const int* pixels, int count, int row, SurfacePoint* const* targets) const
   {
     Hit hits[PacketSize];
     this->Rays.Intersect16(rays, hits);
     for (int k = 0; k < count; ++k)
     {
-      *wanted[k] = hits[k].IsHit() ? this->OnMesh(rays[k], hits[k])
-                                   : this->FromDepths(rays[k], pixels[k], row);
+      *targets[k] = hits[k].IsHit() ? this->ReconstructFromHit(rays[k], hits[k])
+                                    : this->ReconstructFromDepths(rays[k], pixels[k], row);
     }
   }
 
@@ -122,8 +125,9 @@ private:
     return this->EyeDepths[static_cast<std::size_t>(j) * this->View.Width + i];
   }
 
-  /// A pixel's centre on the plane at eye depth 1 (parallel: anywhere), in units of the view.
-  glm::vec2 OnPlane(int i, int j) const
+  /// Pixel center on the plane at eye depth 1 (any depth in parallel projection), in units of the
+  /// view.
+  glm::vec2 PixelOnPlane(int i, int j) const
   {
     const double unit = this->View.Parallel ? this->View.Unit : 1.0;
     return glm::vec2((this->View.Scale[0] * (i + .5) + this->View.Offset[0]) / unit,
@@ -132,14 +136,14 @@ private:
 
   glm::vec3 EyePosition(int i, int j, float depth) const
   {
-    return glm::vec3(this->OnPlane(i, j) * (this->View.Parallel ? 1.f : depth), -depth);
+    return glm::vec3(this->PixelOnPlane(i, j) * (this->View.Parallel ? 1.f : depth), -depth);
   }
 
-  /// How far off a depth may be.
-  float RoundingAt(float depth) const
+  /// Error of an eye depth caused by the precision of the depth buffer.
+  float DepthError(float depth) const
   {
     const double scale = this->View.Parallel ? 1.0 : static_cast<double>(depth) * depth;
-    return static_cast<float>(scale * this->Slope * DepthStep);
+    return static_cast<float>(scale * this->DepthSlope * DepthPrecision);
   }
 
   float PixelWidth(float depth) const
@@ -148,100 +152,107 @@ private:
       this->View.Scale[0] * (this->View.Parallel ? 1.0 / this->View.Unit : depth)));
   }
 
-  /// What is linear over the picture of a plane.
-  float LinearAt(int i, int j) const
+  /// Depth value that is linear in pixels over a plane: eye depth, or its inverse in perspective.
+  float LinearDepth(int i, int j) const
   {
     const float depth = this->DepthAt(i, j);
     return this->View.Parallel ? depth : 1.f / depth;
   }
 
-  /// Do the depths around a pixel lie in one plane, and are they fine enough to tell?
-  bool IsFlat(int i, int j) const
+  /// Returns whether the depths around a pixel lie in one plane and are precise enough to decide
+  /// it.
+  bool IsPlanar(int i, int j) const
   {
     const float depth = this->DepthAt(i, j);
-    const float width = FlatWithin * this->PixelWidth(depth);
+    const float width = PlanarTolerance * this->PixelWidth(depth);
     const float scale = this->View.Parallel ? 1.f : depth * depth;
-    const float own = 2.f * this->LinearAt(i, j);
-    const float across = this->LinearAt(i - 1, j) + this->LinearAt(i + 1, j) - own;
-    const float along = this->LinearAt(i, j - 1) + this->LinearAt(i, j + 1) - own;
-    return scale * std::max(std::abs(across), std::abs(along)) < width &&
-      4.f * this->RoundingAt(depth) < width;
+    const float center = 2.f * this->LinearDepth(i, j);
+    const float alongX = this->LinearDepth(i - 1, j) + this->LinearDepth(i + 1, j) - center;
+    const float alongY = this->LinearDepth(i, j - 1) + this->LinearDepth(i, j + 1) - center;
+    return scale * std::max(std::abs(alongX), std::abs(alongY)) < width &&
+      4.f * this->DepthError(depth) < width;
   }
 
-  /// Along the view through a pixel's centre, close to its depth.
-  Ray RayNear(int i, int j) const
+  /// Ray through the pixel center, limited to an interval around its depth; empty for background.
+  Ray SearchRay(int i, int j) const
   {
     const float depth = this->DepthAt(i, j);
-    if (!(depth < FarAway))
+    if (!(depth < BackgroundDepth))
     {
-      return Nothing();
+      return EmptyRay();
     }
-    const glm::vec2 plane = this->OnPlane(i, j);
+    const glm::vec2 plane = this->PixelOnPlane(i, j);
     const bool parallel = this->View.Parallel;
     Ray ray;
-    ray.Origin = this->Eye + this->Turn * glm::vec3(parallel ? plane : glm::vec2(0.f), 0.f);
-    ray.Direction = this->Turn * glm::vec3(parallel ? glm::vec2(0.f) : plane, -1.f);
+    ray.Origin = this->Eye + this->EyeToScene * glm::vec3(parallel ? plane : glm::vec2(0.f), 0.f);
+    ray.Direction = this->EyeToScene * glm::vec3(parallel ? glm::vec2(0.f) : plane, -1.f);
     const double unit = parallel ? this->View.Unit : 1.0 / depth;
-    const auto around = static_cast<float>(
-      StepsAround * this->RoundingAt(depth) + PixelsAround * this->View.Scale[0] / unit);
-    ray.Near = std::max(depth - around, 0.f);
-    ray.Far = depth + around;
+    const auto halfLength = static_cast<float>(
+      SearchDepthErrors * this->DepthError(depth) + SearchPixelWidths * this->View.Scale[0] / unit);
+    ray.Near = std::max(depth - halfLength, 0.f);
+    ray.Far = depth + halfLength;
     return ray;
   }
 
-  SurfacePoint OnMesh(const Ray& ray, const Hit& hit) const
+  SurfacePoint ReconstructFromHit(const Ray& ray, const Hit& hit) const
   {
     const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
     const glm::uvec3 corners = surface.Triangles[hit.Triangle];
     const glm::vec3 a = surface.Positions[corners.x];
     const glm::vec3 normal =
       glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
-    return this->Facing(ray, ray.Origin + hit.Distance * ray.Direction, normal, 0.f);
+    return this->OffsetFromSurface(ray, ray.Origin + hit.Distance * ray.Direction, normal, 0.f);
   }
 
-  /// `off`: how far the position may be from the surface.
-  SurfacePoint Facing(const Ray& ray, glm::vec3 position, glm::vec3 normal, float off) const
+  /// Orients the normal towards the camera and offsets the position along it. `error`: distance
+  /// that the position may have from the surface.
+  SurfacePoint OffsetFromSurface(
+    const Ray& ray, glm::vec3 position, glm::vec3 normal, float error) const
   {
     const float length = glm::length(normal);
     SurfacePoint point;
     point.Normal =
       length > 0.f && std::isfinite(length) ? normal / length : -glm::normalize(ray.Direction);
     point.Normal = glm::dot(point.Normal, ray.Direction) > 0.f ? -point.Normal : point.Normal;
-    point.Position = position + (RayOriginOffset(position) + off) * point.Normal;
+    point.Position = position + (RayOriginOffset(position) + error) * point.Normal;
     return point;
   }
 
-  /// Of two neighbours, the way to the one that lies on the same surface, as far as depths tell.
-  glm::vec3 NearerNeighbour(glm::vec3 position, int i, int j, int right, int up) const
+  /// Offset to the one of two opposite neighbors whose depth is closer, which is more likely on the
+  /// same surface.
+  glm::vec3 OffsetToNearerNeighbor(glm::vec3 position, int i, int j, int right, int up) const
   {
-    const glm::vec3 ahead =
+    const glm::vec3 next =
       this->EyePosition(i + right, j + up, this->DepthAt(i + right, j + up)) - position;
-    const glm::vec3 behind =
+    const glm::vec3 previous =
       position - this->EyePosition(i - right, j - up, this->DepthAt(i - right, j - up));
-    const glm::vec3 nearer = std::abs(ahead.z) < std::abs(behind.z) ? ahead : behind;
-    return std::abs(nearer.z) < FarAway
+    const glm::vec3 nearer = std::abs(next.z) < std::abs(previous.z) ? next : previous;
+    return std::abs(nearer.z) < BackgroundDepth
       ? nearer
       : this->EyePosition(i + right, j + up, -position.z) - position;
   }
 
-  SurfacePoint FromDepths(const Ray& ray, int i, int j) const
+  SurfacePoint ReconstructFromDepths(const Ray& ray, int i, int j) const
   {
     const float depth = this->DepthAt(i, j);
     const glm::vec3 position = this->EyePosition(i, j, depth);
-    const glm::vec3 normal = glm::cross(
-      this->NearerNeighbour(position, i, j, 1, 0), this->NearerNeighbour(position, i, j, 0, 1));
-    return this->Facing(ray, this->Eye + this->Turn * position, this->Turn * normal,
-      (2.f * this->RoundingAt(depth) + Snap * this->PixelWidth(depth)) * this->UnitLength);
+    const glm::vec3 normal = glm::cross(this->OffsetToNearerNeighbor(position, i, j, 1, 0),
+      this->OffsetToNearerNeighbor(position, i, j, 0, 1));
+    return this->OffsetFromSurface(ray, this->Eye + this->EyeToScene * position,
+      this->EyeToScene * normal,
+      (2.f * this->DepthError(depth) + VertexSnapping * this->PixelWidth(depth)) *
+        this->UnitLength);
   }
 
   const std::vector<float>& EyeDepths;
   bool AtCenters;
   const ScreenTransform& View;
   const RayScene& Rays;
-  glm::mat3 Turn{ 1.f };  ///< from eye to scene coordinates, lengths included
-  glm::vec3 Eye{ 0.f };   ///< in scene coordinates
-  float UnitLength = 1.f; ///< the view's unit in scene coordinates
-  double Slope = 0.0;
+  glm::mat3 EyeToScene{ 1.f }; ///< rotation and scale
+  glm::vec3 Eye{ 0.f };        ///< camera position in scene coordinates
+  float UnitLength = 1.f;      ///< unit of the view in scene coordinates
+  /// Change of eye depth (of its inverse in perspective) per unit of the depth buffer.
+  double DepthSlope = 0.0;
 };
 
 }
@@ -252,9 +263,9 @@ std::vector<SurfacePoint> ReconstructSurface(const std::vector<float>& eyeDepths
   const int columns = lattice.CountIn(view.Width, lattice.Column);
   const int rows = lattice.CountIn(view.Height, lattice.Row);
   std::vector<SurfacePoint> points(static_cast<std::size_t>(columns) * rows);
-  const SurfaceReconstructor finder(eyeDepths, atCenters, view, rays);
+  const SurfaceReconstructor reconstructor(eyeDepths, atCenters, view, rays);
   ParallelFor(0, rows, 0, [&](int row) {
-    finder.FindRow(lattice, lattice.Row + row * lattice.Step,
+    reconstructor.ReconstructRow(lattice, lattice.Row + row * lattice.Step,
       points.data() + static_cast<std::size_t>(row) * columns);
   });
   return points;

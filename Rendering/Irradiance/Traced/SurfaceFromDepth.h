@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The surface that a picture's depths show, pixel by pixel: where it is and which way it faces, in
-// the coordinates of the ray scene. Where depths lie in a plane, are fine and those of the centres of pixels, they tell. Elsewhere a ray
-// through the pixel's centre looks for the mesh close to its depth and takes place and normal from there;
-// where it finds none (lines, points, what only the depth buffer knows) the neighbours' depths have to do.
+// Reconstructs the position and normal of the visible surface per pixel from a depth buffer, in
+// scene coordinates. If the depths around a pixel are sampled at pixel centers, are precise and lie
+// in a plane, they define position and normal. Otherwise a ray through the pixel center searches
+// the meshes near that depth. If the ray misses (lines, points, geometry that only the depth buffer
+// has), the neighboring depths are used.
 #ifndef penumbra_SurfaceFromDepth_h
 #define penumbra_SurfaceFromDepth_h
 
@@ -19,29 +20,30 @@ struct ScreenTransform;
 
 struct SurfacePoint
 {
-  glm::vec3 Position{ 0.f }; ///< lifted off the surface, so that it does not block itself
-  glm::vec3 Normal{ 0.f };   ///< unit, towards the eye; zero: an empty pixel
+  glm::vec3 Position{ 0.f }; ///< offset from the surface against self-intersection
+  glm::vec3 Normal{ 0.f };   ///< unit vector towards the camera; zero: background
 };
 
-/// Which pixels of a picture are looked at: every Step-th in both directions.
+/// Lattice of the processed pixels of an image: every Step-th column and row.
 struct InterleavedPixels
 {
   int Step = 1;
-  int Column = 0; ///< the first
-  int Row = 0;
+  int Column = 0; ///< first column
+  int Row = 0;    ///< first row
 
   bool operator==(const InterleavedPixels& other) const
   {
     return this->Step == other.Step && this->Column == other.Column && this->Row == other.Row;
   }
 
-  /// How many there are among so many columns, or rows.
+  /// Number of lattice columns (or rows) of an image of `size` columns (or rows), starting at
+  /// `first`.
   int CountIn(int size, int first) const { return (size - first + this->Step - 1) / this->Step; }
 };
 
-/// `eyeDepths`: of the view, in its unit, row after row; `atCenters`: of the centres of pixels, not of one
-/// of several samples somewhere in them. Only pixels of the
-/// lattice are looked for and returned.
+/// Returns the surface points of the lattice, row by row.
+/// `eyeDepths`: eye depth per pixel in the unit of the view, row by row. `atCenters`: the depths
+/// are sampled at pixel centers, not at one of several samples per pixel.
 std::vector<SurfacePoint> ReconstructSurface(const std::vector<float>& eyeDepths, bool atCenters,
   const ScreenTransform& view, const RayScene& rays, const InterleavedPixels& lattice = {});
 

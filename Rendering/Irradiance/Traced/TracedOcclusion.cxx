@@ -15,11 +15,12 @@ namespace penumbra
 namespace
 {
 
-/// Pixels repeat their directions after so many in x and y: as far as the filter of 5 x 5 pixels
-/// reaches, so that wherever it stands it sees each of 25 directions once.
+/// Period of the ray directions in x and y, in pixels: the width of the bilateral filter, so that
+/// every 5 x 5 window contains each of the 25 directions once.
 constexpr int Period = 5;
 
-/// Blocks of this side hold 16 pixels of each kind, whose rays go much the same way: a packet.
+/// Side of the blocks of pixels. A block has 16 pixels with the same directions in their tangent
+/// frames, which form a coherent packet.
 constexpr int BlockSize = 4 * Period;
 constexpr int PacketSize = 16;
 
@@ -28,17 +29,17 @@ double Fraction(double x)
   return x - std::floor(x);
 }
 
-/// A point of the unit square for a sample, common to all pixels: the additive sequence of the
-/// plastic number [Roberts 2018, R2], in which any run is even.
-glm::dvec2 SequencePoint(int sample)
+/// Point of the unit square for a sample index, the same for all pixels: the additive R2 sequence
+/// of the plastic number [Roberts 2018]. Any run of consecutive points has low discrepancy.
+glm::dvec2 ComputeSequencePoint(int sample)
 {
   return { Fraction(.5 + sample * 0.75487766624669276),
     Fraction(.5 + sample * 0.56984029099805327) };
 }
 
-/// How a kind of pixels shifts it: Hammersley's 25 points to the base 5. Pixels side by side are far
-/// apart among them.
-glm::dvec2 PixelShift(int i, int j)
+/// Shift of the sequence for pixel (i, j) modulo Period: one of 25 Hammersley points in base 5,
+/// chosen so that adjacent pixels have distant shifts.
+glm::dvec2 ComputePixelShift(int i, int j)
 {
   const int low = (i + 2 * j) % Period;
   const int high = (2 * i + j) % Period;
@@ -58,7 +59,7 @@ public:
   {
   }
 
-  /// All rays of a block; returns their number.
+  /// Traces all rays of a block and returns their number.
   long long Trace(const Rectangle& block) const
   {
     long long count = 0;
@@ -66,7 +67,7 @@ public:
     {
       for (int i = 0; i < Period; ++i)
       {
-        count += this->TraceKind(block, i, j);
+        count += this->TracePixelsWithSameShift(block, i, j);
       }
     }
     return count;
@@ -75,8 +76,8 @@ public:
 private:
   std::size_t Index(int i, int j) const { return static_cast<std::size_t>(j) * this->Width + i; }
 
-  /// The pixels of a block that are i, j after a multiple of the period from its corner.
-  long long TraceKind(const Rectangle& block, int i, int j) const
+  /// Traces the pixels of a block whose offset from its corner is (i, j) modulo Period.
+  long long TracePixelsWithSameShift(const Rectangle& block, int i, int j) const
   {
     std::size_t pixels[PacketSize];
     int size = 0;
@@ -99,8 +100,8 @@ private:
     for (int sample = 0; sample < this->Samples.Count; ++sample)
     {
       const InterleavedPixels& lattice = this->Samples.Lattice;
-      const glm::dvec2 shifted = SequencePoint(this->Samples.First + sample) +
-        PixelShift((lattice.Column + (block.X + i) * lattice.Step) % Period,
+      const glm::dvec2 shifted = ComputeSequencePoint(this->Samples.First + sample) +
+        ComputePixelShift((lattice.Column + (block.X + i) * lattice.Step) % Period,
           (lattice.Row + (block.Y + j) * lattice.Step) % Period);
       const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(
         static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
@@ -117,7 +118,7 @@ private:
   void TracePacket(const std::size_t* pixels, int size, glm::vec3 direction, int* blocked) const
   {
     Ray rays[PacketSize];
-    bool met[PacketSize];
+    bool isHit[PacketSize];
     for (int k = 0; k < PacketSize; ++k)
     {
       rays[k].Far = -1.f;
@@ -126,13 +127,13 @@ private:
         const SurfacePoint& point = this->Points[pixels[k]];
         rays[k].Origin = point.Position;
         rays[k].Direction = FrameFromNormal(point.Normal) * direction;
-        rays[k].Far = this->Samples.Reach;
+        rays[k].Far = this->Samples.Radius;
       }
     }
-    this->Rays.Occluded16(rays, met);
+    this->Rays.Occluded16(rays, isHit);
     for (int k = 0; k < size; ++k)
     {
-      blocked[k] += met[k];
+      blocked[k] += isHit[k];
     }
   }
 
@@ -143,8 +144,8 @@ private:
   std::vector<float>& Means;
 };
 
-/// What of the parts lies in the picture, as blocks.
-std::vector<Rectangle> BlocksOf(const std::vector<Rectangle>& parts, int width, int height)
+/// Clips the rectangles to the image and splits them into blocks.
+std::vector<Rectangle> SplitIntoBlocks(const std::vector<Rectangle>& parts, int width, int height)
 {
   std::vector<Rectangle> blocks;
   for (const Rectangle& part : parts)
@@ -168,7 +169,7 @@ long long TraceOcclusion(const std::vector<SurfacePoint>& points, int width, con
   const TracedSamples& samples, const std::vector<Rectangle>& parts, std::vector<float>& means)
 {
   const int height = static_cast<int>(points.size() / std::max(width, 1));
-  const std::vector<Rectangle> blocks = BlocksOf(parts, width, height);
+  const std::vector<Rectangle> blocks = SplitIntoBlocks(parts, width, height);
   const Tracer tracer(points, width, rays, samples, means);
   std::atomic<long long> count{ 0 };
   ParallelFor<std::size_t>(

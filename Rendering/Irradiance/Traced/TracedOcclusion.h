@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays from the visible surface into the hemisphere above it: the mean of a few a pixel.
+// Traces a few cosine-distributed rays per pixel from the visible surface and averages their
+// occlusion.
 #ifndef penumbra_TracedOcclusion_h
 #define penumbra_TracedOcclusion_h
 
@@ -15,14 +16,14 @@ namespace penumbra
 
 struct TracedSamples
 {
-  int First = 0;             ///< samples that every pixel has had
-  int Count = 1;             ///< more of them
-  float Reach = 1.f;         ///< of the rays, in scene coordinates
-  InterleavedPixels Lattice; ///< that the points are of
+  int First = 0;             ///< index of the first sample
+  int Count = 1;             ///< number of samples per pixel
+  float Radius = 1.f;        ///< length of the rays, in scene units
+  InterleavedPixels Lattice; ///< lattice of the points
 };
 
-/// Fills `means` within `parts` of a picture of this width, 0 open, 1 blocked. Returns the number of
-/// rays.
+/// Fills `means` (0 open, 1 blocked) within the rectangles `parts` of an image with `width`
+/// columns. Returns the number of rays.
 long long TraceOcclusion(const std::vector<SurfacePoint>& points, int width, const RayScene& rays,
   const TracedSamples& samples, const std::vector<Rectangle>& parts, std::vector<float>& means);
 

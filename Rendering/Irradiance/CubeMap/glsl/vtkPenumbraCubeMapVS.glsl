@@ -2,21 +2,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A face of a cube about `eye`: everything from `near` on, however far.
-in vec4 corner; // position and the number of its triangle, scene coordinates
+// Projects vertices onto one face of a cube around `eye`, with a near plane and an infinite far
+// plane.
+in vec4 vertex; // position in scene coordinates, and the id of its triangle
 
 uniform vec3 eye;
 uniform vec3 right;
-uniform vec3 up; // brings what is seen to the whole height of the picture
-uniform vec3 ahead;
+uniform vec3 up; // scaled so that the face fills its viewport
+uniform vec3 forward;
 uniform float near;
 
-flat out float number;
+flat out float triangleId;
 
 void main()
 {
-  number = corner.w;
-  vec3 to = corner.xyz - eye;
-  float depth = dot(ahead, to);
-  gl_Position = vec4(dot(right, to), dot(up, to), depth - 2.0 * near, depth);
+  triangleId = vertex.w;
+  vec3 offset = vertex.xyz - eye;
+  float depth = dot(forward, offset);
+  gl_Position = vec4(dot(right, offset), dot(up, offset), depth - 2.0 * near, depth);
 }

@@ -3,42 +3,45 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one record says about a pixel's surface, times its weight [IC, after Tabellion, Lamorlette], to be
-// added up: the same as penumbra::Record::Weight() and penumbra::Blend::Add(), offsets, turns and
-// gradients along two tangents of the pixel's surface. Outputs: 0 the value halfway along the gradient
-// and the weight; 1 offset and turn; from 2 on, for each channel, translation and rotation.
+// Extrapolates one record to the surface of a pixel, multiplied by its weight [IC, after Tabellion,
+// Lamorlette]. Blending sums the outputs. The computation equals penumbra::Record::Weight() and
+// penumbra::RecordInterpolator::Add(); offsets, normal differences and gradients are expressed
+// along two tangents of the surface. Outputs: 0 value at the midpoint and weight; 1 offset and
+// normal difference; from 2, for each channel, translation and rotation gradient.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SplatLib
 uniform sampler2D surfaces;  // unit normal, eye depth
-uniform mat3 eyeToRecords;   // of lengths
+uniform mat3 eyeToRecords;   // transforms offsets
 uniform mat3 normalToRecords;
-uniform float normalFactor;  // 9.0124 for 9.0 degrees
+uniform float normalFactor;  // RecordOctree::NormalFactorOf(); 9.0124 for 9.0 degrees
 uniform int channels;
 
 flat in int record;
-flat in vec3 middle;
+flat in vec3 center;
 
-// Distance of the wall in the direction (x, y) of the record's tangent plane.
+// Distance to the nearest wall in the direction (x, y) of the tangent plane of the record.
 float clearance(float x, float y)
 {
   bool steep = abs(y) > abs(x);
   int sector = (y < 0.0 ? 4 : 0) + ((x < 0.0) != (y < 0.0) ? 2 : 0) +
     (steep != ((x < 0.0) != (y < 0.0)) ? 1 : 0);
-  return texelOf(record, 3 + sector / 4)[sector % 4];
+  return recordTexel(record, 3 + sector / 4)[sector % 4];
 }
 
-float weightOf(vec3 d, vec3 normal, vec4 own, float radius)
+// d: offset from the record; recordPlane: its normal and maximum plane distance.
+float computeWeight(vec3 d, vec3 normal, vec4 recordPlane, float radius)
 {
-  float error = max(length(d) / radius, normalFactor * sqrt(max(0.0, 1.0 - dot(normal, own.xyz))));
-  bool off = abs(dot(d, normal + own.xyz)) > 2.0 * own.w;
-  vec4 tangent = texelOf(record, 2);
-  vec2 way = vec2(dot(d, tangent.xyz), dot(d, cross(own.xyz, tangent.xyz)));
-  bool behindWall = length(way) > clearance(way.x, way.y);
-  return error < 1.0 && !off && !behindWall ? tangent.w * (1.0 - error) : 0.0;
+  float error =
+    max(length(d) / radius, normalFactor * sqrt(max(0.0, 1.0 - dot(normal, recordPlane.xyz))));
+  bool offPlane = abs(dot(d, normal + recordPlane.xyz)) > 2.0 * recordPlane.w;
+  vec4 tangent = recordTexel(record, 2);
+  vec2 offset = vec2(dot(d, tangent.xyz), dot(d, cross(recordPlane.xyz, tangent.xyz)));
+  bool behindWall = length(offset) > clearance(offset.x, offset.y);
+  return error < 1.0 && !offPlane && !behindWall ? tangent.w * (1.0 - error) : 0.0;
 }
 
-// From the record to what lies along the two tangents.
-vec2 along(mat2x3 tangents, vec3 v)
+// Components of a vector along the two tangents of the surface.
+vec2 surfaceDerivative(mat2x3 tangents, vec3 v)
 {
   return v * tangents;
 }
@@ -46,15 +49,15 @@ vec2 along(mat2x3 tangents, vec3 v)
 void main()
 {
   vec4 surface = texelFetch(surfaces, ivec2(gl_FragCoord.xy), 0);
-  vec3 d = eyeToRecords * (eyePosition(gl_FragCoord.xy, surface.a) - middle);
-  vec4 sphere = texelOf(record, 0);
+  vec3 d = eyeToRecords * (eyePosition(gl_FragCoord.xy, surface.a) - center);
+  vec4 sphere = recordTexel(record, 0);
   if (dot(d, d) >= sphere.w * sphere.w)
   {
     discard;
   }
   vec3 normal = normalize(normalToRecords * surface.rgb);
-  vec4 own = texelOf(record, 1);
-  float weight = weightOf(d, normal, own, sphere.w);
+  vec4 recordPlane = recordTexel(record, 1);
+  float weight = computeWeight(d, normal, recordPlane, sphere.w);
   if (weight <= 0.0)
   {
     discard;
@@ -62,18 +65,19 @@ void main()
   vec3 other = abs(normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   vec3 first = normalize(cross(normal, other));
   mat2x3 tangents = mat2x3(first, cross(normal, first));
-  vec4 way = vec4(along(tangents, d), along(tangents, normal - own.xyz));
-  vec4 halfway = vec4(texelOf(record, 5).rgb, 1.0);
-  vec4 slopes[3] = vec4[3](vec4(0.0), vec4(0.0), vec4(0.0));
+  vec4 offset =
+    vec4(surfaceDerivative(tangents, d), surfaceDerivative(tangents, normal - recordPlane.xyz));
+  vec4 midpointValue = vec4(recordTexel(record, 5).rgb, 1.0);
+  vec4 gradients[3] = vec4[3](vec4(0.0), vec4(0.0), vec4(0.0));
   for (int c = 0; c < channels; ++c)
   {
-    slopes[c] = vec4(along(tangents, texelOf(record, 6 + 2 * c).xyz),
-      along(tangents, texelOf(record, 7 + 2 * c).xyz));
-    halfway[c] += 0.5 * dot(slopes[c], way);
+    gradients[c] = vec4(surfaceDerivative(tangents, recordTexel(record, 6 + 2 * c).xyz),
+      surfaceDerivative(tangents, recordTexel(record, 7 + 2 * c).xyz));
+    midpointValue[c] += 0.5 * dot(gradients[c], offset);
   }
-  gl_FragData[0] = weight * halfway;
-  gl_FragData[1] = weight * way;
-  gl_FragData[2] = weight * slopes[0];
-  gl_FragData[3] = weight * slopes[1];
-  gl_FragData[4] = weight * slopes[2];
+  gl_FragData[0] = weight * midpointValue;
+  gl_FragData[1] = weight * offset;
+  gl_FragData[2] = weight * gradients[0];
+  gl_FragData[3] = weight * gradients[1];
+  gl_FragData[4] = weight * gradients[2];
 }

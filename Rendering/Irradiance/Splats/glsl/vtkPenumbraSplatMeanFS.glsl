@@ -3,22 +3,25 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the records say together, the same as penumbra::Blend::Result(): rgb the mean over the hemisphere,
-// a their weight. The inputs are vtkPenumbraSplatFS.glsl's outputs, added up.
+// Weighted average of the records, equal to penumbra::RecordInterpolator::Result(). rgb: mean over
+// the hemisphere, a: sum of the weights. The inputs are the blended outputs of
+// vtkPenumbraSplatFS.glsl.
 uniform sampler2D values;
-uniform sampler2D ways;
-uniform sampler2D slopes0; // of each channel; those that there are not are 0
-uniform sampler2D slopes1;
-uniform sampler2D slopes2;
+uniform sampler2D offsets;
+uniform sampler2D gradients0; // one per channel; unused ones do not affect the used channels
+uniform sampler2D gradients1;
+uniform sampler2D gradients2;
 uniform vec2 pixelSize;
 
 void main()
 {
-  vec2 at = gl_FragCoord.xy * pixelSize;
-  vec4 value = texture(values, at);
-  vec4 way = texture(ways, at);
-  vec3 further = vec3(
-    dot(texture(slopes0, at), way), dot(texture(slopes1, at), way), dot(texture(slopes2, at), way));
-  vec3 mean = value.a > 0.0 ? (value.rgb + 0.5 * further / value.a) / value.a : vec3(0.0);
+  vec2 coordinates = gl_FragCoord.xy * pixelSize;
+  vec4 value = texture(values, coordinates);
+  vec4 offset = texture(offsets, coordinates);
+  vec3 change = vec3(
+    dot(texture(gradients0, coordinates), offset),
+    dot(texture(gradients1, coordinates), offset),
+    dot(texture(gradients2, coordinates), offset));
+  vec3 mean = value.a > 0.0 ? (value.rgb + 0.5 * change / value.a) / value.a : vec3(0.0);
   gl_FragData[0] = vec4(max(mean, vec3(0.0)), value.a);
 }

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's own test and benchmark scripts as they stand, their views plain and with the plugin's.
+"""Runs ParaView's own benchmark scripts unchanged, with its render view and with that of the plugin.
 
-With PENUMBRA_PICTURES=FOLDER the pictures are kept there, plain beside darkened.
+If PENUMBRA_PICTURES=FOLDER is set, the images are saved there side by side, without and with occlusion.
 """
 import os
 import subprocess
@@ -16,12 +16,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-# Every render view that a script opens is one of ours; then the script runs as from the command line.
+# Replaces each render view that a script creates, then runs the script as from the command line.
 SCRIPT = """
 import importlib, sys
 from paraview import servermanager
 from paraview.simple import *
-plugin, picture, module = sys.argv[1:4]
+plugin, path, module = sys.argv[1:4]
 if plugin != "plain":
     LoadPlugin(plugin, remote=False, ns=globals())
     create = servermanager._create_view
@@ -33,13 +33,13 @@ sys.argv = [module] + arguments
 main(arguments)
 view = GetActiveView()
 if plugin != "plain" and view.GetXMLName() != "PenumbraRenderView":
-    raise SystemExit("the script drew into another view: " + view.GetXMLName())
-SaveScreenshot(picture, view, ImageResolution=[400, 400])
+    raise SystemExit("the script used another view: " + view.GetXMLName())
+SaveScreenshot(path, view, ImageResolution=[400, 400])
 """
 
 
-def write_beside(pictures, path):
-    rows = numpy.ascontiguousarray(numpy.concatenate(pictures, axis=1))
+def write_side_by_side(images, path):
+    rows = numpy.ascontiguousarray(numpy.concatenate(images, axis=1))
     image = vtkImageData()
     image.SetDimensions(rows.shape[1], rows.shape[0], 1)
     image.GetPointData().SetScalars(numpy_to_vtk(rows.reshape(-1, rows.shape[2]), deep=True))
@@ -49,41 +49,41 @@ def write_beside(pictures, path):
     writer.Write()
 
 
-class RealCases(unittest.TestCase):
-    def draw(self, name, module, *arguments):
-        """Plain and with occlusion."""
+class ParaViewExamples(unittest.TestCase):
+    def render(self, name, module, *arguments):
+        """Return the images of a script without and with occlusion."""
         with tempfile.TemporaryDirectory() as folder:
             script = os.path.join(folder, "script.py")
             with open(script, "w") as file:
                 file.write(SCRIPT)
-            pictures = []
+            paths = []
             for plugin in ("plain", os.environ["PENUMBRA_PLUGIN"]):
-                pictures.append(os.path.join(folder, f"{len(pictures)}.png"))
+                paths.append(os.path.join(folder, f"{len(paths)}.png"))
                 run = subprocess.run(
-                    ["pvpython", "--force-offscreen-rendering", script, plugin, pictures[-1], module,
+                    ["pvpython", "--force-offscreen-rendering", script, plugin, paths[-1], module,
                      *arguments], cwd=folder, capture_output=True, text=True, timeout=200)
                 self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
                 self.assertNotIn("ERR|", run.stderr)
-            drawn = [read_picture(picture)[..., :3] for picture in pictures]
+            rendered = [read_image(path)[..., :3] for path in paths]
         if "PENUMBRA_PICTURES" in os.environ:
-            write_beside(drawn, os.path.join(os.environ["PENUMBRA_PICTURES"], name + ".png"))
-        return [picture.astype(int) for picture in drawn]
+            write_side_by_side(rendered, os.path.join(os.environ["PENUMBRA_PICTURES"], name + ".png"))
+        return [image.astype(int) for image in rendered]
 
     def check(self, *case, darkens):
-        plain, ours = self.draw(*case)
-        change = ours - plain
-        # Edges may be smoothed otherwise.
+        plain, dark = self.render(*case)
+        change = dark - plain
+        # The antialiasing of edges may differ.
         self.assertLess((change.max(axis=2) > 8).mean(), 0.02)
         self.assertEqual(change.min() < -24, darkens)
 
-    def test_many_spheres_darken_each_other(self):
+    def test_darkens_many_spheres(self):
         self.check("spheres", "paraview.benchmark.manyspheres", "-s", "60", "-r", "12", "-f", "1",
                    darkens=True)
 
-    def test_a_contour_darkens_in_its_hollows(self):
+    def test_darkens_a_contour(self):
         self.check("contour", "paraview.benchmark.waveletcontour", "-d", "40", "-f", "1", darkens=True)
 
-    def test_a_volume_stays_as_it_is(self):
+    def test_does_not_change_a_volume(self):
         self.check("volume", "paraview.benchmark.waveletvolume", "-d", "30", "-f", "1", darkens=False)
 
 

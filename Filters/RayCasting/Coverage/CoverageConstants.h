@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tuning constants of pixel coverage: when a pixel is cut exactly, when it is sampled instead, and
+// how errors are estimated. Lengths are in pixels, areas in pixel areas, colors in [0, 1]. After
+// changing a value run TestCoverageOfScenes and TestHardScenes (errors against a reference) and
+// TestCeilings (numbers of rays).
+#ifndef penumbra_CoverageConstants_h
+#define penumbra_CoverageConstants_h
+
+#include <cstddef>
+
+namespace penumbra
+{
+
+// --- Edges of the scene ---
+
+/// Edges across which colors change by less than this fraction of the tolerance are not feature
+/// edges.
+constexpr double EdgeContrastFraction = 0.25;
+/// Distance of a corner to an edge below which its ray may hit either side of the edge.
+constexpr double EdgePrecision = 1e-3;
+/// Fraction of the distance to the pixel center by which such a corner is moved before it is
+/// retraced.
+constexpr double CornerInset = 4.0 * EdgePrecision;
+
+// --- Surfaces with subpixel triangles ---
+
+/// Number of triangles, approximately, from which the mean projected area of a surface is
+/// estimated.
+constexpr std::size_t MaximumTrianglesSampled = 10000;
+/// Mean projected area of a triangle below which a surface is sampled. Measured: exact coverage and
+/// 8 x 8 samples take the same time at this area.
+constexpr double SubpixelArea = 1.0;
+/// A surface is sampled only if it has more triangles than this number per pixel of its projected
+/// bounds plus MinimumTriangles. Fewer small triangles are small objects, which are covered
+/// exactly.
+constexpr double TrianglesPerPixel = 0.5;
+constexpr double MinimumTriangles = 4096.0;
+/// Number of triangles whose projection takes as long as sampling one pixel completely (measured).
+constexpr double TrianglesPerSampledPixel = 40.0;
+/// Bound on the error of a position projected in single precision.
+constexpr float ProjectionPrecision = 0.01f;
+
+// --- Limits of exact coverage ---
+
+/// Number of edges per pixel, on average over a tile, above which the tile is crowded.
+constexpr std::size_t CrowdedEdgesPerPixel = 6;
+/// Number of edges in a pixel above which an arrangement is more expensive than samples.
+constexpr std::size_t MaximumEdges = 512;
+/// The same for pixels of crowded tiles, in which the cost of arrangements adds up.
+constexpr std::size_t MaximumEdgesInCrowdedTile = 32;
+/// Number of trapezoids of an arrangement that cost about as much as one ray.
+constexpr std::size_t TrapezoidsPerRay = 16;
+/// Faces with a smaller area are ignored, because rays cannot be aimed at them reliably.
+constexpr double MinimumFaceArea = 1e-6;
+/// Relative difference of distances along rays below which they are treated as equal.
+constexpr double RelativeDepthTolerance = 1e-5;
+
+// --- Intersections of triangles ---
+
+/// Surfaces in one pixel may intersect if their depths differ by less than this number of pixels.
+constexpr double TouchingDepth = 16.0;
+/// Maximum number of triangles per pixel whose pairs are intersected.
+constexpr std::size_t MaximumTriangles = 48;
+/// Minimum area of a trapezoid that is probed when surfaces may intersect.
+constexpr double MinimumTrapezoidArea = 0.02;
+/// Minimum area of a face that is probed when triangles are known to intersect.
+constexpr double MinimumProbedFaceArea = 0.005;
+/// Distance of probe rays from the sides of a trapezoid, as a fraction of its size.
+constexpr double ProbeInset = 0.02;
+/// Maximum number of times that the faces of one pixel are probed. New faces result from each pass.
+constexpr int MaximumProbePasses = 4;
+
+// --- Error estimates ---
+
+/// Minimum estimated error of a pixel without edges: rounding.
+constexpr float ErrorFloor = 2e-5f;
+/// Minimum estimated error of a pixel with edges: differences between the positions of an edge in
+/// the arrangement and along a ray.
+constexpr float EdgeErrorFloor = 1.5e-4f;
+/// Minimum estimated error of a pixel that contains only background.
+constexpr float EmptyErrorFloor = 1e-6f;
+/// Fraction of the last difference between samples that is estimated to remain as an error.
+/// Together with CurvatureSafetyFactor chosen on a smooth scan so that the error of 95 % of the
+/// tiles is below its estimate.
+constexpr float ResidualErrorFraction = 0.35f;
+/// Safety factor of errors estimated from second differences: across the vertices of a mesh the
+/// gradient of colors is discontinuous.
+constexpr float CurvatureSafetyFactor = 3.f;
+/// Color difference between corners of one surface that only a shadow boundary causes.
+constexpr float ShadowContrast = 0.05f;
+/// Assumed variation of color on a piece of surface with only one sample.
+constexpr float UnknownVariation = 0.25f;
+/// RMS error of the mean of four corners relative to their contrast, over all straight edges
+/// through a square. Measured with uniform samples of a half-plane.
+constexpr float ContrastError = 0.3f;
+
+// --- Samples ---
+
+/// Range of the number of samples of a pixel that is too expensive to cover exactly.
+constexpr int MinimumSamples = 64;
+constexpr int MaximumSamples = 4096;
+/// Factor on the number of samples that straight edges require. Dense edges, as of slivers, need
+/// more.
+constexpr int SampleBudgetFactor = 4;
+/// Factor on the standard error of these samples, so that few errors exceed the estimate.
+constexpr float ConfidenceFactor = 1.5f;
+/// Estimated error of objects between n samples, times n.
+constexpr float HiddenError = 0.25f;
+/// Uniform sampling of a pixel stops when the estimated error is below this fraction of the
+/// tolerance.
+constexpr double UniformToleranceFraction = 0.1;
+/// The error of n regular samples of a straight edge is proportional to this power of n.
+constexpr float RegularSamplingExponent = -0.75f;
+/// Assumed error of a pixel with a single sample.
+constexpr float SingleSampleError = 0.125f;
+
+}
+#endif
