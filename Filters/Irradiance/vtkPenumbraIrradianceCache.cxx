@@ -24,23 +24,28 @@ namespace
 
 using namespace penumbra;
 
-/// Of what Begin() accepts from independent answers.
+/// Error of interpolated values as a fraction of the tolerance passed to Begin(). Below 1 because errors of
+/// neighboring pixels are correlated and do not average out.
 constexpr double SharedError = 0.5;
+
+/// Minimum tolerance of the mean over the hemisphere.
 constexpr double LeastTolerance = 1e-4;
 
-/// The picture's pixels from whose places light is followed backwards have this stride or more.
+/// Minimum stride in pixels of the visible points that trace rays to place the records of reflections.
 constexpr int StrideOfViewpoints = 8;
 
-/// Light: what of the tolerance bends may take, and what the grid of one record may err by, which is
-/// looked at closer where light varies and is blended with others. Measured by the benchmark
-/// `irradiance`: twice as many records of half as many rays each err less.
+/// Error of interpolated irradiance as a fraction of the tolerance.
 constexpr double HessianErrorFraction = .5;
+
+/// Error of the grid of one irradiance record over the tolerance. Above 1 because cells are supersampled
+/// and several records are interpolated. Twice as many records with half as many rays each have a smaller
+/// error (benchmark `irradiance`).
 constexpr double GridNoise = 2.5;
 
-/// Of the progress of irradiance: the reflections but the last.
+/// Fraction of the progress of irradiance spent on all reflections but the last.
 constexpr double ProgressOfReflections = 0.5;
 
-/// The records of a picture, and the angle that their weights depend on.
+/// Converts the records of a view and adds the angle that their weights depend on.
 void Copy(
   const ViewRecords& from, penumbra::Quantities quantity, const Scene& scene, vtkPolyData* records)
 {
@@ -64,7 +69,7 @@ std::vector<RecordCandidate> Viewpoints(const RayScene& rays, const ProgressCall
 
 struct vtkPenumbraIrradianceCache::Internals
 {
-  /// What records were made for.
+  /// Input that determines the records.
   struct BuildKey
   {
     std::uint64_t Scene = 0;
@@ -81,15 +86,15 @@ struct vtkPenumbraIrradianceCache::Internals
     }
   };
 
-  /// One of the two quantities.
+  /// Records of one quantity.
   struct QuantityCache
   {
     BuildKey Key;
-    std::unique_ptr<Gatherer> CustomGatherer; ///< none: rays
-    Scene Units; ///< origin and scale alone: records outlive their scene
+    std::unique_ptr<Gatherer> CustomGatherer; ///< null for rays
+    Scene Units; ///< only origin and scale, because records may outlive their scene
     std::unique_ptr<ViewRecords> Records;
 
-    /// From world coordinates.
+    /// Converts a point in world coordinates.
     ShadingPoint PlaceOf(const double point[3], const double normal[3]) const
     {
       ShadingPoint place;
@@ -107,7 +112,7 @@ struct vtkPenumbraIrradianceCache::Internals
 
   QuantityCache Occlusion;
   std::unique_ptr<OcclusionGatherer> Occluders;
-  double QueryTolerance = 0.0; ///< by Begin(), for a single answer
+  double QueryTolerance = 0.0; ///< tolerance of a single query, set by Begin()
   vtkNew<vtkPenumbraBruteForceIrradiance> BruteForce;
 
   QuantityCache Irradiance;
@@ -232,7 +237,10 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
     initial = FromPolyData(this->InitialRecords, quantity, rays.GetScene(), problem);
     if (!problem.empty())
     {
-      vtkWarningWithObjectMacro(self, "InitialRecords are not used: " << problem << ".");
+      vtkWarningWithObjectMacro(self,
+        "InitialRecords are ignored: " << problem
+                                       << ". Set records written by GetRecords() or "
+                                          "GetIrradianceRecords().");
     }
   }
   half.Units.Origin = rays.GetScene().Origin;

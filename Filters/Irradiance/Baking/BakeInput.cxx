@@ -29,11 +29,11 @@ namespace penumbra
 namespace
 {
 
-/// Sides of the discs that stand for points.
+/// Number of sides of the discs that represent points.
 constexpr unsigned int DiscSides = 6;
 
-/// Of the radius of those discs: how high above a point rays start, so that the discs of its
-/// neighbours on a convex surface do not block it.
+/// Height of ray origins above a point, over the radius of its disc, so that the discs of neighboring
+/// points on a convex surface do not occlude it.
 constexpr float LiftOfDiscs = .5f;
 
 bool IsFinite(const double x[3])
@@ -64,7 +64,8 @@ vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh, const ProgressCallb
   return filter->GetOutput()->GetPolys();
 }
 
-/// Cells at one point from which on VTK's search for neighbours, all pairs of them, takes too long.
+/// Number of cells at one point from which vtkPolyDataNormals, which visits all pairs of neighbors, is
+/// too slow.
 constexpr vtkIdType ManyCells = 1024;
 
 bool HasCrowdedPoint(vtkPolyData* mesh)
@@ -85,8 +86,8 @@ bool HasCrowdedPoint(vtkPolyData* mesh)
   return false;
 }
 
-/// The polygons, each turned like the neighbour that it was reached from; the first of each part stays.
-/// Edges are sorted, so that many at one point cost no more than others.
+/// Returns the polygons with consistent orientation. The first polygon of each connected part keeps its
+/// orientation. Edges are sorted, so that points with many cells cost no more than others.
 vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
 {
   struct Edge
@@ -159,7 +160,7 @@ vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
         }
       }
     }
-    // All of its part is known by now: the part began at its first polygon.
+    // States are final here: a connected part is complete once its first polygon has been processed.
     if (states[first] == Reversed)
     {
       turned->ReverseCellAtId(first);
@@ -168,7 +169,7 @@ vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
   return turned;
 }
 
-/// Per point; neighbours are turned the same way round.
+/// Returns point normals from consistently oriented polygons; null if they cannot be computed.
 vtkSmartPointer<vtkDataArray> ComputedNormals(
   vtkPolyData* surface, const ProgressCallback& progress)
 {
@@ -193,7 +194,7 @@ vtkSmartPointer<vtkDataArray> ComputedNormals(
   return found && found->GetNumberOfTuples() == surface->GetNumberOfPoints() ? found : nullptr;
 }
 
-/// A mesh on its way into a scene.
+/// Extracts occluders and query points from a data set.
 class MeshReading
 {
 public:
@@ -300,7 +301,7 @@ private:
     }
   }
 
-  /// Unit normal of a point; 0 where there is none.
+  /// Returns the unit normal of a point; 0 if it has none.
   glm::vec3 NormalOf(vtkIdType point)
   {
     double n[3] = { 0.0, 0.0, 0.0 };
@@ -313,7 +314,7 @@ private:
     return length > 0.0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0.f);
   }
 
-  /// `id` is of the surface.
+  /// Adds a query point for the point or cell `id` of the surface.
   void AddSite(vtkIdType id, glm::vec3 position, glm::vec3 normal, float spacing)
   {
     if (!this->Originals.empty())
@@ -322,7 +323,7 @@ private:
     }
     if (id < 0)
     {
-      return; // a point that the data set lacks
+      return; // added by the surface extraction
     }
     if (normal == glm::vec3(0.f))
     {
@@ -337,7 +338,8 @@ private:
     this->Result.Ids.push_back(id);
   }
 
-  /// Of `count` points or cells; several sites may be faces of one cell.
+  /// Counts the points or cells, `count` in total, without a query point. A cell may have several, one
+  /// per face.
   void CountUnused(vtkIdType count)
   {
     std::vector<vtkIdType> ids = this->Result.Ids;
@@ -460,12 +462,12 @@ private:
   BakeInput Result;
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkDataArray> Normals;
-  std::vector<vtkIdType> Originals; ///< per point or cell of Mesh: that of Data; empty: the same
+  std::vector<vtkIdType> Originals; ///< id in Data of each point or cell of Mesh; empty if equal
   std::vector<glm::vec3> Positions;
   std::vector<char> Finite;
   std::vector<glm::uvec3> Triangles;
-  std::vector<float> EdgeSums; ///< per point: lengths of the edges of its triangles
-  std::vector<int> EdgeCounts;
+  std::vector<float> EdgeSums; ///< per point, total length of the edges of its triangles
+  std::vector<int> EdgeCounts; ///< per point, number of these edges
 };
 
 }

@@ -15,29 +15,30 @@ namespace penumbra
 namespace
 {
 
-/// Squares of a level are half as wide as those of the level before, from so many spacings on down
-/// to about one.
+/// Width of the grid cells of the first level in spacings, and number of levels. Each level halves the
+/// width, down to one spacing.
 constexpr float CoarsestSquare = 32.f;
 constexpr int Levels = 6;
 
-/// A record costs about as much as two answers of brute force (it needs the nearest hit, and more
-/// rays for its derivatives). A level whose records do not serve so many sites each is the last.
+/// A level whose records cover fewer points each is the last. A record costs about as much as two points
+/// by brute force, because it needs nearest hits and more rays for its derivatives.
 constexpr double LeastServed = 2.5;
 
-/// The same where neighbours make answers cheaper. Measured on a scan of 104 thousand points.
+/// The same if other points use denoised low-sample estimates, which are cheaper. Measured on a scan of
+/// 104 thousand points.
 constexpr double LeastServedOverShared = 16.0;
 
-/// Where of the first answers, in every so manieth square, fewer are made certain by their neighbours,
-/// brute force is as fast.
+/// Denoising is tried on the points in one of TrialInterval grid cells of width TrialCellWidth. If the
+/// fraction of these points that it can denoise is below the minimum, brute force is as fast.
 constexpr double LeastShared = .4;
 constexpr float SquareOfTrial = 6.f; ///< spacings
 constexpr std::size_t SquaresOfTrial = 16;
 
-/// Shares of the progress.
+/// Fraction of the progress spent on records; the rest is spent on rays.
 constexpr double ProgressOfRecords = 0.5;
 
-/// Which sites still need a record, one of each square of space and each octant of normals: the one
-/// nearest to the middle.
+/// Chooses record candidates: for each grid cell and octant of normals, the point nearest to the center of
+/// the cell.
 class CandidateGrid
 {
 public:
@@ -95,7 +96,7 @@ private:
   const std::vector<RecordCandidate>& Sites;
 };
 
-/// Runs work(i) for `count` sites at one place of the progress; throws Stopped.
+/// Runs work(i) for `count` points at constant progress; throws Stopped if a stop is requested.
 template <typename Work>
 void Each(std::size_t count, double share, const ProgressCallback& progress, const Work& work)
 {
@@ -105,7 +106,7 @@ void Each(std::size_t count, double share, const ProgressCallback& progress, con
   }
 }
 
-/// Those of `from` that no record covers; counts those that one serves.
+/// Returns the points of `from` that no record covers.
 std::vector<std::size_t> Uncovered(const std::vector<RecordCandidate>& sites,
   const RecordOctree& tree, const std::vector<std::size_t>& from, const ProgressCallback& progress)
 {
@@ -123,7 +124,7 @@ std::vector<std::size_t> Uncovered(const std::vector<RecordCandidate>& sites,
   return left;
 }
 
-/// Records from coarse to fine; false when stopped.
+/// Places records from coarse to fine. Returns false if stopped.
 bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, double leastServed,
   RecordPlacement& places, const RecordOctree& tree, const ProgressCallback& progress)
 {
@@ -162,7 +163,7 @@ bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, doub
   return true;
 }
 
-/// Values of the sites that records serve or lie at; returns the others.
+/// Sets the values of points that can be interpolated or that have a record. Returns the other points.
 std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
   const RecordOctree& tree, double share, const ProgressCallback& progress, BakedValues& result)
 {
@@ -194,7 +195,7 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
   return left;
 }
 
-/// Answers for sites without records.
+/// Computes values at points without records.
 struct PointEvaluator
 {
   const std::vector<RecordCandidate>& Sites;
@@ -208,8 +209,8 @@ struct PointEvaluator
     return this->Ask(this->How.BruteForce, which, begin, 1.0, progress);
   }
 
-  /// Few rays for each, then each with its neighbours; those that remain too uncertain become
-  /// `uncertain`. Tried on a part first: all the others are uncertain where it does not pay there.
+  /// Computes low-sample estimates and denoises them. Points with too large an error are returned in
+  /// `uncertain`. If denoising fails for most points of a trial subset, all points are returned.
   bool ByNeighbours(const std::vector<std::size_t>& which, float spacing, double begin, double end,
     const ProgressCallback& progress, std::vector<std::size_t>& uncertain)
   {
@@ -260,8 +261,9 @@ private:
     return done;
   }
 
-  /// How many of the values are certain with their neighbours' help: the most certain ones, as many as
-  /// are allowed in the mean. With `uncertain` they take it, and the others are appended to that.
+  /// Returns the number of values that can be denoised: those with the smallest errors, as many as keep
+  /// the RMS error within LowSampleError. If `uncertain` is not null, sets these values and appends the
+  /// other points to `uncertain`.
   std::size_t Share(const std::vector<std::size_t>& which, float spacing, double share,
     const ProgressCallback& progress, std::vector<NoisyEstimate>& answers,
     std::vector<std::size_t>* uncertain)
@@ -274,7 +276,7 @@ private:
     const LocalRegression neighbours(this->Sites, which, spacing);
     std::vector<NoisyEstimate> fitted(which.size());
     Each(which.size(), share, progress, [&](int i) {
-      // Where all rays agree nothing is added: in the open occlusion is 0.
+      // Keep estimates of exactly 0 or 1, so that unoccluded points stay at 0.
       const NoisyEstimate& own = answers[which[i]];
       const bool agree = own.Mean == 0.f || own.Mean == 1.f;
       fitted[i] = agree ? own : neighbours.Fit(which[i], answers);
@@ -297,7 +299,7 @@ private:
     return certain;
   }
 
-  /// The greatest error for which the RMS of all up to it is `allowed`.
+  /// Returns the maximum error for which the RMS of all errors up to it is at most `allowed`.
   static float LimitOf(const std::vector<NoisyEstimate>& values, float allowed)
   {
     std::vector<float> errors;

@@ -22,7 +22,7 @@ vtkSmartPointer<vtkCompositeDataIterator> Leaves(vtkCompositeDataSet* data)
   return vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
 }
 
-/// The tuples from `first` on of every array that `joined` lacks.
+/// Copies `count` tuples, starting at `first`, of every array of `baked` that `joined` lacks.
 void CopyNewArrays(vtkDataSetAttributes* baked, vtkDataSetAttributes* joined, vtkIdType first,
   vtkIdType count, vtkDataSetAttributes* block)
 {

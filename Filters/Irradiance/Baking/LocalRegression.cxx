@@ -11,30 +11,29 @@ namespace penumbra
 namespace
 {
 
-/// How far neighbours count, in spacings, and how much their normals may differ (cosine). Measured on a
-/// scan of 104 thousand points: further ones, and more different ones, bring more bias than they take
-/// noise.
+/// Radius of the neighborhood in spacings, and minimum cosine between normals. Larger neighborhoods add
+/// more bias than they remove noise. Measured on a scan of 104 thousand points.
 constexpr float ReachInSpacings = 2.5f;
 constexpr float LeastCosine = .95f;
 
-/// Brute force tells a variance above the true one, by this.
+/// True variance over the variance that brute force estimates, which is too large.
 constexpr double ShareOfVariance = .6;
 
-/// Answers with less noise than the others count more; this share of the mean variance, added to that
-/// of each, keeps single ones from deciding.
+/// Fraction of the mean variance that is added to the variance of each estimate before the weights are
+/// computed. It prevents single estimates from dominating the fit.
 constexpr float CommonShare = .5f;
 
-/// Added to the diagonal, over the sum of weights: where all neighbours lie in a line, or all have one
-/// normal, the function is level across.
+/// Ridge regularization: added to the diagonal, as a fraction of the sum of weights. Makes the function
+/// constant in directions without data, such as across a line of neighbors.
 constexpr double Ridge = 1e-3;
 
-/// Fitted values err by less than noise and scatter together tell, by this. Measured there, too.
+/// True error of fitted values over the estimate from noise and residual. Measured on the same scan.
 constexpr double ShareOfError = .8;
 
-/// So many more answers than terms.
+/// Minimum number of estimates in excess of the number of terms.
 constexpr std::size_t LeastSurplus = 2;
 
-/// Sites of one cell that are looked at: many times what a mesh of even density has there.
+/// Maximum number of points used per grid cell, many times the number on a mesh of uniform density.
 constexpr std::size_t MostOfCell = 128;
 
 }
@@ -68,7 +67,7 @@ std::array<std::int64_t, 3> LocalRegression::CellOf(glm::vec3 position) const
 
 std::uint64_t LocalRegression::KeyOf(const std::array<std::int64_t, 3>& cell)
 {
-  // Far cells may share a key: their sites are told apart by distance.
+  // Distant cells may have the same key: their points are rejected by distance.
   constexpr std::uint64_t Mask = (1u << 21) - 1;
   return (static_cast<std::uint64_t>(cell[0]) & Mask) << 42 |
     (static_cast<std::uint64_t>(cell[1]) & Mask) << 21 |
@@ -101,14 +100,14 @@ void LocalRegression::FindRows(
     {
       continue;
     }
-    // Of a crowded cell some sites tell what all of them would.
+    // Use a subset of the points of a crowded cell.
     const auto [first, last] = found->second;
     const std::size_t step = (last - first + MostOfCell - 1) / MostOfCell;
     for (std::size_t at = first; at < last; at += step)
     {
       add(this->Order[at]);
     }
-    // The site asked for is among them: a cell's sites are in their order.
+    // Make sure that the subset includes the point itself. Points of a cell are sorted by index.
     const auto begin = this->Order.begin() + static_cast<std::ptrdiff_t>(first);
     const auto own =
       std::lower_bound(begin, begin + static_cast<std::ptrdiff_t>(last - first), index);
@@ -133,14 +132,14 @@ void LocalRegression::FindRows(
 NoisyEstimate LocalRegression::Fit(
   std::size_t index, const std::vector<NoisyEstimate>& answers) const
 {
-  thread_local std::vector<Row> rows; // its memory is kept
+  thread_local std::vector<Row> rows; // reused to avoid allocations
   this->FindRows(index, answers, rows);
   if (rows.size() < Terms + LeastSurplus)
   {
     return {};
   }
-  // Least squares: the normal equations, and two right sides: the answers, for the function; the first
-  // unit vector, for how much each answer weighs in its value here.
+  // Normal equations of the least-squares fit with two right-hand sides: the estimates, for the function,
+  // and the first unit vector, for the weight of each estimate in the fitted value.
   double m[Terms][Terms + 2] = {};
   double weights = 0.0;
   for (const Row& row : rows)
@@ -164,7 +163,7 @@ NoisyEstimate LocalRegression::Fit(
     }
   }
   m[0][Terms + 1] = 1.0;
-  for (int pivot = 0; pivot < Terms; ++pivot) // positive definite: no search for pivots
+  for (int pivot = 0; pivot < Terms; ++pivot) // positive definite: pivoting is not needed
   {
     for (int i = 0; i < Terms; ++i)
     {

@@ -3,25 +3,25 @@
 //
 // With L the radiance, the mean is F = 1/pi * integral of L cos. Where L jumps by dL across a
 // boundary, F changes as the boundary moves. Let e be the unit normal of the boundary, in the
-// tangent plane of the sphere of directions, towards the side with less; dl its element; r the
-// distance of the nearer side, whose rim it is, and w its direction. When the point moves by d, the
-// rim is seen to move by -d.e/r, so that
+// tangent plane of the sphere of directions, toward the side with less radiance; dl its element; r the
+// distance of the nearer side, whose edge it is; and w its direction. If the point moves by d, the
+// projected edge moves by -d.e/r, so that
 //
 //   gradient  g = -1/pi * sum over boundaries of dL cos(w) e dl / r,
 //
 // of which the part in the tangent plane is kept. e dl = w x dw is linear in the path: a staircase
-// along the sides of cells leads to the same sum as the smooth boundary. Differentiating once more
-// with the rim fixed in space, the symmetric part that remains for closed rims is
+// along the sides of cells gives the same sum as the smooth boundary. Differentiating again with the
+// edge fixed in space, the symmetric part that remains for closed edges is
 //
 //   Hessian   H = -4/pi * sum of dL cos(w) / r^2 * sym(w e^T) dl.
 //
-// A round object's rim slides along it as the point moves; H leaves that out, being used for
-// radii only. Where the rim is not an object's end but the limit of reach on a surface with normal
-// m, the boundary moves along m' = m - (m.w) w by -(m.d) / (reach |m'|), which has its own term.
+// The silhouette of a round object slides along the object as the point moves. H omits this term,
+// because it is used for radii only. If the boundary is not an edge but the maximum distance R on a
+// surface with normal m, it moves along m' = m - (m.w) w by -(m.d) / (R |m'|), a separate term.
 //
-// With a fall-off D the radiance of a place at distance t in direction w is D(t), which changes by
-// -D'(t) w.d as the point moves: that adds its mean over the hemisphere to g. To H it adds the mean of
-// D'' w w^T + D'/t (1 - w w^T), and both mixed derivatives: the sums above of the jumps of -D' w.
+// With a falloff D, the radiance of a hit at distance t in direction w is D(t), which changes by
+// -D'(t) w.d as the point moves. Its mean over the hemisphere is added to g. To H it adds the mean of
+// D'' w w^T + D'/t (1 - w w^T) and both mixed derivatives: the sums above of the jumps of -D' w.
 #include "HemisphereEstimate.h"
 
 #include <algorithm>
@@ -34,35 +34,38 @@ namespace
 
 constexpr float Pi = 3.14159265f;
 
-/// Parts of luminance (ITU-R BT.709): one Hessian serves all channels.
+/// Luminance weights (ITU-R BT.709). One Hessian is used for all channels.
 const glm::vec3 Luminance(.2126f, .7152f, .0722f);
 
-/// A cell on a straight boundary holds p of one side; p (1 - p), the variance of its one sample, is
-/// 1/6 in the mean, and a staircase has about 4/3 sides a cell.
+/// Variance per boundary side, as a fraction of the squared jump. A fraction p of a cell on a straight
+/// boundary lies on one side. The variance of its single sample, p (1 - p), is 1/6 on average, and a
+/// staircase has about 4/3 sides per cell.
 constexpr float VariancePerSide = 1.f / 8.f;
 
-/// Directions lower than this (cosine to the normal) may meet walls; steeper surfaces than that
-/// (cosine between normals) are walls.
+/// A hit is a wall if the cosine between its direction and the normal is below the first constant and
+/// the cosine between the normals is below the second.
 constexpr float LowCosine = .35f;
 constexpr float SteepCosine = .7f;
 
-/// Directions lower than this do not count for the nearest hit [IC]: on every concave surface it
-/// would be 0.
+/// Directions with a smaller cosine to the normal are ignored for the nearest hit [IC], which would be 0
+/// on every concave surface.
 constexpr float GrazingCosine = .3f;
 
-/// Normals of one plane.
+/// Minimum cosine between normals of one plane.
 constexpr float FlatCosine = .99999f;
 
-/// No rim is believed to be further than this times the hit that tells of it.
+/// Upper bound of the distance of an occluder edge, relative to the hit next to it.
 constexpr float FarthestOccluderEdge = 4.f;
 
-/// Nor nearer than this, in scene units: in a corner it would be 0, and derivatives infinite.
+/// Lower bound of the distance of an occluder edge, in scene units. In a corner it would be 0 and the
+/// derivatives infinite.
 constexpr float NearestRim = 1e-9f;
 
-/// Surfaces seen more face-on than this (sine, squared) have no clear line where reach ends.
+/// Lower bound of the squared sine between view direction and surface normal, which limits the gradient
+/// at the maximum distance on surfaces seen face-on.
 constexpr float LeastSlope = .05f;
 
-/// Sums over the boundaries between cells.
+/// Sums derivatives over the boundaries between cells.
 class Boundaries
 {
 public:
@@ -77,7 +80,7 @@ public:
   {
   }
 
-  /// The side from corner `from` to corner `to` between cells `one` and `other`.
+  /// Adds the side from corner `from` to corner `to` between cells `one` and `other`.
   void Add(int one, int other, glm::vec3 from, glm::vec3 to)
   {
     const bool oneIsNear = this->Sights[one].Distance <= this->Sights[other].Distance;
@@ -123,13 +126,12 @@ public:
     this->SlopesPerRim += std::abs(drop) * cosine * length / (rim * rim);
     const float bend = -4.f * cosine * drop / (Pi * rim * rim);
     this->HessianSums += bend * Symmetric(glm::vec2(w), glm::vec2(across));
-    // Where reach ends the fall-off is 0, wherever that is: one of the two derivatives is left.
+    // At the maximum distance the falloff is 0 everywhere, so that only one mixed derivative remains.
     this->HessianSums +=
       (endsByReach ? 1.f : 2.f) * Symmetric(this->Drift(near) - this->Drift(far), change);
   }
 
-  /// What lies within `cell`, whose part of the hemisphere is `share`, counts more or less as the point
-  /// moves.
+  /// Adds the derivatives of the falloff within `cell`, which covers the fraction `share` of the hemisphere.
   void AddFading(int cell, float share)
   {
     const float distance = std::max(this->Sights[cell].Distance, NearestRim);
@@ -148,7 +150,7 @@ public:
     this->HessianSums += share * (bend * Symmetric(w, w) + glm::vec3(slope, slope, 0.f));
   }
 
-  /// Largest absolute eigenvalue of the Hessian.
+  /// Returns the maximum absolute eigenvalue of the Hessian.
   float Bend() const
   {
     const float difference = this->HessianSums.x - this->HessianSums.y;
@@ -167,13 +169,13 @@ public:
   std::array<glm::vec2, 3> Gradient{};
 
 private:
-  /// xx, yy, xy of the symmetric part of a b^T.
+  /// Returns xx, yy, xy of the symmetric part of a b^T.
   static glm::vec3 Symmetric(glm::vec2 a, glm::vec2 b)
   {
     return { a.x * b.x, a.y * b.y, .5f * (a.x * b.y + a.y * b.x) };
   }
 
-  /// How the fall-off of what `cell` sees changes as the point moves.
+  /// Returns the derivative of the falloff in `cell` with respect to the position of the point.
   glm::vec2 Drift(int cell) const
   {
     const float distance = std::max(this->Sights[cell].Distance, NearestRim);
@@ -182,9 +184,9 @@ private:
       : -this->Fading.Derivative(distance) * glm::vec2(this->Directions[cell]);
   }
 
-  /// Distance of the rim that ends the surface met in cell `near`, an angle `gap` away: a flat one goes on
-  /// until half-way to `far`; were it round, it would end there tangentially. Not further than what lies
-  /// behind.
+  /// Estimates the distance of the edge of the surface hit in cell `near`. A planar surface is extended
+  /// halfway to cell `far`; a curved one is assumed to end tangentially at the angle `gap`. The result
+  /// is at most the distance of the hit in `far`.
   float Rim(int near, int far, float gap) const
   {
     const float distance = this->Sights[near].Distance;
@@ -206,7 +208,7 @@ private:
     return std::max(std::min(rim, this->Sights[far].Distance), NearestRim);
   }
 
-  /// Nothing was seen in `far`: is that because the surface of `near` goes on beyond reach?
+  /// Returns true if `far` has no hit because the surface of `near` continues beyond the maximum distance.
   bool EndsByReach(int near, int far, glm::vec3 m) const
   {
     if (std::isinf(this->Fading.Radius) || !std::isinf(this->Sights[far].Distance))
@@ -225,8 +227,8 @@ private:
   const std::vector<HemisphereSample>& Sights;
   DistanceFalloff Fading;
   glm::vec3 HessianSums{ 0.f }; ///< xx, yy, xy
-  float Slopes = 0.f;           ///< their absolute values
-  float SlopesPerRim = 0.f;     ///< each over its rim's distance
+  float Slopes = 0.f;           ///< sum of absolute gradients
+  float SlopesPerRim = 0.f;     ///< sum of absolute gradients, each over the distance of its edge
 };
 
 void AddBoundaries(const HemisphereGrid& grid, Boundaries& boundaries)

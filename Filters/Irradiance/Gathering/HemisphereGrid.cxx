@@ -13,18 +13,18 @@ namespace penumbra
 namespace
 {
 
-/// Points along each side of a cell that its integral is summed over.
+/// Number of integration points along each side of a cell.
 constexpr int IntegrationPoints = 8;
 
-/// A point of an integral along one side of a cell, over the coordinate a from -1 to 1.
+/// Integration point along one side of a cell, in disk coordinates [0, 1].
 struct Abscissa
 {
   float At;
   float Weight;
 };
 
-/// Solid angle grows without bound, like 1 / sqrt(1 - a^2), towards the rim of the disc; with
-/// a = sin t it does not.
+/// Solid angle per disk area diverges at the edge of the disk like 1 / sqrt(1 - a^2), with a in
+/// [-1, 1]. The substitution a = sin t removes the singularity.
 std::array<Abscissa, IntegrationPoints> PointsAlong(int cell, int side)
 {
   const double low = std::asin(2.0 * cell / side - 1.0);
@@ -48,7 +48,7 @@ glm::vec2 TiltOf(int i, int j, int side)
     for (const Abscissa& v : PointsAlong(j, side))
     {
       const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(u.At, v.At));
-      // Solid angle is the disc's area over the cosine.
+      // Solid angle is disk area over the cosine.
       sum += glm::vec2(direction) * (u.Weight * v.Weight / std::max(direction.z, 1e-6f));
     }
   }

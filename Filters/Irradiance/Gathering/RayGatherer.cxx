@@ -14,9 +14,9 @@ namespace
 
 constexpr std::size_t PacketSize = 16;
 
-/// Points along the sides of a triangle that shines.
-constexpr int BeamsAlong = 4;
-constexpr float BeamsOfLamp = .5f * BeamsAlong * (BeamsAlong + 1);
+/// Number of samples along each side of a triangular emitter, and on the whole triangle.
+constexpr int SamplesPerSide = 4;
+constexpr float SamplesPerEmitter = .5f * SamplesPerSide * (SamplesPerSide + 1);
 
 constexpr float Pi = 3.14159265f;
 

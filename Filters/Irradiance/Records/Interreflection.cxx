@@ -10,26 +10,29 @@ namespace penumbra
 namespace
 {
 
-/// Places that look for others, and the side of the grid of rays that each sends out.
+/// Approximate number of points (less than twice as many) that trace rays to find candidates, and side of
+/// the grid of rays of each.
 constexpr std::size_t MostViewpoints = 1024;
 constexpr int SideOfViewpoints = 8;
 
-/// Errors of these records are averaged over the hemisphere, and dimmed by each reflection: what they
-/// may be, over those of the records that ask. Measured by the benchmark `irradiance`.
+/// Tolerance of these records over that of the records that use them. Larger than 1 because their errors
+/// are averaged over the hemisphere and attenuated by each reflection. Measured with the benchmark
+/// `irradiance`.
 constexpr double ToleranceShare = 4.0;
 
-/// What stands for a pixel where a ray of length 1 ends: a ray's part of the hemisphere is about 14
-/// times as wide at the usual 1024 rays.
+/// Pixel size of a candidate over the length of the ray that found it. The solid angle of one of the
+/// usual 1024 rays is about 14 times as wide.
 constexpr float PixelOfDistance = .004f;
 
-/// Rays that end nearer than this share of the mean do so in corners; records there are no smaller.
+/// Minimum pixel size of a candidate as a fraction of the mean. Smaller ones lie in corners.
 constexpr float LeastDistance = .25f;
 
-/// Sites are tried in levels, each twice the one before, until so few of a level are records.
+/// Number of candidates of the first level, which doubles with each level, and fraction of candidates
+/// that become records below which a level is the last.
 constexpr std::size_t FirstLevel = 64;
 constexpr double LeastShareMade = .02;
 
-/// What the records of `tree`, which must outlive it, know.
+/// Returns a function that looks up the records of `tree`, which must outlive it.
 LightGatherer::KnownLight KnownBy(const RecordOctree& tree)
 {
   return [&tree](glm::vec3 point, glm::vec3 normal) -> std::optional<glm::vec3> {

@@ -10,11 +10,11 @@ namespace penumbra
 namespace
 {
 
-/// Surfaces seen more edge-on than this (cosine) do not make pixels still larger.
+/// Lower bound of the cosine between view direction and normal, which limits the projected pixel size.
 constexpr double LeastCosine = .02;
 
-/// No record reaches nearer to the eye than this share of its own distance, where its radius would be
-/// many more pixels: one that misses everything far away says nothing there.
+/// The sphere of a record stays beyond this fraction of its distance from the camera. Nearer points would
+/// see its radius as many pixels, and a far record may miss occluders that matter to them.
 constexpr double NearestShare = .5;
 
 bool IsOfLevel(int x, int y, int stride, int level)

@@ -7,8 +7,8 @@ namespace penumbra
 namespace
 {
 
-/// |second derivative| times this and the square of the distance is what a record is believed to
-/// err: half of it along the line of the greatest bend, less along others.
+/// Estimated error of a record, over its Hessian norm times the squared distance. It is 1/2 in the
+/// direction of the maximum second derivative and less in others.
 constexpr float HessianErrorFraction = .25f;
 
 }

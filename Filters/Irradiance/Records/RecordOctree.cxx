@@ -11,21 +11,21 @@ namespace penumbra
 namespace
 {
 
-/// A leaf with more is split, unless its records are as large as itself: half of its side under so
-/// many of their mean radii. Small leaves cost more memory, and time to fetch it, than they save
-/// comparisons. Measured by the benchmark `irradiance`.
+/// A leaf with more references is split if half of its side is at least LeastHalf times the mean radius
+/// of its records. Smaller leaves cost more memory accesses than they save comparisons. Measured with
+/// the benchmark `irradiance`.
 constexpr std::size_t ReferencesOfALeaf = 24;
 constexpr float LeastHalf = 2.f;
 
-/// No node is smaller than this share of the root: any number of records may lie at one place.
+/// Minimum size of a node as a fraction of the root. Bounds the depth if many records coincide.
 constexpr float SmallestNode = 1e-5f;
 
-/// Floors and walls often pass through the middle of a scene, and would be on both sides of every
-/// boundary there: the root is larger than asked for and off its place by such shares.
+/// Shift and growth of the root cube as fractions of its size. Floors and walls often pass through the
+/// center of a scene, where all their records would be referenced on both sides of node boundaries.
 constexpr float RootShift = .0137f;
 constexpr float RootGrowth = 1.03f;
 
-/// Which of a node's eight children around `center` holds `position`: one bit an axis.
+/// Returns the index of the child around `center` that contains `position`, one bit per axis.
 int Octant(glm::vec3 position, glm::vec3 center)
 {
   return (position.x >= center.x ? 1 : 0) + (position.y >= center.y ? 2 : 0) +
@@ -39,7 +39,7 @@ glm::vec3 CenterOf(int octant, glm::vec3 center, float half)
     glm::vec3(octant & 1 ? step : -step, octant & 2 ? step : -step, octant & 4 ? step : -step);
 }
 
-/// Does the sphere's box reach into the octant? The outermost octants have no outer ends.
+/// Returns true if the bounding box of the sphere overlaps the octant, which has no outer bounds.
 bool Reaches(glm::vec3 position, float radius, int octant, glm::vec3 center)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -55,7 +55,7 @@ bool Reaches(glm::vec3 position, float radius, int octant, glm::vec3 center)
 
 constexpr int RecordsAtOnce = 32;
 
-/// Has the memory of a record on its way while others are looked at.
+/// Prefetches a record, so that memory latency overlaps with the processing of others.
 void Prefetch(const Record& record)
 {
 #ifdef __GNUC__
@@ -196,7 +196,7 @@ void RecordOctree::Split(std::size_t node, glm::vec3 center, float half)
 template <typename Work>
 void RecordOctree::ForEachAround(glm::vec3 position, const Work& work) const
 {
-  // Memory is asked for all of them before the first is read.
+  // Prefetch a batch of records before reading the first one.
   const Record* around[RecordsAtOnce];
   int count = 0;
   for (const Reference& reference : this->LeafAt(position).References)

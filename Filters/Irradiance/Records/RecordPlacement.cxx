@@ -12,58 +12,62 @@ namespace penumbra
 namespace
 {
 
-/// Where the best record weighs less, another is made: overlaps are smooth. Measured by the
-/// benchmark `irradiance` (more overlap costs records and gains less than the tolerance).
+/// A point is covered if the maximum weight of a record exceeds this. Some overlap makes transitions
+/// smooth; more overlap costs records and gains less than the tolerance (benchmark `irradiance`).
 constexpr float LeastWeight = .05f;
 
-/// A record errs by half its bend times the square of the distance; weights that fall towards its
-/// rim, and neighbours that err the other way, let it reach this times further than its own
-/// error there allows. Measured by the benchmark `irradiance`.
+/// Factor on the radius at which the error of a single record, half its Hessian norm times the squared
+/// distance, equals the tolerance. Larger than 1 because weights decrease toward the radius and errors
+/// of neighboring records cancel. Measured with the benchmark `irradiance`.
 constexpr double OverlapFactor = 2.0;
 
-/// A grid of this side errs by about this much where half of the hemisphere is blocked, and by the
-/// power -3/2 of the side. Measured by the benchmark `irradiance`.
+/// Error of the mean of a grid with side ReferenceSide if half of the hemisphere is occluded. It
+/// decreases with the power -3/2 of the side. Measured with the benchmark `irradiance`.
 constexpr double ReferenceSide = 32.0;
 constexpr double ReferenceError = .005;
 
-/// Side of the first look. A finer one follows where anything was seen to change; what hides from
-/// this one is too small or too far to matter within a record's greatest radius.
+/// Side of the first grid. The full grid follows if the samples of the first differ. Occluders that the
+/// first grid misses are too small or too far to matter within the maximum radius.
 constexpr int FirstSide = 16;
 
-/// No record serves nearer to a rim than this share of its distance: derivatives change there.
+/// Maximum radius as a fraction of the distance of occluder edges, near which the derivatives change.
 constexpr float OccluderEdgeFraction = .5f;
 
-/// Between the accuracy of the split-sphere radii (a share of the distance) and the tolerance:
-/// about the .3 that is usual at a tolerance of .005.
+/// Ratio of the accuracy of split-sphere radii (a fraction of the distance) to the square root of the
+/// tolerance. Gives about the usual accuracy of 0.3 at a tolerance of 0.005.
 constexpr double SplitSphereAccuracy = 4.0;
 
-/// Nor, where nothing was seen to change, further than this share of the site's own limit: what stands
-/// low in the distance hides from the grid, but does not from places nearer to it.
+/// Maximum radius as a fraction of the limit of the candidate if all samples are equal. The grid misses
+/// low distant occluders that nearer points see.
 constexpr double ShareOfEmpty = .5;
 
-/// Nor further than this share of the way to where a lamp is hidden or comes into sight. What is
-/// nearer than this share of a lamp's distance hides it.
+/// Maximum radius as a fraction of the distance to the shadow boundary of an emitter.
 constexpr double ShareOfShadow = .5;
+
+/// Hits nearer than this fraction of the distance of an emitter occlude it.
 constexpr float ShareOfLamp = .97f;
 
-/// Nor further than this share of reach: what lies beyond reach was not seen.
+/// Maximum radius as a fraction of the maximum distance of occluders; rays end at that distance.
 constexpr float ShareOfReach = .25f;
 
-/// A record that should reach less than this share of the least radius does not serve: its error
-/// would be above twice the tolerance. It keeps others from being made in so many least radii.
+/// A record is invalid if its radius is below this fraction of the minimum radius: its error would be
+/// above twice the tolerance.
 constexpr double LeastShare = .7;
+
+/// Radius of an invalid record over the minimum radius. No other record is placed within this radius.
 constexpr double InvalidRadiusFactor = 2.0;
 
-/// Of the tolerance: what the noise of one record may be, where cells are looked at closer.
+/// Accepted noise of one record as a fraction of the tolerance if cells are supersampled.
 constexpr double NoiseShare = .5;
 
-/// No cell is cut finer than this, and all of them together take at most so many times their number of
-/// rays.
+/// Maximum number of parts along each side of a supersampled cell.
 constexpr int Finest = 12;
+
+/// Maximum number of supersampling rays over the number of cells.
 constexpr double MostRays = 3.0;
 
-/// What the one sample of a cell may be off its mean, by its neighbours: the share of a cell that a
-/// straight boundary cuts varies by 1/6.
+/// Estimates the variance of the single sample of a cell from its neighbors. The covered fraction of a
+/// cell that a straight boundary cuts has the variance 1/6.
 float VarianceOf(const HemisphereGrid& grid, const std::vector<HemisphereSample>& sights, int cell)
 {
   const int i = cell % grid.Side;
@@ -78,7 +82,7 @@ float VarianceOf(const HemisphereGrid& grid, const std::vector<HemisphereSample>
   return most * most / 6.f;
 }
 
-/// Which of them looks along `direction` (local); -1 below the horizon.
+/// Returns the cell that contains `direction` (local coordinates); -1 below the horizon.
 int CellOf(const HemisphereGrid& grid, glm::vec3 direction)
 {
   if (direction.z < 0.f)
@@ -91,8 +95,9 @@ int CellOf(const HemisphereGrid& grid, glm::vec3 direction)
   return in.y * grid.Side + in.x;
 }
 
-/// A lamp of `strength` may be seen in and around the cell of `direction` (local), though no ray met
-/// it: what is uncertain must not depend on luck, or small lamps would be too dark on average.
+/// Raises the variance of the cells around `direction` (local coordinates), because an emitter of
+/// `strength` may be visible there even if no ray hit it. Without this, the rays of small emitters would
+/// depend on chance hits and such emitters would be too dark on average.
 void RaiseVarianceNearEmitter(
   const HemisphereGrid& grid, glm::vec3 direction, float strength, std::vector<float>& variances)
 {
@@ -114,8 +119,8 @@ void RaiseVarianceNearEmitter(
   }
 }
 
-/// How far one may go until `beam` is blocked, or no longer blocked: until the edge of what blocks has
-/// moved so far before what lies behind.
+/// Returns the distance that the point may move until `beam` becomes occluded or unoccluded: until the
+/// nearest projected occluder edge reaches the direction of `beam`.
 double ShadowDistance(const std::vector<glm::vec3>& directions,
   const std::vector<HemisphereSample>& sights, const EmitterSample& beam, int cell)
 {
@@ -134,8 +139,8 @@ double ShadowDistance(const std::vector<glm::vec3>& directions,
   return least;
 }
 
-/// The same for whole lamps that matter. One that is seen in part does not count: its border is among
-/// those that make derivatives.
+/// Returns the minimum over all emitters whose contribution exceeds `tolerance`. Partially occluded
+/// emitters are skipped, because the derivatives include their boundaries.
 double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
   const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& sights,
   const std::vector<EmitterSample>& beams, double tolerance)
@@ -170,9 +175,9 @@ double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
   return least;
 }
 
-/// Into how many parts along each side cells are cut, so that the sum of their variances is `allowed`
-/// at the least cost: m * m rays in a cell that a boundary cuts leave m^-3 of its variance, which is
-/// best shared out by m^5 in proportion to the variance.
+/// Returns the number of parts m along each side of each cell for which the sum of variances is at most
+/// `allowed` at minimum cost. m * m rays in a cell that a boundary cuts reduce its variance to m^-3,
+/// so that m^5 in proportion to the variance is optimal.
 std::vector<int> AllocateSubsamples(const std::vector<float>& variances, double allowed)
 {
   std::vector<int> finer(variances.size(), 1);
@@ -204,7 +209,7 @@ std::vector<int> AllocateSubsamples(const std::vector<float>& variances, double 
   return finer;
 }
 
-/// The next m * m of `closer` become one.
+/// Averages the next m * m samples of `closer` into `sight`.
 void AverageSubsamples(
   int m, std::vector<HemisphereSample>::const_iterator& closer, HemisphereSample& sight)
 {
@@ -222,11 +227,11 @@ void AverageSubsamples(
   sight.Variance = 1.f / static_cast<float>(m * m * m);
 }
 
-/// Shares of the angle between a ray and the horizon of the flat surface that it met, where one looks
-/// whether that goes on.
+/// Fractions of the angle between a ray and the horizon of the planar surface that it hit, at which
+/// further rays test whether the surface continues.
 constexpr float SharesOfHorizon[] = { .002f, .016f, .125f };
 
-/// Is `cell` the last that sees a flat surface, before a neighbour that looks beyond its horizon?
+/// Returns true if `cell` hits a planar surface and a neighboring cell lies beyond its horizon.
 bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& directions,
   const std::vector<HemisphereSample>& sights, int cell)
 {
@@ -244,7 +249,8 @@ bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& dir
     IsFlat(grid, sights, cell);
 }
 
-/// Does a place lie in the corner itself? Then rounding says on which side of the other surface.
+/// Returns true if `place` lies on the line of a corner, where rounding decides on which side of the other
+/// surface it is.
 bool IsInCorner(glm::vec3 place, const std::vector<HemisphereSample>& sights)
 {
   const float gap = RayOriginOffset(place);
@@ -278,7 +284,7 @@ int RecordPlacement::SideFor(double tolerance)
 
 float RecordPlacement::NormalAngleFor(double tolerance)
 {
-  // Turning by an angle a leaves out at most about a^2 / 2 of the mean.
+  // Rotation by an angle a causes an error of at most about a^2 / 2 of the mean.
   const double angle = OverlapFactor * std::sqrt(2.0 * tolerance);
   return static_cast<float>(std::clamp(angle, .05, .7));
 }
@@ -343,14 +349,14 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
                                       : InvalidRadiusFactor * least);
   if (this->Settings.KeepAllValid && radius < record.Radius)
   {
-    // What changes faster than the record can follow changes no more within it than it should.
+    // Limit the change within the enlarged radius to that within the radius of the rule.
     for (glm::vec3& gradient : record.Gathered.Translation)
     {
       gradient *= static_cast<float>(radius) / record.Radius;
     }
   }
-  record.MaximumPlaneDistance =
-    site.Pixel; // more reaches parallel surfaces, such as the floors of shallow pockets
+  // A larger distance would include parallel surfaces, such as the floors of shallow pockets.
+  record.MaximumPlaneDistance = site.Pixel;
   return record;
 }
 

@@ -13,17 +13,18 @@ namespace penumbra
 namespace
 {
 
-/// Corners that are no records.
-constexpr std::int32_t Unknown = -1;
-constexpr std::int32_t Nothing = -2; ///< nothing is seen there
+/// Entries of corners without a record.
+constexpr std::int32_t Unknown = -1; ///< not sampled yet
+constexpr std::int32_t Nothing = -2; ///< background, or no record could be made
 
-/// Where the best corner weighs less, the square is halved: of squares whose corners are not all of one
-/// surface, beside which others lie on one side only.
+/// A square is subdivided if the maximum weight of a corner is at most this.
 constexpr float LeastWeight = .05f;
+
+/// The same if the four corners are not all on the surface of the center, which then has records on one
+/// side only.
 constexpr float LeastWeightBeside = .4f;
 
-/// With all four corners a place may lie further from some of them than their radius, but not more
-/// than this times.
+/// If all four corners are used, maximum distance of a point from each over the radius of its record.
 constexpr float ReachOfFour = 2.f;
 
 int PowerOfTwoBelow(double limit)

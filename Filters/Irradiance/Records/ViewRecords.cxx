@@ -12,12 +12,12 @@ namespace penumbra
 namespace
 {
 
-/// Where after the coarse levels more than this share of records does not serve, the rest is left
-/// to brute force.
+/// Maximum fraction of invalid records. If more are invalid at a stride of at most CoarseStride pixels,
+/// no further records are made and the rest is left to brute force.
 constexpr double MostIdle = 0.7;
 constexpr int CoarseStride = 16;
 
-/// The error of n rays over n^(-3/4), as of vtkPenumbraBruteForceIrradiance's, and no more rays than this.
+/// Error of n rays over n^(-3/4), as in vtkPenumbraBruteForceIrradiance, and maximum number of rays.
 constexpr double ReferenceError = .42;
 constexpr std::uint32_t MostRays = 16384;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The records of one picture: made level by level over its pixels, or where a question finds none; looked
-// up in space, or in the picture.
+// Records of one view, made level by level over its pixels or lazily by queries, and looked up in world
+// space or in screen space.
 #ifndef penumbra_ViewRecords_h
 #define penumbra_ViewRecords_h
 
@@ -20,13 +20,13 @@ class RayScene;
 class ViewRecords
 {
 public:
-  /// `rays` and `gatherer` must outlive this object.
-  /// `onScreen`: the cache of screen space, without `initial` records.
+  /// `rays` and `gatherer` must outlive this object. If `onScreen` is true, uses the screen-space cache
+  /// and ignores the `initial` records.
   ViewRecords(const RayScene& rays, const Gatherer& gatherer,
     const RecordPlacementSettings& settings, float normalAngle, bool onScreen,
     const std::vector<Record>& initial);
 
-  /// All records of the picture. False when `progress` stopped it.
+  /// Makes all records of the image. Returns false if `progress` requested a stop.
   bool PlaceLevels(const ProgressCallback& progress);
 
   InterpolationResult LookUp(const ShadingPoint& place) const
@@ -34,10 +34,10 @@ public:
     return this->Screen ? this->Screen->LookUp(place) : this->Tree.LookUp(place);
   }
 
-  /// The same in world space; makes a record where none serves [IC].
+  /// Looks up `place` in world space and makes a record there if none is valid [IC].
   InterpolationResult LookUpOrGather(const ShadingPoint& place);
 
-  /// Without records, to about the error `tolerance`; adds its rays to `rays`.
+  /// Gathers at `place` without records, to an error of about `tolerance`. Adds the number of rays to `rays`.
   InterpolationResult Gather(const ShadingPoint& place, double tolerance, long long& rays) const;
 
   const std::vector<Record>& GetRecords() const
@@ -61,8 +61,8 @@ private:
   const Gatherer& Source;
   RecordOctree Tree;
   RecordPlacement Places;
-  std::unique_ptr<ScreenSpaceRecords> Screen; ///< null: world space
-  std::mutex Lock;                            ///< of Tree and LazyRays in LookUpOrGather()
+  std::unique_ptr<ScreenSpaceRecords> Screen; ///< null in world space
+  std::mutex Lock;                            ///< guards Tree and LazyRays in LookUpOrGather()
   long long LazyRays = 0;
 };
 
