@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraGatherer
- * @brief   Interface for objects that sample the hemisphere above a record without tracing rays [IC].
+ * @brief   Interface for objects that sample the hemisphere of a record without rays [IC].
  *
- * Set with vtkPenumbraIrradianceCache::SetGatherer(). vtkPenumbraCubeMapGatherer rasterizes the scene.
- * All gatherers shade what they find in the same way, so that their records can replace each other.
+ * Set with vtkPenumbraIrradianceCache::SetGatherer(). vtkPenumbraCubeMapGatherer rasterizes the
+ * scene. All gatherers shade what they find in the same way, so that their records can replace each
+ * other.
  */
 #ifndef vtkPenumbraGatherer_h
 #define vtkPenumbraGatherer_h
@@ -29,9 +30,9 @@ public:
   vtkAbstractTypeMacro(vtkPenumbraGatherer, vtkObject);
 
   /**
-   * Returns a gatherer for the scene of the ray gatherer `seen`, which also shades the hits. `seen` and
-   * this object must outlive the returned object. Throws std::runtime_error if this machine or the scene
-   * is not supported.
+   * Returns a gatherer for the scene of the ray gatherer `seen`, which also shades the hits. `seen`
+   * and this object must outlive the returned object. Throws std::runtime_error if this machine or
+   * the scene is not supported.
    */
   VTK_WRAPEXCLUDE virtual std::unique_ptr<penumbra::Gatherer> Make(
     const penumbra::RayGatherer& seen) = 0;

@@ -5,15 +5,16 @@
  * @brief   Irradiance cache: occlusion and irradiance gathered at few points and interpolated [IC].
  *
  * Set with vtkPenumbraRayCaster::SetIrradianceSource(). A record stores a gathered mean and its
- * gradients. The radius of a record follows from its second derivative, so that Tolerance bounds the
- * error of the result. Points without a valid record are computed by brute force.
+ * gradients. The radius of a record follows from its second derivative, so that Tolerance bounds
+ * the error of the result. Points without a valid record are computed by brute force.
  *
- * Light of several reflections uses a separate set of records per reflection. The records of the first
- * reflection lie at the hits of rays from visible points; the records of each further reflection look
- * up those of the previous one.
+ * Light of several reflections uses a separate set of records per reflection. The records of the
+ * first reflection lie at the hits of rays from visible points; the records of each further
+ * reflection look up those of the previous one.
  *
  * The set of records depends on the scene, the camera and the image size. It does not depend on the
- * order of queries, the number of threads or the tiles. Only the order LAZY does not guarantee this.
+ * order of queries, the number of threads or the tiles. Only the order LAZY does not guarantee
+ * this.
  */
 #ifndef vtkPenumbraIrradianceCache_h
 #define vtkPenumbraIrradianceCache_h
@@ -36,8 +37,8 @@ public:
 
   ///@{
   /**
-   * Accepted error: RMSE of occlusion, or of irradiance over pi, over 16 x 16 pixels. Range:
-   * [1e-4, 1]. 0 uses half of the tolerance passed to Begin(), because errors of neighboring pixels are
+   * Accepted error: RMSE of occlusion, or of irradiance over pi, over 16 x 16 pixels. Range: [1e-4,
+   * 1]. 0 uses half of the tolerance passed to Begin(), because errors of neighboring pixels are
    * correlated and do not average out. Default: 0.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
@@ -51,7 +52,10 @@ public:
     SCREEN ///< only visible points can be looked up; records at the corners of image squares
   };
   ///@{
-  /** Space in which records are looked up. All reflections but the last use world space. Default: WORLD. */
+  /**
+   * Space in which records are looked up. All reflections but the last use world space. Default:
+   * WORLD.
+   */
   vtkSetClampMacro(Space, int, WORLD, SCREEN);
   vtkGetMacro(Space, int);
   ///@}
@@ -61,7 +65,7 @@ public:
   {
     NEAREST_HIT,   ///< [IC]: a fraction of the distance of the nearest hit, without grazing rays
     HARMONIC_MEAN, ///< [IC]: a fraction of the harmonic mean of all hit distances
-    OCCLUSION_HESSIAN ///< largest radius for which the second derivative predicts an error within the tolerance
+    OCCLUSION_HESSIAN ///< from the second derivative and the tolerance
   };
   ///@{
   /** Rule for the radius of a record. Default: OCCLUSION_HESSIAN. */
@@ -71,8 +75,8 @@ public:
 
   ///@{
   /**
-   * Minimum and maximum radius of a record in pixels [IC]. In screen space, rounded down to powers of
-   * two, they are also the minimum and maximum side of a square. Ranges: [1, 64] and [4, 1000].
+   * Minimum and maximum radius of a record in pixels [IC]. In screen space, rounded down to powers
+   * of two, they are also the minimum and maximum side of a square. Ranges: [1, 64] and [4, 1000].
    * Default: 3 and 64.
    */
   vtkSetClampMacro(MinimumRadius, double, 1.0, 64.0);
@@ -84,7 +88,8 @@ public:
   ///@{
   /**
    * Maximum angle in degrees between the normals of a record and of a point that uses it. Range:
-   * [0, 90]. 0 computes it from the tolerance (11.5 at 0.005); the formula of [IC] gives 9. Default: 0.
+   * [0, 90]. 0 computes it from the tolerance (11.5 at 0.005); the formula of [IC] gives 9.
+   * Default: 0.
    */
   vtkSetClampMacro(NormalAngle, double, 0.0, 90.0);
   vtkGetMacro(NormalAngle, double);
@@ -92,9 +97,9 @@ public:
 
   ///@{
   /**
-   * Number of rays per record, rounded to the square of a multiple of 4. A record that finds no change
-   * with a coarse grid uses fewer. Range: [64, 65536]. 0 computes it from the tolerance (at 0.005, 1024
-   * for occlusion and 256 for irradiance, plus supersampling). Default: 0.
+   * Number of rays per record, rounded to the square of a multiple of 4. A record that finds no
+   * change with a coarse grid uses fewer. Range: [64, 65536]. 0 computes it from the tolerance (at
+   * 0.005, 1024 for occlusion and 256 for irradiance, plus supersampling). Default: 0.
    */
   vtkSetClampMacro(RaysPerRecord, int, 0, 65536);
   vtkGetMacro(RaysPerRecord, int);
@@ -114,8 +119,8 @@ public:
 
   ///@{
   /**
-   * Initial records, as returned by GetRecords() or GetIrradianceRecords() for the same scene and the
-   * same radius or light. Used in world space only. Default: none.
+   * Initial records, as returned by GetRecords() or GetIrradianceRecords() for the same scene and
+   * the same radius or light. Used in world space only. Default: none.
    */
   virtual void SetInitialRecords(vtkPolyData* records);
   vtkPolyData* GetInitialRecords();
@@ -133,7 +138,10 @@ public:
   /** Includes the modification times of the gatherer and of the initial records. */
   vtkMTimeType GetMTime() override;
 
-  /** Copies the occlusion records to `records` as points in world coordinates with arrays: normals, `Radius`, ... */
+  /**
+   * Copies the occlusion records to `records` as points in world coordinates with arrays: normals,
+   * `Radius`, ...
+   */
   void GetRecords(vtkPolyData* records) const;
   /** Copies the irradiance records of the last reflection to `records`, like GetRecords(). */
   void GetIrradianceRecords(vtkPolyData* records) const;

@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceFilter
- * @brief   Bakes ambient occlusion or irradiance onto the points or cells of a mesh, within a tolerance.
+ * @brief   Bakes ambient occlusion or irradiance onto a mesh, within a tolerance.
  *
- * Adds the array `AmbientOcclusion` (0 unoccluded, 1 occluded) or `Irradiance` (red, green and blue; pi
- * under a white sky) to a copy of the input. The input is any vtkPointSet with a surface, or points only
- * with PointRadius. The hemisphere of a point is centered on its normal, which is read from the input or
- * computed from the polygons. Surfaces occlude from both sides. The blocks of a composite data set form
- * one scene and occlude each other.
+ * Adds the array `AmbientOcclusion` (0 unoccluded, 1 occluded) or `Irradiance` (red, green and
+ * blue; pi under a white sky) to a copy of the input. The input is any vtkPointSet with a surface,
+ * or points only with PointRadius. The hemisphere of a point is centered on its normal, which is
+ * read from the input or computed from the polygons. Surfaces occlude from both sides. The blocks
+ * of a composite data set form one scene and occlude each other.
  *
- * Geometry that occludes and reflects light but receives no values, such as a floor or the pieces of
- * other processes, goes to input port 1 (optional, vtkPolyData).
+ * Geometry that occludes and reflects light but receives no values, such as a floor or the pieces
+ * of other processes, goes to input port 1 (optional, vtkPolyData).
  *
- * Values are interpolated between cache records as long as this costs less than rays at every point. For
- * occlusion, the remaining points first get a few rays each, and a local linear fit over neighboring
- * points reduces the noise. Points with a poor fit get more rays. Points without a cell and points
- * that are not finite get 0 and are counted. If aborted, the output is the input without the array.
+ * Values are interpolated between cache records as long as this costs less than rays at every
+ * point. For occlusion, the remaining points first get a few rays each, and a local linear fit over
+ * neighboring points reduces the noise. Points with a poor fit get more rays. Points without a cell
+ * and points that are not finite get 0 and are counted. If aborted, the output is the input without
+ * the array.
  */
 #ifndef vtkPenumbraIrradianceFilter_h
 #define vtkPenumbraIrradianceFilter_h
@@ -52,28 +53,37 @@ public:
   ///@}
 
   ///@{
-  /** Accepted RMSE over all points, in the unit of the output array. Range: [1e-4, 1]. Default: 0.01. */
+  /**
+   * Accepted RMSE over all points, in the unit of the output array. Range: [1e-4, 1]. Default:
+   * 0.01.
+   */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
   /**
-   * Maximum distance of an occluder in world units; may be infinite. 0 uses a tenth of the diagonal of
-   * the bounds of both inputs. Range: >= 0. Default: 0.
+   * Maximum distance of an occluder in world units; may be infinite. 0 uses a tenth of the diagonal
+   * of the bounds of both inputs. Range: >= 0. Default: 0.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /** Distance falloff of occluders, one of vtkPenumbraIrradianceProvider::Falloffs. Default: NO_FALLOFF. */
+  /**
+   * Distance falloff of occluders, one of vtkPenumbraIrradianceProvider::Falloffs. Default:
+   * NO_FALLOFF.
+   */
   vtkSetClampMacro(Falloff, int, 0, 3);
   vtkGetMacro(Falloff, int);
   ///@}
 
   ///@{
-  /** Radiance of rays that hit nothing. Used for irradiance. Range: >= 0 per channel. Default: 1, 1, 1. */
+  /**
+   * Radiance of rays that hit nothing. Used for irradiance. Range: >= 0 per channel. Default: 1, 1,
+   * 1.
+   */
   vtkSetVector3Macro(EnvironmentColor, double);
   vtkGetVector3Macro(EnvironmentColor, double);
   ///@}
@@ -92,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Number of reflections including the one toward the camera; 1 is direct light. Used for irradiance.
-   * Range: [1, 64]. Default: 3.
+   * Number of reflections including the one toward the camera; 1 is direct light. Used for
+   * irradiance. Range: [1, 64]. Default: 3.
    */
   vtkSetClampMacro(Bounces, int, 1, 64);
   vtkGetMacro(Bounces, int);
@@ -101,8 +111,8 @@ public:
 
   ///@{
   /**
-   * If on, bake at cell centers, using cell normals, instead of at points. A cell of a volume gets the
-   * mean over those of its faces that are on the surface. Default: off.
+   * If on, bake at cell centers, using cell normals, instead of at points. A cell of a volume gets
+   * the mean over those of its faces that are on the surface. Default: off.
    */
   vtkSetMacro(OnCells, bool);
   vtkGetMacro(OnCells, bool);
@@ -154,9 +164,9 @@ public:
 
   /**
    * Statistics of the last execution, one value per array: `Points/Total`, `Points/Interpolated`,
-   * `Points/Shared` (denoised), `Points/BruteForce`, `Points/Unused`, `Points/NotFinite` (`Cells/...` if
-   * OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion` or `Rays/Indirect`,
-   * `Rays/Total`. Also added to the field data of the output.
+   * `Points/Shared` (denoised), `Points/BruteForce`, `Points/Unused`, `Points/NotFinite`
+   * (`Cells/...` if OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`
+   * or `Rays/Indirect`, `Rays/Total`. Also added to the field data of the output.
    */
   vtkFieldData* GetStatistics();
 

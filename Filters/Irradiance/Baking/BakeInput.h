@@ -22,31 +22,31 @@ namespace penumbra
 
 struct BakeInputOptions
 {
-  bool OfCells = false;        ///< if true, bake at cell centers instead of points
+  bool OnCells = false;        ///< if true, bake at cell centers instead of points
   bool ComputeNormals = false; ///< if true, ignore normals of the data set
   double PointRadius = 0.0; ///< radius of the discs for points without cells, world units; 0: none
 };
 
 struct BakeInput
 {
-  Scene OccluderScene;                ///< centered on the data set
-  std::vector<RecordCandidate> Sites; ///< query points
-  std::vector<vtkIdType> Ids;         ///< point or cell of the data set of each query point
-  std::vector<std::string> LeftOut;   ///< one message per attribute of invalid size
-  vtkIdType Unused = 0;               ///< points without a cell or cells without area, not baked
-  vtkIdType NotFinite = 0;            ///< points or normals that are not finite, not baked
-  vtkBoundingBox Bounds;              ///< of all finite points, world units
-  double Diagonal = 0.0;              ///< of Bounds, world units
-  float Spacing = 0.f;                ///< mean distance of neighboring query points, scene units
+  Scene OccluderScene;                        ///< centered on the data set
+  std::vector<RecordCandidate> Sites;         ///< query points
+  std::vector<vtkIdType> Ids;                 ///< point or cell of the data set of each query point
+  std::vector<std::string> SkippedAttributes; ///< one message per attribute of invalid size
+  vtkIdType Unused = 0;    ///< points without a cell or cells without area, not baked
+  vtkIdType NotFinite = 0; ///< points or normals that are not finite, not baked
+  vtkBoundingBox Bounds;   ///< of all finite points, world units
+  double Diagonal = 0.0;   ///< of Bounds, world units
+  float Spacing = 0.f;     ///< mean distance of neighboring query points, scene units
 };
 
 /// Extracts the input of baking from `data`. Throws Stopped if `progress` requests a stop, like
 /// AddOccluders().
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT BakeInput PrepareBakeInput(
-  vtkPointSet* data, const BakeInputOptions& choices, const ProgressCallback& progress = {});
+  vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress = {});
 
-/// Adds the polygons of `surroundings` to the occluders, without query points. Extends the bounds by all
-/// finite points, including those without polygons.
+/// Adds the polygons of `surroundings` to the occluders, without query points. Extends the bounds
+/// by all finite points, including those without polygons.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddOccluders(
   vtkPolyData* surroundings, BakeInput& mesh, const ProgressCallback& progress = {});
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Baking of many query points. Adds records from coarse to fine as long as they are cheaper than rays and
-// interpolates between them. The remaining points get low-sample estimates, which a local regression
-// denoises. Points with a poor fit are computed by brute force.
+// Baking of many query points. Adds records from coarse to fine as long as they are cheaper than
+// rays and interpolates between them. The remaining points get low-sample estimates, which a local
+// regression denoises. Points with a poor fit are computed by brute force.
 #ifndef penumbra_Baking_h
 #define penumbra_Baking_h
 
@@ -24,13 +24,13 @@ struct BakedValue
 };
 
 /// Computes a value without records. Adds the number of rays traced to `rays`.
-using BruteForceAnswer = std::function<BakedValue(const RecordCandidate& site, long long& rays)>;
+using PointEstimator = std::function<BakedValue(const RecordCandidate& site, long long& rays)>;
 
 /// Estimators for points without a record.
 struct PointEstimators
 {
-  BruteForceAnswer BruteForce;
-  BruteForceAnswer LowSample; ///< uses few rays, one channel; if empty, all points use BruteForce
+  PointEstimator BruteForce;
+  PointEstimator LowSample;   ///< uses few rays, one channel; if empty, all points use BruteForce
   float LowSampleError = 0.f; ///< accepted RMS error of denoised values
 };
 
@@ -44,12 +44,12 @@ struct BakedValues
 };
 
 /**
- * Computes the values at `sites`. `spacing` is the mean distance of neighboring points, in scene units. If
- * `records` is false, only brute force is used. Returns false or throws Stopped if `progress` requested a
- * stop.
+ * Computes the values at `sites`. `spacing` is the mean distance of neighboring points, in scene
+ * units. If `records` is false, only brute force is used. Returns false or throws Stopped if
+ * `progress` requested a stop.
  */
 bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records,
-  RecordPlacement& places, const RecordOctree& tree, const PointEstimators& answers,
+  RecordPlacement& placement, const RecordOctree& tree, const PointEstimators& estimators,
   const ProgressCallback& progress, BakedValues& result);
 
 }

@@ -21,18 +21,18 @@ public:
   explicit CompositeMesh(vtkCompositeDataSet* data);
 
   /// Returns the points and cells of all merged blocks, in the order of the blocks.
-  vtkPointSet* GetMerged() const { return this->Joined; }
+  vtkPointSet* GetMerged() const { return this->Merged; }
 
-  vtkIdType GetNumberOfSkippedBlocks() const { return this->Others; }
+  vtkIdType GetNumberOfSkippedBlocks() const { return this->SkippedBlocks; }
 
-  /// Fills `output` with copies of all blocks. Arrays of `baked`, a copy of the merged mesh, that the
-  /// merged mesh lacks are split over the blocks.
+  /// Fills `output` with copies of all blocks. Arrays of `baked`, a copy of the merged mesh, that
+  /// the merged mesh lacks are split over the blocks.
   void Distribute(vtkPointSet* baked, vtkCompositeDataSet* output) const;
 
 private:
   vtkCompositeDataSet* Data;
-  vtkSmartPointer<vtkPointSet> Joined;
-  vtkIdType Others = 0;
+  vtkSmartPointer<vtkPointSet> Merged;
+  vtkIdType SkippedBlocks = 0;
 };
 
 }

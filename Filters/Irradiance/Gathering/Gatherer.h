@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Interface for sampling the hemisphere above a point, by tracing rays or by rasterizing a cube map.
-// A gatherer returns one sample per direction of a grid. HemisphereEstimate.h computes irradiance,
-// gradients and second derivatives from these samples.
+// Interface for sampling the hemisphere above a point, by tracing rays or by rasterizing a cube
+// map. A gatherer returns one sample per direction of a grid. HemisphereEstimate.h computes
+// irradiance, gradients and second derivatives from these samples.
 #ifndef penumbra_Gatherer_h
 #define penumbra_Gatherer_h
 
@@ -44,7 +44,7 @@ struct EmitterSample
   float Strength; ///< radiance, maximum over the channels
 
   /// Contribution to the mean over the hemisphere if the emitter is visible, divided by the cosine.
-  float Share;
+  float Contribution;
 
   int EmitterIndex; ///< samples of one emitter are consecutive
 };
@@ -54,28 +54,32 @@ class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Gatherer
 public:
   virtual ~Gatherer();
 
-  /// Appends samples of the emitters to `beams`, without testing their visibility from `point`.
-  virtual void SampleEmitters(glm::vec3 /*point*/, std::vector<EmitterSample>& /*beams*/) const {}
+  /// Appends samples of the emitters to `emitterSamples`, without testing their visibility from
+  /// `point`.
+  virtual void SampleEmitters(
+    glm::vec3 /*point*/, std::vector<EmitterSample>& /*emitterSamples*/) const
+  {
+  }
 
-  /// Samples `directions` (unit vectors, scene coordinates) from `point` on a surface with `normal`.
-  /// Fills `sights` with one sample per direction and returns the number of rays traced. Thread-safe;
-  /// the result depends only on the arguments.
+  /// Samples `directions` (unit vectors, scene coordinates) from `point` on a surface with
+  /// `normal`. Fills `samples` with one sample per direction and returns the number of rays traced.
+  /// Thread-safe; the result depends only on the arguments.
   virtual long long Gather(glm::vec3 point, glm::vec3 normal,
-    const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& sights) const = 0;
+    const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const = 0;
 
-  /// Samples the cells of `grid`, oriented by `frame` (local to scene coordinates; its third axis is the
-  /// normal). Fills `directions` (local coordinates) and `sights`, one per cell. The default
-  /// implementation calls Gather() with one direction per cell, jittered by `seed`.
+  /// Samples the cells of `grid`, oriented by `frame` (local to scene coordinates; its third axis
+  /// is the normal). Fills `directions` (local coordinates) and `samples`, one per cell. The
+  /// default implementation calls Gather() with one direction per cell, jittered by `seed`.
   virtual long long SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
     const HemisphereGrid& grid, std::uint32_t seed, std::vector<glm::vec3>& directions,
-    std::vector<HemisphereSample>& sights) const;
+    std::vector<HemisphereSample>& samples) const;
 
   /// Returns true if SampleHemisphere() costs the same for every grid size and averages over whole
   /// cells. A preceding coarse grid or supersampling of cells then has no benefit.
   virtual bool SamplesGridAtOnce() const { return false; }
 
-  /// Returns the maximum distance in scene units, which may be infinite, and the distance falloff, which
-  /// the radiance of the samples already includes.
+  /// Returns the maximum distance in scene units, which may be infinite, and the distance falloff,
+  /// which the radiance of the samples already includes.
   virtual DistanceFalloff GetFalloff() const = 0;
   float GetReach() const { return this->GetFalloff().Radius; }
 };

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Mean over the hemisphere of a point, with its gradients with respect to position and normal. The sum
-// over boundaries between cells is due to Ward and Heckbert (Irradiance Gradients, 1992). The use of the
-// second derivative of the same boundaries for the error of a record is due to Schwarzhaupt, Jensen and
-// Jarosz (Practical Hessian-Based Error Control for Irradiance Caching, 2012). HemisphereEstimate.cxx
-// derives both for arbitrary grids.
+// Mean over the hemisphere of a point, with its gradients with respect to position and normal. The
+// sum over boundaries between cells is due to Ward and Heckbert (Irradiance Gradients, 1992). The
+// use of the second derivative of the same boundaries for the error of a record is due to
+// Schwarzhaupt, Jensen and Jarosz (Practical Hessian-Based Error Control for Irradiance Caching,
+// 2012). HemisphereEstimate.cxx derives both for arbitrary grids.
 #ifndef penumbra_HemisphereEstimate_h
 #define penumbra_HemisphereEstimate_h
 
@@ -19,16 +19,16 @@
 namespace penumbra
 {
 
-/// Estimate from hemisphere samples. Means are irradiance over pi: 1 under a sky of radiance 1. Lengths
-/// have the unit of the sample distances.
+/// Estimate from hemisphere samples. Means are irradiance over pi: 1 under a sky of radiance 1.
+/// Lengths have the unit of the sample distances.
 struct HemisphereEstimate
 {
   glm::vec3 Mean{ 0.f };
   float Error = 0.f; ///< standard error of the luminance of the mean
 
   ///@{
-  /// Gradients of the mean per channel, in the tangent plane, with respect to the position and to the
-  /// normal.
+  /// Gradients of the mean per channel, in the tangent plane, with respect to the position and to
+  /// the normal.
   std::array<glm::vec3, 3> Translation{};
   std::array<glm::vec3, 3> Rotation{};
   ///@}
@@ -42,8 +42,8 @@ struct HemisphereEstimate
   float Nearest = std::numeric_limits<float>::infinity(); ///< hit distance, without grazing rays
   float HarmonicMean = std::numeric_limits<float>::infinity();
 
-  /// Distance to the nearest wall along the tangent plane, for each 45-degree sector about the normal,
-  /// starting at the first tangent.
+  /// Distance to the nearest wall along the tangent plane, for each 45-degree sector about the
+  /// normal, starting at the first tangent.
   static constexpr int Sectors = 8;
   std::array<float, Sectors> Clearance{};
 };
@@ -57,14 +57,14 @@ inline int SectorOf(float x, float y)
 }
 
 /// Returns true if the surface in `cell` appears planar: a neighboring cell has the same normal.
-bool IsFlat(const HemisphereGrid& grid, const std::vector<HemisphereSample>& sights, int cell);
+bool IsFlat(const HemisphereGrid& grid, const std::vector<HemisphereSample>& samples, int cell);
 
-/// Computes the estimate from `sights`, sampled along `directions` (local coordinates, one per cell of
-/// `grid`). Normals of samples are in scene coordinates. `frame` transforms local to scene coordinates.
-/// `falloff` is the falloff of the gatherer.
+/// Computes the estimate from `samples`, sampled along `directions` (local coordinates, one per
+/// cell of `grid`). Normals of samples are in scene coordinates. `frame` transforms local to scene
+/// coordinates. `falloff` is the falloff of the gatherer.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT HemisphereEstimate EstimateHemisphere(
   const HemisphereGrid& grid, const glm::mat3& frame, const std::vector<glm::vec3>& directions,
-  const std::vector<HemisphereSample>& sights, const DistanceFalloff& falloff);
+  const std::vector<HemisphereSample>& samples, const DistanceFalloff& falloff);
 
 }
 #endif

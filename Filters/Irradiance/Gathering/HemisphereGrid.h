@@ -24,8 +24,8 @@ struct HemisphereGrid
 
   int Side = 0;
   std::vector<glm::vec3> Corners; ///< (Side + 1)^2, row by row
-  /// Derivative of the cosine-weighted solid angle of each cell, over pi, with respect to the normal:
-  /// 1/pi times the integral of the tangential part of the direction over solid angle.
+  /// Derivative of the cosine-weighted solid angle of each cell, over pi, with respect to the
+  /// normal: 1/pi times the integral of the tangential part of the direction over solid angle.
   std::vector<glm::vec2> NormalDerivatives;
 
   int Cells() const { return this->Side * this->Side; }
@@ -34,9 +34,9 @@ struct HemisphereGrid
   /// Fills `directions` with one jittered direction per cell.
   void JitterDirections(std::uint32_t seed, std::vector<glm::vec3>& directions) const;
 
-  /// Appends `finer` x `finer` jittered directions of one cell to `directions`.
+  /// Appends `subdivisions` x `subdivisions` jittered directions of one cell to `directions`.
   void SubsampleCell(
-    int cell, int finer, std::uint32_t& random, std::vector<glm::vec3>& directions) const;
+    int cell, int subdivisions, std::uint32_t& random, std::vector<glm::vec3>& directions) const;
 
   /// Returns the shared grid of `side`, which must be in [LeastSide, MostSide].
   VTKPENUMBRAFILTERSIRRADIANCE_EXPORT static const HemisphereGrid& Get(int side);

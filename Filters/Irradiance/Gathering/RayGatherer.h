@@ -17,7 +17,8 @@
 namespace penumbra
 {
 
-/// Returns the unit normal of the triangle that was hit, facing either side; 0 for a degenerate triangle.
+/// Returns the unit normal of the triangle that was hit, facing either side; 0 for a degenerate
+/// triangle.
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit);
 
 /// Base class of gatherers that trace rays. Derived classes shade the hits. Other gatherers use
@@ -32,12 +33,13 @@ public:
   }
 
   long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
-    std::vector<HemisphereSample>& sights) const override;
+    std::vector<HemisphereSample>& samples) const override;
 
-  /// Shades `hits`, the first hits of `rays` from `point` without lines and points. Fills `sights`, with
-  /// radiance before the distance falloff, and returns the number of additional rays traced.
+  /// Shades `hits`, the first hits of `rays` from `point` without lines and points. Fills
+  /// `samples`, with radiance before the distance falloff, and returns the number of additional
+  /// rays traced.
   virtual long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const = 0;
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const = 0;
 
   const RayScene& GetRays() const { return this->Rays; }
 
@@ -45,8 +47,8 @@ private:
   const RayScene& Rays;
 };
 
-/// Gatherer of occlusion. Radiance is the distance falloff of a hit and 0 for a miss. Lines and points
-/// do not occlude.
+/// Gatherer of occlusion. Radiance is the distance falloff of a hit and 0 for a miss. Lines and
+/// points do not occlude.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT OcclusionGatherer : public RayGatherer
 {
 public:
@@ -54,36 +56,36 @@ public:
   OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff);
 
   long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const override;
-  DistanceFalloff GetFalloff() const override { return this->Counting; }
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const override;
+  DistanceFalloff GetFalloff() const override { return this->Falloff; }
 
 private:
-  DistanceFalloff Counting;
+  DistanceFalloff Falloff;
 };
 
-/// Gatherer of light. Radiance of a hit is emitted light, reflected light of the lights, and reflected
-/// indirect light if `arriving` is set. Radiance of a miss is the environment without its suns, which
-/// are sampled separately. Rays pass through lines and points.
+/// Gatherer of light. Radiance of a hit is emitted light, reflected light of the lights, and
+/// reflected indirect light if `arriving` is set. Radiance of a miss is the environment without its
+/// suns, which are sampled separately. Rays pass through lines and points.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 {
 public:
-  /// Looks up the mean radiance over the hemisphere at a point, without suns. Returns nothing if no value
-  /// is cached for the point.
-  using KnownLight = std::function<std::optional<glm::vec3>(glm::vec3 point, glm::vec3 normal)>;
+  /// Looks up the mean radiance over the hemisphere at a point, without suns. Returns nothing if no
+  /// value is cached for the point.
+  using LightLookup = std::function<std::optional<glm::vec3>(glm::vec3 point, glm::vec3 normal)>;
 
-  /// `arriving` looks up the incident light at surfaces after at most `bounces` - 1 reflections. If it
-  /// returns nothing, a single path is traced. If it is empty, surfaces reflect no indirect light.
-  /// `light` and the objects that `arriving` refers to must outlive this object.
-  LightGatherer(const Illumination& light, KnownLight arriving, int bounces);
+  /// `arriving` looks up the incident light at surfaces after at most `bounces` - 1 reflections. If
+  /// it returns nothing, a single path is traced. If it is empty, surfaces reflect no indirect
+  /// light. `light` and the objects that `arriving` refers to must outlive this object.
+  LightGatherer(const Illumination& light, LightLookup arriving, int bounces);
 
-  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const override;
+  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& emitterSamples) const override;
   long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const override;
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const override;
   DistanceFalloff GetFalloff() const override { return {}; }
 
 private:
   const Illumination& Light;
-  KnownLight Known;
+  LightLookup IncidentLight;
   int Bounces;
 };
 

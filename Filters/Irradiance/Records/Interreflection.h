@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light of several reflections: one octree of records for each reflection but the last, starting at the
-// lights. Rays from the records of one reflection look up the records of the previous one at their hits.
+// Light of several reflections: one octree of records for each reflection but the last, starting at
+// the lights. Rays from the records of one reflection look up the records of the previous one at
+// their hits.
 #ifndef penumbra_Interreflection_h
 #define penumbra_Interreflection_h
 
@@ -22,11 +23,12 @@ public:
   Interreflection(
     const Illumination& light, const RecordPlacementSettings& settings, float normalAngle);
 
-  /// Places the records at the hits of rays from some of the points `seen`, which are the points of later
-  /// queries. Returns false if `progress` requested a stop.
+  /// Places the records at the hits of rays from some of the points `seen`, which are the points of
+  /// later queries. Returns false if `progress` requested a stop.
   bool Build(const std::vector<RecordCandidate>& seen, const ProgressCallback& progress);
 
-  /// Returns a gatherer of the light of all reflections but the last; before Build(), of the first only.
+  /// Returns a gatherer of the light of all reflections but the last; before Build(), of the first
+  /// only.
   const LightGatherer& GetGatherer() const { return *this->Gatherers.back(); }
 
   const Illumination& GetLight() const { return this->Light; }

@@ -24,7 +24,8 @@ struct Record : ShadingPoint
 {
   float Radius = 0.f;
 
-  /// False if the mean changes too fast around this record for interpolation: brute force is used instead.
+  /// False if the mean changes too fast around this record for interpolation: brute force is used
+  /// instead.
   bool IsValid = true;
 
   /// Maximum distance of a point from the tangent plane, along the normals; the size of a pixel.
@@ -33,34 +34,34 @@ struct Record : ShadingPoint
   glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< start of the first sector of Clearance
   HemisphereEstimate Gathered;
 
-  /// Returns the weight at `place`, in [0, 1] [Tabellion, Lamorlette, after IC]: 1 - max(perr, nerr),
-  /// with perr = |p - p_i| / R_i and nerr = normalFactor * sqrt(1 - n.n_i). It is 0 behind walls and away
-  /// from the tangent plane.
-  float Weight(const ShadingPoint& place, float normalFactor) const
+  /// Returns the weight at `point`, in [0, 1] [Tabellion, Lamorlette, after IC]: 1 - max(perr,
+  /// nerr), with perr = |p - p_i| / R_i and nerr = normalFactor * sqrt(1 - n.n_i). It is 0 behind
+  /// walls and away from the tangent plane.
+  float Weight(const ShadingPoint& point, float normalFactor) const
   {
-    const glm::vec3 d = place.Position - this->Position;
+    const glm::vec3 d = point.Position - this->Position;
     const float square = glm::dot(d, d);
     if (square >= this->Radius * this->Radius)
     {
       return 0.f;
     }
     return std::min(
-      1.f - std::sqrt(square) / this->Radius, this->NormalWeight(place, normalFactor));
+      1.f - std::sqrt(square) / this->Radius, this->NormalWeight(point, normalFactor));
   }
 
   /// Returns the weight without its distance term.
-  float NormalWeight(const ShadingPoint& place, float normalFactor) const
+  float NormalWeight(const ShadingPoint& point, float normalFactor) const
   {
-    const glm::vec3 d = place.Position - this->Position;
-    const float turned = std::max(0.f, 1.f - glm::dot(place.Normal, this->Normal));
-    const float error = normalFactor * std::sqrt(turned);
-    return error >= 1.f || this->IsOffPlane(d, place.Normal) || this->IsBehindWall(d) ? 0.f
+    const glm::vec3 d = point.Position - this->Position;
+    const float normalDistance = std::max(0.f, 1.f - glm::dot(point.Normal, this->Normal));
+    const float error = normalFactor * std::sqrt(normalDistance);
+    return error >= 1.f || this->IsOffPlane(d, point.Normal) || this->IsBehindWall(d) ? 0.f
                                                                                       : 1.f - error;
   }
 
 private:
-  /// Returns true if `d` leaves the surface. On a smooth surface, a chord is perpendicular to the mean of
-  /// both normals up to third order.
+  /// Returns true if `d` leaves the surface. On a smooth surface, a chord is perpendicular to the
+  /// mean of both normals up to third order.
   bool IsOffPlane(glm::vec3 d, glm::vec3 normal) const
   {
     return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * this->MaximumPlaneDistance;
@@ -70,8 +71,8 @@ private:
   {
     const float x = glm::dot(d, this->Tangent);
     const float y = glm::dot(d, glm::cross(this->Normal, this->Tangent));
-    const float clear = this->Gathered.Clearance[SectorOf(x, y)];
-    return x * x + y * y > clear * clear;
+    const float clearance = this->Gathered.Clearance[SectorOf(x, y)];
+    return x * x + y * y > clearance * clearance;
   }
 };
 

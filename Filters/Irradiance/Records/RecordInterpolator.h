@@ -21,25 +21,25 @@ struct InterpolationResult
   bool Found() const { return this->MaximumWeight > 0.f; }
 };
 
-/// Accumulates records for one point. With positions p_i, means F_i and gradients g_i, the result is the
-/// weighted mean of F_i + g_i (p - p_i) / 2 plus half of the mean gradient times the mean of p - p_i.
-/// If records surround the point, the errors that second derivatives cause in means and in gradients
-/// cancel. A single record is extrapolated along its gradient.
+/// Accumulates records for one point. With positions p_i, means F_i and gradients g_i, the result
+/// is the weighted mean of F_i + g_i (p - p_i) / 2 plus half of the mean gradient times the mean of
+/// p - p_i. If records surround the point, the errors that second derivatives cause in means and in
+/// gradients cancel. A single record is extrapolated along its gradient.
 class RecordInterpolator
 {
 public:
-  void Add(const Record& record, const ShadingPoint& place, float weight);
+  void Add(const Record& record, const ShadingPoint& point, float weight);
   InterpolationResult Result() const;
 
 private:
   float Weights = 0.f;
-  float Greatest = 0.f;
+  float MaximumWeight = 0.f;
   float Noise = 0.f;
   float Bias = 0.f;
-  glm::vec3 First{ 0.f };   ///< first mean; sums are relative to it, so that equal means stay exact
-  glm::vec3 Halfway{ 0.f }; ///< sum of means extrapolated half of the offset, minus First
+  glm::vec3 First{ 0.f }; ///< first mean; sums are relative to it, so that equal means stay exact
+  glm::vec3 MidpointSum{ 0.f }; ///< sum of means extrapolated half of the offset, minus First
   glm::vec3 Offset{ 0.f };
-  glm::vec3 Turn{ 0.f };
+  glm::vec3 NormalOffset{ 0.f };
   std::array<glm::vec3, 3> Translation{};
   std::array<glm::vec3, 3> Rotation{};
 };

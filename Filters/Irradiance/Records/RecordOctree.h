@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Octree with multiple references [IC]: every leaf lists all records whose spheres overlap it, so that
-// a lookup visits a single leaf.
+// Octree with multiple references [IC]: every leaf lists all records whose spheres overlap it, so
+// that a lookup visits a single leaf.
 #ifndef penumbra_RecordOctree_h
 #define penumbra_RecordOctree_h
 
@@ -19,7 +19,8 @@ struct Scene;
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordOctree
 {
 public:
-  /// Clears the octree and sets its root cube. Records outside of the cube are found, but more slowly.
+  /// Clears the octree and sets its root cube. Records outside of the cube are found, but more
+  /// slowly.
   void Initialize(glm::vec3 center, float halfSide);
 
   /// Clears the octree and sets its root cube to the bounds of the scene.
@@ -34,26 +35,27 @@ public:
 
   void Insert(const Record& record);
 
-  /// Inserts a record with neighbor clamping [Krivanek et al.]: among the records whose spheres contain
-  /// it, no radius exceeds another by more than the distance of the two. Radii are not reduced below
-  /// `leastPixels` times MaximumPlaneDistance, the size of a pixel at the record.
-  void InsertClamped(Record record, float leastPixels);
+  /// Inserts a record with neighbor clamping [Krivanek et al.]: among the records whose spheres
+  /// contain it, no radius exceeds another by more than the distance of the two. Radii are not
+  /// reduced below `minimumPixels` times MaximumPlaneDistance, the size of a pixel at the record.
+  void InsertClamped(Record record, float minimumPixels);
 
-  /// Interpolates between the valid records around `place`.
-  InterpolationResult LookUp(const ShadingPoint& place) const;
+  /// Interpolates between the valid records around `point`.
+  InterpolationResult LookUp(const ShadingPoint& point) const;
 
-  /// Returns the maximum weight of a record at `place`, including invalid records.
-  float MaximumWeightAt(const ShadingPoint& place) const;
+  /// Returns the maximum weight of a record at `point`, including invalid records.
+  float MaximumWeightAt(const ShadingPoint& point) const;
 
-  /// Returns the record at exactly `place`, or null.
-  const Record* FindAt(const ShadingPoint& place) const;
+  /// Returns the record at exactly `point`, or null.
+  const Record* FindAt(const ShadingPoint& point) const;
 
   const std::vector<Record>& GetRecords() const { return this->Records; }
   std::size_t GetBytes() const;
   void Clear();
 
 private:
-  /// Reference to a record with a copy of its sphere, which rejects most records without a memory access.
+  /// Reference to a record with a copy of its sphere, which rejects most records without a memory
+  /// access.
   struct Reference
   {
     glm::vec3 Position;

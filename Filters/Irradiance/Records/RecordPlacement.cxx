@@ -12,13 +12,14 @@ namespace penumbra
 namespace
 {
 
-/// A point is covered if the maximum weight of a record exceeds this. Some overlap makes transitions
-/// smooth; more overlap costs records and gains less than the tolerance (benchmark `irradiance`).
-constexpr float LeastWeight = .05f;
+/// A point is covered if the maximum weight of a record exceeds this. Some overlap makes
+/// transitions smooth; more overlap costs records and gains less than the tolerance (benchmark
+/// `irradiance`).
+constexpr float MinimumWeight = .05f;
 
-/// Factor on the radius at which the error of a single record, half its Hessian norm times the squared
-/// distance, equals the tolerance. Larger than 1 because weights decrease toward the radius and errors
-/// of neighboring records cancel. Measured with the benchmark `irradiance`.
+/// Factor on the radius at which the error of a single record, half its Hessian norm times the
+/// squared distance, equals the tolerance. Larger than 1 because weights decrease toward the radius
+/// and errors of neighboring records cancel. Measured with the benchmark `irradiance`.
 constexpr double OverlapFactor = 2.0;
 
 /// Error of the mean of a grid with side ReferenceSide if half of the hemisphere is occluded. It
@@ -26,64 +27,67 @@ constexpr double OverlapFactor = 2.0;
 constexpr double ReferenceSide = 32.0;
 constexpr double ReferenceError = .005;
 
-/// Side of the first grid. The full grid follows if the samples of the first differ. Occluders that the
-/// first grid misses are too small or too far to matter within the maximum radius.
-constexpr int FirstSide = 16;
+/// Side of the first grid. The full grid follows if the samples of the first differ. Occluders that
+/// the first grid misses are too small or too far to matter within the maximum radius.
+constexpr int CoarseSide = 16;
 
-/// Maximum radius as a fraction of the distance of occluder edges, near which the derivatives change.
+/// Maximum radius as a fraction of the distance of occluder edges, near which the derivatives
+/// change.
 constexpr float OccluderEdgeFraction = .5f;
 
-/// Ratio of the accuracy of split-sphere radii (a fraction of the distance) to the square root of the
-/// tolerance. Gives about the usual accuracy of 0.3 at a tolerance of 0.005.
+/// Ratio of the accuracy of split-sphere radii (a fraction of the distance) to the square root of
+/// the tolerance. Gives about the usual accuracy of 0.3 at a tolerance of 0.005.
 constexpr double SplitSphereAccuracy = 4.0;
 
-/// Maximum radius as a fraction of the limit of the candidate if all samples are equal. The grid misses
-/// low distant occluders that nearer points see.
-constexpr double ShareOfEmpty = .5;
+/// Maximum radius as a fraction of the limit of the candidate if all samples are equal. The grid
+/// misses low distant occluders that nearer points see.
+constexpr double UniformRadiusFraction = .5;
 
 /// Maximum radius as a fraction of the distance to the shadow boundary of an emitter.
-constexpr double ShareOfShadow = .5;
+constexpr double ShadowRadiusFraction = .5;
 
 /// Hits nearer than this fraction of the distance of an emitter occlude it.
-constexpr float ShareOfLamp = .97f;
+constexpr float EmitterDistanceFraction = .97f;
 
 /// Maximum radius as a fraction of the maximum distance of occluders; rays end at that distance.
-constexpr float ShareOfReach = .25f;
+constexpr float OcclusionRadiusFraction = .25f;
 
-/// A record is invalid if its radius is below this fraction of the minimum radius: its error would be
-/// above twice the tolerance.
-constexpr double LeastShare = .7;
+/// A record is invalid if its radius is below this fraction of the minimum radius: its error would
+/// be above twice the tolerance.
+constexpr double MinimumRadiusFraction = .7;
 
-/// Radius of an invalid record over the minimum radius. No other record is placed within this radius.
+/// Radius of an invalid record over the minimum radius. No other record is placed within this
+/// radius.
 constexpr double InvalidRadiusFactor = 2.0;
 
 /// Accepted noise of one record as a fraction of the tolerance if cells are supersampled.
-constexpr double NoiseShare = .5;
+constexpr double NoiseFraction = .5;
 
 /// Maximum number of parts along each side of a supersampled cell.
-constexpr int Finest = 12;
+constexpr int MaximumSubdivisions = 12;
 
 /// Maximum number of supersampling rays over the number of cells.
-constexpr double MostRays = 3.0;
+constexpr double MaximumRayFactor = 3.0;
 
-/// Estimates the variance of the single sample of a cell from its neighbors. The covered fraction of a
-/// cell that a straight boundary cuts has the variance 1/6.
-float VarianceOf(const HemisphereGrid& grid, const std::vector<HemisphereSample>& sights, int cell)
+/// Estimates the variance of the single sample of a cell from its neighbors. The covered fraction
+/// of a cell that a straight boundary cuts has the variance 1/6.
+float EstimateCellVariance(
+  const HemisphereGrid& grid, const std::vector<HemisphereSample>& samples, int cell)
 {
   const int i = cell % grid.Side;
   const int j = cell / grid.Side;
-  float most = 0.f;
+  float maximum = 0.f;
   for (const int other : { i > 0 ? cell - 1 : cell, i + 1 < grid.Side ? cell + 1 : cell,
          j > 0 ? cell - grid.Side : cell, j + 1 < grid.Side ? cell + grid.Side : cell })
   {
-    const glm::vec3 step = glm::abs(sights[other].Radiance - sights[cell].Radiance);
-    most = std::max({ most, step.x, step.y, step.z });
+    const glm::vec3 step = glm::abs(samples[other].Radiance - samples[cell].Radiance);
+    maximum = std::max({ maximum, step.x, step.y, step.z });
   }
-  return most * most / 6.f;
+  return maximum * maximum / 6.f;
 }
 
 /// Returns the cell that contains `direction` (local coordinates); -1 below the horizon.
-int CellOf(const HemisphereGrid& grid, glm::vec3 direction)
+int FindCell(const HemisphereGrid& grid, glm::vec3 direction)
 {
   if (direction.z < 0.f)
   {
@@ -96,19 +100,19 @@ int CellOf(const HemisphereGrid& grid, glm::vec3 direction)
 }
 
 /// Raises the variance of the cells around `direction` (local coordinates), because an emitter of
-/// `strength` may be visible there even if no ray hit it. Without this, the rays of small emitters would
-/// depend on chance hits and such emitters would be too dark on average.
+/// `strength` may be visible there even if no ray hit it. Without this, the rays of small emitters
+/// would depend on chance hits and such emitters would be too dark on average.
 void RaiseVarianceNearEmitter(
   const HemisphereGrid& grid, glm::vec3 direction, float strength, std::vector<float>& variances)
 {
-  const int cell = CellOf(grid, direction);
+  const int cell = FindCell(grid, direction);
   if (cell < 0)
   {
     return;
   }
-  const glm::ivec2 middle(cell % grid.Side, cell / grid.Side);
-  const glm::ivec2 low = glm::max(middle - 1, 0);
-  const glm::ivec2 high = glm::min(middle + 1, grid.Side - 1);
+  const glm::ivec2 center(cell % grid.Side, cell / grid.Side);
+  const glm::ivec2 low = glm::max(center - 1, 0);
+  const glm::ivec2 high = glm::min(center + 1, grid.Side - 1);
   for (int j = low.y; j <= high.y; ++j)
   {
     for (int i = low.x; i <= high.x; ++i)
@@ -119,147 +123,153 @@ void RaiseVarianceNearEmitter(
   }
 }
 
-/// Returns the distance that the point may move until `beam` becomes occluded or unoccluded: until the
-/// nearest projected occluder edge reaches the direction of `beam`.
+/// Returns the distance that the point may move until `emitterSample` becomes occluded or
+/// unoccluded: until the nearest projected occluder edge reaches the direction of `emitterSample`.
 double ShadowDistance(const std::vector<glm::vec3>& directions,
-  const std::vector<HemisphereSample>& sights, const EmitterSample& beam, int cell)
+  const std::vector<HemisphereSample>& samples, const EmitterSample& emitterSample, int cell)
 {
-  const float reach = ShareOfLamp * beam.Distance;
-  const float here = sights[cell].Distance;
-  double least = std::numeric_limits<double>::infinity();
+  const float reach = EmitterDistanceFraction * emitterSample.Distance;
+  const float here = samples[cell].Distance;
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    if ((sights[i].Distance >= reach) != (here >= reach))
+    if ((samples[i].Distance >= reach) != (here >= reach))
     {
-      const double edge = std::min(here, sights[i].Distance);
-      const double angle = glm::distance(directions[i], beam.Direction);
-      least = std::min(least, angle / (1.0 / edge - 1.0 / beam.Distance));
+      const double edge = std::min(here, samples[i].Distance);
+      const double angle = glm::distance(directions[i], emitterSample.Direction);
+      minimum = std::min(minimum, angle / (1.0 / edge - 1.0 / emitterSample.Distance));
     }
   }
-  return least;
+  return minimum;
 }
 
 /// Returns the minimum over all emitters whose contribution exceeds `tolerance`. Partially occluded
 /// emitters are skipped, because the derivatives include their boundaries.
 double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
-  const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& sights,
-  const std::vector<EmitterSample>& beams, double tolerance)
+  const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& samples,
+  const std::vector<EmitterSample>& emitterSamples, double tolerance)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (auto begin = beams.begin(); begin != beams.end();)
+  double minimum = std::numeric_limits<double>::infinity();
+  for (auto begin = emitterSamples.begin(); begin != emitterSamples.end();)
   {
-    const auto end = std::find_if(begin, beams.end(),
-      [&](const EmitterSample& beam) { return beam.EmitterIndex != begin->EmitterIndex; });
-    double share = 0.0;
+    const auto end =
+      std::find_if(begin, emitterSamples.end(), [&](const EmitterSample& emitterSample) {
+        return emitterSample.EmitterIndex != begin->EmitterIndex;
+      });
+    double fraction = 0.0;
     bool seen = false;
     bool blocked = false;
-    for (auto beam = begin; beam != end; ++beam)
+    for (auto emitterSample = begin; emitterSample != end; ++emitterSample)
     {
-      const glm::vec3 local = glm::transpose(frame) * beam->Direction;
-      const int cell = CellOf(grid, local);
-      share += beam->Share * std::max(local.z, 0.f);
+      const glm::vec3 local = glm::transpose(frame) * emitterSample->Direction;
+      const int cell = FindCell(grid, local);
+      fraction += emitterSample->Contribution * std::max(local.z, 0.f);
       if (cell >= 0)
       {
-        const bool here = sights[cell].Distance >= ShareOfLamp * beam->Distance;
+        const bool here =
+          samples[cell].Distance >= EmitterDistanceFraction * emitterSample->Distance;
         seen = seen || here;
         blocked = blocked || !here;
       }
     }
-    for (auto beam = begin; beam != end && seen != blocked && share > tolerance; ++beam)
+    for (auto emitterSample = begin;
+         emitterSample != end && seen != blocked && fraction > tolerance; ++emitterSample)
     {
-      const int cell = CellOf(grid, glm::transpose(frame) * beam->Direction);
-      least = cell < 0 ? least : std::min(least, ShadowDistance(directions, sights, *beam, cell));
+      const int cell = FindCell(grid, glm::transpose(frame) * emitterSample->Direction);
+      minimum = cell < 0
+        ? minimum
+        : std::min(minimum, ShadowDistance(directions, samples, *emitterSample, cell));
     }
     begin = end;
   }
-  return least;
+  return minimum;
 }
 
-/// Returns the number of parts m along each side of each cell for which the sum of variances is at most
-/// `allowed` at minimum cost. m * m rays in a cell that a boundary cuts reduce its variance to m^-3,
-/// so that m^5 in proportion to the variance is optimal.
+/// Returns the number of parts m along each side of each cell for which the sum of variances is at
+/// most `allowed` at minimum cost. m * m rays in a cell that a boundary cuts reduce its variance to
+/// m^-3, so that m^5 in proportion to the variance is optimal.
 std::vector<int> AllocateSubsamples(const std::vector<float>& variances, double allowed)
 {
-  std::vector<int> finer(variances.size(), 1);
-  const double most = MostRays * static_cast<double>(variances.size());
+  std::vector<int> subdivisions(variances.size(), 1);
+  const double maximum = MaximumRayFactor * static_cast<double>(variances.size());
   double unit = *std::max_element(variances.begin(), variances.end());
   while (unit > 0.0)
   {
     double rays = 0.0;
     double sum = 0.0;
-    std::vector<int> tried(variances.size());
+    std::vector<int> parts(variances.size());
     for (std::size_t i = 0; i < variances.size(); ++i)
     {
       const int m = static_cast<int>(std::pow(variances[i] / unit, .2) + .5);
-      tried[i] = std::clamp(m, 1, Finest);
-      rays += tried[i] > 1 ? tried[i] * tried[i] : 0;
-      sum += variances[i] / std::pow(tried[i], 3.0);
+      parts[i] = std::clamp(m, 1, MaximumSubdivisions);
+      rays += parts[i] > 1 ? parts[i] * parts[i] : 0;
+      sum += variances[i] / std::pow(parts[i], 3.0);
     }
-    if (rays > most)
+    if (rays > maximum)
     {
       break;
     }
-    finer = std::move(tried);
+    subdivisions = std::move(parts);
     if (sum <= allowed)
     {
       break;
     }
     unit *= .25;
   }
-  return finer;
+  return subdivisions;
 }
 
-/// Averages the next m * m samples of `closer` into `sight`.
+/// Averages the next m * m samples of `refined` into `sample`.
 void AverageSubsamples(
-  int m, std::vector<HemisphereSample>::const_iterator& closer, HemisphereSample& sight)
+  int m, std::vector<HemisphereSample>::const_iterator& refined, HemisphereSample& sample)
 {
-  const auto share = 1.f / static_cast<float>(m * m);
-  sight.Radiance = glm::vec3(0.f);
-  for (int k = 0; k < m * m; ++k, ++closer)
+  const auto fraction = 1.f / static_cast<float>(m * m);
+  sample.Radiance = glm::vec3(0.f);
+  for (int k = 0; k < m * m; ++k, ++refined)
   {
-    sight.Radiance += share * closer->Radiance;
-    if (closer->Distance < sight.Distance)
+    sample.Radiance += fraction * refined->Radiance;
+    if (refined->Distance < sample.Distance)
     {
-      sight.Distance = closer->Distance;
-      sight.Normal = closer->Normal;
+      sample.Distance = refined->Distance;
+      sample.Normal = refined->Normal;
     }
   }
-  sight.Variance = 1.f / static_cast<float>(m * m * m);
+  sample.Variance = 1.f / static_cast<float>(m * m * m);
 }
 
 /// Fractions of the angle between a ray and the horizon of the planar surface that it hit, at which
 /// further rays test whether the surface continues.
-constexpr float SharesOfHorizon[] = { .002f, .016f, .125f };
+constexpr float HorizonFractions[] = { .002f, .016f, .125f };
 
 /// Returns true if `cell` hits a planar surface and a neighboring cell lies beyond its horizon.
 bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& directions,
-  const std::vector<HemisphereSample>& sights, int cell)
+  const std::vector<HemisphereSample>& samples, int cell)
 {
-  const glm::vec3 normal = sights[cell].Normal;
+  const glm::vec3 normal = samples[cell].Normal;
   const float here = glm::dot(normal, directions[cell]);
   const int i = cell % grid.Side;
   const int j = cell / grid.Side;
   const auto ends = [&](bool exists, int other) {
-    return exists && sights[other].Distance > sights[cell].Distance &&
-      sights[other].Radiance != sights[cell].Radiance &&
+    return exists && samples[other].Distance > samples[cell].Distance &&
+      samples[other].Radiance != samples[cell].Radiance &&
       here * glm::dot(normal, directions[other]) < 0.f;
   };
   return (ends(i > 0, cell - 1) || ends(i + 1 < grid.Side, cell + 1) ||
            ends(j > 0, cell - grid.Side) || ends(j + 1 < grid.Side, cell + grid.Side)) &&
-    IsFlat(grid, sights, cell);
+    IsFlat(grid, samples, cell);
 }
 
-/// Returns true if `place` lies on the line of a corner, where rounding decides on which side of the other
-/// surface it is.
-bool IsInCorner(glm::vec3 place, const std::vector<HemisphereSample>& sights)
+/// Returns true if `shadingPoint` lies on the line of a corner, where rounding decides on which
+/// side of the other surface it is.
+bool IsInCorner(glm::vec3 shadingPoint, const std::vector<HemisphereSample>& samples)
 {
-  const float gap = RayOriginOffset(place);
-  const auto touching = std::count_if(sights.begin(), sights.end(),
-    [gap](const HemisphereSample& sight) { return sight.Distance < gap; });
-  return 4 * static_cast<std::size_t>(touching) > sights.size();
+  const float gap = RayOriginOffset(shadingPoint);
+  const auto touchingCount = std::count_if(samples.begin(), samples.end(),
+    [gap](const HemisphereSample& sample) { return sample.Distance < gap; });
+  return 4 * static_cast<std::size_t>(touchingCount) > samples.size();
 }
 
-int RoundSide(double side)
+int RoundToValidSide(double side)
 {
   const int steps = static_cast<int>(std::lround(side / HemisphereGrid::Step));
   return std::clamp(
@@ -274,12 +284,13 @@ RecordPlacement::RecordPlacement(
     Settings(settings),
     Tree(tree)
 {
-  this->Settings.Side = settings.Side > 0 ? RoundSide(settings.Side) : SideFor(settings.Tolerance);
+  this->Settings.Side =
+    settings.Side > 0 ? RoundToValidSide(settings.Side) : SideFor(settings.Tolerance);
 }
 
 int RecordPlacement::SideFor(double tolerance)
 {
-  return RoundSide(ReferenceSide * std::pow(ReferenceError / tolerance, 2.0 / 3.0));
+  return RoundToValidSide(ReferenceSide * std::pow(ReferenceError / tolerance, 2.0 / 3.0));
 }
 
 float RecordPlacement::NormalAngleFor(double tolerance)
@@ -299,20 +310,20 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   const std::uint32_t seed = HashPoint(site.Position, site.Normal);
   std::vector<glm::vec3> local;
   std::vector<glm::vec3> directions;
-  std::vector<HemisphereSample> sights;
-  std::vector<EmitterSample> beams;
+  std::vector<HemisphereSample> samples;
+  std::vector<EmitterSample> emitterSamples;
   if (this->Settings.Refine)
   {
-    this->Source.SampleEmitters(site.Position, beams);
+    this->Source.SampleEmitters(site.Position, emitterSamples);
   }
   const bool atOnce = this->Settings.Refine || this->Source.SamplesGridAtOnce();
-  const int first = atOnce ? this->Settings.Side : FirstSide;
+  const int first = atOnce ? this->Settings.Side : CoarseSide;
   for (int side = first;; side = this->Settings.Side)
   {
     const HemisphereGrid& grid = HemisphereGrid::Get(side);
     rays += this->Source.SampleHemisphere(
-      site.Position, frame, grid, MixBits(seed + static_cast<std::uint32_t>(side)), local, sights);
-    if (IsInCorner(site.Position, sights))
+      site.Position, frame, grid, MixBits(seed + static_cast<std::uint32_t>(side)), local, samples);
+    if (IsInCorner(site.Position, samples))
     {
       return std::nullopt;
     }
@@ -323,30 +334,30 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
     }
     if (this->Settings.Refine && !this->Source.SamplesGridAtOnce())
     {
-      rays += this->SupersampleCells(site, frame, grid, beams, sights);
+      rays += this->SupersampleCells(site, frame, grid, emitterSamples, samples);
     }
     if (side >= this->Settings.Side)
     {
-      rays += this->FindOccluderEdges(site, grid, directions, sights);
+      rays += this->FindOccluderEdges(site, grid, directions, samples);
     }
-    record.Gathered = EstimateHemisphere(grid, frame, local, sights, this->Source.GetFalloff());
+    record.Gathered = EstimateHemisphere(grid, frame, local, samples, this->Source.GetFalloff());
     if (side >= this->Settings.Side || record.Gathered.Error == 0.f)
     {
       break;
     }
   }
-  const double least = this->Settings.MinimumRadiusPixels * site.Pixel;
-  const double radius =
-    std::min({ this->RadiusOf(record.Gathered), double(ShareOfReach) * this->Source.GetReach(),
-      (record.Gathered.Error == 0.f ? ShareOfEmpty : 1.0) * site.MaximumRadius });
-  record.IsValid = this->Settings.KeepAllValid || radius >= LeastShare * least;
-  const double shadow = ShareOfShadow *
-    ShadowDistance(HemisphereGrid::Get(this->Settings.Side), frame, directions, sights, beams,
-      this->Settings.Tolerance);
-  record.Radius =
-    static_cast<float>(record.IsValid ? std::clamp(std::min(radius, shadow), least,
-                                          std::max(least, this->Settings.MostPixels * site.Pixel))
-                                      : InvalidRadiusFactor * least);
+  const double minimum = this->Settings.MinimumRadiusPixels * site.Pixel;
+  const double radius = std::min({ this->ComputeRadius(record.Gathered),
+    double(OcclusionRadiusFraction) * this->Source.GetReach(),
+    (record.Gathered.Error == 0.f ? UniformRadiusFraction : 1.0) * site.MaximumRadius });
+  record.IsValid = this->Settings.KeepAllValid || radius >= MinimumRadiusFraction * minimum;
+  const double shadow = ShadowRadiusFraction *
+    ShadowDistance(HemisphereGrid::Get(this->Settings.Side), frame, directions, samples,
+      emitterSamples, this->Settings.Tolerance);
+  record.Radius = static_cast<float>(record.IsValid
+      ? std::clamp(std::min(radius, shadow), minimum,
+          std::max(minimum, this->Settings.MaximumRadiusPixels * site.Pixel))
+      : InvalidRadiusFactor * minimum);
   if (this->Settings.KeepAllValid && radius < record.Radius)
   {
     // Limit the change within the enlarged radius to that within the radius of the rule.
@@ -361,28 +372,28 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
 }
 
 long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const glm::mat3& frame,
-  const HemisphereGrid& grid, const std::vector<EmitterSample>& beams,
-  std::vector<HemisphereSample>& sights) const
+  const HemisphereGrid& grid, const std::vector<EmitterSample>& emitterSamples,
+  std::vector<HemisphereSample>& samples) const
 {
-  std::vector<float> variances(sights.size());
+  std::vector<float> variances(samples.size());
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    variances[cell] = VarianceOf(grid, sights, cell);
+    variances[cell] = EstimateCellVariance(grid, samples, cell);
   }
-  for (const EmitterSample& beam : beams)
+  for (const EmitterSample& emitterSample : emitterSamples)
   {
     RaiseVarianceNearEmitter(
-      grid, glm::transpose(frame) * beam.Direction, beam.Strength, variances);
+      grid, glm::transpose(frame) * emitterSample.Direction, emitterSample.Strength, variances);
   }
-  const double allowed = std::pow(NoiseShare * this->Settings.Tolerance * grid.Cells(), 2.0);
-  const std::vector<int> finer = AllocateSubsamples(variances, allowed);
+  const double allowed = std::pow(NoiseFraction * this->Settings.Tolerance * grid.Cells(), 2.0);
+  const std::vector<int> subdivisions = AllocateSubsamples(variances, allowed);
   std::uint32_t random = HashPoint(site.Position, -site.Normal);
   std::vector<glm::vec3> directions;
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    if (finer[cell] > 1)
+    if (subdivisions[cell] > 1)
     {
-      grid.SubsampleCell(cell, finer[cell], random, directions);
+      grid.SubsampleCell(cell, subdivisions[cell], random, directions);
     }
   }
   if (directions.empty())
@@ -393,14 +404,14 @@ long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const g
   {
     direction = frame * direction;
   }
-  std::vector<HemisphereSample> closer;
-  const long long rays = this->Source.Gather(site.Position, site.Normal, directions, closer);
-  std::vector<HemisphereSample>::const_iterator next = closer.begin();
+  std::vector<HemisphereSample> refined;
+  const long long rays = this->Source.Gather(site.Position, site.Normal, directions, refined);
+  std::vector<HemisphereSample>::const_iterator next = refined.begin();
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    if (finer[cell] > 1)
+    if (subdivisions[cell] > 1)
     {
-      AverageSubsamples(finer[cell], next, sights[cell]);
+      AverageSubsamples(subdivisions[cell], next, samples[cell]);
     }
   }
   return rays;
@@ -408,40 +419,40 @@ long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const g
 
 long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,
   const HemisphereGrid& grid, const std::vector<glm::vec3>& directions,
-  std::vector<HemisphereSample>& sights) const
+  std::vector<HemisphereSample>& samples) const
 {
   std::vector<int> cells;
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    if (EndsAtHorizon(grid, directions, sights, cell))
+    if (EndsAtHorizon(grid, directions, samples, cell))
     {
       cells.push_back(cell);
     }
   }
   long long rays = 0;
-  std::vector<glm::vec3> closer;
-  std::vector<HemisphereSample> found;
-  for (const float share : SharesOfHorizon)
+  std::vector<glm::vec3> refined;
+  std::vector<HemisphereSample> hits;
+  for (const float fraction : HorizonFractions)
   {
-    closer.clear();
+    refined.clear();
     for (const int cell : cells)
     {
-      const glm::vec3 normal = sights[cell].Normal;
+      const glm::vec3 normal = samples[cell].Normal;
       const float here = glm::dot(normal, directions[cell]);
-      closer.push_back(glm::normalize(directions[cell] - (1.f - share) * here * normal));
+      refined.push_back(glm::normalize(directions[cell] - (1.f - fraction) * here * normal));
     }
     if (cells.empty())
     {
       break;
     }
-    rays += this->Source.Gather(site.Position, site.Normal, closer, found);
+    rays += this->Source.Gather(site.Position, site.Normal, refined, hits);
     std::vector<int> left;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      const bool goesOn = !std::isinf(found[i].Distance) &&
-        std::abs(glm::dot(found[i].Normal, sights[cells[i]].Normal)) > .999f;
-      sights[cells[i]].OccluderEdge = goesOn ? 2.f * found[i].Distance : 0.f;
-      if (!goesOn)
+      const bool continues = !std::isinf(hits[i].Distance) &&
+        std::abs(glm::dot(hits[i].Normal, samples[cells[i]].Normal)) > .999f;
+      samples[cells[i]].OccluderEdge = continues ? 2.f * hits[i].Distance : 0.f;
+      if (!continues)
       {
         left.push_back(cells[i]);
       }
@@ -451,25 +462,25 @@ long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,
   return rays;
 }
 
-double RecordPlacement::RadiusOf(const HemisphereEstimate& found) const
+double RecordPlacement::ComputeRadius(const HemisphereEstimate& estimate) const
 {
   const double accuracy = std::min(1.0, SplitSphereAccuracy * std::sqrt(this->Settings.Tolerance));
   switch (this->Settings.Rule)
   {
     case RadiusRules::NearestHit:
-      return accuracy * found.Nearest;
+      return accuracy * estimate.Nearest;
     case RadiusRules::HarmonicMean:
-      return accuracy * found.HarmonicMean;
+      return accuracy * estimate.HarmonicMean;
     default:
       return std::min(OverlapFactor *
-          std::sqrt(2.0 * this->Settings.Tolerance / std::max(found.HessianNorm, 1e-30f)),
-        static_cast<double>(OccluderEdgeFraction * found.OccluderEdgeDistance));
+          std::sqrt(2.0 * this->Settings.Tolerance / std::max(estimate.HessianNorm, 1e-30f)),
+        static_cast<double>(OccluderEdgeFraction * estimate.OccluderEdgeDistance));
   }
 }
 
-bool RecordPlacement::IsCovered(const RecordOctree& tree, const ShadingPoint& place)
+bool RecordPlacement::IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint)
 {
-  return tree.MaximumWeightAt(place) > LeastWeight;
+  return tree.MaximumWeightAt(shadingPoint) > MinimumWeight;
 }
 
 bool RecordPlacement::AddLevel(
@@ -502,7 +513,7 @@ bool RecordPlacement::AddLevel(
     {
       const Record& made = *outcomes[i].Made;
       this->Tree.InsertClamped(made, static_cast<float>(this->Settings.MinimumRadiusPixels));
-      this->Idle += made.IsValid ? 0 : 1;
+      this->InvalidRecords += made.IsValid ? 0 : 1;
     }
   }
   return true;

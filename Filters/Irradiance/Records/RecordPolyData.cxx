@@ -20,7 +20,7 @@ namespace
 constexpr float Pi = 3.14159265f;
 
 /// Array of Record::IsValid. All records are valid if the array is missing.
-constexpr const char* ServesName = "Serves";
+constexpr const char* ValidName = "Serves";
 
 /// Arrays in addition to the mean: name, number of components, and exponent of length in the unit.
 struct Column
@@ -155,13 +155,13 @@ void ToPolyData(
       }
     }
   }
-  vtkNew<vtkUnsignedCharArray> serves;
-  serves->SetName(ServesName);
+  vtkNew<vtkUnsignedCharArray> valid;
+  valid->SetName(ValidName);
   for (const Record& record : records)
   {
-    serves->InsertNextValue(record.IsValid ? 1 : 0);
+    valid->InsertNextValue(record.IsValid ? 1 : 0);
   }
-  data->GetPointData()->AddArray(serves);
+  data->GetPointData()->AddArray(valid);
   data->GetPointData()->SetActiveScalars(ValueName(quantity));
   data->GetPointData()->SetActiveNormals("Normals");
 }
@@ -177,13 +177,13 @@ std::vector<Record> FromPolyData(
     return {};
   }
   const float unit = quantity == Quantities::Irradiance ? Pi : 1.f;
-  vtkDataArray* serves = data->GetPointData()->GetArray(ServesName);
+  vtkDataArray* valid = data->GetPointData()->GetArray(ValidName);
   std::vector<Record> records(data->GetNumberOfPoints());
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double x[3];
     data->GetPoint(i, x);
-    records[i].IsValid = !serves || serves->GetComponent(i, 0) != 0.0;
+    records[i].IsValid = !valid || valid->GetComponent(i, 0) != 0.0;
     records[i].Position = scene.FromWorld(x);
     for (int c = 0; c < 3; ++c)
     {

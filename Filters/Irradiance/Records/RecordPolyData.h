@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Conversion of records to vtkPolyData in world coordinates and back. Each record is a vertex cell.
-// Point arrays: `AmbientOcclusion` (1) or `Irradiance` (3), `Normals` (3), `Radius`, `Lean` (maximum
-// distance from the tangent plane), `TranslationGradient` and `RotationGradient` (one vector per
-// channel), `Tangent` (3), `Clearance` (8), `Bend` (Hessian norm), `StandardError`, `Serves` (1 if valid).
+// Point arrays: `AmbientOcclusion` (1) or `Irradiance` (3), `Normals` (3), `Radius`, `Lean`
+// (maximum distance from the tangent plane), `TranslationGradient` and `RotationGradient` (one
+// vector per channel), `Tangent` (3), `Clearance` (8), `Bend` (Hessian norm), `StandardError`,
+// `Serves` (1 if valid).
 #ifndef penumbra_RecordPolyData_h
 #define penumbra_RecordPolyData_h
 
@@ -34,8 +35,8 @@ VTKPENUMBRAFILTERSIRRADIANCE_EXPORT bool HasRecords(vtkPolyData* data, Quantitie
 void ToPolyData(
   const std::vector<Record>& records, Quantities quantity, const Scene& scene, vtkPolyData* data);
 
-/// Converts `data` to records. If arrays are missing or contain invalid values, returns no records and
-/// describes the problem in `problem`.
+/// Converts `data` to records. If arrays are missing or contain invalid values, returns no records
+/// and describes the problem in `problem`.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Record> FromPolyData(
   vtkPolyData* data, Quantities quantity, const Scene& scene, std::string& problem);
 

@@ -19,15 +19,15 @@ class RayScene;
 class ScreenSpaceRecords
 {
 public:
-  /// The sides of squares are between the minimum and maximum radius of `settings`. `rays` and `places`
-  /// must outlive this object.
-  ScreenSpaceRecords(const RayScene& rays, const RecordPlacement& places,
+  /// The sides of squares are between the minimum and maximum radius of `settings`. `rays` and
+  /// `placement` must outlive this object.
+  ScreenSpaceRecords(const RayScene& rays, const RecordPlacement& placement,
     const RecordPlacementSettings& settings, float normalAngle);
 
   /// Makes all records of the image. Returns false if `progress` requested a stop.
   bool PlaceLevels(const ProgressCallback& progress);
 
-  InterpolationResult LookUp(const ShadingPoint& place) const;
+  InterpolationResult LookUp(const ShadingPoint& point) const;
 
   const std::vector<Record>& GetRecords() const { return this->Records; }
   std::size_t GetBytes() const;
@@ -46,15 +46,16 @@ private:
 
   bool MakeRecords(const std::vector<Square>& squares, const ProgressCallback& progress);
 
-  /// Returns true if the visible point at the center of `square` has no record of sufficient weight.
+  /// Returns true if the visible point at the center of `square` has no record of sufficient
+  /// weight.
   bool NeedsSubdivision(const Square& square) const;
 
-  /// Finds the records at the four corners of the square of `side` around `at`, in units of the finest
-  /// squares; null for a corner without a record.
+  /// Finds the records at the four corners of the square of `side` around `at`, in units of the
+  /// finest squares; null for a corner without a record.
   void FindCorners(glm::dvec2 at, int side, const Record* (&corners)[4]) const;
 
   const RayScene& Seen;
-  const RecordPlacement& Places;
+  const RecordPlacement& Placement;
   float NormalFactor;
   int Unit = 1;     ///< side of a finest square in pixels
   int Coarsest = 1; ///< side of a coarsest square in finest squares
