@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraGatherer
- * @brief   How the irradiance cache looks around from its records, other than by rays [IC].
+ * @brief   Interface for objects that sample the hemisphere of a record without rays [IC].
  *
- * Give one to vtkPenumbraIrradianceCache::SetGatherer(): vtkPenumbraCubeMapGatherer rasterises. What is
- * seen means the same whoever looks, so that records of one gatherer serve where those of another do.
+ * Set with vtkPenumbraIrradianceCache::SetGatherer(). vtkPenumbraCubeMapGatherer rasterizes the
+ * scene. All gatherers shade what they find in the same way, so that their records can replace each
+ * other.
  */
 #ifndef vtkPenumbraGatherer_h
 #define vtkPenumbraGatherer_h
@@ -29,14 +30,14 @@ public:
   vtkAbstractTypeMacro(vtkPenumbraGatherer, vtkObject);
 
   /**
-   * Looks at the scene that `seen` traces, and lets it say what that means; `seen` must outlive what is
-   * returned, and this object, too. Throws std::runtime_error where this machine or the scene does not
-   * allow it.
+   * Returns a gatherer for the scene of the ray gatherer `seen`, which also shades the hits. `seen`
+   * and this object must outlive the returned object. Throws std::runtime_error if this machine or
+   * the scene is not supported.
    */
   VTK_WRAPEXCLUDE virtual std::unique_ptr<penumbra::Gatherer> Make(
     const penumbra::RayGatherer& seen) = 0;
 
-  /** Adds what it counted since Make(). */
+  /** Adds the statistics collected since Make() to `statistics`. */
   virtual void Report(vtkFieldData* statistics) const = 0;
 
 protected:

@@ -24,23 +24,29 @@ namespace
 
 using namespace penumbra;
 
-/// Of what Begin() accepts from independent answers.
-constexpr double SharedError = 0.5;
-constexpr double LeastTolerance = 1e-4;
+/// Error of interpolated values as a fraction of the tolerance passed to Begin(). Below 1 because
+/// errors of neighboring pixels are correlated and do not average out.
+constexpr double InterpolationErrorFraction = 0.5;
 
-/// The picture's pixels from whose places light is followed backwards have this stride or more.
-constexpr int StrideOfViewpoints = 8;
+/// Minimum tolerance of the mean over the hemisphere.
+constexpr double MinimumTolerance = 1e-4;
 
-/// Light: what of the tolerance bends may take, and what the grid of one record may err by, which is
-/// looked at closer where light varies and is blended with others. Measured by the benchmark
-/// `irradiance`: twice as many records of half as many rays each err less.
+/// Minimum stride in pixels of the visible points that trace rays to place the records of
+/// reflections.
+constexpr int ViewpointStride = 8;
+
+/// Error of interpolated irradiance as a fraction of the tolerance.
 constexpr double HessianErrorFraction = .5;
+
+/// Error of the grid of one irradiance record over the tolerance. Above 1 because cells are
+/// supersampled and several records are interpolated. Twice as many records with half as many rays
+/// each have a smaller error (benchmark `irradiance`).
 constexpr double GridNoise = 2.5;
 
-/// Of the progress of irradiance: the reflections but the last.
-constexpr double ProgressOfReflections = 0.5;
+/// Fraction of the progress of irradiance spent on all reflections but the last.
+constexpr double ReflectionProgress = 0.5;
 
-/// The records of a picture, and the angle that their weights depend on.
+/// Converts the records of a view and adds the angle that their weights depend on.
 void Copy(
   const ViewRecords& from, penumbra::Quantities quantity, const Scene& scene, vtkPolyData* records)
 {
@@ -52,7 +58,7 @@ void Copy(
 std::vector<RecordCandidate> Viewpoints(const RayScene& rays, const ProgressCallback& progress)
 {
   std::vector<RecordCandidate> all;
-  for (int level = 0; LevelStride(level) >= StrideOfViewpoints; ++level)
+  for (int level = 0; LevelStride(level) >= ViewpointStride; ++level)
   {
     const std::vector<RecordCandidate> sites = CandidatesInImage(rays, level, progress);
     all.insert(all.end(), sites.begin(), sites.end());
@@ -64,7 +70,7 @@ std::vector<RecordCandidate> Viewpoints(const RayScene& rays, const ProgressCall
 
 struct vtkPenumbraIrradianceCache::Internals
 {
-  /// What records were made for.
+  /// Input that determines the records.
   struct BuildKey
   {
     std::uint64_t Scene = 0;
@@ -81,33 +87,35 @@ struct vtkPenumbraIrradianceCache::Internals
     }
   };
 
-  /// One of the two quantities.
+  /// Records of one quantity.
   struct QuantityCache
   {
     BuildKey Key;
-    std::unique_ptr<Gatherer> CustomGatherer; ///< none: rays
-    Scene Units; ///< origin and scale alone: records outlive their scene
+    std::unique_ptr<Gatherer> CustomGatherer; ///< null for rays
+    Scene Units; ///< only origin and scale, because records may outlive their scene
     std::unique_ptr<ViewRecords> Records;
 
-    /// From world coordinates.
-    ShadingPoint PlaceOf(const double point[3], const double normal[3]) const
+    /// Converts a point in world coordinates.
+    ShadingPoint ToShadingPoint(const double point[3], const double normal[3]) const
     {
-      ShadingPoint place;
-      place.Position = this->Units.FromWorld(point);
-      place.Normal = glm::vec3(normal[0], normal[1], normal[2]);
-      return place;
+      ShadingPoint shadingPoint;
+      shadingPoint.Position = this->Units.FromWorld(point);
+      shadingPoint.Normal = glm::vec3(normal[0], normal[1], normal[2]);
+      return shadingPoint;
     }
 
-    InterpolationResult Ask(const double point[3], const double normal[3], bool lazily) const
+    InterpolationResult LookUp(
+      const double point[3], const double normal[3], bool gatherIfMissing) const
     {
-      const ShadingPoint place = this->PlaceOf(point, normal);
-      return lazily ? this->Records->LookUpOrGather(place) : this->Records->LookUp(place);
+      const ShadingPoint shadingPoint = this->ToShadingPoint(point, normal);
+      return gatherIfMissing ? this->Records->LookUpOrGather(shadingPoint)
+                             : this->Records->LookUp(shadingPoint);
     }
   };
 
   QuantityCache Occlusion;
   std::unique_ptr<OcclusionGatherer> Occluders;
-  double QueryTolerance = 0.0; ///< by Begin(), for a single answer
+  double QueryTolerance = 0.0; ///< tolerance of a single query, set by Begin()
   vtkNew<vtkPenumbraBruteForceIrradiance> BruteForce;
 
   QuantityCache Irradiance;
@@ -176,19 +184,19 @@ vtkMTimeType vtkPenumbraIrradianceCache::GetMTime()
 
 void vtkPenumbraIrradianceCache::GetRecords(vtkPolyData* records) const
 {
-  const Internals::QuantityCache& half = this->Implementation->Occlusion;
-  if (half.Records)
+  const Internals::QuantityCache& cache = this->Implementation->Occlusion;
+  if (cache.Records)
   {
-    Copy(*half.Records, Quantities::Occlusion, half.Units, records);
+    Copy(*cache.Records, Quantities::Occlusion, cache.Units, records);
   }
 }
 
 void vtkPenumbraIrradianceCache::GetIrradianceRecords(vtkPolyData* records) const
 {
-  const Internals::QuantityCache& half = this->Implementation->Irradiance;
-  if (half.Records)
+  const Internals::QuantityCache& cache = this->Implementation->Irradiance;
+  if (cache.Records)
   {
-    Copy(*half.Records, Quantities::Irradiance, half.Units, records);
+    Copy(*cache.Records, Quantities::Irradiance, cache.Units, records);
   }
 }
 
@@ -199,10 +207,11 @@ RecordPlacementSettings vtkPenumbraIrradianceCache::Internals::MakeSettings(
     { self->Tolerance, self->MinimumRadius, self->MaximumRadius, self->NormalAngle });
   RecordPlacementSettings settings;
   settings.Tolerance =
-    std::max(self->Tolerance > 0.0 ? self->Tolerance : SharedError * accepted, LeastTolerance);
+    std::max(self->Tolerance > 0.0 ? self->Tolerance : InterpolationErrorFraction * accepted,
+      MinimumTolerance);
   settings.Rule = static_cast<penumbra::RadiusRules>(self->RadiusRule);
   settings.MinimumRadiusPixels = self->MinimumRadius;
-  settings.MostPixels = std::max(self->MinimumRadius, self->MaximumRadius);
+  settings.MaximumRadiusPixels = std::max(self->MinimumRadius, self->MaximumRadius);
   settings.Side = static_cast<int>(std::lround(std::sqrt(self->RaysPerRecord)));
   return settings;
 }
@@ -220,9 +229,9 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   const Progress& progress)
 {
   const RayScene& rays = seen.GetRays();
-  QuantityCache& half = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
-  half.Records.reset();
-  half.CustomGatherer = this->CustomGatherer ? this->CustomGatherer->Make(seen) : nullptr;
+  QuantityCache& cache = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
+  cache.Records.reset();
+  cache.CustomGatherer = this->CustomGatherer ? this->CustomGatherer->Make(seen) : nullptr;
   std::vector<Record> initial;
   const auto other =
     quantity == Quantities::Occlusion ? Quantities::Irradiance : Quantities::Occlusion;
@@ -232,25 +241,28 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
     initial = FromPolyData(this->InitialRecords, quantity, rays.GetScene(), problem);
     if (!problem.empty())
     {
-      vtkWarningWithObjectMacro(self, "InitialRecords are not used: " << problem << ".");
+      vtkWarningWithObjectMacro(self,
+        "InitialRecords are ignored: " << problem
+                                       << ". Set records written by GetRecords() or "
+                                          "GetIrradianceRecords().");
     }
   }
-  half.Units.Origin = rays.GetScene().Origin;
-  half.Units.Scale = rays.GetScene().Scale;
+  cache.Units.Origin = rays.GetScene().Origin;
+  cache.Units.Scale = rays.GetScene().Scale;
   const Gatherer& gatherer =
-    half.CustomGatherer ? *half.CustomGatherer : static_cast<const Gatherer&>(seen);
-  half.Records = std::make_unique<ViewRecords>(
+    cache.CustomGatherer ? *cache.CustomGatherer : static_cast<const Gatherer&>(seen);
+  cache.Records = std::make_unique<ViewRecords>(
     rays, gatherer, settings, NormalAngle(self, settings), self->Space == SCREEN, initial);
-  return self->IsLazy() || half.Records->PlaceLevels(progress);
+  return self->IsLazy() || cache.Records->PlaceLevels(progress);
 }
 
 bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occluders& occluders,
   double tolerance, const Progress& progress)
 {
   Internals& self = *this->Implementation;
-  const Internals::BuildKey purpose{ rays.GetId(), occluders.Radius, occluders.Falloff, {},
-    tolerance, this->GetMTime() };
-  if (self.Occlusion.Key == purpose)
+  const Internals::BuildKey key{ rays.GetId(), occluders.Radius, occluders.Falloff, {}, tolerance,
+    this->GetMTime() };
+  if (self.Occlusion.Key == key)
   {
     return true;
   }
@@ -271,7 +283,7 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
   {
     return false;
   }
-  self.Occlusion.Key = purpose;
+  self.Occlusion.Key = key;
   return true;
 }
 
@@ -285,7 +297,7 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraIrradianceCache::OcclusionWit
   const double point[3], const double normal[3], double tolerance) const
 {
   const Internals& self = *this->Implementation;
-  const InterpolationResult found = self.Occlusion.Ask(point, normal, this->IsLazy());
+  const InterpolationResult found = self.Occlusion.LookUp(point, normal, this->IsLazy());
   if (!found.Found())
   {
     return self.BruteForce->OcclusionWithin(point, normal, tolerance);
@@ -301,9 +313,9 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
 {
   Internals& self = *this->Implementation;
   const RayScene& rays = light.GetRays();
-  const Internals::BuildKey purpose{ rays.GetId(), 0.0, 0, light.GetSettings(), tolerance,
+  const Internals::BuildKey key{ rays.GetId(), 0.0, 0, light.GetSettings(), tolerance,
     this->GetMTime() };
-  if (self.Irradiance.Key == purpose)
+  if (self.Irradiance.Key == key)
   {
     return true;
   }
@@ -318,11 +330,11 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
     settings.Side = RecordPlacement::SideFor(GridNoise * settings.Tolerance);
   }
   settings.Tolerance *= HessianErrorFraction;
-  const auto before = [&](double share) {
-    return progress && progress(ProgressOfReflections * share);
+  const auto before = [&](double fraction) {
+    return progress && progress(ReflectionProgress * fraction);
   };
-  const auto after = [&](double share) {
-    return progress && progress(ProgressOfReflections + (1.0 - ProgressOfReflections) * share);
+  const auto after = [&](double fraction) {
+    return progress && progress(ReflectionProgress + (1.0 - ReflectionProgress) * fraction);
   };
   try
   {
@@ -336,7 +348,7 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   {
     return false;
   }
-  self.Irradiance.Key = purpose;
+  self.Irradiance.Key = key;
   return true;
 }
 
@@ -345,15 +357,15 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraIrradianceCache::Irradiance(
 {
   const Internals& self = *this->Implementation;
   Light light;
-  InterpolationResult found = self.Irradiance.Ask(point, normal, this->IsLazy());
+  InterpolationResult found = self.Irradiance.LookUp(point, normal, this->IsLazy());
   if (!found.Found())
   {
-    found = self.Irradiance.Records->Gather(self.Irradiance.PlaceOf(point, normal),
-      std::max(tolerance / vtkMath::Pi(), LeastTolerance), light.Rays);
+    found = self.Irradiance.Records->Gather(self.Irradiance.ToShadingPoint(point, normal),
+      std::max(tolerance / vtkMath::Pi(), MinimumTolerance), light.Rays);
   }
-  const ShadingPoint place = self.Irradiance.PlaceOf(point, normal);
+  const ShadingPoint shadingPoint = self.Irradiance.ToShadingPoint(point, normal);
   const auto suns = self.Light->GetLight().EstimateSunlight(
-    place.Position, place.Normal, tolerance / vtkMath::Pi(), light.Rays);
+    shadingPoint.Position, shadingPoint.Normal, tolerance / vtkMath::Pi(), light.Rays);
   light.Error = vtkMath::Pi() * std::hypot(found.Error, suns.Error);
   for (int c = 0; c < 3; ++c)
   {
@@ -368,13 +380,13 @@ void vtkPenumbraIrradianceCache::Report(vtkFieldData* statistics) const
   std::size_t records = 0;
   std::size_t bytes = 0;
   long long rays = 0;
-  for (const Internals::QuantityCache* half : { &self.Occlusion, &self.Irradiance })
+  for (const Internals::QuantityCache* cache : { &self.Occlusion, &self.Irradiance })
   {
-    if (half->Records)
+    if (cache->Records)
     {
-      records += half->Records->GetRecords().size();
-      bytes += half->Records->GetBytes();
-      rays += half->Records->GetRays();
+      records += cache->Records->GetRecords().size();
+      bytes += cache->Records->GetBytes();
+      rays += cache->Records->GetRays();
     }
   }
   if (self.Light)

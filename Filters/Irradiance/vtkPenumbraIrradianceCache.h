@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceCache
- * @brief   Occlusion and irradiance gathered at few points and interpolated between them [IC].
+ * @brief   Irradiance cache: occlusion and irradiance gathered at few points and interpolated [IC].
  *
- * Give it to vtkPenumbraRayCaster::SetIrradianceSource(). Records hold what was gathered with its
- * gradients; how far a record serves follows from its second derivative, so that Tolerance is an
- * error of the result. Where no record serves, brute force answers.
+ * Set with vtkPenumbraRayCaster::SetIrradianceSource(). A record stores a gathered mean and its
+ * gradients. The radius of a record follows from its second derivative, so that Tolerance bounds
+ * the error of the result. Points without a valid record are computed by brute force.
  *
- * Light of several reflections has records for each: those of the first lie where rays from the picture
- * end, the next ones look them up.
+ * Light of several reflections uses a separate set of records per reflection. The records of the
+ * first reflection lie at the hits of rays from visible points; the records of each further
+ * reflection look up those of the previous one.
  *
- * Which records there are is a function of scene, camera and whole picture: never of the order of
- * questions, of threads or of tiles. Only the paper's LAZY order is outside that promise.
+ * The set of records depends on the scene, the camera and the image size. It does not depend on the
+ * order of queries, the number of threads or the tiles. Only the order LAZY does not guarantee
+ * this.
  */
 #ifndef vtkPenumbraIrradianceCache_h
 #define vtkPenumbraIrradianceCache_h
@@ -35,9 +37,9 @@ public:
 
   ///@{
   /**
-   * Error accepted, as the RMSE of occlusion or of irradiance over pi in 16x16 pixels, 1e-4 to 1; 0:
-   * half of what Begin() asks for, since errors of neighbours are alike here and do not average out.
-   * Default: 0.
+   * Accepted error: RMSE of occlusion, or of irradiance over pi, over 16 x 16 pixels. Range: [1e-4,
+   * 1]. 0 uses half of the tolerance passed to Begin(), because errors of neighboring pixels are
+   * correlated and do not average out. Default: 0.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -46,32 +48,36 @@ public:
   /** The two caches of [IC]. */
   enum Spaces
   {
-    WORLD, ///< any place asks; fewest records; they serve other views, too
-    SCREEN ///< what the picture sees first; records at the corners of squares of the picture
+    WORLD, ///< any point can be looked up; fewest records; reusable for other views
+    SCREEN ///< only visible points can be looked up; records at the corners of image squares
   };
   ///@{
-  /** Where records are looked up. Reflections before the last are looked up in world space. Default: WORLD. */
+  /**
+   * Space in which records are looked up. All reflections but the last use world space. Default:
+   * WORLD.
+   */
   vtkSetClampMacro(Space, int, WORLD, SCREEN);
   vtkGetMacro(Space, int);
   ///@}
 
-  /** How far a record serves. */
+  /** Rules for the radius of a record. */
   enum RadiusRules
   {
-    NEAREST_HIT,      ///< [IC]: a share of the distance of the nearest hit, grazing rays left out
-    HARMONIC_MEAN,    ///< [IC]: a share of the harmonic mean of all distances
-    OCCLUSION_HESSIAN ///< as far as the second derivative keeps the error within the tolerance
+    NEAREST_HIT,   ///< [IC]: a fraction of the distance of the nearest hit, without grazing rays
+    HARMONIC_MEAN, ///< [IC]: a fraction of the harmonic mean of all hit distances
+    OCCLUSION_HESSIAN ///< from the second derivative and the tolerance
   };
   ///@{
-  /** How radii are found. Default: OCCLUSION_HESSIAN. */
+  /** Rule for the radius of a record. Default: OCCLUSION_HESSIAN. */
   vtkSetClampMacro(RadiusRule, int, NEAREST_HIT, OCCLUSION_HESSIAN);
   vtkGetMacro(RadiusRule, int);
   ///@}
 
   ///@{
   /**
-   * Least and greatest radius of a record in pixels of the picture [IC], 1 to 64 and 4 to 1000; in screen
-   * space also, rounded down to powers of two, the sides of squares. Default: 3, 64.
+   * Minimum and maximum radius of a record in pixels [IC]. In screen space, rounded down to powers
+   * of two, they are also the minimum and maximum side of a square. Ranges: [1, 64] and [4, 1000].
+   * Default: 3 and 64.
    */
   vtkSetClampMacro(MinimumRadius, double, 1.0, 64.0);
   vtkGetMacro(MinimumRadius, double);
@@ -80,65 +86,79 @@ public:
   ///@}
 
   ///@{
-  /** Greatest angle between normals that share a record, degrees, up to 90; 0: from the tolerance (11.5 at .005). [IC]'s formula has 9. Default: 0. */
+  /**
+   * Maximum angle in degrees between the normals of a record and of a point that uses it. Range:
+   * [0, 90]. 0 computes it from the tolerance (11.5 at 0.005); the formula of [IC] gives 9.
+   * Default: 0.
+   */
   vtkSetClampMacro(NormalAngle, double, 0.0, 90.0);
   vtkGetMacro(NormalAngle, double);
   ///@}
 
   ///@{
-  /** Rays of a record where something is seen to change, 64 to 65536, a square; 0: from the tolerance (1024 at .005; of light 324). Default: 0. */
+  /**
+   * Number of rays per record, rounded to the square of a multiple of 4. A record that finds no
+   * change with a coarse grid uses fewer. Range: [64, 65536]. 0 computes it from the tolerance (at
+   * 0.005, 1024 for occlusion and 256 for irradiance, plus supersampling). Default: 0.
+   */
   vtkSetClampMacro(RaysPerRecord, int, 0, 65536);
   vtkGetMacro(RaysPerRecord, int);
   ///@}
 
-  /** When records are made. */
+  /** Times at which records are made. */
   enum Orders
   {
-    LEVELS, ///< all at the beginning, level by level
-    LAZY    ///< [IC]'s: where a question finds none; depends on the order of questions
+    LEVELS, ///< all records in Begin(), level by level
+    LAZY    ///< [IC]: when a query finds no record; the result depends on the order of queries
   };
   ///@{
-  /** When records are made; in screen space always LEVELS. Default: LEVELS. */
+  /** Time at which records are made. Screen space always uses LEVELS. Default: LEVELS. */
   vtkSetClampMacro(Order, int, LEVELS, LAZY);
   vtkGetMacro(Order, int);
   ///@}
 
   ///@{
   /**
-   * Records to begin with, as GetRecords() or GetIrradianceRecords() gave them for the same scene and
-   * reach or light; for world space. Default: none.
+   * Initial records, as returned by GetRecords() or GetIrradianceRecords() for the same scene and
+   * the same radius or light. Used in world space only. Default: none.
    */
   virtual void SetInitialRecords(vtkPolyData* records);
   vtkPolyData* GetInitialRecords();
   ///@}
 
   ///@{
-  /** Looks around from the records. Questions that no record serves, and reflections before the last, are answered by rays. Default: none, rays. */
+  /**
+   * Gatherer that samples the hemispheres of the records. Points without a valid record and all
+   * reflections but the last always use rays. Default: none, which uses rays everywhere.
+   */
   virtual void SetGatherer(vtkPenumbraGatherer* gatherer);
   vtkPenumbraGatherer* GetGatherer();
   ///@}
 
-  /** Also that of the gatherer. */
+  /** Includes the modification times of the gatherer and of the initial records. */
   vtkMTimeType GetMTime() override;
 
-  /** The records as points with arrays, in world coordinates: position, normal, `Radius`, ... */
+  /**
+   * Copies the occlusion records to `records` as points in world coordinates with arrays: normals,
+   * `Radius`, ...
+   */
   void GetRecords(vtkPolyData* records) const;
-  /** Those of the last reflection, likewise. */
+  /** Copies the irradiance records of the last reflection to `records`, like GetRecords(). */
   void GetIrradianceRecords(vtkPolyData* records) const;
 
   bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) override;
   Estimate Occlusion(const double point[3], const double normal[3]) const override;
-  /** `tolerance` is for brute force, where no record serves. */
+  /** `tolerance` applies to brute force, which is used for points without a valid record. */
   Estimate OcclusionWithin(
     const double point[3], const double normal[3], double tolerance) const override;
 
   bool BeginIrradiance(
     const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) override;
-  /** Where no record serves, a gather of its own answers. */
+  /** Gathers at the point itself if it has no valid record. */
   Light Irradiance(const double point[3], const double normal[3], double tolerance) const override;
 
-  /** `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, and what the gatherer counted. */
+  /** Adds `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, and the statistics of the gatherer. */
   void Report(vtkFieldData* statistics) const override;
 
 protected:

@@ -39,40 +39,54 @@ namespace
 
 using namespace penumbra;
 
-/// What stands for a pixel on a mesh, of the distance of neighbouring points: a record must reach
-/// its neighbours to be worth anything, and no further than some dozens of them.
-constexpr float PixelOfSpacing = .5f;
+// Unless noted otherwise, the constants below were measured on a scan of 104 thousand points.
 
-/// Surfaces of scans are rough: what of the tolerance bends and turns may take, and how many of those
-/// pixels a record may reach. Measured on a scan of 104 thousand points.
+/// Pixel size of a mesh over the distance of neighboring points. The minimum radius of a record
+/// must include its neighbors.
+constexpr float PixelPerSpacing = .5f;
+
+/// Error of interpolation along the surface as a fraction of the tolerance. Surfaces of scans are
+/// rough.
 constexpr double HessianErrorFraction = .5;
+
+/// Error of rotation between normals as a fraction of the tolerance.
 constexpr double RotationErrorFraction = .1;
+
+/// Maximum radius of a record, in pixels as defined by PixelPerSpacing.
 constexpr double MaximumRadiusPixels = 16.0;
 
-/// The noise of one record may be above the tolerance, since several are blended; brute force tells
-/// an error above its true one. Measured there, too.
-constexpr double NoiseOfRecords = 1.4;
-constexpr double NoiseOfAnswers = 1.3;
+/// Noise of one record over the tolerance. Above 1 because several records are interpolated.
+constexpr double RecordNoiseFactor = 1.4;
 
-/// Few rays for each of several neighbours, and what these then believe to err.
-constexpr double NoiseOfQuickAnswers = 2.2;
-constexpr double MostNoise = .032; ///< of 32 rays
-constexpr double NoiseOfShared = .88;
+/// Estimated error of brute force over the tolerance. Above 1 because the estimate exceeds the true
+/// error.
+constexpr double BruteForceErrorFactor = 1.3;
 
-/// Of brute force for a point: neighbours' errors do not average out as those in a pixel do.
-constexpr int LeastRays = 128;
+/// Noise of low-sample estimates over the tolerance.
+constexpr double LowSampleNoiseFactor = 2.2;
+
+/// Maximum noise of low-sample estimates; that of 32 rays.
+constexpr double MaximumLowSampleNoise = .032;
+
+/// Estimated error of denoised values over the tolerance.
+constexpr double DenoisedErrorFactor = .88;
+
+/// Minimum number of rays per point by brute force. More than for pixels, whose errors average out
+/// over the samples of a pixel.
+constexpr int MinimumRays = 128;
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Of the progress of irradiance: the reflections but the last.
-constexpr double ProgressOfReflections = 0.4;
+/// Fraction of the progress of irradiance spent on all reflections but the last.
+constexpr double ReflectionProgress = 0.4;
 
-/// Of the points, every so manieth looks for others, see Interreflection.
-constexpr std::size_t MostViewpoints = 256;
+/// Approximate number of points (less than twice as many) that trace rays to place the records of
+/// reflections.
+constexpr std::size_t ViewpointCount = 256;
 
-/// `scale` times the means at every point or cell, 0 where nothing asked; where several faces of one
-/// cell asked, their mean.
-vtkSmartPointer<vtkFloatArray> ArrayOf(const BakeInput& mesh, const BakedValues& baked,
+/// Returns an array of `scale` times the means at all points or cells, 0 for those without a query
+/// point. A cell with several faces gets the mean over its faces.
+vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedValues& baked,
   vtkIdType size, const char* name, int components, float scale)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -96,31 +110,36 @@ vtkSmartPointer<vtkFloatArray> ArrayOf(const BakeInput& mesh, const BakedValues&
   return array;
 }
 
-/// Of all sites: so many blocked so far look the wrong way.
-constexpr double MostBlocked = .99;
-constexpr float BlockedInFull = .999f;
+/// Fraction of occluded points from which normals are reported as inward facing.
+constexpr double MinimumOccludedFraction = .99;
 
-/// Is hardly anything open? Then normals face into the mesh, or it is a cave.
+/// Occlusion from which a point counts as occluded.
+constexpr float OccludedThreshold = .999f;
+
+/// Returns true if nearly all points are occluded: the normals face into the mesh, or the mesh is a
+/// cave.
 bool IsBlocked(const BakedValues& baked)
 {
   const auto blocked = std::count_if(baked.Values.begin(), baked.Values.end(),
-    [](const BakedValue& value) { return value.Mean.x >= BlockedInFull; });
+    [](const BakedValue& value) { return value.Mean.x >= OccludedThreshold; });
   return blocked > 0 &&
-    static_cast<double>(blocked) >= MostBlocked * static_cast<double>(baked.Values.size());
+    static_cast<double>(blocked) >=
+    MinimumOccludedFraction * static_cast<double>(baked.Values.size());
 }
 
-/// What records leave out; false when stopped.
+/// Adds the light of suns, which records do not include. Returns false if stopped.
 bool AddSuns(const Illumination& light, const std::vector<RecordCandidate>& sites, double tolerance,
   const ProgressCallback& progress, BakedValues& baked)
 {
   std::atomic<long long> rays(0);
   const bool done =
     ParallelForBatches(static_cast<int>(sites.size()), 1.0, 1.0, progress, [&](int i) {
-      long long own = 0;
-      const auto suns = light.EstimateSunlight(sites[i].Position, sites[i].Normal, tolerance, own);
+      long long count = 0;
+      const auto suns =
+        light.EstimateSunlight(sites[i].Position, sites[i].Normal, tolerance, count);
       baked.Values[i].Mean += suns.Mean;
       baked.Values[i].Error = std::hypot(baked.Values[i].Error, suns.Error);
-      rays += own;
+      rays += count;
     });
   baked.BruteForceRays += rays;
   return done;
@@ -128,7 +147,7 @@ bool AddSuns(const Illumination& light, const std::vector<RecordCandidate>& site
 
 }
 
-/// A mesh in the making.
+/// State of one execution.
 struct vtkPenumbraIrradianceFilter::Work
 {
   BakeInput Mesh;
@@ -136,7 +155,7 @@ struct vtkPenumbraIrradianceFilter::Work
   RecordPlacementSettings Settings;
   RecordOctree Tree;
   BakedValues Baked;
-  std::unique_ptr<Interreflection> Reflections; ///< of irradiance
+  std::unique_ptr<Interreflection> Reflections; ///< null for occlusion
   long long GatherRays = 0;
   ProgressCallback Progress;
 };
@@ -231,7 +250,7 @@ int vtkPenumbraIrradianceFilter::RequestData(
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro("Out of memory: give a smaller mesh.");
+    vtkErrorMacro("Out of memory while baking. Use a smaller mesh.");
     return 0;
   }
   catch (const std::exception& error)
@@ -251,8 +270,10 @@ void vtkPenumbraIrradianceFilter::Execute(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   if (pieces > 1 && !surroundings)
   {
-    vtkWarningMacro(
-      "This is one of " << pieces << " pieces: what the others hold does not block it.");
+    vtkWarningMacro("The input is one of "
+      << pieces
+      << " pieces, and the other pieces do not occlude it. Set their surfaces "
+         "on input port 1, or use vtkPenumbraDistributedIrradianceFilter.");
   }
   if (auto* composite = vtkCompositeDataSet::GetData(inputs[0]))
   {
@@ -260,7 +281,7 @@ void vtkPenumbraIrradianceFilter::Execute(
     if (blocks.GetNumberOfSkippedBlocks() > 0)
     {
       vtkWarningMacro(<< blocks.GetNumberOfSkippedBlocks()
-                      << " blocks are no meshes: they take no part.");
+                      << " blocks were skipped because they are not vtkPointSets.");
     }
     vtkPointSet* joined = blocks.GetMerged();
     const auto baked = vtkSmartPointer<vtkPointSet>::Take(joined->NewInstance());
@@ -283,41 +304,41 @@ void vtkPenumbraIrradianceFilter::Execute(
 void vtkPenumbraIrradianceFilter::BakeOnto(
   vtkPointSet* input, vtkPolyData* surroundings, vtkPointSet* output)
 {
-  BakeInputOptions choices;
-  choices.OfCells = this->OnCells;
-  choices.ComputeNormals = this->ComputeNormals;
-  choices.PointRadius = this->PointRadius;
+  BakeInputOptions options;
+  options.OnCells = this->OnCells;
+  options.ComputeNormals = this->ComputeNormals;
+  options.PointRadius = this->PointRadius;
   Work work;
-  work.Progress = [this](double share) {
+  work.Progress = [this](double fraction) {
     if (!this->GetAbortExecute())
     {
-      this->UpdateProgress(share);
+      this->UpdateProgress(fraction);
     }
     return this->GetAbortExecute() != 0;
   };
   BakeInput& mesh = work.Mesh;
-  mesh = PrepareBakeInput(input, choices, work.Progress);
+  mesh = PrepareBakeInput(input, options, work.Progress);
   if (surroundings)
   {
     AddOccluders(surroundings, mesh, work.Progress);
   }
   for (RecordCandidate& site : mesh.Sites)
   {
-    site.Pixel *= PixelOfSpacing;
+    site.Pixel *= PixelPerSpacing;
   }
-  for (const std::string& what : mesh.LeftOut)
+  for (const std::string& what : mesh.SkippedAttributes)
   {
     vtkWarningMacro(<< what);
   }
   if (mesh.Unused > 0 || mesh.NotFinite > 0)
   {
     vtkWarningMacro(<< mesh.Unused << (this->OnCells ? " cells" : " points")
-                    << " are of no surface and " << mesh.NotFinite
-                    << " are not finite or have no normal: their value is 0.");
+                    << " do not belong to a surface and " << mesh.NotFinite
+                    << " are not finite or have no normal. Their value is 0.");
   }
   work.Rays = std::make_unique<RayScene>(mesh.OccluderScene, this->NumberOfThreads, work.Progress);
   work.Tree.Initialize(glm::vec3(0.f), .5f);
-  work.Settings.MostPixels = MaximumRadiusPixels;
+  work.Settings.MaximumRadiusPixels = MaximumRadiusPixels;
   const bool light = this->Quantity == IRRADIANCE;
   if (!(light ? this->BakeIrradiance(work) : this->BakeOcclusion(work)))
   {
@@ -328,13 +349,13 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
     : static_cast<vtkDataSetAttributes*>(output->GetPointData());
   if (!light && IsBlocked(work.Baked))
   {
-    vtkWarningMacro("Everything is blocked: do polygons and normals face inwards? Turn them, for "
-                    "instance by vtkReverseSense; in PyVista by flip_faces().");
+    vtkWarningMacro("All points are occluded. Polygons and normals may face inward: reverse them, "
+                    "for example with vtkReverseSense, or with flip_faces() in PyVista.");
   }
   const vtkIdType size = this->OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
   attributes->AddArray(light
-      ? ArrayOf(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(Pi))
-      : ArrayOf(mesh, work.Baked, size, "AmbientOcclusion", 1, 1.f));
+      ? CreateArray(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(Pi))
+      : CreateArray(mesh, work.Baked, size, "AmbientOcclusion", 1, 1.f));
   this->Report(work, size);
 }
 
@@ -344,47 +365,49 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
   const double radius =
     this->Radius > 0.0 ? this->Radius : DefaultRadiusFraction * work.Mesh.Diagonal;
   const vtkPenumbraIrradianceProvider::Occluders occluders(radius, this->Falloff);
-  const OcclusionGatherer byRays(
+  const OcclusionGatherer rayGatherer(
     *work.Rays, penumbra::DistanceFalloff::InScene(radius, this->Falloff, scene.Scale));
-  const std::unique_ptr<penumbra::Gatherer> foreign =
-    this->Gatherer && this->Method == AUTOMATIC ? this->Gatherer->Make(byRays) : nullptr;
+  const std::unique_ptr<penumbra::Gatherer> customGatherer =
+    this->Gatherer && this->Method == AUTOMATIC ? this->Gatherer->Make(rayGatherer) : nullptr;
   work.Settings.Tolerance = HessianErrorFraction * this->Tolerance;
-  work.Settings.Side = RecordPlacement::SideFor(NoiseOfRecords * this->Tolerance);
+  work.Settings.Side = RecordPlacement::SideFor(RecordNoiseFactor * this->Tolerance);
   work.Tree.SetNormalAngle(
     RecordPlacement::NormalAngleFor(RotationErrorFraction * this->Tolerance));
-  RecordPlacement places(
-    foreign ? *foreign : static_cast<const penumbra::Gatherer&>(byRays), work.Settings, work.Tree);
+  RecordPlacement placement(
+    customGatherer ? *customGatherer : static_cast<const penumbra::Gatherer&>(rayGatherer),
+    work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceIrradiance> source;
-  source->SetMinimumRays(LeastRays);
-  source->Begin(*work.Rays, occluders, NoiseOfAnswers * this->Tolerance);
+  source->SetMinimumRays(MinimumRays);
+  source->Begin(*work.Rays, occluders, BruteForceErrorFactor * this->Tolerance);
   const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
-    const auto answer = source->Occlusion(&world.x, &normal.x);
-    count += answer.Rays;
-    return BakedValue{ glm::vec3(static_cast<float>(answer.Value)),
-      static_cast<float>(answer.Error) };
+    const auto estimate = source->Occlusion(&world.x, &normal.x);
+    count += estimate.Rays;
+    return BakedValue{ glm::vec3(static_cast<float>(estimate.Value)),
+      static_cast<float>(estimate.Error) };
   };
-  vtkNew<vtkPenumbraBruteForceIrradiance> few; // as many rays as told, whatever they say
-  few->Begin(*work.Rays, occluders, 0.0);
-  const double noise = std::min(NoiseOfQuickAnswers * this->Tolerance, MostNoise);
-  const auto quick = [&](const RecordCandidate& site, long long& count) {
+  // A tolerance of 0 disables adaptive sampling: the noise alone sets the number of rays.
+  vtkNew<vtkPenumbraBruteForceIrradiance> lowSampleSource;
+  lowSampleSource->Begin(*work.Rays, occluders, 0.0);
+  const double noise = std::min(LowSampleNoiseFactor * this->Tolerance, MaximumLowSampleNoise);
+  const auto lowSample = [&](const RecordCandidate& site, long long& count) {
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
-    const auto answer = few->OcclusionWithin(&world.x, &normal.x, noise);
-    count += answer.Rays;
-    return BakedValue{ glm::vec3(static_cast<float>(answer.Value)),
-      static_cast<float>(answer.Error) };
+    const auto estimate = lowSampleSource->OcclusionWithin(&world.x, &normal.x, noise);
+    count += estimate.Rays;
+    return BakedValue{ glm::vec3(static_cast<float>(estimate.Value)),
+      static_cast<float>(estimate.Error) };
   };
-  const PointEstimators answers{ bruteForce, quick,
-    static_cast<float>(NoiseOfShared * this->Tolerance) };
-  const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, this->Method == AUTOMATIC, places,
-    work.Tree, answers, work.Progress, work.Baked);
+  const PointEstimators estimators{ bruteForce, lowSample,
+    static_cast<float>(DenoisedErrorFactor * this->Tolerance) };
+  const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, this->Method == AUTOMATIC, placement,
+    work.Tree, estimators, work.Progress, work.Baked);
   for (BakedValue& value : work.Baked.Values)
   {
     value.Mean = glm::clamp(value.Mean, 0.f, 1.f);
   }
-  work.GatherRays = places.GetRays();
+  work.GatherRays = placement.GetRays();
   return done;
 }
 
@@ -399,9 +422,9 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   settings.Albedo = static_cast<float>(this->Albedo);
   settings.Bounces = this->Bounces;
   const Illumination light(*work.Rays, settings);
-  const double tolerance = this->Tolerance / Pi; // of the mean over the hemisphere
+  const double tolerance = this->Tolerance / Pi; // for the mean over the hemisphere
   work.Settings.Tolerance = HessianErrorFraction * tolerance;
-  work.Settings.Side = RecordPlacement::SideFor(NoiseOfRecords * tolerance);
+  work.Settings.Side = RecordPlacement::SideFor(RecordNoiseFactor * tolerance);
   const float angle = RecordPlacement::NormalAngleFor(RotationErrorFraction * tolerance);
   work.Tree.SetNormalAngle(angle);
 
@@ -409,45 +432,47 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const bool several = records && this->Bounces > 1;
   work.Reflections = std::make_unique<Interreflection>(light, work.Settings, angle);
   std::vector<RecordCandidate> viewpoints;
-  const std::size_t step = std::max<std::size_t>(work.Mesh.Sites.size() / MostViewpoints, 1);
+  const std::size_t step = std::max<std::size_t>(work.Mesh.Sites.size() / ViewpointCount, 1);
   for (std::size_t i = 0; i < work.Mesh.Sites.size(); i += step)
   {
     viewpoints.push_back(work.Mesh.Sites[i]);
   }
-  const auto before = [&](double share) { return work.Progress(ProgressOfReflections * share); };
+  const auto before = [&](double fraction) { return work.Progress(ReflectionProgress * fraction); };
   if (several && !work.Reflections->Build(viewpoints, before))
   {
     return false;
   }
-  const auto after = [&](double share) {
+  const auto after = [&](double fraction) {
     return work.Progress(
-      several ? ProgressOfReflections + (1.0 - ProgressOfReflections) * share : share);
+      several ? ReflectionProgress + (1.0 - ReflectionProgress) * fraction : fraction);
   };
-  const LightGatherer& byRays = work.Reflections->GetGatherer();
-  const std::unique_ptr<penumbra::Gatherer> foreign =
-    this->Gatherer && records ? this->Gatherer->Make(byRays) : nullptr;
-  RecordPlacement places(
-    foreign ? *foreign : static_cast<const penumbra::Gatherer&>(byRays), work.Settings, work.Tree);
+  const LightGatherer& rayGatherer = work.Reflections->GetGatherer();
+  const std::unique_ptr<penumbra::Gatherer> customGatherer =
+    this->Gatherer && records ? this->Gatherer->Make(rayGatherer) : nullptr;
+  RecordPlacement placement(
+    customGatherer ? *customGatherer : static_cast<const penumbra::Gatherer&>(rayGatherer),
+    work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceIrradiance> source;
-  source->SetMinimumRays(LeastRays);
+  source->SetMinimumRays(MinimumRays);
   source->BeginIrradiance(light, this->Tolerance);
   const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
-    if (const auto made = records ? places.Gather(site, count) : std::nullopt)
+    if (const auto made = records ? placement.Gather(site, count) : std::nullopt)
     {
       return BakedValue{ made->Gathered.Mean, made->Gathered.Error };
     }
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
-    const auto answer = source->Irradiance(&world.x, &normal.x, NoiseOfAnswers * this->Tolerance);
-    count += answer.Rays;
-    return BakedValue{ glm::vec3(answer.Value[0], answer.Value[1], answer.Value[2]) /
+    const auto estimate =
+      source->Irradiance(&world.x, &normal.x, BruteForceErrorFactor * this->Tolerance);
+    count += estimate.Rays;
+    return BakedValue{ glm::vec3(estimate.Value[0], estimate.Value[1], estimate.Value[2]) /
         static_cast<float>(Pi),
-      static_cast<float>(answer.Error / Pi) };
+      static_cast<float>(estimate.Error / Pi) };
   };
-  const PointEstimators answers{ bruteForce, {}, 0.f };
-  const bool done = Bake(
-    work.Mesh.Sites, work.Mesh.Spacing, records, places, work.Tree, answers, after, work.Baked);
-  work.GatherRays = places.GetRays() + work.Reflections->GetRays();
+  const PointEstimators estimators{ bruteForce, {}, 0.f };
+  const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, records, placement, work.Tree,
+    estimators, after, work.Baked);
+  work.GatherRays = placement.GetRays() + work.Reflections->GetRays();
   return done &&
     (!records || AddSuns(light, work.Mesh.Sites, tolerance, work.Progress, work.Baked));
 }

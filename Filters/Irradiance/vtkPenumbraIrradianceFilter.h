@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceFilter
- * @brief   Bakes ambient occlusion or irradiance onto a mesh: a point or cell array, to a tolerance.
+ * @brief   Bakes ambient occlusion or irradiance onto a mesh, within a tolerance.
  *
- * Adds the array `AmbientOcclusion` (0 open, 1 blocked) or `Irradiance` (red, green and blue; pi under a
- * white sky) to a copy of the input: any vtkPointSet with
- * a surface, or points alone with PointRadius. The hemisphere of a point is about its normal, as the
- * file has it, or as computed from the polygons; surfaces block from both sides. The blocks of a
- * composite data set are one scene: each may block all others. What else is there, but gets no values,
- * such as the floor below or the pieces of other processes, goes to input port 1 (optional, vtkPolyData):
- * its polygons block, and throw light back.
+ * Adds the array `AmbientOcclusion` (0 unoccluded, 1 occluded) or `Irradiance` (red, green and
+ * blue; pi under a white sky) to a copy of the input. The input is any vtkPointSet with a surface,
+ * or points only with PointRadius. The hemisphere of a point is centered on its normal, which is
+ * read from the input or computed from the polygons. Surfaces occlude from both sides. The blocks
+ * of a composite data set form one scene and occlude each other.
  *
- * Values are interpolated between the records of a cache as long as that is cheaper than rays at
- * every point, which it finds out by itself; of occlusion, few rays at every other point, made certain by
- * its neighbours, and more where these do not agree. Points of no cell and points that are not finite get 0
- * and are counted. When aborted, the output is the input without the array.
+ * Geometry that occludes and reflects light but receives no values, such as a floor or the pieces
+ * of other processes, goes to input port 1 (optional, vtkPolyData).
+ *
+ * Values are interpolated between cache records as long as this costs less than rays at every
+ * point. For occlusion, the remaining points first get a few rays each, and a local linear fit over
+ * neighboring points reduces the noise. Points with a poor fit get more rays. Points without a cell
+ * and points that are not finite get 0 and are counted. If aborted, the output is the input without
+ * the array.
  */
 #ifndef vtkPenumbraIrradianceFilter_h
 #define vtkPenumbraIrradianceFilter_h
@@ -38,116 +40,140 @@ public:
   vtkTypeMacro(vtkPenumbraIrradianceFilter, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What is baked. */
+  /** Quantities that can be baked. */
   enum Quantities
   {
-    AMBIENT_OCCLUSION, ///< the blocked share of the sky within Radius
-    IRRADIANCE         ///< light from the environment, straight and from surface to surface
+    AMBIENT_OCCLUSION, ///< occluded fraction of the hemisphere within Radius, cosine-weighted
+    IRRADIANCE         ///< direct and reflected light of the environment
   };
   ///@{
-  /** What is baked. Default: AMBIENT_OCCLUSION. */
+  /** Quantity to bake. Default: AMBIENT_OCCLUSION. */
   vtkSetClampMacro(Quantity, int, AMBIENT_OCCLUSION, IRRADIANCE);
   vtkGetMacro(Quantity, int);
   ///@}
 
   ///@{
-  /** Error accepted: the RMSE over all points, in the array's unit, 1e-4 to 1. Default: 0.01. */
+  /**
+   * Accepted RMSE over all points, in the unit of the output array. Range: [1e-4, 1]. Default:
+   * 0.01.
+   */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** Reach of an occluder in world units, may be infinite; 0: a tenth of the diagonal of all bounds. Default: 0. */
+  /**
+   * Maximum distance of an occluder in world units; may be infinite. 0 uses a tenth of the diagonal
+   * of the bounds of both inputs. Range: >= 0. Default: 0.
+   */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /** How an occluder counts less with its distance: one of vtkPenumbraIrradianceProvider::Falloffs. Default: NO_FALLOFF. */
+  /**
+   * Distance falloff of occluders, one of vtkPenumbraIrradianceProvider::Falloffs. Default:
+   * NO_FALLOFF.
+   */
   vtkSetClampMacro(Falloff, int, 0, 3);
   vtkGetMacro(Falloff, int);
   ///@}
 
   ///@{
-  /** Irradiance: radiance that comes from where nothing is, 0 up. Default: 1, 1, 1. */
+  /**
+   * Radiance of rays that hit nothing. Used for irradiance. Range: >= 0 per channel. Default: 1, 1,
+   * 1.
+   */
   vtkSetVector3Macro(EnvironmentColor, double);
   vtkGetVector3Macro(EnvironmentColor, double);
   ///@}
 
   ///@{
-  /** Irradiance: a picture of the environment, instead of EnvironmentColor. Default: none. */
+  /** Environment map, which replaces EnvironmentColor. Used for irradiance. Default: none. */
   virtual void SetEnvironment(vtkPenumbraEnvironment* environment);
   vtkPenumbraEnvironment* GetEnvironment();
   ///@}
 
   ///@{
-  /** Irradiance: share of light that the surface throws back, in [0, 1]. Default: 0.5. */
+  /** Fraction of light that surfaces reflect. Used for irradiance. Range: [0, 1]. Default: 0.5. */
   vtkSetClampMacro(Albedo, double, 0.0, 1.0);
   vtkGetMacro(Albedo, double);
   ///@}
 
   ///@{
-  /** Irradiance: reflections up to the eye's, which is the last, 1 to 64; 1: straight light. Default: 3. */
+  /**
+   * Number of reflections including the one toward the camera; 1 is direct light. Used for
+   * irradiance. Range: [1, 64]. Default: 3.
+   */
   vtkSetClampMacro(Bounces, int, 1, 64);
   vtkGetMacro(Bounces, int);
   ///@}
 
   ///@{
-  /** Bake at the centres of cells, about their own normals, not at points. A cell of a volume has the mean
-   * of those of its faces that are on the surface. Default: off. */
+  /**
+   * If on, bake at cell centers, using cell normals, instead of at points. A cell of a volume gets
+   * the mean over those of its faces that are on the surface. Default: off.
+   */
   vtkSetMacro(OnCells, bool);
   vtkGetMacro(OnCells, bool);
   vtkBooleanMacro(OnCells, bool);
   ///@}
 
   ///@{
-  /** Compute normals even where the input has some. Default: off. */
+  /** If on, compute normals even if the input has normals. Default: off. */
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);
   vtkBooleanMacro(ComputeNormals, bool);
   ///@}
 
   ///@{
-  /** Radius of the discs that stand for points where there are no polygons, world units; they need normals. Default: 0, none. */
+  /**
+   * Radius of the discs that represent the points of an input without polygons, in world units. The
+   * points need normals. Range: >= 0. Default: 0, no discs.
+   */
   vtkSetClampMacro(PointRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointRadius, double);
   ///@}
 
-  /** How values are found. */
+  /** Methods of computing values. */
   enum Methods
   {
-    AUTOMATIC,  ///< by records where they pay, else by rays
-    BRUTE_FORCE ///< by rays at every point, for comparison
+    AUTOMATIC,  ///< interpolate between records if this is faster, else trace rays
+    BRUTE_FORCE ///< trace rays at every point, for comparison
   };
   ///@{
-  /** How values are found. Default: AUTOMATIC. */
+  /** Method of computing values. Default: AUTOMATIC. */
   vtkSetClampMacro(Method, int, AUTOMATIC, BRUTE_FORCE);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /** Looks around from records, and for irradiance from points that none serves; else rays do. Default: none, rays. */
+  /**
+   * Gatherer that samples the hemispheres of records and, for irradiance, of points without a valid
+   * record. Default: none, which uses rays.
+   */
   virtual void SetGatherer(vtkPenumbraGatherer* gatherer);
   vtkPenumbraGatherer* GetGatherer();
   ///@}
 
   ///@{
-  /** Threads, 0: all. The values do not depend on it. Default: 0. */
+  /** Number of threads; 0 uses all. Values do not depend on it. Range: [0, 1024]. Default: 0. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   /**
-   * Counts of the last execution, one value an array: `Points/Total`, `Points/Interpolated`,
-   * `Points/Denoised`, `Points/BruteForce`, `Points/Unused`, `Points/NotFinite` (cells likewise), `Cache/Records`,
-   * `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`, `Rays/Total`. Also in the output's field data.
+   * Statistics of the last execution, one value per array: `Points/Total`, `Points/Interpolated`,
+   * `Points/Shared` (denoised), `Points/BruteForce`, `Points/Unused`, `Points/NotFinite`
+   * (`Cells/...` if OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`
+   * or `Rays/Indirect`, `Rays/Total`. Also added to the field data of the output.
    */
   vtkFieldData* GetStatistics();
 
-  /** Also those of environment and gatherer. */
+  /** Includes the modification times of the environment and of the gatherer. */
   vtkMTimeType GetMTime() override;
 
-  /** RMS over all points of the error that the algorithm believes it made. NaN before it ran. */
+  /** Estimated RMS error over all points. NaN before the first execution. */
   vtkGetMacro(EstimatedError, double);
 
 protected:

@@ -29,19 +29,19 @@ namespace penumbra
 namespace
 {
 
-/// Sides of the discs that stand for points.
+/// Number of sides of the discs that represent points.
 constexpr unsigned int DiscSides = 6;
 
-/// Of the radius of those discs: how high above a point rays start, so that the discs of its
-/// neighbours on a convex surface do not block it.
-constexpr float LiftOfDiscs = .5f;
+/// Height of ray origins above a point, over the radius of its disc, so that the discs of
+/// neighboring points on a convex surface do not occlude it.
+constexpr float DiscRayHeight = .5f;
 
 bool IsFinite(const double x[3])
 {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
-void Include(vtkPolyData* mesh, vtkBoundingBox& bounds)
+void AddFinitePoints(vtkPolyData* mesh, vtkBoundingBox& bounds)
 {
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
@@ -54,7 +54,7 @@ void Include(vtkPolyData* mesh, vtkBoundingBox& bounds)
   }
 }
 
-vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh, const ProgressCallback& progress)
+vtkSmartPointer<vtkCellArray> Triangulate(vtkPolyData* mesh, const ProgressCallback& progress)
 {
   vtkNew<vtkTriangleFilter> filter;
   filter->SetInputData(mesh);
@@ -64,8 +64,9 @@ vtkSmartPointer<vtkCellArray> TrianglesOf(vtkPolyData* mesh, const ProgressCallb
   return filter->GetOutput()->GetPolys();
 }
 
-/// Cells at one point from which on VTK's search for neighbours, all pairs of them, takes too long.
-constexpr vtkIdType ManyCells = 1024;
+/// Number of cells at one point from which vtkPolyDataNormals, which visits all pairs of neighbors,
+/// is too slow.
+constexpr vtkIdType CrowdedCellCount = 1024;
 
 bool HasCrowdedPoint(vtkPolyData* mesh)
 {
@@ -76,7 +77,7 @@ bool HasCrowdedPoint(vtkPolyData* mesh)
     mesh->GetPolys()->GetCellAtId(cell, ids);
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
     {
-      if (++cells[static_cast<std::size_t>(ids->GetId(k))] >= ManyCells)
+      if (++cells[static_cast<std::size_t>(ids->GetId(k))] >= CrowdedCellCount)
       {
         return true;
       }
@@ -85,9 +86,9 @@ bool HasCrowdedPoint(vtkPolyData* mesh)
   return false;
 }
 
-/// The polygons, each turned like the neighbour that it was reached from; the first of each part stays.
-/// Edges are sorted, so that many at one point cost no more than others.
-vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
+/// Returns the polygons with consistent orientation. The first polygon of each connected part keeps
+/// its orientation. Edges are sorted, so that points with many cells cost no more than others.
+vtkSmartPointer<vtkCellArray> OrientConsistently(vtkCellArray* polygons)
 {
   struct Edge
   {
@@ -97,15 +98,15 @@ vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
   struct Link
   {
     vtkIdType From, To;
-    bool Against;
+    bool Opposite;
   };
-  const auto turned = vtkSmartPointer<vtkCellArray>::New();
-  turned->DeepCopy(polygons);
+  const auto oriented = vtkSmartPointer<vtkCellArray>::New();
+  oriented->DeepCopy(polygons);
   std::vector<Edge> edges;
   vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < turned->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < oriented->GetNumberOfCells(); ++cell)
   {
-    turned->GetCellAtId(cell, ids);
+    oriented->GetCellAtId(cell, ids);
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
     {
       const vtkIdType from = ids->GetId(k);
@@ -135,41 +136,42 @@ vtkSmartPointer<vtkCellArray> Turned(vtkCellArray* polygons)
     Kept,
     Reversed
   };
-  std::vector<char> states(static_cast<std::size_t>(turned->GetNumberOfCells()), Unseen);
-  std::vector<vtkIdType> waiting;
-  for (vtkIdType first = 0; first < turned->GetNumberOfCells(); ++first)
+  std::vector<char> states(static_cast<std::size_t>(oriented->GetNumberOfCells()), Unseen);
+  std::vector<vtkIdType> stack;
+  for (vtkIdType first = 0; first < oriented->GetNumberOfCells(); ++first)
   {
     if (states[first] == Unseen)
     {
       states[first] = Kept;
-      waiting.push_back(first);
+      stack.push_back(first);
     }
-    while (!waiting.empty())
+    while (!stack.empty())
     {
-      const vtkIdType cell = waiting.back();
-      waiting.pop_back();
+      const vtkIdType cell = stack.back();
+      stack.pop_back();
       const auto [begin, end] =
         std::equal_range(links.begin(), links.end(), Link{ cell, 0, false }, before);
       for (auto link = begin; link != end; ++link)
       {
         if (states[link->To] == Unseen)
         {
-          states[link->To] = (states[cell] == Reversed) != link->Against ? Reversed : Kept;
-          waiting.push_back(link->To);
+          states[link->To] = (states[cell] == Reversed) != link->Opposite ? Reversed : Kept;
+          stack.push_back(link->To);
         }
       }
     }
-    // All of its part is known by now: the part began at its first polygon.
+    // States are final here: a connected part is complete once its first polygon has been
+    // processed.
     if (states[first] == Reversed)
     {
-      turned->ReverseCellAtId(first);
+      oriented->ReverseCellAtId(first);
     }
   }
-  return turned;
+  return oriented;
 }
 
-/// Per point; neighbours are turned the same way round.
-vtkSmartPointer<vtkDataArray> ComputedNormals(
+/// Returns point normals from consistently oriented polygons; null if they cannot be computed.
+vtkSmartPointer<vtkDataArray> ComputePointNormals(
   vtkPolyData* surface, const ProgressCallback& progress)
 {
   vtkNew<vtkPolyData> polygons;
@@ -181,7 +183,7 @@ vtkSmartPointer<vtkDataArray> ComputedNormals(
   normals->SplittingOff();
   if (surface->GetNumberOfStrips() == 0 && HasCrowdedPoint(polygons))
   {
-    polygons->SetPolys(Turned(polygons->GetPolys()));
+    polygons->SetPolys(OrientConsistently(polygons->GetPolys()));
     normals->ConsistencyOff();
   }
   else
@@ -189,33 +191,36 @@ vtkSmartPointer<vtkDataArray> ComputedNormals(
     normals->ConsistencyOn();
   }
   UpdateStoppably(normals, progress);
-  vtkDataArray* found = normals->GetOutput()->GetPointData()->GetNormals();
-  return found && found->GetNumberOfTuples() == surface->GetNumberOfPoints() ? found : nullptr;
+  vtkDataArray* pointNormals = normals->GetOutput()->GetPointData()->GetNormals();
+  return pointNormals && pointNormals->GetNumberOfTuples() == surface->GetNumberOfPoints()
+    ? pointNormals
+    : nullptr;
 }
 
-/// A mesh on its way into a scene.
-class MeshReading
+/// Extracts occluders and query points from a data set.
+class BakeInputBuilder
 {
 public:
-  MeshReading(vtkPointSet* data, const BakeInputOptions& choices, const ProgressCallback& progress)
+  BakeInputBuilder(
+    vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress)
     : Data(data),
-      Choices(choices),
+      Options(options),
       Progress(progress),
       Mesh(DropMismatchedAttributes(
-        FacingOutwards(ExtractSurface(data, progress), data, progress), Result.LeftOut))
+        FacingOutwards(ExtractSurface(data, progress), data, progress), Result.SkippedAttributes))
   {
   }
 
-  BakeInput Read()
+  BakeInput Build()
   {
     this->Center();
     this->AddTriangles();
-    if (this->Triangles.empty() && this->Choices.PointRadius > 0.0)
+    if (this->Triangles.empty() && this->Options.PointRadius > 0.0)
     {
       this->FindNormals();
       this->AddDiscs();
     }
-    else if (this->Choices.OfCells)
+    else if (this->Options.OnCells)
     {
       this->AddCells();
     }
@@ -232,7 +237,7 @@ private:
   void Center()
   {
     vtkBoundingBox& bounds = this->Result.Bounds;
-    Include(this->Mesh, bounds);
+    AddFinitePoints(this->Mesh, bounds);
     double center[3] = { 0.0, 0.0, 0.0 };
     if (bounds.IsValid())
     {
@@ -260,7 +265,7 @@ private:
 
   void AddTriangles()
   {
-    const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(this->Mesh, this->Progress);
+    const vtkSmartPointer<vtkCellArray> cells = Triangulate(this->Mesh, this->Progress);
     this->EdgeSums.assign(this->Positions.size(), 0.f);
     this->EdgeCounts.assign(this->Positions.size(), 0);
     vtkNew<vtkIdList> ids;
@@ -294,14 +299,14 @@ private:
   void FindNormals()
   {
     this->Normals = this->Mesh->GetPointData()->GetNormals();
-    if (!this->Normals || this->Choices.ComputeNormals)
+    if (!this->Normals || this->Options.ComputeNormals)
     {
-      this->Normals = ComputedNormals(this->Mesh, this->Progress);
+      this->Normals = ComputePointNormals(this->Mesh, this->Progress);
     }
   }
 
-  /// Unit normal of a point; 0 where there is none.
-  glm::vec3 NormalOf(vtkIdType point)
+  /// Returns the unit normal of a point; 0 if it has none.
+  glm::vec3 GetNormal(vtkIdType point)
   {
     double n[3] = { 0.0, 0.0, 0.0 };
     if (this->Normals)
@@ -313,7 +318,7 @@ private:
     return length > 0.0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0.f);
   }
 
-  /// `id` is of the surface.
+  /// Adds a query point for the point or cell `id` of the surface.
   void AddSite(vtkIdType id, glm::vec3 position, glm::vec3 normal, float spacing)
   {
     if (!this->Originals.empty())
@@ -322,7 +327,7 @@ private:
     }
     if (id < 0)
     {
-      return; // a point that the data set lacks
+      return; // added by the surface extraction
     }
     if (normal == glm::vec3(0.f))
     {
@@ -337,13 +342,14 @@ private:
     this->Result.Ids.push_back(id);
   }
 
-  /// Of `count` points or cells; several sites may be faces of one cell.
+  /// Counts the points or cells, `count` in total, without a query point. A cell may have several,
+  /// one per face.
   void CountUnused(vtkIdType count)
   {
     std::vector<vtkIdType> ids = this->Result.Ids;
     std::sort(ids.begin(), ids.end());
-    const auto asked = std::unique(ids.begin(), ids.end()) - ids.begin();
-    this->Result.Unused = std::max<vtkIdType>(count - asked - this->Result.NotFinite, 0);
+    const auto baked = std::unique(ids.begin(), ids.end()) - ids.begin();
+    this->Result.Unused = std::max<vtkIdType>(count - baked - this->Result.NotFinite, 0);
   }
 
   void AddPoints()
@@ -358,7 +364,7 @@ private:
       }
       else if (this->EdgeCounts[i] > 0)
       {
-        this->AddSite(point, this->Positions[i], this->NormalOf(point),
+        this->AddSite(point, this->Positions[i], this->GetNormal(point),
           this->EdgeSums[i] / static_cast<float>(this->EdgeCounts[i]));
       }
     }
@@ -411,11 +417,11 @@ private:
   void AddDiscs()
   {
     const auto radius =
-      static_cast<float>(this->Choices.PointRadius * this->Result.OccluderScene.Scale);
+      static_cast<float>(this->Options.PointRadius * this->Result.OccluderScene.Scale);
     const auto count = static_cast<vtkIdType>(this->Positions.size());
     for (vtkIdType point = 0; point < count; ++point)
     {
-      const glm::vec3 normal = this->NormalOf(point);
+      const glm::vec3 normal = this->GetNormal(point);
       if (!this->Finite[point] || normal == glm::vec3(0.f))
       {
         ++this->Result.NotFinite;
@@ -432,7 +438,7 @@ private:
         this->Triangles.emplace_back(
           static_cast<unsigned int>(point), first + k, first + (k + 1) % DiscSides);
       }
-      this->AddSite(point, center + LiftOfDiscs * radius * normal, normal, radius);
+      this->AddSite(point, center + DiscRayHeight * radius * normal, normal, radius);
     }
   }
 
@@ -455,30 +461,30 @@ private:
   }
 
   vtkPointSet* Data;
-  const BakeInputOptions& Choices;
+  const BakeInputOptions& Options;
   const ProgressCallback& Progress;
   BakeInput Result;
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkDataArray> Normals;
-  std::vector<vtkIdType> Originals; ///< per point or cell of Mesh: that of Data; empty: the same
+  std::vector<vtkIdType> Originals; ///< id in Data of each point or cell of Mesh; empty if equal
   std::vector<glm::vec3> Positions;
   std::vector<char> Finite;
   std::vector<glm::uvec3> Triangles;
-  std::vector<float> EdgeSums; ///< per point: lengths of the edges of its triangles
-  std::vector<int> EdgeCounts;
+  std::vector<float> EdgeSums; ///< per point, total length of the edges of its triangles
+  std::vector<int> EdgeCounts; ///< per point, number of these edges
 };
 
 }
 
 BakeInput PrepareBakeInput(
-  vtkPointSet* data, const BakeInputOptions& choices, const ProgressCallback& progress)
+  vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress)
 {
-  return MeshReading(data, choices, progress).Read();
+  return BakeInputBuilder(data, options, progress).Build();
 }
 
 void AddOccluders(vtkPolyData* surroundings, BakeInput& mesh, const ProgressCallback& progress)
 {
-  Include(surroundings, mesh.Bounds);
+  AddFinitePoints(surroundings, mesh.Bounds);
   mesh.Diagonal = mesh.Bounds.IsValid() ? mesh.Bounds.GetDiagonalLength() : 0.0;
   const Scene& scene = mesh.OccluderScene;
   Surface surface;
@@ -490,7 +496,7 @@ void AddOccluders(vtkPolyData* surroundings, BakeInput& mesh, const ProgressCall
     finite.push_back(IsFinite(x));
     surface.Positions.emplace_back(finite.back() ? scene.FromWorld(x) : glm::dvec3(0.0));
   }
-  const vtkSmartPointer<vtkCellArray> cells = TrianglesOf(surroundings, progress);
+  const vtkSmartPointer<vtkCellArray> cells = Triangulate(surroundings, progress);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {

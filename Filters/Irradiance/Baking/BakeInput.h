@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a data set to what baking needs: the surface that blocks, and the places that ask.
+// Input of baking, extracted from a data set: the occluding surface and the query points.
 #ifndef penumbra_BakeInput_h
 #define penumbra_BakeInput_h
 
@@ -22,30 +22,31 @@ namespace penumbra
 
 struct BakeInputOptions
 {
-  bool OfCells = false;        ///< ask at the centres of cells, not at points
-  bool ComputeNormals = false; ///< even where the data set brings some
-  double PointRadius = 0.0;    ///< of the discs that stand for points without cells; world units
+  bool OnCells = false;        ///< if true, bake at cell centers instead of points
+  bool ComputeNormals = false; ///< if true, ignore normals of the data set
+  double PointRadius = 0.0; ///< radius of the discs for points without cells, world units; 0: none
 };
 
 struct BakeInput
 {
-  Scene OccluderScene; ///< centred on the data set
-  std::vector<RecordCandidate> Sites;
-  std::vector<vtkIdType> Ids;       ///< point or cell of the data set that each site belongs to
-  std::vector<std::string> LeftOut; ///< attributes that do not fit, a sentence each
-  vtkIdType Unused = 0;             ///< points of no cell, or cells without area: they do not ask
-  vtkIdType NotFinite = 0;          ///< points or normals that are not finite: they do not ask
-  vtkBoundingBox Bounds;            ///< of all that is finite, world units
-  double Diagonal = 0.0;            ///< of the bounds, world units
-  float Spacing = 0.f;              ///< usual distance of neighbouring sites, scene units
+  Scene OccluderScene;                        ///< centered on the data set
+  std::vector<RecordCandidate> Sites;         ///< query points
+  std::vector<vtkIdType> Ids;                 ///< point or cell of the data set of each query point
+  std::vector<std::string> SkippedAttributes; ///< one message per attribute of invalid size
+  vtkIdType Unused = 0;    ///< points without a cell or cells without area, not baked
+  vtkIdType NotFinite = 0; ///< points or normals that are not finite, not baked
+  vtkBoundingBox Bounds;   ///< of all finite points, world units
+  double Diagonal = 0.0;   ///< of Bounds, world units
+  float Spacing = 0.f;     ///< mean distance of neighboring query points, scene units
 };
 
-/// Throws Stopped when `progress` asks to stop, as AddOccluders() does.
+/// Extracts the input of baking from `data`. Throws Stopped if `progress` requests a stop, like
+/// AddOccluders().
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT BakeInput PrepareBakeInput(
-  vtkPointSet* data, const BakeInputOptions& choices, const ProgressCallback& progress = {});
+  vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress = {});
 
-/// Polygons that block, too, but do not ask. The bounds are then those of both; points without
-/// polygons count there.
+/// Adds the polygons of `surroundings` to the occluders, without query points. Extends the bounds
+/// by all finite points, including those without polygons.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddOccluders(
   vtkPolyData* surroundings, BakeInput& mesh, const ProgressCallback& progress = {});
 

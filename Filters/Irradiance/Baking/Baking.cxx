@@ -15,29 +15,30 @@ namespace penumbra
 namespace
 {
 
-/// Squares of a level are half as wide as those of the level before, from so many spacings on down
-/// to about one.
-constexpr float CoarsestSquare = 32.f;
+/// Width of the grid cells of the first level in spacings, and number of levels. Each level halves
+/// the width, down to one spacing.
+constexpr float CoarsestCellWidth = 32.f;
 constexpr int Levels = 6;
 
-/// A record costs about as much as two answers of brute force (it needs the nearest hit, and more
-/// rays for its derivatives). A level whose records do not serve so many sites each is the last.
-constexpr double LeastServed = 2.5;
+/// A level whose records cover fewer points each is the last. A record costs about as much as two
+/// points by brute force, because it needs nearest hits and more rays for its derivatives.
+constexpr double MinimumCoveredPoints = 2.5;
 
-/// The same where neighbours make answers cheaper. Measured on a scan of 104 thousand points.
-constexpr double LeastServedOverShared = 16.0;
+/// The same if other points use denoised low-sample estimates, which are cheaper. Measured on a
+/// scan of 104 thousand points.
+constexpr double MinimumCoveredPointsDenoised = 16.0;
 
-/// Where of the first answers, in every so manieth square, fewer are made certain by their neighbours,
-/// brute force is as fast.
-constexpr double LeastShared = .4;
-constexpr float SquareOfTrial = 6.f; ///< spacings
-constexpr std::size_t SquaresOfTrial = 16;
+/// Denoising is tried on the points in one of TrialInterval grid cells of width TrialCellWidth. If
+/// the fraction of these points that it can denoise is below the minimum, brute force is as fast.
+constexpr double MinimumDenoisedFraction = .4;
+constexpr float TrialCellWidth = 6.f; ///< spacings
+constexpr std::size_t TrialInterval = 16;
 
-/// Shares of the progress.
-constexpr double ProgressOfRecords = 0.5;
+/// Fraction of the progress spent on records; the rest is spent on rays.
+constexpr double RecordProgress = 0.5;
 
-/// Which sites still need a record, one of each square of space and each octant of normals: the one
-/// nearest to the middle.
+/// Chooses record candidates: for each grid cell and octant of normals, the point nearest to the
+/// center of the cell.
 class CandidateGrid
 {
 public:
@@ -66,7 +67,7 @@ public:
       const glm::vec3 at = (this->Sites[index].Position + 1.f) / width;
       const glm::vec3 low = glm::floor(at);
       candidates.push_back(
-        { Key(low, this->Sites[index].Normal), glm::distance(at, low + .5f), index });
+        { ComputeKey(low, this->Sites[index].Normal), glm::distance(at, low + .5f), index });
     }
     std::sort(candidates.begin(), candidates.end());
     std::vector<std::size_t> chosen;
@@ -81,7 +82,7 @@ public:
   }
 
 private:
-  static std::uint64_t Key(glm::vec3 low, glm::vec3 normal)
+  static std::uint64_t ComputeKey(glm::vec3 low, glm::vec3 normal)
   {
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -95,22 +96,22 @@ private:
   const std::vector<RecordCandidate>& Sites;
 };
 
-/// Runs work(i) for `count` sites at one place of the progress; throws Stopped.
+/// Runs work(i) for `count` points at constant progress; throws Stopped if a stop is requested.
 template <typename Work>
-void Each(std::size_t count, double share, const ProgressCallback& progress, const Work& work)
+void ForEach(std::size_t count, double fraction, const ProgressCallback& progress, const Work& work)
 {
-  if (!ParallelForBatches(static_cast<int>(count), share, share, progress, work, 0))
+  if (!ParallelForBatches(static_cast<int>(count), fraction, fraction, progress, work, 0))
   {
     throw Stopped();
   }
 }
 
-/// Those of `from` that no record covers; counts those that one serves.
-std::vector<std::size_t> Uncovered(const std::vector<RecordCandidate>& sites,
+/// Returns the points of `from` that no record covers.
+std::vector<std::size_t> FindUncovered(const std::vector<RecordCandidate>& sites,
   const RecordOctree& tree, const std::vector<std::size_t>& from, const ProgressCallback& progress)
 {
   std::vector<char> covered(from.size());
-  Each(from.size(), 1.0, progress,
+  ForEach(from.size(), 1.0, progress,
     [&](int i) { covered[i] = RecordPlacement::IsCovered(tree, sites[from[i]]); });
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < from.size(); ++i)
@@ -123,9 +124,9 @@ std::vector<std::size_t> Uncovered(const std::vector<RecordCandidate>& sites,
   return left;
 }
 
-/// Records from coarse to fine; false when stopped.
-bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, double leastServed,
-  RecordPlacement& places, const RecordOctree& tree, const ProgressCallback& progress)
+/// Places records from coarse to fine. Returns false if stopped.
+bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, double minimumCovered,
+  RecordPlacement& placement, const RecordOctree& tree, const ProgressCallback& progress)
 {
   std::vector<std::size_t> left(sites.size());
   for (std::size_t i = 0; i < left.size(); ++i)
@@ -133,7 +134,7 @@ bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, doub
     left[i] = i;
   }
   const CandidateGrid squares(sites);
-  float width = CoarsestSquare * spacing;
+  float width = CoarsestCellWidth * spacing;
   for (int level = 0; level < Levels && !left.empty(); ++level, width *= .5f)
   {
     std::vector<RecordCandidate> chosen;
@@ -141,20 +142,20 @@ bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, doub
     {
       chosen.push_back(sites[index]);
     }
-    const std::size_t idle = places.GetNumberOfInvalidRecords();
-    const auto step = [&](double share) {
-      return progress && progress(ProgressOfRecords * (level + share) / Levels);
+    const std::size_t invalid = placement.GetNumberOfInvalidRecords();
+    const auto step = [&](double fraction) {
+      return progress && progress(RecordProgress * (level + fraction) / Levels);
     };
-    if (!places.AddLevel(chosen, step))
+    if (!placement.AddLevel(chosen, step))
     {
       return false;
     }
     const std::size_t before = left.size();
-    left = Uncovered(sites, tree, left, step);
+    left = FindUncovered(sites, tree, left, step);
     const auto made = static_cast<double>(chosen.size());
     const double serving =
-      1.0 - static_cast<double>(places.GetNumberOfInvalidRecords() - idle) / made;
-    if (static_cast<double>(before - left.size()) * serving < leastServed * made)
+      1.0 - static_cast<double>(placement.GetNumberOfInvalidRecords() - invalid) / made;
+    if (static_cast<double>(before - left.size()) * serving < minimumCovered * made)
     {
       break;
     }
@@ -162,13 +163,14 @@ bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, doub
   return true;
 }
 
-/// Values of the sites that records serve or lie at; returns the others.
+/// Sets the values of points that can be interpolated or that have a record. Returns the other
+/// points.
 std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
-  const RecordOctree& tree, double share, const ProgressCallback& progress, BakedValues& result)
+  const RecordOctree& tree, double fraction, const ProgressCallback& progress, BakedValues& result)
 {
-  std::vector<char> asks(sites.size());
+  std::vector<char> unresolved(sites.size());
   std::atomic<std::size_t> interpolated(0);
-  Each(sites.size(), share, progress, [&](int i) {
+  ForEach(sites.size(), fraction, progress, [&](int i) {
     const InterpolationResult found = tree.LookUp(sites[i]);
     const Record* here = found.Found() ? nullptr : tree.FindAt(sites[i]);
     if (found.Found())
@@ -180,13 +182,13 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
     {
       result.Values[i] = { here->Gathered.Mean, here->Gathered.Error };
     }
-    asks[i] = !found.Found() && !here;
+    unresolved[i] = !found.Found() && !here;
   });
   result.Interpolated = interpolated;
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    if (asks[i])
+    if (unresolved[i])
     {
       left.push_back(i);
     }
@@ -194,92 +196,94 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
   return left;
 }
 
-/// Answers for sites without records.
+/// Computes values at points without records.
 struct PointEvaluator
 {
   const std::vector<RecordCandidate>& Sites;
-  const PointEstimators& How;
+  const PointEstimators& Estimators;
   BakedValues& Result;
 
-  bool ByBruteForce(
+  bool EvaluateByBruteForce(
     const std::vector<std::size_t>& which, double begin, const ProgressCallback& progress)
   {
     this->Result.BruteForce = which.size();
-    return this->Ask(this->How.BruteForce, which, begin, 1.0, progress);
+    return this->Evaluate(this->Estimators.BruteForce, which, begin, 1.0, progress);
   }
 
-  /// Few rays for each, then each with its neighbours; those that remain too uncertain become
-  /// `uncertain`. Tried on a part first: all the others are uncertain where it does not pay there.
-  bool ByNeighbours(const std::vector<std::size_t>& which, float spacing, double begin, double end,
-    const ProgressCallback& progress, std::vector<std::size_t>& uncertain)
+  /// Computes low-sample estimates and denoises them. Points with too large an error are returned
+  /// in `uncertain`. If denoising fails for most points of a trial subset, all points are returned.
+  bool EvaluateWithDenoising(const std::vector<std::size_t>& which, float spacing, double begin,
+    double end, const ProgressCallback& progress, std::vector<std::size_t>& uncertain)
   {
     std::vector<std::size_t> trial;
     std::vector<std::size_t> rest;
     for (const std::size_t index : which)
     {
-      (IsOfTrial(this->Sites[index], spacing) ? trial : rest).push_back(index);
+      (IsInTrial(this->Sites[index], spacing) ? trial : rest).push_back(index);
     }
-    const double middle = begin + (end - begin) / SquaresOfTrial;
-    std::vector<NoisyEstimate> answers(this->Sites.size());
-    if (!this->Ask(this->How.LowSample, trial, begin, middle, progress))
+    const double midProgress = begin + (end - begin) / TrialInterval;
+    std::vector<NoisyEstimate> estimates(this->Sites.size());
+    if (!this->Evaluate(this->Estimators.LowSample, trial, begin, midProgress, progress))
     {
       return false;
     }
-    const std::size_t shared = this->Share(trial, spacing, middle, progress, answers, nullptr);
-    if (static_cast<double>(shared) < LeastShared * static_cast<double>(trial.size()))
+    const std::size_t denoised =
+      this->Denoise(trial, spacing, midProgress, progress, estimates, nullptr);
+    if (static_cast<double>(denoised) < MinimumDenoisedFraction * static_cast<double>(trial.size()))
     {
       uncertain = which;
       return true;
     }
-    if (!this->Ask(this->How.LowSample, rest, middle, end, progress))
+    if (!this->Evaluate(this->Estimators.LowSample, rest, midProgress, end, progress))
     {
       return false;
     }
-    this->Result.Denoised = this->Share(which, spacing, end, progress, answers, &uncertain);
+    this->Result.Denoised = this->Denoise(which, spacing, end, progress, estimates, &uncertain);
     return true;
   }
 
 private:
-  static bool IsOfTrial(const RecordCandidate& site, float spacing)
+  static bool IsInTrial(const RecordCandidate& site, float spacing)
   {
-    const glm::vec3 square = glm::floor(site.Position / (SquareOfTrial * spacing));
-    return HashPoint(square, glm::vec3(0.f)) % SquaresOfTrial == 0;
+    const glm::vec3 square = glm::floor(site.Position / (TrialCellWidth * spacing));
+    return HashPoint(square, glm::vec3(0.f)) % TrialInterval == 0;
   }
 
-  bool Ask(const BruteForceAnswer& answer, const std::vector<std::size_t>& which, double begin,
-    double end, const ProgressCallback& progress)
+  bool Evaluate(const PointEstimator& estimator, const std::vector<std::size_t>& which,
+    double begin, double end, const ProgressCallback& progress)
   {
     std::atomic<long long> rays(0);
     const bool done =
       ParallelForBatches(static_cast<int>(which.size()), begin, end, progress, [&](int i) {
-        long long own = 0;
-        this->Result.Values[which[i]] = answer(this->Sites[which[i]], own);
-        rays += own;
+        long long count = 0;
+        this->Result.Values[which[i]] = estimator(this->Sites[which[i]], count);
+        rays += count;
       });
     this->Result.BruteForceRays += rays;
     return done;
   }
 
-  /// How many of the values are certain with their neighbours' help: the most certain ones, as many as
-  /// are allowed in the mean. With `uncertain` they take it, and the others are appended to that.
-  std::size_t Share(const std::vector<std::size_t>& which, float spacing, double share,
-    const ProgressCallback& progress, std::vector<NoisyEstimate>& answers,
+  /// Returns the number of values that can be denoised: those with the smallest errors, as many as
+  /// keep the RMS error within LowSampleError. If `uncertain` is not null, sets these values and
+  /// appends the other points to `uncertain`.
+  std::size_t Denoise(const std::vector<std::size_t>& which, float spacing, double fraction,
+    const ProgressCallback& progress, std::vector<NoisyEstimate>& estimates,
     std::vector<std::size_t>* uncertain)
   {
     for (const std::size_t index : which)
     {
       const BakedValue& value = this->Result.Values[index];
-      answers[index] = { value.Mean.x, value.Error };
+      estimates[index] = { value.Mean.x, value.Error };
     }
-    const LocalRegression neighbours(this->Sites, which, spacing);
+    const LocalRegression neighbors(this->Sites, which, spacing);
     std::vector<NoisyEstimate> fitted(which.size());
-    Each(which.size(), share, progress, [&](int i) {
-      // Where all rays agree nothing is added: in the open occlusion is 0.
-      const NoisyEstimate& own = answers[which[i]];
-      const bool agree = own.Mean == 0.f || own.Mean == 1.f;
-      fitted[i] = agree ? own : neighbours.Fit(which[i], answers);
+    ForEach(which.size(), fraction, progress, [&](int i) {
+      // Keep estimates of exactly 0 or 1, so that unoccluded points stay at 0.
+      const NoisyEstimate& estimate = estimates[which[i]];
+      const bool agree = estimate.Mean == 0.f || estimate.Mean == 1.f;
+      fitted[i] = agree ? estimate : neighbors.Fit(which[i], estimates);
     });
-    const float limit = LimitOf(fitted, this->How.LowSampleError);
+    const float limit = ComputeErrorLimit(fitted, this->Estimators.LowSampleError);
     std::size_t certain = 0;
     for (std::size_t i = 0; i < which.size(); ++i)
     {
@@ -297,8 +301,8 @@ private:
     return certain;
   }
 
-  /// The greatest error for which the RMS of all up to it is `allowed`.
-  static float LimitOf(const std::vector<NoisyEstimate>& values, float allowed)
+  /// Returns the maximum error for which the RMS of all errors up to it is at most `allowed`.
+  static float ComputeErrorLimit(const std::vector<NoisyEstimate>& values, float allowed)
   {
     std::vector<float> errors;
     for (const NoisyEstimate& value : values)
@@ -329,28 +333,28 @@ private:
 }
 
 bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records,
-  RecordPlacement& places, const RecordOctree& tree, const PointEstimators& answers,
+  RecordPlacement& placement, const RecordOctree& tree, const PointEstimators& estimators,
   const ProgressCallback& progress, BakedValues& result)
 {
   result.Values.resize(sites.size());
-  const bool shares = records && answers.LowSample;
+  const bool denoises = records && estimators.LowSample;
   if (records &&
-    !PlaceRecords(
-      sites, spacing, shares ? LeastServedOverShared : LeastServed, places, tree, progress))
+    !PlaceRecords(sites, spacing, denoises ? MinimumCoveredPointsDenoised : MinimumCoveredPoints,
+      placement, tree, progress))
   {
     return false;
   }
-  const double begin = records ? ProgressOfRecords : 0.0;
+  const double begin = records ? RecordProgress : 0.0;
   const std::vector<std::size_t> left = Interpolate(sites, tree, begin, progress, result);
-  PointEvaluator asking{ sites, answers, result };
-  if (!shares)
+  PointEvaluator evaluator{ sites, estimators, result };
+  if (!denoises)
   {
-    return asking.ByBruteForce(left, begin, progress);
+    return evaluator.EvaluateByBruteForce(left, begin, progress);
   }
-  const auto middle = begin + .5 * (1.0 - begin);
+  const auto midProgress = begin + .5 * (1.0 - begin);
   std::vector<std::size_t> uncertain;
-  return asking.ByNeighbours(left, spacing, begin, middle, progress, uncertain) &&
-    asking.ByBruteForce(uncertain, middle, progress);
+  return evaluator.EvaluateWithDenoising(left, spacing, begin, midProgress, progress, uncertain) &&
+    evaluator.EvaluateByBruteForce(uncertain, midProgress, progress);
 }
 
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Values at many places at once: records from coarse to fine as long as they pay, interpolation; for
-// what is left few rays everywhere, made certain by neighbours; brute force where these do not agree.
+// Baking of many query points. Adds records from coarse to fine as long as they are cheaper than
+// rays and interpolates between them. The remaining points get low-sample estimates, which a local
+// regression denoises. Points with a poor fit are computed by brute force.
 #ifndef penumbra_Baking_h
 #define penumbra_Baking_h
 
@@ -15,39 +16,40 @@
 namespace penumbra
 {
 
-/// The mean over the hemisphere at one place, and its standard error.
+/// Mean over the hemisphere at one point, and its standard error.
 struct BakedValue
 {
   glm::vec3 Mean{ 0.f };
   float Error = 0.f;
 };
 
-/// Answers without records; adds the rays traced to its argument.
-using BruteForceAnswer = std::function<BakedValue(const RecordCandidate& site, long long& rays)>;
+/// Computes a value without records. Adds the number of rays traced to `rays`.
+using PointEstimator = std::function<BakedValue(const RecordCandidate& site, long long& rays)>;
 
-/// How places without a record are answered.
+/// Estimators for points without a record.
 struct PointEstimators
 {
-  BruteForceAnswer BruteForce;
-  BruteForceAnswer LowSample; ///< with few rays, one channel; none: brute force for all
-  float LowSampleError = 0.f; ///< RMS error of values that neighbours have made certain
+  PointEstimator BruteForce;
+  PointEstimator LowSample;   ///< uses few rays, one channel; if empty, all points use BruteForce
+  float LowSampleError = 0.f; ///< accepted RMS error of denoised values
 };
 
 struct BakedValues
 {
-  std::vector<BakedValue> Values; ///< one for each site
-  std::size_t Interpolated = 0;
-  std::size_t Denoised = 0;   ///< made certain by neighbours
-  std::size_t BruteForce = 0; ///< the rest are places of records that serve nobody else
+  std::vector<BakedValue> Values; ///< one per query point
+  std::size_t Interpolated = 0;   ///< number of points interpolated between records
+  std::size_t Denoised = 0;       ///< number of points with denoised low-sample estimates
+  std::size_t BruteForce = 0;     ///< number of other points, without those of invalid records
   long long BruteForceRays = 0;
 };
 
 /**
- * Sites' Pixel is their distance from neighbours. `records`: false leaves them out. False, or
- * Stopped is thrown, when `progress` stopped it.
+ * Computes the values at `sites`. `spacing` is the mean distance of neighboring points, in scene
+ * units. If `records` is false, only brute force is used. Returns false or throws Stopped if
+ * `progress` requested a stop.
  */
 bool Bake(const std::vector<RecordCandidate>& sites, float spacing, bool records,
-  RecordPlacement& places, const RecordOctree& tree, const PointEstimators& answers,
+  RecordPlacement& placement, const RecordOctree& tree, const PointEstimators& estimators,
   const ProgressCallback& progress, BakedValues& result);
 
 }

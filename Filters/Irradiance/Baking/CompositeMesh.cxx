@@ -22,14 +22,14 @@ vtkSmartPointer<vtkCompositeDataIterator> Leaves(vtkCompositeDataSet* data)
   return vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
 }
 
-/// The tuples from `first` on of every array that `joined` lacks.
-void CopyNewArrays(vtkDataSetAttributes* baked, vtkDataSetAttributes* joined, vtkIdType first,
+/// Copies `count` tuples, starting at `first`, of every array of `baked` that `merged` lacks.
+void CopyNewArrays(vtkDataSetAttributes* baked, vtkDataSetAttributes* merged, vtkIdType first,
   vtkIdType count, vtkDataSetAttributes* block)
 {
   for (int i = 0; i < baked->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = baked->GetArray(i);
-    if (array && !joined->HasArray(array->GetName()))
+    if (array && !merged->HasArray(array->GetName()))
     {
       auto part = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
       part->SetName(array->GetName());
@@ -45,7 +45,7 @@ void CopyNewArrays(vtkDataSetAttributes* baked, vtkDataSetAttributes* joined, vt
 
 CompositeMesh::CompositeMesh(vtkCompositeDataSet* data)
   : Data(data),
-    Joined(vtkSmartPointer<vtkUnstructuredGrid>::New())
+    Merged(vtkSmartPointer<vtkUnstructuredGrid>::New())
 {
   vtkNew<vtkAppendFilter> append;
   vtkSmartPointer<vtkCompositeDataIterator> leaf = Leaves(data);
@@ -56,12 +56,12 @@ CompositeMesh::CompositeMesh(vtkCompositeDataSet* data)
     {
       append->AddInputData(points);
     }
-    this->Others += points == nullptr;
+    this->SkippedBlocks += points == nullptr;
   }
   if (append->GetNumberOfInputConnections(0) > 0)
   {
     append->Update();
-    this->Joined = append->GetOutput();
+    this->Merged = append->GetOutput();
   }
 }
 
@@ -81,10 +81,10 @@ void CompositeMesh::Distribute(vtkPointSet* baked, vtkCompositeDataSet* output) 
     {
       const vtkIdType pointCount = points->GetNumberOfPoints();
       const vtkIdType cellCount = points->GetNumberOfCells();
-      CopyNewArrays(baked->GetPointData(), this->Joined->GetPointData(), point, pointCount,
+      CopyNewArrays(baked->GetPointData(), this->Merged->GetPointData(), point, pointCount,
         points->GetPointData());
       CopyNewArrays(
-        baked->GetCellData(), this->Joined->GetCellData(), cell, cellCount, points->GetCellData());
+        baked->GetCellData(), this->Merged->GetCellData(), cell, cellCount, points->GetCellData());
       point += pointCount;
       cell += cellCount;
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The blocks of a composite data set as one mesh, so that each may block all others.
+// Blocks of a composite data set merged into one mesh, so that they occlude each other.
 #ifndef penumbra_CompositeMesh_h
 #define penumbra_CompositeMesh_h
 
@@ -17,22 +17,22 @@ namespace penumbra
 class CompositeMesh
 {
 public:
-  /// Those that are point sets; others take no part.
+  /// Merges all blocks that are vtkPointSets and skips the others.
   explicit CompositeMesh(vtkCompositeDataSet* data);
 
-  /// Points and cells of all blocks, one block after the other.
-  vtkPointSet* GetMerged() const { return this->Joined; }
+  /// Returns the points and cells of all merged blocks, in the order of the blocks.
+  vtkPointSet* GetMerged() const { return this->Merged; }
 
-  vtkIdType GetNumberOfSkippedBlocks() const { return this->Others; }
+  vtkIdType GetNumberOfSkippedBlocks() const { return this->SkippedBlocks; }
 
-  /// Fill `output` with copies of the blocks, each with its own part of the arrays that `baked`, a copy
-  /// of the joined mesh, has got since.
+  /// Fills `output` with copies of all blocks. Arrays of `baked`, a copy of the merged mesh, that
+  /// the merged mesh lacks are split over the blocks.
   void Distribute(vtkPointSet* baked, vtkCompositeDataSet* output) const;
 
 private:
   vtkCompositeDataSet* Data;
-  vtkSmartPointer<vtkPointSet> Joined;
-  vtkIdType Others = 0;
+  vtkSmartPointer<vtkPointSet> Merged;
+  vtkIdType SkippedBlocks = 0;
 };
 
 }

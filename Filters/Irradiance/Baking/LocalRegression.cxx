@@ -11,43 +11,43 @@ namespace penumbra
 namespace
 {
 
-/// How far neighbours count, in spacings, and how much their normals may differ (cosine). Measured on a
-/// scan of 104 thousand points: further ones, and more different ones, bring more bias than they take
-/// noise.
-constexpr float ReachInSpacings = 2.5f;
-constexpr float LeastCosine = .95f;
+/// Radius of the neighborhood in spacings, and minimum cosine between normals. Larger neighborhoods
+/// add more bias than they remove noise. Measured on a scan of 104 thousand points.
+constexpr float RadiusInSpacings = 2.5f;
+constexpr float MinimumCosine = .95f;
 
-/// Brute force tells a variance above the true one, by this.
-constexpr double ShareOfVariance = .6;
+/// True variance over the variance that brute force estimates, which is too large.
+constexpr double VarianceFactor = .6;
 
-/// Answers with less noise than the others count more; this share of the mean variance, added to that
-/// of each, keeps single ones from deciding.
-constexpr float CommonShare = .5f;
+/// Fraction of the mean variance that is added to the variance of each estimate before the weights
+/// are computed. It prevents single estimates from dominating the fit.
+constexpr float CommonVarianceFraction = .5f;
 
-/// Added to the diagonal, over the sum of weights: where all neighbours lie in a line, or all have one
-/// normal, the function is level across.
+/// Ridge regularization: added to the diagonal, as a fraction of the sum of weights. Makes the
+/// function constant in directions without data, such as across a line of neighbors.
 constexpr double Ridge = 1e-3;
 
-/// Fitted values err by less than noise and scatter together tell, by this. Measured there, too.
-constexpr double ShareOfError = .8;
+/// True error of fitted values over the estimate from noise and residual. Measured on the same
+/// scan.
+constexpr double ErrorFactor = .8;
 
-/// So many more answers than terms.
-constexpr std::size_t LeastSurplus = 2;
+/// Minimum number of estimates in excess of the number of terms.
+constexpr std::size_t MinimumSurplus = 2;
 
-/// Sites of one cell that are looked at: many times what a mesh of even density has there.
-constexpr std::size_t MostOfCell = 128;
+/// Maximum number of points used per grid cell, many times the number on a mesh of uniform density.
+constexpr std::size_t MaximumPointsPerCell = 128;
 
 }
 
 LocalRegression::LocalRegression(
   const std::vector<RecordCandidate>& sites, const std::vector<std::size_t>& which, float spacing)
   : Sites(sites),
-    Reach(std::max(ReachInSpacings * spacing, 1e-30f))
+    Radius(std::max(RadiusInSpacings * spacing, 1e-30f))
 {
   std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
   for (const std::size_t index : which)
   {
-    keyed.emplace_back(KeyOf(this->CellOf(sites[index].Position)), index);
+    keyed.emplace_back(ComputeKey(this->FindCell(sites[index].Position)), index);
   }
   std::sort(keyed.begin(), keyed.end());
   for (const auto& [key, index] : keyed)
@@ -59,16 +59,16 @@ LocalRegression::LocalRegression(
   }
 }
 
-std::array<std::int64_t, 3> LocalRegression::CellOf(glm::vec3 position) const
+std::array<std::int64_t, 3> LocalRegression::FindCell(glm::vec3 position) const
 {
-  const glm::dvec3 cell = glm::floor(glm::dvec3(position) / static_cast<double>(this->Reach));
+  const glm::dvec3 cell = glm::floor(glm::dvec3(position) / static_cast<double>(this->Radius));
   return { static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
     static_cast<std::int64_t>(cell.z) };
 }
 
-std::uint64_t LocalRegression::KeyOf(const std::array<std::int64_t, 3>& cell)
+std::uint64_t LocalRegression::ComputeKey(const std::array<std::int64_t, 3>& cell)
 {
-  // Far cells may share a key: their sites are told apart by distance.
+  // Distant cells may have the same key: their points are rejected by distance.
   constexpr std::uint64_t Mask = (1u << 21) - 1;
   return (static_cast<std::uint64_t>(cell[0]) & Mask) << 42 |
     (static_cast<std::uint64_t>(cell[1]) & Mask) << 21 |
@@ -76,44 +76,44 @@ std::uint64_t LocalRegression::KeyOf(const std::array<std::int64_t, 3>& cell)
 }
 
 void LocalRegression::FindRows(
-  std::size_t index, const std::vector<NoisyEstimate>& answers, std::vector<Row>& rows) const
+  std::size_t index, const std::vector<NoisyEstimate>& estimates, std::vector<Row>& rows) const
 {
   const RecordCandidate& site = this->Sites[index];
   const glm::mat3 frame = FrameFromNormal(site.Normal);
-  const std::array<std::int64_t, 3> middle = this->CellOf(site.Position);
+  const std::array<std::int64_t, 3> center = this->FindCell(site.Position);
   rows.clear();
   const auto add = [&](std::size_t which) {
     const RecordCandidate& other = this->Sites[which];
-    const glm::vec3 d = (other.Position - site.Position) / this->Reach;
+    const glm::vec3 d = (other.Position - site.Position) / this->Radius;
     const float square = glm::dot(d, d);
-    if (square < 1.f && glm::dot(other.Normal, site.Normal) > LeastCosine)
+    if (square < 1.f && glm::dot(other.Normal, site.Normal) > MinimumCosine)
     {
       rows.push_back({ { 1.0, glm::dot(d, frame[0]), glm::dot(d, frame[1]),
                          glm::dot(other.Normal, frame[0]), glm::dot(other.Normal, frame[1]) },
-        1.0 - square, answers[which] });
+        1.0 - square, estimates[which] });
     }
   };
   for (int k = 0; k < 27; ++k)
   {
     const auto found = this->Cells.find(
-      KeyOf({ middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1 }));
+      ComputeKey({ center[0] + k % 3 - 1, center[1] + k / 3 % 3 - 1, center[2] + k / 9 - 1 }));
     if (found == this->Cells.end())
     {
       continue;
     }
-    // Of a crowded cell some sites tell what all of them would.
+    // Use a subset of the points of a crowded cell.
     const auto [first, last] = found->second;
-    const std::size_t step = (last - first + MostOfCell - 1) / MostOfCell;
+    const std::size_t step = (last - first + MaximumPointsPerCell - 1) / MaximumPointsPerCell;
     for (std::size_t at = first; at < last; at += step)
     {
       add(this->Order[at]);
     }
-    // The site asked for is among them: a cell's sites are in their order.
+    // Make sure that the subset includes the point itself. Points of a cell are sorted by index.
     const auto begin = this->Order.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto own =
+    const auto self =
       std::lower_bound(begin, begin + static_cast<std::ptrdiff_t>(last - first), index);
-    const auto place = static_cast<std::size_t>(own - begin);
-    if (step > 1 && place < last - first && *own == index && place % step != 0)
+    const auto position = static_cast<std::size_t>(self - begin);
+    if (step > 1 && position < last - first && *self == index && position % step != 0)
     {
       add(index);
     }
@@ -121,26 +121,27 @@ void LocalRegression::FindRows(
   float variance = 0.f;
   for (const Row& row : rows)
   {
-    variance += row.Answer.Error * row.Answer.Error / static_cast<float>(rows.size());
+    variance += row.Estimate.Error * row.Estimate.Error / static_cast<float>(rows.size());
   }
   for (Row& row : rows)
   {
-    const float own = row.Answer.Error * row.Answer.Error;
-    row.Weight *= variance > 0.f ? variance / (own + CommonShare * variance) : 1.f;
+    const float sampleVariance = row.Estimate.Error * row.Estimate.Error;
+    row.Weight *=
+      variance > 0.f ? variance / (sampleVariance + CommonVarianceFraction * variance) : 1.f;
   }
 }
 
 NoisyEstimate LocalRegression::Fit(
-  std::size_t index, const std::vector<NoisyEstimate>& answers) const
+  std::size_t index, const std::vector<NoisyEstimate>& estimates) const
 {
-  thread_local std::vector<Row> rows; // its memory is kept
-  this->FindRows(index, answers, rows);
-  if (rows.size() < Terms + LeastSurplus)
+  thread_local std::vector<Row> rows; // reused to avoid allocations
+  this->FindRows(index, estimates, rows);
+  if (rows.size() < Terms + MinimumSurplus)
   {
     return {};
   }
-  // Least squares: the normal equations, and two right sides: the answers, for the function; the first
-  // unit vector, for how much each answer weighs in its value here.
+  // Normal equations of the least-squares fit with two right-hand sides: the estimates, for the
+  // function, and the first unit vector, for the weight of each estimate in the fitted value.
   double m[Terms][Terms + 2] = {};
   double weights = 0.0;
   for (const Row& row : rows)
@@ -152,7 +153,7 @@ NoisyEstimate LocalRegression::Fit(
       {
         m[i][j] += row.Weight * row.Term[i] * row.Term[j];
       }
-      m[i][Terms] += row.Weight * row.Term[i] * row.Answer.Mean;
+      m[i][Terms] += row.Weight * row.Term[i] * row.Estimate.Mean;
     }
   }
   for (int i = 1; i < Terms; ++i)
@@ -164,7 +165,7 @@ NoisyEstimate LocalRegression::Fit(
     }
   }
   m[0][Terms + 1] = 1.0;
-  for (int pivot = 0; pivot < Terms; ++pivot) // positive definite: no search for pivots
+  for (int pivot = 0; pivot < Terms; ++pivot) // positive definite: pivoting is not needed
   {
     for (int i = 0; i < Terms; ++i)
     {
@@ -181,21 +182,21 @@ NoisyEstimate LocalRegression::Fit(
   for (const Row& row : rows)
   {
     double expected = 0.0;
-    double share = 0.0;
+    double weight = 0.0;
     for (int i = 0; i < Terms; ++i)
     {
       expected += m[i][Terms] / m[i][i] * row.Term[i];
-      share += m[i][Terms + 1] / m[i][i] * row.Term[i] * row.Weight;
+      weight += m[i][Terms + 1] / m[i][i] * row.Term[i] * row.Weight;
     }
-    const double own = ShareOfVariance * row.Answer.Error * row.Answer.Error;
-    residual += row.Weight * (row.Answer.Mean - expected) * (row.Answer.Mean - expected);
-    noise += row.Weight * own;
-    variance += share * share * own;
+    const double sampleVariance = VarianceFactor * row.Estimate.Error * row.Estimate.Error;
+    residual += row.Weight * (row.Estimate.Mean - expected) * (row.Estimate.Mean - expected);
+    noise += row.Weight * sampleVariance;
+    variance += weight * weight * sampleVariance;
   }
-  const double freedom = 1.0 - Terms / static_cast<double>(rows.size());
-  const double unexplained = std::max(0.0, (residual / freedom - noise) / weights);
+  const double degreesOfFreedom = 1.0 - Terms / static_cast<double>(rows.size());
+  const double unexplained = std::max(0.0, (residual / degreesOfFreedom - noise) / weights);
   return { static_cast<float>(m[0][Terms] / m[0][0]),
-    static_cast<float>(ShareOfError * std::sqrt(variance + unexplained)) };
+    static_cast<float>(ErrorFactor * std::sqrt(variance + unexplained)) };
 }
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What neighbours know: where a quantity is smooth, uncertain answers at many places make each other
-// certain. To a place and those around a function is fitted, linear in place and normal.
+// Local linear regression for denoising: fits a function that is linear in position and normal to
+// the noisy estimates around a point.
 #ifndef penumbra_LocalRegression_h
 #define penumbra_LocalRegression_h
 
@@ -18,7 +18,7 @@
 namespace penumbra
 {
 
-/// A mean over the hemisphere, one channel, and its standard error.
+/// Mean over the hemisphere, one channel, and its standard error.
 struct NoisyEstimate
 {
   float Mean = 0.f;
@@ -28,33 +28,34 @@ struct NoisyEstimate
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LocalRegression
 {
 public:
-  /// Of `sites` those that `which` names; `spacing`: usual distance of neighbouring ones.
+  /// Uses the points of `sites` with the indices `which`. `spacing` is the mean distance of
+  /// neighboring points.
   LocalRegression(const std::vector<RecordCandidate>& sites, const std::vector<std::size_t>& which,
     float spacing);
 
-  /// What the answers (one for each of the sites) at and around site `index` say about it. The error
-  /// holds their noise and what the function does not follow; infinite where there are too few.
-  NoisyEstimate Fit(std::size_t index, const std::vector<NoisyEstimate>& answers) const;
+  /// Returns the fitted value at point `index`. `estimates` has one estimate per point. The error
+  /// includes noise and the residual of the fit; it is infinite if there are too few neighbors.
+  NoisyEstimate Fit(std::size_t index, const std::vector<NoisyEstimate>& estimates) const;
 
 private:
-  /// Place and normal relative to the site asked for: 1, two coordinates, two tilts.
+  /// Terms of the linear function: 1, two coordinates of the offset, two of the normal.
   static constexpr int Terms = 5;
   struct Row
   {
     std::array<double, Terms> Term;
     double Weight;
-    NoisyEstimate Answer;
+    NoisyEstimate Estimate;
   };
 
   void FindRows(
-    std::size_t index, const std::vector<NoisyEstimate>& answers, std::vector<Row>& rows) const;
-  std::array<std::int64_t, 3> CellOf(glm::vec3 position) const;
-  static std::uint64_t KeyOf(const std::array<std::int64_t, 3>& cell);
+    std::size_t index, const std::vector<NoisyEstimate>& estimates, std::vector<Row>& rows) const;
+  std::array<std::int64_t, 3> FindCell(glm::vec3 position) const;
+  static std::uint64_t ComputeKey(const std::array<std::int64_t, 3>& cell);
 
   const std::vector<RecordCandidate>& Sites;
-  float Reach;                    ///< also the side of a cell
-  std::vector<std::size_t> Order; ///< sites, cell by cell
-  std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>> Cells; ///< parts of it
+  float Radius; ///< radius of the neighborhood and side of a grid cell, scene units
+  std::vector<std::size_t> Order; ///< indices of points, cell by cell
+  std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>> Cells; ///< ranges of Order
 };
 
 }

@@ -11,7 +11,7 @@ Gatherer::~Gatherer() = default;
 
 long long Gatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
   const HemisphereGrid& grid, std::uint32_t seed, std::vector<glm::vec3>& directions,
-  std::vector<HemisphereSample>& sights) const
+  std::vector<HemisphereSample>& samples) const
 {
   grid.JitterDirections(seed, directions);
   std::vector<glm::vec3> inScene;
@@ -20,7 +20,7 @@ long long Gatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
   {
     inScene.push_back(frame * direction);
   }
-  return this->Gather(point, frame[2], inScene, sights);
+  return this->Gather(point, frame[2], inScene, samples);
 }
 
 }

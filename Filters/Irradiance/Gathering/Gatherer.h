@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Who looks around from a point: rays, or a rasterised cube map. A gatherer answers a grid of
-// directions; what follows from the answers (irradiance, gradients, radii) is found in one place,
-// Derivatives.
+// Interface for sampling the hemisphere above a point, by tracing rays or by rasterizing a cube
+// map. A gatherer returns one sample per direction of a grid. HemisphereEstimate.h computes
+// irradiance, gradients and second derivatives from these samples.
 #ifndef penumbra_Gatherer_h
 #define penumbra_Gatherer_h
 
@@ -21,27 +21,32 @@ namespace penumbra
 
 struct HemisphereGrid;
 
-/// What is seen in one direction.
+/// Result of sampling one direction of the hemisphere.
 struct HemisphereSample
 {
-  float Distance = std::numeric_limits<float>::infinity(); ///< infinity: nothing within reach
-  glm::vec3 Normal{ 0.f }; ///< of what was met, unit, either side; 0 where unknown
-  glm::vec3 Radiance{
-    0.f
-  }; ///< that comes from there; under occlusion 1 (or less, with a fall-off) where blocked, else 0
-  float OccluderEdge =
-    0.f; ///< where a flat surface that goes on towards its horizon ends; 0: not known
-  float Variance = 1.f; ///< of Radiance, over that of a single ray in its cell
+  float Distance = std::numeric_limits<float>::infinity(); ///< infinite if nothing was hit
+  glm::vec3 Normal{ 0.f }; ///< unit normal of the hit, facing either side; 0 if unknown
+
+  /// Incident radiance. For occlusion, the falloff (1 without falloff) of a hit and 0 for a miss.
+  glm::vec3 Radiance{ 0.f };
+
+  /// Distance at which a flat surface that continues toward its horizon ends; 0 if unknown.
+  float OccluderEdge = 0.f;
+
+  float Variance = 1.f; ///< of Radiance, relative to a single ray in the cell
 };
 
-/// Where a lamp may be seen that is smaller than a cell.
+/// Point on an emitter that may be smaller than a cell.
 struct EmitterSample
 {
-  glm::vec3 Direction; ///< unit, scene coordinates
+  glm::vec3 Direction; ///< unit vector toward the emitter, scene coordinates
   float Distance;
-  float Strength;   ///< radiance, greatest channel
-  float Share;      ///< of the mean over the hemisphere, if nothing lies between, over the cosine
-  int EmitterIndex; ///< beams of one lamp follow each other
+  float Strength; ///< radiance, maximum over the channels
+
+  /// Contribution to the mean over the hemisphere if the emitter is visible, divided by the cosine.
+  float Contribution;
+
+  int EmitterIndex; ///< samples of one emitter are consecutive
 };
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Gatherer
@@ -49,28 +54,32 @@ class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Gatherer
 public:
   virtual ~Gatherer();
 
-  /// Appends what of lamps may be seen from `point`, whatever lies between.
-  virtual void SampleEmitters(glm::vec3 /*point*/, std::vector<EmitterSample>& /*beams*/) const {}
+  /// Appends samples of the emitters to `emitterSamples`, without testing their visibility from
+  /// `point`.
+  virtual void SampleEmitters(
+    glm::vec3 /*point*/, std::vector<EmitterSample>& /*emitterSamples*/) const
+  {
+  }
 
-  /// What `directions` (unit, scene coordinates) see from `point`, a point just above a surface with
-  /// `normal`. Fills `sights`, one for each direction, and returns how many rays that took. Called
-  /// from many threads at once; the answer depends on nothing but the arguments.
+  /// Samples `directions` (unit vectors, scene coordinates) from `point` on a surface with
+  /// `normal`. Fills `samples` with one sample per direction and returns the number of rays traced.
+  /// Thread-safe; the result depends only on the arguments.
   virtual long long Gather(glm::vec3 point, glm::vec3 normal,
-    const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& sights) const = 0;
+    const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const = 0;
 
-  /// What the cells of `grid` show about `frame` (from local to scene coordinates, its third axis the
-  /// normal). Fills `directions` (local) and `sights`, one for each cell. Unless overridden asks for
-  /// one direction a cell, which `seed` jitters. Otherwise like Gather().
+  /// Samples the cells of `grid`, oriented by `frame` (local to scene coordinates; its third axis
+  /// is the normal). Fills `directions` (local coordinates) and `samples`, one per cell. The
+  /// default implementation calls Gather() with one direction per cell, jittered by `seed`.
   virtual long long SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
     const HemisphereGrid& grid, std::uint32_t seed, std::vector<glm::vec3>& directions,
-    std::vector<HemisphereSample>& sights) const;
+    std::vector<HemisphereSample>& samples) const;
 
-  /// Look() costs the same whatever the grid, and shows cells as a whole: a coarse look before, or a
-  /// closer one behind, gains nothing.
+  /// Returns true if SampleHemisphere() costs the same for every grid size and averages over whole
+  /// cells. A preceding coarse grid or supersampling of cells then has no benefit.
   virtual bool SamplesGridAtOnce() const { return false; }
 
-  /// How far it looks, in scene units, infinite without a limit; and how much of the radiance of what
-  /// is met there counts, which is in the sights' radiance already.
+  /// Returns the maximum distance in scene units, which may be infinite, and the distance falloff,
+  /// which the radiance of the samples already includes.
   virtual DistanceFalloff GetFalloff() const = 0;
   float GetReach() const { return this->GetFalloff().Radius; }
 };

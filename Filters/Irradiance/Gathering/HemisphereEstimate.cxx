@@ -3,25 +3,25 @@
 //
 // With L the radiance, the mean is F = 1/pi * integral of L cos. Where L jumps by dL across a
 // boundary, F changes as the boundary moves. Let e be the unit normal of the boundary, in the
-// tangent plane of the sphere of directions, towards the side with less; dl its element; r the
-// distance of the nearer side, whose rim it is, and w its direction. When the point moves by d, the
-// rim is seen to move by -d.e/r, so that
+// tangent plane of the sphere of directions, toward the side with less radiance; dl its element; r
+// the distance of the nearer side, whose edge it is; and w its direction. If the point moves by d,
+// the projected edge moves by -d.e/r, so that
 //
 //   gradient  g = -1/pi * sum over boundaries of dL cos(w) e dl / r,
 //
 // of which the part in the tangent plane is kept. e dl = w x dw is linear in the path: a staircase
-// along the sides of cells leads to the same sum as the smooth boundary. Differentiating once more
-// with the rim fixed in space, the symmetric part that remains for closed rims is
+// along the sides of cells gives the same sum as the smooth boundary. Differentiating again with
+// the edge fixed in space, the symmetric part that remains for closed edges is
 //
 //   Hessian   H = -4/pi * sum of dL cos(w) / r^2 * sym(w e^T) dl.
 //
-// A round object's rim slides along it as the point moves; H leaves that out, being used for
-// radii only. Where the rim is not an object's end but the limit of reach on a surface with normal
-// m, the boundary moves along m' = m - (m.w) w by -(m.d) / (reach |m'|), which has its own term.
+// The silhouette of a round object slides along the object as the point moves. H omits this term,
+// because it is used for radii only. If the boundary is not an edge but the maximum distance R on a
+// surface with normal m, it moves along m' = m - (m.w) w by -(m.d) / (R |m'|), a separate term.
 //
-// With a fall-off D the radiance of a place at distance t in direction w is D(t), which changes by
-// -D'(t) w.d as the point moves: that adds its mean over the hemisphere to g. To H it adds the mean of
-// D'' w w^T + D'/t (1 - w w^T), and both mixed derivatives: the sums above of the jumps of -D' w.
+// With a falloff D, the radiance of a hit at distance t in direction w is D(t), which changes by
+// -D'(t) w.d as the point moves. Its mean over the hemisphere is added to g. To H it adds the mean
+// of D'' w w^T + D'/t (1 - w w^T) and both mixed derivatives: the sums above of the jumps of -D' w.
 #include "HemisphereEstimate.h"
 
 #include <algorithm>
@@ -34,122 +34,128 @@ namespace
 
 constexpr float Pi = 3.14159265f;
 
-/// Parts of luminance (ITU-R BT.709): one Hessian serves all channels.
+/// Luminance weights (ITU-R BT.709). One Hessian is used for all channels.
 const glm::vec3 Luminance(.2126f, .7152f, .0722f);
 
-/// A cell on a straight boundary holds p of one side; p (1 - p), the variance of its one sample, is
-/// 1/6 in the mean, and a staircase has about 4/3 sides a cell.
+/// Variance per boundary side, as a fraction of the squared jump. A fraction p of a cell on a
+/// straight boundary lies on one side. The variance of its single sample, p (1 - p), is 1/6 on
+/// average, and a staircase has about 4/3 sides per cell.
 constexpr float VariancePerSide = 1.f / 8.f;
 
-/// Directions lower than this (cosine to the normal) may meet walls; steeper surfaces than that
-/// (cosine between normals) are walls.
+/// A hit is a wall if the cosine between its direction and the normal is below the first constant
+/// and the cosine between the normals is below the second.
 constexpr float LowCosine = .35f;
 constexpr float SteepCosine = .7f;
 
-/// Directions lower than this do not count for the nearest hit [IC]: on every concave surface it
-/// would be 0.
+/// Directions with a smaller cosine to the normal are ignored for the nearest hit [IC], which would
+/// be 0 on every concave surface.
 constexpr float GrazingCosine = .3f;
 
-/// Normals of one plane.
+/// Minimum cosine between normals of one plane.
 constexpr float FlatCosine = .99999f;
 
-/// No rim is believed to be further than this times the hit that tells of it.
-constexpr float FarthestOccluderEdge = 4.f;
+/// Upper bound of the distance of an occluder edge, relative to the hit next to it.
+constexpr float MaximumEdgeFactor = 4.f;
 
-/// Nor nearer than this, in scene units: in a corner it would be 0, and derivatives infinite.
-constexpr float NearestRim = 1e-9f;
+/// Lower bound of the distance of an occluder edge, in scene units. In a corner it would be 0 and
+/// the derivatives infinite.
+constexpr float MinimumEdgeDistance = 1e-9f;
 
-/// Surfaces seen more face-on than this (sine, squared) have no clear line where reach ends.
-constexpr float LeastSlope = .05f;
+/// Lower bound of the squared sine between view direction and surface normal, which limits the
+/// gradient at the maximum distance on surfaces seen face-on.
+constexpr float MinimumSlope = .05f;
 
-/// Sums over the boundaries between cells.
+/// Sums derivatives over the boundaries between cells.
 class Boundaries
 {
 public:
   Boundaries(const HemisphereGrid& grid, const glm::mat3& frame,
-    const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& sights,
+    const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& samples,
     const DistanceFalloff& falloff)
     : Grid(grid),
       ToLocal(glm::transpose(frame)),
       Directions(directions),
-      Sights(sights),
-      Fading(falloff)
+      Samples(samples),
+      Falloff(falloff)
   {
   }
 
-  /// The side from corner `from` to corner `to` between cells `one` and `other`.
+  /// Adds the side from corner `from` to corner `to` between cells `one` and `other`.
   void Add(int one, int other, glm::vec3 from, glm::vec3 to)
   {
-    const bool oneIsNear = this->Sights[one].Distance <= this->Sights[other].Distance;
+    const bool oneIsNear = this->Samples[one].Distance <= this->Samples[other].Distance;
     const int near = oneIsNear ? one : other;
     const int far = oneIsNear ? other : one;
-    const glm::vec3 step = this->Sights[near].Radiance - this->Sights[far].Radiance;
+    const glm::vec3 step = this->Samples[near].Radiance - this->Samples[far].Radiance;
     if (step == glm::vec3(0.f))
     {
       return;
     }
     this->Variance += step * step *
-      (.5f * VariancePerSide * (this->Sights[one].Variance + this->Sights[other].Variance));
+      (.5f * VariancePerSide * (this->Samples[one].Variance + this->Samples[other].Variance));
     const glm::vec3 w = glm::normalize(from + to);
-    glm::vec3 across = glm::cross(w, to - from); // e dl
-    const glm::vec3 apart = this->Directions[far] - this->Directions[near];
-    if (glm::dot(across, apart) < 0.f)
+    glm::vec3 edgeNormal = glm::cross(w, to - from); // e dl
+    const glm::vec3 offset = this->Directions[far] - this->Directions[near];
+    if (glm::dot(edgeNormal, offset) < 0.f)
     {
-      across = -across;
+      edgeNormal = -edgeNormal;
     }
     const float cosine = std::max(w.z, 0.f);
     glm::vec2 change;
-    const float length = glm::length(across);
-    const float rim = this->Rim(near, far, std::abs(glm::dot(apart, across)) / (2.f * length));
-    const glm::vec3 m = this->ToLocal * this->Sights[near].Normal;
+    const float length = glm::length(edgeNormal);
+    const float edgeDistance = this->EstimateEdgeDistance(
+      near, far, std::abs(glm::dot(offset, edgeNormal)) / (2.f * length));
+    const glm::vec3 m = this->ToLocal * this->Samples[near].Normal;
     const glm::vec3 slope = m - glm::dot(m, w) * w;
-    const bool endsByReach = this->EndsByReach(near, far, m);
-    if (endsByReach)
+    const bool endsAtMaximumDistance = this->EndsAtMaximumDistance(near, far, m);
+    if (endsAtMaximumDistance)
     {
       change = glm::vec2(m) *
-        (-cosine * glm::dot(slope, across) / Pi /
-          (this->Fading.Radius * std::max(glm::dot(slope, slope), LeastSlope)));
+        (-cosine * glm::dot(slope, edgeNormal) / Pi /
+          (this->Falloff.Radius * std::max(glm::dot(slope, slope), MinimumSlope)));
     }
     else
     {
-      change = glm::vec2(across) * (-cosine / (Pi * rim));
+      change = glm::vec2(edgeNormal) * (-cosine / (Pi * edgeDistance));
     }
     for (int c = 0; c < 3; ++c)
     {
       this->Gradient[c] += step[c] * change;
     }
-    const float drop = glm::dot(step, Luminance);
-    this->Slopes += std::abs(drop) * cosine * length / rim;
-    this->SlopesPerRim += std::abs(drop) * cosine * length / (rim * rim);
-    const float bend = -4.f * cosine * drop / (Pi * rim * rim);
-    this->HessianSums += bend * Symmetric(glm::vec2(w), glm::vec2(across));
-    // Where reach ends the fall-off is 0, wherever that is: one of the two derivatives is left.
-    this->HessianSums +=
-      (endsByReach ? 1.f : 2.f) * Symmetric(this->Drift(near) - this->Drift(far), change);
+    const float luminanceStep = glm::dot(step, Luminance);
+    this->GradientSum += std::abs(luminanceStep) * cosine * length / edgeDistance;
+    this->GradientSumOverDistance +=
+      std::abs(luminanceStep) * cosine * length / (edgeDistance * edgeDistance);
+    const float curvature = -4.f * cosine * luminanceStep / (Pi * edgeDistance * edgeDistance);
+    this->HessianSums += curvature * Symmetric(glm::vec2(w), glm::vec2(edgeNormal));
+    // At the maximum distance the falloff is 0 everywhere, so that only one mixed derivative
+    // remains.
+    this->HessianSums += (endsAtMaximumDistance ? 1.f : 2.f) *
+      Symmetric(this->ComputeFalloffGradient(near) - this->ComputeFalloffGradient(far), change);
   }
 
-  /// What lies within `cell`, whose part of the hemisphere is `share`, counts more or less as the point
-  /// moves.
-  void AddFading(int cell, float share)
+  /// Adds the derivatives of the falloff within `cell`, which covers the fraction `fraction` of the
+  /// hemisphere.
+  void AddFalloff(int cell, float fraction)
   {
-    const float distance = std::max(this->Sights[cell].Distance, NearestRim);
-    if (this->Fading.IsConstant() || std::isinf(distance))
+    const float distance = std::max(this->Samples[cell].Distance, MinimumEdgeDistance);
+    if (this->Falloff.IsConstant() || std::isinf(distance))
     {
       return;
     }
-    const glm::vec2 drift = share * this->Drift(cell);
+    const glm::vec2 falloffGradient = fraction * this->ComputeFalloffGradient(cell);
     for (glm::vec2& gradient : this->Gradient)
     {
-      gradient += drift;
+      gradient += falloffGradient;
     }
     const glm::vec2 w(this->Directions[cell]);
-    const float slope = this->Fading.Derivative(distance) / distance;
-    const float bend = this->Fading.SecondDerivative(distance) - slope;
-    this->HessianSums += share * (bend * Symmetric(w, w) + glm::vec3(slope, slope, 0.f));
+    const float slope = this->Falloff.Derivative(distance) / distance;
+    const float curvature = this->Falloff.SecondDerivative(distance) - slope;
+    this->HessianSums += fraction * (curvature * Symmetric(w, w) + glm::vec3(slope, slope, 0.f));
   }
 
-  /// Largest absolute eigenvalue of the Hessian.
-  float Bend() const
+  /// Returns the maximum absolute eigenvalue of the Hessian.
+  float ComputeHessianNorm() const
   {
     const float difference = this->HessianSums.x - this->HessianSums.y;
     return .5f *
@@ -159,74 +165,76 @@ public:
 
   float OccluderEdgeDistance() const
   {
-    return this->SlopesPerRim > 0.f ? this->Slopes / this->SlopesPerRim
-                                    : std::numeric_limits<float>::infinity();
+    return this->GradientSumOverDistance > 0.f ? this->GradientSum / this->GradientSumOverDistance
+                                               : std::numeric_limits<float>::infinity();
   }
 
   glm::vec3 Variance{ 0.f };
   std::array<glm::vec2, 3> Gradient{};
 
 private:
-  /// xx, yy, xy of the symmetric part of a b^T.
+  /// Returns xx, yy, xy of the symmetric part of a b^T.
   static glm::vec3 Symmetric(glm::vec2 a, glm::vec2 b)
   {
     return { a.x * b.x, a.y * b.y, .5f * (a.x * b.y + a.y * b.x) };
   }
 
-  /// How the fall-off of what `cell` sees changes as the point moves.
-  glm::vec2 Drift(int cell) const
+  /// Returns the derivative of the falloff in `cell` with respect to the position of the point.
+  glm::vec2 ComputeFalloffGradient(int cell) const
   {
-    const float distance = std::max(this->Sights[cell].Distance, NearestRim);
-    return this->Fading.IsConstant() || std::isinf(distance)
+    const float distance = std::max(this->Samples[cell].Distance, MinimumEdgeDistance);
+    return this->Falloff.IsConstant() || std::isinf(distance)
       ? glm::vec2(0.f)
-      : -this->Fading.Derivative(distance) * glm::vec2(this->Directions[cell]);
+      : -this->Falloff.Derivative(distance) * glm::vec2(this->Directions[cell]);
   }
 
-  /// Distance of the rim that ends the surface met in cell `near`, an angle `gap` away: a flat one goes on
-  /// until half-way to `far`; were it round, it would end there tangentially. Not further than what lies
-  /// behind.
-  float Rim(int near, int far, float gap) const
+  /// Estimates the distance of the edge of the surface hit in cell `near`. A planar surface is
+  /// extended halfway to cell `far`; a curved one is assumed to end tangentially at the angle
+  /// `gap`. The result is at most the distance of the hit in `far`.
+  float EstimateEdgeDistance(int near, int far, float gap) const
   {
-    const float distance = this->Sights[near].Distance;
-    const glm::vec3 m = this->ToLocal * this->Sights[near].Normal;
-    const float here = glm::dot(m, this->Directions[near]);
+    const float distance = this->Samples[near].Distance;
+    const glm::vec3 m = this->ToLocal * this->Samples[near].Normal;
+    const float nearCosine = glm::dot(m, this->Directions[near]);
     float stretch = 1.f;
-    if (IsFlat(this->Grid, this->Sights, near))
+    if (IsFlat(this->Grid, this->Samples, near))
     {
-      const float between = here + glm::dot(m, this->Directions[far]);
-      stretch = between * here > 0.f ? 2.f * here / between : FarthestOccluderEdge;
+      const float between = nearCosine + glm::dot(m, this->Directions[far]);
+      stretch = between * nearCosine > 0.f ? 2.f * nearCosine / between : MaximumEdgeFactor;
     }
     else if (m != glm::vec3(0.f))
     {
-      const float sine = std::min(std::abs(here), 1.f);
+      const float sine = std::min(std::abs(nearCosine), 1.f);
       stretch = 1.f + gap * sine / std::max(1.f - std::sqrt(1.f - sine * sine), 1e-6f);
     }
-    const float rim =
-      std::max(distance * std::min(stretch, FarthestOccluderEdge), this->Sights[near].OccluderEdge);
-    return std::max(std::min(rim, this->Sights[far].Distance), NearestRim);
+    const float edgeDistance =
+      std::max(distance * std::min(stretch, MaximumEdgeFactor), this->Samples[near].OccluderEdge);
+    return std::max(std::min(edgeDistance, this->Samples[far].Distance), MinimumEdgeDistance);
   }
 
-  /// Nothing was seen in `far`: is that because the surface of `near` goes on beyond reach?
-  bool EndsByReach(int near, int far, glm::vec3 m) const
+  /// Returns true if `far` has no hit because the surface of `near` continues beyond the maximum
+  /// distance.
+  bool EndsAtMaximumDistance(int near, int far, glm::vec3 m) const
   {
-    if (std::isinf(this->Fading.Radius) || !std::isinf(this->Sights[far].Distance))
+    if (std::isinf(this->Falloff.Radius) || !std::isinf(this->Samples[far].Distance))
     {
       return false;
     }
-    const float here = glm::dot(m, this->Directions[near]);
-    const float there = glm::dot(m, this->Directions[far]);
-    return here * there > 0.f && std::abs(here) > .1f &&
-      this->Sights[near].Distance * here / there >= this->Fading.Radius;
+    const float nearCosine = glm::dot(m, this->Directions[near]);
+    const float farCosine = glm::dot(m, this->Directions[far]);
+    return nearCosine * farCosine > 0.f && std::abs(nearCosine) > .1f &&
+      this->Samples[near].Distance * nearCosine / farCosine >= this->Falloff.Radius;
   }
 
   const HemisphereGrid& Grid;
   glm::mat3 ToLocal;
   const std::vector<glm::vec3>& Directions;
-  const std::vector<HemisphereSample>& Sights;
-  DistanceFalloff Fading;
+  const std::vector<HemisphereSample>& Samples;
+  DistanceFalloff Falloff;
   glm::vec3 HessianSums{ 0.f }; ///< xx, yy, xy
-  float Slopes = 0.f;           ///< their absolute values
-  float SlopesPerRim = 0.f;     ///< each over its rim's distance
+  float GradientSum = 0.f;      ///< sum of absolute gradients
+  float GradientSumOverDistance =
+    0.f; ///< sum of absolute gradients, each over the distance of its edge
 };
 
 void AddBoundaries(const HemisphereGrid& grid, Boundaries& boundaries)
@@ -251,50 +259,50 @@ void AddBoundaries(const HemisphereGrid& grid, Boundaries& boundaries)
 
 }
 
-bool IsFlat(const HemisphereGrid& grid, const std::vector<HemisphereSample>& sights, int cell)
+bool IsFlat(const HemisphereGrid& grid, const std::vector<HemisphereSample>& samples, int cell)
 {
   const int i = cell % grid.Side;
   const int j = cell / grid.Side;
-  const glm::vec3 normal = sights[cell].Normal;
+  const glm::vec3 normal = samples[cell].Normal;
   const auto agrees = [&](bool exists, int other) {
-    return exists && std::abs(glm::dot(sights[other].Normal, normal)) > FlatCosine;
+    return exists && std::abs(glm::dot(samples[other].Normal, normal)) > FlatCosine;
   };
   return agrees(i > 0, cell - 1) || agrees(i + 1 < grid.Side, cell + 1) ||
     agrees(j > 0, cell - grid.Side) || agrees(j + 1 < grid.Side, cell + grid.Side);
 }
 
 HemisphereEstimate EstimateHemisphere(const HemisphereGrid& grid, const glm::mat3& frame,
-  const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& sights,
+  const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& samples,
   const DistanceFalloff& falloff)
 {
   HemisphereEstimate result;
   result.Clearance.fill(std::numeric_limits<float>::infinity());
-  const float share = 1.f / static_cast<float>(grid.Cells());
-  std::array<glm::vec2, 3> tilt{};
+  const float fraction = 1.f / static_cast<float>(grid.Cells());
+  std::array<glm::vec2, 3> rotation{};
   glm::dvec3 sum(0.0);
   double inverse = 0.0;
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    const HemisphereSample& sight = sights[cell];
+    const HemisphereSample& sample = samples[cell];
     const glm::vec3 w = directions[cell];
-    sum += sight.Radiance;
+    sum += sample.Radiance;
     for (int c = 0; c < 3; ++c)
     {
-      tilt[c] += sight.Radiance[c] * grid.NormalDerivatives[cell];
+      rotation[c] += sample.Radiance[c] * grid.NormalDerivatives[cell];
     }
-    if (std::isinf(sight.Distance))
+    if (std::isinf(sample.Distance))
     {
       continue;
     }
-    inverse += 1.0 / std::max(sight.Distance, 1e-30f);
+    inverse += 1.0 / std::max(sample.Distance, 1e-30f);
     if (w.z > GrazingCosine)
     {
-      result.Nearest = std::min(result.Nearest, sight.Distance);
+      result.Nearest = std::min(result.Nearest, sample.Distance);
     }
-    if (w.z < LowCosine && std::abs(glm::dot(sight.Normal, frame[2])) < SteepCosine)
+    if (w.z < LowCosine && std::abs(glm::dot(sample.Normal, frame[2])) < SteepCosine)
     {
-      float& clear = result.Clearance[SectorOf(w.x, w.y)];
-      clear = std::min(clear, sight.Distance * std::sqrt(1.f - w.z * w.z));
+      float& clearance = result.Clearance[SectorOf(w.x, w.y)];
+      clearance = std::min(clearance, sample.Distance * std::sqrt(1.f - w.z * w.z));
     }
   }
   result.Mean = glm::vec3(sum / static_cast<double>(grid.Cells()));
@@ -303,19 +311,19 @@ HemisphereEstimate EstimateHemisphere(const HemisphereGrid& grid, const glm::mat
     result.HarmonicMean = static_cast<float>(grid.Cells() / inverse);
   }
 
-  Boundaries boundaries(grid, frame, directions, sights, falloff);
+  Boundaries boundaries(grid, frame, directions, samples, falloff);
   AddBoundaries(grid, boundaries);
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    boundaries.AddFading(cell, share);
+    boundaries.AddFalloff(cell, fraction);
   }
-  result.Error = std::sqrt(glm::dot(boundaries.Variance, Luminance)) * share;
-  result.HessianNorm = boundaries.Bend();
+  result.Error = std::sqrt(glm::dot(boundaries.Variance, Luminance)) * fraction;
+  result.HessianNorm = boundaries.ComputeHessianNorm();
   result.OccluderEdgeDistance = boundaries.OccluderEdgeDistance();
   for (int c = 0; c < 3; ++c)
   {
     result.Translation[c] = frame * glm::vec3(boundaries.Gradient[c], 0.f);
-    result.Rotation[c] = frame * glm::vec3(tilt[c], 0.f);
+    result.Rotation[c] = frame * glm::vec3(rotation[c], 0.f);
   }
   return result;
 }

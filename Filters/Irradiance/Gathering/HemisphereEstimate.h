@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one look around a point tells: the mean over the hemisphere, and how it changes when the
-// point moves or the normal tilts. The sum over boundaries between cells is Ward and Heckbert's
-// (Irradiance Gradients, 1992); the idea to take the second derivative of the same boundaries for
-// the error of a record is Schwarzhaupt, Jensen and Jarosz's (Practical Hessian-Based Error Control
-// for Irradiance Caching, 2012). Derived here for any grid, see HemisphereEstimate.cxx.
+// Mean over the hemisphere of a point, with its gradients with respect to position and normal. The
+// sum over boundaries between cells is due to Ward and Heckbert (Irradiance Gradients, 1992). The
+// use of the second derivative of the same boundaries for the error of a record is due to
+// Schwarzhaupt, Jensen and Jarosz (Practical Hessian-Based Error Control for Irradiance Caching,
+// 2012). HemisphereEstimate.cxx derives both for arbitrary grids.
 #ifndef penumbra_HemisphereEstimate_h
 #define penumbra_HemisphereEstimate_h
 
@@ -19,35 +19,36 @@
 namespace penumbra
 {
 
-/// Means are irradiance over pi: 1 under a sky of radiance 1. Lengths are those of the sights.
+/// Estimate from hemisphere samples. Means are irradiance over pi: 1 under a sky of radiance 1.
+/// Lengths have the unit of the sample distances.
 struct HemisphereEstimate
 {
   glm::vec3 Mean{ 0.f };
-  float Error = 0.f; ///< standard error of the mean, over the channels
+  float Error = 0.f; ///< standard error of the luminance of the mean
 
   ///@{
-  /// Per channel, in the tangent plane: change of the mean per unit of length that the point moves,
-  /// and per unit that the tip of the normal moves.
+  /// Gradients of the mean per channel, in the tangent plane, with respect to the position and to
+  /// the normal.
   std::array<glm::vec3, 3> Translation{};
   std::array<glm::vec3, 3> Rotation{};
   ///@}
 
-  float HessianNorm = 0.f; ///< largest second derivative along a line in the tangent plane
+  float HessianNorm = 0.f; ///< maximum second derivative along a line in the tangent plane
 
-  /// Distance of the rims that make the mean change, near ones weighing more; closer to them than
-  /// about half of it, derivatives are no longer those here.
+  /// Mean distance of the occluder edges that contribute to the gradient, with more weight on near
+  /// edges. The derivatives are valid up to about half of this distance.
   float OccluderEdgeDistance = std::numeric_limits<float>::infinity();
 
-  float Nearest = std::numeric_limits<float>::infinity(); ///< hit, grazing directions left out
+  float Nearest = std::numeric_limits<float>::infinity(); ///< hit distance, without grazing rays
   float HarmonicMean = std::numeric_limits<float>::infinity();
 
-  /// How far one can go along the tangent plane before a wall, by eighths of the turn about the
-  /// normal that begin at the first tangent.
+  /// Distance to the nearest wall along the tangent plane, for each 45-degree sector about the
+  /// normal, starting at the first tangent.
   static constexpr int Sectors = 8;
   std::array<float, Sectors> Clearance{};
 };
 
-/// The eighth of the turn that (x, y) lies in.
+/// Returns the index of the 45-degree sector that contains (x, y).
 inline int SectorOf(float x, float y)
 {
   const bool steep = std::abs(y) > std::abs(x);
@@ -55,14 +56,15 @@ inline int SectorOf(float x, float y)
     (steep != ((x < 0.f) != (y < 0.f)) ? 1 : 0);
 }
 
-/// Is what `cell` sees, as far as one can tell, part of a plane? A neighbour sees the same normal.
-bool IsFlat(const HemisphereGrid& grid, const std::vector<HemisphereSample>& sights, int cell);
+/// Returns true if the surface in `cell` appears planar: a neighboring cell has the same normal.
+bool IsFlat(const HemisphereGrid& grid, const std::vector<HemisphereSample>& samples, int cell);
 
-/// `directions` are those of `grid` in local coordinates, `sights` what they saw with normals in
-/// scene coordinates, `frame` leads from local to scene coordinates. `falloff`: of the gatherer.
+/// Computes the estimate from `samples`, sampled along `directions` (local coordinates, one per
+/// cell of `grid`). Normals of samples are in scene coordinates. `frame` transforms local to scene
+/// coordinates. `falloff` is the falloff of the gatherer.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT HemisphereEstimate EstimateHemisphere(
   const HemisphereGrid& grid, const glm::mat3& frame, const std::vector<glm::vec3>& directions,
-  const std::vector<HemisphereSample>& sights, const DistanceFalloff& falloff);
+  const std::vector<HemisphereSample>& samples, const DistanceFalloff& falloff);
 
 }
 #endif

@@ -13,19 +13,19 @@ namespace penumbra
 namespace
 {
 
-/// Points along each side of a cell that its integral is summed over.
+/// Number of integration points along each side of a cell.
 constexpr int IntegrationPoints = 8;
 
-/// A point of an integral along one side of a cell, over the coordinate a from -1 to 1.
+/// Integration point along one side of a cell, in disk coordinates [0, 1].
 struct Abscissa
 {
   float At;
   float Weight;
 };
 
-/// Solid angle grows without bound, like 1 / sqrt(1 - a^2), towards the rim of the disc; with
-/// a = sin t it does not.
-std::array<Abscissa, IntegrationPoints> PointsAlong(int cell, int side)
+/// Solid angle per disk area diverges at the edge of the disk like 1 / sqrt(1 - a^2), with a in
+/// [-1, 1]. The substitution a = sin t removes the singularity.
+std::array<Abscissa, IntegrationPoints> ComputeAbscissas(int cell, int side)
 {
   const double low = std::asin(2.0 * cell / side - 1.0);
   const double high = std::asin(std::min(2.0 * (cell + 1) / side - 1.0, 1.0));
@@ -40,15 +40,15 @@ std::array<Abscissa, IntegrationPoints> PointsAlong(int cell, int side)
   return points;
 }
 
-glm::vec2 TiltOf(int i, int j, int side)
+glm::vec2 IntegrateTangent(int i, int j, int side)
 {
   glm::vec2 sum(0.f);
-  for (const Abscissa& u : PointsAlong(i, side))
+  for (const Abscissa& u : ComputeAbscissas(i, side))
   {
-    for (const Abscissa& v : PointsAlong(j, side))
+    for (const Abscissa& v : ComputeAbscissas(j, side))
     {
       const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(u.At, v.At));
-      // Solid angle is the disc's area over the cosine.
+      // Solid angle is disk area over the cosine.
       sum += glm::vec2(direction) * (u.Weight * v.Weight / std::max(direction.z, 1e-6f));
     }
   }
@@ -70,7 +70,7 @@ std::unique_ptr<HemisphereGrid> MakeGrid(int side)
   }
   for (int cell = 0; cell < grid->Cells(); ++cell)
   {
-    grid->NormalDerivatives.push_back(TiltOf(cell % side, cell / side, side));
+    grid->NormalDerivatives.push_back(IntegrateTangent(cell % side, cell / side, side));
   }
   return grid;
 }
@@ -106,13 +106,13 @@ void HemisphereGrid::JitterDirections(std::uint32_t seed, std::vector<glm::vec3>
 }
 
 void HemisphereGrid::SubsampleCell(
-  int cell, int finer, std::uint32_t& random, std::vector<glm::vec3>& directions) const
+  int cell, int subdivisions, std::uint32_t& random, std::vector<glm::vec3>& directions) const
 {
-  const auto length = static_cast<float>(this->Side * finer);
-  for (int k = 0; k < finer * finer; ++k)
+  const auto length = static_cast<float>(this->Side * subdivisions);
+  for (int k = 0; k < subdivisions * subdivisions; ++k)
   {
-    const int i = cell % this->Side * finer + k % finer;
-    const int j = cell / this->Side * finer + k / finer;
+    const int i = cell % this->Side * subdivisions + k % subdivisions;
+    const int j = cell / this->Side * subdivisions + k / subdivisions;
     const float u = (static_cast<float>(i) + NextFloat(random)) / length;
     const float v = (static_cast<float>(j) + NextFloat(random)) / length;
     directions.push_back(DiskToHemisphere(SampleUniformDiskConcentric(u, v)));

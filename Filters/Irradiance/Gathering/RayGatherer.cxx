@@ -14,9 +14,9 @@ namespace
 
 constexpr std::size_t PacketSize = 16;
 
-/// Points along the sides of a triangle that shines.
-constexpr int BeamsAlong = 4;
-constexpr float BeamsOfLamp = .5f * BeamsAlong * (BeamsAlong + 1);
+/// Number of samples along each side of a triangular emitter, and on the whole triangle.
+constexpr int SamplesPerSide = 4;
+constexpr float SamplesPerEmitter = .5f * SamplesPerSide * (SamplesPerSide + 1);
 
 constexpr float Pi = 3.14159265f;
 
@@ -30,13 +30,13 @@ glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
 }
 
 long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
-  const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& sights) const
+  const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const
 {
   const glm::vec3 origin = point + RayOriginOffset(point) * normal;
   const std::size_t count = directions.size();
-  const std::size_t whole = (count + PacketSize - 1) / PacketSize * PacketSize;
-  std::vector<Ray> rays(whole, Ray{ origin, normal, 1.f, 0.f });
-  std::vector<Hit> hits(whole);
+  const std::size_t paddedCount = (count + PacketSize - 1) / PacketSize * PacketSize;
+  std::vector<Ray> rays(paddedCount, Ray{ origin, normal, 1.f, 0.f });
+  std::vector<Hit> hits(paddedCount);
   for (std::size_t i = 0; i < count; ++i)
   {
     rays[i] = Ray{ origin, directions[i], 0.f, this->GetReach() };
@@ -51,69 +51,70 @@ long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
   {
     hits[i] = SkipLinesAndPoints(this->Rays, rays[i], hits[i]);
   }
-  const long long more = this->ShadeHits(point, normal, rays, hits, sights);
+  const long long additionalRays = this->ShadeHits(point, normal, rays, hits, samples);
   const DistanceFalloff falloff = this->GetFalloff();
-  for (HemisphereSample& sight : sights)
+  for (HemisphereSample& sample : samples)
   {
-    sight.Radiance *= std::isinf(sight.Distance) ? 1.f : falloff.Evaluate(sight.Distance);
+    sample.Radiance *= std::isinf(sample.Distance) ? 1.f : falloff.Evaluate(sample.Distance);
   }
-  return static_cast<long long>(count) + more;
+  return static_cast<long long>(count) + additionalRays;
 }
 
 OcclusionGatherer::OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff)
   : RayGatherer(scene),
-    Counting(falloff)
+    Falloff(falloff)
 {
 }
 
 long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, glm::vec3 /*normal*/,
   const std::vector<Ray>& rays, const std::vector<Hit>& hits,
-  std::vector<HemisphereSample>& sights) const
+  std::vector<HemisphereSample>& samples) const
 {
-  sights.assign(rays.size(), HemisphereSample());
+  samples.assign(rays.size(), HemisphereSample());
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     if (hits[i].IsHit())
     {
-      sights[i].Distance = hits[i].Distance;
-      sights[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
-      sights[i].Radiance = glm::vec3(1.f);
+      samples[i].Distance = hits[i].Distance;
+      samples[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
+      samples[i].Radiance = glm::vec3(1.f);
     }
   }
   return 0;
 }
 
-LightGatherer::LightGatherer(const Illumination& light, KnownLight arriving, int bounces)
+LightGatherer::LightGatherer(const Illumination& light, LightLookup arriving, int bounces)
   : RayGatherer(light.GetRays()),
     Light(light),
-    Known(std::move(arriving)),
+    IncidentLight(std::move(arriving)),
     Bounces(bounces)
 {
 }
 
-void LightGatherer::SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const
+void LightGatherer::SampleEmitters(
+  glm::vec3 point, std::vector<EmitterSample>& emitterSamples) const
 {
-  int lamp = 0;
+  int emitterIndex = 0;
   for (const Emitter& emitter : this->Light.GetEmitters())
   {
-    ++lamp;
+    ++emitterIndex;
     const glm::vec3 side = emitter.Corners[1] - emitter.Corners[0];
     const glm::vec3 other = emitter.Corners[2] - emitter.Corners[0];
-    const glm::vec3 area = glm::cross(side, other) / (2.f * BeamsOfLamp * Pi);
-    for (int i = 0; i < BeamsAlong; ++i)
+    const glm::vec3 area = glm::cross(side, other) / (2.f * SamplesPerEmitter * Pi);
+    for (int i = 0; i < SamplesPerSide; ++i)
     {
-      for (int j = 0; j < BeamsAlong - i; ++j)
+      for (int j = 0; j < SamplesPerSide - i; ++j)
       {
-        const float u = (static_cast<float>(i) + .333f) / BeamsAlong;
-        const float v = (static_cast<float>(j) + .333f) / BeamsAlong;
+        const float u = (static_cast<float>(i) + .333f) / SamplesPerSide;
+        const float v = (static_cast<float>(j) + .333f) / SamplesPerSide;
         const glm::vec3 to = emitter.Corners[0] + u * side + v * other - point;
         const float length = glm::length(to);
         if (length > 0.f)
         {
           const glm::vec3 direction = to / length;
-          const float share =
+          const float fraction =
             emitter.Strength * std::abs(glm::dot(area, direction)) / (length * length);
-          beams.push_back({ direction, length, emitter.Strength, share, lamp });
+          emitterSamples.push_back({ direction, length, emitter.Strength, fraction, emitterIndex });
         }
       }
     }
@@ -121,31 +122,31 @@ void LightGatherer::SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& 
 }
 
 long long LightGatherer::ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-  const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const
+  const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const
 {
-  sights.assign(rays.size(), HemisphereSample());
-  long long more = 0;
+  samples.assign(rays.size(), HemisphereSample());
+  long long additionalRays = 0;
   std::uint32_t random =
     MixBits(HashPoint(point, normal) + static_cast<std::uint32_t>(rays.size()));
   Illumination::IrradianceFunction arriving;
-  if (this->Known)
+  if (this->IncidentLight)
   {
     arriving = [&](glm::vec3 at, glm::vec3 about) {
-      const std::optional<glm::vec3> known = this->Known(at, about);
-      return known ? *known + this->Light.SampleSuns(at, about, random, more)
-                   : this->Light.TracePath(at, about, this->Bounces, random, more);
+      const std::optional<glm::vec3> cached = this->IncidentLight(at, about);
+      return cached ? *cached + this->Light.SampleSuns(at, about, random, additionalRays)
+                    : this->Light.TracePath(at, about, this->Bounces, random, additionalRays);
     };
   }
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     if (hits[i].IsHit())
     {
-      sights[i].Distance = hits[i].Distance;
-      sights[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
+      samples[i].Distance = hits[i].Distance;
+      samples[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
     }
-    sights[i].Radiance = this->Light.IncidentRadiance(rays[i], hits[i], arriving, more);
+    samples[i].Radiance = this->Light.IncidentRadiance(rays[i], hits[i], arriving, additionalRays);
   }
-  return more;
+  return additionalRays;
 }
 
 }

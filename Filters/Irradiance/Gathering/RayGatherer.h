@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gathers by rays over Embree.
+// Gatherers that trace rays with Embree.
 #ifndef penumbra_RayGatherer_h
 #define penumbra_RayGatherer_h
 
@@ -17,11 +17,12 @@
 namespace penumbra
 {
 
-/// Unit normal of the triangle that was hit, either side; 0 of one without area.
+/// Returns the unit normal of the triangle that was hit, facing either side; 0 for a degenerate
+/// triangle.
 glm::vec3 NormalAt(const Scene& scene, const Hit& hit);
 
-/// Who looks by rays. What their hits mean is for derived classes to say, also of hits that were found
-/// in another way.
+/// Base class of gatherers that trace rays. Derived classes shade the hits. Other gatherers use
+/// ShadeHits() for hits that they find without rays.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RayGatherer : public Gatherer
 {
 public:
@@ -32,12 +33,13 @@ public:
   }
 
   long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
-    std::vector<HemisphereSample>& sights) const override;
+    std::vector<HemisphereSample>& samples) const override;
 
-  /// What `rays` from `point` see, whose first hits are `hits`, lines and points left out, before the
-  /// fall-off. Fills `sights` and returns how many more rays that took.
+  /// Shades `hits`, the first hits of `rays` from `point` without lines and points. Fills
+  /// `samples`, with radiance before the distance falloff, and returns the number of additional
+  /// rays traced.
   virtual long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const = 0;
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const = 0;
 
   const RayScene& GetRays() const { return this->Rays; }
 
@@ -45,8 +47,8 @@ private:
   const RayScene& Rays;
 };
 
-/// Occlusion: radiance is the fall-off's share where something lies within reach, 0 elsewhere. Lines and
-/// points do not block.
+/// Gatherer of occlusion. Radiance is the distance falloff of a hit and 0 for a miss. Lines and
+/// points do not occlude.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT OcclusionGatherer : public RayGatherer
 {
 public:
@@ -54,36 +56,36 @@ public:
   OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff);
 
   long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const override;
-  DistanceFalloff GetFalloff() const override { return this->Counting; }
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const override;
+  DistanceFalloff GetFalloff() const override { return this->Falloff; }
 
 private:
-  DistanceFalloff Counting;
+  DistanceFalloff Falloff;
 };
 
-/// Light: what surfaces emit, reflect of the lights and, where `arriving` is given, of what
-/// arrives at them; the environment elsewhere, its suns left out, which are asked for where light is
-/// asked for. Looks through lines and points.
+/// Gatherer of light. Radiance of a hit is emitted light, reflected light of the lights, and
+/// reflected indirect light if `arriving` is set. Radiance of a miss is the environment without its
+/// suns, which are sampled separately. Rays pass through lines and points.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 {
 public:
-  /// What is known of the light that arrives at a point of a surface: the mean over the hemisphere
-  /// about a normal, suns left out; nothing where it is not known.
-  using KnownLight = std::function<std::optional<glm::vec3>(glm::vec3 point, glm::vec3 normal)>;
+  /// Looks up the mean radiance over the hemisphere at a point, without suns. Returns nothing if no
+  /// value is cached for the point.
+  using LightLookup = std::function<std::optional<glm::vec3>(glm::vec3 point, glm::vec3 normal)>;
 
-  /// `arriving`: the light that arrives at surfaces after at most `bounces` - 1 reflections; where
-  /// it is not known, a single path answers. Empty: none arrives. `light`, and what `arriving`
-  /// refers to, must outlive this object.
-  LightGatherer(const Illumination& light, KnownLight arriving, int bounces);
+  /// `arriving` looks up the incident light at surfaces after at most `bounces` - 1 reflections. If
+  /// it returns nothing, a single path is traced. If it is empty, surfaces reflect no indirect
+  /// light. `light` and the objects that `arriving` refers to must outlive this object.
+  LightGatherer(const Illumination& light, LightLookup arriving, int bounces);
 
-  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& beams) const override;
+  void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& emitterSamples) const override;
   long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<HemisphereSample>& sights) const override;
+    const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const override;
   DistanceFalloff GetFalloff() const override { return {}; }
 
 private:
   const Illumination& Light;
-  KnownLight Known;
+  LightLookup IncidentLight;
   int Bounces;
 };
 

@@ -10,33 +10,36 @@ namespace penumbra
 namespace
 {
 
-/// Places that look for others, and the side of the grid of rays that each sends out.
-constexpr std::size_t MostViewpoints = 1024;
-constexpr int SideOfViewpoints = 8;
+/// Approximate number of points (less than twice as many) that trace rays to find candidates, and
+/// side of the grid of rays of each.
+constexpr std::size_t ViewpointCount = 1024;
+constexpr int ViewpointGridSide = 8;
 
-/// Errors of these records are averaged over the hemisphere, and dimmed by each reflection: what they
-/// may be, over those of the records that ask. Measured by the benchmark `irradiance`.
-constexpr double ToleranceShare = 4.0;
+/// Tolerance of these records over that of the records that use them. Larger than 1 because their
+/// errors are averaged over the hemisphere and attenuated by each reflection. Measured with the
+/// benchmark `irradiance`.
+constexpr double ToleranceFactor = 4.0;
 
-/// What stands for a pixel where a ray of length 1 ends: a ray's part of the hemisphere is about 14
-/// times as wide at the usual 1024 rays.
-constexpr float PixelOfDistance = .004f;
+/// Pixel size of a candidate over the length of the ray that found it. The solid angle of one of
+/// the usual 1024 rays is about 14 times as wide.
+constexpr float PixelPerDistance = .004f;
 
-/// Rays that end nearer than this share of the mean do so in corners; records there are no smaller.
-constexpr float LeastDistance = .25f;
+/// Minimum pixel size of a candidate as a fraction of the mean. Smaller ones lie in corners.
+constexpr float MinimumPixelFraction = .25f;
 
-/// Sites are tried in levels, each twice the one before, until so few of a level are records.
+/// Number of candidates of the first level, which doubles with each level, and fraction of
+/// candidates that become records below which a level is the last.
 constexpr std::size_t FirstLevel = 64;
-constexpr double LeastShareMade = .02;
+constexpr double MinimumRecordFraction = .02;
 
-/// What the records of `tree`, which must outlive it, know.
-LightGatherer::KnownLight KnownBy(const RecordOctree& tree)
+/// Returns a function that looks up the records of `tree`, which must outlive it.
+LightGatherer::LightLookup LookUpRecords(const RecordOctree& tree)
 {
   return [&tree](glm::vec3 point, glm::vec3 normal) -> std::optional<glm::vec3> {
-    ShadingPoint place;
-    place.Position = point;
-    place.Normal = normal;
-    const InterpolationResult found = tree.LookUp(place);
+    ShadingPoint shadingPoint;
+    shadingPoint.Position = point;
+    shadingPoint.Normal = normal;
+    const InterpolationResult found = tree.LookUp(shadingPoint);
     return found.Found() ? std::optional<glm::vec3>(found.Mean) : std::nullopt;
   };
 }
@@ -49,7 +52,7 @@ Interreflection::Interreflection(
     Settings(settings),
     NormalAngle(normalAngle)
 {
-  this->Settings.Tolerance *= ToleranceShare;
+  this->Settings.Tolerance *= ToleranceFactor;
   this->Settings.Side = 0;
   this->Settings.KeepAllValid = true;
   this->Gatherers.push_back(std::make_unique<LightGatherer>(this->Light, nullptr, 0));
@@ -59,10 +62,10 @@ std::vector<RecordCandidate> Interreflection::FindSites(
   const std::vector<RecordCandidate>& seen, const ProgressCallback& progress)
 {
   const RayScene& rays = this->Light.GetRays();
-  const HemisphereGrid& grid = HemisphereGrid::Get(SideOfViewpoints);
-  const std::size_t step = std::max<std::size_t>(seen.size() / MostViewpoints, 1);
-  std::vector<std::vector<RecordCandidate>> found(
-    grid.Cells()); // per ray: neighbours come far apart
+  const HemisphereGrid& grid = HemisphereGrid::Get(ViewpointGridSide);
+  const std::size_t step = std::max<std::size_t>(seen.size() / ViewpointCount, 1);
+  // Group candidates by ray, so that consecutive ones are far apart.
+  std::vector<std::vector<RecordCandidate>> found(grid.Cells());
   std::vector<glm::vec3> directions;
   for (std::size_t i = 0; i < seen.size(); i += step)
   {
@@ -83,7 +86,7 @@ std::vector<RecordCandidate> Interreflection::FindSites(
       site.Position = ray.Origin + hit.Distance * ray.Direction;
       site.Normal = NormalAt(rays.GetScene(), hit);
       site.Normal = glm::dot(site.Normal, ray.Direction) > 0.f ? -site.Normal : site.Normal;
-      site.Pixel = PixelOfDistance * hit.Distance;
+      site.Pixel = PixelPerDistance * hit.Distance;
       if (site.Normal != glm::vec3(0.f) && site.Pixel > 0.f)
       {
         found[(k * 37) % grid.Cells()].push_back(site);
@@ -100,11 +103,11 @@ std::vector<RecordCandidate> Interreflection::FindSites(
       sum += site.Pixel;
     }
   }
-  const auto least = LeastDistance *
+  const auto minimum = MinimumPixelFraction *
     static_cast<float>(sum / std::max<double>(static_cast<double>(sites.size()), 1.0));
   for (RecordCandidate& site : sites)
   {
-    site.Pixel = std::max(site.Pixel, least);
+    site.Pixel = std::max(site.Pixel, minimum);
   }
   return sites;
 }
@@ -123,28 +126,28 @@ bool Interreflection::Build(
     auto tree = std::make_unique<RecordOctree>();
     tree->InitializeFromScene(this->Light.GetRays().GetScene());
     tree->SetNormalAngle(this->NormalAngle);
-    RecordPlacement places(this->GetGatherer(), this->Settings, *tree);
-    const auto step = [&](double share) {
-      return progress && progress((reflection - 1 + .5 * share) / reflections);
+    RecordPlacement placement(this->GetGatherer(), this->Settings, *tree);
+    const auto step = [&](double fraction) {
+      return progress && progress((reflection - 1 + .5 * fraction) / reflections);
     };
     std::size_t size = FirstLevel;
     for (std::size_t first = 0; first < sites.size(); first += size, size *= 2)
     {
       size = std::min(size, sites.size() - first);
       const std::size_t before = tree->GetRecords().size();
-      if (!places.AddLevel({ sites.begin() + first, sites.begin() + first + size }, step))
+      if (!placement.AddLevel({ sites.begin() + first, sites.begin() + first + size }, step))
       {
         return false;
       }
       const std::size_t made = tree->GetRecords().size() - before;
-      if (static_cast<double>(made) < LeastShareMade * static_cast<double>(size))
+      if (static_cast<double>(made) < MinimumRecordFraction * static_cast<double>(size))
       {
         break;
       }
     }
-    this->Rays += places.GetRays();
+    this->Rays += placement.GetRays();
     this->Gatherers.push_back(
-      std::make_unique<LightGatherer>(this->Light, KnownBy(*tree), reflection));
+      std::make_unique<LightGatherer>(this->Light, LookUpRecords(*tree), reflection));
     this->Trees.push_back(std::move(tree));
   }
   return true;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light that is reflected several times: a cache of records for each reflection but the last, made
-// from the light's side on. The records of one look up those of the one before where their rays end.
+// Light of several reflections: one octree of records for each reflection but the last, starting at
+// the lights. Rays from the records of one reflection look up the records of the previous one at
+// their hits.
 #ifndef penumbra_Interreflection_h
 #define penumbra_Interreflection_h
 
@@ -18,15 +19,16 @@ namespace penumbra
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Interreflection
 {
 public:
-  /// `settings` are those of the records that will ask GetGatherer().
+  /// `settings` and `normalAngle` are those of the records that will use GetGatherer().
   Interreflection(
     const Illumination& light, const RecordPlacementSettings& settings, float normalAngle);
 
-  /// `seen`: places that will ask. The records lie where rays from some of them end. False when
-  /// `progress` stopped it.
+  /// Places the records at the hits of rays from some of the points `seen`, which are the points of
+  /// later queries. Returns false if `progress` requested a stop.
   bool Build(const std::vector<RecordCandidate>& seen, const ProgressCallback& progress);
 
-  /// Sees light of all reflections but the last. Before Build() that of the first.
+  /// Returns a gatherer of the light of all reflections but the last; before Build(), of the first
+  /// only.
   const LightGatherer& GetGatherer() const { return *this->Gatherers.back(); }
 
   const Illumination& GetLight() const { return this->Light; }
@@ -43,7 +45,7 @@ private:
   RecordPlacementSettings Settings;
   float NormalAngle;
   std::vector<std::unique_ptr<RecordOctree>> Trees;
-  std::vector<std::unique_ptr<LightGatherer>> Gatherers; ///< one more
+  std::vector<std::unique_ptr<LightGatherer>> Gatherers; ///< of direct light, then one per octree
   long long Rays = 0;
 };
 

@@ -10,14 +10,15 @@ namespace penumbra
 namespace
 {
 
-/// Surfaces seen more edge-on than this (cosine) do not make pixels still larger.
-constexpr double LeastCosine = .02;
+/// Lower bound of the cosine between view direction and normal, which limits the projected pixel
+/// size.
+constexpr double MinimumCosine = .02;
 
-/// No record reaches nearer to the eye than this share of its own distance, where its radius would be
-/// many more pixels: one that misses everything far away says nothing there.
-constexpr double NearestShare = .5;
+/// The sphere of a record stays beyond this fraction of its distance from the camera. Nearer points
+/// would see its radius as many pixels, and a far record may miss occluders that matter to them.
+constexpr double NearestFraction = .5;
 
-bool IsOfLevel(int x, int y, int stride, int level)
+bool IsInLevel(int x, int y, int stride, int level)
 {
   if (level == 0)
   {
@@ -38,11 +39,11 @@ int LevelStride(int level)
 bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
 {
   const Scene& scene = rays.GetScene();
-  const Camera& eye = scene.ViewCamera;
+  const Camera& camera = scene.ViewCamera;
   Ray ray;
-  ray.Origin = glm::vec3(eye.RayOrigin(at));
-  ray.Direction = glm::vec3(eye.RayDirection(at));
-  ray.Near = static_cast<float>(std::max(eye.Near - eye.DepthOfRayOrigins(), 0.0));
+  ray.Origin = glm::vec3(camera.RayOrigin(at));
+  ray.Direction = glm::vec3(camera.RayDirection(at));
+  ray.Near = static_cast<float>(std::max(camera.Near - camera.DepthOfRayOrigins(), 0.0));
   Hit hit = rays.Intersect(ray);
   while (hit.IsHit() && scene.Surfaces[hit.Surface].IsLineOrPoint)
   {
@@ -67,13 +68,13 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
   site.Position = ray.Origin + hit.Distance * ray.Direction;
   site.Normal = (facing > 0.0 ? -1.0 : 1.0) / length * normal;
   const double cosine = std::abs(facing) / (length * glm::length(glm::dvec3(ray.Direction)));
-  const double depth = hit.Distance + eye.DepthOfRayOrigins();
-  const double pixel = eye.PixelSize * (eye.Parallel ? 1.0 : depth);
-  site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, LeastCosine)));
-  if (!eye.Parallel)
+  const double depth = hit.Distance + camera.DepthOfRayOrigins();
+  const double pixel = camera.PixelSize * (camera.Parallel ? 1.0 : depth);
+  site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, MinimumCosine)));
+  if (!camera.Parallel)
   {
     site.MaximumRadius =
-      static_cast<float>((1.0 - NearestShare) * depth * glm::length(glm::dvec3(ray.Direction)));
+      static_cast<float>((1.0 - NearestFraction) * depth * glm::length(glm::dvec3(ray.Direction)));
   }
   return true;
 }
@@ -81,16 +82,16 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
 std::vector<RecordCandidate> CandidatesInImage(
   const RayScene& rays, int level, const ProgressCallback& progress)
 {
-  const Camera& eye = rays.GetScene().ViewCamera;
+  const Camera& camera = rays.GetScene().ViewCamera;
   const int stride = LevelStride(level);
-  const int rows = (eye.Height + stride - 1) / stride;
+  const int rows = (camera.Height + stride - 1) / stride;
   std::vector<std::vector<RecordCandidate>> found(rows);
   const bool done = ParallelForBatches(rows, 0.0, 0.0, progress, [&](int row) {
-    for (int x = 0; x < eye.Width; x += stride)
+    for (int x = 0; x < camera.Width; x += stride)
     {
       RecordCandidate site;
       const int y = row * stride;
-      if (IsOfLevel(x, y, stride, level) && FindCandidate(rays, { x + .5, y + .5 }, site))
+      if (IsInLevel(x, y, stride, level) && FindCandidate(rays, { x + .5, y + .5 }, site))
       {
         found[row].push_back(site);
       }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a picture may need records: pixel centres of the whole picture in levels, each level with
-// about as many as all before, from a coarse grid to every second pixel.
+// Record candidates of an image: the visible points at pixel centers, in levels from a coarse grid
+// to every second pixel. Each level has about as many candidates as all previous levels together.
 #ifndef penumbra_PixelCandidates_h
 #define penumbra_PixelCandidates_h
 
@@ -16,18 +16,20 @@ namespace penumbra
 
 class RayScene;
 
-/// Levels alternate between the middles of the squares of a grid and the grid half as wide.
+/// Levels alternate between the centers of the squares of a grid and the grid of half the stride.
+/// Strides are in pixels.
 constexpr int CoarsestStride = 128;
 constexpr int FinestStride = 2;
-constexpr int PictureLevels = 13;
+constexpr int ImageLevels = 13;
 
-/// Distance of the pixels of a level.
+/// Returns the distance in pixels between the candidates of a level.
 int LevelStride(int level);
 
-/// What is seen first through picture point `at`, lines and points aside; false: nothing.
+/// Finds the first surface hit through pixel position `at`, ignoring lines and points. Returns
+/// false for the background.
 bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site);
 
-/// What is seen first through the pixels that `level` adds to the levels before.
+/// Returns the visible points of the pixels that `level` adds to the previous levels.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<RecordCandidate> CandidatesInImage(
   const RayScene& rays, int level, const ProgressCallback& progress = {});
 

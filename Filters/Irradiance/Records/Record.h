@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One record of the cache [IC]: what was gathered at a point, and how far around it serves.
+// Record of the cache [IC]: the hemisphere estimate at a point and the radius in which it is used.
 #ifndef penumbra_Record_h
 #define penumbra_Record_h
 
@@ -13,7 +13,7 @@
 namespace penumbra
 {
 
-/// A place that asks: scene coordinates.
+/// Point of a surface, in scene coordinates.
 struct ShadingPoint
 {
   glm::vec3 Position{ 0.f };
@@ -23,39 +23,45 @@ struct ShadingPoint
 struct Record : ShadingPoint
 {
   float Radius = 0.f;
-  bool IsValid = true; ///< false: things change too fast here; brute force is to answer around it
-  float MaximumPlaneDistance =
-    0.f; ///< a pixel: how far off the surface through it a place may lie, along the normals
-  glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< the clearance's sectors begin here
+
+  /// False if the mean changes too fast around this record for interpolation: brute force is used
+  /// instead.
+  bool IsValid = true;
+
+  /// Maximum distance of a point from the tangent plane, along the normals; the size of a pixel.
+  float MaximumPlaneDistance = 0.f;
+
+  glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< start of the first sector of Clearance
   HemisphereEstimate Gathered;
 
-  /// Weight at `place`, 0 to 1 [Tabellion, Lamorlette, after IC]: 1 - max(perr, nerr), with
-  /// perr = |p - p_i| / R_i and nerr = normalFactor * sqrt(1 - n.n_i). 0 also behind a wall, and off
-  /// the surface.
-  float Weight(const ShadingPoint& place, float normalFactor) const
+  /// Returns the weight at `point`, in [0, 1] [Tabellion, Lamorlette, after IC]: 1 - max(perr,
+  /// nerr), with perr = |p - p_i| / R_i and nerr = normalFactor * sqrt(1 - n.n_i). It is 0 behind
+  /// walls and away from the tangent plane.
+  float Weight(const ShadingPoint& point, float normalFactor) const
   {
-    const glm::vec3 d = place.Position - this->Position;
+    const glm::vec3 d = point.Position - this->Position;
     const float square = glm::dot(d, d);
     if (square >= this->Radius * this->Radius)
     {
       return 0.f;
     }
     return std::min(
-      1.f - std::sqrt(square) / this->Radius, this->NormalWeight(place, normalFactor));
+      1.f - std::sqrt(square) / this->Radius, this->NormalWeight(point, normalFactor));
   }
 
-  /// The part of the weight that has nothing to do with the distance.
-  float NormalWeight(const ShadingPoint& place, float normalFactor) const
+  /// Returns the weight without its distance term.
+  float NormalWeight(const ShadingPoint& point, float normalFactor) const
   {
-    const glm::vec3 d = place.Position - this->Position;
-    const float turned = std::max(0.f, 1.f - glm::dot(place.Normal, this->Normal));
-    const float error = normalFactor * std::sqrt(turned);
-    return error >= 1.f || this->IsOffPlane(d, place.Normal) || this->IsBehindWall(d) ? 0.f
+    const glm::vec3 d = point.Position - this->Position;
+    const float normalDistance = std::max(0.f, 1.f - glm::dot(point.Normal, this->Normal));
+    const float error = normalFactor * std::sqrt(normalDistance);
+    return error >= 1.f || this->IsOffPlane(d, point.Normal) || this->IsBehindWall(d) ? 0.f
                                                                                       : 1.f - error;
   }
 
 private:
-  /// On a smooth surface the chord is square to the mean of both normals up to the third order.
+  /// Returns true if `d` leaves the surface. On a smooth surface, a chord is perpendicular to the
+  /// mean of both normals up to third order.
   bool IsOffPlane(glm::vec3 d, glm::vec3 normal) const
   {
     return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * this->MaximumPlaneDistance;
@@ -65,8 +71,8 @@ private:
   {
     const float x = glm::dot(d, this->Tangent);
     const float y = glm::dot(d, glm::cross(this->Normal, this->Tangent));
-    const float clear = this->Gathered.Clearance[SectorOf(x, y)];
-    return x * x + y * y > clear * clear;
+    const float clearance = this->Gathered.Clearance[SectorOf(x, y)];
+    return x * x + y * y > clearance * clearance;
   }
 };
 

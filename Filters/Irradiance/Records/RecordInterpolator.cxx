@@ -7,30 +7,31 @@ namespace penumbra
 namespace
 {
 
-/// |second derivative| times this and the square of the distance is what a record is believed to
-/// err: half of it along the line of the greatest bend, less along others.
+/// Estimated error of a record, over its Hessian norm times the squared distance. It is 1/2 in the
+/// direction of the maximum second derivative and less in others.
 constexpr float HessianErrorFraction = .25f;
 
 }
 
-void RecordInterpolator::Add(const Record& record, const ShadingPoint& place, float weight)
+void RecordInterpolator::Add(const Record& record, const ShadingPoint& point, float weight)
 {
-  const HemisphereEstimate& found = record.Gathered;
-  const glm::vec3 d = place.Position - record.Position;
-  const glm::vec3 turn = place.Normal - record.Normal;
-  this->First = this->Weights > 0.f ? this->First : found.Mean;
+  const HemisphereEstimate& estimate = record.Gathered;
+  const glm::vec3 d = point.Position - record.Position;
+  const glm::vec3 normalOffset = point.Normal - record.Normal;
+  this->First = this->Weights > 0.f ? this->First : estimate.Mean;
   this->Weights += weight;
-  this->Greatest = std::max(this->Greatest, weight);
-  this->Noise += weight * weight * found.Error * found.Error;
-  this->Bias += weight * HessianErrorFraction * found.HessianNorm * glm::dot(d, d);
+  this->MaximumWeight = std::max(this->MaximumWeight, weight);
+  this->Noise += weight * weight * estimate.Error * estimate.Error;
+  this->Bias += weight * HessianErrorFraction * estimate.HessianNorm * glm::dot(d, d);
   this->Offset += weight * d;
-  this->Turn += weight * turn;
+  this->NormalOffset += weight * normalOffset;
   for (int c = 0; c < 3; ++c)
   {
-    const float change = glm::dot(found.Translation[c], d) + glm::dot(found.Rotation[c], turn);
-    this->Halfway[c] += weight * (found.Mean[c] - this->First[c] + .5f * change);
-    this->Translation[c] += weight * found.Translation[c];
-    this->Rotation[c] += weight * found.Rotation[c];
+    const float offsetTerm =
+      glm::dot(estimate.Translation[c], d) + glm::dot(estimate.Rotation[c], normalOffset);
+    this->MidpointSum[c] += weight * (estimate.Mean[c] - this->First[c] + .5f * offsetTerm);
+    this->Translation[c] += weight * estimate.Translation[c];
+    this->Rotation[c] += weight * estimate.Rotation[c];
   }
 }
 
@@ -41,17 +42,17 @@ InterpolationResult RecordInterpolator::Result() const
   {
     return result;
   }
-  const float share = 1.f / this->Weights;
+  const float fraction = 1.f / this->Weights;
   for (int c = 0; c < 3; ++c)
   {
-    const float change =
-      glm::dot(this->Translation[c], this->Offset) + glm::dot(this->Rotation[c], this->Turn);
-    result.Mean[c] =
-      std::max(this->First[c] + share * (this->Halfway[c] + .5f * share * change), 0.f);
+    const float offsetTerm = glm::dot(this->Translation[c], this->Offset) +
+      glm::dot(this->Rotation[c], this->NormalOffset);
+    result.Mean[c] = std::max(
+      this->First[c] + fraction * (this->MidpointSum[c] + .5f * fraction * offsetTerm), 0.f);
   }
-  const float bias = share * this->Bias;
-  result.Error = std::sqrt(share * share * this->Noise + bias * bias);
-  result.MaximumWeight = this->Greatest;
+  const float bias = fraction * this->Bias;
+  result.Error = std::sqrt(fraction * fraction * this->Noise + bias * bias);
+  result.MaximumWeight = this->MaximumWeight;
   return result;
 }
 

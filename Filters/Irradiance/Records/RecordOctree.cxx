@@ -11,36 +11,37 @@ namespace penumbra
 namespace
 {
 
-/// A leaf with more is split, unless its records are as large as itself: half of its side under so
-/// many of their mean radii. Small leaves cost more memory, and time to fetch it, than they save
-/// comparisons. Measured by the benchmark `irradiance`.
-constexpr std::size_t ReferencesOfALeaf = 24;
-constexpr float LeastHalf = 2.f;
+/// A leaf with more references is split if half of its side is at least MinimumHalfSide times the
+/// mean radius of its records. Smaller leaves cost more memory accesses than they save comparisons.
+/// Measured with the benchmark `irradiance`.
+constexpr std::size_t MaximumReferences = 24;
+constexpr float MinimumHalfSide = 2.f;
 
-/// No node is smaller than this share of the root: any number of records may lie at one place.
-constexpr float SmallestNode = 1e-5f;
+/// Minimum size of a node as a fraction of the root. Bounds the depth if many records coincide.
+constexpr float MinimumNodeSize = 1e-5f;
 
-/// Floors and walls often pass through the middle of a scene, and would be on both sides of every
-/// boundary there: the root is larger than asked for and off its place by such shares.
+/// Shift and growth of the root cube as fractions of its size. Floors and walls often pass through
+/// the center of a scene, where all their records would be referenced on both sides of node
+/// boundaries.
 constexpr float RootShift = .0137f;
 constexpr float RootGrowth = 1.03f;
 
-/// Which of a node's eight children around `center` holds `position`: one bit an axis.
-int Octant(glm::vec3 position, glm::vec3 center)
+/// Returns the index of the child around `center` that contains `position`, one bit per axis.
+int FindOctant(glm::vec3 position, glm::vec3 center)
 {
   return (position.x >= center.x ? 1 : 0) + (position.y >= center.y ? 2 : 0) +
     (position.z >= center.z ? 4 : 0);
 }
 
-glm::vec3 CenterOf(int octant, glm::vec3 center, float half)
+glm::vec3 ComputeChildCenter(int octant, glm::vec3 center, float half)
 {
   const float step = .5f * half;
   return center +
     glm::vec3(octant & 1 ? step : -step, octant & 2 ? step : -step, octant & 4 ? step : -step);
 }
 
-/// Does the sphere's box reach into the octant? The outermost octants have no outer ends.
-bool Reaches(glm::vec3 position, float radius, int octant, glm::vec3 center)
+/// Returns true if the bounding box of the sphere overlaps the octant, which has no outer bounds.
+bool OverlapsOctant(glm::vec3 position, float radius, int octant, glm::vec3 center)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -53,9 +54,9 @@ bool Reaches(glm::vec3 position, float radius, int octant, glm::vec3 center)
   return true;
 }
 
-constexpr int RecordsAtOnce = 32;
+constexpr int PrefetchBatchSize = 32;
 
-/// Has the memory of a record on its way while others are looked at.
+/// Prefetches a record, so that memory latency overlaps with the processing of others.
 void Prefetch(const Record& record)
 {
 #ifdef __GNUC__
@@ -119,25 +120,25 @@ void RecordOctree::Insert(const Record& record)
     Reference{ record.Position, record.Radius * record.Radius, index });
 }
 
-void RecordOctree::InsertClamped(Record record, float leastPixels)
+void RecordOctree::InsertClamped(Record record, float minimumPixels)
 {
-  std::vector<Record*> neighbours;
+  std::vector<Record*> neighbors;
   this->ForEachAround(record.Position, [&](const Record& other) {
     if (other.IsValid && glm::dot(other.Normal, record.Normal) > .5f)
     {
-      neighbours.push_back(&this->Records[&other - this->Records.data()]);
+      neighbors.push_back(&this->Records[&other - this->Records.data()]);
     }
   });
-  const auto clamp = [leastPixels](Record& one, const Record& other) {
+  const auto clamp = [minimumPixels](Record& one, const Record& other) {
     const float distance = glm::distance(one.Position, other.Position);
-    const float least = leastPixels * one.MaximumPlaneDistance;
-    one.Radius = std::min(one.Radius, std::max(other.Radius + distance, least));
+    const float minimum = minimumPixels * one.MaximumPlaneDistance;
+    one.Radius = std::min(one.Radius, std::max(other.Radius + distance, minimum));
   };
-  for (const Record* other : neighbours)
+  for (const Record* other : neighbors)
   {
     clamp(record, *other);
   }
-  for (Record* other : neighbours)
+  for (Record* other : neighbors)
   {
     if (record.IsValid)
     {
@@ -156,15 +157,16 @@ void RecordOctree::InsertInto(
     const float radius = std::sqrt(reference.SquaredRadius);
     for (int octant = 0; octant < 8; ++octant)
     {
-      if (Reaches(reference.Position, radius, octant, center))
+      if (OverlapsOctant(reference.Position, radius, octant, center))
       {
-        this->InsertInto(children + octant, CenterOf(octant, center, half), .5f * half, reference);
+        this->InsertInto(
+          children + octant, ComputeChildCenter(octant, center, half), .5f * half, reference);
       }
     }
     return;
   }
   this->Nodes[node].References.push_back(reference);
-  if (this->Nodes[node].References.size() > ReferencesOfALeaf)
+  if (this->Nodes[node].References.size() > MaximumReferences)
   {
     this->Split(node, center, half);
   }
@@ -178,7 +180,7 @@ void RecordOctree::Split(std::size_t node, glm::vec3 center, float half)
     radii += std::sqrt(reference.SquaredRadius);
   }
   const auto count = static_cast<float>(this->Nodes[node].References.size());
-  if (half * count < LeastHalf * radii || half < SmallestNode * this->Half)
+  if (half * count < MinimumHalfSide * radii || half < MinimumNodeSize * this->Half)
   {
     return;
   }
@@ -196,8 +198,8 @@ void RecordOctree::Split(std::size_t node, glm::vec3 center, float half)
 template <typename Work>
 void RecordOctree::ForEachAround(glm::vec3 position, const Work& work) const
 {
-  // Memory is asked for all of them before the first is read.
-  const Record* around[RecordsAtOnce];
+  // Prefetch a batch of records before reading the first one.
+  const Record* nearby[PrefetchBatchSize];
   int count = 0;
   for (const Reference& reference : this->LeafAt(position).References)
   {
@@ -206,16 +208,16 @@ void RecordOctree::ForEachAround(glm::vec3 position, const Work& work) const
     {
       continue;
     }
-    if (count == RecordsAtOnce)
+    if (count == PrefetchBatchSize)
     {
-      std::for_each(around, around + count, [&](const Record* record) { work(*record); });
+      std::for_each(nearby, nearby + count, [&](const Record* record) { work(*record); });
       count = 0;
     }
     const Record& record = this->Records[reference.Index];
     Prefetch(record);
-    around[count++] = &record;
+    nearby[count++] = &record;
   }
-  std::for_each(around, around + count, [&](const Record* record) { work(*record); });
+  std::for_each(nearby, nearby + count, [&](const Record* record) { work(*record); });
 }
 
 const RecordOctree::Node& RecordOctree::LeafAt(glm::vec3 position) const
@@ -225,41 +227,41 @@ const RecordOctree::Node& RecordOctree::LeafAt(glm::vec3 position) const
   float half = this->Half;
   while (this->Nodes[node].FirstChild >= 0)
   {
-    const int octant = Octant(position, center);
+    const int octant = FindOctant(position, center);
     node = static_cast<std::size_t>(this->Nodes[node].FirstChild) + octant;
-    center = CenterOf(octant, center, half);
+    center = ComputeChildCenter(octant, center, half);
     half *= .5f;
   }
   return this->Nodes[node];
 }
 
-InterpolationResult RecordOctree::LookUp(const ShadingPoint& place) const
+InterpolationResult RecordOctree::LookUp(const ShadingPoint& point) const
 {
-  RecordInterpolator blend;
-  this->ForEachAround(place.Position, [&](const Record& record) {
-    const float weight = record.IsValid ? record.Weight(place, this->NormalFactor) : 0.f;
+  RecordInterpolator interpolator;
+  this->ForEachAround(point.Position, [&](const Record& record) {
+    const float weight = record.IsValid ? record.Weight(point, this->NormalFactor) : 0.f;
     if (weight > 0.f)
     {
-      blend.Add(record, place, weight);
+      interpolator.Add(record, point, weight);
     }
   });
-  return blend.Result();
+  return interpolator.Result();
 }
 
-float RecordOctree::MaximumWeightAt(const ShadingPoint& place) const
+float RecordOctree::MaximumWeightAt(const ShadingPoint& point) const
 {
-  float greatest = 0.f;
-  this->ForEachAround(place.Position, [&](const Record& record) {
-    greatest = std::max(greatest, record.Weight(place, this->NormalFactor));
+  float maximum = 0.f;
+  this->ForEachAround(point.Position, [&](const Record& record) {
+    maximum = std::max(maximum, record.Weight(point, this->NormalFactor));
   });
-  return greatest;
+  return maximum;
 }
 
-const Record* RecordOctree::FindAt(const ShadingPoint& place) const
+const Record* RecordOctree::FindAt(const ShadingPoint& point) const
 {
   const Record* found = nullptr;
-  this->ForEachAround(place.Position, [&](const Record& record) {
-    if (!found && record.Position == place.Position && record.Normal == place.Normal)
+  this->ForEachAround(point.Position, [&](const Record& record) {
+    if (!found && record.Position == point.Position && record.Normal == point.Normal)
     {
       found = &record;
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Octree with multiple references [IC]: records live in leaves, every leaf lists the spheres that
-// touch it, a look-up walks down once.
+// Octree with multiple references [IC]: every leaf lists all records whose spheres overlap it, so
+// that a lookup visits a single leaf.
 #ifndef penumbra_RecordOctree_h
 #define penumbra_RecordOctree_h
 
@@ -19,51 +19,52 @@ struct Scene;
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordOctree
 {
 public:
-  /// A cube that holds most of what comes; records outside are found, only more slowly.
+  /// Clears the octree and sets its root cube. Records outside of the cube are found, but more
+  /// slowly.
   void Initialize(glm::vec3 center, float halfSide);
 
-  /// A cube as large as the scene.
+  /// Clears the octree and sets its root cube to the bounds of the scene.
   void InitializeFromScene(const Scene& scene);
 
-  /// How much two normals may differ, in radians, below pi.
+  /// Sets the maximum angle between two normals in radians, in (0, pi).
   void SetNormalAngle(float angle);
   float GetNormalAngle() const { return this->NormalAngle; }
 
-  /// What the root of 1 - n.n_i is multiplied by for an angle (Record::Weight()).
+  /// Returns the `normalFactor` of Record::Weight() for a maximum angle between normals in radians.
   static float NormalFactorOf(float angle);
 
   void Insert(const Record& record);
 
-  /// Keep a record's radius from reaching further than that of those in whose spheres it lies beyond their
-  /// distance, and theirs from reaching further than its own [Krivanek et al., neighbour clamping], then
-  /// insert it. None gets smaller than so many pixels of its own, which `Lean` is.
-  void InsertClamped(Record record, float leastPixels);
+  /// Inserts a record with neighbor clamping [Krivanek et al.]: among the records whose spheres
+  /// contain it, no radius exceeds another by more than the distance of the two. Radii are not
+  /// reduced below `minimumPixels` times MaximumPlaneDistance, the size of a pixel at the record.
+  void InsertClamped(Record record, float minimumPixels);
 
-  /// Blends the records that serve.
-  InterpolationResult LookUp(const ShadingPoint& place) const;
+  /// Interpolates between the valid records around `point`.
+  InterpolationResult LookUp(const ShadingPoint& point) const;
 
-  /// The greatest weight of any record at `place`, whether it serves or not.
-  float MaximumWeightAt(const ShadingPoint& place) const;
+  /// Returns the maximum weight of a record at `point`, including invalid records.
+  float MaximumWeightAt(const ShadingPoint& point) const;
 
-  /// The record that was made exactly at `place`, or null.
-  const Record* FindAt(const ShadingPoint& place) const;
+  /// Returns the record at exactly `point`, or null.
+  const Record* FindAt(const ShadingPoint& point) const;
 
   const std::vector<Record>& GetRecords() const { return this->Records; }
   std::size_t GetBytes() const;
   void Clear();
 
 private:
-  /// Names a record, and holds what tells most of them to be out of reach: records themselves lie
-  /// scattered in memory.
+  /// Reference to a record with a copy of its sphere, which rejects most records without a memory
+  /// access.
   struct Reference
   {
     glm::vec3 Position;
-    float SquaredRadius; ///< when it was inserted: neighbours may have made it smaller
+    float SquaredRadius; ///< at insertion; neighbor clamping may have reduced the radius since
     std::uint32_t Index;
   };
   struct Node
   {
-    std::int32_t FirstChild = -1; ///< of eight; -1: a leaf
+    std::int32_t FirstChild = -1; ///< first of eight consecutive children; -1 for a leaf
     std::vector<Reference> References;
   };
 
@@ -71,7 +72,7 @@ private:
   void Split(std::size_t node, glm::vec3 center, float half);
   const Node& LeafAt(glm::vec3 position) const;
 
-  /// Calls `work` with each record of whose sphere `position` lies inside.
+  /// Calls `work` with each record whose sphere contains `position`.
   template <typename Work>
   void ForEachAround(glm::vec3 position, const Work& work) const;
 
@@ -79,7 +80,7 @@ private:
   std::vector<Node> Nodes{ Node() };
   glm::vec3 Center{ 0.f };
   float Half = 1.f;
-  float NormalAngle = .1572f; ///< [IC]'s 9.0 degrees
+  float NormalAngle = .1572f; ///< radians; the 9.0 degrees of [IC]
   float NormalFactor = 9.0124f;
 };
 

@@ -12,74 +12,82 @@ namespace penumbra
 namespace
 {
 
-/// Where the best record weighs less, another is made: overlaps are smooth. Measured by the
-/// benchmark `irradiance` (more overlap costs records and gains less than the tolerance).
-constexpr float LeastWeight = .05f;
+/// A point is covered if the maximum weight of a record exceeds this. Some overlap makes
+/// transitions smooth; more overlap costs records and gains less than the tolerance (benchmark
+/// `irradiance`).
+constexpr float MinimumWeight = .05f;
 
-/// A record errs by half its bend times the square of the distance; weights that fall towards its
-/// rim, and neighbours that err the other way, let it reach this times further than its own
-/// error there allows. Measured by the benchmark `irradiance`.
+/// Factor on the radius at which the error of a single record, half its Hessian norm times the
+/// squared distance, equals the tolerance. Larger than 1 because weights decrease toward the radius
+/// and errors of neighboring records cancel. Measured with the benchmark `irradiance`.
 constexpr double OverlapFactor = 2.0;
 
-/// A grid of this side errs by about this much where half of the hemisphere is blocked, and by the
-/// power -3/2 of the side. Measured by the benchmark `irradiance`.
+/// Error of the mean of a grid with side ReferenceSide if half of the hemisphere is occluded. It
+/// decreases with the power -3/2 of the side. Measured with the benchmark `irradiance`.
 constexpr double ReferenceSide = 32.0;
 constexpr double ReferenceError = .005;
 
-/// Side of the first look. A finer one follows where anything was seen to change; what hides from
-/// this one is too small or too far to matter within a record's greatest radius.
-constexpr int FirstSide = 16;
+/// Side of the first grid. The full grid follows if the samples of the first differ. Occluders that
+/// the first grid misses are too small or too far to matter within the maximum radius.
+constexpr int CoarseSide = 16;
 
-/// No record serves nearer to a rim than this share of its distance: derivatives change there.
+/// Maximum radius as a fraction of the distance of occluder edges, near which the derivatives
+/// change.
 constexpr float OccluderEdgeFraction = .5f;
 
-/// Between the accuracy of the split-sphere radii (a share of the distance) and the tolerance:
-/// about the .3 that is usual at a tolerance of .005.
+/// Ratio of the accuracy of split-sphere radii (a fraction of the distance) to the square root of
+/// the tolerance. Gives about the usual accuracy of 0.3 at a tolerance of 0.005.
 constexpr double SplitSphereAccuracy = 4.0;
 
-/// Nor, where nothing was seen to change, further than this share of the site's own limit: what stands
-/// low in the distance hides from the grid, but does not from places nearer to it.
-constexpr double ShareOfEmpty = .5;
+/// Maximum radius as a fraction of the limit of the candidate if all samples are equal. The grid
+/// misses low distant occluders that nearer points see.
+constexpr double UniformRadiusFraction = .5;
 
-/// Nor further than this share of the way to where a lamp is hidden or comes into sight. What is
-/// nearer than this share of a lamp's distance hides it.
-constexpr double ShareOfShadow = .5;
-constexpr float ShareOfLamp = .97f;
+/// Maximum radius as a fraction of the distance to the shadow boundary of an emitter.
+constexpr double ShadowRadiusFraction = .5;
 
-/// Nor further than this share of reach: what lies beyond reach was not seen.
-constexpr float ShareOfReach = .25f;
+/// Hits nearer than this fraction of the distance of an emitter occlude it.
+constexpr float EmitterDistanceFraction = .97f;
 
-/// A record that should reach less than this share of the least radius does not serve: its error
-/// would be above twice the tolerance. It keeps others from being made in so many least radii.
-constexpr double LeastShare = .7;
+/// Maximum radius as a fraction of the maximum distance of occluders; rays end at that distance.
+constexpr float OcclusionRadiusFraction = .25f;
+
+/// A record is invalid if its radius is below this fraction of the minimum radius: its error would
+/// be above twice the tolerance.
+constexpr double MinimumRadiusFraction = .7;
+
+/// Radius of an invalid record over the minimum radius. No other record is placed within this
+/// radius.
 constexpr double InvalidRadiusFactor = 2.0;
 
-/// Of the tolerance: what the noise of one record may be, where cells are looked at closer.
-constexpr double NoiseShare = .5;
+/// Accepted noise of one record as a fraction of the tolerance if cells are supersampled.
+constexpr double NoiseFraction = .5;
 
-/// No cell is cut finer than this, and all of them together take at most so many times their number of
-/// rays.
-constexpr int Finest = 12;
-constexpr double MostRays = 3.0;
+/// Maximum number of parts along each side of a supersampled cell.
+constexpr int MaximumSubdivisions = 12;
 
-/// What the one sample of a cell may be off its mean, by its neighbours: the share of a cell that a
-/// straight boundary cuts varies by 1/6.
-float VarianceOf(const HemisphereGrid& grid, const std::vector<HemisphereSample>& sights, int cell)
+/// Maximum number of supersampling rays over the number of cells.
+constexpr double MaximumRayFactor = 3.0;
+
+/// Estimates the variance of the single sample of a cell from its neighbors. The covered fraction
+/// of a cell that a straight boundary cuts has the variance 1/6.
+float EstimateCellVariance(
+  const HemisphereGrid& grid, const std::vector<HemisphereSample>& samples, int cell)
 {
   const int i = cell % grid.Side;
   const int j = cell / grid.Side;
-  float most = 0.f;
+  float maximum = 0.f;
   for (const int other : { i > 0 ? cell - 1 : cell, i + 1 < grid.Side ? cell + 1 : cell,
          j > 0 ? cell - grid.Side : cell, j + 1 < grid.Side ? cell + grid.Side : cell })
   {
-    const glm::vec3 step = glm::abs(sights[other].Radiance - sights[cell].Radiance);
-    most = std::max({ most, step.x, step.y, step.z });
+    const glm::vec3 step = glm::abs(samples[other].Radiance - samples[cell].Radiance);
+    maximum = std::max({ maximum, step.x, step.y, step.z });
   }
-  return most * most / 6.f;
+  return maximum * maximum / 6.f;
 }
 
-/// Which of them looks along `direction` (local); -1 below the horizon.
-int CellOf(const HemisphereGrid& grid, glm::vec3 direction)
+/// Returns the cell that contains `direction` (local coordinates); -1 below the horizon.
+int FindCell(const HemisphereGrid& grid, glm::vec3 direction)
 {
   if (direction.z < 0.f)
   {
@@ -91,19 +99,20 @@ int CellOf(const HemisphereGrid& grid, glm::vec3 direction)
   return in.y * grid.Side + in.x;
 }
 
-/// A lamp of `strength` may be seen in and around the cell of `direction` (local), though no ray met
-/// it: what is uncertain must not depend on luck, or small lamps would be too dark on average.
+/// Raises the variance of the cells around `direction` (local coordinates), because an emitter of
+/// `strength` may be visible there even if no ray hit it. Without this, the rays of small emitters
+/// would depend on chance hits and such emitters would be too dark on average.
 void RaiseVarianceNearEmitter(
   const HemisphereGrid& grid, glm::vec3 direction, float strength, std::vector<float>& variances)
 {
-  const int cell = CellOf(grid, direction);
+  const int cell = FindCell(grid, direction);
   if (cell < 0)
   {
     return;
   }
-  const glm::ivec2 middle(cell % grid.Side, cell / grid.Side);
-  const glm::ivec2 low = glm::max(middle - 1, 0);
-  const glm::ivec2 high = glm::min(middle + 1, grid.Side - 1);
+  const glm::ivec2 center(cell % grid.Side, cell / grid.Side);
+  const glm::ivec2 low = glm::max(center - 1, 0);
+  const glm::ivec2 high = glm::min(center + 1, grid.Side - 1);
   for (int j = low.y; j <= high.y; ++j)
   {
     for (int i = low.x; i <= high.x; ++i)
@@ -114,146 +123,153 @@ void RaiseVarianceNearEmitter(
   }
 }
 
-/// How far one may go until `beam` is blocked, or no longer blocked: until the edge of what blocks has
-/// moved so far before what lies behind.
+/// Returns the distance that the point may move until `emitterSample` becomes occluded or
+/// unoccluded: until the nearest projected occluder edge reaches the direction of `emitterSample`.
 double ShadowDistance(const std::vector<glm::vec3>& directions,
-  const std::vector<HemisphereSample>& sights, const EmitterSample& beam, int cell)
+  const std::vector<HemisphereSample>& samples, const EmitterSample& emitterSample, int cell)
 {
-  const float reach = ShareOfLamp * beam.Distance;
-  const float here = sights[cell].Distance;
-  double least = std::numeric_limits<double>::infinity();
+  const float reach = EmitterDistanceFraction * emitterSample.Distance;
+  const float here = samples[cell].Distance;
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    if ((sights[i].Distance >= reach) != (here >= reach))
+    if ((samples[i].Distance >= reach) != (here >= reach))
     {
-      const double edge = std::min(here, sights[i].Distance);
-      const double angle = glm::distance(directions[i], beam.Direction);
-      least = std::min(least, angle / (1.0 / edge - 1.0 / beam.Distance));
+      const double edge = std::min(here, samples[i].Distance);
+      const double angle = glm::distance(directions[i], emitterSample.Direction);
+      minimum = std::min(minimum, angle / (1.0 / edge - 1.0 / emitterSample.Distance));
     }
   }
-  return least;
+  return minimum;
 }
 
-/// The same for whole lamps that matter. One that is seen in part does not count: its border is among
-/// those that make derivatives.
+/// Returns the minimum over all emitters whose contribution exceeds `tolerance`. Partially occluded
+/// emitters are skipped, because the derivatives include their boundaries.
 double ShadowDistance(const HemisphereGrid& grid, const glm::mat3& frame,
-  const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& sights,
-  const std::vector<EmitterSample>& beams, double tolerance)
+  const std::vector<glm::vec3>& directions, const std::vector<HemisphereSample>& samples,
+  const std::vector<EmitterSample>& emitterSamples, double tolerance)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (auto begin = beams.begin(); begin != beams.end();)
+  double minimum = std::numeric_limits<double>::infinity();
+  for (auto begin = emitterSamples.begin(); begin != emitterSamples.end();)
   {
-    const auto end = std::find_if(begin, beams.end(),
-      [&](const EmitterSample& beam) { return beam.EmitterIndex != begin->EmitterIndex; });
-    double share = 0.0;
+    const auto end =
+      std::find_if(begin, emitterSamples.end(), [&](const EmitterSample& emitterSample) {
+        return emitterSample.EmitterIndex != begin->EmitterIndex;
+      });
+    double fraction = 0.0;
     bool seen = false;
     bool blocked = false;
-    for (auto beam = begin; beam != end; ++beam)
+    for (auto emitterSample = begin; emitterSample != end; ++emitterSample)
     {
-      const glm::vec3 local = glm::transpose(frame) * beam->Direction;
-      const int cell = CellOf(grid, local);
-      share += beam->Share * std::max(local.z, 0.f);
+      const glm::vec3 local = glm::transpose(frame) * emitterSample->Direction;
+      const int cell = FindCell(grid, local);
+      fraction += emitterSample->Contribution * std::max(local.z, 0.f);
       if (cell >= 0)
       {
-        const bool here = sights[cell].Distance >= ShareOfLamp * beam->Distance;
+        const bool here =
+          samples[cell].Distance >= EmitterDistanceFraction * emitterSample->Distance;
         seen = seen || here;
         blocked = blocked || !here;
       }
     }
-    for (auto beam = begin; beam != end && seen != blocked && share > tolerance; ++beam)
+    for (auto emitterSample = begin;
+         emitterSample != end && seen != blocked && fraction > tolerance; ++emitterSample)
     {
-      const int cell = CellOf(grid, glm::transpose(frame) * beam->Direction);
-      least = cell < 0 ? least : std::min(least, ShadowDistance(directions, sights, *beam, cell));
+      const int cell = FindCell(grid, glm::transpose(frame) * emitterSample->Direction);
+      minimum = cell < 0
+        ? minimum
+        : std::min(minimum, ShadowDistance(directions, samples, *emitterSample, cell));
     }
     begin = end;
   }
-  return least;
+  return minimum;
 }
 
-/// Into how many parts along each side cells are cut, so that the sum of their variances is `allowed`
-/// at the least cost: m * m rays in a cell that a boundary cuts leave m^-3 of its variance, which is
-/// best shared out by m^5 in proportion to the variance.
+/// Returns the number of parts m along each side of each cell for which the sum of variances is at
+/// most `allowed` at minimum cost. m * m rays in a cell that a boundary cuts reduce its variance to
+/// m^-3, so that m^5 in proportion to the variance is optimal.
 std::vector<int> AllocateSubsamples(const std::vector<float>& variances, double allowed)
 {
-  std::vector<int> finer(variances.size(), 1);
-  const double most = MostRays * static_cast<double>(variances.size());
+  std::vector<int> subdivisions(variances.size(), 1);
+  const double maximum = MaximumRayFactor * static_cast<double>(variances.size());
   double unit = *std::max_element(variances.begin(), variances.end());
   while (unit > 0.0)
   {
     double rays = 0.0;
     double sum = 0.0;
-    std::vector<int> tried(variances.size());
+    std::vector<int> parts(variances.size());
     for (std::size_t i = 0; i < variances.size(); ++i)
     {
       const int m = static_cast<int>(std::pow(variances[i] / unit, .2) + .5);
-      tried[i] = std::clamp(m, 1, Finest);
-      rays += tried[i] > 1 ? tried[i] * tried[i] : 0;
-      sum += variances[i] / std::pow(tried[i], 3.0);
+      parts[i] = std::clamp(m, 1, MaximumSubdivisions);
+      rays += parts[i] > 1 ? parts[i] * parts[i] : 0;
+      sum += variances[i] / std::pow(parts[i], 3.0);
     }
-    if (rays > most)
+    if (rays > maximum)
     {
       break;
     }
-    finer = std::move(tried);
+    subdivisions = std::move(parts);
     if (sum <= allowed)
     {
       break;
     }
     unit *= .25;
   }
-  return finer;
+  return subdivisions;
 }
 
-/// The next m * m of `closer` become one.
+/// Averages the next m * m samples of `refined` into `sample`.
 void AverageSubsamples(
-  int m, std::vector<HemisphereSample>::const_iterator& closer, HemisphereSample& sight)
+  int m, std::vector<HemisphereSample>::const_iterator& refined, HemisphereSample& sample)
 {
-  const auto share = 1.f / static_cast<float>(m * m);
-  sight.Radiance = glm::vec3(0.f);
-  for (int k = 0; k < m * m; ++k, ++closer)
+  const auto fraction = 1.f / static_cast<float>(m * m);
+  sample.Radiance = glm::vec3(0.f);
+  for (int k = 0; k < m * m; ++k, ++refined)
   {
-    sight.Radiance += share * closer->Radiance;
-    if (closer->Distance < sight.Distance)
+    sample.Radiance += fraction * refined->Radiance;
+    if (refined->Distance < sample.Distance)
     {
-      sight.Distance = closer->Distance;
-      sight.Normal = closer->Normal;
+      sample.Distance = refined->Distance;
+      sample.Normal = refined->Normal;
     }
   }
-  sight.Variance = 1.f / static_cast<float>(m * m * m);
+  sample.Variance = 1.f / static_cast<float>(m * m * m);
 }
 
-/// Shares of the angle between a ray and the horizon of the flat surface that it met, where one looks
-/// whether that goes on.
-constexpr float SharesOfHorizon[] = { .002f, .016f, .125f };
+/// Fractions of the angle between a ray and the horizon of the planar surface that it hit, at which
+/// further rays test whether the surface continues.
+constexpr float HorizonFractions[] = { .002f, .016f, .125f };
 
-/// Is `cell` the last that sees a flat surface, before a neighbour that looks beyond its horizon?
+/// Returns true if `cell` hits a planar surface and a neighboring cell lies beyond its horizon.
 bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& directions,
-  const std::vector<HemisphereSample>& sights, int cell)
+  const std::vector<HemisphereSample>& samples, int cell)
 {
-  const glm::vec3 normal = sights[cell].Normal;
+  const glm::vec3 normal = samples[cell].Normal;
   const float here = glm::dot(normal, directions[cell]);
   const int i = cell % grid.Side;
   const int j = cell / grid.Side;
   const auto ends = [&](bool exists, int other) {
-    return exists && sights[other].Distance > sights[cell].Distance &&
-      sights[other].Radiance != sights[cell].Radiance &&
+    return exists && samples[other].Distance > samples[cell].Distance &&
+      samples[other].Radiance != samples[cell].Radiance &&
       here * glm::dot(normal, directions[other]) < 0.f;
   };
   return (ends(i > 0, cell - 1) || ends(i + 1 < grid.Side, cell + 1) ||
            ends(j > 0, cell - grid.Side) || ends(j + 1 < grid.Side, cell + grid.Side)) &&
-    IsFlat(grid, sights, cell);
+    IsFlat(grid, samples, cell);
 }
 
-/// Does a place lie in the corner itself? Then rounding says on which side of the other surface.
-bool IsInCorner(glm::vec3 place, const std::vector<HemisphereSample>& sights)
+/// Returns true if `shadingPoint` lies on the line of a corner, where rounding decides on which
+/// side of the other surface it is.
+bool IsInCorner(glm::vec3 shadingPoint, const std::vector<HemisphereSample>& samples)
 {
-  const float gap = RayOriginOffset(place);
-  const auto touching = std::count_if(sights.begin(), sights.end(),
-    [gap](const HemisphereSample& sight) { return sight.Distance < gap; });
-  return 4 * static_cast<std::size_t>(touching) > sights.size();
+  const float gap = RayOriginOffset(shadingPoint);
+  const auto touchingCount = std::count_if(samples.begin(), samples.end(),
+    [gap](const HemisphereSample& sample) { return sample.Distance < gap; });
+  return 4 * static_cast<std::size_t>(touchingCount) > samples.size();
 }
 
-int RoundSide(double side)
+int RoundToValidSide(double side)
 {
   const int steps = static_cast<int>(std::lround(side / HemisphereGrid::Step));
   return std::clamp(
@@ -268,17 +284,18 @@ RecordPlacement::RecordPlacement(
     Settings(settings),
     Tree(tree)
 {
-  this->Settings.Side = settings.Side > 0 ? RoundSide(settings.Side) : SideFor(settings.Tolerance);
+  this->Settings.Side =
+    settings.Side > 0 ? RoundToValidSide(settings.Side) : SideFor(settings.Tolerance);
 }
 
 int RecordPlacement::SideFor(double tolerance)
 {
-  return RoundSide(ReferenceSide * std::pow(ReferenceError / tolerance, 2.0 / 3.0));
+  return RoundToValidSide(ReferenceSide * std::pow(ReferenceError / tolerance, 2.0 / 3.0));
 }
 
 float RecordPlacement::NormalAngleFor(double tolerance)
 {
-  // Turning by an angle a leaves out at most about a^2 / 2 of the mean.
+  // Rotation by an angle a causes an error of at most about a^2 / 2 of the mean.
   const double angle = OverlapFactor * std::sqrt(2.0 * tolerance);
   return static_cast<float>(std::clamp(angle, .05, .7));
 }
@@ -293,20 +310,20 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   const std::uint32_t seed = HashPoint(site.Position, site.Normal);
   std::vector<glm::vec3> local;
   std::vector<glm::vec3> directions;
-  std::vector<HemisphereSample> sights;
-  std::vector<EmitterSample> beams;
+  std::vector<HemisphereSample> samples;
+  std::vector<EmitterSample> emitterSamples;
   if (this->Settings.Refine)
   {
-    this->Source.SampleEmitters(site.Position, beams);
+    this->Source.SampleEmitters(site.Position, emitterSamples);
   }
   const bool atOnce = this->Settings.Refine || this->Source.SamplesGridAtOnce();
-  const int first = atOnce ? this->Settings.Side : FirstSide;
+  const int first = atOnce ? this->Settings.Side : CoarseSide;
   for (int side = first;; side = this->Settings.Side)
   {
     const HemisphereGrid& grid = HemisphereGrid::Get(side);
     rays += this->Source.SampleHemisphere(
-      site.Position, frame, grid, MixBits(seed + static_cast<std::uint32_t>(side)), local, sights);
-    if (IsInCorner(site.Position, sights))
+      site.Position, frame, grid, MixBits(seed + static_cast<std::uint32_t>(side)), local, samples);
+    if (IsInCorner(site.Position, samples))
     {
       return std::nullopt;
     }
@@ -317,66 +334,66 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
     }
     if (this->Settings.Refine && !this->Source.SamplesGridAtOnce())
     {
-      rays += this->SupersampleCells(site, frame, grid, beams, sights);
+      rays += this->SupersampleCells(site, frame, grid, emitterSamples, samples);
     }
     if (side >= this->Settings.Side)
     {
-      rays += this->FindOccluderEdges(site, grid, directions, sights);
+      rays += this->FindOccluderEdges(site, grid, directions, samples);
     }
-    record.Gathered = EstimateHemisphere(grid, frame, local, sights, this->Source.GetFalloff());
+    record.Gathered = EstimateHemisphere(grid, frame, local, samples, this->Source.GetFalloff());
     if (side >= this->Settings.Side || record.Gathered.Error == 0.f)
     {
       break;
     }
   }
-  const double least = this->Settings.MinimumRadiusPixels * site.Pixel;
-  const double radius =
-    std::min({ this->RadiusOf(record.Gathered), double(ShareOfReach) * this->Source.GetReach(),
-      (record.Gathered.Error == 0.f ? ShareOfEmpty : 1.0) * site.MaximumRadius });
-  record.IsValid = this->Settings.KeepAllValid || radius >= LeastShare * least;
-  const double shadow = ShareOfShadow *
-    ShadowDistance(HemisphereGrid::Get(this->Settings.Side), frame, directions, sights, beams,
-      this->Settings.Tolerance);
-  record.Radius =
-    static_cast<float>(record.IsValid ? std::clamp(std::min(radius, shadow), least,
-                                          std::max(least, this->Settings.MostPixels * site.Pixel))
-                                      : InvalidRadiusFactor * least);
+  const double minimum = this->Settings.MinimumRadiusPixels * site.Pixel;
+  const double radius = std::min({ this->ComputeRadius(record.Gathered),
+    double(OcclusionRadiusFraction) * this->Source.GetReach(),
+    (record.Gathered.Error == 0.f ? UniformRadiusFraction : 1.0) * site.MaximumRadius });
+  record.IsValid = this->Settings.KeepAllValid || radius >= MinimumRadiusFraction * minimum;
+  const double shadow = ShadowRadiusFraction *
+    ShadowDistance(HemisphereGrid::Get(this->Settings.Side), frame, directions, samples,
+      emitterSamples, this->Settings.Tolerance);
+  record.Radius = static_cast<float>(record.IsValid
+      ? std::clamp(std::min(radius, shadow), minimum,
+          std::max(minimum, this->Settings.MaximumRadiusPixels * site.Pixel))
+      : InvalidRadiusFactor * minimum);
   if (this->Settings.KeepAllValid && radius < record.Radius)
   {
-    // What changes faster than the record can follow changes no more within it than it should.
+    // Limit the change within the enlarged radius to that within the radius of the rule.
     for (glm::vec3& gradient : record.Gathered.Translation)
     {
       gradient *= static_cast<float>(radius) / record.Radius;
     }
   }
-  record.MaximumPlaneDistance =
-    site.Pixel; // more reaches parallel surfaces, such as the floors of shallow pockets
+  // A larger distance would include parallel surfaces, such as the floors of shallow pockets.
+  record.MaximumPlaneDistance = site.Pixel;
   return record;
 }
 
 long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const glm::mat3& frame,
-  const HemisphereGrid& grid, const std::vector<EmitterSample>& beams,
-  std::vector<HemisphereSample>& sights) const
+  const HemisphereGrid& grid, const std::vector<EmitterSample>& emitterSamples,
+  std::vector<HemisphereSample>& samples) const
 {
-  std::vector<float> variances(sights.size());
+  std::vector<float> variances(samples.size());
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    variances[cell] = VarianceOf(grid, sights, cell);
+    variances[cell] = EstimateCellVariance(grid, samples, cell);
   }
-  for (const EmitterSample& beam : beams)
+  for (const EmitterSample& emitterSample : emitterSamples)
   {
     RaiseVarianceNearEmitter(
-      grid, glm::transpose(frame) * beam.Direction, beam.Strength, variances);
+      grid, glm::transpose(frame) * emitterSample.Direction, emitterSample.Strength, variances);
   }
-  const double allowed = std::pow(NoiseShare * this->Settings.Tolerance * grid.Cells(), 2.0);
-  const std::vector<int> finer = AllocateSubsamples(variances, allowed);
+  const double allowed = std::pow(NoiseFraction * this->Settings.Tolerance * grid.Cells(), 2.0);
+  const std::vector<int> subdivisions = AllocateSubsamples(variances, allowed);
   std::uint32_t random = HashPoint(site.Position, -site.Normal);
   std::vector<glm::vec3> directions;
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    if (finer[cell] > 1)
+    if (subdivisions[cell] > 1)
     {
-      grid.SubsampleCell(cell, finer[cell], random, directions);
+      grid.SubsampleCell(cell, subdivisions[cell], random, directions);
     }
   }
   if (directions.empty())
@@ -387,14 +404,14 @@ long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const g
   {
     direction = frame * direction;
   }
-  std::vector<HemisphereSample> closer;
-  const long long rays = this->Source.Gather(site.Position, site.Normal, directions, closer);
-  std::vector<HemisphereSample>::const_iterator next = closer.begin();
+  std::vector<HemisphereSample> refined;
+  const long long rays = this->Source.Gather(site.Position, site.Normal, directions, refined);
+  std::vector<HemisphereSample>::const_iterator next = refined.begin();
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    if (finer[cell] > 1)
+    if (subdivisions[cell] > 1)
     {
-      AverageSubsamples(finer[cell], next, sights[cell]);
+      AverageSubsamples(subdivisions[cell], next, samples[cell]);
     }
   }
   return rays;
@@ -402,40 +419,40 @@ long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const g
 
 long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,
   const HemisphereGrid& grid, const std::vector<glm::vec3>& directions,
-  std::vector<HemisphereSample>& sights) const
+  std::vector<HemisphereSample>& samples) const
 {
   std::vector<int> cells;
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
-    if (EndsAtHorizon(grid, directions, sights, cell))
+    if (EndsAtHorizon(grid, directions, samples, cell))
     {
       cells.push_back(cell);
     }
   }
   long long rays = 0;
-  std::vector<glm::vec3> closer;
-  std::vector<HemisphereSample> found;
-  for (const float share : SharesOfHorizon)
+  std::vector<glm::vec3> refined;
+  std::vector<HemisphereSample> hits;
+  for (const float fraction : HorizonFractions)
   {
-    closer.clear();
+    refined.clear();
     for (const int cell : cells)
     {
-      const glm::vec3 normal = sights[cell].Normal;
+      const glm::vec3 normal = samples[cell].Normal;
       const float here = glm::dot(normal, directions[cell]);
-      closer.push_back(glm::normalize(directions[cell] - (1.f - share) * here * normal));
+      refined.push_back(glm::normalize(directions[cell] - (1.f - fraction) * here * normal));
     }
     if (cells.empty())
     {
       break;
     }
-    rays += this->Source.Gather(site.Position, site.Normal, closer, found);
+    rays += this->Source.Gather(site.Position, site.Normal, refined, hits);
     std::vector<int> left;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      const bool goesOn = !std::isinf(found[i].Distance) &&
-        std::abs(glm::dot(found[i].Normal, sights[cells[i]].Normal)) > .999f;
-      sights[cells[i]].OccluderEdge = goesOn ? 2.f * found[i].Distance : 0.f;
-      if (!goesOn)
+      const bool continues = !std::isinf(hits[i].Distance) &&
+        std::abs(glm::dot(hits[i].Normal, samples[cells[i]].Normal)) > .999f;
+      samples[cells[i]].OccluderEdge = continues ? 2.f * hits[i].Distance : 0.f;
+      if (!continues)
       {
         left.push_back(cells[i]);
       }
@@ -445,25 +462,25 @@ long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,
   return rays;
 }
 
-double RecordPlacement::RadiusOf(const HemisphereEstimate& found) const
+double RecordPlacement::ComputeRadius(const HemisphereEstimate& estimate) const
 {
   const double accuracy = std::min(1.0, SplitSphereAccuracy * std::sqrt(this->Settings.Tolerance));
   switch (this->Settings.Rule)
   {
     case RadiusRules::NearestHit:
-      return accuracy * found.Nearest;
+      return accuracy * estimate.Nearest;
     case RadiusRules::HarmonicMean:
-      return accuracy * found.HarmonicMean;
+      return accuracy * estimate.HarmonicMean;
     default:
       return std::min(OverlapFactor *
-          std::sqrt(2.0 * this->Settings.Tolerance / std::max(found.HessianNorm, 1e-30f)),
-        static_cast<double>(OccluderEdgeFraction * found.OccluderEdgeDistance));
+          std::sqrt(2.0 * this->Settings.Tolerance / std::max(estimate.HessianNorm, 1e-30f)),
+        static_cast<double>(OccluderEdgeFraction * estimate.OccluderEdgeDistance));
   }
 }
 
-bool RecordPlacement::IsCovered(const RecordOctree& tree, const ShadingPoint& place)
+bool RecordPlacement::IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint)
 {
-  return tree.MaximumWeightAt(place) > LeastWeight;
+  return tree.MaximumWeightAt(shadingPoint) > MinimumWeight;
 }
 
 bool RecordPlacement::AddLevel(
@@ -496,7 +513,7 @@ bool RecordPlacement::AddLevel(
     {
       const Record& made = *outcomes[i].Made;
       this->Tree.InsertClamped(made, static_cast<float>(this->Settings.MinimumRadiusPixels));
-      this->Idle += made.IsValid ? 0 : 1;
+      this->InvalidRecords += made.IsValid ? 0 : 1;
     }
   }
   return true;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fills a tree with records, level by level: a level looks only at what earlier levels left, its
-// records are made in parallel and inserted in the order of their sites. So which records there are
-// depends on the sites alone, never on threads.
+// Record placement: adds records to an octree, level by level. The records of a level depend only
+// on those of earlier levels. They are computed in parallel and inserted in the order of their
+// candidates, so that the result does not depend on the number of threads.
 #ifndef penumbra_RecordPlacement_h
 #define penumbra_RecordPlacement_h
 
@@ -18,30 +18,31 @@
 namespace penumbra
 {
 
-/// How the radius of a record is found.
+/// Rules for the radius of a record.
 enum class RadiusRules
 {
   NearestHit,   ///< [IC] without grazing rays
   HarmonicMean, ///< [IC]
-  Hessian       ///< from the error that the tolerance allows
+  Hessian       ///< from the second derivative and the tolerance
 };
 
 struct RecordPlacementSettings
 {
-  double Tolerance = .01; ///< of the mean over the hemisphere
+  double Tolerance = .01; ///< accepted error of the mean over the hemisphere
   RadiusRules Rule = RadiusRules::Hessian;
-  double MinimumRadiusPixels = 3.0; ///< [IC] 2 - 4
-  double MostPixels = 64.0;         ///< [IC] 20 - 64
-  int Side = 0;                     ///< cells along the gatherer's grid; 0: from Tolerance
-  bool Refine = false; ///< look closer where neighbouring cells differ most: small bright lights
-  bool KeepAllValid = false; ///< even those whose radius the least one makes too large
+  double MinimumRadiusPixels = 3.0;  ///< [IC]: 2 to 4
+  double MaximumRadiusPixels = 64.0; ///< [IC]: 20 to 64
+  int Side = 0;                      ///< cells along the hemisphere grid; 0: from Tolerance
+  bool Refine = false; ///< supersample cells that differ from their neighbors (small bright lights)
+  bool KeepAllValid = false; ///< keep records valid that would need less than the minimum radius
 };
 
-/// A place where a record may be needed.
+/// Point at which a record may be placed.
 struct RecordCandidate : ShadingPoint
 {
-  float Pixel = 0.f; ///< side of a pixel there, or what stands for it on a mesh
-  float MaximumRadius = std::numeric_limits<float>::infinity(); ///< no radius above this
+  float Pixel =
+    0.f; ///< size of a pixel at this point, scene units; on a mesh, from the point spacing
+  float MaximumRadius = std::numeric_limits<float>::infinity(); ///< upper bound of the radius
 };
 
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT RecordPlacement
@@ -50,40 +51,48 @@ public:
   RecordPlacement(
     const Gatherer& gatherer, const RecordPlacementSettings& settings, RecordOctree& tree);
 
-  /// Sites that no record covers, or hardly, become records. False when `progress` stopped it.
+  /// Adds a record at each candidate that IsCovered() rejects. Returns false if `progress`
+  /// requested a stop.
   bool AddLevel(const std::vector<RecordCandidate>& sites, const ProgressCallback& progress = {});
 
-  /// Is another record not worth while at `place`?
-  static bool IsCovered(const RecordOctree& tree, const ShadingPoint& place);
+  /// Returns true if the records at `shadingPoint` have enough weight, so that no further record is
+  /// needed.
+  static bool IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint);
 
-  /// A record at `site`, none where that lies in a corner itself; adds the directions asked for to `rays`.
+  /// Returns a record at `site`, or nothing if that lies on the line of a corner. Adds the number
+  /// of rays traced to `rays`.
   std::optional<Record> Gather(const RecordCandidate& site, long long& rays) const;
 
   long long GetRays() const { return this->Rays; }
 
-  /// Of the records made so far, those that do not serve.
-  std::size_t GetNumberOfInvalidRecords() const { return this->Idle; }
+  /// Returns the number of records added so far that are not valid.
+  std::size_t GetNumberOfInvalidRecords() const { return this->InvalidRecords; }
+
+  /// Returns the side of the hemisphere grid whose error is about `tolerance`.
   static int SideFor(double tolerance);
-  /// How much normals may differ, in radians, so that what turning leaves out is within tolerance.
+
+  /// Returns the maximum angle between normals in radians for which the error of the rotation
+  /// gradient is within tolerance.
   static float NormalAngleFor(double tolerance);
 
 private:
-  /// Cells that make the mean uncertain get more rays, until it is certain enough; returns how many.
+  /// Traces more rays in the cells with the highest estimated variance. Returns the number of rays.
   long long SupersampleCells(const RecordCandidate& site, const glm::mat3& frame,
-    const HemisphereGrid& grid, const std::vector<EmitterSample>& beams,
-    std::vector<HemisphereSample>& sights) const;
+    const HemisphereGrid& grid, const std::vector<EmitterSample>& emitterSamples,
+    std::vector<HemisphereSample>& samples) const;
 
-  /// Where flat surfaces near the point seem to end at their horizons: do they go on? Returns how many rays.
+  /// Traces rays that find the edges of planar surfaces that seem to end at their horizon. Returns
+  /// the number of rays.
   long long FindOccluderEdges(const RecordCandidate& site, const HemisphereGrid& grid,
-    const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& sights) const;
+    const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const;
 
-  double RadiusOf(const HemisphereEstimate& found) const;
+  double ComputeRadius(const HemisphereEstimate& estimate) const;
 
   const Gatherer& Source;
   RecordPlacementSettings Settings;
   RecordOctree& Tree;
   long long Rays = 0;
-  std::size_t Idle = 0;
+  std::size_t InvalidRecords = 0;
 };
 
 }

@@ -19,10 +19,10 @@ namespace
 
 constexpr float Pi = 3.14159265f;
 
-/// Records of whoever does not write it all serve.
-constexpr const char* ServesName = "Serves";
+/// Array of Record::IsValid. All records are valid if the array is missing.
+constexpr const char* ValidName = "Serves";
 
-/// The arrays beside the value: name, numbers a channel, and how a number scales with length.
+/// Arrays in addition to the mean: name, number of components, and exponent of length in the unit.
 struct Column
 {
   const char* Name;
@@ -53,7 +53,7 @@ int Channels(Quantities quantity)
   return quantity == Quantities::Occlusion ? 1 : 3;
 }
 
-/// The numbers of column `column`, in scene units.
+/// Returns the values of column `column` in scene units.
 float* Numbers(Record& record, int column, int channel)
 {
   switch (column)
@@ -79,7 +79,7 @@ float* Numbers(Record& record, int column, int channel)
   }
 }
 
-/// From scene units to those of the file.
+/// Returns the factor from scene units to the units of the array.
 float FactorOf(const Column& column, Quantities quantity, double scale)
 {
   const bool ofValue =
@@ -155,13 +155,13 @@ void ToPolyData(
       }
     }
   }
-  vtkNew<vtkUnsignedCharArray> serves;
-  serves->SetName(ServesName);
+  vtkNew<vtkUnsignedCharArray> valid;
+  valid->SetName(ValidName);
   for (const Record& record : records)
   {
-    serves->InsertNextValue(record.IsValid ? 1 : 0);
+    valid->InsertNextValue(record.IsValid ? 1 : 0);
   }
-  data->GetPointData()->AddArray(serves);
+  data->GetPointData()->AddArray(valid);
   data->GetPointData()->SetActiveScalars(ValueName(quantity));
   data->GetPointData()->SetActiveNormals("Normals");
 }
@@ -173,17 +173,17 @@ std::vector<Record> FromPolyData(
   vtkDataArray* values = data->GetPointData()->GetArray(ValueName(quantity));
   if (!values || values->GetNumberOfComponents() != channels)
   {
-    problem = std::string("the records have no array ") + ValueName(quantity);
+    problem = std::string("the point array ") + ValueName(quantity) + " is missing";
     return {};
   }
   const float unit = quantity == Quantities::Irradiance ? Pi : 1.f;
-  vtkDataArray* serves = data->GetPointData()->GetArray(ServesName);
+  vtkDataArray* valid = data->GetPointData()->GetArray(ValidName);
   std::vector<Record> records(data->GetNumberOfPoints());
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double x[3];
     data->GetPoint(i, x);
-    records[i].IsValid = !serves || serves->GetComponent(i, 0) != 0.0;
+    records[i].IsValid = !valid || valid->GetComponent(i, 0) != 0.0;
     records[i].Position = scene.FromWorld(x);
     for (int c = 0; c < 3; ++c)
     {
@@ -198,7 +198,8 @@ std::vector<Record> FromPolyData(
     vtkDataArray* array = data->GetPointData()->GetArray(column.Name);
     if (!array || array->GetNumberOfComponents() != column.Components * repeats)
     {
-      problem = std::string("the records have no array ") + column.Name;
+      problem = std::string("the point array ") + column.Name +
+        " is missing or has the wrong number of components";
       return {};
     }
     const float factor = 1.f / FactorOf(column, quantity, scene.Scale);
@@ -214,7 +215,7 @@ std::vector<Record> FromPolyData(
   }
   if (!std::all_of(records.begin(), records.end(), IsSound))
   {
-    problem = "the records hold numbers that no record can have";
+    problem = "a radius, normal, position or value is invalid";
     return {};
   }
   return records;

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Records as vtkPolyData in world coordinates and back: what is saved, inspected, reused and drawn.
-// A vertex cell a record; point arrays `AmbientOcclusion` (1) or `Irradiance` (3), `Normals` (3),
-// `Radius`, `TranslationGradient` and `RotationGradient` (3 or 9: a vector a channel), `Tangent`
-// (3), `Clearance` (8), `Bend`, `StandardError`, `Serves` (0: brute force is to answer around it).
+// Conversion of records to vtkPolyData in world coordinates and back. Each record is a vertex cell.
+// Point arrays: `AmbientOcclusion` (1) or `Irradiance` (3), `Normals` (3), `Radius`, `Lean`
+// (maximum distance from the tangent plane), `TranslationGradient` and `RotationGradient` (one
+// vector per channel), `Tangent` (3), `Clearance` (8), `Bend` (Hessian norm), `StandardError`,
+// `Serves` (1 if valid).
 #ifndef penumbra_RecordPolyData_h
 #define penumbra_RecordPolyData_h
 
@@ -20,21 +21,22 @@ namespace penumbra
 
 struct Scene;
 
-/// Which of the two means of the hemisphere a record holds.
+/// Quantity that records store.
 enum class Quantities
 {
-  Occlusion, ///< its first channel, the blocked share
-  Irradiance ///< pi times its mean, three channels
+  Occlusion, ///< occluded fraction, the first channel of the mean
+  Irradiance ///< pi times the mean, three channels
 };
 
-/// Has `data` the array of that quantity?
+/// Returns true if `data` has the array of `quantity`.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT bool HasRecords(vtkPolyData* data, Quantities quantity);
 
-/// Replaces what `data` holds.
+/// Converts `records` and replaces the contents of `data`.
 void ToPolyData(
   const std::vector<Record>& records, Quantities quantity, const Scene& scene, vtkPolyData* data);
 
-/// Empty, with `problem` told, where arrays are missing or hold what no record can be.
+/// Converts `data` to records. If arrays are missing or contain invalid values, returns no records
+/// and describes the problem in `problem`.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<Record> FromPolyData(
   vtkPolyData* data, Quantities quantity, const Scene& scene, std::string& problem);
 

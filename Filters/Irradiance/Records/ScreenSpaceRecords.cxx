@@ -13,18 +13,20 @@ namespace penumbra
 namespace
 {
 
-/// Corners that are no records.
-constexpr std::int32_t Unknown = -1;
-constexpr std::int32_t Nothing = -2; ///< nothing is seen there
+/// Entries of corners without a record.
+constexpr std::int32_t Unknown = -1; ///< not sampled yet
+constexpr std::int32_t Nothing = -2; ///< background, or no record could be made
 
-/// Where the best corner weighs less, the square is halved: of squares whose corners are not all of one
-/// surface, beside which others lie on one side only.
-constexpr float LeastWeight = .05f;
-constexpr float LeastWeightBeside = .4f;
+/// A square is subdivided if the maximum weight of a corner is at most this.
+constexpr float MinimumWeight = .05f;
 
-/// With all four corners a place may lie further from some of them than their radius, but not more
-/// than this times.
-constexpr float ReachOfFour = 2.f;
+/// The same if the four corners are not all on the surface of the center, which then has records on
+/// one side only.
+constexpr float MinimumPartialWeight = .4f;
+
+/// If all four corners are used, maximum distance of a point from each over the radius of its
+/// record.
+constexpr float FourCornerRadiusFactor = 2.f;
 
 int PowerOfTwoBelow(double limit)
 {
@@ -38,18 +40,18 @@ int PowerOfTwoBelow(double limit)
 
 }
 
-ScreenSpaceRecords::ScreenSpaceRecords(const RayScene& rays, const RecordPlacement& places,
+ScreenSpaceRecords::ScreenSpaceRecords(const RayScene& rays, const RecordPlacement& placement,
   const RecordPlacementSettings& settings, float normalAngle)
   : Seen(rays),
-    Places(places),
+    Placement(placement),
     NormalFactor(RecordOctree::NormalFactorOf(normalAngle)),
     Unit(PowerOfTwoBelow(settings.MinimumRadiusPixels)),
-    Coarsest(PowerOfTwoBelow(settings.MostPixels / this->Unit))
+    Coarsest(PowerOfTwoBelow(settings.MaximumRadiusPixels / this->Unit))
 {
-  const Camera& eye = rays.GetScene().ViewCamera;
-  const int wide = this->Coarsest * this->Unit;
-  this->Size =
-    this->Coarsest * glm::ivec2((eye.Width + wide - 1) / wide, (eye.Height + wide - 1) / wide);
+  const Camera& camera = rays.GetScene().ViewCamera;
+  const int width = this->Coarsest * this->Unit;
+  this->Size = this->Coarsest *
+    glm::ivec2((camera.Width + width - 1) / width, (camera.Height + width - 1) / width);
   this->Corners.assign(this->CornerAt(this->Size) + 1, Unknown);
   this->Sides.assign(static_cast<std::size_t>(this->Size.x) * this->Size.y, 0);
 }
@@ -80,8 +82,8 @@ bool ScreenSpaceRecords::PlaceLevels(const ProgressCallback& progress)
         std::fill(row, row + side, static_cast<std::uint8_t>(side));
       }
     }
-    if (!this->MakeRecords(squares, [&](double share) {
-          return progress && progress((1.0 - .5 * side / this->Coarsest) * share);
+    if (!this->MakeRecords(squares, [&](double fraction) {
+          return progress && progress((1.0 - .5 * side / this->Coarsest) * fraction);
         }))
     {
       return false;
@@ -91,8 +93,8 @@ bool ScreenSpaceRecords::PlaceLevels(const ProgressCallback& progress)
       break;
     }
     std::vector<char> fails(squares.size());
-    const double share = 1.0 - .5 * side / this->Coarsest;
-    if (!ParallelForBatches(static_cast<int>(squares.size()), share, share, progress,
+    const double fraction = 1.0 - .5 * side / this->Coarsest;
+    if (!ParallelForBatches(static_cast<int>(squares.size()), fraction, fraction, progress,
           [&](int i) { fails[i] = this->NeedsSubdivision(squares[i]); }))
     {
       return false;
@@ -114,7 +116,7 @@ bool ScreenSpaceRecords::PlaceLevels(const ProgressCallback& progress)
 bool ScreenSpaceRecords::MakeRecords(
   const std::vector<Square>& squares, const ProgressCallback& progress)
 {
-  std::vector<glm::ivec2> wanted;
+  std::vector<glm::ivec2> missing;
   for (const Square& square : squares)
   {
     for (int k = 0; k < 4; ++k)
@@ -124,7 +126,7 @@ bool ScreenSpaceRecords::MakeRecords(
       if (entry == Unknown)
       {
         entry = Nothing;
-        wanted.push_back(corner);
+        missing.push_back(corner);
       }
     }
   }
@@ -133,23 +135,23 @@ bool ScreenSpaceRecords::MakeRecords(
     std::optional<Record> Made;
     long long Rays = 0;
   };
-  std::vector<Outcome> outcomes(wanted.size());
-  if (!ParallelForBatches(static_cast<int>(wanted.size()), 0.0, 1.0, progress, [&](int i) {
+  std::vector<Outcome> outcomes(missing.size());
+  if (!ParallelForBatches(static_cast<int>(missing.size()), 0.0, 1.0, progress, [&](int i) {
         RecordCandidate site;
-        if (FindCandidate(this->Seen, this->PixelAt(wanted[i]), site))
+        if (FindCandidate(this->Seen, this->PixelAt(missing[i]), site))
         {
-          outcomes[i].Made = this->Places.Gather(site, outcomes[i].Rays);
+          outcomes[i].Made = this->Placement.Gather(site, outcomes[i].Rays);
         }
       }))
   {
     return false;
   }
-  for (std::size_t i = 0; i < wanted.size(); ++i)
+  for (std::size_t i = 0; i < missing.size(); ++i)
   {
     this->Rays += outcomes[i].Rays;
     if (outcomes[i].Made)
     {
-      this->Corners[this->CornerAt(wanted[i])] = static_cast<std::int32_t>(this->Records.size());
+      this->Corners[this->CornerAt(missing[i])] = static_cast<std::int32_t>(this->Records.size());
       this->Records.push_back(*outcomes[i].Made);
     }
   }
@@ -169,45 +171,45 @@ void ScreenSpaceRecords::FindCorners(glm::dvec2 at, int side, const Record* (&co
 
 bool ScreenSpaceRecords::NeedsSubdivision(const Square& square) const
 {
-  const glm::dvec2 middle = glm::dvec2(square.Low) + .5 * square.Side;
+  const glm::dvec2 center = glm::dvec2(square.Low) + .5 * square.Side;
   RecordCandidate site;
-  if (!FindCandidate(this->Seen, this->PixelAt(middle), site))
+  if (!FindCandidate(this->Seen, this->PixelAt(center), site))
   {
     const Record* corners[4];
-    this->FindCorners(middle, square.Side, corners);
+    this->FindCorners(center, square.Side, corners);
     return std::any_of(
       corners, corners + 4, [](const Record* record) { return record != nullptr; });
   }
-  float greatest = 0.f;
-  int agreeing = 0;
+  float maximum = 0.f;
+  int matching = 0;
   for (int side = square.Side; side <= this->Coarsest; side *= 2)
   {
     const Record* corners[4];
-    this->FindCorners(middle, side, corners);
+    this->FindCorners(center, side, corners);
     for (const Record* record : corners)
     {
       const float weight = record ? record->Weight(site, this->NormalFactor) : 0.f;
       if (side == square.Side && record && record->NormalWeight(site, this->NormalFactor) > 0.f)
       {
-        ++agreeing;
+        ++matching;
         if (weight == 0.f)
         {
           return true;
         }
       }
-      greatest = std::max(greatest, weight);
+      maximum = std::max(maximum, weight);
     }
   }
-  return greatest <= (agreeing == 4 ? LeastWeight : LeastWeightBeside);
+  return maximum <= (matching == 4 ? MinimumWeight : MinimumPartialWeight);
 }
 
-InterpolationResult ScreenSpaceRecords::LookUp(const ShadingPoint& place) const
+InterpolationResult ScreenSpaceRecords::LookUp(const ShadingPoint& point) const
 {
-  const Camera& eye = this->Seen.GetScene().ViewCamera;
-  const glm::dvec2 pixel = eye.Project(place.Position);
+  const Camera& camera = this->Seen.GetScene().ViewCamera;
+  const glm::dvec2 pixel = camera.Project(point.Position);
   InterpolationResult result;
-  if (!(eye.Parallel || eye.Depth(place.Position) > 0.0) ||
-    !(pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x <= eye.Width && pixel.y <= eye.Height))
+  if (!(camera.Parallel || camera.Depth(point.Position) > 0.0) ||
+    !(pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x <= camera.Width && pixel.y <= camera.Height))
   {
     return result;
   }
@@ -226,21 +228,22 @@ InterpolationResult ScreenSpaceRecords::LookUp(const ShadingPoint& place) const
     {
       weights[k] = (k & 1 ? f.x : 1.f - f.x) * (k >> 1 ? f.y : 1.f - f.y);
       all = all && corners[k] && corners[k]->IsValid &&
-        glm::distance(place.Position, corners[k]->Position) < ReachOfFour * corners[k]->Radius &&
-        corners[k]->NormalWeight(place, this->NormalFactor) > 0.f;
+        glm::distance(point.Position, corners[k]->Position) <
+          FourCornerRadiusFactor * corners[k]->Radius &&
+        corners[k]->NormalWeight(point, this->NormalFactor) > 0.f;
     }
-    RecordInterpolator blend;
+    RecordInterpolator interpolator;
     for (int k = 0; k < 4; ++k)
     {
-      const float served = corners[k] && corners[k]->IsValid
-        ? weights[k] * (all ? 1.f : corners[k]->Weight(place, this->NormalFactor))
+      const float weight = corners[k] && corners[k]->IsValid
+        ? weights[k] * (all ? 1.f : corners[k]->Weight(point, this->NormalFactor))
         : 0.f;
-      if (served > 0.f)
+      if (weight > 0.f)
       {
-        blend.Add(*corners[k], place, served);
+        interpolator.Add(*corners[k], point, weight);
       }
     }
-    result = blend.Result();
+    result = interpolator.Result();
   }
   return result;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cache of screen space [IC]: records at the corners of squares of the picture, squares halved until
-// their corners say what lies between. It knows what the picture sees first, and nothing else.
+// Screen-space cache [IC]: records at the corners of image squares, which are subdivided until the
+// corners predict the values between them. Only visible surfaces have records.
 #ifndef penumbra_ScreenSpaceRecords_h
 #define penumbra_ScreenSpaceRecords_h
 
@@ -19,22 +19,22 @@ class RayScene;
 class ScreenSpaceRecords
 {
 public:
-  /// Squares are between `settings`' least and greatest radius wide. `rays` and `places` must outlive
-  /// this object.
-  ScreenSpaceRecords(const RayScene& rays, const RecordPlacement& places,
+  /// The sides of squares are between the minimum and maximum radius of `settings`. `rays` and
+  /// `placement` must outlive this object.
+  ScreenSpaceRecords(const RayScene& rays, const RecordPlacement& placement,
     const RecordPlacementSettings& settings, float normalAngle);
 
-  /// All records of the picture. False when `progress` stopped it.
+  /// Makes all records of the image. Returns false if `progress` requested a stop.
   bool PlaceLevels(const ProgressCallback& progress);
 
-  InterpolationResult LookUp(const ShadingPoint& place) const;
+  InterpolationResult LookUp(const ShadingPoint& point) const;
 
   const std::vector<Record>& GetRecords() const { return this->Records; }
   std::size_t GetBytes() const;
   long long GetRays() const { return this->Rays; }
 
 private:
-  /// A square of the picture, in units of the finest ones.
+  /// Square of the image, in units of the finest squares.
   struct Square
   {
     glm::ivec2 Low;
@@ -46,21 +46,25 @@ private:
 
   bool MakeRecords(const std::vector<Square>& squares, const ProgressCallback& progress);
 
-  /// Does what the picture sees in the middle of `square` lack a record?
+  /// Returns true if the visible point at the center of `square` has no record of sufficient
+  /// weight.
   bool NeedsSubdivision(const Square& square) const;
 
-  /// The four corners of the square around `at` (finest units) that is `side` wide; null: no record.
+  /// Finds the records at the four corners of the square of `side` around `at`, in units of the
+  /// finest squares; null for a corner without a record.
   void FindCorners(glm::dvec2 at, int side, const Record* (&corners)[4]) const;
 
   const RayScene& Seen;
-  const RecordPlacement& Places;
+  const RecordPlacement& Placement;
   float NormalFactor;
-  int Unit = 1;     ///< pixels along a finest square
-  int Coarsest = 1; ///< finest squares along a coarsest one
-  glm::ivec2 Size;  ///< in finest squares, whole coarsest ones
-  std::vector<std::int32_t>
-    Corners; ///< of the finest squares, row by row: records, or why there is none
-  std::vector<std::uint8_t> Sides; ///< of the finest squares: how wide the square around is
+  int Unit = 1;     ///< side of a finest square in pixels
+  int Coarsest = 1; ///< side of a coarsest square in finest squares
+  glm::ivec2 Size;  ///< image size in finest squares, rounded up to coarsest squares
+
+  /// Record at each corner of the finest squares, row by row; Unknown or Nothing if there is none.
+  std::vector<std::int32_t> Corners;
+
+  std::vector<std::uint8_t> Sides; ///< per finest square, side of the square that contains it
   std::vector<Record> Records;
   long long Rays = 0;
 };

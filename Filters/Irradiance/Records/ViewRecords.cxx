@@ -12,14 +12,15 @@ namespace penumbra
 namespace
 {
 
-/// Where after the coarse levels more than this share of records does not serve, the rest is left
-/// to brute force.
-constexpr double MostIdle = 0.7;
+/// Maximum fraction of invalid records. If more are invalid at a stride of at most CoarseStride
+/// pixels, no further records are made and the rest is left to brute force.
+constexpr double MaximumInvalidFraction = 0.7;
 constexpr int CoarseStride = 16;
 
-/// The error of n rays over n^(-3/4), as of vtkPenumbraBruteForceIrradiance's, and no more rays than this.
+/// Error of n rays over n^(-3/4), as in vtkPenumbraBruteForceIrradiance, and maximum number of
+/// rays.
 constexpr double ReferenceError = .42;
-constexpr std::uint32_t MostRays = 16384;
+constexpr std::uint32_t MaximumRays = 16384;
 
 }
 
@@ -28,13 +29,14 @@ ViewRecords::ViewRecords(const RayScene& rays, const Gatherer& gatherer,
   const std::vector<Record>& initial)
   : Rays(rays),
     Source(gatherer),
-    Places(gatherer, settings, this->Tree)
+    Placement(gatherer, settings, this->Tree)
 {
   this->Tree.InitializeFromScene(rays.GetScene());
   this->Tree.SetNormalAngle(normalAngle);
   if (onScreen)
   {
-    this->Screen = std::make_unique<ScreenSpaceRecords>(rays, this->Places, settings, normalAngle);
+    this->Screen =
+      std::make_unique<ScreenSpaceRecords>(rays, this->Placement, settings, normalAngle);
     return;
   }
   for (const Record& record : initial)
@@ -49,18 +51,19 @@ bool ViewRecords::PlaceLevels(const ProgressCallback& progress)
   {
     return this->Screen->PlaceLevels(progress);
   }
-  for (int level = 0; level < PictureLevels; ++level)
+  for (int level = 0; level < ImageLevels; ++level)
   {
-    const auto step = [&](double share) {
-      return progress && progress((level + share) / PictureLevels);
+    const auto step = [&](double fraction) {
+      return progress && progress((level + fraction) / ImageLevels);
     };
-    if (!this->Places.AddLevel(CandidatesInImage(this->Rays, level, step), step))
+    if (!this->Placement.AddLevel(CandidatesInImage(this->Rays, level, step), step))
     {
       return false;
     }
     const auto made = static_cast<double>(this->Tree.GetRecords().size());
     if (LevelStride(level) <= CoarseStride &&
-      static_cast<double>(this->Places.GetNumberOfInvalidRecords()) > MostIdle * made)
+      static_cast<double>(this->Placement.GetNumberOfInvalidRecords()) >
+        MaximumInvalidFraction * made)
     {
       break;
     }
@@ -68,51 +71,51 @@ bool ViewRecords::PlaceLevels(const ProgressCallback& progress)
   return true;
 }
 
-InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& place)
+InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& point)
 {
   const std::lock_guard<std::mutex> lock(this->Lock);
-  InterpolationResult found = this->Tree.LookUp(place);
+  InterpolationResult found = this->Tree.LookUp(point);
   if (!found.Found())
   {
     RecordCandidate site;
-    site.Position = place.Position;
-    site.Normal = place.Normal;
-    site.Pixel = this->PixelAt(place.Position);
-    if (const std::optional<Record> made = this->Places.Gather(site, this->LazyRays))
+    site.Position = point.Position;
+    site.Normal = point.Normal;
+    site.Pixel = this->PixelAt(point.Position);
+    if (const std::optional<Record> made = this->Placement.Gather(site, this->LazyRays))
     {
       this->Tree.Insert(*made);
-      found = this->Tree.LookUp(place);
+      found = this->Tree.LookUp(point);
     }
   }
   return found;
 }
 
 InterpolationResult ViewRecords::Gather(
-  const ShadingPoint& place, double tolerance, long long& rays) const
+  const ShadingPoint& point, double tolerance, long long& rays) const
 {
   const double needed = std::pow(ReferenceError / tolerance, 4.0 / 3.0);
   std::uint32_t count = 4;
-  while (count < needed && count < MostRays)
+  while (count < needed && count < MaximumRays)
   {
     count *= 2;
   }
-  const glm::mat3 frame = FrameFromNormal(place.Normal);
-  const OwenSobolSequence sequence(HashPoint(place.Position, place.Normal));
+  const glm::mat3 frame = FrameFromNormal(point.Normal);
+  const OwenSobolSequence sequence(HashPoint(point.Position, point.Normal));
   std::vector<glm::vec3> directions;
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const glm::vec2 at = sequence.At(i);
     directions.push_back(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
   }
-  std::vector<HemisphereSample> sights;
-  rays += this->Source.Gather(place.Position, place.Normal, directions, sights);
+  std::vector<HemisphereSample> samples;
+  rays += this->Source.Gather(point.Position, point.Normal, directions, samples);
   InterpolationResult result;
   const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
   float squares = 0.f;
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    result.Mean += sights[i].Radiance / static_cast<float>(count);
-    const glm::vec3 difference = sights[i].Radiance - sights[i ^ partner].Radiance;
+    result.Mean += samples[i].Radiance / static_cast<float>(count);
+    const glm::vec3 difference = samples[i].Radiance - samples[i ^ partner].Radiance;
     squares += glm::dot(difference, difference) / 6.f;
   }
   result.Error = std::sqrt(squares) / static_cast<float>(count);
@@ -121,9 +124,9 @@ InterpolationResult ViewRecords::Gather(
 
 float ViewRecords::PixelAt(glm::vec3 position) const
 {
-  const Camera& eye = this->Rays.GetScene().ViewCamera;
-  const double depth = eye.Parallel ? 1.0 : eye.Depth(position);
-  return static_cast<float>(eye.PixelSize * std::abs(depth));
+  const Camera& camera = this->Rays.GetScene().ViewCamera;
+  const double depth = camera.Parallel ? 1.0 : camera.Depth(position);
+  return static_cast<float>(camera.PixelSize * std::abs(depth));
 }
 
 }

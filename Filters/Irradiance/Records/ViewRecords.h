@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The records of one picture: made level by level over its pixels, or where a question finds none; looked
-// up in space, or in the picture.
+// Records of one view, made level by level over its pixels or lazily by queries, and looked up in
+// world space or in screen space.
 #ifndef penumbra_ViewRecords_h
 #define penumbra_ViewRecords_h
 
@@ -20,25 +20,26 @@ class RayScene;
 class ViewRecords
 {
 public:
-  /// `rays` and `gatherer` must outlive this object.
-  /// `onScreen`: the cache of screen space, without `initial` records.
+  /// `rays` and `gatherer` must outlive this object. If `onScreen` is true, uses the screen-space
+  /// cache and ignores the `initial` records.
   ViewRecords(const RayScene& rays, const Gatherer& gatherer,
     const RecordPlacementSettings& settings, float normalAngle, bool onScreen,
     const std::vector<Record>& initial);
 
-  /// All records of the picture. False when `progress` stopped it.
+  /// Makes all records of the image. Returns false if `progress` requested a stop.
   bool PlaceLevels(const ProgressCallback& progress);
 
-  InterpolationResult LookUp(const ShadingPoint& place) const
+  InterpolationResult LookUp(const ShadingPoint& point) const
   {
-    return this->Screen ? this->Screen->LookUp(place) : this->Tree.LookUp(place);
+    return this->Screen ? this->Screen->LookUp(point) : this->Tree.LookUp(point);
   }
 
-  /// The same in world space; makes a record where none serves [IC].
-  InterpolationResult LookUpOrGather(const ShadingPoint& place);
+  /// Looks up `point` in world space and makes a record there if none is valid [IC].
+  InterpolationResult LookUpOrGather(const ShadingPoint& point);
 
-  /// Without records, to about the error `tolerance`; adds its rays to `rays`.
-  InterpolationResult Gather(const ShadingPoint& place, double tolerance, long long& rays) const;
+  /// Gathers at `point` without records, to an error of about `tolerance`. Adds the number of rays
+  /// to `rays`.
+  InterpolationResult Gather(const ShadingPoint& point, double tolerance, long long& rays) const;
 
   const std::vector<Record>& GetRecords() const
   {
@@ -51,7 +52,7 @@ public:
   }
   long long GetRays() const
   {
-    return this->Screen ? this->Screen->GetRays() : this->Places.GetRays() + this->LazyRays;
+    return this->Screen ? this->Screen->GetRays() : this->Placement.GetRays() + this->LazyRays;
   }
 
 private:
@@ -60,9 +61,9 @@ private:
   const RayScene& Rays;
   const Gatherer& Source;
   RecordOctree Tree;
-  RecordPlacement Places;
-  std::unique_ptr<ScreenSpaceRecords> Screen; ///< null: world space
-  std::mutex Lock;                            ///< of Tree and LazyRays in LookUpOrGather()
+  RecordPlacement Placement;
+  std::unique_ptr<ScreenSpaceRecords> Screen; ///< null in world space
+  std::mutex Lock;                            ///< guards Tree and LazyRays in LookUpOrGather()
   long long LazyRays = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light from cache and brute force against closed forms and against independent paths.
+// Compares irradiance from the cache and from brute force with closed forms and with path tracing.
 #include "BruteForce/PathTracer.h"
 #include "Records/PixelCandidates.h"
 #include "Scenes/Solids.h"
@@ -29,8 +29,8 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int Size = 64;
 
-/// What a picture of `scene` sees at some of its pixels.
-std::vector<RecordCandidate> SitesOf(const RayScene& rays, int levels)
+/// Returns the visible points of the first `levels` levels of pixels.
+std::vector<RecordCandidate> FindVisiblePoints(const RayScene& rays, int levels)
 {
   std::vector<RecordCandidate> all;
   for (int level = 0; level < levels; ++level)
@@ -41,7 +41,7 @@ std::vector<RecordCandidate> SitesOf(const RayScene& rays, int levels)
   return all;
 }
 
-glm::dvec3 Ask(const vtkPenumbraIrradianceProvider* source, const Scene& scene,
+glm::dvec3 QueryIrradiance(const vtkPenumbraIrradianceProvider* source, const Scene& scene,
   const RecordCandidate& site, double tolerance = .01)
 {
   const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
@@ -50,32 +50,32 @@ glm::dvec3 Ask(const vtkPenumbraIrradianceProvider* source, const Scene& scene,
   return { light.Value[0], light.Value[1], light.Value[2] };
 }
 
-double CountOf(const vtkPenumbraIrradianceCache* cache, const char* name)
+double GetStatistic(const vtkPenumbraIrradianceCache* cache, const char* name)
 {
   vtkNew<vtkFieldData> statistics;
   cache->Report(statistics);
   return statistics->GetArray(name)->GetComponent(0, 0);
 }
 
-/// The room of the benchmark.
+/// The Cornell-like box of the benchmark.
 struct Room
 {
   explicit Room(int size)
-    : Truth{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) }
+    : Reference{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) }
   {
-    AddSurfaces(this->Drawn, this->Truth.Panels);
-    LookAt(this->Drawn, { .51, -1.3, .47 }, { .5, 0.0, .5 }, 41.0, size, size);
+    AddSurfaces(this->SceneData, this->Reference.Panels);
+    LookAt(this->SceneData, { .51, -1.3, .47 }, { .5, 0.0, .5 }, 41.0, size, size);
   }
 
   IlluminationSettings Light() const
   {
     IlluminationSettings settings;
-    settings.Albedo = static_cast<float>(this->Truth.Albedo);
-    settings.Bounces = this->Truth.Bounces;
+    settings.Albedo = static_cast<float>(this->Reference.Albedo);
+    settings.Bounces = this->Reference.Bounces;
     return settings;
   }
 
-  /// RMSE over the root mean square of the truth.
+  /// Returns the RMSE over the root mean square of the reference.
   double RelativeError(const vtkPenumbraIrradianceProvider* source,
     const std::vector<RecordCandidate>& sites, int paths) const
   {
@@ -83,22 +83,23 @@ struct Room
     double size = 0.0;
     for (std::size_t i = 0; i < sites.size(); ++i)
     {
-      const glm::dvec3 world = glm::dvec3(sites[i].Position) + this->Drawn.Origin;
-      const glm::dvec3 truth = this->Truth.Irradiance(world, glm::dvec3(sites[i].Normal), paths, i);
-      const glm::dvec3 error = Ask(source, this->Drawn, sites[i], .02) - truth;
+      const glm::dvec3 world = glm::dvec3(sites[i].Position) + this->SceneData.Origin;
+      const glm::dvec3 reference =
+        this->Reference.Irradiance(world, glm::dvec3(sites[i].Normal), paths, i);
+      const glm::dvec3 error = QueryIrradiance(source, this->SceneData, sites[i], .02) - reference;
       square += glm::dot(error, error);
-      size += glm::dot(truth, truth);
+      size += glm::dot(reference, reference);
     }
     return std::sqrt(square / size);
   }
 
-  PathTracer Truth;
-  Scene Drawn;
+  PathTracer Reference;
+  Scene SceneData;
 };
 
 }
 
-TEST(Irradiance, IsExactInAFurnace)
+TEST(Irradiance, IsExactInFurnace)
 {
   for (const double albedo : { .5, .8 })
   {
@@ -123,20 +124,20 @@ TEST(Irradiance, IsExactInAFurnace)
         static_cast<vtkPenumbraIrradianceProvider*>(brute.Get()) })
     {
       ASSERT_TRUE(source->BeginIrradiance(light, .1));
-      // Light of 0 to 5 reflections arrives.
-      const double truth = Pi * (1.0 - std::pow(albedo, 6)) / (1.0 - albedo);
-      for (const RecordCandidate& site : SitesOf(rays, 3))
+      // Incident light after 0 to 5 reflections.
+      const double reference = Pi * (1.0 - std::pow(albedo, 6)) / (1.0 - albedo);
+      for (const RecordCandidate& site : FindVisiblePoints(rays, 3))
       {
-        const glm::dvec3 found = Ask(source, scene, site);
-        EXPECT_NEAR(found.x / truth, 1.0, 5e-4);
-        EXPECT_NEAR(found.y / truth, 2.0, 1e-3);
-        EXPECT_NEAR(found.z / truth, .5, 2.5e-4);
+        const glm::dvec3 found = QueryIrradiance(source, scene, site);
+        EXPECT_NEAR(found.x / reference, 1.0, 5e-4);
+        EXPECT_NEAR(found.y / reference, 2.0, 1e-3);
+        EXPECT_NEAR(found.z / reference, .5, 2.5e-4);
       }
     }
   }
 }
 
-TEST(Irradiance, UnderASkyIsWhatOcclusionLeavesOfIt)
+TEST(Irradiance, IsComplementOfOcclusionUnderUniformSky)
 {
   Scene scene;
   AddFloor(scene, 1000.f);
@@ -153,7 +154,7 @@ TEST(Irradiance, UnderASkyIsWhatOcclusionLeavesOfIt)
   vtkNew<vtkPenumbraIrradianceCache> cache;
   ASSERT_TRUE(cache->BeginIrradiance(light, .006 * Pi));
   double square = 0.0;
-  const std::vector<RecordCandidate> sites = SitesOf(rays, 9);
+  const std::vector<RecordCandidate> sites = FindVisiblePoints(rays, 9);
   for (const RecordCandidate& site : sites)
   {
     const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
@@ -161,7 +162,7 @@ TEST(Irradiance, UnderASkyIsWhatOcclusionLeavesOfIt)
     const double blocked = below
       ? 1.5 / std::pow(1.5 * 1.5 + world.x * world.x + world.y * world.y, 1.5)
       : .5 * (1.0 - site.Normal.z);
-    const glm::dvec3 found = Ask(cache, scene, site);
+    const glm::dvec3 found = QueryIrradiance(cache, scene, site);
     square += std::pow(found.x / Pi - (1.0 - blocked), 2.0);
     EXPECT_NEAR(found.y, .5 * found.x, 1e-4);
     EXPECT_EQ(found.z, 0.0);
@@ -169,73 +170,73 @@ TEST(Irradiance, UnderASkyIsWhatOcclusionLeavesOfIt)
   EXPECT_LE(std::sqrt(square / static_cast<double>(sites.size())), .01);
 }
 
-TEST(Irradiance, OfTheCacheAgreesWithIndependentPaths)
+TEST(Irradiance, FromCacheMatchesPathTracing)
 {
   const Room room(2 * Size);
-  const RayScene rays(room.Drawn, 0);
+  const RayScene rays(room.SceneData, 0);
   const Illumination light(rays, room.Light());
   vtkNew<vtkPenumbraIrradianceCache> cache;
-  cache->SetMinimumRadius(1.0); // of few pixels
+  cache->SetMinimumRadius(1.0); // the image has few pixels
   ASSERT_TRUE(cache->BeginIrradiance(light, .02 * Pi));
-  EXPECT_LE(room.RelativeError(cache, SitesOf(rays, 7), 500), .06);
-  EXPECT_LE(CountOf(cache, "Cache/Records"), 8000);
+  EXPECT_LE(room.RelativeError(cache, FindVisiblePoints(rays, 7), 500), .06);
+  EXPECT_LE(GetStatistic(cache, "Cache/Records"), 8000);
 }
 
-TEST(Irradiance, OfBruteForceAgreesWithIndependentPaths)
+TEST(Irradiance, FromBruteForceMatchesPathTracing)
 {
   const Room room(Size);
-  const RayScene rays(room.Drawn, 0);
+  const RayScene rays(room.SceneData, 0);
   const Illumination light(rays, room.Light());
   vtkNew<vtkPenumbraBruteForceIrradiance> source;
   ASSERT_TRUE(source->BeginIrradiance(light, .02));
-  EXPECT_LE(room.RelativeError(source, SitesOf(rays, 7), 1500), .05);
+  EXPECT_LE(room.RelativeError(source, FindVisiblePoints(rays, 7), 1500), .05);
 }
 
-TEST(Irradiance, DependsNotOnThreads)
+TEST(Irradiance, IsIndependentOfThreadCount)
 {
   const Room room(Size);
-  const RayScene rays(room.Drawn, 0);
+  const RayScene rays(room.SceneData, 0);
   const Illumination light(rays, room.Light());
-  std::vector<glm::dvec3> answers[2];
+  std::vector<glm::dvec3> values[2];
   for (const int threads : { 1, 5 })
   {
     vtkNew<vtkPenumbraIrradianceCache> cache;
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(threads), [&]() { cache->BeginIrradiance(light, .3); });
-    for (const RecordCandidate& site : SitesOf(rays, 6))
+    for (const RecordCandidate& site : FindVisiblePoints(rays, 6))
     {
-      answers[threads == 1 ? 0 : 1].push_back(Ask(cache, room.Drawn, site));
+      values[threads == 1 ? 0 : 1].push_back(QueryIrradiance(cache, room.SceneData, site));
     }
   }
-  EXPECT_EQ(answers[0], answers[1]);
+  EXPECT_EQ(values[0], values[1]);
 }
 
-TEST(Irradiance, IsFiniteInARoomWithALamp)
+TEST(Irradiance, IsFiniteNextToPositionalLight)
 {
-  // The lamp hangs so near to a wall that the wall shines much more there than anywhere else.
+  // The light is so near to a wall that the wall is much brighter there than elsewhere.
   Room room(Size);
-  penumbra::Light lamp;
-  lamp.Kind = penumbra::Light::Kinds::Positional;
-  lamp.Position = glm::vec3(glm::dvec3(.05, .5, .95) - room.Drawn.Origin);
-  room.Drawn.Lights.push_back(lamp);
-  const RayScene rays(room.Drawn, 0);
+  penumbra::Light positional;
+  positional.Kind = penumbra::Light::Kinds::Positional;
+  positional.Position = glm::vec3(glm::dvec3(.05, .5, .95) - room.SceneData.Origin);
+  room.SceneData.Lights.push_back(positional);
+  const RayScene rays(room.SceneData, 0);
   IlluminationSettings settings = room.Light();
   settings.Shadows = true;
   const Illumination light(rays, settings);
   vtkNew<vtkPenumbraIrradianceCache> cache;
   ASSERT_TRUE(cache->BeginIrradiance(light, .3));
-  for (const RecordCandidate& site : SitesOf(rays, 8))
+  for (const RecordCandidate& site : FindVisiblePoints(rays, 8))
   {
-    const glm::dvec3 found = Ask(cache, room.Drawn, site);
+    const glm::dvec3 found = QueryIrradiance(cache, room.SceneData, site);
     ASSERT_TRUE(std::isfinite(found.x + found.y + found.z));
     ASSERT_GE(std::min({ found.x, found.y, found.z }), 0.0);
   }
 }
 
-TEST(Irradiance, ComesOutAndGoesInAsRecords)
+TEST(Irradiance, RecordsRoundTripThroughPolyData)
 {
   const Room room(Size);
-  const RayScene rays(room.Drawn, 0);
+  const RayScene rays(room.SceneData, 0);
   const Illumination light(rays, room.Light());
   vtkNew<vtkPenumbraIrradianceCache> first;
   ASSERT_TRUE(first->BeginIrradiance(light, .3));
@@ -250,12 +251,12 @@ TEST(Irradiance, ComesOutAndGoesInAsRecords)
   ASSERT_TRUE(second->BeginIrradiance(light, .3));
   vtkNew<vtkPolyData> again;
   second->GetIrradianceRecords(again);
-  // Where records of the last level made others smaller, a few are missing.
+  // Records of the last level may have reduced the radii of others, which leaves small gaps.
   EXPECT_GE(again->GetNumberOfPoints(), records->GetNumberOfPoints());
   EXPECT_LE(again->GetNumberOfPoints(), 1.03 * records->GetNumberOfPoints());
 }
 
-TEST(Irradiance, OfASunInThePictureOfTheSkyHasSharpShadowsInTheCache)
+TEST(Irradiance, FromCacheHasSharpShadowsOfEnvironmentSun)
 {
   Scene scene;
   AddFloor(scene, 1000.f);
@@ -266,7 +267,7 @@ TEST(Irradiance, OfASunInThePictureOfTheSkyHasSharpShadowsInTheCache)
     surface.Front.DiffuseColor = glm::vec3(0.f);
   }
   const RayScene rays(scene, 0);
-  // A cap of half an angle of a degree about the zenith, as bright as it is small; .3 elsewhere.
+  // Bright cap of half a degree about the zenith; radiance 0.3 elsewhere.
   constexpr int Rows = 360;
   std::vector<glm::vec3> sky(2 * static_cast<std::size_t>(Rows), glm::vec3(.3f));
   sky[2 * Rows - 2] = sky[2 * Rows - 1] = glm::vec3(3e4f);
@@ -279,21 +280,21 @@ TEST(Irradiance, OfASunInThePictureOfTheSkyHasSharpShadowsInTheCache)
   ASSERT_TRUE(cache->BeginIrradiance(Illumination(rays, settings), .01 * Pi));
   double square = 0.0;
   double count = 0.0;
-  for (const RecordCandidate& site : SitesOf(rays, 9))
+  for (const RecordCandidate& site : FindVisiblePoints(rays, 9))
   {
     const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
     const double d = std::hypot(world.x, world.y);
-    if (world.z > 1e-3 || std::abs(d - .8) < .03) // the disc; the rim of its shadow
+    if (world.z > 1e-3 || std::abs(d - .8) < .03) // the disc, and the edge of its shadow
     {
       continue;
     }
     const double u = 1.0 + d * d - .64;
     const double v = 1.0 + d * d + .64;
     const double blocked = .5 * (1.0 - u / std::sqrt(v * v - 4.0 * d * d * .64));
-    const double truth = .3 * Pi * (1.0 - blocked) + (d > .8 ? sun : 0.0);
-    const glm::dvec3 found = Ask(cache, scene, site, .01);
-    EXPECT_NEAR(found.x, truth, .05);
-    square += std::pow(found.x - truth, 2.0);
+    const double reference = .3 * Pi * (1.0 - blocked) + (d > .8 ? sun : 0.0);
+    const glm::dvec3 found = QueryIrradiance(cache, scene, site, .01);
+    EXPECT_NEAR(found.x, reference, .05);
+    square += std::pow(found.x - reference, 2.0);
     count += 1.0;
   }
   EXPECT_LE(std::sqrt(square / count), .02);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cache against closed forms, over all pixels of a picture.
+// Compares the cache with closed forms over all pixels of an image.
 #include "vtkPenumbraIrradianceCache.h"
 
 #include "ClosedForms/FalloffOcclusion.h"
@@ -30,11 +30,11 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int Size = 256;
 
-/// Every place that the picture sees at its pixel centres, all levels of sites together.
-std::vector<RecordCandidate> AllSites(const RayScene& rays)
+/// Returns the visible points of all levels of candidates.
+std::vector<RecordCandidate> FindVisiblePoints(const RayScene& rays)
 {
   std::vector<RecordCandidate> all;
-  for (int level = 0; level < PictureLevels; ++level)
+  for (int level = 0; level < ImageLevels; ++level)
   {
     const std::vector<RecordCandidate> sites = CandidatesInImage(rays, level);
     all.insert(all.end(), sites.begin(), sites.end());
@@ -42,45 +42,47 @@ std::vector<RecordCandidate> AllSites(const RayScene& rays)
   return all;
 }
 
-/// What a picture looks at: places, and the scene that they lie in.
+/// Visible points and their scene.
 struct View
 {
-  const Scene& Seen;
+  const Scene& SceneData;
   std::vector<RecordCandidate> Sites;
 
   glm::dvec3 World(const RecordCandidate& site) const
   {
-    return glm::dvec3(site.Position) / this->Seen.Scale + this->Seen.Origin;
+    return glm::dvec3(site.Position) / this->SceneData.Scale + this->SceneData.Origin;
   }
 };
 
-double Ask(const vtkPenumbraIrradianceCache* cache, glm::dvec3 position,
+double QueryOcclusion(const vtkPenumbraIrradianceCache* cache, glm::dvec3 position,
   glm::dvec3 normal = { 0.0, 0.0, 1.0 })
 {
   return cache->Occlusion(&position.x, &normal.x).Value;
 }
 
-using Truth = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
+using Reference = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
 
-double ErrorOf(const vtkPenumbraIrradianceCache* cache, const View& view, const Truth& truth)
+double ComputeRmse(
+  const vtkPenumbraIrradianceCache* cache, const View& view, const Reference& reference)
 {
   double square = 0.0;
   for (const RecordCandidate& site : view.Sites)
   {
     const glm::dvec3 world = view.World(site);
-    square += std::pow(Ask(cache, world, site.Normal) - truth(world, site.Normal), 2.0);
+    square +=
+      std::pow(QueryOcclusion(cache, world, site.Normal) - reference(world, site.Normal), 2.0);
   }
   return std::sqrt(square / static_cast<double>(view.Sites.size()));
 }
 
-double CountOf(const vtkPenumbraIrradianceCache* cache, const char* name)
+double GetStatistic(const vtkPenumbraIrradianceCache* cache, const char* name)
 {
   vtkNew<vtkFieldData> statistics;
   cache->Report(statistics);
   return statistics->GetArray(name)->GetComponent(0, 0);
 }
 
-/// A unit sphere with its centre at height h above a floor, and the view of the benchmark.
+/// Makes a unit sphere with its center at height h above a floor, seen as in the benchmark.
 void MakeSphereScene(Scene& scene, double h)
 {
   AddFloor(scene, 1000.f);
@@ -88,7 +90,7 @@ void MakeSphereScene(Scene& scene, double h)
   LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, Size, Size);
 }
 
-Truth TruthBelowSphere(double h)
+Reference SphereReference(double h)
 {
   return [h](glm::dvec3 position, glm::dvec3 normal) {
     const double square = position.x * position.x + position.y * position.y;
@@ -99,47 +101,47 @@ Truth TruthBelowSphere(double h)
 
 }
 
-TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceUnderASphere)
+TEST(vtkPenumbraIrradianceCache, MeetsToleranceUnderSphere)
 {
   for (const double h : { 1.0, 1.5 })
   {
     Scene scene;
     MakeSphereScene(scene, h);
     const RayScene rays(scene, 0);
-    const View view{ scene, AllSites(rays) };
+    const View view{ scene, FindVisiblePoints(rays) };
     for (const double tolerance : { .02, .005 })
     {
       vtkNew<vtkPenumbraIrradianceCache> cache;
       cache->SetTolerance(tolerance);
       cache->Begin(rays, Infinity, .01);
-      EXPECT_LE(ErrorOf(cache, view, TruthBelowSphere(h)), tolerance) << h << " " << tolerance;
-      EXPECT_LE(CountOf(cache, "Cache/Records"), 500) << h << " " << tolerance;
-      EXPECT_LE(CountOf(cache, "Rays/Gather"), 600000) << h << " " << tolerance;
+      EXPECT_LE(ComputeRmse(cache, view, SphereReference(h)), tolerance) << h << " " << tolerance;
+      EXPECT_LE(GetStatistic(cache, "Cache/Records"), 500) << h << " " << tolerance;
+      EXPECT_LE(GetStatistic(cache, "Rays/Gather"), 600000) << h << " " << tolerance;
     }
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceInScreenSpace)
+TEST(vtkPenumbraIrradianceCache, MeetsToleranceInScreenSpace)
 {
   for (const double h : { 1.0, 1.5 })
   {
     Scene scene;
     MakeSphereScene(scene, h);
     const RayScene rays(scene, 0);
-    const View view{ scene, AllSites(rays) };
+    const View view{ scene, FindVisiblePoints(rays) };
     for (const double tolerance : { .02, .005 })
     {
       vtkNew<vtkPenumbraIrradianceCache> cache;
       cache->SetSpace(vtkPenumbraIrradianceCache::SCREEN);
       cache->SetTolerance(tolerance);
       cache->Begin(rays, Infinity, .01);
-      EXPECT_LE(ErrorOf(cache, view, TruthBelowSphere(h)), tolerance) << h << " " << tolerance;
-      EXPECT_LE(CountOf(cache, "Cache/Records"), 1000) << h << " " << tolerance;
+      EXPECT_LE(ComputeRmse(cache, view, SphereReference(h)), tolerance) << h << " " << tolerance;
+      EXPECT_LE(GetStatistic(cache, "Cache/Records"), 1000) << h << " " << tolerance;
     }
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, AnswersByRaysWhatThePictureDoesNotSeeInScreenSpace)
+TEST(vtkPenumbraIrradianceCache, TracesRaysForInvisiblePointsInScreenSpace)
 {
   Scene scene;
   MakeSphereScene(scene, 1.5);
@@ -148,23 +150,24 @@ TEST(vtkPenumbraIrradianceCache, AnswersByRaysWhatThePictureDoesNotSeeInScreenSp
   cache->SetSpace(vtkPenumbraIrradianceCache::SCREEN);
   cache->SetTolerance(.005);
   cache->Begin(rays, Infinity, .01);
-  const Truth truth = TruthBelowSphere(1.5);
-  const glm::dvec3 places[] = { { 0.0, 1.0, 1.5 }, { 0.0, 4.0, 0.0 }, { 0.0, -9.0, 0.0 },
-    { 30.0, 0.0, 0.0 } }; // behind the sphere, on it and below; behind the eye; beside the picture
-  for (const glm::dvec3& place : places)
+  const Reference reference = SphereReference(1.5);
+  const glm::dvec3 points[] = { { 0.0, 1.0, 1.5 }, { 0.0, 4.0, 0.0 }, { 0.0, -9.0, 0.0 },
+    { 30.0, 0.0, 0.0 } }; // behind and below the sphere; behind the camera; outside of the image
+  for (const glm::dvec3& point : points)
   {
-    const bool onSphere = place.z > 0.0;
+    const bool onSphere = point.z > 0.0;
     const glm::dvec3 normal(0.0, onSphere ? 1.0 : 0.0, onSphere ? 0.0 : 1.0);
-    EXPECT_NEAR(Ask(cache, place, normal), truth(place, normal), .02) << place.x << " " << place.y;
+    EXPECT_NEAR(QueryOcclusion(cache, point, normal), reference(point, normal), .02)
+      << point.x << " " << point.y;
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, StaysNearTheTruthWithTheRadiiOfThePaper)
+TEST(vtkPenumbraIrradianceCache, BoundsErrorWithSplitSphereRadii)
 {
   Scene scene;
   MakeSphereScene(scene, 1.5);
   const RayScene rays(scene, 0);
-  const View view{ scene, AllSites(rays) };
+  const View view{ scene, FindVisiblePoints(rays) };
   for (const int rule :
     { vtkPenumbraIrradianceCache::NEAREST_HIT, vtkPenumbraIrradianceCache::HARMONIC_MEAN })
   {
@@ -172,18 +175,18 @@ TEST(vtkPenumbraIrradianceCache, StaysNearTheTruthWithTheRadiiOfThePaper)
     cache->SetRadiusRule(rule);
     cache->SetTolerance(.01);
     cache->Begin(rays, Infinity, .01);
-    EXPECT_LE(ErrorOf(cache, view, TruthBelowSphere(1.5)), .03) << rule;
+    EXPECT_LE(ComputeRmse(cache, view, SphereReference(1.5)), .03) << rule;
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallAndInACorner)
+TEST(vtkPenumbraIrradianceCache, MeetsToleranceNextToWallAndInCorner)
 {
   constexpr float Far = 1000.f;
   Scene wall; // 1 high
   AddFloor(wall, Far);
   AddRectangle(wall, { -Far, 0, 0 }, { 2 * Far, 0, 0 }, { 0, 0, 1 });
   LookAt(wall, { 0, -4, 3 }, { 0, -.5, 0 }, 45.0, Size, Size);
-  Scene corner; // of walls without an end: nothing changes from the floor's corner on
+  Scene corner; // with very large walls: occlusion is constant on the floor
   AddFloor(corner, Far);
   AddRectangle(corner, { -Far, 0, 0 }, { 2 * Far, 0, 0 }, { 0, 0, Far });
   AddRectangle(corner, { 0, -Far, 0 }, { 0, 2 * Far, 0 }, { 0, 0, Far });
@@ -192,14 +195,14 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallAndInACorner)
   {
     const RayScene rays(*scene, 0);
     View view{ *scene, {} };
-    for (const RecordCandidate& site : CandidatesInImage(rays, PictureLevels - 3))
+    for (const RecordCandidate& site : CandidatesInImage(rays, ImageLevels - 3))
     {
       if (site.Normal.z > .9f)
       {
         view.Sites.push_back(site);
       }
     }
-    const Truth truth = [&](glm::dvec3 at, glm::dvec3) {
+    const Reference reference = [&](glm::dvec3 at, glm::dvec3) {
       return scene == &wall ? .5 * (1.0 - std::abs(at.y) / std::hypot(at.y, 1.0)) : .75;
     };
     for (const int space :
@@ -209,14 +212,14 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallAndInACorner)
       cache->SetSpace(space);
       cache->SetTolerance(.005);
       cache->Begin(rays, Infinity, .01);
-      EXPECT_LE(ErrorOf(cache, view, truth), .005) << (scene == &wall) << " " << space;
+      EXPECT_LE(ComputeRmse(cache, view, reference), .005) << (scene == &wall) << " " << space;
     }
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, LetsNoFarRecordThatMissesEverythingOverruleNearOnes)
+TEST(vtkPenumbraIrradianceCache, PrefersNearRecordsToFarRecordsWithoutHits)
 {
-  // A plate is seen edge-on from far away: the rays of records there pass above and below it.
+  // The plate is edge-on for far points: the rays of their records pass above and below it.
   Scene scene;
   AddFloor(scene, 1000.f);
   AddRectangle(scene, { -1, -.5, 1 }, { 2, 0, 0 }, { 0, 1, 0 });
@@ -227,7 +230,7 @@ TEST(vtkPenumbraIrradianceCache, LetsNoFarRecordThatMissesEverythingOverruleNear
     const double v = std::hypot(1.0, b);
     return (a / u * std::atan(b / u) + b / v * std::atan(a / v)) / (2.0 * std::acos(-1.0));
   };
-  const Truth truth = [&](glm::dvec3 at, glm::dvec3 normal) {
+  const Reference reference = [&](glm::dvec3 at, glm::dvec3 normal) {
     return normal.z < 0.0 ? 1.0
                           : corner(at.x + 1.0, at.y + .5) - corner(at.x - 1.0, at.y + .5) -
         corner(at.x + 1.0, at.y - .5) + corner(at.x - 1.0, at.y - .5);
@@ -235,10 +238,10 @@ TEST(vtkPenumbraIrradianceCache, LetsNoFarRecordThatMissesEverythingOverruleNear
   vtkNew<vtkPenumbraIrradianceCache> cache;
   cache->SetTolerance(.01);
   cache->Begin(rays, Infinity, .02);
-  EXPECT_LE(ErrorOf(cache, { scene, AllSites(rays) }, truth), .01);
+  EXPECT_LE(ComputeRmse(cache, { scene, FindVisiblePoints(rays) }, reference), .01);
 }
 
-TEST(vtkPenumbraIrradianceCache, IsExactInTheOpenAndInAClosedBox)
+TEST(vtkPenumbraIrradianceCache, IsExactWithoutOccludersAndInClosedBox)
 {
   Scene open;
   AddFloor(open, 100.f);
@@ -249,7 +252,7 @@ TEST(vtkPenumbraIrradianceCache, IsExactInTheOpenAndInAClosedBox)
   for (const Scene* scene : { &open, &box })
   {
     const RayScene rays(*scene, 0);
-    const View view{ *scene, AllSites(rays) };
+    const View view{ *scene, FindVisiblePoints(rays) };
     for (const int space :
       { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
     {
@@ -258,21 +261,21 @@ TEST(vtkPenumbraIrradianceCache, IsExactInTheOpenAndInAClosedBox)
       cache->Begin(rays, Infinity, .01);
       for (const RecordCandidate& site : view.Sites)
       {
-        ASSERT_EQ(Ask(cache, view.World(site), site.Normal), scene == &open ? 0.0 : 1.0);
+        ASSERT_EQ(QueryOcclusion(cache, view.World(site), site.Normal), scene == &open ? 0.0 : 1.0);
       }
     }
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, DependsNeitherOnThreadsNorOnTheOrderOfQuestions)
+TEST(vtkPenumbraIrradianceCache, IsIndependentOfThreadCountAndQueryOrder)
 {
   Scene scene;
   MakeSphereScene(scene, 1.0);
   const RayScene rays(scene, 0);
-  const View view{ scene, AllSites(rays) };
+  const View view{ scene, FindVisiblePoints(rays) };
   for (const int space : { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
   {
-    std::vector<double> answers[2];
+    std::vector<double> values[2];
     for (const int threads : { 1, 5 })
     {
       vtkNew<vtkPenumbraIrradianceCache> cache;
@@ -282,17 +285,18 @@ TEST(vtkPenumbraIrradianceCache, DependsNeitherOnThreadsNorOnTheOrderOfQuestions
       for (std::size_t i = 0; i < view.Sites.size(); ++i)
       {
         const RecordCandidate& site = view.Sites[threads == 1 ? i : view.Sites.size() - 1 - i];
-        answers[threads == 1 ? 0 : 1].push_back(Ask(cache, view.World(site), site.Normal));
+        values[threads == 1 ? 0 : 1].push_back(
+          QueryOcclusion(cache, view.World(site), site.Normal));
       }
     }
-    std::reverse(answers[1].begin(), answers[1].end());
-    EXPECT_EQ(answers[0], answers[1]);
+    std::reverse(values[1].begin(), values[1].end());
+    EXPECT_EQ(values[0], values[1]);
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, DoesNotLeakThroughAThinWall)
+TEST(vtkPenumbraIrradianceCache, DoesNotInterpolateThroughThinWall)
 {
-  // Two rooms side by side, a sheet between them; the left one has a lid close above.
+  // Two rooms separated by a thin wall; the left one has a low ceiling.
   Scene scene;
   AddFloor(scene, 4.f);
   AddRectangle(scene, { 0.f, -4.f, 0.f }, { 0.f, 8.f, 0.f }, { 0.f, 0.f, 4.f });
@@ -303,15 +307,16 @@ TEST(vtkPenumbraIrradianceCache, DoesNotLeakThroughAThinWall)
   cache->Begin(rays, Infinity, .01);
   for (int i = 1; i < 100; ++i)
   {
-    EXPECT_GT(Ask(cache, { -.01 * i, -3.0, 0.0 }), .75) << i; // under the lid, mostly blocked
+    EXPECT_GT(QueryOcclusion(cache, { -.01 * i, -3.0, 0.0 }), .75)
+      << i; // under the ceiling, mostly occluded
   }
   for (int i = 1; i < 30; ++i)
   {
-    EXPECT_LT(Ask(cache, { .01 * i, 0.0, 0.0 }), .52) << i; // at the foot of a wall
+    EXPECT_LT(QueryOcclusion(cache, { .01 * i, 0.0, 0.0 }), .52) << i; // next to the wall
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, GivesRecordsOutAndTakesThemIn)
+TEST(vtkPenumbraIrradianceCache, RecordsRoundTripThroughPolyData)
 {
   Scene scene;
   MakeSphereScene(scene, 1.0);
@@ -328,8 +333,8 @@ TEST(vtkPenumbraIrradianceCache, GivesRecordsOutAndTakesThemIn)
   vtkNew<vtkPenumbraIrradianceCache> second;
   second->SetInitialRecords(records);
   second->Begin(rays, 1.0, .02);
-  EXPECT_EQ(CountOf(second, "Cache/Records"), CountOf(first, "Cache/Records"));
-  EXPECT_EQ(CountOf(second, "Rays/Gather"), 0);
+  EXPECT_EQ(GetStatistic(second, "Cache/Records"), GetStatistic(first, "Cache/Records"));
+  EXPECT_EQ(GetStatistic(second, "Rays/Gather"), 0);
   vtkNew<vtkPolyData> again;
   second->GetRecords(again);
   for (vtkIdType i = 0; i < records->GetNumberOfPoints(); ++i)
@@ -340,12 +345,12 @@ TEST(vtkPenumbraIrradianceCache, GivesRecordsOutAndTakesThemIn)
   const View view{ scene, CandidatesInImage(rays, 6) };
   for (const RecordCandidate& site : view.Sites)
   {
-    EXPECT_NEAR(
-      Ask(second, view.World(site), site.Normal), Ask(first, view.World(site), site.Normal), 1e-3);
+    EXPECT_NEAR(QueryOcclusion(second, view.World(site), site.Normal),
+      QueryOcclusion(first, view.World(site), site.Normal), 1e-3);
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, TakesRecordsAnewThatWereEditedInPlace)
+TEST(vtkPenumbraIrradianceCache, ReloadsModifiedInitialRecords)
 {
   Scene scene;
   MakeSphereScene(scene, 1.0);
@@ -365,7 +370,7 @@ TEST(vtkPenumbraIrradianceCache, TakesRecordsAnewThatWereEditedInPlace)
   EXPECT_NEAR(again->GetPointData()->GetArray("AmbientOcclusion")->GetComponent(7, 0), .25, 1e-6);
 }
 
-TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceInTheLazyOrder)
+TEST(vtkPenumbraIrradianceCache, MeetsToleranceInLazyOrder)
 {
   Scene scene;
   MakeSphereScene(scene, 1.5);
@@ -374,12 +379,12 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceInTheLazyOrder)
   cache->SetOrder(vtkPenumbraIrradianceCache::LAZY);
   cache->SetTolerance(.01);
   cache->Begin(rays, Infinity, .01);
-  EXPECT_EQ(CountOf(cache, "Cache/Records"), 0);
-  EXPECT_LE(ErrorOf(cache, { scene, AllSites(rays) }, TruthBelowSphere(1.5)), .02);
-  EXPECT_GT(CountOf(cache, "Cache/Records"), 50);
+  EXPECT_EQ(GetStatistic(cache, "Cache/Records"), 0);
+  EXPECT_LE(ComputeRmse(cache, { scene, FindVisiblePoints(rays) }, SphereReference(1.5)), .02);
+  EXPECT_GT(GetStatistic(cache, "Cache/Records"), 50);
 }
 
-TEST(vtkPenumbraIrradianceCache, MakesItsRecordsOnceForAllPartsOfAPicture)
+TEST(vtkPenumbraIrradianceCache, ReusesRecordsForSameScene)
 {
   Scene scene;
   MakeSphereScene(scene, 1.0);
@@ -391,29 +396,29 @@ TEST(vtkPenumbraIrradianceCache, MakesItsRecordsOnceForAllPartsOfAPicture)
     return false;
   };
   ASSERT_TRUE(cache->Begin(rays, 1.0, .02, count));
-  const int callsOfTheFirst = calls;
-  EXPECT_GT(callsOfTheFirst, 0);
+  const int firstCalls = calls;
+  EXPECT_GT(firstCalls, 0);
   ASSERT_TRUE(cache->Begin(rays, 1.0, .02, count));
-  EXPECT_EQ(calls, callsOfTheFirst);
+  EXPECT_EQ(calls, firstCalls);
   const RayScene another(scene, 0);
   ASSERT_TRUE(cache->Begin(another, 1.0, .02, count));
-  EXPECT_EQ(calls, 2 * callsOfTheFirst);
+  EXPECT_EQ(calls, 2 * firstCalls);
 }
 
-TEST(vtkPenumbraIrradianceCache, BeginsAnewAfterItWasStopped)
+TEST(vtkPenumbraIrradianceCache, RestartsAfterStop)
 {
   Scene scene;
   MakeSphereScene(scene, 1.0);
   const RayScene rays(scene, 0);
   vtkNew<vtkPenumbraIrradianceCache> cache;
-  EXPECT_FALSE(cache->Begin(rays, 1.0, .02, [](double share) { return share > .3; }));
+  EXPECT_FALSE(cache->Begin(rays, 1.0, .02, [](double fraction) { return fraction > .3; }));
   vtkNew<vtkPenumbraIrradianceCache> fresh;
   ASSERT_TRUE(cache->Begin(rays, 1.0, .02));
   ASSERT_TRUE(fresh->Begin(rays, 1.0, .02));
-  EXPECT_EQ(CountOf(cache, "Cache/Records"), CountOf(fresh, "Cache/Records"));
+  EXPECT_EQ(GetStatistic(cache, "Cache/Records"), GetStatistic(fresh, "Cache/Records"));
 }
 
-TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallThatFallsOff)
+TEST(vtkPenumbraIrradianceCache, MeetsToleranceNextToWallWithFalloff)
 {
   Scene scene;
   AddFloor(scene, 1000.f);
@@ -421,7 +426,7 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallThatFallsOff)
   LookAt(scene, { 0, -4, 3 }, { 0, -.5, 0 }, 45.0, Size, Size);
   const RayScene rays(scene, 0);
   View view{ scene, {} };
-  for (const RecordCandidate& site : CandidatesInImage(rays, PictureLevels - 3))
+  for (const RecordCandidate& site : CandidatesInImage(rays, ImageLevels - 3))
   {
     if (site.Normal.z > .9f)
     {
@@ -433,34 +438,34 @@ TEST(vtkPenumbraIrradianceCache, KeepsItsToleranceBeforeAWallThatFallsOff)
     for (const double radius : { .5, 2.0 })
     {
       const FadingOcclusion fading{ radius, PowersOfFalloffs[falloff] };
-      const Truth truth = [&](glm::dvec3 at, glm::dvec3) {
+      const Reference reference = [&](glm::dvec3 at, glm::dvec3) {
         return fading.BeforeWall(std::abs(at.y));
       };
       vtkNew<vtkPenumbraIrradianceCache> cache;
       cache->SetTolerance(.01);
       cache->Begin(rays, { radius, falloff }, .02);
-      EXPECT_LE(ErrorOf(cache, view, truth), .01) << falloff << " " << radius;
-      EXPECT_LE(CountOf(cache, "Cache/Records"), 1500) << falloff << " " << radius;
+      EXPECT_LE(ComputeRmse(cache, view, reference), .01) << falloff << " " << radius;
+      EXPECT_LE(GetStatistic(cache, "Cache/Records"), 1500) << falloff << " " << radius;
     }
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, MakesNewRecordsForAnotherFalloff)
+TEST(vtkPenumbraIrradianceCache, RebuildsRecordsForNewFalloff)
 {
   Scene scene;
   MakeSphereScene(scene, 1.0);
   const RayScene rays(scene, 0);
   vtkNew<vtkPenumbraIrradianceCache> cache;
-  const glm::dvec3 beside(1.2, 0.0, 0.0);
+  const glm::dvec3 point(1.2, 0.0, 0.0);
   cache->Begin(rays, 2.0, .02);
-  const double whole = Ask(cache, beside);
+  const double whole = QueryOcclusion(cache, point);
   cache->Begin(rays, { 2.0, vtkPenumbraIrradianceProvider::LINEAR }, .02);
-  EXPECT_LT(Ask(cache, beside), .8 * whole);
+  EXPECT_LT(QueryOcclusion(cache, point), .8 * whole);
   cache->Begin(rays, 2.0, .02);
-  EXPECT_EQ(Ask(cache, beside), whole);
+  EXPECT_EQ(QueryOcclusion(cache, point), whole);
 }
 
-TEST(vtkPenumbraIrradianceCache, DoesNotReachFromAPlateIntoAShallowPocket)
+TEST(vtkPenumbraIrradianceCache, DoesNotInterpolateFromPlateIntoShallowPocket)
 {
   constexpr float Far = 1000.f;
   constexpr float Half = .3f;
@@ -477,7 +482,7 @@ TEST(vtkPenumbraIrradianceCache, DoesNotReachFromAPlateIntoAShallowPocket)
   LookAt(scene, { 0, -2.4, 4 }, { 0, 0, 0 }, 45.0, Size, Size);
   const RayScene rays(scene, 0);
   View view{ scene, {} };
-  for (const RecordCandidate& site : AllSites(rays))
+  for (const RecordCandidate& site : FindVisiblePoints(rays))
   {
     const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
     if (site.Normal.z > .9f && world.z < -.5 * Depth)
@@ -486,13 +491,13 @@ TEST(vtkPenumbraIrradianceCache, DoesNotReachFromAPlateIntoAShallowPocket)
     }
   }
   ASSERT_GT(view.Sites.size(), 200u);
-  // What is open is a square above.
+  // The unoccluded part is a square above.
   const auto corner = [](double x, double y) {
     const double u = std::hypot(1.0, x);
     const double v = std::hypot(1.0, y);
     return (x / u * std::atan(y / u) + y / v * std::atan(x / v)) / (2.0 * 3.14159265358979);
   };
-  const Truth truth = [&](glm::dvec3 at, glm::dvec3) {
+  const Reference reference = [&](glm::dvec3 at, glm::dvec3) {
     const double x0 = (-Half - at.x) / Depth;
     const double x1 = (Half - at.x) / Depth;
     const double y0 = (-Half - at.y) / Depth;
@@ -502,42 +507,44 @@ TEST(vtkPenumbraIrradianceCache, DoesNotReachFromAPlateIntoAShallowPocket)
   vtkNew<vtkPenumbraIrradianceCache> cache;
   cache->SetTolerance(.01);
   cache->Begin(rays, Infinity, .02);
-  // Within five pixels of its walls it changes by half; with leaks this was .25.
-  EXPECT_LE(ErrorOf(cache, view, truth), .025);
+  // Occlusion changes by half within five pixels of the walls. Interpolation from the plate gave
+  // 0.25.
+  EXPECT_LE(ComputeRmse(cache, view, reference), .025);
 }
 
-TEST(vtkPenumbraIrradianceCache, TakesNoRecordFromTheLineOfACorner)
+TEST(vtkPenumbraIrradianceCache, PlacesNoRecordOnLineOfCorner)
 {
-  // The middle row of pixels meets the foot of a wall, which is a block without light in it.
+  // The center row of pixels hits the line of the corner between floor and wall.
   Scene scene;
   AddRectangle(scene, { -500, -500, 0 }, { 1000, 0, 0 }, { 0, 501, 0 });
   AddRectangle(scene, { -500, 0, 0 }, { 1000, 0, 0 }, { 0, 0, 500 });
   AddRectangle(scene, { -500, .01f, 0 }, { 1000, 0, 0 }, { 0, 0, 500 });
   LookAt(scene, { 0, -4, 3 }, { 0, 0, 0 }, 30.0, 65, 65);
   const RayScene rays(scene, 0);
-  const View view{ scene, AllSites(rays) };
+  const View view{ scene, FindVisiblePoints(rays) };
   for (const int space : { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
   {
     vtkNew<vtkPenumbraIrradianceCache> cache;
     cache->SetSpace(space);
     cache->SetTolerance(.01);
     cache->Begin(rays, 1.0, .02);
-    double greatest = 0.0;
+    double maximum = 0.0;
     for (const RecordCandidate& site : view.Sites)
     {
       const glm::dvec3 world = view.World(site);
       const double a = site.Normal.z > .5f ? -world.y : world.z;
       if (a > .01 && a < .4)
       {
-        const double truth = (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0);
-        greatest = std::max(greatest, std::abs(Ask(cache, world, site.Normal) - truth));
+        const double reference = (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0);
+        maximum =
+          std::max(maximum, std::abs(QueryOcclusion(cache, world, site.Normal) - reference));
       }
     }
-    EXPECT_LT(greatest, .04) << space;
+    EXPECT_LT(maximum, .04) << space;
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, RefusesSettingsThatAreNoNumbers)
+TEST(vtkPenumbraIrradianceCache, RejectsNaNSettings)
 {
   Scene scene;
   AddFloor(scene, 1.f);
@@ -553,9 +560,9 @@ TEST(vtkPenumbraIrradianceCache, RefusesSettingsThatAreNoNumbers)
   }
 }
 
-TEST(RecordTree, ClampsThoseInWhoseSpheresARecordLies)
+TEST(RecordOctree, ClampsRadiiOfRecordsThatContainNewRecord)
 {
-  constexpr float LeastPixels = 2.f;
+  constexpr float MinimumPixels = 2.f;
   Record wide;
   wide.Radius = 10.f;
   wide.MaximumPlaneDistance = .05f;
@@ -563,23 +570,23 @@ TEST(RecordTree, ClampsThoseInWhoseSpheresARecordLies)
   Record narrow = wide;
   narrow.Position.x = 2.f;
   narrow.Radius = 1.f;
-  Record idle = narrow;
-  idle.Position.x = -1.f;
-  idle.IsValid = false;
+  Record invalid = narrow;
+  invalid.Position.x = -1.f;
+  invalid.IsValid = false;
   for (const bool wideFirst : { true, false })
   {
     RecordOctree tree;
     tree.Initialize(glm::vec3(0.f), 20.f);
-    tree.InsertClamped(wideFirst ? wide : narrow, LeastPixels);
-    tree.InsertClamped(wideFirst ? narrow : wide, LeastPixels);
-    tree.InsertClamped(idle, LeastPixels);
-    // What lies outside of the narrow one's sphere does not ask for it.
+    tree.InsertClamped(wideFirst ? wide : narrow, MinimumPixels);
+    tree.InsertClamped(wideFirst ? narrow : wide, MinimumPixels);
+    tree.InsertClamped(invalid, MinimumPixels);
+    // The narrow record clamps the wide one only if the wide one contains it on insertion.
     EXPECT_EQ(tree.FindAt(wide)->Radius, wideFirst ? 3.f : 10.f);
     EXPECT_EQ(tree.FindAt(narrow)->Radius, 1.f);
   }
 }
 
-TEST(RecordTree, LeavesEachRecordThePixelsThatItIsFor)
+TEST(RecordOctree, KeepsMinimumRadiusWhenClamping)
 {
   Record coarse;
   coarse.Radius = 10.f;
