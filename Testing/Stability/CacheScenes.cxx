@@ -14,17 +14,17 @@
 namespace penumbra
 {
 
-double Ask(const vtkPenumbraIrradianceProvider* source, glm::dvec3 position, glm::dvec3 normal)
+double Ask(const vtkPenumbraIrradianceProvider* provider, glm::dvec3 position, glm::dvec3 normal)
 {
-  return source->Occlusion(&position.x, &normal.x).Value;
+  return provider->Occlusion(&position.x, &normal.x).Value;
 }
 
-Frame Picture(
-  const RayScene& rays, const PointEvaluator& ask, const PointEvaluator& truth, double& error)
+Frame Picture(const RayScene& rays, const PointEvaluator& evaluate, const PointEvaluator& reference,
+  double& error)
 {
   const Scene& scene = rays.GetScene();
   const int side = scene.ViewCamera.Width / 2;
-  Frame picture{ side, side, std::vector<double>(side * side, 1.0) };
+  Frame image{ side, side, std::vector<double>(side * side, 1.0) };
   double squares = 0.0;
   double count = 0.0;
   for (int i = 0; i < side * side; ++i)
@@ -43,29 +43,29 @@ Frame Picture(
       glm::dvec3(surface.Positions[triangle.z]) - a));
     normal *= glm::dot(normal, glm::dvec3(ray.Direction)) > 0.0 ? -1.0 : 1.0;
     const glm::dvec3 position = double(hit.Distance) * glm::dvec3(ray.Direction) + scene.Origin;
-    const double answer = ask(position, normal);
-    picture.Values[i] = 1.0 - answer;
-    squares += std::pow(answer - truth(position, normal), 2.0);
+    const double value = evaluate(position, normal);
+    image.Values[i] = 1.0 - value;
+    squares += std::pow(value - reference(position, normal), 2.0);
     count += 1.0;
   }
   error = std::sqrt(squares / count);
-  return picture;
+  return image;
 }
 
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* source,
-  const PointEvaluator& truth, double& error)
+Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider,
+  const PointEvaluator& reference, double& error)
 {
   return Picture(
     rays,
-    [source](glm::dvec3 position, glm::dvec3 normal) { return Ask(source, position, normal); },
-    truth, error);
+    [provider](glm::dvec3 position, glm::dvec3 normal) { return Ask(provider, position, normal); },
+    reference, error);
 }
 
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* source)
+Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider)
 {
   double ignored = 0.0;
   return Picture(
-    rays, source, [](glm::dvec3, glm::dvec3) { return 0.0; }, ignored);
+    rays, provider, [](glm::dvec3, glm::dvec3) { return 0.0; }, ignored);
 }
 
 void ArrangeContact(Scene& scene, double height, int size)
@@ -83,18 +83,18 @@ void ArrangeTwoRooms(Scene& scene)
   LookAt(scene, { 1.0, -9.0, 5.0 }, { 0.0, 0.0, 0.0 }, 40.0, 128, 128);
 }
 
-double WorstBesideWall(const RayScene& rays, const vtkPenumbraIrradianceProvider* source)
+double WorstBesideWall(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider)
 {
-  vtkNew<vtkPenumbraBruteForceIrradiance> truth;
-  truth->Begin(rays, Infinity, .01);
+  vtkNew<vtkPenumbraBruteForceIrradiance> reference;
+  reference->Begin(rays, Infinity, .01);
   double worst = 0.0;
   for (int i = 1; i < 60; ++i)
   {
     for (const double side : { -1.0, 1.0 })
     {
-      const glm::dvec3 place(side * .01 * i, -3.2, 0.0);
+      const glm::dvec3 position(side * .01 * i, -3.2, 0.0);
       const glm::dvec3 up(0.0, 0.0, 1.0);
-      worst = std::max(worst, std::abs(Ask(source, place, up) - Ask(truth, place, up)));
+      worst = std::max(worst, std::abs(Ask(provider, position, up) - Ask(reference, position, up)));
     }
   }
   return worst;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the scenarios of the cache share.
+// Fixtures of the irradiance cache's scenarios.
 #ifndef penumbra_stability_CacheScenes_h
 #define penumbra_stability_CacheScenes_h
 
@@ -22,31 +22,33 @@ struct Scene;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// What is asked of a source at a place that the picture sees.
+/// Computes a value at a visible surface point.
 using PointEvaluator = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
 
-double Ask(const vtkPenumbraIrradianceProvider* source, glm::dvec3 position, glm::dvec3 normal);
+double Ask(const vtkPenumbraIrradianceProvider* provider, glm::dvec3 position, glm::dvec3 normal);
 
-/// 1 - answers at what the middle of every second pixel sees, 1 elsewhere; `error`: RMS of what they
-/// differ from the truth.
-Frame Picture(
-  const RayScene& rays, const PointEvaluator& ask, const PointEvaluator& truth, double& error);
+/// Returns an image of 1 - value at the surface points seen by every second pixel, and 1 in the
+/// background. `error` is set to the RMS difference from the reference.
+Frame Picture(const RayScene& rays, const PointEvaluator& evaluate, const PointEvaluator& reference,
+  double& error);
 
-/// The same of the occlusion that a source knows.
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* source,
-  const PointEvaluator& truth, double& error);
+/// The same for the occlusion that a provider computes.
+Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider,
+  const PointEvaluator& reference, double& error);
 
-/// The same, where no truth is known.
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* source);
+/// The same without a reference.
+Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider);
 
-/// An endless floor under a unit sphere that touches it, in a picture of `size` x `size`.
+/// A large floor under a unit sphere whose center is at `height`, seen by a camera of `size` x
+/// `size` pixels. The sphere touches the floor at height 1.
 void ArrangeContact(Scene& scene, double height, int size);
 
-/// A floor, a wall upon it, and to the left of that a low lid: a dark room and a bright one.
+/// A floor with a thin wall, and a low ceiling to the left of it: a dark room and a bright one.
 void ArrangeTwoRooms(Scene& scene);
 
-/// The largest error of a source along a line of the floor of those rooms, on both sides of the wall.
-double WorstBesideWall(const RayScene& rays, const vtkPenumbraIrradianceProvider* source);
+/// Returns the largest error of a provider along a line of the floor of those rooms, on both sides
+/// of the wall.
+double WorstBesideWall(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider);
 
 }
 #endif

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where antialiasing fails: things smaller than pixels, borders that are no object's, borders in
-// motion. Flat white shapes on black, against exact coverage.
+// Antialiasing: objects smaller than pixels, edges within an object, edges in motion. Flat white
+// shapes on black are compared with exact coverage.
 #include "Frames.h"
 #include "Scenario.h"
 
@@ -27,71 +27,71 @@ namespace
 {
 
 constexpr int Size = 96;
-const char* const OpenGL = "OpenGL, 8 samples a pixel asked for (OSMesa gives 4)";
+const char* const OpenGL = "OpenGL, 8 samples per pixel requested (OSMesa uses 4)";
 
-/// The subdivision of [AA] without its case 4, which the paper leaves out.
-void AsPrinted(vtkPenumbraRayCaster* caster)
+/// The subdivision of [AA] without case 4, which the paper omits.
+void UseSubdivisionWithoutCase4(vtkPenumbraRayCaster* caster)
 {
   caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
   caster->FindSmallObjectsOff();
 }
 
-void OneSample(vtkPenumbraRayCaster* caster)
+void UseOneSample(vtkPenumbraRayCaster* caster)
 {
   caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
   caster->SetUniformSamples(1);
 }
 
-Frame Draw(vtkRenderer* renderer, int width, int height, Variant variant, const Choice& broken)
+Frame Draw(vtkRenderer* renderer, int width, int height, Variant variant, const Choice& ablate)
 {
   return variant == Variant::Peer
     ? ByOpenGL(renderer, width, height, 8)
-    : ByRays(renderer, width, height, variant == Variant::Ablated ? broken : Choice());
+    : ByRays(renderer, width, height, variant == Variant::Ablated ? ablate : Choice());
 }
 
-Frame TruthOf(const std::vector<Shape>& shapes, int width = Size, int height = Size)
+Frame ExactCoverage(const std::vector<Shape>& shapes, int width = Size, int height = Size)
 {
   return { width, height, SharesOf(shapes, width, height) };
 }
 
 using Shapes = std::function<std::vector<Shape>()>;
 
-/// A still picture of shapes, by a measure of what it shows and what it should.
-std::function<ScenarioResult(Variant)> Still(Shapes shapes, Choice broken,
+/// A static image of shapes, compared with exact coverage by a metric.
+std::function<ScenarioResult(Variant)> Still(Shapes shapes, Choice ablate,
   double (*measure)(const std::vector<double>&, const std::vector<double>&))
 {
   return [=](Variant variant) {
-    const Frame picture = Draw(PictureOf(shapes(), Size, Size), Size, Size, variant, broken);
-    return ScenarioResult{ measure(picture.Values, TruthOf(shapes()).Values), picture };
+    const Frame image = Draw(PictureOf(shapes(), Size, Size), Size, Size, variant, ablate);
+    return ScenarioResult{ measure(image.Values, ExactCoverage(shapes()).Values), image };
   };
 }
 
-/// The camera moves by `step` pixels a frame, to the right.
-std::function<ScenarioResult(Variant)> Pan(Shapes shapes, double step, int frames, Choice broken,
+/// The camera moves to the right by `step` pixels per frame.
+std::function<ScenarioResult(Variant)> Pan(Shapes shapes, double step, int frames, Choice ablate,
   double (*measure)(const std::vector<std::vector<double>>&))
 {
   return [=](Variant variant) {
     const vtkSmartPointer<vtkRenderer> renderer = PictureOf(shapes(), Size, Size);
     std::vector<std::vector<double>> times;
-    Frame picture;
+    Frame image;
     for (int frame = 0; frame < frames; ++frame)
     {
-      picture = Draw(renderer, Size, Size, variant, broken);
-      times.push_back(picture.Values);
+      image = Draw(renderer, Size, Size, variant, ablate);
+      times.push_back(image.Values);
       double* eye = renderer->GetActiveCamera()->GetPosition();
       double* target = renderer->GetActiveCamera()->GetFocalPoint();
       renderer->GetActiveCamera()->SetPosition(eye[0] + step, eye[1], eye[2]);
       renderer->GetActiveCamera()->SetFocalPoint(target[0] + step, target[1], target[2]);
     }
-    return ScenarioResult{ measure(times), picture };
+    return ScenarioResult{ measure(times), image };
   };
 }
 
-/// Pixel by pixel against the truth, at positions that have nothing to do with one another.
+/// Coverage of single frames at unrelated positions.
 ScenarioResult FastPan(Variant variant)
 {
   double worst = 0.0;
-  Frame picture;
+  Frame image;
   for (const double shift : { 0.0, -13.37, 21.93 })
   {
     std::vector<Shape> shapes = Rods(Size, Size, 5);
@@ -103,63 +103,63 @@ ScenarioResult FastPan(Variant variant)
         corner.x += shift;
       }
     }
-    picture = Draw(PictureOf(shapes, Size, Size), Size, Size, variant, AsPrinted);
-    worst = std::max(worst, CoverageMiss(picture.Values, TruthOf(shapes).Values));
+    image = Draw(PictureOf(shapes, Size, Size), Size, Size, variant, UseSubdivisionWithoutCase4);
+    worst = std::max(worst, CoverageMiss(image.Values, ExactCoverage(shapes).Values));
   }
-  return { worst, picture };
+  return { worst, image };
 }
 
-/// The whole of a leaf-like star is seen while the camera zooms: how much light it reflects to the eye
-/// grows as the square of the scale.
+/// A star stays in view while the camera zooms. The sum of the image divided by the square of the
+/// scale must be constant.
 ScenarioResult Zoom(Variant variant)
 {
   std::vector<std::vector<double>> times;
-  Frame picture;
+  Frame image;
   for (int frame = 0; frame < 8; ++frame)
   {
     const double scale = 1.0 + frame / 64.0;
     const vtkSmartPointer<vtkRenderer> renderer =
       PictureOf({ Star({ 48.2, 47.7 }, 38.0, 3.0, 96) }, Size, Size);
     renderer->GetActiveCamera()->SetParallelScale(.5 * Size / scale);
-    picture = Draw(renderer, Size, Size, variant, OneSample);
-    times.push_back(picture.Values);
+    image = Draw(renderer, Size, Size, variant, UseOneSample);
+    times.push_back(image.Values);
     for (double& value : times.back())
     {
       value /= scale * scale;
     }
   }
-  return { EnergyChange(times), picture };
+  return { EnergyChange(times), image };
 }
 
 ScenarioResult OddSizes(Variant variant)
 {
   double worst = 0.0;
-  Frame picture;
+  Frame image;
   for (const auto& [width, height] :
     { std::pair<int, int>(1, 1), { 1, 64 }, { 127, 3 }, { 33, 7 }, { 17, 16 }, { 61, 59 } })
   {
     const std::vector<Shape> shapes = { Disc(
       { .45 * width, .55 * height }, .4 * std::min(width, height), 48) };
-    picture = Draw(PictureOf(shapes, width, height), width, height, variant, OneSample);
+    image = Draw(PictureOf(shapes, width, height), width, height, variant, UseOneSample);
     worst =
-      std::max(worst, LargestDifference(picture.Values, TruthOf(shapes, width, height).Values));
+      std::max(worst, LargestDifference(image.Values, ExactCoverage(shapes, width, height).Values));
   }
-  return { worst, picture };
+  return { worst, image };
 }
 
-/// Half of the picture behind a slanted border, by [AA]'s own subdivision: dropping the sub-pixels that
-/// are undecided at the last level loses their light.
+/// Half of the image behind a slanted edge, by the subdivision of [AA]. Dropping the subpixels that
+/// are undecided at the last level would lose their light.
 ScenarioResult PaperSubdivision(Variant variant)
 {
-  const Frame picture = ByRays(
+  const Frame image = ByRays(
     PictureOf(HalfPlane(Size, Size), Size, Size), Size, Size, [&](vtkPenumbraRayCaster* caster) {
       caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
       caster->SetMaximumLevel(variant == Variant::Ablated ? 0 : 3);
     });
-  return { LargestDifference(picture.Values, TruthOf(HalfPlane(Size, Size)).Values), picture };
+  return { LargestDifference(image.Values, ExactCoverage(HalfPlane(Size, Size)).Values), image };
 }
 
-/// A chequerboard of cells of one mesh, turned: borders of colours, not of objects.
+/// A rotated checkerboard of cells of one mesh: edges between colors, not between objects.
 ScenarioResult ColorJumps(Variant variant)
 {
   std::vector<Shape> cells;
@@ -189,18 +189,18 @@ ScenarioResult ColorJumps(Variant variant)
   const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, mesh, false)->GetMapper()->ScalarVisibilityOn();
   LookAtPicture(renderer, Size, Size);
-  const Frame picture = Draw(renderer, Size, Size, variant, [](vtkPenumbraRayCaster* caster) {
-    AsPrinted(caster);
+  const Frame image = Draw(renderer, Size, Size, variant, [](vtkPenumbraRayCaster* caster) {
+    UseSubdivisionWithoutCase4(caster);
     caster->SetTolerance(1.0);
   });
-  return { Rmse(picture.Values, TruthOf(white).Values), picture };
+  return { Rmse(image.Values, ExactCoverage(white).Values), image };
 }
 
-/// A picture, and the means of one of twice the size.
+/// An image, and the 2x2 means of one with twice the resolution.
 ScenarioResult TwoResolutions(Variant variant)
 {
   std::vector<Shape> shapes = Rods(Size, Size, 4);
-  const Frame small = Draw(PictureOf(shapes, Size, Size), Size, Size, variant, OneSample);
+  const Frame small = Draw(PictureOf(shapes, Size, Size), Size, Size, variant, UseOneSample);
   for (Shape& shape : shapes)
   {
     shape.Center *= 2.0;
@@ -210,7 +210,7 @@ ScenarioResult TwoResolutions(Variant variant)
     }
   }
   const Frame large =
-    Draw(PictureOf(shapes, 2 * Size, 2 * Size), 2 * Size, 2 * Size, variant, OneSample);
+    Draw(PictureOf(shapes, 2 * Size, 2 * Size), 2 * Size, 2 * Size, variant, UseOneSample);
   return { Rmse(small.Values, Halved(large).Values), small };
 }
 
@@ -223,38 +223,40 @@ std::vector<Scenario> CoverageScenarios()
   const Shapes comb = [] { return Comb(Size, Size); };
   const Shapes star = [] { return std::vector<Shape>{ Star({ 48.2, 47.7 }, 44.0, 6.0, 240) }; };
   const Shapes edge = [] { return HalfPlane(Size, Size); };
-  const std::string printed = "case 4, and exact borders: [AA] as printed";
-  const std::string sample = "exact borders: one ray a pixel";
+  const std::string withoutCase4 = "case 4 and exact edges: subdivision of [AA] without case 4";
+  const std::string sample = "exact edges: one ray per pixel";
   return {
-    { "ThinRods", "rods 0.08 to 0.4 pixels wide", "still", Metric::CoverageMiss, 1e-4, printed,
-      "[AA] case 4 is left out", OpenGL, Still(rods, AsPrinted, CoverageMiss) },
-    { "ThinRodsSlowPan", "the same", "slow pan, 1/16 pixel a frame", Metric::Pop, .0626, printed,
-      "[AA] case 4 is left out", OpenGL, Pan(rods, 1.0 / 16.0, 12, AsPrinted, Pop) },
-    { "ThinRodsFastPan", "the same", "fast pan, 13 and 35 pixels a frame", Metric::CoverageMiss,
-      1e-4, printed, "[AA] case 4 is left out", OpenGL, FastPan },
-    { "Dust", "discs of 0.05 to 0.5 pixels", "still", Metric::CoverageMiss, 1e-4, printed,
-      "[AA] case 4 is left out", OpenGL, Still(dust, AsPrinted, CoverageMiss) },
-    { "DustSlowPan", "the same", "slow pan, 1/16 pixel a frame", Metric::Energy, 1e-4, printed,
-      "[AA] case 4 is left out", OpenGL, Pan(dust, 1.0 / 16.0, 8, AsPrinted, EnergyChange) },
-    { "GrateSlowPan", "a grate of 36 slivers", "slow pan, 1/16 pixel a frame", Metric::Energy, 1e-4,
-      sample, "[AA] drops sub-pixels of case 3 at L_max", OpenGL,
-      Pan(comb, 1.0 / 16.0, 8, OneSample, EnergyChange) },
+    { "ThinRods", "rods 0.08 to 0.4 pixels wide", "still", Metric::CoverageMiss, 1e-4, withoutCase4,
+      "[AA] case 4 is omitted", OpenGL, Still(rods, UseSubdivisionWithoutCase4, CoverageMiss) },
+    { "ThinRodsSlowPan", "the same", "slow pan, 1/16 pixel per frame", Metric::Pop, .0626,
+      withoutCase4, "[AA] case 4 is omitted", OpenGL,
+      Pan(rods, 1.0 / 16.0, 12, UseSubdivisionWithoutCase4, Pop) },
+    { "ThinRodsFastPan", "the same", "fast pan, 13 and 35 pixels per frame", Metric::CoverageMiss,
+      1e-4, withoutCase4, "[AA] case 4 is omitted", OpenGL, FastPan },
+    { "Dust", "disks of 0.05 to 0.5 pixels", "still", Metric::CoverageMiss, 1e-4, withoutCase4,
+      "[AA] case 4 is omitted", OpenGL, Still(dust, UseSubdivisionWithoutCase4, CoverageMiss) },
+    { "DustSlowPan", "the same", "slow pan, 1/16 pixel per frame", Metric::Energy, 1e-4,
+      withoutCase4, "[AA] case 4 is omitted", OpenGL,
+      Pan(dust, 1.0 / 16.0, 8, UseSubdivisionWithoutCase4, EnergyChange) },
+    { "GrateSlowPan", "a comb of 36 slivers", "slow pan, 1/16 pixel per frame", Metric::Energy,
+      1e-4, sample, "[AA] drops sub-pixels of case 3 at L_max", OpenGL,
+      Pan(comb, 1.0 / 16.0, 8, UseOneSample, EnergyChange) },
     { "SliversInAPoint", "a star of 120 spikes", "still", Metric::CoverageMiss, 1e-4, sample,
-      "[AA] drops sub-pixels of case 3 at L_max", OpenGL, Still(star, OneSample, CoverageMiss) },
-    { "LeafZoom", "a leaf of 48 spikes", "zoom, 1/64 a frame", Metric::Energy, 1e-4, sample,
+      "[AA] drops sub-pixels of case 3 at L_max", OpenGL, Still(star, UseOneSample, CoverageMiss) },
+    { "LeafZoom", "a leaf of 48 spikes", "zoom, 1/64 per frame", Metric::Energy, 1e-4, sample,
       "[AA] drops sub-pixels of case 3 at L_max", OpenGL, Zoom },
-    { "SlantedBorder", "half of the picture, by [AA]'s subdivision to level 3", "still",
-      Metric::MaximumDifference, .13, "levels: none", "[AA] drops sub-pixels of case 3 at L_max",
-      "", PaperSubdivision },
-    { "ColourJumpsWithinOneObject", "a chequerboard of cells of one mesh", "still", Metric::Bias,
-      .006, "refinement by estimated error: [AA] as printed", "[AA] no borders inside an object",
-      OpenGL, ColorJumps },
-    { "StraightEdge", "half of the picture", "still", Metric::CoverageMiss, 1e-6, sample,
-      "[AA] no exact coverage", OpenGL, Still(edge, OneSample, CoverageMiss) },
-    { "OddSizes", "a disc in pictures of 1x1, 1x64, 127x3, 33x7, ...", "still",
+    { "SlantedBorder", "half of the image, by the subdivision of [AA] to level 3", "still",
+      Metric::MaximumDifference, .13, "levels of subdivision: none",
+      "[AA] drops sub-pixels of case 3 at L_max", "", PaperSubdivision },
+    { "ColourJumpsWithinOneObject", "a checkerboard of cells of one mesh", "still", Metric::Bias,
+      .006, "refinement by estimated error: subdivision of [AA] without case 4",
+      "[AA] no edges within an object", OpenGL, ColorJumps },
+    { "StraightEdge", "half of the image", "still", Metric::CoverageMiss, 1e-6, sample,
+      "[AA] no exact coverage", OpenGL, Still(edge, UseOneSample, CoverageMiss) },
+    { "OddSizes", "a disk in images of 1x1, 1x64, 127x3, 33x7, ... pixels", "still",
       Metric::MaximumDifference, 1e-4, sample, "", OpenGL, OddSizes },
-    { "TwoResolutions", "rods, and the same picture twice as large", "still", Metric::Resolution,
-      1e-5, sample, "", OpenGL, TwoResolutions },
+    { "TwoResolutions", "rods, and the same image with twice the resolution", "still",
+      Metric::Resolution, 1e-5, sample, "", OpenGL, TwoResolutions },
   };
 }
 

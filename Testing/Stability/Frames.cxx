@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPolyData> DataOf(vtkAlgorithm* source)
 }
 
 vtkSmartPointer<vtkPolyData> Deformed(
-  vtkPolyData* mesh, const std::function<glm::dvec3(glm::dvec3)>& place)
+  vtkPolyData* mesh, const std::function<glm::dvec3(glm::dvec3)>& transform)
 {
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->DeepCopy(mesh);
@@ -63,8 +63,8 @@ vtkSmartPointer<vtkPolyData> Deformed(
   {
     double x[3];
     mesh->GetPoint(i, x);
-    const glm::dvec3 placed = place({ x[0], x[1], x[2] });
-    points->InsertNextPoint(placed.x, placed.y, placed.z);
+    const glm::dvec3 transformed = transform({ x[0], x[1], x[2] });
+    points->InsertNextPoint(transformed.x, transformed.y, transformed.z);
   }
   result->SetPoints(points);
   return result;

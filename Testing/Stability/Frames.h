@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the scenarios share: pictures as frames, by the ray caster and by OpenGL.
+// Fixtures of all scenarios: images rendered by the ray caster and by OpenGL, and mesh helpers.
 #ifndef penumbra_stability_Frames_h
 #define penumbra_stability_Frames_h
 
@@ -22,20 +22,21 @@ namespace penumbra
 
 using Choice = std::function<void(vtkPenumbraRayCaster*)>;
 
-/// The green of the ray caster's picture, on one thread unless `choose` says otherwise.
+/// Returns the green channel of the ray caster's image. Renders on one thread unless `choose` sets
+/// another number.
 Frame ByRays(vtkRenderer* renderer, int width, int height, const Choice& choose = {});
 
-/// The green of OpenGL's, with so many samples a pixel.
+/// Returns the green channel of an image by OpenGL, with the given number of samples per pixel.
 Frame ByOpenGL(vtkRenderer* renderer, int width, int height, int samples = 0);
 
-/// The output of a source.
+/// Updates a source and returns its output.
 vtkSmartPointer<vtkPolyData> DataOf(vtkAlgorithm* source);
 
-/// Every position moved by a function.
+/// Returns a copy of a mesh with every position mapped by a function.
 vtkSmartPointer<vtkPolyData> Deformed(
-  vtkPolyData* mesh, const std::function<glm::dvec3(glm::dvec3)>& place);
+  vtkPolyData* mesh, const std::function<glm::dvec3(glm::dvec3)>& transform);
 
-/// A picture of |values| times `gain`, to show errors.
+/// Returns the absolute values times `gain`, to make errors visible.
 Frame Amplified(const Frame& frame, double gain);
 
 }

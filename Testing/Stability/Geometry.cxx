@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the geometry itself is difficult: borders within one object, faces in one plane, cracks, sizes
-// and distances far from 1, points that are no numbers. By the ray caster, lit by a headlight.
+// Difficult geometry: edges within one object, coplanar faces, cracks, sizes and distances far from
+// 1, and NaN points. Images by the ray caster, lit by a headlight.
 #include "Frames.h"
 #include "Scenario.h"
 
@@ -35,9 +35,9 @@ using Renderer = vtkSmartPointer<vtkRenderer>;
 using Mesh = vtkSmartPointer<vtkPolyData>;
 
 constexpr int Size = 64;
-const char* const OpenGL = "OpenGL, 8 samples a pixel asked for (OSMesa gives 4)";
+const char* const OpenGL = "OpenGL, 8 samples per pixel requested (OSMesa uses 4)";
 
-void OneSample(vtkPenumbraRayCaster* caster)
+void UseOneSample(vtkPenumbraRayCaster* caster)
 {
   caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
   caster->SetUniformSamples(1);
@@ -55,14 +55,14 @@ Mesh Box(glm::dvec3 center, glm::dvec3 size)
   return box;
 }
 
-/// What remains of positions that somebody stored as floats, this far from the origin.
-Mesh Rounded(vtkPolyData* mesh, double distance)
+/// Returns a mesh whose positions were rounded to floats at this distance from the origin.
+Mesh RoundedToFloat(vtkPolyData* mesh, double distance)
 {
   return Deformed(
     mesh, [=](glm::dvec3 p) { return glm::dvec3(glm::vec3(p + distance)) - distance; });
 }
 
-Renderer Lit(const std::vector<Mesh>& meshes, glm::dvec3 direction)
+Renderer NewLitRenderer(const std::vector<Mesh>& meshes, glm::dvec3 direction)
 {
   Renderer renderer = NewRenderer();
   for (const Mesh& mesh : meshes)
@@ -73,38 +73,40 @@ Renderer Lit(const std::vector<Mesh>& meshes, glm::dvec3 direction)
   return renderer;
 }
 
-Frame Draw(vtkRenderer* renderer, Variant variant, const Choice& broken)
+Frame Draw(vtkRenderer* renderer, Variant variant, const Choice& ablate)
 {
   return variant == Variant::Peer
     ? ByOpenGL(renderer, Size, Size, 8)
-    : ByRays(renderer, Size, Size, variant == Variant::Ablated ? broken : Choice());
+    : ByRays(renderer, Size, Size, variant == Variant::Ablated ? ablate : Choice());
 }
 
-/// Against brute force.
-ScenarioResult Judge(vtkRenderer* renderer, Variant variant, const Choice& broken)
+/// Renders the scene and returns the RMSE against a brute-force image.
+ScenarioResult CompareWithBruteForce(vtkRenderer* renderer, Variant variant, const Choice& ablate)
 {
-  const Frame picture = Draw(renderer, variant, broken);
-  std::vector<double> truth;
+  const Frame image = Draw(renderer, variant, ablate);
+  std::vector<double> expected;
   for (const glm::dvec3& color :
     DrawByBruteForce(BruteForceOf(renderer, Size, Size), Size, Size, 12).Colors)
   {
-    truth.push_back(color.y);
+    expected.push_back(color.y);
   }
-  return { Rmse(picture.Values, truth), picture };
+  return { Rmse(image.Values, expected), image };
 }
 
 ScenarioResult SelfSilhouettes(Variant variant)
 {
-  return Judge(Lit({ Burr() }, { -.6, 1.0, -.4 }), variant, [](vtkPenumbraRayCaster* caster) {
-    caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
-    caster->SetTolerance(1.0);
-  });
+  return CompareWithBruteForce(
+    NewLitRenderer({ Burr() }, { -.6, 1.0, -.4 }), variant, [](vtkPenumbraRayCaster* caster) {
+      caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
+      caster->SetTolerance(1.0);
+    });
 }
 
 ScenarioResult Interpenetration(Variant variant)
 {
-  return Judge(
-    Lit({ Burr(), Box({ .2, -.2, .1 }, { .9, .7, .5 }) }, { -.6, 1.0, -.4 }), variant, OneSample);
+  return CompareWithBruteForce(
+    NewLitRenderer({ Burr(), Box({ .2, -.2, .1 }, { .9, .7, .5 }) }, { -.6, 1.0, -.4 }), variant,
+    UseOneSample);
 }
 
 ScenarioResult NonManifoldEdge(Variant variant)
@@ -124,10 +126,10 @@ ScenarioResult NonManifoldEdge(Variant variant)
   Mesh mesh = Mesh::New();
   mesh->SetPoints(points);
   mesh->SetPolys(quads);
-  return Judge(Lit({ mesh }, { -.3, 1.0, -.9 }), variant, OneSample);
+  return CompareWithBruteForce(NewLitRenderer({ mesh }, { -.3, 1.0, -.9 }), variant, UseOneSample);
 }
 
-/// Planks with gaps on a plane that is seen at 2 degrees.
+/// Planks with gaps in a plane that is seen at 2 degrees.
 ScenarioResult GrazingPlanks(Variant variant)
 {
   std::vector<Mesh> planks;
@@ -144,7 +146,7 @@ ScenarioResult GrazingPlanks(Variant variant)
   renderer->GetActiveCamera()->SetPosition(0.0, -1.0, .22);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 2.0, .115);
   renderer->ResetCameraClippingRange();
-  return Judge(renderer, variant, OneSample);
+  return CompareWithBruteForce(renderer, variant, UseOneSample);
 }
 
 ScenarioResult WideAngle(Variant variant)
@@ -154,15 +156,16 @@ ScenarioResult WideAngle(Variant variant)
   {
     boxes.push_back(Box({ i % 5 - 2.0, 1.5, i / 5 - 2.0 }, { .4, .3, .4 }));
   }
-  const Renderer renderer = Lit(boxes, { 0.0, 1.0, 0.0 });
+  const Renderer renderer = NewLitRenderer(boxes, { 0.0, 1.0, 0.0 });
   renderer->GetActiveCamera()->SetPosition(.1, .2, .05);
   renderer->GetActiveCamera()->SetFocalPoint(.1, 1.0, .05);
   renderer->GetActiveCamera()->SetViewAngle(150.0);
   renderer->GetActiveCamera()->SetClippingRange(.05, 10.0);
-  return Judge(renderer, variant, OneSample);
+  return CompareWithBruteForce(renderer, variant, UseOneSample);
 }
 
-/// Strips side by side, each cut at other heights; behind them nothing. Broken: a tenth of a pixel apart.
+/// Adjacent strips, each divided at different heights, in front of the background. Ablated: gaps of
+/// a tenth of a pixel.
 ScenarioResult TJunctions(Variant variant)
 {
   const glm::dvec2 along(std::cos(.37), std::sin(.37));
@@ -181,8 +184,8 @@ ScenarioResult TJunctions(Variant variant)
       {
         const double x = 14.3 * strip + (k == 1 || k == 2 ? width : 0.0);
         const double y = 100.0 * (i + (k > 1)) / cuts;
-        const glm::dvec2 place = glm::dvec2(12.0, -32.0) + x * along + y * up;
-        corners[k] = points->InsertNextPoint(place.x, place.y, 0.0);
+        const glm::dvec2 position = glm::dvec2(12.0, -32.0) + x * along + y * up;
+        corners[k] = points->InsertNextPoint(position.x, position.y, 0.0);
       }
       quads->InsertNextCell(4, corners);
     }
@@ -193,27 +196,29 @@ ScenarioResult TJunctions(Variant variant)
   const Renderer renderer = NewRenderer();
   AddMesh(renderer, mesh, false);
   LookAtPicture(renderer, Size, Size);
-  const Frame picture = Draw(renderer, variant, {});
-  return { 1.0 - *std::min_element(picture.Values.begin(), picture.Values.end()), picture };
+  const Frame image = Draw(renderer, variant, {});
+  return { 1.0 - *std::min_element(image.Values.begin(), image.Values.end()), image };
 }
 
-/// A disc in a plane of its own, as the picture of this size shows it.
-Mesh Tilted(glm::dvec2 center, double apart)
+/// A disk in a slanted plane, with its center in image coordinates. Positions are rounded to floats
+/// at distance `distance` from the origin.
+Mesh SlantedDisk(glm::dvec2 center, double distance)
 {
   const glm::dvec3 middle(.5 * Size, .5 * Size, 0.0);
   const glm::dvec3 right = glm::normalize(glm::dvec3(.8, .1, -.5));
   const glm::dvec3 up = glm::normalize(glm::cross(glm::dvec3(.3, .2, 1.0), right));
   const Mesh disc = Deformed(MeshOf({ Disc(center, 28.0, 60) }),
     [&](glm::dvec3 p) { return middle + (p.x - middle.x) * right + (p.y - middle.y) * up; });
-  return Rounded(disc, apart);
+  return RoundedToFloat(disc, distance);
 }
 
-/// A white and a black disc in one plane, divided otherwise: one of the two is seen everywhere, whoever
-/// comes first.
+/// A white and a black disk in one plane with different triangulations: the same one of the two is
+/// visible everywhere, in either order.
 ScenarioResult CoplanarDuplicates(Variant variant)
 {
-  const double apart = variant == Variant::Ablated ? 1e6 : 0.0;
-  const Mesh discs[] = { Tilted({ 32.3, 31.9 }, apart), Tilted({ 39.6, 26.8 }, apart) };
+  const double distance = variant == Variant::Ablated ? 1e6 : 0.0;
+  const Mesh discs[] = { SlantedDisk({ 32.3, 31.9 }, distance),
+    SlantedDisk({ 39.6, 26.8 }, distance) };
   Frame pictures[2];
   for (const int first : { 0, 1 })
   {
@@ -227,29 +232,29 @@ ScenarioResult CoplanarDuplicates(Variant variant)
   }
   const double middle = pictures[0].Values[32 * Size + 32];
   double largest = 0.0;
-  for (const Frame& picture : pictures)
+  for (const Frame& image : pictures)
   {
     for (int y = 24; y < 40; ++y)
     {
       for (int x = 24; x < 40; ++x)
       {
-        largest = std::max(largest, std::abs(picture.Values[y * Size + x] - middle));
+        largest = std::max(largest, std::abs(image.Values[y * Size + x] - middle));
       }
     }
   }
   return { largest, pictures[0] };
 }
 
-Renderer Placed(glm::dvec3 place, double scale, bool rounds)
+Renderer RenderBurrAt(glm::dvec3 position, double scale, bool roundsToFloat)
 {
-  Mesh mesh = Deformed(Burr(), [=](glm::dvec3 p) { return scale * p + place; });
-  if (rounds)
+  Mesh mesh = Deformed(Burr(), [=](glm::dvec3 p) { return scale * p + position; });
+  if (roundsToFloat)
   {
-    mesh = Rounded(mesh, 0.0);
+    mesh = RoundedToFloat(mesh, 0.0);
   }
-  const Renderer renderer = Lit({ mesh }, { -.6, 1.0, -.4 });
-  const glm::dvec3 eye = place + scale * glm::dvec3(2.0, -3.4, 1.3);
-  renderer->GetActiveCamera()->SetFocalPoint(place.x, place.y, place.z);
+  const Renderer renderer = NewLitRenderer({ mesh }, { -.6, 1.0, -.4 });
+  const glm::dvec3 eye = position + scale * glm::dvec3(2.0, -3.4, 1.3);
+  renderer->GetActiveCamera()->SetFocalPoint(position.x, position.y, position.z);
   renderer->GetActiveCamera()->SetPosition(eye.x, eye.y, eye.z);
   renderer->ResetCameraClippingRange();
   return renderer;
@@ -257,35 +262,36 @@ Renderer Placed(glm::dvec3 place, double scale, bool rounds)
 
 ScenarioResult FarFromOrigin(Variant variant)
 {
-  const Frame near = Draw(Placed(glm::dvec3(0.0), 1.0, false), variant, {});
-  const Frame far = Draw(Placed({ 1e7, -2e7, 1e7 }, 1.0, variant == Variant::Ablated), variant, {});
+  const Frame near = Draw(RenderBurrAt(glm::dvec3(0.0), 1.0, false), variant, {});
+  const Frame far =
+    Draw(RenderBurrAt({ 1e7, -2e7, 1e7 }, 1.0, variant == Variant::Ablated), variant, {});
   return { Rmse(near.Values, far.Values), far };
 }
 
-/// Occlusion with a radius from the bounds; broken: from the author's own unit.
+/// Occlusion with a radius from the bounds. Ablated: a fixed radius in world units.
 std::function<ScenarioResult(Variant)> Units(double scale)
 {
   return [scale](Variant variant) {
     const auto shaded = [&](double unit) {
       return ByRays(
-        Placed(glm::dvec3(0.0), unit, false), Size, Size, [&](vtkPenumbraRayCaster* caster) {
+        RenderBurrAt(glm::dvec3(0.0), unit, false), Size, Size, [&](vtkPenumbraRayCaster* caster) {
           caster->AmbientOcclusionOn();
           caster->SetTolerance(1.0 / 64.0);
           caster->SetAmbientOcclusionRadius(variant == Variant::Ablated ? .2 : 0.0);
         });
     };
-    const Frame picture = shaded(scale);
-    return ScenarioResult{ Rmse(shaded(1.0).Values, picture.Values), picture };
+    const Frame image = shaded(scale);
+    return ScenarioResult{ Rmse(shaded(1.0).Values, image.Values), image };
   };
 }
 
-/// The mirrored scene under occlusion.
+/// A mirrored scene with ambient occlusion.
 ScenarioResult Mirror(Variant variant)
 {
   const auto shaded = [&](double side) {
-    const Renderer renderer =
-      Lit({ Deformed(Burr(), [=](glm::dvec3 p) { return glm::dvec3(side * p.x, p.y, p.z); }) },
-        { side * -.6, 1.0, -.4 });
+    const Renderer renderer = NewLitRenderer(
+      { Deformed(Burr(), [=](glm::dvec3 p) { return glm::dvec3(side * p.x, p.y, p.z); }) },
+      { side * -.6, 1.0, -.4 });
     if (variant == Variant::Peer)
     {
       return ByOpenGL(renderer, Size, Size, 8);
@@ -299,7 +305,7 @@ ScenarioResult Mirror(Variant variant)
   return { Rmse(Mirrored(shaded(1.0)).Values, mirrored.Values), mirrored };
 }
 
-/// A thing at 1 before a white wall at 999,999 that hides a black one at 1,000,000.
+/// A box at distance 1 in front of a white wall at 999,999 that hides a black wall at 1,000,000.
 ScenarioResult NearAndFar(Variant variant)
 {
   const Renderer renderer = NewRenderer();
@@ -317,23 +323,23 @@ ScenarioResult NearAndFar(Variant variant)
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 1.0, 0.0);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
   renderer->GetActiveCamera()->SetClippingRange(.9, 1.1e6);
-  const Frame picture =
+  const Frame image =
     variant == Variant::Ours ? ByRays(renderer, Size, Size) : ByOpenGL(renderer, Size, Size, 8);
-  // The near side of the box, at .95, is .2 wide.
+  // The near side of the box is at distance 0.95 and is 0.2 wide.
   const double half = .5 * Size * .1 / .95 / std::tan(15.0 * std::acos(-1.0) / 180.0);
-  std::vector<double> truth =
+  std::vector<double> expected =
     SharesOf({ { glm::dvec2(.5 * Size),
                { glm::dvec2(.5 * Size - half), glm::dvec2(.5 * Size + half, .5 * Size - half),
                  glm::dvec2(.5 * Size + half), glm::dvec2(.5 * Size - half, .5 * Size + half) } } },
       Size, Size);
-  for (double& value : truth)
+  for (double& value : expected)
   {
     value = 1.0 - .5 * value;
   }
-  return { Rmse(picture.Values, truth), picture };
+  return { Rmse(image.Values, expected), image };
 }
 
-/// Points that are no numbers, and the cells around them left out by hand.
+/// A mesh with NaN points, against a mesh without the cells of these points.
 ScenarioResult NotNumbers(Variant variant)
 {
   const double nan = variant == Variant::Ablated ? 0.0 : std::nan("");
@@ -356,14 +362,14 @@ ScenarioResult NotNumbers(Variant variant)
   Mesh sound = Mesh::New();
   sound->SetPoints(whole->GetPoints());
   sound->SetPolys(kept);
-  const Renderer reference = Lit({ sound }, { -.6, 1.0, -.4 });
-  const Renderer renderer = Lit({ damaged }, { -.6, 1.0, -.4 });
+  const Renderer reference = NewLitRenderer({ sound }, { -.6, 1.0, -.4 });
+  const Renderer renderer = NewLitRenderer({ damaged }, { -.6, 1.0, -.4 });
   renderer->SetActiveCamera(reference->GetActiveCamera());
-  const Frame picture = Draw(renderer, variant, {});
-  return { Rmse(picture.Values, Draw(reference, variant, {}).Values), picture };
+  const Frame image = Draw(renderer, variant, {});
+  return { Rmse(image.Values, Draw(reference, variant, {}).Values), image };
 }
 
-/// From within a closed mesh: nothing but its walls.
+/// The inside of a closed mesh: no background is visible. Ablated: every 100th cell is missing.
 ScenarioResult InsideAMesh(Variant variant)
 {
   const Renderer renderer = NewRenderer();
@@ -387,8 +393,8 @@ ScenarioResult InsideAMesh(Variant variant)
   renderer->GetActiveCamera()->SetFocalPoint(.3, -.5, .7);
   renderer->GetActiveCamera()->SetViewAngle(110.0);
   renderer->GetActiveCamera()->SetClippingRange(.001, 10.0);
-  const Frame picture = Draw(renderer, variant, {});
-  return { 1.0 - *std::min_element(picture.Values.begin(), picture.Values.end()), picture };
+  const Frame image = Draw(renderer, variant, {});
+  return { 1.0 - *std::min_element(image.Values.begin(), image.Values.end()), image };
 }
 
 /// Rods behind a pane of glass.
@@ -399,58 +405,62 @@ ScenarioResult BehindGlass(Variant variant)
   vtkActor* glass = AddMesh(renderer, Box({ 32.0, 32.0, 20.0 }, { 100.0, 100.0, 0.0 }), false);
   glass->GetProperty()->SetOpacity(.5);
   glass->GetProperty()->SetColor(.4, .4, .4);
-  const Frame picture = Draw(renderer, variant, [](vtkPenumbraRayCaster* caster) {
+  const Frame image = Draw(renderer, variant, [](vtkPenumbraRayCaster* caster) {
     caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
     caster->FindSmallObjectsOff();
   });
-  std::vector<double> truth = SharesOf(rods, Size, Size);
-  for (double& value : truth)
+  std::vector<double> expected = SharesOf(rods, Size, Size);
+  for (double& value : expected)
   {
     value = .5 * value + .5 * .4;
   }
-  return { LargestDifference(picture.Values, truth), picture };
+  return { LargestDifference(image.Values, expected), image };
 }
 
 }
 
 std::vector<Scenario> GeometryScenarios()
 {
-  const std::string sample = "refinement: one ray a pixel";
+  const std::string sample = "refinement: one ray per pixel";
   const std::string rounded = "double precision: positions rounded to floats far from the origin";
-  const std::string rays = "the tolerance of occlusion: 1/2";
+  const std::string rays = "tolerance of occlusion: 1/2";
   return {
-    { "BordersWithinOneObject", "a burr, most of whose borders lie before itself", "still",
-      Metric::Bias, .002, "borders from the mesh: [AA]'s case 3 knows borders of objects only",
-      "[AA] no borders inside an object", OpenGL, SelfSilhouettes },
-    { "Interpenetration", "a burr and a box through each other", "still", Metric::Bias, .004,
-      sample, "", OpenGL, Interpenetration },
-    { "NonManifoldEdge", "five sheets that meet in one edge", "still", Metric::Bias, .004, sample,
-      "", OpenGL, NonManifoldEdge },
+    { "BordersWithinOneObject", "a burr, most of whose silhouettes lie in front of itself", "still",
+      Metric::Bias, .002,
+      "edges from the mesh: subdivision of [AA], whose case 3 finds edges between objects only",
+      "[AA] no edges within an object", OpenGL, SelfSilhouettes },
+    { "Interpenetration", "a burr and a box that intersect", "still", Metric::Bias, .004, sample,
+      "", OpenGL, Interpenetration },
+    { "NonManifoldEdge", "five sheets that share one edge", "still", Metric::Bias, .004, sample, "",
+      OpenGL, NonManifoldEdge },
     { "GrazingPlanks", "40 planks with gaps, seen at 2 degrees", "still", Metric::Bias, .015,
       sample, "", OpenGL, GrazingPlanks },
-    { "WideAngle", "25 boxes at 150 degrees", "still", Metric::Bias, .004, sample, "", OpenGL,
-      WideAngle },
-    { "TJunctions", "strips cut at other heights than their neighbours", "still", Metric::Leak,
-      1e-3, "shared borders: the strips are a tenth of a pixel apart", "", OpenGL, TJunctions },
-    { "InsideAClosedMesh", "a burr from within", "still", Metric::Leak, 1e-3, rounded, "", OpenGL,
-      InsideAMesh },
-    { "CoplanarDuplicates", "two discs in one slanted plane, added in either order", "still",
+    { "WideAngle", "25 boxes at a view angle of 150 degrees", "still", Metric::Bias, .004, sample,
+      "", OpenGL, WideAngle },
+    { "TJunctions", "strips divided at different heights than their neighbors", "still",
+      Metric::Leak, 1e-3, "shared edges: gaps of a tenth of a pixel", "", OpenGL, TJunctions },
+    { "InsideAClosedMesh", "a burr seen from inside", "still", Metric::Leak, 1e-3,
+      "closed mesh: every 100th cell is missing", "", OpenGL, InsideAMesh },
+    { "CoplanarDuplicates", "two disks in one slanted plane, added in either order", "still",
       Metric::MaximumDifference, .01, rounded, "", OpenGL, CoplanarDuplicates },
     { "BehindGlass", "rods behind a translucent pane", "still", Metric::MaximumDifference, .001,
-      "case 4, and exact borders: [AA] as printed", "[AA] case 4 is left out", OpenGL,
-      BehindGlass },
-    { "FarFromTheOrigin", "a burr at 1e7", "still", Metric::Bias, .001, rounded,
+      "case 4 and exact edges: subdivision of [AA] without case 4", "[AA] case 4 is omitted",
+      OpenGL, BehindGlass },
+    { "FarFromTheOrigin", "a burr 1e7 units from the origin", "still", Metric::Bias, .001, rounded,
       "[TSSAO] large scenes lose precision", OpenGL, FarFromOrigin },
-    { "NearAndFar", "a box at 1 before walls at 999,999 and 1,000,000", "still", Metric::Bias, 1e-3,
-      "distances without a depth buffer: OpenGL's 24 bits", "", OpenGL, NearAndFar },
-    { "TinyUnit", "a burr of size 1e-6 under occlusion", "still", Metric::UnitIndependence, .008,
-      "a radius from the bounds: .2", "[ISAO] distances in scene units", "", Units(1e-6) },
-    { "HugeUnit", "a burr of size 1e6 under occlusion", "still", Metric::UnitIndependence, .008,
-      "a radius from the bounds: .2", "[ISAO] distances in scene units", "", Units(1e6) },
-    { "MirroredScene", "a burr under occlusion", "mirrored", Metric::Symmetry, .006, rays, "",
-      OpenGL, Mirror },
-    { "PointsThatAreNoNumbers", "a burr with every 40th point not a number", "still", Metric::Bias,
-      .001, "leaving them out: 0 is put in their place", "", OpenGL, NotNumbers },
+    { "NearAndFar", "a box at distance 1 in front of walls at 999,999 and 1,000,000", "still",
+      Metric::Bias, 1e-3, "ray distances: a depth buffer of 24 bits (OpenGL)", "", OpenGL,
+      NearAndFar },
+    { "TinyUnit", "a burr of size 1e-6 with ambient occlusion", "still", Metric::UnitIndependence,
+      .008, "radius from the bounds: 0.2 units", "[ISAO] distances in scene units", "",
+      Units(1e-6) },
+    { "HugeUnit", "a burr of size 1e6 with ambient occlusion", "still", Metric::UnitIndependence,
+      .008, "radius from the bounds: 0.2 units", "[ISAO] distances in scene units", "",
+      Units(1e6) },
+    { "MirroredScene", "a burr with ambient occlusion", "mirrored", Metric::Symmetry, .006, rays,
+      "", OpenGL, Mirror },
+    { "PointsThatAreNoNumbers", "a burr with NaN in every 40th point", "still", Metric::Bias, .001,
+      "skipping cells with NaN points: NaN replaced by 0", "", OpenGL, NotNumbers },
   };
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where interpolated occlusion fails: contacts, thin walls, corners, and answers that depend on who
-// asked before. The cache against closed forms at the places that a picture sees; baked meshes.
+// Interpolated occlusion: contacts, thin walls, corners, and values that depend on earlier queries.
+// The cache is compared with closed forms at visible points. Also: baked meshes.
 #include "CacheScenes.h"
 #include "Frames.h"
 #include "Scenario.h"
@@ -31,8 +31,9 @@ namespace
 
 using Cache = vtkPenumbraIrradianceCache;
 
-/// Records with the harmonic mean of the distances as radius, between 16 and 1000 pixels. [IC] limits the
-/// radius to between 2 to 4 and 20 to 64 pixels, so this is not the setting of the paper.
+/// Records with the harmonic mean of the distances as radius, between 16 and 1000 pixels. [IC]
+/// limits the radius to between 2 to 4 and 20 to 64 pixels, so this is not the setting of the
+/// paper.
 void UseWideHarmonicMean(Cache* cache)
 {
   cache->SetRadiusRule(Cache::HARMONIC_MEAN);
@@ -45,7 +46,8 @@ glm::dvec3 World(const Scene& scene, const RecordCandidate& site)
   return scene.ToWorld(site.Position);
 }
 
-/// A unit sphere, its centre at `height` above a floor: contact at 1. Seen in a picture of `size`.
+/// A unit sphere with its center at `height` above a floor, which it touches at height 1. The image
+/// has `size` x `size` pixels.
 std::function<ScenarioResult(Variant)> Sphere(double height, int size)
 {
   return [height, size](Variant variant) {
@@ -73,7 +75,8 @@ std::function<ScenarioResult(Variant)> Sphere(double height, int size)
   };
 }
 
-/// A corner of a floor and a wall: [IC] gives records there no radius, or too large ones.
+/// A concave corner of a floor and a wall, where [IC] computes radii of 0 or radii that are too
+/// large.
 ScenarioResult ConcaveCorner(Variant variant)
 {
   Scene scene;
@@ -99,8 +102,8 @@ ScenarioResult ConcaveCorner(Variant variant)
   return outcome;
 }
 
-/// A room that is open above beside one with a low lid, a sheet between them; a record of one must not
-/// serve the other.
+/// An open room next to one with a low ceiling, separated by a sheet. Records of one room must not
+/// be used in the other.
 ScenarioResult ThinWall(Variant variant)
 {
   Scene scene;
@@ -115,7 +118,7 @@ ScenarioResult ThinWall(Variant variant)
   return { WorstBesideWall(rays, cache), Picture(rays, cache) };
 }
 
-/// All of the sky is blocked.
+/// The inside of a closed box, where the whole hemisphere is occluded.
 ScenarioResult ClosedBox(Variant variant)
 {
   Scene scene;
@@ -128,62 +131,62 @@ ScenarioResult ClosedBox(Variant variant)
   const RayScene rays(scene, 1);
   vtkNew<Cache> cache;
   cache->Begin(rays, Infinity, .01);
-  const Frame picture = Picture(rays, cache);
-  return { *std::max_element(picture.Values.begin(), picture.Values.end()), picture };
+  const Frame image = Picture(rays, cache);
+  return { *std::max_element(image.Values.begin(), image.Values.end()), image };
 }
 
-/// The i-th question of `count`, in another order than from first to last.
-using OrderOfQuestions = std::size_t (*)(std::size_t i, std::size_t count);
+/// Index of the i-th query of `count` in a different order than from first to last.
+using QueryOrder = std::size_t (*)(std::size_t i, std::size_t count);
 
-std::size_t Backwards(std::size_t i, std::size_t count)
+std::size_t ReversedOrder(std::size_t i, std::size_t count)
 {
   return count - 1 - i;
 }
 
-/// Every second part of a picture before the others.
-std::size_t InTwoPieces(std::size_t i, std::size_t count)
+/// All even queries before the odd ones.
+std::size_t EvenThenOddOrder(std::size_t i, std::size_t count)
 {
   const std::size_t even = (count + 1) / 2;
   return i < even ? 2 * i : 2 * (i - even) + 1;
 }
 
-/// As five threads would ask that share the picture.
-std::size_t InFiveThreads(std::size_t i, std::size_t count)
+/// The order of five threads that each process a fifth of the queries.
+std::size_t FiveThreadOrder(std::size_t i, std::size_t count)
 {
-  const std::size_t share = count / 5;
-  return i < 5 * share ? i % 5 * share + i / 5 : i;
+  const std::size_t block = count / 5;
+  return i < 5 * block ? i % 5 * block + i / 5 : i;
 }
 
-/// The same questions in two orders, records made on one thread and on five.
-std::function<ScenarioResult(Variant)> AskedAgain(OrderOfQuestions other)
+/// The same queries in two orders, with records computed on one thread and on five.
+std::function<ScenarioResult(Variant)> QueriedTwice(QueryOrder other)
 {
   return [other](Variant variant) {
     Scene scene;
     ArrangeContact(scene, 1.0, 128);
     const RayScene rays(scene, 1);
     const std::vector<RecordCandidate> sites = CandidatesInImage(rays, 6);
-    std::vector<double> answers[2];
-    Frame picture;
-    for (const bool again : { false, true })
+    std::vector<double> values[2];
+    Frame image;
+    for (const bool isSecond : { false, true })
     {
       vtkNew<Cache> cache;
       cache->SetOrder(variant == Variant::Ablated ? Cache::LAZY : Cache::LEVELS);
       vtkSMPTools::LocalScope(
-        vtkSMPTools::Config(again ? 5 : 1), [&]() { cache->Begin(rays, Infinity, .02); });
-      answers[again].resize(sites.size());
+        vtkSMPTools::Config(isSecond ? 5 : 1), [&]() { cache->Begin(rays, Infinity, .02); });
+      values[isSecond].resize(sites.size());
       for (std::size_t i = 0; i < sites.size(); ++i)
       {
-        const std::size_t question = again ? other(i, sites.size()) : i;
-        const RecordCandidate& site = sites[question];
-        answers[again][question] = Ask(cache, World(scene, site), site.Normal);
+        const std::size_t query = isSecond ? other(i, sites.size()) : i;
+        const RecordCandidate& site = sites[query];
+        values[isSecond][query] = Ask(cache, World(scene, site), site.Normal);
       }
-      picture = Picture(rays, cache);
+      image = Picture(rays, cache);
     }
-    return ScenarioResult{ LargestDifference(answers[0], answers[1]), picture };
+    return ScenarioResult{ LargestDifference(values[0], values[1]), image };
   };
 }
 
-/// The inside of a sphere whose file has its normals turned outwards.
+/// A sphere whose stored normals point inward.
 ScenarioResult InvertedNormals(Variant variant)
 {
   vtkNew<vtkSphereSource> source;
@@ -204,17 +207,17 @@ ScenarioResult InvertedNormals(Variant variant)
   filter->Update();
   vtkDataArray* values =
     vtkPolyData::SafeDownCast(filter->GetOutput())->GetPointData()->GetArray("AmbientOcclusion");
-  Frame picture{ 24, static_cast<int>(values->GetNumberOfTuples()) / 24, {} };
+  Frame image{ 24, static_cast<int>(values->GetNumberOfTuples()) / 24, {} };
   double worst = 0.0;
-  for (int i = 0; i < picture.Width * picture.Height; ++i)
+  for (int i = 0; i < image.Width * image.Height; ++i)
   {
-    picture.Values.push_back(1.0 - values->GetComponent(i, 0));
+    image.Values.push_back(1.0 - values->GetComponent(i, 0));
     worst = std::max(worst, values->GetComponent(i, 0));
   }
-  return { worst, picture };
+  return { worst, image };
 }
 
-/// A mesh in two units; broken: a radius in world units.
+/// A mesh in two units of length. Ablated: a fixed radius in world units.
 ScenarioResult BakedUnits(Variant variant)
 {
   std::vector<double> baked[2];
@@ -239,9 +242,9 @@ ScenarioResult BakedUnits(Variant variant)
       baked[tiny].push_back(values->GetComponent(i, 0));
     }
   }
-  Frame picture{ 24, static_cast<int>(baked[1].size()) / 24, baked[1] };
-  picture.Values.resize(static_cast<std::size_t>(picture.Width) * picture.Height);
-  return { Rmse(baked[0], baked[1]), picture };
+  Frame image{ 24, static_cast<int>(baked[1].size()) / 24, baked[1] };
+  image.Values.resize(static_cast<std::size_t>(image.Width) * image.Height);
+  return { Rmse(baked[0], baked[1]), image };
 }
 
 }
@@ -249,34 +252,34 @@ ScenarioResult BakedUnits(Variant variant)
 std::vector<Scenario> IrradianceScenarios()
 {
   const std::string printed =
-    "radii from the second derivative, and their limits: the harmonic mean, 16 to 1000 pixels";
-  const std::string lazy = "records before questions: [IC]'s lazy order";
-  const std::string dependent = "[IC] depends on the order of questions";
-  const std::string plane = " against the closed form";
+    "radii from the second derivative, and their limits: harmonic mean, 16 to 1000 pixels";
+  const std::string lazy = "records before queries: the lazy order of [IC]";
+  const std::string dependent = "[IC] depends on the order of queries";
+  const std::string closedForm = " against the closed form";
   return {
-    { "CacheContact", "a sphere on a floor" + plane, "still", Metric::Bias, .01, printed,
+    { "CacheContact", "a sphere on a floor" + closedForm, "still", Metric::Bias, .01, printed,
       "[IC] distant records overrule a contact shadow", "", Sphere(1.0, 256) },
-    { "CacheHovering", "a sphere over a floor" + plane, "still", Metric::Bias, .01, printed,
+    { "CacheHovering", "a sphere above a floor" + closedForm, "still", Metric::Bias, .01, printed,
       "[IC] radii without bounds", "", Sphere(1.5, 256) },
-    { "CacheSmallPicture", "a sphere on a floor, in a picture of 128x128" + plane, "still",
-      Metric::Bias, .01, printed, "", "", Sphere(1.0, 128) },
-    { "CacheConcaveCorner", "a floor and a wall" + plane, "still", Metric::Bias, .006, printed,
+    { "CacheSmallPicture", "a sphere on a floor, in an image of 128x128 pixels" + closedForm,
+      "still", Metric::Bias, .01, printed, "", "", Sphere(1.0, 128) },
+    { "CacheConcaveCorner", "a floor and a wall" + closedForm, "still", Metric::Bias, .006, printed,
       "[IC] radius 0 on concave surfaces", "", ConcaveCorner },
-    { "CacheThinWall", "a dark room and a bright one, a sheet between", "still", Metric::Leak, .05,
-      printed, "[IC] radii that nothing nearby clamps", "", ThinWall },
+    { "CacheThinWall", "a dark and a bright room, separated by a sheet", "still", Metric::Leak, .05,
+      printed, "[IC] radii are not clamped by nearby records", "", ThinWall },
     { "CacheClosedBox", "the inside of a closed box", "still", Metric::Leak, 0.0,
-      "a wall: one is left out", "", "", ClosedBox },
-    { "CacheOrderOfQuestions", "a sphere on a floor, asked from first to last and back", "still",
-      Metric::MaximumDifference, 0.0, lazy, dependent, "", AskedAgain(Backwards) },
-    { "CacheTiles", "the same, asked at once and in two pieces", "still", Metric::MaximumDifference,
-      0.0, lazy, dependent, "", AskedAgain(InTwoPieces) },
-    { "CacheThreads", "the same, asked by one thread and as by five", "still",
-      Metric::MaximumDifference, 0.0, lazy, dependent, "", AskedAgain(InFiveThreads) },
-    { "BakedInvertedNormals", "an open sphere whose normals point inwards", "still",
-      Metric::MaximumDifference, 0.0, "computed normals: those of the file", "", "",
+      "a wall of the box: one is missing", "", "", ClosedBox },
+    { "CacheOrderOfQuestions", "a sphere on a floor, queried from first to last and in reverse",
+      "still", Metric::MaximumDifference, 0.0, lazy, dependent, "", QueriedTwice(ReversedOrder) },
+    { "CacheTiles", "the same, queried at once and in two parts", "still",
+      Metric::MaximumDifference, 0.0, lazy, dependent, "", QueriedTwice(EvenThenOddOrder) },
+    { "CacheThreads", "the same, queried in the order of one thread and of five", "still",
+      Metric::MaximumDifference, 0.0, lazy, dependent, "", QueriedTwice(FiveThreadOrder) },
+    { "BakedInvertedNormals", "an open sphere whose normals point inward", "still",
+      Metric::MaximumDifference, 0.0, "computed normals: the normals of the data", "", "",
       InvertedNormals },
     { "BakedUnit", "a dented sphere of size 1e-6", "still", Metric::UnitIndependence, .01,
-      "a radius from the bounds: .2", "[ISAO] distances in scene units", "", BakedUnits },
+      "radius from the bounds: 0.2 units", "[ISAO] distances in scene units", "", BakedUnits },
   };
 }
 

@@ -12,7 +12,7 @@ namespace penumbra
 namespace
 {
 
-/// What no bound allows.
+/// Above every bound of the catalogue.
 constexpr double Huge = 1e9;
 
 bool AreComparable(const std::vector<double>& a, const std::vector<double>& b)
@@ -30,35 +30,38 @@ MetricText TextOf(Metric metric)
   {
     case Metric::Flicker:
       return { "flicker",
-        "standard deviation over time of what the same surface point shows, RMS over points" };
+        "standard deviation over time of the value of a surface point, RMS over points" };
     case Metric::Pop:
       return { "pop", "largest change of a pixel between one frame and the next" };
     case Metric::GhostLength:
-      return { "ghost length", "frames until the error stays below .03" };
+      return { "ghost length", "frames until the error stays below 0.03" };
     case Metric::HaloWidth:
-      return { "halo width", "pixels beside an edge that are darker by .03 than they should be" };
+      return { "halo width",
+        "number of pixels next to an edge that are darker than the reference by more than 0.03" };
     case Metric::Leak:
-      return { "leak", "largest share of what lies behind that shines through a closed surface" };
+      return { "leak",
+        "largest fraction of light from behind a closed surface that passes through it" };
     case Metric::CoverageMiss:
       return { "coverage miss",
-        "sum of the differences of covered shares from the truth, over the sum of the truth" };
+        "sum of absolute errors of pixel coverage, divided by the sum of the exact coverage" };
     case Metric::Bias:
-      return { "bias", "RMSE against the truth" };
+      return { "bias", "RMSE against the reference" };
     case Metric::Drift:
-      return { "drift", "RMSE between a view and the same view after a closed loop of the camera" };
+      return { "drift", "RMSE between a view and the same view after a closed camera path" };
     case Metric::Energy:
-      return { "energy", "(largest - least) / mean, of the sum of all pixels" };
+      return { "energy", "(maximum - minimum) / mean of the sum over all pixels, over frames" };
     case Metric::Symmetry:
-      return { "symmetry", "RMSE between the mirrored picture and that of the mirrored scene" };
+      return { "symmetry", "RMSE between the mirrored image and an image of the mirrored scene" };
     case Metric::UnitIndependence:
-      return { "unit independence", "RMSE between pictures of a scene in two units of length" };
+      return { "unit independence", "RMSE between images of a scene in two units of length" };
     case Metric::Rotation:
       return { "rotation",
-        "RMSE between the turned picture and that of a camera turned by 90 degrees" };
+        "RMSE between the rotated image and an image of a camera rotated by 90 degrees" };
     case Metric::Resolution:
-      return { "resolution", "RMSE between a picture and the 2x2 means of one twice as large" };
+      return { "resolution",
+        "RMSE between an image and the 2x2 means of one with twice the resolution" };
     case Metric::MaximumDifference:
-      return { "sameness", "largest difference of two pictures that must be the same" };
+      return { "maximum difference", "largest difference of two images that must be equal" };
   }
   return {};
 }
@@ -93,7 +96,7 @@ double LargestDifference(const std::vector<double>& a, const std::vector<double>
 
 double Flicker(const std::vector<std::vector<double>>& times)
 {
-  const auto instants = static_cast<double>(times.size());
+  const auto frames = static_cast<double>(times.size());
   double sum = 0.0;
   for (std::size_t i = 0; i < times.front().size(); ++i)
   {
@@ -101,8 +104,8 @@ double Flicker(const std::vector<std::vector<double>>& times)
     double square = 0.0;
     for (const std::vector<double>& values : times)
     {
-      mean += values[i] / instants;
-      square += values[i] * values[i] / instants;
+      mean += values[i] / frames;
+      square += values[i] * values[i] / frames;
     }
     sum += std::max(0.0, square - mean * mean);
   }
@@ -130,18 +133,18 @@ double GhostLength(const std::vector<double>& errors, double limit)
   return static_cast<double>(last);
 }
 
-double CoverageMiss(const std::vector<double>& shares, const std::vector<double>& truth)
+double CoverageMiss(const std::vector<double>& coverage, const std::vector<double>& reference)
 {
-  if (!AreComparable(shares, truth))
+  if (!AreComparable(coverage, reference))
   {
     return Huge;
   }
   double missed = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
+  for (std::size_t i = 0; i < reference.size(); ++i)
   {
-    missed += std::abs(shares[i] - truth[i]);
+    missed += std::abs(coverage[i] - reference[i]);
   }
-  return missed / std::accumulate(truth.begin(), truth.end(), 0.0);
+  return missed / std::accumulate(reference.begin(), reference.end(), 0.0);
 }
 
 double EnergyChange(const std::vector<std::vector<double>>& times)
@@ -151,10 +154,10 @@ double EnergyChange(const std::vector<std::vector<double>>& times)
   {
     sums.push_back(std::accumulate(values.begin(), values.end(), 0.0));
   }
-  const auto [least, largest] = std::minmax_element(sums.begin(), sums.end());
+  const auto [minimum, largest] = std::minmax_element(sums.begin(), sums.end());
   const double mean =
     std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(sums.size());
-  const double change = (*largest - *least) / mean;
+  const double change = (*largest - *minimum) / mean;
   return std::isfinite(change) ? change : Huge;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the failure catalogue measures, each defined once. Values are brightness or occlusion in [0, 1]
-// unless a metric says otherwise.
+// Metrics of the failure catalogue. Values are brightness or occlusion in [0, 1] unless a metric
+// says otherwise.
 #ifndef penumbra_stability_Metrics_h
 #define penumbra_stability_Metrics_h
 
@@ -12,7 +12,7 @@
 namespace penumbra
 {
 
-/// One channel, row after row from below.
+/// One channel of an image, row by row, bottom row first.
 struct Frame
 {
   int Width = 0;
@@ -38,7 +38,7 @@ enum class Metric
   MaximumDifference
 };
 
-/// Name and definition, for people.
+/// Name and definition of a metric, as printed in the document.
 struct MetricText
 {
   std::string Name;
@@ -46,35 +46,35 @@ struct MetricText
 };
 MetricText TextOf(Metric metric);
 
-/// RMS of the difference; huge where sizes differ or a value is not finite.
+/// Returns the RMS difference, or a huge value if sizes differ or a value is not finite.
 double Rmse(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Largest difference; huge likewise.
+/// Returns the largest absolute difference, or a huge value as Rmse() does.
 double LargestDifference(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Flicker: RMS over points of the standard deviation over time. `times`: the values of the same
-/// surface points, one list an instant.
+/// Flicker: RMS over points of the standard deviation over time. `times` holds the values of the
+/// same surface points, one list per frame.
 double Flicker(const std::vector<std::vector<double>>& times);
 
-/// Pop: largest change of a value from one instant to the next.
+/// Pop: largest change of a value from one frame to the next.
 double Pop(const std::vector<std::vector<double>>& times);
 
-/// Ghost length: instants until the error of all that follow is at most `limit`.
-double GhostLength(const std::vector<double>& errors, double limit = .03);
+/// Ghost length: number of frames after which all errors are at most `limit`.
+double GhostLength(const std::vector<double>& errors, double limit = 0.03);
 
-/// Coverage miss: sum of |difference| over what the truth covers.
-double CoverageMiss(const std::vector<double>& shares, const std::vector<double>& truth);
+/// Coverage miss: sum of absolute differences divided by the sum of the reference.
+double CoverageMiss(const std::vector<double>& coverage, const std::vector<double>& reference);
 
-/// Energy: (largest - least) / mean of the sums of values, an instant each.
+/// Energy: (maximum - minimum) / mean of the sums of values, one sum per frame.
 double EnergyChange(const std::vector<std::vector<double>>& times);
 
-/// The picture seen in a mirror that stands upright beside it.
+/// Returns the image mirrored left to right.
 Frame Mirrored(const Frame& frame);
 
-/// The picture turned by 90 degrees, counter-clockwise. Square ones only.
+/// Returns the image rotated by 90 degrees counterclockwise. The image must be square.
 Frame Turned(const Frame& frame);
 
-/// Means of 2x2 pixels.
+/// Returns the image at half the resolution: means of 2x2 pixels.
 Frame Halved(const Frame& frame);
 
 }

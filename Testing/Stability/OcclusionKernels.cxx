@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What [TSSAO] and [ISAO] say or print of their kernels that would make them fail: each kernel as it is,
-// and with the line of its shader changed that settles it.
+// Limitations of the kernels of [TSSAO] and [ISAO] as printed: each kernel as it is, and with the
+// line of its shader that avoids the limitation changed back.
 #include "OcclusionScenes.h"
 #include "Scenario.h"
 
@@ -22,20 +22,20 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-/// A kernel with a piece of its shader replaced, and an index of samples that may be a float.
+/// Kernel with a part of its shader replaced, and optionally a sample index rounded to a float.
 class AlteredKernel : public vtkPenumbraKernelEstimator
 {
 public:
   static AlteredKernel* New();
   vtkTypeMacro(AlteredKernel, vtkPenumbraKernelEstimator);
 
-  void Replace(const std::string& piece, const std::string& other)
+  void Replace(const std::string& part, const std::string& replacement)
   {
-    this->Piece = piece;
-    this->Other = other;
+    this->Part = part;
+    this->Replacement = replacement;
   }
 
-  /// As after so many samples.
+  /// Continues after the given number of samples.
   void Begin(int sample, bool isFloat)
   {
     this->First = sample;
@@ -45,12 +45,12 @@ public:
   std::string GetShader() override
   {
     std::string shader = this->Superclass::GetShader();
-    const std::size_t at = shader.find(this->Piece);
+    const std::size_t at = shader.find(this->Part);
     if (at == std::string::npos)
     {
-      throw std::logic_error("not in the shader: " + this->Piece);
+      throw std::logic_error("text not found in the shader: " + this->Part);
     }
-    return shader.replace(at, this->Piece.size(), this->Other);
+    return shader.replace(at, this->Part.size(), this->Replacement);
   }
 
   int SetUniforms(const Request& request, vtkShaderProgram* program) override
@@ -65,8 +65,8 @@ public:
   }
 
 private:
-  std::string Piece;
-  std::string Other;
+  std::string Part;
+  std::string Replacement;
   int First = 0;
   bool IsFloat = false;
 };
@@ -79,17 +79,18 @@ vtkSmartPointer<AlteredKernel> NewKernel(const char* name)
   return kernel;
 }
 
-/// A floor before a wall, against a closed form.
-ScenarioResult BeforeAWall(vtkPenumbraOcclusionEstimator* kernel, double (*truth)(double))
+/// A floor in front of a wall against a closed form.
+ScenarioResult MeasureBeforeAWall(
+  vtkPenumbraOcclusionEstimator* kernel, double (*reference)(double))
 {
   OcclusionScene scene(160, 96);
   scene.AddOcclusionPass(1.0)->SetTolerance(.005);
   scene.Pass->SetEstimator(kernel);
-  const std::vector<double> errors = ErrorsBeforeAWall(scene, truth);
+  const std::vector<double> errors = ErrorsBeforeAWall(scene, reference);
   return { RootMeanSquare(errors), OpennessOf(scene) };
 }
 
-/// Directions that are distributed as the cosine already.
+/// Cosine-distributed directions. Ablated: weighted by the cosine again.
 ScenarioResult CosineOnce(Variant variant)
 {
   const auto kernel = NewKernel("volumetric");
@@ -97,18 +98,19 @@ ScenarioResult CosineOnce(Variant variant)
   {
     kernel->Replace("> 1e-4 ? 1.0", "> 1e-4 ? way.z");
   }
-  return BeforeAWall(kernel, BehindWallFading);
+  return MeasureBeforeAWall(kernel, BehindWallFading);
 }
 
-/// The kernel whose D is that of eq. 1; broken: another.
-std::function<ScenarioResult(Variant)> InsteadOf(const char* other)
+/// The horizon kernel, which estimates occlusion with D = 1. Ablated: another kernel.
+std::function<ScenarioResult(Variant)> InsteadOf(const char* replacement)
 {
-  return [other](Variant variant) {
-    return BeforeAWall(NewKernel(variant == Variant::Ablated ? other : "horizon"), BehindWall);
+  return [replacement](Variant variant) {
+    return MeasureBeforeAWall(
+      NewKernel(variant == Variant::Ablated ? replacement : "horizon"), BehindWall);
   };
 }
 
-/// The points that count are those behind what is seen.
+/// Sample points behind the visible surface count. Ablated: those in front of it.
 ScenarioResult BehindTheSurface(Variant variant)
 {
   const auto kernel = NewKernel("depth-difference");
@@ -116,7 +118,7 @@ ScenarioResult BehindTheSurface(Variant variant)
   {
     kernel->Replace("behind > 1e-4", "behind < -1e-4");
   }
-  return BeforeAWall(kernel, BehindWall);
+  return MeasureBeforeAWall(kernel, BehindWall);
 }
 
 ScenarioResult OpenPlane(Variant variant)
@@ -132,11 +134,11 @@ ScenarioResult OpenPlane(Variant variant)
   }
   scene.Pass->SetEstimator(kernel);
   scene.Window->Render();
-  const Frame picture = OcclusionOf(scene);
-  return { RootMeanSquare(picture.Values), Inverted(picture) };
+  const Frame image = OcclusionOf(scene);
+  return { RootMeanSquare(image.Values), Inverted(image) };
 }
 
-/// From the first sample, and after two thousand million, more than a float counts one by one.
+/// Samples from index 0, and from index 2e9, where consecutive integers are not exact in a float.
 ScenarioResult ManySamples(Variant variant)
 {
   const auto kernel = NewKernel("volumetric");
@@ -153,7 +155,7 @@ ScenarioResult ManySamples(Variant variant)
   return { Rmse(late.Values, OcclusionOf(scene).Values), Inverted(late) };
 }
 
-/// The inside of a trough of few facets and of many.
+/// The inside of a half cylinder of few facets and of many.
 ScenarioResult Facets(Variant variant)
 {
   const auto draw = [variant](int facets) {
@@ -178,7 +180,7 @@ ScenarioResult Facets(Variant variant)
   return { Rmse(coarse.Values, draw(96).Values), Inverted(coarse) };
 }
 
-/// One frame after a neighbour has moved; broken: nothing is left of the history there.
+/// One frame after a neighbor has moved. Ablated: its history has no minimum weight.
 ScenarioResult AfterAChange(Variant variant)
 {
   OcclusionScene scene(64, 48);
@@ -197,40 +199,40 @@ ScenarioResult AfterAChange(Variant variant)
   vtkActor* ball = scene.Renderer->GetActors()->GetLastActor();
   ball->SetPosition(.06, 0.0, .5);
   scene.Window->Render();
-  const Frame picture = OcclusionOf(scene);
-  return { Rmse(picture.Values, Limit(scene).Values), Inverted(picture) };
+  const Frame image = OcclusionOf(scene);
+  return { Rmse(image.Values, Limit(scene).Values), Inverted(image) };
 }
 
 }
 
 std::vector<Scenario> OcclusionKernelScenarios()
 {
-  const std::string wall = "a floor before a wall, against the closed form";
+  const std::string wall = "a floor in front of a wall, against the closed form";
   return {
-    { "KernelCosineOnce", wall + " of D = 1 - t, volumetric kernel", "still", Metric::Bias, .02,
-      "the cosine of eq. 3 left to the directions: applied again",
+    { "KernelCosineOnce", wall + " for D = 1 - t, volumetric kernel", "still", Metric::Bias, .02,
+      "cosine by the distribution of directions only: applied again",
       "[TSSAO eq. 3] cosine applied twice", "", CosineOnce },
     { "KernelFalloff", wall, "still", Metric::Bias, .03,
-      "a kernel whose D is 1 within the radius: the volumetric one",
+      "a kernel with D = 1 within the radius: the volumetric kernel",
       "[TSSAO eq. 3] estimates another D", "", InsteadOf("volumetric") },
     { "KernelWithoutCosine", wall, "still", Metric::Bias, .03,
-      "a kernel that weighs by the cosine: [ISAO]'s", "[ISAO eq. 1] no cosine, no D", "",
+      "a kernel with cosine weighting: the kernel of [ISAO]", "[ISAO eq. 1] no cosine, no D", "",
       InsteadOf("depth-difference") },
     { "KernelBehindTheSurface", wall + ", depth-difference kernel", "still", Metric::Bias, .2,
-      "what counts: points before the surface, as step 4 says",
-      "[ISAO] step 4 counts the wrong way", "", BehindTheSurface },
+      "counting points behind the surface: points in front, as in step 4",
+      "[ISAO] step 4 counts the wrong points", "", BehindTheSurface },
     { "KernelOpenPlane", "an open floor, depth-difference kernel", "still", Metric::Bias, .005,
-      "offsets reflected into the hemisphere: the full sphere",
+      "offsets reflected into the hemisphere: offsets in the full sphere",
       "[ISAO] the full sphere darkens an open plane", "", OpenPlane },
-    { "KernelManySamples", "a ball on a floor before a wall, from the 2e9th sample on", "still",
-      Metric::Bias, .012, "an index that counts on: rounded to a float",
-      "[TSSAO eq. 7] an index of samples that is rounded", "", ManySamples },
-    { "KernelFacets", "a trough of 12 facets and of 96", "still", Metric::Bias, .009,
-      "rays through the layer: the patch kernel [TSSAO eq. 12]",
-      "[TSSAO eq. 12] shows tessellation", "", Facets },
-    { "OcclusionAfterAChange", "a ball on a floor before a wall, no filter",
-      "the ball moves a little", Metric::Bias, .035, "a least weight of the history: none",
-      "[TSSAO eq. 9] noise flashes up where history ends", "", AfterAChange },
+    { "KernelManySamples", "a ball on a floor in front of a wall, from sample 2e9 on", "still",
+      Metric::Bias, .012, "integer sample index: rounded to a float",
+      "[TSSAO eq. 7] rounded sample index", "", ManySamples },
+    { "KernelFacets", "a half cylinder of 12 facets and of 96", "still", Metric::Bias, .009,
+      "ray-marched kernel: the patch kernel [TSSAO eq. 12]", "[TSSAO eq. 12] shows tessellation",
+      "", Facets },
+    { "OcclusionAfterAChange", "a ball on a floor in front of a wall, no filter",
+      "the ball moves a little", Metric::Bias, .035, "minimum weight of the history: none",
+      "[TSSAO eq. 9] noise where history is discarded", "", AfterAChange },
   };
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The occlusion pass while something moves: what it keeps from earlier frames must neither flicker nor
-// linger. Occlusion in [0, 1], against what the pass converges to at the same place.
+// The occlusion pass in motion: the history of earlier frames must neither flicker nor leave
+// ghosts. Occlusion in [0, 1] is compared with the converged occlusion of the same view.
 #include "OcclusionScenes.h"
 #include "Scenario.h"
 
@@ -22,35 +22,35 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-/// How a mechanism is taken away.
-using Breaking = void (*)(Pass*);
+/// Disables a mechanism of the pass.
+using Ablation = void (*)(Pass*);
 
-void KeepNothing(Pass* pass)
+/// The maximum weight is that of one frame of 8 samples, so no sample of an earlier frame is kept.
+void DisableHistory(Pass* pass)
 {
   pass->SetMaximumWeight(8.0);
   pass->SetFirstSamples(8);
-  pass->FilterOff();
 }
 
-void KeepUnchecked(Pass* pass)
+void DisableValidation(Pass* pass)
 {
   pass->SetDepthTolerance(1.0);
   pass->SetInvalidationWeight(1000.0);
   pass->UseActorMotionOff();
 }
 
-void KeepBesideMoved(Pass* pass)
+void DisableNeighborValidation(Pass* pass)
 {
   pass->SetInvalidationWeight(1000.0);
 }
 
-/// A scene that has been still for a while, on the way to convergence.
-void Start(OcclusionScene& scene, Variant variant, Breaking broken, int frames = 30)
+/// Adds the pass and renders some frames of the static scene.
+void Start(OcclusionScene& scene, Variant variant, Ablation ablate, int frames = 30)
 {
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   if (variant == Variant::Ablated)
   {
-    broken(scene.Pass);
+    ablate(scene.Pass);
   }
   for (int frame = 0; frame < frames; ++frame)
   {
@@ -71,12 +71,12 @@ std::vector<Vector> FloorPoints()
 
 using Step = void (*)(OcclusionScene&, int frame);
 
-/// Flicker of the floor while `move` moves something every frame.
-ScenarioResult FlickerUnder(Step move, Breaking broken, Variant variant)
+/// Measures the flicker of the floor while `move` changes the scene every frame.
+ScenarioResult FlickerUnder(Step move, Ablation ablate, Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
-  Start(scene, variant, broken);
+  Start(scene, variant, ablate);
   std::vector<std::vector<double>> times;
   for (int frame = 0; frame < 12; ++frame)
   {
@@ -87,12 +87,12 @@ ScenarioResult FlickerUnder(Step move, Breaking broken, Variant variant)
   return { Flicker(times), OpennessOf(scene) };
 }
 
-/// Error of the last of some frames.
-ScenarioResult ErrorAfter(Step move, int frames, Breaking broken, Variant variant)
+/// Measures the error of the last of `frames` frames.
+ScenarioResult ErrorAfter(Step move, int frames, Ablation ablate, Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
-  Start(scene, variant, broken);
+  Start(scene, variant, ablate);
   for (int frame = 0; frame < frames; ++frame)
   {
     move(scene, frame);
@@ -102,12 +102,12 @@ ScenarioResult ErrorAfter(Step move, int frames, Breaking broken, Variant varian
   return { Rmse(moving.Values, Limit(scene).Values), Inverted(moving) };
 }
 
-/// Frames until nothing is left of what was there before `event`.
-ScenarioResult GhostAfter(Step event, Breaking broken, Variant variant)
+/// Measures the number of frames until no trace is left of the state before `event`.
+ScenarioResult GhostAfter(Step event, Ablation ablate, Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
-  Start(scene, variant, broken);
+  Start(scene, variant, ablate);
   event(scene, 0);
   std::vector<Frame> frames;
   for (int frame = 0; frame < 24; ++frame)
@@ -124,35 +124,35 @@ ScenarioResult GhostAfter(Step event, Breaking broken, Variant variant)
   return { GhostLength(errors), Inverted(frames[3]) };
 }
 
-vtkCamera* Eye(OcclusionScene& scene)
+vtkCamera* ActiveCamera(OcclusionScene& scene)
 {
   return scene.Renderer->GetActiveCamera();
 }
 
-vtkActor* Ball(OcclusionScene& scene)
+vtkActor* LastActor(OcclusionScene& scene)
 {
   return scene.Renderer->GetActors()->GetLastActor();
 }
 
 vtkSphereSource* BallSource(OcclusionScene& scene)
 {
-  return vtkSphereSource::SafeDownCast(Ball(scene)->GetMapper()->GetInputAlgorithm());
+  return vtkSphereSource::SafeDownCast(LastActor(scene)->GetMapper()->GetInputAlgorithm());
 }
 
 void PanSlowly(OcclusionScene& scene, int)
 {
-  Eye(scene)->Azimuth(.25);
+  ActiveCamera(scene)->Azimuth(.25);
 }
 
 void PanFast(OcclusionScene& scene, int)
 {
-  Eye(scene)->Azimuth(4.0);
+  ActiveCamera(scene)->Azimuth(4.0);
   scene.Renderer->ResetCameraClippingRange();
 }
 
 void Zoom(OcclusionScene& scene, int)
 {
-  Eye(scene)->Dolly(1.03);
+  ActiveCamera(scene)->Dolly(1.03);
   scene.Renderer->ResetCameraClippingRange();
 }
 
@@ -168,12 +168,12 @@ void Cut(OcclusionScene& scene, int)
 
 void MoveBall(OcclusionScene& scene, int)
 {
-  Ball(scene)->SetPosition(1.2, -.6, .5);
+  LastActor(scene)->SetPosition(1.2, -.6, .5);
 }
 
 void RollBall(OcclusionScene& scene, int frame)
 {
-  Ball(scene)->SetPosition(.03 * frame, 0.0, .5);
+  LastActor(scene)->SetPosition(.03 * frame, 0.0, .5);
 }
 
 void GrowBall(OcclusionScene& scene, int frame)
@@ -187,7 +187,7 @@ void RemeshBall(OcclusionScene& scene, int frame)
   BallSource(scene)->SetPhiResolution(48 + frame % 2 * 16);
 }
 
-/// The wall behind the ball swings open about its left edge.
+/// Rotates the wall behind the ball about its left edge.
 void OpenDoor(OcclusionScene& scene, int)
 {
   auto* door = vtkActor::SafeDownCast(scene.Renderer->GetActors()->GetItemAsObject(1));
@@ -195,21 +195,21 @@ void OpenDoor(OcclusionScene& scene, int)
   door->SetOrientation(0.0, 0.0, 70.0);
 }
 
-void TakeBallAway(OcclusionScene& scene, int)
+void HideBall(OcclusionScene& scene, int)
 {
-  Ball(scene)->VisibilityOff();
+  LastActor(scene)->VisibilityOff();
 }
 
-/// Round the scene and back.
+/// Moves the camera around the scene and back to its start.
 ScenarioResult Orbit(Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
-  Start(scene, variant, KeepUnchecked);
+  Start(scene, variant, DisableValidation);
   const Frame before = OcclusionOf(scene);
   for (int frame = 0; frame < 24; ++frame)
   {
-    Eye(scene)->Azimuth(15.0);
+    ActiveCamera(scene)->Azimuth(15.0);
     scene.Renderer->ResetCameraClippingRange();
     scene.Window->Render();
   }
@@ -217,8 +217,8 @@ ScenarioResult Orbit(Variant variant)
   return { Rmse(before.Values, after.Values), Inverted(after) };
 }
 
-/// Upright rods that turn before a wall.
-ScenarioResult TurningRods(Variant variant)
+/// Vertical rods that move sideways in front of a wall.
+ScenarioResult MovingRods(Variant variant)
 {
   OcclusionScene scene(128, 96);
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 4, 0 });
@@ -229,7 +229,7 @@ ScenarioResult TurningRods(Variant variant)
     rods.push_back(scene.AddWall({ .4 * i - 1.2, .4, 0 }, { .06, 0, 0 }, { 0, 0, 1.5 }));
   }
   scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
-  Start(scene, variant, KeepUnchecked);
+  Start(scene, variant, DisableValidation);
   for (int frame = 0; frame < 12; ++frame)
   {
     for (const auto& rod : rods)
@@ -242,16 +242,16 @@ ScenarioResult TurningRods(Variant variant)
   return { Rmse(moving.Values, Limit(scene).Values), Inverted(moving) };
 }
 
-/// A ball leaves the picture to the left: what it hides from a column near the border, against a picture
-/// with all of its surroundings.
-ScenarioResult CrossBorder(Variant variant)
+/// A ball leaves the image to the left. The reference is rendered with a margin that contains the
+/// ball.
+ScenarioResult CrossImageEdge(Variant variant)
 {
   double worst = 0.0;
-  Frame picture;
-  const auto draw = [](double place, double margin) {
+  Frame image;
+  const auto draw = [](double position, double margin) {
     OcclusionScene scene(96, 72);
     scene.AddFloor();
-    scene.AddSphere({ place, 0, .5 }, .5);
+    scene.AddSphere({ position, 0, .5 }, .5);
     scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
     scene.AddOcclusionPass(1.0)->SetTolerance(.005);
     scene.Pass->SetMargin(margin);
@@ -260,12 +260,12 @@ ScenarioResult CrossBorder(Variant variant)
   };
   for (int frame = 0; frame < 3; ++frame)
   {
-    const double place = -2.2 - .3 * frame;
-    picture = draw(place, variant == Variant::Ablated ? 0.0 : -1.0);
-    const Frame whole = draw(place, 30.0);
-    worst = std::max(worst, Rmse(picture.Values, whole.Values));
+    const double position = -2.2 - .3 * frame;
+    image = draw(position, variant == Variant::Ablated ? 0.0 : -1.0);
+    const Frame whole = draw(position, 30.0);
+    worst = std::max(worst, Rmse(image.Values, whole.Values));
   }
-  return { worst, Inverted(picture) };
+  return { worst, Inverted(image) };
 }
 
 template <typename Function, typename... Arguments>
@@ -278,41 +278,43 @@ std::function<ScenarioResult(Variant)> Bind(Function function, Arguments... argu
 
 std::vector<Scenario> OcclusionMotionScenarios()
 {
-  const std::string nothing = "history and filter: none";
-  const std::string unchecked = "validation of history: none (eq. 8 and 9)";
-  const std::string beside = "validation of neighbours: none (eq. 9)";
-  const std::string scene = "a ball on a floor before a wall";
+  const std::string history = "history: none";
+  const std::string validation = "validation of history: none (eq. 8 and 9, actor motion)";
+  const std::string neighbors = "validation of neighbors: none (eq. 9)";
+  const std::string scene = "a ball on a floor in front of a wall";
   return {
-    { "OcclusionSlowPan", scene, "slow pan, .25 degree a frame", Metric::Flicker, .01, nothing,
-      "[TSSAO eq. 7] nearest history drifts", "", Bind(FlickerUnder, PanSlowly, KeepNothing) },
-    { "OcclusionFastPan", scene, "fast pan, 4 degrees a frame", Metric::Bias, .06, nothing,
-      "[TSSAO eq. 8] history of what was hidden", "", Bind(ErrorAfter, PanFast, 6, KeepNothing) },
-    { "OcclusionZoom", scene, "zoom, 3 % a frame", Metric::Bias, .03, nothing,
-      "[TSSAO eq. 7] nearest history drifts", "", Bind(ErrorAfter, Zoom, 10, KeepNothing) },
+    { "OcclusionSlowPan", scene, "slow pan, 0.25 degrees per frame", Metric::Flicker, .01, history,
+      "[TSSAO eq. 7] nearest history drifts", "", Bind(FlickerUnder, PanSlowly, DisableHistory) },
+    { "OcclusionFastPan", scene, "fast pan, 4 degrees per frame", Metric::Bias, .06, history,
+      "[TSSAO eq. 8] history of disoccluded surfaces", "",
+      Bind(ErrorAfter, PanFast, 6, DisableHistory) },
+    { "OcclusionZoom", scene, "zoom, 3 % per frame", Metric::Bias, .03, history,
+      "[TSSAO eq. 7] nearest history drifts", "", Bind(ErrorAfter, Zoom, 10, DisableHistory) },
     { "OcclusionGrazingPan", "the same at 5 degrees above the floor", "slow pan", Metric::Flicker,
-      .012, nothing, "[TSSAO eq. 8] rejects planes at grazing angles", "",
-      Bind(FlickerUnder, Graze, KeepNothing) },
-    { "OcclusionCut", scene, "cut", Metric::GhostLength, 8, unchecked, "[TSSAO] camera cut", "",
-      Bind(GhostAfter, Cut, KeepUnchecked) },
-    { "OcclusionOrbit", scene, "orbit by 360 degrees, closed loop", Metric::Drift, .085, unchecked,
-      "[TSSAO eq. 8] history of what was hidden", "", Orbit },
-    { "OcclusionMovedActor", scene, "the ball jumps aside", Metric::GhostLength, 20, unchecked,
-      "[TSSAO] moving actors", "", Bind(GhostAfter, MoveBall, KeepUnchecked) },
-    { "OcclusionRollingActor", scene, "the ball rolls before the wall", Metric::Bias, .068,
-      unchecked, "[TSSAO] moving actors", "", Bind(ErrorAfter, RollBall, 12, KeepUnchecked) },
+      .012, history, "[TSSAO eq. 8] rejects planes at grazing angles", "",
+      Bind(FlickerUnder, Graze, DisableHistory) },
+    { "OcclusionCut", scene, "cut", Metric::GhostLength, 8, validation, "[TSSAO] camera cut", "",
+      Bind(GhostAfter, Cut, DisableValidation) },
+    { "OcclusionOrbit", scene, "orbit by 360 degrees, closed loop", Metric::Drift, .085, validation,
+      "[TSSAO eq. 8] history of disoccluded surfaces", "", Orbit },
+    { "OcclusionMovedActor", scene, "the ball jumps to the side", Metric::GhostLength, 20,
+      validation, "[TSSAO] moving actors", "", Bind(GhostAfter, MoveBall, DisableValidation) },
+    { "OcclusionRollingActor", scene, "the ball moves along the wall", Metric::Bias, .068,
+      validation, "[TSSAO] moving actors", "", Bind(ErrorAfter, RollBall, 12, DisableValidation) },
     { "OcclusionOpeningDoor", scene, "the wall opens like a door", Metric::GhostLength, 12,
-      unchecked, "[TSSAO eq. 9] a neighbour moves", "", Bind(GhostAfter, OpenDoor, KeepUnchecked) },
-    { "OcclusionGoneActor", scene, "the ball disappears", Metric::GhostLength, 12, beside,
-      "[TSSAO eq. 9] a neighbour moves", "", Bind(GhostAfter, TakeBallAway, KeepBesideMoved) },
-    { "OcclusionDeformingSurface", scene, "the ball grows", Metric::Bias, .05, unchecked,
-      "[TSSAO] changed geometry", "", Bind(ErrorAfter, GrowBall, 12, KeepUnchecked) },
-    { "OcclusionChangingTopology", scene, "the ball's mesh is another one every frame",
-      Metric::Flicker, .01, nothing, "[TSSAO] changed geometry", "",
-      Bind(FlickerUnder, RemeshBall, KeepNothing) },
-    { "OcclusionRodsInMotion", "thin rods before a wall", "the rods move", Metric::Bias, .055,
-      unchecked, "[TSSAO eq. 8] history of what was hidden", "", TurningRods },
-    { "OcclusionBorderCrossing", "a ball on a floor", "it leaves the picture", Metric::Bias, .01,
-      "a margin around the picture: none", "[TSSAO] the image border", "", CrossBorder },
+      validation, "[TSSAO eq. 9] a neighbor moves", "",
+      Bind(GhostAfter, OpenDoor, DisableValidation) },
+    { "OcclusionGoneActor", scene, "the ball disappears", Metric::GhostLength, 12, neighbors,
+      "[TSSAO eq. 9] a neighbor moves", "", Bind(GhostAfter, HideBall, DisableNeighborValidation) },
+    { "OcclusionDeformingSurface", scene, "the ball grows", Metric::Bias, .05, validation,
+      "[TSSAO] changed geometry", "", Bind(ErrorAfter, GrowBall, 12, DisableValidation) },
+    { "OcclusionChangingTopology", scene, "the mesh of the ball changes every frame",
+      Metric::Flicker, .01, history, "[TSSAO] changed geometry", "",
+      Bind(FlickerUnder, RemeshBall, DisableHistory) },
+    { "OcclusionRodsInMotion", "thin rods in front of a wall", "the rods move", Metric::Bias, .055,
+      validation, "[TSSAO eq. 8] history of disoccluded surfaces", "", MovingRods },
+    { "OcclusionBorderCrossing", "a ball on a floor", "it leaves the image", Metric::Bias, .01,
+      "margin around the image: none", "[TSSAO] the image edge", "", CrossImageEdge },
   };
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What lies over a scene must not be darkened by the occlusion of what lies behind it.
+// Translucent props, volumes and overlays must not be darkened by the occlusion of surfaces behind
+// them.
 #include "OcclusionScenes.h"
 #include "Scenario.h"
 
@@ -32,74 +33,76 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-/// The colour of the picture with and without occlusion, where something else lies over the scene.
-ScenarioResult Untouched(OcclusionScene& scene, Variant variant, const std::vector<Vector>& places)
+/// Returns the largest difference between images with and without occlusion at the given positions,
+/// where an overlay covers the scene.
+ScenarioResult MeasureChange(
+  OcclusionScene& scene, Variant variant, const std::vector<Vector>& positions)
 {
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
   vtkNew<vtkRenderStepsPass> everything;
-  vtkNew<Pass> byHand;
+  vtkNew<Pass> wholeImage;
   if (variant == Variant::Ours)
   {
     scene.AddOcclusionPass(1.0);
   }
   else
   {
-    // The pass by hand: its delegate draws the whole picture, what lies over the scene included.
-    byHand->SetDelegatePass(everything);
-    byHand->SetRadiusUnit(Pass::WORLD);
-    byHand->SetRadius(1.0);
-    scene.Renderer->SetPass(byHand);
+    // The delegate of this pass renders the whole image, including what covers the scene.
+    wholeImage->SetDelegatePass(everything);
+    wholeImage->SetRadiusUnit(Pass::WORLD);
+    wholeImage->SetRadius(1.0);
+    scene.Renderer->SetPass(wholeImage);
   }
   scene.Window->Render();
   const std::vector<int> occluded = scene.Picture();
   double largest = 0.0;
-  for (const Vector& place : places)
+  for (const Vector& position : positions)
   {
     const int at = 4 *
-      (static_cast<int>(place[1] * scene.Height) * scene.Width +
-        static_cast<int>(place[0] * scene.Width));
+      (static_cast<int>(position[1] * scene.Height) * scene.Width +
+        static_cast<int>(position[0] * scene.Width));
     for (int c = 0; c < 3; ++c)
     {
       largest = std::max(largest, std::abs(occluded[at + c] - plain[at + c]) / 255.0);
     }
   }
-  Frame picture{ scene.Width, scene.Height, {} };
+  Frame image{ scene.Width, scene.Height, {} };
   for (std::size_t i = 1; i < occluded.size(); i += 4)
   {
-    picture.Values.push_back(occluded[i] / 255.0);
+    image.Values.push_back(occluded[i] / 255.0);
   }
-  if (scene.Renderer->GetPass() == byHand)
+  if (scene.Renderer->GetPass() == wholeImage)
   {
-    byHand->ReleaseGraphicsResources(scene.Window);
+    wholeImage->ReleaseGraphicsResources(scene.Window);
     scene.Renderer->SetPass(nullptr);
   }
-  return { largest, picture };
+  return { largest, image };
 }
 
-/// Places of a grid over the picture, within bounds.
-std::vector<Vector> Places(double left, double right, double low, double high)
+/// Grid of positions within bounds, as fractions of the image's size.
+std::vector<Vector> GridPositions(double left, double right, double low, double high)
 {
-  std::vector<Vector> places;
+  std::vector<Vector> positions;
   for (int i = 0; i < 400; ++i)
   {
-    places.push_back({ left + (right - left) * (i % 20 + .5) / 20.0,
+    positions.push_back({ left + (right - left) * (i % 20 + .5) / 20.0,
       low + (high - low) * (i / 20 + .5) / 20.0, 0 });
   }
-  return places;
+  return positions;
 }
 
-/// Glass that is nearly opaque before a corner.
+/// A nearly opaque pane of glass in front of a corner.
 ScenarioResult BehindGlass(Variant variant)
 {
   OcclusionScene scene(96, 72);
   Furnish(scene);
   const auto glass = scene.AddWall({ -3, -2, -3 }, { 6, 0, 0 }, { 0, 0, 6 });
   glass->GetProperty()->SetOpacity(.95);
-  return Untouched(scene, variant, Places(0.0, 1.0, 0.0, 1.0));
+  return MeasureChange(scene, variant, GridPositions(0.0, 1.0, 0.0, 1.0));
 }
 
-/// A cloud that is nearly opaque before a corner.
+/// A nearly opaque volume in front of a corner.
 ScenarioResult BehindAVolume(Variant variant)
 {
   OcclusionScene scene(96, 72);
@@ -123,16 +126,16 @@ ScenarioResult BehindAVolume(Variant variant)
   volume->GetProperty()->SetScalarOpacityUnitDistance(.1);
   volume->GetProperty()->SetColor(color);
   scene.Renderer->AddVolume(volume);
-  return Untouched(scene, variant, Places(.3, .7, .3, .7));
+  return MeasureChange(scene, variant, GridPositions(.3, .7, .3, .7));
 }
 
-/// Text and a scalar bar over a scene: beside them it looks as it does without them.
+/// Text and a scalar bar over a scene: next to them, occlusion is the same as without them.
 ScenarioResult TextAndScalarBar(Variant variant)
 {
   OcclusionScene scene(128, 96);
   Furnish(scene);
   vtkNew<vtkLookupTable> table;
-  table->SetHueRange(0.0, 0.0); // red: what lies under something is told from the green
+  table->SetHueRange(0.0, 0.0); // red, so that the green channel shows which pixels are covered
   table->Build();
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(table);
@@ -142,7 +145,7 @@ ScenarioResult TextAndScalarBar(Variant variant)
   text->GetTextProperty()->SetColor(1.0, 0.0, 0.0);
   text->SetPosition(20, 20);
   vtkNew<vtkRenderStepsPass> everything;
-  vtkNew<Pass> byHand;
+  vtkNew<Pass> wholeImage;
   const auto draw = [&](bool overlays) {
     bar->SetVisibility(overlays);
     text->SetVisibility(overlays);
@@ -165,9 +168,9 @@ ScenarioResult TextAndScalarBar(Variant variant)
   }
   else
   {
-    byHand->SetDelegatePass(everything);
-    byHand->SetRadiusUnit(Pass::WORLD);
-    scene.Renderer->SetPass(byHand);
+    wholeImage->SetDelegatePass(everything);
+    wholeImage->SetRadiusUnit(Pass::WORLD);
+    scene.Renderer->SetPass(wholeImage);
   }
   const Frame occluded = draw(false);
   const Frame both = draw(true);
@@ -179,7 +182,7 @@ ScenarioResult TextAndScalarBar(Variant variant)
   }
   if (variant == Variant::Ablated)
   {
-    byHand->ReleaseGraphicsResources(scene.Window);
+    wholeImage->ReleaseGraphicsResources(scene.Window);
     scene.Renderer->SetPass(nullptr);
   }
   return { largest, both };
@@ -189,14 +192,14 @@ ScenarioResult TextAndScalarBar(Variant variant)
 
 std::vector<Scenario> OcclusionOverlayScenarios()
 {
-  const std::string byHand = "OpaqueOnly: the delegate draws everything";
+  const std::string wholeImage = "occlusion of opaque props only: the delegate renders all props";
   return {
-    { "OcclusionBehindGlass", "nearly opaque glass before a corner", "still",
-      Metric::MaximumDifference, .06, byHand, "[TSSAO] translucent props", "", BehindGlass },
-    { "OcclusionBehindAVolume", "a nearly opaque cloud before a corner", "still",
-      Metric::MaximumDifference, .01, byHand, "[TSSAO] volumes", "", BehindAVolume },
+    { "OcclusionBehindGlass", "nearly opaque glass in front of a corner", "still",
+      Metric::MaximumDifference, .06, wholeImage, "[TSSAO] translucent props", "", BehindGlass },
+    { "OcclusionBehindAVolume", "a nearly opaque volume in front of a corner", "still",
+      Metric::MaximumDifference, .01, wholeImage, "[TSSAO] volumes", "", BehindAVolume },
     { "OcclusionBesideText", "text and a scalar bar over a corner", "still",
-      Metric::MaximumDifference, .02, byHand, "", "", TextAndScalarBar },
+      Metric::MaximumDifference, .02, wholeImage, "", "", TextAndScalarBar },
   };
 }
 

@@ -54,7 +54,7 @@ Frame OcclusionByVtk(OcclusionScene& scene, double radius)
   actors->InitTraversal(each);
   while (vtkActor* actor = actors->GetNextActor(each))
   {
-    // White whatever the light: the pass works on what is lit.
+    // Ambient white is independent of the lights. vtkSSAOPass needs actors with lighting on.
     actor->GetProperty()->LightingOn();
     actor->GetProperty()->SetAmbient(1.0);
     actor->GetProperty()->SetDiffuse(0.0);

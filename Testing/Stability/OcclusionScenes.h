@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the scenarios of the occlusion pass share.
+// Fixtures of the occlusion pass's scenarios.
 #ifndef penumbra_stability_OcclusionScenes_h
 #define penumbra_stability_OcclusionScenes_h
 
@@ -15,25 +15,25 @@ namespace penumbra
 
 constexpr const char* VtksOcclusion = "vtkSSAOPass, 128 samples, blurred";
 
-/// A sphere on a floor before a wall, everything `unit` times as large.
+/// Adds a sphere on a floor in front of a wall, scaled by `unit`.
 void Furnish(OcclusionScene& scene, double unit = 1.0);
 
-/// The occlusion that our pass showed in the last frame.
+/// Returns the occlusion that the pass computed in the last frame.
 Frame OcclusionOf(OcclusionScene& scene);
 
-/// The same of openness, to look at.
+/// Returns 1 - occlusion of the last frame, for display.
 Frame OpennessOf(OcclusionScene& scene);
 
-/// 1 - brightness after a frame of VTK's own pass.
+/// Renders a frame with vtkSSAOPass and returns 1 - brightness.
 Frame OcclusionByVtk(OcclusionScene& scene, double radius);
 
-/// 1 - values.
+/// Returns 1 - values.
 Frame Inverted(const Frame& frame);
 
-/// What the pass converges to at this camera, nothing kept from before.
+/// Returns the converged occlusion of the current view, without history of earlier frames.
 Frame Limit(OcclusionScene& scene);
 
-/// The occlusion at points of the floor, bilinear between pixels.
+/// Returns the occlusion at world points, interpolated bilinearly between pixels.
 std::vector<double> OnFloor(OcclusionScene& scene, const std::vector<Vector>& points);
 
 }

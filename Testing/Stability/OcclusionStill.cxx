@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The occlusion pass in windows and scenes that are difficult without any motion: borders of the
-// picture, viewports, other projections, units, distances.
+// The occlusion pass in static views that are difficult: image edges, viewports, projections, units
+// of length, distances from the origin.
 #include "OcclusionScenes.h"
 #include "Scenario.h"
 
@@ -23,7 +23,7 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-/// One frame of eight samples a pixel, no filter: what history and filter are for.
+/// A single frame of eight samples per pixel, without filter.
 void OneFrame(Pass* pass)
 {
   pass->SetConvergeInOneRender(Pass::NEVER);
@@ -31,13 +31,13 @@ void OneFrame(Pass* pass)
   pass->FilterOff();
 }
 
-Frame Drawn(OcclusionScene& scene)
+Frame RenderOcclusion(OcclusionScene& scene)
 {
   scene.Window->Render();
   return OcclusionOf(scene);
 }
 
-/// A view that has converged, frame by frame.
+/// Flicker of a converged static view.
 ScenarioResult StillView(Variant variant)
 {
   OcclusionScene scene(96, 72);
@@ -51,16 +51,16 @@ ScenarioResult StillView(Variant variant)
     scene.AddOcclusionPass(1.0);
   }
   std::vector<std::vector<double>> times;
-  Frame picture;
+  Frame image;
   for (int frame = 0; frame < 4; ++frame)
   {
-    picture = variant == Variant::Peer ? OcclusionByVtk(scene, 1.0) : Drawn(scene);
-    times.push_back(picture.Values);
+    image = variant == Variant::Peer ? OcclusionByVtk(scene, 1.0) : RenderOcclusion(scene);
+    times.push_back(image.Values);
   }
-  return { Flicker(times), Inverted(picture) };
+  return { Flicker(times), Inverted(image) };
 }
 
-/// A floor before a wall, against the closed form, in one column of pixels.
+/// A floor in front of a wall against the closed form, in one column of pixels.
 ScenarioResult Wall(OcclusionScene& scene, Variant variant)
 {
   scene.AddOcclusionPass(1.0)->SetTolerance(.005);
@@ -92,8 +92,8 @@ ScenarioResult AtAWideAngle(Variant variant)
   return Wall(scene, variant);
 }
 
-/// With near and far as 1 : 1e6; broken: as 1 : 1e9, and the camera's own planes, which no depth buffer
-/// can hold.
+/// Clipping planes at a ratio of 1 : 1e6. Ablated: at 1 : 1e9 and not fitted by the pass, which
+/// exceeds the precision of a depth buffer.
 ScenarioResult NearAndFar(Variant variant)
 {
   const auto draw = [variant](double nearPlane, double farPlane) {
@@ -105,14 +105,15 @@ ScenarioResult NearAndFar(Variant variant)
     }
     scene.AddOcclusionPass(1.0)->SetTolerance(.005);
     scene.Pass->SetOpaqueOnly(variant != Variant::Ablated);
-    return Drawn(scene);
+    return RenderOcclusion(scene);
   };
   const double nearPlane = variant == Variant::Ablated ? 1e-6 : 1e-4;
-  const Frame picture = draw(nearPlane, variant == Variant::Ablated ? 1e3 : 1e2);
-  return { Rmse(picture.Values, draw(0.0, 0.0).Values), Inverted(picture) };
+  const Frame image = draw(nearPlane, variant == Variant::Ablated ? 1e3 : 1e2);
+  return { Rmse(image.Values, draw(0.0, 0.0).Values), Inverted(image) };
 }
 
-/// The scene moved by 5,000 km: as an actor; broken: in its points, which are floats.
+/// The scene translated by 5e6 units by the actors' positions. Ablated: by the points, which are
+/// floats.
 ScenarioResult FarFromOrigin(Variant variant)
 {
   const auto draw = [&](const Vector& at) {
@@ -130,13 +131,14 @@ ScenarioResult FarFromOrigin(Variant variant)
     }
     scene.SetCamera({ at[0], at[1] - 5, 3 }, { at[0], at[1], .4 });
     scene.AddOcclusionPass(1.0)->SetTolerance(.005);
-    return Drawn(scene);
+    return RenderOcclusion(scene);
   };
-  const Frame picture = draw({ 5e5, 5e6, 0 });
-  return { Rmse(picture.Values, draw({ 0, 0, 0 }).Values), Inverted(picture) };
+  const Frame image = draw({ 5e5, 5e6, 0 });
+  return { Rmse(image.Values, draw({ 0, 0, 0 }).Values), Inverted(image) };
 }
 
-/// The bilateral filter over a black plate before a white wall; broken: at any distance.
+/// The bilateral filter over a black plate in front of a white wall. Ablated: without the weight by
+/// distance.
 ScenarioResult FilterAcrossAnEdge(Variant variant)
 {
   OcclusionScene scene(96, 72);
@@ -182,10 +184,10 @@ std::function<ScenarioResult(Variant)> Units(double unit)
         scene.Pass->SetRadiusUnit(Pass::FRACTION_OF_BOUNDS);
         scene.Pass->SetRadius(.1);
       }
-      return Drawn(scene);
+      return RenderOcclusion(scene);
     };
-    const Frame picture = draw(unit);
-    return ScenarioResult{ Rmse(picture.Values, draw(1.0).Values), Inverted(picture) };
+    const Frame image = draw(unit);
+    return ScenarioResult{ Rmse(image.Values, draw(1.0).Values), Inverted(image) };
   };
 }
 
@@ -212,7 +214,7 @@ std::function<ScenarioResult(Variant)> Transformed(bool mirrors)
       {
         OneFrame(scene.Pass);
       }
-      return Drawn(scene);
+      return RenderOcclusion(scene);
     };
     const Frame plain = draw(false);
     const Frame other = draw(true);
@@ -236,14 +238,14 @@ ScenarioResult TwoResolutions(Variant variant)
     {
       OneFrame(scene.Pass);
     }
-    return Drawn(scene);
+    return RenderOcclusion(scene);
   };
   const Frame small = draw(1);
   return { Rmse(small.Values, Halved(draw(2)).Values), Inverted(small) };
 }
 
-/// The same view filling a small picture and in the middle of a larger one.
-ScenarioResult PictureBorder(Variant variant)
+/// The same view as a small image and as the center of a larger image.
+ScenarioResult ImageEdge(Variant variant)
 {
   constexpr double small = 20.0;
   const double tangent = std::tan(small / 2.0 * std::acos(-1.0) / 180.0);
@@ -254,29 +256,29 @@ ScenarioResult PictureBorder(Variant variant)
     scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
     scene.AddOcclusionPass(1.0)->SetMargin(margin);
     scene.Pass->SetTolerance(.005);
-    return Drawn(scene);
+    return RenderOcclusion(scene);
   };
   const Frame whole = draw(192, 160, large, 0.0);
-  const Frame part = draw(96, 80, small, variant == Variant::Ablated ? 0.0 : 50.0);
-  std::vector<double> middle;
+  const Frame center = draw(96, 80, small, variant == Variant::Ablated ? 0.0 : 50.0);
+  std::vector<double> expected;
   for (int i = 0; i < 96 * 80; ++i)
   {
-    middle.push_back(whole.Values[(40 + i / 96) * 192 + 48 + i % 96]);
+    expected.push_back(whole.Values[(40 + i / 96) * 192 + 48 + i % 96]);
   }
-  return { Rmse(part.Values, middle), Inverted(part) };
+  return { Rmse(center.Values, expected), Inverted(center) };
 }
 
-/// A rod two radii before a wall: beside it, the wall is open.
+/// A rod three radii in front of a wall. Next to the rod, the wall is not occluded.
 ScenarioResult Halo(Variant variant)
 {
   OcclusionScene scene(96, 72);
   scene.AddWall({ -6, 3, -4 }, { 12, 0, 0 }, { 0, 0, 8 });
   scene.AddWall({ -.1, 0, -4 }, { .2, 0, 0 }, { 0, 0, 8 });
   scene.SetCamera({ 0, -5, 0 }, { 0, 0, 0 });
-  Frame picture;
+  Frame image;
   if (variant == Variant::Peer)
   {
-    picture = OcclusionByVtk(scene, 1.0);
+    image = OcclusionByVtk(scene, 1.0);
   }
   else
   {
@@ -285,23 +287,23 @@ ScenarioResult Halo(Variant variant)
     {
       scene.Pass->SetKernelName("volumetric");
     }
-    picture = Drawn(scene);
+    image = RenderOcclusion(scene);
   }
   double dark = 0.0;
   for (int x = 0; x < 48; ++x)
   {
-    dark += picture.Values[36 * 96 + x] > .03;
+    dark += image.Values[36 * 96 + x] > .03;
   }
-  return { dark, Inverted(picture) };
+  return { dark, Inverted(image) };
 }
 
-/// The right half of a window, and the same picture alone.
+/// The right half of a window, and the same image in a window of its size.
 ScenarioResult Viewports(Variant variant)
 {
   OcclusionScene single(64, 72);
   Furnish(single);
   single.AddOcclusionPass(1.0)->SetTolerance(.005);
-  const Frame alone = Drawn(single);
+  const Frame separate = RenderOcclusion(single);
   OcclusionScene pair(128, 72);
   Furnish(pair);
   pair.Renderer->SetViewport(.5, 0, 1, 1);
@@ -318,10 +320,10 @@ ScenarioResult Viewports(Variant variant)
   pair.Window->Render();
   const std::vector<float> values = pair.Array("AmbientOcclusion");
   const Frame half{ 64, 72, { values.begin(), values.end() } };
-  return { LargestDifference(half.Values, alone.Values), Inverted(half) };
+  return { LargestDifference(half.Values, separate.Values), Inverted(half) };
 }
 
-/// The window grows while a view converges.
+/// The window is enlarged while a view converges.
 ScenarioResult Resize(Variant variant)
 {
   OcclusionScene scene(96, 72);
@@ -344,14 +346,14 @@ ScenarioResult Resize(Variant variant)
       scene.Window->Render();
     }
   }
-  const Frame picture = OcclusionOf(scene);
-  return { Rmse(picture.Values, Limit(scene).Values), Inverted(picture) };
+  const Frame image = OcclusionOf(scene);
+  return { Rmse(image.Values, Limit(scene).Values), Inverted(image) };
 }
 
-ScenarioResult TinyPictures(Variant variant)
+ScenarioResult TinyImages(Variant variant)
 {
   double worst = 0.0;
-  Frame picture;
+  Frame image;
   for (const auto& [width, height] : { std::pair<int, int>(1, 1), { 2, 1 }, { 33, 7 }, { 7, 33 } })
   {
     OcclusionScene scene(width, height);
@@ -361,58 +363,61 @@ ScenarioResult TinyPictures(Variant variant)
     {
       OneFrame(scene.Pass);
     }
-    picture = Drawn(scene);
-    worst = std::max(worst, Rmse(picture.Values, Limit(scene).Values));
+    image = RenderOcclusion(scene);
+    worst = std::max(worst, Rmse(image.Values, Limit(scene).Values));
   }
-  return { worst, Inverted(picture) };
+  return { worst, Inverted(image) };
 }
 
 }
 
 std::vector<Scenario> OcclusionStillScenarios()
 {
-  const std::string frame = "convergence: one frame of 8 samples, unfiltered";
-  const std::string scene = "a ball on a floor before a wall";
-  const std::string volumetric = "rays through the layer: the volumetric kernel [TSSAO eq. 3]";
+  const std::string frame = "convergence and filter: one unfiltered frame of 8 samples";
+  const std::string scene = "a ball on a floor in front of a wall";
+  const std::string volumetric = "ray-marched kernel: the volumetric kernel [TSSAO eq. 3]";
   return {
-    { "OcclusionStillView", scene, "still", Metric::Flicker, 0.0, "converging within one render",
+    { "OcclusionStillView", scene, "still", Metric::Flicker, 0.0,
+      "convergence within one render: spread over frames",
       "[TSSAO] an exponential cap never stops flickering", VtksOcclusion, StillView },
-    { "OcclusionBeforeAWall", "a floor before a wall, against the closed form", "still",
+    { "OcclusionBeforeAWall", "a floor in front of a wall, against the closed form", "still",
       Metric::Bias, .04, frame, "[ISAO] one layer of depth", "", InPerspective },
     { "OcclusionInParallel", "the same in parallel projection", "still", Metric::Bias, .04, frame,
       "[TSSAO] parallel projection", "", InParallel },
-    { "OcclusionAtAWideAngle", "the same at 150 degrees", "still", Metric::Bias, .022, frame, "",
-      "", AtAWideAngle },
-    { "OcclusionNearAndFar", "clipping planes as 1 : 1,000,000", "still", Metric::Bias, .02,
-      "planes that follow what is in view; as 1 : 1e9", "[ISAO] depth alone", "", NearAndFar },
-    { "OcclusionFarFromTheOrigin", "a floor and a wall at 5e6", "still", Metric::Bias, .01,
-      "positions relative to the eye: 5e6 in the points themselves",
+    { "OcclusionAtAWideAngle", "the same at a view angle of 150 degrees", "still", Metric::Bias,
+      .022, frame, "", "", AtAWideAngle },
+    { "OcclusionNearAndFar", "clipping planes at a ratio of 1 : 1,000,000", "still", Metric::Bias,
+      .02, "fitted clipping planes: a ratio of 1 : 1e9, not fitted", "[ISAO] depth alone", "",
+      NearAndFar },
+    { "OcclusionFarFromTheOrigin", "a floor and a wall 5e6 units from the origin", "still",
+      Metric::Bias, .01, "positions relative to the camera: offset in the points, which are floats",
       "[TSSAO] large scenes lose precision", "", FarFromOrigin },
-    { "FilterAcrossAnEdge", "a plate before a wall, filtered", "still", Metric::Leak, .02,
-      "weights by distance: none", "[ISAO] surfaces bleed into one another", "",
+    { "FilterAcrossAnEdge", "a plate in front of a wall, filtered", "still", Metric::Leak, .02,
+      "filter weights by distance: none", "[ISAO] the filter blurs across edges", "",
       FilterAcrossAnEdge },
     { "OcclusionTinyUnit", "a ball of size 1e-6", "still", Metric::UnitIndependence, .01,
-      "a radius from the bounds: .5", "[ISAO] distances in scene units", VtksOcclusion,
+      "radius from the bounds: 0.5 units", "[ISAO] distances in scene units", VtksOcclusion,
       Units(1e-6) },
     { "OcclusionHugeUnit", "a ball of size 1e3", "still", Metric::UnitIndependence, .01,
-      "a radius from the bounds: .5", "[ISAO] distances in scene units", VtksOcclusion,
+      "radius from the bounds: 0.5 units", "[ISAO] distances in scene units", VtksOcclusion,
       Units(1e3) },
-    { "OcclusionMirrored", "two balls, floor and walls", "mirrored", Metric::Symmetry, .02, frame,
+    { "OcclusionMirrored", "two balls, a floor and walls", "mirrored", Metric::Symmetry, .02, frame,
       "", VtksOcclusion, Transformed(true) },
-    { "OcclusionTurned", "two balls, floor and walls", "the camera turned by 90 degrees",
+    { "OcclusionTurned", "two balls, a floor and walls", "the camera is rotated by 90 degrees",
       Metric::Rotation, .02, frame, "", VtksOcclusion, Transformed(false) },
     { "OcclusionTwoResolutions", scene, "still", Metric::Resolution, .04, frame, "", VtksOcclusion,
       TwoResolutions },
-    { "OcclusionPictureBorder", "a view, and the same within a larger one", "still", Metric::Bias,
-      .008, "a margin around the picture: none", "[TSSAO] the image border", "", PictureBorder },
-    { "OcclusionHalo", "a rod three radii before a wall", "still", Metric::HaloWidth, 1, volumetric,
-      "[TSSAO] dark halos", VtksOcclusion, Halo },
-    { "OcclusionViewports", "half of a window", "still", Metric::MaximumDifference, .01,
-      "a margin around the viewport: none", "[TSSAO] several viewports", "", Viewports },
-    { "OcclusionResize", scene, "the window is resized on the way to convergence", Metric::Bias,
-      .02, frame, "[TSSAO] resized window", "", Resize },
-    { "OcclusionTinyPictures", "pictures of 1x1, 2x1, 33x7, 7x33", "still", Metric::Bias, .01,
-      frame, "", "", TinyPictures },
+    { "OcclusionPictureBorder", "a view, and the same view within a larger one", "still",
+      Metric::Bias, .008, "margin around the image: none", "[TSSAO] the image edge", "",
+      ImageEdge },
+    { "OcclusionHalo", "a rod three radii in front of a wall", "still", Metric::HaloWidth, 1,
+      volumetric, "[TSSAO] dark halos", VtksOcclusion, Halo },
+    { "OcclusionViewports", "a viewport of half a window", "still", Metric::MaximumDifference, .01,
+      "margin around the viewport: none", "[TSSAO] several viewports", "", Viewports },
+    { "OcclusionResize", scene, "the window is resized while the view converges", Metric::Bias, .02,
+      frame, "[TSSAO] resized window", "", Resize },
+    { "OcclusionTinyPictures", "images of 1x1, 2x1, 33x7 and 7x33 pixels", "still", Metric::Bias,
+      .01, frame, "", "", TinyImages },
   };
 }
 

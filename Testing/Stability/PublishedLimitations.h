@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the five papers name, print or leave out that makes their methods fail. Each has a row of the
-// catalogue at least, which names it as its source.
+// Limitations of the five papers' methods: stated, printed or omitted there. At least one row of
+// the catalogue names each as its source.
 #ifndef penumbra_stability_PublishedLimitations_h
 #define penumbra_stability_PublishedLimitations_h
 
@@ -15,10 +15,10 @@ namespace penumbra
 struct PublishedLimitation
 {
   std::string Source; ///< as Scenario::Source
-  std::string Remedy; ///< what settles it here
+  std::string Remedy; ///< how Penumbra avoids it
 };
 
-/// Paper by paper.
+/// Returns all limitations, grouped by paper.
 const std::vector<PublishedLimitation>& PublishedWeaknesses();
 
 }

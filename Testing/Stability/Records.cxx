@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What records of the cache must know beside a value and a radius: each row as it is, and by the same
-// records with one array of them altered. Then light of more than one reflection.
+// Records of the irradiance cache need more than a value and a radius. Each row is measured with
+// the records as they are, and with one of their arrays altered. Also: light of several bounces.
 #include "CacheScenes.h"
 #include "Scenario.h"
 
@@ -33,8 +33,9 @@ constexpr double Pi = 3.14159265358979323846;
 
 using Cache = vtkPenumbraIrradianceCache;
 
-/// A cache of the scene; broken: it begins with its own records, one array of them filled with a number.
-vtkSmartPointer<Cache> Records(
+/// Returns a cache of the scene. Ablated: it starts with the same records, one array of which is
+/// filled with `value`.
+vtkSmartPointer<Cache> BuildCache(
   const RayScene& rays, Variant variant, const char* array, double value, double tolerance)
 {
   auto cache = vtkSmartPointer<Cache>::New();
@@ -45,10 +46,10 @@ vtkSmartPointer<Cache> Records(
   }
   vtkNew<vtkPolyData> records;
   cache->GetRecords(records);
-  vtkDataArray* numbers = records->GetPointData()->GetArray(array);
-  for (int component = 0; component < numbers->GetNumberOfComponents(); ++component)
+  vtkDataArray* values = records->GetPointData()->GetArray(array);
+  for (int component = 0; component < values->GetNumberOfComponents(); ++component)
   {
-    numbers->FillComponent(component, value);
+    values->FillComponent(component, value);
   }
   auto altered = vtkSmartPointer<Cache>::New();
   altered->SetInitialRecords(records);
@@ -56,31 +57,31 @@ vtkSmartPointer<Cache> Records(
   return altered;
 }
 
-/// The floor under a sphere that touches it.
+/// Bias of occlusion on a floor under a sphere that touches it.
 ScenarioResult Gradients(Variant variant)
 {
   Scene scene;
   ArrangeContact(scene, 1.0, 256);
   const RayScene rays(scene, 1);
-  const auto cache = Records(rays, variant, "TranslationGradient", 0.0, .02);
-  ScenarioResult outcome{ 0.0, {} };
-  outcome.Picture = Picture(
+  const auto cache = BuildCache(rays, variant, "TranslationGradient", 0.0, .02);
+  ScenarioResult result{ 0.0, {} };
+  result.Picture = Picture(
     rays, cache,
     [](glm::dvec3 position, glm::dvec3 normal) {
       return normal.z > .99999 && position.z < 1e-3
         ? std::pow(1.0 + position.x * position.x + position.y * position.y, -1.5)
         : .5 * (1.0 - normal.z);
     },
-    outcome.Value);
-  return outcome;
+    result.Value);
+  return result;
 }
 
-/// Records at a sphere's normals weigh 1 where they lie; broken: by the formula as it is printed, whose
-/// root is of less than 0 where 1 - n.n rounds down.
+/// The weight of a record at its own position is 1. Ablated: the formula as printed, which takes
+/// the square root of a negative number if n.n rounds to more than 1.
 ScenarioResult WeightWhereItLies(Variant variant)
 {
   constexpr float normalFactor = 9.0124f;
-  Frame picture{ 64, 64, {} };
+  Frame image{ 64, 64, {} };
   for (int i = 0; i < 64 * 64; ++i)
   {
     const float angle = .1f * static_cast<float>(i % 64);
@@ -90,15 +91,15 @@ ScenarioResult WeightWhereItLies(Variant variant)
       std::sqrt(1.f - height * height) * glm::vec2(std::cos(angle), std::sin(angle)), height));
     record.Radius = 1.f;
     record.Gathered.Clearance.fill(1.f);
-    picture.Values.push_back(variant == Variant::Ablated
+    image.Values.push_back(variant == Variant::Ablated
         ? 1.f - normalFactor * std::sqrt(1.f - glm::dot(record.Normal, record.Normal))
         : record.Weight(record, normalFactor));
   }
-  const std::vector<double> ones(picture.Values.size(), 1.0);
-  return { LargestDifference(picture.Values, ones), picture };
+  const std::vector<double> ones(image.Values.size(), 1.0);
+  return { LargestDifference(image.Values, ones), image };
 }
 
-/// A board close above a floor: its records look the same way as the floor below it.
+/// A board close above a floor, whose records have the same normal as those of the floor.
 ScenarioResult UnderABoard(Variant variant)
 {
   Scene scene;
@@ -106,17 +107,17 @@ ScenarioResult UnderABoard(Variant variant)
   AddBox(scene, { -1.f, -1.f, .15f }, { 1.f, 1.f, .2f });
   LookAt(scene, { 0.0, -6.0, 1.2 }, { 0.0, -.6, .1 }, 30.0, 128, 128);
   const RayScene rays(scene, 1);
-  const auto cache = Records(rays, variant, "Lean", 100.0, .01);
-  vtkNew<vtkPenumbraBruteForceIrradiance> truth;
-  truth->Begin(rays, Infinity, .01);
+  const auto cache = BuildCache(rays, variant, "Lean", 100.0, .01);
+  vtkNew<vtkPenumbraBruteForceIrradiance> reference;
+  reference->Begin(rays, Infinity, .01);
   double worst = 0.0;
   for (int i = 0; i < 60; ++i)
   {
-    for (const glm::dvec3 place :
+    for (const glm::dvec3 position :
       { glm::dvec3(.03 * i - .9, -.95, 0.0), glm::dvec3(.03 * i - .9, -.9, .2) })
     {
       const glm::dvec3 up(0.0, 0.0, 1.0);
-      worst = std::max(worst, std::abs(Ask(cache, place, up) - Ask(truth, place, up)));
+      worst = std::max(worst, std::abs(Ask(cache, position, up) - Ask(reference, position, up)));
     }
   }
   return { worst, Picture(rays, cache) };
@@ -127,11 +128,12 @@ ScenarioResult ThroughASheet(Variant variant)
   Scene scene;
   ArrangeTwoRooms(scene);
   const RayScene rays(scene, 1);
-  const auto cache = Records(rays, variant, "Clearance", 100.0, .01);
+  const auto cache = BuildCache(rays, variant, "Clearance", 100.0, .01);
   return { WorstBesideWall(rays, cache), Picture(rays, cache) };
 }
 
-/// Within a closed box whose walls shine and throw a quarter back, light is passed on for ever.
+/// Inside a closed box whose walls emit light and reflect a quarter of it, against the infinite sum
+/// of bounces.
 ScenarioResult Furnace(Variant variant)
 {
   std::vector<Panel> panels;
@@ -150,14 +152,14 @@ ScenarioResult Furnace(Variant variant)
   const Illumination light(rays, settings);
   vtkNew<Cache> cache;
   cache->BeginIrradiance(light, .01);
-  ScenarioResult outcome{ 0.0, {} };
-  outcome.Picture = Picture(
+  ScenarioResult result{ 0.0, {} };
+  result.Picture = Picture(
     rays,
     [&](glm::dvec3 position, glm::dvec3 normal) {
       return cache->Irradiance(&position.x, &normal.x, .01).Value[0] / Pi;
     },
-    [](glm::dvec3, glm::dvec3) { return .5; }, outcome.Value);
-  return outcome;
+    [](glm::dvec3, glm::dvec3) { return .5; }, result.Value);
+  return result;
 }
 
 }
@@ -168,17 +170,17 @@ std::vector<Scenario> RecordScenarios()
     { "RecordGradients", "a sphere on a floor against the closed form", "still", Metric::Bias, .01,
       "gradients of records: 0", "[IC] no gradients", "", Gradients },
     { "RecordsUnderABoard", "a board close above a floor", "still", Metric::Leak, .05,
-      "how far off its surface a record serves: everywhere", "[IC] records in front of a surface",
-      "", UnderABoard },
-    { "RecordsThroughASheet", "a dark room and a bright one, a sheet between", "still",
-      Metric::Leak, .05, "how far the way from a record is clear: everywhere",
+      "maximum distance of a record from its tangent plane: unlimited",
+      "[IC] records in front of a surface", "", UnderABoard },
+    { "RecordsThroughASheet", "a dark and a bright room, separated by a sheet", "still",
+      Metric::Leak, .05, "clear distance around a record: unlimited",
       "[IC] records leak through thin walls", "", ThroughASheet },
-    { "RecordWeights", "records of 4096 directions, asked for where they lie", "still",
-      Metric::MaximumDifference, .01, "1 - n.n kept from falling below 0: as printed",
-      "[IC] the weight's root of less than 0", "", WeightWhereItLies },
+    { "RecordWeights", "weights of records with 4096 normals at their own positions", "still",
+      Metric::MaximumDifference, .01, "clamping 1 - n.n to 0: as printed",
+      "[IC] square root of a negative number in the weight", "", WeightWhereItLies },
     { "LightOfManyReflections",
-      "a closed box that shines and throws a quarter back, against the closed form", "still",
-      Metric::Bias, .01, "reflections before the last: none", "[IC] one reflection", "", Furnace },
+      "a closed box that emits light and reflects a quarter of it, against the closed form",
+      "still", Metric::Bias, .01, "bounces before the last: none", "[IC] one bounce", "", Furnace },
   };
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A row of the failure catalogue: where methods like ours are known to fail, by which metric that
-// shows, and how much of it is allowed. Every row is also measured with the mechanism that it guards
-// taken away, and must then be above its bound: no row is one that cannot fail.
+// A row of the failure catalogue: a situation in which rendering methods of this kind are known to
+// fail, the metric that shows it, and the bound on its value. Every row is also measured with the
+// mechanism that it guards disabled, and must then exceed its bound, so every row is able to fail.
 #ifndef penumbra_stability_Scenario_h
 #define penumbra_stability_Scenario_h
 
@@ -20,35 +20,35 @@ enum class Variant
 {
   Ours,
   Ablated, ///< without the mechanism that the row guards
-  Peer     ///< VTK's own way, where it has one
+  Peer     ///< VTK's method, if it has a comparable one
 };
 
 struct ScenarioResult
 {
   double Value;
-  Frame Picture; ///< to look at; white for 1
+  Frame Picture; ///< image for the document; 1 is white
 };
 
 struct Scenario
 {
-  std::string Name; ///< of the test and of the picture
+  std::string Name; ///< name of the test and of the image file
   std::string Scene;
   std::string Motion;
   Metric Measured;
   double Bound;
-  std::string AblatedMechanism; ///< what the broken variant lacks
-  std::string Source;           ///< the published weakness; empty: none
-  std::string Peer;             ///< VTK's own way; empty: it has none
+  std::string AblatedMechanism; ///< what the ablated variant disables
+  std::string Source;           ///< the published limitation; empty: none
+  std::string Peer;             ///< VTK's comparable method; empty: none
   std::function<ScenarioResult(Variant)> Measure;
-  bool IsKnownFailure =
-    false; ///< known to be above its bound: the test demands that, so that this stays true
+  /// If true, the value is known to exceed the bound, and the test requires that it still does.
+  bool IsKnownFailure = false;
 };
 
-/// All rows, in the order of the document.
+/// Returns all rows, in the order of the document.
 const std::vector<Scenario>& Catalogue();
 
 ///@{
-/// Rows by subject.
+/// Returns the rows of one subject.
 std::vector<Scenario> CoverageScenarios();
 std::vector<Scenario> GeometryScenarios();
 std::vector<Scenario> IrradianceScenarios();

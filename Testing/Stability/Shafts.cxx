@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light shafts where the paper names its limits: lights beside and behind the view, occluders at the
-// border, things in front. Against the ray caster's marched reference, in units of a white surface.
+// Light shafts in the cases that the paper names as limits: lights beside and behind the camera,
+// occluders at the edge of the image, objects in front. Images are compared with the ray-marched
+// reference of the ray caster.
 #include "Scenario.h"
 #include "ShaftScene.h"
 
@@ -38,45 +39,46 @@ struct Haze : ShaftScene
   }
 };
 
-/// Of what a ray that is lit from end to end would scatter: the brightest becomes white.
+/// Scales in-scattered light by 4 pi, so that a fully lit, infinitely long ray with isotropic
+/// scattering becomes white.
 Frame Amplified(const ShaftScene& scene, const std::vector<double>& values)
 {
-  Frame picture{ scene.Width, scene.Height, values };
-  for (double& value : picture.Values)
+  Frame image{ scene.Width, scene.Height, values };
+  for (double& value : image.Values)
   {
     value *= WholeSphere;
   }
-  return picture;
+  return image;
 }
 
-double RelativeRmse(const std::vector<double>& values, const std::vector<double>& truth)
+double RelativeRmse(const std::vector<double>& values, const std::vector<double>& reference)
 {
-  return Rmse(values, truth) / Rmse(truth, std::vector<double>(truth.size(), 0.0));
+  return Rmse(values, reference) / Rmse(reference, std::vector<double>(reference.size(), 0.0));
 }
 
-ScenarioResult Judge(ShaftScene& scene)
+ScenarioResult CompareWithRayCaster(ShaftScene& scene)
 {
   const std::vector<double> light = scene.RenderWithPass();
   return { RelativeRmse(light, scene.RenderWithRayCaster(64)), Amplified(scene, light) };
 }
 
-/// Under a sun; broken: the paper's mean of a mask.
-std::function<ScenarioResult(Variant)> UnderASun(const Vector& towards)
+/// A directional light. Ablated: the mean of a mask, as in the paper.
+std::function<ScenarioResult(Variant)> DirectionalLight(const Vector& direction)
 {
-  return [towards](Variant variant) {
+  return [direction](Variant variant) {
     Haze scene;
-    scene.AddSun(towards);
+    scene.AddSun(direction);
     scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
-    return Judge(scene);
+    return CompareWithRayCaster(scene);
   };
 }
 
-ScenarioResult UnderALamp(Variant variant)
+ScenarioResult PositionalLight(Variant variant)
 {
   Haze scene;
   scene.AddLamp({ 1.0, 2.0, 3.0 });
   scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
-  return Judge(scene);
+  return CompareWithRayCaster(scene);
 }
 
 ScenarioResult InParallel(Variant variant)
@@ -87,10 +89,10 @@ ScenarioResult InParallel(Variant variant)
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(3.5);
   scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
-  return Judge(scene);
+  return CompareWithRayCaster(scene);
 }
 
-/// Thin plates: what they hide ends soon behind them.
+/// Thin plates, whose shadows are bounded by the thickness of visible surfaces.
 ScenarioResult ThinOccluders(Variant variant)
 {
   Haze scene(0);
@@ -100,10 +102,10 @@ ScenarioResult ThinOccluders(Variant variant)
   }
   scene.AddSun(SunInView);
   scene.Pass->SetThickness(variant == Variant::Ablated ? 1e6 : 0.0);
-  return Judge(scene);
+  return CompareWithRayCaster(scene);
 }
 
-/// A small box close to the eye: the light behind it adds nothing.
+/// A small box close to the camera: light behind it adds nothing.
 ScenarioResult BehindAForeground(Variant variant)
 {
   Haze scene;
@@ -111,17 +113,17 @@ ScenarioResult BehindAForeground(Variant variant)
   scene.AddSun(SunInView);
   scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
   const std::vector<double> light = scene.RenderWithPass();
-  const std::vector<double> truth = scene.RenderWithRayCaster(64);
-  double most = 0.0;
+  const std::vector<double> reference = scene.RenderWithRayCaster(64);
+  double maximum = 0.0;
   for (int i = 0; i < 25; ++i)
   {
     const int pixel = (35 + i / 5) * scene.Width + 79 + i % 5;
-    most = std::max(most, std::abs(light[pixel] - truth[pixel]) * WholeSphere);
+    maximum = std::max(maximum, std::abs(light[pixel] - reference[pixel]) * WholeSphere);
   }
-  return { most, Amplified(scene, light) };
+  return { maximum, Amplified(scene, light) };
 }
 
-/// The light turns by a degree a frame, from beside the picture to the back.
+/// The light rotates by 2 degrees per frame, from beside the view to behind the camera.
 ScenarioResult SweepingLight(Variant variant)
 {
   Haze scene;
@@ -141,40 +143,40 @@ ScenarioResult SweepingLight(Variant variant)
   return { Pop(times), Amplified(scene, scene.RenderWithPass()) };
 }
 
-/// An occluder leaves the picture towards the light, a pixel a frame.
-ScenarioResult OccluderCrossesTheBorder(Variant variant)
+/// An occluder leaves the image toward the light, by about a pixel per frame.
+ScenarioResult OccluderCrossesImageEdge(Variant variant)
 {
   Haze scene(0);
   const auto ball = scene.AddSphere({ 0.0, 0.0, 2.0 }, .8);
   scene.AddSun({ .6, 1.0, .2 });
   scene.Pass->SetMargin(variant == Variant::Ablated ? 0.0 : -1.0);
   double worst = 0.0;
-  Frame picture;
+  Frame image;
   for (int frame = 0; frame < 12; ++frame)
   {
     ball->SetPosition(4.6 + .12 * frame, 0.0, 0.0);
     const std::vector<double> light = scene.RenderWithPass();
     worst = std::max(worst, RelativeRmse(light, scene.RenderWithRayCaster(32)));
-    picture = Amplified(scene, light);
+    image = Amplified(scene, light);
   }
-  return { worst, picture };
+  return { worst, image };
 }
 
-/// An occluder that stands outside of the picture on the way to the light.
+/// An occluder outside of the image, between visible air and the light.
 ScenarioResult OccluderOutside(Variant variant)
 {
   Haze scene(0);
   scene.AddSphere({ 5.6, 0.0, 2.0 }, .9);
   scene.AddSun({ .6, 1.0, .2 });
   scene.Pass->SetMargin(variant == Variant::Ablated ? 0.0 : -1.0);
-  return Judge(scene);
+  return CompareWithRayCaster(scene);
 }
 
-/// The paper's estimator: its brightness must not depend on the number of samples.
+/// The estimator of the paper: its brightness must not depend on the number of samples.
 ScenarioResult NumberOfSamples(Variant variant)
 {
-  std::vector<std::vector<double>> pictures;
-  Frame picture;
+  std::vector<std::vector<double>> images;
+  Frame image;
   for (const int steps : { 16, 64, 256 })
   {
     Haze scene;
@@ -182,19 +184,19 @@ ScenarioResult NumberOfSamples(Variant variant)
     scene.Pass->SetEstimator(Pass::RADIAL);
     scene.Pass->SetDecay(.98);
     scene.Pass->SetSteps(steps);
-    // The listing leaves out the division by the number of samples.
+    // The listing omits the division by the number of samples.
     scene.Pass->SetWeight(variant == Variant::Ablated ? steps / 64.0 : 1.0);
-    pictures.push_back(scene.RenderWithPass());
-    picture = Amplified(scene, pictures.back());
+    images.push_back(scene.RenderWithPass());
+    image = Amplified(scene, images.back());
   }
-  return { EnergyChange(pictures), picture };
+  return { EnergyChange(images), image };
 }
 
-/// A scene in another unit of length; broken: a medium that keeps its numbers.
+/// A scene in another unit of length. Ablated: a medium with fixed coefficients.
 ScenarioResult Units(Variant variant)
 {
-  std::vector<std::vector<double>> pictures;
-  Frame picture;
+  std::vector<std::vector<double>> images;
+  Frame image;
   for (const double unit : { 1.0, 1e-3 })
   {
     ShaftScene scene(96, 72);
@@ -207,13 +209,13 @@ ScenarioResult Units(Variant variant)
     {
       scene.SetMedium(EdgeDensity, EdgeDensity);
     }
-    pictures.push_back(scene.RenderWithPass());
-    picture = Amplified(scene, pictures.back());
+    images.push_back(scene.RenderWithPass());
+    image = Amplified(scene, images.back());
   }
-  return { RelativeRmse(pictures[1], pictures[0]), picture };
+  return { RelativeRmse(images[1], images[0]), image };
 }
 
-/// A still scene is computed once; broken: the light trembles by what nobody sees.
+/// A static scene is computed once. Ablated: the light moves by an invisible amount.
 ScenarioResult StillScene(Variant variant)
 {
   Haze scene;
@@ -230,34 +232,34 @@ ScenarioResult StillScene(Variant variant)
   return { Flicker(times), Amplified(scene, times.back()) };
 }
 
-/// Lit shares for 2x2 pixels, at the edges of what stands in front.
+/// Lit fractions of blocks of 2x2 pixels, at silhouettes.
 ScenarioResult HalfResolution(Variant variant)
 {
   Haze scene;
   scene.AddSun(SunInView);
   scene.Pass->SetTolerance(1.0 / 64.0);
   scene.Pass->SetSteps(variant == Variant::Ablated ? 2 : 0);
-  return Judge(scene);
+  return CompareWithRayCaster(scene);
 }
 
-/// Two chained passes of 8 samples against a loop of 64; broken: a loop of even steps.
+/// Two chained passes of 8 samples against one loop of 64. Ablated: uniform sample distances.
 ScenarioResult Chained(Variant variant)
 {
   Haze scene;
   scene.AddSun(SunInView);
   scene.Pass->SetEstimator(Pass::RADIAL);
-  scene.Pass->SetTolerance(1.0 / 1024.0); // a share for every pixel
+  scene.Pass->SetTolerance(1.0 / 1024.0); // a lit fraction for every pixel
   scene.Pass->SetSpacing(variant == Variant::Ablated ? Pass::EVEN : Pass::GEOMETRIC);
   scene.Pass->SetSteps(64);
   const std::vector<double> loop = scene.RenderWithPass();
   scene.Pass->SetSteps(8);
   scene.Pass->SetPasses(2);
   const std::vector<double> chained = scene.RenderWithPass();
-  const Frame picture = Amplified(scene, chained);
-  return { LargestDifference(picture.Values, Amplified(scene, loop).Values), picture };
+  const Frame image = Amplified(scene, chained);
+  return { LargestDifference(image.Values, Amplified(scene, loop).Values), image };
 }
 
-/// A sun and a lamp; broken: the first light alone.
+/// A directional and a positional light. Ablated: the directional light only.
 ScenarioResult TwoLights(Variant variant)
 {
   Haze scene;
@@ -267,11 +269,11 @@ ScenarioResult TwoLights(Variant variant)
   {
     scene.Pass->AddLight(sun);
   }
-  return Judge(scene);
+  return CompareWithRayCaster(scene);
 }
 
-/// A pane of glass between the eye and the haze does not stop the light behind it; broken: the pass takes
-/// it for the end of the way.
+/// A pane of glass in front of the haze does not block the light behind it. Ablated: the pane is
+/// opaque.
 ScenarioResult BehindGlass(Variant variant)
 {
   const auto draw = [variant](bool hasPane) {
@@ -288,7 +290,8 @@ ScenarioResult BehindGlass(Variant variant)
   return { LargestDifference(behind.Values, draw(false).Values), behind };
 }
 
-/// The right half of a window, and the same picture alone, an occluder outside of both.
+/// The right half of a window, and the same image in a window of its size, with an occluder outside
+/// of both.
 ScenarioResult InAViewport(Variant variant)
 {
   const auto draw = [variant](bool isHalf) {
@@ -306,15 +309,15 @@ ScenarioResult InAViewport(Variant variant)
     return Frame{ 96, 72, scene.RenderWithPass() };
   };
   Frame half = draw(true);
-  Frame alone = draw(false);
-  for (Frame* each : { &half, &alone })
+  Frame separate = draw(false);
+  for (Frame* each : { &half, &separate })
   {
     for (double& value : each->Values)
     {
       value *= WholeSphere;
     }
   }
-  return { LargestDifference(half.Values, alone.Values), half };
+  return { LargestDifference(half.Values, separate.Values), half };
 }
 
 }
@@ -322,53 +325,54 @@ ScenarioResult InAViewport(Variant variant)
 std::vector<Scenario> ShaftScenarios()
 {
   const std::string scene = "solids over a floor in haze";
-  const std::string mask = "depth along the way to the light: the mean of a mask [Shafts eq. 3]";
-  const std::string margin = "a margin around the picture: none";
+  const std::string mask = "depth along the ray: the mean of a mask [Shafts eq. 3]";
+  const std::string margin = "margin around the image: none";
   return {
-    { "ShaftsSunInView", scene + ", the sun in view", "still", Metric::Bias, .03, mask,
-      "[Shafts] no depth along the way", "", UnderASun(SunInView) },
-    { "ShaftsSunOutside", scene + ", the sun outside of the picture", "still", Metric::Bias, .03,
-      mask, "[Shafts] no depth along the way", "", UnderASun({ .72, 1.0, .32 }) },
-    { "ShaftsSunAtRightAngles", scene + ", the sun at right angles to the view", "still",
+    { "ShaftsSunInView", scene + ", the light in view", "still", Metric::Bias, .03, mask,
+      "[Shafts] no depth along the ray", "", DirectionalLight(SunInView) },
+    { "ShaftsSunOutside", scene + ", the light outside of the image", "still", Metric::Bias, .03,
+      mask, "[Shafts] no depth along the ray", "", DirectionalLight({ .72, 1.0, .32 }) },
+    { "ShaftsSunAtRightAngles", scene + ", the light at right angles to the view", "still",
       Metric::Bias, .03, mask, "[Shafts] a light at right angles to the view", "",
-      UnderASun({ 1.0, .0455, .32 }) },
-    { "ShaftsSunBehind", scene + ", the sun behind the eye", "still", Metric::Bias, .012, mask,
-      "[Shafts] a light behind the view", "", UnderASun({ .3, -1.0, .5 }) },
-    { "ShaftsLamp", scene + ", a lamp among them", "still", Metric::Bias, .04, mask,
-      "[Shafts] directional lights only", "", UnderALamp },
+      DirectionalLight({ 1.0, .0455, .32 }) },
+    { "ShaftsSunBehind", scene + ", the light behind the camera", "still", Metric::Bias, .012, mask,
+      "[Shafts] a light behind the view", "", DirectionalLight({ .3, -1.0, .5 }) },
+    { "ShaftsLamp", scene + ", a positional light among them", "still", Metric::Bias, .04, mask,
+      "[Shafts] directional lights only", "", PositionalLight },
     { "ShaftsInParallel", scene + ", in parallel projection", "still", Metric::Bias, .03, mask, "",
       "", InParallel },
     { "ShaftsThinOccluders", "five plates in haze", "still", Metric::Bias, .05,
-      "thickness of what is seen: endless", "[Shafts] one layer of depth", "", ThinOccluders },
-    { "ShaftsBehindAForeground", scene + ", a box close to the eye", "still",
+      "thickness of visible surfaces: unlimited", "[Shafts] one layer of depth", "",
+      ThinOccluders },
+    { "ShaftsBehindAForeground", scene + ", a box close to the camera", "still",
       Metric::MaximumDifference, .02, mask, "[Shafts] shafts drawn over the foreground", "",
       BehindAForeground },
-    { "ShaftsSweepingLight", scene, "the light turns past the eye, 2 degrees a frame", Metric::Pop,
-      .09, mask, "[Shafts] a light at right angles to the view", "", SweepingLight },
-    { "ShaftsOccluderCrossesTheBorder", "a ball in haze", "it leaves the picture", Metric::Bias,
-      .04, margin, "[Shafts] flicker at the image border", "", OccluderCrossesTheBorder },
-    { "ShaftsOccluderOutside", "a ball outside of the picture", "still", Metric::Bias, .03, margin,
-      "[Shafts] flicker at the image border", "", OccluderOutside },
-    { "ShaftsNumberOfSamples", scene + ", by [Shafts eq. 4] with 16, 64, 256 samples", "still",
+    { "ShaftsSweepingLight", scene, "the light rotates past the camera, 2 degrees per frame",
+      Metric::Pop, .09, mask, "[Shafts] a light at right angles to the view", "", SweepingLight },
+    { "ShaftsOccluderCrossesTheBorder", "a ball in haze", "it leaves the image", Metric::Bias, .04,
+      margin, "[Shafts] flicker at the image edge", "", OccluderCrossesImageEdge },
+    { "ShaftsOccluderOutside", "a ball outside of the image", "still", Metric::Bias, .03, margin,
+      "[Shafts] flicker at the image edge", "", OccluderOutside },
+    { "ShaftsNumberOfSamples", scene + ", by [Shafts eq. 4] with 16, 64 and 256 samples", "still",
       Metric::Energy, .1, "division by the number of samples: as in the listing",
       "[Shafts] the listing omits 1/n", "", NumberOfSamples },
-    { "ShaftsUnit", "solids in haze, 1e-3 times as large", "still", Metric::UnitIndependence, .01,
-      "a medium from the bounds: .12 a unit", "", "", Units },
+    { "ShaftsUnit", "solids in haze, scaled by 1e-3", "still", Metric::UnitIndependence, .01,
+      "medium scaled with the bounds: 0.12 per unit", "", "", Units },
     { "ShaftsStillScene", scene, "still", Metric::Flicker, 0.0,
-      "stillness: the sun trembles by 1/1000", "[Shafts] flickers in a still scene", "",
+      "reuse in a static scene: the light moves by 0.001", "[Shafts] flickers in a still scene", "",
       StillScene },
     { "ShaftsHalfResolution", scene + ", tolerance 1/64", "still", Metric::Bias, .025,
-      "steps from the tolerance: 2", "", "", HalfResolution },
+      "number of steps from the tolerance: 2 steps", "", "", HalfResolution },
     { "ShaftsChained", scene + ", two passes of 8 samples against a loop of 64", "still",
-      Metric::MaximumDifference, .02, "geometric distances of samples: even ones",
-      "[Shafts 13.8] chained passes are no long loop", "", Chained },
-    { "ShaftsTwoLights", scene + ", a sun and a lamp", "still", Metric::Bias, .04,
-      "a pass for each light: one", "[Shafts 13.3.1] one light", "", TwoLights },
-    { "ShaftsBehindGlass", scene + ", a pane of glass before the eye", "still",
-      Metric::MaximumDifference, .001, "what is translucent is looked through: it is opaque",
+      Metric::MaximumDifference, .02, "geometric sample distances: uniform",
+      "[Shafts 13.8] chained passes differ from one long loop", "", Chained },
+    { "ShaftsTwoLights", scene + ", a directional and a positional light", "still", Metric::Bias,
+      .04, "one pass per light: one pass", "[Shafts 13.3.1] one light", "", TwoLights },
+    { "ShaftsBehindGlass", scene + ", a pane of glass in front of the camera", "still",
+      Metric::MaximumDifference, .001, "translucent props do not block shafts: the pane is opaque",
       "[Shafts] translucent props", "", BehindGlass },
-    { "ShaftsInAViewport", "half of a window, a ball outside of it", "still",
-      Metric::MaximumDifference, .01, "a margin around the viewport: none",
+    { "ShaftsInAViewport", "a viewport of half a window, a ball outside of it", "still",
+      Metric::MaximumDifference, .01, "margin around the viewport: none",
       "[Shafts] several viewports", "", InAViewport },
   };
 }
