@@ -75,10 +75,11 @@ Renderer Highlights()
   const Renderer renderer = Empty();
   for (int i = 0; i < 5; ++i)
   {
-    vtkProperty* look = Add(renderer, Sphere(1.1 * i, 0.3 * i, 0.2 * i * i, 0.5))->GetProperty();
-    look->SetColor(1.0 - 0.2 * i, 0.3, 0.2 * i);
-    look->SetSpecular(0.7);
-    look->SetSpecularPower(30.0 + 10.0 * i);
+    vtkProperty* property =
+      Add(renderer, Sphere(1.1 * i, 0.3 * i, 0.2 * i * i, 0.5))->GetProperty();
+    property->SetColor(1.0 - 0.2 * i, 0.3, 0.2 * i);
+    property->SetSpecular(0.7);
+    property->SetSpecularPower(30.0 + 10.0 * i);
   }
   return SeeAll(renderer);
 }
@@ -126,14 +127,15 @@ Renderer Glass()
   renderer->SetMaximumNumberOfPeels(8);
   for (int i = 0; i < 5; ++i)
   {
-    vtkProperty* look = Add(renderer, Sphere(0.3 * i, 0.1 * i, 0.2 * i * i, 0.5))->GetProperty();
-    look->SetColor(1.0 - 0.2 * i, 0.3, 0.2 * i);
-    look->SetOpacity(0.4);
+    vtkProperty* property =
+      Add(renderer, Sphere(0.3 * i, 0.1 * i, 0.2 * i * i, 0.5))->GetProperty();
+    property->SetColor(1.0 - 0.2 * i, 0.3, 0.2 * i);
+    property->SetOpacity(0.4);
   }
   return SeeAll(renderer);
 }
 
-// A chequered floor up to the horizon.
+// A checkered floor up to the horizon.
 Renderer Texture()
 {
   vtkNew<vtkImageData> image;
@@ -171,7 +173,7 @@ Renderer Texture()
   return renderer;
 }
 
-// Rays exactly along edges and through corners: cubes on a grid, seen along an axis, touching.
+// Rays exactly along edges and through corners: touching cubes on a grid, seen along an axis.
 Renderer Corners()
 {
   const Renderer renderer = Empty();
@@ -196,7 +198,7 @@ void AddPlane(vtkRenderer* renderer, double x, double rise, double red, double g
   Add(renderer, plane)->GetProperty()->SetColor(red, green, 0.2);
 }
 
-// Left, two planes in one place; right, two that pierce one another.
+// Left: two coplanar surfaces. Right: two planes that intersect.
 Renderer Ties()
 {
   const Renderer renderer = Empty();
@@ -209,7 +211,7 @@ Renderer Ties()
   return SeeAll(renderer);
 }
 
-// Contacts, shadows, occlusion.
+// Contacts, shadows and ambient occlusion.
 Renderer Shelf()
 {
   const Renderer renderer = Empty();
@@ -254,10 +256,10 @@ Renderer Tubes()
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(24);
   sphere->SetPhiResolution(20);
-  vtkProperty* look = Add(renderer, sphere)->GetProperty();
-  look->SetRepresentationToWireframe();
-  look->SetLineWidth(5.0f);
-  look->RenderLinesAsTubesOn();
+  vtkProperty* property = Add(renderer, sphere)->GetProperty();
+  property->SetRepresentationToWireframe();
+  property->SetLineWidth(5.0f);
+  property->RenderLinesAsTubesOn();
   return SeeAll(renderer);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes whose pictures depend on rounding: what two machines are likely to draw differently.
+// Scenes whose images depend on rounding, so that two machines are likely to render them
+// differently.
 #ifndef penumbra_BaselineScenes_h
 #define penumbra_BaselineScenes_h
 
@@ -18,12 +19,12 @@ namespace penumbra
 struct BaselineScene
 {
   std::string Name;
-  bool ByRays;    ///< the ray caster draws it, too
-  bool AddsLight; ///< shadows and ambient occlusion where the ray caster draws it
+  bool ByRays;    ///< if true, the ray caster renders it, too
+  bool AddsLight; ///< if true, the ray caster adds shadows and ambient occlusion
   vtkSmartPointer<vtkRenderer> (*Make)();
 };
 
-/// All of them, smooth ones first.
+/// Returns all scenes, smooth ones first.
 const std::vector<BaselineScene>& Gallery();
 
 }

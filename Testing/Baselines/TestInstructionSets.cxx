@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The ray caster's pictures have the same bits whatever the instructions that Embree uses and whatever
-// the number of threads.
+// Tests that images of the ray caster have the same bits for every instruction set that Embree uses
+// and any number of threads.
 #include "BaselineScenes.h"
 #include "vtkPenumbraRayCaster.h"
 
@@ -25,19 +25,18 @@ namespace
 
 constexpr const char* Variable = "PENUMBRA_EMBREE";
 
-/// Empty where the processor lacks the instructions.
-vtkSmartPointer<vtkImageData> Draw(
-  const BaselineScene& exhibit, const std::string& isa, int threads)
+/// Empty if the processor lacks the instructions.
+vtkSmartPointer<vtkImageData> Draw(const BaselineScene& scene, const std::string& isa, int threads)
 {
   setenv(Variable, ("isa=" + isa).c_str(), 1);
   const int warnings = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkPenumbraRayCaster> caster;
-  caster->SetRenderer(exhibit.Make());
-  caster->SetResolution(exhibit.AddsLight ? 24 : 96, exhibit.AddsLight ? 18 : 72);
-  caster->SetShadows(exhibit.AddsLight);
-  caster->SetAmbientOcclusion(exhibit.AddsLight);
-  caster->SetTolerance(exhibit.AddsLight ? 0.1 : 1.0 / 256.0);
+  caster->SetRenderer(scene.Make());
+  caster->SetResolution(scene.AddsLight ? 24 : 96, scene.AddsLight ? 18 : 72);
+  caster->SetShadows(scene.AddsLight);
+  caster->SetAmbientOcclusion(scene.AddsLight);
+  caster->SetTolerance(scene.AddsLight ? 0.1 : 1.0 / 256.0);
   caster->SetNumberOfThreads(threads);
   caster->GeometryArraysOn();
   caster->Update();
@@ -61,21 +60,21 @@ void ExpectSameBits(vtkImageData* a, vtkImageData* b, const std::string& what)
   }
 }
 
-TEST(InstructionSets, ChangeNoBitOfAPicture)
+TEST(InstructionSets, GiveTheSameBits)
 {
-  for (const BaselineScene& exhibit : Gallery())
+  for (const BaselineScene& scene : Gallery())
   {
-    if (!exhibit.ByRays)
+    if (!scene.ByRays)
     {
       continue;
     }
-    const auto reference = Draw(exhibit, "sse2", 1);
+    const auto reference = Draw(scene, "sse2", 1);
     for (const char* isa : { "sse4.2", "avx", "avx2", "avx512" })
     {
-      const auto picture = Draw(exhibit, isa, 3);
-      if (picture->GetPointData()->GetNumberOfArrays() > 0)
+      const auto image = Draw(scene, isa, 3);
+      if (image->GetPointData()->GetNumberOfArrays() > 0)
       {
-        ExpectSameBits(picture, reference, exhibit.Name + " by " + isa);
+        ExpectSameBits(image, reference, scene.Name + " by " + isa);
       }
     }
   }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The medium is described twice, by an object for the ray caster and by properties of the pass, whose
-// module may not include the other's. Both take the same numbers the same way.
+// The medium is described twice: by an object for the ray caster and by properties of the pass,
+// whose module must not include the other module. Tests that both interpret the same settings
+// equally.
 #include "vtkPenumbraLightShaftPass.h"
 #include "vtkPenumbraMedium.h"
 
@@ -28,7 +29,7 @@ void ExpectTheSame(First* first, Second* second)
   }
 }
 
-TEST(LightShaftPass, DescribesAMediumAsTheRayCasterDoes)
+TEST(LightShaftPass, DescribesTheSameMediumAsTheRayCaster)
 {
   vtkNew<vtkPenumbraMedium> medium;
   vtkNew<vtkPenumbraLightShaftPass> pass;

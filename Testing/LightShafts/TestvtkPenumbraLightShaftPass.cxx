@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The light shaft pass against closed forms and against the ray caster's marched reference.
+// The light shaft pass against closed forms and against the ray-marched reference of the ray
+// caster.
 #include "ShaftScene.h"
 
 #include "vtkPenumbraTemporalSSAOPass.h"
@@ -27,14 +28,14 @@ namespace
 
 constexpr double WholeSphere = 12.566370614359172;
 
-double RelativeRmse(const std::vector<double>& values, const std::vector<double>& truth)
+double RelativeRmse(const std::vector<double>& values, const std::vector<double>& reference)
 {
   double squares = 0.0;
   double size = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
+  for (std::size_t i = 0; i < reference.size(); ++i)
   {
-    squares += (values[i] - truth[i]) * (values[i] - truth[i]);
-    size += truth[i] * truth[i];
+    squares += (values[i] - reference[i]) * (values[i] - reference[i]);
+    size += reference[i] * reference[i];
   }
   return std::sqrt(squares / size);
 }
@@ -71,7 +72,7 @@ protected:
 
 }
 
-TEST(LightShaftPassOverAFloor, IsEquationOne)
+TEST(LightShaftPassOverAFloor, MatchesEquationOne)
 {
   ShaftScene scene(48, 36);
   scene.AddFloor(20.0);
@@ -80,32 +81,32 @@ TEST(LightShaftPassOverAFloor, IsEquationOne)
   scene.SetMedium(0.1, 0.25);
   const std::vector<double> light = scene.RenderWithPass();
   const std::vector<double> left = scene.Transmittance();
-  const std::vector<double> truth = scene.RenderWithRayCaster();
+  const std::vector<double> reference = scene.RenderWithRayCaster();
   for (std::size_t i = 0; i < light.size(); ++i)
   {
     const double exact = 0.1 / 0.25 / WholeSphere * (1.0 - left[i]);
-    EXPECT_NEAR(truth[i], exact, 1e-5);
-    // A bin of 64 may be taken for shadow where the ray meets the floor.
+    EXPECT_NEAR(reference[i], exact, 1e-5);
+    // One bin of 64 may be treated as shadow where the ray meets the floor.
     EXPECT_NEAR(light[i], exact, exact / 64.0 + 1e-5);
   }
 }
 
-TEST_F(LightShaftPass, AgreesWithTheMarchedReference)
+TEST_F(LightShaftPass, MatchesRayMarchedReference)
 {
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const std::vector<double> light = this->Scene.RenderWithPass();
-  const std::vector<double> truth = this->Scene.RenderWithRayCaster(64);
+  const std::vector<double> reference = this->Scene.RenderWithRayCaster(64);
   std::vector<double> unshadowed = this->Scene.Transmittance();
   for (double& value : unshadowed)
   {
     value = (1.0 - value) / WholeSphere;
   }
-  const double error = RelativeRmse(light, truth);
+  const double error = RelativeRmse(light, reference);
   EXPECT_LT(error, 0.025);
-  EXPECT_LT(error, 0.25 * RelativeRmse(unshadowed, truth));
+  EXPECT_LT(error, 0.25 * RelativeRmse(unshadowed, reference));
 }
 
-TEST_F(LightShaftPass, AgreesWithItUnderALampAndInParallel)
+TEST_F(LightShaftPass, MatchesReferenceForPositionalLightAndParallelProjection)
 {
   this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
   EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.08);
@@ -117,7 +118,7 @@ TEST_F(LightShaftPass, AgreesWithItUnderALampAndInParallel)
   EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.05);
 }
 
-TEST_F(LightShaftPass, FollowsThePhaseFunctionsOfTheReference)
+TEST_F(LightShaftPass, MatchesPhaseFunctionsOfTheReference)
 {
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   for (const int phase :
@@ -129,11 +130,12 @@ TEST_F(LightShaftPass, FollowsThePhaseFunctionsOfTheReference)
   }
 }
 
-TEST_F(LightShaftPass, AddsItsLightsUp)
+TEST_F(LightShaftPass, AddsLights)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const vtkSmartPointer<vtkLight> lamp = this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
-  this->Scene.Pass->SetMargin(0.0); // that of a light outside of the picture would be for all
+  this->Scene.Pass->SetMargin(
+    0.0); // otherwise the margin for a light outside of the image would apply to all lights
   const std::vector<double> both = this->Scene.RenderWithPass();
   this->Scene.Pass->AddLight(lamp);
   const std::vector<double> one = this->Scene.RenderWithPass();
@@ -146,7 +148,7 @@ TEST_F(LightShaftPass, AddsItsLightsUp)
   }
 }
 
-TEST_F(LightShaftPass, ComputesAStillSceneOnce)
+TEST_F(LightShaftPass, ComputesAStaticSceneOnce)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const std::vector<unsigned char> first = this->Picture();
@@ -158,7 +160,7 @@ TEST_F(LightShaftPass, ComputesAStillSceneOnce)
   EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
 }
 
-TEST_F(LightShaftPass, DrawsAStillSceneWithAMarginStraightIntoItsTarget)
+TEST_F(LightShaftPass, RendersAStaticSceneWithMarginDirectlyIntoItsTarget)
 {
   this->Scene.Renderer->SetBackground(0.2, 0.4, 0.6);
   this->Scene.AddSun({ 0.8, 1.0, 0.32 });
@@ -167,14 +169,14 @@ TEST_F(LightShaftPass, DrawsAStillSceneWithAMarginStraightIntoItsTarget)
   const std::vector<unsigned char> second = this->Picture();
   EXPECT_EQ(this->Statistic("LitFractions/Computed"), 0.0);
   EXPECT_EQ(this->Picture(), second);
-  // A wider picture may round the place of an edge otherwise.
+  // In a wider image the position of an edge may be rounded differently.
   int apart = 0;
   for (std::size_t i = 0; i < first.size(); ++i)
   {
     apart += first[i] != second[i];
   }
   EXPECT_LT(apart, static_cast<int>(first.size() / 100));
-  // Moved without a word to the camera: depth tells.
+  // The actor moves without modifying the camera. The pass detects it from the depth buffer.
   ball->SetPosition(0.5, 0.0, 0.0);
   const std::vector<unsigned char> moved = this->Picture();
   EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
@@ -184,7 +186,7 @@ TEST_F(LightShaftPass, DrawsAStillSceneWithAMarginStraightIntoItsTarget)
   EXPECT_EQ(this->Picture(), moved);
 }
 
-TEST_F(LightShaftPass, TakesManySunsAndLampsTogether)
+TEST_F(LightShaftPass, CombinesManyDirectionalAndPositionalLights)
 {
   this->Scene.Pass->SetMargin(0.0);
   std::vector<vtkSmartPointer<vtkLight>> lights;
@@ -205,9 +207,10 @@ TEST_F(LightShaftPass, TakesManySunsAndLampsTogether)
   EXPECT_LT(RelativeRmse(all, sum), 1e-5);
 }
 
-TEST_F(LightShaftPass, TakesLightFromThePictureBehind)
+TEST_F(LightShaftPass, AttenuatesTheImageBehind)
 {
-  // A white wall across the view: what reaches the eye is exp(-0.12 * 6) of it and what is scattered.
+  // A white wall fills the view. The camera receives exp(-0.12 * 6) of it and the in-scattered
+  // light.
   ShaftScene scene(40, 30);
   const vtkSmartPointer<vtkActor> wall = scene.AddBox({ 0.0, 0.5, 0.0 }, { 30.0, 1.0, 30.0 });
   wall->GetProperty()->SetColor(1.0, 1.0, 1.0);
@@ -222,7 +225,7 @@ TEST_F(LightShaftPass, TakesLightFromThePictureBehind)
   EXPECT_NEAR(bytes->GetTypedComponent(15 * 40 + 20, 0) / 255.0, expected, 0.006);
 }
 
-TEST_F(LightShaftPass, IsFiniteWhereverTheLightStands)
+TEST_F(LightShaftPass, IsFiniteForAnyLightPosition)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.0, 1.0, 0.0 });
   for (const int estimator :
@@ -241,7 +244,7 @@ TEST_F(LightShaftPass, IsFiniteWhereverTheLightStands)
   }
 }
 
-TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
+TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnInvalidInput)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   this->Scene.Renderer->SetBackground(0.2, 0.4, 0.6);
@@ -265,11 +268,11 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
   const double endless = std::numeric_limits<double>::infinity();
   pass->SetBounds(-endless, endless, -endless, endless, -endless, endless);
   EXPECT_NE(this->Picture(), plain);
-  // A lamp in the eye.
+  // A positional light at the camera's position.
   sun->PositionalOn();
   sun->SetPosition(this->Scene.Renderer->GetActiveCamera()->GetPosition());
   EXPECT_EQ(this->Picture(), plain);
-  // As far as numbers go.
+  // A light at the largest finite distance.
   sun->PositionalOff();
   sun->SetPosition(1e30, 5e30, 1.6e30);
   EXPECT_NE(this->Picture(), plain);
@@ -277,7 +280,7 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnBadInput)
   this->Picture();
 }
 
-TEST_F(LightShaftPass, AgreesWithTheReferenceInAMediumWithBounds)
+TEST_F(LightShaftPass, MatchesReferenceInABoundedMedium)
 {
   this->Scene.Pass->SetBounds(-5.0, 3.0, -6.0, 7.0, 0.0, 4.5);
   this->Scene.SetMedium(0.2, 0.3);
@@ -288,7 +291,7 @@ TEST_F(LightShaftPass, AgreesWithTheReferenceInAMediumWithBounds)
   EXPECT_LT(RelativeRmse(this->Scene.RenderWithPass(), this->Scene.RenderWithRayCaster(64)), 0.08);
 }
 
-TEST_F(LightShaftPass, ChainsPassesThatAreOneLongLoop)
+TEST_F(LightShaftPass, ChainsPassesEquivalentToOneLongLoop)
 {
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
   this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
@@ -304,7 +307,7 @@ TEST_F(LightShaftPass, ChainsPassesThatAreOneLongLoop)
   EXPECT_GT(RelativeRmse(few, loop), 0.02);
 }
 
-TEST_F(LightShaftPass, GlowsInTheColoursOfThePictureBehind)
+TEST_F(LightShaftPass, ScattersTheColorsOfTheImageBehind)
 {
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
   this->Scene.Renderer->SetBackground(0.8, 0.4, 0.0);
@@ -324,9 +327,9 @@ TEST_F(LightShaftPass, GlowsInTheColoursOfThePictureBehind)
   }
 }
 
-TEST_F(LightShaftPass, LetsChosenActorsGlowWhereTheyAreSeen)
+TEST_F(LightShaftPass, LetsSelectedActorsEmitWhereVisible)
 {
-  // A green plate half behind a black box.
+  // A green plate, half of it behind a black box.
   ShaftScene scene(96, 72);
   scene.AddBox({ 1.5, 0.0, 2.0 }, { 3.0, 0.5, 4.0 });
   const vtkSmartPointer<vtkActor> plate = scene.AddBox({ 0.0, 2.0, 2.0 }, { 4.0, 0.5, 2.0 });
@@ -335,7 +338,7 @@ TEST_F(LightShaftPass, LetsChosenActorsGlowWhereTheyAreSeen)
   scene.AddSun({ 0.0, 1.0, 0.0 });
   scene.SetMedium(0.12, 0.12);
   scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
-  scene.Pass->SetDensity(1000.0); // what glows itself, hardly blurred
+  scene.Pass->SetDensity(1000.0); // an emitter that is hardly blurred
   scene.Pass->AddEmitter(plate);
   const auto greens = [&scene]() {
     EXPECT_EQ(scene.RenderWithPass()[36 * 96 + 30], 0.0); // no red
@@ -351,14 +354,14 @@ TEST_F(LightShaftPass, LetsChosenActorsGlowWhereTheyAreSeen)
   };
   const std::vector<double> masked = greens();
   EXPECT_GT(masked[36 * 96 + 40], 0.5 / WholeSphere); // the plate
-  EXPECT_EQ(masked[36 * 96 + 56], 0.0);               // the box before it
+  EXPECT_EQ(masked[36 * 96 + 56], 0.0);               // the box in front of it
   EXPECT_EQ(masked[66 * 96 + 40], 0.0);               // the sky
   scene.Pass->SetOcclusion(vtkPenumbraLightShaftPass::PREPASS);
   const std::vector<double> drawn = greens();
   EXPECT_LT(RelativeRmse(drawn, masked), 0.02);
 }
 
-TEST_F(LightShaftPass, TakesNoStreaksFromSurfacesBeyondSurfaceGlow)
+TEST_F(LightShaftPass, DrawsNoStreaksFromSurfacesBeyondSurfaceGlow)
 {
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
   this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
@@ -379,18 +382,19 @@ TEST_F(LightShaftPass, TakesNoStreaksFromSurfacesBeyondSurfaceGlow)
   const std::vector<double> black = paint(false);
   const std::vector<double> white = paint(true);
   const std::vector<double> left = this->Scene.Transmittance();
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < black.size(); ++i)
   {
-    most = std::max(most, (white[i] - black[i]) / ((1.0 - left[i]) / WholeSphere));
+    maximum = std::max(maximum, (white[i] - black[i]) / ((1.0 - left[i]) / WholeSphere));
   }
-  EXPECT_GT(most, 0.01);
-  EXPECT_LT(most, 0.101);
+  EXPECT_GT(maximum, 0.01);
+  EXPECT_LT(maximum, 0.101);
 }
 
-TEST_F(LightShaftPass, LaysNoMoreLightOverAForegroundThanItsAirScatters)
+TEST_F(LightShaftPass, AddsNoMoreLightToAForegroundThanItsAirScatters)
 {
-  // A box a world unit before the eye, half the picture; the sun and all that is lit are far behind.
+  // A box one unit in front of the camera fills half of the image. The light and all lit air are
+  // far behind it.
   this->Scene.AddBox({ 1.7, -8.5, 2.5 }, { 2.0, 3.0, 6.0 });
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
   for (const int estimator :
@@ -407,7 +411,7 @@ TEST_F(LightShaftPass, LaysNoMoreLightOverAForegroundThanItsAirScatters)
   }
 }
 
-TEST_F(LightShaftPass, SweepsSteadilyPastTheCameraPlane)
+TEST_F(LightShaftPass, ChangesContinuouslyWhenALightCrossesTheCameraPlane)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.0, 1.0, 0.2 });
   for (const int estimator :
@@ -429,7 +433,7 @@ TEST_F(LightShaftPass, SweepsSteadilyPastTheCameraPlane)
   }
 }
 
-TEST_F(LightShaftPass, BalancesItsToneAndHoldsIt)
+TEST_F(LightShaftPass, AdaptsItsToneAndKeepsItStable)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   const auto largest = [this]() {
@@ -439,12 +443,12 @@ TEST_F(LightShaftPass, BalancesItsToneAndHoldsIt)
   sun->SetIntensity(100.0);
   EXPECT_GT(largest(), 2.0); // white is 1
   this->Scene.Pass->AutomaticToneOn();
-  // The picture behind is black.
+  // The image behind is black.
   EXPECT_NEAR(largest(), 1.0, 1e-3);
   const double gain = this->Statistic("Light/Gain");
   EXPECT_NEAR(largest(), 1.0, 1e-3);
   EXPECT_EQ(this->Statistic("Light/Gain"), gain);
-  // A flash of four times the light is not taken away at once.
+  // The gain does not compensate a flash of four times the light at once.
   sun->SetIntensity(400.0);
   EXPECT_NEAR(largest(), std::pow(4.0, 0.9), 0.05);
   sun->SetIntensity(0.01);
@@ -453,7 +457,7 @@ TEST_F(LightShaftPass, BalancesItsToneAndHoldsIt)
   EXPECT_LT(largest(), 0.001);
 }
 
-TEST_F(LightShaftPass, LiesOverAmbientOcclusionWhicheverCameFirst)
+TEST_F(LightShaftPass, AppliesAfterAmbientOcclusionInEitherOrder)
 {
   this->Scene.Renderer->SetBackground(0.5, 0.5, 0.5);
   this->Scene.AddSun({ 0.2, 1.0, 0.32 });
@@ -478,15 +482,16 @@ TEST_F(LightShaftPass, LiesOverAmbientOcclusionWhicheverCameFirst)
   EXPECT_EQ(this->Scene.Renderer->GetPass(), nullptr);
 }
 
-TEST_F(LightShaftPass, KnowsAnOccluderThatHasLeftThePicture)
+TEST_F(LightShaftPass, IncludesAnOccluderInTheMargin)
 {
-  // Half the width of the picture is 5.9 world units where the ball is; a fifth of it is the margin.
+  // At the ball, half of the width of the image is 5.9 world units. The margin is a fifth of the
+  // width.
   this->Scene.Renderer->RemoveAllViewProps();
   this->Scene.AddFloor(12.0);
   const vtkSmartPointer<vtkActor> ball = this->Scene.AddSphere({ 7.0, 0.0, 2.0 }, 0.8);
   this->Scene.AddSun({ 0.6, 1.0, 0.2 });
-  const std::vector<double> truth = this->Scene.RenderWithRayCaster(64);
-  const double error = RelativeRmse(this->Scene.RenderWithPass(), truth);
+  const std::vector<double> reference = this->Scene.RenderWithRayCaster(64);
+  const double error = RelativeRmse(this->Scene.RenderWithPass(), reference);
   ball->VisibilityOff();
-  EXPECT_LT(error, 0.7 * RelativeRmse(this->Scene.RenderWithPass(), truth));
+  EXPECT_LT(error, 0.7 * RelativeRmse(this->Scene.RenderWithPass(), reference));
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Flat shapes of one colour against their exact coverage: the error and the rays that they may
-// cost, wherever in space they lie and however the camera looks at them.
+// Flat shapes of one color against their exact coverage: bounds on the error and on the number of
+// rays, at any position and scale and from any direction.
 #include "BruteForce/ImageErrors.h"
 #include "ClosedForms/ExactCoverage.h"
 #include "Scenes/TestScene.h"
@@ -33,7 +33,7 @@ struct ShapesRow
   std::string Name;
   std::vector<Shape> Shapes;
   double RaysPerPixel;
-  double Edge;  ///< RMSE over the pixels that are partly covered
+  double Edge;  ///< RMSE over partly covered pixels
   double Worst; ///< largest error of a pixel
 };
 
@@ -57,14 +57,14 @@ const ShapesRow Rows[] = {
 };
 
 /// Errors of unlit white shapes on black.
-Errors Judge(const std::vector<glm::dvec3>& colors, const std::vector<double>& shares)
+Errors Judge(const std::vector<glm::dvec3>& colors, const std::vector<double>& fractions)
 {
-  return Compare(colors, WhiteOnBlack(shares), PartlyCoveredPixels(shares));
+  return Compare(colors, WhiteOnBlack(fractions), PartlyCoveredPixels(fractions));
 }
 
 }
 
-TEST_P(FlatShapes, KeepTheirBars)
+TEST_P(FlatShapes, KeepBoundsOfErrorAndRays)
 {
   const ShapesRow& row = GetParam();
   const Answer answer = Cast(PictureOf(row.Shapes, Size, Size), Size, Size,
@@ -76,7 +76,7 @@ TEST_P(FlatShapes, KeepTheirBars)
     << "in pixel " << errors.WorstPixel % Size << ", " << errors.WorstPixel / Size;
 }
 
-TEST_P(FlatShapes, KeepTheirErrorsAtTheDefaultTolerance)
+TEST_P(FlatShapes, KeepBoundsOfErrorAtDefaultTolerance)
 {
   const ShapesRow& row = GetParam();
   const Answer answer = Cast(PictureOf(row.Shapes, Size, Size), Size, Size);
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(RayCaster, FlatShapes, testing::ValuesIn(Rows),
 namespace
 {
 
-/// A picture put elsewhere: world = Origin + Scale * picture coordinates.
+/// Placement of the shapes: world = Origin + Scale * image coordinates.
 struct ShadingPoint
 {
   std::string Name;
@@ -109,7 +109,7 @@ class PlacedShapes : public testing::TestWithParam<ShadingPoint>
 {
 };
 
-/// PictureOf() with everything moved to `place`, by the points or by the actor.
+/// PictureOf() with everything transformed by `place`, in the points or by the actor.
 vtkSmartPointer<vtkRenderer> PictureAt(
   const ShadingPoint& place, const std::vector<Shape>& shapes, bool moveTheActor)
 {
@@ -140,16 +140,16 @@ vtkSmartPointer<vtkRenderer> PictureAt(
 
 }
 
-TEST_P(PlacedShapes, LookAsTheyDoNearTheOrigin)
+TEST_P(PlacedShapes, KeepBoundsOfErrorAtAnyPosition)
 {
   std::vector<Shape> shapes = { Star({ 60.3, 60.9 }, 55.0, 8.0, 72),
     Disc({ 188.2, 66.6 }, 51.0, 90), Disc({ 66.4, 190.1 }, 0.3, 24),
     Star({ 190.7, 190.2 }, 60.0, 30.0, 24) };
-  const std::vector<double> shares = SharesOf(shapes, Size, Size);
+  const std::vector<double> fractions = SharesOf(shapes, Size, Size);
   for (bool moveTheActor : { false, true })
   {
     const Answer answer = Cast(PictureAt(GetParam(), shapes, moveTheActor), Size, Size);
-    const Errors errors = Judge(answer.Colors, shares);
+    const Errors errors = Judge(answer.Colors, fractions);
     EXPECT_LE(errors.Edge, 0.002) << "moved by its " << (moveTheActor ? "actor" : "points");
     EXPECT_LE(errors.Worst, 0.01) << "in pixel " << errors.WorstPixel % Size << ", "
                                   << errors.WorstPixel / Size << ", moved by its "
@@ -158,7 +158,7 @@ TEST_P(PlacedShapes, LookAsTheyDoNearTheOrigin)
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, PlacedShapes,
-  testing::Values(ShadingPoint{ "MillimetresAtTenMillion", 1e-3, { 1e7, -1e7, 1e7 } },
+  testing::Values(ShadingPoint{ "MillimetersAtTenMillion", 1e-3, { 1e7, -1e7, 1e7 } },
     ShadingPoint{ "AMillionthInSize", 1e-6 / Size, { 0.0, 0.0, 0.0 } },
     ShadingPoint{ "AMillionthInSizeFarAway", 1e-6 / Size, { 1e-4, 1e-4, -1e-4 } },
     ShadingPoint{ "AMillionInSize", 1e6 / Size, { -3e6, 0.0, 1e5 } }),
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(RayCaster, PlacedShapes,
 namespace
 {
 
-/// Where a camera sees a point of the world, in picture coordinates.
+/// Projects a world point to image coordinates.
 glm::dvec2 Seen(const BruteForceScene& scene, glm::dvec2 x)
 {
   const glm::dvec4 clip = scene.Projection * glm::dvec4(x, 0.0, 1.0);
@@ -176,7 +176,7 @@ glm::dvec2 Seen(const BruteForceScene& scene, glm::dvec2 x)
 
 }
 
-TEST(FlatShapesAskew, AreCoveredExactlyUnderBothCameras)
+TEST(FlatShapesAskew, MatchExactCoverageInBothProjections)
 {
   const std::vector<Shape> shapes = { Star({ -1.1, 0.2 }, 0.9, 0.2, 60),
     Disc({ 1.0, -0.3 }, 0.9, 180), Disc({ 0.1, 1.1 }, 0.01, 24) };

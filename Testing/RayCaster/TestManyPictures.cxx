@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A thousand pictures in one process: memory stays flat, no library of windows is ever loaded.
+// A thousand images in one process: memory does not grow, and no windowing or OpenGL library is
+// loaded.
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
@@ -24,7 +25,7 @@
 namespace
 {
 
-// Megabytes that the process holds.
+// Resident memory of the process in MB.
 double ResidentMemory()
 {
   long total = 0;
@@ -39,7 +40,8 @@ std::string LoadedFiles()
   return std::string(std::istreambuf_iterator<char>(maps), std::istreambuf_iterator<char>());
 }
 
-// AddressSanitizer keeps what is freed: there, memory says nothing and a few pictures are enough.
+// AddressSanitizer delays freeing memory, so a few images are enough and growth is not meaningful
+// there.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool IsMemoryOurs = false;
 #else
@@ -47,7 +49,7 @@ constexpr bool IsMemoryOurs = true;
 #endif
 constexpr int Pictures = IsMemoryOurs ? 1000 : 20;
 
-TEST(ManyPictures, KeepMemoryFlatAndLoadNoOpenGL)
+TEST(ManyImages, DoNotGrowMemoryOrLoadOpenGL)
 {
   const std::string before = LoadedFiles();
   double afterTen = 0.0;
@@ -74,7 +76,7 @@ TEST(ManyPictures, KeepMemoryFlatAndLoadNoOpenGL)
     afterAll = ResidentMemory();
   }
   EXPECT_TRUE(!IsMemoryOurs || afterAll <= afterTen + 8.0)
-    << afterTen << " MB after ten pictures, " << afterAll << " MB after all";
+    << afterTen << " MB after ten images, " << afterAll << " MB after all";
   const std::string after = LoadedFiles();
   for (const char* library : { "libGL", "libEGL", "libOSMesa", "libX11.so" })
   {

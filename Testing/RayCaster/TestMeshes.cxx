@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lit meshes in space against brute force and closed forms, and the same meshes told otherwise.
+// Lit meshes against brute force and closed forms, and the same meshes in equivalent
+// representations.
 #include "BruteForce/ImageErrors.h"
 #include "Scenes/TestScene.h"
 
@@ -58,7 +59,7 @@ vtkSmartPointer<vtkPolyData> Sphere(int resolution)
   return CopyOf(sphere->GetOutput());
 }
 
-/// A ring that hides parts of itself, its seams closed.
+/// A torus that occludes parts of itself, without seams.
 vtkSmartPointer<vtkPolyData> Ring()
 {
   constexpr int Around = 40;
@@ -88,7 +89,7 @@ vtkSmartPointer<vtkPolyData> Ring()
   return mesh;
 }
 
-/// Every triangle with three points of its own.
+/// Returns a mesh in which no triangles share points.
 vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* mesh)
 {
   vtkNew<vtkPoints> points;
@@ -119,7 +120,7 @@ vtkSmartPointer<vtkRenderer> Lit(vtkPolyData* mesh, bool parallel = false)
   return renderer;
 }
 
-/// Largest difference of two pictures.
+/// Returns the largest difference of two images.
 double Difference(const Answer& a, const Answer& b)
 {
   return Compare(a.Colors, b.Colors, std::vector<bool>(a.Colors.size())).Worst;
@@ -143,15 +144,15 @@ class LitMeshes : public testing::TestWithParam<MeshRow>
 
 }
 
-TEST_P(LitMeshes, AgreeWithBruteForceUnderBothCameras)
+TEST_P(LitMeshes, MatchBruteForceInBothProjections)
 {
   for (bool parallel : { false, true })
   {
     vtkSmartPointer<vtkRenderer> renderer = Lit(GetParam().Make(), parallel);
-    const BruteForcePicture truth =
+    const BruteForcePicture reference =
       DrawByBruteForce(BruteForceOf(renderer, Size, Size), Size, Size, 16);
     const Answer answer = Cast(renderer, Size, Size);
-    const Errors errors = Compare(answer.Colors, truth.Colors, SilhouettePixels(truth));
+    const Errors errors = Compare(answer.Colors, reference.Colors, SilhouettePixels(reference));
     EXPECT_GT(errors.EdgePixels, 100u);
     EXPECT_LE(errors.Edge, GetParam().Edge);
     EXPECT_LE(errors.Full, 0.0006);
@@ -160,7 +161,7 @@ TEST_P(LitMeshes, AgreeWithBruteForceUnderBothCameras)
   }
 }
 
-TEST_P(LitMeshes, LookTheSameWithoutSharedPoints)
+TEST_P(LitMeshes, AreIndependentOfSharedPoints)
 {
   vtkSmartPointer<vtkPolyData> mesh = GetParam().Make();
   const Answer shared = Cast(Lit(mesh), Size, Size);
@@ -169,7 +170,7 @@ TEST_P(LitMeshes, LookTheSameWithoutSharedPoints)
   EXPECT_LE(soup.RaysPerPixel, 1.01 * shared.RaysPerPixel);
 }
 
-TEST_P(LitMeshes, LookTheSameTenMillionAway)
+TEST_P(LitMeshes, AreIndependentOfAnOffsetOfTenMillion)
 {
   vtkSmartPointer<vtkPolyData> mesh = GetParam().Make();
   vtkSmartPointer<vtkRenderer> here = Lit(mesh);
@@ -182,13 +183,13 @@ TEST_P(LitMeshes, LookTheSameTenMillionAway)
   camera->SetFocalPoint(x[0] + offset.x, x[1] + offset.y, x[2] + offset.z);
   here->GetActiveCamera()->GetPosition(x);
   camera->SetPosition(x[0] + offset.x, x[1] + offset.y, x[2] + offset.z);
-  // Doubles that far out are 4e-9 apart: a shift of less than a millionth of a pixel.
+  // Doubles at that distance are 4e-9 apart, which is less than a millionth of a pixel.
   EXPECT_LE(Difference(Cast(here, Size, Size), Cast(there, Size, Size)), 0.004);
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, LitMeshes,
   testing::Values(MeshRow{ "CoarseSphere", [] { return Sphere(12); }, 0.0016 },
-    // Crowded with edges near its rim, and sampled there: within the tolerance of 1/256.
+    // Has many edges per pixel near its silhouette, which are sampled with a tolerance of 1/256.
     MeshRow{ "FineSphere", [] { return Sphere(64); }, 0.003 }, MeshRow{ "Ring", Ring, 0.0016 },
     MeshRow{ "Cube",
       [] {
@@ -201,8 +202,8 @@ INSTANTIATE_TEST_SUITE_P(RayCaster, LitMeshes,
 
 TEST(Blocks, HaveNoSeamsWhereTheyTouch)
 {
-  // Cubes face to face from pixel corner to pixel corner, each an object of its own: from the front
-  // one white square, under a tilted view as one large block.
+  // Adjacent cubes from pixel corner to pixel corner, each a separate object. They must look like
+  // one white square from the front, and like one large block in a tilted view.
   vtkSmartPointer<vtkRenderer> many = NewRenderer();
   for (int i = 0; i < 27; ++i)
   {
@@ -235,9 +236,9 @@ TEST(Blocks, HaveNoSeamsWhereTheyTouch)
   }
 }
 
-TEST(CoplanarSurfaces, ShowOneOfTwoObjectsEverywhereUnderATiltedView)
+TEST(CoplanarSurfaces, ShowTheSameObjectEverywhereInATiltedView)
 {
-  // Data shown twice. (Where the same surface is divided otherwise, rounding tells which is nearer.)
+  // The same data in two actors. With different triangulations, rounding decides which is nearer.
   const std::vector<Shape> disc = { Disc({ 0.0, 0.0 }, 1.0, 60) };
   for (bool parallel : { false, true })
   {
@@ -262,7 +263,7 @@ TEST(CoplanarSurfaces, ShowOneOfTwoObjectsEverywhereUnderATiltedView)
   }
 }
 
-TEST(ParallelCamera, ShadesASphereAsTheClosedForm)
+TEST(ParallelCamera, MatchesClosedFormShadingOfASphere)
 {
   vtkNew<vtkSphereSource> source;
   source->SetRadius(1.0);

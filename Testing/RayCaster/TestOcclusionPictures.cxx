@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient occlusion in pictures against a closed form: a floor beside a sphere that hovers over it out
-// of view, as one square, as a chequerboard and as triangles smaller than pixels.
+// Ambient occlusion in images against a closed form: a floor under a sphere that is outside of the
+// view. The floor is one square, a checkerboard, or a mesh of triangles smaller than pixels.
 #include "BruteForce/ImageErrors.h"
 #include "Scenes/TestScene.h"
 
@@ -28,15 +28,15 @@ namespace
 {
 
 constexpr int Size = 64;
-// The view: x from 1.2 to 2.8, y as much around 0. The floor is larger.
+// The view: x in [1.2, 2.8], and the same extent in y around 0. The floor is larger.
 constexpr double Left = 1.2;
 constexpr double Side = 1.6;
 constexpr double FloorLeft = -3.6;
 constexpr double FloorSide = 9.6;
-// The sphere of radius 1 hovers at this height.
+// Height of the center of the sphere, whose radius is 1.
 constexpr double Height = 1.3;
 
-// Cells smaller than pixels are of one colour: here occlusion is what matters.
+// Cells smaller than pixels have one color, so that only occlusion varies.
 bool IsDark(int column, int row, int cells)
 {
   return cells < Size * 6 && (column + row) % 2 == 1;
@@ -86,8 +86,8 @@ double ColorAt(glm::dvec2 p, int cells)
 
 std::vector<glm::dvec3> Truth(int cells)
 {
-  constexpr int Samples = 40; // 80 cells have their borders between samples
-  std::vector<glm::dvec3> truth;
+  constexpr int Samples = 40; // the edges of 80 cells lie between samples
+  std::vector<glm::dvec3> reference;
   for (int i = 0; i < Size * Size; ++i)
   {
     double sum = 0.0;
@@ -97,19 +97,19 @@ std::vector<glm::dvec3> Truth(int cells)
         i % Size + (k % Samples + 0.5) / Samples, i / Size + (k / Samples + 0.5) / Samples);
       sum += ColorAt(glm::dvec2(Left, -0.5 * Side) + pixel * (Side / Size), cells);
     }
-    truth.emplace_back(sum / (Samples * Samples));
+    reference.emplace_back(sum / (Samples * Samples));
   }
-  return truth;
+  return reference;
 }
 
-// Floors of few, of many and of more cells than pixels.
-TEST(OcclusionPicture, IsWithinTheToleranceAndItsEstimateHonest)
+// Floors of few cells, of many, and of more cells than pixels.
+TEST(OcclusionImage, KeepsToleranceAndEstimatesItsError)
 {
   ErrorCalibration honesty;
   for (const int cells : { 1, 80, 400 })
   {
     const vtkSmartPointer<vtkRenderer> renderer = FloorBesideASphere(cells);
-    const std::vector<glm::dvec3> truth = Truth(cells);
+    const std::vector<glm::dvec3> reference = Truth(cells);
     for (const double tolerance : { 1.0 / 64.0, 1.0 / 256.0 })
     {
       SCOPED_TRACE(std::to_string(cells) + " cells, tolerance " + std::to_string(tolerance));
@@ -123,9 +123,10 @@ TEST(OcclusionPicture, IsWithinTheToleranceAndItsEstimateHonest)
         raysPerPixel =
           caster->GetStatistics()->GetArray("Rays/Occlusion")->GetTuple1(0) / (Size * Size);
       });
-      const Errors errors = Compare(answer.Colors, truth, std::vector<bool>(truth.size(), false));
+      const Errors errors =
+        Compare(answer.Colors, reference, std::vector<bool>(reference.size(), false));
       EXPECT_LT(errors.Full, tolerance);
-      AddTiles(honesty, answer.Colors, truth, answer.Estimates, Size);
+      AddTiles(honesty, answer.Colors, reference, answer.Estimates, Size);
       EXPECT_LT(raysPerPixel, 4000.0);
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Transparency and the alpha of pictures without background, against closed forms and each other.
+// Opacity, and the alpha of images without background, against closed forms and each other.
 #include "BruteForce/ImageErrors.h"
 #include "Scenes/TestScene.h"
 
@@ -28,7 +28,7 @@ class Opacity : public testing::TestWithParam<double>
 {
 };
 
-/// A disc with a smaller star before it; world x and y are picture coordinates.
+/// A disk with a smaller star in front of it. World x and y are image coordinates.
 struct Stack
 {
   std::vector<Shape> Back = { Disc({ 47.3, 48.9 }, 40.0, 60) };
@@ -44,7 +44,7 @@ void AddFlat(vtkRenderer* renderer, const std::vector<Shape>& shapes, double z, 
   actor->GetProperty()->SetOpacity(opacity);
 }
 
-/// Spheres through and behind each other, lit, with a highlight, and a thin line.
+/// Lit spheres with highlights that intersect and hide each other, and a thin line.
 vtkSmartPointer<vtkRenderer> Spheres(double opacity)
 {
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkRenderer> Spheres(double opacity)
   return renderer;
 }
 
-/// The picture without background, put over black and over white, against direct renders.
+/// Compares the image without background, composited over black and white, with direct renders.
 void ExpectComposes(vtkRenderer* renderer)
 {
   const Answer bare =
@@ -86,7 +86,7 @@ void ExpectComposes(vtkRenderer* renderer)
 
 }
 
-TEST_P(Opacity, OfFlatShapesIsTheirAlpha)
+TEST_P(Opacity, OfFlatShapesBecomesAlpha)
 {
   const double opacity = GetParam();
   const Stack stack;
@@ -95,20 +95,20 @@ TEST_P(Opacity, OfFlatShapesIsTheirAlpha)
   LookAtPicture(renderer, Size, Size);
   const Answer answer =
     Cast(renderer, Size, Size, [](vtkPenumbraRayCaster* caster) { caster->BackgroundOff(); });
-  const std::vector<double> shares = SharesOf(stack.Back, Size, Size);
-  for (std::size_t i = 0; i < shares.size(); ++i)
+  const std::vector<double> fractions = SharesOf(stack.Back, Size, Size);
+  for (std::size_t i = 0; i < fractions.size(); ++i)
   {
-    EXPECT_NEAR(answer.Alphas[i], opacity * shares[i], 0.002)
+    EXPECT_NEAR(answer.Alphas[i], opacity * fractions[i], 0.002)
       << "pixel " << i % Size << ", " << i / Size;
     if (answer.Alphas[i] > 0.0)
     {
-      EXPECT_NEAR(answer.Colors[i].x, 1.0, 1e-4); // straight alpha: the colour is not darkened
+      EXPECT_NEAR(answer.Colors[i].x, 1.0, 1e-4); // straight alpha: the color is not darkened
       EXPECT_NEAR(answer.Colors[i].y, 0.5, 1e-4);
     }
   }
 }
 
-TEST_P(Opacity, OfShapesBeforeShapesLetsTheirColoursThrough)
+TEST_P(Opacity, OfOverlappingShapesBlendsTheirColors)
 {
   const double opacity = GetParam();
   const Stack stack;
@@ -122,7 +122,7 @@ TEST_P(Opacity, OfShapesBeforeShapesLetsTheirColoursThrough)
   const std::vector<double> back = SharesOf(stack.Back, Size, Size);
   for (std::size_t i = 0; i < front.size(); ++i)
   {
-    // The star lies within the disc: every pixel is a sum of three kinds of area.
+    // The star lies within the disk, so every pixel is a sum of three kinds of area.
     const double red = opacity * front[i];
     const double green = 0.6 * (back[i] - opacity * front[i]);
     const glm::dvec3 expected(red, green, 1.0 - red - green);
@@ -134,7 +134,7 @@ TEST_P(Opacity, OfShapesBeforeShapesLetsTheirColoursThrough)
   }
 }
 
-TEST_P(Opacity, LeavesAnAlphaThatComposesOverAnything)
+TEST_P(Opacity, GivesAnAlphaThatCompositesOverAnyBackground)
 {
   ExpectComposes(Spheres(GetParam()));
 
@@ -158,15 +158,15 @@ TEST_P(Opacity, OfManyLayersMultiplies)
   }
   LookAtPicture(renderer, Size, Size);
   const Answer answer = Cast(renderer, Size, Size);
-  const std::vector<double> shares = SharesOf(stack.Back, Size, Size);
-  for (std::size_t i = 0; i < shares.size(); ++i)
+  const std::vector<double> fractions = SharesOf(stack.Back, Size, Size);
+  for (std::size_t i = 0; i < fractions.size(); ++i)
   {
-    EXPECT_NEAR(answer.Colors[i].x, shares[i] * (1.0 - std::pow(1.0 - opacity, 10.0)), 0.004)
+    EXPECT_NEAR(answer.Colors[i].x, fractions[i] * (1.0 - std::pow(1.0 - opacity, 10.0)), 0.004)
       << "pixel " << i % Size << ", " << i / Size;
   }
 }
 
-TEST_P(Opacity, OfFacesThatCoincideCountsOnce)
+TEST_P(Opacity, OfCoincidentFacesCountsOnce)
 {
   const double opacity = GetParam();
   const Shape disc = Disc({ 0.0, 0.0 }, 1.0, 60);
@@ -195,7 +195,7 @@ TEST_P(Opacity, OfFacesThatCoincideCountsOnce)
           << "pixel " << i % Size << ", " << i / Size << (parallel ? ", parallel" : "");
         EXPECT_NEAR(answers[2].Colors[i].x, answers[0].Colors[i].x, 0.004)
           << "pixel " << i % Size << ", " << i / Size << (parallel ? ", parallel" : "")
-          << ", divided otherwise";
+          << ", with another triangulation";
       }
     }
   }

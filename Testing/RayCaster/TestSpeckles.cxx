@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Meshes without holes that tempt a ray caster to find some: rays exactly through vertices and
-// edges, T-junctions, faces that lie in each other, slivers, the camera inside. Behind every white
-// mesh lies a red wall: whatever shines through is seen.
+// Watertight meshes on which ray casters often leave holes: rays exactly through vertices and
+// edges, T-junctions, coplanar faces, slivers, the camera inside. Behind every white mesh is a red
+// wall, which shows through any hole.
 #include "BruteForce/ImageErrors.h"
 #include "ClosedForms/ExactCoverage.h"
 #include "Scenes/TestScene.h"
@@ -37,18 +37,18 @@ namespace
 
 constexpr int Size = 96;
 
-/// Colours of white shares over a red wall.
-std::vector<glm::dvec3> WhiteOverRed(const std::vector<double>& shares)
+/// Colors of white with the given coverage over a red wall.
+std::vector<glm::dvec3> WhiteOverRed(const std::vector<double>& fractions)
 {
   std::vector<glm::dvec3> colors;
-  for (double share : shares)
+  for (double share : fractions)
   {
     colors.emplace_back(1.0, share, share);
   }
   return colors;
 }
 
-/// A square that fills more than any picture, behind everything.
+/// A square larger than the view, behind all other objects.
 vtkSmartPointer<vtkPolyData> Wall(double z)
 {
   Shape shape;
@@ -71,7 +71,7 @@ enum class View
   Perspective
 };
 
-/// `mesh` in white before a red wall; its x and y are picture coordinates under either camera.
+/// `mesh` in white in front of a red wall. Its x and y are image coordinates in both projections.
 vtkSmartPointer<vtkRenderer> BeforeAWall(vtkPolyData* mesh, View view)
 {
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
@@ -87,31 +87,32 @@ vtkSmartPointer<vtkRenderer> BeforeAWall(vtkPolyData* mesh, View view)
   return renderer;
 }
 
-/// Compares pictures of `mesh`, which covers `shares`, under both cameras.
-void ExpectShares(vtkPolyData* mesh, const std::vector<double>& shares, double bound)
+/// Compares images of `mesh`, whose exact coverage is `fractions`, in both projections.
+void ExpectCoverage(vtkPolyData* mesh, const std::vector<double>& fractions, double bound)
 {
-  const std::vector<glm::dvec3> truth = WhiteOverRed(shares);
+  const std::vector<glm::dvec3> expected = WhiteOverRed(fractions);
   for (View view : { View::Parallel, View::Perspective })
   {
     const Answer answer = Cast(BeforeAWall(mesh, view), Size, Size);
-    const Errors errors = Compare(answer.Colors, truth, PartlyCoveredPixels(shares));
-    const auto wrong = std::count_if(truth.begin(), truth.end(), [&](const glm::dvec3& color) {
-      return std::abs(answer.Colors[&color - truth.data()].y - color.y) > bound;
-    });
+    const Errors errors = Compare(answer.Colors, expected, PartlyCoveredPixels(fractions));
+    const auto wrong =
+      std::count_if(expected.begin(), expected.end(), [&](const glm::dvec3& color) {
+        return std::abs(answer.Colors[&color - expected.data()].y - color.y) > bound;
+      });
     EXPECT_LE(errors.Worst, bound)
-      << wrong << " pixels are wrong, most of all " << errors.WorstPixel % Size << ", "
+      << wrong << " pixels are wrong, the worst is " << errors.WorstPixel % Size << ", "
       << errors.WorstPixel / Size << (view == View::Parallel ? ", parallel" : ", perspective");
   }
 }
 
-std::vector<double> SharesOfPolygon(const std::vector<glm::dvec2>& polygon)
+std::vector<double> ComputePolygonCoverage(const std::vector<glm::dvec2>& polygon)
 {
   ExactCoverage coverage(Size, Size);
   coverage.AddPolygon(polygon);
   return coverage.GetShares();
 }
 
-/// A grid of `cells` x `cells` squares from `first` on, as quads or as triangles.
+/// A grid of `cells` x `cells` squares that starts at `first`, of quads or triangles.
 vtkSmartPointer<vtkPolyData> Grid(glm::dvec2 first, double step, int cells, bool quads)
 {
   vtkNew<vtkPoints> points;
@@ -150,7 +151,7 @@ vtkSmartPointer<vtkPolyData> Grid(glm::dvec2 first, double step, int cells, bool
 struct GridRow
 {
   std::string Name;
-  double First; ///< picture coordinate of the first vertex
+  double First; ///< image coordinate of the first vertex
   double Step;
   int Cells;
 };
@@ -166,30 +167,29 @@ class AlignedGrids : public testing::TestWithParam<GridRow>
 
 }
 
-TEST_P(AlignedGrids, HaveNoHolesWhereRaysMeetVertices)
+TEST_P(AlignedGrids, HaveNoHolesAtVerticesHitByRays)
 {
   const GridRow& row = GetParam();
   const double last = row.First + row.Step * row.Cells;
-  const std::vector<double> shares = SharesOfPolygon(
+  const std::vector<double> fractions = ComputePolygonCoverage(
     { { row.First, row.First }, { last, row.First }, { last, last }, { row.First, last } });
   for (bool quads : { false, true })
   {
-    ExpectShares(Grid(glm::dvec2(row.First), row.Step, row.Cells, quads), shares, 1e-3);
+    ExpectCoverage(Grid(glm::dvec2(row.First), row.Step, row.Cells, quads), fractions, 1e-3);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, AlignedGrids,
   testing::Values(GridRow{ "OnPixelCorners", 8.0, 1.0, 80 },
-    GridRow{ "OnEveryFourthPixelCorner", 8.0, 4.0, 20 }, GridRow{ "OnPixelCentres", 8.5, 1.0, 79 },
-    GridRow{ "OnCornersAndCentres", 8.0, 0.5, 160 },
+    GridRow{ "OnEveryFourthPixelCorner", 8.0, 4.0, 20 }, GridRow{ "OnPixelCenters", 8.5, 1.0, 79 },
+    GridRow{ "OnCornersAndCenters", 8.0, 0.5, 160 },
     GridRow{ "OnFourthsOfPixels", 20.0, 0.25, 160 },
-    GridRow{ "OnThirdsOfPixels", 9.0, 1.0 / 3.0, 90 },
-    GridRow{ "BeyondThePicture", -2.0, 2.0, 50 }),
+    GridRow{ "OnThirdsOfPixels", 9.0, 1.0 / 3.0, 90 }, GridRow{ "BeyondTheImage", -2.0, 2.0, 50 }),
   [](const testing::TestParamInfo<GridRow>& row) { return row.param.Name; });
 
-TEST(Checkerboards, ShowTheColourOfEveryCellThatIsAPixel)
+TEST(Checkerboards, HaveTheColorOfTheCellInEachPixel)
 {
-  // A grid as a raster image is shown: cells from pixel corner to pixel corner.
+  // The cells of the grid start and end at pixel corners, as those of a raster image.
   for (int side : { 1, 4 })
   {
     const int cells = 80 / side;
@@ -220,9 +220,9 @@ TEST(Checkerboards, ShowTheColourOfEveryCellThatIsAPixel)
   }
 }
 
-TEST(ClosedMeshes, HaveNoHolesWhereTheirPolesMeetRays)
+TEST(ClosedMeshes, HaveNoHolesAtPolesHitByRays)
 {
-  // The camera looks exactly at a pole, where all triangles meet, on a pixel's corner.
+  // A pole, where all triangles meet, projects exactly to a pixel corner.
   for (bool parallel : { false, true })
   {
     vtkNew<vtkSphereSource> sphere;
@@ -247,10 +247,10 @@ TEST(ClosedMeshes, HaveNoHolesWhereTheirPolesMeetRays)
   }
 }
 
-TEST(TJunctions, LetNothingThrough)
+TEST(TJunctions, HaveNoHoles)
 {
-  // Strips side by side, each cut at other heights, turned by an angle: no vertex of one lies
-  // exactly on the edge of the next.
+  // Adjacent strips, each divided at different heights and rotated by an angle, so that no vertex
+  // of one lies exactly on the edge of the next.
   const glm::dvec2 along(std::cos(0.37), std::sin(0.37));
   const glm::dvec2 up(-along.y, along.x);
   const glm::dvec2 origin(30.1, 8.3);
@@ -267,11 +267,11 @@ TEST(TJunctions, LetNothingThrough)
       const double low = 60.0 * i / cuts;
       const double high = 60.0 * (i + 1) / cuts;
       vtkIdType corners[4];
-      const glm::dvec2 places[4] = { at(width * strip, low), at(width * (strip + 1), low),
+      const glm::dvec2 positions[4] = { at(width * strip, low), at(width * (strip + 1), low),
         at(width * (strip + 1), high), at(width * strip, high) };
       for (int k = 0; k < 4; ++k)
       {
-        corners[k] = points->InsertNextPoint(places[k].x, places[k].y, 0.0);
+        corners[k] = points->InsertNextPoint(positions[k].x, positions[k].y, 0.0);
       }
       quads->InsertNextCell(4, corners);
     }
@@ -279,26 +279,26 @@ TEST(TJunctions, LetNothingThrough)
   vtkNew<vtkPolyData> mesh;
   mesh->SetPoints(points);
   mesh->SetPolys(quads);
-  ExpectShares(
-    mesh, SharesOfPolygon({ at(0.0, 0.0), at(60.0, 0.0), at(60.0, 60.0), at(0.0, 60.0) }), 0.004);
+  ExpectCoverage(mesh,
+    ComputePolygonCoverage({ at(0.0, 0.0), at(60.0, 0.0), at(60.0, 60.0), at(0.0, 60.0) }), 0.004);
 }
 
-TEST(CoplanarFaces, CoverOnceWhatIsThereTwice)
+TEST(CoplanarFaces, CoverPixelsOnce)
 {
   const std::vector<Shape> shapes = { Disc({ 48.3, 47.9 }, 40.0, 60) };
   vtkSmartPointer<vtkPolyData> twice = MeshOf({ shapes[0], shapes[0] });
-  ExpectShares(twice, SharesOf(shapes, Size, Size), 0.004);
+  ExpectCoverage(twice, SharesOf(shapes, Size, Size), 0.004);
 
-  // The same surface divided otherwise: fans around another centre.
+  // The same surface with another triangulation: fans around another center.
   Shape other = shapes[0];
   other.Center += glm::dvec2(11.3, -7.1);
-  ExpectShares(MeshOf({ shapes[0], other }), SharesOf(shapes, Size, Size), 0.004);
+  ExpectCoverage(MeshOf({ shapes[0], other }), SharesOf(shapes, Size, Size), 0.004);
 }
 
-TEST(CoplanarFaces, ShowOneOfTwoObjectsEverywhere)
+TEST(CoplanarFaces, ShowTheSameObjectEverywhere)
 {
   const std::vector<Shape> shapes = { Disc({ 48.3, 47.9 }, 40.0, 60) };
-  const std::vector<double> shares = SharesOf(shapes, Size, Size);
+  const std::vector<double> fractions = SharesOf(shapes, Size, Size);
   for (View view : { View::Parallel, View::Perspective })
   {
     vtkSmartPointer<vtkRenderer> renderer = BeforeAWall(MeshOf(shapes), view);
@@ -306,9 +306,9 @@ TEST(CoplanarFaces, ShowOneOfTwoObjectsEverywhere)
     const Answer answer = Cast(renderer, Size, Size);
     const glm::dvec3 middle = answer.Colors[Size * Size / 2 + Size / 2];
     EXPECT_TRUE(middle.x < 1e-6 || middle.x > 1.0 - 1e-6);
-    for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t i = 0; i < fractions.size(); ++i)
     {
-      const glm::dvec3 expected = glm::mix(glm::dvec3(1.0, 0.0, 0.0), middle, shares[i]);
+      const glm::dvec3 expected = glm::mix(glm::dvec3(1.0, 0.0, 0.0), middle, fractions[i]);
       for (int c = 0; c < 3; ++c)
       {
         EXPECT_NEAR(answer.Colors[i][c], expected[c], 0.004)
@@ -321,7 +321,7 @@ TEST(CoplanarFaces, ShowOneOfTwoObjectsEverywhere)
 namespace
 {
 
-/// A sheet from (12.3, 10.2) to (72.3, 85.7), cut into upright strips.
+/// A sheet from (12.3, 10.2) to (72.3, 85.7), divided into vertical strips.
 std::vector<Shape> Strips(int count)
 {
   const double width = 60.0 / count;
@@ -339,19 +339,19 @@ std::vector<Shape> Strips(int count)
 
 }
 
-TEST(Slivers, CoverWhatTheyCoverTogether)
+TEST(Slivers, MatchTheirExactCoverage)
 {
-  // 4000 triangles that meet in one point, and strips a tenth of a pixel wide.
+  // 4000 triangles that share one point, and strips a tenth of a pixel wide.
   const std::vector<Shape> disc = { Disc({ 48.3, 47.9 }, 40.0, 4000) };
-  ExpectShares(MeshOf(disc), SharesOf(disc, Size, Size), 0.004);
-  ExpectShares(MeshOf(Strips(600)), SharesOf(Strips(600), Size, Size), 0.004);
+  ExpectCoverage(MeshOf(disc), SharesOf(disc, Size, Size), 0.004);
+  ExpectCoverage(MeshOf(Strips(600)), SharesOf(Strips(600), Size, Size), 0.004);
 }
 
-TEST(Slivers, OfADenseMeshCoverAsManySamplesSay)
+TEST(Slivers, OfADenseMeshMatchSampledCoverage)
 {
-  // More triangles than pixels are sampled 8 x 8 times a pixel: an upright border is off by up to a
-  // sixteenth, the corner of two by a little more.
-  ExpectShares(MeshOf(Strips(3000)), SharesOf(Strips(3000), Size, Size), 0.08);
+  // A mesh of more triangles than pixels is sampled with 8 x 8 rays per pixel. The error is up to
+  // 1/16 at a vertical edge, and slightly more at a corner.
+  ExpectCoverage(MeshOf(Strips(3000)), SharesOf(Strips(3000), Size, Size), 0.08);
   const std::vector<glm::dvec3> colors =
     Cast(BeforeAWall(MeshOf(Strips(3000)), View::Parallel), Size, Size).Colors;
   for (int j = 11; j < 85; ++j)
@@ -363,7 +363,7 @@ TEST(Slivers, OfADenseMeshCoverAsManySamplesSay)
   }
 }
 
-TEST(Slivers, VanishWhenTheyHaveNoWidth)
+TEST(Slivers, WithoutWidthAreInvisible)
 {
   std::vector<Shape> needles;
   for (int i = 0; i < 20; ++i)
@@ -372,10 +372,10 @@ TEST(Slivers, VanishWhenTheyHaveNoWidth)
     needles.push_back({ { 48.1, 40.2 }, { { 48.1, 8.3 }, { 48.1 + 1e-7, 8.3 }, tip } });
     needles.back().Center = (needles.back().Outline[0] + needles.back().Outline[1] + tip) / 3.0;
   }
-  ExpectShares(MeshOf(needles), std::vector<double>(Size * Size, 0.0), 1e-3);
+  ExpectCoverage(MeshOf(needles), std::vector<double>(Size * Size, 0.0), 1e-3);
 }
 
-TEST(CameraInside, SeesNoGapInAClosedMesh)
+TEST(CameraInside, FindsNoGapInAClosedMesh)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(48);
@@ -400,7 +400,7 @@ TEST(CameraInside, SeesNoGapInAClosedMesh)
   }
 }
 
-TEST(CameraInside, ShadesTheWallsOfABoxAsTheClosedForm)
+TEST(CameraInside, MatchesClosedFormShadingOfABox)
 {
   vtkNew<vtkCubeSource> cube;
   cube->Update();
@@ -416,8 +416,8 @@ TEST(CameraInside, ShadesTheWallsOfABoxAsTheClosedForm)
   camera->SetClippingRange(0.001, 10.0);
   const Answer answer = Cast(renderer, Size, Size);
 
-  // The headlight shines along the view: a wall's colour is the cosine between it and its
-  // normal, black where it lies behind.
+  // The headlight has the direction of projection. The color of a wall is the cosine between that
+  // direction and its normal, and black if the cosine is negative.
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
   const glm::dvec3 up = glm::cross(right, forward);
   constexpr int Samples = 32;

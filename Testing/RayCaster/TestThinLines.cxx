@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lines and points thinner than a pixel: the light they send is that of their width and length, and
-// nowhere do they break. At 72 dots per inch a width in points is one in pixels.
+// Lines and points thinner than a pixel: their intensity matches their width and length, and lines
+// have no gaps. At 72 dots per inch, widths in points are widths in pixels.
 #include "BruteForce/ImageErrors.h"
 #include "ClosedForms/ExactCoverage.h"
 #include "Scenes/TestScene.h"
@@ -30,15 +30,15 @@ constexpr int Size = 128;
 const double Pi = std::acos(-1.0);
 
 /// One polyline.
-vtkSmartPointer<vtkPolyData> LineThrough(const std::vector<glm::dvec3>& places)
+vtkSmartPointer<vtkPolyData> LineThrough(const std::vector<glm::dvec3>& positions)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(places.size()));
-  for (const glm::dvec3& place : places)
+  lines->InsertNextCell(static_cast<int>(positions.size()));
+  for (const glm::dvec3& position : positions)
   {
-    lines->InsertCellPoint(points->InsertNextPoint(place.x, place.y, place.z));
+    lines->InsertCellPoint(points->InsertNextPoint(position.x, position.y, position.z));
   }
   auto line = vtkSmartPointer<vtkPolyData>::New();
   line->SetPoints(points);
@@ -46,12 +46,12 @@ vtkSmartPointer<vtkPolyData> LineThrough(const std::vector<glm::dvec3>& places)
   return line;
 }
 
-/// A line in white on black; world x and y are picture coordinates where z is 0.
-vtkSmartPointer<vtkRenderer> PictureOfLine(
-  const std::vector<glm::dvec3>& places, double width, bool parallel)
+/// A white line on black. World x and y are image coordinates where z is 0.
+vtkSmartPointer<vtkRenderer> NewLineRenderer(
+  const std::vector<glm::dvec3>& positions, double width, bool parallel)
 {
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
-  AddMesh(renderer, LineThrough(places), false)->GetProperty()->SetLineWidth(width);
+  AddMesh(renderer, LineThrough(positions), false)->GetProperty()->SetLineWidth(width);
   LookAtPicture(renderer, Size, Size);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetParallelProjection(parallel);
@@ -59,13 +59,13 @@ vtkSmartPointer<vtkRenderer> PictureOfLine(
   return renderer;
 }
 
-/// What a straight line with blunt ends covers.
-std::vector<double> SharesOfLine(glm::dvec2 from, glm::dvec2 to, double width)
+/// Exact coverage of a straight line with butt ends.
+std::vector<double> ComputeLineCoverage(glm::dvec2 from, glm::dvec2 to, double width)
 {
   const glm::dvec2 along = glm::normalize(to - from);
-  const glm::dvec2 aside = glm::dvec2(-along.y, along.x) * (0.5 * width);
+  const glm::dvec2 offset = glm::dvec2(-along.y, along.x) * (0.5 * width);
   ExactCoverage coverage(Size, Size);
-  coverage.AddPolygon({ from - aside, to - aside, to + aside, from + aside });
+  coverage.AddPolygon({ from - offset, to - offset, to + offset, from + offset });
   return coverage.GetShares();
 }
 
@@ -80,7 +80,7 @@ class ThinLines : public testing::TestWithParam<double>
 
 }
 
-TEST_P(ThinLines, CoverWhatTheirWidthSays)
+TEST_P(ThinLines, MatchExactCoverageOfTheirWidth)
 {
   const double width = GetParam();
   const glm::dvec2 ends[][2] = { { { 10.3, 20.7 }, { 115.2, 71.4 } },
@@ -89,13 +89,13 @@ TEST_P(ThinLines, CoverWhatTheirWidthSays)
     { { 8.0, 8.0 }, { 120.0, 120.0 } } };
   for (const auto& [from, to] : ends)
   {
-    const std::vector<double> shares = SharesOfLine(from, to, width);
+    const std::vector<double> fractions = ComputeLineCoverage(from, to, width);
     for (bool parallel : { false, true })
     {
       const Answer answer =
-        Cast(PictureOfLine({ { from, 0.0 }, { to, 0.0 } }, width, parallel), Size, Size);
+        Cast(NewLineRenderer({ { from, 0.0 }, { to, 0.0 } }, width, parallel), Size, Size);
       const Errors errors =
-        Compare(answer.Colors, WhiteOnBlack(shares), PartlyCoveredPixels(shares));
+        Compare(answer.Colors, WhiteOnBlack(fractions), PartlyCoveredPixels(fractions));
       EXPECT_LE(errors.Worst, 0.01)
         << "in pixel " << errors.WorstPixel % Size << ", " << errors.WorstPixel / Size << " from "
         << from.x << ", " << from.y << (parallel ? ", parallel" : ", perspective");
@@ -105,14 +105,14 @@ TEST_P(ThinLines, CoverWhatTheirWidthSays)
   }
 }
 
-TEST_P(ThinLines, AreContinuous)
+TEST_P(ThinLines, HaveNoGaps)
 {
-  // A line with a gentle slope sends the same light through every column that it crosses.
+  // A line with a small slope adds the same intensity to every column that it crosses.
   const double width = GetParam();
   const double slope = 0.29;
-  const Answer answer =
-    Cast(PictureOfLine({ { -9.0, 30.3, 0.0 }, { 200.0, 30.3 + slope * 209.0, 0.0 } }, width, true),
-      Size, Size);
+  const Answer answer = Cast(
+    NewLineRenderer({ { -9.0, 30.3, 0.0 }, { 200.0, 30.3 + slope * 209.0, 0.0 } }, width, true),
+    Size, Size);
   for (int i = 0; i < Size; ++i)
   {
     double light = 0.0;
@@ -124,11 +124,11 @@ TEST_P(ThinLines, AreContinuous)
   }
 }
 
-TEST_P(ThinLines, KeepTheirWidthIntoTheDepth)
+TEST_P(ThinLines, KeepTheirWidthInPerspective)
 {
   const double width = GetParam();
   vtkSmartPointer<vtkRenderer> renderer =
-    PictureOfLine({ { 20.0, 20.0, 60.0 }, { 150.0, 190.0, -400.0 } }, width, false);
+    NewLineRenderer({ { 20.0, 20.0, 60.0 }, { 150.0, 190.0, -400.0 } }, width, false);
   renderer->GetActiveCamera()->SetClippingRange(1.0, 1000.0);
   const BruteForceScene scene = BruteForceOf(renderer, Size, Size);
   glm::dvec2 ends[2];
@@ -138,14 +138,15 @@ TEST_P(ThinLines, KeepTheirWidthIntoTheDepth)
     const glm::dvec4 clip = scene.Projection * glm::dvec4(x, 1.0);
     ends[i] = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * double(Size);
   }
-  const std::vector<double> shares = SharesOfLine(ends[0], ends[1], width);
+  const std::vector<double> fractions = ComputeLineCoverage(ends[0], ends[1], width);
   const Answer answer = Cast(renderer, Size, Size);
-  const Errors errors = Compare(answer.Colors, WhiteOnBlack(shares), PartlyCoveredPixels(shares));
+  const Errors errors =
+    Compare(answer.Colors, WhiteOnBlack(fractions), PartlyCoveredPixels(fractions));
   EXPECT_LE(errors.Worst, 0.01) << "in pixel " << errors.WorstPixel % Size << ", "
                                 << errors.WorstPixel / Size;
 }
 
-TEST_P(ThinLines, KeepTheirEnergyRoundACurve)
+TEST_P(ThinLines, KeepTheirIntensityAlongACurve)
 {
   const double width = GetParam();
   const double radius = 51.3;
@@ -155,12 +156,12 @@ TEST_P(ThinLines, KeepTheirEnergyRoundACurve)
     const double angle = 2.0 * Pi * i / 90;
     circle.emplace_back(64.2 + radius * std::cos(angle), 63.9 + radius * std::sin(angle), 0.0);
   }
-  const Answer answer = Cast(PictureOfLine(circle, width, true), Size, Size);
+  const Answer answer = Cast(NewLineRenderer(circle, width, true), Size, Size);
   const double energy = width * 180.0 * radius * std::sin(Pi / 90.0);
   EXPECT_NEAR(Energy(answer), energy, 0.02 * energy);
 }
 
-TEST_P(ThinLines, AreThinPointsToo)
+TEST_P(ThinLines, MatchExactCoverageOfPoints)
 {
   const double size = GetParam();
   vtkNew<vtkPoints> points;
@@ -181,9 +182,10 @@ TEST_P(ThinLines, AreThinPointsToo)
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, cloud, false)->GetProperty()->SetPointSize(size);
   LookAtPicture(renderer, Size, Size);
-  const std::vector<double> shares = coverage.GetShares();
+  const std::vector<double> fractions = coverage.GetShares();
   const Answer answer = Cast(renderer, Size, Size);
-  const Errors errors = Compare(answer.Colors, WhiteOnBlack(shares), PartlyCoveredPixels(shares));
+  const Errors errors =
+    Compare(answer.Colors, WhiteOnBlack(fractions), PartlyCoveredPixels(fractions));
   EXPECT_LE(errors.Worst, 0.01) << "in pixel " << errors.WorstPixel % Size << ", "
                                 << errors.WorstPixel / Size;
   EXPECT_NEAR(Energy(answer), 100.0 * size * size, size * size);

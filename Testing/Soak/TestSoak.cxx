@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A long session in one process: data that changes, windows that come and go, passes put on and taken
-// off, pictures by rays and baked meshes in between. Nothing may fail and memory must stay flat.
-// PENUMBRA_SOAK_FRAMES sets the length; 2,000 is a night watch, the default a round.
+// A long session in one process: data changes, windows are created and destroyed, passes are added
+// and removed, images are ray cast and meshes are baked. No operation may fail and memory must not
+// grow. PENUMBRA_SOAK_FRAMES sets the number of frames; use 2,000 for a run overnight.
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
@@ -45,7 +45,7 @@ double ResidentMegabytes()
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
 }
 
-/// A window with a burr under a light.
+/// A window with a lit burr.
 struct Session
 {
   Session()
@@ -164,13 +164,13 @@ struct Session
 TEST(Soak, KeepsMemoryFlatOverMixedOperations)
 {
   vtkPenumbraTracedEstimator::Register();
-  const char* asked = std::getenv("PENUMBRA_SOAK_FRAMES");
-  const int frames = asked ? std::atoi(asked) : DefaultFrames;
+  const char* requested = std::getenv("PENUMBRA_SOAK_FRAMES");
+  const int frames = requested ? std::atoi(requested) : DefaultFrames;
   Session sessions[2];
   double before = 0.0;
   for (int frame = 0; frame < frames; ++frame)
   {
-    // 5 and 12 have no common factor: each round of 12 has all operations, in an order of its own.
+    // 5 and 12 are coprime, so each round of 12 runs all operations, in a permuted order.
     sessions[frame / 12 % 2].Do((frame * 5 + frame / 12) % 12, frame);
     for (Session& session : sessions)
     {
@@ -178,7 +178,7 @@ TEST(Soak, KeepsMemoryFlatOverMixedOperations)
     }
     before = frame == frames / 2 ? ResidentMegabytes() : before;
   }
-#ifndef __SANITIZE_ADDRESS__ // which keeps what is freed, and looks for leaks itself
+#ifndef __SANITIZE_ADDRESS__ // which delays freeing memory, and finds leaks itself
   EXPECT_LT(ResidentMegabytes() - before, AllowedGrowth);
 #endif
 }
