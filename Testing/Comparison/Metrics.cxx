@@ -17,7 +17,7 @@ int ComparedChannels(const Planes& a, const Planes& b)
 namespace
 {
 
-// Four steps of 8 bit are still alike, whatever rounding does to their difference.
+// Differences of up to four steps of 8 bits count as equal. The half step absorbs rounding.
 constexpr double PixelThreshold = 4.0 / 255.0 + 1e-6;
 
 constexpr int TileSize = 16;
@@ -38,7 +38,7 @@ double LargestDifferenceOfPixel(const Planes& a, const Planes& b, std::size_t pi
   return largest;
 }
 
-// Of every pixel, the mean over its channels.
+// Returns the mean over the channels of every pixel.
 std::vector<double> SquaredDifferences(const Planes& a, const Planes& b)
 {
   const int channels = ComparedChannels(a, b);
@@ -54,7 +54,7 @@ std::vector<double> SquaredDifferences(const Planes& a, const Planes& b)
   return squares;
 }
 
-// Of every pixel, 1 where it is off, else 0.
+// Returns 1 for every pixel that differs, else 0.
 std::vector<double> PixelsOff(const Planes& a, const Planes& b)
 {
   std::vector<double> off(a.Channels[0].size());
@@ -65,7 +65,7 @@ std::vector<double> PixelsOff(const Planes& a, const Planes& b)
   return off;
 }
 
-// The largest mean over a tile. A picture smaller than a tile is one.
+// Returns the largest mean over a tile. An image smaller than a tile is a single tile.
 double WorstTileMean(const std::vector<double>& values, int width, int height)
 {
   const int tileWidth = std::min(TileSize, width);
@@ -153,7 +153,7 @@ std::array<double, 2 * HalfWindow + 1> GaussianWindow()
   return weights;
 }
 
-// Mean of `line` around `center` under the window, the part outside of the line left out.
+// Returns the mean of `line` around `center` under the window, normalized over the part inside.
 double WeightedMean(const double* line, int stride, int length, int center)
 {
   static const std::array<double, 2 * HalfWindow + 1> weights = GaussianWindow();
@@ -212,7 +212,8 @@ double SimilarityOfChannel(const std::vector<double>& a, const std::vector<doubl
   const std::vector<double> squareB = SmoothProduct(b, b, width, height);
   const std::vector<double> product = SmoothProduct(a, b, width, height);
 
-  // Centres whose window lies inside; in a picture too small for any, all of them.
+  // Centers whose window lies inside the image, or all pixels if the image is smaller than the
+  // window.
   const int marginX = width > 2 * HalfWindow ? HalfWindow : 0;
   const int marginY = height > 2 * HalfWindow ? HalfWindow : 0;
   double sum = 0.0;

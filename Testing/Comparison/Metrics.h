@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The metrics of vtkPenumbraImageComparison over plain planes of numbers. Private to this module.
+// Metrics of vtkPenumbraImageComparison over plain arrays. Private to this module.
 #ifndef penumbra_Metrics_h
 #define penumbra_Metrics_h
 
@@ -12,20 +12,20 @@
 namespace penumbra
 {
 
-/// A picture in four planes: red, green, blue times alpha, then alpha; row by row.
+/// An image in four planes: red, green and blue times alpha, then alpha; row by row.
 struct Planes
 {
   int Width = 0;
   int Height = 0;
-  bool Opaque = true; ///< alpha is 1 everywhere
+  bool Opaque = true; ///< true if alpha is 1 everywhere
   std::array<std::vector<double>, 4> Channels;
 };
 
-/// Which pixels count, row by row; empty: all. Two pictures must be alike where none counts: tiles
-/// and the windows of the similarity reach across.
+/// Mask of the pixels that count, row by row; empty: all. The two images must be equal in the other
+/// pixels, because tiles and the windows of the similarity include them.
 using Mask = std::vector<bool>;
 
-/// Channels that count: three where both pictures are opaque, else four.
+/// Number of channels that count: three if both images are opaque, else four.
 int ComparedChannels(const Planes& a, const Planes& b);
 
 double RootMeanSquare(const Planes& a, const Planes& b, const Mask& mask);
@@ -33,7 +33,7 @@ double LargestDifference(const Planes& a, const Planes& b);
 double StructuralDissimilarity(const Planes& a, const Planes& b, const Mask& mask);
 double ShareOfPixelsOff(const Planes& a, const Planes& b, const Mask& mask);
 
-/// Of all tiles of 16x16 pixels, wherever they lie, the worst: its RMSE, and its share of pixels off.
+/// RMSE and fraction of differing pixels of the worst tile of 16x16 pixels at any position.
 double WorstTileRootMeanSquare(const Planes& a, const Planes& b);
 double WorstTileShareOfPixelsOff(const Planes& a, const Planes& b);
 

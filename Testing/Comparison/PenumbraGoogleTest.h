@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures in GoogleTest:
+// GoogleTest assertions on images:
 //
 //   EXPECT_IMAGE_NEAR(window, "cone.png", 1.0 / 16.0);
 //
-// The picture is a vtkRenderWindow, a vtkImageData, or a vtkAlgorithm that makes one, such as
-// vtkPenumbraRayCaster; vtkNew and vtkSmartPointer do, too. Baselines lie in the folder that
-// PENUMBRA_BASELINE_FOLDER names, a definition of the compiler, else in the current one. Windows are
-// OSMesa's unless VTK_DEFAULT_OPENGL_WINDOW says otherwise. See vtkPenumbraBaseline for what happens
-// when a picture fails, and how to accept it.
+// The first argument is a vtkRenderWindow, a vtkImageData, or a vtkAlgorithm that outputs one, such
+// as vtkPenumbraRayCaster; vtkNew and vtkSmartPointer are accepted, too. Relative paths of
+// baselines start at the folder PENUMBRA_BASELINE_FOLDER, a compile definition, or at the current
+// folder without it. Windows are rendered with OSMesa unless VTK_DEFAULT_OPENGL_WINDOW is set.
+// vtkPenumbraBaseline documents what is written when an image fails, and how to accept it.
 #ifndef PenumbraGoogleTest_h
 #define PenumbraGoogleTest_h
 
@@ -32,7 +32,7 @@
 namespace penumbra
 {
 
-/// When a picture is near its baseline; a number alone is the tolerance. See
+/// Limits within which an image is near its baseline. A single number is the tolerance. See
 /// vtkPenumbraImageComparison for meaning, ranges and defaults.
 struct ImageTolerance
 {
@@ -41,20 +41,20 @@ struct ImageTolerance
   {
   }
   double Tolerance;                   ///< largest RMSE of any 16x16 pixels
-  double PixelLimit = 0.01;           ///< largest share of pixels off by more than 4/255
-  double TilePixelLimit = 1.0 / 32.0; ///< the same of any 16x16 pixels
-  vtkSmartPointer<vtkImageData> Mask; ///< what is black in it does not count
+  double PixelLimit = 0.01;           ///< largest fraction of pixels that differ by more than 4/255
+  double TilePixelLimit = 1.0 / 32.0; ///< the same for any 16x16 pixels
+  vtkSmartPointer<vtkImageData> Mask; ///< black pixels are ignored; default: none
 };
 
-/// The windows of this program, opened after its static objects, are OSMesa's.
+/// Renders windows of this program with OSMesa if they are created after its static objects.
 inline const bool WindowsAreDeterministic = (vtkPenumbraBaseline::PreferOSMesa(), true);
 
-/// For the macros below.
+/// Implements the macros below.
 inline testing::AssertionResult IsImageNear(const char* expression, const char*, const char*,
-  vtkObject* picture, const std::string& fileName, const ImageTolerance& nearness)
+  vtkObject* source, const std::string& fileName, const ImageTolerance& limits)
 {
   vtkNew<vtkPenumbraBaseline> baseline;
-  baseline->SetPicture(picture);
+  baseline->SetPicture(source);
   const bool isAbsolute = !fileName.empty() && fileName.front() == '/';
   baseline->SetFileName((isAbsolute ? fileName : PENUMBRA_BASELINE_FOLDER "/" + fileName).c_str());
   if (const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info())
@@ -64,10 +64,10 @@ inline testing::AssertionResult IsImageNear(const char* expression, const char*,
     baseline->SetName(name.c_str());
   }
   vtkPenumbraImageComparison* comparison = baseline->GetComparison();
-  comparison->SetTolerance(nearness.Tolerance);
-  comparison->SetPixelLimit(nearness.PixelLimit);
-  comparison->SetTilePixelLimit(nearness.TilePixelLimit);
-  comparison->SetMask(nearness.Mask);
+  comparison->SetTolerance(limits.Tolerance);
+  comparison->SetPixelLimit(limits.PixelLimit);
+  comparison->SetTilePixelLimit(limits.TilePixelLimit);
+  comparison->SetMask(limits.Mask);
   if (!baseline->Check())
   {
     return testing::AssertionFailure() << expression << ": " << baseline->GetReport();

@@ -37,10 +37,10 @@ std::string Numbered(const std::string& path, int number)
     .string();
 }
 
-vtkDataArray* ColorOf(vtkImageData* picture)
+vtkDataArray* ColorOf(vtkImageData* image)
 {
-  vtkDataArray* color = picture->GetPointData()->GetArray("Color");
-  return color ? color : picture->GetPointData()->GetScalars();
+  vtkDataArray* color = image->GetPointData()->GetArray("Color");
+  return color ? color : image->GetPointData()->GetScalars();
 }
 
 bool IsOpaque(vtkDataArray* color)
@@ -75,7 +75,7 @@ std::string NextBaseline(const std::string& path)
 
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
 {
-  vtkSmartPointer<vtkImageData> picture;
+  vtkSmartPointer<vtkImageData> image;
   if (HoldsFloats(path))
   {
     vtkNew<vtkXMLImageDataReader> reader;
@@ -83,26 +83,26 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
     {
       reader->SetFileName(path.c_str());
       reader->Update();
-      picture = reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
+      image = reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
     }
-    return picture;
+    return image;
   }
   vtkNew<vtkPNGReader> reader;
   if (reader->CanReadFile(path.c_str()))
   {
     reader->SetFileName(path.c_str());
     reader->Update();
-    picture = reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
+    image = reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
   }
-  return picture;
+  return image;
 }
 
-vtkSmartPointer<vtkImageData> AsStored(vtkImageData* picture, const std::string& path)
+vtkSmartPointer<vtkImageData> AsStored(vtkImageData* image, const std::string& path)
 {
-  vtkDataArray* color = ColorOf(picture);
+  vtkDataArray* color = ColorOf(image);
   if (!color || HoldsFloats(path))
   {
-    return picture;
+    return image;
   }
   const int type = color->GetDataType();
   const bool isStorable = type == VTK_UNSIGNED_CHAR || type == VTK_UNSIGNED_SHORT;
@@ -123,12 +123,12 @@ vtkSmartPointer<vtkImageData> AsStored(vtkImageData* picture, const std::string&
     }
   }
   auto result = vtkSmartPointer<vtkImageData>::New();
-  result->CopyStructure(picture);
+  result->CopyStructure(image);
   result->GetPointData()->SetScalars(stored);
   return result;
 }
 
-bool WritePicture(vtkImageData* picture, const std::string& path)
+bool WritePicture(vtkImageData* image, const std::string& path)
 {
   std::error_code error;
   fs::create_directories(fs::absolute(path).parent_path(), error);
@@ -137,7 +137,7 @@ bool WritePicture(vtkImageData* picture, const std::string& path)
   if (HoldsFloats(path))
   {
     vtkNew<vtkXMLImageDataWriter> writer;
-    writer->SetInputData(picture);
+    writer->SetInputData(image);
     writer->SetFileName(part.c_str());
     writer->Write();
     problem = writer->GetErrorCode();
@@ -145,7 +145,7 @@ bool WritePicture(vtkImageData* picture, const std::string& path)
   else
   {
     vtkNew<vtkPNGWriter> writer;
-    writer->SetInputData(picture);
+    writer->SetInputData(image);
     writer->SetFileName(part.c_str());
     writer->Write();
     problem = writer->GetErrorCode();

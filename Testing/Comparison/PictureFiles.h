@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Baselines on disk: .png, 8 or 16 bits a channel, or .vti with floats as they are. Private to this
-// module.
+// Baseline files: .png with 8 or 16 bits per channel, or .vti with floats. Private to this module.
 #ifndef penumbra_PictureFiles_h
 #define penumbra_PictureFiles_h
 
@@ -16,24 +15,24 @@ class vtkImageData;
 namespace penumbra
 {
 
-/// Ends `path` like a file of pictures?
+/// Returns true if the extension of `path` is that of a supported image file.
 bool IsPicturePath(const std::string& path);
 
-/// `path`, and beside it as many as there are of name_1.png, name_2.png, ...; only what exists.
+/// Returns the existing files among `path` and name_1.png, name_2.png, ... next to it.
 std::vector<std::string> FindBaselines(const std::string& path);
 
-/// The path of the baseline that would be the next of these.
+/// Returns the path of the next baseline in this sequence.
 std::string NextBaseline(const std::string& path);
 
-/// nullptr where `path` holds no picture.
+/// Reads an image; returns nullptr if `path` cannot be read as one.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path);
 
-/// The colours of `picture` as the file `path` would hold them: for .png floats become bytes, and
-/// alpha is left out where it is 1 everywhere.
-vtkSmartPointer<vtkImageData> AsStored(vtkImageData* picture, const std::string& path);
+/// Returns the colors of `image` as stored in the file `path`: for .png, floats become bytes, and
+/// alpha is dropped if it is 1 everywhere.
+vtkSmartPointer<vtkImageData> AsStored(vtkImageData* image, const std::string& path);
 
-/// Appears whole or not at all; false where it cannot be written.
-bool WritePicture(vtkImageData* picture, const std::string& path);
+/// Writes the file atomically; returns false if it cannot be written.
+bool WritePicture(vtkImageData* image, const std::string& path);
 
 }
 #endif

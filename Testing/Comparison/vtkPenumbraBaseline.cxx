@@ -30,7 +30,7 @@ constexpr const char* AcceptVariable = "PENUMBRA_ACCEPT";
 constexpr const char* FolderVariable = "PENUMBRA_FAILED_IMAGES";
 constexpr const char* DefaultFolder = "failed-images";
 
-// What the report of a window says after `key`, up to the end of the line.
+// Returns the text after `key` in the report of a window, up to the end of the line.
 std::string Find(const std::string& report, const std::string& key)
 {
   const std::size_t at = report.find(key);
@@ -49,7 +49,7 @@ std::string Describe(vtkRenderWindow* window)
     Find(capabilities, "OpenGL renderer string:");
 }
 
-// Off screen and at a fixed density of pixels: nothing is left for a display to decide.
+// Render off screen at a fixed resolution, so that the image does not depend on a display.
 vtkSmartPointer<vtkImageData> Draw(vtkRenderWindow* window)
 {
   window->SetOffScreenRendering(1);
@@ -76,10 +76,10 @@ std::string DescribeProcessor()
 struct vtkPenumbraBaseline::Internals
 {
   vtkSmartPointer<vtkObject> Picture;
-  vtkSmartPointer<vtkImageData> Image; ///< as drawn last
-  std::string DrawnBy;
+  vtkSmartPointer<vtkImageData> Image; ///< as rendered last
+  std::string RenderedBy;
   vtkNew<vtkPenumbraImageComparison> Comparison;
-  std::ostringstream Sentences;
+  std::ostringstream ReportStream;
   std::string Report;
 
   void Draw();
@@ -88,11 +88,11 @@ struct vtkPenumbraBaseline::Internals
 void vtkPenumbraBaseline::Internals::Draw()
 {
   this->Image = nullptr;
-  this->DrawnBy = this->Picture ? this->Picture->GetClassName() : "nobody";
+  this->RenderedBy = this->Picture ? this->Picture->GetClassName() : "no object";
   if (auto* window = vtkRenderWindow::SafeDownCast(this->Picture))
   {
     this->Image = ::Draw(window);
-    this->DrawnBy = Describe(window);
+    this->RenderedBy = Describe(window);
   }
   else if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->Picture))
   {
@@ -151,27 +151,29 @@ const char* vtkPenumbraBaseline::GetReport()
 
 bool vtkPenumbraBaseline::Check()
 {
-  Internals& self = *this->Implementation;
-  self.Sentences.str("");
+  Internals& implementation = *this->Implementation;
+  implementation.ReportStream.str("");
   const std::string path = this->FileName ? this->FileName : "";
   const std::string accept =
     vtksys::SystemTools::HasEnv(AcceptVariable) ? std::getenv(AcceptVariable) : "";
   bool passes = false;
-  self.Draw();
+  implementation.Draw();
   if (!penumbra::IsPicturePath(path))
   {
-    self.Sentences << "'" << path << "' is no baseline: name a .png or .vti\n";
+    implementation.ReportStream
+      << "'" << path << "' is not a baseline file: give a path that ends in .png or .vti\n";
   }
-  else if (!self.Image || self.Image->GetNumberOfPoints() == 0)
+  else if (!implementation.Image || implementation.Image->GetNumberOfPoints() == 0)
   {
-    self.Sentences
-      << path << ": nothing was drawn by " << self.DrawnBy
-      << ": give a window, an image, or an algorithm that makes one; a window may lack "
-         "OpenGL\n";
+    implementation.ReportStream
+      << path << ": no image was rendered by " << implementation.RenderedBy
+      << ": set a window, an image, or an algorithm that outputs one; for a window, check that "
+         "OpenGL works\n";
   }
   else if (!accept.empty() && accept != "replace" && accept != "add")
   {
-    self.Sentences << AcceptVariable << "=" << accept << ": give 'replace' or 'add'\n";
+    implementation.ReportStream << AcceptVariable << "=" << accept
+                                << ": set it to 'replace' or 'add'\n";
   }
   else
   {
@@ -181,21 +183,21 @@ bool vtkPenumbraBaseline::Check()
       this->KeepEvidence();
     }
   }
-  self.Report = self.Sentences.str();
+  implementation.Report = implementation.ReportStream.str();
   return passes;
 }
 
 bool vtkPenumbraBaseline::Compare()
 {
-  Internals& self = *this->Implementation;
-  vtkPenumbraImageComparison* comparison = self.Comparison;
-  self.Image = penumbra::AsStored(self.Image, this->FileName);
-  comparison->SetImage(self.Image);
+  Internals& implementation = *this->Implementation;
+  vtkPenumbraImageComparison* comparison = implementation.Comparison;
+  implementation.Image = penumbra::AsStored(implementation.Image, this->FileName);
+  comparison->SetImage(implementation.Image);
   comparison->RemoveAllBaselines();
   const std::vector<std::string> paths = penumbra::FindBaselines(this->FileName);
   if (paths.empty())
   {
-    self.Sentences << "there is no baseline " << this->FileName << "\n";
+    implementation.ReportStream << "there is no baseline " << this->FileName << "\n";
     return false;
   }
   for (const std::string& path : paths)
@@ -203,14 +205,14 @@ bool vtkPenumbraBaseline::Compare()
     const vtkSmartPointer<vtkImageData> baseline = penumbra::ReadPicture(path);
     if (!baseline)
     {
-      self.Sentences << path << " cannot be read as a picture\n";
+      implementation.ReportStream << path << " cannot be read as an image\n";
       return false;
     }
     comparison->AddBaseline(baseline);
   }
   if (!comparison->Compare())
   {
-    self.Sentences << this->FileName << ": " << comparison->GetErrorText() << "\n";
+    implementation.ReportStream << this->FileName << ": " << comparison->GetErrorText() << "\n";
     return false;
   }
   if (comparison->IsNear())
@@ -224,32 +226,36 @@ bool vtkPenumbraBaseline::Compare()
     return text.str();
   };
   using Comparison = vtkPenumbraImageComparison;
-  self.Sentences << "the picture is not near " << paths[comparison->GetBestBaseline()] << "\n"
-                 << "  " << value(Comparison::TILE_RMSE) << " (limit " << comparison->GetTolerance()
-                 << "), " << value(Comparison::PIXELS) << " (limit " << comparison->GetPixelLimit()
-                 << "), " << value(Comparison::TILE_PIXELS) << " (limit "
-                 << comparison->GetTilePixelLimit() << "); " << value(Comparison::RMSE) << ", "
-                 << value(Comparison::MAXIMUM) << ", " << value(Comparison::SSIM) << "\n";
+  implementation.ReportStream << "the image is not near " << paths[comparison->GetBestBaseline()]
+                              << "\n"
+                              << "  " << value(Comparison::TILE_RMSE) << " (limit "
+                              << comparison->GetTolerance() << "), " << value(Comparison::PIXELS)
+                              << " (limit " << comparison->GetPixelLimit() << "), "
+                              << value(Comparison::TILE_PIXELS) << " (limit "
+                              << comparison->GetTilePixelLimit() << "); " << value(Comparison::RMSE)
+                              << ", " << value(Comparison::MAXIMUM) << ", "
+                              << value(Comparison::SSIM) << "\n";
   return false;
 }
 
 bool vtkPenumbraBaseline::Accept(bool add)
 {
-  Internals& self = *this->Implementation;
+  Internals& implementation = *this->Implementation;
   const std::string path = add ? penumbra::NextBaseline(this->FileName) : this->FileName;
-  if (!penumbra::WritePicture(self.Image, path))
+  if (!penumbra::WritePicture(implementation.Image, path))
   {
-    self.Sentences << path << " cannot be written\n";
+    implementation.ReportStream << path << " cannot be written\n";
     return false;
   }
-  self.Sentences << "accepted as " << path << ", drawn by " << self.DrawnBy << "\n";
+  implementation.ReportStream << "accepted as " << path << ", rendered by "
+                              << implementation.RenderedBy << "\n";
   return true;
 }
 
 void vtkPenumbraBaseline::KeepEvidence()
 {
   namespace fs = std::filesystem;
-  Internals& self = *this->Implementation;
+  Internals& implementation = *this->Implementation;
   const std::string fromEnvironment =
     vtksys::SystemTools::HasEnv(FolderVariable) ? std::getenv(FolderVariable) : DefaultFolder;
   const fs::path folder = this->OutputFolder ? std::string(this->OutputFolder) : fromEnvironment;
@@ -259,21 +265,23 @@ void vtkPenumbraBaseline::KeepEvidence()
     const std::string path =
       fs::absolute(folder / (stem + "." + what + extension)).lexically_normal().string();
     const bool written = penumbra::WritePicture(penumbra::AsStored(image, path), path);
-    self.Sentences << "  " << what << ": " << path << (written ? "" : " (cannot be written)");
+    implementation.ReportStream << "  " << what << ": " << path
+                                << (written ? "" : " (cannot be written)");
   };
-  keep("actual", self.Image, file.extension().string());
-  self.Sentences << "\n";
-  const double largest = self.Comparison->GetValue(vtkPenumbraImageComparison::MAXIMUM);
-  if (self.Comparison->GetBestBaseline() >= 0 && largest > 0.0)
+  keep("actual", implementation.Image, file.extension().string());
+  implementation.ReportStream << "\n";
+  const double largest = implementation.Comparison->GetValue(vtkPenumbraImageComparison::MAXIMUM);
+  if (implementation.Comparison->GetBestBaseline() >= 0 && largest > 0.0)
   {
-    keep("difference", self.Comparison->MakeDifference(1.0 / largest), ".png");
-    self.Sentences << ", " << 1.0 / largest << " times\n";
+    keep("difference", implementation.Comparison->MakeDifference(1.0 / largest), ".png");
+    implementation.ReportStream << ", " << 1.0 / largest << " times\n";
   }
-  self.Sentences << "  drawn by: " << self.DrawnBy << "\n  processor: " << DescribeProcessor()
-                 << "; VTK " << vtkVersion::GetVTKVersion() << "\n"
-                 << "Look at it. If it is right, run this test again with " << AcceptVariable
-                 << "=replace, which makes it the baseline, or " << AcceptVariable
-                 << "=add, which adds it as one more.\n";
+  implementation.ReportStream << "  rendered by: " << implementation.RenderedBy
+                              << "\n  processor: " << DescribeProcessor() << "; VTK "
+                              << vtkVersion::GetVTKVersion() << "\n"
+                              << "Inspect the image. If it is correct, run this test again with "
+                              << AcceptVariable << "=replace to make it the baseline, or "
+                              << AcceptVariable << "=add to add it as another baseline.\n";
 }
 
 void vtkPenumbraBaseline::PrintSelf(ostream& os, vtkIndent indent)

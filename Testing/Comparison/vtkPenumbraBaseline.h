@@ -2,21 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraBaseline
- * @brief   A regression test of a picture against its baselines on disk.
+ * @brief   Regression test of an image against its baselines on disk.
  *
- * Draws the picture, compares it with `name.png` and, where these exist, `name_1.png`, `name_2.png`
- * and so on; any of them will do. Where it is near none, the picture and its difference from the
- * nearest are written, and GetReport() tells what is wrong, where these pictures are, which renderer,
- * driver and processor drew them, and how to accept them.
+ * Renders the image and compares it with `name.png` and, if they exist, `name_1.png`, `name_2.png`
+ * and so on. The test passes if the image is near any of them. Otherwise, the image and its
+ * difference from the nearest baseline are written. GetReport() then returns the measured
+ * differences, the paths of these files, the renderer, driver and processor, and how to accept the
+ * image.
  *
- * What is drawn is compared as the file of the baseline holds it: .png 8 or 16 bits, .vti floats.
+ * The image is compared as the baseline's file format stores it: .png with 8 or 16 bits, .vti with
+ * floats.
  *
- * Environment, read by Check():
- * - `PENUMBRA_ACCEPT=replace` a picture that is not near becomes the baseline; `add`: another of its
- *   baselines;
- * - `PENUMBRA_FAILED_IMAGES` the folder of what failed, unless SetOutputFolder() names one.
+ * Environment variables, read by Check():
+ * - `PENUMBRA_ACCEPT`: `replace` makes an image that is not near the baseline, `add` makes it an
+ *   additional baseline;
+ * - `PENUMBRA_FAILED_IMAGES`: the folder for failed images, unless SetOutputFolder() is called.
  *
- * PenumbraGoogleTest.h makes one line of it.
+ * PenumbraGoogleTest.h provides GoogleTest assertions that use this class.
  */
 #ifndef vtkPenumbraBaseline_h
 #define vtkPenumbraBaseline_h
@@ -36,44 +38,45 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * From now on windows are drawn by OSMesa, whose pictures depend neither on a display nor on a
-   * graphics card, unless the environment variable VTK_DEFAULT_OPENGL_WINDOW says otherwise. VTK knows
-   * that variable from 9.4 on.
+   * Render windows that are created later with OSMesa, whose images depend neither on a display nor
+   * on a graphics card, unless the environment variable VTK_DEFAULT_OPENGL_WINDOW is set already.
+   * VTK supports that variable since 9.4.
    */
   static void PreferOSMesa();
 
   /**
-   * Who draws: a vtkRenderWindow, a vtkImageData, or a vtkAlgorithm whose first output is one, such as
-   * vtkPenumbraRayCaster. A window is drawn off screen at 72 dots per inch. Default: none.
+   * Object that provides the image: a vtkRenderWindow, a vtkImageData, or a vtkAlgorithm whose
+   * first output is one, such as vtkPenumbraRayCaster. A window is rendered off screen at 72 dots
+   * per inch. Default: none.
    */
   virtual void SetPicture(vtkObject* picture);
   vtkObject* GetPicture();
 
   ///@{
-  /** The baseline, .png or .vti. Default: none. */
+  /** Path of the baseline, .png or .vti. Default: none. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   ///@{
-  /** What the names of failed pictures begin with, such as a test's name. Default: none. */
+  /** Prefix of the names of failed images, such as the name of a test. Default: none. */
   vtkSetStringMacro(Name);
   vtkGetStringMacro(Name);
   ///@}
 
   ///@{
-  /** Where failed pictures go. Default: $PENUMBRA_FAILED_IMAGES, else the folder `failed-images`. */
+  /** Folder for failed images. Default: $PENUMBRA_FAILED_IMAGES, else the folder `failed-images`. */
   vtkSetFilePathMacro(OutputFolder);
   vtkGetFilePathMacro(OutputFolder);
   ///@}
 
-  /** What near means: tolerance, limits and mask are set here. */
+  /** The comparison, on which tolerance, limits and mask are set. */
   vtkPenumbraImageComparison* GetComparison();
 
-  /** Is the picture near a baseline, or has it been accepted? */
+  /** Renders and compares. Returns true if the image is near a baseline or has been accepted. */
   bool Check();
 
-  /** What Check() found, in sentences; empty where there is nothing to tell. */
+  /** Result of the last Check() as text; empty if the image is near a baseline. */
   const char* GetReport();
 
 protected:

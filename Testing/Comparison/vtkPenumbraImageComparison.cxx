@@ -35,14 +35,14 @@ vtkDataArray* FindColor(vtkImageData* image)
   return color ? color : image->GetPointData()->GetScalars();
 }
 
-// The value that stands for full intensity: integers fill their range, floats are as they are.
+// Returns the value of full intensity: the maximum of an integer type, 1 for floats.
 double FullIntensity(vtkDataArray* color)
 {
   const int type = color->GetDataType();
   return type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : color->GetDataTypeMax();
 }
 
-// Why `image` is not a picture, else nothing.
+// Returns the reason why `image` cannot be compared, or an empty string.
 std::string FindInconsistency(vtkImageData* image)
 {
   int dimensions[3];
@@ -50,11 +50,11 @@ std::string FindInconsistency(vtkImageData* image)
   vtkDataArray* color = FindColor(image);
   if (!color || image->GetNumberOfPoints() == 0)
   {
-    return "a picture has no pixels";
+    return "an image has no pixels";
   }
   if (dimensions[2] != 1 || color->GetNumberOfComponents() > 4)
   {
-    return "a picture is not one plane of 1 to 4 channels";
+    return "an image is not two-dimensional with 1 to 4 channels";
   }
   return std::string();
 }
@@ -117,7 +117,7 @@ penumbra::Mask ReadMask(vtkImageData* image)
   return mask;
 }
 
-// What does not count becomes black in every picture.
+// Sets pixels that do not count to black in every image.
 void Apply(const penumbra::Mask& mask, penumbra::Planes& planes)
 {
   for (std::size_t i = 0; i < mask.size(); ++i)
@@ -129,7 +129,7 @@ void Apply(const penumbra::Mask& mask, penumbra::Planes& planes)
   }
 }
 
-// `value` as a share of its limit; a limit of 0 asks for equality.
+// Returns `value` divided by its limit; a limit of 0 requires equality.
 double Share(double value, double limit)
 {
   return value == 0.0 ? 0.0 : value / limit;
@@ -176,12 +176,13 @@ struct vtkPenumbraImageComparison::Internals
   std::string FindFaults() const;
 };
 
-// Why the pictures cannot be compared, as far as that shows without their values; else nothing.
+// Returns the reason why the images cannot be compared regardless of their values, or an empty
+// string.
 std::string vtkPenumbraImageComparison::Internals::FindFaults() const
 {
   if (!this->Image || this->Baselines.empty())
   {
-    return "a picture and at least one baseline are needed";
+    return "an image and at least one baseline are needed";
   }
   std::vector<vtkImageData*> others(this->Baselines.begin(), this->Baselines.end());
   if (this->MaskImage)
@@ -197,7 +198,7 @@ std::string vtkPenumbraImageComparison::Internals::FindFaults() const
     }
     if (fault.empty() && SizeText(this->Image) != SizeText(other))
     {
-      fault = std::string(other == this->MaskImage ? "the mask differs" : "the pictures differ") +
+      fault = std::string(other == this->MaskImage ? "the mask differs" : "the images differ") +
         " in size: " + SizeText(this->Image) + " and " + SizeText(other);
     }
   }
@@ -256,7 +257,7 @@ bool vtkPenumbraImageComparison::Compare()
   self.Mask = self.MaskImage ? ReadMask(self.MaskImage) : penumbra::Mask();
   if (!self.Mask.empty() && std::find(self.Mask.begin(), self.Mask.end(), true) == self.Mask.end())
   {
-    self.ErrorText = "the mask leaves no pixel to compare";
+    self.ErrorText = "the mask excludes all pixels";
     return false;
   }
 
@@ -280,7 +281,7 @@ bool vtkPenumbraImageComparison::Compare()
   if (!finite)
   {
     self.BestBaseline = -1;
-    self.ErrorText = "a picture holds values that are not finite";
+    self.ErrorText = "an image has values that are not finite";
   }
   return finite;
 }

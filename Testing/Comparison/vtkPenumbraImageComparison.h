@@ -2,27 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraImageComparison
- * @brief   How far one picture is from another, or from the nearest of several baselines.
+ * @brief   Difference of an image from another one, or from the nearest of several baselines.
  *
- * A picture is the point array `Color` of an image, else its scalars: grey, grey with alpha, RGB or
- * RGBA; 8 and 16 bit integers are taken as shares of their maximum, floats as they are. What is
- * compared is the colour times alpha, and alpha itself where a picture has any below 1: so what
- * nobody can see does not count.
+ * Compares the point array `Color`, or else the scalars: gray, gray with alpha, RGB or RGBA. 8 and
+ * 16 bit integers are divided by their maximum, floats are used as they are. Colors are multiplied
+ * by alpha, so that invisible colors do not count. Alpha is compared, too, if an image has any
+ * value below 1.
  *
- * The metrics, each 0 for equal pictures:
- * - RMSE: root of the mean squared difference over pixels and channels;
+ * The metrics, each 0 for equal images:
+ * - RMSE: root mean square of the difference over pixels and channels;
  * - MAXIMUM: the largest difference of any channel of any pixel;
  * - SSIM: 1 minus the structural similarity of Wang, Bovik, Sheikh and Simoncelli (2004), mean over
- *   channels, Gaussian window of 11 x 11 with sigma 1.5, K1 = .01, K2 = .03, dynamic range 1; taken
- *   where the whole window lies inside, in pictures smaller than it where it is cut at the border;
- * - PIXELS: the share of pixels with a channel off by more than 4/255;
- * - TILE_RMSE and TILE_PIXELS: RMSE and PIXELS of the worst 16x16 pixels, wherever these lie: a flaw
- *   counts the same in a picture of any size;
+ *   channels, Gaussian window of 11 x 11 with sigma 1.5, K1 = 0.01, K2 = 0.03, dynamic range 1;
+ *   evaluated where the whole window lies inside the image, or, in images smaller than the window, at all
+ *   pixels with the window cut at the image edge;
+ * - PIXELS: the fraction of pixels with a channel that differs by more than 4/255;
+ * - TILE_RMSE and TILE_PIXELS: RMSE and PIXELS of the worst 16x16 pixels at any position, so that a
+ *   defect counts the same in images of any size;
  * - EXCESS: the largest of TILE_RMSE, PIXELS and TILE_PIXELS, each divided by its limit.
  *
- * Two pictures are near when EXCESS is at most 1. The default limits forgive single pixels that fall
- * on the other side of an edge, as between two drivers of OpenGL, and forgive neither swapped colours
- * nor one lost line of pixels. SSIM never decides.
+ * Two images are near if EXCESS is at most 1. The default limits accept single pixels on the other
+ * side of an edge, as they occur between OpenGL drivers. They reject swapped colors and a missing
+ * line of pixels. SSIM is not part of this decision.
  */
 #ifndef vtkPenumbraImageComparison_h
 #define vtkPenumbraImageComparison_h
@@ -42,7 +43,7 @@ public:
   vtkTypeMacro(vtkPenumbraImageComparison, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What a difference is measured by. */
+  /** Metrics of the difference of two images. */
   enum Metrics
   {
     RMSE,
@@ -55,70 +56,70 @@ public:
     NUMBER_OF_METRICS
   };
 
-  /** `rmse`, `max`, `ssim`, `pixels`, `tile-rmse`, `tile-pixels` or `excess`. */
+  /** Name of a metric: `rmse`, `max`, `ssim`, `pixels`, `tile-rmse`, `tile-pixels` or `excess`. */
   static const char* GetMetricName(int metric);
 
   ///@{
   /**
-   * The error that the caller accepts: the largest TILE_RMSE of pictures that are near, 0 to 1; 0: they
-   * must be equal. Default: 1/16, which is one pixel of a tile turned from black to white.
+   * Largest TILE_RMSE of images that are near; 0 requires equal images. Range: [0, 1]. Default:
+   * 1/16, which is one pixel of a tile changed from black to white.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** The largest PIXELS of pictures that are near, 0 to 1. Default: 0.01. */
+  /** Largest PIXELS of images that are near. Range: [0, 1]. Default: 0.01. */
   vtkSetClampMacro(PixelLimit, double, 0.0, 1.0);
   vtkGetMacro(PixelLimit, double);
   ///@}
 
   ///@{
-  /** The largest TILE_PIXELS of pictures that are near, 0 to 1. Default: 1/32, 8 pixels of a tile. */
+  /** Largest TILE_PIXELS of images that are near. Range: [0, 1]. Default: 1/32, 8 pixels of a tile. */
   vtkSetClampMacro(TilePixelLimit, double, 0.0, 1.0);
   vtkGetMacro(TilePixelLimit, double);
   ///@}
 
   ///@{
-  /** The metric by which the nearest baseline is chosen. Default: RMSE. */
+  /** Metric that selects the nearest baseline. Default: RMSE. */
   vtkSetClampMacro(Metric, int, RMSE, EXCESS);
   vtkGetMacro(Metric, int);
   ///@}
 
-  /** The picture in question. */
+  /** Image to be compared. Default: none. */
   void SetImage(vtkImageData* image);
 
   ///@{
-  /** The pictures that it may look like. */
+  /** Baselines that the image is compared with. */
   void AddBaseline(vtkImageData* baseline);
   void RemoveAllBaselines();
   ///@}
 
   /**
-   * Which pixels count: those of `mask`, as large as the picture, that are not black. The others are
-   * taken for equal, and means are over those that count. Default: none, all count.
+   * Mask of the image's size. Pixels that are black in it are treated as equal and excluded from
+   * means. Default: none, all pixels count.
    */
   void SetMask(vtkImageData* mask);
 
   /**
-   * Compare; false when the pictures cannot be: none given, sizes that differ, values that are not
-   * finite, a mask that leaves nothing. GetErrorText() then says which in one sentence.
+   * Compares the images. Returns false if they cannot be compared: no image is set, sizes differ,
+   * values are not finite, or the mask excludes all pixels. GetErrorText() then returns the reason.
    */
   bool Compare();
   const char* GetErrorText();
 
-  /** Index of the baseline nearest by Metric, after Compare(); -1 before. */
+  /** Index of the baseline that is nearest by Metric, after Compare(); -1 before. */
   int GetBestBaseline();
 
-  /** The difference from that baseline by any metric, after Compare(). */
+  /** Difference from that baseline by any metric, after Compare(). */
   double GetValue(int metric);
 
-  /** Is its EXCESS at most 1? False before Compare(). */
+  /** True if the EXCESS of that baseline is at most 1. False before Compare(). */
   bool IsNear();
 
   /**
-   * A picture of the absolute differences from that baseline, after Compare(): `Color` (4 floats,
-   * alpha 1), a difference of alpha added to every channel; all times `factor`.
+   * Image of the absolute differences from that baseline times `factor`, after Compare(): array
+   * `Color` (4 floats, alpha 1). A difference of alpha is added to every channel.
    */
   vtkSmartPointer<vtkImageData> MakeDifference(double factor = 1.0);
 

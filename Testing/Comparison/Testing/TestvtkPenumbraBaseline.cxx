@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A picture against its baselines on disk: what passes, what is told, kept and accepted.
+// Regression tests of an image against its baselines: results, reports, written files, acceptance.
 #include "PenumbraGoogleTest.h"
 
 #include "vtkActor.h"
@@ -25,7 +25,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for every test, and an environment without wishes.
+/// Gives every test a separate folder and unsets the environment variables.
 class vtkPenumbraBaselineTest : public testing::Test
 {
 protected:
@@ -61,7 +61,7 @@ protected:
     return passes;
   }
 
-  bool Tells(const std::string& what)
+  bool Reports(const std::string& what)
   {
     return std::string(this->Baseline->GetReport()).find(what) != std::string::npos;
   }
@@ -70,7 +70,7 @@ protected:
   vtkNew<vtkPenumbraBaseline> Baseline;
 };
 
-/// 40x30 pixels, grey, with a box of another grey.
+/// A gray image of 40x30 pixels with a box of another gray.
 vtkSmartPointer<vtkImageCanvasSource2D> Canvas(double grey, int boxSize)
 {
   auto canvas = vtkSmartPointer<vtkImageCanvasSource2D>::New();
@@ -87,26 +87,26 @@ vtkSmartPointer<vtkImageCanvasSource2D> Canvas(double grey, int boxSize)
 TEST_F(vtkPenumbraBaselineTest, FailsWithoutABaselineUntilOneIsAccepted)
 {
   EXPECT_FALSE(this->Check(Canvas(50, 8)));
-  EXPECT_TRUE(this->Tells("there is no baseline " + this->At("picture.png")));
-  EXPECT_TRUE(this->Tells("PENUMBRA_ACCEPT=replace"));
+  EXPECT_TRUE(this->Reports("there is no baseline " + this->At("picture.png")));
+  EXPECT_TRUE(this->Reports("PENUMBRA_ACCEPT=replace"));
   EXPECT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
-  EXPECT_TRUE(this->Tells("accepted as " + this->At("picture.png")));
+  EXPECT_TRUE(this->Reports("accepted as " + this->At("picture.png")));
   EXPECT_TRUE(this->Check(Canvas(50, 8)));
   EXPECT_STREQ(this->Baseline->GetReport(), "");
 }
 
-TEST_F(vtkPenumbraBaselineTest, KeepsWhatFailedAndTellsWhoDrewIt)
+TEST_F(vtkPenumbraBaselineTest, WritesFailedImagesAndReportsTheRenderer)
 {
   ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
   this->Baseline->SetName("Suite.Test");
   EXPECT_FALSE(this->Check(Canvas(101, 8)));
-  // 64 of a tile's 256 pixels are off by 51 of 255.
-  EXPECT_TRUE(this->Tells("tile-rmse 0.1 (limit 0.0625)")) << this->Baseline->GetReport();
-  EXPECT_TRUE(this->Tells("tile-pixels 0.25 (limit 0.03125)"));
-  EXPECT_TRUE(this->Tells("max 0.2"));
-  EXPECT_TRUE(this->Tells("difference.png, 5 times"));
-  EXPECT_TRUE(this->Tells("drawn by: vtkImageCanvasSource2D"));
-  EXPECT_TRUE(this->Tells("processor: "));
+  // 64 of the 256 pixels of a tile differ by 51/255.
+  EXPECT_TRUE(this->Reports("tile-rmse 0.1 (limit 0.0625)")) << this->Baseline->GetReport();
+  EXPECT_TRUE(this->Reports("tile-pixels 0.25 (limit 0.03125)"));
+  EXPECT_TRUE(this->Reports("max 0.2"));
+  EXPECT_TRUE(this->Reports("difference.png, 5 times"));
+  EXPECT_TRUE(this->Reports("rendered by: vtkImageCanvasSource2D"));
+  EXPECT_TRUE(this->Reports("processor: "));
 
   vtkNew<vtkPNGReader> reader;
   ASSERT_TRUE(reader->CanReadFile(this->At("failed/Suite.Test.picture.actual.png").c_str()));
@@ -116,7 +116,7 @@ TEST_F(vtkPenumbraBaselineTest, KeepsWhatFailedAndTellsWhoDrewIt)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(5, 5, 0, 0), 0.0);
 }
 
-TEST_F(vtkPenumbraBaselineTest, AsksForEqualityAtTolerance0)
+TEST_F(vtkPenumbraBaselineTest, RequiresEqualityAtTolerance0)
 {
   ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
   EXPECT_TRUE(this->Check(Canvas(51, 8)));
@@ -125,7 +125,7 @@ TEST_F(vtkPenumbraBaselineTest, AsksForEqualityAtTolerance0)
   EXPECT_TRUE(this->Check(Canvas(50, 8)));
 }
 
-TEST_F(vtkPenumbraBaselineTest, TakesAnyOfSeveralBaselines)
+TEST_F(vtkPenumbraBaselineTest, AcceptsAnyOfSeveralBaselines)
 {
   ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
   ASSERT_TRUE(this->CheckAccepting(Canvas(120, 10), "add"));
@@ -133,13 +133,13 @@ TEST_F(vtkPenumbraBaselineTest, TakesAnyOfSeveralBaselines)
   EXPECT_TRUE(this->Check(Canvas(50, 8)));
   EXPECT_TRUE(this->Check(Canvas(120, 10)));
   EXPECT_FALSE(this->Check(Canvas(120, 14)));
-  EXPECT_TRUE(this->Tells("not near " + this->At("picture_1.png")));
-  // What is near already is not accepted once more.
+  EXPECT_TRUE(this->Reports("not near " + this->At("picture_1.png")));
+  // An image that is near a baseline already is not added.
   ASSERT_TRUE(this->CheckAccepting(Canvas(120, 10), "add"));
   EXPECT_FALSE(fs::exists(this->At("picture_2.png")));
 }
 
-TEST_F(vtkPenumbraBaselineTest, HoldsFloatsInVti)
+TEST_F(vtkPenumbraBaselineTest, StoresFloatsInVti)
 {
   const auto floats = [](double shift) {
     auto image = vtkSmartPointer<vtkImageShiftScale>::New();
@@ -160,12 +160,12 @@ TEST_F(vtkPenumbraBaselineTest, HoldsFloatsInVti)
   }
 }
 
-TEST_F(vtkPenumbraBaselineTest, TellsWhatItCannotCompare)
+TEST_F(vtkPenumbraBaselineTest, ReportsWhatItCannotCompare)
 {
   ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
   vtkNew<vtkImageData> empty;
   EXPECT_FALSE(this->Check(empty));
-  EXPECT_TRUE(this->Tells("nothing was drawn by vtkImageData"));
+  EXPECT_TRUE(this->Reports("no image was rendered by vtkImageData"));
   vtkNew<vtkConeSource> cone;
   EXPECT_FALSE(this->Check(cone));
   EXPECT_FALSE(this->Check(nullptr));
@@ -173,21 +173,21 @@ TEST_F(vtkPenumbraBaselineTest, TellsWhatItCannotCompare)
   const auto other = Canvas(50, 8);
   other->SetExtent(0, 19, 0, 29, 0, 0);
   EXPECT_FALSE(this->Check(other));
-  EXPECT_TRUE(this->Tells("the pictures differ in size: 20x30 and 40x30"));
+  EXPECT_TRUE(this->Reports("the images differ in size: 20x30 and 40x30"));
 
   EXPECT_FALSE(this->CheckAccepting(Canvas(90, 8), "yes"));
-  EXPECT_TRUE(this->Tells("PENUMBRA_ACCEPT=yes: give 'replace' or 'add'"));
-  EXPECT_TRUE(this->Check(Canvas(50, 8))) << "the baseline is as it was";
+  EXPECT_TRUE(this->Reports("PENUMBRA_ACCEPT=yes: set it to 'replace' or 'add'"));
+  EXPECT_TRUE(this->Check(Canvas(50, 8))) << "the baseline is unchanged";
 
   this->Baseline->SetFileName(this->At("picture.txt").c_str());
   EXPECT_FALSE(this->Check(Canvas(50, 8)));
-  std::ofstream(this->At("damaged.png")) << "not a picture";
+  std::ofstream(this->At("damaged.png")) << "not an image";
   this->Baseline->SetFileName(this->At("damaged.png").c_str());
   EXPECT_FALSE(this->Check(Canvas(50, 8)));
-  EXPECT_TRUE(this->Tells("cannot be read as a picture"));
+  EXPECT_TRUE(this->Reports("cannot be read as an image"));
 }
 
-TEST_F(vtkPenumbraBaselineTest, DrawsWindowsAndNamesTheDriver)
+TEST_F(vtkPenumbraBaselineTest, RendersWindowsAndReportsTheDriver)
 {
   vtkNew<vtkConeSource> cone;
   vtkNew<vtkPolyDataMapper> mapper;
@@ -203,12 +203,12 @@ TEST_F(vtkPenumbraBaselineTest, DrawsWindowsAndNamesTheDriver)
   EXPECT_TRUE(this->Check(window)) << this->Baseline->GetReport();
   renderer->SetBackground(0.0, 0.0, 0.2);
   EXPECT_FALSE(this->Check(window));
-  EXPECT_TRUE(this->Tells(std::string("drawn by: ") + window->GetClassName() + ", OpenGL "))
+  EXPECT_TRUE(this->Reports(std::string("rendered by: ") + window->GetClassName() + ", OpenGL "))
     << this->Baseline->GetReport();
-  EXPECT_FALSE(this->Tells("unknown")) << this->Baseline->GetReport();
+  EXPECT_FALSE(this->Reports("unknown")) << this->Baseline->GetReport();
 }
 
-TEST_F(vtkPenumbraBaselineTest, IsOneLineInGoogleTest)
+TEST_F(vtkPenumbraBaselineTest, IsAGoogleTestAssertion)
 {
   ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
   static std::string path;
@@ -220,9 +220,9 @@ TEST_F(vtkPenumbraBaselineTest, IsOneLineInGoogleTest)
   EXPECT_IMAGE_NEAR(canvas->GetOutput(), path, 0.0);
   canvas = Canvas(90, 8);
   EXPECT_NONFATAL_FAILURE(
-    EXPECT_IMAGE_NEAR(canvas, path, 1.0 / 16.0), "canvas: the picture is not near");
+    EXPECT_IMAGE_NEAR(canvas, path, 1.0 / 16.0), "canvas: the image is not near");
   EXPECT_TRUE(fs::exists(
-    this->At("failed/vtkPenumbraBaselineTest.IsOneLineInGoogleTest.picture.actual.png")));
+    this->At("failed/vtkPenumbraBaselineTest.IsAGoogleTestAssertion.picture.actual.png")));
 
   penumbra::ImageTolerance loose(0.5);
   loose.PixelLimit = 1.0;

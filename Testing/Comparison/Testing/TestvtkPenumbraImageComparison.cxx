@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every metric against the value that pencil and paper give.
+// Every metric against values that were derived by hand.
 #include "vtkPenumbraImageComparison.h"
 
 #include "vtkDataArray.h"
@@ -74,7 +74,7 @@ double Value(vtkImageData* image, vtkImageData* baseline, int metric)
 
 using Comparison = vtkPenumbraImageComparison;
 
-TEST(vtkPenumbraImageComparison, IsZeroForEqualPictures)
+TEST(vtkPenumbraImageComparison, IsZeroForEqualImages)
 {
   const Image a = Floats(31, 17, [](int x, int y) { return Color{ x / 31., y / 17., 0.5, 1. }; });
   for (int metric = 0; metric < Comparison::NUMBER_OF_METRICS; ++metric)
@@ -90,12 +90,12 @@ TEST(vtkPenumbraImageComparison, MeasuresAConstantOffset)
   EXPECT_NEAR(Value(a, b, Comparison::RMSE), 0.1, 1e-7);
   EXPECT_NEAR(Value(a, b, Comparison::MAXIMUM), 0.1, 1e-7);
   EXPECT_EQ(Value(a, b, Comparison::PIXELS), 1.0);
-  // Without variance only the luminance term of the similarity is left.
+  // Without variance only the luminance term of the similarity remains.
   const double similarity = (2 * 0.3 * 0.4 + 1e-4) / (0.3 * 0.3 + 0.4 * 0.4 + 1e-4);
   EXPECT_NEAR(Value(a, b, Comparison::SSIM), 1.0 - similarity, 1e-6);
 }
 
-TEST(vtkPenumbraImageComparison, MeasuresOneLostLine)
+TEST(vtkPenumbraImageComparison, MeasuresOneMissingLine)
 {
   const Image line = Bytes(50, 40, [](int x, int) { return Color(3, x == 20 ? 255. : 0.); });
   const Image nothing = Bytes(50, 40, Constant({ 0, 0, 0 }));
@@ -103,8 +103,9 @@ TEST(vtkPenumbraImageComparison, MeasuresOneLostLine)
   EXPECT_EQ(Value(line, nothing, Comparison::MAXIMUM), 1.0);
   EXPECT_NEAR(Value(line, nothing, Comparison::PIXELS), 1.0 / 50.0, 1e-12);
 
-  // At distance d from the line its weight under the window is g(d): mean g, variance g - g^2
-  // against nothing. Centres stand at x = 5..44; beyond distance 5 the pictures are alike.
+  // At distance d from the line its weight under the window is g(d): mean g, variance g - g^2,
+  // against mean and variance 0. Window centers are at x = 5..44. Beyond distance 5 the images are
+  // equal.
   double weights = 0.0;
   for (int d = -5; d <= 5; ++d)
   {
@@ -120,18 +121,18 @@ TEST(vtkPenumbraImageComparison, MeasuresOneLostLine)
   EXPECT_NEAR(Value(line, nothing, Comparison::SSIM), 1.0 - similarity / 40.0, 1e-9);
 }
 
-TEST(vtkPenumbraImageComparison, SeesSwappedChannels)
+TEST(vtkPenumbraImageComparison, DetectsSwappedChannels)
 {
   const Image red = Bytes(16, 16, Constant({ 255, 0, 0 }));
   const Image blue = Bytes(16, 16, Constant({ 0, 0, 255 }));
   EXPECT_NEAR(Value(red, blue, Comparison::RMSE), std::sqrt(2.0 / 3.0), 1e-12);
   EXPECT_EQ(Value(red, blue, Comparison::MAXIMUM), 1.0);
   EXPECT_EQ(Value(red, blue, Comparison::PIXELS), 1.0);
-  // Two of three channels share nothing but the constant C1 / (1 + C1).
+  // Two of three channels have only the constant C1 / (1 + C1) in common.
   EXPECT_NEAR(Value(red, blue, Comparison::SSIM), 2.0 / 3.0 * (1.0 - 1e-4 / (1.0 + 1e-4)), 1e-9);
 }
 
-TEST(vtkPenumbraImageComparison, ToleratesFourStepsAndNotFive)
+TEST(vtkPenumbraImageComparison, AcceptsFourStepsButNotFive)
 {
   const Image zero = Bytes(8, 8, Constant({ 100, 100, 100 }));
   const Image four = Bytes(8, 8, Constant({ 104, 96, 100 }));
@@ -146,11 +147,11 @@ TEST(vtkPenumbraImageComparison, IgnoresTheColorOfWhatIsTransparent)
   const Image b = Floats(12, 12, Constant({ 0., 1., 0., 0. }));
   const Image half = Floats(12, 12, Constant({ 0., 1., 0., 0.5 }));
   EXPECT_EQ(Value(a, b, Comparison::RMSE), 0.0);
-  // Half a green: green and alpha differ by 1/2, red and blue not.
+  // Green with half opacity: green and alpha differ by 1/2, red and blue do not.
   EXPECT_NEAR(Value(a, half, Comparison::RMSE), std::sqrt(2 * 0.25 / 4), 1e-12);
 }
 
-TEST(vtkPenumbraImageComparison, TakesGreyAndBytesAndFloatsForTheSamePicture)
+TEST(vtkPenumbraImageComparison, TreatsGrayAndBytesAndFloatsAsEqual)
 {
   const Image grey = Bytes(12, 12, Constant({ 51 }));
   const Image color = Bytes(12, 12, Constant({ 51, 51, 51, 255 }));
@@ -159,7 +160,7 @@ TEST(vtkPenumbraImageComparison, TakesGreyAndBytesAndFloatsForTheSamePicture)
   EXPECT_NEAR(Value(grey, floats, Comparison::MAXIMUM), 0.0, 1e-7);
 }
 
-TEST(vtkPenumbraImageComparison, ComparesPicturesSmallerThanTheWindow)
+TEST(vtkPenumbraImageComparison, ComparesImagesSmallerThanTheWindow)
 {
   const Image a = Floats(1, 3, Constant({ 0.3 }));
   const Image b = Floats(1, 3, Constant({ 0.4 }));
@@ -167,7 +168,7 @@ TEST(vtkPenumbraImageComparison, ComparesPicturesSmallerThanTheWindow)
   EXPECT_NEAR(Value(a, b, Comparison::SSIM), 1.0 - similarity, 1e-6);
 }
 
-TEST(vtkPenumbraImageComparison, TakesTheNearestBaseline)
+TEST(vtkPenumbraImageComparison, SelectsTheNearestBaseline)
 {
   vtkNew<vtkPenumbraImageComparison> comparison;
   comparison->SetImage(Floats(4, 4, Constant({ 0.5 })));
@@ -179,7 +180,7 @@ TEST(vtkPenumbraImageComparison, TakesTheNearestBaseline)
   EXPECT_NEAR(comparison->GetValue(Comparison::RMSE), 0.05, 1e-7);
 }
 
-TEST(vtkPenumbraImageComparison, PaintsTheDifference)
+TEST(vtkPenumbraImageComparison, RendersTheDifference)
 {
   vtkNew<vtkPenumbraImageComparison> comparison;
   comparison->SetImage(Floats(4, 4, Constant({ 0.5, 0.25, 0. })));
@@ -193,9 +194,9 @@ TEST(vtkPenumbraImageComparison, PaintsTheDifference)
   EXPECT_EQ(tuple[3], 1.0);
 }
 
-TEST(vtkPenumbraImageComparison, FindsTheWorstTileWhereverItLies)
+TEST(vtkPenumbraImageComparison, FindsTheWorstTileAtAnyPosition)
 {
-  // A spot of 4x4 pixels across the corner of four tiles of a fixed grid, off by 1/2.
+  // 4x4 pixels around the corner of four tiles of a fixed grid differ by 1/2.
   const auto spot = [](int x, int y) {
     return Color(3, x >= 14 && x < 18 && y >= 30 && y < 34 ? 0.5 : 0.0);
   };
@@ -205,7 +206,7 @@ TEST(vtkPenumbraImageComparison, FindsTheWorstTileWhereverItLies)
   EXPECT_EQ(Value(a, nothing, Comparison::TILE_PIXELS), 16.0 / 256.0);
 }
 
-TEST(vtkPenumbraImageComparison, CountsAFlawTheSameInAPictureOfAnySize)
+TEST(vtkPenumbraImageComparison, MeasuresADefectIndependentlyOfImageSize)
 {
   const auto flaw = [](int x, int y) { return Color(3, x == 9 && y > 3 && y < 12 ? 0.7 : 0.2); };
   for (int size : { 16, 40, 150 })
@@ -217,7 +218,7 @@ TEST(vtkPenumbraImageComparison, CountsAFlawTheSameInAPictureOfAnySize)
   }
 }
 
-TEST(vtkPenumbraImageComparison, TakesASmallPictureForOneTile)
+TEST(vtkPenumbraImageComparison, TreatsASmallImageAsOneTile)
 {
   const Image a = Floats(5, 2, [](int x, int) { return Color(3, x == 0 ? 1. : 0.); });
   const Image b = Floats(5, 2, Constant({ 0., 0., 0. }));
@@ -235,9 +236,9 @@ bool IsNear(vtkImageData* image, vtkImageData* baseline, double tolerance = 1.0 
   return comparison->IsNear();
 }
 
-TEST(vtkPenumbraImageComparison, RejectsOneLostLineInALargePicture)
+TEST(vtkPenumbraImageComparison, RejectsOneMissingLineInALargeImage)
 {
-  // A faint grey on white, level or diagonal: no mean over the picture sees it.
+  // A light gray line on white, horizontal or diagonal: a mean over the image does not detect it.
   const Image nothing = Bytes(500, 300, Constant({ 255, 255, 255 }));
   for (const int slope : { 0, 1 })
   {
@@ -262,7 +263,7 @@ TEST(vtkPenumbraImageComparison, RejectsSwappedColorsOfASmallObject)
   EXPECT_FALSE(IsNear(red, blue));
 }
 
-TEST(vtkPenumbraImageComparison, ForgivesOnePixelOfATileAndNoneAtTolerance0)
+TEST(vtkPenumbraImageComparison, AcceptsOnePixelOfATileAndNoneAtTolerance0)
 {
   const auto pixels = [](int pitch) {
     return Bytes(100, 100,
@@ -283,7 +284,7 @@ Image Recorded(const std::string& name)
   return reader->GetOutput();
 }
 
-TEST(vtkPenumbraImageComparison, AcceptsWhatDriversAndProcessorsDrawDifferently)
+TEST(vtkPenumbraImageComparison, AcceptsDifferencesOfDriversAndProcessors)
 {
   const std::pair<const char*, const char*> pairs[] = { { "scalars", "softpipe" },
     { "edges", "softpipe" }, { "occlusion", "sse2" }, { "texture", "sse2" } };
@@ -299,7 +300,7 @@ TEST(vtkPenumbraImageComparison, AcceptsWhatDriversAndProcessorsDrawDifferently)
   EXPECT_FALSE(IsNear(Recorded("edges-llvmpipe"), Recorded("scalars-llvmpipe")));
 }
 
-TEST(vtkPenumbraImageComparison, RejectsARecordedPictureWithSwappedColorsOrALostLine)
+TEST(vtkPenumbraImageComparison, RejectsARecordedImageWithSwappedColorsOrAMissingLine)
 {
   const Image picture = Recorded("scalars-llvmpipe");
   vtkDataArray* pixels = picture->GetPointData()->GetScalars();
@@ -317,13 +318,13 @@ TEST(vtkPenumbraImageComparison, RejectsARecordedPictureWithSwappedColorsOrALost
   };
   EXPECT_TRUE(IsNear(picture, change([](vtkIdType i, int c) { return 3 * i + c; })));
   EXPECT_FALSE(IsNear(picture, change([](vtkIdType i, int c) { return 3 * i + 2 - c; })));
-  // The row of pixels in the middle is gone, its neighbour is there twice.
+  // The middle row of pixels is replaced by a copy of its neighbor.
   const vtkIdType middle = picture->GetDimensions()[1] / 2;
   EXPECT_FALSE(IsNear(picture,
     change([&](vtkIdType i, int c) { return 3 * (i / width == middle ? i - width : i) + c; })));
 }
 
-TEST(vtkPenumbraImageComparison, LeavesOutWhatTheMaskLeavesOut)
+TEST(vtkPenumbraImageComparison, IgnoresMaskedPixels)
 {
   const Image a = Floats(40, 20, [](int x, int) { return Color(3, x < 10 ? 1. : 0.1); });
   const Image b = Floats(40, 20, Constant({ 0., 0., 0. }));
@@ -341,13 +342,13 @@ TEST(vtkPenumbraImageComparison, LeavesOutWhatTheMaskLeavesOut)
 
   comparison->SetMask(Bytes(40, 20, Constant({ 0, 0, 0, 255 })));
   EXPECT_FALSE(comparison->Compare());
-  EXPECT_STREQ(comparison->GetErrorText(), "the mask leaves no pixel to compare");
+  EXPECT_STREQ(comparison->GetErrorText(), "the mask excludes all pixels");
   comparison->SetMask(Bytes(40, 21, Constant({ 1, 0, 0 })));
   EXPECT_FALSE(comparison->Compare());
   EXPECT_STREQ(comparison->GetErrorText(), "the mask differs in size: 40x20 and 40x21");
 }
 
-TEST(vtkPenumbraImageComparison, RefusesWhatCannotBeCompared)
+TEST(vtkPenumbraImageComparison, RejectsImagesThatCannotBeCompared)
 {
   vtkNew<vtkPenumbraImageComparison> comparison;
   EXPECT_FALSE(comparison->Compare());
@@ -355,12 +356,12 @@ TEST(vtkPenumbraImageComparison, RefusesWhatCannotBeCompared)
   EXPECT_FALSE(comparison->Compare());
   comparison->AddBaseline(Floats(4, 5, Constant({ 0.5 })));
   EXPECT_FALSE(comparison->Compare());
-  EXPECT_STREQ(comparison->GetErrorText(), "the pictures differ in size: 4x4 and 4x5");
+  EXPECT_STREQ(comparison->GetErrorText(), "the images differ in size: 4x4 and 4x5");
   EXPECT_EQ(comparison->GetBestBaseline(), -1);
   comparison->RemoveAllBaselines();
   comparison->AddBaseline(Floats(4, 4, Constant({ std::numeric_limits<double>::quiet_NaN() })));
   EXPECT_FALSE(comparison->Compare());
-  EXPECT_STREQ(comparison->GetErrorText(), "a picture holds values that are not finite");
+  EXPECT_STREQ(comparison->GetErrorText(), "an image has values that are not finite");
 }
 
 }
