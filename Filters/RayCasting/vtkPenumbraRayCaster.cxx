@@ -346,7 +346,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   {
     throw std::runtime_error(
       "The camera sees nothing: position, focal point, view up, view angle and "
-      "parallel scale must be finite, none far beyond the scene's size.");
+      "parallel scale must be finite.");
   }
   for (const std::string& warning : scene.Warnings)
   {

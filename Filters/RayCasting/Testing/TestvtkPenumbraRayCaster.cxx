@@ -369,10 +369,6 @@ TEST_F(SpheresTest, RefuseCamerasThatSeeNothing)
     EXPECT_EQ(errors, 1) << what;
     EXPECT_EQ(this->Caster->GetOutput()->GetNumberOfPoints(), 0) << what;
   };
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(1e20);
-  refuse("scale");
-  camera->ParallelProjectionOff();
   camera->SetViewAngle(std::nan(""));
   refuse("angle");
   camera->SetViewAngle(30.0);
