@@ -348,7 +348,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   {
     throw std::runtime_error(
       "The camera is not usable: position, focal point, view up, view angle and "
-      "parallel scale must be finite and not much larger than the scene.");
+      "parallel scale must be finite.");
   }
   for (const std::string& warning : scene.Warnings)
   {

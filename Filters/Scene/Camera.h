@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <initializer_list>
 
 namespace penumbra
@@ -56,7 +57,7 @@ struct Camera
     return this->Forward + q.x * this->Right + q.y * this->Up;
   }
 
-  /// Are all rays through the picture finite, and different from pixel to pixel?
+  /// True if all rays through the image are finite and differ from pixel to pixel.
   bool IsUsable() const
   {
     if (!(this->PixelSize > 0.0 && this->Near >= 0.0))
@@ -67,8 +68,7 @@ struct Camera
     {
       for (const glm::dvec3 x : { this->RayOrigin(corner), this->RayDirection(corner) })
       {
-        // Comparisons with NaN are false.
-        if (!(glm::dot(x, x) < 1e36))
+        if (!std::isfinite(glm::dot(x, x)))
         {
           return false;
         }

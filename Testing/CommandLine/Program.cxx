@@ -132,6 +132,21 @@ ProgramResult RunShell(const std::string& script)
   return Spawn({ "/bin/bash", "-c", script }, { LogSetting(), "PENUMBRA=" + ProgramPath() });
 }
 
+std::string WithoutToleranceWarnings(const std::string& errors)
+{
+  std::istringstream lines(errors);
+  std::string rest;
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.find("tolerance of") == std::string::npos ||
+      line.find("not reached") == std::string::npos)
+    {
+      rest += line + "\n";
+    }
+  }
+  return rest;
+}
+
 int CountLines(const std::string& text)
 {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));

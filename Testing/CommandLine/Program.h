@@ -51,6 +51,9 @@ std::string ProgramPath();
 
 int CountLines(const std::string& text);
 
+/// `errors` without the warnings that the tolerance was not reached.
+std::string WithoutToleranceWarnings(const std::string& errors);
+
 void WriteText(const std::string& path, const std::string& text);
 std::string ReadText(const std::string& path);
 nlohmann::json ReadJson(const std::string& path);

@@ -410,7 +410,7 @@ std::vector<Scenario> OcclusionStillScenarios()
     { "OcclusionViewports", "half of a window", "still", Metric::MaximumDifference, .01,
       "a margin around the viewport: none", "[TSSAO] several viewports", "", Viewports },
     { "OcclusionResize", scene, "the window is resized on the way to convergence", Metric::Bias,
-      .02, frame, "[TSSAO] resized window", "", Resize },
+      .014, frame, "[TSSAO] resized window", "", Resize },
     { "OcclusionTinyPictures", "pictures of 1x1, 2x1, 33x7, 7x33", "still", Metric::Bias, .01,
       frame, "", "", TinyPictures },
   };
