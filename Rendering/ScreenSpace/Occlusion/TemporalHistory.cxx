@@ -31,7 +31,8 @@ std::string Reprojection(const TemporalSettings& settings, const std::string& es
   return Assemble(vtkPenumbraReprojectFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
       { "EstimateLib", estimate }, { "SoundLib", vtkPenumbraSoundLib },
-      { "ActorMotionLib", settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
+      { "ActorMotionLib",
+        settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
       { "SampleValidationLib",
         settings.NeighbourValidation ? vtkPenumbraSampleValidationLib
                                      : vtkPenumbraNoSampleValidationLib } });
