@@ -32,7 +32,7 @@ std::string Reprojection(const TemporalSettings& settings, const std::string& es
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
       { "EstimateLib", estimate }, { "SoundLib", vtkPenumbraSoundLib },
       { "MotionLib", settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
-      { "NeighbourLib",
+      { "ValidationLib",
         settings.NeighbourValidation ? vtkPenumbraSampleValidationLib
                                      : vtkPenumbraNoSampleValidationLib } });
 }

@@ -85,8 +85,8 @@ vec2 keptHistory(vec3 position, vec3 normal)
   return isInside(at, previousPixelSize) ? sum / weights : vec2(0.0);
 }
 
-//VTK::Penumbra::ActorMotionLib
-//VTK::Penumbra::SampleValidationLib
+//VTK::Penumbra::MotionLib
+//VTK::Penumbra::ValidationLib
 
 void main()
 {
