@@ -20,9 +20,9 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const Darkening& darkening, bool background)
 {
   static const std::string samplesSource = Assemble(vtkPenumbraCompositeSamplesFS,
-    { { "ViewLib", vtkPenumbraViewLib }, { "DarkenLib", vtkPenumbraApplyOcclusionLib } });
+    { { "ViewLib", vtkPenumbraViewLib }, { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
   static const std::string source =
-    Assemble(vtkPenumbraCompositeFS, { { "DarkenLib", vtkPenumbraApplyOcclusionLib } });
+    Assemble(vtkPenumbraCompositeFS, { { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
   const bool manySamples = image.GetSamples() > 1;
   vtkShaderProgram* program = this->Darken.Ready(window, manySamples ? samplesSource : source);
   if (!program)
