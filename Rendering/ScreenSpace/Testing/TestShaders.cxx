@@ -160,10 +160,10 @@ TEST_F(Shaders, MakeFramesOfNormals)
 TEST_F(Shaders, DarkenAllColoursByTheirBrightness)
 {
   // 1 - .8 * .5 * (1 - .5 * .4)
-  EXPECT_NEAR(Value("darkened(vec3(.4, .2, .1), .5).r"), .4 * .68, 1e-6);
-  EXPECT_NEAR(Value("darkened(vec3(.4, .2, .1), .5).b"), .1 * .68, 1e-6);
-  EXPECT_NEAR(Value("darkened(vec3(3., 0., 0.), 1.).r"), 3.0 * .6, 1e-6);
-  EXPECT_NEAR(Value("darkened(vec3(.7), 0.).g"), .7, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(.4, .2, .1), .5).r"), .4 * .68, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(.4, .2, .1), .5).b"), .1 * .68, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(3., 0., 0.), 1.).r"), 3.0 * .6, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(.7), 0.).g"), .7, 1e-6);
 }
 
 TEST_F(Shaders, WeighNeighboursByDistanceAndByPlane)

@@ -48,7 +48,7 @@ void main()
     // A skybox has the depth of an empty sample, but a color.
     float counts = depth < 1.0 || background > 0.5 || color.a > 0.0 ? 1.0 : 0.0;
     float occlusion = depth < 1.0 ? occlusionOf(eyeDepthOfBuffer(depth), pixel) : 0.0;
-    sum += counts * vec4(darkened(color.rgb, occlusion), color.a);
+    sum += counts * vec4(applyOcclusion(color.rgb, occlusion), color.a);
     covered += counts;
     frontmost = min(frontmost, depth);
   }
