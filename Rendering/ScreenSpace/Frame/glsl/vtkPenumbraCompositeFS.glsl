@@ -24,6 +24,6 @@ void main()
     discard;
   }
   float occlusion = depth < 1.0 ? texture(occlusions, position).r : 0.0;
-  gl_FragData[0] = vec4(darkened(color.rgb, occlusion), color.a);
+  gl_FragData[0] = vec4(applyOcclusion(color.rgb, occlusion), color.a);
   gl_FragDepth = depth < 1.0 ? toTargetDepth.x * depth + toTargetDepth.y : 1.0;
 }

@@ -50,7 +50,7 @@ void main()
     // A skybox has the depth of an empty sample, but nonzero alpha.
     float coverage = depth < 1.0 || background > 0.5 || color.a > 0.0 ? 1.0 : 0.0;
     float occlusion = depth < 1.0 ? sampleOcclusion(eyeDepthOfBuffer(depth), pixel) : 0.0;
-    sum += coverage * vec4(darkened(color.rgb, occlusion), color.a);
+    sum += coverage * vec4(applyOcclusion(color.rgb, occlusion), color.a);
     covered += coverage;
     frontmost = min(frontmost, depth);
   }
