@@ -128,7 +128,7 @@ TEST_F(Shaders, IntegrateTheCosineOverASlice)
 {
   const auto arc = [&](double angle, double tilt) {
     std::ostringstream call;
-    call << "arc(" << angle << ", " << std::cos(2.0 * angle - tilt) << ", " << std::cos(tilt)
+    call << "integrateArcCosWeight(" << angle << ", " << std::cos(2.0 * angle - tilt) << ", " << std::cos(tilt)
          << ", " << std::sin(tilt) << ")";
     return this->Value(call.str());
   };
@@ -143,13 +143,13 @@ TEST_F(Shaders, IntegrateTheCosineOverASlice)
   EXPECT_NEAR(arc(.7, 0.0), std::sin(.7) * std::sin(.7) / 2.0, 1e-5);
   EXPECT_NEAR(arc(-.7, 0.0), -std::sin(.7) * std::sin(.7) / 2.0, 1e-5);
   // Drivers take arc cosines from polynomials.
-  EXPECT_NEAR(this->Value("angleOf(vec2(0.5, sqrt(0.75)))"), std::acos(.5), 2e-4);
-  EXPECT_NEAR(this->Value("angleOf(vec2(0.5, -sqrt(0.75)))"), -std::acos(.5), 2e-4);
+  EXPECT_NEAR(this->Value("signedAngle(vec2(0.5, sqrt(0.75)))"), std::acos(.5), 2e-4);
+  EXPECT_NEAR(this->Value("signedAngle(vec2(0.5, -sqrt(0.75)))"), -std::acos(.5), 2e-4);
 }
 
 TEST_F(Shaders, MakeFramesOfNormals)
 {
-  const std::string frame = "frameOf(normalize(vec3(1.0, 2.0, 2.0)))";
+  const std::string frame = "tangentFrame(normalize(vec3(1.0, 2.0, 2.0)))";
   EXPECT_NEAR(this->Value(frame + "[2].x", "Volumetric"), 1.0 / 3.0, 1e-6);
   EXPECT_NEAR(this->Value("dot(" + frame + "[0], " + frame + "[2])", "Volumetric"), 0.0, 1e-6);
   EXPECT_NEAR(
@@ -160,17 +160,17 @@ TEST_F(Shaders, MakeFramesOfNormals)
 TEST_F(Shaders, DarkenAllColoursByTheirBrightness)
 {
   // 1 - .8 * .5 * (1 - .5 * .4)
-  EXPECT_NEAR(Value("darkened(vec3(.4, .2, .1), .5).r"), .4 * .68, 1e-6);
-  EXPECT_NEAR(Value("darkened(vec3(.4, .2, .1), .5).b"), .1 * .68, 1e-6);
-  EXPECT_NEAR(Value("darkened(vec3(3., 0., 0.), 1.).r"), 3.0 * .6, 1e-6);
-  EXPECT_NEAR(Value("darkened(vec3(.7), 0.).g"), .7, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(.4, .2, .1), .5).r"), .4 * .68, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(.4, .2, .1), .5).b"), .1 * .68, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(3., 0., 0.), 1.).r"), 3.0 * .6, 1e-6);
+  EXPECT_NEAR(Value("applyOcclusion(vec3(.7), 0.).g"), .7, 1e-6);
 }
 
 TEST_F(Shaders, WeighNeighboursByDistanceAndByPlane)
 {
   // Pixels are .5 wide. In the plane 1/e is at 12 pixels after one sample, at 6 after 4, never below 4.
   const auto along = [&](const char* apart, const char* inPlane, const char* samples) {
-    return this->Value("neighbourWeight(vec3(" + std::string(apart) + ", 0.0, 0.0), vec3(" +
+    return this->Value("neighborWeight(vec3(" + std::string(apart) + ", 0.0, 0.0), vec3(" +
       inPlane + ", 0.0, 0.0), " + samples + ", 0.5)");
   };
   EXPECT_NEAR(along("6.0", "6.0", "1.0"), std::exp(-1.0), 1e-5);
