@@ -22,15 +22,16 @@ namespace penumbra
 vtkSmartPointer<vtkPolyData> ExtractCompositeSurface(vtkDataObject* data);
 
 /// Of each rank's surface.
-std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* ranks, vtkPolyData* own);
+std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* controller, vtkPolyData* local);
 
 /// The polygons of the other ranks whose bounds come nearer than `reach` to those of this rank's; `reach`
 /// may be infinite.
-vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* ranks,
-  vtkPolyData* own, const std::vector<vtkBoundingBox>& bounds, double reach);
+vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* controller,
+  vtkPolyData* local, const std::vector<vtkBoundingBox>& bounds, double radius);
 
 /// The surfaces of all ranks, in their order.
-vtkSmartPointer<vtkPolyData> AllGatherSurfaces(vtkMultiProcessController* ranks, vtkPolyData* own);
+vtkSmartPointer<vtkPolyData> AllGatherSurfaces(
+  vtkMultiProcessController* controller, vtkPolyData* local);
 
 }
 #endif

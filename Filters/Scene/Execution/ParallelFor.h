@@ -55,9 +55,9 @@ struct Stopped
 /// So many cells are read between two questions.
 constexpr int StoppableCells = 16384;
 
-inline void ThrowIfStopped(const ProgressCallback& progress, double share)
+inline void ThrowIfStopped(const ProgressCallback& progress, double fraction)
 {
-  if (progress && progress(share))
+  if (progress && progress(fraction))
   {
     throw Stopped();
   }
@@ -70,9 +70,9 @@ bool ParallelForBatches(int count, double from, double to, const ProgressCallbac
   const Work& work, int grain = 1)
 {
   using Clock = std::chrono::steady_clock;
-  constexpr int LeastBatches = 16;
-  constexpr std::chrono::milliseconds shortest(100);
-  constexpr std::chrono::milliseconds longest(300);
+  constexpr int MinimumBatches = 16;
+  constexpr std::chrono::milliseconds minimumDuration(100);
+  constexpr std::chrono::milliseconds maximumDuration(300);
   if (!progress)
   {
     ParallelFor(0, count, grain, work);
@@ -82,20 +82,23 @@ bool ParallelForBatches(int count, double from, double to, const ProgressCallbac
   {
     return false;
   }
-  const int most = std::max((count + LeastBatches - 1) / LeastBatches, 1);
-  const int least = std::min(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1), most);
-  for (int first = 0, step = least; first < count;)
+  const int maximumStep = std::max((count + MinimumBatches - 1) / MinimumBatches, 1);
+  const int minimumStep =
+    std::min(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1), maximumStep);
+  for (int first = 0, step = minimumStep; first < count;)
   {
     const int end = step < count - first ? first + step : count;
-    const Clock::time_point begun = Clock::now();
+    const Clock::time_point start = Clock::now();
     ParallelFor(first, end, grain, work);
-    const Clock::duration taken = Clock::now() - begun;
+    const Clock::duration elapsed = Clock::now() - start;
     if (progress(from + (to - from) * end / count))
     {
       return false;
     }
-    step = taken < shortest ? std::min(step, most / 2) * 2 : taken > longest ? step / 2 : step;
-    step = std::clamp(step, least, most);
+    step = elapsed < minimumDuration ? std::min(step, maximumStep / 2) * 2
+      : elapsed > maximumDuration    ? step / 2
+                                     : step;
+    step = std::clamp(step, minimumStep, maximumStep);
     first = end;
   }
   return true;

@@ -22,8 +22,8 @@ using BlockFunction = std::function<void(vtkDataSet*, const DrawItem&, ScalarMap
 
 /// Calls `use` for every visible leaf that is a data set, with `look` and a copy of `scalars` (null
 /// without one) changed by what `mapper` (may be null) says of the block or those above it.
-void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& look,
-  ScalarMapper* scalars, const BlockFunction& use);
+void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& prototype,
+  ScalarMapper* scalars, const BlockFunction& callback);
 
 /// When what `mapper` says of the blocks of `data` last changed.
 vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper);

@@ -73,7 +73,7 @@ Coloring ScalarMapper::Map(vtkDataSet* data)
     {
       texture->Repeat = false;
       result.Map = texture;
-      result.Way = Coloring::Ways::Texture;
+      result.Mode = Coloring::Modes::Texture;
     }
     return result;
   }
@@ -87,15 +87,15 @@ Coloring ScalarMapper::Map(vtkDataSet* data)
   {
     const unsigned char* c = result.Colors->GetPointer(4 * tuple);
     result.SingleColor = { c[0], c[1], c[2], c[3] };
-    result.Way = Coloring::Ways::Single;
+    result.Mode = Coloring::Modes::Single;
   }
   else if (association == 0 && count >= data->GetNumberOfPoints())
   {
-    result.Way = Coloring::Ways::PerPoint;
+    result.Mode = Coloring::Modes::PerPoint;
   }
   else if (association != 0 && count >= data->GetNumberOfCells())
   {
-    result.Way = Coloring::Ways::PerCell;
+    result.Mode = Coloring::Modes::PerCell;
   }
   return result;
 }

@@ -19,12 +19,12 @@ namespace penumbra
 class ScalarMapper;
 
 /// One piece with copies for every shape that `mapper` sets at points of `data`, in `look`.
-std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const DrawItem& look,
-  ScalarMapper* scalars, std::vector<std::string>& warnings);
+std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
+  const DrawItem& prototype, ScalarMapper* scalars, std::vector<std::string>& warnings);
 
 /// Adds all that is drawn of `piece`, at every place it is copied to; copies of one kind become one
 /// surface, and their cells are the points they stand at.
-void AddDrawItem(const DrawItem& piece, double pixelsPerPoint, Scene& scene);
+void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene);
 
 }
 #endif

@@ -25,11 +25,11 @@ void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Sce
 bool IsOverlay(vtkProp* prop);
 
 /// Where a coordinate of a prop lies, in pixels.
-glm::dvec2 PlaceInPicture(vtkCoordinate* coordinate, const Scene& scene);
+glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene);
 
 /// Draws text anchored at `at` by the property's justification. False where no text can be drawn.
 bool DrawText(
-  const std::string& text, vtkTextProperty* look, glm::dvec2 at, int dpi, Overlay& overlay);
+  const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi, Overlay& overlay);
 
 }
 #endif

@@ -22,7 +22,7 @@ namespace penumbra
 bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene);
 
 /// `count` values from one end of the table's range to the other, evenly or in its logarithm.
-VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<double> SpreadOverRange(
+VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<double> SampleRange(
   vtkScalarsToColors* table, int count);
 
 /// A number as a label, in the style of a printf format if it is one for one floating point number;

@@ -44,7 +44,7 @@ VTKPENUMBRAFILTERSSCENE_EXPORT vtkSmartPointer<vtkPolyData> FacingOutwards(
 /// `surface` without normals and texture coordinates that are not one for each point or cell: reading them
 /// would end beyond their last. `left` tells what was left out, a sentence each.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
-  vtkPolyData* surface, std::vector<std::string>& left);
+  vtkPolyData* surface, std::vector<std::string>& messages);
 
 }
 #endif

@@ -22,23 +22,23 @@ namespace
 
 // Newer than VTK 9.1: asked where they exist.
 template <typename Prop>
-auto HasOwnSpace(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() != Prop::WORLD)
+auto UsesOtherCoordinates(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() != Prop::WORLD)
 {
   return prop->GetCoordinateSystem() != Prop::WORLD;
 }
 template <typename Prop>
-bool HasOwnSpace(Prop*, long)
+bool UsesOtherCoordinates(Prop*, long)
 {
   return false;
 }
 template <typename Renderer>
-auto HasOtherGradient(Renderer* renderer, int)
+auto HasUnsupportedGradient(Renderer* renderer, int)
   -> decltype(static_cast<int>(renderer->GetGradientMode()) != 0)
 {
   return static_cast<int>(renderer->GetGradientMode()) != 0;
 }
 template <typename Renderer>
-bool HasOtherGradient(Renderer*, long)
+bool HasUnsupportedGradient(Renderer*, long)
 {
   return false;
 }
@@ -58,7 +58,7 @@ bool HasTextureTransform(vtkActor* actor)
   return false;
 }
 
-bool HasOwnShaders(vtkActor* actor)
+bool HasCustomShaders(vtkActor* actor)
 {
   // Where no OpenGL is linked, nobody can have made shaders, and asking the actor for them crashes.
   if (!vtkObjectFactory::HasOverrideAny("vtkShaderProperty"))
@@ -70,7 +70,7 @@ bool HasOwnShaders(vtkActor* actor)
     shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 
-bool WrapsInOtherWays(vtkTexture* texture)
+bool HasUnsupportedWrapMode(vtkTexture* texture)
 {
   return texture &&
     (texture->GetWrap() == vtkTexture::MirroredRepeat ||
@@ -88,10 +88,10 @@ bool IsSeamless(vtkMapper* mapper)
 void WarnUnsupportedActor(
   vtkActor* actor, const std::string& name, std::vector<std::string>& warnings)
 {
-  const auto warn = [&](bool asked, const char* of) {
-    if (asked)
+  const auto warn = [&](bool isUsed, const char* message) {
+    if (isUsed)
     {
-      warnings.push_back(name + ": " + of);
+      warnings.push_back(name + ": " + message);
     }
   };
   vtkProperty* property = actor->GetProperty();
@@ -100,9 +100,10 @@ void WarnUnsupportedActor(
   warn(
     property->GetRenderPointsAsSpheres(), "points as spheres are not supported; drawn as squares.");
   warn(property->GetRenderLinesAsTubes(), "lines as tubes are not supported; drawn flat.");
-  warn(HasOwnShaders(actor), "shaders of its own are not supported; left out.");
-  warn(HasOwnSpace(actor, 0), "only world coordinates are supported; drawn in these.");
-  warn(WrapsInOtherWays(actor->GetTexture()), "textures repeat or stop at their edge; drawn so.");
+  warn(HasCustomShaders(actor), "shaders of its own are not supported; left out.");
+  warn(UsesOtherCoordinates(actor, 0), "only world coordinates are supported; drawn in these.");
+  warn(HasUnsupportedWrapMode(actor->GetTexture()),
+    "textures repeat or stop at their edge; drawn so.");
   warn(actor->GetTexture() && HasTextureTransform(actor),
     "texture transforms are not supported; left out.");
   warn(HasBlockTextures(actor->GetMapper()), "textures of blocks are not supported; left out.");
@@ -110,12 +111,12 @@ void WarnUnsupportedActor(
     "seamless texture coordinates are not supported; drawn as they are.");
 }
 
-void WarnOfRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings)
+void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings)
 {
-  const auto warn = [&](bool asked, const char* of) {
-    if (asked)
+  const auto warn = [&](bool isUsed, const char* message) {
+    if (isUsed)
     {
-      warnings.emplace_back(of);
+      warnings.emplace_back(message);
     }
   };
   warn(renderer->GetPass() != nullptr, "Render passes of the renderer are left out.");
@@ -124,7 +125,7 @@ void WarnOfRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings)
   warn(renderer->GetUseImageBasedLighting(), "Image-based lighting is not supported; left out.");
   warn(renderer->GetTexturedBackground(),
     "A textured background is not supported: the background colour is drawn.");
-  warn(renderer->GetGradientBackground() && HasOtherGradient(renderer, 0),
+  warn(renderer->GetGradientBackground() && HasUnsupportedGradient(renderer, 0),
     "Only gradients from bottom to top are supported; drawn so.");
 }
 

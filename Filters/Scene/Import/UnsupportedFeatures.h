@@ -16,7 +16,7 @@ namespace penumbra
 
 void WarnUnsupportedActor(
   vtkActor* actor, const std::string& name, std::vector<std::string>& warnings);
-void WarnOfRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings);
+void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings);
 
 }
 #endif

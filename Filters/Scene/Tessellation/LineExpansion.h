@@ -25,11 +25,11 @@ struct Quad
 /// are not buried in it. False where nothing of it is in front of the eye, or where it is seen
 /// from its end.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandLine(
-  const Camera& eye, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad);
+  const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad);
 
 /// A square of `size` pixels, with sides along those of the picture; pulled nearer as segments are.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandPoint(
-  const Camera& eye, glm::dvec3 x, double size, Quad& quad);
+  const Camera& camera, glm::dvec3 x, double size, Quad& quad);
 
 }
 #endif

@@ -27,7 +27,7 @@ namespace penumbra
 /// What a mapper made of scalars: at most one of the three ways.
 struct Coloring
 {
-  enum class Ways
+  enum class Modes
   {
     None,
     PerPoint,
@@ -35,7 +35,7 @@ struct Coloring
     Single,  ///< one colour, from field data
     Texture  ///< interpolated before mapping
   };
-  Ways Way = Ways::None;
+  Modes Mode = Modes::None;
   vtkSmartPointer<vtkUnsignedCharArray> Colors; ///< RGBA
   glm::u8vec4 SingleColor{ 255 };
   std::shared_ptr<const Texture> Map;
@@ -45,7 +45,7 @@ struct Coloring
 /// Copies of one shape: a glyph mapper's.
 struct Instances
 {
-  std::vector<glm::dmat4> Places; ///< to world
+  std::vector<glm::dmat4> Transforms; ///< to world
   std::vector<glm::u8vec4> Colors;
   std::vector<std::uint32_t> Ids; ///< of the points they stand at
   bool ByScalars = false;
@@ -63,8 +63,8 @@ struct DrawItem
   std::shared_ptr<const Texture> LitTexture;
   std::vector<glm::dvec4> ClippingPlanes; ///< world: what has dot(plane, (x, 1)) < 0 is cut away
   vtkSmartPointer<vtkDataArray> CellIds;  ///< per cell of Data, its id for `CellId`; null: its own
-  std::shared_ptr<Instances> Copies;      ///< null: drawn once, at ToWorld
-  ProgressCallback Progress;              ///< asked to stop, reading it throws Stopped
+  std::shared_ptr<Instances> GlyphInstances; ///< null: drawn once, at ToWorld
+  ProgressCallback Progress;                 ///< asked to stop, reading it throws Stopped
 };
 
 /// From the coordinates of data to those of a scene.

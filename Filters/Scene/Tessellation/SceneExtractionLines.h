@@ -13,7 +13,7 @@ namespace penumbra
 
 /// Adds what of `piece` is drawn as lines and points. `pixelsPerPoint`: the width in pixels of
 /// what is one wide.
-void AddLinesAndPoints(const DrawItem& piece, double pixelsPerPoint, Scene& scene);
+void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene);
 
 }
 #endif

@@ -22,16 +22,16 @@ struct LineSegment
 };
 
 /// Vertex cells, or with `all` the points of all cells, each once unless cells have colours.
-std::vector<LineSegment> CollectPoints(const DrawItem& piece, bool all);
+std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all);
 
 /// Line cells.
 std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
 /// The sides of polygons and strips, each once unless cells have colours. Edge flags are honoured.
-std::vector<LineSegment> CollectEdges(const DrawItem& piece);
+std::vector<LineSegment> CollectEdges(const DrawItem& item);
 
 /// 0, 1, 2, ... for every cell of the piece.
-std::vector<std::uint32_t> MakeCellNumbers(const DrawItem& piece);
+std::vector<std::uint32_t> MakeCellIndices(const DrawItem& item);
 
 }
 #endif

@@ -10,7 +10,7 @@ namespace
 {
 
 /// [0, 4] x [0, 4] at height 0, with values at the corners that are linear in x.
-Surface Square()
+Surface MakeSquare()
 {
   Surface surface;
   surface.Positions = { { 0.f, 0.f, 0.f }, { 4.f, 0.f, 0.f }, { 4.f, 4.f, 0.f },
@@ -25,7 +25,7 @@ Surface Square()
   return surface;
 }
 
-double Area(const Surface& surface)
+double ComputeArea(const Surface& surface)
 {
   double area = 0.0;
   for (const glm::uvec3& t : surface.Triangles)
@@ -41,18 +41,18 @@ double Area(const Surface& surface)
 
 TEST(Clipping, KeepsTheSideThatPlanesFace)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
-  EXPECT_NEAR(Area(surface), 12.0, 1e-6);
+  EXPECT_NEAR(ComputeArea(surface), 12.0, 1e-6);
   ClipSurface({ { 0.0, -1.0, 0.0, 1.0 }, { 1.0, 1.0, 0.0, -2.0 } }, Scene(), surface);
-  EXPECT_NEAR(Area(surface), 2.5, 1e-6);
+  EXPECT_NEAR(ComputeArea(surface), 2.5, 1e-6);
   EXPECT_GT(surface.Triangles.capacity(), surface.Triangles.size());
   EXPECT_GT(surface.Positions.capacity(), surface.Positions.size());
 }
 
 TEST(Clipping, InterpolatesAtCutsAndFollowsCells)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
   ASSERT_EQ(surface.PointColors.size(), surface.Positions.size());
   ASSERT_EQ(surface.Normals.size(), surface.Positions.size());
@@ -71,7 +71,7 @@ TEST(Clipping, InterpolatesAtCutsAndFollowsCells)
 
 TEST(Clipping, SharesTheNewPointsOfNeighbours)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
   EXPECT_EQ(surface.Positions.size(), 4u + 3u);
 }
@@ -81,18 +81,18 @@ TEST(Clipping, TakesPlanesInWorldCoordinates)
   Scene scene;
   scene.Origin = { 100.0, 0.0, 0.0 };
   scene.Scale = .5;
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   // x = 1 in the scene is 102 in the world.
   ClipSurface({ { 1.0, 0.0, 0.0, -102.0 } }, scene, surface);
-  EXPECT_NEAR(Area(surface), 12.0, 1e-6);
+  EXPECT_NEAR(ComputeArea(surface), 12.0, 1e-6);
 }
 
 TEST(Clipping, LeavesNothingBehindAPlaneThatFacesAway)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -9.0 } }, Scene(), surface);
   EXPECT_TRUE(surface.Triangles.empty());
-  surface = Square();
+  surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, 9.0 } }, Scene(), surface);
   EXPECT_EQ(surface.Triangles.size(), 2u);
   EXPECT_TRUE(surface.CellIds.empty());

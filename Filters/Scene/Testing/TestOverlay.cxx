@@ -24,7 +24,7 @@ using namespace penumbra;
 namespace
 {
 
-ExtractionOptions Options(int width, int height)
+ExtractionOptions MakeOptions(int width, int height)
 {
   ExtractionOptions options;
   options.Resolution[0] = width;
@@ -33,7 +33,7 @@ ExtractionOptions Options(int width, int height)
 }
 
 /// The overlay alone, over transparent black: straight colours, row by row.
-std::vector<glm::vec4> Alone(const Overlay& overlay)
+std::vector<glm::vec4> Composite(const Overlay& overlay)
 {
   const int width = overlay.GetWidth();
   std::vector<glm::vec4> colors(
@@ -46,9 +46,9 @@ std::vector<glm::vec4> Alone(const Overlay& overlay)
 }
 
 /// The largest value of a colour's channels and alpha inside [low, high).
-glm::vec4 Largest(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high)
+glm::vec4 ComputeMaximum(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high)
 {
-  const std::vector<glm::vec4> colors = Alone(overlay);
+  const std::vector<glm::vec4> colors = Composite(overlay);
   glm::vec4 result(0.f);
   for (int y = low.y; y < high.y; ++y)
   {
@@ -67,7 +67,7 @@ TEST(Overlay, CoversPixelsByTheirExactShare)
   Overlay overlay(4, 3);
   EXPECT_TRUE(overlay.IsEmpty());
   overlay.FillRectangle({ .75, .5 }, { 2.5, 1.25 }, { 1.f, .5f, 0.f, 1.f });
-  const std::vector<glm::vec4> colors = Alone(overlay);
+  const std::vector<glm::vec4> colors = Composite(overlay);
   const float shares[12] = { .125f, .5f, .25f, 0.f, .0625f, .25f, .125f, 0.f };
   for (int i = 0; i < 12; ++i)
   {
@@ -84,7 +84,7 @@ TEST(Overlay, IgnoresWhatLiesOutside)
   overlay.FillRectangle({ std::nan(""), 0.0 }, { 3.0, 3.0 }, glm::vec4(1.f));
   EXPECT_TRUE(overlay.IsEmpty());
   overlay.FillRectangle({ -1e9, -1e9 }, { 1e9, 1e9 }, glm::vec4(1.f));
-  EXPECT_EQ(Alone(overlay)[11], glm::vec4(1.f));
+  EXPECT_EQ(Composite(overlay)[11], glm::vec4(1.f));
 }
 
 TEST(Overlay, ComposesStraightAlphaOverAnyPicture)
@@ -120,7 +120,7 @@ TEST(Overlay, DrawsTextAsVTKDoes)
   vtkNew<vtkUnsignedCharArray> raster;
   window->GetPixelData(0, 0, 199, 99, 1, raster);
 
-  const Scene scene = ExtractScene(renderer, Options(200, 100));
+  const Scene scene = ExtractScene(renderer, MakeOptions(200, 100));
   EXPECT_TRUE(scene.Warnings.empty());
   ASSERT_FALSE(scene.OverlayImage.IsEmpty());
   int written = 0;
@@ -161,26 +161,26 @@ TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
       bar->SetPosition(.1, .1);
       bar->SetPosition2(.8, .2);
     }
-    const Scene scene = ExtractScene(renderer, Options(400, 300));
+    const Scene scene = ExtractScene(renderer, MakeOptions(400, 300));
     EXPECT_TRUE(scene.Warnings.empty());
-    const std::vector<glm::vec4> colors = Alone(scene.OverlayImage);
+    const std::vector<glm::vec4> colors = Composite(scene.OverlayImage);
     const auto red = [&](int x, int y) { return colors[y * 400 + x].r; };
     if (vertical)
     {
       // The band starts at (.82, .1) of the picture; red grows upwards.
       EXPECT_LT(red(335, 35), red(335, 120));
       EXPECT_LT(red(335, 120), red(335, 200));
-      EXPECT_GT(Largest(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, .5f);  // labels
-      EXPECT_GT(Largest(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, .5f); // title
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, .5f);  // labels
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, .5f); // title
     }
     else
     {
       EXPECT_LT(red(50, 35), red(200, 35));
       EXPECT_LT(red(200, 35), red(350, 35));
-      EXPECT_GT(Largest(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, .5f);
-      EXPECT_GT(Largest(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, .5f);
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, .5f);
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, .5f);
     }
-    EXPECT_EQ(Largest(scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
+    EXPECT_EQ(ComputeMaximum(scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
   }
 }
 
@@ -191,13 +191,13 @@ TEST(ScalarBar, NamesItsPartsThatAreLeftOut)
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(table);
   renderer->AddViewProp(bar);
-  EXPECT_TRUE(ExtractScene(renderer, Options(100, 100)).Warnings.empty());
+  EXPECT_TRUE(ExtractScene(renderer, MakeOptions(100, 100)).Warnings.empty());
   bar->DrawNanAnnotationOn();
   bar->DrawFrameOn();
   bar->DrawBackgroundOn();
   bar->DrawBelowRangeSwatchOn();
   bar->DrawAboveRangeSwatchOn();
-  const std::vector<std::string> warnings = ExtractScene(renderer, Options(100, 100)).Warnings;
+  const std::vector<std::string> warnings = ExtractScene(renderer, MakeOptions(100, 100)).Warnings;
   ASSERT_EQ(warnings.size(), 5u);
   EXPECT_NE(warnings[0].find("NaN swatches"), std::string::npos) << warnings[0];
 }
@@ -217,7 +217,7 @@ TEST(ScalarBar, SpreadsLogarithmicTablesInTheirLogarithm)
 {
   vtkNew<vtkLookupTable> table;
   table->SetRange(1.0, 10000.0);
-  EXPECT_NEAR(SpreadOverRange(table, 3)[1], 5000.5, 1e-9);
+  EXPECT_NEAR(SampleRange(table, 3)[1], 5000.5, 1e-9);
   table->SetScaleToLog10();
-  EXPECT_NEAR(SpreadOverRange(table, 3)[1], 100.0, 1e-9);
+  EXPECT_NEAR(SampleRange(table, 3)[1], 100.0, 1e-9);
 }
