@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> AppendSurfaces(
   return append->GetOutput();
 }
 
-/// The polygons whose bounds meet `box`, with their points alone.
+/// Returns the polygons whose bounds intersect `box`, without attributes. Strips become triangles.
 vtkSmartPointer<vtkPolyData> CropToBox(vtkPolyData* surface, const vtkBoundingBox& box)
 {
   vtkNew<vtkPoints> points;
@@ -132,7 +132,7 @@ vtkSmartPointer<vtkPolyData> ExtractCompositeSurface(vtkDataObject* data)
 
 std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* controller, vtkPolyData* local)
 {
-  double localBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // none
+  double localBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // empty
   if (local->GetNumberOfPoints() > 0)
   {
     local->GetBounds(localBounds);

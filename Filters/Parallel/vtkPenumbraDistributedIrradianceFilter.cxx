@@ -46,7 +46,8 @@ int vtkPenumbraDistributedIrradianceFilter::RequestData(
     penumbra::GatherRemoteOccluders(controller, local, bounds, radius);
   if (globalBounds.IsValid())
   {
-    // Points of no polygon tell of the bounds, from which the radius may follow.
+    // Two points without cells extend the occluders to the global bounds, which define the default
+    // radius.
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     if (occluders->GetPoints())

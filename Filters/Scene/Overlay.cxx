@@ -12,7 +12,7 @@ namespace penumbra
 namespace
 {
 
-/// How much of pixel i lies in [low, high].
+/// Returns the fraction of the interval [i, i + 1] that [low, high] covers.
 float ComputeCoverage(int i, double low, double high)
 {
   return static_cast<float>(

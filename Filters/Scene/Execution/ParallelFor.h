@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Parallel loops whose exceptions reach the caller; with progress, and stopped between batches.
+// Parallel loops that pass exceptions on to the caller, report progress and can be stopped.
 #ifndef penumbra_ParallelFor_h
 #define penumbra_ParallelFor_h
 
@@ -16,8 +16,9 @@
 namespace penumbra
 {
 
-/// Runs work(i) for i in [begin, end) in parallel, chunks of at least `grain` on one thread (0: VTK
-/// chooses). An exception of one is thrown again here: VTK's threads would only print it and go on.
+/// Runs work(i) for i in [begin, end) in parallel. `grain` is the minimum number of consecutive
+/// iterations per task; 0 lets VTK choose. One exception is rethrown in the calling thread, because
+/// VTK's threads would only print it and continue.
 template <typename Index, typename Work>
 void ParallelFor(Index begin, Index end, Index grain, const Work& work)
 {
@@ -44,17 +45,19 @@ void ParallelFor(Index begin, Index end, Index grain, const Work& work)
   }
 }
 
-/// Told the share of the work that is done, from the calling thread; true asks to stop.
+/// Receives the fraction of the work that is done, in the calling thread. Returns true to request a
+/// stop.
 using ProgressCallback = std::function<bool(double)>;
 
-/// Thrown where one asked to stop and the work cannot return so.
+/// Thrown on a stop request by functions that cannot report it in their result.
 struct Stopped
 {
 };
 
-/// So many cells are read between two questions.
+/// Number of cells that are processed between two calls of the progress callback.
 constexpr int StoppableCells = 16384;
 
+/// Reports progress and throws Stopped on a stop request.
 inline void ThrowIfStopped(const ProgressCallback& progress, double fraction)
 {
   if (progress && progress(fraction))
@@ -63,8 +66,9 @@ inline void ThrowIfStopped(const ProgressCallback& progress, double fraction)
   }
 }
 
-/// Runs work(i) for i in [0, count) in parallel batches, with progress from `from` to `to` before and
-/// between, each in chunks of `grain` as above. Batches follow the clock: few begin after one asked to stop. False when stopped.
+/// Runs work(i) for i in [0, count) in parallel batches and reports progress in [from, to] before
+/// the first and after each batch. `grain` is as above. The batch size adapts so that a batch takes
+/// 100 to 300 ms, which bounds the delay of a stop request. Returns false if stopped.
 template <typename Work>
 bool ParallelForBatches(int count, double from, double to, const ProgressCallback& progress,
   const Work& work, int grain = 1)

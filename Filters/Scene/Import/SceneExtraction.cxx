@@ -20,7 +20,7 @@ namespace penumbra
 namespace
 {
 
-/// Adds the points of `piece`, at one of its places, that are finite.
+/// Extends `bounds` by the finite points of `item`, transformed by `toWorld`.
 void AddBounds(const DrawItem& item, const glm::dmat4& toWorld, double bounds[6])
 {
   for (vtkIdType i = 0; i < item.Data->GetNumberOfPoints(); ++i)

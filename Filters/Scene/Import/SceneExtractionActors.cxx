@@ -38,7 +38,7 @@ bool IsAnyOf(vtkObjectBase* object, std::initializer_list<const char*> names)
     names.begin(), names.end(), [&](const char* name) { return object->IsA(name); });
 }
 
-/// Actors that draw in a way of their own, which triangles of their input are not.
+/// Returns false for actors that do not draw the triangles of their mapper's input.
 bool IsSupported(vtkActor* actor)
 {
   return !IsAnyOf(actor, { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" });
@@ -109,11 +109,11 @@ public:
     else if (data)
     {
       this->Warnings.push_back(
-        prototype.Name + ": " + data->GetClassName() + " is not supported; left out.");
+        prototype.Name + ": " + data->GetClassName() + " is not supported and was skipped.");
     }
   }
 
-  /// What was added, with attributes that can be read.
+  /// Returns the collected items, without attributes of mismatched length.
   std::vector<DrawItem> ReleaseItems()
   {
     for (DrawItem& item : this->Items)
@@ -141,7 +141,8 @@ private:
     }
     if (!actor || !IsSupported(actor))
     {
-      this->Warnings.push_back(std::string(prop->GetClassName()) + " is not supported; left out.");
+      this->Warnings.push_back(
+        std::string(prop->GetClassName()) + " is not supported and was skipped.");
       return;
     }
     DrawItem prototype;
@@ -155,7 +156,7 @@ private:
     if (DrawsByShadersAlone(mapper))
     {
       this->Warnings.push_back(
-        prototype.Name + ": " + mapper->GetClassName() + " is not supported; left out.");
+        prototype.Name + ": " + mapper->GetClassName() + " is not supported and was skipped.");
       return;
     }
     prototype.ToWorld = ToMatrix(matrix ? matrix : actor->GetMatrix());

@@ -17,7 +17,7 @@ namespace penumbra
 namespace
 {
 
-/// What applies to a block: its own attributes, else those of the block above.
+/// Attributes of a block. Unset attributes are inherited from the parent block.
 struct BlockState
 {
   bool Visible = true;
@@ -28,7 +28,7 @@ struct BlockState
   vtkSmartPointer<ScalarMapper> Scalars;
 };
 
-/// The attributes of composite mappers came to vtkCompositePolyDataMapper in VTK 9.3.
+/// Returns the block attributes of vtkCompositePolyDataMapper, which has them since VTK 9.3.
 template <typename Mapper>
 auto FindAttributes(Mapper* mapper, int) -> decltype(mapper->GetCompositeDataDisplayAttributes())
 {
@@ -40,7 +40,8 @@ vtkCompositeDataDisplayAttributes* FindAttributes(Mapper*, long)
   return nullptr;
 }
 
-/// What a block says of its scalars (since VTK 9.3), into `scalars`. False where it says nothing.
+/// Applies the scalar attributes of a block (since VTK 9.3) to `scalars`. Returns false if there
+/// are none.
 template <typename Attributes>
 auto ApplyScalarAttributes(Attributes* attributes, vtkDataObject* block, ScalarMapper* scalars, int)
   -> decltype(attributes->HasBlockScalarVisibility(block))
@@ -88,7 +89,7 @@ bool ApplyScalarAttributes(Attributes*, vtkDataObject*, ScalarMapper*, long)
   return false;
 }
 
-/// The lookup table of a block's own (since VTK 9.3).
+/// Returns the lookup table of a block (since VTK 9.3), or null.
 template <typename Attributes>
 auto FindLookupTable(Attributes* attributes, vtkDataObject* block, int)
   -> decltype(attributes->GetBlockLookupTable(block).GetPointer())
@@ -103,7 +104,7 @@ vtkScalarsToColors* FindLookupTable(Attributes*, vtkDataObject*, long)
   return nullptr;
 }
 
-/// Textures of blocks are as new.
+/// Returns true if blocks have textures (since VTK 9.3).
 template <typename Attributes>
 auto HasTextures(Attributes* attributes, int) -> decltype(attributes->HasBlockTextures())
 {

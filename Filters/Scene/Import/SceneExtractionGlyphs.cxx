@@ -22,10 +22,10 @@ namespace penumbra
 namespace
 {
 
-/// The share of a glyph that VTK draws where a scale is 0.
+/// Scale factor that vtkGlyph3DMapper uses instead of 0.
 constexpr double MinimumScale = 1e-10;
 
-/// What VTK sets where no shape is given: a line of length 1 along x.
+/// Returns the default shape of vtkGlyph3DMapper: a line of length 1 along x.
 vtkSmartPointer<vtkPolyData> MakeDefaultShape()
 {
   vtkNew<vtkPoints> points;
@@ -50,7 +50,7 @@ double ComputeNorm(vtkDataArray* array, vtkIdType i)
   return std::sqrt(sum);
 }
 
-/// Reads the arrays that place glyphs.
+/// Reads the arrays that transform, mask and select glyphs.
 class GlyphPlacement
 {
 public:
@@ -141,7 +141,7 @@ private:
         glm::angleAxis(angles.x, glm::dvec3(1.0, 0.0, 0.0)) *
         glm::angleAxis(angles.y, glm::dvec3(0.0, 1.0, 0.0)));
     }
-    // Half a turn about the bisector of the x axis and the direction.
+    // Rotate by 180 degrees about the bisector of the x axis and the direction, as VTK does.
     const glm::dvec3 bisector = direction + glm::dvec3(glm::length(direction), 0.0, 0.0);
     const double length = glm::length(bisector);
     if (direction.y == 0.0 && direction.z == 0.0)
@@ -165,7 +165,7 @@ void Append(std::vector<T>& to, const std::vector<T>& from)
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Can both be one surface, once colours are per cell?
+/// Returns true if the surfaces can be merged when their colors are per cell.
 bool AreMergeable(const Surface& a, const Surface& b)
 {
   return a.IsLineOrPoint == b.IsLineOrPoint && a.NormalRule == b.NormalRule &&
@@ -175,11 +175,11 @@ bool AreMergeable(const Surface& a, const Surface& b)
     a.Front.Diffuse == b.Front.Diffuse;
 }
 
-/// Adds one copy, in the one colour of its material and as one cell, to the surface of its like.
+/// Appends one instance to `into`, with the color of its material and the cell id `id`.
 void MergeInstance(Surface&& instance, std::uint32_t id, Surface& into)
 {
   const glm::u8vec4 color(
-    glm::vec4(instance.Front.DiffuseColor, instance.Front.Opacity) * 255.f + .5f);
+    glm::vec4(instance.Front.DiffuseColor, instance.Front.Opacity) * 255.f + 0.5f);
   instance.Front.Opacity = 1.f;
   instance.CellColors.assign(instance.Triangles.size(), color);
   instance.CellIds.assign(instance.Triangles.size(), id);
@@ -218,7 +218,7 @@ std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
   if (mapper->GetUseSourceTableTree())
   {
     warnings.push_back(
-      prototype.Name + ": glyphs from a source table tree are not supported; left out.");
+      prototype.Name + ": glyphs from a source table tree are not supported and were skipped.");
     return {};
   }
   std::vector<DrawItem> shapes;
@@ -239,11 +239,11 @@ std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
   const bool colored = coloring.Mode == Coloring::Modes::PerPoint;
   double propertyColor[3];
   prototype.Property->GetColor(propertyColor);
-  // VTK multiplies a glyph by its opacity twice.
+  // The opacity multiplies the color here and once more in the material, as in VTK.
   const glm::u8vec4 color(glm::dvec4(propertyColor[0], propertyColor[1], propertyColor[2],
                             prototype.Property->GetOpacity()) *
       255.0 +
-    .5);
+    0.5);
   const GlyphPlacement placement(mapper, data, scalars);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
@@ -260,7 +260,7 @@ std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
     {
       const unsigned char* c = coloring.Colors->GetPointer(4 * i);
       mapped = { c[0], c[1], c[2],
-        static_cast<unsigned char>(c[3] * prototype.Property->GetOpacity() + .5) };
+        static_cast<unsigned char>(c[3] * prototype.Property->GetOpacity() + 0.5) };
     }
     instances.Colors.push_back(mapped);
   }
@@ -274,8 +274,8 @@ void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene)
     AddSurfaceAndLines(item, pixelsPerPoint, scene);
     return;
   }
-  // What one copy is drawn as (a surface, lines, points, edges) comes as several surfaces; each
-  // collects the same of all copies.
+  // An instance may consist of several surfaces (surface, lines, points, edges). Each merged
+  // surface collects the matching ones of all instances.
   std::vector<Surface> merged;
   Scene instanceScene;
   instanceScene.Origin = scene.Origin;
@@ -304,7 +304,7 @@ void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene)
     surface.ScalarColoring = item.GlyphInstances->ByScalars;
     scene.Surfaces.push_back(std::move(surface));
   }
-  // The same shape is faulty in the same way everywhere.
+  // All instances share the shape and cause the same warnings.
   if (!instanceScene.Warnings.empty())
   {
     scene.Warnings.push_back(instanceScene.Warnings.front());

@@ -63,7 +63,7 @@ glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene)
       position *= size;
       break;
     case VTK_VIEW:
-      position = .5 * (position + 1.0) * size;
+      position = 0.5 * (position + 1.0) * size;
       break;
     case VTK_WORLD:
       position = scene.ViewCamera.Project(scene.FromWorld(value));
@@ -116,7 +116,8 @@ void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Sce
   }
   if (!drawn)
   {
-    scene.Warnings.emplace_back("Text cannot be drawn: VTK's FreeType module is not linked in.");
+    scene.Warnings.emplace_back(
+      "Text was skipped because VTK cannot render it. Link VTK::RenderingFreeType.");
   }
 }
 

@@ -23,13 +23,14 @@ namespace penumbra
 namespace
 {
 
-/// Shares of the bar's rectangle along its length: for the title, and between title and band.
-constexpr double TitleFraction = .1;
-constexpr double TitleGapFraction = .04;
-/// Between the band and its labels, in pixels.
+/// Layout of the bar as fractions of its rectangle's height: the title of a vertical bar, and the
+/// gap between title and color bar. A horizontal bar has a title of three times this height.
+constexpr double TitleFraction = 0.1;
+constexpr double TitleGapFraction = 0.04;
+/// Gap between the color bar and its labels, in pixels.
 constexpr double LabelGap = 4.0;
 
-/// A text at a place along the band, 0 to 1.
+/// Label at a position in [0, 1] along the color bar.
 struct BandLabel
 {
   double Position;
@@ -45,7 +46,7 @@ std::vector<BandLabel> MakeLabels(vtkScalarBarActor* bar)
     const int count = table->GetNumberOfAnnotatedValues();
     for (int i = 0; bar->GetDrawAnnotations() && i < count; ++i)
     {
-      labels.push_back({ (i + .5) / count, table->GetAnnotation(i) });
+      labels.push_back({ (i + 0.5) / count, table->GetAnnotation(i) });
     }
     return labels;
   }
@@ -57,7 +58,7 @@ std::vector<BandLabel> MakeLabels(vtkScalarBarActor* bar)
   const std::vector<double> values = SampleRange(table, count);
   for (int i = 0; i < count; ++i)
   {
-    labels.push_back({ count > 1 ? static_cast<double>(i) / (count - 1) : .5,
+    labels.push_back({ count > 1 ? static_cast<double>(i) / (count - 1) : 0.5,
       FormatLabel(bar->GetLabelFormat(), values[i]) });
   }
   return labels;
@@ -82,7 +83,7 @@ std::vector<glm::vec4> ComputeBandColors(vtkScalarBarActor* bar)
   }
   const auto numberOfColors = static_cast<int>(table->GetNumberOfAvailableColors());
   const int count = std::max(1, std::min(numberOfColors, bar->GetMaximumNumberOfColors()));
-  // The values in the middle of each colour's stretch: every other one of twice as many.
+  // Each color is sampled at the center of its interval.
   const std::vector<double> values = SampleRange(table, 2 * count + 1);
   for (int i = 0; i < count; ++i)
   {
@@ -91,7 +92,7 @@ std::vector<glm::vec4> ComputeBandColors(vtkScalarBarActor* bar)
   return colors;
 }
 
-/// What a bar asks for and is not drawn, by name.
+/// Adds a warning for each requested part of the bar that is not supported.
 void WarnUnsupportedParts(vtkScalarBarActor* bar, std::vector<std::string>& warnings)
 {
   const struct
@@ -109,12 +110,13 @@ void WarnUnsupportedParts(vtkScalarBarActor* bar, std::vector<std::string>& warn
   {
     if (part.IsRequested)
     {
-      warnings.push_back(std::string("Scalar bar: ") + part.Name + " are not supported; left out.");
+      warnings.push_back(
+        std::string("Scalar bar: ") + part.Name + " are not supported and were skipped.");
     }
   }
 }
 
-/// The largest font size with which all of `texts` fit, at most the property's own.
+/// Reduces the font size of `property` so that each of `texts` fits into `available` (pixels).
 void FitFontSize(
   const std::vector<BandLabel>& texts, glm::dvec2 available, int dpi, vtkTextProperty* property)
 {
@@ -138,7 +140,7 @@ void FitFontSize(
   }
 }
 
-/// Lays a bar out and draws it. Directions: `along` the band, `aside` to its labels.
+/// Computes the layout of a scalar bar and draws it.
 class ScalarBarPainter
 {
 public:
@@ -154,7 +156,7 @@ public:
     const bool titled = bar->GetTitle() && *bar->GetTitle();
     const double title = titled ? (this->Vertical ? TitleFraction : 3.0 * TitleFraction) : 0.0;
     this->TitleHeight = title * height;
-    // The band: along the rectangle, below the title, BarRatio of it wide.
+    // The color bar extends along the rectangle below the title; BarRatio is its relative width.
     this->BandHigh =
       this->High - glm::dvec2(0.0, this->TitleHeight + (titled ? TitleGapFraction * height : 0.0));
     this->LabelsAfter = bar->GetTextPosition() == vtkScalarBarActor::SucceedScalarBar;
@@ -181,8 +183,9 @@ private:
     const std::vector<glm::vec4> colors = ComputeBandColors(this->Bar);
     const int axis = this->Vertical ? 1 : 0;
     const double length = this->BandHigh[axis] - this->BandLow[axis];
-    // Each colour is drawn to the end of the band and the next one over it: no seams, whatever part
-    // of a pixel each covers. Translucent ones end at whole pixels instead.
+    // Each opaque color is drawn to the end of the bar and the next one over it, which avoids seams
+    // in partially covered pixels. The edges of translucent colors are rounded to whole pixels
+    // instead.
     const bool opaque = !this->Bar->GetUseOpacity();
     const auto computeEdge = [&](std::size_t i) {
       const double at = this->BandLow[axis] + length * static_cast<double>(i) / colors.size();
@@ -209,7 +212,7 @@ private:
     if (!this->Bar->GetUnconstrainedFontSize() && !labels.empty())
     {
       glm::dvec2 available;
-      available[axis] = .8 * length / static_cast<double>(labels.size());
+      available[axis] = 0.8 * length / static_cast<double>(labels.size());
       available[across] = (this->LabelsAfter ? this->High[across] - this->BandHigh[across]
                                              : this->BandLow[across] - this->Low[across]) -
         LabelGap;
@@ -261,8 +264,8 @@ private:
     }
     property->SetJustificationToCentered();
     property->SetVerticalJustificationToTop();
-    return DrawText(
-      text, property, { .5 * (this->Low.x + this->High.x), this->High.y }, this->DPI, this->Target);
+    return DrawText(text, property, { 0.5 * (this->Low.x + this->High.x), this->High.y }, this->DPI,
+      this->Target);
   }
 
   vtkScalarBarActor* Bar;
@@ -297,7 +300,7 @@ std::vector<double> SampleRange(vtkScalarsToColors* table, int count)
   std::vector<double> values;
   for (int i = 0; i < count; ++i)
   {
-    const double t = count > 1 ? static_cast<double>(i) / (count - 1) : .5;
+    const double t = count > 1 ? static_cast<double>(i) / (count - 1) : 0.5;
     values.push_back(logarithmic ? range[0] * std::pow(range[1] / range[0], t)
                                  : range[0] + t * (range[1] - range[0]));
   }
@@ -306,7 +309,7 @@ std::vector<double> SampleRange(vtkScalarsToColors* table, int count)
 
 std::string FormatLabel(const char* format, double value)
 {
-  // VTK 9.6 and later write "{:<#6.3g}" for "%-#6.3g".
+  // VTK 9.6 and later use std::format strings, such as "{:<#6.3g}" instead of "%-#6.3g".
   static const std::regex braces(R"(\{:[<>^]?([-+ #0]*\d*(\.\d+)?[eEfFgG])\})");
   static const std::regex percent(R"([^%]*%[-+ #0]*\d*(\.\d+)?[eEfFgG][^%]*)");
   std::string style = std::regex_replace(std::string(format ? format : ""), braces, "%$1");

@@ -19,7 +19,8 @@ namespace penumbra
 namespace
 {
 
-/// Nothing nearer than this is drawn, in scene units: the scene's far end is at about 1.
+/// Minimum depth that is rendered in perspective, in scene units. The far end of the scene is at
+/// about 1.
 constexpr double NearDistance = 1e-9;
 
 glm::dvec3 ToVector(const double x[3])
@@ -33,7 +34,9 @@ bool IsFinite(const double bounds[6])
     bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
 }
 
-/// A power of two (so that scaling rounds nothing) that brings the far end of the scene to about 1.
+/// Returns the scale for which the farthest corner of `bounds` is at a distance of about 1 from
+/// `origin`. A power of two, so that scaling is exact. `fallback` is the distance used for empty
+/// bounds.
 double ChooseScale(glm::dvec3 origin, const double bounds[6], double fallback)
 {
   double extent = 0.0;
@@ -50,8 +53,8 @@ double ChooseScale(glm::dvec3 origin, const double bounds[6], double fallback)
   return std::exp2(-std::round(std::log2(std::clamp(extent, 1e-290, 1e290))));
 }
 
-/// From world to view coordinates: axes and eye of the camera. False where it is no rigid motion
-/// with uniform scaling.
+/// Sets the axes of `camera` and its world `position` from the view transform. Returns false if the
+/// transform is not a rigid motion with uniform scaling.
 bool SetPose(vtkMatrix4x4* view, Camera& camera, glm::dvec3& position)
 {
   glm::dvec3 rows[3];
@@ -73,8 +76,8 @@ bool SetPose(vtkMatrix4x4* view, Camera& camera, glm::dvec3& position)
     glm::length(glm::cross(camera.Right, camera.Up) + camera.Forward) < tolerance;
 }
 
-/// Pixel size and centre from a projection matrix of VTK's: perspective or parallel, both possibly
-/// off-centre. False where it is anything else.
+/// Sets the pixel size and the center from VTK's projection matrix, which may be off-axis. Returns
+/// false if the matrix is neither a perspective nor a parallel projection with square pixels.
 bool SetProjection(vtkMatrix4x4* projection, Camera& camera)
 {
   const auto p = [&](int i, int j) { return projection->GetElement(i, j); };
@@ -85,18 +88,20 @@ bool SetProjection(vtkMatrix4x4* projection, Camera& camera)
   camera.PixelSize = vertical;
   const glm::dvec2 shift =
     camera.Parallel ? glm::dvec2(p(0, 3), p(1, 3)) / w : -glm::dvec2(p(0, 2), p(1, 2)) / w;
-  camera.Center = .5 * glm::dvec2(camera.Width, camera.Height) * (1.0 + shift);
+  camera.Center = 0.5 * glm::dvec2(camera.Width, camera.Height) * (1.0 + shift);
   return p(0, 1) == 0.0 && p(1, 0) == 0.0 && p(3, 0) == 0.0 && p(3, 1) == 0.0 &&
     (camera.Parallel ? p(0, 2) == 0.0 && p(1, 2) == 0.0 : p(0, 3) == 0.0 && p(1, 3) == 0.0) &&
     std::abs(horizontal - vertical) < 1e-6 * std::abs(vertical);
 }
 
-/// From so many times the size of the scene on, single precision would tell the places in it apart less
-/// well than the picture shows them.
+/// Distance of the scene, as a multiple of its size, beyond which ray origins are moved toward the
+/// scene. At larger distances, single precision does not resolve the positions that the image
+/// shows.
 constexpr double FarSceneRatio = 32.0;
 
-/// How far a camera can move forward and stay well in front of `bounds`: by their own size.
-/// In perspective one that is not far away stays.
+/// Returns the distance by which ray origins can be moved forward so that they stay in front of
+/// `bounds` by at least the length of their diagonal. In perspective, the result is 0 unless the
+/// scene is far away.
 double ComputeAdvance(
   glm::dvec3 position, glm::dvec3 forward, bool parallel, const double bounds[6])
 {
@@ -131,7 +136,7 @@ void SetSceneCoordinates(glm::dvec3 position, const double bounds[6], double fal
   }
 }
 
-/// Where the light stands and where it shines, in world coordinates.
+/// Computes the position and the focal point of a light in world coordinates.
 void ComputeLightPosition(
   vtkRenderer* renderer, vtkLight* light, double position[3], double focalPoint[3])
 {
@@ -171,7 +176,7 @@ Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const Scene& scene)
   result.CastsShadow = !light->LightTypeIsHeadlight();
   if (light->GetPositional())
   {
-    // VTK's rule: an angle of 90 degrees or more is no cone at all.
+    // As in VTK, a cone angle of 90 degrees or more means a light without a cone.
     const double angle = light->GetConeAngle();
     result.Kind = angle < 90.0 ? Light::Kinds::Spot : Light::Kinds::Positional;
     result.ConeCosine = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle)));
@@ -182,7 +187,7 @@ Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const Scene& scene)
   const double length = glm::length(direction);
   result.Direction = glm::vec3(length > 0.0 ? direction / length : scene.ViewCamera.Forward);
   const glm::dvec3 color = ToVector(light->GetDiffuseColor()) * light->GetIntensity();
-  // VTK's shaders light highlights with the diffuse colour too.
+  // VTK's shaders use the diffuse color for highlights, too.
   result.DiffuseColor = color;
   result.SpecularColor = color;
   const double* attenuation = light->GetAttenuationValues();
@@ -204,7 +209,7 @@ void ExtractCamera(
   vtkCamera* camera = renderer->GetActiveCamera();
   if (camera->GetStereo())
   {
-    scene.Warnings.emplace_back("Stereo is not supported: one eye is drawn.");
+    scene.Warnings.emplace_back("Stereo rendering is not supported. Only one view was rendered.");
   }
   scene.ViewCamera.Width = options.Resolution[0];
   scene.ViewCamera.Height = options.Resolution[1];
@@ -215,8 +220,8 @@ void ExtractCamera(
     SetProjection(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera);
   if (!isRigid || !isSupported)
   {
-    scene.Warnings.emplace_back(
-      "Cameras that shear, mirror or stretch are not supported: the view is drawn without.");
+    scene.Warnings.emplace_back("Camera transforms with shear, mirroring or non-uniform scaling "
+                                "are not supported and were ignored.");
   }
   SetSceneCoordinates(position, bounds, camera->GetDistance(), scene);
 }
@@ -224,20 +229,21 @@ void ExtractCamera(
 void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene& scene)
 {
   const bool hasBounds = IsFinite(bounds);
-  const glm::dvec3 low = hasBounds ? glm::dvec3(bounds[0], bounds[2], bounds[4]) : glm::dvec3(-.5);
-  const glm::dvec3 high = hasBounds ? glm::dvec3(bounds[1], bounds[3], bounds[5]) : glm::dvec3(.5);
-  const double radius = low == high ? .5 : .5 * glm::length(high - low);
+  const glm::dvec3 low = hasBounds ? glm::dvec3(bounds[0], bounds[2], bounds[4]) : glm::dvec3(-0.5);
+  const glm::dvec3 high = hasBounds ? glm::dvec3(bounds[1], bounds[3], bounds[5]) : glm::dvec3(0.5);
+  const double radius = low == high ? 0.5 : 0.5 * glm::length(high - low);
   Camera& camera = scene.ViewCamera;
   camera = Camera();
   camera.Width = options.Resolution[0];
   camera.Height = options.Resolution[1];
-  camera.Center = .5 * glm::dvec2(camera.Width, camera.Height);
-  // VTK's view angle is 30 degrees, and its sphere touches the narrower pair of sides.
+  camera.Center = 0.5 * glm::dvec2(camera.Width, camera.Height);
+  // As in VTK, the view angle is 30 degrees and the bounding sphere fits the smaller side of the
+  // image.
   const double half = std::tan(vtkMath::RadiansFromDegrees(15.0));
   camera.PixelSize = 2.0 * half / camera.Height;
   const double aspect = static_cast<double>(camera.Width) / camera.Height;
   const double distance = radius / std::sin(std::atan(half * std::min(aspect, 1.0)));
-  const glm::dvec3 position = .5 * (low + high) + glm::dvec3(0.0, 0.0, distance);
+  const glm::dvec3 position = 0.5 * (low + high) + glm::dvec3(0.0, 0.0, distance);
   SetSceneCoordinates(position, bounds, distance, scene);
 }
 

@@ -39,6 +39,7 @@ namespace penumbra
 namespace
 {
 
+/// Collects the latest modification time of objects.
 class MTimeCollector
 {
 public:
@@ -103,7 +104,7 @@ private:
     }
   }
 
-  /// A prop and what moves it.
+  /// Adds a prop and its transforms.
   void AddTransform(vtkProp* prop)
   {
     this->Add(prop);
@@ -148,7 +149,7 @@ private:
     }
   }
 
-  /// What flows into `algorithm`: through its mesh, glyph or picture ports.
+  /// Updates and adds the inputs of `algorithm` on all its ports.
   void AddInputs(vtkAlgorithm* algorithm)
   {
     for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)

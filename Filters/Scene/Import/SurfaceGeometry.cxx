@@ -41,10 +41,11 @@ glm::dvec3 ComputeMean(vtkPoints* points)
   return sum / static_cast<double>(count);
 }
 
-/// Of a cell's size: nearer to the plane of a face its middle is on neither side.
+/// Minimum sine of the angle between a face and the direction from the cell's center to the face's
+/// center. Below, rounding errors decide on which side of the face the center is.
 constexpr double MinimumHeight = 1e-6;
 
-/// Does `polygon` face the middle of the volumetric `cell` that it bounds?
+/// Returns true if the normal of `polygon` points toward the center of its volumetric `cell`.
 bool FacesInward(vtkGenericCell* cell, vtkCell* polygon)
 {
   if (cell->GetCellDimension() != 3)
@@ -111,7 +112,8 @@ std::vector<vtkIdType> OriginalIds(vtkPolyData* surface, vtkDataSet* data, int t
   const vtkIdType count = surface->GetNumberOfElements(type);
   if (!array || array->GetNumberOfTuples() != count)
   {
-    throw std::runtime_error(std::string("VTK's surface lacks the array ") + name);
+    throw std::runtime_error(
+      std::string("The surface of vtkGeometryFilter does not have the array ") + name);
   }
   const vtkIdType end = data->GetNumberOfElements(type);
   std::vector<vtkIdType> ids(static_cast<std::size_t>(count));
@@ -168,7 +170,7 @@ vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
   {
     int Association;
     int Type;
-    int Components; ///< 0: any
+    int Components; ///< required number; 0: any
     const char* Name;
   };
   static constexpr Attribute attributes[] = {
@@ -195,7 +197,7 @@ vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
     }
     kept->GetAttributes(attribute.Association)->SetActiveAttribute(-1, attribute.Type);
     messages.push_back(std::to_string(array->GetNumberOfTuples()) + " " + attribute.Name +
-      ", where " + std::to_string(count) + " are needed, left out.");
+      " were ignored because " + std::to_string(count) + " are required.");
   }
   return kept;
 }

@@ -7,21 +7,22 @@ namespace penumbra
 namespace
 {
 
-/// Side of a pixel at x.
+/// Returns the side length of a pixel at the depth of x, in scene units.
 double ComputePixelSize(const Camera& camera, glm::dvec3 x)
 {
   return camera.Parallel ? camera.PixelSize : camera.PixelSize * camera.Depth(x);
 }
 
-/// Moves x towards the eye by `pixels` times the size of a pixel there; its picture stays.
+/// Moves x toward the camera by `pixels` times the pixel size at x. Its image coordinates do not
+/// change.
 glm::dvec3 OffsetTowardEye(const Camera& camera, glm::dvec3 x, double pixels)
 {
   if (camera.Parallel)
   {
     return x - pixels * camera.PixelSize * camera.Forward;
   }
-  // Never past the middle between the eye and x, however wide the line.
-  const double fraction = glm::min(pixels * camera.PixelSize, .5);
+  // Move x at most half the distance to the camera, so that wide lines stay in front of the camera.
+  const double fraction = glm::min(pixels * camera.PixelSize, 0.5);
   return x - fraction * (x - camera.Position);
 }
 
@@ -46,8 +47,8 @@ bool ExpandLine(const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, 
     return false;
   }
   const glm::dvec3 normal = (-delta.y / length) * camera.Right + (delta.x / length) * camera.Up;
-  const glm::dvec3 startOffset = .5 * width * ComputePixelSize(camera, start) * normal;
-  const glm::dvec3 endOffset = .5 * width * ComputePixelSize(camera, end) * normal;
+  const glm::dvec3 startOffset = 0.5 * width * ComputePixelSize(camera, start) * normal;
+  const glm::dvec3 endOffset = 0.5 * width * ComputePixelSize(camera, end) * normal;
   quad.Corners[0] = OffsetTowardEye(camera, start - startOffset, width);
   quad.Corners[1] = OffsetTowardEye(camera, end - endOffset, width);
   quad.Corners[2] = OffsetTowardEye(camera, end + endOffset, width);
@@ -61,7 +62,7 @@ bool ExpandPoint(const Camera& camera, glm::dvec3 x, double size, Quad& quad)
   {
     return false;
   }
-  const double half = .5 * size * ComputePixelSize(camera, x);
+  const double half = 0.5 * size * ComputePixelSize(camera, x);
   const glm::dvec3 right = half * camera.Right;
   const glm::dvec3 up = half * camera.Up;
   quad.Corners[0] = OffsetTowardEye(camera, x - right - up, size);

@@ -15,10 +15,12 @@ namespace
 
 using Ring = std::vector<unsigned int>;
 
-/// From so many corners on it pays to remember what stands in the way of each.
+/// Minimum number of corners for which EarClipper is used instead of the quadratic search, which
+/// has less overhead for small polygons.
 constexpr std::size_t MinimumCornersForTree = 64;
 
-/// Twice the signed area of a triangle as seen along `normal`, times its length.
+/// Returns twice the signed area of triangle (p, q, x) as seen along `normal`, times the length of
+/// `normal`.
 double ComputeOrientation(
   const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& x, const glm::dvec3& normal)
 {
@@ -42,7 +44,8 @@ Ring CollectDistinctCorners(const std::vector<glm::dvec3>& corners)
   return ring;
 }
 
-/// Newell's normal, relative to the first corner so that far-away polygons lose nothing.
+/// Computes Newell's normal relative to the first corner, which keeps the precision of polygons far
+/// from the origin.
 glm::dvec3 ComputeNormal(const std::vector<glm::dvec3>& corners, const Ring& ring)
 {
   glm::dvec3 normal(0.0);
@@ -54,7 +57,8 @@ glm::dvec3 ComputeNormal(const std::vector<glm::dvec3>& corners, const Ring& rin
   return normal;
 }
 
-/// Can the corner at `i` of the ring be cut off without crossing the rest?
+/// Returns true if the corner at `i` of the ring is convex and its triangle contains no other
+/// corner.
 bool IsEar(
   const std::vector<glm::dvec3>& corners, const Ring& ring, std::size_t i, glm::dvec3 normal)
 {
@@ -80,7 +84,8 @@ bool IsEar(
   return true;
 }
 
-/// The corners of a ring that are left, as seen along its normal, found by place: a balanced tree of boxes.
+/// Balanced k-d tree with bounding boxes over the remaining corners of a ring, projected along its
+/// normal.
 class CornerTree
 {
 public:
@@ -132,7 +137,7 @@ public:
     this->Slots[corner] = Removed;
   }
 
-  /// A corner strictly within the triangle, other than its own; None where there is none.
+  /// Returns a corner strictly inside the triangle, except the triangle's corners, or None.
   unsigned int FindCornerInside(const unsigned int (&triangle)[3]) const
   {
     glm::dvec2 projected[3];
@@ -153,14 +158,14 @@ private:
   {
     glm::dvec2 Low{ std::numeric_limits<double>::infinity() };
     glm::dvec2 High{ -std::numeric_limits<double>::infinity() };
-    std::size_t NumberOfCorners = 0; ///< corners that were not removed
+    std::size_t NumberOfCorners = 0; ///< corners that are not removed
   };
 
   glm::dvec2 Project(const glm::dvec3& corner) const
   {
     const glm::dvec3 d = corner - this->Origin;
     const glm::dvec2 projected(glm::dot(d, this->Across), glm::dot(d, this->Along));
-    // No triangle has a side next to what is not finite, so its place does not matter.
+    // Orientation tests with non-finite corners are never positive, so their position is arbitrary.
     return std::isfinite(projected.x + projected.y) ? projected : glm::dvec2(0.0);
   }
 
@@ -192,7 +197,7 @@ private:
     this->Build(2 * node + 2, middle, last);
   }
 
-  /// Can none of the box lie within the triangle?
+  /// Returns true if the box of the node and the triangle do not overlap.
   bool IsDisjoint(const Node& node, const glm::dvec2 (&triangle)[3]) const
   {
     const glm::dvec2 low =
@@ -207,7 +212,7 @@ private:
     {
       const glm::dvec2 from = triangle[k];
       const glm::dvec2 edge = triangle[(k + 1) % 3] - from;
-      // The corner of the box that lies farthest on the inner side.
+      // The corner of the box that is farthest toward the inner side of the edge.
       const glm::dvec2 farthest(
         edge.y > 0.0 ? node.Low.x : node.High.x, edge.x > 0.0 ? node.High.y : node.Low.y);
       const double inside = edge.x * (farthest.y - from.y) - edge.y * (farthest.x - from.x);
@@ -261,12 +266,13 @@ private:
   std::vector<glm::dvec3> Corners;
   std::vector<glm::dvec2> Projected;
   std::vector<unsigned int> SortedCorners;
-  std::vector<std::size_t> Slots; ///< in Order
-  std::vector<Node> Nodes;        ///< the children of i are 2 i + 1 and 2 i + 2
+  std::vector<std::size_t> Slots; ///< positions of the corners in SortedCorners
+  std::vector<Node> Nodes;        ///< the children of node i are 2 i + 1 and 2 i + 2
 };
 
-/// The walk of TriangulatePolygon for many corners. A corner that is no ear remembers which other one
-/// lies in the way, and is not asked again before that one or a neighbour is cut off.
+/// Ear clipping for polygons with many corners. For each corner that is not an ear, the clipper
+/// stores one corner inside its triangle. The corner is tested again only after that corner or a
+/// neighbor is removed.
 class EarClipper
 {
 public:
@@ -310,7 +316,7 @@ private:
       this->Outline[this->Next[current]]);
   }
 
-  /// From `at` on; `at` itself when no ear is left.
+  /// Returns the first ear from `current` on, or `current` if no corner is an ear.
   unsigned int FindNextEar(unsigned int current)
   {
     while (!this->Candidates.empty())
@@ -372,9 +378,10 @@ private:
   CornerTree Remaining;
   std::vector<unsigned int> Previous;
   std::vector<unsigned int> Next;
-  std::vector<unsigned int> Blocker;                 ///< of each corner the one in its way
-  std::vector<std::vector<unsigned int>> Dependents; ///< for each corner to go
-  std::set<unsigned int> Candidates;                 ///< those that may be ears
+  std::vector<unsigned int> Blocker; ///< a corner inside the triangle of each corner, or None
+  std::vector<std::vector<unsigned int>>
+    Dependents;                      ///< corners to test again when this one is removed
+  std::set<unsigned int> Candidates; ///< corners that may be ears
 };
 
 }
@@ -404,7 +411,8 @@ void TriangulatePolygon(const std::vector<glm::dvec3>& corners, std::vector<glm:
       ++rejected;
       continue;
     }
-    // An ear, or none is left (the outline crosses itself): cut anyway.
+    // The corner is an ear, or there is none because the outline intersects itself. Remove the
+    // corner in both cases.
     const std::size_t size = ring.size();
     triangles.emplace_back(ring[(i + size - 1) % size], ring[i], ring[(i + 1) % size]);
     ring.erase(ring.begin() + static_cast<Ring::difference_type>(i));

@@ -11,7 +11,7 @@ namespace penumbra
 namespace
 {
 
-/// Cuts the triangles of one surface by one plane.
+/// Clips the triangles of one surface by one plane.
 class PlaneClipper
 {
 public:
@@ -44,7 +44,7 @@ private:
 
   void Add(glm::uvec3 triangle, std::uint32_t source)
   {
-    // The part that is kept is a polygon of up to four corners.
+    // The part of the triangle in front of the plane is a polygon with up to four corners.
     std::uint32_t corners[4];
     int count = 0;
     for (int k = 0; k < 3; ++k)
@@ -73,7 +73,8 @@ private:
     }
   }
 
-  /// The point where edge (i, j) meets the plane; both neighbours of the edge get the same.
+  /// Returns the index of the intersection of edge (i, j) with the plane. Both triangles of the
+  /// edge use the same point.
   std::uint32_t IntersectEdge(std::uint32_t i, std::uint32_t j)
   {
     if (j < i)
@@ -114,10 +115,10 @@ private:
   }
   static glm::u8vec4 Interpolate(glm::u8vec4 a, glm::u8vec4 b, double t)
   {
-    return glm::mix(glm::dvec4(a), glm::dvec4(b), t) + .5;
+    return glm::mix(glm::dvec4(a), glm::dvec4(b), t) + 0.5;
   }
 
-  /// Values per triangle: those of the triangles that the new ones were cut from.
+  /// Copies the values per triangle from the original triangles to the clipped ones.
   void CopyTriangleValues(std::size_t count)
   {
     if (this->Target.CellIds.empty() &&

@@ -20,7 +20,7 @@ namespace penumbra
 namespace
 {
 
-// Edges have a width and an opacity of their own since VTK 9.3 and 9.4.
+// vtkProperty has an edge width since VTK 9.3 and an edge opacity since VTK 9.4.
 template <typename Property>
 auto FindEdgeWidth(Property* property, int)
   -> decltype(property->GetUseLineWidthForEdgeThickness(), property->GetEdgeWidth())
@@ -44,7 +44,7 @@ double FindEdgeOpacity(Property*, long)
   return 1.0;
 }
 
-/// One colour whatever the light.
+/// Returns a material whose color does not depend on the lights.
 Material MakeUnlitMaterial(const double color[3], double opacity)
 {
   Material material;
@@ -57,7 +57,7 @@ Material MakeUnlitMaterial(const double color[3], double opacity)
   return material;
 }
 
-/// Widens marks of one piece into surfaces.
+/// Expands the line segments and points of one draw item to surfaces.
 class LineExpander
 {
 public:
@@ -78,7 +78,7 @@ public:
     SetCellIds(item, cells, this->Attributes);
   }
 
-  /// How marks are drawn: in the piece's own look or in one colour of their own.
+  /// Appearance of segments. If Single is set, it replaces the material and the colors of the item.
   struct LineStyle
   {
     double Width = 1.0;
@@ -172,7 +172,7 @@ private:
     }
   }
 
-  /// The attributes at the share t of a mark.
+  /// Adds the attributes at parameter t in [0, 1] of a segment.
   void AddAttributes(
     const LineSegment& segment, const LineStyle& style, float t, glm::dvec3 direction)
   {
@@ -197,7 +197,7 @@ private:
       this->Result.PointColors.emplace_back(
         glm::mix(glm::vec4(this->Attributes.PointColors[segment.From]),
           glm::vec4(this->Attributes.PointColors[segment.To]), t) +
-        .5f);
+        0.5f);
     }
     interpolate(this->Attributes.ColorCoordinates, this->Result.ColorCoordinates);
     if (segment.From != segment.To && this->Attributes.LitTexture)
@@ -224,11 +224,11 @@ private:
     {
       return convert(atCells, segment.Cell);
     }
-    // VTK's choice for wireframes without normals: across the line, as much towards the eye as can
-    // be.
-    const Camera& eye = this->Target.ViewCamera;
+    // As VTK does for wireframes without normals: perpendicular to the line and as far toward the
+    // camera as possible.
+    const Camera& camera = this->Target.ViewCamera;
     const glm::dvec3 across =
-      glm::dot(direction, eye.Up) * eye.Right - glm::dot(direction, eye.Right) * eye.Up;
+      glm::dot(direction, camera.Up) * camera.Right - glm::dot(direction, camera.Right) * camera.Up;
     return glm::normalize(glm::cross(across, direction));
   }
 
@@ -238,7 +238,7 @@ private:
   std::vector<glm::vec3> Points;
   SceneTransform Transform;
   std::vector<glm::dvec4> Planes;
-  Surface Attributes; ///< holds the piece's colours, per point and per cell
+  Surface Attributes; ///< material and colors of the item, per point and per cell
   Surface Result;
 };
 
@@ -257,7 +257,7 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   {
     return;
   }
-  // VTK lights lines and points only where they have normals to be lit by; wireframes always.
+  // VTK lights lines and points only if they have normals, but always lights wireframes.
   const bool smooth =
     property->GetInterpolation() != VTK_FLAT && data->GetPointData()->GetNormals();
   LineExpander expander(item, pixelsPerPoint, scene);
@@ -274,14 +274,14 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   }
   if (edges)
   {
-    const Material style = MakeUnlitMaterial(
+    const Material material = MakeUnlitMaterial(
       property->GetEdgeColor(), property->GetOpacity() * FindEdgeOpacity(property, 0));
-    expander.Add(CollectEdges(item), { FindEdgeWidth(property, 0), false, &style });
+    expander.Add(CollectEdges(item), { FindEdgeWidth(property, 0), false, &material });
   }
   if (vertices)
   {
-    const Material style = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
-    expander.Add(CollectPoints(item, true), { pointSize, false, &style });
+    const Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
+    expander.Add(CollectPoints(item, true), { pointSize, false, &material });
   }
 }
 

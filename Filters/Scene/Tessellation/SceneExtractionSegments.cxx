@@ -17,7 +17,8 @@ namespace penumbra
 namespace
 {
 
-/// Calls use(ids, size, cell) for the cells of an array whose first cell has the number `first`.
+/// Calls callback(ids, size, cell) for the cells of an array whose first cell has the index
+/// `first`.
 template <typename Function>
 void ForEachCell(vtkCellArray* cells, vtkIdType first, Function&& callback)
 {
@@ -31,11 +32,11 @@ void ForEachCell(vtkCellArray* cells, vtkIdType first, Function&& callback)
 
 void Append(std::vector<LineSegment>& segments, vtkIdType from, vtkIdType to, std::uint32_t cell)
 {
-  // Negative or huge ids wrap to numbers that no point has, and are dropped with these.
+  // Out-of-range ids wrap to invalid point indices, which LineExpander skips.
   segments.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), cell });
 }
 
-/// Leaves of marks between the same two points the first.
+/// Keeps the first of the segments between the same two points.
 void RemoveDuplicates(std::vector<LineSegment>& segments)
 {
   const auto key = [](const LineSegment& segment) {

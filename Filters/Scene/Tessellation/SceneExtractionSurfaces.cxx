@@ -25,7 +25,7 @@ bool IsFinite(glm::vec3 x)
   return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
 }
 
-/// Collects triangles of one poly data and counts what it must leave out.
+/// Collects the triangles of one poly data and counts the cells and triangles that are skipped.
 class TriangleCollector
 {
 public:
@@ -84,7 +84,8 @@ public:
       const std::size_t before = this->Target.Triangles.size();
       if (this->AreValid(ids, size))
       {
-        // Stitched strips repeat points on purpose: their triangles without area are no news.
+        // Stitched strips repeat points on purpose, so their triangles without area are not
+        // counted.
         const std::size_t flat = this->DegenerateTriangles;
         for (vtkIdType k = 0; k + 2 < size; ++k)
         {
@@ -100,7 +101,7 @@ public:
     }
   }
 
-  /// Per triangle the cell of the data; empty where that is the triangle's own index.
+  /// Returns the cell of each triangle; empty if it is the triangle's index.
   const std::vector<std::uint32_t>& GetCells() const { return this->Cells; }
 
   void Warn(const std::string& name, std::vector<std::string>& warnings) const
@@ -108,12 +109,12 @@ public:
     if (this->InvalidCells > 0)
     {
       warnings.push_back(name + ": " + std::to_string(this->InvalidCells) +
-        " cells use points that do not exist or are not finite; left out.");
+        " cells use points that do not exist or are not finite. They were skipped.");
     }
     if (this->DegenerateTriangles > 0)
     {
       warnings.push_back(name + ": " + std::to_string(this->DegenerateTriangles) +
-        " triangles without area left out.");
+        " triangles without area were skipped.");
     }
   }
 
@@ -172,7 +173,7 @@ private:
     }
     if (this->AreCellsTriangles)
     {
-      // The first cell that is not one triangle: from here on the list is kept.
+      // This is the first cell that is not a single triangle. From here on, the cells are recorded.
       this->AreCellsTriangles = false;
       this->Cells.reserve(this->Target.Triangles.capacity());
       for (std::uint32_t i = 0; i < this->NextCell; ++i)
@@ -191,12 +192,13 @@ private:
   std::vector<glm::uvec3> Triangulation;
   std::vector<std::uint32_t> Cells;
   std::uint32_t NextCell = 0;
-  bool AreCellsTriangles = true; ///< so far, cell i is triangle i
+  bool AreCellsTriangles = true; ///< true as long as cell i is triangle i
   std::size_t InvalidCells = 0;
   std::size_t DegenerateTriangles = 0;
 };
 
-/// How many triangles (or cells themselves, see SetColors()) get values of cells.
+/// Returns the number of values per cell that `surface` needs: the size of `cells`, or the number
+/// of triangles if `cells` is empty.
 std::size_t CountValues(const std::vector<std::uint32_t>& cells, const Surface& surface)
 {
   return cells.empty() ? surface.Triangles.size() : cells.size();

@@ -9,7 +9,7 @@ using namespace penumbra;
 namespace
 {
 
-/// [0, 4] x [0, 4] at height 0, with values at the corners that are linear in x.
+/// Returns the square [0, 4] x [0, 4] at z = 0 with point colors and normals that are linear in x.
 Surface MakeSquare()
 {
   Surface surface;
@@ -31,7 +31,7 @@ double ComputeArea(const Surface& surface)
   for (const glm::uvec3& t : surface.Triangles)
   {
     const glm::dvec3 a = surface.Positions[t.x];
-    area += .5 *
+    area += 0.5 *
       glm::cross(glm::dvec3(surface.Positions[t.y]) - a, glm::dvec3(surface.Positions[t.z]) - a).z;
   }
   return area;
@@ -39,7 +39,7 @@ double ComputeArea(const Surface& surface)
 
 }
 
-TEST(Clipping, KeepsTheSideThatPlanesFace)
+TEST(Clipping, KeepsThePositiveSideOfPlanes)
 {
   Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
@@ -50,7 +50,7 @@ TEST(Clipping, KeepsTheSideThatPlanesFace)
   EXPECT_GT(surface.Positions.capacity(), surface.Positions.size());
 }
 
-TEST(Clipping, InterpolatesAtCutsAndFollowsCells)
+TEST(Clipping, InterpolatesPointDataAndCopiesCellData)
 {
   Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
@@ -69,25 +69,25 @@ TEST(Clipping, InterpolatesAtCutsAndFollowsCells)
   }
 }
 
-TEST(Clipping, SharesTheNewPointsOfNeighbours)
+TEST(Clipping, ReusesNewPointsOfNeighboringTriangles)
 {
   Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
   EXPECT_EQ(surface.Positions.size(), 4u + 3u);
 }
 
-TEST(Clipping, TakesPlanesInWorldCoordinates)
+TEST(Clipping, AcceptsPlanesInWorldCoordinates)
 {
   Scene scene;
   scene.Origin = { 100.0, 0.0, 0.0 };
-  scene.Scale = .5;
+  scene.Scale = 0.5;
   Surface surface = MakeSquare();
-  // x = 1 in the scene is 102 in the world.
+  // x = 1 in scene coordinates is x = 102 in world coordinates.
   ClipSurface({ { 1.0, 0.0, 0.0, -102.0 } }, scene, surface);
   EXPECT_NEAR(ComputeArea(surface), 12.0, 1e-6);
 }
 
-TEST(Clipping, LeavesNothingBehindAPlaneThatFacesAway)
+TEST(Clipping, RemovesAllOrNothingIfNoTriangleIsCut)
 {
   Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -9.0 } }, Scene(), surface);

@@ -32,7 +32,7 @@ ExtractionOptions MakeOptions(int width, int height)
   return options;
 }
 
-/// The overlay alone, over transparent black: straight colours, row by row.
+/// Composites the overlay over transparent black. Returns straight-alpha colors, row by row.
 std::vector<glm::vec4> Composite(const Overlay& overlay)
 {
   const int width = overlay.GetWidth();
@@ -45,7 +45,7 @@ std::vector<glm::vec4> Composite(const Overlay& overlay)
   return colors;
 }
 
-/// The largest value of a colour's channels and alpha inside [low, high).
+/// Returns the maximum of each channel over the pixels in [low, high).
 glm::vec4 ComputeMaximum(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high)
 {
   const std::vector<glm::vec4> colors = Composite(overlay);
@@ -62,21 +62,21 @@ glm::vec4 ComputeMaximum(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high
 
 }
 
-TEST(Overlay, CoversPixelsByTheirExactShare)
+TEST(Overlay, FillsRectanglesWithExactCoverage)
 {
   Overlay overlay(4, 3);
   EXPECT_TRUE(overlay.IsEmpty());
-  overlay.FillRectangle({ .75, .5 }, { 2.5, 1.25 }, { 1.f, .5f, 0.f, 1.f });
+  overlay.FillRectangle({ 0.75, 0.5 }, { 2.5, 1.25 }, { 1.f, 0.5f, 0.f, 1.f });
   const std::vector<glm::vec4> colors = Composite(overlay);
-  const float shares[12] = { .125f, .5f, .25f, 0.f, .0625f, .25f, .125f, 0.f };
+  const float expected[12] = { 0.125f, 0.5f, 0.25f, 0.f, 0.0625f, 0.25f, 0.125f, 0.f };
   for (int i = 0; i < 12; ++i)
   {
-    EXPECT_FLOAT_EQ(colors[i].a, shares[i]) << i;
-    EXPECT_FLOAT_EQ(colors[i].r, shares[i] > 0.f ? 1.f : 0.f) << i;
+    EXPECT_FLOAT_EQ(colors[i].a, expected[i]) << i;
+    EXPECT_FLOAT_EQ(colors[i].r, expected[i] > 0.f ? 1.f : 0.f) << i;
   }
 }
 
-TEST(Overlay, IgnoresWhatLiesOutside)
+TEST(Overlay, IgnoresRectanglesOutsideTheImage)
 {
   Overlay overlay(4, 3);
   overlay.FillRectangle({ -5.0, -5.0 }, { -1.0, 9.0 }, glm::vec4(1.f));
@@ -87,21 +87,21 @@ TEST(Overlay, IgnoresWhatLiesOutside)
   EXPECT_EQ(Composite(overlay)[11], glm::vec4(1.f));
 }
 
-TEST(Overlay, ComposesStraightAlphaOverAnyPicture)
+TEST(Overlay, CompositesOverOpaqueAndTranslucentColors)
 {
   Overlay overlay(1, 1);
-  overlay.FillRectangle({ 0.0, 0.0 }, { 1.0, 1.0 }, { 1.f, 0.f, 0.f, .5f });
+  overlay.FillRectangle({ 0.0, 0.0 }, { 1.0, 1.0 }, { 1.f, 0.f, 0.f, 0.5f });
   glm::vec4 opaque(0.f, 1.f, 0.f, 1.f);
   overlay.CompositeOver(0, 0, 1, &opaque);
-  EXPECT_EQ(opaque, glm::vec4(.5f, .5f, 0.f, 1.f));
-  glm::vec4 half(0.f, 1.f, 0.f, .5f);
+  EXPECT_EQ(opaque, glm::vec4(0.5f, 0.5f, 0.f, 1.f));
+  glm::vec4 half(0.f, 1.f, 0.f, 0.5f);
   overlay.CompositeOver(0, 0, 1, &half);
-  EXPECT_FLOAT_EQ(half.a, .75f);
-  EXPECT_FLOAT_EQ(half.r, .5f / .75f);
-  EXPECT_FLOAT_EQ(half.g, .25f / .75f);
+  EXPECT_FLOAT_EQ(half.a, 0.75f);
+  EXPECT_FLOAT_EQ(half.r, 0.5f / 0.75f);
+  EXPECT_FLOAT_EQ(half.g, 0.25f / 0.75f);
 }
 
-TEST(Overlay, DrawsTextAsVTKDoes)
+TEST(Overlay, MatchesVTKForText)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
@@ -109,11 +109,11 @@ TEST(Overlay, DrawsTextAsVTKDoes)
   window->SetMultiSamples(0);
   window->SetSize(200, 100);
   window->AddRenderer(renderer);
-  renderer->SetBackground(.2, .3, .4);
+  renderer->SetBackground(0.2, 0.3, 0.4);
   vtkNew<vtkTextActor> text;
   text->SetInput("Penumbra 3.14");
   text->GetTextProperty()->SetFontSize(24);
-  text->GetTextProperty()->SetColor(1.0, .8, .2);
+  text->GetTextProperty()->SetColor(1.0, 0.8, 0.2);
   text->SetPosition(10, 30);
   renderer->AddViewProp(text);
   window->Render();
@@ -126,7 +126,7 @@ TEST(Overlay, DrawsTextAsVTKDoes)
   int written = 0;
   for (int y = 0; y < 100; ++y)
   {
-    std::vector<glm::vec4> row(200, glm::vec4(.2f, .3f, .4f, 1.f));
+    std::vector<glm::vec4> row(200, glm::vec4(0.2f, 0.3f, 0.4f, 1.f));
     scene.OverlayImage.CompositeOver(0, y, 200, row.data());
     for (int x = 0; x < 200; ++x)
     {
@@ -134,13 +134,13 @@ TEST(Overlay, DrawsTextAsVTKDoes)
       {
         EXPECT_NEAR(255.f * row[x][k], raster->GetComponent(y * 200 + x, k), 2.0) << x << " " << y;
       }
-      written += row[x].r > .9f;
+      written += row[x].r > 0.9f;
     }
   }
   EXPECT_GT(written, 200);
 }
 
-TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
+TEST(ScalarBar, DrawsColorsLabelsAndTitle)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLookupTable> table;
@@ -158,8 +158,8 @@ TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
     if (!vertical)
     {
       bar->SetOrientationToHorizontal();
-      bar->SetPosition(.1, .1);
-      bar->SetPosition2(.8, .2);
+      bar->SetPosition(0.1, 0.1);
+      bar->SetPosition2(0.8, 0.2);
     }
     const Scene scene = ExtractScene(renderer, MakeOptions(400, 300));
     EXPECT_TRUE(scene.Warnings.empty());
@@ -167,24 +167,24 @@ TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
     const auto red = [&](int x, int y) { return colors[y * 400 + x].r; };
     if (vertical)
     {
-      // The band starts at (.82, .1) of the picture; red grows upwards.
+      // The color bar starts at (0.82, 0.1) of the image size; red increases upward.
       EXPECT_LT(red(335, 35), red(335, 120));
       EXPECT_LT(red(335, 120), red(335, 200));
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, .5f);  // labels
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, .5f); // title
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, 0.5f);  // labels
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, 0.5f); // title
     }
     else
     {
       EXPECT_LT(red(50, 35), red(200, 35));
       EXPECT_LT(red(200, 35), red(350, 35));
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, .5f);
-      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, .5f);
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, 0.5f);
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, 0.5f);
     }
     EXPECT_EQ(ComputeMaximum(scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
   }
 }
 
-TEST(ScalarBar, NamesItsPartsThatAreLeftOut)
+TEST(ScalarBar, WarnsAboutEachUnsupportedPart)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLookupTable> table;
@@ -202,7 +202,7 @@ TEST(ScalarBar, NamesItsPartsThatAreLeftOut)
   EXPECT_NE(warnings[0].find("NaN swatches"), std::string::npos) << warnings[0];
 }
 
-TEST(ScalarBar, FormatsLabelsInBothOfVTKsStyles)
+TEST(ScalarBar, FormatsLabelsWithPrintfAndStdFormatStrings)
 {
   EXPECT_EQ(FormatLabel("%-#6.3g", 2.5), "2.50");
   EXPECT_EQ(FormatLabel("{:<#6.3g}", 2.5), "2.50");
@@ -213,7 +213,7 @@ TEST(ScalarBar, FormatsLabelsInBothOfVTKsStyles)
   EXPECT_EQ(FormatLabel(nullptr, 2.5), "2.5");
 }
 
-TEST(ScalarBar, SpreadsLogarithmicTablesInTheirLogarithm)
+TEST(ScalarBar, SpacesValuesEvenlyOnTheScaleOfTheTable)
 {
   vtkNew<vtkLookupTable> table;
   table->SetRange(1.0, 10000.0);

@@ -25,7 +25,7 @@ Triangles Triangulate(const Corners& corners)
   return triangles;
 }
 
-/// The sum of the triangles' areas, each taken positive, and of their signed areas along +z.
+/// Returns the sum of the triangles' absolute areas and the sum of their signed areas along +z.
 std::pair<double, double> ComputeAreas(const Corners& corners)
 {
   double positive = 0.0;
@@ -33,13 +33,13 @@ std::pair<double, double> ComputeAreas(const Corners& corners)
   for (const glm::uvec3& t : Triangulate(corners))
   {
     const glm::dvec3 cross = glm::cross(corners[t.y] - corners[t.x], corners[t.z] - corners[t.x]);
-    positive += .5 * glm::length(cross);
-    signedSum += .5 * cross.z;
+    positive += 0.5 * glm::length(cross);
+    signedSum += 0.5 * cross.z;
   }
   return { positive, signedSum };
 }
 
-/// Every corner asked about every other, again and again.
+/// Reference implementation: ear clipping that tests each corner against all remaining corners.
 Triangles TriangulateNaively(const Corners& corners)
 {
   glm::dvec3 normal(0.0);
@@ -80,32 +80,33 @@ Triangles TriangulateNaively(const Corners& corners)
   return triangles;
 }
 
-/// Teeth that lean over: no corner between them is an ear before what is above it has gone.
+/// Returns a comb with slanted teeth: corners between two teeth become ears only after the corners
+/// above them are removed.
 Corners MakeLeaningComb(int size)
 {
   Corners comb{ { -1, 0, 0 }, { size, 0, 0 } };
   for (int i = size; i-- > 0;)
   {
-    comb.emplace_back(i + (i & 1 ? 40.0 : 0.0), i & 1 ? 100.0 : 1.0 + .25 * i / size, 0.0);
+    comb.emplace_back(i + (i & 1 ? 40.0 : 0.0), i & 1 ? 100.0 : 1.0 + 0.25 * i / size, 0.0);
   }
   return comb;
 }
 
 }
 
-TEST(PolygonTriangulation, WalksThroughManyCornersAsThroughFew)
+TEST(PolygonTriangulation, MatchesNaiveEarClippingForManyCorners)
 {
   std::mt19937 generator(3);
-  std::uniform_real_distribution<double> radius(.2, 1.0);
+  std::uniform_real_distribution<double> radius(0.2, 1.0);
   for (const int size : { 64, 65, 100, 300 })
   {
     Corners star;
-    Corners crossed; // by itself
+    Corners crossed; // self-intersecting
     for (int i = 0; i < size; ++i)
     {
       const double angle = 6.283185307179586 * i / size;
       const double r = radius(generator);
-      star.emplace_back(r * std::cos(angle), r * std::sin(angle), .3 * r);
+      star.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.3 * r);
       crossed.emplace_back(radius(generator), radius(generator), radius(generator));
     }
     for (const Corners& corners : { star, crossed, MakeLeaningComb(size) })
@@ -115,18 +116,18 @@ TEST(PolygonTriangulation, WalksThroughManyCornersAsThroughFew)
   }
 }
 
-TEST(PolygonTriangulation, CutsTensOfThousandsOfTeeth)
+TEST(PolygonTriangulation, TriangulatesTensOfThousandsOfCorners)
 {
   const Corners comb = MakeLeaningComb(50000);
   EXPECT_EQ(Triangulate(comb).size(), comb.size() - 2);
 }
 
-TEST(PolygonTriangulation, IsAFanForConvexPolygons)
+TEST(PolygonTriangulation, MakesFansOfConvexPolygons)
 {
   Corners hexagon;
   for (int i = 0; i < 6; ++i)
   {
-    hexagon.emplace_back(std::cos(i), std::sin(i), .3 * std::cos(i));
+    hexagon.emplace_back(std::cos(i), std::sin(i), 0.3 * std::cos(i));
   }
   const Triangles triangles = Triangulate(hexagon);
   ASSERT_EQ(triangles.size(), 4u);
@@ -138,11 +139,11 @@ TEST(PolygonTriangulation, IsAFanForConvexPolygons)
 
 TEST(PolygonTriangulation, CoversConcavePolygonsOnce)
 {
-  // An L, a quadrilateral with a reflex corner, and a star.
+  // An L shape, a quadrilateral with a reflex corner, and a star.
   const Corners l{ { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };
   EXPECT_NEAR(ComputeAreas(l).first, 3.0, 1e-12);
   EXPECT_NEAR(ComputeAreas(l).second, 3.0, 1e-12);
-  const Corners dart{ { 0, 0, 0 }, { 1, .2, 0 }, { 2, 0, 0 }, { 1, 2, 0 } };
+  const Corners dart{ { 0, 0, 0 }, { 1, 0.2, 0 }, { 2, 0, 0 }, { 1, 2, 0 } };
   EXPECT_NEAR(ComputeAreas(dart).first, ComputeAreas(dart).second, 1e-12);
   EXPECT_NEAR(ComputeAreas(dart).first, 1.8, 1e-12);
   Corners star;
@@ -150,15 +151,15 @@ TEST(PolygonTriangulation, CoversConcavePolygonsOnce)
   for (int i = 0; i < 20; ++i)
   {
     const double angle = i * 3.14159265358979323846 / 10.0;
-    const double r = i % 2 ? .3 : 1.0;
+    const double r = i % 2 ? 0.3 : 1.0;
     star.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.0);
-    area += .5 * .3 * std::sin(3.14159265358979323846 / 10.0);
+    area += 0.5 * 0.3 * std::sin(3.14159265358979323846 / 10.0);
   }
   EXPECT_NEAR(ComputeAreas(star).first, area, 1e-12);
   EXPECT_NEAR(ComputeAreas(star).second, area, 1e-12);
 }
 
-TEST(PolygonTriangulation, SkipsCornersThatCoincide)
+TEST(PolygonTriangulation, SkipsCoincidentCorners)
 {
   const Corners corners{ { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 0 } };
   EXPECT_EQ(Triangulate(corners).size(), 1u);
@@ -167,15 +168,15 @@ TEST(PolygonTriangulation, SkipsCornersThatCoincide)
   EXPECT_TRUE(Triangulate({}).empty());
 }
 
-TEST(PolygonTriangulation, EndsOnPolygonsThatCrossThemselves)
+TEST(PolygonTriangulation, TerminatesForSelfIntersectingPolygons)
 {
-  const Corners bow{ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, .5, 0 } };
+  const Corners bow{ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0.5, 0 } };
   EXPECT_EQ(Triangulate(bow).size(), 3u);
   const Corners line{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 } };
   EXPECT_EQ(Triangulate(line).size(), 3u);
 }
 
-TEST(PolygonTriangulation, EndsOnManyCornersOneOfWhichIsNotANumber)
+TEST(PolygonTriangulation, TerminatesForNaNCorners)
 {
   Corners comb = MakeLeaningComb(200);
   comb[77].y = std::numeric_limits<double>::quiet_NaN();
