@@ -31,8 +31,8 @@ using Estimate = vtkPenumbraIrradianceProvider::Estimate;
 
 constexpr double Pi = glm::pi<double>();
 
-/// Fraction of the hemisphere, times the number of rays n, that occluders may cover although all rays
-/// agree: the error is at least this divided by n.
+/// Fraction of the hemisphere, times the number of rays n, that occluders may cover although all
+/// rays agree: the error is at least this divided by n.
 constexpr double UndetectedFraction = 0.5;
 
 /// Standard error of the mean of n stratified rays above half-planes and disks, divided by n^(-3/4)
@@ -45,8 +45,8 @@ constexpr double StratificationGain = 0.62;
 /// crosses agree by chance, and stopping then would underestimate the error.
 constexpr double VarianceFloorPairs = 2.0;
 
-/// Number of paths per MinimumRays in the first round. Light sources are smaller than occluders, so that
-/// irradiance needs more.
+/// Number of paths per MinimumRays in the first round. Light sources are smaller than occluders, so
+/// that irradiance needs more.
 constexpr std::uint32_t PathsPerRay = 8;
 
 /// Returns the smallest power of two that is at least 8 and `minimum`, but at most `limit` (or 8).
@@ -120,8 +120,8 @@ private:
     }
   }
 
-  /// Computes the occlusion of each ray of a packet. Without falloff, any hit suffices; otherwise the
-  /// nearest hit is needed.
+  /// Computes the occlusion of each ray of a packet. Without falloff, any hit suffices; otherwise
+  /// the nearest hit is needed.
   void ComputeOcclusion(const Ray* rays, float* occlusion) const
   {
     if (this->Falloff.IsConstant())

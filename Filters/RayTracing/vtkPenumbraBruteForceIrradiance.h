@@ -6,9 +6,9 @@
  *
  * Other irradiance providers are compared with this class. Rays follow a scrambled low-discrepancy
  * sequence whose seed depends only on the point and its normal. The number of rays is doubled until
- * the estimated error is within the tolerance or MaximumRays is reached. The error is estimated from
- * pairs of rays that share a cell of the hemisphere: they differ if the edge of an occluder passes
- * through the cell. For irradiance, each ray is the start of a path.
+ * the estimated error is within the tolerance or MaximumRays is reached. The error is estimated
+ * from pairs of rays that share a cell of the hemisphere: they differ if the edge of an occluder
+ * passes through the cell. For irradiance, each ray is the start of a path.
  */
 #ifndef vtkPenumbraBruteForceIrradiance_h
 #define vtkPenumbraBruteForceIrradiance_h
@@ -33,9 +33,9 @@ public:
 
   ///@{
   /**
-   * Number of rays per point in the first round, rounded up to a power of two. Irradiance starts with
-   * eight times this number of paths. Neither exceeds MaximumRays. Occluders that all these rays miss
-   * are not detected. Range: [8, 65536]. Default: 32.
+   * Number of rays per point in the first round, rounded up to a power of two. Irradiance starts
+   * with eight times this number of paths. Neither exceeds MaximumRays. Occluders that all these
+   * rays miss are not detected. Range: [8, 65536]. Default: 32.
    */
   vtkSetClampMacro(MinimumRays, int, 8, 65536);
   vtkGetMacro(MinimumRays, int);

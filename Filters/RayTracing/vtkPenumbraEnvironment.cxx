@@ -24,7 +24,8 @@ double LinearizeSRGB(double value)
   return value <= .04045 ? value / 12.92 : std::pow((value + .055) / 1.055, 2.4);
 }
 
-/// Returns the largest value of an integer type, which stands for radiance 1, or 0 for floating-point types.
+/// Returns the largest value of an integer type, which stands for radiance 1, or 0 for
+/// floating-point types.
 double GetIntegerMaximum(vtkDataArray* values)
 {
   const int type = values->GetDataType();

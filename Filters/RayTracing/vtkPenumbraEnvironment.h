@@ -4,10 +4,11 @@
  * @class   vtkPenumbraEnvironment
  * @brief   Environment map in latitude-longitude (equirectangular) projection.
  *
- * Pass it to vtkPenumbraRayCaster or vtkPenumbraIrradianceFilter, where it replaces EnvironmentColor.
- * The image covers a sphere at infinity with the orientation of vtkRenderer and vtkSkybox: the top edge
- * is the direction Up, the middle column is Right, and the columns to the right of the middle turn
- * towards Right x Up. Texels have constant color: they are not interpolated.
+ * Pass it to vtkPenumbraRayCaster or vtkPenumbraIrradianceFilter, where it replaces
+ * EnvironmentColor. The image covers a sphere at infinity with the orientation of vtkRenderer and
+ * vtkSkybox: the top edge is the direction Up, the middle column is Right, and the columns to the
+ * right of the middle turn towards Right x Up. Texels have constant color: they are not
+ * interpolated.
  */
 #ifndef vtkPenumbraEnvironment_h
 #define vtkPenumbraEnvironment_h
@@ -34,9 +35,9 @@ public:
 
   ///@{
   /**
-   * Environment image, one slice, with point scalars of 1 (gray) or at least 3 components (red, green,
-   * blue), bottom row first. Floating-point values (as read by vtkHDRReader) are radiance. Integers are
-   * sRGB-encoded, and the largest value of their type is radiance 1. Default: nullptr.
+   * Environment image, one slice, with point scalars of 1 (gray) or at least 3 components (red,
+   * green, blue), bottom row first. Floating-point values (as read by vtkHDRReader) are radiance.
+   * Integers are sRGB-encoded, and the largest value of their type is radiance 1. Default: nullptr.
    */
   virtual void SetImage(vtkImageData* image);
   vtkImageData* GetImage();
@@ -49,23 +50,27 @@ public:
   ///@}
 
   ///@{
-  /** Direction of the top edge of the image, finite and nonzero; need not be unit. Default: (0, 1, 0). */
+  /**
+   * Direction of the top edge of the image, finite and nonzero; need not be unit. Default: (0, 1,
+   * 0).
+   */
   vtkSetVector3Macro(Up, double);
   vtkGetVector3Macro(Up, double);
   ///@}
 
   ///@{
   /**
-   * Direction of the middle column of the image. It is made perpendicular to Up. If it is parallel to
-   * Up, an arbitrary perpendicular direction is used. Default: (1, 0, 0).
+   * Direction of the middle column of the image. It is made perpendicular to Up. If it is parallel
+   * to Up, an arbitrary perpendicular direction is used. Default: (1, 0, 0).
    */
   vtkSetVector3Macro(Right, double);
   vtkGetVector3Macro(Right, double);
   ///@}
 
   /**
-   * Environment map for ray queries; it is rebuilt only after a modification. Throws std::runtime_error
-   * if there is no image, if a radiance is negative or not finite, or if Up is zero or not finite.
+   * Environment map for ray queries; it is rebuilt only after a modification. Throws
+   * std::runtime_error if there is no image, if a radiance is negative or not finite, or if Up is
+   * zero or not finite.
    */
   VTK_WRAPEXCLUDE std::shared_ptr<const penumbra::EnvironmentMap> GetMap();
 

@@ -9,17 +9,17 @@
  *
  *   AO(p, n) = 1/pi * integral over directions w with w.n > 0 of D(t(p, w)) (w.n) dw.
  *
- * t is the distance of the first hit. D = 1 for t < Radius, or a falloff, and D = 0 beyond. Open points
- * have the value 0, fully occluded points 1. Surfaces occlude from both sides; lines and points do not
- * occlude. The irradiance of a point is the integral of the incident radiance times w.n: pi under a sky
- * of radiance 1.
+ * t is the distance of the first hit. D = 1 for t < Radius, or a falloff, and D = 0 beyond. Open
+ * points have the value 0, fully occluded points 1. Surfaces occlude from both sides; lines and
+ * points do not occlude. The irradiance of a point is the integral of the incident radiance times
+ * w.n: pi under a sky of radiance 1.
  *
- * The default provider, vtkPenumbraBruteForceIrradiance, traces rays for every point. Other providers
- * may cache results and interpolate between them.
+ * The default provider, vtkPenumbraBruteForceIrradiance, traces rays for every point. Other
+ * providers may cache results and interpolate between them.
  *
- * Call Begin() once per image, then Occlusion() from any number of threads; likewise BeginIrradiance()
- * and Irradiance(). The result for a point must not depend on the thread or on earlier calls, so that
- * images do not depend on the number of threads or on tiles.
+ * Call Begin() once per image, then Occlusion() from any number of threads; likewise
+ * BeginIrradiance() and Irradiance(). The result for a point must not depend on the thread or on
+ * earlier calls, so that images do not depend on the number of threads or on tiles.
  */
 #ifndef vtkPenumbraIrradianceProvider_h
 #define vtkPenumbraIrradianceProvider_h
@@ -75,24 +75,25 @@ public:
   using Progress = std::function<bool(double)>;
 
   /**
-   * Prepares calls of Occlusion() for `scene`, which must exist until the last of them. `occluders` is a
-   * radius or a radius and a falloff. `tolerance` is the accepted standard error of each result. Begin()
-   * is called for each part of an image, so a provider may keep its results as long as the scene and the
-   * arguments are the same. Returns false if `progress` stopped it; Occlusion() must not be called then.
+   * Prepares calls of Occlusion() for `scene`, which must exist until the last of them. `occluders`
+   * is a radius or a radius and a falloff. `tolerance` is the accepted standard error of each
+   * result. Begin() is called for each part of an image, so a provider may keep its results as long
+   * as the scene and the arguments are the same. Returns false if `progress` stopped it;
+   * Occlusion() must not be called then.
    */
   virtual bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) = 0;
 
   /**
-   * Returns the occlusion at `point` (world coordinates) in the hemisphere about `normal` (unit). The
-   * caller chooses the side: images use the geometric normal that faces the camera.
+   * Returns the occlusion at `point` (world coordinates) in the hemisphere about `normal` (unit).
+   * The caller chooses the side: images use the geometric normal that faces the camera.
    */
   virtual Estimate Occlusion(const double point[3], const double normal[3]) const = 0;
 
   /**
-   * Returns the occlusion with a standard error of at most `tolerance` instead, for one of several points
-   * whose results are averaged. The errors must be unbiased and independent between points. The default
-   * implementation calls Occlusion().
+   * Returns the occlusion with a standard error of at most `tolerance` instead, for one of several
+   * points whose results are averaged. The errors must be unbiased and independent between points.
+   * The default implementation calls Occlusion().
    */
   virtual Estimate OcclusionWithin(
     const double point[3], const double normal[3], double vtkNotUsed(tolerance)) const
@@ -100,7 +101,10 @@ public:
     return this->Occlusion(point, normal);
   }
 
-  /** Estimated irradiance (red, green, blue), its standard error, and the number of rays traced for it. */
+  /**
+   * Estimated irradiance (red, green, blue), its standard error, and the number of rays traced for
+   * it.
+   */
   struct Light
   {
     double Value[3] = { 0.0, 0.0, 0.0 };
@@ -109,15 +113,16 @@ public:
   };
 
   /**
-   * Prepares calls of Irradiance() for `light`, as Begin() does for Occlusion(). `tolerance` has the unit
-   * of irradiance. The scene that `light` refers to must exist until the last call; `light` need not.
+   * Prepares calls of Irradiance() for `light`, as Begin() does for Occlusion(). `tolerance` has
+   * the unit of irradiance. The scene that `light` refers to must exist until the last call;
+   * `light` need not.
    */
   virtual bool BeginIrradiance(
     const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) = 0;
 
   /**
-   * Returns the irradiance at `point` (world coordinates) in the hemisphere about `normal` (unit), with a
-   * standard error of at most `tolerance`.
+   * Returns the irradiance at `point` (world coordinates) in the hemisphere about `normal` (unit),
+   * with a standard error of at most `tolerance`.
    */
   virtual Light Irradiance(
     const double point[3], const double normal[3], double tolerance) const = 0;

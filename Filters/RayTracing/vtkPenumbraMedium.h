@@ -8,10 +8,10 @@
  *
  *   integral over t of Scattering p(cosine) E V(t) exp(-Extinction (t + l(t))) dt.
  *
- * p is the phase function, V(t) is 0 in shadow and 1 elsewhere, and l(t) is the distance that the light
- * travels through the medium. In an unbounded medium, l = 0 for directional lights, and the integral over
- * an unshadowed ray is [Shafts eq. 1]. E is the color of the light times its intensity and, for
- * positional lights, its attenuation.
+ * p is the phase function, V(t) is 0 in shadow and 1 elsewhere, and l(t) is the distance that the
+ * light travels through the medium. In an unbounded medium, l = 0 for directional lights, and the
+ * integral over an unshadowed ray is [Shafts eq. 1]. E is the color of the light times its
+ * intensity and, for positional lights, its attenuation.
  */
 #ifndef vtkPenumbraMedium_h
 #define vtkPenumbraMedium_h
@@ -30,8 +30,8 @@ public:
 
   ///@{
   /**
-   * Scattering coefficient: fraction of light scattered per world unit. If negative, 0.25 divided by the
-   * diagonal of the scene. Default: -1.
+   * Scattering coefficient: fraction of light scattered per world unit. If negative, 0.25 divided
+   * by the diagonal of the scene. Default: -1.
    */
   vtkSetMacro(Scattering, double);
   vtkGetMacro(Scattering, double);
@@ -39,8 +39,8 @@ public:
 
   ///@{
   /**
-   * Extinction coefficient: fraction of light absorbed or scattered out per world unit. A value below
-   * Scattering is replaced by Scattering, which means no absorption. Default: -1.
+   * Extinction coefficient: fraction of light absorbed or scattered out per world unit. A value
+   * below Scattering is replaced by Scattering, which means no absorption. Default: -1.
    */
   vtkSetMacro(Extinction, double);
   vtkGetMacro(Extinction, double);
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Bounding box of the medium in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. Values may be
-   * infinite. Default: unbounded.
+   * Bounding box of the medium in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. Values may
+   * be infinite. Default: unbounded.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);

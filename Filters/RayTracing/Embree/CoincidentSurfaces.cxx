@@ -60,7 +60,8 @@ bool AreNear(const Box& a, const Box& b, float tolerance)
   return true;
 }
 
-/// Returns the key that orders coplanar surfaces by material; the surface with the smaller key is in front.
+/// Returns the key that orders coplanar surfaces by material; the surface with the smaller key is
+/// in front.
 std::array<float, 16> SortKey(const Surface& surface)
 {
   const Material& front = surface.Front;

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Resolution of coincident surfaces: selects the visible hit if several surfaces are closer to each other
-// along a ray than single precision can resolve. Distances are compared in double precision. Coplanar
-// surfaces are ordered by their materials, so that the image depends neither on the order of the actors
-// nor on rounding: lines and points are in front, then opaque surfaces, then brighter ones.
+// Resolution of coincident surfaces: selects the visible hit if several surfaces are closer to each
+// other along a ray than single precision can resolve. Distances are compared in double precision.
+// Coplanar surfaces are ordered by their materials, so that the image depends neither on the order
+// of the actors nor on rounding: lines and points are in front, then opaque surfaces, then brighter
+// ones.
 #ifndef penumbra_CoincidentSurfaces_h
 #define penumbra_CoincidentSurfaces_h
 
@@ -35,27 +36,27 @@ struct CandidateHits
   int Count = 0;
   float Far = 0.f; ///< Ray::Far
 
-  /// Adds `hit` and removes hits farther than `tolerance` behind the nearest one. If the capacity is
-  /// exceeded, the farthest hit is dropped. Returns the distance of the nearest hit.
+  /// Adds `hit` and removes hits farther than `tolerance` behind the nearest one. If the capacity
+  /// is exceeded, the farthest hit is dropped. Returns the distance of the nearest hit.
   float Add(const CandidateHit& hit, float tolerance);
 };
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT CoincidentSurfaces
 {
 public:
-  /// Finds the surfaces whose bounding boxes are within the depth tolerance of another one. `scene` must
-  /// outlive this object.
+  /// Finds the surfaces whose bounding boxes are within the depth tolerance of another one. `scene`
+  /// must outlive this object.
   explicit CoincidentSurfaces(const Scene& scene);
 
-  /// Returns the distance along a ray, in scene units, below which single precision may not separate
-  /// this surface from another one; 0 if no other surface is near.
+  /// Returns the distance along a ray, in scene units, below which single precision may not
+  /// separate this surface from another one; 0 if no other surface is near.
   float DepthTolerance(std::uint32_t surface) const { return this->DepthTolerances[surface]; }
 
   /// Returns true if no two surfaces are near each other.
   bool IsEmpty() const { return this->Empty; }
 
-  /// Returns the visible hit of the candidates; `last` is the hit that Embree returned. Hit::NextNear of
-  /// the result is the distance of the farthest coincident hit.
+  /// Returns the visible hit of the candidates; `last` is the hit that Embree returned.
+  /// Hit::NextNear of the result is the distance of the farthest coincident hit.
   Hit Resolve(const Ray& ray, const Hit& last, CandidateHits& candidates) const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Common interface of Embree 3.13 and Embree 4, which differ in the header, in the flags of a query and in
-// the context that a query passes to filter functions.
+// Common interface of Embree 3.13 and Embree 4, which differ in the header, in the flags of a query
+// and in the context that a query passes to filter functions.
 #ifndef penumbra_EmbreeQuery_h
 #define penumbra_EmbreeQuery_h
 

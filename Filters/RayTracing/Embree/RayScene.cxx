@@ -28,8 +28,8 @@ struct TracedSurface
 namespace
 {
 
-/// Scenes with at least this many triangles use Embree's compact BVH: 10 to 20 % slower, 2.5 times less
-/// memory (measured with 10 million triangles).
+/// Scenes with at least this many triangles use Embree's compact BVH: 10 to 20 % slower, 2.5 times
+/// less memory (measured with 10 million triangles).
 constexpr std::size_t MinimumCompactTriangles = 2000000;
 
 /// If the hit distances in single and double precision differ by more than this relative error, the
@@ -43,8 +43,8 @@ static_assert(
   RTC_INVALID_GEOMETRY_ID == Hit::None, "Hit::None must be Embree's invalid geometry id");
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree expects packed vectors");
 
-/// Embree intersection filter: rejects hits on culled sides, collects candidates for CoincidentSurfaces and
-/// extends the ray by the depth tolerance.
+/// Embree intersection filter: rejects hits on culled sides, collects candidates for
+/// CoincidentSurfaces and extends the ray by the depth tolerance.
 void IntersectFilter(const RTCFilterFunctionNArguments* args)
 {
   const auto& traced = *static_cast<const TracedSurface*>(args->geometryUserPtr);
@@ -73,8 +73,8 @@ void IntersectFilter(const RTCFilterFunctionNArguments* args)
   }
 }
 
-/// Occlusion filter of line and point geometries: rejects every hit, because lines and points cast no
-/// shadows.
+/// Occlusion filter of line and point geometries: rejects every hit, because lines and points cast
+/// no shadows.
 void RejectAllFilter(const RTCFilterFunctionNArguments* args)
 {
   std::fill_n(args->valid, args->N, 0);
@@ -132,8 +132,8 @@ void CheckDevice(RTCDevice device)
   }
 }
 
-/// Builds the BVH. Embree calls the progress monitor on any of its threads; `progress` is called only on
-/// the calling thread.
+/// Builds the BVH. Embree calls the progress monitor on any of its threads; `progress` is called
+/// only on the calling thread.
 void Commit(RTCScene tree, RTCDevice device, const ProgressCallback& progress)
 {
   struct Monitor
@@ -185,8 +185,8 @@ std::size_t CountTriangles(const Scene& scene)
 /// Larger coordinates of rays fail an assertion in Embree.
 constexpr float LargestCoordinate = 1.8e18f;
 
-/// Returns true if the ray is finite, has a direction and is not empty. Other rays are not passed to
-/// Embree.
+/// Returns true if the ray is finite, has a direction and is not empty. Other rays are not passed
+/// to Embree.
 bool IsTraceable(const Ray& ray)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -217,8 +217,8 @@ void Fill(RTCRay& to, const Ray& from)
   to.flags = 0;
 }
 
-/// Embree point query for the triangle of a surface with the lowest index among those that share a hit at
-/// an edge or vertex.
+/// Embree point query for the triangle of a surface with the lowest index among those that share a
+/// hit at an edge or vertex.
 struct EdgeHitQuery
 {
   const Scene& TracedScene;
@@ -250,23 +250,24 @@ bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
   return false;
 }
 
-/// Converts a hit of Embree to a hit that does not depend on the instruction set: resolves coincident
-/// surfaces, recomputes the hit in double precision, and selects the lowest triangle at an edge.
+/// Converts a hit of Embree to a hit that does not depend on the instruction set: resolves
+/// coincident surfaces, recomputes the hit in double precision, and selects the lowest triangle at
+/// an edge.
 Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embreeHit,
   CandidateHits* candidates)
 {
-  Hit found = embreeHit;
-  found.NextNear = found.Distance;
+  Hit resolved = embreeHit;
+  resolved.NextNear = resolved.Distance;
   if (candidates && candidates->Count > 0)
   {
-    found = rays.GetCoincidentSurfaces().Resolve(ray, embreeHit, *candidates);
+    resolved = rays.GetCoincidentSurfaces().Resolve(ray, embreeHit, *candidates);
   }
-  Hit hit = found;
+  Hit hit = resolved;
   const Scene& scene = rays.GetScene();
   RayTriangle exact(scene.Surfaces[hit.Surface], hit.Triangle, ray);
   // The recomputed hit of an edge-on sliver is unreliable; the hit of Embree is kept.
   if (exact.IsValid &&
-    std::abs(exact.Distance - found.Distance) <= SliverError * std::abs(exact.Distance))
+    std::abs(exact.Distance - resolved.Distance) <= SliverError * std::abs(exact.Distance))
   {
     if (exact.IsOnEdge())
     {
@@ -285,7 +286,7 @@ Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embr
     hit.V = static_cast<float>(std::clamp(exact.V, 0.0, 1.0 - u));
     hit.Distance = static_cast<float>(exact.Distance);
   }
-  const float farther = std::max(hit.Distance, found.NextNear);
+  const float farther = std::max(hit.Distance, resolved.NextNear);
   // A few units in the last place behind the hit.
   hit.NextNear = farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
   return hit;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Embree BVH of the triangles of a Scene: nearest hits and occlusion. Users of this header do not need
-// Embree's headers.
+// Embree BVH of the triangles of a Scene: nearest hits and occlusion. Users of this header do not
+// need Embree's headers.
 #ifndef penumbra_RayScene_h
 #define penumbra_RayScene_h
 
@@ -24,7 +24,8 @@ namespace penumbra
 class CoincidentSurfaces;
 struct TracedSurface;
 
-/// A ray. If the direction is from Camera::RayDirection(), distances are measured along the view axis.
+/// A ray. If the direction is from Camera::RayDirection(), distances are measured along the view
+/// axis.
 struct Ray
 {
   glm::vec3 Origin{ 0.f };
@@ -33,9 +34,10 @@ struct Ray
   float Far = std::numeric_limits<float>::infinity();
 };
 
-/// First hit of a ray, the same on every processor, unlike the hits that Embree returns. U, V and Distance
-/// are computed from the triangle in double precision. Of coincident surfaces, one is selected by
-/// CoincidentSurfaces. On an edge, the triangle of the surface with the lowest index is selected.
+/// First hit of a ray, the same on every processor, unlike the hits that Embree returns. U, V and
+/// Distance are computed from the triangle in double precision. Of coincident surfaces, one is
+/// selected by CoincidentSurfaces. On an edge, the triangle of the surface with the lowest index is
+/// selected.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
@@ -52,8 +54,8 @@ struct Hit
 
 class RayScene;
 
-/// Returns the first hit of `ray` on a surface with area, skipping lines and points, which do not occlude.
-/// `hit` is the first hit of `ray`.
+/// Returns the first hit of `ray` on a surface with area, skipping lines and points, which do not
+/// occlude. `hit` is the first hit of `ray`.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit);
 
 /// Embree BVH of a Scene. Invalid rays (not finite, zero direction, Near < 0 or Near > Far) miss.

@@ -10,8 +10,9 @@ namespace penumbra
 namespace
 {
 
-/// Returns the signed distance between two lines, `volume` / |`normal`|. `normal` is the cross product of
-/// their directions, `volume` its scalar product with their offset. Infinite for parallel lines.
+/// Returns the signed distance between two lines, `volume` / |`normal`|. `normal` is the cross
+/// product of their directions, `volume` its scalar product with their offset. Infinite for
+/// parallel lines.
 double LineDistance(double volume, const glm::dvec3& normal)
 {
   const double length = glm::length(normal);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Intersection of a ray with the plane of a triangle in double precision, with the same bits on every
-// processor.
+// Intersection of a ray with the plane of a triangle in double precision, with the same bits on
+// every processor.
 #ifndef penumbra_RayTriangle_h
 #define penumbra_RayTriangle_h
 

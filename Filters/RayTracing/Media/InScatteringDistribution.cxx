@@ -101,8 +101,8 @@ void InScatteringDistribution::AddSegment(double begin, double end, double slope
   this->Sum += weight;
 }
 
-// The distance to the light in the medium ends at the nearest of three faces of its box. The distance to
-// each face is linear along the ray, so segments end where two faces are equally far.
+// The distance to the light in the medium ends at the nearest of three faces of its box. The
+// distance to each face is linear along the ray, so segments end where two faces are equally far.
 void InScatteringDistribution::AddExactSegments()
 {
   const glm::dvec3 toLight = -glm::dvec3(this->Source.Direction);
@@ -142,8 +142,8 @@ void InScatteringDistribution::AddExactSegments()
     }
     const double change = std::isfinite(distances[nearest]) ? changes[nearest] : 0.0;
     const double slope = this->ScatteringMedium.Extinction * (1.0 + change);
-    // The density is evaluated in the middle, where the nearest face is unambiguous, and extrapolated back
-    // to the beginning.
+    // The density is evaluated in the middle, where the nearest face is unambiguous, and
+    // extrapolated back to the beginning.
     const double first = this->Density(middle) * std::exp(slope * (middle - ends[i]));
     this->AddSegment(
       ends[i], ends[i + 1], slope, first * IntegrateExponential(slope, ends[i + 1] - ends[i]));

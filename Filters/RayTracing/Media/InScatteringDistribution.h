@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Distribution along a ray of the light that a medium scatters from one unshadowed light towards the
-// camera: the cumulative distribution of [Shafts eq. 1] and its inverse. For directional lights it is a
-// closed form, for other lights a table with exponential segments.
+// Distribution along a ray of the light that a medium scatters from one unshadowed light towards
+// the camera: the cumulative distribution of [Shafts eq. 1] and its inverse. For directional lights
+// it is a closed form, for other lights a table with exponential segments.
 #ifndef penumbra_InScatteringDistribution_h
 #define penumbra_InScatteringDistribution_h
 
@@ -29,9 +29,9 @@ VTKPENUMBRAFILTERSRAYTRACING_EXPORT LightDirection DirectionToLight(
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT InScatteringDistribution
 {
 public:
-  /// Computes the distribution along origin + t direction (unit) for t in [from, to], which must be inside
-  /// the medium; `to` may be infinite. Light is attenuated from t back to `from`. The color of the light
-  /// and the cone of a spotlight are not included.
+  /// Computes the distribution along origin + t direction (unit) for t in [from, to], which must be
+  /// inside the medium; `to` may be infinite. Light is attenuated from t back to `from`. The color
+  /// of the light and the cone of a spotlight are not included.
   InScatteringDistribution(const Medium& medium, const Light& light, glm::dvec3 origin,
     glm::dvec3 direction, double from, double to);
 

@@ -17,8 +17,8 @@ constexpr double LightPerStep = 2.0;
 /// Bounds of the number of steps per interval.
 constexpr double MinimumSteps = 3.0;
 constexpr double MaximumSteps = 4096.0;
-/// Estimated light that the steps miss, in units of the light of one step: per shadow boundary found, and
-/// per interval.
+/// Estimated light that the steps miss, in units of the light of one step: per shadow boundary
+/// found, and per interval.
 constexpr double MissedPerBoundary = 0.2;
 constexpr double MissedPerInterval = 0.05;
 /// The number of steps is doubled while the estimated missed light exceeds this, in tolerances.
@@ -27,7 +27,8 @@ constexpr double MissedLightTolerance = 0.75;
 constexpr double BoundaryFractionOfTolerance = 0.1;
 /// With a given number of steps, shadow boundaries are bisected down to this fraction of a step.
 constexpr double BoundaryFractionOfStep = 1.0 / 64.0;
-/// Fraction of the interval at each end without steps, since rounding lets surfaces shadow themselves there.
+/// Fraction of the interval at each end without steps, since rounding lets surfaces shadow
+/// themselves there.
 constexpr double EndMargin = 1e-4;
 
 /// Returns the estimated fraction of light that steps with these visibilities miss.
@@ -97,8 +98,8 @@ LightShafts::InScattering LightShafts::Along(
   return result;
 }
 
-/// Marches through the intervals that may be in shadow; the rest of the ray is lit. For spotlights the
-/// whole ray is marched, since points outside the cone are unlit.
+/// Marches through the intervals that may be in shadow; the rest of the ray is lit. For spotlights
+/// the whole ray is marched, since points outside the cone are unlit.
 void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> intervals) const
 {
   if (march.Source.Kind == Light::Kinds::Spot)

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light that a medium scatters towards the camera, with shadows: single scattering [Shafts eq. 1 and 2]
-// with traced shadow rays. Steps along the ray are not equidistant: each step scatters the same amount of
-// light. Shadow boundaries between two steps are found by bisection, and the light between boundaries is
-// integrated in closed form.
+// Light that a medium scatters towards the camera, with shadows: single scattering [Shafts eq. 1
+// and 2] with traced shadow rays. Steps along the ray are not equidistant: each step scatters the
+// same amount of light. Shadow boundaries between two steps are found by bisection, and the light
+// between boundaries is integrated in closed form.
 #ifndef penumbra_LightShafts_h
 #define penumbra_LightShafts_h
 
@@ -27,7 +27,8 @@ public:
     int Steps;        ///< shadow rays per light and ray, not counting bisection; 0: from Tolerance
   };
 
-  /// Lights that cast no shadows, such as headlights, are ignored. `shading` must outlive this object.
+  /// Lights that cast no shadows, such as headlights, are ignored. `shading` must outlive this
+  /// object.
   LightShafts(const Shading& shading, const Medium& medium, MarchQuality quality);
 
   /// In-scattered light along a ray segment, and the transmittance of the segment.
@@ -38,9 +39,9 @@ public:
     float Error = 0.f; ///< estimated error of Light
   };
 
-  /// Integrates the segment [from, to] of `ray`; `to` may be infinite. `weight` is the fraction of the
-  /// result that reaches the camera; smaller weights need fewer steps. Adds the number of shadow rays
-  /// traced to `shadowRays`.
+  /// Integrates the segment [from, to] of `ray`; `to` may be infinite. `weight` is the fraction of
+  /// the result that reaches the camera; smaller weights need fewer steps. Adds the number of
+  /// shadow rays traced to `shadowRays`.
   InScattering Along(
     const Ray& ray, double from, double to, float weight, long long& shadowRays) const;
 
@@ -48,8 +49,8 @@ public:
   bool IsEmpty() const { return this->Lights.empty(); }
 
 private:
-  /// Ray march for one light. Positions are values of the CDF of the in-scattered light of the whole ray,
-  /// in [0, 1].
+  /// Ray march for one light. Positions are values of the CDF of the in-scattered light of the
+  /// whole ray, in [0, 1].
   struct RayMarch
   {
     const InScatteringDistribution& Profile;

@@ -37,8 +37,8 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT Medium
   /// Clips the interval [near, far] of a ray to the medium. Returns false if nothing remains.
   bool Clip(glm::dvec3 origin, glm::dvec3 direction, double& near, double& far) const;
 
-  /// Returns the distance from a point in the medium to its boundary along a unit direction; infinite if
-  /// the medium is unbounded in this direction.
+  /// Returns the distance from a point in the medium to its boundary along a unit direction;
+  /// infinite if the medium is unbounded in this direction.
   double DistanceToExit(glm::dvec3 point, glm::dvec3 direction) const;
 };
 

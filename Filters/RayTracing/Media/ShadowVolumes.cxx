@@ -98,8 +98,8 @@ ShadowVolumes::ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Lig
   }
 }
 
-/// Projected along one axis, the box is a rectangle, and its shadow lies between the two lines through the
-/// light that touch the rectangle.
+/// Projected along one axis, the box is a rectangle, and its shadow lies between the two lines
+/// through the light that touch the rectangle.
 void ShadowVolumes::AddSides(Region& region, int axis, glm::dvec4 light, const AxisAlignedBox& box)
 {
   const int i = (axis + 1) % 3;

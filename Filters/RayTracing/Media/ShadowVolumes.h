@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Conservative intervals of a ray that may be in shadow. A few boxes bound all occluders; behind each box,
-// seen from the light, lies a convex shadow volume.
+// Conservative intervals of a ray that may be in shadow. A few boxes bound all occluders; behind
+// each box, seen from the light, lies a convex shadow volume.
 #ifndef penumbra_ShadowVolumes_h
 #define penumbra_ShadowVolumes_h
 
@@ -37,8 +37,8 @@ public:
   /// Creates the shadow volumes of `boxes` for `light`.
   ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Light& light);
 
-  /// Returns the intervals of t in [from, to] in which origin + t direction may be in shadow, sorted and
-  /// disjoint. Outside them the ray is lit.
+  /// Returns the intervals of t in [from, to] in which origin + t direction may be in shadow,
+  /// sorted and disjoint. Outside them the ray is lit.
   std::vector<RayInterval> Along(
     glm::dvec3 origin, glm::dvec3 direction, double from, double to) const;
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Falloff D(t) of occlusion with the distance t of the occluder, and its derivatives. In the literature
-// 1 - D is called obscurance or rho(t) (Zhukov, Iones and Kronin, *An Ambient Light Illumination Model*,
-// 1998); rho = sqrt(t / R) is due to Mendez, Sbert and Cata (*Real-time Obscurances with Color Bleeding*,
-// 2003).
+// Falloff D(t) of occlusion with the distance t of the occluder, and its derivatives. In the
+// literature 1 - D is called obscurance or rho(t) (Zhukov, Iones and Kronin, *An Ambient Light
+// Illumination Model*, 1998); rho = sqrt(t / R) is due to Mendez, Sbert and Cata (*Real-time
+// Obscurances with Color Bleeding*, 2003).
 #ifndef penumbra_DistanceFalloff_h
 #define penumbra_DistanceFalloff_h
 
@@ -33,8 +33,8 @@ struct DistanceFalloff
   {
   }
 
-  /// Creates a falloff from a radius in world units and one of vtkPenumbraIrradianceProvider::Falloffs;
-  /// `scale` converts world units to scene units.
+  /// Creates a falloff from a radius in world units and one of
+  /// vtkPenumbraIrradianceProvider::Falloffs; `scale` converts world units to scene units.
   static DistanceFalloff InScene(double radius, int falloff, double scale)
   {
     return { static_cast<float>(radius * scale), static_cast<Shapes>(falloff) };

@@ -15,8 +15,8 @@ namespace
 
 constexpr double Pi = glm::pi<double>();
 
-/// Threshold of suns, as a multiple of the mean of the largest channel over the sphere. Skies are below
-/// it: if the radiance is the sine of the elevation above the horizon, the zenith is at 4.
+/// Threshold of suns, as a multiple of the mean of the largest channel over the sphere. Skies are
+/// below it: if the radiance is the sine of the elevation above the horizon, the zenith is at 4.
 constexpr double SunThreshold = 8.0;
 
 float LargestChannel(glm::vec3 color)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Environment map in latitude-longitude projection with constant texels. It is the sum of two parts:
-// radiance clamped to a threshold, which rays in all directions sample with little noise, and the suns,
-// the excess of bright texels over the threshold, which are sampled by importance.
+// Environment map in latitude-longitude projection with constant texels. It is the sum of two
+// parts: radiance clamped to a threshold, which rays in all directions sample with little noise,
+// and the suns, the excess of bright texels over the threshold, which are sampled by importance.
 #ifndef penumbra_EnvironmentMap_h
 #define penumbra_EnvironmentMap_h
 
@@ -20,8 +20,9 @@ namespace penumbra
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT EnvironmentMap
 {
 public:
-  /// `radiances`: one value per texel, bottom row first. As in VTK, each row starts at -`right`, has
-  /// `right` in the middle and `right` x `up` at three quarters. `up` and `right` must be orthonormal.
+  /// `radiances`: one value per texel, bottom row first. As in VTK, each row starts at -`right`,
+  /// has `right` in the middle and `right` x `up` at three quarters. `up` and `right` must be
+  /// orthonormal.
   EnvironmentMap(
     int width, int height, std::vector<glm::vec3> radiances, glm::dvec3 up, glm::dvec3 right);
 
@@ -40,7 +41,8 @@ public:
   Sun SampleSun(glm::vec2 sample) const;
 
 private:
-  /// Returns the direction of a horizontal image coordinate in [0, 1] and a sine of latitude in [-1, 1].
+  /// Returns the direction of a horizontal image coordinate in [0, 1] and a sine of latitude in
+  /// [-1, 1].
   glm::vec3 ComputeDirection(double u, double sine) const;
   /// Returns the sine of the latitude of the lower edge of a row.
   double ComputeSineOfLatitude(int row) const;

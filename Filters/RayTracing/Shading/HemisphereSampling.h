@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cosine-weighted sampling of the hemisphere: the concentric map of the unit square to the unit disk
-// (Shirley and Chiu 1997), its lift to the hemisphere, and random numbers seeded by the point.
+// Cosine-weighted sampling of the hemisphere: the concentric map of the unit square to the unit
+// disk (Shirley and Chiu 1997), its lift to the hemisphere, and random numbers seeded by the point.
 #ifndef penumbra_HemisphereSampling_h
 #define penumbra_HemisphereSampling_h
 
@@ -102,8 +102,9 @@ inline glm::mat3 FrameFromNormal(glm::vec3 normal)
   return glm::mat3(tangent, glm::cross(normal, tangent), normal);
 }
 
-/// Returns the offset of the ray origin along the normal at `point`, which prevents the surface from
-/// occluding itself: 1e-5 of the largest coordinate, about 170 times the rounding error of a float.
+/// Returns the offset of the ray origin along the normal at `point`, which prevents the surface
+/// from occluding itself: 1e-5 of the largest coordinate, about 170 times the rounding error of a
+/// float.
 inline float RayOriginOffset(glm::vec3 point)
 {
   const glm::vec3 size = glm::abs(point);

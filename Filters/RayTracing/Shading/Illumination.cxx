@@ -17,7 +17,8 @@ constexpr int MaximumLayers = 64;
 /// A ray ends when the transmittance of the layers in front falls below this.
 constexpr float MinimumTransmittance = 1.f / 1024.f;
 
-/// Number of rays to the suns of the environment map per point: first round, and maximum of all rounds.
+/// Number of rays to the suns of the environment map per point: first round, and maximum of all
+/// rounds.
 constexpr std::uint32_t FirstSunRays = 16;
 constexpr std::uint32_t MaximumSunRays = 4096;
 

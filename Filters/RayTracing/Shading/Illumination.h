@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Diffuse illumination of a scene: emission, direct light, interreflection between surfaces, and the
-// environment. Means over the hemisphere are irradiance / pi: 1 under a sky of radiance 1.
+// Diffuse illumination of a scene: emission, direct light, interreflection between surfaces, and
+// the environment. Means over the hemisphere are irradiance / pi: 1 under a sky of radiance 1.
 #ifndef penumbra_Illumination_h
 #define penumbra_Illumination_h
 
@@ -50,9 +50,9 @@ public:
   /// Returns the mean incident radiance at a point, over the hemisphere about a normal (unit).
   using IrradianceFunction = std::function<glm::vec3(glm::vec3 point, glm::vec3 normal)>;
 
-  /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`: emission,
-  /// reflected direct light and, if `irradiance` is not empty, reflected indirect light. Translucent
-  /// surfaces are composited. Adds the number of rays traced to `rays`.
+  /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`:
+  /// emission, reflected direct light and, if `irradiance` is not empty, reflected indirect light.
+  /// Translucent surfaces are composited. Adds the number of rays traced to `rays`.
   glm::vec3 IncidentRadiance(
     Ray ray, Hit hit, const IrradianceFunction& irradiance, long long& rays) const;
 
@@ -79,8 +79,8 @@ public:
   /// Returns a ray that starts at `point` on a surface, offset along the normal.
   static Ray SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
 
-  /// Returns the emissive triangles, or none if there are more than MaximumEmitters: only few triangles
-  /// are likely to be small light sources that random rays miss.
+  /// Returns the emissive triangles, or none if there are more than MaximumEmitters: only few
+  /// triangles are likely to be small light sources that random rays miss.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
 
   const RayScene& GetRays() const { return this->Rays; }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Owen-scrambled Sobol (0, 2)-sequence in the unit square, shuffled and scrambled with the hash of Laine
-// and Karras and the constants of Burley ("Practical Hash-based Owen Scrambling", 2020). Among the first
-// 2^k points, each elementary interval with sides 2^-i and 2^-j, i + j = k, contains exactly one.
+// Owen-scrambled Sobol (0, 2)-sequence in the unit square, shuffled and scrambled with the hash of
+// Laine and Karras and the constants of Burley ("Practical Hash-based Owen Scrambling", 2020).
+// Among the first 2^k points, each elementary interval with sides 2^-i and 2^-j, i + j = k,
+// contains exactly one.
 #ifndef penumbra_OwenSobolSequence_h
 #define penumbra_OwenSobolSequence_h
 
@@ -34,8 +35,9 @@ public:
       ToUnit(FastOwenScramble(ReverseBits32(SobolDimension1(index)), this->SeedY)) };
   }
 
-  /// Returns the bit mask m such that, among the first `count` points, the points i and i XOR m share
-  /// one of `count` / 2 congruent, nearly square cells. `count` must be a power of two in [4, 2^30].
+  /// Returns the bit mask m such that, among the first `count` points, the points i and i XOR m
+  /// share one of `count` / 2 congruent, nearly square cells. `count` must be a power of two in [4,
+  /// 2^30].
   static std::uint32_t FindPartner(std::uint32_t count)
   {
     int bits = 0;
@@ -53,9 +55,9 @@ public:
     return partner;
   }
 
-  /// Returns half the sum of (a - b)^2 over all values a, where b is the value of the point that shares
-  /// the cell of a, see FindPartner(). Its square root divided by the number of values estimates the
-  /// standard error of the mean of stratified samples.
+  /// Returns half the sum of (a - b)^2 over all values a, where b is the value of the point that
+  /// shares the cell of a, see FindPartner(). Its square root divided by the number of values
+  /// estimates the standard error of the mean of stratified samples.
   static double SumPairDifferences(const std::vector<float>& values)
   {
     const auto count = static_cast<std::uint32_t>(values.size());
@@ -90,8 +92,8 @@ private:
     return (x & 0x55555555u) << 1 | (x & 0xaaaaaaaau) >> 1;
   }
 
-  /// Scrambles a coordinate given with reversed bits: a hash of the higher bits decides whether a bit is
-  /// flipped.
+  /// Scrambles a coordinate given with reversed bits: a hash of the higher bits decides whether a
+  /// bit is flipped.
   static std::uint32_t FastOwenScramble(std::uint32_t reversed, std::uint32_t seed)
   {
     reversed += seed;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The formulas are those of VTK's polygon shader, so that images agree with rasterization. With a single
-// headlight, diffuse and specular terms depend on the cosine between normal and view axis. With other
-// lights, the specular term uses the reflected light direction of the Phong model.
+// The formulas are those of VTK's polygon shader, so that images agree with rasterization. With a
+// single headlight, diffuse and specular terms depend on the cosine between normal and view axis.
+// With other lights, the specular term uses the reflected light direction of the Phong model.
 #include "Shading.h"
 
 #include <algorithm>

@@ -26,8 +26,8 @@ struct ShadedHit
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Shading
 {
 public:
-  /// `shadows`: if on, shadow rays are traced towards the lights with CastsShadow. `scene` must outlive
-  /// this object.
+  /// `shadows`: if on, shadow rays are traced towards the lights with CastsShadow. `scene` must
+  /// outlive this object.
   Shading(const RayScene& scene, bool shadows);
 
   /// Shades a hit of `ray`. Adds the number of shadow rays traced to `shadowRays`.
