@@ -27,7 +27,7 @@ struct Variant
 {
   explicit Variant(const OcclusionTestScene& scene)
     : Renderer(scene.Renderer),
-      View(std::make_unique<Screen>(scene.Renderer))
+      View(std::make_unique<OcclusionWindow>(scene.Renderer))
   {
   }
 
@@ -49,7 +49,7 @@ struct Variant
   double Over(const Variant& plain) const { return MedianOverhead(this->Seconds, plain.Seconds); }
 
   vtkSmartPointer<vtkRenderer> Renderer;
-  std::unique_ptr<Screen> View;
+  std::unique_ptr<OcclusionWindow> View;
   std::vector<double> Seconds;
   double Side = .25;
 };
@@ -68,7 +68,7 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionT
   Variant vtk256(scene());
   for (Variant* ours : { &horizon, &march, &still })
   {
-    ours->View->UseOurs(radius)->SetFirstSamples(8);
+    ours->View->UsePenumbraPass(radius)->SetFirstSamples(8);
     ours->View->Ours->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
     ours->View->Ours->SetKernelName(ours == &horizon ? "horizon" : "march");
   }
@@ -78,8 +78,8 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionT
     horizon.Draw(true, false);
     march.Draw(true, false);
   }
-  vtk32.View->UseVtks(radius, 32);
-  vtk256.View->UseVtks(radius, 256);
+  vtk32.View->UseVTKSSAOPass(radius, 32);
+  vtk256.View->UseVTKSSAOPass(radius, 256);
   for (int frame = -WarmingFrames; frame < Rounds; ++frame)
   {
     for (Variant* variant : { &plain, &horizon, &march, &still, &vtk32, &vtk256 })
@@ -97,10 +97,10 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionT
   {
     const std::string kernel = ours == &horizon ? "horizon" : "march";
     const double overhead = ours->Over(plain);
-    table.Add(name, "overhead of " + kernel + ", moving, ms", 1e3 * overhead, Bar::None);
+    table.Add(name, "overhead of " + kernel + ", moving, ms", 1e3 * overhead, TargetKind::None);
     if (ours == &march)
     {
-      table.Add(name, kernel + " / vtkSSAOPass 32", overhead / peer, Bar::None);
+      table.Add(name, kernel + " / vtkSSAOPass 32", overhead / peer, TargetKind::None);
       continue;
     }
     const std::string why =
@@ -135,7 +135,7 @@ void MeasureCost(OcclusionBenchmark& benchmark)
   // llvmpipe gets memory for every frame and gives it back. By default the C library hands much of it
   // on to the system, and the page faults of the next frame are taken for its work.
   measure("memory handed back");
-  KeepFreedMemory();
+  RetainFreedMemory();
   measure("memory kept");
 }
 

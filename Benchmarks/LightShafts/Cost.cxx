@@ -195,7 +195,7 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
 void MeasureCost(ShaftBenchmark& benchmark)
 {
   MeasureFrames(benchmark, "memory as by default");
-  KeepFreedMemory();
+  RetainFreedMemory();
   MeasureFrames(benchmark, "memory kept");
 }
 

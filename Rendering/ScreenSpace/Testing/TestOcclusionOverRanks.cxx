@@ -22,7 +22,7 @@ constexpr int Width = 160;
 constexpr int Height = 120;
 
 /// Every `ranks`-th of the scene's actors, beginning with one; all under the same camera.
-DepthPicture Draw(int rank, int ranks)
+DepthImage Draw(int rank, int ranks)
 {
   OcclusionScene scene(Width, Height);
   std::vector<vtkSmartPointer<vtkActor>> actors = { scene.AddFloor(3.0),
@@ -43,9 +43,9 @@ DepthPicture Draw(int rank, int ranks)
 }
 
 /// The nearest of the pictures of all ranks.
-DepthPicture Composite(int ranks)
+DepthImage Composite(int ranks)
 {
-  DepthPicture whole = Draw(0, ranks);
+  DepthImage whole = Draw(0, ranks);
   for (int rank = 1; rank < ranks; ++rank)
   {
     penumbra::DepthComposite(whole, Draw(rank, ranks));
@@ -84,7 +84,7 @@ TEST(OcclusionOverRanks, IsThatOfTheSceneItself)
   // Up to the margin, which only the scene itself can be drawn with.
   OcclusionScene ranks(Width, Height);
   Occlude(ranks, 4);
-  const DepthPicture whole = Draw(0, 1);
+  const DepthImage whole = Draw(0, 1);
   const std::vector<float> occlusion = ranks.Array("AmbientOcclusion");
   const std::vector<int> picture = ranks.Picture();
   for (std::size_t i = 0; i < occlusion.size(); ++i)
