@@ -15,7 +15,7 @@ vtkPenumbraScreenSpacePass::~vtkPenumbraScreenSpacePass()
 {
   if (this->Window)
   {
-    this->Window->UnregisterGraphicsResources(this->EndOfWindow.get());
+    this->Window->UnregisterGraphicsResources(this->ReleaseCallback.get());
   }
 }
 
@@ -24,7 +24,7 @@ void vtkPenumbraScreenSpacePass::Render(const vtkRenderState* state)
   this->NumberOfRenderedProps = 0;
   if (!this->DelegatePass)
   {
-    vtkWarningMacro("There is no delegate to draw the scene.");
+    vtkWarningMacro("The pass has no delegate, so nothing is rendered. Call SetDelegatePass().");
     return;
   }
   if (state->GetRenderer()->GetSelector() || !this->RenderEffect(state))
@@ -39,26 +39,27 @@ vtkOpenGLRenderWindow* vtkPenumbraScreenSpacePass::EnterWindow(vtkRenderer* rend
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (window && window->GetStereoRender())
   {
-    // The projections of the two eyes are sheared: positions do not follow from depth as they do here.
-    this->WarnOnce(
-      std::string("In stereo the scene is drawn without ") + this->GetEffectName() + ".");
+    // The projections of the two eyes are sheared; positions are not computed from depth for them.
+    this->WarnOnce(std::string("Stereo rendering does not support ") + this->GetEffectName() +
+      "; the scene is rendered without the effect. Turn stereo off.");
     return nullptr;
   }
   if (window && window != this->Window)
   {
     penumbra::MoveToWindow(this, this->Window, window);
-    this->EndOfWindow = std::make_unique<vtkOpenGLResourceFreeCallback<vtkPenumbraScreenSpacePass>>(
-      this, &vtkPenumbraScreenSpacePass::ReleaseGraphicsResources);
-    this->EndOfWindow->RegisterGraphicsResources(window);
+    this->ReleaseCallback =
+      std::make_unique<vtkOpenGLResourceFreeCallback<vtkPenumbraScreenSpacePass>>(
+        this, &vtkPenumbraScreenSpacePass::ReleaseGraphicsResources);
+    this->ReleaseCallback->RegisterGraphicsResources(window);
   }
   return window;
 }
 
 void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)
 {
-  if (this->Warned != warning)
+  if (this->LastWarning != warning)
   {
-    this->Warned = warning;
+    this->LastWarning = warning;
     vtkWarningMacro(<< warning);
   }
 }
@@ -66,10 +67,10 @@ void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)
 void vtkPenumbraScreenSpacePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  if (this->Window && !this->EndOfWindow->IsReleasing())
+  if (this->Window && !this->ReleaseCallback->IsReleasing())
   {
-    this->Window->UnregisterGraphicsResources(this->EndOfWindow.get());
-    this->EndOfWindow.reset();
+    this->Window->UnregisterGraphicsResources(this->ReleaseCallback.get());
+    this->ReleaseCallback.reset();
   }
   this->Window = nullptr;
 }
