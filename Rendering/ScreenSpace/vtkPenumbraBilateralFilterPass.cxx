@@ -102,7 +102,7 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
     const float axis[2] = { direction == 0 ? 1.f : 0.f, direction == 0 ? 0.f : 1.f };
     const double pixel = penumbra::PixelAtFocus(renderer);
     view.SetUniforms(program);
-    program->SetUniform2f("way", axis);
+    program->SetUniform2f("direction", axis);
     program->SetUniformi("reach", this->Reach);
     program->SetUniformf("distance",
       static_cast<float>(this->Distance > 0.0 ? this->Distance : DefaultDistance * pixel));

@@ -26,7 +26,7 @@ constexpr int FirstCheck = 32;
 constexpr double ErrorPerDifference = 1.25;
 
 /// Weight of the mean error of a tile relative to the errors of its pixels: an error that all
-/// pixels of a tile share is visible as a step at the tile's edge.
+/// pixels of a tile have in common is visible as a step at the tile's edge.
 constexpr double TileOffsetWeight = 4.0;
 
 }

@@ -10,7 +10,7 @@
 uniform sampler2D colors;
 uniform sampler2D eyeDepths;
 uniform sampler2D weights;
-uniform vec2 way;        // (1, 0) or (0, 1)
+uniform vec2 direction;  // (1, 0) or (0, 1)
 uniform int reach;       // radius of the filter, in pixels
 uniform float distance;  // distance at which the weight of a neighbor falls to 1/e
 uniform float byDepth;   // 1: distance along the view axis; 0: distance in space
@@ -23,7 +23,7 @@ void main()
   float total = 0.0;
   for (int i = -reach; i <= reach; ++i)
   {
-    vec2 tap = pixel + float(i) * way;
+    vec2 tap = pixel + float(i) * direction;
     vec2 at = tap * pixelSize;
     vec3 delta = (eyePosition(tap, texture(eyeDepths, at).r) - position) / distance;
     delta.xy *= 1.0 - byDepth;

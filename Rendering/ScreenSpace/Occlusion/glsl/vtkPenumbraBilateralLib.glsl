@@ -3,7 +3,7 @@
 //
 // Weight of a neighbor in the filter of occlusion [TSSAO eq. 10-11]. Departures: the fewer samples
 // a pixel has, the wider its filter; neighbors off its tangent plane have less weight.
-uniform float distanceInPixels; // a neighbour this many pixel widths away in space counts 1/e
+uniform float distanceInPixels; // minimum distance at which the weight is 1/e, in pixel widths
 
 // So inSpace where a pixel has one sample; its square shrinks as samples come. Measured with
 // planeWidth, for rays: `./penumbra benchmark ambient-occlusion --only traced`.
