@@ -46,7 +46,7 @@ ProgramResult Spawn(
   std::vector<std::string> environment(settings);
   for (char** entry = environ; *entry; ++entry)
   {
-    environment.emplace_back(*entry); // What comes first counts.
+    environment.emplace_back(*entry); // The first entry of a name is used.
   }
   std::vector<char*> environmentPointers;
   for (std::string& entry : environment)
@@ -72,7 +72,7 @@ ProgramResult Spawn(
   return outcome;
 }
 
-// The log of the runs, away from the user's own.
+// The log of the runs, separate from the user's log.
 std::string LogSetting()
 {
   return "PENUMBRA_LOG=" + (fs::temp_directory_path() / "penumbra-tests" / "log").string();
