@@ -364,7 +364,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
 penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
 {
   penumbra::RenderSettings settings;
-  settings.Packets = self->Packets;
+  settings.UsePackets = self->UsePackets;
   settings.Integration.Method =
     static_cast<penumbra::IntegrationSettings::Methods>(self->CoverageMethod);
   settings.Integration.Tolerance = self->Tolerance;
@@ -551,7 +551,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "GeometryArrays: " << this->GeometryArrays << "\n";
   os << indent << "Background: " << this->Background << "\n";
-  os << indent << "Packets: " << this->Packets << "\n";
+  os << indent << "UsePackets: " << this->UsePackets << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "DPI: " << this->DPI << "\n";
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkPenumbraBilateralFilterPass);
 namespace
 {
 
-/// Default of Distance, in pixel widths at the focal point of the camera.
+/// Default of DistanceSigma, in pixel widths at the focal point of the camera.
 constexpr double DefaultDistance = 4.0;
 
 }
@@ -103,10 +103,11 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
     const double pixel = penumbra::PixelAtFocus(renderer);
     view.SetUniforms(program);
     program->SetUniform2f("direction", axis);
-    program->SetUniformi("reach", this->Reach);
+    program->SetUniformi("reach", this->Radius);
     program->SetUniformf("distance",
-      static_cast<float>(this->Distance > 0.0 ? this->Distance : DefaultDistance * pixel));
-    program->SetUniformf("byDepth", this->ByDepth ? 1.f : 0.f);
+      static_cast<float>(
+        this->DistanceSigma > 0.0 ? this->DistanceSigma : DefaultDistance * pixel));
+    program->SetUniformf("byDepth", this->UseDepthDistance ? 1.f : 0.f);
     internals.FilterStage.BindTexture(
       "colors", direction == 0 ? internals.Image.GetColor() : internals.Intermediate.Get());
     internals.FilterStage.BindTexture("eyeDepths", internals.Depth.GetCurrent());
@@ -140,8 +141,8 @@ void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)
 void vtkPenumbraBilateralFilterPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Reach: " << this->Reach << "\n";
-  os << indent << "Distance: " << this->Distance << "\n";
-  os << indent << "ByDepth: " << this->ByDepth << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "DistanceSigma: " << this->DistanceSigma << "\n";
+  os << indent << "UseDepthDistance: " << this->UseDepthDistance << "\n";
   os << indent << "Weights: " << this->GetWeights() << "\n";
 }

@@ -30,8 +30,8 @@ public:
 
   ///@{
   /** Filter radius in pixels. Range: [0, 32]. Default: 2. */
-  vtkSetClampMacro(Reach, int, 0, 32);
-  vtkGetMacro(Reach, int);
+  vtkSetClampMacro(Radius, int, 0, 32);
+  vtkGetMacro(Radius, int);
   ///@}
 
   ///@{
@@ -39,15 +39,15 @@ public:
    * Distance at which the weight of a neighbor falls to 1/e, in world units. 0: four pixel widths
    * at the focal point of the camera. Range: >= 0. Default: 0.
    */
-  vtkPenumbraSetClampedNumberMacro(Distance, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Distance, double);
+  vtkPenumbraSetClampedNumberMacro(DistanceSigma, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DistanceSigma, double);
   ///@}
 
   ///@{
   /** If on, distances are measured along the view axis only, else in space. Default: off. */
-  vtkSetMacro(ByDepth, bool);
-  vtkGetMacro(ByDepth, bool);
-  vtkBooleanMacro(ByDepth, bool);
+  vtkSetMacro(UseDepthDistance, bool);
+  vtkGetMacro(UseDepthDistance, bool);
+  vtkBooleanMacro(UseDepthDistance, bool);
   ///@}
 
   ///@{
@@ -76,9 +76,9 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 
-  int Reach = 2;
-  double Distance = 0.0;
-  bool ByDepth = false;
+  int Radius = 2;
+  double DistanceSigma = 0.0;
+  bool UseDepthDistance = false;
 };
 
 #endif

@@ -234,7 +234,7 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   radial.Decay = self->Decay;
   radial.Density = self->Density;
   radial.SurfaceEmission = self->Occlusion == CONTRAST ? self->SurfaceEmission : 0.0;
-  radial.SkyIsImage = self->Sky == PICTURE;
+  radial.SkyIsImage = self->Sky == IMAGE;
   radial.Block = settings.Block;
   radial.DelegateDrawsBackground = settings.DelegateDrawsBackground;
   return settings;

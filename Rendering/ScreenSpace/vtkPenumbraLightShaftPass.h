@@ -198,12 +198,12 @@ public:
   /** RADIAL: emission of pixels without a surface, multiplied by the color of the light. */
   enum Skies
   {
-    WHITE,  ///< white; black if there are emitters
-    PICTURE ///< the image behind the scene
+    WHITE, ///< white; black if there are emitters
+    IMAGE  ///< the image behind the scene
   };
   ///@{
   /** Emission of the sky. Default: WHITE. */
-  vtkSetClampMacro(Sky, int, WHITE, PICTURE);
+  vtkSetClampMacro(Sky, int, WHITE, IMAGE);
   vtkGetMacro(Sky, int);
   ///@}
 

@@ -157,8 +157,8 @@ ScenarioResult FilterAcrossAnEdge(Variant variant)
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkPenumbraBilateralFilterPass> filter;
   filter->SetDelegatePass(steps);
-  filter->SetReach(4);
-  filter->SetDistance(variant == Variant::Ablated ? 1e3 : 0.0);
+  filter->SetRadius(4);
+  filter->SetDistanceSigma(variant == Variant::Ablated ? 1e3 : 0.0);
   scene.Renderer->SetPass(filter);
   const Frame filtered = draw();
   filter->ReleaseGraphicsResources(scene.Window);

@@ -46,7 +46,7 @@ TEST(BilateralFilterPass, ChangesNothingWithReachZero)
   BuildScene(scene);
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
-  AddFilterPass(scene)->SetReach(0);
+  AddFilterPass(scene)->SetRadius(0);
   scene.Window->Render();
   EXPECT_EQ(scene.Picture(), plain);
 }
@@ -74,9 +74,9 @@ TEST(BilateralFilterPass, AveragesWithinSurfacesOnly)
   OcclusionScene scene;
   BuildScene(scene);
   const auto pass = AddFilterPass(scene);
-  pass->SetReach(3);
-  pass->SetDistance(0.25);
-  pass->ByDepthOn(); // All pixels of one half have the same depth and so the same weight.
+  pass->SetRadius(3);
+  pass->SetDistanceSigma(0.25);
+  pass->UseDepthDistanceOn(); // All pixels of one half have the same depth and so the same weight.
   scene.Window->Render();
   const std::vector<int> image = scene.Picture();
   const auto red = [&](int i) { return image[4 * (60 * 160 + i)]; };
@@ -95,9 +95,9 @@ TEST(BilateralFilterPass, IgnoresPixelsOfWeightZero)
   OcclusionScene scene;
   BuildScene(scene);
   const auto pass = AddFilterPass(scene);
-  pass->SetReach(3);
-  pass->SetDistance(100.0);
-  pass->ByDepthOn();
+  pass->SetRadius(3);
+  pass->SetDistanceSigma(100.0);
+  pass->UseDepthDistanceOn();
   // Only white strips have a weight, so the image becomes white.
   vtkNew<vtkImageData> weights;
   weights->SetDimensions(160, 120, 1);
