@@ -21,7 +21,7 @@ class Convergence
 {
 public:
   /// Starts again after the view or the scene changed: all tiles are active. `staleSamples`: weight
-  /// of earlier samples in the mean, which may be wrong.
+  /// of earlier samples on average, which may be wrong.
   void Restart(double staleSamples = 0.0);
 
   /// Activates all tiles because the tolerance has decreased. All samples remain valid.
