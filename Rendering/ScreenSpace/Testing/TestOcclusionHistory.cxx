@@ -295,7 +295,7 @@ TEST(PassSetters, RejectNaN)
   EXPECT_REJECTED(shafts, Density)
   EXPECT_REJECTED(shafts, SurfaceEmission)
   EXPECT_REJECTED(shafts, Margin)
-  EXPECT_REJECTED(filter, Distance)
+  EXPECT_REJECTED(filter, DistanceSigma)
   EXPECT_REJECTED(kernel, Thickness)
 #undef EXPECT_REJECTED
   vtkObject::GlobalWarningDisplayOn();
