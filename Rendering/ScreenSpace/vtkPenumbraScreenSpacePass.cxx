@@ -3,20 +3,20 @@
 #include "vtkPenumbraScreenSpacePass.h"
 
 #include "Chain/PassSlots.h"
+#include "Frame/WindowReleaseNotifier.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLResourceFreeCallback.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
-vtkPenumbraScreenSpacePass::vtkPenumbraScreenSpacePass() = default;
+vtkPenumbraScreenSpacePass::vtkPenumbraScreenSpacePass()
+  : ReleaseNotifier(vtkSmartPointer<penumbra::WindowReleaseNotifier>::New())
+{
+}
 
 vtkPenumbraScreenSpacePass::~vtkPenumbraScreenSpacePass()
 {
-  if (this->Window)
-  {
-    this->Window->UnregisterGraphicsResources(this->ReleaseCallback.get());
-  }
+  this->ReleaseNotifier->Stop(this->Window);
 }
 
 void vtkPenumbraScreenSpacePass::Render(const vtkRenderState* state)
@@ -47,10 +47,8 @@ vtkOpenGLRenderWindow* vtkPenumbraScreenSpacePass::EnterWindow(vtkRenderer* rend
   if (window && window != this->Window)
   {
     penumbra::MoveToWindow(this, this->Window, window);
-    this->ReleaseCallback =
-      std::make_unique<vtkOpenGLResourceFreeCallback<vtkPenumbraScreenSpacePass>>(
-        this, &vtkPenumbraScreenSpacePass::ReleaseGraphicsResources);
-    this->ReleaseCallback->RegisterGraphicsResources(window);
+    this->ReleaseNotifier->Watch(
+      window, [this](vtkWindow* released) { this->ReleaseGraphicsResources(released); });
   }
   return window;
 }
@@ -67,11 +65,7 @@ void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)
 void vtkPenumbraScreenSpacePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  if (this->Window && !this->ReleaseCallback->IsReleasing())
-  {
-    this->Window->UnregisterGraphicsResources(this->ReleaseCallback.get());
-    this->ReleaseCallback.reset();
-  }
+  this->ReleaseNotifier->Stop(this->Window);
   this->Window = nullptr;
 }
 

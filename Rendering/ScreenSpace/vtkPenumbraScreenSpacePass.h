@@ -13,13 +13,17 @@
 
 #include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+#include "vtkSmartPointer.h"                       // for ReleaseNotifier
 
-#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
-class vtkGenericOpenGLResourceFreeCallback;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+
+namespace penumbra
+{
+class WindowReleaseNotifier;
+}
 
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraScreenSpacePass
   : public vtkImageProcessingPass
@@ -76,7 +80,7 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr;
   /// Releases the resources of this pass when Window does, even after the pass was removed from its
   /// renderer.
-  std::unique_ptr<vtkGenericOpenGLResourceFreeCallback> ReleaseCallback;
+  vtkSmartPointer<penumbra::WindowReleaseNotifier> ReleaseNotifier;
   std::string LastWarning;
 };
 
