@@ -1,4 +1,4 @@
-# VTK of the builder's own choice (CMAKE_PREFIX_PATH, VTK_DIR), and the libraries beside it.
+# VTK, selected by CMAKE_PREFIX_PATH or VTK_DIR, and the other libraries.
 set(penumbra_vtk_components
   ChartsCore CommonCore CommonDataModel CommonExecutionModel CommonColor CommonMath CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
@@ -11,7 +11,7 @@ if (PENUMBRA_BUILD_PYTHON)
   find_package(Python3 3.12 REQUIRED COMPONENTS Interpreter Development.Module)
   list(APPEND penumbra_vtk_components Python WrappingPythonCore)
 endif ()
-# ParaView brings its VTK along, which needs the Python that ParaView was built with.
+# ParaView contains its own VTK, which needs the Python that ParaView was built with.
 if (PENUMBRA_BUILD_PLUGIN)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
   find_package(ParaView 5.11...<5.12 QUIET COMPONENTS RemotingCore RemotingServerManager RemotingViews)

@@ -1,4 +1,4 @@
-# What makes an installed tree findable: find_package(Penumbra COMPONENTS ...).
+# Installs the package files for find_package(Penumbra COMPONENTS ...).
 include(CMakePackageConfigHelpers)
 
 set(penumbra_config_destination "${CMAKE_INSTALL_LIBDIR}/cmake/penumbra")

@@ -1,4 +1,4 @@
-# The modules of the table in Documentation/dev/Architecture.md, built the way VTK builds its own.
+# The modules of the table in Documentation/dev/Architecture.md, built with VTK's module system.
 include(PenumbraTest)
 
 set(penumbra_module_files

@@ -1,15 +1,15 @@
-# What a builder may choose, and the settings that every target shares.
+# Build options, and settings of all targets.
 include(GNUInstallDirs)
 include(CTest)
 
 option(PENUMBRA_BUILD_COMMAND "Build the program `penumbra`." ON)
-option(PENUMBRA_BUILD_BENCHMARKS "Build the benchmarks, beside the tests." ON)
-option(PENUMBRA_BUILD_PLUGIN "Build the plugin for ParaView, whose VTK has to be the one in use." OFF)
+option(PENUMBRA_BUILD_BENCHMARKS "Build the benchmarks in addition to the tests." ON)
+option(PENUMBRA_BUILD_PLUGIN "Build the plugin for ParaView; requires the VTK of ParaView." OFF)
 option(PENUMBRA_BUILD_PYTHON "Build the wheel for CPython 3.12 and newer." OFF)
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
-option(PENUMBRA_SANITIZERS "Watch our own code with AddressSanitizer and UBSan." OFF)
+option(PENUMBRA_SANITIZERS "Build with AddressSanitizer and UBSan." OFF)
 set(PENUMBRA_WINDOW vtkOSOpenGLRenderWindow CACHE STRING
-  "The class of VTK's render window that the tests open.")
+  "Class of vtkRenderWindow that the tests use.")
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -28,7 +28,7 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# Inside a wheel, libraries find each other and VTK beside themselves; what they bring does so, too.
+# In a wheel, libraries find each other and VTK relative to their own folder.
 if (PENUMBRA_BUILD_PYTHON)
   set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
   set(CMAKE_INSTALL_RPATH_USE_LINK_PATH OFF)
@@ -36,11 +36,10 @@ if (PENUMBRA_BUILD_PYTHON)
   add_link_options(-Wl,--disable-new-dtags)
 endif ()
 
-# One arithmetic everywhere: a multiplication and an addition are never contracted into one
-# rounding, so that a picture does not depend on the compiler's choice.
+# Disable fused multiply-add, so that images do not depend on the compiler.
 add_compile_options(-ffp-contract=off)
 
-# GCC takes the checks that AddressSanitizer inserts for uses of uninitialized variables.
+# GCC reports checks inserted by AddressSanitizer as uses of uninitialized variables.
 if (PENUMBRA_SANITIZERS)
   add_compile_options(-O1 -g1 -UNDEBUG -fno-omit-frame-pointer -Wno-maybe-uninitialized
     -fsanitize=address,undefined -fno-sanitize-recover=undefined)
@@ -53,7 +52,7 @@ if (PENUMBRA_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${PENUMBRA_CCACHE}")
 endif ()
 
-# The warnings of our own code; `penumbra_warnings(target)` turns them on.
+# penumbra_warnings(<target>) enables the compiler warnings of the project.
 function (penumbra_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
     $<$<BOOL:${PENUMBRA_WARNINGS_AS_ERRORS}>:-Werror>)

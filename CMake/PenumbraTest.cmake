@@ -1,10 +1,10 @@
 # penumbra_test(<TestName> [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
-# One GoogleTest executable from <TestName>.cxx; every TEST in it becomes a test of CTest.
+# One GoogleTest executable from <TestName>.cxx; each TEST becomes a CTest test.
 include(GoogleTest)
 
-# The semicolons are escaped: gtest_discover_tests() would take them as ends of arguments.
-# intercept_tls_get_addr: GCC 12's sanitizers take a thread's block of memory that lies at a certain
-# offset in its page for one of an older glibc, and the search for leaks then crashes (mended in GCC 14).
+# The semicolons are escaped because gtest_discover_tests() treats them as argument separators.
+# intercept_tls_get_addr: GCC 12's sanitizers mistake thread-local blocks at a certain page offset for those
+# of an older glibc, and the leak check crashes (fixed in GCC 14).
 string(JOIN "\\;" penumbra_test_environment
   "VTK_DEFAULT_OPENGL_WINDOW=${PENUMBRA_WINDOW}"
   "ASAN_OPTIONS=intercept_tls_get_addr=0"

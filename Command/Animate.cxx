@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra animate: an orbit, moving parts or a time series to numbered pictures.
+// penumbra animate: renders an orbit, moving parts or a time series to numbered images.
 //
-// The pictures are made in groups of successive ones, each group by a process of its own: within it
-// a picture may use what was found for the one before. The groups do not depend on --jobs, and a group
-// of which pictures are missing is drawn again from its first, so that the pictures are the same
-// however often the work was interrupted.
+// A separate process renders each group of successive frames, and a frame may reuse results of the frame
+// before it in the group. The groups do not depend on --jobs. A group with missing images is rendered
+// again from its first frame. The images therefore do not depend on --jobs or on interruptions.
 #include "Engines/Engine.h"
 #include "Engines/RenderOutput.h"
 #include "Files/ImageFiles.h"
@@ -39,24 +38,25 @@ namespace penumbra
 namespace
 {
 
+/// Number of successive frames that one process renders. It is fixed, because the images depend on it.
 constexpr int FramesPerGroup = 8;
 
-/// A file's surfaces and how far they move.
+/// Displacement of the surfaces of one file over the animation.
 struct Movement
 {
-  int File = 0; ///< from 0
+  int File = 0; ///< zero-based index
   Vector3 Displacement{};
 };
 
 struct AnimationOptions
 {
-  RenderOptions Picture;
+  RenderOptions Render;
   int Frames = 60;
   double Orbit = Unset; ///< degrees
   std::vector<Movement> Movements;
   bool TimeSeries = false;
   bool Resume = false;
-  std::string Description; ///< all options that change a picture
+  std::string Description; ///< all options that affect an image
 };
 
 constexpr const char* FramePlaceholder = "{frame}";
@@ -73,15 +73,15 @@ std::string ReplaceFrame(const std::string& pattern, int frame)
   return ReplaceAll(pattern, FramePlaceholder, number);
 }
 
-/// Where the animation is at a picture, from 0 to 1. The last picture of whole turns is not the first
-/// one again; that of other motions is their end.
-double TimeOf(const AnimationOptions& options, int frame)
+/// Computes the animation time in [0, 1] of a frame. Whole turns stop one step before 1, so that they
+/// loop without a repeated frame; other motions end at 1.
+double ComputeTime(const AnimationOptions& options, int frame)
 {
   const bool turns = options.Movements.empty() && std::fmod(options.Orbit, 360.0) == 0.0;
   return frame / static_cast<double>(std::max(turns ? options.Frames : options.Frames - 1, 1));
 }
 
-// 64 bits of Fowler, Noll and Vo's hash (FNV-1a).
+// Computes the 64-bit Fowler-Noll-Vo hash (FNV-1a).
 std::string Hash(const std::string& text)
 {
   std::uint64_t hash = 0xcbf29ce484222325u;
@@ -94,13 +94,13 @@ std::string Hash(const std::string& text)
   return digits.str();
 }
 
-/// Tells one picture from all that were made of other files or with other options.
+/// Identifies an image by its input files, options, program version and frame number.
 std::string Fingerprint(const AnimationOptions& options, int frame)
 {
   std::ostringstream text;
   text << PENUMBRA_VERSION << ' ' << vtkVersion::GetVTKVersion() << ' ' << frame << '\n'
        << options.Description;
-  for (const std::string& file : options.Picture.Files)
+  for (const std::string& file : options.Render.Files)
   {
     std::error_code ignored;
     text << file << ' ' << std::filesystem::file_size(file, ignored) << ' '
@@ -109,23 +109,23 @@ std::string Fingerprint(const AnimationOptions& options, int frame)
   return "animate " + Hash(text.str());
 }
 
-/// The options of one picture.
-RenderOptions OptionsOf(const AnimationOptions& options, int frame)
+/// Returns the render options of one frame.
+RenderOptions GetFrameOptions(const AnimationOptions& options, int frame)
 {
-  RenderOptions one = options.Picture;
-  one.Output = ReplaceFrame(options.Picture.Output, frame);
-  one.Statistics = ReplaceFrame(options.Picture.Statistics, frame);
+  RenderOptions one = options.Render;
+  one.Output = ReplaceFrame(options.Render.Output, frame);
+  one.Statistics = ReplaceFrame(options.Render.Statistics, frame);
   return one;
 }
 
-bool IsMade(const AnimationOptions& options, int frame)
+bool IsUpToDate(const AnimationOptions& options, int frame)
 {
-  const RenderOptions one = OptionsOf(options, frame);
+  const RenderOptions one = GetFrameOptions(options, frame);
   return options.Resume && ReadNote(one.Output) == Fingerprint(options, frame) &&
     (one.Statistics.empty() || std::filesystem::exists(one.Statistics));
 }
 
-/// A scene, and how many of its actors come from each file.
+/// A scene and the number of actors of each file.
 struct AnimatedScene
 {
   vtkSmartPointer<vtkRenderer> Renderer;
@@ -144,17 +144,17 @@ AnimatedScene ReadScene(const RenderOptions& options, const std::vector<std::str
     meshes.insert(meshes.end(), more.begin(), more.end());
     scene.Actors.push_back(static_cast<int>(more.size()));
   }
-  EnterPhase("drawing " + options.Output, Unavailable);
+  EnterPhase("rendering " + options.Output, Unavailable);
   scene.Renderer =
     BuildScene(meshes, options, options.Engine == "ray" ? 1.0 : options.DotsPerInch / 72.0);
   return scene;
 }
 
-/// Brings actors and camera to a picture. The view of `fixed` is that of the first picture.
+/// Moves the actors and the camera to a frame. `fixed` has the camera of the first frame.
 void Move(const AnimatedScene& scene, const AnimationOptions& options, const RenderOptions& fixed,
   int frame)
 {
-  const double time = TimeOf(options, frame);
+  const double time = ComputeTime(options, frame);
   vtkActorCollection* actors = scene.Renderer->GetActors();
   for (const Movement& movement : options.Movements)
   {
@@ -176,10 +176,10 @@ void Move(const AnimatedScene& scene, const AnimationOptions& options, const Ren
     scene.Renderer, camera, static_cast<double>(fixed.Resolution[0]) / fixed.Resolution[1]);
 }
 
-/// The pictures [first, last), one after the other.
-int DrawGroup(const AnimationOptions& options, int first, int last)
+/// Renders the frames [first, last) in order.
+int RenderGroup(const AnimationOptions& options, int first, int last)
 {
-  const RenderOptions& all = options.Picture;
+  const RenderOptions& all = options.Render;
   const bool rays = all.Engine == "ray";
   ChooseWindowFor(all);
   if (all.Threads > 0)
@@ -206,17 +206,17 @@ int DrawGroup(const AnimationOptions& options, int first, int last)
   }
   for (int frame = first; frame < last; ++frame)
   {
-    RenderOptions one = OptionsOf(options, frame);
+    RenderOptions one = GetFrameOptions(options, frame);
     fixed.Output = one.Output;
     fixed.Statistics = one.Statistics;
     Move(scene, options, fixed, frame);
-    const bool made = IsMade(options, frame);
+    const bool made = IsUpToDate(options, frame);
     if (made && rays)
     {
       continue;
     }
     OutputFiles output(fixed);
-    EnterPhase("drawing " + fixed.Output, Unavailable);
+    EnterPhase("rendering " + fixed.Output, Unavailable);
     const ProgressListener silent = [](double) {};
     const RenderResult picture =
       rays ? RenderWithRays(scene.Renderer, fixed, silent) : draw(silent);
@@ -234,10 +234,10 @@ int DrawGroup(const AnimationOptions& options, int first, int last)
   return Done;
 }
 
-/// The pictures that are missing, group by group.
+/// Renders the groups that have missing images.
 int Animate(AnimationOptions& options)
 {
-  RenderOptions& all = options.Picture;
+  RenderOptions& all = options.Render;
   const int size = options.TimeSeries ? 1 : FramesPerGroup;
   RecordInputs(all);
   std::vector<int> firsts;
@@ -247,8 +247,8 @@ int Animate(AnimationOptions& options)
     const int before = missing;
     for (int frame = first; frame < std::min(first + size, options.Frames); ++frame)
     {
-      CheckFiles(OptionsOf(options, frame));
-      missing += IsMade(options, frame) ? 0 : 1;
+      CheckFiles(GetFrameOptions(options, frame));
+      missing += IsUpToDate(options, frame) ? 0 : 1;
     }
     if (missing > before)
     {
@@ -264,24 +264,25 @@ int Animate(AnimationOptions& options)
   ProgressLine progress(all.Progress);
   const auto finished = [&](int done) {
     const int made = options.Frames - missing + std::min(done * size, missing);
-    progress.Show(std::to_string(made) + " of " + std::to_string(options.Frames) + " pictures",
+    progress.Show(std::to_string(made) + " of " + std::to_string(options.Frames) + " images",
       static_cast<double>(made) / options.Frames);
   };
   return RunWorkers(
     count, jobs,
-    [&](
-      int i) { return DrawGroup(options, firsts[i], std::min(firsts[i] + size, options.Frames)); },
+    [&](int i) {
+      return RenderGroup(options, firsts[i], std::min(firsts[i] + size, options.Frames));
+    },
     finished);
 }
 
 void DeclareMotion(CLI::App& app, AnimationOptions& options)
 {
   const std::string group = "Motion";
-  AddInteger(
-    app, "--frames", options.Frames, "Pictures; of a time series: one for each file", 1, 1000000)
+  AddInteger(app, "--frames", options.Frames, "Number of images; for a time series, one per file",
+    1, 1000000)
     ->group(group);
   AddNumber(app, "--orbit", options.Orbit, "DEG",
-    "The camera turns around the focal point, to the right; default: 360 where nothing else moves",
+    "Rotate the camera around the focal point to the right; default: 360 if nothing else moves",
     { -1e6, 1e6 })
     ->default_str("")
     ->group(group);
@@ -294,60 +295,61 @@ void DeclareMotion(CLI::App& app, AnimationOptions& options)
         throw CLI::ValidationError("--move", "'" + text + "' is not of the form N:X,Y,Z");
       }
       const double file = ParseNumbers("--move", text.substr(0, colon), 1, 1, { 1.0, 1e6 })[0];
-      const std::vector<double> way =
+      const std::vector<double> displacement =
         ParseNumbers("--move", text.substr(colon + 1), 3, 3, { -1e100, 1e100 });
-      options.Movements.push_back({ static_cast<int>(file) - 1, { way[0], way[1], way[2] } });
+      options.Movements.push_back(
+        { static_cast<int>(file) - 1, { displacement[0], displacement[1], displacement[2] } });
     }
   };
   app
     .add_option_function<std::vector<std::string>>("--move", storeMovements,
-      "File number N (1: the first) moves by X,Y,Z in world units until the end; repeatable")
+      "Move file number N (1: the first) by X,Y,Z in world units over the animation; repeatable")
     ->type_name("N:X,Y,Z")
     ->allow_extra_args(false)
     ->group(group);
   app
     .add_flag("--time-series", options.TimeSeries,
-      "Each file is a step; camera and colours are those of the first")
+      "Each file is one time step; camera and colors are those of the first")
     ->group(group);
   app
     .add_flag("--resume", options.Resume,
-      "Keep the pictures that were made of these files with these options (.png)")
+      "Keep existing images that were made from the same files with the same options (.png)")
     ->group("Output");
 }
 
 void CheckMotion(const CLI::App& app, AnimationOptions& options)
 {
-  const RenderOptions& picture = options.Picture;
+  const RenderOptions& picture = options.Render;
   if (!HasFrame(picture.Output))
   {
-    throw CommandError(
-      BadInput, "--output " + picture.Output + ": pictures need {frame} in it, for their numbers");
+    throw CommandError(BadInput,
+      "--output " + picture.Output + ": the path of numbered images must contain {frame}");
   }
   if (!picture.Statistics.empty() && !HasFrame(picture.Statistics))
   {
-    throw CommandError(
-      BadInput, "--statistics " + picture.Statistics + ": several pictures need {frame} in it");
+    throw CommandError(BadInput,
+      "--statistics " + picture.Statistics + ": the path must contain {frame}, one file per image");
   }
   if (options.Resume && std::filesystem::path(picture.Output).extension() != ".png")
   {
-    throw CommandError(
-      BadInput, "--resume: only .png tells how a picture was made; end --output in .png");
+    throw CommandError(BadInput,
+      "--resume requires an --output that ends in .png, the format that stores the options");
   }
   for (const Movement& movement : options.Movements)
   {
     if (movement.File >= static_cast<int>(picture.Files.size()))
     {
       throw CommandError(BadInput,
-        "--move " + std::to_string(movement.File + 1) + ": there are " +
-          std::to_string(picture.Files.size()) + " files");
+        "--move " + std::to_string(movement.File + 1) + ": the number must be at most " +
+          std::to_string(picture.Files.size()) + ", the number of files");
     }
   }
   if (options.TimeSeries)
   {
     if (app.count("--frames") > 0 || !options.Movements.empty())
     {
-      throw CommandError(
-        BadInput, "--time-series: each file is a picture; leave --frames and --move out");
+      throw CommandError(BadInput,
+        "--time-series renders one image per file; it cannot be combined with --frames or --move");
     }
     options.Frames = static_cast<int>(picture.Files.size());
   }
@@ -357,7 +359,7 @@ void CheckMotion(const CLI::App& app, AnimationOptions& options)
   }
 }
 
-/// All options but those that change no picture, and the places of the files.
+/// Returns all options as text, except paths and the options that do not affect an image.
 std::string Describe(const CLI::App& app)
 {
   const std::vector<std::string> others = { "output", "resume", "jobs", "threads", "progress",
@@ -380,18 +382,20 @@ std::string Describe(const CLI::App& app)
 Action DeclareAnimate(CLI::App& program)
 {
   const auto options = std::make_shared<AnimationOptions>();
-  CLI::App* app = program.add_subcommand("animate", "Draw an orbit, moving parts or a time series");
-  DeclareRenderOptions(*app, options->Picture);
-  app->remove_option(app->get_option("--frames")); // of a still camera
+  CLI::App* app =
+    program.add_subcommand("animate", "Render an orbit, moving parts or a time series");
+  DeclareRenderOptions(*app, options->Render);
+  app->remove_option(app->get_option("--frames")); // The option of `render` has another meaning.
   DeclareMotion(*app, *options);
   app->get_option("--output")
-    ->description(
-      "Pictures, {frame} in it stands for their numbers: .png .jpg .tif .bmp (8 bit) or .vti");
+    ->description("Images: .png .jpg .tif .bmp (8 bits per channel) or .vti; {frame} is replaced "
+                  "by the frame number");
   app->get_option("--statistics")
-    ->description("Write rays, error, times and memory to these files; {frame} as in --output");
-  app->get_option("--jobs")->description("Groups of pictures made at a time");
+    ->description(
+      "Write ray counts, estimated error, times and memory to these files; {frame} as in --output");
+  app->get_option("--jobs")->description("Number of groups of images rendered at the same time");
   return [options, app]() {
-    RenderOptions& picture = options->Picture;
+    RenderOptions& picture = options->Render;
     picture.Coloring.Enabled = picture.Coloring.Enabled || !picture.Coloring.Array.empty();
     CheckRenderOptions(*app, picture);
     CheckMotion(*app, *options);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra bake: ambient occlusion or irradiance as an array of a mesh.
+// penumbra bake: computes ambient occlusion or irradiance as an array of a mesh.
 #include "Engines/Engine.h"
 #include "Files/AtomicFile.h"
 #include "Files/InputFiles.h"
@@ -57,10 +57,10 @@ struct BakeOptions
   std::string Output;
   std::string Quantity = "ambient-occlusion";
   double Tolerance = 0.01;
-  double Radius = 0.0; ///< 0: from the bounds
+  double Radius = 0.0; ///< world units; 0: a tenth of the bounds' diagonal
   std::string Falloff = "none";
   std::optional<Vector3> EnvironmentColor; ///< unset: white
-  std::string EnvironmentFile;             ///< empty: one colour
+  std::string EnvironmentFile;             ///< empty: uniform color
   std::optional<Vector3> EnvironmentUp;
   double Albedo = 0.5;
   int Bounces = 3;
@@ -91,11 +91,11 @@ void CheckMeshExtension(const std::string& path)
   if (extension != ".vtp" && extension != ".vtu" && extension != ".vtk" && extension != ".ply")
   {
     throw CommandError(BadInput,
-      "--output: " + path + " is no mesh that can be written; use .vtp .vtu .vtk or .ply");
+      "--output: " + path + " is not a supported mesh format; use .vtp .vtu .vtk or .ply");
   }
 }
 
-/// All surfaces of the file as one mesh.
+/// Returns all surfaces of the file, appended to one mesh.
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::string>& warnings)
 {
   const Surfaces surfaces = ReadSurfaces(path);
@@ -103,7 +103,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
   {
     warnings.push_back(path + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
       std::to_string(surfaces.Points) +
-      " points are not finite: left out, with the cells around them");
+      " points are not finite; they and the cells that use them were skipped");
   }
   vtkSmartPointer<vtkPolyData> mesh = surfaces.Meshes.front();
   if (surfaces.Meshes.size() > 1)
@@ -122,8 +122,8 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// PLY files hold colours, not arrays: white where open, or the light that a white surface sends out
-/// under it, as far as 8 bits hold it.
+/// Adds 8-bit vertex colors for PLY files, which have no arrays: 1 - occlusion, or the radiosity E / pi of
+/// a white surface clamped to 1.
 void AddColors(vtkPolyData* mesh, bool light)
 {
   vtkDataArray* values = mesh->GetPointData()->GetArray(light ? "Irradiance" : "AmbientOcclusion");
@@ -135,9 +135,9 @@ void AddColors(vtkPolyData* mesh, bool light)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const double share =
+      const double value =
         light ? values->GetComponent(i, c) / Pi : 1.0 - values->GetComponent(i, 0);
-      colors->SetComponent(i, c, std::round(255.0 * std::min(share, 1.0)));
+      colors->SetComponent(i, c, std::round(255.0 * std::min(value, 1.0)));
     }
   }
   mesh->GetPointData()->AddArray(colors);
@@ -151,7 +151,7 @@ bool Write(Writer* writer, vtkDataObject* data, const std::string& path)
   return writer->Write() != 0 && writer->GetErrorCode() == 0;
 }
 
-/// The writer does not notice a full disk: the file is read through again.
+/// Reads the file back, because the writer does not detect a full disk.
 bool WriteColors(vtkPolyData* mesh, const std::string& path)
 {
   vtkNew<vtkPLYWriter> writer;
@@ -216,8 +216,8 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   const double readSeconds = SecondsSince(lap);
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0 && !(options.PointRadius > 0.0))
   {
-    throw CommandError(
-      BadInput, options.File + ": it has no polygons; give points a --point-radius");
+    throw CommandError(BadInput,
+      options.File + ": the mesh has no polygons; give --point-radius to bake onto points");
   }
 
   EnterPhase("baking " + options.Output, Unavailable);
@@ -243,7 +243,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   filter->SetAlbedo(options.Albedo);
   filter->SetBounces(options.Bounces);
   filter->SetRadius(std::min(options.Radius, std::numeric_limits<double>::max()));
-  filter->SetFalloff(FalloffOf(options.Falloff));
+  filter->SetFalloff(FindFalloff(options.Falloff));
   filter->SetComputeNormals(options.Normals == "computed");
   filter->SetPointRadius(options.PointRadius);
   filter->SetNumberOfThreads(options.Threads);
@@ -273,7 +273,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   vtkPolyData* baked = vtkPolyData::SafeDownCast(filter->GetOutput());
   if (!WriteAs(Extension(options.Output), baked, light, output.TemporaryPath()))
   {
-    output.Fail("it cannot be written whole");
+    output.Fail("the file is incomplete; check the free disk space");
   }
   const double writeSeconds = SecondsSince(lap);
   if (statistics)
@@ -298,50 +298,53 @@ int Bake(const BakeOptions& options, Clock::time_point start)
 
 void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
 {
-  app.add_option("FILE", options.File, "Mesh; `penumbra list` names the formats")
+  app.add_option("FILE", options.File, "Mesh; `penumbra list` prints the formats")
     ->required()
     ->type_name("");
   app
     .add_option("--output", options.Output,
-      "Mesh with the array: .vtp .vtu .vtk; .ply: colours, white where open or where E is pi")
+      "Mesh with the array: .vtp .vtu .vtk; .ply: vertex colors, 1 - occlusion or E / pi clamped "
+      "to 1")
     ->required()
     ->type_name("MESH")
     ->take_last();
   AddChoice(app, "--quantity", options.Quantity, { "ambient-occlusion", "irradiance" },
-    "The blocked share of the sky, or the light that arrives: array AmbientOcclusion or "
-    "Irradiance");
-  AddNumber(app, "--tolerance", options.Tolerance, "X", "Error accepted: RMSE over all points",
-    { 1e-4, 1.0 });
+    "Array AmbientOcclusion (occluded fraction of the hemisphere) or Irradiance (direct and "
+    "reflected light of the environment)");
+  AddNumber(
+    app, "--tolerance", options.Tolerance, "X", "Accepted RMSE over all points", { 1e-4, 1.0 });
   AddNumber(app, "--radius", options.Radius, "R",
-    "Reach of an occluder in world units, inf: all; default: a tenth of the bounds' diagonal",
+    "Largest distance of an occluder in world units, inf: no limit; default: a tenth of the "
+    "bounds' diagonal",
     { 0.0, Infinity, true, true })
     ->default_str("");
   AddChoice(app, "--falloff", options.Falloff, FalloffNames(),
-    "How an occluder counts less with its distance: not, or 1 - t/R, 1 - (t/R)^2, 1 - sqrt(t/R)");
+    "Weight of an occluder at distance t: 1, 1 - t/R, 1 - (t/R)^2 or 1 - sqrt(t/R)");
   AddTriple(app, "--environment-color", options.EnvironmentColor,
-    "irradiance: radiance from where nothing is; default: 1,1,1", { 0.0, 1e6 });
+    "irradiance: radiance of rays that hit nothing; default: 1,1,1", { 0.0, 1e6 });
   AddEnvironmentOptions(app, options.EnvironmentFile, options.EnvironmentUp, "");
   AddNumber(app, "--albedo", options.Albedo, "A",
-    "irradiance: share of light that the surface throws back", { 0.0, 1.0 });
+    "irradiance: fraction of light that the surface reflects", { 0.0, 1.0 });
   AddInteger(app, "--bounces", options.Bounces,
-    "irradiance: reflections up to the eye's, which is the last; 1: straight light alone", 1, 64);
+    "irradiance: diffuse reflections, including the one toward a viewer; 1: direct light only", 1,
+    64);
   AddChoice(app, "--normals", options.Normals, { "file", "computed" },
-    "About which the hemispheres are; file: computed where the file has none");
+    "Normals of the hemispheres; file: computed if the file has none");
   AddChoice(app, "--gatherer", options.Gatherer, { "rays", "cube-map" },
-    "How records look around: by rays or by OpenGL");
+    "How cache records sample the hemisphere: by rays or with OpenGL");
   AddNumber(app, "--point-radius", options.PointRadius, "R",
-    "Radius of the discs that stand for points where there are no polygons", { 0.0, 1e30, true })
+    "Radius of the disks that represent points of a mesh without polygons", { 0.0, 1e30, true })
     ->default_str("");
-  AddInteger(
-    app, "--threads", options.Threads, "Threads, 0: all; the values are the same", 0, 1024);
+  AddInteger(app, "--threads", options.Threads,
+    "Number of threads, 0: all; the values do not depend on it", 0, 1024);
   app
     .add_option("--statistics", options.Statistics,
-      "Write records, rays, error, times and memory to this file")
+      "Write record and ray counts, estimated error, times and memory to this file")
     ->type_name("FILE.json")
     ->take_last();
   AddReadLimitOption(app);
   AddChoice(app, "--progress", options.Progress, { "auto", "bar", "plain", "none" },
-    "How progress is shown on stderr; auto: a bar on a terminal");
+    "Progress on stderr; auto: a bar on a terminal");
 }
 
 }
@@ -358,7 +361,7 @@ Action DeclareBake(CLI::App& program)
     if (options->Statistics == options->Output)
     {
       throw CommandError(BadInput,
-        "--statistics " + options->Statistics + ": this is the --output; name another file");
+        "--statistics " + options->Statistics + ": the path equals --output; choose another file");
     }
     return RunWorkers(
       1, 1, [&](int) { return Bake(*options, start); }, [](int) {});

@@ -26,19 +26,19 @@ void ExecuteChartProgram(int argc, char** argv)
   const char* name = "penumbra-chart";
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::string beside = (self.parent_path() / name).string();
+  const std::string sibling = (self.parent_path() / name).string();
   std::string program = name;
   std::vector<char*> arguments = { program.data() };
   arguments.insert(arguments.end(), argv + 2, argv + argc);
   arguments.push_back(nullptr);
-  execv(beside.c_str(), arguments.data());
+  execv(sibling.c_str(), arguments.data());
   execvp(name, arguments.data());
 }
 
 Action DeclareChart(CLI::App& program)
 {
   CLI::App* app =
-    program.add_subcommand("chart", "Measure speed against accuracy of every method, and draw it");
+    program.add_subcommand("chart", "Measure and plot speed against accuracy of every method");
   app->prefix_command();
   app->set_help_flag();
   return []() -> int {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra compare: how far a picture is from its baselines.
+// penumbra compare: computes the difference between an image and its baselines.
 #include "Files/AtomicFile.h"
 #include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
@@ -30,7 +30,7 @@ namespace
 
 struct CompareOptions
 {
-  std::vector<std::string> Pictures;
+  std::vector<std::string> Images;
   std::string Metric = "rmse";
   double Threshold = std::nan("");
   double Tolerance = std::nan("");
@@ -39,7 +39,7 @@ struct CompareOptions
   bool Json = false;
 };
 
-int MetricOf(const std::string& name)
+int FindMetric(const std::string& name)
 {
   int metric = 0;
   while (name != vtkPenumbraImageComparison::GetMetricName(metric))
@@ -49,7 +49,8 @@ int MetricOf(const std::string& name)
   return metric;
 }
 
-// 8 bits show a small difference badly: the largest becomes white. Returns the factor.
+// Scales the difference so that its largest value is 1, because 8 bits resolve small differences badly.
+// Returns the factor.
 double Amplify(vtkImageData* difference)
 {
   vtkDataArray* color = difference->GetPointData()->GetArray("Color");
@@ -76,12 +77,12 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
   return ReadPicture(path);
 }
 
-// In a process of its own.
+// Runs in a worker process.
 int Compare(const CompareOptions& options)
 {
-  for (const std::string& picture : options.Pictures)
+  for (const std::string& image : options.Images)
   {
-    RecordInput(picture);
+    RecordInput(image);
   }
   RecordInput(options.Mask);
   std::unique_ptr<AtomicFile> file;
@@ -90,13 +91,13 @@ int Compare(const CompareOptions& options)
     CheckPictureExtension(options.Difference, "--difference");
     file = std::make_unique<AtomicFile>(options.Difference, "--difference");
   }
-  const bool asksForNearness = !std::isnan(options.Tolerance);
-  const std::string name = asksForNearness ? "excess" : options.Metric;
-  const double threshold = asksForNearness ? 1.0 : options.Threshold;
-  const int metric = MetricOf(name);
+  const bool usesTolerance = !std::isnan(options.Tolerance);
+  const std::string name = usesTolerance ? "excess" : options.Metric;
+  const double threshold = usesTolerance ? 1.0 : options.Threshold;
+  const int metric = FindMetric(name);
   vtkNew<vtkPenumbraImageComparison> comparison;
   comparison->SetMetric(metric);
-  if (asksForNearness)
+  if (usesTolerance)
   {
     comparison->SetTolerance(options.Tolerance);
   }
@@ -104,16 +105,16 @@ int Compare(const CompareOptions& options)
   {
     comparison->SetMask(Read(options.Mask));
   }
-  comparison->SetImage(Read(options.Pictures[0]));
-  for (std::size_t i = 1; i < options.Pictures.size(); ++i)
+  comparison->SetImage(Read(options.Images[0]));
+  for (std::size_t i = 1; i < options.Images.size(); ++i)
   {
-    comparison->AddBaseline(Read(options.Pictures[i]));
+    comparison->AddBaseline(Read(options.Images[i]));
   }
-  EnterPhase("comparing " + options.Pictures[0], Unavailable);
+  EnterPhase("comparing " + options.Images[0], Unavailable);
   if (!comparison->Compare())
   {
     throw CommandError(BadInput,
-      options.Pictures[0] + ": " + comparison->GetErrorText() + "; give pictures that match");
+      options.Images[0] + ": " + comparison->GetErrorText() + "; give images of the same size");
   }
   double factor = 1.0;
   if (file)
@@ -125,7 +126,7 @@ int Compare(const CompareOptions& options)
   }
 
   const double value = comparison->GetValue(metric);
-  const std::string& nearest = options.Pictures[1 + comparison->GetBestBaseline()];
+  const std::string& nearest = options.Images[1 + comparison->GetBestBaseline()];
   const bool above = value > threshold;
   if (options.Json)
   {
@@ -154,7 +155,7 @@ int Compare(const CompareOptions& options)
   }
   if (factor != 1.0)
   {
-    std::cout << ", difference shown " << factor << " times";
+    std::cout << ", difference amplified " << factor << " times";
   }
   std::cout << "\n";
   return above ? AboveThreshold : Done;
@@ -165,39 +166,37 @@ int Compare(const CompareOptions& options)
 Action DeclareCompare(CLI::App& program)
 {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App* app = program.add_subcommand(
-    "compare", "Tell how far a picture is from the nearest of its baselines");
-  app->add_option("PICTURE", options->Pictures, "The picture, then one or more baselines")
+  CLI::App* app =
+    program.add_subcommand("compare", "Compare an image with the nearest of its baselines");
+  app->add_option("IMAGE", options->Images, "Image, then one or more baselines")
     ->required()
     ->type_name("A B...");
   AddChoice(*app, "--metric", options->Metric,
     { "rmse", "max", "ssim", "pixels", "tile-rmse", "tile-pixels", "excess" },
     "rmse: root mean square; max: largest difference; ssim: 1 - structural similarity; pixels: "
-    "share off by more than 4/255; tile-rmse, tile-pixels: of the worst 16x16 pixels; excess: over "
-    "the limits of --tolerance");
-  AddNumber(*app, "--threshold", options->Threshold, "X", "Exit with 1 when the metric is above",
+    "fraction that differs by more than 4/255; tile-rmse, tile-pixels: of the worst 16x16 pixels; "
+    "excess: ratio to the limits of --tolerance");
+  AddNumber(*app, "--threshold", options->Threshold, "X", "Exit with 1 if the metric is above X",
     { 0.0, Infinity });
   AddNumber(*app, "--tolerance", options->Tolerance, "X",
-    "Instead of a metric and a threshold: exit with 1 unless near, which is at most X as "
-    "tile-rmse, "
-    "1 % of the pixels off, and 1/32 of any 16x16; 1/16 suits pictures of OpenGL",
+    "Instead of a metric and a threshold: exit with 1 unless tile-rmse is at most X, at most 1 % "
+    "of the pixels differ by more than 4/255, and at most 1/32 of any 16x16 pixels; 1/16 suits "
+    "OpenGL images",
     { 0.0, 1.0 });
-  app
-    ->add_option(
-      "--mask", options->Mask, "A picture of the same size: what is black in it does not count")
+  app->add_option("--mask", options->Mask, "Image of the same size; black pixels are ignored")
     ->type_name("PATH")
     ->take_last();
   app
     ->add_option("--difference", options->Difference,
-      "Write a picture of the differences; 8 bit: the largest is white")
+      "Write an image of the differences; in 8 bits the largest is white")
     ->type_name("PATH")
     ->take_last();
   AddReadLimitOption(*app);
   app->add_flag("--json", options->Json, "Print all metrics as JSON");
   return [options]() {
-    if (options->Pictures.size() < 2)
+    if (options->Images.size() < 2)
     {
-      throw CommandError(BadInput, "compare: give a picture and at least one baseline");
+      throw CommandError(BadInput, "compare: give an image and at least one baseline");
     }
     return RunWorkers(
       1, 1, [&](int) { return Compare(*options); }, [](int) {});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra info: what runs on this machine.
+// penumbra info: prints versions, resources and the OpenGL windows that this machine supports.
 #include "Engines/Engine.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
@@ -45,7 +45,7 @@ int Info()
 
 Action DeclareInfo(CLI::App& program)
 {
-  program.add_subcommand("info", "Tell what runs on this machine");
+  program.add_subcommand("info", "Print what runs on this machine");
   return Info;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra list: what this version offers.
+// penumbra list: prints the formats, colormaps, engines and kernels of this version.
 #include "Files/ImageFiles.h"
 #include "Input/Readers.h"
 #include "Options/Colormaps.h"
@@ -29,14 +29,14 @@ int List()
     std::cout << "  " << std::setw(26) << CLI::detail::join(row.Extensions, " ") << std::setw(38)
               << row.Format << row.ReaderClass << "\n";
   }
-  std::cout << "\nPictures\n  " << PictureExtensions() << "\n\nColormaps\n ";
+  std::cout << "\nImages\n  " << PictureExtensions() << "\n\nColormaps\n ";
   for (const std::string& name : ColormapNames())
   {
     std::cout << " " << name;
   }
   std::cout << "\n\nEngines\n"
                "  ray       antialiased ray casting; needs no OpenGL\n"
-               "  raster    VTK's OpenGL, up to 8 samples a pixel\n"
+               "  raster    VTK's OpenGL, up to 8 samples per pixel\n"
                "\nKernels of --ambient-occlusion (raster)\n"
                "  automatic traced";
   for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
@@ -44,7 +44,7 @@ int List()
     std::cout << " " << vtkPenumbraKernels::GetName(kernel);
   }
   std::cout << "\n"
-               "\nWindows of the raster engine (`penumbra info` tells which work here)\n"
+               "\nWindows of the raster engine (`penumbra info` prints those that work here)\n"
                "  osmesa egl x\n";
   return Done;
 }
@@ -53,7 +53,7 @@ int List()
 
 Action DeclareList(CLI::App& program)
 {
-  program.add_subcommand("list", "List readers, pictures, colormaps and engines");
+  program.add_subcommand("list", "List readers, image formats, colormaps and engines");
   return List;
 }
 

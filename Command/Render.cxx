@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra render: meshes to pictures.
+// penumbra render: renders meshes to images.
 #include "Engines/Engine.h"
 #include "Engines/RenderOutput.h"
 #include "Files/Report.h"
@@ -29,28 +29,28 @@ namespace penumbra
 namespace
 {
 
-// What stands for the name of a file; the second one is F3D's.
-const std::string NamePlaces[] = { "{name}", "{model}" };
+// Placeholders for the name of a file; the second one is F3D's.
+const std::string NamePlaceholders[] = { "{name}", "{model}" };
 
 std::string ReplaceName(const std::string& pattern, const std::string& file)
 {
   const std::string name = std::filesystem::path(file).stem().string();
   std::string path = pattern;
-  for (const std::string& place : NamePlaces)
+  for (const std::string& placeholder : NamePlaceholders)
   {
-    path = ReplaceAll(path, place, name);
+    path = ReplaceAll(path, placeholder, name);
   }
   return path;
 }
 
 bool HasName(const std::string& pattern)
 {
-  return std::any_of(std::begin(NamePlaces), std::end(NamePlaces),
-    [&](const std::string& place) { return pattern.find(place) != std::string::npos; });
+  return std::any_of(std::begin(NamePlaceholders), std::end(NamePlaceholders),
+    [&](const std::string& placeholder) { return pattern.find(placeholder) != std::string::npos; });
 }
 
-// One picture, in its own process.
-int RenderPicture(const RenderOptions& options, Clock::time_point start)
+// Renders one image, in a worker process.
+int RenderImage(const RenderOptions& options, Clock::time_point start)
 {
   OutputFiles files(options);
   const bool rays = options.Engine == "ray";
@@ -67,12 +67,12 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
   const auto meshes = ReadMeshes(options.Files, progress, warnings);
   preparation.ReadSeconds = SecondsSince(lap);
 
-  EnterPhase("drawing " + options.Output, Unavailable);
+  EnterPhase("rendering " + options.Output, Unavailable);
   lap = Clock::now();
   const vtkSmartPointer<vtkRenderer> renderer =
     BuildScene(meshes, options, rays ? 1.0 : options.DotsPerInch / 72.0);
   preparation.SceneSeconds = SecondsSince(lap);
-  const auto listener = [&progress](double share) { progress.Show("drawing", share); };
+  const auto listener = [&progress](double fraction) { progress.Show("rendering", fraction); };
   const RenderResult picture =
     rays ? RenderWithRays(renderer, options, listener) : PrepareRaster(renderer, options)(listener);
   progress.Show("writing", 1.0);
@@ -83,21 +83,21 @@ int RenderPicture(const RenderOptions& options, Clock::time_point start)
   return Done;
 }
 
-// One picture of all files, or one of each where the output's name holds {name}.
-std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
+// Returns the options of each image: one for all files, or one per file if the output path contains {name}.
+std::vector<RenderOptions> PlanImages(const RenderOptions& options)
 {
   if (!HasName(options.Output))
   {
     if (HasName(options.Statistics))
     {
-      throw CommandError(BadInput, "--statistics: {name} is only for an --output with {name}");
+      throw CommandError(BadInput, "--statistics may contain {name} only if --output contains it");
     }
     return { options };
   }
   if (options.Files.size() > 1 && !options.Statistics.empty() && !HasName(options.Statistics))
   {
-    throw CommandError(
-      BadInput, "--statistics " + options.Statistics + ": several pictures need {name} in it");
+    throw CommandError(BadInput,
+      "--statistics " + options.Statistics + ": the path must contain {name}, one file per image");
   }
   std::vector<RenderOptions> pictures;
   std::set<std::string> outputs;
@@ -114,7 +114,7 @@ std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
     if (!outputs.insert(one.Output).second)
     {
       throw CommandError(BadInput,
-        file + ": another file would give the same picture " + one.Output + "; rename one");
+        file + ": another file has the same output " + one.Output + "; rename one of the two");
     }
     pictures.push_back(one);
   }
@@ -123,7 +123,7 @@ std::vector<RenderOptions> PlanPictures(const RenderOptions& options)
 
 int Render(const RenderOptions& options, Clock::time_point start)
 {
-  std::vector<RenderOptions> pictures = PlanPictures(options);
+  std::vector<RenderOptions> pictures = PlanImages(options);
   RecordInputs(options);
   for (const RenderOptions& picture : pictures)
   {
@@ -147,12 +147,12 @@ int Render(const RenderOptions& options, Clock::time_point start)
   const auto finished = [&progress, count](int done) {
     if (progress)
     {
-      progress->Show(std::to_string(done) + " of " + std::to_string(count) + " pictures",
+      progress->Show(std::to_string(done) + " of " + std::to_string(count) + " images",
         static_cast<double>(done) / count);
     }
   };
   return RunWorkers(
-    count, jobs, [&](int i) { return RenderPicture(pictures[i], start); }, finished);
+    count, jobs, [&](int i) { return RenderImage(pictures[i], start); }, finished);
 }
 
 }
@@ -161,7 +161,7 @@ Action DeclareRender(CLI::App& program)
 {
   const Clock::time_point start = Clock::now();
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* app = program.add_subcommand("render", "Draw meshes into a picture");
+  CLI::App* app = program.add_subcommand("render", "Render meshes to an image");
   DeclareRenderOptions(*app, *options);
   return [options, app, start]() {
     options->Coloring.Enabled = options->Coloring.Enabled || !options->Coloring.Array.empty();
@@ -169,17 +169,17 @@ Action DeclareRender(CLI::App& program)
     const int status = Render(*options, start);
     if (status == Done)
     {
-      std::vector<std::string> idle = FindIgnoredOptions(*app, *options);
-      // Which mean something else to `animate`.
+      std::vector<std::string> warnings = FindIgnoredOptions(*app, *options);
+      // `animate` gives these options another meaning, so FindIgnoredOptions() does not check them.
       if (app->count("--frames") > 0 && options->Engine == "ray")
       {
-        idle.emplace_back("--frames has no effect with --engine ray");
+        warnings.emplace_back("--frames has no effect with --engine ray");
       }
       if (app->count("--jobs") > 0 && !(HasName(options->Output) && options->Files.size() > 1))
       {
-        idle.emplace_back("--jobs has no effect without several files and {name} in --output");
+        warnings.emplace_back("--jobs has no effect without several files and {name} in --output");
       }
-      for (const std::string& warning : idle)
+      for (const std::string& warning : warnings)
       {
         PrintMessage("warning: " + warning);
       }

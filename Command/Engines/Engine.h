@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a scene to a picture: two engines behind one shape.
+// The two render engines: ray casting and OpenGL.
 #ifndef penumbra_Engine_h
 #define penumbra_Engine_h
 
@@ -22,7 +22,7 @@ struct RenderOptions;
 
 struct RenderResult
 {
-  /// Is anything in view, as far as the engine can tell?
+  /// Whether a surface is in view; Unknown if the engine does not report it.
   enum class Coverages
   {
     Unknown,
@@ -32,42 +32,42 @@ struct RenderResult
   Coverages Coverage = Coverages::Unknown;
   vtkSmartPointer<vtkImageData> Image; ///< `Color`: 4 floats, straight alpha
   nlohmann::json Statistics = nlohmann::json::object();
-  double Tolerance = 0.0;      ///< the error that was accepted
-  double EstimatedError = 0.0; ///< NaN where the engine makes no estimate
+  double Tolerance = 0.0;      ///< accepted error
+  double EstimatedError = 0.0; ///< NaN if the engine makes no estimate
   int Threads = 1;
-  double BuildSeconds = 0.0;  ///< until the first ray
-  double RenderSeconds = 0.0; ///< from there
+  double BuildSeconds = 0.0;  ///< before the first ray
+  double RenderSeconds = 0.0; ///< from the first ray
   std::vector<std::string> Warnings;
 };
 
-/// Told the share that is done.
-using ProgressListener = std::function<void(double share)>;
+/// Called with the completed fraction of the work.
+using ProgressListener = std::function<void(double fraction)>;
 
 RenderResult RenderWithRays(
   vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
 
-/// A window about `renderer`, with the passes that are asked for. Each call draws what `renderer` then
-/// shows; the occlusion of one picture helps the next.
+/// Creates an offscreen window with `renderer` and the requested passes. Each call of the returned function
+/// renders the current state of `renderer`; occlusion is accumulated across calls.
 std::function<RenderResult(const ProgressListener& progress)> PrepareRaster(
   vtkRenderer* renderer, const RenderOptions& options);
 
-/// Make OpenGL windows of the kind that `window` names, tried first in a process of its own. To be
-/// called before any other thread lives: a process split off inherits the locks that others hold, and
-/// waits for them for ever. Throws Failure when the machine has none.
+/// Selects the class of OpenGL windows that `window` names, after testing it in a separate process. Call
+/// before any thread is started: a forked process inherits locks that other threads hold and would wait
+/// for them forever. Throws CommandError, with `option` and `otherwise` in the message, if no window works.
 void ChooseWindow(const std::string& window, const std::string& option = "--engine raster",
   const std::string& otherwise = "--engine ray");
 
-/// The same where the engine or the gatherer that is asked for draws with OpenGL.
+/// Calls ChooseWindow() if the selected engine or gatherer renders with OpenGL.
 void ChooseWindowFor(const RenderOptions& options);
 
 struct WindowReport
 {
-  std::string Name; ///< as --window takes it
+  std::string Name; ///< name for --window
   bool Works = false;
-  std::string Description; ///< renderer and version, or why not
+  std::string Description; ///< renderer and version, or "not available"
 };
 
-/// What the machine offers, each tried in a process of its own; as ChooseWindow(), before other threads.
+/// Tests each kind of window in a separate process. Call before any thread is started, as ChooseWindow().
 std::vector<WindowReport> TryWindows();
 
 }

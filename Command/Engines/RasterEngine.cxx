@@ -32,9 +32,10 @@ namespace penumbra
 namespace
 {
 
+/// Requested samples per pixel; the OpenGL driver may provide fewer.
 constexpr int MultiSamples = 8;
 
-// Bytes whose colour is multiplied by alpha, as blending leaves them, to floats with straight alpha.
+// Converts bytes with premultiplied alpha, the result of blending, to floats with straight alpha.
 vtkSmartPointer<vtkImageData> ToFloats(
   vtkUnsignedCharArray* bytes, int width, int height, bool opaque)
 {
@@ -58,7 +59,7 @@ vtkSmartPointer<vtkImageData> ToFloats(
   return image;
 }
 
-/// How strongly surfaces coloured by data are darkened, unless told.
+/// Default occlusion strength on surfaces colored by data, as documented in Options.md.
 constexpr double StrengthOnData = 0.6;
 
 vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOptions& options)
@@ -89,8 +90,8 @@ void AddShafts(
 {
   if (options.Lights.empty())
   {
-    warnings.emplace_back("No light makes shafts (headlights make none): give --light-position; no "
-                          "light shafts are drawn.");
+    warnings.emplace_back("--light-shafts: no light casts shafts (headlights do not), so none are "
+                          "rendered; give --light-position");
     return;
   }
   const ShaftOptions& shafts = options.Shafts;
@@ -103,44 +104,44 @@ void AddShafts(
   pass->SetAsymmetry(shafts.Asymmetry);
 }
 
-/// What the pass knows of its last frame.
-void AddPassStatistics(vtkPenumbraTemporalSSAOPass* pass, bool arrays, RenderResult& picture)
+/// Adds the statistics of the last frame of `pass` to `result`, and its arrays if `arrays` is on.
+void AddPassStatistics(vtkPenumbraTemporalSSAOPass* pass, bool arrays, RenderResult& result)
 {
   vtkFieldData* statistics = pass->GetStatistics();
   for (int i = 0; i < statistics->GetNumberOfArrays(); ++i)
   {
     if (vtkDataArray* array = statistics->GetArray(i))
     {
-      picture.Statistics[array->GetName()] = array->GetComponent(0, 0);
+      result.Statistics[array->GetName()] = array->GetComponent(0, 0);
     }
   }
-  picture.Statistics["Occlusion/Kernel"] = pass->GetActiveKernelName();
-  picture.Tolerance = pass->GetTolerance();
+  result.Statistics["Occlusion/Kernel"] = pass->GetActiveKernelName();
+  result.Tolerance = pass->GetTolerance();
   if (pass->GetEstimatedError() <= 1.0)
   {
-    picture.EstimatedError = pass->GetEstimatedError();
+    result.EstimatedError = pass->GetEstimatedError();
   }
   if (arrays)
   {
-    vtkNew<vtkImageData> found;
-    pass->CopyOcclusion(found);
+    vtkNew<vtkImageData> occlusion;
+    pass->CopyOcclusion(occlusion);
     for (const char* name : { "AmbientOcclusion", "Depth" })
     {
-      picture.Image->GetPointData()->AddArray(found->GetPointData()->GetArray(name));
+      result.Image->GetPointData()->AddArray(occlusion->GetPointData()->GetArray(name));
     }
   }
 }
 
-// The window about a renderer, and its passes.
-class RasterDrawing
+// A window that contains a renderer, and its passes.
+class RasterRenderer
 {
 public:
-  RasterDrawing(vtkRenderer* renderer, const RenderOptions& options);
-  ~RasterDrawing();
-  RasterDrawing(const RasterDrawing&) = delete;
-  void operator=(const RasterDrawing&) = delete;
+  RasterRenderer(vtkRenderer* renderer, const RenderOptions& options);
+  ~RasterRenderer();
+  RasterRenderer(const RasterRenderer&) = delete;
+  void operator=(const RasterRenderer&) = delete;
 
-  RenderResult Draw(const ProgressListener& progress);
+  RenderResult Render(const ProgressListener& progress);
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
@@ -150,7 +151,7 @@ private:
   std::vector<std::string> Warnings;
 };
 
-RasterDrawing::RasterDrawing(vtkRenderer* renderer, const RenderOptions& options)
+RasterRenderer::RasterRenderer(vtkRenderer* renderer, const RenderOptions& options)
   : Renderer(renderer),
     Options(options)
 {
@@ -175,7 +176,7 @@ RasterDrawing::RasterDrawing(vtkRenderer* renderer, const RenderOptions& options
   }
 }
 
-RasterDrawing::~RasterDrawing()
+RasterRenderer::~RasterRenderer()
 {
   if (this->Occlusion)
   {
@@ -183,7 +184,7 @@ RasterDrawing::~RasterDrawing()
   }
 }
 
-RenderResult RasterDrawing::Draw(const ProgressListener& progress)
+RenderResult RasterRenderer::Render(const ProgressListener& progress)
 {
   const auto start = std::chrono::steady_clock::now();
   const int width = this->Options.Resolution[0];
@@ -202,27 +203,27 @@ RenderResult RasterDrawing::Draw(const ProgressListener& progress)
   if (!errors.empty() || !complete)
   {
     throw CommandError(Unavailable,
-      "--engine raster: OpenGL cannot draw this picture: " +
-        (errors.empty() ? "it is larger than a window can be; make --resolution smaller"
+      "--engine raster: OpenGL cannot render this image: " +
+        (errors.empty() ? "it exceeds the largest window; choose a smaller --resolution"
                         : errors.front()));
   }
   progress(1.0);
 
-  RenderResult picture;
-  picture.Warnings = this->Warnings;
-  picture.Image = ToFloats(bytes, width, height, this->Options.Background);
-  picture.Statistics = { { "Samples/PerPixel", this->Window->GetMultiSamples() } };
-  picture.Tolerance = this->Options.Tolerance;
-  picture.EstimatedError = Unset;
+  RenderResult result;
+  result.Warnings = this->Warnings;
+  result.Image = ToFloats(bytes, width, height, this->Options.Background);
+  result.Statistics = { { "Samples/PerPixel", this->Window->GetMultiSamples() } };
+  result.Tolerance = this->Options.Tolerance;
+  result.EstimatedError = Unset;
   if (this->Occlusion)
   {
-    AddPassStatistics(this->Occlusion, HoldsArrays(this->Options.Output), picture);
+    AddPassStatistics(this->Occlusion, HoldsArrays(this->Options.Output), result);
   }
-  picture.Threads =
+  result.Threads =
     this->Options.Threads > 0 ? this->Options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
-  picture.RenderSeconds =
+  result.RenderSeconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return picture;
+  return result;
 }
 
 }
@@ -230,8 +231,8 @@ RenderResult RasterDrawing::Draw(const ProgressListener& progress)
 std::function<RenderResult(const ProgressListener& progress)> PrepareRaster(
   vtkRenderer* renderer, const RenderOptions& options)
 {
-  const auto drawing = std::make_shared<RasterDrawing>(renderer, options);
-  return [drawing](const ProgressListener& progress) { return drawing->Draw(progress); };
+  const auto engine = std::make_shared<RasterRenderer>(renderer, options);
+  return [engine](const ProgressListener& progress) { return engine->Render(progress); };
 }
 
 }

@@ -48,19 +48,20 @@ struct AlgorithmObserver
   bool Started = false;
 };
 
-// Progress above 0 is first reported when the scene is built.
+// The first progress above 0 is reported when the scene is built.
 void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
 {
-  AlgorithmObserver& watch = *static_cast<AlgorithmObserver*>(clientData);
-  if (!watch.Started && *static_cast<double*>(callData) > 0.0)
+  AlgorithmObserver& observer = *static_cast<AlgorithmObserver*>(clientData);
+  if (!observer.Started && *static_cast<double*>(callData) > 0.0)
   {
-    watch.Started = true;
-    watch.FirstRay = Clock::now();
+    observer.Started = true;
+    observer.FirstRay = Clock::now();
   }
-  watch.Listener(*static_cast<double*>(callData));
+  observer.Listener(*static_cast<double*>(callData));
 }
 
-// What the ray caster leaves out of the scene; triangles without area are nothing to see.
+// Collects warnings about geometry that the ray caster skips, except triangles without area, which are
+// invisible.
 void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 {
   const std::string warning = StripMessagePrefix(static_cast<const char*>(callData));
@@ -70,7 +71,7 @@ void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
   }
 }
 
-// `CellId` of surfaces that were extracted from another data set: the id in that one.
+// Replaces `CellId` of extracted surfaces by the cell id in the data set of the file.
 void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
 {
   vtkDataArray* objects = image->GetPointData()->GetArray("ObjectId");
@@ -130,7 +131,7 @@ RenderResult RenderWithRays(
   caster->SetAmbientOcclusion(options.AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(
     std::min(options.AmbientOcclusionRadius, std::numeric_limits<double>::max()));
-  caster->SetAmbientOcclusionFalloff(FalloffOf(options.AmbientOcclusionFalloff));
+  caster->SetAmbientOcclusionFalloff(FindFalloff(options.AmbientOcclusionFalloff));
   caster->SetAmbientOcclusionStrength(
     std::isnan(options.AmbientOcclusionStrength) ? -1.0 : options.AmbientOcclusionStrength);
   const LightOptions& light = options.Light;
@@ -159,16 +160,16 @@ RenderResult RenderWithRays(
   caster->SetDPI(options.DotsPerInch);
   caster->SetGeometryArrays(HoldsArrays(options.Output));
 
-  AlgorithmObserver watch{ progress, Clock::now() };
+  AlgorithmObserver state{ progress, Clock::now() };
   vtkNew<vtkCallbackCommand> observer;
   observer->SetCallback(OnProgress);
-  observer->SetClientData(&watch);
+  observer->SetClientData(&state);
   caster->AddObserver(vtkCommand::ProgressEvent, observer);
 
-  RenderResult picture;
+  RenderResult result;
   vtkNew<vtkCallbackCommand> warningObserver;
   warningObserver->SetCallback(OnWarning);
-  warningObserver->SetClientData(&picture.Warnings);
+  warningObserver->SetClientData(&result.Warnings);
   caster->AddObserver(vtkCommand::WarningEvent, warningObserver);
 
   TakeErrors();
@@ -185,19 +186,19 @@ RenderResult RenderWithRays(
     throw CommandError(BadInput, "--engine ray: " + errors.front());
   }
 
-  picture.Image = caster->GetOutput();
-  RestoreCellIds(picture.Image, renderer);
-  picture.Statistics = ToJson(caster->GetStatistics());
-  const bool empty = picture.Statistics["Pixels/Empty"] == picture.Statistics["Pixels/Total"];
-  picture.Coverage = empty ? RenderResult::Coverages::Empty : RenderResult::Coverages::Some;
-  picture.Tolerance = options.Tolerance;
-  picture.EstimatedError = caster->GetEstimatedError();
-  picture.Threads =
+  result.Image = caster->GetOutput();
+  RestoreCellIds(result.Image, renderer);
+  result.Statistics = ToJson(caster->GetStatistics());
+  const bool empty = result.Statistics["Pixels/Empty"] == result.Statistics["Pixels/Total"];
+  result.Coverage = empty ? RenderResult::Coverages::Empty : RenderResult::Coverages::Some;
+  result.Tolerance = options.Tolerance;
+  result.EstimatedError = caster->GetEstimatedError();
+  result.Threads =
     options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
-  const Clock::time_point firstRay = watch.Started ? watch.FirstRay : start;
-  picture.BuildSeconds = std::chrono::duration<double>(firstRay - start).count();
-  picture.RenderSeconds = std::chrono::duration<double>(end - firstRay).count();
-  return picture;
+  const Clock::time_point firstRay = state.Started ? state.FirstRay : start;
+  result.BuildSeconds = std::chrono::duration<double>(firstRay - start).count();
+  result.RenderSeconds = std::chrono::duration<double>(end - firstRay).count();
+  return result;
 }
 
 }

@@ -26,7 +26,7 @@ namespace penumbra
 namespace
 {
 
-// Every pixel has the colour of the background, or none at all.
+// Returns whether every pixel has the color of the background, or is transparent.
 bool ShowsOnlyBackground(vtkImageData* image, vtkRenderer* renderer, bool background)
 {
   vtkDataArray* color = image->GetPointData()->GetArray("Color");
@@ -46,8 +46,8 @@ bool ShowsOnlyBackground(vtkImageData* image, vtkRenderer* renderer, bool backgr
   return true;
 }
 
-// Why a picture shows nothing; empty where it shows something.
-std::string ExplainEmptiness(
+// Returns the reason why an image shows no surface; empty if it shows one.
+std::string DescribeEmptyImage(
   const RenderResult& picture, vtkRenderer* renderer, const RenderOptions& options)
 {
   const bool empty = picture.Coverage == RenderResult::Coverages::Empty;
@@ -57,16 +57,15 @@ std::string ExplainEmptiness(
   }
   if (options.Opacity == 0.0)
   {
-    return "everything is transparent: the picture shows only the background; raise --opacity";
+    return "all surfaces are transparent and the image shows only the background; raise --opacity";
   }
   if (empty)
   {
-    return "nothing in view; check the --camera options";
+    return "no surface is in view; check the --camera options";
   }
   return picture.Coverage == RenderResult::Coverages::Unknown
-    ? "nothing to see: the picture shows only the background; check the --camera options, the "
-      "colours and the lights"
-    : "what is in view cannot be told from the background; check the colours and the lights";
+    ? "the image shows only the background; check the --camera options, the colors and the lights"
+    : "the surfaces in view have the color of the background; check the colors and the lights";
 }
 
 }
@@ -76,11 +75,13 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string ReplaceAll(std::string pattern, const std::string& place, const std::string& value)
+std::string ReplaceAll(
+  std::string pattern, const std::string& placeholder, const std::string& value)
 {
-  for (std::size_t at = 0; (at = pattern.find(place, at)) != std::string::npos; at += value.size())
+  for (std::size_t at = 0; (at = pattern.find(placeholder, at)) != std::string::npos;
+       at += value.size())
   {
-    pattern.replace(at, place.size(), value);
+    pattern.replace(at, placeholder.size(), value);
   }
   return pattern;
 }
@@ -99,7 +100,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(
     {
       warnings.push_back(files[i] + ": " + std::to_string(surfaces.DroppedPoints) + " of " +
         std::to_string(surfaces.Points) +
-        " points are not finite: left out, with the cells around them");
+        " points are not finite; they and the cells that use them were skipped");
     }
   }
   return meshes;
@@ -118,10 +119,10 @@ std::vector<std::string> OutputFiles::Save(const RenderResult& picture, vtkRende
   const RenderOptions& options, const PhaseTimes& preparation, const std::string& note)
 {
   std::vector<std::string> warnings = picture.Warnings;
-  const std::string emptiness = ExplainEmptiness(picture, renderer, options);
-  if (!emptiness.empty())
+  const std::string reason = DescribeEmptyImage(picture, renderer, options);
+  if (!reason.empty())
   {
-    warnings.push_back(emptiness);
+    warnings.push_back(reason);
   }
   EnterPhase("writing " + options.Output, Unavailable);
   const Clock::time_point lap = Clock::now();
@@ -167,8 +168,8 @@ void CheckFiles(const RenderOptions& picture)
   if (std::filesystem::weakly_canonical(picture.Statistics, ignored) ==
     std::filesystem::weakly_canonical(picture.Output, ignored))
   {
-    throw CommandError(
-      BadInput, "--statistics " + picture.Statistics + ": this is the --output; name another file");
+    throw CommandError(BadInput,
+      "--statistics " + picture.Statistics + ": the path equals --output; choose another file");
   }
 }
 

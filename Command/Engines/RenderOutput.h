@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What `render` and `animate` share: meshes are read, and a picture is saved with its statistics.
+// Input and output shared by `render` and `animate`: reads meshes, saves an image with its statistics.
 #ifndef penumbra_RenderOutput_h
 #define penumbra_RenderOutput_h
 
@@ -24,29 +24,30 @@ using Clock = std::chrono::steady_clock;
 
 double SecondsSince(Clock::time_point start);
 
-/// `pattern` with every `place` in it replaced by `value`.
-std::string ReplaceAll(std::string pattern, const std::string& place, const std::string& value);
+/// Returns `pattern` with every `placeholder` replaced by `value`.
+std::string ReplaceAll(
+  std::string pattern, const std::string& placeholder, const std::string& value);
 
-/// The surfaces of all files, one after the other; what was left out of them goes to `warnings`.
+/// Reads the surfaces of all files in order. Skipped points are reported in `warnings`.
 std::vector<vtkSmartPointer<vtkPolyData>> ReadMeshes(const std::vector<std::string>& files,
   ProgressLine& progress, std::vector<std::string>& warnings);
 
-/// What a picture took before it was drawn.
+/// Times of the phases before rendering.
 struct PhaseTimes
 {
-  Clock::time_point Start; ///< of all
+  Clock::time_point Start; ///< of the program
   double ReadSeconds = 0.0;
   double SceneSeconds = 0.0;
 };
 
-/// The files of one picture; refused before any work is done where they cannot be written.
+/// The output files of one image. The constructor throws CommandError if they cannot be written.
 class OutputFiles
 {
 public:
   explicit OutputFiles(const RenderOptions& options);
 
-  /// Write the picture and its statistics and give them their names. `note`: into a .png. The
-  /// warnings are those of the drawing, and why the picture shows nothing where it does.
+  /// Writes the image and its statistics and renames them to their final names. `note`: text stored in a
+  /// .png. Returns the warnings of the engine and a warning if the image is empty.
   std::vector<std::string> Save(const RenderResult& picture, vtkRenderer* renderer,
     const RenderOptions& options, const PhaseTimes& preparation, const std::string& note = "");
 
@@ -55,10 +56,10 @@ private:
   std::optional<AtomicFile> Statistics;
 };
 
-/// Record the files that `options` name as inputs.
+/// Records the files that `options` name as inputs.
 void RecordInputs(const RenderOptions& options);
 
-/// Throws Failure where a file that is read, or the other one that is written, would be written over.
+/// Throws CommandError if an output would overwrite an input or the other output.
 void CheckFiles(const RenderOptions& picture);
 
 }

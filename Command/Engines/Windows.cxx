@@ -36,8 +36,8 @@ constexpr WindowKind Kinds[] = {
 
 constexpr const char* WindowVariable = "VTK_DEFAULT_OPENGL_WINDOW";
 
-// What VTK's report says after `key`, up to the end of the line.
-std::string Find(const std::string& report, const std::string& key)
+// Returns the text after `key` in VTK's report, up to the end of the line.
+std::string FindCapability(const std::string& report, const std::string& key)
 {
   const std::size_t at = report.find(key);
   if (at == std::string::npos)
@@ -48,7 +48,7 @@ std::string Find(const std::string& report, const std::string& key)
   return report.substr(begin, report.find('\n', begin) - begin);
 }
 
-// Draws a small picture; a description when that works.
+// Renders a small image; returns a description of the window, or an empty string if OpenGL fails.
 std::string DescribeWindow()
 {
   vtkNew<vtkRenderWindow> window;
@@ -65,30 +65,30 @@ std::string DescribeWindow()
   const char* report = window->ReportCapabilities();
   const std::string capabilities = report ? report : "";
   return std::string(window->GetClassName()) + ", OpenGL " +
-    Find(capabilities, "OpenGL version string:") + ", " +
-    Find(capabilities, "OpenGL renderer string:");
+    FindCapability(capabilities, "OpenGL version string:") + ", " +
+    FindCapability(capabilities, "OpenGL renderer string:");
 }
 
-// What fork() needs: the locks that other threads hold stay locked in the new process. Only tests of
-// the sanitizers' build look, as users may preload libraries that have threads of their own.
+// Throws if other threads exist: fork() would leave the locks that they hold locked in the child. Checked
+// with AddressSanitizer only, because users may preload libraries that start threads.
 void CheckIsOnlyThread()
 {
 #if defined(__SANITIZE_ADDRESS__)
   const std::filesystem::directory_iterator threads("/proc/self/task");
   if (std::distance(begin(threads), end(threads)) > 1)
   {
-    throw std::logic_error("a window is tried after threads were started");
+    throw std::logic_error("ChooseWindow() must be called before threads are started");
   }
 #endif
 }
 
-// In a process of its own: a window that cannot be had ends the process in some versions of VTK.
-// Empty when it does not work.
+// Tests a window in a separate process, because some versions of VTK exit if the window cannot be created.
+// Returns a description, or an empty string on failure.
 std::string TryWindow(const char* className)
 {
   CheckIsOnlyThread();
-  int ends[2];
-  if (pipe(ends) != 0)
+  int descriptors[2];
+  if (pipe(descriptors) != 0)
   {
     return std::string();
   }
@@ -100,23 +100,23 @@ std::string TryWindow(const char* className)
       setenv(WindowVariable, className, 1);
     }
     const std::string description = DescribeWindow();
-    const auto written = write(ends[1], description.data(), description.size());
+    const auto written = write(descriptors[1], description.data(), description.size());
     _exit(written == static_cast<ssize_t>(description.size()) ? 0 : 1);
   }
-  close(ends[1]);
+  close(descriptors[1]);
   std::string description;
   char buffer[512];
-  for (ssize_t got = 0; (got = read(ends[0], buffer, sizeof(buffer))) > 0;)
+  for (ssize_t count = 0; (count = read(descriptors[0], buffer, sizeof(buffer))) > 0;)
   {
-    description.append(buffer, static_cast<std::size_t>(got));
+    description.append(buffer, static_cast<std::size_t>(count));
   }
-  close(ends[0]);
+  close(descriptors[0]);
   int state = 0;
   const bool ended = child > 0 && waitpid(child, &state, 0) == child;
   return ended && WIFEXITED(state) && WEXITSTATUS(state) == 0 ? description : std::string();
 }
 
-// VTK may quietly fall back to another kind than the one asked for.
+// VTK may silently fall back to another class of window than the requested one.
 bool IsOfClass(const std::string& description, const char* className)
 {
   return description.rfind(className, 0) == 0;
@@ -145,7 +145,7 @@ void ChooseWindow(
     {
       throw CommandError(Unavailable,
         option + ": the window that $" + WindowVariable +
-          " names gives no OpenGL; unset it, or use " + otherwise);
+          " selects provides no OpenGL; unset the variable, or use " + otherwise);
     }
     return;
   }
@@ -158,7 +158,7 @@ void ChooseWindow(
     }
   }
   throw CommandError(Unavailable,
-    option + ": no OpenGL here by --window " + window +
+    option + ": OpenGL is not available with --window " + window +
       "; install libosmesa6 or libegl1, start an X server, or use " + otherwise);
 }
 

@@ -23,12 +23,13 @@ namespace fs = std::filesystem;
 namespace
 {
 
-// Names of files may be this long on Linux; of a longer one the temporary name takes the beginning.
-constexpr std::size_t LongestName = 255;
-constexpr std::size_t TemporaryPart = 200;
-constexpr std::size_t LongestExtension = 16;
+// Lengths in bytes: the longest file name on Linux, the part of it that the temporary name repeats, and
+// the longest extension that the temporary name keeps.
+constexpr std::size_t MaximumNameLength = 255;
+constexpr std::size_t TemporaryPrefixLength = 200;
+constexpr std::size_t MaximumExtensionLength = 16;
 
-// A link stays, what it points to is written.
+// Resolves symbolic links, so that the target is replaced and the link is kept.
 fs::path FollowLinks(fs::path path)
 {
   std::error_code error;
@@ -39,16 +40,16 @@ fs::path FollowLinks(fs::path path)
   return path;
 }
 
-// Of its own for every writer, those on other machines and in other containers included; some of
-// VTK's writers insist on the extension.
-std::string TemporaryName(const fs::path& target)
+// Returns a name that is unique among all writers, including those on other machines and in containers.
+// It keeps the extension, which some of VTK's writers require.
+std::string MakeTemporaryName(const fs::path& target)
 {
   const std::string name = target.filename().string();
   const std::string extension = target.extension().string();
   std::ostringstream temporary;
-  temporary << '.' << name.substr(0, TemporaryPart) << '.' << getpid() << '-' << std::hex
+  temporary << '.' << name.substr(0, TemporaryPrefixLength) << '.' << getpid() << '-' << std::hex
             << std::random_device()();
-  return temporary.str() + (extension.size() > LongestExtension ? "" : extension);
+  return temporary.str() + (extension.size() > MaximumExtensionLength ? "" : extension);
 }
 
 }
@@ -58,7 +59,7 @@ void RefuseInput(const std::string& path, const std::string& option)
   if (IsInput(path))
   {
     throw CommandError(
-      BadInput, option + " " + path + ": this is one of the files to be read; name another");
+      BadInput, option + " " + path + ": the path is an input file; choose another");
   }
 }
 
@@ -73,23 +74,25 @@ AtomicFile::AtomicFile(const std::string& path, const std::string& option)
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
   {
-    this->Fail("the folder does not exist; make it first");
+    this->Fail("the folder does not exist; create it first");
   }
   if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
   {
-    this->Fail(fs::is_directory(target, ignored) ? "this is a folder; name a file in it"
-                                                 : "this is not a regular file; name another");
+    this->Fail(fs::is_directory(target, ignored)
+        ? "the path is a folder; name a file in it"
+        : "the path is not a regular file; choose another");
   }
   const std::string name = target.filename().string();
-  if (name.size() > LongestName)
+  if (name.size() > MaximumNameLength)
   {
-    this->Fail("the name is too long; shorten it to " + std::to_string(LongestName) + " bytes");
+    this->Fail(
+      "the name is too long; shorten it to " + std::to_string(MaximumNameLength) + " bytes");
   }
   if (access(folder.c_str(), W_OK | X_OK) != 0)
   {
-    this->Fail("the folder cannot be written; choose another");
+    this->Fail("the folder is not writable; choose another");
   }
-  this->Temporary = (folder / TemporaryName(target)).string();
+  this->Temporary = (folder / MakeTemporaryName(target)).string();
   RemoveOnCrash(this->Temporary);
 }
 
@@ -110,11 +113,11 @@ void AtomicFile::Fail(const std::string& reason) const
 void AtomicFile::Write(const std::string& bytes)
 {
   std::FILE* file = std::fopen(this->Temporary.c_str(), "wb");
-  bool whole = file && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  whole = file && std::fflush(file) == 0 && whole;
+  bool complete = file && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  complete = file && std::fflush(file) == 0 && complete;
   const int error = errno;
-  whole = file && std::fclose(file) == 0 && whole;
-  if (!whole)
+  complete = file && std::fclose(file) == 0 && complete;
+  if (!complete)
   {
     this->Fail(strerror(error));
   }

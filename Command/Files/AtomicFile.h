@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A file that appears whole or not at all: written beside its place, then renamed.
+// Atomic file write: a temporary file in the same folder that is renamed when it is complete.
 #ifndef penumbra_AtomicFile_h
 #define penumbra_AtomicFile_h
 
@@ -10,30 +10,30 @@
 namespace penumbra
 {
 
-/// Throws Failure where `path`, which `option` asks to write, is one of the files that are read
-/// (InputFiles.h). AtomicFile does so itself, when it is made and again before it is renamed.
+/// Throws CommandError if `path`, the value of `option`, is an input file (InputFiles.h). AtomicFile calls it
+/// in its constructor and again before renaming.
 void RefuseInput(const std::string& path, const std::string& option);
 
 class AtomicFile
 {
 public:
-  /// Throws Failure when a file cannot be made at `path`. `option` names who asked, for messages.
+  /// Throws CommandError if `path` cannot be created. `option`: its option, for messages.
   AtomicFile(const std::string& path, const std::string& option);
   ~AtomicFile();
 
   AtomicFile(const AtomicFile&) = delete;
   void operator=(const AtomicFile&) = delete;
 
-  /// Where to write until Commit(); it ends as the file's name does.
+  /// Path to write to before Commit(); it has the extension of the final path.
   const std::string& TemporaryPath() const { return this->Temporary; }
 
-  /// Write `bytes` as the whole contents.
+  /// Writes `bytes` as the contents of the file.
   void Write(const std::string& bytes);
 
-  /// Give the file its name.
+  /// Renames the file to its final name.
   void Commit();
 
-  /// The Failure of a file that could not be written whole.
+  /// Throws CommandError with a reason why the file cannot be written.
   [[noreturn]] void Fail(const std::string& reason) const;
 
 private:

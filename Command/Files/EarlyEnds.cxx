@@ -36,7 +36,7 @@ bool IsSpace(char character)
   return std::isspace(static_cast<unsigned char>(character)) != 0;
 }
 
-/// Thrown where the file ends too early, and where its form is none that is understood.
+/// Thrown if the file is truncated, and if its structure is unknown.
 struct EarlyEnd
 {
   const char* Last;
@@ -45,7 +45,7 @@ struct Unknown
 {
 };
 
-/// The bytes of a file, from the first to the last.
+/// Forward reader of a memory-mapped file.
 class Cursor
 {
 public:
@@ -80,7 +80,7 @@ public:
     return this->At == this->End;
   }
 
-  /// The next word; empty at the end.
+  /// Returns the next word; empty at the end.
   std::string Word()
   {
     this->AtEnd();
@@ -97,7 +97,7 @@ public:
     return word;
   }
 
-  /// The rest of the line; false where there is none, not even an empty one.
+  /// Gets the rest of the line; returns false at the end of the file.
   bool Line(std::string& line)
   {
     if (this->At == this->End)
@@ -181,7 +181,7 @@ private:
   const char* End = nullptr;
 };
 
-// Legacy VTK.
+// Scanner of legacy VTK files.
 class LegacyWalk
 {
 public:
@@ -215,7 +215,7 @@ public:
   }
 
 private:
-  // What cannot be understood: a word that is cut, or another form.
+  // Throws for an unknown word: it may be truncated, or the structure is unknown.
   [[noreturn]] void Stop()
   {
     if (this->File.Left() == 0)
@@ -432,7 +432,7 @@ int CountWords(const std::string& line)
   return count;
 }
 
-// A count on a line of its own, which may be missing; then as many words on each line.
+// PTS: an optional line with the number of points, then one point per line.
 void WalkPts(Cursor& file)
 {
   std::string line;
@@ -615,7 +615,7 @@ void WalkUcd(Cursor& file)
   }
 }
 
-// Eleven counts and sizes as text, a coding, an icon of three colours, then slices.
+// SLC: counts and sizes as text, the compression, an icon with three channels, then slices.
 void WalkSlc(Cursor& file)
 {
   file.Count("line of the header");
@@ -658,7 +658,7 @@ void WalkSlc(Cursor& file)
   }
 }
 
-// The number after "key=" in a header of Tecplot; negative where there is none.
+// Returns the value after "key=" in a Tecplot header; empty if the key is missing.
 std::string TecplotValue(const std::string& header, const std::string& key)
 {
   for (std::size_t at = 0; (at = header.find(key, at)) != std::string::npos; ++at)
@@ -749,7 +749,7 @@ void WalkTecplot(Cursor& file)
     }
   }
   long long expected = variables * points + corners * std::max(0LL, elements);
-  // "3*1.5" stands for three values; another zone may follow, which is not looked at.
+  // "3*1.5" represents three values. Further zones are not checked.
   do
   {
     std::replace(line.begin(), line.end(), ',', ' ');
@@ -770,7 +770,7 @@ void WalkTecplot(Cursor& file)
   }
 }
 
-// The geometry of an EnSight case as text: one value, or one cell, a line.
+// Scanner of ASCII EnSight geometries: one value or one cell per line.
 class EnSightWalk
 {
 public:
@@ -872,7 +872,7 @@ void WalkCase(Cursor& file, const std::string& path)
       std::istringstream words(line.substr(6));
       for (std::string word; words >> word;)
       {
-        model = word; // Numbers of time and file sets come before it.
+        model = word; // Time set and file set numbers precede it.
       }
     }
   }
@@ -989,7 +989,7 @@ std::string FindEarlyEnd(const std::string& path)
   }
   catch (const Unknown&)
   {
-    // Its reader knows better.
+    // The reader reports errors of unknown structures.
   }
   return std::string();
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does a file hold all the values that its headers announce? For formats whose readers in VTK take what
-// there is.
+// Detection of truncated files, for formats whose VTK readers accept them.
 #ifndef penumbra_EarlyEnds_h
 #define penumbra_EarlyEnds_h
 
@@ -11,12 +10,13 @@
 namespace penumbra
 {
 
-/// What the file at `path` ends before the last of, in the singular ("value"); empty where it is whole or
-/// nothing can be told. Legacy .vtk, .pts, .nrrd, .nhdr, .tec, .tp, .inp, .slc, and text geometries of
-/// EnSight. A text cut within its last number, or where another section could have begun, is whole.
+/// Returns the kind of item that is missing at the end of the file at `path`, in the singular ("value").
+/// Empty if the file is complete or of unknown structure. Checks legacy .vtk, .pts, .nrrd, .nhdr, .tec, .tp, .inp, .slc, and text geometries of
+/// EnSight. A text file that is
+/// cut within its last number or between sections counts as complete.
 std::string FindEarlyEnd(const std::string& path);
 
-/// Does a .tif of this machine's byte order hold its directory and all strips?
+/// Returns whether a .tif of the machine's byte order contains its directory and all strips.
 bool IsWholeTiff(const std::string& path);
 
 }

@@ -39,10 +39,10 @@ namespace penumbra
 namespace
 {
 
-// Keyword of the note in the text of a .png.
+// Keyword of the PNG text chunk that contains the note.
 constexpr const char* NoteKey = "Penumbra";
 
-// VTK's writer keeps the resolution for its subclasses.
+// Sets the resolution, which VTK's writer exposes to subclasses only.
 class TiffWriter : public vtkTIFFWriter
 {
 public:
@@ -65,7 +65,7 @@ std::string Extension(const std::string& path)
   return extension == ".jpeg" ? ".jpg" : extension == ".tiff" ? ".tif" : extension;
 }
 
-// A picture of 8 bits a channel.
+// Converts an image to 8 bits per channel.
 vtkSmartPointer<vtkImageData> Quantize(vtkImageData* image, bool alpha)
 {
   vtkDataArray* color = image->GetPointData()->GetArray("Color");
@@ -97,14 +97,14 @@ std::string Encode(vtkImageData* image, Writer* writer)
   if (!result || result->GetNumberOfValues() == 0)
   {
     throw CommandError(BadInput,
-      "--output: the format cannot hold so large a picture; choose another or a smaller "
-      "--resolution");
+      "--output: the format does not support images of this size; choose another format or a "
+      "smaller --resolution");
   }
   return std::string(
     reinterpret_cast<const char*>(result->GetPointer(0)), result->GetNumberOfValues());
 }
 
-// Check what a writer that writes to files left behind.
+// Throws if a writer that writes to files reported an error or left an incomplete file.
 void CheckWritten(unsigned long errorCode, const AtomicFile& file)
 {
   const std::vector<std::string> errors = TakeErrors();
@@ -112,11 +112,12 @@ void CheckWritten(unsigned long errorCode, const AtomicFile& file)
   const auto size = std::filesystem::file_size(file.TemporaryPath(), missing);
   if (errorCode == vtkErrorCode::OutOfDiskSpaceError)
   {
-    file.Fail("no space left; free some or choose another place");
+    file.Fail("the disk is full; free space or choose another folder");
   }
   if (errorCode != vtkErrorCode::NoError || !errors.empty() || missing || size == 0)
   {
-    file.Fail(errors.empty() ? "the file stayed incomplete" : errors.front());
+    file.Fail(
+      errors.empty() ? "the file is incomplete; check the free disk space" : errors.front());
   }
 }
 
@@ -129,10 +130,10 @@ void WriteTiff(vtkImageData* image, AtomicFile& file, int dotsPerInch)
   writer->SetDotsPerInch(dotsPerInch);
   writer->Write();
   CheckWritten(writer->GetErrorCode(), file);
-  // Neither the writer nor the library below it notices a full disk.
+  // Neither the writer nor libtiff detects a full disk.
   if (!IsWholeTiff(file.TemporaryPath()))
   {
-    file.Fail("the file stayed incomplete");
+    file.Fail("the file is incomplete; check the free disk space");
   }
 }
 
@@ -180,7 +181,8 @@ void CheckPictureExtension(const std::string& path, const std::string& option)
     }
   }
   throw CommandError(BadInput,
-    option + " " + path + ": not a format of pictures; end it in one of " + PictureExtensions());
+    option + " " + path + ": unknown image format; the path must end in one of " +
+      PictureExtensions());
 }
 
 bool SupportsAlpha(const std::string& path)
@@ -257,9 +259,9 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
   {
-    throw CommandError(BadInput, path + ": no such file");
+    throw CommandError(BadInput, path + ": no such file; check the name");
   }
-  CheckPictureExtension(path, "picture");
+  CheckPictureExtension(path, "image");
   RecordInput(path);
   const std::string extension = Extension(path);
   TakeErrors();
@@ -273,7 +275,7 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
   if (!errors.empty() || !image || image->GetNumberOfPoints() == 0)
   {
     throw CommandError(BadInput,
-      path + ": cannot be read as a picture: " + (errors.empty() ? "it is empty" : errors.front()));
+      path + ": cannot be read as an image: " + (errors.empty() ? "it is empty" : errors.front()));
   }
   return image;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures to and from files: .png, .jpg, .tif, .bmp with 8 bits a channel, .vti with all arrays.
+// Image I/O: .png, .jpg, .tif, .bmp with 8 bits per channel, .vti with all arrays.
 #ifndef penumbra_ImageFiles_h
 #define penumbra_ImageFiles_h
 
@@ -16,27 +16,27 @@ namespace penumbra
 
 class AtomicFile;
 
-/// The formats of pictures, as ".png .jpg ..."; for messages and lists.
+/// Extensions of the image formats, as ".png .jpg ...".
 std::string PictureExtensions();
 
-/// Throws Failure unless `path` ends like a picture. `option` names who asked.
+/// Throws CommandError unless `path` has the extension of an image format. `option`: its option, for messages.
 void CheckPictureExtension(const std::string& path, const std::string& option);
 
-/// Does the format that `path` names hold alpha?
+/// Returns whether the format of `path` has an alpha channel.
 bool SupportsAlpha(const std::string& path);
 
-/// Is it .vti, with arrays of floats?
+/// Returns whether the format of `path` is .vti, which stores arrays of floats.
 bool HoldsArrays(const std::string& path);
 
-/// Write `image`, whose point array `Color` has 4 floats, in the format that `path` names.
-/// Without `alpha` the 8-bit formats get three channels. `note` goes into the text of a .png.
+/// Writes `image`, whose point array `Color` has 4 floats, in the format of `path`. Without `alpha` the 8-bit
+/// formats have three channels. `note` is stored in a text chunk of a .png.
 void WritePicture(vtkImageData* image, AtomicFile& file, const std::string& path, bool alpha,
   int dotsPerInch, const std::string& note = std::string());
 
-/// The note in a .png; empty where there is no such file, no note in it, or it is damaged.
+/// Returns the note of a .png; empty if the file is missing or damaged, or has no note.
 std::string ReadNote(const std::string& path);
 
-/// Throws Failure when `path` holds no picture.
+/// Reads an image. Throws CommandError if `path` is not a valid image.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path);
 
 }

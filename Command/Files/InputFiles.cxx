@@ -22,12 +22,12 @@ namespace
 namespace fs = std::filesystem;
 
 using FileId = std::pair<dev_t, ino_t>;
-using Files = std::map<FileId, unsigned long long>; ///< and their bytes
+using Files = std::map<FileId, unsigned long long>; ///< with their sizes in bytes
 
 Files Inputs;
 
-// A header that names other files is a text; a longer one holds the data itself.
-constexpr std::streamsize LongestHeader = 1 << 20;
+// Number of bytes that are searched for references. Files that refer to others have short text headers.
+constexpr std::streamsize MaximumHeaderSize = 1 << 20;
 
 bool Add(const fs::path& path, Files& files)
 {
@@ -44,7 +44,7 @@ std::string LowerExtension(const fs::path& path)
   return extension;
 }
 
-// Formats whose files name other files.
+// Returns whether the format refers to other files.
 bool IsIndex(const fs::path& path)
 {
   const std::string extension = LowerExtension(path);
@@ -55,7 +55,7 @@ bool IsIndex(const fs::path& path)
 
 void AddTree(const fs::path& path, Files& files);
 
-// EnSight numbers its steps, "geo.***" stands for "geo.000"; images number their slices, "s%03d.raw".
+// Returns whether a name is a pattern: "geo.***" for numbered EnSight steps, "s%03d.raw" for image slices.
 bool IsPattern(const std::string& name)
 {
   return name.find_first_of("*%") != std::string::npos;
@@ -98,19 +98,19 @@ void AddIfNamed(const fs::path& folder, const std::string& word, Files& files)
   }
 }
 
-// Every word of the header, and everything within quotes or after a colon or an equals sign on its
-// line, that is the name of a file counts as a reference to it.
+// Adds the files that a header refers to. Each word, each quoted text, and the rest of a line after a colon
+// or an equals sign counts as a reference if a file of that name exists.
 void AddReferences(const fs::path& path, Files& files)
 {
   std::ifstream file(path, std::ios::binary);
-  std::string text(LongestHeader, '\0');
-  file.read(&text[0], LongestHeader);
+  std::string text(MaximumHeaderSize, '\0');
+  file.read(&text[0], MaximumHeaderSize);
   text.resize(static_cast<std::size_t>(file.gcount()));
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const auto addBetween = [&](const char* borders) {
+  const auto addBetween = [&](const char* delimiters) {
     for (std::size_t begin = 0; begin < text.size();)
     {
-      const std::size_t end = std::min(text.find_first_of(borders, begin), text.size());
+      const std::size_t end = std::min(text.find_first_of(delimiters, begin), text.size());
       AddIfNamed(folder, text.substr(begin, end - begin), files);
       begin = end + 1;
     }
@@ -150,7 +150,7 @@ void AddTree(const fs::path& path, Files& files)
   }
   else if (LowerExtension(path) == ".foam")
   {
-    // The case is the folder: steps, which have numbers for names, constants and system.
+    // The case is the folder: numbered time steps, constant, system and processor folders.
     std::error_code ignored;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
@@ -166,7 +166,7 @@ void AddTree(const fs::path& path, Files& files)
   }
   else if (LowerExtension(path) == ".cas")
   {
-    fs::path data = path; // Fluent's values lie beside its mesh.
+    fs::path data = path; // Fluent stores values next to the mesh.
     Add(data.replace_extension(".dat"), files);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The one record of the files that the program reads: no output replaces any of them.
+// The set of input files, which no output may overwrite.
 #ifndef penumbra_InputFiles_h
 #define penumbra_InputFiles_h
 
@@ -10,15 +10,15 @@
 namespace penumbra
 {
 
-/// Record that the file at `path` is read, and the files that it refers to: pieces, blocks, data beside
-/// a header, the folder of an OpenFOAM case. Every reader calls it; a command calls it for all of its
-/// inputs before it creates an output, so that the refusal precedes the work.
+/// Records the input file at `path` and the files that it refers to: pieces, blocks, data files of a header,
+/// the folder of an OpenFOAM case. Every reader calls it. Commands call it for all inputs before they
+/// create an output, so that a conflict is reported before any work.
 void RecordInput(const std::string& path);
 
-/// Is the file at `path` a recorded one, by whatever name or link?
+/// Returns whether `path` is a recorded file, also by another name or link.
 bool IsInput(const std::string& path);
 
-/// Bytes of `path` and the files that it refers to.
+/// Returns the size in bytes of `path` and the files that it refers to.
 unsigned long long InputBytes(const std::string& path);
 
 }

@@ -26,7 +26,7 @@ std::string BigEndian(std::uint32_t value)
   return bytes;
 }
 
-// The checksum of PNG (annex D of its specification), a bit at a time: a chunk has few.
+// Computes the CRC of PNG chunks (annex D of the specification), bitwise, because the chunk is short.
 std::uint32_t Checksum(const std::string& bytes)
 {
   std::uint32_t remainder = 0xffffffffu;

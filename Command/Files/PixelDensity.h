@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The resolution in dots per inch, put into the bytes of an encoded picture, where VTK's writers
-// offer no way to.
+// Sets the resolution in dots per inch in encoded images, which VTK's writers do not support.
 #ifndef penumbra_PixelDensity_h
 #define penumbra_PixelDensity_h
 

@@ -116,7 +116,7 @@ Header ParseHeader(const char* begin, const char* end)
   return header;
 }
 
-// Reads through the body, value by value.
+// Scans the values of the body.
 class Body
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The structure of a PLY file: what its header announces and whether its body holds as much.
+// Structure of a PLY file: the counts of its header, and whether its body is complete.
 #ifndef penumbra_PlyFile_h
 #define penumbra_PlyFile_h
 
@@ -12,12 +12,13 @@ namespace penumbra
 
 struct PlyFile
 {
-  bool IsPly = false;   ///< the header can be understood
-  bool IsWhole = false; ///< every element is there
+  bool IsPly = false;   ///< the header is valid
+  bool IsWhole = false; ///< the body contains every element
   long long Polygons = 0;
   long long Corners = 0; ///< of all polygons together
 };
 
+/// Scans the file at `path`.
 PlyFile WalkPlyFile(const std::string& path);
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a run says at its end: warnings on stderr, counts and times as JSON.
+// Report of a run: warnings on stderr, statistics as JSON.
 #ifndef penumbra_Report_h
 #define penumbra_Report_h
 
@@ -15,13 +15,13 @@ class vtkFieldData;
 namespace penumbra
 {
 
-/// All in one line; nothing where there are none.
+/// Prints all warnings in one line; nothing if there are none.
 void PrintWarnings(const std::vector<std::string>& warnings);
 
-/// Arrays of one value by their names; whole numbers as such.
+/// Converts arrays with one value to JSON, integral values to integers.
 nlohmann::json ToJson(vtkFieldData* statistics);
 
-/// In bytes, of this process.
+/// Returns the peak memory of the process in bytes.
 unsigned long long PeakMemory();
 
 }

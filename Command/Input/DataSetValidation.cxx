@@ -24,12 +24,13 @@ namespace penumbra
 namespace
 {
 
-// Calls `visit(index, value)` for each value until it returns false; tells whether none did.
+// Calls `visit(index, value)` for each value until it returns false; returns whether all calls returned
+// true.
 template <typename Visitor>
-bool EveryValue(vtkDataArray* array, const Visitor& visit)
+bool AllOfValues(vtkDataArray* array, const Visitor& visit)
 {
   const vtkIdType count = array->GetNumberOfValues();
-  const auto everyOf = [&](const auto* values) {
+  const auto allOf = [&](const auto* values) {
     for (vtkIdType i = 0; i < count; ++i)
     {
       if (!visit(i, static_cast<vtkIdType>(values[i])))
@@ -41,11 +42,11 @@ bool EveryValue(vtkDataArray* array, const Visitor& visit)
   };
   if (auto* wide = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(array))
   {
-    return everyOf(wide->GetPointer(0));
+    return allOf(wide->GetPointer(0));
   }
   if (auto* narrow = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(array))
   {
-    return everyOf(narrow->GetPointer(0));
+    return allOf(narrow->GetPointer(0));
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -66,30 +67,31 @@ std::string FindInconsistency(vtkCellArray* cells, vtkIdType points)
   vtkDataArray* connectivity = cells->GetConnectivityArray();
   const vtkIdType size = connectivity->GetNumberOfValues();
   vtkIdType before = 0;
-  const bool ordered = EveryValue(cells->GetOffsetsArray(), [&](vtkIdType i, vtkIdType offset) {
-    const bool sound = offset >= before && offset <= size && (i > 0 || offset == 0);
+  const bool ordered = AllOfValues(cells->GetOffsetsArray(), [&](vtkIdType i, vtkIdType offset) {
+    const bool valid = offset >= before && offset <= size && (i > 0 || offset == 0);
     before = offset;
-    return sound;
+    return valid;
   });
   if (!ordered || before > size)
   {
-    return "its cells overlap or reach beyond their list";
+    return "its cell offsets are not ascending or exceed the connectivity";
   }
-  vtkIdType culprit = 0;
-  const bool inRange = EveryValue(connectivity, [&](vtkIdType i, vtkIdType id) {
-    culprit = id;
+  vtkIdType invalidId = 0;
+  const bool inRange = AllOfValues(connectivity, [&](vtkIdType i, vtkIdType id) {
+    invalidId = id;
     return (id >= 0 && id < points) || i >= before;
   });
   if (!inRange)
   {
     std::ostringstream message;
-    message << "a cell uses point " << culprit << ", but there are only " << points << " points";
+    message << "a cell uses point " << invalidId << ", but the data set has only " << points
+            << " points";
     return message.str();
   }
   return std::string();
 }
 
-// Corners of a cell of each type; 0 where the number varies.
+// Returns the number of points of each cell type; 0 if it varies.
 std::array<int, 256> CountCorners()
 {
   std::array<int, 256> corners = {};
@@ -101,7 +103,7 @@ std::array<int, 256> CountCorners()
   return corners;
 }
 
-std::string FindFaultOfTypes(vtkUnstructuredGrid* grid)
+std::string FindInvalidCellSize(vtkUnstructuredGrid* grid)
 {
   static const std::array<int, 256> corners = CountCorners();
   vtkCellArray* cells = grid->GetCells();
@@ -137,8 +139,10 @@ std::string FindInconsistency(vtkDataSetAttributes* attributes, vtkIdType tuples
 
 std::string FindInconsistency(vtkDataSet* data)
 {
-  std::string fault;
-  const auto check = [&fault](const std::string& found) { fault = fault.empty() ? found : fault; };
+  std::string inconsistency;
+  const auto check = [&inconsistency](const std::string& found) {
+    inconsistency = inconsistency.empty() ? found : inconsistency;
+  };
   const vtkIdType points = data->GetNumberOfPoints();
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
@@ -151,17 +155,17 @@ std::string FindInconsistency(vtkDataSet* data)
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     check(FindInconsistency(grid->GetCells(), points));
-    if (fault.empty())
+    if (inconsistency.empty())
     {
-      check(FindFaultOfTypes(grid));
+      check(FindInvalidCellSize(grid));
     }
   }
-  if (fault.empty())
+  if (inconsistency.empty())
   {
     check(FindInconsistency(data->GetPointData(), points));
     check(FindInconsistency(data->GetCellData(), data->GetNumberOfCells()));
   }
-  return fault;
+  return inconsistency;
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Does a data set agree with itself? A file can promise points that it does not hold.
+// Validation of data sets: damaged files can contain indices of missing points.
 #ifndef penumbra_DataSetValidation_h
 #define penumbra_DataSetValidation_h
 
@@ -12,8 +12,8 @@ class vtkDataSet;
 namespace penumbra
 {
 
-/// What is wrong with `data`: an index out of range, a cell with too few corners, an array that is
-/// too short. Nothing when it is sound.
+/// Returns the first inconsistency of `data`: an index out of range, a cell with too few points, or an array
+/// that is too short. Empty if the data set is valid.
 std::string FindInconsistency(vtkDataSet* data);
 
 }

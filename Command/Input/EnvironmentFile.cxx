@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
   {
-    throw CommandError(BadInput, "--hdri-file: " + path + ": no such file");
+    throw CommandError(BadInput, "--hdri-file: " + path + ": no such file; check the name");
   }
   RecordInput(path);
   auto limit = std::make_unique<ReadLimit>(path);
@@ -80,13 +80,12 @@ void AddEnvironmentOptions(
 {
   CLI::Option* file = app
                         .add_option("--hdri-file", path,
-                          "Picture of everything around that light comes from: latitudes and "
-                          "longitudes; .hdr, or as --output; "
-                          "instead of --environment-color")
+                          "Environment image in latitude-longitude layout: .hdr, or an image "
+                          "format of --output; replaces --environment-color")
                         ->type_name("FILE")
                         ->take_last();
-  CLI::Option* direction =
-    AddDirection(app, "--hdri-up", up, "Where its upper border lies; default: 0,1,0");
+  CLI::Option* direction = AddDirection(
+    app, "--hdri-up", up, "Direction of the upper edge of the environment image; default: 0,1,0");
   if (!group.empty())
   {
     file->group(group);

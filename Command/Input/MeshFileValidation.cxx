@@ -21,13 +21,14 @@ namespace penumbra
 namespace
 {
 
-[[noreturn]] void FailEarlyEnd(const std::string& path, const std::string& last)
+[[noreturn]] void ThrowTruncated(const std::string& path, const std::string& last)
 {
   throw CommandError(
     BadInput, path + ": the file is damaged: it ends before its last " + last + "; copy it again");
 }
 
-// A text ends in "endsolid"; a binary file is a header of 80 bytes, a count, and 50 bytes a triangle.
+// An ASCII file ends in "endsolid". A binary file has a header of 80 bytes, a count, and 50 bytes per
+// triangle.
 void CheckStl(const std::string& path)
 {
   const std::uintmax_t size = std::filesystem::file_size(path);
@@ -41,7 +42,7 @@ void CheckStl(const std::string& path)
     file.read(&ending[0], static_cast<std::streamsize>(ending.size()));
     if (ending.find("endsolid") == std::string::npos)
     {
-      FailEarlyEnd(path, "line, 'endsolid'");
+      ThrowTruncated(path, "line, 'endsolid'");
     }
     return;
   }
@@ -52,7 +53,7 @@ void CheckStl(const std::string& path)
   }
   if (beginning.size() < 84 || size < 84 + 50ull * count)
   {
-    FailEarlyEnd(path, "triangle");
+    ThrowTruncated(path, "triangle");
   }
 }
 
@@ -69,7 +70,7 @@ std::string LowerExtension(const std::string& path)
 DeclaredCounts CheckMeshFile(const std::string& path)
 {
   const std::string extension = LowerExtension(path);
-  DeclaredCounts promise;
+  DeclaredCounts counts;
   if (extension == ".stl")
   {
     CheckStl(path);
@@ -80,39 +81,38 @@ DeclaredCounts CheckMeshFile(const std::string& path)
     if (!ply.IsPly)
     {
       throw CommandError(
-        BadInput, path + ": the file is damaged or not PLY: its header makes no sense");
+        BadInput, path + ": the file is damaged or not PLY: its header is invalid");
     }
     if (!ply.IsWhole)
     {
-      FailEarlyEnd(path, "element");
+      ThrowTruncated(path, "element");
     }
-    promise = { ply.Polygons, ply.Corners };
+    counts = { ply.Polygons, ply.Corners };
   }
   else
   {
     const std::string last = FindEarlyEnd(path);
     if (!last.empty())
     {
-      FailEarlyEnd(path, last);
+      ThrowTruncated(path, last);
     }
   }
-  return promise;
+  return counts;
 }
 
-void CheckDeclaredCounts(
-  const std::string& path, vtkDataObject* data, const DeclaredCounts& promise)
+void CheckDeclaredCounts(const std::string& path, vtkDataObject* data, const DeclaredCounts& counts)
 {
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
-  if (promise.Polygons < 0 || !mesh)
+  if (counts.Polygons < 0 || !mesh)
   {
     return;
   }
-  if (mesh->GetNumberOfPolys() != promise.Polygons ||
-    mesh->GetPolys()->GetNumberOfConnectivityIds() != promise.Corners)
+  if (mesh->GetNumberOfPolys() != counts.Polygons ||
+    mesh->GetPolys()->GetNumberOfConnectivityIds() != counts.Corners)
   {
     throw CommandError(BadInput,
       path +
-        ": polygons of more than 255 vertices cannot be read from this file; triangulate them");
+        ": VTK cannot read polygons of more than 255 vertices from this file; triangulate them");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What VTK's readers overlook in files: an early end, polygons that they cut.
+// Checks of mesh files that VTK's readers omit: truncated files and polygons that are cut.
 #ifndef penumbra_MeshFileValidation_h
 #define penumbra_MeshFileValidation_h
 
@@ -12,19 +12,19 @@ class vtkDataObject;
 namespace penumbra
 {
 
-/// What a file promises; negative: nothing is known.
+/// Counts that a file header declares; negative: unknown.
 struct DeclaredCounts
 {
   long long Polygons = -1;
   long long Corners = -1; ///< of all polygons together
 };
 
-/// Walk through the file at `path` without keeping it. Throws Failure when it ends early.
+/// Scans the file at `path`. Throws CommandError if it is truncated.
 DeclaredCounts CheckMeshFile(const std::string& path);
 
-/// Throws Failure when `data`, as read from `path`, hold less than promised.
+/// Throws CommandError if `data`, as read from `path`, have other counts than declared.
 void CheckDeclaredCounts(
-  const std::string& path, vtkDataObject* data, const DeclaredCounts& promise);
+  const std::string& path, vtkDataObject* data, const DeclaredCounts& counts);
 
 }
 #endif

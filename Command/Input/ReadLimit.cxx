@@ -25,13 +25,13 @@ namespace penumbra
 namespace
 {
 
-// Time and memory that any file has, and what its size adds.
-constexpr double LeastSeconds = 60.0;
-constexpr unsigned long long LeastMemory = 1ull << 30;
+// Limits for an empty file, and the memory that each byte of a file adds. One second per MiB is added.
+constexpr double BaseSeconds = 60.0;
+constexpr unsigned long long BaseMemory = 1ull << 30; ///< bytes
 constexpr unsigned long long BytesPerByte = 64;
-constexpr unsigned long long BytesPerCompressedByte = 2200; ///< zlib reaches 1032
+constexpr unsigned long long BytesPerCompressedByte = 2200; ///< zlib compresses up to 1032 to 1
 
-double AskedSeconds = 0.0; ///< 0: by the file's size
+double RequestedSeconds = 0.0; ///< 0: computed from the file size
 std::string Line;
 
 void EndReading(int)
@@ -49,11 +49,11 @@ void SetTimer(double seconds)
   setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-// Is what the file holds, or may hold, compressed?
+// Returns whether the file, or a file that it refers to, may be compressed.
 bool MayBeCompressed(const std::string& path, unsigned long long bytes)
 {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const bool namesOthers = static_cast<unsigned long long>(file.tellg()) < bytes;
+  const bool refersToOthers = static_cast<unsigned long long>(file.tellg()) < bytes;
   file.seekg(0);
   std::string head(4096, '\0');
   file.read(&head[0], static_cast<std::streamsize>(head.size()));
@@ -64,10 +64,10 @@ bool MayBeCompressed(const std::string& path, unsigned long long bytes)
       return true;
     }
   }
-  return namesOthers;
+  return refersToOthers;
 }
 
-// Of the kind that RLIMIT_DATA counts.
+// Returns the memory in use, in bytes, as RLIMIT_DATA counts it.
 unsigned long long MemoryInUse()
 {
   std::ifstream file("/proc/self/statm");
@@ -83,8 +83,8 @@ unsigned long long MemoryInUse()
 
 CLI::Option* AddReadLimitOption(CLI::App& app)
 {
-  return AddNumber(app, "--read-limit", AskedSeconds, "SECONDS",
-    "Time that reading a file may take, inf: any, and any memory; default: 60 and one for each MiB",
+  return AddNumber(app, "--read-limit", RequestedSeconds, "SECONDS",
+    "Longest time for reading a file, inf: no limit on time and memory; default: 60 plus 1 per MiB",
     { 0.0, Infinity, true, true })
     ->default_str("");
 }
@@ -94,23 +94,23 @@ ReadLimit::ReadLimit(const std::string& path)
   rlimit limit = {};
   getrlimit(RLIMIT_DATA, &limit);
   this->Memory = limit.rlim_cur;
-  if (std::isinf(AskedSeconds))
+  if (std::isinf(RequestedSeconds))
   {
     return;
   }
   const unsigned long long bytes = InputBytes(path);
 #if !defined(__SANITIZE_ADDRESS__)
-  const unsigned long long memory = MemoryInUse() + LeastMemory +
+  const unsigned long long memory = MemoryInUse() + BaseMemory +
     bytes * (MayBeCompressed(path, bytes) ? BytesPerCompressedByte : BytesPerByte);
   this->ByFile = memory < this->Memory;
   limit.rlim_cur = std::min<unsigned long long>(memory, this->Memory);
   setrlimit(RLIMIT_DATA, &limit);
 #endif
   const double seconds =
-    AskedSeconds > 0.0 ? AskedSeconds : std::ceil(LeastSeconds + bytes / 1048576.0);
+    RequestedSeconds > 0.0 ? RequestedSeconds : std::ceil(BaseSeconds + bytes / 1048576.0);
   std::ostringstream text;
   text << path << ": reading takes more than " << seconds
-       << " s: the file is damaged, or needs a longer --read-limit";
+       << " s; the file is damaged or needs a longer --read-limit";
   Line = LineOf(text.str());
   std::signal(SIGALRM, EndReading);
   SetTimer(std::min(std::max(seconds, 1e-6), 1e8));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What reading one file may cost: a damaged file on which its reader never ends, or for which it asks
-// for memory out of all proportion, is told as one.
+// Time and memory limits for reading a file. Readers may loop forever or allocate excessive memory on
+// damaged files.
 #ifndef penumbra_ReadLimit_h
 #define penumbra_ReadLimit_h
 
@@ -17,11 +17,12 @@ class Option;
 namespace penumbra
 {
 
+/// Adds --read-limit.
 CLI::Option* AddReadLimitOption(CLI::App& app);
 
-/// While it lives, time and memory are limited. When the time is over the process removes its temporary
-/// files, says one line and exits with BadInput; memory beyond the limit throws std::bad_alloc. To be
-/// used in a worker, one at a time.
+/// Limits time and memory during its lifetime. At the time limit the process removes its temporary files,
+/// prints one line and exits with BadInput; allocations beyond the memory limit throw std::bad_alloc. Use
+/// in worker processes, one object at a time.
 class ReadLimit
 {
 public:
@@ -31,11 +32,11 @@ public:
   ReadLimit(const ReadLimit&) = delete;
   void operator=(const ReadLimit&) = delete;
 
-  /// Does the file, not the machine, set the limit of memory?
+  /// Returns whether the memory limit follows from the file, not from the machine.
   bool IsByFile() const { return this->ByFile; }
 
 private:
-  unsigned long long Memory = 0; ///< the limit before
+  unsigned long long Memory = 0; ///< limit before construction, in bytes
   bool ByFile = false;
 };
 

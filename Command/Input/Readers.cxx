@@ -173,7 +173,7 @@ const ReaderRow& FindReader(const std::string& path)
     }
   }
   throw CommandError(BadInput,
-    path + ": unknown extension '" + extension + "'; `penumbra list` names those that can be read");
+    path + ": unknown extension '" + extension + "'; `penumbra list` prints the supported ones");
 }
 
 void CheckFile(const std::string& path)
@@ -187,11 +187,11 @@ void CheckFile(const std::string& path)
   }
   if (fs::is_directory(status))
   {
-    throw CommandError(BadInput, path + ": this is a folder; name the files in it");
+    throw CommandError(BadInput, path + ": the path is a folder; name the files in it");
   }
   if (!fs::is_regular_file(status))
   {
-    throw CommandError(BadInput, path + ": not a regular file; copy it to one");
+    throw CommandError(BadInput, path + ": not a regular file; copy it to a regular file");
   }
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file)
@@ -223,7 +223,7 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
 {
   const ReaderRow& row = FindReader(path);
   CheckFile(path);
-  const DeclaredCounts promise = CheckMeshFile(path);
+  const DeclaredCounts counts = CheckMeshFile(path);
   TakeErrors();
   const Algorithm reader = row.Make(path);
   reader->Update();
@@ -239,9 +239,9 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
   }
   if (reader->GetErrorCode() != 0 || !data)
   {
-    FailReading(path, row, "its reader gives no reason");
+    FailReading(path, row, "the reader reported no reason");
   }
-  CheckDeclaredCounts(path, data, promise);
+  CheckDeclaredCounts(path, data, counts);
   return data;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The one table of formats that the program reads: extension, name, VTK reader.
+// The table of input formats: extensions, name, VTK reader.
 #ifndef penumbra_Readers_h
 #define penumbra_Readers_h
 
@@ -26,7 +26,7 @@ struct ReaderRow
 
 const std::vector<ReaderRow>& Readers();
 
-/// Everything in the file. Throws Failure, naming the file, when it cannot be read whole.
+/// Reads a file. Throws CommandError, naming the file, if it cannot be read completely.
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path);
 
 }

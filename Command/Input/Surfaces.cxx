@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(vtkDataSet* data)
   }
   if (data->GetNumberOfCells() == 0)
   {
-    vtkNew<vtkVertexGlyphFilter> vertices; // A cloud of points is drawn as points.
+    vtkNew<vtkVertexGlyphFilter> vertices; // Point clouds are rendered as vertices.
     vertices->SetInputData(data);
     vertices->Update();
     return vertices->GetOutput();
@@ -95,7 +95,7 @@ std::vector<bool> FindFinitePoints(vtkPoints* points, vtkIdType& dropped)
   return finite;
 }
 
-// The mesh without the cells that use a point that is not finite, and without unused points.
+// Returns the mesh without unused points and without the cells that use a non-finite point.
 vtkSmartPointer<vtkPolyData> DropCells(vtkPolyData* mesh, const std::vector<bool>& finite)
 {
   vtkNew<vtkPolyData> kept;
@@ -140,10 +140,10 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
   Surfaces surfaces;
   for (vtkDataSet* dataSet : FindDataSets(data))
   {
-    const std::string fault = FindInconsistency(dataSet);
-    if (!fault.empty())
+    const std::string inconsistency = FindInconsistency(dataSet);
+    if (!inconsistency.empty())
     {
-      throw CommandError(BadInput, path + ": the file is damaged: " + fault);
+      throw CommandError(BadInput, path + ": the file is damaged: " + inconsistency);
     }
     vtkSmartPointer<vtkPolyData> mesh = MakeMesh(dataSet);
     vtkIdType dropped = 0;
@@ -161,14 +161,16 @@ Surfaces ExtractSurfaces(vtkDataObject* data, const std::string& path)
   }
   if (surfaces.Points == 0)
   {
-    throw CommandError(BadInput, path + ": the mesh is empty: there is nothing to draw");
+    throw CommandError(
+      BadInput, path + ": the mesh is empty; choose a file that contains cells or points");
   }
   if (surfaces.Meshes.empty())
   {
     throw CommandError(BadInput,
       path +
-        (surfaces.DroppedPoints > 0 ? ": no cell has only finite coordinates; export the mesh again"
-                                    : ": the mesh is empty: there is nothing to draw"));
+        (surfaces.DroppedPoints > 0
+            ? ": no cell has only finite coordinates; export the mesh again"
+            : ": the mesh is empty; choose a file that contains cells or points"));
   }
   return surfaces;
 }
@@ -189,13 +191,14 @@ Surfaces ReadSurfaces(const std::string& path)
   }
   catch (const std::bad_alloc&)
   {
-    // A file that is small beside the memory and yet asks for more than there is.
+    // A file that is small compared with the memory should not exhaust it: treat it as damaged.
     if (!limit.IsByFile() && InputBytes(path) > MachineMemory() / 64)
     {
       throw;
     }
     throw CommandError(BadInput,
-      path + ": the file is damaged: it asks for more memory than a file of its size may need");
+      path +
+        ": the file is damaged: reading it requests more memory than a file of its size can need");
   }
   catch (const std::exception& error)
   {

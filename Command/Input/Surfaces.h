@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From whatever a file holds to surfaces that can be drawn: sound, finite, one for each data set.
+// Extracts valid surfaces with finite points from a file, one for each data set.
 #ifndef penumbra_Surfaces_h
 #define penumbra_Surfaces_h
 
@@ -16,18 +16,18 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// The cell array that says which cell of the file a cell of a surface comes from, where they differ.
+/// Name of the cell array with the cell ids in the file, if they differ from those of the surface.
 constexpr const char* OriginalCellIds = "PenumbraOriginalCellIds";
 
 struct Surfaces
 {
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
   vtkIdType Points = 0;        ///< in the file
-  vtkIdType DroppedPoints = 0; ///< not finite, left out with the cells around them
+  vtkIdType DroppedPoints = 0; ///< non-finite points, skipped with the cells that use them
 };
 
-/// The surfaces in the file at `path`. Throws Failure, naming it, when it cannot be read, when
-/// nothing of it can be drawn, or when it contradicts itself.
+/// Reads the surfaces of a file. Throws CommandError, naming the file, if it cannot be read, contains no
+/// cells or points, or is inconsistent.
 Surfaces ReadSurfaces(const std::string& path);
 
 }

@@ -14,7 +14,7 @@ namespace penumbra
 namespace
 {
 
-// 33 colours at even distances, two hexadecimal digits a channel. viridis, plasma, inferno and
+// 33 equidistant colors with two hexadecimal digits per channel. viridis, plasma, inferno and
 // magma by S. van der Walt and N. Smith (CC0), cividis by J. Nunez, C. Anderton and R. Renslow
 // (PLOS ONE 13, 2018), turbo by A. Mikhailov (Apache 2.0).
 struct SampledColormap
@@ -59,7 +59,7 @@ double Channel(const char* colors, int color, int channel)
   return std::strtol(digits, nullptr, 16) / 255.0;
 }
 
-// False when there is no colormap of that name.
+// Fills `function` with the named colormap; returns false if the name is unknown.
 bool FillFunction(vtkColorTransferFunction* function, const std::string& name)
 {
   for (const SampledColormap& map : Sampled)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The colormaps that --colormap knows by name.
+// The named colormaps of --colormap.
 #ifndef penumbra_Colormaps_h
 #define penumbra_Colormaps_h
 
@@ -17,7 +17,7 @@ namespace penumbra
 
 std::vector<std::string> ColormapNames();
 
-/// A table of 256 colours over [0, 1], values that are not numbers grey; null for an unknown name.
+/// Returns a lookup table of 256 colors over [0, 1] with gray for NaN; null if the name is unknown.
 vtkSmartPointer<vtkLookupTable> MakeColormap(const std::string& name);
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Names of how occluders count less with their distance.
+// Names of the distance falloffs of ambient occlusion.
 #ifndef penumbra_Falloffs_h
 #define penumbra_Falloffs_h
 
@@ -12,14 +12,15 @@
 namespace penumbra
 {
 
-/// In the order of vtkPenumbraIrradianceProvider::Falloffs.
+/// Falloff names in the order of vtkPenumbraIrradianceProvider::Falloffs.
 inline const std::vector<std::string>& FalloffNames()
 {
   static const std::vector<std::string> names = { "none", "linear", "quadratic", "square-root" };
   return names;
 }
 
-inline int FalloffOf(const std::string& name)
+/// Returns the falloff of a name of FalloffNames().
+inline int FindFalloff(const std::string& name)
 {
   const std::vector<std::string>& names = FalloffNames();
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());

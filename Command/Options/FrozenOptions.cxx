@@ -20,9 +20,10 @@ namespace penumbra
 namespace
 {
 
-// Shares of the bounds' diagonal: the defaults that Options.md tells.
-constexpr double RadiusShare = 0.1;
-constexpr double ScatteringShare = 0.25;
+// Defaults documented in Options.md: the occlusion radius as a fraction of the bounds' diagonal, and the
+// scattering coefficient times the diagonal.
+constexpr double DefaultRadiusFraction = 0.1;
+constexpr double DefaultOpticalThickness = 0.25;
 
 void FreezeCamera(vtkCamera* camera, CameraOptions& options)
 {
@@ -40,7 +41,7 @@ void FreezeCamera(vtkCamera* camera, CameraOptions& options)
   options.Elevation = 0.0;
 }
 
-void FixColors(vtkRenderer* renderer, ColoringOptions& options)
+void FreezeColoring(vtkRenderer* renderer, ColoringOptions& options)
 {
   vtkCollectionSimpleIterator cookie;
   renderer->GetActors()->InitTraversal(cookie);
@@ -64,18 +65,18 @@ void FreezeOptions(vtkRenderer* renderer, RenderOptions& options)
   FreezeCamera(renderer->GetActiveCamera(), options.Camera);
   if (options.Coloring.Enabled)
   {
-    FixColors(renderer, options.Coloring);
+    FreezeColoring(renderer, options.Coloring);
   }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
   if (options.AmbientOcclusionRadius == 0.0)
   {
-    options.AmbientOcclusionRadius = RadiusShare * diagonal;
+    options.AmbientOcclusionRadius = DefaultRadiusFraction * diagonal;
   }
   if (std::isnan(options.Shafts.Scattering))
   {
-    options.Shafts.Scattering = ScatteringShare / diagonal;
+    options.Shafts.Scattering = DefaultOpticalThickness / diagonal;
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must not jump from one picture of an animation to the next.
+// Options that stay constant over all frames of an animation.
 #ifndef penumbra_FrozenOptions_h
 #define penumbra_FrozenOptions_h
 
@@ -12,8 +12,8 @@ namespace penumbra
 
 struct RenderOptions;
 
-/// Sets the options that would be found from the data to what was found for `renderer`, which was
-/// built with them: camera, array and range of the colours, reach of occluders, density of the fog.
+/// Replaces automatic options by the values derived for `renderer`, which was built with `options`: camera,
+/// color array and range, occlusion radius, scattering coefficient.
 void FreezeOptions(vtkRenderer* renderer, RenderOptions& options);
 
 }

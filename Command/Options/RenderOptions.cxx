@@ -23,11 +23,11 @@ namespace
 {
 
 const Range Unit{ 0.0, 1.0 };
-// Lengths whose squares are finite and not 0.
-const Range ShadingPoint{ -1e100, 1e100 };
+// Coordinates and lengths whose squares are finite and nonzero in double precision.
+const Range Coordinate{ -1e100, 1e100 };
 const Range Length{ 1e-100, 1e100 };
 
-/// A flag that turns something off.
+/// Adds a flag that sets `target` to false.
 CLI::Option* AddNegation(
   CLI::App& app, const std::string& name, bool& target, const std::string& description)
 {
@@ -37,14 +37,13 @@ CLI::Option* AddNegation(
 
 void DeclareOutput(CLI::App& app, RenderOptions& options)
 {
-  app.add_option("FILE", options.Files, "Meshes to draw; `penumbra list` names the formats")
+  app.add_option("FILE", options.Files, "Meshes to render; `penumbra list` prints the formats")
     ->required()
     ->type_name("");
   app
     .add_option("--output", options.Output,
-      "Picture: .png .jpg .jpeg .tif .tiff .bmp (8 bit) or .vti (floats, depth, normals, ids); "
-      "with "
-      "{name} in it, one picture for each file")
+      "Image: .png .jpg .jpeg .tif .tiff .bmp (8 bits per channel) or .vti (floats, depth, "
+      "normals, ids); {name} renders one image per file")
     ->required()
     ->type_name("PATH")
     ->take_last()
@@ -54,7 +53,7 @@ void DeclareOutput(CLI::App& app, RenderOptions& options)
     const std::vector<double> numbers = ParseNumbers("--resolution", text, 2, 2, sides);
     if (numbers[0] != std::floor(numbers[0]) || numbers[1] != std::floor(numbers[1]))
     {
-      throw CLI::ValidationError("--resolution", "'" + text + "' is not two whole numbers");
+      throw CLI::ValidationError("--resolution", "'" + text + "' is not two integers");
     }
     options.Resolution = { static_cast<int>(numbers[0]), static_cast<int>(numbers[1]) };
   };
@@ -65,40 +64,41 @@ void DeclareOutput(CLI::App& app, RenderOptions& options)
     ->take_last()
     ->group("Output");
   AddInteger(app, "--dpi", options.DotsPerInch,
-    "Dots per inch, written into the file; widths are in points of 1/72 inch", 1, 9600)
+    "Dots per inch, stored in the file; widths are in points of 1/72 inch", 1, 9600)
     ->group("Output");
   app
     .add_option("--statistics", options.Statistics,
-      "Write rays, error, times and memory to this file; {name} as in --output")
+      "Write ray counts, estimated error, times and memory to this file; {name} as in --output")
     ->type_name("FILE.json")
     ->take_last()
     ->group("Output");
   AddChoice(app, "--progress", options.Progress, { "auto", "bar", "plain", "none" },
-    "How progress is shown on stderr; auto: a bar on a terminal")
+    "Progress on stderr; auto: a bar on a terminal")
     ->group("Output");
-  AddInteger(app, "--jobs", options.Jobs, "Pictures made at a time, with {name}", 1, 1024)
+  AddInteger(
+    app, "--jobs", options.Jobs, "Number of images rendered at the same time, with {name}", 1, 1024)
     ->group("Output");
 }
 
 void DeclareEngine(CLI::App& app, RenderOptions& options)
 {
   AddChoice(app, "--engine", options.Engine, { "ray", "raster" },
-    "ray: the ray caster, no display and no OpenGL needed; raster: VTK's OpenGL")
+    "ray: ray caster, needs neither a display nor OpenGL; raster: VTK's OpenGL renderer")
     ->group("Engine");
   AddNumber(app, "--tolerance", options.Tolerance, "X",
-    "Error accepted: RMSE of any 16x16 pixels, colours from 0 to 1; raster: of "
-    "--ambient-occlusion, "
-    "0.01 unless given",
+    "Accepted RMSE of any 16x16 pixels, for colors in [0, 1]; raster: of --ambient-occlusion, "
+    "default 0.01",
     { 1e-6, 1.0 })
     ->each([&options](const std::string&) { options.HasTolerance = true; })
     ->group("Engine");
-  AddInteger(
-    app, "--max-level", options.MaximumLevel, "Deepest subdivision of a pixel (ray): 2^-N", 0, 6)
+  AddInteger(app, "--max-level", options.MaximumLevel,
+    "Deepest subdivision of a pixel (ray); subpixels have side 2^-N", 0, 6)
     ->group("Engine");
   AddNegation(app, "--no-small-objects", options.FindSmallObjects,
-    "Do not look for objects between the rays (ray)")
+    "Do not search for objects between the camera rays (ray)")
     ->group("Engine");
-  AddInteger(app, "--threads", options.Threads, "Threads, 0: all; the picture is the same", 0, 1024)
+  AddInteger(app, "--threads", options.Threads,
+    "Number of threads, 0: all; the image does not depend on it", 0, 1024)
     ->group("Engine");
   AddReadLimitOption(app)->group("Engine");
   AddChoice(app, "--window,--rendering-backend", options.Window, { "osmesa", "egl", "x", "auto" },
@@ -108,24 +108,25 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
 
 void DeclareCamera(CLI::App& app, CameraOptions& camera)
 {
-  AddTriple(app, "--camera-position", camera.Position, "Where the eye is; default: all is in view",
-    ShadingPoint);
+  AddTriple(app, "--camera-position", camera.Position,
+    "Position of the camera; default: fits the bounds", Coordinate);
   AddTriple(app, "--camera-focal-point", camera.FocalPoint,
-    "What it looks at; default: the centre of the bounds", ShadingPoint);
-  AddDirection(app, "--camera-view-up", camera.ViewUp, "What is up; default: 0,1,0");
+    "Focal point; default: the center of the bounds", Coordinate);
+  AddDirection(app, "--camera-view-up", camera.ViewUp, "Up direction; default: 0,1,0");
   AddDirection(app, "--camera-direction", camera.Direction,
-    "Where it looks, all in view; default: 0,0,-1; not used with --camera-position");
+    "View direction, at a distance that fits the bounds; default: 0,0,-1; ignored with "
+    "--camera-position");
   AddNumber(
-    app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical angle of view", { 1e-6, 179.0 });
+    app, "--camera-view-angle", camera.ViewAngle, "DEG", "Vertical view angle", { 1e-6, 179.0 });
   AddNumber(app, "--camera-zoom-factor", camera.ZoomFactor, "F",
-    "Closer than the view of all by this factor; not used with --camera-position", Length);
+    "Move the camera closer by this factor; ignored with --camera-position", Length);
   AddNumber(app, "--camera-azimuth-angle", camera.Azimuth, "DEG",
-    "Then turn around the focal point, to the right");
+    "Then rotate around the focal point to the right");
   AddNumber(app, "--camera-elevation-angle", camera.Elevation, "DEG",
-    "Then turn around the focal point, upwards");
+    "Then rotate around the focal point upward");
   app.add_flag("--camera-orthographic", camera.Orthographic, "Parallel projection");
   AddNumber(app, "--camera-parallel-scale", camera.ParallelScale, "S",
-    "Half the height of the view in world units; default: all is in view", Length);
+    "Half the height of the view in world units; default: fits the bounds", Length);
   for (CLI::Option* option : app.get_options(
          [](const CLI::Option* one) { return one->get_name().rfind("--camera-", 0) == 0; }))
   {
@@ -133,85 +134,88 @@ void DeclareCamera(CLI::App& app, CameraOptions& camera)
   }
 }
 
-void DeclareLook(CLI::App& app, RenderOptions& options)
+void DeclareAppearance(CLI::App& app, RenderOptions& options)
 {
-  const std::string look = "Look";
-  AddColor(app, "--color", options.Color, "Colour of the surface; default: 1,1,1")->group(look);
-  AddNumber(app, "--opacity", options.Opacity, "A", "Opacity of the surface", Unit)->group(look);
-  AddColor(app, "--background-color", options.BackgroundColor, "Default: 0,0,0")->group(look);
+  const std::string group = "Appearance";
+  AddColor(app, "--color", options.Color, "Color of the surfaces; default: 1,1,1")->group(group);
+  AddNumber(app, "--opacity", options.Opacity, "A", "Opacity of the surfaces", Unit)->group(group);
+  AddColor(app, "--background-color", options.BackgroundColor, "Background color; default: 0,0,0")
+    ->group(group);
   AddNegation(app, "--no-background", options.Background,
-    "Leave the background out: alpha is the covered share (.png .tif .vti)")
-    ->group(look);
-  AddNegation(app, "--no-lighting,--unlit", options.Lighting, "Plain colours, no light")
-    ->group(look);
+    "Transparent background: alpha is the coverage (.png .tif .vti)")
+    ->group(group);
+  AddNegation(app, "--no-lighting,--unlit", options.Lighting, "Colors without shading")
+    ->group(group);
   const auto storeLights = [&options](const std::vector<std::string>& texts) {
     options.Lights.clear();
     for (const std::string& text : texts)
     {
-      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, ShadingPoint);
+      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, Coordinate);
       numbers.resize(4, 1.0);
       options.Lights.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
     }
   };
   app
     .add_option_function<std::vector<std::string>>("--light-position", storeLights,
-      "A light instead of the headlight; w = 0: it shines from that direction; repeatable")
+      "Light that replaces the headlight; w = 0: directional light from that direction; repeatable")
     ->type_name("X,Y,Z[,W]")
     ->allow_extra_args(false)
-    ->group(look);
-  AddNumber(app, "--light-intensity", options.LightIntensity, "I", "Of every light", { 0.0, 1e6 })
-    ->group(look);
+    ->group(group);
+  AddNumber(
+    app, "--light-intensity", options.LightIntensity, "I", "Intensity of every light", { 0.0, 1e6 })
+    ->group(group);
   AddNumber(app, "--feature-angle", options.FeatureAngle, "DEG",
-    "Compute smooth normals, edges sharper than this stay; default: the file's normals, else flat",
+    "Compute smooth normals; edges sharper than this angle stay sharp; default: the file's "
+    "normals, else flat",
     { 0.0, 180.0 })
-    ->group(look);
-  app.add_flag("-e,--show-edges,--edges", options.ShowEdges, "Draw the edges of the cells")
-    ->group(look);
+    ->group(group);
+  app.add_flag("-e,--show-edges,--edges", options.ShowEdges, "Draw the cell edges")->group(group);
   AddChoice(app, "--representation", options.Representation, { "surface", "wireframe", "points" },
-    "What of the mesh is drawn")
-    ->group(look);
+    "Representation of the mesh")
+    ->group(group);
   AddNumber(
     app, "--line-width", options.LineWidth, "PT", "Width of lines and edges", { 0.0, 1000.0, true })
-    ->group(look);
+    ->group(group);
   AddNumber(app, "--point-size", options.PointSize, "PT", "Size of points", { 0.0, 1000.0, true })
-    ->group(look);
+    ->group(group);
 }
 
 void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
 {
-  const std::string group = "Colouring by data";
-  app.add_flag("-s,--scalar-coloring", coloring.Enabled, "Colour by an array of the file")
+  const std::string group = "Coloring by data";
+  app.add_flag("-s,--scalar-coloring", coloring.Enabled, "Color by an array of the file")
     ->group(group);
   app
     .add_option("--coloring-array", coloring.Array,
-      "Which array; turns colouring on; default: the file's scalars, else its first array")
+      "Name of the array; implies --scalar-coloring; default: the file's scalars, else its first "
+      "array")
     ->type_name("NAME")
     ->take_last()
     ->group(group);
   AddInteger(app, "--coloring-component", coloring.Component,
-    "Which component; -1: the magnitude, -2: the values are the colours themselves", -2, 1000000)
+    "Component of the array; -1: magnitude, -2: the values are colors", -2, 1000000)
     ->group(group);
   const auto storeRange = [&coloring](const std::string& text) {
     coloring.Range = ParseNumbers("--coloring-range", text, 2, 2, {});
     if (coloring.Range[0] > coloring.Range[1])
     {
       throw CLI::ValidationError(
-        "--coloring-range", "'" + text + "' has its ends in the wrong order");
+        "--coloring-range", "'" + text + "' has its minimum after its maximum");
     }
   };
   app
     .add_option_function<std::string>("--coloring-range", storeRange,
-      "Values of the first and the last colour; default: the data's")
+      "Values mapped to the first and the last color; default: the data range")
     ->type_name("A,B")
     ->take_last()
     ->group(group);
-  app.add_flag("--coloring-by-cells", coloring.ByCells, "An array of the cells, not of the points")
+  app
+    .add_flag("--coloring-by-cells", coloring.ByCells, "Use a cell array instead of a point array")
     ->group(group);
-  AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(), "Colours")
+  AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(), "Colormap")
     ->type_name("NAME")
     ->group(group);
-  app.add_flag("-b,--coloring-scalar-bar", coloring.ScalarBar, "Draw the colours' legend")
-    ->group(group);
+  app.add_flag("-b,--coloring-scalar-bar", coloring.ScalarBar, "Draw the scalar bar")->group(group);
 }
 
 void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
@@ -219,15 +223,15 @@ void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
   const std::string group = "Effects";
   app
     .add_flag("--light-shafts", shafts.Enabled,
-      "Fog in which --light-position makes light and shadow visible")
+      "Homogeneous medium in which lights (--light-position) cast visible shafts")
     ->group(group);
   AddNumber(app, "--shafts-scattering", shafts.Scattering, "S",
-    "Share of light scattered per world unit; default: a quarter over the bounds' diagonal",
+    "Scattering coefficient per world unit; default: a quarter over the bounds' diagonal",
     { 0.0, Infinity })
     ->default_str("")
     ->group(group);
   AddNumber(app, "--shafts-extinction", shafts.Extinction, "S",
-    "Share of light lost per world unit, scattering included; default: scattering alone",
+    "Extinction coefficient per world unit, scattering included; default: the scattering",
     { 0.0, Infinity })
     ->default_str("")
     ->group(group);
@@ -245,8 +249,7 @@ void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
   };
   app
     .add_option_function<std::string>("--shafts-phase", storePhase,
-      "Where light is scattered; hg: Henyey and Greenstein's, G from -.999 (back) to .999 "
-      "(forward)")
+      "Phase function; hg: Henyey-Greenstein, G from -0.999 (backward) to 0.999 (forward)")
     ->type_name("isotropic|rayleigh|hg:G")
     ->default_str("isotropic")
     ->take_last()
@@ -258,17 +261,17 @@ void DeclareLight(CLI::App& app, LightOptions& light)
   const std::string group = "Effects";
   app
     .add_flag("--indirect", light.Indirect,
-      "Add the light from surface to surface and from the environment (ray)")
+      "Add diffuse light from other surfaces and from the environment (ray)")
     ->group(group);
   AddTriple(app, "--environment-color", light.EnvironmentColor,
-    "Radiance from where nothing is; default: the background's colour", { 0.0, 1e6 })
+    "Radiance of rays that hit nothing; default: the background color", { 0.0, 1e6 })
     ->group(group);
   AddEnvironmentOptions(app, light.EnvironmentFile, light.EnvironmentUp, group);
   AddNumber(app, "--albedo", light.Albedo, "A",
-    "Share of the indirect light that a white surface throws back", Unit)
+    "Fraction of indirect light that a white surface reflects", Unit)
     ->group(group);
-  AddInteger(
-    app, "--bounces", light.Bounces, "Reflections up to the eye's, which is the last", 1, 64)
+  AddInteger(app, "--bounces", light.Bounces,
+    "Diffuse reflections, including the one toward the camera", 1, 64)
     ->group(group);
 }
 
@@ -283,8 +286,8 @@ void RequireShafts(const CLI::App& app, const ShaftOptions& shafts)
   }
   if (shafts.Extinction < shafts.Scattering)
   {
-    throw CommandError(BadInput,
-      "--shafts-extinction: less than --shafts-scattering; what is scattered is lost, too");
+    throw CommandError(
+      BadInput, "--shafts-extinction must not be less than --shafts-scattering, which it includes");
   }
 }
 
@@ -315,41 +318,40 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   const std::string group = "Effects";
   app
     .add_flag("-q,--ambient-occlusion", options.AmbientOcclusion,
-      "Darken what sees little of the sky: rgb * (1 - strength * occlusion)")
+      "Ambient occlusion: rgb * (1 - strength * occlusion)")
     ->group(group);
   AddNumber(app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "R",
-    "Reach of an occluder in world units, inf (ray): all; default: a tenth of the bounds' diagonal",
+    "Largest distance of an occluder in world units, inf (ray): no limit; default: a tenth of the "
+    "bounds' diagonal",
     { 0.0, Infinity, true, true })
     ->default_str("")
     ->group(group);
   AddChoice(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFalloff, FalloffNames(),
-    "How an occluder counts less with its distance: not, or 1 - t/R, 1 - (t/R)^2, 1 - sqrt(t/R) "
-    "(ray)")
+    "Weight of an occluder at distance t: 1, 1 - t/R, 1 - (t/R)^2 or 1 - sqrt(t/R) (ray)")
     ->group(group);
   AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
-    "Default: 1, on surfaces coloured by data 0.6", Unit)
+    "Strength of the darkening; default: 1, on surfaces colored by data 0.6", Unit)
     ->group(group);
   AddNumber(app, "--ambient-occlusion-light-awareness", options.AmbientOcclusionLightAwareness, "A",
-    "How far bright colours are spared: the strength falls by this times brightness (raster)", Unit)
+    "Reduce the darkening of bright colors: strength * (1 - A * max(r, g, b)) (raster)", Unit)
     ->group(group);
   AddChoice(app, "--ambient-occlusion-kernel", options.AmbientOcclusionKernel, KernelNames(),
-    "How occlusion is found: by true rays or from the depth buffer (raster)")
+    "Kernel; traced: rays, others: depth buffer (raster)")
     ->group(group);
   AddChoice(app, "--gatherer", options.Gatherer, { "rays", "cube-map" },
-    "How occlusion and indirect light look around: by rays or by OpenGL (ray)")
+    "How cache records sample the hemisphere: by rays or with OpenGL (ray)")
     ->group(group);
   AddInteger(app, "--frames", options.Frames,
-    "Successive frames of a still camera, 0: until converged (raster)", 0, 100000)
+    "Number of frames accumulated with a static camera, 0: until converged (raster)", 0, 100000)
     ->group(group);
   AddChoice(app, "--cache", options.Cache, { "world", "screen" },
-    "Where occlusion and indirect light are interpolated: between any places, or over the picture "
-    "(ray)")
+    "Interpolate occlusion and indirect light in world space or over the image (ray)")
     ->group(group);
   app.add_flag("--shadows", options.Shadows, "Hard shadows of the lights (ray)")->group(group);
 }
 
-/// What the picture would have to show and that engine cannot. Options that only say how the other engine
-/// works are idle, see FindIgnoredOptions().
+/// Throws CommandError for options whose effect the selected engine cannot render. Options that only
+/// configure the other engine are ignored with a warning, see FindIgnoredOptions().
 void RequireEngine(const CLI::App& app, const RenderOptions& options)
 {
   if (options.Engine == "ray")
@@ -360,14 +362,13 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     if (app.count(name) > 0)
     {
-      throw CommandError(
-        BadInput, name + " is not possible with --engine raster; use --engine ray");
+      throw CommandError(BadInput, name + " is not supported by --engine raster; use --engine ray");
     }
   }
   if (std::isinf(options.AmbientOcclusionRadius))
   {
     throw CommandError(BadInput,
-      "--ambient-occlusion-radius: inf is not possible with --engine raster; use --engine ray");
+      "--ambient-occlusion-radius: inf is not supported by --engine raster; use --engine ray");
   }
 }
 
@@ -378,7 +379,7 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
   DeclareOutput(app, options);
   DeclareEngine(app, options);
   DeclareCamera(app, options.Camera);
-  DeclareLook(app, options);
+  DeclareAppearance(app, options);
   DeclareColoring(app, options.Coloring);
   DeclareEffects(app, options);
   DeclareLight(app, options.Light);
@@ -401,36 +402,38 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
   if (needed > static_cast<double>(MachineMemory()))
   {
     throw CommandError(BadInput,
-      "--resolution: the picture needs more memory than the machine has; "
-      "make it smaller");
+      "--resolution: the image needs more memory than the machine has; choose a smaller one");
   }
   const Vector3& up = options.Camera.ViewUp.value_or(Vector3{ 0, 1, 0 });
   if (std::hypot(up[0], up[1], up[2]) == 0.0)
   {
-    throw CommandError(BadInput, "--camera-view-up: 0,0,0 is no direction; give another");
+    throw CommandError(
+      BadInput, "--camera-view-up: 0,0,0 is not a direction; give a nonzero vector");
   }
   const Vector3& direction = options.Camera.Direction.value_or(Vector3{ 0, 0, -1 });
   if (std::hypot(direction[0], direction[1], direction[2]) == 0.0)
   {
-    throw CommandError(BadInput, "--camera-direction: 0,0,0 is no direction; give another");
+    throw CommandError(
+      BadInput, "--camera-direction: 0,0,0 is not a direction; give a nonzero vector");
   }
   if (options.Camera.Position && options.Camera.Position == options.Camera.FocalPoint)
   {
     throw CommandError(
-      BadInput, "--camera-focal-point: it is the same as --camera-position; move one of them");
+      BadInput, "--camera-focal-point must differ from --camera-position; move one of them");
   }
   const Vector3& upwards = options.Light.EnvironmentUp.value_or(Vector3{ 0, 1, 0 });
   if (std::hypot(upwards[0], upwards[1], upwards[2]) == 0.0)
   {
-    throw CommandError(BadInput, "--hdri-up: 0,0,0 is no direction; give another");
+    throw CommandError(BadInput, "--hdri-up: 0,0,0 is not a direction; give a nonzero vector");
   }
   for (const std::array<double, 4>& light : options.Lights)
   {
     const double length = std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]) });
     if (light[3] < 0.0 || (light[3] == 0.0 && length == 0.0) ||
-      (light[3] > 0.0 && length > light[3] * ShadingPoint.Maximum))
+      (light[3] > 0.0 && length > light[3] * Coordinate.Maximum))
     {
-      throw CommandError(BadInput, "--light-position: w must be 0, with a direction, or positive");
+      throw CommandError(
+        BadInput, "--light-position: w must be positive, or 0 with a nonzero direction");
     }
   }
 }
@@ -444,8 +447,8 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
   const struct
   {
     const char* Option;
-    bool Idle;
-    const char* Why;
+    bool IsIgnored;
+    const char* Reason;
   } rows[] = {
     { "--tolerance", !ray && !options.AmbientOcclusion,
       "with --engine raster without --ambient-occlusion" },
@@ -479,20 +482,20 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
     { "--camera-view-angle", orthographic, "with --camera-orthographic" },
     { "--camera-zoom-factor", placed, "with --camera-position" },
     { "--camera-direction", placed,
-      "with --camera-position, unless the eye is in the centre of the bounds" },
+      "with --camera-position, unless the camera is at the center of the bounds" },
     { "--light-position", !options.Lighting, "with --no-lighting" },
-    { "--shadows", !lights, "without --light-position: the headlight casts none" },
+    { "--shadows", !lights, "without --light-position: the headlight casts no shadows" },
     { "--window", ray && options.Gatherer == "rays", "with --engine ray" },
   };
-  std::vector<std::string> sentences;
+  std::vector<std::string> warnings;
   for (const auto& row : rows)
   {
-    if (row.Idle && app.count(row.Option) > 0)
+    if (row.IsIgnored && app.count(row.Option) > 0)
     {
-      sentences.push_back(std::string(row.Option) + " has no effect " + row.Why);
+      warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
     }
   }
-  return sentences;
+  return warnings;
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What `penumbra render` can be told, with every default.
+// The options of `penumbra render` with their defaults.
 #ifndef penumbra_RenderOptions_h
 #define penumbra_RenderOptions_h
 
@@ -35,30 +35,30 @@ struct CameraOptions
 struct ColoringOptions
 {
   bool Enabled = false;
-  std::string Array;  ///< empty: the first that can be drawn
-  int Component = -1; ///< -1: the magnitude, -2: the values are colours
+  std::string Array;  ///< empty: the file's scalars, else its first array
+  int Component = -1; ///< -1: the magnitude, -2: the values are colors
   std::vector<double> Range;
   bool ByCells = false;
   std::string Colormap = "viridis";
   bool ScalarBar = false;
 };
 
-/// The medium in which light shafts are seen.
+/// Homogeneous medium of the light shafts.
 struct ShaftOptions
 {
   bool Enabled = false;
-  double Scattering = Unset; ///< per world unit; unset: from the bounds
+  double Scattering = Unset; ///< per world unit; unset: 0.25 / the bounds' diagonal
   double Extinction = Unset; ///< unset: as Scattering
   std::string Phase = "isotropic";
-  double Asymmetry = 0.0; ///< of phase hg
+  double Asymmetry = 0.0; ///< Henyey-Greenstein asymmetry g
 };
 
-/// Light from surface to surface and from the environment.
+/// Indirect light and environment.
 struct LightOptions
 {
   bool Indirect = false;
-  std::optional<Vector3> EnvironmentColor; ///< unset: the background's
-  std::string EnvironmentFile;             ///< empty: one colour
+  std::optional<Vector3> EnvironmentColor; ///< unset: the background color
+  std::string EnvironmentFile;             ///< empty: uniform color
   std::optional<Vector3> EnvironmentUp;
   double Albedo = 0.5;
   int Bounces = 3;
@@ -71,7 +71,7 @@ struct RenderOptions
   std::string Engine = "ray";
   std::array<int, 2> Resolution{ 1000, 600 };
   double Tolerance = 1.0 / 256.0;
-  bool HasTolerance = false; ///< it was asked for
+  bool HasTolerance = false; ///< --tolerance is on the command line
   int MaximumLevel = 3;
   bool FindSmallObjects = true;
   int Threads = 0;
@@ -94,13 +94,13 @@ struct RenderOptions
   int DotsPerInch = 72;
 
   bool AmbientOcclusion = false;
-  double AmbientOcclusionRadius = 0.0;          ///< 0: from the bounds
+  double AmbientOcclusionRadius = 0.0;          ///< 0: a tenth of the bounds' diagonal
   std::string AmbientOcclusionFalloff = "none"; ///< ray
   double AmbientOcclusionStrength = Unset;
   double AmbientOcclusionLightAwareness = 0.0;      ///< raster
   std::string AmbientOcclusionKernel = "automatic"; ///< raster
   std::string Gatherer = "rays";                    ///< ray
-  int Frames = 0; ///< raster, of a still camera; 0: until converged
+  int Frames = 0; ///< raster, with a static camera; 0: until converged
   bool Shadows = false;
   std::string Cache = "world"; ///< of occlusion and indirect light
   LightOptions Light;
@@ -115,10 +115,10 @@ struct RenderOptions
 /// Declares the options of `render` on `app`; parsing fills `options`, which must outlive `app`.
 void DeclareRenderOptions(CLI::App& app, RenderOptions& options);
 
-/// Throws Failure where options contradict each other. Call after parsing.
+/// Throws CommandError if options contradict each other. Call after parsing.
 void CheckRenderOptions(const CLI::App& app, const RenderOptions& options);
 
-/// What was asked for and changes nothing, one sentence each. Call after parsing.
+/// Returns one warning for each option on the command line that has no effect. Call after parsing.
 std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOptions& options);
 
 }

@@ -16,8 +16,8 @@ namespace penumbra
 namespace
 {
 
-// `option`: the name, and others after commas.
-[[noreturn]] void Refuse(
+// Throws CLI::ValidationError. `option`: the name, and others after commas.
+[[noreturn]] void ThrowInvalid(
   const std::string& option, const std::string& text, const std::string& expected)
 {
   throw CLI::ValidationError(
@@ -50,7 +50,7 @@ bool ParseNumber(std::string text, double& value)
   return result.ec == std::errc() && result.ptr == end;
 }
 
-// "0.00390625" without trailing digits that say nothing.
+// Formats a default value with six significant digits.
 std::string Print(double value)
 {
   std::ostringstream text;
@@ -61,13 +61,13 @@ std::string Print(double value)
 }
 
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
-  std::size_t least, std::size_t most, const Range& range)
+  std::size_t minimum, std::size_t maximum, const Range& range)
 {
   std::string expected = Describe(range);
-  if (most > 1)
+  if (maximum > 1)
   {
-    expected = std::to_string(least) + (most > least ? " or " + std::to_string(most) : "") +
-      " numbers with commas between them" +
+    expected = std::to_string(minimum) +
+      (maximum > minimum ? " or " + std::to_string(maximum) : "") + " numbers separated by commas" +
       (range.Minimum > -Infinity ? ", each " + Describe(range) : std::string());
   }
   std::vector<double> numbers;
@@ -79,13 +79,13 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
       (std::isinf(value) && !range.AllowInfinity) || value < range.Minimum ||
       value > range.Maximum || (range.IsExclusive && value == range.Minimum))
     {
-      Refuse(option, text, expected);
+      ThrowInvalid(option, text, expected);
     }
     numbers.push_back(value);
   }
-  if (numbers.size() < least || numbers.size() > most)
+  if (numbers.size() < minimum || numbers.size() > maximum)
   {
-    Refuse(option, text, expected);
+    ThrowInvalid(option, text, expected);
   }
   return numbers;
 }
@@ -166,16 +166,16 @@ CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
 }
 
 CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,
-  const std::string& description, int least, int most)
+  const std::string& description, int minimum, int maximum)
 {
-  const auto store = [name, least, most, &target](const std::string& text) {
+  const auto store = [name, minimum, maximum, &target](const std::string& text) {
     int value = 0;
     const char* end = text.c_str() + text.size();
     const std::from_chars_result result = std::from_chars(text.c_str(), end, value);
-    if (result.ec != std::errc() || result.ptr != end || value < least || value > most)
+    if (result.ec != std::errc() || result.ptr != end || value < minimum || value > maximum)
     {
-      Refuse(
-        name, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+      ThrowInvalid(name, text,
+        "an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum));
     }
     target = value;
   };
@@ -191,7 +191,7 @@ CLI::Option* AddChoice(CLI::App& app, const std::string& name, std::string& targ
   const auto store = [name, choices, &target](const std::string& text) {
     if (!std::count(choices.begin(), choices.end(), text))
     {
-      Refuse(name, text, "one of " + CLI::detail::join(choices, ", "));
+      ThrowInvalid(name, text, "one of " + CLI::detail::join(choices, ", "));
     }
     target = text;
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Options whose values are lists of numbers, on top of CLI11, with messages that name the option.
+// CLI11 options whose values are numbers, lists of numbers, colors or choices. Messages name the option.
 #ifndef penumbra_Arguments_h
 #define penumbra_Arguments_h
 
@@ -20,21 +20,22 @@ using Vector3 = std::array<double, 3>;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// What a number may be.
+/// Range of valid numbers.
 struct Range
 {
   double Minimum = -Infinity;
   double Maximum = Infinity;
-  bool IsExclusive = false;   ///< Least itself is too small
-  bool AllowInfinity = false; ///< "inf" is a value
+  bool IsExclusive = false;   ///< Minimum itself is invalid
+  bool AllowInfinity = false; ///< "inf" is valid
 };
 
-/// The numbers of `text`, separated by commas. Throws CLI::ValidationError naming `option`.
+/// Parses numbers separated by commas. Throws CLI::ValidationError naming `option`.
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
-  std::size_t least, std::size_t most, const Range& range);
+  std::size_t minimum, std::size_t maximum, const Range& range);
 
 ///@{
-/// Declare an option; of several uses the last one wins. `name`: "--name", or several with commas.
+/// Adds an option; if it is repeated, the last value is used. `name`: "--name", or several separated by
+/// commas.
 CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description, const Range& range = {});
 CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
@@ -44,7 +45,7 @@ CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Vect
 CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
   const std::string& unit, const std::string& description, const Range& range = {});
 CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,
-  const std::string& description, int least, int most);
+  const std::string& description, int minimum, int maximum);
 CLI::Option* AddChoice(CLI::App& app, const std::string& name, std::string& target,
   const std::vector<std::string>& choices, const std::string& description);
 ///@}

@@ -24,15 +24,15 @@ namespace
 
 using namespace penumbra;
 
-// CLI11's messages in the form of ours; options of later versions by name.
-std::string Explain(const CLI::App& program, const CLI::ParseError& error)
+// Converts an error of CLI11 to one line; unknown options and subcommands are named.
+std::string DescribeError(const CLI::App& program, const CLI::ParseError& error)
 {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
   const std::string hint = "; see `penumbra" + command + " --help`";
   const std::vector<std::string> extras = program.remaining(true);
-  const bool lacking = dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (lacking && !extras.empty()))
+  const bool noSubcommand = dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (noSubcommand && !extras.empty()))
   {
     const std::string first = extras.empty() ? "" : extras.front();
     const std::string option = first.substr(0, first.find('='));
@@ -42,15 +42,15 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error)
     }
     return option + ": unknown option" + hint;
   }
-  if (lacking)
+  if (noSubcommand)
   {
     return "no subcommand given" + hint;
   }
   return error.what() + hint;
 }
 
-// A standard stream that is closed would be the number of the next file opened, and messages would end
-// up in a picture. Writing to such a standard output still fails.
+// Opens /dev/null for each closed standard stream. Otherwise the next file opened would get its descriptor
+// and messages would be written to an image. Writing to a closed standard output still fails.
 void OccupyStandardStreams()
 {
   for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
@@ -64,13 +64,15 @@ void OccupyStandardStreams()
 
 int Run(int argc, char** argv, const std::vector<Subcommand>& subcommands)
 {
-  CLI::App program("Penumbra: how much of it is visible?", "penumbra");
+  CLI::App program("Penumbra: fractional visibility for VTK: antialiased ray casting, ambient "
+                   "occlusion, indirect light and light shafts",
+    "penumbra");
   program.get_formatter()->column_width(44);
   program.set_version_flag("--version",
     std::string("penumbra ") + PENUMBRA_VERSION + " (VTK " + vtkVersion::GetVTKVersion() + ")");
   program.footer(
-    "Exit status: 0 done, 1 comparison above its threshold, 2 bad use or bad input, 3 the "
-    "machine cannot.\nThe commands' own options: penumbra COMMAND --help");
+    "Exit status: 0 success, 1 comparison above its threshold, 2 invalid usage or input, 3 "
+    "resource not available (OpenGL, memory).\nOptions of a subcommand: penumbra COMMAND --help");
   std::map<std::string, Action> actions;
   for (const Subcommand& subcommand : subcommands)
   {
@@ -88,7 +90,7 @@ int Run(int argc, char** argv, const std::vector<Subcommand>& subcommands)
   }
   catch (const CLI::ParseError& error)
   {
-    throw CommandError(BadInput, Explain(program, error));
+    throw CommandError(BadInput, DescribeError(program, error));
   }
   return actions.at(program.get_subcommands().front()->get_name())();
 }
@@ -100,8 +102,8 @@ int penumbra::RunProgram(int argc, char** argv, const std::vector<Subcommand>& s
   OccupyStandardStreams();
   RetainFreedMemory();
   OpenLog();
-  std::signal(SIGCHLD, SIG_DFL); // Were it ignored, nobody would hear how a process ended.
-  std::signal(SIGXFSZ, SIG_IGN); // A write beyond a quota then fails with a message.
+  std::signal(SIGCHLD, SIG_DFL); // If ignored, waitpid() would not report exit statuses.
+  std::signal(SIGXFSZ, SIG_IGN); // Writes beyond a quota then fail with an error code.
   try
   {
     return RunGuarded([&]() { return Run(argc, argv, subcommands); });
@@ -109,7 +111,7 @@ int penumbra::RunProgram(int argc, char** argv, const std::vector<Subcommand>& s
   catch (const Cancelled& cancelled)
   {
     std::signal(cancelled.Signal, SIG_DFL);
-    std::raise(cancelled.Signal); // So that a shell, too, sees what ended the program.
+    std::raise(cancelled.Signal); // The shell then reports the signal.
   }
   return Unavailable;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Why the program stops early, and the exit status that says so.
+// Exceptions that end the program, and its exit statuses.
 #ifndef penumbra_CommandError_h
 #define penumbra_CommandError_h
 
@@ -15,12 +15,13 @@ namespace penumbra
 enum Status
 {
   Done = 0,
-  AboveThreshold = 1, ///< a comparison only
-  BadInput = 2,       ///< bad use or bad input
+  AboveThreshold = 1, ///< `compare` only
+  BadInput = 2,       ///< invalid usage or input
   Unavailable = 3     ///< no OpenGL context, out of memory, a crash
 };
 
-/// One sentence for the user: what, which file or option, what to do.
+/// Error that ends the program with an exit status. The message is one line: the file or option, the
+/// problem, the remedy.
 class CommandError : public std::runtime_error
 {
 public:
@@ -33,7 +34,7 @@ public:
   const Status ExitStatus;
 };
 
-/// The user cancelled, by this signal.
+/// Thrown when a signal of the user cancels the program.
 class Cancelled : public std::exception
 {
 public:

@@ -14,7 +14,7 @@ namespace penumbra
 void RetainFreedMemory()
 {
 #ifdef __GLIBC__
-  // Blocks from this size on are the system's in any case; glibc takes no more.
+  // 32 MiB is the largest threshold that glibc accepts; larger blocks are always returned to the system.
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
 #endif

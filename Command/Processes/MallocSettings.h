@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a program of ours wants its memory; for main functions alone, never for a library.
+// Settings of malloc. Call from main() only, never from a library.
 #ifndef penumbra_MallocSettings_h
 #define penumbra_MallocSettings_h
 
 namespace penumbra
 {
 
-/// Freed memory stays with the process, up to a quarter of a gigabyte. Mesa's software renderer gets and
-/// frees tens of megabytes for every frame: handed back to the system in between, each page of them
-/// costs a fault, together as much as a third of a frame. Whether the C library does so by itself
-/// depends on the sizes that happened to be freed before. Elsewhere than with glibc: nothing.
+/// Keeps up to 256 MiB of freed memory in the process. Mesa's software renderer allocates and frees tens of
+/// megabytes per frame. If they are returned to the system, the page faults cost up to a third of a frame.
+/// Without this call, the behavior depends on the sizes freed before. No effect without glibc.
 void RetainFreedMemory();
 
 }

@@ -30,7 +30,7 @@ public:
 
   void DisplayText(const char* text) override
   {
-    // A log that cannot be written is no reason to stop.
+    // Failing to write the log is not an error.
     [[maybe_unused]] const auto written =
       write(STDERR_FILENO, text, std::char_traits<char>::length(text));
   }
@@ -63,7 +63,7 @@ std::string ChoosePath()
   return home && *home ? std::string(home) + "/.local/state/penumbra/log" : "/dev/null";
 }
 
-// Appends, but starts afresh once the log has grown beyond a megabyte.
+// Opens the log for appending; truncates it if it exceeds one megabyte.
 int OpenLogFile(const std::string& path)
 {
   std::error_code ignored;
@@ -82,7 +82,7 @@ int OpenLogFile(const std::string& path)
 namespace penumbra
 {
 
-// The frame is "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n".
+// VTK formats messages as "ERROR: In file.cxx, line 1\nvtkClass (0x1): message\n\n".
 std::string StripMessagePrefix(const std::string& text)
 {
   std::size_t begin = text.find("): ");
@@ -91,7 +91,7 @@ std::string StripMessagePrefix(const std::string& text)
   begin = text.find_first_not_of(" \n\t", begin);
   if (begin == std::string::npos)
   {
-    return "an unnamed error";
+    return "unknown error";
   }
   std::string message = text.substr(begin, text.find('\n', begin) - begin);
   message.erase(message.find_last_not_of(" .\t\r") + 1);

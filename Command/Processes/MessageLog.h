@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where messages go. The terminal's stderr belongs to the program's own lines; what VTK, OpenGL
-// and other libraries print goes to a log file.
+// Destinations of messages: lines of the program go to stderr, output of VTK, OpenGL and other libraries
+// goes to a log file.
 #ifndef penumbra_MessageLog_h
 #define penumbra_MessageLog_h
 
@@ -12,30 +12,30 @@
 namespace penumbra
 {
 
-/// Send file descriptor 2 and VTK's messages to the log. Call once, first.
+/// Redirects file descriptor 2 and VTK's messages to the log. Call once, before any output.
 /// The log is $PENUMBRA_LOG, else penumbra/log under $XDG_STATE_HOME or ~/.local/state;
-/// PENUMBRA_LOG=- leaves stderr as it is.
+/// PENUMBRA_LOG=- disables the redirection.
 void OpenLog();
 
-/// Where the log is; empty when there is none.
+/// Path of the log; empty if there is none.
 std::string LogPath();
 
-/// VTK's errors since the last call, one sentence each, without VTK's frame around them.
+/// Returns the errors of VTK since the last call without the prefix of VTK's macros.
 std::vector<std::string> TakeErrors();
 
-/// Do VTK's errors say that memory ran out?
+/// Returns whether an error reports a failed allocation.
 bool IndicatesOutOfMemory(const std::vector<std::string>& errors);
 
-/// The sentence inside a message of VTK's macros.
+/// Returns the text of a message of VTK's macros without their prefix.
 std::string StripMessagePrefix(const std::string& text);
 
-/// What Say() writes.
+/// Returns the text that PrintMessage() writes.
 std::string LineOf(const std::string& line);
 
-/// One line on the real stderr, after "penumbra: ". Line breaks in it become spaces.
+/// Prints "penumbra: " and one line on the original stderr. Line breaks are replaced by spaces.
 void PrintMessage(const std::string& line);
 
-/// The real stderr, for progress.
+/// File descriptor of the original stderr.
 int TerminalDescriptor();
 
 }

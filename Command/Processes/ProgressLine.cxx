@@ -34,19 +34,19 @@ ProgressLine::~ProgressLine()
   this->Clear();
 }
 
-void ProgressLine::Show(const std::string& what, double share)
+void ProgressLine::Show(const std::string& phase, double fraction)
 {
   if (!this->Bar && !this->Plain)
   {
     return;
   }
-  share = std::clamp(share, 0.0, 1.0);
+  fraction = std::clamp(fraction, 0.0, 1.0);
   const int percent =
-    static_cast<int>(share * 100.0) / (this->Plain ? 10 : 1) * (this->Plain ? 10 : 1);
-  std::string line = what + " " + std::to_string(percent) + " %";
+    static_cast<int>(fraction * 100.0) / (this->Plain ? 10 : 1) * (this->Plain ? 10 : 1);
+  std::string line = phase + " " + std::to_string(percent) + " %";
   if (this->Bar)
   {
-    const int full = static_cast<int>(share * Cells);
+    const int full = static_cast<int>(fraction * Cells);
     line = "[" + std::string(full, '#') + std::string(Cells - full, '.') + "] " + line;
   }
   if (line == this->Last)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How far the work is, on stderr.
+// Progress on stderr.
 #ifndef penumbra_ProgressLine_h
 #define penumbra_ProgressLine_h
 
@@ -13,16 +13,16 @@ namespace penumbra
 class ProgressLine
 {
 public:
-  /// `style`: auto (a bar on a terminal, else nothing), bar, plain (a line each tenth) or none.
+  /// `style`: auto (a bar on a terminal, else nothing), bar, plain (one line per 10 %) or none.
   explicit ProgressLine(const std::string& style);
   ~ProgressLine();
 
   ProgressLine(const ProgressLine&) = delete;
   void operator=(const ProgressLine&) = delete;
 
-  void Show(const std::string& what, double share);
+  void Show(const std::string& phase, double fraction);
 
-  /// Take the bar off the terminal, before a message.
+  /// Erases the bar. Call before printing a message.
   void Clear();
 
 private:

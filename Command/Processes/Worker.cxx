@@ -29,7 +29,7 @@
 namespace
 {
 
-// Shared between a worker and its supervisor.
+// State of a worker in memory shared with its supervisor.
 struct WorkerStatus
 {
   char Phase[1024];
@@ -61,15 +61,15 @@ void RemoveTemporaries(const WorkerStatus& report)
   }
 }
 
-// What a worker does when its supervisor is gone.
-void RemoveAndEnd(int)
+// Signal handler of a worker whose supervisor has ended.
+void RemoveAndExit(int)
 {
   RemoveTemporaries(*CurrentStatus);
   _exit(penumbra::Unavailable);
 }
 
-// While it lives, the signals that cancel, and those of ended workers, arrive in Wait() alone. Signals
-// that were ignored on entry, as nohup wants it, stay so.
+// Delivers the cancelling signals and SIGCHLD only within Wait(), during the lifetime of the object.
+// Signals that were ignored on entry, for example by nohup, stay ignored.
 class SignalGuard
 {
 public:
@@ -93,7 +93,8 @@ public:
     sigaddset(&blocked, SIGCHLD);
     sigprocmask(SIG_BLOCK, &blocked, &this->Mask);
     this->WaitMask = this->Mask;
-    sigdelset(&this->WaitMask, SIGCHLD); // Whoever started the program may have blocked it.
+    sigdelset(&this->WaitMask,
+      SIGCHLD); // The parent process may have blocked SIGCHLD, which Wait() depends on.
   }
   ~SignalGuard()
   {
@@ -106,15 +107,15 @@ public:
 
   void Wait() const { sigsuspend(&this->WaitMask); }
 
-  // In a worker, which dies when the user cancels, or with its supervisor.
+  // Sets up the signals of a worker: it ends when the user cancels and when its supervisor ends.
   void EnterWorker() const
   {
     this->RestoreActions();
     signal(SIGCHLD, SIG_DFL);
-    signal(SIGUSR1, RemoveAndEnd);
+    signal(SIGUSR1, RemoveAndExit);
     sigset_t mask = this->WaitMask;
     sigdelset(&mask, SIGUSR1);
-    sigdelset(&mask, SIGALRM); // It limits the time of reading.
+    sigdelset(&mask, SIGALRM); // ReadLimit uses it.
     sigprocmask(SIG_SETMASK, &mask, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGUSR1);
   }
@@ -139,7 +140,7 @@ private:
 void LimitMemory()
 {
 #if !defined(__SANITIZE_ADDRESS__)
-  // Refusing memory that the machine does not have leads to a message instead of a kill.
+  // Allocations beyond the memory of the machine then fail with a message instead of a kill.
   rlimit limit = {};
   getrlimit(RLIMIT_DATA, &limit);
   limit.rlim_cur = std::min<rlim_t>(penumbra::MachineMemory(), limit.rlim_cur);
@@ -147,7 +148,7 @@ void LimitMemory()
 #endif
 }
 
-// A status for a worker that was killed, and a line about it.
+// Prints a line about a worker that a signal ended, and returns its exit status.
 int DescribeExit(const WorkerStatus& report, int signalNumber)
 {
   RemoveTemporaries(report);
@@ -157,23 +158,22 @@ int DescribeExit(const WorkerStatus& report, int signalNumber)
   }
   if (signalNumber == SIGKILL)
   {
-    penumbra::PrintMessage(
-      std::string(report.Phase) + ": ended by the system, most likely out of memory");
+    penumbra::PrintMessage(std::string(report.Phase) +
+      ": killed by the system, most likely out of memory; use a smaller --resolution or mesh");
     return penumbra::Unavailable;
   }
   if (report.Blame == penumbra::BadInput)
   {
-    penumbra::PrintMessage(
-      std::string(report.Phase) + ": the file is damaged: its reader crashed on it");
+    penumbra::PrintMessage(std::string(report.Phase) + ": the file is damaged: its reader crashed");
     return penumbra::BadInput;
   }
   penumbra::PrintMessage(std::string(report.Phase) + ": crashed (" + strsignal(signalNumber) +
-    "); please report it, with the command and " +
+    "); please report the crash with the command and " +
     (penumbra::LogPath().empty() ? "the file" : penumbra::LogPath()));
   return penumbra::Unavailable;
 }
 
-// The processes at work. Whatever ends the supervisor's work ends theirs.
+// The running workers. The destructor kills them.
 class WorkerPool
 {
 public:
@@ -201,16 +201,16 @@ public:
   WorkerPool(const WorkerPool&) = delete;
   void operator=(const WorkerPool&) = delete;
 
-  bool IsAtWork() const { return !this->Running.empty(); }
+  bool HasWorkers() const { return !this->Running.empty(); }
   int Size() const { return static_cast<int>(this->Running.size()); }
   void Wait() const { this->Signals.Wait(); }
 
-  // False when the machine allows no more processes now; throws when it allows none at all.
+  // Returns false if the process limit is reached; throws CommandError if not even one process can start.
   bool Start(int number, const std::function<int(int)>& task)
   {
     std::fflush(nullptr);
     const pid_t child = fork();
-    if (child < 0 && !this->IsAtWork())
+    if (child < 0 && !this->HasWorkers())
     {
       throw penumbra::CommandError(
         penumbra::Unavailable, std::string("cannot start a process: ") + strerror(errno));
@@ -229,7 +229,7 @@ public:
     return child > 0;
   }
 
-  // The status of a worker that has ended; false when there is none.
+  // Gets the exit status of a worker that has ended; returns false if none has.
   bool Collect(int& status)
   {
     int state = 0;
@@ -341,13 +341,13 @@ int RunGuarded(const std::function<int()>& body)
   catch (const std::bad_alloc&)
   {
     PrintMessage((CurrentStatus ? CurrentStatus->Phase + std::string(": ") : std::string()) +
-      "out of memory; a smaller --resolution or a smaller mesh needs less");
+      "out of memory; use a smaller --resolution or a smaller mesh");
     return Unavailable;
   }
   catch (const std::system_error& error)
   {
     PrintMessage((CurrentStatus ? CurrentStatus->Phase + std::string(": ") : std::string()) +
-      "the machine refuses: " + error.what());
+      "the system reported an error: " + error.what());
     return Unavailable;
   }
   catch (const std::exception& error)
@@ -361,23 +361,23 @@ int RunGuarded(const std::function<int()>& body)
 int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   const std::function<void(int finishedTasks)>& finished)
 {
-  WorkerPool crew(count);
+  WorkerPool pool(count);
   int started = 0;
   int done = 0;
   int worst = Done;
-  while (crew.IsAtWork() || (started < count && !CancelSignal))
+  while (pool.HasWorkers() || (started < count && !CancelSignal))
   {
-    while (started < count && crew.Size() < jobs && !CancelSignal && crew.Start(started, task))
+    while (started < count && pool.Size() < jobs && !CancelSignal && pool.Start(started, task))
     {
       ++started;
     }
     int status = Done;
-    if (!crew.Collect(status))
+    if (!pool.Collect(status))
     {
-      crew.Wait();
+      pool.Wait();
       if (CancelSignal)
       {
-        crew.Kill();
+        pool.Kill();
       }
       continue;
     }

@@ -18,13 +18,15 @@ namespace penumbra
 namespace
 {
 
-// What can be looked at: lengths whose squares are ordinary numbers.
-constexpr double ShortestLength = 1e-100;
-constexpr double LongestLength = 1e100;
-// The eye and what it looks at are at least this share of the scene's radius apart.
-constexpr double LeastShare = 1e-12;
+// Range of scene radii and camera distances, in world units: their squares are finite and nonzero.
+constexpr double MinimumLength = 1e-100;
+constexpr double MaximumLength = 1e100;
+// Smallest distance from the camera to its focal point as a fraction of the scene's radius: shorter ones
+// lose their direction to rounding.
+constexpr double MinimumDistanceFraction = 1e-12;
 
-// Of length 1, however long it was: the squares of short and long ones are 0 and infinite.
+// Returns the unit vector. Dividing by the largest component first prevents underflow and overflow of
+// the squared length.
 Vector3 Normalize(Vector3 direction)
 {
   const double largest =
@@ -46,27 +48,27 @@ Vector3 Move(Vector3 point, const Vector3& direction, double distance)
   return point;
 }
 
-// VTK's up, or another axis where the camera looks along it.
+// Returns the view up vector, or another axis if the view direction is parallel to it.
 Vector3 ChooseUp(const CameraOptions& options, const Vector3& direction)
 {
   const Vector3 up = Normalize(options.ViewUp.value_or(Vector3{ 0, 1, 0 }));
-  double across[3];
-  vtkMath::Cross(up.data(), direction.data(), across);
-  if (vtkMath::Norm(across) > 1e-6)
+  double normal[3];
+  vtkMath::Cross(up.data(), direction.data(), normal);
+  if (vtkMath::Norm(normal) > 1e-6)
   {
     return up;
   }
   return std::abs(up[2]) < 0.5 ? Vector3{ 0, 0, 1 } : Vector3{ 0, 1, 0 };
 }
 
-// Half the height that shows a sphere of `radius` in a picture of that aspect.
-double FitScale(double radius, double aspect)
+// Computes the parallel scale at which a sphere fits an image of aspect width / height.
+double ComputeFittingScale(double radius, double aspect)
 {
   return aspect < 1.0 ? radius / aspect : radius;
 }
 
-// From how far the sphere fills the narrower angle of view.
-double FitDistance(double radius, double aspect, double viewAngle)
+// Computes the distance at which a sphere fits the narrower of the two view angles.
+double ComputeFittingDistance(double radius, double aspect, double viewAngle)
 {
   double half = vtkMath::RadiansFromDegrees(viewAngle) / 2.0;
   if (aspect < 1.0)
@@ -91,46 +93,48 @@ void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options, double asp
   }
   const double radius = diagonal > 0.0 ? 0.5 * diagonal : 0.5;
 
-  if (!(radius > ShortestLength && radius < LongestLength))
+  if (!(radius > MinimumLength && radius < MaximumLength))
   {
     throw CommandError(BadInput,
       "the meshes are too " + std::string(radius < 1.0 ? "small" : "large") +
-        " to be looked at; bring their coordinates to ordinary sizes");
+        " for the camera; scale their coordinates to between 1e-100 and 1e100");
   }
 
   Vector3 focalPoint = options.FocalPoint.value_or(center);
   Vector3 position = options.Position.value_or(focalPoint);
   Vector3 direction = options.Direction.value_or(Vector3{ 0, 0, -1 });
-  double scale = FitScale(radius, aspect);
+  double scale = ComputeFittingScale(radius, aspect);
   if (options.Position)
   {
-    Vector3 sight;
-    vtkMath::Subtract(focalPoint.data(), position.data(), sight.data());
-    if (vtkMath::Norm(sight.data()) > LeastShare * radius)
+    Vector3 toFocalPoint;
+    vtkMath::Subtract(focalPoint.data(), position.data(), toFocalPoint.data());
+    if (vtkMath::Norm(toFocalPoint.data()) > MinimumDistanceFraction * radius)
     {
-      direction = sight;
+      direction = toFocalPoint;
     }
     else if (options.FocalPoint)
     {
       throw CommandError(
-        BadInput, "--camera-focal-point: too close to --camera-position; move one of them");
+        BadInput, "--camera-focal-point is too close to --camera-position; move one of them");
     }
     else
     {
-      // The eye is in the centre of the bounds: it looks on from there.
+      // The camera is at the center of the bounds: keep the view direction.
       focalPoint = Move(position, Normalize(direction), radius);
     }
   }
   else
   {
-    const double far = FitDistance(radius, aspect, options.ViewAngle);
+    const double far = ComputeFittingDistance(radius, aspect, options.ViewAngle);
     const double distance = options.Orthographic ? far : far / options.ZoomFactor;
     position = Move(focalPoint, Normalize(direction), -distance);
-    if (!(distance > LeastShare * radius && distance < LongestLength) || position == focalPoint)
+    if (!(distance > MinimumDistanceFraction * radius && distance < MaximumLength) ||
+      position == focalPoint)
     {
       throw CommandError(BadInput,
-        std::string("--camera-zoom-factor: brings the eye too ") +
-          (options.ZoomFactor > 1.0 ? "close; make it smaller" : "far away; make it larger"));
+        std::string("--camera-zoom-factor moves the camera too ") +
+          (options.ZoomFactor > 1.0 ? "close; choose a smaller factor"
+                                    : "far away; choose a larger factor"));
     }
     scale /= options.ZoomFactor;
   }

@@ -34,7 +34,7 @@ vtkDataSetAttributes* Attributes(vtkPolyDataMapper* mapper, bool cells)
   return cells ? static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) : mesh->GetPointData();
 }
 
-// Can its values be colours? Normals and texture coordinates are there for other ends.
+// Returns whether the array is a candidate for coloring; normals and texture coordinates are not.
 bool IsColorable(vtkDataSetAttributes* attributes, vtkDataArray* array)
 {
   return array && array->GetName() && array != attributes->GetNormals() &&
@@ -73,23 +73,23 @@ std::string List(const std::vector<std::string>& names)
 std::string ChooseArray(const Mappers& mappers, const ColoringOptions& options)
 {
   const std::vector<std::string> names = ArrayNames(mappers, options.ByCells);
-  const std::string exists = "there are, at points: " + List(ArrayNames(mappers, false)) +
-    "; at cells (--coloring-by-cells): " + List(ArrayNames(mappers, true));
+  const std::string exists = "point arrays: " + List(ArrayNames(mappers, false)) +
+    "; cell arrays (--coloring-by-cells): " + List(ArrayNames(mappers, true));
   if (!options.Array.empty())
   {
     if (!std::count(names.begin(), names.end(), options.Array))
     {
       throw CommandError(BadInput,
-        "--coloring-array: no array '" + options.Array + "' at the " +
-          (options.ByCells ? "cells" : "points") + "; " + exists);
+        std::string("--coloring-array: no ") + (options.ByCells ? "cell" : "point") + " array '" +
+          options.Array + "'; " + exists);
     }
     return options.Array;
   }
   if (names.empty())
   {
     throw CommandError(BadInput,
-      std::string("--scalar-coloring: no array at the ") + (options.ByCells ? "cells" : "points") +
-        "; " + exists);
+      std::string("--scalar-coloring: the files have no ") + (options.ByCells ? "cell" : "point") +
+        " array; " + exists);
   }
   for (vtkPolyDataMapper* mapper : mappers)
   {
@@ -129,8 +129,8 @@ void CheckComponent(vtkDataArray* array, const ColoringOptions& options)
   if (options.Component == -2 && (components < 3 || components > 4))
   {
     throw CommandError(BadInput,
-      std::string("--coloring-component -2: the array '") + array->GetName() +
-        "' is no colour: it has " + std::to_string(components) + " components, not 3 or 4");
+      std::string("--coloring-component -2: the array '") + array->GetName() + "' has " +
+        std::to_string(components) + " components; colors have 3 or 4");
   }
 }
 
@@ -152,7 +152,9 @@ void SetRange(vtkLookupTable* table, const Mappers& mappers, const std::string& 
   }
   if (range[0] > range[1])
   {
-    throw CommandError(BadInput, "--scalar-coloring: the array '" + name + "' has no finite value");
+    throw CommandError(BadInput,
+      "--scalar-coloring: the array '" + name +
+        "' has no finite value; choose another with --coloring-array");
   }
   table->SetTableRange(range);
 }
@@ -205,7 +207,8 @@ void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOption
   if (options.ScalarBar && direct)
   {
     throw CommandError(BadInput,
-      "--coloring-scalar-bar: the array '" + name + "' holds colours, which have no legend");
+      "--coloring-scalar-bar: the array '" + name +
+        "' contains colors, which have no scalar bar; leave the option out");
   }
   if (options.ScalarBar)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Colours from the arrays of a file.
+// Coloring by data arrays.
 #ifndef penumbra_Coloring_h
 #define penumbra_Coloring_h
 
@@ -15,8 +15,8 @@ namespace penumbra
 
 struct ColoringOptions;
 
-/// Colour every mapper whose data have the array, and add the scalar bar if it is asked for.
-/// Throws Failure, naming the arrays that exist, when none has it.
+/// Colors every mapper whose data have the array and adds the scalar bar if requested.
+/// Throws CommandError, which lists the available arrays, if no mapper has it.
 void ColorByData(vtkRenderer* renderer, const std::vector<vtkPolyDataMapper*>& mappers,
   const ColoringOptions& options);
 

@@ -25,8 +25,8 @@ namespace penumbra
 namespace
 {
 
-// Points at the same place are merged first, where no array could tell them apart: files that
-// repeat the points of every triangle are smoothed too.
+// Computes point normals. Coincident points are merged first if the mesh has no point arrays, so that
+// meshes that repeat the points of every triangle become smooth, too.
 vtkSmartPointer<vtkPolyData> ComputeNormals(vtkPolyData* mesh, double featureAngle)
 {
   vtkNew<vtkPolyData> input;
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPolyData> ComputeNormals(vtkPolyData* mesh, double featureAng
   return normals->GetOutput();
 }
 
-void SetLook(vtkProperty* property, const RenderOptions& options, double unitsPerPoint)
+void SetAppearance(vtkProperty* property, const RenderOptions& options, double unitsPerPoint)
 {
   const Vector3 color = options.Color.value_or(Vector3{ 1, 1, 1 });
   property->SetColor(color[0], color[1], color[2]);
@@ -87,7 +87,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
     vtkNew<vtkLight> light;
     light->SetLightTypeToSceneLight();
     const bool positional = position[3] > 0.0;
-    // A direction may be of any length: the largest of its numbers becomes 1.
+    // Directions may have any length: scale the largest component to 1.
     const double largest =
       std::max({ std::abs(position[0]), std::abs(position[1]), std::abs(position[2]) });
     const double scale = 1.0 / (positional ? position[3] : largest);
@@ -122,7 +122,7 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
     mappers.push_back(mapper);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    SetLook(actor->GetProperty(), options, unitsPerPoint);
+    SetAppearance(actor->GetProperty(), options, unitsPerPoint);
     renderer->AddActor(actor);
   }
   if (options.Coloring.Enabled)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From surfaces and options to the renderer that both engines draw. It needs no window.
+// Builds the vtkRenderer that both engines render, without a window.
 #ifndef penumbra_SceneBuilder_h
 #define penumbra_SceneBuilder_h
 
@@ -18,12 +18,12 @@ namespace penumbra
 struct CameraOptions;
 struct RenderOptions;
 
-/// Actors, lights, background and camera. `unitsPerPoint`: what VTK's line widths and point sizes
-/// count, for each point of 1/72 inch. Throws Failure for an array that does not exist.
+/// Builds actors, lights, background and camera. `unitsPerPoint`: units of VTK's line widths and point sizes
+/// per point of 1/72 inch. Throws CommandError if a color array does not exist.
 vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
   const RenderOptions& options, double unitsPerPoint);
 
-/// Place the camera of `renderer`, whose actors are there already.
+/// Places the camera of `renderer`, which must contain its actors. `aspect`: width / height of the image.
 void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options, double aspect);
 
 }

@@ -63,8 +63,8 @@ public:
   /** Rules for the radius of a record. */
   enum RadiusRules
   {
-    NEAREST_HIT,   ///< [IC]: a fraction of the distance of the nearest hit, without grazing rays
-    HARMONIC_MEAN, ///< [IC]: a fraction of the harmonic mean of all hit distances
+    NEAREST_HIT,      ///< [IC]: a fraction of the distance of the nearest hit, without grazing rays
+    HARMONIC_MEAN,    ///< [IC]: a fraction of the harmonic mean of all hit distances
     OCCLUSION_HESSIAN ///< from the second derivative and the tolerance
   };
   ///@{

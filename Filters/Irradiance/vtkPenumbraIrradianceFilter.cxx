@@ -499,7 +499,7 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   vtkFieldData* s = this->Statistics;
   AddStatistic(s, what + "Total", static_cast<double>(size));
   AddStatistic(s, what + "Interpolated", static_cast<double>(baked.Interpolated));
-  AddStatistic(s, what + "Shared", static_cast<double>(baked.Denoised));
+  AddStatistic(s, what + "Denoised", static_cast<double>(baked.Denoised));
   AddStatistic(s, what + "BruteForce", static_cast<double>(baked.BruteForce));
   AddStatistic(s, what + "Unused", static_cast<double>(work.Mesh.Unused));
   AddStatistic(s, what + "NotFinite", static_cast<double>(work.Mesh.NotFinite));

@@ -164,7 +164,7 @@ public:
 
   /**
    * Statistics of the last execution, one value per array: `Points/Total`, `Points/Interpolated`,
-   * `Points/Shared` (denoised), `Points/BruteForce`, `Points/Unused`, `Points/NotFinite`
+   * `Points/Denoised` (denoised), `Points/BruteForce`, `Points/Unused`, `Points/NotFinite`
    * (`Cells/...` if OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`
    * or `Rays/Indirect`, `Rays/Total`. Also added to the field data of the output.
    */

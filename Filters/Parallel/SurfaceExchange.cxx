@@ -25,7 +25,7 @@ namespace penumbra
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> SurfaceOfLeaf(vtkDataObject* data)
+vtkSmartPointer<vtkPolyData> ExtractLeafSurface(vtkDataObject* data)
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   vtkDataSet* dataSet = vtkDataSet::SafeDownCast(data);
@@ -57,17 +57,17 @@ vtkSmartPointer<vtkPolyData> AppendSurfaces(
   return append->GetOutput();
 }
 
-/// The polygons whose bounds meet `box`, with their points alone.
+/// Returns the polygons whose bounds intersect `box`, without attributes. Strips become triangles.
 vtkSmartPointer<vtkPolyData> CropToBox(vtkPolyData* surface, const vtkBoundingBox& box)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(VTK_DOUBLE);
   vtkNew<vtkCellArray> polygons;
-  std::vector<vtkIdType> places(static_cast<std::size_t>(surface->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> newIds(static_cast<std::size_t>(surface->GetNumberOfPoints()), -1);
   vtkNew<vtkIdList> corners;
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
-    const bool strips = cells == surface->GetStrips();
+    const bool isStrip = cells == surface->GetStrips();
     for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
     {
       cells->GetCellAtId(cell, corners);
@@ -84,16 +84,16 @@ vtkSmartPointer<vtkPolyData> CropToBox(vtkPolyData* surface, const vtkBoundingBo
       }
       for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
       {
-        vtkIdType& place = places[static_cast<std::size_t>(corners->GetId(i))];
-        if (place < 0)
+        vtkIdType& newId = newIds[static_cast<std::size_t>(corners->GetId(i))];
+        if (newId < 0)
         {
           double x[3];
           surface->GetPoint(corners->GetId(i), x);
-          place = points->InsertNextPoint(x);
+          newId = points->InsertNextPoint(x);
         }
-        corners->SetId(i, place);
+        corners->SetId(i, newId);
       }
-      if (!strips)
+      if (!isStrip)
       {
         polygons->InsertNextCell(corners);
         continue;
@@ -119,62 +119,62 @@ vtkSmartPointer<vtkPolyData> ExtractCompositeSurface(vtkDataObject* data)
   auto* composite = vtkCompositeDataSet::SafeDownCast(data);
   if (!composite)
   {
-    return SurfaceOfLeaf(data);
+    return ExtractLeafSurface(data);
   }
   std::vector<vtkSmartPointer<vtkDataObject>> parts;
-  const auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    parts.push_back(SurfaceOfLeaf(each->GetCurrentDataObject()));
+    parts.push_back(ExtractLeafSurface(iterator->GetCurrentDataObject()));
   }
   return AppendSurfaces(parts);
 }
 
-std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* ranks, vtkPolyData* own)
+std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* controller, vtkPolyData* local)
 {
-  double mine[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // none
-  if (own->GetNumberOfPoints() > 0)
+  double localBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // empty
+  if (local->GetNumberOfPoints() > 0)
   {
-    own->GetBounds(mine);
+    local->GetBounds(localBounds);
   }
-  std::vector<double> all(6 * static_cast<std::size_t>(ranks->GetNumberOfProcesses()));
-  ranks->AllGather(mine, all.data(), 6);
+  std::vector<double> allBounds(6 * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(localBounds, allBounds.data(), 6);
   std::vector<vtkBoundingBox> bounds;
-  for (std::size_t i = 0; i < all.size(); i += 6)
+  for (std::size_t i = 0; i < allBounds.size(); i += 6)
   {
     vtkBoundingBox box;
-    if (all[i] <= all[i + 1])
+    if (allBounds[i] <= allBounds[i + 1])
     {
-      box.SetBounds(all.data() + i);
+      box.SetBounds(allBounds.data() + i);
     }
     bounds.push_back(box);
   }
   return bounds;
 }
 
-vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* ranks,
-  vtkPolyData* own, const std::vector<vtkBoundingBox>& bounds, double reach)
+vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* controller,
+  vtkPolyData* local, const std::vector<vtkBoundingBox>& bounds, double radius)
 {
-  const int self = ranks->GetLocalProcessId();
+  const int localRank = controller->GetLocalProcessId();
   vtkSmartPointer<vtkPolyData> result;
-  for (int asking = 0; asking < ranks->GetNumberOfProcesses(); ++asking)
+  for (int receiver = 0; receiver < controller->GetNumberOfProcesses(); ++receiver)
   {
-    vtkBoundingBox box = bounds[asking];
-    const bool sends = asking != self && box.IsValid();
+    vtkBoundingBox box = bounds[receiver];
+    const bool sends = receiver != localRank && box.IsValid();
     auto part = vtkSmartPointer<vtkPolyData>::New();
-    if (sends && std::isfinite(reach))
+    if (sends && std::isfinite(radius))
     {
-      box.Inflate(reach);
-      part = CropToBox(own, box);
+      box.Inflate(radius);
+      part = CropToBox(local, box);
     }
     else if (sends)
     {
-      part = SurfaceOfLeaf(own);
+      part = ExtractLeafSurface(local);
       part->GetPointData()->Initialize();
     }
     std::vector<vtkSmartPointer<vtkDataObject>> parts;
-    ranks->Gather(part, parts, asking);
-    if (asking == self)
+    controller->Gather(part, parts, receiver);
+    if (receiver == localRank)
     {
       result = AppendSurfaces(parts);
     }
@@ -182,10 +182,11 @@ vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* ra
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> AllGatherSurfaces(vtkMultiProcessController* ranks, vtkPolyData* own)
+vtkSmartPointer<vtkPolyData> AllGatherSurfaces(
+  vtkMultiProcessController* controller, vtkPolyData* local)
 {
   std::vector<vtkSmartPointer<vtkDataObject>> parts;
-  ranks->AllGather(own, parts);
+  controller->AllGather(local, parts);
   return AppendSurfaces(parts);
 }
 

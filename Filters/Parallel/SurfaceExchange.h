@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surfaces of other ranks. All but ExtractCompositeSurface() are collective: every rank has to call them.
+// Exchanges surfaces between ranks. All functions except ExtractCompositeSurface() are collective:
+// every rank must call them.
 #ifndef penumbra_SurfaceExchange_h
 #define penumbra_SurfaceExchange_h
 
@@ -17,20 +18,21 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// All cells on the surface of a data object; composite: of its blocks, one after the other. Of their
-/// arrays the normals of points stay where every block has them.
+/// Returns the surface of a data object, with the blocks of a composite data set appended in order.
+/// Point normals are kept if every block has them; all other arrays are dropped.
 vtkSmartPointer<vtkPolyData> ExtractCompositeSurface(vtkDataObject* data);
 
-/// Of each rank's surface.
-std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* ranks, vtkPolyData* own);
+/// Returns the bounds of the surface of each rank. The bounds of an empty surface are invalid.
+std::vector<vtkBoundingBox> GatherBounds(vtkMultiProcessController* controller, vtkPolyData* local);
 
-/// The polygons of the other ranks whose bounds come nearer than `reach` to those of this rank's; `reach`
-/// may be infinite.
-vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* ranks,
-  vtkPolyData* own, const std::vector<vtkBoundingBox>& bounds, double reach);
+/// Returns the polygons of the other ranks whose bounds intersect the local bounds inflated by
+/// `radius`, in world units. `radius` may be infinite.
+vtkSmartPointer<vtkPolyData> GatherRemoteOccluders(vtkMultiProcessController* controller,
+  vtkPolyData* local, const std::vector<vtkBoundingBox>& bounds, double radius);
 
-/// The surfaces of all ranks, in their order.
-vtkSmartPointer<vtkPolyData> AllGatherSurfaces(vtkMultiProcessController* ranks, vtkPolyData* own);
+/// Returns the surfaces of all ranks, appended in rank order.
+vtkSmartPointer<vtkPolyData> AllGatherSurfaces(
+  vtkMultiProcessController* controller, vtkPolyData* local);
 
 }
 #endif

@@ -22,44 +22,46 @@ vtkStandardNewMacro(vtkPenumbraDistributedIrradianceFilter);
 int vtkPenumbraDistributedIrradianceFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  auto* ranks = vtkMultiProcessController::GetGlobalController();
-  if (!ranks || ranks->GetNumberOfProcesses() < 2)
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() < 2)
   {
     return this->Superclass::RequestData(request, inputs, outputs);
   }
-  const vtkSmartPointer<vtkPolyData> own =
+  const vtkSmartPointer<vtkPolyData> local =
     penumbra::ExtractCompositeSurface(vtkDataObject::GetData(inputs[0]));
-  const std::vector<vtkBoundingBox> bounds = penumbra::GatherBounds(ranks, own);
-  vtkBoundingBox whole;
+  const std::vector<vtkBoundingBox> bounds = penumbra::GatherBounds(controller, local);
+  vtkBoundingBox globalBounds;
   for (const vtkBoundingBox& box : bounds)
   {
-    whole.AddBox(box);
+    globalBounds.AddBox(box);
   }
-  double reach = std::numeric_limits<double>::infinity();
-  if (this->GetQuantity() == AMBIENT_OCCLUSION && whole.IsValid())
+  double radius = std::numeric_limits<double>::infinity();
+  if (this->GetQuantity() == AMBIENT_OCCLUSION && globalBounds.IsValid())
   {
-    reach = this->GetRadius() > 0.0 ? this->GetRadius()
-                                    : penumbra::DefaultRadiusFraction * whole.GetDiagonalLength();
+    radius = this->GetRadius() > 0.0
+      ? this->GetRadius()
+      : penumbra::DefaultRadiusFraction * globalBounds.GetDiagonalLength();
   }
-  vtkSmartPointer<vtkPolyData> surroundings =
-    penumbra::GatherRemoteOccluders(ranks, own, bounds, reach);
-  if (whole.IsValid())
+  vtkSmartPointer<vtkPolyData> occluders =
+    penumbra::GatherRemoteOccluders(controller, local, bounds, radius);
+  if (globalBounds.IsValid())
   {
-    // Points of no polygon tell of the bounds, from which the radius may follow.
+    // Two points without cells extend the occluders to the global bounds, which define the default
+    // radius.
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    if (surroundings->GetPoints())
+    if (occluders->GetPoints())
     {
-      points->DeepCopy(surroundings->GetPoints());
+      points->DeepCopy(occluders->GetPoints());
     }
-    points->InsertNextPoint(whole.GetMinPoint());
-    points->InsertNextPoint(whole.GetMaxPoint());
-    surroundings->SetPoints(points);
+    points->InsertNextPoint(globalBounds.GetMinPoint());
+    points->InsertNextPoint(globalBounds.GetMaxPoint());
+    occluders->SetPoints(points);
   }
   vtkNew<vtkInformation> info;
-  info->Set(vtkDataObject::DATA_OBJECT(), surroundings);
-  vtkNew<vtkInformationVector> others;
-  others->Append(info);
-  vtkInformationVector* both[] = { inputs[0], others };
-  return this->Superclass::RequestData(request, both, outputs);
+  info->Set(vtkDataObject::DATA_OBJECT(), occluders);
+  vtkNew<vtkInformationVector> occluderVector;
+  occluderVector->Append(info);
+  vtkInformationVector* allInputs[] = { inputs[0], occluderVector };
+  return this->Superclass::RequestData(request, allInputs, outputs);
 }

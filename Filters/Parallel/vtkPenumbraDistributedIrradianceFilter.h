@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraDistributedIrradianceFilter
- * @brief   Bakes onto data that is spread over ranks: each bakes its own piece, and sees the others'.
+ * @brief   Bakes data distributed over ranks; the data of all ranks act as occluders.
  *
- * Before a rank bakes its piece, the polygons of other ranks that can block it come to it: for ambient
- * occlusion those within Radius of the piece's bounds, for irradiance all. They block and throw light
- * back, but get no values there. The default of Radius is a tenth of the diagonal of the bounds of all
- * pieces. On one rank it is its superclass.
+ * Before a rank bakes its piece, it receives the polygons of other ranks that can occlude the
+ * piece: for ambient occlusion, those within Radius of the piece's bounds; for irradiance, all.
+ * These polygons block and reflect light, but no values are computed on them. The default of Radius
+ * is 0.1 times the diagonal of the bounds of all pieces. On a single rank, the filter is equivalent
+ * to its superclass.
  *
- * Every rank has to execute it, also one without data.
+ * Every rank must execute the filter, including ranks without data.
  */
 #ifndef vtkPenumbraDistributedIrradianceFilter_h
 #define vtkPenumbraDistributedIrradianceFilter_h

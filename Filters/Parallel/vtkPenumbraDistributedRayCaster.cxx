@@ -17,20 +17,20 @@ vtkStandardNewMacro(vtkPenumbraDistributedRayCaster);
 int vtkPenumbraDistributedRayCaster::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  auto* ranks = vtkMultiProcessController::GetGlobalController();
-  if (!ranks || ranks->GetNumberOfProcesses() < 2)
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() < 2)
   {
     return this->Superclass::RequestData(request, inputs, outputs);
   }
-  vtkNew<vtkInformationVector> joined;
+  vtkNew<vtkInformationVector> gathered;
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
-    const vtkSmartPointer<vtkPolyData> own =
+    const vtkSmartPointer<vtkPolyData> local =
       penumbra::ExtractCompositeSurface(vtkDataObject::GetData(inputs[0], i));
     vtkNew<vtkInformation> info;
-    info->Set(vtkDataObject::DATA_OBJECT(), penumbra::AllGatherSurfaces(ranks, own));
-    joined->Append(info);
+    info->Set(vtkDataObject::DATA_OBJECT(), penumbra::AllGatherSurfaces(controller, local));
+    gathered->Append(info);
   }
-  vtkInformationVector* all[] = { joined };
-  return this->Superclass::RequestData(request, all, outputs);
+  vtkInformationVector* allInputs[] = { gathered };
+  return this->Superclass::RequestData(request, allInputs, outputs);
 }

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraDistributedRayCaster
- * @brief   A ray-cast picture of data that is spread over ranks: each draws a part of the picture.
+ * @brief   Ray caster for data distributed over ranks; each rank renders a part of the image.
  *
- * The surfaces of all ranks go to all ranks: a ray may meet any of them. Then each draws the extent that
- * it is asked for, in ParaView an even share of the picture. The pixels are those that one rank draws of
- * the same surfaces in the same order, bit by bit. On one rank it is its superclass.
+ * The filter gathers the surfaces of all ranks on every rank, because a ray may hit any of them.
+ * Each rank then renders its update extent; in ParaView, the extents divide the image evenly. The
+ * pixels have the same bits as an image of the same surfaces, in the same order, rendered on a
+ * single rank. On a single rank, the filter is equivalent to its superclass.
  *
- * Every rank has to execute it. All triangles have to fit into the memory of each.
+ * Every rank must execute the filter. The triangles of all ranks must fit into the memory of each
+ * rank.
  */
 #ifndef vtkPenumbraDistributedRayCaster_h
 #define vtkPenumbraDistributedRayCaster_h

@@ -348,7 +348,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   {
     throw std::runtime_error(
       "The camera is not usable: position, focal point, view up, view angle and "
-      "parallel scale must be finite and not much larger than the scene.");
+      "parallel scale must be finite.");
   }
   for (const std::string& warning : scene.Warnings)
   {
@@ -364,7 +364,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
 penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
 {
   penumbra::RenderSettings settings;
-  settings.Packets = self->Packets;
+  settings.UsePackets = self->UsePackets;
   settings.Integration.Method =
     static_cast<penumbra::IntegrationSettings::Methods>(self->CoverageMethod);
   settings.Integration.Tolerance = self->Tolerance;
@@ -551,7 +551,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "GeometryArrays: " << this->GeometryArrays << "\n";
   os << indent << "Background: " << this->Background << "\n";
-  os << indent << "Packets: " << this->Packets << "\n";
+  os << indent << "UsePackets: " << this->UsePackets << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "DPI: " << this->DPI << "\n";
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";

@@ -207,9 +207,9 @@ public:
 
   ///@{
   /** If on, trace corner rays in packets of 16. Off is useful only to measure the gain. Default: on. */
-  vtkSetMacro(Packets, bool);
-  vtkGetMacro(Packets, bool);
-  vtkBooleanMacro(Packets, bool);
+  vtkSetMacro(UsePackets, bool);
+  vtkGetMacro(UsePackets, bool);
+  vtkBooleanMacro(UsePackets, bool);
   ///@}
 
   ///@{
@@ -273,7 +273,7 @@ private:
   int Bounces = 3;
   bool GeometryArrays = false;
   bool Background = true;
-  bool Packets = true;
+  bool UsePackets = true;
   int NumberOfThreads = 0;
   int DPI = 72;
 };

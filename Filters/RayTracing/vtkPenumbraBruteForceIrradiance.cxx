@@ -10,6 +10,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -27,37 +29,38 @@ using penumbra::Ray;
 using penumbra::RayScene;
 using Estimate = vtkPenumbraIrradianceProvider::Estimate;
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
-/// Even where all of n rays agree something may hide between them: its share is taken to be this
-/// over n.
-constexpr double HiddenShare = 0.5;
+/// Fraction of the hemisphere, times the number of rays n, that occluders may cover although all
+/// rays agree: the error is at least this divided by n.
+constexpr double UndetectedFraction = 0.5;
 
-/// The error of the mean of n rays above half-planes and discs, over n^(-3/4), and over the error that
-/// independent pairs of rays would have (both measured over thousands of random ones; the test
-/// ReportsAnErrorThatIsTrue holds them to it).
-constexpr double MeanError = 0.42;
-constexpr double ShareOfPairs = 0.62;
+/// Standard error of the mean of n stratified rays above half-planes and disks, divided by n^(-3/4)
+/// (measured over thousands of random ones; see the test SphereAbovePlane.ReportsCalibratedError).
+constexpr double StandardErrorScale = 0.42;
+/// Ratio of the error of stratified rays to that of independent pairs of rays, measured likewise.
+constexpr double StratificationGain = 0.62;
 
-/// Pairs on a border that are counted as differing whatever their rays say: some cells that a border
-/// crosses agree by chance, and stopping on such luck would make the reported error too small.
+/// Number of pairs that are assumed to differ in addition to those found. Some cells that an edge
+/// crosses agree by chance, and stopping then would underestimate the error.
 constexpr double VarianceFloorPairs = 2.0;
 
-/// Paths of the first round, over MinimumRays: lights are smaller than occluders.
+/// Number of paths per MinimumRays in the first round. Light sources are smaller than occluders, so
+/// that irradiance needs more.
 constexpr std::uint32_t PathsPerRay = 8;
 
-/// A power of two, `wanted` or more as far as `limit` allows.
-std::uint32_t FirstRound(std::uint32_t wanted, std::uint32_t limit)
+/// Returns the smallest power of two that is at least 8 and `minimum`, but at most `limit` (or 8).
+std::uint32_t ComputeFirstRound(std::uint32_t minimum, std::uint32_t limit)
 {
   std::uint32_t count = 8;
-  while (count < wanted && count <= limit / 2)
+  while (count < minimum && count <= limit / 2)
   {
     count *= 2;
   }
   return count;
 }
 
-/// Rays above one point.
+/// Occlusion estimate of the hemisphere above one point.
 class Hemisphere
 {
 public:
@@ -68,62 +71,64 @@ public:
       Frame(penumbra::FrameFromNormal(normal)),
       Directions(penumbra::HashPoint(point, normal))
   {
-    this->Probe.Origin = point + penumbra::RayOriginOffset(point) * normal;
-    this->Probe.Far = falloff.Radius;
+    this->RayTemplate.Origin = point + penumbra::RayOriginOffset(point) * normal;
+    this->RayTemplate.Far = falloff.Radius;
   }
 
-  /// Asks rays until there are `count` of them, a power of two.
+  /// Traces rays until there are `count` of them, a power of two.
   Estimate TraceRays(std::uint32_t count)
   {
-    while (this->Answers.size() < count)
+    while (this->Samples.size() < count)
     {
       this->TracePacket(count);
     }
-    const auto ends = std::minmax_element(this->Answers.begin(), this->Answers.end());
-    const double step = *ends.second - *ends.first;
-    const double seen =
-      ShareOfPairs * std::sqrt(this->PairVariance() + VarianceFloorPairs * step * step) / count;
+    const auto ends = std::minmax_element(this->Samples.begin(), this->Samples.end());
+    const double range = *ends.second - *ends.first;
+    const double squares = penumbra::OwenSobolSequence::SumPairDifferences(this->Samples) +
+      VarianceFloorPairs * range * range;
+    const double pairError = StratificationGain * std::sqrt(squares) / count;
     Estimate result;
     result.Rays = count;
-    result.Value = this->Blocked / count;
-    result.Error = std::hypot(seen, HiddenShare / count);
+    result.Value = this->Sum / count;
+    result.Error = std::hypot(pairError, UndetectedFraction / count);
     return result;
   }
 
 private:
   static constexpr std::uint32_t PacketSize = 16;
 
-  /// Asks the next rays, up to `count` in all.
+  /// Traces the next packet of rays, up to `count` rays in total.
   void TracePacket(std::uint32_t count)
   {
-    const auto first = static_cast<std::uint32_t>(this->Answers.size());
+    const auto first = static_cast<std::uint32_t>(this->Samples.size());
     const std::uint32_t size = std::min(count - first, PacketSize);
     Ray rays[PacketSize];
-    float blocked[PacketSize];
+    float occlusion[PacketSize];
     for (std::uint32_t i = 0; i < PacketSize; ++i)
     {
-      rays[i] = this->Probe;
-      rays[i].Far = i < size ? this->Probe.Far : -1.f;
+      rays[i] = this->RayTemplate;
+      rays[i].Far = i < size ? this->RayTemplate.Far : -1.f;
       const glm::vec2 at = this->Directions.At(first + i);
       rays[i].Direction =
         this->Frame * penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y));
     }
-    this->ComputeBlocking(rays, blocked);
+    this->ComputeOcclusion(rays, occlusion);
     for (std::uint32_t i = 0; i < size; ++i)
     {
-      this->Answers.push_back(blocked[i]);
-      this->Blocked += blocked[i];
+      this->Samples.push_back(occlusion[i]);
+      this->Sum += occlusion[i];
     }
   }
 
-  /// How much each ray is blocked. The nearest hit matters only where it does not count in full.
-  void ComputeBlocking(const Ray* rays, float* blocked) const
+  /// Computes the occlusion of each ray of a packet. Without falloff, any hit suffices; otherwise
+  /// the nearest hit is needed.
+  void ComputeOcclusion(const Ray* rays, float* occlusion) const
   {
     if (this->Falloff.IsConstant())
     {
-      bool met[PacketSize];
-      this->Rays.Occluded16(rays, met);
-      std::copy(met, met + PacketSize, blocked);
+      bool occluded[PacketSize];
+      this->Rays.Occluded16(rays, occluded);
+      std::copy(occluded, occluded + PacketSize, occlusion);
       return;
     }
     penumbra::Hit hits[PacketSize];
@@ -131,32 +136,17 @@ private:
     for (std::uint32_t i = 0; i < PacketSize; ++i)
     {
       const penumbra::Hit hit = penumbra::SkipLinesAndPoints(this->Rays, rays[i], hits[i]);
-      blocked[i] = hit.IsHit() ? this->Falloff.Evaluate(hit.Distance) : 0.f;
+      occlusion[i] = hit.IsHit() ? this->Falloff.Evaluate(hit.Distance) : 0.f;
     }
-  }
-
-  /// Squares of the differences of the pairs of rays that share a cell, each cell holding two. Cells are
-  /// boxes of the unit square as near to squares as can be.
-  double PairVariance() const
-  {
-    const auto count = static_cast<std::uint32_t>(this->Answers.size());
-    const std::uint32_t other = penumbra::OwenSobolSequence::FindPartner(count);
-    double differences = 0.0;
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      const double difference = this->Answers[i] - this->Answers[i ^ other];
-      differences += difference * difference;
-    }
-    return .5 * differences;
   }
 
   const RayScene& Rays;
   DistanceFalloff Falloff;
   glm::mat3 Frame;
   penumbra::OwenSobolSequence Directions;
-  Ray Probe;
-  std::vector<float> Answers;
-  double Blocked = 0.0;
+  Ray RayTemplate;
+  std::vector<float> Samples;
+  double Sum = 0.0;
 };
 
 Hemisphere MakeHemisphere(const RayScene& rays,
@@ -175,7 +165,7 @@ bool vtkPenumbraBruteForceIrradiance::Begin(
   const penumbra::RayScene& scene, const Occluders& occluders, double tolerance, const Progress&)
 {
   this->Rays = &scene;
-  this->Counting = occluders;
+  this->OccluderSettings = occluders;
   this->Tolerance = tolerance;
   return true;
 }
@@ -189,13 +179,14 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusi
 vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::OcclusionWithin(
   const double point[3], const double normal[3], double tolerance) const
 {
-  Hemisphere hemisphere = MakeHemisphere(*this->Rays, this->Counting, point, normal);
+  Hemisphere hemisphere = MakeHemisphere(*this->Rays, this->OccluderSettings, point, normal);
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
   if (tolerance > this->Tolerance)
   {
-    // Few rays, their number chosen beforehand: to stop where few agree would be a bias.
-    const std::uint32_t most = limit / 2;
-    const double needed = std::min<double>(std::pow(MeanError / tolerance, 4.0 / 3.0), most);
+    // The number of rays is fixed in advance: stopping early when few rays agree would cause bias.
+    const std::uint32_t maximum = limit / 2;
+    const double needed =
+      std::min<double>(std::pow(StandardErrorScale / tolerance, 4.0 / 3.0), maximum);
     std::uint32_t count = 4;
     while (count < needed)
     {
@@ -203,12 +194,12 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusi
     }
     return hemisphere.TraceRays(count);
   }
-  for (std::uint32_t count = FirstRound(this->MinimumRays, limit);; count *= 2)
+  for (std::uint32_t count = ComputeFirstRound(this->MinimumRays, limit);; count *= 2)
   {
-    const Estimate answer = hemisphere.TraceRays(count);
-    if (answer.Error <= tolerance || count > limit / 2)
+    const Estimate estimate = hemisphere.TraceRays(count);
+    if (estimate.Error <= tolerance || count > limit / 2)
     {
-      return answer;
+      return estimate;
     }
   }
 }
@@ -232,33 +223,28 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
   const int bounces = lighting.GetSettings().Bounces;
   std::uint32_t random = penumbra::MixBits(seed);
   Light result;
-  const penumbra::Illumination::IrradianceFunction arriving = [&](glm::vec3 at, glm::vec3 about) {
-    return lighting.TracePath(at, about, bounces - 1, random, result.Rays);
+  const penumbra::Illumination::IrradianceFunction irradiance = [&](glm::vec3 next,
+                                                                  glm::vec3 nextNormal) {
+    return lighting.TracePath(next, nextNormal, bounces - 1, random, result.Rays);
   };
 
   glm::dvec3 sum(0.0);
-  std::vector<float> greys;
+  std::vector<float> grays;
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
-  for (std::uint32_t count = FirstRound(PathsPerRay * this->MinimumRays, limit);; count *= 2)
+  for (std::uint32_t count = ComputeFirstRound(PathsPerRay * this->MinimumRays, limit);; count *= 2)
   {
-    while (greys.size() < count)
+    while (grays.size() < count)
     {
-      const glm::vec2 at = directions.At(static_cast<std::uint32_t>(greys.size()));
+      const glm::vec2 at = directions.At(static_cast<std::uint32_t>(grays.size()));
       const Ray ray = penumbra::Illumination::SpawnRay(position, up,
         frame * penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
       const glm::vec3 light = lighting.IncidentRadiance(ray, lighting.GetRays().Intersect(ray),
-        bounces > 1 ? arriving : penumbra::Illumination::IrradianceFunction(), result.Rays);
+        bounces > 1 ? irradiance : penumbra::Illumination::IrradianceFunction(), result.Rays);
       ++result.Rays;
       sum += light;
-      greys.push_back((light.x + light.y + light.z) / 3.f);
+      grays.push_back((light.x + light.y + light.z) / 3.f);
     }
-    const std::uint32_t partner = penumbra::OwenSobolSequence::FindPartner(count);
-    double differences = 0.0;
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      differences += .5 * std::pow(greys[i] - greys[i ^ partner], 2.0);
-    }
-    result.Error = Pi * std::sqrt(differences) / count;
+    result.Error = Pi * std::sqrt(penumbra::OwenSobolSequence::SumPairDifferences(grays)) / count;
     if (result.Error <= tolerance || count > limit / 2)
     {
       break;
@@ -268,7 +254,7 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
   result.Error = std::hypot(result.Error, Pi * suns.Error);
   for (int c = 0; c < 3; ++c)
   {
-    result.Value[c] = Pi * (sum[c] / static_cast<double>(greys.size()) + suns.Mean[c]);
+    result.Value[c] = Pi * (sum[c] / static_cast<double>(grays.size()) + suns.Mean[c]);
   }
   return result;
 }

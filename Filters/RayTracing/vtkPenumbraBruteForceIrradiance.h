@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraBruteForceIrradiance
- * @brief   Occlusion and irradiance by rays alone: no cache, no bias, the truth for every other source.
+ * @brief   Unbiased ambient occlusion and irradiance by ray tracing, without a cache.
  *
- * Rays follow a scrambled low-discrepancy sequence that is a function of the point alone. Their
- * number is doubled until the error is within the tolerance or MaximumRays is reached. The error is
- * told by the pairs of rays that share a cell of the hemisphere: where an occluder's border passes
- * through the cell, they differ. For irradiance every ray becomes a path.
+ * Other irradiance providers are compared with this class. Rays follow a scrambled low-discrepancy
+ * sequence whose seed depends only on the point and its normal. The number of rays is doubled until
+ * the estimated error is within the tolerance or MaximumRays is reached. The error is estimated
+ * from pairs of rays that share a cell of the hemisphere: they differ if the edge of an occluder
+ * passes through the cell. For irradiance, each ray is the start of a path.
  */
-#ifndef vtkPenumbraBruteForceSource_h
-#define vtkPenumbraBruteForceSource_h
+#ifndef vtkPenumbraBruteForceIrradiance_h
+#define vtkPenumbraBruteForceIrradiance_h
 
 #include "vtkPenumbraIrradianceProvider.h"
 
@@ -25,14 +26,17 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** No more rays than this (of irradiance: paths) for one point, 32 to 2^24. Default: 16384. */
+  /** Maximum number of rays (irradiance: paths) per point. Range: [32, 2^24]. Default: 16384. */
   vtkSetClampMacro(MaximumRays, int, 32, 1 << 24);
   vtkGetMacro(MaximumRays, int);
   ///@}
 
   ///@{
-  /** Rays of the first round, a power of two, 8 to 65536, for irradiance eight times as many, but never
-   * more than MaximumRays: what hides from them goes unseen. Default: 32. */
+  /**
+   * Number of rays per point in the first round, rounded up to a power of two. Irradiance starts
+   * with eight times this number of paths. Neither exceeds MaximumRays. Occluders that all these
+   * rays miss are not detected. Range: [8, 65536]. Default: 32.
+   */
   vtkSetClampMacro(MinimumRays, int, 8, 65536);
   vtkGetMacro(MinimumRays, int);
   ///@}
@@ -56,7 +60,7 @@ private:
   void operator=(const vtkPenumbraBruteForceIrradiance&) = delete;
 
   const penumbra::RayScene* Rays = nullptr;
-  Occluders Counting = 0.0;
+  Occluders OccluderSettings = 0.0;
   double Tolerance = 0.01;
   int MaximumRays = 16384;
   int MinimumRays = 32;

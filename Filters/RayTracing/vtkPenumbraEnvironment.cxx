@@ -18,29 +18,31 @@ vtkStandardNewMacro(vtkPenumbraEnvironment);
 namespace
 {
 
-/// IEC 61966-2-1, from a share of the greatest value.
-double FromStandardRGB(double value)
+/// Converts an sRGB value in [0, 1] to a linear value (IEC 61966-2-1).
+double LinearizeSRGB(double value)
 {
   return value <= .04045 ? value / 12.92 : std::pow((value + .055) / 1.055, 2.4);
 }
 
-/// What the greatest whole number of a type stands for; 0: floats.
-double GreatestOf(vtkDataArray* values)
+/// Returns the largest value of an integer type, which stands for radiance 1, or 0 for
+/// floating-point types.
+double GetIntegerMaximum(vtkDataArray* values)
 {
   const int type = values->GetDataType();
   return type == VTK_FLOAT || type == VTK_DOUBLE ? 0.0 : values->GetDataTypeMax();
 }
 
-/// Of a picture; throws std::runtime_error.
+/// Returns the radiances of an image. Throws std::runtime_error if the image is missing or invalid.
 std::vector<glm::vec3> ReadRadiances(vtkImageData* image, double intensity)
 {
   vtkDataArray* values = image ? image->GetPointData()->GetScalars() : nullptr;
   const int* size = image ? image->GetDimensions() : nullptr;
   if (!values || size[0] < 1 || size[1] < 1 || size[2] != 1)
   {
-    throw std::runtime_error("The environment has no picture: give it one of scalars, one slice.");
+    throw std::runtime_error(
+      "vtkPenumbraEnvironment: Image must be set to a single slice with point scalars.");
   }
-  const double greatest = GreatestOf(values);
+  const double maximum = GetIntegerMaximum(values);
   const int components = values->GetNumberOfComponents();
   std::vector<glm::vec3> radiances;
   radiances.reserve(values->GetNumberOfTuples());
@@ -50,11 +52,11 @@ std::vector<glm::vec3> ReadRadiances(vtkImageData* image, double intensity)
     for (int c = 0; c < 3; ++c)
     {
       const double value = values->GetComponent(i, components < 3 ? 0 : c);
-      color[c] = intensity * (greatest > 0.0 ? FromStandardRGB(value / greatest) : value);
+      color[c] = intensity * (maximum > 0.0 ? LinearizeSRGB(value / maximum) : value);
       if (!(color[c] >= 0.0 && color[c] < 1e30))
       {
-        throw std::runtime_error("The environment's picture has values that are no radiance: they "
-                                 "must be finite and from 0 up.");
+        throw std::runtime_error("vtkPenumbraEnvironment: the values of Image must be finite and "
+                                 "not negative.");
       }
     }
     radiances.emplace_back(color);
@@ -83,8 +85,8 @@ vtkImageData* vtkPenumbraEnvironment::GetImage()
 
 vtkMTimeType vtkPenumbraEnvironment::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Image ? std::max(own, this->Image->GetMTime()) : own;
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Image ? std::max(time, this->Image->GetMTime()) : time;
 }
 
 std::shared_ptr<const penumbra::EnvironmentMap> vtkPenumbraEnvironment::GetMap()
@@ -97,7 +99,7 @@ std::shared_ptr<const penumbra::EnvironmentMap> vtkPenumbraEnvironment::GetMap()
     const double length = glm::length(up);
     if (!(length > 0.0 && std::isfinite(length)))
     {
-      throw std::runtime_error("The environment's Up is no direction: give another.");
+      throw std::runtime_error("vtkPenumbraEnvironment: Up must be a finite, nonzero vector.");
     }
     const glm::dvec3 unit = up / length;
     right -= glm::dot(right, unit) * unit;

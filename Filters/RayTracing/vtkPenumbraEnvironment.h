@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraEnvironment
- * @brief   A picture of everything around that light comes from: latitudes and longitudes.
+ * @brief   Environment map in latitude-longitude (equirectangular) projection.
  *
- * Give it to vtkPenumbraRayCaster or vtkPenumbraIrradianceFilter; it takes the place of their
- * EnvironmentColor. The picture lies on a sphere infinitely far away as in vtkRenderer and vtkSkybox: its
- * upper border is Up, its middle column Right, and columns to the right of that lie towards Right x Up.
- * Each texel is one colour.
+ * Pass it to vtkPenumbraRayCaster or vtkPenumbraIrradianceFilter, where it replaces
+ * EnvironmentColor. The image covers a sphere at infinity with the orientation of vtkRenderer and
+ * vtkSkybox: the top edge is the direction Up, the middle column is Right, and the columns to the
+ * right of the middle turn towards Right x Up. Texels have constant color: they are not
+ * interpolated.
  */
 #ifndef vtkPenumbraEnvironment_h
 #define vtkPenumbraEnvironment_h
@@ -34,39 +35,46 @@ public:
 
   ///@{
   /**
-   * The picture: scalars at its points with 1 (grey) or 3 or more components (red, green, blue), bottom row
-   * first. Floats (such as those of vtkHDRReader) are radiance as they are; whole numbers of 8 or 16 bits
-   * are sRGB, the greatest of them radiance 1. Default: none.
+   * Environment image, one slice, with point scalars of 1 (gray) or at least 3 components (red,
+   * green, blue), bottom row first. Floating-point values (as read by vtkHDRReader) are radiance.
+   * Integers are sRGB-encoded, and the largest value of their type is radiance 1. Default: nullptr.
    */
   virtual void SetImage(vtkImageData* image);
   vtkImageData* GetImage();
   ///@}
 
   ///@{
-  /** Multiplies every radiance, 0 up. Default: 1. */
+  /** Factor of all radiances. Range: [0, 1e6]. Default: 1. */
   vtkSetClampMacro(Intensity, double, 0.0, 1e6);
   vtkGetMacro(Intensity, double);
   ///@}
 
   ///@{
-  /** Where the upper border of the picture lies, of any length. Default: 0, 1, 0. */
+  /**
+   * Direction of the top edge of the image, finite and nonzero; need not be unit. Default: (0, 1,
+   * 0).
+   */
   vtkSetVector3Macro(Up, double);
   vtkGetVector3Macro(Up, double);
   ///@}
 
   ///@{
-  /** Where the middle of the picture lies, as near to this as Up allows. Default: 1, 0, 0. */
+  /**
+   * Direction of the middle column of the image. It is made perpendicular to Up. If it is parallel
+   * to Up, an arbitrary perpendicular direction is used. Default: (1, 0, 0).
+   */
   vtkSetVector3Macro(Right, double);
   vtkGetVector3Macro(Right, double);
   ///@}
 
   /**
-   * The picture as rays ask it, the same until something changes. Throws std::runtime_error where there
-   * is none, where it is no picture of finite colours from 0 up, or where Up is no direction.
+   * Environment map for ray queries; it is rebuilt only after a modification. Throws
+   * std::runtime_error if there is no image, if a radiance is negative or not finite, or if Up is
+   * zero or not finite.
    */
   VTK_WRAPEXCLUDE std::shared_ptr<const penumbra::EnvironmentMap> GetMap();
 
-  /** Also that of the picture. */
+  /** Modification time, including that of the image. */
   vtkMTimeType GetMTime() override;
 
 protected:

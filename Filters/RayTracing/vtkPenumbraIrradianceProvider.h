@@ -2,27 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceProvider
- * @brief   Who answers: how much of the sky does a point not see, and how much light arrives there?
+ * @brief   Interface for objects that compute ambient occlusion and irradiance at a surface point.
  *
- * Shading asks a source for the occlusion of points: the share of the cosine-weighted hemisphere
- * above the point in which something is met nearer than a radius,
+ * The occlusion of a point is the fraction of the cosine-weighted hemisphere above it in which a
+ * surface is hit nearer than a radius:
  *
- *   AO(p, n) = 1/pi * integral over directions w with w.n > 0 of D(t(p, w)) (w.n) dw,
+ *   AO(p, n) = 1/pi * integral over directions w with w.n > 0 of D(t(p, w)) (w.n) dw.
  *
- * D = 1 for t < Radius unless a fall-off is chosen, 0 beyond; 0 is open, 1 is blocked. Surfaces block from both sides; lines
- * and points do not block. The default source, vtkPenumbraBruteForceIrradiance, shoots rays for every
- * point; a source may also keep what it found and interpolate.
+ * t is the distance of the first hit. D = 1 for t < Radius, or a falloff, and D = 0 beyond. Open
+ * points have the value 0, fully occluded points 1. Surfaces occlude from both sides; lines and
+ * points do not occlude. The irradiance of a point is the integral of the incident radiance times
+ * w.n: pi under a sky of radiance 1.
  *
- * and for the irradiance there, E = the integral of the radiance that comes from w, times w.n: pi
- * under a sky of radiance 1.
+ * The default provider, vtkPenumbraBruteForceIrradiance, traces rays for every point. Other
+ * providers may cache results and interpolate between them.
  *
- * Use: Begin() once per picture, then Occlusion() from any number of threads at once; likewise
- * BeginIrradiance() and Irradiance(). The same
- * point must get the same answer whatever was asked before, on any thread: pictures must not
- * depend on the number of threads or on tiles.
+ * Call Begin() once per image, then Occlusion() from any number of threads; likewise
+ * BeginIrradiance() and Irradiance(). The result for a point must not depend on the thread or on
+ * earlier calls, so that images do not depend on the number of threads or on tiles.
  */
-#ifndef vtkPenumbraIrradianceSource_h
-#define vtkPenumbraIrradianceSource_h
+#ifndef vtkPenumbraIrradianceProvider_h
+#define vtkPenumbraIrradianceProvider_h
 
 #include "vtkObject.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro
@@ -42,7 +42,7 @@ class VTKPENUMBRAFILTERSRAYTRACING_EXPORT vtkPenumbraIrradianceProvider : public
 public:
   vtkAbstractTypeMacro(vtkPenumbraIrradianceProvider, vtkObject);
 
-  /** An answer: the value, its standard error as far as the source can tell, rays traced for it. */
+  /** Estimated value, its estimated standard error, and the number of rays traced for it. */
   struct Estimate
   {
     double Value = 0.0;
@@ -50,7 +50,7 @@ public:
     long long Rays = 0;
   };
 
-  /** How much an occluder at distance t < Radius counts; with an infinite Radius always 1. */
+  /** Falloff D(t) of an occluder at distance t < Radius; always 1 with an infinite Radius. */
   enum Falloffs
   {
     NO_FALLOFF, ///< 1
@@ -59,7 +59,7 @@ public:
     SQUARE_ROOT ///< 1 - sqrt(t / Radius)
   };
 
-  /** Which occluders count, and how much: a radius in world units, may be infinite, and a fall-off. */
+  /** Radius of occluders in world units, which may be infinite, and their falloff. */
   struct Occluders
   {
     Occluders(double radius, int falloff = NO_FALLOFF)
@@ -71,28 +71,29 @@ public:
     int Falloff;
   };
 
-  /** Told the share of the work that is done; true asks to stop. */
+  /** Called with the completed fraction of the work, in [0, 1]; returns true to stop. */
   using Progress = std::function<bool(double)>;
 
   /**
-   * Questions about `scene` follow: which `occluders` count (a number: all within that radius),
-   * answers with a standard error of at most `tolerance`. No question follows once the scene is
-   * gone. What was found for the same scene and the same arguments may be kept: every part of a
-   * picture begins anew. False when `progress` stopped it; then no question follows.
+   * Prepares calls of Occlusion() for `scene`, which must exist until the last of them. `occluders`
+   * is a radius or a radius and a falloff. `tolerance` is the accepted standard error of each
+   * result. Begin() is called for each part of an image, so a provider may keep its results as long
+   * as the scene and the arguments are the same. Returns false if `progress` stopped it;
+   * Occlusion() must not be called then.
    */
   virtual bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) = 0;
 
   /**
-   * Occlusion at `point` (world coordinates) under the hemisphere about `normal` (unit). The
-   * caller chooses the side: pictures ask about the geometric normal that faces the eye.
+   * Returns the occlusion at `point` (world coordinates) in the hemisphere about `normal` (unit).
+   * The caller chooses the side: images use the geometric normal that faces the camera.
    */
   virtual Estimate Occlusion(const double point[3], const double normal[3]) const = 0;
 
   /**
-   * The same with a standard error of at most `tolerance` instead, for one of several points whose
-   * answers will be averaged: it must be no bias and independent from point to point. Default:
-   * Occlusion().
+   * Returns the occlusion with a standard error of at most `tolerance` instead, for one of several
+   * points whose results are averaged. The errors must be unbiased and independent between points.
+   * The default implementation calls Occlusion().
    */
   virtual Estimate OcclusionWithin(
     const double point[3], const double normal[3], double vtkNotUsed(tolerance)) const
@@ -100,7 +101,10 @@ public:
     return this->Occlusion(point, normal);
   }
 
-  /** Light that arrives: irradiance in red, green and blue, its standard error, rays traced for it. */
+  /**
+   * Estimated irradiance (red, green, blue), its standard error, and the number of rays traced for
+   * it.
+   */
   struct Light
   {
     double Value[3] = { 0.0, 0.0, 0.0 };
@@ -109,17 +113,21 @@ public:
   };
 
   /**
-   * The same as Begin() for questions about `light`, `tolerance` in the unit of irradiance. What `light`
-   * refers to must last as long as questions follow; it itself need not.
+   * Prepares calls of Irradiance() for `light`, as Begin() does for Occlusion(). `tolerance` has
+   * the unit of irradiance. The scene that `light` refers to must exist until the last call;
+   * `light` need not.
    */
   virtual bool BeginIrradiance(
     const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) = 0;
 
-  /** Irradiance at `point` (world) about `normal` (unit), with a standard error of at most `tolerance`. */
+  /**
+   * Returns the irradiance at `point` (world coordinates) in the hemisphere about `normal` (unit),
+   * with a standard error of at most `tolerance`.
+   */
   virtual Light Irradiance(
     const double point[3], const double normal[3], double tolerance) const = 0;
 
-  /** Adds counts since Begin() to `statistics`, one value an array. Default: none. */
+  /** Adds counts since Begin() to `statistics`, as arrays of one value. The default adds none. */
   virtual void Report(vtkFieldData* vtkNotUsed(statistics)) const {}
 
 protected:

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraMedium
- * @brief   Haze: a homogeneous medium in which light shafts are seen.
+ * @brief   Homogeneous participating medium (haze) in which light shafts are visible.
  *
- * Along a view ray of length s light is lost as exp(-Extinction s), and each light adds
+ * Light is attenuated by exp(-Extinction s) along a view ray of length s, and each light adds
  *
- *   integral over t of Scattering p(cosine) E V(t) exp(-Extinction (t + l(t))) dt,
+ *   integral over t of Scattering p(cosine) E V(t) exp(-Extinction (t + l(t))) dt.
  *
- * p the phase function, V = 0 in shadow, l the light's own way through the medium; in a medium
- * without end l = 0 for directional lights, and the integral over a lit ray is [Shafts eq. 1].
- * E is the light's colour times its intensity and, of positional lights, its attenuation.
+ * p is the phase function, V(t) is 0 in shadow and 1 elsewhere, and l(t) is the distance that the
+ * light travels through the medium. In an unbounded medium, l = 0 for directional lights, and the
+ * integral over an unshadowed ray is [Shafts eq. 1]. E is the color of the light times its
+ * intensity and, for positional lights, its attenuation.
  */
 #ifndef vtkPenumbraMedium_h
 #define vtkPenumbraMedium_h
@@ -29,8 +30,8 @@ public:
 
   ///@{
   /**
-   * Share of light scattered per world unit. Negative: a quarter over the diagonal of the scene.
-   * Default: -1.
+   * Scattering coefficient: fraction of light scattered per world unit. If negative, 0.25 divided
+   * by the diagonal of the scene. Default: -1.
    */
   vtkSetMacro(Scattering, double);
   vtkGetMacro(Scattering, double);
@@ -38,36 +39,39 @@ public:
 
   ///@{
   /**
-   * Share of light lost per world unit, scattering included; less than Scattering means Scattering:
-   * nothing is absorbed. Default: -1.
+   * Extinction coefficient: fraction of light absorbed or scattered out per world unit. A value
+   * below Scattering is replaced by Scattering, which means no absorption. Default: -1.
    */
   vtkSetMacro(Extinction, double);
   vtkGetMacro(Extinction, double);
   ///@}
 
-  /** Where scattered light goes. */
+  /** Phase function: directional distribution of scattered light. */
   enum Phases
   {
-    ISOTROPIC,        ///< everywhere alike: 1 / (4 pi)
+    ISOTROPIC,        ///< uniform: 1 / (4 pi)
     RAYLEIGH,         ///< small particles: 3 / (16 pi) (1 + cosine^2)
-    HENYEY_GREENSTEIN ///< forward or backward, see Asymmetry
+    HENYEY_GREENSTEIN ///< mostly forward or backward, see Asymmetry
   };
   ///@{
-  /** The phase function. Default: ISOTROPIC. */
+  /** Phase function, one of Phases. Default: ISOTROPIC. */
   vtkSetClampMacro(Phase, int, ISOTROPIC, HENYEY_GREENSTEIN);
   vtkGetMacro(Phase, int);
   ///@}
 
   ///@{
-  /** HENYEY_GREENSTEIN: the mean cosine of scattering, -0.999 to 0.999; positive: forward. Default: 0.6. */
+  /**
+   * Mean cosine of the scattering angle of HENYEY_GREENSTEIN; positive values scatter forward.
+   * Range: [-0.999, 0.999]. Default: 0.6.
+   */
   vtkSetClampMacro(Asymmetry, double, -0.999, 0.999);
   vtkGetMacro(Asymmetry, double);
   ///@}
 
   ///@{
   /**
-   * The box that the medium fills, in world coordinates (xmin, xmax, ymin, ...), any of them infinite.
-   * Default: everywhere.
+   * Bounding box of the medium in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. Values may
+   * be infinite. Default: unbounded.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
@@ -81,13 +85,13 @@ private:
   vtkPenumbraMedium(const vtkPenumbraMedium&) = delete;
   void operator=(const vtkPenumbraMedium&) = delete;
 
-  static constexpr double Endless = std::numeric_limits<double>::infinity();
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
   double Scattering = -1.0;
   double Extinction = -1.0;
   int Phase = ISOTROPIC;
   double Asymmetry = 0.6;
-  double Bounds[6] = { -Endless, Endless, -Endless, Endless, -Endless, Endless };
+  double Bounds[6] = { -Infinity, Infinity, -Infinity, Infinity, -Infinity, Infinity };
 };
 
 #endif

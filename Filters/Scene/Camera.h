@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From picture coordinates to rays and back, in double. Picture coordinates are in pixels, (0, 0)
-// the lower left corner of the picture; pixel (i, j) covers [i, i+1] x [j, j+1].
+// Maps image coordinates to camera rays and scene points to image coordinates, in double precision.
+// Image coordinates are in pixels with (0, 0) at the lower left corner of the image; pixel (i, j)
+// covers [i, i+1] x [j, j+1].
 #ifndef penumbra_Camera_h
 #define penumbra_Camera_h
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <initializer_list>
 
 namespace penumbra
@@ -23,17 +25,19 @@ struct Camera
   glm::dvec3 Forward{ 0.0, 0.0, -1.0 };
   int Width = 1;
   int Height = 1;
-  /// Side of a pixel: perspective, on the plane at distance 1; parallel, in scene units.
+  /// Side length of a pixel: in perspective on the plane at depth 1, in parallel projection in
+  /// scene units.
   double PixelSize = 1.0;
-  /// Where the view axis meets the picture, in pixels (the middle, unless the view is off-centre).
+  /// Image coordinates of the view axis: the center of the image, unless the projection is
+  /// off-axis.
   glm::dvec2 Center{ 0.5, 0.5 };
-  /// How far in front of the eye rays begin, closer to a scene far away. In parallel projection
-  /// Position has been moved there.
+  /// Distance from the camera to the ray origins, in scene units. It is positive for scenes far
+  /// from the camera. In parallel projection, Position already includes it.
   double Advance = 0.0;
-  double Near = 0.0; ///< nearest distance along Forward that is drawn
-  double Far = 1e30;
+  double Near = 0.0; ///< minimum depth along Forward that is rendered
+  double Far = 1e30; ///< maximum depth along Forward that is rendered
 
-  /// Origin of the ray through picture point p.
+  /// Returns the origin of the ray through image point p.
   glm::dvec3 RayOrigin(glm::dvec2 p) const
   {
     if (!this->Parallel)
@@ -45,7 +49,8 @@ struct Camera
     return this->Position + q.x * this->Right + q.y * this->Up;
   }
 
-  /// Direction of the ray through p, scaled so that its parameter is the distance along Forward.
+  /// Returns the direction of the ray through p, scaled so that the ray parameter is the distance
+  /// along Forward from the ray origin.
   glm::dvec3 RayDirection(glm::dvec2 p) const
   {
     if (this->Parallel)
@@ -56,7 +61,7 @@ struct Camera
     return this->Forward + q.x * this->Right + q.y * this->Up;
   }
 
-  /// Are all rays through the picture finite, and different from pixel to pixel?
+  /// Returns true if all rays through the image are finite and differ from pixel to pixel.
   bool IsUsable() const
   {
     if (!(this->PixelSize > 0.0 && this->Near >= 0.0))
@@ -67,8 +72,7 @@ struct Camera
     {
       for (const glm::dvec3 x : { this->RayOrigin(corner), this->RayDirection(corner) })
       {
-        // Comparisons with NaN are false.
-        if (!(glm::dot(x, x) < 1e36))
+        if (!std::isfinite(glm::dot(x, x)))
         {
           return false;
         }
@@ -77,13 +81,13 @@ struct Camera
     return true;
   }
 
-  /// Depth of the places where rays begin: that of what a ray meets less its distance.
+  /// Returns the depth of the ray origins. The depth of a hit is this value plus the ray parameter.
   double DepthOfRayOrigins() const { return this->Parallel ? 0.0 : this->Advance; }
 
-  /// Distance along Forward.
+  /// Returns the distance of x from the camera along Forward.
   double Depth(glm::dvec3 x) const { return glm::dot(x - this->Position, this->Forward); }
 
-  /// Picture point of x; only meaningful in perspective where Depth(x) > 0.
+  /// Returns the image coordinates of x. In perspective, the result is valid only if Depth(x) > 0.
   glm::dvec2 Project(glm::dvec3 x) const
   {
     const glm::dvec3 d = x - this->Position;

@@ -12,8 +12,8 @@ namespace penumbra
 namespace
 {
 
-/// How much of pixel i lies in [low, high].
-float Share(int i, double low, double high)
+/// Returns the fraction of the interval [i, i + 1] that [low, high] covers.
+float ComputeCoverage(int i, double low, double high)
 {
   return static_cast<float>(
     std::max(0.0, std::min(high, i + 1.0) - std::max(low, static_cast<double>(i))));
@@ -53,8 +53,8 @@ void Overlay::FillRectangle(glm::dvec2 low, glm::dvec2 high, glm::vec4 color)
   {
     for (int x = static_cast<int>(low.x); x < high.x; ++x)
     {
-      const float share = Share(x, low.x, high.x) * Share(y, low.y, high.y);
-      this->Blend(x, y, glm::vec4(glm::vec3(color), color.a * share));
+      const float coverage = ComputeCoverage(x, low.x, high.x) * ComputeCoverage(y, low.y, high.y);
+      this->Blend(x, y, glm::vec4(glm::vec3(color), color.a * coverage));
     }
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What lies over a picture: text and colour legends, drawn in pixels with exact coverage of
-// rectangles.
+// Image of 2-D props, such as text and scalar bars, which is composited over the rendered image.
+// Rectangles are drawn with exact pixel coverage.
 #ifndef penumbra_Overlay_h
 #define penumbra_Overlay_h
 
@@ -17,6 +17,7 @@ class vtkImageData;
 namespace penumbra
 {
 
+/// RGBA image that is composited over the rendered image.
 class VTKPENUMBRAFILTERSSCENE_EXPORT Overlay
 {
 public:
@@ -27,13 +28,15 @@ public:
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
 
-  /// Draws [low, high] (in pixels, (0, 0) the picture's lower left corner) in a straight colour.
+  /// Fills the rectangle [low, high] with `color` (straight alpha). Coordinates are in pixels with
+  /// (0, 0) at the lower left corner of the image.
   void FillRectangle(glm::dvec2 low, glm::dvec2 high, glm::vec4 color);
 
-  /// Draws an RGBA image of 8 bits with its lower left corner at pixel (x, y).
+  /// Draws an 8-bit RGBA image with its lower left corner at pixel (x, y). Other formats are
+  /// ignored.
   void DrawImage(vtkImageData* image, int x, int y);
 
-  /// Puts pixels (x, y) to (x + count - 1, y) of the overlay over `colors` (straight alpha).
+  /// Composites the overlay's pixels (x, y) to (x + count - 1, y) over `colors` (straight alpha).
   void CompositeOver(int x, int y, int count, glm::vec4* colors) const;
 
 private:
@@ -41,7 +44,7 @@ private:
 
   int Width = 0;
   int Height = 0;
-  std::vector<glm::vec4> Pixels; ///< premultiplied; none before something is drawn
+  std::vector<glm::vec4> Pixels; ///< premultiplied alpha; empty until something is drawn
 };
 
 }

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the ray caster knows of a scene: plain data, filled by SceneExtraction, traced by RayScene,
-// coloured by Shading. Private to the ray side.
+// Plain data of a scene for ray tracing. SceneExtraction fills it, RayScene traces rays through it,
+// and Shading shades its surfaces.
 //
-// Scene coordinates are (world - Origin) * Scale in single precision, Origin the eye (or, under a
-// parallel camera, before the scene), so that scenes at 1e7 or of size 1e-6 lose nothing. Every position and direction below is in scene coordinates;
-// every projection is done in double from these rounded positions, so that projected edges and
-// traced triangles are the same geometry.
+// Scene coordinates are (world - Origin) * Scale in single precision. Origin is the camera
+// position, or a point in front of the scene if the projection is parallel or the scene is far
+// away. Scenes at a distance of 1e7 from the world's origin and scenes of size 1e-6 therefore keep
+// their precision. All positions and directions below are in scene coordinates. Projections are
+// computed in double precision from the rounded positions, so that projected edges match the traced
+// triangles.
 #ifndef penumbra_Scene_h
 #define penumbra_Scene_h
 
@@ -23,6 +25,7 @@
 namespace penumbra
 {
 
+/// Light source, as in vtkLight.
 struct Light
 {
   enum class Kinds
@@ -32,28 +35,31 @@ struct Light
     Spot
   };
   Kinds Kind = Kinds::Directional;
-  glm::vec3 Position{ 0.f };              ///< Positional, Spot
-  glm::vec3 Direction{ 0.f, 0.f, -1.f };  ///< unit, the way the light travels
-  glm::vec3 DiffuseColor{ 1.f };          ///< times intensity
-  glm::vec3 SpecularColor{ 1.f };         ///< times intensity
-  glm::vec3 Attenuation{ 1.f, 0.f, 0.f }; ///< constant, linear, quadratic in scene units
-  float ConeCosine = -1.f;                ///< Spot: cosine of VTK's cone angle
-  float Exponent = 1.f;                   ///< Spot
+  glm::vec3 Position{ 0.f };             ///< Positional, Spot
+  glm::vec3 Direction{ 0.f, 0.f, -1.f }; ///< unit vector in which the light travels
+  glm::vec3 DiffuseColor{ 1.f };         ///< multiplied by the intensity
+  glm::vec3 SpecularColor{ 1.f };        ///< multiplied by the intensity
+  /// Constant, linear and quadratic coefficients of the attenuation, in scene units.
+  glm::vec3 Attenuation{ 1.f, 0.f, 0.f };
+  float ConeCosine = -1.f; ///< Spot: cosine of vtkLight's cone angle
+  float Exponent = 1.f;    ///< Spot: exponent of vtkLight
   bool CastsShadow = true;
-  bool Headlight =
-    false; ///< Directional and along the view axis; alone, VTK lights in a simpler way
+  /// If true, the light is directional and along the view axis. VTK uses a simpler lighting model
+  /// if this is the only light.
+  bool Headlight = false;
 };
 
-/// What is seen where nothing is: a colour, or a gradient from bottom to top.
+/// Color of rays that miss the scene: constant, or a gradient from the bottom to the top.
 struct Background
 {
   glm::vec4 Bottom{ 0.f, 0.f, 0.f, 0.f };
   glm::vec4 Top{ 0.f, 0.f, 0.f, 0.f };
 };
 
-/// How far occluders reach where nothing is told, of the diagonal of the bounds.
+/// Default radius of ambient occlusion, as a fraction of the diagonal of the scene's bounds.
 constexpr double DefaultRadiusFraction = 0.1;
 
+/// Scene in scene coordinates, see above.
 struct Scene
 {
   glm::dvec3 Origin{ 0.0 };
@@ -62,10 +68,10 @@ struct Scene
   std::vector<Surface> Surfaces;
   std::vector<Light> Lights;
   penumbra::Background BackgroundColors;
-  Overlay OverlayImage;              ///< drawn over the finished picture
-  std::vector<std::string> Warnings; ///< what was left out, one sentence each
+  Overlay OverlayImage;              ///< composited over the rendered image
+  std::vector<std::string> Warnings; ///< parts of the input that were skipped, one sentence each
 
-  /// From world to scene coordinates and back.
+  /// Convert world to scene coordinates and back.
   glm::dvec3 FromWorld(const double x[3]) const
   {
     return (glm::dvec3(x[0], x[1], x[2]) - this->Origin) * this->Scale;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One drawn thing of a scene, in scene coordinates: triangles and how they look.
+// Triangle mesh of a scene with its material, in scene coordinates.
 #ifndef penumbra_Surface_h
 #define penumbra_Surface_h
 
@@ -16,7 +16,8 @@
 namespace penumbra
 {
 
-/// How a surface answers to light: VTK's property, colours in [0, 1], coefficients apart.
+/// Phong material, as in vtkProperty. Colors are in [0, 1] and are not multiplied by the
+/// coefficients.
 struct Material
 {
   glm::vec3 AmbientColor{ 1.f };
@@ -30,7 +31,7 @@ struct Material
   bool Lighting = true;
 };
 
-/// A picture on a surface, bottom row first, straight alpha in [0, 1].
+/// Texture image: bottom row first, 8-bit RGBA with straight alpha.
 struct Texture
 {
   int Width = 0;
@@ -40,60 +41,63 @@ struct Texture
   bool Repeat = true;
 };
 
-/// One drawn thing: triangles and how they look. Positions and Triangles keep a reserve of one
-/// element, see RayScene.
+/// Triangle mesh with its material. Positions and Triangles reserve capacity for one more element,
+/// because Embree may read 16 bytes starting at the last one (see RayScene).
 struct Surface
 {
-  int ObjectId = 0; ///< index of the actor or data set, as in the array `ObjectId`
+  int ObjectId = 0; ///< index of the actor or data set, as in the array ObjectId
 
   std::vector<glm::vec3> Positions;
   std::vector<glm::uvec3> Triangles; ///< indices into Positions, each in range
-  std::vector<std::uint32_t>
-    CellIds; ///< per triangle: cell of the input; empty: the triangle's index
+  /// Cell of the input for each triangle. If empty, it is the index of the triangle.
+  std::vector<std::uint32_t> CellIds;
 
-  /// Shading normals, not always of length 1: VTK interpolates them as they come.
+  /// Shading normals. They need not have unit length, because VTK interpolates them without
+  /// normalization. If both arrays are empty, each triangle is flat shaded and its normal faces the
+  /// camera.
   std::vector<glm::vec3> Normals;         ///< per position
-  std::vector<glm::vec3> TriangleNormals; ///< per triangle, used without Normals
-  /// Neither: flat, each triangle its own, facing the eye.
+  std::vector<glm::vec3> TriangleNormals; ///< per triangle, used if Normals is empty
 
-  /// How Normals and TriangleNormals are turned before lighting.
+  /// Orientation of Normals and TriangleNormals for lighting.
   enum class NormalRules
   {
-    ByWinding,  ///< negated where the winding faces away
-    TowardsEye, ///< negated where they point away from the eye (lines)
-    AsTheyAre   ///< (points)
+    ByWinding,  ///< negated if the triangle is seen from its back
+    TowardsEye, ///< negated if the normal points away from the camera (lines)
+    AsTheyAre   ///< unchanged (points)
   };
   NormalRules NormalRule = NormalRules::ByWinding;
 
-  /// Colours that replace AmbientColor and DiffuseColor, alpha multiplies Opacity. At most one of
-  /// the three is filled.
+  /// Colors that replace AmbientColor and DiffuseColor; their alpha multiplies Opacity. At most one
+  /// of PointColors, CellColors and ColorTexture is set.
   std::vector<glm::u8vec4> PointColors;
   std::vector<glm::u8vec4> CellColors; ///< per triangle
   std::shared_ptr<const Texture> ColorTexture;
-  std::vector<glm::vec2> ColorCoordinates; ///< per position, with ColorTexture
+  std::vector<glm::vec2> ColorCoordinates; ///< per position, if ColorTexture is set
 
-  /// An actor's texture: multiplies what lighting made of the surface, opacity included.
+  /// Texture of the actor. It multiplies the lit color and the opacity.
   std::shared_ptr<const Texture> LitTexture;
-  std::vector<glm::vec2> TextureCoordinates; ///< per position, with LitTexture
+  std::vector<glm::vec2> TextureCoordinates; ///< per position, if LitTexture is set
   bool TextureOnBackfaces = true;
 
   bool HasBackMaterial = false;
   Material Front;
   Material Back;
 
-  bool Backfaces = true;       ///< false: culled
-  bool Frontfaces = true;      ///< false: culled
-  bool ScalarColoring = false; ///< coloured by data: weaker ambient occlusion by default
-  bool IsLineOrPoint =
-    false; ///< a line or a point, widened towards the eye: casts and takes no shadow
+  bool Backfaces = true;       ///< if false, back faces are culled
+  bool Frontfaces = true;      ///< if false, front faces are culled
+  bool ScalarColoring = false; ///< colored by scalars; the default ambient occlusion is weaker
+  /// If true, the triangles are expanded lines or points, which neither cast nor receive shadows.
+  bool IsLineOrPoint = false;
 
   bool IsTranslucent() const;
 
-  /// Normal of a triangle, of any length: 0 only where it has no area, see below.
+  /// Returns the geometric normal of a triangle, not normalized. It is zero only for triangles
+  /// without area.
   glm::vec3 NormalOf(std::uint32_t triangle) const;
 };
 
-/// In single precision where that leaves a length, else of length 1: triangles of 1e-20 have one, too.
+// The cross product underflows in single precision for triangles of about 1e-20 in size. Their
+// normal is computed in double precision and normalized.
 inline glm::vec3 Surface::NormalOf(std::uint32_t triangle) const
 {
   const glm::uvec3 corners = this->Triangles[triangle];

@@ -83,8 +83,8 @@ void vtkPenumbraRenderView::SetOcclusionKernel(const char* name)
   const std::string kernel = name ? name : "";
   if (vtkPenumbraKernels::Find(kernel.c_str()) < 0)
   {
-    vtkErrorMacro("OcclusionKernel: unknown kernel '"
-      << kernel << "'; " << this->OcclusionKernel << " remains selected.");
+    vtkErrorMacro("OcclusionKernel: unknown kernel '" << kernel << "'; " << this->OcclusionKernel
+                                                      << " remains selected.");
   }
   else if (kernel != this->OcclusionKernel)
   {

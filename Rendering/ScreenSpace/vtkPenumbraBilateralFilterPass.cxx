@@ -24,8 +24,8 @@ vtkStandardNewMacro(vtkPenumbraBilateralFilterPass);
 namespace
 {
 
-/// Where no distance is set: pixel widths at the camera's focal point.
-constexpr double UsualDistance = 4.0;
+/// Default of DistanceSigma, in pixel widths at the focal point of the camera.
+constexpr double DefaultDistance = 4.0;
 
 }
 
@@ -33,9 +33,9 @@ struct vtkPenumbraBilateralFilterPass::Internals
 {
   penumbra::DelegateImage Image;
   penumbra::EyeDepth Depth;
-  penumbra::Stage Smooth;
+  penumbra::Stage FilterStage;
   penumbra::Composite Composite;
-  vtkSmartPointer<vtkTextureObject> Between;
+  vtkSmartPointer<vtkTextureObject> Intermediate;
   vtkSmartPointer<vtkTextureObject> Result;
   vtkSmartPointer<vtkTextureObject> WeightTexture;
   vtkSmartPointer<vtkImageData> Weights;
@@ -63,68 +63,72 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
 {
   static const std::string source =
     penumbra::Assemble(vtkPenumbraBilateralColorFS, { { "ViewLib", vtkPenumbraViewLib } });
-  Internals& own = *this->Implementation;
+  Internals& internals = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
   vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
   const int margin[2] = { 0, 0 };
-  const int props = window ? own.Image.Draw(state, this->DelegatePass, margin, true) : -1;
-  const penumbra::ScreenTransform& view = own.Image.GetView();
-  if (props < 0 || own.Depth.Update(window, own.Image, view) == penumbra::EyeDepth::Change::Failed)
+  const int props = window ? internals.Image.Draw(state, this->DelegatePass, margin, true) : -1;
+  const penumbra::ScreenTransform& view = internals.Image.GetView();
+  if (props < 0 ||
+    internals.Depth.Update(window, internals.Image, view) == penumbra::EyeDepth::Change::Failed)
   {
     return false;
   }
 
   const std::size_t pixels = static_cast<std::size_t>(view.Width) * view.Height;
   std::vector<float> weights(pixels, 1.f);
-  vtkDataArray* given = own.Weights ? own.Weights->GetPointData()->GetScalars() : nullptr;
-  if (given && static_cast<std::size_t>(given->GetNumberOfTuples()) == pixels)
+  vtkDataArray* scalars =
+    internals.Weights ? internals.Weights->GetPointData()->GetScalars() : nullptr;
+  if (scalars && static_cast<std::size_t>(scalars->GetNumberOfTuples()) == pixels)
   {
     for (std::size_t i = 0; i < pixels; ++i)
     {
-      weights[i] = static_cast<float>(given->GetComponent(static_cast<vtkIdType>(i), 0));
+      weights[i] = static_cast<float>(scalars->GetComponent(static_cast<vtkIdType>(i), 0));
     }
   }
-  penumbra::Allocate(own.WeightTexture, window, view.Width, view.Height, 1);
-  own.WeightTexture->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, weights.data());
-  penumbra::Allocate(own.Between, window, view.Width, view.Height, 4);
-  penumbra::Allocate(own.Result, window, view.Width, view.Height, 4);
+  penumbra::Allocate(internals.WeightTexture, window, view.Width, view.Height, 1);
+  internals.WeightTexture->Create2DFromRaw(view.Width, view.Height, 1, VTK_FLOAT, weights.data());
+  penumbra::Allocate(internals.Intermediate, window, view.Width, view.Height, 4);
+  penumbra::Allocate(internals.Result, window, view.Width, view.Height, 4);
   for (int direction = 0; direction < 2; ++direction)
   {
-    vtkShaderProgram* program = own.Smooth.Ready(window, source);
-    const penumbra::ScopedRenderTarget into(
-      window, own.Image.GetFramebuffer(), { direction == 0 ? own.Between : own.Result });
-    if (!program || !into.IsComplete())
+    vtkShaderProgram* program = internals.FilterStage.Ready(window, source);
+    const penumbra::ScopedRenderTarget target(window, internals.Image.GetFramebuffer(),
+      { direction == 0 ? internals.Intermediate : internals.Result });
+    if (!program || !target.IsComplete())
     {
       return false;
     }
-    const float way[2] = { direction == 0 ? 1.f : 0.f, direction == 0 ? 0.f : 1.f };
+    const float axis[2] = { direction == 0 ? 1.f : 0.f, direction == 0 ? 0.f : 1.f };
     const double pixel = penumbra::PixelAtFocus(renderer);
     view.SetUniforms(program);
-    program->SetUniform2f("way", way);
-    program->SetUniformi("reach", this->Reach);
+    program->SetUniform2f("direction", axis);
+    program->SetUniformi("reach", this->Radius);
     program->SetUniformf("distance",
-      static_cast<float>(this->Distance > 0.0 ? this->Distance : UsualDistance * pixel));
-    program->SetUniformf("byDepth", this->ByDepth ? 1.f : 0.f);
-    own.Smooth.BindTexture("colors", direction == 0 ? own.Image.GetColor() : own.Between.Get());
-    own.Smooth.BindTexture("eyeDepths", own.Depth.GetCurrent());
-    own.Smooth.BindTexture("weights", own.WeightTexture);
-    own.Smooth.Draw();
+      static_cast<float>(
+        this->DistanceSigma > 0.0 ? this->DistanceSigma : DefaultDistance * pixel));
+    program->SetUniformf("byDepth", this->UseDepthDistance ? 1.f : 0.f);
+    internals.FilterStage.BindTexture(
+      "colors", direction == 0 ? internals.Image.GetColor() : internals.Intermediate.Get());
+    internals.FilterStage.BindTexture("eyeDepths", internals.Depth.GetCurrent());
+    internals.FilterStage.BindTexture("weights", internals.WeightTexture);
+    internals.FilterStage.Draw();
   }
   this->NumberOfRenderedProps = props;
-  return own.Composite.Draw(
-    window, own.Image, own.Depth, own.Result, nullptr, { 0.0, 0.0 }, !this->OpaqueOnly);
+  return internals.Composite.Draw(window, internals.Image, internals.Depth, internals.Result,
+    nullptr, { 0.0, 0.0 }, !this->OpaqueOnly);
 }
 
 void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  Internals& own = *this->Implementation;
-  own.Image.ReleaseGraphicsResources(window);
-  own.Depth.ReleaseGraphicsResources(window);
-  own.Smooth.ReleaseGraphicsResources(window);
-  own.Composite.ReleaseGraphicsResources(window);
+  Internals& internals = *this->Implementation;
+  internals.Image.ReleaseGraphicsResources(window);
+  internals.Depth.ReleaseGraphicsResources(window);
+  internals.FilterStage.ReleaseGraphicsResources(window);
+  internals.Composite.ReleaseGraphicsResources(window);
   for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &own.Between, &own.Result, &own.WeightTexture })
+    { &internals.Intermediate, &internals.Result, &internals.WeightTexture })
   {
     if (*texture)
     {
@@ -137,8 +141,8 @@ void vtkPenumbraBilateralFilterPass::ReleaseGraphicsResources(vtkWindow* window)
 void vtkPenumbraBilateralFilterPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Reach: " << this->Reach << "\n";
-  os << indent << "Distance: " << this->Distance << "\n";
-  os << indent << "ByDepth: " << this->ByDepth << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "DistanceSigma: " << this->DistanceSigma << "\n";
+  os << indent << "UseDepthDistance: " << this->UseDepthDistance << "\n";
   os << indent << "Weights: " << this->GetWeights() << "\n";
 }

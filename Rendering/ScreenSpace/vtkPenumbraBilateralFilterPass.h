@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraBilateralFilterPass
- * @brief   Smooths what its delegate draws, but never across the edges of surfaces [TSSAO eq. 10].
+ * @brief   Smooths the image of its delegate without crossing edges of surfaces [TSSAO eq. 10].
  *
- * A separable cross-bilateral filter of colours: neighbours count by their distance from the pixel's
- * surface point, along the view axis or in space, and by an optional image of weights. Pixels
- * without a surface, and the depth, stay as they are.
+ * A separable cross-bilateral filter of colors. Neighbors are weighted by their distance from the
+ * surface point of the pixel, along the view axis or in space, and by an optional image of weights.
+ * Pixels without a surface and the depth are not modified.
  */
 #ifndef vtkPenumbraBilateralFilterPass_h
 #define vtkPenumbraBilateralFilterPass_h
@@ -29,31 +29,32 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Pixels on each side, 0 to 32. Default: 2. */
-  vtkSetClampMacro(Reach, int, 0, 32);
-  vtkGetMacro(Reach, int);
+  /** Filter radius in pixels. Range: [0, 32]. Default: 2. */
+  vtkSetClampMacro(Radius, int, 0, 32);
+  vtkGetMacro(Radius, int);
   ///@}
 
   ///@{
   /**
-   * Distance at which a neighbour counts 1/e, in world units; 0: four pixel widths at the camera's
-   * focal point. Default: 0.
+   * Distance at which the weight of a neighbor falls to 1/e, in world units. 0: four pixel widths
+   * at the focal point of the camera. Range: >= 0. Default: 0.
    */
-  vtkPenumbraSetClampedNumberMacro(Distance, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Distance, double);
+  vtkPenumbraSetClampedNumberMacro(DistanceSigma, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DistanceSigma, double);
   ///@}
 
   ///@{
-  /** Measure distances along the view axis only. Default: off, in space. */
-  vtkSetMacro(ByDepth, bool);
-  vtkGetMacro(ByDepth, bool);
-  vtkBooleanMacro(ByDepth, bool);
+  /** If on, distances are measured along the view axis only, else in space. Default: off. */
+  vtkSetMacro(UseDepthDistance, bool);
+  vtkGetMacro(UseDepthDistance, bool);
+  vtkBooleanMacro(UseDepthDistance, bool);
   ///@}
 
   ///@{
   /**
-   * Weights of pixels: point scalars of an image of the picture's size, its first component, 0 and
-   * more. An image of another size is ignored. Default: none, all count the same.
+   * Weights of pixels: first component of the point scalars of an image of the size of the frame.
+   * Range: >= 0. An image of another size is ignored. Default: none, all pixels have the same
+   * weight.
    */
   virtual void SetWeights(vtkImageData* weights);
   vtkImageData* GetWeights();
@@ -66,7 +67,7 @@ protected:
   ~vtkPenumbraBilateralFilterPass() override;
 
   bool RenderEffect(const vtkRenderState* state) override;
-  const char* GetEffectName() override { return "its filter"; }
+  const char* GetEffectName() override { return "the bilateral filter"; }
 
 private:
   vtkPenumbraBilateralFilterPass(const vtkPenumbraBilateralFilterPass&) = delete;
@@ -75,9 +76,9 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 
-  int Reach = 2;
-  double Distance = 0.0;
-  bool ByDepth = false;
+  int Radius = 2;
+  double DistanceSigma = 0.0;
+  bool UseDepthDistance = false;
 };
 
 #endif

@@ -25,20 +25,21 @@ vtkStandardNewMacro(vtkPenumbraKernelEstimator);
 namespace
 {
 
-/// Points of the sequence in one draw: the array in vtkPenumbraEstimateFS.glsl.
+/// Maximum number of points of the sequence per draw: the size of the array in
+/// vtkPenumbraEstimateFS.glsl.
 constexpr int MaximumPoints = 64;
 
-/// Thickness by width, and the range that it is believed in, in radii: measured, `./penumbra benchmark
-/// ambient-occlusion --only accuracy`.
-constexpr double ThicknessOfWidth = 1.5;
-constexpr double LeastThickness = 0.05;
-constexpr double MostThickness = 1.5;
+/// Ratio of thickness to median width, and the range of the thickness in radii. Measured with
+/// `./penumbra benchmark ambient-occlusion --only accuracy`.
+constexpr double ThicknessToWidthRatio = 1.5;
+constexpr double MinimumThickness = 0.05;
+constexpr double MaximumThickness = 1.5;
 
-/// In motion thickness is measured in every so many pictures: the depths come back from the graphics card
-/// for it.
-constexpr int PicturesPerMeasure = 8;
+/// Number of frames between measurements of the thickness in motion. Each reads the depths back
+/// from the graphics card.
+constexpr int FramesPerMeasurement = 8;
 
-/// The number's digits to the base, mirrored at the point [TSSAO, Halton].
+/// Mirrors the digits of a number at the radix point (Halton sequence) [TSSAO].
 double RadicalInverse(int base, long long number)
 {
   double inverse = 0.0;
@@ -71,13 +72,13 @@ struct vtkPenumbraKernelEstimator::Internals
 {
   penumbra::Stage Stage;
   std::string Source;
-  struct Measured
+  struct Measurement
   {
     double Thickness = 1.0;
-    long long Version = -1; ///< of the picture that asked last
-    int Pictures = 0;       ///< since it was measured
+    long long Version = -1; ///< of the depths of the last request
+    int Frames = 0;         ///< since the measurement
   };
-  std::map<const penumbra::EyeDepth*, Measured> Thicknesses;
+  std::map<const penumbra::EyeDepth*, Measurement> Thicknesses;
 };
 
 vtkPenumbraKernelEstimator::vtkPenumbraKernelEstimator()
@@ -91,7 +92,8 @@ void vtkPenumbraKernelEstimator::SetKernel(int kernel)
 {
   if (!vtkPenumbraKernels::GetName(kernel))
   {
-    vtkErrorMacro("There is no kernel " << kernel << ".");
+    vtkErrorMacro("Kernel index " << kernel << " is invalid; it must be in [0, "
+                                  << vtkPenumbraKernels::GetNumberOfKernels() - 1 << "].");
   }
   else if (kernel != this->Kernel)
   {
@@ -106,28 +108,29 @@ double vtkPenumbraKernelEstimator::GetBias()
   return vtkPenumbraKernels::GetBias(this->Kernel);
 }
 
-double vtkPenumbraKernelEstimator::ThicknessOf(const Request& request)
+double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
 {
   if (this->Thickness > 0.0)
   {
     return this->Thickness;
   }
   const penumbra::EyeDepth& depth = *request.Depth;
-  Internals::Measured& state = this->Implementation->Thicknesses[&depth];
+  Internals::Measurement& state = this->Implementation->Thicknesses[&depth];
   if (state.Version == depth.GetVersion())
   {
     return state.Thickness;
   }
   const bool isNew = state.Version < 0;
   state.Version = depth.GetVersion();
-  ++state.Pictures;
-  if (isNew || !request.Moving || state.Pictures >= PicturesPerMeasure)
+  ++state.Frames;
+  if (isNew || !request.Moving || state.Frames >= FramesPerMeasurement)
   {
     const double width =
       penumbra::MedianWidth(penumbra::ReadBack(depth.GetCurrent()), depth.GetView());
-    state.Thickness =
-      width > 0.0 ? std::clamp(ThicknessOfWidth * width, LeastThickness, MostThickness) : 1.0;
-    state.Pictures = 0;
+    state.Thickness = width > 0.0
+      ? std::clamp(ThicknessToWidthRatio * width, MinimumThickness, MaximumThickness)
+      : 1.0;
+    state.Frames = 0;
   }
   return state.Thickness;
 }
@@ -147,7 +150,7 @@ int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderPro
   program->SetUniformf("pixelRotation", request.RotatePerPixel ? 1.f : 0.f);
   if (program->IsUniformUsed("thickness"))
   {
-    program->SetUniformf("thickness", static_cast<float>(this->ThicknessOf(request)));
+    program->SetUniformf("thickness", static_cast<float>(this->ComputeThickness(request)));
   }
   return points * fetches;
 }
@@ -162,9 +165,9 @@ int vtkPenumbraKernelEstimator::Estimate(const Request& request, vtkTextureObjec
         { "EstimateLib", this->GetShader() } });
   }
   vtkShaderProgram* program = state.Stage.Ready(request.Window, state.Source);
-  const penumbra::ScopedRenderTarget into(
+  const penumbra::ScopedRenderTarget renderTarget(
     request.Window, request.Image->GetFramebuffer(), { target }, request.Image->GetDepth());
-  if (!program || !into.IsComplete())
+  if (!program || !renderTarget.IsComplete())
   {
     return 0;
   }

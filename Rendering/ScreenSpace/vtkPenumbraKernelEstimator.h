@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraKernelEstimator
- * @brief   Ambient occlusion from the depth buffer alone, by one of the kernels of vtkPenumbraKernels.
+ * @brief   Estimates ambient occlusion from the depth buffer, with a kernel of vtkPenumbraKernels.
  */
 #ifndef vtkPenumbraKernelEstimator_h
 #define vtkPenumbraKernelEstimator_h
@@ -22,21 +22,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Row of vtkPenumbraKernels. Default: 0. */
+  /** Index of the kernel in vtkPenumbraKernels. Default: 0. */
   virtual void SetKernel(int kernel);
   vtkGetMacro(Kernel, int);
   ///@}
 
   ///@{
   /**
-   * How far back what is seen is taken to reach, in radii, up to 1000; for kernels that ask. 0: as far
-   * as it is wide, by the picture. Default: 0.
+   * Assumed thickness of visible surfaces, in radii, for kernels that use it. 0: estimated from the
+   * width of objects in the image. Range: [0, 1000]. Default: 0.
    */
   vtkPenumbraSetClampedNumberMacro(Thickness, 0.0, 1000.0);
   vtkGetMacro(Thickness, double);
   ///@}
 
-  /** As vtkPenumbraKernels knows it. */
+  /** Bias of the kernel, from vtkPenumbraKernels. */
   double GetBias() override;
   int Estimate(const Request& request, vtkTextureObject* target) override;
   std::string GetShader() override;
@@ -51,7 +51,7 @@ private:
   vtkPenumbraKernelEstimator(const vtkPenumbraKernelEstimator&) = delete;
   void operator=(const vtkPenumbraKernelEstimator&) = delete;
 
-  double ThicknessOf(const Request& request);
+  double ComputeThickness(const Request& request);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;

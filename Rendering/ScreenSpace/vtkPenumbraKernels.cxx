@@ -27,7 +27,7 @@ struct Kernel
   const char* Shader;
 };
 
-const Kernel ResultTable[] = {
+const Kernel KernelTable[] = {
   { "volumetric", "[TSSAO eq. 3, 14]", "1 - t", 0.25, 1, vtkPenumbraEstimateVolumetricFS },
   { "patch", "[TSSAO eq. 12-13]", "", 0.26, 1, vtkPenumbraEstimatePatchFS },
   { "depth-difference", "[ISAO eq. 2]", "", 0.15, 1, vtkPenumbraEstimateDepthDifferenceFS },
@@ -35,9 +35,9 @@ const Kernel ResultTable[] = {
   { "march", "[TSSAO eq. 1], rays through one layer", "1", 0.085, 8, vtkPenumbraEstimateMarchFS },
 };
 
-const Kernel* Row(int kernel)
+const Kernel* FindKernel(int kernel)
 {
-  return kernel >= 0 && kernel < vtkPenumbraKernels::GetNumberOfKernels() ? ResultTable + kernel
+  return kernel >= 0 && kernel < vtkPenumbraKernels::GetNumberOfKernels() ? KernelTable + kernel
                                                                           : nullptr;
 }
 
@@ -45,19 +45,19 @@ const Kernel* Row(int kernel)
 
 int vtkPenumbraKernels::GetNumberOfKernels()
 {
-  return static_cast<int>(std::size(ResultTable));
+  return static_cast<int>(std::size(KernelTable));
 }
 
 const char* vtkPenumbraKernels::GetName(int kernel)
 {
-  return Row(kernel) ? Row(kernel)->Name : nullptr;
+  return FindKernel(kernel) ? FindKernel(kernel)->Name : nullptr;
 }
 
 int vtkPenumbraKernels::Find(const char* name)
 {
   for (int kernel = 0; kernel < GetNumberOfKernels(); ++kernel)
   {
-    if (name && std::strcmp(name, ResultTable[kernel].Name) == 0)
+    if (name && std::strcmp(name, KernelTable[kernel].Name) == 0)
     {
       return kernel;
     }
@@ -67,33 +67,33 @@ int vtkPenumbraKernels::Find(const char* name)
 
 const char* vtkPenumbraKernels::GetSource(int kernel)
 {
-  return Row(kernel) ? Row(kernel)->Source : nullptr;
+  return FindKernel(kernel) ? FindKernel(kernel)->Source : nullptr;
 }
 
 const char* vtkPenumbraKernels::GetFalloff(int kernel)
 {
-  return Row(kernel) ? Row(kernel)->Falloff : nullptr;
+  return FindKernel(kernel) ? FindKernel(kernel)->Falloff : nullptr;
 }
 
 double vtkPenumbraKernels::GetBias(int kernel)
 {
-  return Row(kernel) ? Row(kernel)->Bias : 0.0;
+  return FindKernel(kernel) ? FindKernel(kernel)->Bias : 0.0;
 }
 
 int vtkPenumbraKernels::GetFetchesPerPoint(int kernel)
 {
-  return Row(kernel) ? Row(kernel)->FetchesPerPoint : 0;
+  return FindKernel(kernel) ? FindKernel(kernel)->FetchesPerPoint : 0;
 }
 
 const char* vtkPenumbraKernels::GetShader(int kernel)
 {
-  return Row(kernel) ? Row(kernel)->Shader : nullptr;
+  return FindKernel(kernel) ? FindKernel(kernel)->Shader : nullptr;
 }
 
 void vtkPenumbraKernels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const Kernel& kernel : ResultTable)
+  for (const Kernel& kernel : KernelTable)
   {
     os << indent << kernel.Name << ": " << kernel.Source << "\n";
   }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraKernels
- * @brief   The one table of kernels: every way to estimate ambient occlusion from depth alone.
+ * @brief   Table of the kernels that estimate ambient occlusion from the depth buffer.
  *
- * A new kernel is a GLSL file and a row here; see Documentation/methods/Kernels.md.
+ * To add a kernel, add a GLSL file and a row to the table; see Documentation/methods/Kernels.md.
  */
 #ifndef vtkPenumbraKernels_h
 #define vtkPenumbraKernels_h
@@ -19,34 +19,34 @@ public:
   vtkTypeMacro(vtkPenumbraKernels, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Rows of the table. */
+  /** Number of kernels. */
   static int GetNumberOfKernels();
 
-  /** Name of a kernel, as the command line takes it; null outside the table. */
+  /** Name of a kernel, as on the command line; null if the index is out of range. */
   static const char* GetName(int kernel);
 
-  /** Index of a kernel by name, -1 when there is none. */
+  /** Index of a kernel by name; -1 if there is none. */
   static int Find(const char* name);
 
-  /** Where it comes from. */
+  /** Citation of the kernel; null if the index is out of range. */
   static const char* GetSource(int kernel);
 
   /**
-   * The D(t) of [TSSAO eq. 1] whose occlusion the kernel estimates, t in radii, as a formula; empty:
-   * it estimates none and is compared up to a factor.
+   * Formula of the falloff D(t) [TSSAO eq. 1] whose occlusion the kernel estimates, t in radii.
+   * Empty if the kernel matches no falloff; it is then compared with the reference up to a factor.
    */
   static const char* GetFalloff(int kernel);
 
   /**
-   * The error that remains however many samples are taken: RMSE against rays in the worst of the
-   * scenes of `./penumbra benchmark ambient-occlusion`.
+   * Error that remains with any number of samples: RMSE against ray tracing in the worst scene of
+   * `./penumbra benchmark ambient-occlusion`.
    */
   static double GetBias(int kernel);
 
-  /** Depths fetched for one point of the sample sequence: what counts as that many samples. */
+  /** Number of depth fetches per point of the sample sequence. Each fetch counts as one sample. */
   static int GetFetchesPerPoint(int kernel);
 
-  /** Its GLSL: a function `float occlusionAt(SurfacePoint)`. */
+  /** GLSL of the kernel: a function `float occlusionAt(SurfacePoint)`. */
   static const char* GetShader(int kernel);
 
 protected:

@@ -34,34 +34,39 @@ namespace
 
 using Pass = vtkPenumbraLightShaftPass;
 
-/// Lost and scattered over the scene's diagonal, where nothing is given; as the ray caster has it.
+/// Default scattering times the diagonal of the scene, as in the ray caster.
 constexpr double DefaultOpticalDepth = 0.25;
-/// Of a medium that scatters nothing: it must lose something.
-constexpr double LeastOpticalDepth = 1e-12;
-/// Steps times tolerance. Measured, as all of these: `./penumbra benchmark light-shafts`.
+/// Minimum extinction times the diagonal, for a medium that scatters nothing: shaders divide by
+/// extinction.
+constexpr double MinimumOpticalDepth = 1e-12;
+/// Automatic steps times tolerance. This and the following constants were measured with
+/// `./penumbra benchmark light-shafts`.
 constexpr double StepsTimesTolerance = 0.375;
-constexpr int FewestSteps = 16;
-constexpr int MostSteps = 1024;
-/// More than one for every so many blocks of the picture's larger side make nothing better.
+constexpr int MinimumSteps = 16;
+constexpr int MaximumSteps = 1024;
+/// Minimum number of blocks along the larger image side per step; more steps do not reduce the
+/// error.
 constexpr int BlocksPerStep = 2;
-/// Lit shares are found for blocks of 4x4 pixels from this tolerance on; at half of it the side is 1 less.
+/// Pixels per side of the largest blocks, which are used from LargestBlockTolerance on. With each
+/// halving of the tolerance the side shrinks by 1.
 constexpr int LargestBlock = 4;
 constexpr double LargestBlockTolerance = 1.0 / 128.0;
-/// Per cent of the picture's larger side, while a light is outside of it.
+/// Automatic margin while a light is outside of the image, in percent of the larger image side.
 constexpr double DefaultMargin = 20.0;
-/// Bounds of what is thin, and thickness where everything is, as shares of the diagonal.
-constexpr double ThinnestShare = 0.002;
-constexpr double ThicknessOfThin = 0.02;
+/// Props thinner than the first fraction of the diagonal do not count for the mean thickness; the
+/// second fraction is the thickness if no prop counts.
+constexpr double FlatPropFraction = 0.002;
+constexpr double DefaultThicknessFraction = 0.02;
 
-/// Pixels a side of the blocks for which lit shares are found.
-int BlockFor(double tolerance)
+/// Computes the pixels per side of the blocks that share a lit fraction.
+int ComputeBlockSize(double tolerance)
 {
   const double halvings = std::ceil(std::log2(LargestBlockTolerance / tolerance));
   return LargestBlock - static_cast<int>(std::clamp(halvings, 0.0, LargestBlock - 1.0));
 }
 
-/// The mean of the smallest extents of props that are not flat.
-double MeanThickness(const vtkRenderState* state, double diagonal)
+/// Computes the mean of the smallest extents of props that are not flat.
+double ComputeMeanThickness(const vtkRenderState* state, double diagonal)
 {
   double sum = 0.0;
   int count = 0;
@@ -70,16 +75,16 @@ double MeanThickness(const vtkRenderState* state, double diagonal)
     const double* bounds = state->GetPropArray()[i]->GetBounds();
     if (bounds && vtkMath::AreBoundsInitialized(bounds))
     {
-      const double least =
+      const double extent =
         std::min({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-      if (least > ThinnestShare * diagonal)
+      if (extent > FlatPropFraction * diagonal)
       {
-        sum += least;
+        sum += extent;
         ++count;
       }
     }
   }
-  return count > 0 ? sum / count : ThicknessOfThin * diagonal;
+  return count > 0 ? sum / count : DefaultThicknessFraction * diagonal;
 }
 
 }
@@ -92,8 +97,8 @@ struct vtkPenumbraLightShaftPass::Internals
   std::vector<vtkSmartPointer<vtkProp>> Emitters;
   vtkNew<vtkFieldData> Statistics;
   int Steps = 0;
-  /// Null where the numbers are a medium.
-  static const char* WhyNoMedium(const Pass* self);
+  /// Returns a warning if the settings do not describe a medium, else null.
+  static const char* FindInvalidSetting(const Pass* self);
 
   penumbra::ShaftSettings MakeSettings(
     const Pass* self, const vtkRenderState* state, const vtkBoundingBox& box) const;
@@ -110,21 +115,21 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 {
   if (!renderer)
   {
-    vtkGenericWarningMacro("There is no renderer to add the pass to.");
+    vtkGenericWarningMacro("The renderer is null; pass a vtkRenderer to AddTo().");
     return nullptr;
   }
   if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
   {
     return present;
   }
-  const std::vector<penumbra::PassSlot> places = penumbra::EnsurePassSlots(renderer);
-  const penumbra::PassSlot* occlusion = penumbra::FindPass(places,
+  const std::vector<penumbra::PassSlot> slots = penumbra::EnsurePassSlots(renderer);
+  const penumbra::PassSlot* occlusion = penumbra::FindPass(slots,
     [](vtkRenderPass* pass) { return vtkPenumbraTemporalSSAOPass::SafeDownCast(pass) != nullptr; });
-  const penumbra::PassSlot& place = occlusion ? *occlusion : places.back();
+  const penumbra::PassSlot& slot = occlusion ? *occlusion : slots.back();
   vtkNew<Pass> pass;
-  pass->SetDelegatePass(place.Pass);
-  pass->SetOpaqueOnly(place.OpaqueOnly);
-  place.Set(pass);
+  pass->SetDelegatePass(slot.Pass);
+  pass->SetOpaqueOnly(slot.OpaqueOnly);
+  slot.Set(pass);
   return pass;
 }
 
@@ -160,20 +165,21 @@ void vtkPenumbraLightShaftPass::RemoveAllEmitters()
   this->Modified();
 }
 
-const char* vtkPenumbraLightShaftPass::Internals::WhyNoMedium(const Pass* self)
+const char* vtkPenumbraLightShaftPass::Internals::FindInvalidSetting(const Pass* self)
 {
-  const double numbers[] = { self->Scattering, self->Extinction, self->Asymmetry, self->Exposure,
+  const double values[] = { self->Scattering, self->Extinction, self->Asymmetry, self->Exposure,
     self->Thickness, self->Tolerance };
-  if (!std::all_of(
-        std::begin(numbers), std::end(numbers), [](double n) { return std::isfinite(n); }))
+  if (!std::all_of(std::begin(values), std::end(values), [](double n) { return std::isfinite(n); }))
   {
-    return "The medium's numbers are no medium; the scene is drawn without.";
+    return "Scattering, Extinction, Asymmetry, Exposure, Thickness and Tolerance must be finite; "
+           "light shafts are not rendered.";
   }
   for (int axis = 0; axis < 3; ++axis)
   {
     if (!(self->Bounds[2 * axis] < self->Bounds[2 * axis + 1]))
     {
-      return "The medium's bounds hold nothing; the scene is drawn without.";
+      return "The lower Bounds of the medium must be below the upper ones; light shafts are not "
+             "rendered.";
     }
   }
   return nullptr;
@@ -197,18 +203,20 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   settings.Extinction = std::max(self->Extinction, settings.Scattering);
   if (!(settings.Scattering > 0.0))
   {
-    settings.Extinction = std::max(settings.Extinction, LeastOpticalDepth / diagonal);
+    settings.Extinction = std::max(settings.Extinction, MinimumOpticalDepth / diagonal);
   }
   settings.Phase = self->Phase;
   settings.Asymmetry = self->Asymmetry;
   settings.Exposure = self->Exposure;
   settings.Radial = self->Estimator == RADIAL;
-  settings.Thickness = self->Thickness > 0.0 ? self->Thickness : MeanThickness(state, diagonal);
-  settings.Block = BlockFor(self->Tolerance);
-  const int most = std::max(size[0], size[1]) / (BlocksPerStep * settings.Block);
+  settings.Thickness =
+    self->Thickness > 0.0 ? self->Thickness : ComputeMeanThickness(state, diagonal);
+  settings.Block = ComputeBlockSize(self->Tolerance);
+  const int maximum = std::max(size[0], size[1]) / (BlocksPerStep * settings.Block);
   const int steps = static_cast<int>(std::ceil(StepsTimesTolerance / self->Tolerance));
-  settings.Steps =
-    self->Steps > 0 ? self->Steps : std::max(std::min({ steps, most, MostSteps }), FewestSteps);
+  settings.Steps = self->Steps > 0
+    ? self->Steps
+    : std::max(std::min({ steps, maximum, MaximumSteps }), MinimumSteps);
   settings.DelegateDrawsBackground = !self->OpaqueOnly;
   settings.Prepass = self->Occlusion == PREPASS;
   settings.Emitters.assign(this->Emitters.begin(), this->Emitters.end());
@@ -218,23 +226,23 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   settings.AutomaticTone = self->AutomaticTone;
   renderer->GetBackground(settings.Background.data());
 
-  penumbra::RadialBlurSettings& paper = settings.Paper;
-  paper.Steps = settings.Steps;
-  paper.Passes = self->Passes;
-  paper.Geometric = self->Spacing == GEOMETRIC;
-  paper.Weight = self->Weight;
-  paper.Decay = self->Decay;
-  paper.Density = self->Density;
-  paper.SurfaceEmission = self->Occlusion == CONTRAST ? self->SurfaceEmission : 0.0;
-  paper.SkyIsPicture = self->Sky == PICTURE;
-  paper.Block = settings.Block;
-  paper.DelegateDrawsBackground = settings.DelegateDrawsBackground;
+  penumbra::RadialBlurSettings& radial = settings.RadialBlur;
+  radial.Steps = settings.Steps;
+  radial.Passes = self->Passes;
+  radial.Geometric = self->Spacing == GEOMETRIC;
+  radial.Weight = self->Weight;
+  radial.Decay = self->Decay;
+  radial.Density = self->Density;
+  radial.SurfaceEmission = self->Occlusion == CONTRAST ? self->SurfaceEmission : 0.0;
+  radial.SkyIsImage = self->Sky == IMAGE;
+  radial.Block = settings.Block;
+  radial.DelegateDrawsBackground = settings.DelegateDrawsBackground;
   return settings;
 }
 
 bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
 {
-  Internals& own = *this->Implementation;
+  Internals& internals = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
   vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
   double bounds[6];
@@ -244,74 +252,79 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
   {
     return false;
   }
-  if (const char* why = Internals::WhyNoMedium(this))
+  if (const char* warning = Internals::FindInvalidSetting(this))
   {
-    this->WarnOnce(why);
+    this->WarnOnce(warning);
     return false;
   }
-  penumbra::ShaftSettings settings = own.MakeSettings(this, state, vtkBoundingBox(bounds));
-  const int none[2] = { 0, 0 };
-  penumbra::ScreenTransform view = penumbra::ScreenTransform::FromRenderer(renderer, size, none);
+  penumbra::ShaftSettings settings = internals.MakeSettings(this, state, vtkBoundingBox(bounds));
+  const int noMargin[2] = { 0, 0 };
+  penumbra::ScreenTransform view =
+    penumbra::ScreenTransform::FromRenderer(renderer, size, noMargin);
   view.Unit = settings.Unit;
-  const std::vector<vtkLight*> chosen(own.Lights.begin(), own.Lights.end());
+  const std::vector<vtkLight*> chosen(internals.Lights.begin(), internals.Lights.end());
   const std::vector<penumbra::ShaftLight> lights =
     penumbra::FindShaftLights(renderer, chosen, view);
   if (lights.empty())
   {
-    this->WarnOnce("No light makes shafts (headlights and black lights make none).");
+    this->WarnOnce(
+      "No light casts light shafts, because headlights and black lights do not. Add a light to the "
+      "renderer, or pass one to AddLight().");
     return false;
   }
   if (this->OpaqueOnly)
   {
     const bool outside = std::any_of(lights.begin(), lights.end(),
       [](const penumbra::ShaftLight& light) { return !light.InPicture; });
-    const double share = this->Margin >= 0.0 ? this->Margin : outside ? DefaultMargin : 0.0;
+    const double percent = this->Margin >= 0.0 ? this->Margin : outside ? DefaultMargin : 0.0;
     settings.Margin[0] = settings.Margin[1] =
-      static_cast<int>(std::ceil(share / 100.0 * std::max(size[0], size[1])));
+      static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1])));
   }
-  own.Last = &own.Views[renderer];
-  own.Steps = settings.Steps;
-  if (!own.Last->Render(state, this->DelegatePass, lights, settings))
+  internals.Last = &internals.Views[renderer];
+  internals.Steps = settings.Steps;
+  if (!internals.Last->Render(state, this->DelegatePass, lights, settings))
   {
-    this->WarnOnce("OpenGL cannot do light shafts here; the scene is drawn without.");
+    this->WarnOnce(
+      "OpenGL cannot render light shafts in this window; the scene is rendered without them.");
     return false;
   }
-  this->NumberOfRenderedProps = own.Last->GetNumberOfRenderedProps();
+  this->NumberOfRenderedProps = internals.Last->GetNumberOfRenderedProps();
   return true;
 }
 
 void vtkPenumbraLightShaftPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  Internals& own = *this->Implementation;
-  for (auto& [renderer, view] : own.Views)
+  Internals& internals = *this->Implementation;
+  for (auto& [renderer, view] : internals.Views)
   {
     view.ReleaseGraphicsResources(window);
   }
-  own.Views.clear();
-  own.Last = nullptr;
+  internals.Views.clear();
+  internals.Last = nullptr;
 }
 
 vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
 {
-  Internals& own = *this->Implementation;
-  own.Statistics->Initialize();
-  if (own.Last)
+  Internals& internals = *this->Implementation;
+  internals.Statistics->Initialize();
+  if (internals.Last)
   {
-    penumbra::AddStatistic(own.Statistics, "Lights/Shaft", own.Last->GetNumberOfLights());
     penumbra::AddStatistic(
-      own.Statistics, "LitFractions/Computed", static_cast<double>(own.Last->GetNewShares()));
-    penumbra::AddStatistic(own.Statistics, "Samples/PerLitFraction", own.Steps);
-    penumbra::AddStatistic(own.Statistics, "Light/Gain", own.Last->GetGain());
+      internals.Statistics, "Lights/Shaft", internals.Last->GetNumberOfLights());
+    penumbra::AddStatistic(internals.Statistics, "LitFractions/Computed",
+      static_cast<double>(internals.Last->GetNewLitFractions()));
+    penumbra::AddStatistic(internals.Statistics, "Samples/PerLitFraction", internals.Steps);
+    penumbra::AddStatistic(internals.Statistics, "Light/Gain", internals.Last->GetGain());
   }
-  return own.Statistics;
+  return internals.Statistics;
 }
 
 void vtkPenumbraLightShaftPass::CopyShafts(vtkImageData* image)
 {
   if (!image)
   {
-    vtkErrorMacro("There is no image to copy to.");
+    vtkErrorMacro("The image is null; pass a vtkImageData to CopyShafts().");
     return;
   }
   image->Initialize();

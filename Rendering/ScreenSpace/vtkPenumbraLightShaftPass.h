@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraLightShaftPass
- * @brief   Light shafts in haze, from colour and depth alone [Shafts].
+ * @brief   Light shafts in a homogeneous medium, computed from color and depth [Shafts].
  *
- * A homogeneous medium takes light away along every view ray and adds what it scatters of each light:
- * what a lit ray scatters is a closed form [Shafts eq. 1], times the share of the ray that is lit
- * (eq. 2). That share comes from depth: one march over the screen towards the light tells which
- * distances of the view ray are shadowed. The paper's mean of a mask stays selectable. Parameters of
- * the medium are those of vtkPenumbraMedium, the ray caster's, so that both make the same picture.
+ * The medium attenuates light along every view ray and adds the light that it scatters. The
+ * in-scattering of a fully lit ray has a closed form [Shafts eq. 1], which is multiplied by the lit
+ * fraction of the ray (eq. 2). By default, one march through the depth buffer towards the light
+ * finds the shadowed intervals of the ray; the radial blur of the paper can be selected instead.
+ * The parameters of the medium are those of vtkPenumbraMedium, so that the ray caster renders the
+ * same image.
  *
- * AddTo() sets up everything on a renderer in one call, RemoveFrom() restores it. Lights are those of
- * the renderer but for headlights, or those that AddLight() marks. A still scene is computed once.
+ * AddTo() sets up everything on a renderer in one call, RemoveFrom() restores it. All lights of the
+ * renderer except headlights cast shafts, or only those given to AddLight(). A static scene is
+ * computed once.
  */
 #ifndef vtkPenumbraLightShaftPass_h
 #define vtkPenumbraLightShaftPass_h
@@ -39,8 +41,9 @@ public:
 
   ///@{
   /**
-   * Show light shafts in a renderer: under its translucent geometry, volumes and overlays, over
-   * ambient occlusion that it already has. Returns the pass at work, also when there is one already.
+   * Add light shafts to a renderer, or remove them: below its translucent geometry, volumes and
+   * overlays, and above ambient occlusion. AddTo() returns the new pass, or the existing one if
+   * there is one.
    */
   static vtkPenumbraLightShaftPass* AddTo(vtkRenderer* renderer);
   static void RemoveFrom(vtkRenderer* renderer);
@@ -48,8 +51,9 @@ public:
 
   ///@{
   /**
-   * The error accepted in a colour, RMSE, 0.0001 to 1: it chooses Steps, and lit shares are found for
-   * 2x2 (from 1/512 on), 3x3 (1/256) or 4x4 pixels (1/128) together. Default: 1/256.
+   * Accepted RMSE of colors. It determines the default of Steps and the size of the blocks of
+   * pixels that share a lit fraction: 2x2 from 1/512 on, 3x3 from 1/256 on, 4x4 from 1/128 on.
+   * Range: [1e-4, 1]. Default: 1/256.
    */
   vtkPenumbraSetClampedNumberMacro(Tolerance, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -57,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Depths fetched for each light and lit share, 0 to 1024; 0: three eighths over Tolerance, at most one
-   * for every two blocks of the picture's larger side. Default: 0.
+   * Number of depth fetches per light and lit fraction. 0: 0.375 / Tolerance, at least 16 and at
+   * most one per two blocks of the larger image side. Range: [0, 1024]. Default: 0.
    */
   vtkSetClampMacro(Steps, int, 0, 1024);
   vtkGetMacro(Steps, int);
@@ -66,8 +70,9 @@ public:
 
   ///@{
   /**
-   * Shares of light scattered and lost per world unit. Negative scattering: a quarter over the bounds'
-   * diagonal; extinction below scattering means scattering. Defaults: -1.
+   * Scattering and extinction coefficients, per world unit. Negative scattering means 0.25 divided
+   * by the diagonal of the scene bounds; extinction below scattering means scattering. Defaults:
+   * -1.
    */
   vtkPenumbraSetNumberMacro(Scattering);
   vtkGetMacro(Scattering, double);
@@ -75,7 +80,7 @@ public:
   vtkGetMacro(Extinction, double);
   ///@}
 
-  /** Where scattered light goes; as vtkPenumbraMedium::Phases. */
+  /** Phase functions, as vtkPenumbraMedium::Phases. */
   enum Phases
   {
     ISOTROPIC,
@@ -84,8 +89,8 @@ public:
   };
   ///@{
   /**
-   * The phase function, default ISOTROPIC; for HENYEY_GREENSTEIN the mean cosine, -0.999 to 0.999,
-   * positive: forward, default 0.6.
+   * Phase function (default: ISOTROPIC), and the mean cosine of HENYEY_GREENSTEIN, positive for
+   * forward scattering. Range: [-0.999, 0.999]. Default: 0.6.
    */
   vtkSetClampMacro(Phase, int, ISOTROPIC, HENYEY_GREENSTEIN);
   vtkGetMacro(Phase, int);
@@ -94,16 +99,16 @@ public:
   ///@}
 
   ///@{
-  /** Scattered light is multiplied by this [Shafts eq. 4], 0 or more. Default: 1, physical. */
+  /** Factor on the in-scattered light [Shafts eq. 4]; 1 is physical. Range: >= 0. Default: 1. */
   vtkPenumbraSetClampedNumberMacro(Exposure, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Exposure, double);
   ///@}
 
   ///@{
   /**
-   * Chooses a gain for scattered light [Shafts 13.8], so that its brightest has room over the mean
-   * picture: neither too bright nor too dim. The first picture settles it, later ones move it little
-   * by little. For pictures to look at; off: light as Exposure says. Default: off.
+   * If on, the in-scattered light is also multiplied by an automatic gain [Shafts 13.8], with which
+   * its maximum added to the mean brightness of the scene reaches 1. The first frame determines the
+   * gain, later ones adapt it gradually. The result is then not physical. Default: off.
    */
   vtkSetMacro(AutomaticTone, bool);
   vtkGetMacro(AutomaticTone, bool);
@@ -112,29 +117,29 @@ public:
 
   ///@{
   /**
-   * The box that the medium fills, in world coordinates (xmin, xmax, ymin, ...), any of them infinite.
-   * Default: everywhere.
+   * Box that the medium fills, in world coordinates (xmin, xmax, ymin, ...); bounds may be
+   * infinite. Default: all infinite.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
-  /** How the lit share of a view ray is found. */
+  /** Estimators of the lit fraction of a view ray. */
   enum Estimators
   {
-    DEPTH, ///< which distances are shadowed, from depth along the way to the light
-    RADIAL ///< mean of a mask on the way to the light [Shafts eq. 3 and 4]
+    DEPTH, ///< shadowed intervals, from the depth buffer along the path to the light
+    RADIAL ///< radial blur: mean emission along the path to the light [Shafts eq. 3 and 4]
   };
   ///@{
-  /** Default: DEPTH. */
+  /** Estimator of the lit fraction. Default: DEPTH. */
   vtkSetClampMacro(Estimator, int, DEPTH, RADIAL);
   vtkGetMacro(Estimator, int);
   ///@}
 
   ///@{
   /**
-   * DEPTH: how far what is seen reaches back, in world units; 0: the mean of the props' smallest
-   * extents. Default: 0.
+   * DEPTH: assumed thickness of visible surfaces, in world units. 0: the mean of the smallest
+   * extents of the props. Range: >= 0. Default: 0.
    */
   vtkPenumbraSetClampedNumberMacro(Thickness, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Thickness, double);
@@ -142,8 +147,9 @@ public:
 
   ///@{
   /**
-   * RADIAL: a factor of each sample (0 or more) and one for each 1/64 of the way (0 to 1); by how much
-   * the way is shorter than that to the light (1 to 1000) [Shafts eq. 4]. Defaults: 1.
+   * RADIAL [Shafts eq. 4]: Weight is a factor on all samples (>= 0), Decay a factor per 1/64 of the
+   * path (range: [0, 1]), Density the ratio of the path to the light to the sampled path (range:
+   * [1, 1000]). Defaults: 1.
    */
   vtkPenumbraSetClampedNumberMacro(Weight, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Weight, double);
@@ -153,16 +159,17 @@ public:
   vtkGetMacro(Density, double);
   ///@}
 
-  /** RADIAL: the distances between samples. */
+  /** RADIAL: spacing of the samples. */
   enum Spacings
   {
     EVEN,
-    GEOMETRIC ///< each step covers the same share of what is left of the way to the light
+    GEOMETRIC ///< each step covers the same fraction of the remaining path to the light
   };
   ///@{
   /**
-   * Default: EVEN. Chained passes of Steps samples, each over the one before, do the work of
-   * Steps^Passes samples [Shafts 13.8]; more than one means GEOMETRIC. 1 to 6. Default: 1.
+   * RADIAL: Spacing of samples (default: EVEN) and number of chained passes. Each pass averages
+   * Steps samples of the previous one, so that Steps^Passes samples have an effect [Shafts 13.8].
+   * More than one pass implies GEOMETRIC. Range: [1, 6]. Default: 1.
    */
   vtkSetClampMacro(Spacing, int, EVEN, GEOMETRIC);
   vtkGetMacro(Spacing, int);
@@ -170,42 +177,46 @@ public:
   vtkGetMacro(Passes, int);
   ///@}
 
-  /** RADIAL: how occluders are kept from glowing [Shafts 13.5]. */
+  /** RADIAL: treatment of occluders in the emission image [Shafts 13.5]. */
   enum Occlusions
   {
-    MASK,    ///< depth tells what is sky and what stands before emitters
-    PREPASS, ///< with emitters: occluders are drawn black first, a second drawing of the scene
-    CONTRAST ///< they glow in their own colours times SurfaceEmission
+    MASK,    ///< occluders are black; depth separates them from sky and emitters
+    PREPASS, ///< with emitters: the scene is rendered a second time, with black occluders
+    CONTRAST ///< occluders emit their color times SurfaceEmission
   };
   ///@{
-  /** Default: MASK. With CONTRAST SurfaceEmission is left of an occluder's colour, 0 to 1, default 0.2. */
+  /**
+   * Treatment of occluders (default: MASK), and the fraction of their color that occluders emit
+   * with CONTRAST. Range: [0, 1]. Default: 0.2.
+   */
   vtkSetClampMacro(Occlusion, int, MASK, CONTRAST);
   vtkGetMacro(Occlusion, int);
   vtkPenumbraSetClampedNumberMacro(SurfaceEmission, 0.0, 1.0);
   vtkGetMacro(SurfaceEmission, double);
   ///@}
 
-  /** RADIAL: what glows in the sky, times the light's colour. */
+  /** RADIAL: emission of pixels without a surface, multiplied by the color of the light. */
   enum Skies
   {
-    WHITE,  ///< all of it; nothing where there are emitters
-    PICTURE ///< as the picture behind the scene shows it
+    WHITE, ///< white; black if there are emitters
+    IMAGE  ///< the image behind the scene
   };
   ///@{
-  /** Default: WHITE. */
-  vtkSetClampMacro(Sky, int, WHITE, PICTURE);
+  /** Emission of the sky. Default: WHITE. */
+  vtkSetClampMacro(Sky, int, WHITE, IMAGE);
   vtkGetMacro(Sky, int);
   ///@}
 
   ///@{
-  /** RADIAL: props that glow as they are seen. Default: none. */
+  /** RADIAL: props that emit the color with which they are rendered. Default: none. */
   void AddEmitter(vtkProp* prop);
   void RemoveAllEmitters();
   ///@}
 
   ///@{
   /**
-   * Only these lights of the renderer make shafts. Default: none marked, then all but headlights do.
+   * Lights of the renderer that cast shafts. Default: none added, in which case all except
+   * headlights do.
    */
   void AddLight(vtkLight* light);
   void RemoveAllLights();
@@ -213,9 +224,9 @@ public:
 
   ///@{
   /**
-   * Drawn around the picture so that occluders just outside count: per cent of its larger side, 0 to
-   * 100; negative: 20 while a light is outside of the picture, else none. Needs OpaqueOnly.
-   * Default: -1.
+   * Margin around the image, in which occluders have an effect, in percent of the larger image
+   * side. Negative: 20 while a light is outside of the image, else 0. Requires OpaqueOnly. Range:
+   * up to 100. Default: -1.
    */
   vtkPenumbraSetClampedNumberMacro(Margin, -1.0, 100.0);
   vtkGetMacro(Margin, double);
@@ -224,13 +235,16 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * Of the last frame, one value an array: `Lights/Shaft`, `LitFractions/Computed` (lit shares found anew; 0 in
-   * a still scene), `Samples/PerLitFraction` (depths fetched for each), `Light/Gain` (1 without
-   * AutomaticTone).
+   * Statistics of the last frame, one value per array: `Lights/Shaft` (number of lights),
+   * `LitFractions/Computed` (number of lit fractions; 0 in a static scene),
+   * `Samples/PerLitFraction` (depth fetches for each), `Light/Gain` (1 without AutomaticTone).
    */
   vtkFieldData* GetStatistics();
 
-  /** Fill `image` with the last frame's float arrays `LightShafts` (3, what is added) and `Transmittance`. */
+  /**
+   * Fill `image` with float arrays of the last frame: `LightShafts` (3 components, the added light)
+   * and `Transmittance`.
+   */
   void CopyShafts(vtkImageData* image);
 
 protected:
@@ -255,8 +269,8 @@ private:
   double Asymmetry = 0.6;
   double Exposure = 1.0;
   bool AutomaticTone = false;
-  static constexpr double Endless = std::numeric_limits<double>::infinity();
-  double Bounds[6] = { -Endless, Endless, -Endless, Endless, -Endless, Endless };
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+  double Bounds[6] = { -Infinity, Infinity, -Infinity, Infinity, -Infinity, Infinity };
   int Estimator = DEPTH;
   double Thickness = 0.0;
   double Weight = 1.0;

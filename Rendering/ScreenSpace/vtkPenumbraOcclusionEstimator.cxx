@@ -8,25 +8,25 @@
 namespace
 {
 
-std::map<std::string, vtkPenumbraOcclusionEstimator::Maker>& Makers()
+std::map<std::string, vtkPenumbraOcclusionEstimator::Factory>& Factories()
 {
-  static std::map<std::string, vtkPenumbraOcclusionEstimator::Maker> makers;
-  return makers;
+  static std::map<std::string, vtkPenumbraOcclusionEstimator::Factory> factories;
+  return factories;
 }
 
 }
 
-void vtkPenumbraOcclusionEstimator::Register(const char* name, Maker maker)
+void vtkPenumbraOcclusionEstimator::Register(const char* name, Factory factory)
 {
-  Makers()[name] = maker;
+  Factories()[name] = factory;
 }
 
 bool vtkPenumbraOcclusionEstimator::IsRegistered(const char* name)
 {
-  return name && Makers().count(name) > 0;
+  return name && Factories().count(name) > 0;
 }
 
 vtkPenumbraOcclusionEstimator* vtkPenumbraOcclusionEstimator::New(const char* name)
 {
-  return IsRegistered(name) ? Makers()[name]() : nullptr;
+  return IsRegistered(name) ? Factories()[name]() : nullptr;
 }

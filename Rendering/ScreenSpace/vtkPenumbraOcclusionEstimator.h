@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraOcclusionEstimator
- * @brief   Who estimates: a few new samples of ambient occlusion for every pixel of a picture.
+ * @brief   Interface for objects that compute new samples of ambient occlusion for every pixel.
  *
- * vtkPenumbraTemporalSSAOPass keeps the mean of all samples, follows it from frame to frame, filters
- * it and darkens the picture. Where the samples come from is an estimator's business: kernels look
- * at the depth buffer alone (vtkPenumbraKernelEstimator), others may trace true rays from the
- * positions in it.
+ * vtkPenumbraTemporalSSAOPass accumulates the samples, reprojects their mean from frame to frame,
+ * filters it and darkens the image. Estimators provide the samples: vtkPenumbraKernelEstimator
+ * reads the depth buffer only, others may trace rays from the positions in it.
  */
 #ifndef vtkPenumbraOcclusionEstimator_h
 #define vtkPenumbraOcclusionEstimator_h
@@ -37,67 +36,77 @@ public:
 
   ///@{
   /**
-   * Estimators of other modules by name, as vtkPenumbraTemporalSSAOPass::SetKernelName() takes them:
-   * a module registers what makes them. New() gives null for a name that nobody registered.
+   * Registry of estimators of other modules, by the name that
+   * vtkPenumbraTemporalSSAOPass::SetKernelName() accepts. New() returns null if the name is not
+   * registered.
    */
-  using Maker = vtkPenumbraOcclusionEstimator* (*)();
-  static void Register(const char* name, Maker maker);
+  using Factory = vtkPenumbraOcclusionEstimator* (*)();
+  static void Register(const char* name, Factory factory);
   static bool IsRegistered(const char* name);
   static vtkPenumbraOcclusionEstimator* New(const char* name);
   ///@}
 
-  /** What is asked for. */
+  /** Input of an estimate. */
   struct Request
   {
     vtkOpenGLRenderWindow* Window = nullptr;
     vtkRenderer* Renderer = nullptr;
-    const penumbra::DelegateImage* Image = nullptr; ///< colour and depth of the picture
-    const penumbra::EyeDepth* Depth = nullptr;      ///< eye depths and the view, in radii
-    double Radius = 1.0;                            ///< of occlusion, world units
-    int FirstSample = 0;        ///< samples that every pixel has had before this call
-    int Samples = 8;            ///< wanted for every pixel
-    bool Moving = false;        ///< one of a run of pictures that are much alike
-    bool RotatePerPixel = true; ///< samples shall differ from pixel to pixel
-    /// One estimate shall do, with this error: whoever can interpolates between few points that it looks
-    /// at closely. 0: more samples follow.
+    const penumbra::DelegateImage* Image = nullptr; ///< color and depth of the image
+    const penumbra::EyeDepth* Depth = nullptr;      ///< eye depth and view; the unit is the radius
+    double Radius = 1.0;                            ///< of occlusion, in world units
+    int FirstSample = 0;        ///< number of samples per pixel before this call
+    int Samples = 8;            ///< requested number per pixel
+    bool Moving = false;        ///< one of a sequence of similar frames
+    bool RotatePerPixel = true; ///< samples differ from pixel to pixel
+    /// Accepted RMSE if this single estimate is final: the estimator may then interpolate between
+    /// few accurate points. 0: more samples follow.
     double Tolerance = 0.0;
-    /// Where they are wanted; null: everywhere.
+    /// Rectangles in which samples are requested; null: the whole image.
     const std::vector<penumbra::Rectangle>* Parts = nullptr;
   };
 
   /**
-   * Fill `target` (one float a pixel) with the mean of new samples, 0 open, 1 blocked. Returns how
-   * many samples a pixel that were, 0 when it cannot. In motion a pixel without samples of its own may
-   * have -1 - the mean of one beside it: that counts only where nothing else is known.
+   * Fill `target` (one float per pixel) with the mean of new samples: 0 unoccluded, 1 fully
+   * occluded. Returns the number of samples per pixel; 0 if the estimate failed. In motion, a pixel
+   * without new samples may contain -1 - m, where m is the mean of a neighbor; it is used only if
+   * the pixel has no history.
    */
   virtual int Estimate(const Request& request, vtkTextureObject* target) = 0;
 
   ///@{
   /**
-   * The same within a shader of somebody else's: GLSL, over those of vtkPenumbraViewLib and
-   * vtkPenumbraSurfaceLib, of a function `float estimateAt(SurfacePoint)`, empty where there is none;
-   * and the uniforms that it needs, which returns as Estimate() does.
+   * The estimate as part of another shader. GetShader() returns the GLSL of a function `float
+   * estimateAt(SurfacePoint)` that uses vtkPenumbraViewLib and vtkPenumbraSurfaceLib; empty if
+   * there is none. SetUniforms() sets its uniforms and returns the same number as Estimate().
    */
   virtual std::string GetShader() { return {}; }
   virtual int SetUniforms(const Request&, vtkShaderProgram*) { return 0; }
   ///@}
 
-  /** Is all that it needs of the renderer's scene at hand? Asked before every frame. */
+  /** Returns whether the scene of the renderer can be estimated. Called before every frame. */
   virtual bool CanEstimate(vtkRenderer*) { return true; }
 
-  /** Another number whenever what it sees of the scene beside depth has changed; 0: it sees depth alone. */
+  /**
+   * Modification time of the scene data that the estimator reads in addition to depth; 0 if it
+   * reads depth only.
+   */
   virtual vtkMTimeType GetSceneMTime(vtkRenderer*) { return 0; }
 
-  /** The error that it believes to remain however many samples are taken. */
+  /** Estimated error that remains with any number of samples. */
   virtual double GetBias() { return 0.0; }
 
-  /** Was the last estimate within Request::Tolerance, so that no more are needed? */
+  /**
+   * Returns whether the last estimate met Request::Tolerance, so that no more samples are needed.
+   */
   virtual bool IsFinal() { return false; }
 
-  /** Does it help to draw more than the picture, so that occluders just outside are seen? */
+  /**
+   * Returns whether a margin around the image, with occluders just outside of it, improves the
+   * estimate.
+   */
   virtual bool NeedsMargin() { return true; }
 
-  /** Free what lives in the window's OpenGL context. */
+  /** Release the OpenGL resources of the window. */
   virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;
 
 protected:

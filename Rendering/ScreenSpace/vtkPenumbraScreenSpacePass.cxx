@@ -3,20 +3,20 @@
 #include "vtkPenumbraScreenSpacePass.h"
 
 #include "Chain/PassSlots.h"
+#include "Frame/WindowReleaseNotifier.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLResourceFreeCallback.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
-vtkPenumbraScreenSpacePass::vtkPenumbraScreenSpacePass() = default;
+vtkPenumbraScreenSpacePass::vtkPenumbraScreenSpacePass()
+  : ReleaseNotifier(vtkSmartPointer<penumbra::WindowReleaseNotifier>::New())
+{
+}
 
 vtkPenumbraScreenSpacePass::~vtkPenumbraScreenSpacePass()
 {
-  if (this->Window)
-  {
-    this->Window->UnregisterGraphicsResources(this->EndOfWindow.get());
-  }
+  this->ReleaseNotifier->Stop(this->Window);
 }
 
 void vtkPenumbraScreenSpacePass::Render(const vtkRenderState* state)
@@ -24,7 +24,7 @@ void vtkPenumbraScreenSpacePass::Render(const vtkRenderState* state)
   this->NumberOfRenderedProps = 0;
   if (!this->DelegatePass)
   {
-    vtkWarningMacro("There is no delegate to draw the scene.");
+    vtkWarningMacro("The pass has no delegate, so nothing is rendered. Call SetDelegatePass().");
     return;
   }
   if (state->GetRenderer()->GetSelector() || !this->RenderEffect(state))
@@ -39,26 +39,25 @@ vtkOpenGLRenderWindow* vtkPenumbraScreenSpacePass::EnterWindow(vtkRenderer* rend
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (window && window->GetStereoRender())
   {
-    // The projections of the two eyes are sheared: positions do not follow from depth as they do here.
-    this->WarnOnce(
-      std::string("In stereo the scene is drawn without ") + this->GetEffectName() + ".");
+    // The projections of the two eyes are sheared; positions are not computed from depth for them.
+    this->WarnOnce(std::string("Stereo rendering does not support ") + this->GetEffectName() +
+      "; the scene is rendered without the effect. Turn stereo off.");
     return nullptr;
   }
   if (window && window != this->Window)
   {
     penumbra::MoveToWindow(this, this->Window, window);
-    this->EndOfWindow = std::make_unique<vtkOpenGLResourceFreeCallback<vtkPenumbraScreenSpacePass>>(
-      this, &vtkPenumbraScreenSpacePass::ReleaseGraphicsResources);
-    this->EndOfWindow->RegisterGraphicsResources(window);
+    this->ReleaseNotifier->Watch(
+      window, [this](vtkWindow* released) { this->ReleaseGraphicsResources(released); });
   }
   return window;
 }
 
 void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)
 {
-  if (this->Warned != warning)
+  if (this->LastWarning != warning)
   {
-    this->Warned = warning;
+    this->LastWarning = warning;
     vtkWarningMacro(<< warning);
   }
 }
@@ -66,11 +65,7 @@ void vtkPenumbraScreenSpacePass::WarnOnce(const std::string& warning)
 void vtkPenumbraScreenSpacePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  if (this->Window && !this->EndOfWindow->IsReleasing())
-  {
-    this->Window->UnregisterGraphicsResources(this->EndOfWindow.get());
-    this->EndOfWindow.reset();
-  }
+  this->ReleaseNotifier->Stop(this->Window);
   this->Window = nullptr;
 }
 

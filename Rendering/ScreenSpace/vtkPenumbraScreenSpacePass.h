@@ -2,23 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraScreenSpacePass
- * @brief   What passes share that change a picture by what its depths tell.
+ * @brief   Base class of passes that compute an effect from the depth of their delegate's image.
  *
- * The delegate draws the scene; a subclass draws it with its effect. Where that cannot be (hardware
- * selection, stereo, what OpenGL refuses) the plain scene is drawn, and a warning says why, once.
+ * The delegate renders the scene; a subclass renders it with its effect. During hardware selection,
+ * in stereo, and if OpenGL reports an error, the scene is rendered without the effect. Except for
+ * hardware selection, one warning explains why.
  */
 #ifndef vtkPenumbraScreenSpacePass_h
 #define vtkPenumbraScreenSpacePass_h
 
 #include "vtkImageProcessingPass.h"
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
+#include "vtkSmartPointer.h"                       // for ReleaseNotifier
 
-#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
-class vtkGenericOpenGLResourceFreeCallback;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+
+namespace penumbra
+{
+class WindowReleaseNotifier;
+}
 
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT vtkPenumbraScreenSpacePass
   : public vtkImageProcessingPass
@@ -29,8 +34,9 @@ public:
 
   ///@{
   /**
-   * The delegate draws opaque props and nothing else: they may be drawn with a margin and are laid
-   * over what is there. Off: the delegate draws the whole picture, background included. Default: off.
+   * If on, the delegate renders opaque props only: they may be rendered with a margin and are
+   * composited over the target. If off, the delegate renders the whole image, background included.
+   * Default: off.
    */
   vtkSetMacro(OpaqueOnly, bool);
   vtkGetMacro(OpaqueOnly, bool);
@@ -44,22 +50,25 @@ protected:
   vtkPenumbraScreenSpacePass();
   ~vtkPenumbraScreenSpacePass() override;
 
-  /** Draws the scene with the effect and sets NumberOfRenderedProps. False: nothing was drawn. */
+  /**
+   * Renders the scene with the effect and sets NumberOfRenderedProps. Returns false if nothing was
+   * rendered.
+   */
   virtual bool RenderEffect(const vtkRenderState* state) = 0;
 
-  /** What the effect is called in warnings: "light shafts". */
+  /** Name of the effect in warnings, for example "light shafts". */
   virtual const char* GetEffectName() = 0;
 
   /**
-   * The renderer's window, once what was made for another one is released; null, with a warning, where
-   * positions do not follow from depths.
+   * Returns the window of the renderer, after releasing the resources of another window. Returns
+   * null, with a warning, in stereo, where positions cannot be computed from depths.
    */
   vtkOpenGLRenderWindow* EnterWindow(vtkRenderer* renderer);
 
-  /** The window of the last frame; null if there is none, or if it has released its resources. */
+  /** Window of the last frame; null if there is none or its resources were released. */
   vtkOpenGLRenderWindow* GetWindow() { return this->Window; }
 
-  /** Warns unless the last warning said the same. */
+  /** Warns unless the last warning was the same. */
   void WarnOnce(const std::string& warning);
 
   bool OpaqueOnly = false;
@@ -69,9 +78,10 @@ private:
   void operator=(const vtkPenumbraScreenSpacePass&) = delete;
 
   vtkOpenGLRenderWindow* Window = nullptr;
-  /// Releases the resources of this pass when Window does, even if the pass has left its renderer.
-  std::unique_ptr<vtkGenericOpenGLResourceFreeCallback> EndOfWindow;
-  std::string Warned;
+  /// Releases the resources of this pass when Window does, even after the pass was removed from its
+  /// renderer.
+  vtkSmartPointer<penumbra::WindowReleaseNotifier> ReleaseNotifier;
+  std::string LastWarning;
 };
 
 #endif

@@ -10,7 +10,7 @@
 #include <algorithm> // for std::clamp
 #include <cmath>     // for std::isnan
 
-/// Like vtkSetMacro(name, double); NaN is an error and changes nothing.
+/// Like vtkSetMacro(name, double), but NaN is an error and does not change the value.
 #define vtkPenumbraSetNumberMacro(name)                                                            \
   virtual void Set##name(double value)                                                             \
   {                                                                                                \
@@ -25,27 +25,28 @@
     }                                                                                              \
   }
 
-/// Like vtkSetClampMacro(name, double, least, most); NaN is an error and changes nothing.
-#define vtkPenumbraSetClampedNumberMacro(name, least, most)                                        \
+/// Like vtkSetClampMacro(name, double, minimum, maximum), but NaN is an error and does not change
+/// the value.
+#define vtkPenumbraSetClampedNumberMacro(name, minimum, maximum)                                   \
   virtual void Set##name(double value)                                                             \
   {                                                                                                \
     if (std::isnan(value))                                                                         \
     {                                                                                              \
       vtkErrorMacro(#name " must be a number, not NaN; it remains " << this->name << ".");         \
     }                                                                                              \
-    else if (this->name != std::clamp<double>(value, least, most))                                 \
+    else if (this->name != std::clamp<double>(value, minimum, maximum))                            \
     {                                                                                              \
-      this->name = std::clamp<double>(value, least, most);                                         \
+      this->name = std::clamp<double>(value, minimum, maximum);                                    \
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \
   virtual double Get##name##MinValue()                                                             \
   {                                                                                                \
-    return least;                                                                                  \
+    return minimum;                                                                                \
   }                                                                                                \
   virtual double Get##name##MaxValue()                                                             \
   {                                                                                                \
-    return most;                                                                                   \
+    return maximum;                                                                                \
   }
 
 #endif

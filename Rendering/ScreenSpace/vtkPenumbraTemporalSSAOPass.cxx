@@ -34,22 +34,22 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-/// The best of the kernels wherever depth is all there is.
+/// Most accurate kernel (vtkPenumbraKernels::GetBias()), used if only depth is available.
 constexpr const char* AutomaticKernel = "march";
 
-/// What sees all of the scene.
-constexpr const char* TrueRays = "traced";
+/// Registered name of vtkPenumbraTracedEstimator.
+constexpr const char* RayTracing = "traced";
 
-/// The margin that follows the radius goes no farther than this share of the picture's larger side.
-constexpr double LargestMargin = 0.1;
+/// Maximum automatic margin as a fraction of the larger image side.
+constexpr double MaximumMargin = 0.1;
 
-/// An automatic margin that becomes too small grows to this multiple of what is needed.
+/// An automatic margin that becomes too small grows to this multiple of the required size.
 constexpr double MarginReserve = 1.5;
 
-/// An automatic margin shrinks when less than this fraction of it is needed.
-constexpr double LeastUsedMargin = 0.5;
+/// An automatic margin shrinks if less than this fraction of it is required.
+constexpr double MinimumUsedMargin = 0.5;
 
-/// Visible props in drawing order, each with the time of its last change.
+/// Visible props in render order, each with its redraw MTime.
 using PropTimes = std::vector<std::pair<vtkProp*, vtkMTimeType>>;
 
 PropTimes FindPropTimes(vtkRenderer* renderer)
@@ -68,8 +68,8 @@ bool HaveSameProps(const PropTimes& a, const PropTimes& b)
     [](const auto& left, const auto& right) { return left.first == right.first; });
 }
 
-/// Margin in pixels. The last one is kept while it is large enough and not far too large, so that a
-/// zoom does not change the size of all textures with every frame.
+/// Chooses the margin in pixels. The last one is kept while it is large enough and not much too
+/// large, so that zooming does not reallocate all textures in every frame.
 int ChooseMargin(double needed, double largest, int last)
 {
   needed = std::min(needed, largest);
@@ -77,7 +77,7 @@ int ChooseMargin(double needed, double largest, int last)
   {
     return static_cast<int>(std::ceil(std::min(MarginReserve * needed, largest)));
   }
-  return last > 0 && needed >= LeastUsedMargin * last && last <= std::ceil(largest)
+  return last > 0 && needed >= MinimumUsedMargin * last && last <= std::ceil(largest)
     ? last
     : static_cast<int>(std::ceil(needed));
 }
@@ -86,25 +86,25 @@ int ChooseMargin(double needed, double largest, int last)
 
 struct vtkPenumbraTemporalSSAOPass::Internals
 {
-  /// What is kept of a renderer.
-  struct Known
+  /// State of a renderer.
+  struct RendererState
   {
     penumbra::OcclusionViewState View;
     PropTimes Props;
-    std::string Occlusion;       ///< the settings that decide on its value, as text
-    vtkMTimeType HiddenTime = 0; ///< the estimator's
+    std::string Occlusion;       ///< the settings that determine the occlusion, as text
+    vtkMTimeType HiddenTime = 0; ///< GetSceneMTime() of the estimator
     int Margin = 0;              ///< pixels
   };
-  std::map<vtkRenderer*, Known> Renderers;
+  std::map<vtkRenderer*, RendererState> Renderers;
   penumbra::OcclusionViewState* Last = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
-  vtkSmartPointer<vtkPenumbraOcclusionEstimator> Named; ///< registered by another module
-  std::string NameOfNamed;
+  vtkSmartPointer<vtkPenumbraOcclusionEstimator> NamedEstimator; ///< registered by another module
+  std::string EstimatorName;
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
 
-  /// Differs between settings whose occlusion differs.
+  /// Returns a text that differs between settings whose occlusion differs.
   std::string DescribeOcclusion(const Pass* pass) const;
 };
 
@@ -128,18 +128,18 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 {
   if (!renderer)
   {
-    vtkGenericWarningMacro("There is no renderer to add the pass to.");
+    vtkGenericWarningMacro("The renderer is null; pass a vtkRenderer to AddTo().");
     return nullptr;
   }
   if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
   {
     return present;
   }
-  const penumbra::PassSlot place = penumbra::EnsurePassSlots(renderer).back();
+  const penumbra::PassSlot slot = penumbra::EnsurePassSlots(renderer).back();
   vtkNew<Pass> pass;
-  pass->SetDelegatePass(place.Pass);
-  pass->SetOpaqueOnly(place.OpaqueOnly);
-  place.Set(pass);
+  pass->SetDelegatePass(slot.Pass);
+  pass->SetOpaqueOnly(slot.OpaqueOnly);
+  slot.Set(pass);
   return pass;
 }
 
@@ -155,7 +155,8 @@ void vtkPenumbraTemporalSSAOPass::SetRadius(double radius)
 {
   if (!std::isfinite(radius) || radius < 0.0)
   {
-    vtkErrorMacro("Radius " << radius << " is not a length; " << this->Radius << " stays.");
+    vtkErrorMacro("Radius must be finite and not negative, but is " << radius << "; it remains "
+                                                                    << this->Radius << ".");
   }
   else if (radius != this->Radius)
   {
@@ -166,15 +167,17 @@ void vtkPenumbraTemporalSSAOPass::SetRadius(double radius)
 
 void vtkPenumbraTemporalSSAOPass::SetKernelName(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  if (wanted != "automatic" && vtkPenumbraKernels::Find(name) < 0 &&
+  const std::string kernelName = name ? name : "";
+  if (kernelName != "automatic" && vtkPenumbraKernels::Find(name) < 0 &&
     !vtkPenumbraOcclusionEstimator::IsRegistered(name))
   {
-    vtkErrorMacro("There is no kernel '" << wanted << "'; " << this->KernelName << " stays.");
+    vtkErrorMacro("Kernel '" << kernelName
+                             << "' does not exist (see vtkPenumbraKernels); KernelName remains "
+                             << this->KernelName << ".");
   }
-  else if (wanted != this->KernelName)
+  else if (kernelName != this->KernelName)
   {
-    this->KernelName = wanted;
+    this->KernelName = kernelName;
     this->Modified();
   }
 }
@@ -200,7 +203,7 @@ const char* vtkPenumbraTemporalSSAOPass::GetActiveKernelName()
 
 bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
 {
-  Internals& own = *this->Implementation;
+  Internals& internals = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
   vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
   double bounds[6];
@@ -233,87 +236,92 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   settings.DelegateOnce = this->DelegateOnce;
   settings.UseActorMotion = this->UseActorMotion && this->OpaqueOnly;
-  // After compositing of several ranks the props that moved are not known.
+  // After compositing of several ranks it is unknown which props moved.
   PropTimes props = FindPropTimes(renderer);
-  Internals::Known& known = own.Renderers[renderer];
-  settings.SceneChanged = !this->OpaqueOnly || props != known.Props;
-  settings.PropsChanged = !HaveSameProps(props, known.Props);
-  known.Props = std::move(props);
+  Internals::RendererState& rendererState = internals.Renderers[renderer];
+  settings.SceneChanged = !this->OpaqueOnly || props != rendererState.Props;
+  settings.PropsChanged = !HaveSameProps(props, rendererState.Props);
+  rendererState.Props = std::move(props);
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
-  settings.Interpolate = this->KernelName == "automatic" && !own.Estimator;
-  std::string occlusion = own.DescribeOcclusion(this);
-  settings.Restart = occlusion != known.Occlusion;
-  settings.HiddenChanged = estimator->GetSceneMTime(renderer) != known.HiddenTime;
-  known.Occlusion = std::move(occlusion);
+  settings.Interpolate = this->KernelName == "automatic" && !internals.Estimator;
+  std::string occlusion = internals.DescribeOcclusion(this);
+  settings.Restart = occlusion != rendererState.Occlusion;
+  settings.HiddenChanged = estimator->GetSceneMTime(renderer) != rendererState.HiddenTime;
+  rendererState.Occlusion = std::move(occlusion);
   if (this->OpaqueOnly)
   {
     settings.Bounds = bounds;
     const double side = std::max(renderer->GetSize()[0], renderer->GetSize()[1]);
     const double needed = estimator->NeedsMargin() ? settings.Radius / pixel : 0.0;
-    known.Margin = this->Margin >= 0.0
+    rendererState.Margin = this->Margin >= 0.0
       ? static_cast<int>(std::ceil(this->Margin / 100.0 * side))
-      : ChooseMargin(needed, LargestMargin * side, settings.InOneRender ? 0 : known.Margin);
-    settings.Margin[0] = settings.Margin[1] = known.Margin;
+      : ChooseMargin(needed, MaximumMargin * side, settings.InOneRender ? 0 : rendererState.Margin);
+    settings.Margin[0] = settings.Margin[1] = rendererState.Margin;
   }
-  own.Last = &known.View;
-  if (!own.Last->Render(state, this->DelegatePass, estimator, settings))
+  internals.Last = &rendererState.View;
+  if (!internals.Last->Render(state, this->DelegatePass, estimator, settings))
   {
-    this->WarnOnce("OpenGL cannot do ambient occlusion here; the scene is drawn without.");
+    this->WarnOnce(
+      "OpenGL cannot render ambient occlusion in this window; the scene is rendered without it.");
     return false;
   }
-  // Only now: whoever draws or traces the scene may bring its pipelines up to date first.
-  known.HiddenTime = estimator->GetSceneMTime(renderer);
-  this->NumberOfRenderedProps = own.Last->GetNumberOfRenderedProps();
+  // Queried after rendering, because rendering or tracing may update the pipelines of the scene.
+  rendererState.HiddenTime = estimator->GetSceneMTime(renderer);
+  this->NumberOfRenderedProps = internals.Last->GetNumberOfRenderedProps();
   return true;
 }
 
 vtkPenumbraOcclusionEstimator* vtkPenumbraTemporalSSAOPass::ChooseEstimator(
-  vtkRenderer* renderer, bool still)
+  vtkRenderer* renderer, bool isStatic)
 {
-  Internals& own = *this->Implementation;
-  if (own.Estimator)
+  Internals& internals = *this->Implementation;
+  if (internals.Estimator)
   {
-    own.ActiveKernel = own.Estimator->GetClassName();
-    return own.Estimator;
+    internals.ActiveKernel = internals.Estimator->GetClassName();
+    return internals.Estimator;
   }
   const bool automatic = this->KernelName == "automatic";
-  const std::string name = automatic ? TrueRays : this->KernelName;
-  if (own.NameOfNamed != name)
+  const std::string name = automatic ? RayTracing : this->KernelName;
+  if (internals.EstimatorName != name)
   {
-    own.Named.TakeReference(vtkPenumbraOcclusionEstimator::New(name.c_str()));
-    own.NameOfNamed = name;
+    internals.NamedEstimator.TakeReference(vtkPenumbraOcclusionEstimator::New(name.c_str()));
+    internals.EstimatorName = name;
   }
   const int kernel =
     vtkPenumbraKernels::Find(automatic ? AutomaticKernel : this->KernelName.c_str());
   if (kernel >= 0)
   {
-    own.Kernels->SetKernel(kernel);
+    internals.Kernels->SetKernel(kernel);
   }
-  // What another pass or another rank has drawn may not be here: only depth is known of it. And what is
-  // cheaper and good enough is taken.
-  const bool worthwhile = still && this->OpaqueOnly && this->Tolerance < own.Kernels->GetBias();
-  if (own.Named && (!automatic || (worthwhile && own.Named->CanEstimate(renderer))))
+  // Without OpaqueOnly, the image may contain geometry of other passes or ranks, of which only the
+  // depth is available. The kernel is used if its bias is within the tolerance, because it is
+  // cheaper.
+  const bool worthwhile =
+    isStatic && this->OpaqueOnly && this->Tolerance < internals.Kernels->GetBias();
+  if (internals.NamedEstimator &&
+    (!automatic || (worthwhile && internals.NamedEstimator->CanEstimate(renderer))))
   {
-    own.ActiveKernel = name;
-    return own.Named;
+    internals.ActiveKernel = name;
+    return internals.NamedEstimator;
   }
-  own.ActiveKernel = automatic ? AutomaticKernel : this->KernelName;
-  return own.Kernels;
+  internals.ActiveKernel = automatic ? AutomaticKernel : this->KernelName;
+  return internals.Kernels;
 }
 
 void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  Internals& own = *this->Implementation;
-  for (auto& [renderer, known] : own.Renderers)
+  Internals& internals = *this->Implementation;
+  for (auto& [renderer, rendererState] : internals.Renderers)
   {
-    known.View.ReleaseGraphicsResources(window);
+    rendererState.View.ReleaseGraphicsResources(window);
   }
-  own.Renderers.clear();
-  own.Last = nullptr;
-  own.Kernels->ReleaseGraphicsResources(window);
-  for (vtkPenumbraOcclusionEstimator* estimator : { own.Estimator.Get(), own.Named.Get() })
+  internals.Renderers.clear();
+  internals.Last = nullptr;
+  internals.Kernels->ReleaseGraphicsResources(window);
+  for (vtkPenumbraOcclusionEstimator* estimator :
+    { internals.Estimator.Get(), internals.NamedEstimator.Get() })
   {
     if (estimator)
     {
@@ -335,39 +343,40 @@ double vtkPenumbraTemporalSSAOPass::GetEstimatedError()
 
 vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
 {
-  Internals& own = *this->Implementation;
-  own.Statistics->Initialize();
-  if (own.Last)
+  Internals& internals = *this->Implementation;
+  internals.Statistics->Initialize();
+  if (internals.Last)
   {
     this->GetWindow()->MakeCurrent();
-    const auto counts = own.Last->CountPixels();
+    const auto counts = internals.Last->CountPixels();
     const double surface = static_cast<double>(std::max(counts.Surface, 1LL));
     vtkNew<vtkStringArray> kernel;
     kernel->SetName("Occlusion/Kernel");
-    kernel->InsertNextValue(own.ActiveKernel);
-    own.Statistics->AddArray(kernel);
-    penumbra::AddStatistic(own.Statistics, "Samples/PerPixel", own.Last->GetNewSamples());
+    kernel->InsertNextValue(internals.ActiveKernel);
+    internals.Statistics->AddArray(kernel);
     penumbra::AddStatistic(
-      own.Statistics, "Samples/Static", own.Last->GetConvergence().GetSamples());
+      internals.Statistics, "Samples/PerPixel", internals.Last->GetNewSamples());
     penumbra::AddStatistic(
-      own.Statistics, "Pixels/Reprojected", static_cast<double>(counts.Kept) / surface);
+      internals.Statistics, "Samples/Static", internals.Last->GetConvergence().GetSamples());
     penumbra::AddStatistic(
-      own.Statistics, "Pixels/ActorMotion", static_cast<double>(counts.Followed) / surface);
+      internals.Statistics, "Pixels/Reprojected", static_cast<double>(counts.Kept) / surface);
     penumbra::AddStatistic(
-      own.Statistics, "Pixels/Disoccluded", static_cast<double>(counts.Disoccluded) / surface);
+      internals.Statistics, "Pixels/ActorMotion", static_cast<double>(counts.Followed) / surface);
+    penumbra::AddStatistic(internals.Statistics, "Pixels/Disoccluded",
+      static_cast<double>(counts.Disoccluded) / surface);
+    penumbra::AddStatistic(internals.Statistics, "Pixels/Invalidated",
+      static_cast<double>(counts.Invalidated) / surface);
     penumbra::AddStatistic(
-      own.Statistics, "Pixels/Invalidated", static_cast<double>(counts.Invalidated) / surface);
-    penumbra::AddStatistic(
-      own.Statistics, "Pixels/Converged", static_cast<double>(counts.Converged) / surface);
+      internals.Statistics, "Pixels/Converged", static_cast<double>(counts.Converged) / surface);
   }
-  return own.Statistics;
+  return internals.Statistics;
 }
 
 void vtkPenumbraTemporalSSAOPass::CopyOcclusion(vtkImageData* image)
 {
   if (!image)
   {
-    vtkErrorMacro("There is no image to copy to.");
+    vtkErrorMacro("The image is null; pass a vtkImageData to CopyOcclusion().");
     return;
   }
   image->Initialize();

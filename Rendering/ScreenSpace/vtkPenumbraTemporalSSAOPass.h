@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraTemporalSSAOPass
- * @brief   Ambient occlusion from depth, kept and refined from frame to frame [TSSAO].
+ * @brief   Screen-space ambient occlusion, accumulated from frame to frame [TSSAO].
  *
- * A still view converges until the tolerance is met, then stops: no more work, the same bits. In
- * motion every surface point keeps the samples it has had. AddTo() sets up everything on a renderer
- * in one call, RemoveFrom() restores it.
+ * A static view is refined until the tolerance is met; further frames are identical and cost no
+ * samples. In motion, samples are reprojected with their surface point. AddTo() sets up everything
+ * on a renderer in one call, RemoveFrom() restores it.
  *
- * By hand it is a vtkImageProcessingPass: the delegate draws colour and depth, by default the whole
- * picture with its background. Only depth decides on the occlusion: any mapper will do.
+ * The pass can also be set up as any vtkImageProcessingPass: the delegate renders color and depth,
+ * by default the whole image with its background. Occlusion depends on depth only, so that any
+ * mapper works.
  *
- * Departures from [TSSAO]: a still view stops; all pixels take the same run of the sample sequence,
- * so that no index is stored; history is checked against the plane through the point.
+ * Departures from [TSSAO]: a static view stops; all pixels use the same section of the sample
+ * sequence, so that no index is stored; history is validated against the plane through the surface
+ * point.
  */
 #ifndef vtkPenumbraTemporalSSAOPass_h
 #define vtkPenumbraTemporalSSAOPass_h
@@ -40,9 +42,9 @@ public:
 
   ///@{
   /**
-   * Show ambient occlusion in a renderer: under its translucent geometry, volumes and overlays, and
-   * with whatever pass it already has. Returns the pass at work, also when there is one already.
-   * Removing restores the renderer's passes exactly.
+   * Add ambient occlusion to a renderer, or remove it: below its translucent geometry, volumes and
+   * overlays, in addition to its other passes. AddTo() returns the new pass, or the existing one if
+   * there is one. RemoveFrom() restores the passes of the renderer exactly.
    */
   static vtkPenumbraTemporalSSAOPass* AddTo(vtkRenderer* renderer);
   static void RemoveFrom(vtkRenderer* renderer);
@@ -50,45 +52,46 @@ public:
 
   ///@{
   /**
-   * The error accepted in a still view against its own limit, RMSE of any 16x16 pixels, 0.0001 to 1.
-   * Default: 0.01.
+   * Accepted error of a static view relative to its converged image: the RMSE of any 16x16 pixels.
+   * Range: [1e-4, 1]. Default: 0.01.
    */
   vtkPenumbraSetClampedNumberMacro(Tolerance, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
-  /** What Radius is measured in. */
+  /** Units of Radius. */
   enum RadiusUnits
   {
-    FRACTION_OF_BOUNDS, ///< diagonals of the visible props' bounds
+    FRACTION_OF_BOUNDS, ///< fraction of the diagonal of the visible props' bounds
     WORLD,              ///< world units
-    PIXELS              ///< pixels, at the camera's focal point
+    PIXELS              ///< pixels at the focal point of the camera
   };
   ///@{
-  /** Default: FRACTION_OF_BOUNDS. */
+  /** Unit of Radius. Default: FRACTION_OF_BOUNDS. */
   vtkSetClampMacro(RadiusUnit, int, FRACTION_OF_BOUNDS, PIXELS);
   vtkGetMacro(RadiusUnit, int);
   ///@}
 
   ///@{
   /**
-   * How far an occluder reaches, in RadiusUnit; 0: no occlusion. What is negative or not finite is
-   * refused. Default: 0.1.
+   * Maximum distance of occluders, in RadiusUnit; 0: no occlusion. Negative and non-finite values
+   * are rejected. Default: 0.1.
    */
   virtual void SetRadius(double radius);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /** Colours are multiplied by 1 - Strength * occlusion; 0 to 1. Default: 1. */
+  /** Colors are multiplied by 1 - Strength * occlusion. Range: [0, 1]. Default: 1. */
   vtkPenumbraSetClampedNumberMacro(Strength, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
   /**
-   * How far light spares a surface, 0 to 1: Strength falls by this times a colour's brightness (its
-   * largest component). Hues stay; of a colour map the bright colours are darkened less. Default: 0.
+   * Influence of brightness: Strength is multiplied by 1 - LightAwareness * brightness, where
+   * brightness is the largest component of the color. Hues do not change. Range: [0, 1]. Default:
+   * 0.
    */
   vtkPenumbraSetClampedNumberMacro(LightAwareness, 0.0, 1.0);
   vtkGetMacro(LightAwareness, double);
@@ -96,76 +99,103 @@ public:
 
   ///@{
   /**
-   * A kernel of vtkPenumbraKernels by name, the name of a registered vtkPenumbraOcclusionEstimator
-   * ("traced": vtkPenumbraTracedEstimator), or "automatic": true rays, where they are registered, the
-   * scene is at hand and does not change from frame to frame and Tolerance asks for more than one
-   * layer of depth can tell, interpolated where one Render() converges; else a kernel. Default: "automatic".
+   * Name of a kernel of vtkPenumbraKernels, name of a registered vtkPenumbraOcclusionEstimator
+   * ("traced": vtkPenumbraTracedEstimator), or "automatic". Automatic selects ray tracing if it is
+   * registered, the scene is available and static, and Tolerance is below the bias of the kernel;
+   * else the kernel "march". If a single Render() converges, traced occlusion is interpolated.
+   * Default: "automatic".
    */
   virtual void SetKernelName(const char* name);
   const char* GetKernelName() const { return this->KernelName.c_str(); }
   ///@}
 
-  /** The name of the kernel or estimator that the last frame used; of SetEstimator()'s: its class. */
+  /**
+   * Name of the kernel or estimator of the last frame; the class name if it was set with
+   * SetEstimator().
+   */
   const char* GetActiveKernelName();
 
   ///@{
-  /** Who estimates instead of a kernel. Default: none. */
+  /** Estimator that replaces the kernel. Default: none. */
   virtual void SetEstimator(vtkPenumbraOcclusionEstimator* estimator);
   vtkPenumbraOcclusionEstimator* GetEstimator();
   ///@}
 
   ///@{
-  /** Samples (depths fetched) a pixel and frame until AdaptiveConvergence: k1, 8 to 512. Default: 32.
-   * What converges in one render takes as many at once as its next look at the tolerance needs, but no
-   * more than 128 if this is not more. */
+  /**
+   * Samples (depth fetches) per pixel and frame up to AdaptiveConvergence, k1 in [TSSAO]. When
+   * converging within one Render(), batches have as many samples as the next tolerance check needs,
+   * at most 128 or FirstSamples. Range: [8, 512]. Default: 32.
+   */
   vtkSetClampMacro(FirstSamples, int, 8, 512);
   vtkGetMacro(FirstSamples, int);
   ///@}
 
   ///@{
-  /** Samples a pixel and frame from then on: k2, 8 to 512. Default: 8. */
+  /**
+   * Samples per pixel and frame above AdaptiveConvergence, k2 in [TSSAO]. Range: [8, 512]. Default:
+   * 8.
+   */
   vtkSetClampMacro(Samples, int, 8, 512);
   vtkGetMacro(Samples, int);
   ///@}
 
   ///@{
-  /** Samples after which older ones fade: w_max, 8 to 100000. Convergences are shares of it. Default: 500. */
+  /**
+   * Number of samples above which older ones fade, w_max in [TSSAO]. The convergence of a pixel is
+   * its number of samples divided by this. Range: [8, 1e5]. Default: 500.
+   */
   vtkPenumbraSetClampedNumberMacro(MaximumWeight, 8.0, 1e5);
   vtkGetMacro(MaximumWeight, double);
   ///@}
 
   ///@{
-  /** Convergence up to which frames take FirstSamples: c_adaptive, 0 to 1. Default: 0.2. */
+  /**
+   * Convergence up to which frames use FirstSamples, c_adaptive in [TSSAO]. Range: [0, 1]. Default:
+   * 0.2.
+   */
   vtkPenumbraSetClampedNumberMacro(AdaptiveConvergence, 0.0, 1.0);
   vtkGetMacro(AdaptiveConvergence, double);
   ///@}
 
   ///@{
-  /** Convergence from which pixels are not filtered: c_spatial, 0 to 1. Default: 0.3. */
+  /**
+   * Convergence from which pixels are not filtered, c_spatial in [TSSAO]. Range: [0, 1]. Default:
+   * 0.3.
+   */
   vtkPenumbraSetClampedNumberMacro(SpatialConvergence, 0.0, 1.0);
   vtkGetMacro(SpatialConvergence, double);
   ///@}
 
   ///@{
-  /** Convergence up to which samples differ from pixel to pixel: c_rot, 0 to 1. Default: 0.5. */
+  /**
+   * Convergence up to which samples differ from pixel to pixel, c_rot in [TSSAO]. Range: [0, 1].
+   * Default: 0.5.
+   */
   vtkPenumbraSetClampedNumberMacro(RotationConvergence, 0.0, 1.0);
   vtkGetMacro(RotationConvergence, double);
   ///@}
 
   ///@{
-  /** Samples that remain where a neighbour moved [TSSAO eq. 9], 0 to 1000. Default: 30. */
+  /**
+   * Maximum number of samples kept at a pixel if a neighbor moved [TSSAO eq. 9]. Range: [0, 1000].
+   * Default: 30.
+   */
   vtkPenumbraSetClampedNumberMacro(InvalidationWeight, 0.0, 1000.0);
   vtkGetMacro(InvalidationWeight, double);
   ///@}
 
   ///@{
-  /** Relative difference of depth from which history is another surface's, 0.0001 to 1; at most .08 radii, but for 1: never. Default: 0.02. */
+  /**
+   * Relative depth difference from which history is rejected as that of another surface; limited to
+   * 0.08 radii. 1: history is never rejected. Range: [1e-4, 1]. Default: 0.02.
+   */
   vtkPenumbraSetClampedNumberMacro(DepthTolerance, 1e-4, 1.0);
   vtkGetMacro(DepthTolerance, double);
   ///@}
 
   ///@{
-  /** Filter what has not converged. Default: on. */
+  /** If on, pixels below SpatialConvergence are filtered. Default: on. */
   vtkSetMacro(Filter, bool);
   vtkGetMacro(Filter, bool);
   vtkBooleanMacro(Filter, bool);
@@ -173,8 +203,9 @@ public:
 
   ///@{
   /**
-   * Drawn around the picture so that occluders just outside count: per cent of its larger side, 0 to
-   * 50; negative: the radius, at most 10, and nothing for true rays. Needs OpaqueOnly. Default: -1.
+   * Margin around the image, in which occluders have an effect, in percent of the larger image
+   * side. Negative: the radius, at most 10 percent, and 0 for ray tracing. Requires OpaqueOnly.
+   * Range: up to 50. Default: -1.
    */
   vtkPenumbraSetClampedNumberMacro(Margin, -1.0, 50.0);
   vtkGetMacro(Margin, double);
@@ -182,8 +213,9 @@ public:
 
   ///@{
   /**
-   * Every Render() draws the delegate exactly once, as a delegate needs that waits for other ranks; off:
-   * a still picture may be drawn in a cheaper way, which may take it a second time. Default: off.
+   * If on, every Render() renders the delegate exactly once, as required by a delegate that
+   * synchronizes with other ranks. If off, a cheaper path for static views may render it a second
+   * time. Default: off.
    */
   vtkSetMacro(DelegateOnce, bool);
   vtkGetMacro(DelegateOnce, bool);
@@ -192,46 +224,51 @@ public:
 
   ///@{
   /**
-   * History follows actors that move as rigid bodies: they are drawn once more, for which actor a pixel
-   * shows. Off: it is dropped where depth shows that something moved. Needs OpaqueOnly. Default: on.
+   * If on, history is reprojected with actors that move as rigid bodies; they are rendered a second
+   * time to identify the pixels of each actor. If off, history is discarded where depth shows
+   * motion. Requires OpaqueOnly. Default: on.
    */
   vtkSetMacro(UseActorMotion, bool);
   vtkGetMacro(UseActorMotion, bool);
   vtkBooleanMacro(UseActorMotion, bool);
   ///@}
 
-  /** When a single Render() converges. */
+  /** Conditions under which a single Render() converges. */
   enum ConvergeModes
   {
-    OFFSCREEN, ///< in offscreen windows; others spread the work over frames
+    OFFSCREEN, ///< in offscreen windows; other windows converge over several frames
     NEVER,
     ALWAYS
   };
   ///@{
-  /** Repeat the estimate within one Render() until the tolerance is met. Default: OFFSCREEN. */
+  /**
+   * Condition under which one Render() repeats the estimate until the tolerance is met. Default:
+   * OFFSCREEN.
+   */
   vtkSetClampMacro(ConvergeInOneRender, int, OFFSCREEN, ALWAYS);
   vtkGetMacro(ConvergeInOneRender, int);
   ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  /** Of the last frame: has it met the tolerance, so that the next one will be the same? */
+  /** Returns whether the last frame met the tolerance, so that the next one will be identical. */
   bool IsConverged();
 
-  /** Error of the worst 16x16 pixels of a still view that the pass believes in; huge while unknown. */
+  /** Estimated error of the worst 16x16 pixels of a static view; VTK_DOUBLE_MAX while unknown. */
   double GetEstimatedError();
 
   /**
-   * Of the last frame, one value an array: `Occlusion/Kernel` (the active one's name),
-   * `Samples/PerPixel` (new ones), `Samples/Static` (since the last change), and shares of the
-   * surface's pixels `Pixels/Reprojected`, `Pixels/ActorMotion` (history on actors that moved), `Pixels/Disoccluded`,
-   * `Pixels/Invalidated`, `Pixels/Converged`.
+   * Statistics of the last frame, one value per array: `Occlusion/Kernel` (name of the active
+   * kernel), `Samples/PerPixel` (new samples), `Samples/Static` (samples since the last change),
+   * and fractions of the pixels with a surface: `Pixels/Reprojected`, `Pixels/ActorMotion` (history
+   * on moving actors), `Pixels/Disoccluded`, `Pixels/Invalidated`, `Pixels/Converged`.
    */
   vtkFieldData* GetStatistics();
 
   /**
-   * Fill `image` with the last frame's float arrays `AmbientOcclusion` (filtered, 0 open, 1
-   * blocked), `Depth` (world units along the view axis, infinite where empty) and `Convergence`.
+   * Fill `image` with float arrays of the last frame: `AmbientOcclusion` (filtered, 0 unoccluded, 1
+   * fully occluded), `Depth` (world units along the view axis, infinite at empty pixels) and
+   * `Convergence`.
    */
   void CopyOcclusion(vtkImageData* image);
 
@@ -246,7 +283,7 @@ private:
   vtkPenumbraTemporalSSAOPass(const vtkPenumbraTemporalSSAOPass&) = delete;
   void operator=(const vtkPenumbraTemporalSSAOPass&) = delete;
 
-  vtkPenumbraOcclusionEstimator* ChooseEstimator(vtkRenderer* renderer, bool still);
+  vtkPenumbraOcclusionEstimator* ChooseEstimator(vtkRenderer* renderer, bool isStatic);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;

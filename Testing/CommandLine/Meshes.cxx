@@ -79,7 +79,7 @@ void WriteOff(vtkPolyData* mesh, const std::string& path)
   }
 }
 
-// glTF with its buffer beside it.
+// glTF with a separate buffer file.
 void WriteGltf(vtkPolyData* mesh, const std::string& folder)
 {
   std::ofstream buffer(folder + "/sphere.bin", std::ios::binary);
@@ -113,7 +113,7 @@ void WriteGltf(vtkPolyData* mesh, const std::string& folder)
     << 3 * mesh->GetNumberOfCells() << "}]}";
 }
 
-// The boxes of the structured formats: 5 x 5 x 5 points about the origin.
+// Boxes in the structured formats: 5 x 5 x 5 points centered at the origin.
 void WriteGrids(const std::string& folder)
 {
   vtkNew<vtkImageData> image;

@@ -11,15 +11,15 @@
 namespace penumbra_testing
 {
 
-/// A square of side 2 about the origin, at z = 0, facing +z: ASCII STL.
+/// A square of side 2 centered at the origin, at z = 0, facing +z: ASCII STL.
 std::string SquareStl();
 
 /// A sphere of radius 0.5 in `folder`: .stl .ply .obj .vtp .vtk .vtu .vts .vti .vtr .vtm .off
-/// .gltf, ... The names of the files.
+/// .gltf, ... Returns the names of the files.
 std::vector<std::string> WriteSpheres(const std::string& folder);
 
-/// A sphere of radius 0.5 as .vtp, its points with the arrays Height (z) and Direction (the
-/// normal), its cells with Number.
+/// A sphere of radius 0.5 as .vtp with the point arrays Height (z) and Direction (the normal) and the cell
+/// array Number.
 void WriteSphereWithArrays(const std::string& path);
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures that the program wrote, read back.
+// Reads images that the program wrote.
 #ifndef penumbra_testing_Pictures_h
 #define penumbra_testing_Pictures_h
 
@@ -15,12 +15,12 @@ class vtkImageData;
 namespace penumbra_testing
 {
 
-/// A picture of any format; an empty one when it cannot be read.
+/// Reads an image of any format; returns an empty image if it cannot be read.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path);
 
 using Pixel = std::array<double, 3>;
 
-/// The colour of a pixel, counted from the left and the bottom, full intensity 1.
+/// Color of a pixel in [0, 1]; the indices start at the lower left corner.
 Pixel PixelAt(vtkImageData* image, int x, int y);
 
 }

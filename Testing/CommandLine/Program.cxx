@@ -46,7 +46,7 @@ ProgramResult Spawn(
   std::vector<std::string> environment(settings);
   for (char** entry = environ; *entry; ++entry)
   {
-    environment.emplace_back(*entry); // What comes first counts.
+    environment.emplace_back(*entry); // The first entry of a name is used.
   }
   std::vector<char*> environmentPointers;
   for (std::string& entry : environment)
@@ -72,7 +72,7 @@ ProgramResult Spawn(
   return outcome;
 }
 
-// The log of the runs, away from the user's own.
+// The log of the runs, separate from the user's log.
 std::string LogSetting()
 {
   return "PENUMBRA_LOG=" + (fs::temp_directory_path() / "penumbra-tests" / "log").string();
@@ -130,6 +130,21 @@ std::string Quote(const std::string& text)
 ProgramResult RunShell(const std::string& script)
 {
   return Spawn({ "/bin/bash", "-c", script }, { LogSetting(), "PENUMBRA=" + ProgramPath() });
+}
+
+std::string WithoutToleranceWarnings(const std::string& errors)
+{
+  std::istringstream lines(errors);
+  std::string rest;
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.find("tolerance of") == std::string::npos ||
+      line.find("not reached") == std::string::npos)
+    {
+      rest += line + "\n";
+    }
+  }
+  return rest;
 }
 
 int CountLines(const std::string& text)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the real program and tells what came of it.
+// Runs the real program and returns its output.
 #ifndef penumbra_testing_Program_h
 #define penumbra_testing_Program_h
 
@@ -20,7 +20,7 @@ struct ProgramResult
   std::string Errors;
 };
 
-/// A folder of one test's own, removed when the test is over; all that it writes lies there.
+/// A temporary folder for the files of one test, removed by the destructor.
 class Folder
 {
 public:
@@ -31,19 +31,19 @@ public:
   void operator=(const Folder&) = delete;
 
   std::string operator/(const std::string& file) const { return this->Path + "/" + file; }
-  std::vector<std::string> List() const; ///< names in it, hidden ones too, sorted
+  std::vector<std::string> List() const; ///< sorted names, including hidden files
 
   const std::string Path;
 };
 
-/// penumbra ARGUMENTS... `setting`: NAME=VALUE for its environment, or empty.
+/// Runs penumbra ARGUMENTS... `setting`: NAME=VALUE for its environment, or empty.
 ProgramResult RunProgram(
   const std::vector<std::string>& arguments, const std::string& setting = std::string());
 
-/// The program by way of a shell, for limits and redirections; $PENUMBRA is the program.
+/// Runs a shell script, for limits and redirections; $PENUMBRA is the path of the program.
 ProgramResult RunShell(const std::string& script);
 
-/// For a shell; no text with quotes.
+/// Quotes an argument for a shell; the text must not contain quotes.
 std::string Quote(const std::string& text);
 
 /// Path of the program.
@@ -51,11 +51,14 @@ std::string ProgramPath();
 
 int CountLines(const std::string& text);
 
+/// `errors` without the warnings that the tolerance was not reached.
+std::string WithoutToleranceWarnings(const std::string& errors);
+
 void WriteText(const std::string& path, const std::string& text);
 std::string ReadText(const std::string& path);
 nlohmann::json ReadJson(const std::string& path);
 
-/// What `penumbra compare A B --json` reports.
+/// Returns the report of `penumbra compare A B --json`.
 nlohmann::json Compare(const std::string& a, const std::string& b);
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Everything that can be wrong with a command line or a file: a row each. Always one line on
-// stderr, the right exit status, nothing left where the picture would be.
+// A table of invalid command lines and files. Each prints one line on stderr, returns the expected exit
+// status, and leaves no output file.
 #include "Meshes.h"
 #include "Program.h"
 
@@ -23,9 +23,9 @@ struct Row
   const char* Name;
   int Status;
   const char* File;                 ///< written to mesh.EXTENSION
-  const char* Extension;            ///< of the file; null: there is none
-  std::vector<std::string> Options; ///< besides render mesh.EXTENSION --output picture.png
-  std::vector<const char*> Words;   ///< each stands in the line on stderr
+  const char* Extension;            ///< of the file; null: no file is written
+  std::vector<std::string> Options; ///< in addition to render mesh.EXTENSION --output picture.png
+  std::vector<const char*> Words;   ///< contained in the line on stderr
 };
 
 std::ostream& operator<<(std::ostream& os, const Row& row)
@@ -43,7 +43,7 @@ const char* const PlyWithNan = "ply\nformat ascii 1.0\nelement vertex 4\npropert
 const char* const ObjWithDegenerateTriangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0 0\n"
                                               "f 1 2 3\nf 1 2 4\nf 1 1 2\n";
 
-// Polygons of more than 255 corners are what vtkPLYReader loses.
+// vtkPLYReader loses polygons of more than 255 corners.
 std::string PlyWithLargePolygon()
 {
   std::string text = "ply\nformat ascii 1.0\nelement vertex 300\nproperty float x\n"
@@ -75,7 +75,7 @@ const char* const VtuWithShortHexahedron =
 <DataArray type="UInt8" Name="types" format="ascii">12</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>)";
 
 const Row Rows[] = {
-  // Bad use
+  // Invalid usage
   { "UnknownOption", 2, Square, "stl", { "--sparkle" },
     { "--sparkle", "unknown option", "--help" } },
   { "IndirectLightByRaster", 2, Square, "stl", { "--engine", "raster", "--indirect" },
@@ -205,16 +205,19 @@ const Row Rows[] = {
   { "NoMesh", 2, "# vtk DataFile Version 3.0\nempty\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n",
     "vtk", {}, { "mesh.vtk", "empty" } },
 
-  // Done, with one warning
+  // Success with one warning
   { "NanPoint", 0, PlyWithNan, "ply", {},
     { "warning", "mesh.ply", "1 of 4 points", "not finite" } },
   { "LookingAway", 0, Square, "stl",
     { "--camera-position", "0,0,5", "--camera-focal-point", "0,0,9" },
-    { "warning", "nothing in view", "--camera" } },
+    { "warning", "no surface is in view", "--camera" } },
   { "BlackOnBlack", 0, Square, "stl", { "--color", "0,0,0" },
-    { "warning", "cannot be told from the background", "colours" } },
+    { "warning", "color of the background", "colors" } },
+  { "HugeParallelScale", 0, Square, "stl",
+    { "--camera-orthographic", "--camera-parallel-scale", "1e20" },
+    { "warning", "no surface is in view" } },
   { "FarAway", 0, Square, "stl", { "--camera-position", "0,0,1e99" },
-    { "warning", "nothing in view" } },
+    { "warning", "no surface is in view" } },
   { "RadiusWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-radius", "1" },
     { "warning", "--ambient-occlusion-radius has no effect without --ambient-occlusion" } },
   { "PictureWithoutIndirectLight", 0, Square, "stl", { "--hdri-file", "sky.hdr" },
@@ -260,7 +263,7 @@ const Row Rows[] = {
   { "AllTransparent", 0, Square, "stl", { "--opacity", "0" },
     { "warning", "transparent", "--opacity" } },
 
-  // Done, in silence
+  // Success without messages
   { "DegenerateTriangle", 0, ObjWithDegenerateTriangle, "obj", {}, {} },
   { "EyeInTheSurface", 0, Square, "stl", { "--camera-position", "0,0,0.001" }, {} },
   { "OnePixel", 0, Square, "stl", { "--resolution", "1,1" }, {} },
@@ -274,7 +277,7 @@ class BadInput : public testing::TestWithParam<Row>
 {
 };
 
-TEST_P(BadInput, IsToldInOneLine)
+TEST_P(BadInput, PrintsOneLine)
 {
   const Row& row = GetParam();
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
@@ -322,7 +325,7 @@ std::string NameOf(const testing::TestParamInfo<Row>& row)
 
 INSTANTIATE_TEST_SUITE_P(Table, BadInput, testing::ValuesIn(Rows), NameOf);
 
-TEST(BadUse, IsToldInOneLine)
+TEST(InvalidUsage, PrintsOneLineError)
 {
   const Folder folder("bad-use");
   WriteText(folder / "square.stl", SquareStl());
@@ -386,7 +389,7 @@ TEST(BadUse, IsToldInOneLine)
   EXPECT_EQ(folder.List(), before);
 }
 
-TEST(BadUse, NamesAnUnknownSubcommand)
+TEST(InvalidUsage, NamesUnknownSubcommand)
 {
   EXPECT_NE(
     RunProgram({ "frobnicate" }).Errors.find("frobnicate: unknown subcommand"), std::string::npos);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra bake, from file to file.
+// penumbra bake through the real program.
 #include "Program.h"
 
 #include "vtkCellArray.h"
@@ -39,7 +39,7 @@ void WriteSphere(const std::string& path)
   writer->Write();
 }
 
-/// A picture in Radiance's format, 16 x 8, not run-length encoded, of radiance 1 in its upper half and of 0 below.
+/// A Radiance image of 16 x 8 pixels without run-length encoding: radiance 1 in the upper half, 0 below.
 void WriteSky(const std::string& path)
 {
   std::ofstream file(path, std::ios::binary);
@@ -52,7 +52,7 @@ void WriteSky(const std::string& path)
   }
 }
 
-/// The values that `Reader` finds in a file.
+/// Reads the values of a file with `Reader`.
 template <typename Reader>
 vtkSmartPointer<vtkDataArray> ValuesIn(
   const std::string& path, const char* name = "AmbientOcclusion")
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkDataArray> ValuesIn(
 
 }
 
-TEST(Bake, WritesTheSameValuesIntoEveryFormat)
+TEST(Bake, WritesSameValuesToEveryFormat)
 {
   const Folder folder("bake");
   WriteSphere(folder / "sphere.vtp");
@@ -83,7 +83,7 @@ TEST(Bake, WritesTheSameValuesIntoEveryFormat)
   ASSERT_EQ(poly->GetNumberOfTuples(), 50);
   for (vtkIdType i = 0; i < 50; ++i)
   {
-    EXPECT_EQ(poly->GetComponent(i, 0), 0.0); // a convex body sees the whole sky
+    EXPECT_EQ(poly->GetComponent(i, 0), 0.0); // a convex body is not occluded
     EXPECT_EQ(grid->GetComponent(i, 0), poly->GetComponent(i, 0));
     EXPECT_EQ(legacy->GetComponent(i, 0), poly->GetComponent(i, 0));
   }
@@ -95,7 +95,7 @@ TEST(Bake, WritesTheSameValuesIntoEveryFormat)
   EXPECT_EQ(colors->GetComponent(7, 0), 255.0);
 }
 
-TEST(Bake, ReportsWhatItDid)
+TEST(Bake, WritesStatistics)
 {
   const Folder folder("bake-report");
   const ProgramResult outcome = RunProgram({ "bake", Head, "--output", folder / "head.vtp",
@@ -114,7 +114,7 @@ TEST(Bake, ReportsWhatItDid)
   EXPECT_LT(s["Rays/Total"].get<double>(), 700.0 * s["Points/Total"].get<double>());
 }
 
-TEST(Bake, NeedsPolygonsOrAPointRadius)
+TEST(Bake, RequiresPolygonsOrPointRadius)
 {
   const Folder folder("bake-points");
   vtkNew<vtkPlaneSource> plane;
@@ -143,7 +143,7 @@ TEST(Bake, NeedsPolygonsOrAPointRadius)
   EXPECT_TRUE(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp"));
 }
 
-TEST(Bake, WritesColorsOfWhatIsAskedForOntoAMeshThatBringsTheOther)
+TEST(Bake, WritesColorsOfRequestedQuantity)
 {
   const Folder folder("bakeother");
   vtkNew<vtkSphereSource> sphere;
@@ -166,10 +166,10 @@ TEST(Bake, WritesColorsOfWhatIsAskedForOntoAMeshThatBringsTheOther)
   reader->Update();
   vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
   ASSERT_TRUE(colors);
-  EXPECT_EQ(colors->GetComponent(7, 0), 255.0); // a convex body is open
+  EXPECT_EQ(colors->GetComponent(7, 0), 255.0); // a convex body is not occluded
 }
 
-TEST(Bake, WritesTheLightOfTheSkyOntoAConvexBody)
+TEST(Bake, ComputesIrradianceOfConvexBody)
 {
   const Folder folder("bakelight");
   WriteSphere(folder / "sphere.vtp");
@@ -199,11 +199,11 @@ TEST(Bake, WritesTheLightOfTheSkyOntoAConvexBody)
   EXPECT_EQ(colors->GetComponent(7, 1), 128.0);
 }
 
-TEST(Bake, LetsOcclusionFalloffByItsName)
+TEST(Bake, AppliesNamedFalloff)
 {
   const Folder folder("bake-falloff");
   double last = 1.0;
-  for (const char* falloff : { "none", "linear", "square-root" }) // ever less
+  for (const char* falloff : { "none", "linear", "square-root" }) // decreasing occlusion
   {
     const ProgramResult outcome = RunProgram({ "bake", Head, "--output", folder / "baked.vtp",
       "--falloff", falloff, "--tolerance", "0.2" });
@@ -220,7 +220,7 @@ TEST(Bake, LetsOcclusionFalloffByItsName)
   }
 }
 
-TEST(Bake, WritesTheLightOfAPictureOfTheSky)
+TEST(Bake, ComputesIrradianceOfEnvironmentImage)
 {
   const Folder folder("bake-sky");
   WriteSphere(folder / "sphere.vtp");
@@ -236,13 +236,13 @@ TEST(Bake, WritesTheLightOfAPictureOfTheSky)
   vtkPointData* arrays = reader->GetOutput()->GetPointData();
   for (vtkIdType i = 0; i < reader->GetOutput()->GetNumberOfPoints(); ++i)
   {
-    // Half of the sky: pi (1 + n_z) / 2.
+    // Irradiance of a uniform hemisphere: pi (1 + n_z) / 2.
     const double up = arrays->GetNormals()->GetComponent(i, 2);
     EXPECT_NEAR(arrays->GetArray("Irradiance")->GetComponent(i, 1), 1.5707963 * (1.0 + up), .03);
   }
 }
 
-TEST(Bake, RefusesWhatIsNoPictureOfTheSky)
+TEST(Bake, RejectsInvalidEnvironmentImages)
 {
   const Folder folder("bake-no-sky");
   WriteSphere(folder / "sphere.vtp");
@@ -261,7 +261,7 @@ TEST(Bake, RefusesWhatIsNoPictureOfTheSky)
   }
 }
 
-TEST(Bake, LooksAroundByCubeMaps)
+TEST(Bake, GathersWithCubeMaps)
 {
   const Folder folder("bake-cube-map");
   WriteSphere(folder / "sphere.vtp");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// `penumbra chart` through the real program, at its quickest.
+// `penumbra chart --quick` through the real program.
 #include "Meshes.h"
 #include "Pictures.h"
 #include "Program.h"
@@ -28,7 +28,7 @@ struct Row
   double Count = 0.0;
 };
 
-/// The rows of a chart's table by method and setting.
+/// Rows of a chart's table by method and setting.
 std::map<std::string, Row> ReadRows(const std::string& path)
 {
   std::map<std::string, Row> rows;
@@ -55,7 +55,7 @@ ProgramResult RunChart(const Folder& folder, const std::string& family)
   return RunProgram({ "chart", "--quick", "--family", family, "--output", folder / "charts" });
 }
 
-TEST(Chart, ShowsThatExactBordersBeatSamples)
+TEST(Chart, RanksExactEdgesAboveSampling)
 {
   const Folder folder("chart");
   const ProgramResult outcome = RunChart(folder, "aa");
@@ -75,7 +75,7 @@ TEST(Chart, ShowsThatExactBordersBeatSamples)
   EXPECT_GT(rows["rays on a grid, 4 x 4"].Error, 0.01);
   EXPECT_LT(ours.Count, rows["rays on a grid, 4 x 4"].Count);
 
-  // Exact borders are on the front by rays; by seconds of so small a picture nobody knows.
+  // Exact edges are on the Pareto front by rays; times of such a small image are not reproducible.
   const std::string front = ReadText(folder / "charts/aa-front.csv");
   EXPECT_EQ(CountLines(front), 3) << front;
   EXPECT_NE(front.find("thin rods,Penumbra automatic,--tolerance 1/256,"), std::string::npos);
@@ -85,11 +85,11 @@ TEST(Chart, ShowsThatExactBordersBeatSamples)
   EXPECT_NE(ReadText(folder / "charts/aa.svg").find("<svg"), std::string::npos);
 }
 
-TEST(Chart, IsWholeWhenItIsCancelledAndGoesOnThere)
+TEST(Chart, IsCompleteWhenCancelledAndResumes)
 {
   const Folder folder("chart-cancelled");
   const std::string path = folder / "charts/irradiance.csv";
-  // The signal comes after the first row. Shells let what runs in the background ignore SIGINT.
+  // The signal comes after the first row. Shells start background processes with SIGINT ignored.
   const ProgramResult cancelled =
     RunShell("env --default-signal=INT $PENUMBRA chart --quick --family "
              "irradiance --output " +
@@ -117,7 +117,7 @@ TEST(Chart, IsWholeWhenItIsCancelledAndGoesOnThere)
   EXPECT_TRUE(std::filesystem::exists(folder / "charts/irradiance.png"));
 }
 
-TEST(Chart, BakesOntoThePointsOfAMesh)
+TEST(Chart, BakesOntoMeshPoints)
 {
   const Folder folder("chart-baking");
   WriteSphereWithArrays(folder / "ball.vtp");
@@ -135,7 +135,7 @@ TEST(Chart, BakesOntoThePointsOfAMesh)
     rows.at("rays at every point, tolerance 0.03").Count);
 }
 
-TEST(Chart, RefusesFoldersAndMeshesThatDoNotSuit)
+TEST(Chart, RejectsInvalidFoldersAndMeshes)
 {
   const Folder folder("chart-bad");
   WriteText(folder / "aa.csv", "something else\n");

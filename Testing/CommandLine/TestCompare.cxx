@@ -12,7 +12,7 @@ using namespace penumbra_testing;
 namespace
 {
 
-// Unlit pictures of one colour all over.
+// Unlit images of a uniform color.
 void Paint(const Folder& folder, const std::string& name, const std::string& color)
 {
   WriteText(folder / "square.stl", SquareStl());
@@ -22,7 +22,7 @@ void Paint(const Folder& folder, const std::string& name, const std::string& col
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
 }
 
-TEST(Compare, ReportsTheMetricAndTheThreshold)
+TEST(Compare, ReportsMetricAndThreshold)
 {
   const Folder folder("compare");
   Paint(folder, "a.png", "0.4,0.4,0.4");
@@ -40,7 +40,7 @@ TEST(Compare, ReportsTheMetricAndTheThreshold)
   EXPECT_EQ(equal.Status, 0) << equal.Output;
 }
 
-TEST(Compare, TakesTheNearestBaseline)
+TEST(Compare, UsesNearestBaseline)
 {
   const Folder folder("compare-best");
   Paint(folder, "a.png", "0.4,0.4,0.4");
@@ -56,7 +56,7 @@ TEST(Compare, TakesTheNearestBaseline)
   EXPECT_EQ(report["above_threshold"], false);
 }
 
-TEST(Compare, AsksForNearness)
+TEST(Compare, AppliesTolerance)
 {
   const Folder folder("compare-near");
   Paint(folder, "a.png", "0.4,0.4,0.4");
@@ -73,7 +73,7 @@ TEST(Compare, AsksForNearness)
   EXPECT_EQ(compare("b.png", { "--tolerance", "0" }).Status, 1);
   EXPECT_EQ(compare("a.png", { "--tolerance", "0" }).Output,
     "excess 0 from " + folder / "a.png" + ", within 1\n");
-  // Every pixel is off, of which 1 in 100 may be.
+  // Every pixel differs; 1 % may.
   EXPECT_EQ(compare("c.png", { "--tolerance", "1" }).Output,
     "excess 100 from " + folder / "c.png" + ", above 1\n");
   EXPECT_EQ(compare("c.png", { "--tolerance", "1", "--mask", folder / "white.png" }).Status, 1);
@@ -82,7 +82,7 @@ TEST(Compare, AsksForNearness)
   EXPECT_NE(nothing.Errors.find("the mask leaves no pixel"), std::string::npos) << nothing.Errors;
 }
 
-TEST(Compare, PaintsTheDifference)
+TEST(Compare, WritesDifferenceImage)
 {
   const Folder folder("compare-difference");
   Paint(folder, "a.png", "0.4,0.4,0.4");

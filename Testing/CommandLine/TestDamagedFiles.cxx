@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files cut short and files with wrong bytes, of every format: the program ends with 0 or 2 and at
-// most one line, never by a crash. The same damage on every run; $PENUMBRA_DAMAGES sets how many
-// of each kind a file suffers.
+// Truncated and modified files of every format: the program exits with 0 or 2 and prints at most one line;
+// it never crashes. The damage is the same in every run; $PENUMBRA_DAMAGES sets the number of variants of
+// each kind per file.
 #include "Meshes.h"
 #include "Program.h"
 
@@ -20,7 +20,7 @@ using namespace penumbra_testing;
 namespace
 {
 
-// A generator of its own: the standard library's distributions differ between its versions.
+// A fixed generator, because the distributions of the standard library differ between versions.
 class Dice
 {
 public:
@@ -50,7 +50,7 @@ std::string Cut(const std::string& bytes, Dice& dice)
   return bytes.substr(0, dice.Below(bytes.size()));
 }
 
-// One byte in two hundred, two at least; half of the time near the beginning, where headers are.
+// Modifies one byte in 200, at least two; half of them near the beginning, in the header.
 std::string Scratch(std::string bytes, Dice& dice)
 {
   const std::size_t scratches = 2 + dice.Below(1 + bytes.size() / 200);
@@ -62,7 +62,7 @@ std::string Scratch(std::string bytes, Dice& dice)
   return bytes;
 }
 
-// Another digit for a digit: counts and indices that are read, and wrong.
+// Replaces digits by other digits, which gives valid but wrong counts and indices.
 std::string ChangeDigits(std::string bytes, Dice& dice)
 {
   for (int i = 0; i < 200; ++i)
@@ -79,7 +79,7 @@ std::string ChangeDigits(std::string bytes, Dice& dice)
 class DamagedFiles : public testing::TestWithParam<std::string>
 {
 protected:
-  // A wrong count may ask for any amount of memory; 4 GiB are enough to find out.
+  // A wrong count may request any amount of memory; limit it to 4 GiB.
   static void SetUpTestSuite()
   {
 #if !defined(__SANITIZE_ADDRESS__)
@@ -91,7 +91,7 @@ protected:
   }
 };
 
-TEST_P(DamagedFiles, NeverCrashTheProgram)
+TEST_P(DamagedFiles, DoNotCrashProgram)
 {
   const std::string name = GetParam();
   const Folder folder("damaged-" + name);

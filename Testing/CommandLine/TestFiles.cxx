@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files are written whole or not at all, never over an input, and a file that is not whole, or whose
-// reader never ends, is told as damaged.
+// Files are written completely or not at all and never overwrite an input. Truncated files, and files whose
+// readers do not end, are reported as damaged.
 #include "Meshes.h"
 #include "Program.h"
 
@@ -24,14 +24,14 @@ void ExpectRefused(const ProgramResult& outcome, const std::string& words)
   EXPECT_NE(outcome.Errors.find(words), std::string::npos) << outcome.Errors;
 }
 
-// `arguments`, quoted where needed, with a limit on the size of files.
+// Runs the program with a limit on the file size. `arguments` are quoted if needed.
 ProgramResult RunOnFullDisk(std::uintmax_t bytes, const std::string& arguments)
 {
   return RunShell("set -o pipefail; prlimit --fsize=" + std::to_string(bytes) + " $PENUMBRA " +
-    arguments + " 2>&1 | cat >&2"); // The limit is not for the messages.
+    arguments + " 2>&1 | cat >&2"); // The limit must not apply to messages.
 }
 
-// The disk is full before the last byte of the file, or in its middle.
+// The disk is full before the last byte of the file, or at its middle.
 void ExpectWholeOrNothing(
   const Folder& folder, const std::string& name, const std::string& arguments)
 {
@@ -46,7 +46,7 @@ void ExpectWholeOrNothing(
   }
 }
 
-TEST(FullDisk, LeavesNoPartOfAMesh)
+TEST(FullDisk, LeavesNoPartialMesh)
 {
   const Folder folder("full-mesh");
   WriteText(folder / "square.stl", SquareStl());
@@ -57,7 +57,7 @@ TEST(FullDisk, LeavesNoPartOfAMesh)
   }
 }
 
-TEST(FullDisk, LeavesNoPartOfAPicture)
+TEST(FullDisk, LeavesNoPartialImage)
 {
   const Folder folder("full-picture");
   WriteText(folder / "square.stl", SquareStl());
@@ -75,7 +75,7 @@ TEST(FullDisk, LeavesNoPartOfAPicture)
   }
 }
 
-TEST(FullDisk, LeavesNoPartOfAnAnimation)
+TEST(FullDisk, LeavesNoPartialFrame)
 {
   const Folder folder("full-animation");
   WriteText(folder / "square.stl", SquareStl());
@@ -87,7 +87,7 @@ TEST(FullDisk, LeavesNoPartOfAnAnimation)
   EXPECT_EQ(folder.List(), before);
 }
 
-TEST(FullDisk, LeavesNoPartOfStatistics)
+TEST(FullDisk, LeavesNoPartialStatistics)
 {
   const Folder folder("full-statistics");
   WriteText(folder / "square.stl", SquareStl());
@@ -108,7 +108,7 @@ TEST(FullDisk, LeavesNoPartOfStatistics)
   }
 }
 
-// Pieces, blocks and what links lead to, each with what it must hold afterwards.
+// Pieces, blocks and link targets with their expected contents after the run.
 class Inputs : public testing::Test
 {
 protected:
@@ -125,7 +125,7 @@ protected:
   Folder At{ "inputs" };
 };
 
-TEST_F(Inputs, AreNotBakedOver)
+TEST_F(Inputs, AreNotOverwrittenByBake)
 {
   WriteSpheres(this->At.Path);
   fs::create_hard_link(this->At / "sphere.ply", this->At / "hard.ply");
@@ -145,7 +145,7 @@ TEST_F(Inputs, AreNotBakedOver)
     { "bake", this->At / "block.vtm", "--output", this->At / "sphere.vtp" }, "sphere.vtp");
 }
 
-TEST_F(Inputs, AreNotDrawnOver)
+TEST_F(Inputs, AreNotOverwrittenByRender)
 {
   WriteText(this->At / "square.stl", SquareStl());
   const std::string square = this->At / "square.stl";
@@ -183,10 +183,10 @@ TEST_F(Inputs, AreNotDrawnOver)
     "piece.vti");
 }
 
-TEST(Reading, EndsWithinItsLimit)
+TEST(Reading, EndsWithinTimeLimit)
 {
   const Folder folder("read-limit");
-  // No blank line ends the header: VTK's reader looks for it for ever.
+  // Without a blank line after the header, VTK's reader does not end.
   WriteText(folder / "a.nrrd",
     "NRRD0004\ntype: float\ndimension: 3\nsizes: 4 4 4\n" +
       std::string("spacings: 1 1 1\nencoding: raw\n"));
@@ -198,7 +198,7 @@ TEST(Reading, EndsWithinItsLimit)
   const ProgramResult outcome = RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.nrrd") +
     " --read-limit 1 --output " + Quote(folder / "p.png"));
   ExpectRefused(outcome, "a.nrrd: ");
-  // An unknown line: VTK's reader waits for a known one for ever.
+  // With an unknown line, VTK's reader does not end.
   WriteText(folder / "a.case", "FORMAT\ntype: ensight gold\nunknown\nGEOMETRY\nmodel: a.geo\n");
   ExpectRefused(RunShell("timeout 20 $PENUMBRA render " + Quote(folder / "a.case") +
                   " --read-limit 0.5 --output " + Quote(folder / "p.png")),
@@ -211,7 +211,7 @@ TEST(Reading, EndsWithinItsLimit)
     0);
 }
 
-TEST(Reading, TakesMemoryInProportionToTheFile)
+TEST(Reading, LimitsMemoryByFileSize)
 {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "The sanitizer counts memory otherwise.";
@@ -237,7 +237,7 @@ struct Sample
   std::string Bytes;
 };
 
-// Small whole files of the formats whose readers take what there is.
+// Small complete files of the formats whose readers accept truncated files.
 std::vector<Sample> Samples()
 {
   const auto zeros = [](std::size_t count) { return std::string(count, '\0'); };
@@ -262,7 +262,7 @@ std::vector<Sample> Samples()
   return samples;
 }
 
-// Cut anywhere but within the last number or white space.
+// Truncates anywhere except within the last number or white space.
 void ExpectCutsRefused(const Folder& folder, const std::string& name, const std::string& bytes,
   const std::string& opened)
 {
@@ -277,9 +277,9 @@ void ExpectCutsRefused(const Folder& folder, const std::string& name, const std:
   fs::remove(folder / "p.png");
   const std::size_t end = bytes.find_last_not_of(" \n");
   std::vector<std::size_t> cuts;
-  for (const double share : { 0.1, 0.3, 0.5, 0.7, 0.9 })
+  for (const double fraction : { 0.1, 0.3, 0.5, 0.7, 0.9 })
   {
-    cuts.push_back(static_cast<std::size_t>(share * static_cast<double>(end)));
+    cuts.push_back(static_cast<std::size_t>(fraction * static_cast<double>(end)));
   }
   cuts.push_back(end);
   for (const std::size_t cut : cuts)
@@ -294,7 +294,7 @@ void ExpectCutsRefused(const Folder& folder, const std::string& name, const std:
   }
 }
 
-TEST(Truncated, ValuesAreMissed)
+TEST(Truncated, MissingValuesAreReported)
 {
   const Folder folder("truncated");
   for (const Sample& sample : Samples())
@@ -303,7 +303,7 @@ TEST(Truncated, ValuesAreMissed)
   }
 }
 
-TEST(Truncated, LegacyFilesAreMissed)
+TEST(Truncated, LegacyFilesAreReported)
 {
   const Folder folder("truncated-legacy");
   WriteSpheres(folder.Path);
@@ -318,7 +318,7 @@ TEST(Truncated, LegacyFilesAreMissed)
     "");
 }
 
-TEST(Truncated, GeometriesOfCasesAreMissed)
+TEST(Truncated, EnSightGeometriesAreReported)
 {
   const Folder folder("truncated-case");
   WriteText(folder / "a.case", "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: a.geo\n");
@@ -328,14 +328,14 @@ TEST(Truncated, GeometriesOfCasesAreMissed)
     "a.case");
 }
 
-TEST(Faults, ClosedStreamsTakeNothingFromAPicture)
+TEST(Faults, ClosedStreamsDoNotChangeImages)
 {
   const Folder folder("closed");
   WriteText(folder / "square.stl", SquareStl());
   const std::string render =
     "$PENUMBRA render " + Quote(folder / "square.stl") + " --resolution 40,30 --output ";
   ASSERT_EQ(RunShell(render + Quote(folder / "a.tif")).Status, 0);
-  // The .tif, since the library that writes it warns on stderr.
+  // Use .tif, because libtiff prints warnings on stderr.
   for (const std::string closed : { ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-" })
   {
     EXPECT_EQ(RunShell(render + Quote(folder / "b.tif") + " " + closed).Status, 0) << closed;
@@ -347,7 +347,7 @@ TEST(Faults, ClosedStreamsTakeNothingFromAPicture)
   EXPECT_EQ(RunShell("$PENUMBRA render missing.stl --output p.png 2>&-").Status, 2);
 }
 
-TEST(Faults, NamesWithNewlinesStayOnOneLine)
+TEST(Faults, NamesWithNewlinesArePrintedInOneLine)
 {
   const Folder folder("newlines");
   WriteText(folder / "a\nb.stl", SquareStl());
@@ -364,7 +364,7 @@ TEST(Faults, NamesWithNewlinesStayOnOneLine)
     "reading takes more");
 }
 
-TEST(Faults, ManyThreadsAreFine)
+TEST(Faults, ManyThreadsSucceed)
 {
   const Folder folder("threads");
   WriteText(folder / "square.stl", SquareStl());
@@ -377,7 +377,7 @@ TEST(Faults, ManyThreadsAreFine)
   EXPECT_EQ(ReadText(folder / "1.png"), ReadText(folder / "1000.png"));
 }
 
-TEST(Faults, WritersOfOneFileLeaveOneWholeFile)
+TEST(Faults, ConcurrentWritersLeaveOneCompleteFile)
 {
   const Folder folder("writers");
   WriteText(folder / "square.stl", SquareStl());
@@ -389,7 +389,7 @@ TEST(Faults, WritersOfOneFileLeaveOneWholeFile)
   EXPECT_EQ(folder.List(), (std::vector<std::string>{ "p.ply", "q.ply", "square.stl" }));
 }
 
-TEST(Faults, ReadOnlyFoldersAreTold)
+TEST(Faults, ReadOnlyFoldersAreReported)
 {
   if (RunShell("[ $(id -u) = 0 ] && command -v setpriv >/dev/null").Status != 0)
   {
@@ -408,7 +408,7 @@ TEST(Faults, ReadOnlyFoldersAreTold)
   }
 }
 
-TEST(Faults, SignalsLeaveNoPartOfAMesh)
+TEST(Faults, SignalsLeaveNoPartialMesh)
 {
   const Folder folder("signals-bake");
   WriteSpheres(folder.Path);
@@ -420,7 +420,7 @@ TEST(Faults, SignalsLeaveNoPartOfAMesh)
         " --tolerance 0.0001 --quantity irradiance --bounces 64" + " --albedo 1 --output " +
         Quote(folder / "p.ply") + " --statistics " + Quote(folder / "s.json") +
         " & program=$!; sleep 0.1; kill -" + name + " $program; wait $program 2>/dev/null");
-    if (outcome.Status != 0) // It may have been quicker.
+    if (outcome.Status != 0) // The program may have ended before.
     {
       EXPECT_EQ(outcome.Status, status);
       EXPECT_EQ(folder.List(), before);

@@ -18,7 +18,7 @@
 
 using namespace penumbra_testing;
 
-TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
+TEST(Render, EnginesComputeSimilarOcclusion)
 {
   const Folder folder("occlusion");
   const std::vector<std::string> scene = { PENUMBRA_SOURCE_DIR "/Data/bracket.stl", "--resolution",
@@ -40,7 +40,7 @@ TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
   const char* const names[2] = { "Depth", "AmbientOcclusion" };
   for (vtkIdType i = 0; i < traced->GetNumberOfPoints(); ++i)
   {
-    // Pixels on an outline see one surface or the other.
+    // Pixels on a silhouette show one of two surfaces.
     const double depth = traced->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
     const double drawnDepth = drawn->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
     if (std::isfinite(depth) && std::abs(drawnDepth / depth - 1.0) < 0.01)
@@ -69,7 +69,7 @@ TEST(Render, TellsMuchTheSameOcclusionByBothEngines)
   EXPECT_GT(fine["statistics"]["Samples/Static"], report["statistics"]["Samples/Static"]);
 }
 
-TEST(Render, SparesBrightColoursByLightAwareness)
+TEST(Render, LightAwarenessReducesDarkeningOfBrightColors)
 {
   const Folder folder("awareness");
   const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
@@ -95,7 +95,7 @@ TEST(Render, SparesBrightColoursByLightAwareness)
   EXPECT_GT(right, 0.85 * dark); // not along edges, where a pixel's samples show several surfaces
 }
 
-TEST(Render, TellsMuchTheSameOcclusionByBothGatherers)
+TEST(Render, GatherersComputeSimilarOcclusion)
 {
   const Folder folder("gatherers");
   for (const char* gatherer : { "rays", "cube-map" })
@@ -117,11 +117,12 @@ TEST(Render, TellsMuchTheSameOcclusionByBothGatherers)
   EXPECT_LT(Compare(folder / "rays.png", folder / "cube-map.png")["metrics"]["rmse"], 0.01);
 }
 
-TEST(Render, LetsOcclusionFalloffByItsName)
+TEST(Render, AppliesNamedFalloff)
 {
   const Folder folder("falloff");
   double last = 1.0;
-  for (const char* falloff : { "none", "quadratic", "linear", "square-root" }) // ever less
+  for (const char* falloff :
+    { "none", "quadratic", "linear", "square-root" }) // decreasing occlusion
   {
     const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
       "--resolution", "60,40", "--camera-direction=-1,-1,-2", "--tolerance", "0.05",

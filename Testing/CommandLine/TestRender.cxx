@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What `penumbra render` promises, tried on small meshes through the real program.
+// `penumbra render` on small meshes through the real program.
 #include "Meshes.h"
 #include "Pictures.h"
 #include "Program.h"
@@ -21,7 +21,7 @@ using namespace penumbra_testing;
 namespace
 {
 
-// render square.stl --output FOLDER/name OPTIONS...; the picture.
+// Runs render square.stl --output FOLDER/name OPTIONS... and returns the image.
 vtkSmartPointer<vtkImageData> RenderSquare(
   const Folder& folder, const std::string& name, const std::vector<std::string>& options)
 {
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> RenderSquare(
   return ReadImage(folder / name);
 }
 
-TEST(Render, ReadsEveryFormatIntoTheSamePicture)
+TEST(Render, RendersEveryFormatToSameImage)
 {
   const Folder folder("formats");
   const std::vector<std::string> files = WriteSpheres(folder.Path);
@@ -59,7 +59,7 @@ TEST(Render, ReadsEveryFormatIntoTheSamePicture)
   }
 }
 
-TEST(Render, WritesEveryFormatOfPictures)
+TEST(Render, WritesEveryImageFormat)
 {
   const Folder folder("pictures");
   RenderSquare(folder, "reference.vti", {});
@@ -72,7 +72,7 @@ TEST(Render, WritesEveryFormatOfPictures)
   }
 }
 
-TEST(Render, WritesTheArraysOfTheContract)
+TEST(Render, WritesDocumentedArrays)
 {
   const Folder folder("arrays");
   const auto image = RenderSquare(folder, "picture.vti",
@@ -99,7 +99,7 @@ TEST(Render, WritesTheArraysOfTheContract)
   EXPECT_EQ(image->GetFieldData()->GetArray("DotsPerInch")->GetComponent(0, 0), 150.0);
 }
 
-TEST(Render, NamesCellsByTheirNumberInTheFile)
+TEST(Render, WritesCellIdsOfFile)
 {
   const Folder folder("cell-ids");
   WriteSpheres(folder.Path);
@@ -118,14 +118,14 @@ TEST(Render, NamesCellsByTheirNumberInTheFile)
   }
 }
 
-TEST(Render, WritesTheResolutionInDotsPerInch)
+TEST(Render, WritesDotsPerInch)
 {
   const Folder folder("dpi");
   const std::vector<std::string> dpi = { "--dpi", "300" };
   RenderSquare(folder, "p.png", dpi);
   RenderSquare(folder, "p.jpg", dpi);
   RenderSquare(folder, "p.bmp", dpi);
-  // 300 / 0.0254 = 11811 pixels a metre = 0x2e23; the checksum of this chunk is well known.
+  // 300 / 0.0254 = 11811 pixels per meter = 0x2e23; the checksum of this chunk is well known.
   EXPECT_NE(ReadText(folder / "p.png")
               .find(std::string("\0\0\0\x09pHYs\0\0\x2e\x23\0\0\x2e\x23\x01"
                                 "\x78\xa5\x3f\x76",
@@ -135,7 +135,7 @@ TEST(Render, WritesTheResolutionInDotsPerInch)
   EXPECT_EQ(ReadText(folder / "p.bmp").substr(38, 8), std::string("\x23\x2e\0\0\x23\x2e\0\0", 8));
 }
 
-TEST(Render, ReportsStatistics)
+TEST(Render, WritesStatistics)
 {
   const Folder folder("statistics");
   RenderSquare(folder, "p.png",
@@ -156,7 +156,7 @@ TEST(Render, ReportsStatistics)
   EXPECT_GT(report["peak_memory_bytes"], 1000000);
 }
 
-TEST(Render, DoesNotDependOnThreads)
+TEST(Render, IsIndependentOfThreadCount)
 {
   const Folder folder("threads");
   WriteSpheres(folder.Path);
@@ -169,7 +169,7 @@ TEST(Render, DoesNotDependOnThreads)
   EXPECT_EQ(Compare(folder / "1.vti", folder / "5.vti")["metrics"]["max"], 0.0);
 }
 
-TEST(Render, TakesTheLastOfARepeatedOption)
+TEST(Render, UsesLastValueOfRepeatedOption)
 {
   const Folder folder("repeated");
   const auto image = RenderSquare(folder, "p.png",
@@ -180,7 +180,7 @@ TEST(Render, TakesTheLastOfARepeatedOption)
   EXPECT_EQ(PixelAt(image, 4, 1), (Pixel{ 0, 1, 0 }));
 }
 
-TEST(Render, PlacesTheCameraWhereItIsTold)
+TEST(Render, PlacesCamera)
 {
   const Folder folder("camera");
   const std::vector<std::string> plain = { "--no-lighting", "--camera-position", "0,0,10",
@@ -194,14 +194,14 @@ TEST(Render, PlacesTheCameraWhereItIsTold)
   }
   EXPECT_NEAR(sum / image->GetNumberOfPoints(), 0.5 * 3.0 / 8.0, 1e-4);
 
-  // Seen from the side it is a line, from behind it is whole again.
+  // From the side it is a line, from behind it is completely visible.
   std::vector<std::string> turned = plain;
   turned.insert(turned.end(), { "--camera-azimuth-angle", "180" });
   RenderSquare(folder, "behind.vti", turned);
   EXPECT_LE(Compare(folder / "p.vti", folder / "behind.vti")["metrics"]["max"], 1e-4);
 }
 
-TEST(Render, ShowsAllByDefaultFromAnyDirection)
+TEST(Render, FitsBoundsFromAnyDirection)
 {
   const Folder folder("fit");
   for (const char* direction : { "0,0,-1", "0,0,1", "-1,-1,-1", "0,-1,0.2", "0,-1,0" })
@@ -227,7 +227,7 @@ TEST(Render, ShowsAllByDefaultFromAnyDirection)
   }
 }
 
-TEST(Render, SeesASphereFromItsCenter)
+TEST(Render, RendersSphereFromItsCenter)
 {
   const Folder folder("inside");
   WriteSpheres(folder.Path);
@@ -240,7 +240,7 @@ TEST(Render, SeesASphereFromItsCenter)
   EXPECT_EQ(PixelAt(image, 10, 7), (Pixel{ 1, 1, 1 }));
 }
 
-TEST(Render, ZoomsInParallelWithoutComingCloser)
+TEST(Render, ZoomsParallelProjectionWithoutMovingCamera)
 {
   const Folder folder("parallel-zoom");
   WriteSpheres(folder.Path);
@@ -258,7 +258,7 @@ TEST(Render, ZoomsInParallelWithoutComingCloser)
   EXPECT_NEAR(depths(part)->GetComponent(0, 0), depths(part)->GetComponent(middle, 0), 0.02);
 }
 
-TEST(Render, LightsFromWhereItIsTold)
+TEST(Render, PlacesLights)
 {
   const Folder folder("lights");
   const auto brightness = [&](const std::vector<std::string>& options) {
@@ -273,10 +273,10 @@ TEST(Render, LightsFromWhereItIsTold)
   EXPECT_NEAR(brightness({ "--light-position", "0,4,3,0", "--light-position=4,0,3,0" }), 1.2, 1e-5);
 }
 
-TEST(Render, DrawsLightShaftsInFog)
+TEST(Render, RendersLightShafts)
 {
   const Folder folder("shafts");
-  // Lit fog, without end beside the square and up to it in the middle [Shafts eq. 1].
+  // The lit medium is infinite next to the square and ends at the square in the middle [Shafts eq. 1].
   const double cosine = -0.6;
   const double light = 0.2 / 0.5 * 3.0 / (16.0 * 3.14159265) * (1.0 + cosine * cosine);
   const auto image = RenderSquare(folder, "p.vti",
@@ -289,7 +289,7 @@ TEST(Render, DrawsLightShaftsInFog)
   EXPECT_NEAR(PixelAt(image, 20, 15)[0], light * (1.0 - std::exp(-0.5 * depth)), 1e-5);
 }
 
-TEST(Render, DrawsMuchTheSameLightShaftsByBothEngines)
+TEST(Render, EnginesRenderSimilarLightShafts)
 {
   const Folder folder("engines");
   for (const std::string engine : { "ray", "raster" })
@@ -302,7 +302,7 @@ TEST(Render, DrawsMuchTheSameLightShaftsByBothEngines)
   EXPECT_LT(Compare(folder / "raster.png", folder / "ray.png")["metrics"]["rmse"], 0.02);
 }
 
-TEST(Render, WarnsWhereAHeadlightMakesNoShafts)
+TEST(Render, WarnsThatHeadlightsCastNoShafts)
 {
   const Folder folder("headlight");
   WriteText(folder / "square.stl", SquareStl());
@@ -316,7 +316,7 @@ TEST(Render, WarnsWhereAHeadlightMakesNoShafts)
   }
 }
 
-TEST(Render, LeavesTheBackgroundOut)
+TEST(Render, WritesTransparentBackground)
 {
   const Folder folder("alpha");
   const std::vector<std::string> look = { "--no-lighting", "--color", "0.2,0.6,1", "--opacity",
@@ -343,7 +343,7 @@ TEST(Render, ColorsByData)
     EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
     return PixelAt(ReadImage(folder / "p.png"), 15, 15)[0];
   };
-  // The eye looks at the pole, where z is largest and the direction is (0, 0, 1).
+  // The camera looks at the pole, where z is largest and the direction is (0, 0, 1).
   EXPECT_NEAR(center({ "--scalar-coloring" }), 1.0, 0.01);
   EXPECT_NEAR(center({ "--coloring-array", "Height", "--coloring-range", "0,1" }), 0.5, 0.02);
   EXPECT_NEAR(center({ "--coloring-array", "Direction", "--coloring-component", "2",
@@ -358,7 +358,7 @@ TEST(Render, ColorsByData)
   EXPECT_NE(unknown.Errors.find("Number"), std::string::npos) << unknown.Errors;
 }
 
-TEST(Render, DrawsALegendWithBothEngines)
+TEST(Render, RendersScalarBarWithBothEngines)
 {
   const Folder folder("legend");
   WriteSphereWithArrays(folder / "sphere.vtp");
@@ -369,7 +369,7 @@ TEST(Render, DrawsALegendWithBothEngines)
         "Height", "--resolution", "200,200", "--engine", engine, "--output", folder / "p.png" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "");
-    // The band stands at .82 to .88 of the width, where the sphere does not reach.
+    // The band stands at 0.82 to 0.88 of the width, beside the sphere.
     const auto picture = ReadImage(folder / "p.png");
     const auto low = PixelAt(picture, 170, 30);
     const auto high = PixelAt(picture, 170, 150);
@@ -378,7 +378,7 @@ TEST(Render, DrawsALegendWithBothEngines)
   }
 }
 
-TEST(Render, MakesOnePictureOfEachFile)
+TEST(Render, RendersOneImagePerFile)
 {
   const Folder folder("each");
   WriteSpheres(folder.Path);
@@ -394,7 +394,7 @@ TEST(Render, MakesOnePictureOfEachFile)
   EXPECT_FALSE(std::filesystem::exists(folder / "out-broken.png"));
 }
 
-TEST(Render, DrawsAllFilesInOneScene)
+TEST(Render, RendersAllFilesInOneScene)
 {
   const Folder folder("scene");
   WriteText(folder / "square.stl", SquareStl());
@@ -407,7 +407,7 @@ TEST(Render, DrawsAllFilesInOneScene)
   EXPECT_EQ(objects->GetRange(0)[1], 1.0);
 }
 
-TEST(Render, TakesColoursAndDirectionsByName)
+TEST(Render, AcceptsNamedColorsAndDirections)
 {
   const Folder folder("names");
   WriteText(folder / "square.stl", SquareStl());
@@ -430,7 +430,7 @@ TEST(Render, TakesColoursAndDirectionsByName)
   }
 }
 
-TEST(Render, AddsTheLightOfTheEnvironment)
+TEST(Render, AddsEnvironmentLight)
 {
   const Folder folder("indirect");
   const Pixel dark = PixelAt(RenderSquare(folder, "dark.vti", { "--color", "1,0.5,0.25" }), 20, 15);
@@ -438,13 +438,13 @@ TEST(Render, AddsTheLightOfTheEnvironment)
                                 { "--color", "1,0.5,0.25", "--indirect", "--environment-color",
                                   "0.5,1,2", "--albedo", "0.8", "--bounces", "4" }),
     20, 15);
-  // A flat square sees nothing of itself.
+  // A flat square does not occlude itself.
   EXPECT_NEAR(light[0] - dark[0], .8 * 1.0 * .5, 1e-5);
   EXPECT_NEAR(light[1] - dark[1], .8 * .5 * 1.0, 1e-5);
   EXPECT_NEAR(light[2] - dark[2], .8 * .25 * 2.0, 1e-5);
 }
 
-TEST(Render, ShowsProgressWhenAsked)
+TEST(Render, PrintsRequestedProgress)
 {
   const Folder folder("progress");
   WriteText(folder / "square.stl", SquareStl());

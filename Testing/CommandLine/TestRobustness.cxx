@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The program against the machine: full disks, cancelling, missing libraries, too little memory.
+// Missing resources: full disks, cancellation, missing libraries, too little memory.
 #include "Meshes.h"
 #include "Pictures.h"
 #include "Program.h"
@@ -19,7 +19,7 @@ using namespace penumbra_testing;
 namespace
 {
 
-// Every library that a run loads, as the dynamic linker itself lists them, the worker's too.
+// Lists the libraries that the program and its workers load, as reported by the dynamic linker.
 std::string LibrariesOf(const Folder& folder, const std::string& engine)
 {
   const std::string list = folder / engine;
@@ -34,7 +34,7 @@ std::string LibrariesOf(const Folder& folder, const std::string& engine)
   return text;
 }
 
-TEST(RayEngine, LoadsNoOpenGLAndOpensNoWindow)
+TEST(RayEngine, UsesNeitherOpenGLNorWindow)
 {
   if (RunShell("ldd $PENUMBRA | grep -qE 'libGL|libEGL|libOSMesa|libX11'").Status == 0)
   {
@@ -55,7 +55,7 @@ TEST(RayEngine, LoadsNoOpenGLAndOpensNoWindow)
   }
 }
 
-TEST(RasterEngine, DrawsWhatTheRayEngineDraws)
+TEST(RasterEngine, MatchesRayEngine)
 {
   const Folder folder("engines");
   WriteSpheres(folder.Path);
@@ -70,13 +70,13 @@ TEST(RasterEngine, DrawsWhatTheRayEngineDraws)
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "");
   }
-  // Only the borders differ: 4 samples against exact shares.
+  // Only edges differ: multisampling against exact coverage.
   const nlohmann::json report = Compare(folder / "ray.png", folder / "raster.png");
   EXPECT_LT(report["metrics"]["rmse"], 0.02);
   EXPECT_LT(report["metrics"]["pixels"], 0.02);
 }
 
-TEST(OpenGL, IsMissedInOneLine)
+TEST(MissingOpenGL, PrintsOneLineError)
 {
   const Folder folder("no-display");
   WriteText(folder / "square.stl", SquareStl());
@@ -94,7 +94,7 @@ TEST(OpenGL, IsMissedInOneLine)
   }
 }
 
-TEST(Output, IsWholeOrNotThereWhenTheDiskIsFull)
+TEST(Output, IsCompleteOrMissingOnFullDisk)
 {
   const Folder folder("full-disk");
   WriteSpheres(folder.Path);
@@ -107,7 +107,7 @@ TEST(Output, IsWholeOrNotThereWhenTheDiskIsFull)
         " --no-background --resolution 300,300 --output " + Quote(folder / "p." + extension));
     if (std::string(extension) == "jpg" || std::string(extension) == "bmp")
     {
-      EXPECT_EQ(outcome.Status, 2); // These cannot hold transparency.
+      EXPECT_EQ(outcome.Status, 2); // These formats have no alpha channel.
       continue;
     }
     EXPECT_EQ(outcome.Status, 2) << extension;
@@ -117,7 +117,7 @@ TEST(Output, IsWholeOrNotThereWhenTheDiskIsFull)
   }
 }
 
-TEST(Output, LeavesTheOldPictureWhenTheNewOneFails)
+TEST(Output, KeepsOldImageIfNewOneFails)
 {
   const Folder folder("old-picture");
   WriteText(folder / "square.stl", SquareStl());
@@ -134,7 +134,7 @@ TEST(Output, LeavesTheOldPictureWhenTheNewOneFails)
   EXPECT_TRUE(std::filesystem::is_regular_file(folder / "target.png"));
 }
 
-TEST(Output, MayHaveTheLongestName)
+TEST(Output, AcceptsLongestFileName)
 {
   const Folder folder("long-name");
   WriteText(folder / "square.stl", SquareStl());
@@ -145,7 +145,7 @@ TEST(Output, MayHaveTheLongestName)
   EXPECT_TRUE(std::filesystem::exists(folder / name));
 }
 
-TEST(StandardOutput, IsToldWhenItIsFull)
+TEST(StandardOutput, ReportsFullDevice)
 {
   const Folder folder("full-output");
   WriteText(folder / "square.stl", SquareStl());
@@ -163,16 +163,16 @@ TEST(StandardOutput, IsToldWhenItIsFull)
   }
 }
 
-// A picture that takes long, begun in the background; then `script`, which knows it as $program.
+// Starts a long render in the background, then runs `script` with its process id in $program.
 ProgramResult InterruptRender(const Folder& folder, const std::string& script)
 {
-  // Shells let what runs in the background ignore SIGINT.
+  // Shells start background processes with SIGINT ignored.
   return RunShell("env --default-signal=INT $PENUMBRA render " + Quote(folder / "sphere.stl") +
     " --resolution 6000,6000 --ambient-occlusion --tolerance 0.0001 --output " +
     Quote(folder / "p.png") + " & program=$!; sleep 1; " + script);
 }
 
-TEST(Cancelling, LeavesNothingBehindAndSaysBySignalWhy)
+TEST(Cancelling, RemovesFilesAndEndsBySignal)
 {
   const Folder folder("cancel");
   WriteSpheres(folder.Path);
@@ -180,7 +180,7 @@ TEST(Cancelling, LeavesNothingBehindAndSaysBySignalWhy)
   for (const auto& [name, status] :
     { std::pair<std::string, int>{ "INT", 130 }, { "TERM", 143 }, { "HUP", 129 } })
   {
-    // The shell sees the signal as the program's end.
+    // The shell reports the signal.
     const ProgramResult outcome =
       InterruptRender(folder, "kill -" + name + " $program; wait $program 2>/dev/null");
     EXPECT_EQ(outcome.Status, status) << name;
@@ -189,7 +189,7 @@ TEST(Cancelling, LeavesNothingBehindAndSaysBySignalWhy)
   }
 }
 
-TEST(Cancelling, EndsTheWorkersOfAKilledSupervisor)
+TEST(Cancelling, EndsWorkersOfKilledSupervisor)
 {
   const Folder folder("killed");
   WriteSpheres(folder.Path);
@@ -201,7 +201,7 @@ TEST(Cancelling, EndsTheWorkersOfAKilledSupervisor)
   EXPECT_EQ(folder.List(), before);
 }
 
-TEST(Cancelling, IsNotForSignalsThatAreIgnored)
+TEST(Cancelling, RespectsIgnoredSignals)
 {
   const Folder folder("nohup");
   WriteSpheres(folder.Path);
@@ -213,7 +213,7 @@ TEST(Cancelling, IsNotForSignalsThatAreIgnored)
   EXPECT_TRUE(std::filesystem::exists(folder / "p.png"));
 }
 
-TEST(Cancelling, EndsAComparisonWithoutItsPicture)
+TEST(Cancelling, EndsComparisonWithoutOutput)
 {
   const Folder folder("cancel-compare");
   WriteText(folder / "square.stl", SquareStl());
@@ -225,12 +225,12 @@ TEST(Cancelling, EndsAComparisonWithoutItsPicture)
     const ProgramResult outcome = RunShell("$PENUMBRA compare " + Quote(folder / "p.png") + " " +
       Quote(folder / "p.png") + " --difference " + Quote(folder / "d.png") +
       " & program=$!; sleep " + delay + "; kill -TERM $program; wait $program");
-    std::filesystem::remove(folder / "d.png"); // It may have been quicker.
+    std::filesystem::remove(folder / "d.png"); // The program may have ended before.
     EXPECT_EQ(folder.List(), before) << outcome.Status;
   }
 }
 
-TEST(Workers, AreHeardWhateverTheirParentMadeOfSignals)
+TEST(Workers, AreCollectedForAnyInheritedSignalMask)
 {
   const Folder folder("signals");
   WriteText(folder / "square.stl", SquareStl());
@@ -243,11 +243,12 @@ TEST(Workers, AreHeardWhateverTheirParentMadeOfSignals)
   }
 }
 
-TEST(Workers, AreMissedWhereNoMoreProcessesAreAllowed)
+TEST(Workers, ReportProcessLimit)
 {
   if (RunShell("[ $(id -u) = 0 ] && command -v setpriv >/dev/null").Status != 0)
   {
-    GTEST_SKIP() << "The limit is for a user that nobody else works as.";
+    GTEST_SKIP()
+      << "The process limit applies to all processes of the user; this test needs a separate user.";
   }
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "LeakSanitizer itself needs another process.";
@@ -263,7 +264,7 @@ TEST(Workers, AreMissedWhereNoMoreProcessesAreAllowed)
   EXPECT_NE(outcome.Errors.find("cannot start a process"), std::string::npos) << outcome.Errors;
 }
 
-TEST(SetUpScript, NamesTheBenchmarksThatThereAre)
+TEST(SetUpScript, ListsBenchmarks)
 {
   for (const char* arguments : { "benchmark", "benchmark wishful", "--system-vtk benchmark flat" })
   {
@@ -277,7 +278,7 @@ TEST(SetUpScript, NamesTheBenchmarksThatThereAre)
   }
 }
 
-TEST(Memory, TooLittleIsTold)
+TEST(OutOfMemory, ReportsError)
 {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "The sanitizer needs more.";

@@ -313,7 +313,7 @@ TEST_F(LightShaftPass, ScattersTheColorsOfTheImageBehind)
   this->Scene.Renderer->SetBackground(0.8, 0.4, 0.0);
   this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
   const std::vector<double> white = this->Scene.RenderWithPass();
-  this->Scene.Pass->SetSky(vtkPenumbraLightShaftPass::PICTURE);
+  this->Scene.Pass->SetSky(vtkPenumbraLightShaftPass::IMAGE);
   const std::vector<double> red = this->Scene.RenderWithPass();
   vtkNew<vtkImageData> image;
   this->Scene.Pass->CopyShafts(image);

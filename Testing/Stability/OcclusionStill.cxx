@@ -159,8 +159,8 @@ ScenarioResult FilterAcrossAnEdge(Variant variant)
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkPenumbraBilateralFilterPass> filter;
   filter->SetDelegatePass(steps);
-  filter->SetReach(4);
-  filter->SetDistance(variant == Variant::Ablated ? 1e3 : 0.0);
+  filter->SetRadius(4);
+  filter->SetDistanceSigma(variant == Variant::Ablated ? 1e3 : 0.0);
   scene.Renderer->SetPass(filter);
   const Frame filtered = draw();
   filter->ReleaseGraphicsResources(scene.Window);
@@ -414,8 +414,8 @@ std::vector<Scenario> OcclusionStillScenarios()
       volumetric, "[TSSAO] dark halos", VtksOcclusion, Halo },
     { "OcclusionViewports", "a viewport of half a window", "still", Metric::MaximumDifference, .01,
       "margin around the viewport: none", "[TSSAO] several viewports", "", Viewports },
-    { "OcclusionResize", scene, "the window is resized while the view converges", Metric::Bias, .02,
-      frame, "[TSSAO] resized window", "", Resize },
+    { "OcclusionResize", scene, "the window is resized while the view converges", Metric::Bias,
+      .014, frame, "[TSSAO] resized window", "", Resize },
     { "OcclusionTinyPictures", "images of 1x1, 2x1, 33x7 and 7x33 pixels", "still", Metric::Bias,
       .01, frame, "", "", TinyImages },
   };

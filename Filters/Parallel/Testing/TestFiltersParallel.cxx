@@ -15,8 +15,8 @@
 namespace
 {
 
-/// The array of the filter's output, value by value.
-std::vector<double> ValuesOf(vtkAlgorithm* filter, const char* name)
+/// Returns the values of a point array of the filter's output for a sphere.
+std::vector<double> ComputeValues(vtkAlgorithm* filter, const char* name)
 {
   vtkNew<vtkSphereSource> sphere;
   filter->SetInputConnection(0, sphere->GetOutputPort());
@@ -31,7 +31,7 @@ std::vector<double> ValuesOf(vtkAlgorithm* filter, const char* name)
   return values;
 }
 
-/// One process that is a rank of its own, for as long as this lives.
+/// Sets a global controller with a single rank for its lifetime.
 struct SingleRank
 {
   SingleRank() { vtkMultiProcessController::SetGlobalController(this->Controller); }
@@ -41,23 +41,24 @@ struct SingleRank
 
 }
 
-TEST(vtkPenumbraDistributedRayCaster, DrawsOnOneRankWhatItsSuperclassDraws)
+TEST(vtkPenumbraDistributedRayCaster, MatchesItsSuperclassOnOneRank)
 {
   const SingleRank rank;
   vtkNew<vtkPenumbraRayCaster> plain;
   vtkNew<vtkPenumbraDistributedRayCaster> distributed;
   plain->SetResolution(24, 18);
   distributed->SetResolution(24, 18);
-  const std::vector<double> colors = ValuesOf(plain, "Color");
+  const std::vector<double> colors = ComputeValues(plain, "Color");
   ASSERT_EQ(colors.size(), 4u * 24u * 18u);
-  EXPECT_EQ(ValuesOf(distributed, "Color"), colors);
+  EXPECT_EQ(ComputeValues(distributed, "Color"), colors);
 }
 
-TEST(vtkPenumbraDistributedIrradianceFilter, BakesOnOneRankWhatItsSuperclassBakes)
+TEST(vtkPenumbraDistributedIrradianceFilter, MatchesItsSuperclassOnOneRank)
 {
   const SingleRank rank;
   const std::vector<double> baked =
-    ValuesOf(vtkNew<vtkPenumbraIrradianceFilter>(), "AmbientOcclusion");
+    ComputeValues(vtkNew<vtkPenumbraIrradianceFilter>(), "AmbientOcclusion");
   ASSERT_FALSE(baked.empty());
-  EXPECT_EQ(ValuesOf(vtkNew<vtkPenumbraDistributedIrradianceFilter>(), "AmbientOcclusion"), baked);
+  EXPECT_EQ(
+    ComputeValues(vtkNew<vtkPenumbraDistributedIrradianceFilter>(), "AmbientOcclusion"), baked);
 }

@@ -124,7 +124,7 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     corners);
   if (corners && !ParallelForBatches(grid.GetNumberOfRows(), 0.0, 0.4, progress, [&](int row) {
         RayCounts counts;
-        grid.TraceRow(tracer, row, settings.Packets, counts);
+        grid.TraceRow(tracer, row, settings.UsePackets, counts);
         const std::lock_guard<std::mutex> lock(totals);
         region.Rays += counts;
       }))

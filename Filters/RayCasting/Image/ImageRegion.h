@@ -18,7 +18,7 @@ namespace penumbra
 struct RenderSettings
 {
   IntegrationSettings Integration;
-  bool Packets = true; ///< If on, trace corner rays in packets of 16.
+  bool UsePackets = true; ///< If on, trace corner rays in packets of 16.
 };
 
 /// Mesh edges of a scene at which the image may be discontinuous. They are computed once for all

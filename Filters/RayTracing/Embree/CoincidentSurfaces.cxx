@@ -16,12 +16,8 @@ namespace penumbra
 namespace
 {
 
-/// Half a unit in the last place of a single-precision 1.
-constexpr double HalfUlp = 0.5 * std::numeric_limits<float>::epsilon();
-/// Roundings between a ray's origin and where it meets a triangle, at most; a ray that grazes the plane
-/// lengthens their error by as much again.
-constexpr double Roundings = 16.0;
-constexpr double Grazing = 64.0;
+/// Bound of the growth of rounding errors along rays at grazing incidence.
+constexpr double GrazingFactor = 64.0;
 
 struct Box
 {
@@ -29,7 +25,7 @@ struct Box
   glm::vec3 High{ -std::numeric_limits<float>::infinity() };
 };
 
-Box BoundsOf(const Surface& surface)
+Box ComputeBounds(const Surface& surface)
 {
   Box box;
   if (!surface.Triangles.empty())
@@ -43,18 +39,20 @@ Box BoundsOf(const Surface& surface)
   return box;
 }
 
-float ReachOf(const Box& box)
+/// Returns the largest error of hits in a box along a ray, in scene units.
+float ComputeDepthTolerance(const Box& box)
 {
   const glm::vec3 farthest = glm::max(glm::abs(box.Low), glm::abs(box.High));
   return static_cast<float>(
-    Grazing * Roundings * HalfUlp * std::max({ farthest.x, farthest.y, farthest.z }));
+    GrazingFactor * MaximumRoundings * HalfUlp * std::max({ farthest.x, farthest.y, farthest.z }));
 }
 
-bool ComeNear(const Box& a, const Box& b, float reach)
+/// Returns true if the boxes, enlarged by `tolerance`, overlap.
+bool AreNear(const Box& a, const Box& b, float tolerance)
 {
   for (int i = 0; i < 3; ++i)
   {
-    if (!(a.Low[i] <= b.High[i] + reach && b.Low[i] <= a.High[i] + reach))
+    if (!(a.Low[i] <= b.High[i] + tolerance && b.Low[i] <= a.High[i] + tolerance))
     {
       return false;
     }
@@ -62,7 +60,8 @@ bool ComeNear(const Box& a, const Box& b, float reach)
   return true;
 }
 
-/// What decides between two surfaces as a whole; the less lies over the other.
+/// Returns the key that orders coplanar surfaces by material; the surface with the smaller key is
+/// in front.
 std::array<float, 16> SortKey(const Surface& surface)
 {
   const Material& front = surface.Front;
@@ -75,38 +74,38 @@ std::array<float, 16> SortKey(const Surface& surface)
     front.Lighting ? 1.f : 0.f };
 }
 
-/// Less than, equal or greater than 0, as colours of the data decide.
+/// Compares mapped colors: negative if `a` is in front, 0 if equal, positive if `b` is in front.
 int CompareColors(const std::vector<glm::u8vec4>& a, const std::vector<glm::u8vec4>& b)
 {
   if (a.size() != b.size())
   {
     return a.size() < b.size() ? -1 : 1;
   }
-  const auto [one, other] = std::mismatch(a.begin(), a.end(), b.begin());
-  for (int i = 0; one != a.end() && i < 4; ++i)
+  const auto [first, second] = std::mismatch(a.begin(), a.end(), b.begin());
+  for (int i = 0; first != a.end() && i < 4; ++i)
   {
-    if ((*one)[i] != (*other)[i])
+    if ((*first)[i] != (*second)[i])
     {
-      return (*one)[i] > (*other)[i] ? -1 : 1;
+      return (*first)[i] > (*second)[i] ? -1 : 1;
     }
   }
   return 0;
 }
 
-bool DrawsOver(const Surface& a, const Surface& b)
+bool IsDrawnInFront(const Surface& a, const Surface& b)
 {
-  const auto looksOfA = SortKey(a);
-  const auto looksOfB = SortKey(b);
-  if (looksOfA != looksOfB)
+  const auto keyOfA = SortKey(a);
+  const auto keyOfB = SortKey(b);
+  if (keyOfA != keyOfB)
   {
-    return looksOfA < looksOfB;
+    return keyOfA < keyOfB;
   }
   const int byPoints = CompareColors(a.PointColors, b.PointColors);
   return byPoints != 0 ? byPoints < 0 : CompareColors(a.CellColors, b.CellColors) < 0;
 }
 
-/// How far along the ray rounded corners may move where it meets the triangle.
-double RoundingAlong(const Ray& ray, const Surface& surface, std::uint32_t triangle)
+/// Returns the error of the hit distance that results from the rounded vertices of the triangle.
+double ComputeRoundingError(const Ray& ray, const Surface& surface, std::uint32_t triangle)
 {
   const glm::uvec3 corners = surface.Triangles[triangle];
   const glm::dvec3 a(surface.Positions[corners.x]);
@@ -120,26 +119,27 @@ double RoundingAlong(const Ray& ray, const Surface& surface, std::uint32_t trian
 
 }
 
-float CandidateHits::Add(const CandidateHit& met, float reach)
+float CandidateHits::Add(const CandidateHit& hit, float tolerance)
 {
-  float nearest = met.Distance;
+  float nearest = hit.Distance;
   for (int i = 0; i < this->Count; ++i)
   {
-    nearest = std::min(nearest, this->Met[i].Distance);
+    nearest = std::min(nearest, this->Hits[i].Distance);
   }
-  const auto isFar = [=](const CandidateHit& other) { return other.Distance > nearest + reach; };
+  const auto isFar = [=](
+                       const CandidateHit& other) { return other.Distance > nearest + tolerance; };
   this->Count =
-    static_cast<int>(std::remove_if(this->Met, this->Met + this->Count, isFar) - this->Met);
+    static_cast<int>(std::remove_if(this->Hits, this->Hits + this->Count, isFar) - this->Hits);
   if (this->Count < Capacity)
   {
-    this->Met[this->Count++] = met;
+    this->Hits[this->Count++] = hit;
     return nearest;
   }
-  CandidateHit* const farthest = std::max_element(this->Met, this->Met + Capacity,
+  CandidateHit* const farthest = std::max_element(this->Hits, this->Hits + Capacity,
     [](const CandidateHit& a, const CandidateHit& b) { return a.Distance < b.Distance; });
-  if (met.Distance < farthest->Distance)
+  if (hit.Distance < farthest->Distance)
   {
-    *farthest = met;
+    *farthest = hit;
   }
   return nearest;
 }
@@ -150,7 +150,7 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
     DrawOrder(scene.Surfaces.size(), 0)
 {
   std::vector<Box> boxes(scene.Surfaces.size());
-  std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), boxes.begin(), BoundsOf);
+  std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), boxes.begin(), ComputeBounds);
   std::vector<std::uint32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0u);
   order.erase(std::remove_if(order.begin(), order.end(),
@@ -161,7 +161,7 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   float largest = 0.f;
   for (const std::uint32_t i : order)
   {
-    largest = std::max(largest, ReachOf(boxes[i]));
+    largest = std::max(largest, ComputeDepthTolerance(boxes[i]));
   }
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -170,12 +170,12 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
          ++j)
     {
       const Box& b = boxes[order[j]];
-      const float reach = std::max(ReachOf(a), ReachOf(b));
-      if (ComeNear(a, b, reach))
+      const float tolerance = std::max(ComputeDepthTolerance(a), ComputeDepthTolerance(b));
+      if (AreNear(a, b, tolerance))
       {
         this->Empty = false;
-        this->DepthTolerances[order[i]] = std::max(this->DepthTolerances[order[i]], reach);
-        this->DepthTolerances[order[j]] = std::max(this->DepthTolerances[order[j]], reach);
+        this->DepthTolerances[order[i]] = std::max(this->DepthTolerances[order[i]], tolerance);
+        this->DepthTolerances[order[j]] = std::max(this->DepthTolerances[order[j]], tolerance);
       }
     }
   }
@@ -184,7 +184,7 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
     order.end());
   std::sort(order.begin(), order.end());
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return DrawsOver(scene.Surfaces[a], scene.Surfaces[b]);
+    return IsDrawnInFront(scene.Surfaces[a], scene.Surfaces[b]);
   });
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -192,47 +192,47 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   }
 }
 
-Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& contenders) const
+Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& candidates) const
 {
   if (this->DepthTolerances[last.Surface] <= 0.f)
   {
-    contenders.Add({ last.Surface, last.Triangle, last.U, last.V, last.Distance }, 0.f);
+    candidates.Add({ last.Surface, last.Triangle, last.U, last.V, last.Distance }, 0.f);
   }
   double distances[CandidateHits::Capacity];
   double roundings[CandidateHits::Capacity];
   int nearest = 0;
-  for (int i = 0; contenders.Count > 1 && i < contenders.Count; ++i)
+  for (int i = 0; candidates.Count > 1 && i < candidates.Count; ++i)
   {
-    const CandidateHit& met = contenders.Met[i];
-    const Surface& surface = this->TracedScene.Surfaces[met.Surface];
-    const RayTriangle exact(surface, met.Triangle, ray);
-    // Single precision errs by more than the reach only where the triangle is seen edge-on.
-    const bool knows = exact.IsValid &&
-      std::abs(exact.Distance - met.Distance) * glm::length(ray.Direction) <=
-        this->DepthTolerances[met.Surface];
-    distances[i] = knows ? exact.Distance : met.Distance;
-    roundings[i] = RoundingAlong(ray, surface, met.Triangle);
+    const CandidateHit& hit = candidates.Hits[i];
+    const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
+    const RayTriangle exact(surface, hit.Triangle, ray);
+    // The error of single precision exceeds the tolerance only for triangles seen edge-on.
+    const bool isAccurate = exact.IsValid &&
+      std::abs(exact.Distance - hit.Distance) * glm::length(ray.Direction) <=
+        this->DepthTolerances[hit.Surface];
+    distances[i] = isAccurate ? exact.Distance : hit.Distance;
+    roundings[i] = ComputeRoundingError(ray, surface, hit.Triangle);
     nearest = distances[i] < distances[nearest] ? i : nearest;
   }
   int best = nearest;
-  float passed = contenders.Met[nearest].Distance;
-  for (int i = 0; contenders.Count > 1 && i < contenders.Count; ++i)
+  float farthest = candidates.Hits[nearest].Distance;
+  for (int i = 0; candidates.Count > 1 && i < candidates.Count; ++i)
   {
     if (distances[i] - distances[nearest] > roundings[i] + roundings[nearest])
     {
       continue;
     }
-    const CandidateHit& met = contenders.Met[i];
-    passed = std::max({ passed, met.Distance, static_cast<float>(distances[i]) });
-    const CandidateHit& over = contenders.Met[best];
-    if (std::make_pair(this->DrawOrder[met.Surface], met.Triangle) <
-      std::make_pair(this->DrawOrder[over.Surface], over.Triangle))
+    const CandidateHit& hit = candidates.Hits[i];
+    farthest = std::max({ farthest, hit.Distance, static_cast<float>(distances[i]) });
+    const CandidateHit& front = candidates.Hits[best];
+    if (std::make_pair(this->DrawOrder[hit.Surface], hit.Triangle) <
+      std::make_pair(this->DrawOrder[front.Surface], front.Triangle))
     {
       best = i;
     }
   }
-  const CandidateHit& seen = contenders.Met[best];
-  return { seen.Surface, seen.Triangle, seen.U, seen.V, seen.Distance, passed };
+  const CandidateHit& visible = candidates.Hits[best];
+  return { visible.Surface, visible.Triangle, visible.U, visible.V, visible.Distance, farthest };
 }
 
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which of several surfaces a ray meets first, where they are nearer to each other than single precision
-// can tell. Distances are compared in double; surfaces in one plane are drawn one over the other by their
-// looks, so that neither the order of the actors nor rounding shows: lines and points first, then what
-// is opaque, then the brighter.
+// Resolution of coincident surfaces: selects the visible hit if several surfaces are closer to each
+// other along a ray than single precision can resolve. Distances are compared in double precision.
+// Coplanar surfaces are ordered by their materials, so that the image depends neither on the order
+// of the actors nor on rounding: lines and points are in front, then opaque surfaces, then brighter
+// ones.
 #ifndef penumbra_CoincidentSurfaces_h
 #define penumbra_CoincidentSurfaces_h
 
@@ -16,7 +17,7 @@
 namespace penumbra
 {
 
-/// What a ray met, by single precision.
+/// A hit in single precision, as Embree computes it.
 struct CandidateHit
 {
   std::uint32_t Surface;
@@ -26,42 +27,43 @@ struct CandidateHit
   float Distance;
 };
 
-/// All that a ray met within reach of the nearest.
+/// The hits of a ray that are within the depth tolerance of the nearest one.
 struct CandidateHits
 {
   static constexpr int Capacity = 8;
 
-  CandidateHit Met[Capacity];
+  CandidateHit Hits[Capacity];
   int Count = 0;
-  float Far = 0.f; ///< the ray's
+  float Far = 0.f; ///< Ray::Far
 
-  /// Adds `met` and drops what is farther than `reach` behind the nearest, whose distance is returned.
-  /// Where there are too many the farthest goes.
-  float Add(const CandidateHit& met, float reach);
+  /// Adds `hit` and removes hits farther than `tolerance` behind the nearest one. If the capacity
+  /// is exceeded, the farthest hit is dropped. Returns the distance of the nearest hit.
+  float Add(const CandidateHit& hit, float tolerance);
 };
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT CoincidentSurfaces
 {
 public:
-  /// Finds the surfaces of `scene`, which must outlive this object, that come near another.
+  /// Finds the surfaces whose bounding boxes are within the depth tolerance of another one. `scene`
+  /// must outlive this object.
   explicit CoincidentSurfaces(const Scene& scene);
 
-  /// How far apart single precision may take two surfaces for one, along a ray, in scene units; 0: no
-  /// other surface comes near this one.
+  /// Returns the distance along a ray, in scene units, below which single precision may not
+  /// separate this surface from another one; 0 if no other surface is near.
   float DepthTolerance(std::uint32_t surface) const { return this->DepthTolerances[surface]; }
 
-  /// Does no surface come near another?
+  /// Returns true if no two surfaces are near each other.
   bool IsEmpty() const { return this->Empty; }
 
-  /// The one that is seen, where `last` is what Embree ended with. Its Beyond is the distance of the
-  /// last one in the same place.
-  Hit Resolve(const Ray& ray, const Hit& last, CandidateHits& contenders) const;
+  /// Returns the visible hit of the candidates; `last` is the hit that Embree returned.
+  /// Hit::NextNear of the result is the distance of the farthest coincident hit.
+  Hit Resolve(const Ray& ray, const Hit& last, CandidateHits& candidates) const;
 
 private:
   const Scene& TracedScene;
   std::vector<float> DepthTolerances; ///< per surface
   bool Empty = true;
-  std::vector<int> DrawOrder; ///< per surface; the lower lies over the higher
+  std::vector<int> DrawOrder; ///< per surface; lower values are in front
 };
 
 }

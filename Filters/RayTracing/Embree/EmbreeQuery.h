@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where Embree 3.13 and 4 differ: their header, and how a query takes its flags and what filters know.
+// Common interface of Embree 3.13 and Embree 4, which differ in the header, in the flags of a query
+// and in the context that a query passes to filter functions.
 #ifndef penumbra_EmbreeQuery_h
 #define penumbra_EmbreeQuery_h
 
@@ -17,10 +18,10 @@ namespace penumbra
 struct CandidateHits;
 
 #if RTC_VERSION_MAJOR >= 4
-/// What filters get to know of a query.
+/// Query context that is passed to filter functions.
 struct QueryContext : RTCRayQueryContext
 {
-  Contenders* Contending; ///< by the number of the ray
+  CandidateHits* Candidates; ///< indexed by the id of the ray
 };
 
 struct Query
@@ -28,10 +29,10 @@ struct Query
   QueryContext Context;
   RTCIntersectArguments Intersection;
   RTCOccludedArguments Occlusion;
-  explicit Query(bool coherent, Contenders* contending = nullptr)
+  explicit Query(bool coherent, CandidateHits* candidates = nullptr)
   {
     rtcInitRayQueryContext(&this->Context);
-    this->Context.Contending = contending;
+    this->Context.Candidates = candidates;
     rtcInitIntersectArguments(&this->Intersection);
     this->Intersection.context = &this->Context;
     rtcInitOccludedArguments(&this->Occlusion);
@@ -61,16 +62,16 @@ struct Query
 #else
 struct QueryContext : RTCIntersectContext
 {
-  CandidateHits* Contending;
+  CandidateHits* Candidates; ///< indexed by the id of the ray
 };
 
 struct Query
 {
   QueryContext Context;
-  explicit Query(bool coherent, CandidateHits* contending = nullptr)
+  explicit Query(bool coherent, CandidateHits* candidates = nullptr)
   {
     rtcInitIntersectContext(&this->Context);
-    this->Context.Contending = contending;
+    this->Context.Candidates = candidates;
     this->Context.flags =
       coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_NONE;
   }

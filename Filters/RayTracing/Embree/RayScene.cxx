@@ -18,7 +18,7 @@
 namespace penumbra
 {
 
-/// What filters know of a surface.
+/// Data of a surface that filter functions use.
 struct TracedSurface
 {
   const Surface* Data;
@@ -28,24 +28,27 @@ struct TracedSurface
 namespace
 {
 
-/// From so many triangles on memory counts more than the 10 to 20 percent of speed that Embree's
-/// compact trees cost: 10 million take 2.5 times less.
-constexpr std::size_t CompactFrom = 2000000;
+/// Scenes with at least this many triangles use Embree's compact BVH: 10 to 20 % slower, 2.5 times
+/// less memory (measured with 10 million triangles).
+constexpr std::size_t MinimumCompactTriangles = 2000000;
 
-/// Where single and double precision differ by more, relatively, the triangle is an edge-on sliver.
+/// If the hit distances in single and double precision differ by more than this relative error, the
+/// triangle is an edge-on sliver, and the distance of Embree is kept.
 constexpr double SliverError = 1e-3;
-/// How far apart, in slacks of single precision, a ray may meet two triangles of one edge: those that
-/// it grazes.
+/// Bound of the distance between the hits of two triangles that share an edge, in units of
+/// RayTriangle::EdgeTolerance; large for triangles at grazing incidence.
 constexpr double EdgeHitTolerance = 64.0;
 
-static_assert(RTC_INVALID_GEOMETRY_ID == Hit::None, "a miss of Embree's is a miss of ours");
-static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree reads our arrays");
+static_assert(
+  RTC_INVALID_GEOMETRY_ID == Hit::None, "Hit::None must be Embree's invalid geometry id");
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree expects packed vectors");
 
-/// Drops hits of culled sides, and lets a ray go on as far as what it met may be contested.
+/// Embree intersection filter: rejects hits on culled sides, collects candidates for
+/// CoincidentSurfaces and extends the ray by the depth tolerance.
 void IntersectFilter(const RTCFilterFunctionNArguments* args)
 {
   const auto& traced = *static_cast<const TracedSurface*>(args->geometryUserPtr);
-  CandidateHits* contending = static_cast<QueryContext*>(args->context)->Contending;
+  CandidateHits* candidatesOfRays = static_cast<QueryContext*>(args->context)->Candidates;
   for (unsigned int i = 0; i < args->N; ++i)
   {
     const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
@@ -62,21 +65,23 @@ void IntersectFilter(const RTCFilterFunctionNArguments* args)
       const CandidateHit hit{ RTCHitN_geomID(args->hit, args->N, i),
         RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
         RTCHitN_v(args->hit, args->N, i), RTCRayN_tfar(args->ray, args->N, i) };
-      const float reach = traced.DepthTolerance / glm::length(direction);
-      CandidateHits& contenders = contending[RTCRayN_id(args->ray, args->N, i)];
+      const float tolerance = traced.DepthTolerance / glm::length(direction);
+      CandidateHits& candidates = candidatesOfRays[RTCRayN_id(args->ray, args->N, i)];
       RTCRayN_tfar(args->ray, args->N, i) =
-        std::min(contenders.Add(hit, reach) + reach, contenders.Far);
+        std::min(candidates.Add(hit, tolerance) + tolerance, candidates.Far);
     }
   }
 }
 
-/// Of lines and points: they block no light.
+/// Occlusion filter of line and point geometries: rejects every hit, because lines and points cast
+/// no shadows.
 void RejectAllFilter(const RTCFilterFunctionNArguments* args)
 {
   std::fill_n(args->valid, args->N, 0);
 }
 
-/// Hands `data` to Embree where it may read 16 bytes from the last element on, else a copy.
+/// Shares `data` with Embree if there is spare capacity behind the last element, since Embree reads
+/// elements as 16 bytes; copies it otherwise.
 template <typename T>
 void SetBuffer(
   RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& data)
@@ -113,8 +118,8 @@ RTCGeometry MakeGeometry(RTCDevice device, TracedSurface& traced)
   return geometry;
 }
 
-/// Embree's errors as exceptions.
-void Check(RTCDevice device)
+/// Throws the last error of Embree as an exception.
+void CheckDevice(RTCDevice device)
 {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_OUT_OF_MEMORY)
@@ -127,42 +132,44 @@ void Check(RTCDevice device)
   }
 }
 
-/// Builds the tree; Embree asks now and then, on any of its threads, whether to go on.
+/// Builds the BVH. Embree calls the progress monitor on any of its threads; `progress` is called
+/// only on the calling thread.
 void Commit(RTCScene tree, RTCDevice device, const ProgressCallback& progress)
 {
-  struct Watch
+  struct Monitor
   {
     const ProgressCallback& Progress;
     std::thread::id Caller;
-    std::atomic<bool> Stops{ false };
+    std::atomic<bool> IsStopped{ false };
   };
-  Watch watch{ progress, std::this_thread::get_id() };
+  Monitor monitor{ progress, std::this_thread::get_id() };
   if (progress)
   {
-    const auto goesOn = [](void* data, double) {
-      auto& self = *static_cast<Watch*>(data);
-      if (!self.Stops && std::this_thread::get_id() == self.Caller && self.Progress(0.0))
+    const auto continues = [](void* data, double) {
+      auto& self = *static_cast<Monitor*>(data);
+      if (!self.IsStopped && std::this_thread::get_id() == self.Caller && self.Progress(0.0))
       {
-        self.Stops = true;
+        self.IsStopped = true;
       }
-      return !self.Stops;
+      return !self.IsStopped;
     };
-    rtcSetSceneProgressMonitorFunction(tree, goesOn, &watch);
+    rtcSetSceneProgressMonitorFunction(tree, continues, &monitor);
   }
   rtcCommitScene(tree);
   rtcSetSceneProgressMonitorFunction(tree, nullptr, nullptr);
-  if (watch.Stops)
+  if (monitor.IsStopped)
   {
     throw Stopped();
   }
-  Check(device);
+  CheckDevice(device);
 }
 
-/// $PENUMBRA_EMBREE adds settings of Embree's own, such as isa=sse4.2: for tests.
-std::string DeviceSettings(int threads)
+/// Returns the configuration of the Embree device. Tests add settings, such as isa=sse4.2, with the
+/// environment variable PENUMBRA_EMBREE.
+std::string MakeDeviceConfiguration(int threads)
 {
-  const char* more = std::getenv("PENUMBRA_EMBREE");
-  return "threads=" + std::to_string(threads) + (more ? std::string(",") + more : "");
+  const char* additional = std::getenv("PENUMBRA_EMBREE");
+  return "threads=" + std::to_string(threads) + (additional ? std::string(",") + additional : "");
 }
 
 std::size_t CountTriangles(const Scene& scene)
@@ -175,15 +182,16 @@ std::size_t CountTriangles(const Scene& scene)
   return count;
 }
 
-/// Coordinates of rays from here on end Embree by an assertion.
+/// Larger coordinates of rays fail an assertion in Embree.
 constexpr float LargestCoordinate = 1.8e18f;
 
-/// All that reaches Embree: what is no ray (not finite, without direction, or empty) meets nothing.
+/// Returns true if the ray is finite, has a direction and is not empty. Other rays are not passed
+/// to Embree.
 bool IsTraceable(const Ray& ray)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Comparisons with NaN are false.
+    // The comparisons are false for NaN.
     if (!(std::abs(ray.Origin[axis]) <= LargestCoordinate &&
           std::abs(ray.Direction[axis]) <= LargestCoordinate))
     {
@@ -209,15 +217,16 @@ void Fill(RTCRay& to, const Ray& from)
   to.flags = 0;
 }
 
-/// The lowest triangle of a surface, by number, of those that meet a ray in the same place.
+/// Embree point query for the triangle of a surface with the lowest index among those that share a
+/// hit at an edge or vertex.
 struct EdgeHitQuery
 {
   const Scene& TracedScene;
   const Ray& TracedRay;
-  const RayTriangle& Met; ///< the place
-  Hit Lowest;             ///< its Surface and Triangle
+  const RayTriangle& Intersection; ///< the hit
+  Hit Lowest;                      ///< surface and lowest triangle so far
 
-  /// Embree's call for a triangle near the place.
+  /// Called by Embree for each triangle near the hit.
   static bool Callback(RTCPointQueryFunctionArguments* args);
 };
 
@@ -230,45 +239,46 @@ bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
   }
   const Surface& surface = self.TracedScene.Surfaces[args->geomID];
   const RayTriangle other(surface, args->primID, self.TracedRay);
-  const bool isMet = other.IsValid && other.EdgeDistance > -other.EdgeTolerance &&
+  const bool isHit = other.IsValid && other.EdgeDistance > -other.EdgeTolerance &&
     (other.IsFront ? surface.Frontfaces : surface.Backfaces);
-  if (isMet && other.Distance >= self.TracedRay.Near && other.Distance <= self.TracedRay.Far &&
-    std::abs(other.Distance - self.Met.Distance) * glm::length(self.TracedRay.Direction) <=
-      EdgeHitTolerance * self.Met.EdgeTolerance)
+  if (isHit && other.Distance >= self.TracedRay.Near && other.Distance <= self.TracedRay.Far &&
+    std::abs(other.Distance - self.Intersection.Distance) * glm::length(self.TracedRay.Direction) <=
+      EdgeHitTolerance * self.Intersection.EdgeTolerance)
   {
     self.Lowest.Triangle = args->primID;
   }
   return false;
 }
 
-/// What Embree found, made independent of the instructions that it chose: surfaces near each other
-/// contend, the numbers follow from the triangle, and at an edge the triangle is chosen by rule.
-Hit MakeHit(
-  const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& met, CandidateHits* contenders)
+/// Converts a hit of Embree to a hit that does not depend on the instruction set: resolves
+/// coincident surfaces, recomputes the hit in double precision, and selects the lowest triangle at
+/// an edge.
+Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embreeHit,
+  CandidateHits* candidates)
 {
-  Hit found = met;
-  found.NextNear = found.Distance;
-  if (contenders && contenders->Count > 0)
+  Hit resolved = embreeHit;
+  resolved.NextNear = resolved.Distance;
+  if (candidates && candidates->Count > 0)
   {
-    found = rays.GetContest().Resolve(ray, met, *contenders);
+    resolved = rays.GetCoincidentSurfaces().Resolve(ray, embreeHit, *candidates);
   }
-  Hit hit = found;
+  Hit hit = resolved;
   const Scene& scene = rays.GetScene();
   RayTriangle exact(scene.Surfaces[hit.Surface], hit.Triangle, ray);
-  // Edge-on slivers say nothing: Embree's answer stands.
+  // The recomputed hit of an edge-on sliver is unreliable; the hit of Embree is kept.
   if (exact.IsValid &&
-    std::abs(exact.Distance - found.Distance) <= SliverError * std::abs(exact.Distance))
+    std::abs(exact.Distance - resolved.Distance) <= SliverError * std::abs(exact.Distance))
   {
     if (exact.IsOnEdge())
     {
-      EdgeHitQuery tie{ scene, ray, exact, hit };
-      const glm::vec3 place(glm::dvec3(ray.Origin) + exact.Distance * glm::dvec3(ray.Direction));
-      RTCPointQuery query{ place.x, place.y, place.z, 0.f,
+      EdgeHitQuery edge{ scene, ray, exact, hit };
+      const glm::vec3 point(glm::dvec3(ray.Origin) + exact.Distance * glm::dvec3(ray.Direction));
+      RTCPointQuery query{ point.x, point.y, point.z, 0.f,
         static_cast<float>(4.0 * exact.EdgeTolerance) };
       RTCPointQueryContext context;
       rtcInitPointQueryContext(&context);
-      rtcPointQuery(tree, &query, &context, EdgeHitQuery::Callback, &tie);
-      hit.Triangle = tie.Lowest.Triangle;
+      rtcPointQuery(tree, &query, &context, EdgeHitQuery::Callback, &edge);
+      hit.Triangle = edge.Lowest.Triangle;
       exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Triangle, ray);
     }
     const double u = std::clamp(exact.U, 0.0, 1.0);
@@ -276,12 +286,13 @@ Hit MakeHit(
     hit.V = static_cast<float>(std::clamp(exact.V, 0.0, 1.0 - u));
     hit.Distance = static_cast<float>(exact.Distance);
   }
-  const float farther = std::max(hit.Distance, found.NextNear);
+  const float farther = std::max(hit.Distance, resolved.NextNear);
+  // A few units in the last place behind the hit.
   hit.NextNear = farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
   return hit;
 }
 
-/// Fills as many rays as Packet, one of Embree's structures, holds, and which of them to trace.
+/// Copies rays to an Embree packet of `Size` rays and marks the valid ones.
 template <int Size, typename Packet>
 void Fill(Packet& to, int* valid, const Ray* rays)
 {
@@ -304,12 +315,12 @@ void Fill(Packet& to, int* valid, const Ray* rays)
   }
 }
 
-/// Nearest hits of a packet of rays.
+/// Computes the nearest hits of a packet of rays.
 template <typename Packet, int Size>
 void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit* hits)
 {
-  CandidateHits contending[Size];
-  CandidateHits* const asked = scene.GetContest().IsEmpty() ? nullptr : contending;
+  CandidateHits candidates[Size];
+  CandidateHits* const collected = scene.GetCoincidentSurfaces().IsEmpty() ? nullptr : candidates;
   alignas(64) int valid[Size];
   alignas(64) Packet query;
   Fill<Size>(query.ray, valid, rays);
@@ -317,9 +328,9 @@ void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit*
   {
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    contending[i].Far = rays[i].Far;
+    candidates[i].Far = rays[i].Far;
   }
-  Query(true, asked).Intersect(tree, valid, query);
+  Query(true, collected).Intersect(tree, valid, query);
   for (int i = 0; i < Size; ++i)
   {
     hits[i] = Hit();
@@ -330,14 +341,14 @@ void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit*
       hits[i].U = query.hit.u[i];
       hits[i].V = query.hit.v[i];
       hits[i].Distance = query.ray.tfar[i];
-      hits[i] = MakeHit(scene, tree, rays[i], hits[i], asked ? asked + i : nullptr);
+      hits[i] = MakeHit(scene, tree, rays[i], hits[i], collected ? collected + i : nullptr);
     }
   }
 }
 
-/// Which rays of a packet meet anything: Embree answers with a negative end.
+/// Computes the occlusion of a packet of rays; Embree sets tfar of occluded rays to -infinity.
 template <typename Packet, int Size>
-void OccludedPacket(RTCScene tree, const Ray* rays, bool* blocked)
+void OccludedPacket(RTCScene tree, const Ray* rays, bool* occluded)
 {
   alignas(64) int valid[Size];
   alignas(64) Packet query;
@@ -345,11 +356,11 @@ void OccludedPacket(RTCScene tree, const Ray* rays, bool* blocked)
   Query(false).Occluded(tree, valid, query);
   for (int i = 0; i < Size; ++i)
   {
-    blocked[i] = valid[i] != 0 && query.tfar[i] < 0.f;
+    occluded[i] = valid[i] != 0 && query.tfar[i] < 0.f;
   }
 }
 
-/// From 1 on.
+/// Returns an id that is unique in this process, starting at 1.
 std::uint64_t NextId()
 {
   static std::atomic<std::uint64_t> last(0);
@@ -360,22 +371,22 @@ std::uint64_t NextId()
 
 RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& progress)
   : TracedScene(scene),
-    Contesting(std::make_unique<CoincidentSurfaces>(scene)),
+    Coincident(std::make_unique<CoincidentSurfaces>(scene)),
     Id(NextId())
 {
   for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
   {
-    this->Traced.push_back({ &scene.Surfaces[i], this->Contesting->DepthTolerance(i) });
+    this->Traced.push_back({ &scene.Surfaces[i], this->Coincident->DepthTolerance(i) });
   }
-  this->Device = rtcNewDevice(DeviceSettings(threads).c_str());
-  Check(this->Device);
+  this->Device = rtcNewDevice(MakeDeviceConfiguration(threads).c_str());
+  CheckDevice(this->Device);
   this->TracesPackets16 =
     rtcGetDeviceProperty(this->Device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   try
   {
     this->EmbreeScene = rtcNewScene(this->Device);
     rtcSetSceneFlags(this->EmbreeScene,
-      CountTriangles(scene) < CompactFrom
+      CountTriangles(scene) < MinimumCompactTriangles
         ? RTC_SCENE_FLAG_ROBUST
         : static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
     for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
@@ -423,10 +434,10 @@ Hit RayScene::Intersect(const Ray& ray) const
   Fill(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  CandidateHits contending;
-  contending.Far = ray.Far;
-  CandidateHits* const asked = this->Contesting->IsEmpty() ? nullptr : &contending;
-  Query(false, asked).Intersect(this->EmbreeScene, query);
+  CandidateHits candidates;
+  candidates.Far = ray.Far;
+  CandidateHits* const collected = this->Coincident->IsEmpty() ? nullptr : &candidates;
+  Query(false, collected).Intersect(this->EmbreeScene, query);
   Hit hit;
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
@@ -435,7 +446,7 @@ Hit RayScene::Intersect(const Ray& ray) const
     hit.U = query.hit.u;
     hit.V = query.hit.v;
     hit.Distance = query.ray.tfar;
-    hit = MakeHit(*this, this->EmbreeScene, ray, hit, asked);
+    hit = MakeHit(*this, this->EmbreeScene, ray, hit, collected);
   }
   return hit;
 }
@@ -447,20 +458,20 @@ void RayScene::Intersect16(const Ray* rays, Hit* hits) const
     IntersectPacket<RTCRayHit16, 16>(*this, this->EmbreeScene, rays, hits);
     return;
   }
-  // Without instructions for 16 Embree would trace one ray after the other.
+  // Without native support for 16 rays, Embree would trace them one by one.
   IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays, hits);
   IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays + 8, hits + 8);
 }
 
-void RayScene::Occluded16(const Ray* rays, bool* blocked) const
+void RayScene::Occluded16(const Ray* rays, bool* occluded) const
 {
   if (this->TracesPackets16)
   {
-    OccludedPacket<RTCRay16, 16>(this->EmbreeScene, rays, blocked);
+    OccludedPacket<RTCRay16, 16>(this->EmbreeScene, rays, occluded);
     return;
   }
-  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays, blocked);
-  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays + 8, blocked + 8);
+  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays, occluded);
+  OccludedPacket<RTCRay8, 8>(this->EmbreeScene, rays + 8, occluded + 8);
 }
 
 bool RayScene::Occluded(const Ray& ray) const

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles of a Scene in Embree: nearest hits and occlusion. Embree stays behind this header.
+// Embree BVH of the triangles of a Scene: nearest hits and occlusion. Users of this header do not
+// need Embree's headers.
 #ifndef penumbra_RayScene_h
 #define penumbra_RayScene_h
 
@@ -23,7 +24,8 @@ namespace penumbra
 class CoincidentSurfaces;
 struct TracedSurface;
 
-/// A ray; with directions from Camera::RayDirection distances are along the view axis.
+/// A ray. If the direction is from Camera::RayDirection(), distances are measured along the view
+/// axis.
 struct Ray
 {
   glm::vec3 Origin{ 0.f };
@@ -32,68 +34,71 @@ struct Ray
   float Far = std::numeric_limits<float>::infinity();
 };
 
-/// Where a ray met a triangle first. U, V and Distance follow from the triangle in double, of surfaces
-/// in one place one is chosen by their looks, and on an edge the lowest triangle counts of those of the
-/// surface: nothing of it depends on the processor, as Embree's own answers do.
+/// First hit of a ray, the same on every processor, unlike the hits that Embree returns. U, V and
+/// Distance are computed from the triangle in double precision. Of coincident surfaces, one is
+/// selected by CoincidentSurfaces. On an edge, the triangle of the surface with the lowest index is
+/// selected.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
-  std::uint32_t Surface = None;  ///< index into Scene::Surfaces; None: a miss
+  std::uint32_t Surface = None;  ///< index into Scene::Surfaces; None if the ray misses
   std::uint32_t Triangle = None; ///< index into Surface::Triangles
   float U = 0.f;                 ///< weight of the triangle's second vertex
   float V = 0.f;                 ///< weight of its third vertex
   float Distance = std::numeric_limits<float>::infinity(); ///< in units of |Ray::Direction|
-  float NextNear = std::numeric_limits<float>::infinity(); ///< the Near that passes this triangle
+  float NextNear =
+    std::numeric_limits<float>::infinity(); ///< value of Ray::Near that continues behind this hit
 
   bool IsHit() const { return this->Surface != None; }
 };
 
 class RayScene;
 
-/// The first hit of `ray` that is no line and no point, which block nothing; `hit` is its first one.
+/// Returns the first hit of `ray` on a surface with area, skipping lines and points, which do not
+/// occlude. `hit` is the first hit of `ray`.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit);
 
-/// Rays that are none (not finite, without direction, Near < 0 or > Far) meet nothing.
+/// Embree BVH of a Scene. Invalid rays (not finite, zero direction, Near < 0 or Near > Far) miss.
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayScene
 {
 public:
   /// Builds the BVH with at most `threads` threads (0: all). `scene` must outlive this object.
-  /// Positions and Triangles with a reserve of one element are traced in place, others are copied.
-  /// Throws std::bad_alloc or std::runtime_error.
-  /// Stopped where `progress`, asked on the calling thread, says so.
+  /// Positions and Triangles with spare capacity for one element are shared, others are copied.
+  /// Throws std::bad_alloc or std::runtime_error, and Stopped if `progress`, which is called on the
+  /// calling thread, returns true.
   RayScene(const Scene& scene, int threads, const ProgressCallback& progress = {});
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// Nearest hit of one ray; culled sides of surfaces are passed.
+  /// Returns the nearest hit of a ray; culled sides of surfaces are skipped.
   Hit Intersect(const Ray& ray) const;
 
-  /// Nearest hits of 16 rays; those with Near > Far are left out.
+  /// Computes the nearest hits of 16 rays. Rays with Near > Far are inactive and miss.
   void Intersect16(const Ray* rays, Hit* hits) const;
 
-  /// Is anything met? Surfaces with IsLineOrPoint do not count.
+  /// Returns true if the ray hits a surface. Surfaces with IsLineOrPoint do not occlude.
   bool Occluded(const Ray& ray) const;
 
-  /// The same for 16 rays; those with Near > Far are not blocked.
-  void Occluded16(const Ray* rays, bool* blocked) const;
+  /// Computes the occlusion of 16 rays. Rays with Near > Far are inactive and unoccluded.
+  void Occluded16(const Ray* rays, bool* occluded) const;
 
   const Scene& GetScene() const { return this->TracedScene; }
-  const CoincidentSurfaces& GetContest() const { return *this->Contesting; }
+  const CoincidentSurfaces& GetCoincidentSurfaces() const { return *this->Coincident; }
 
-  /// No other scene of this process has the same.
+  /// Returns an id that is unique in this process.
   std::uint64_t GetId() const { return this->Id; }
 
 private:
   void Release();
 
   const Scene& TracedScene;
-  std::unique_ptr<CoincidentSurfaces> Contesting;
-  std::vector<TracedSurface> Traced; ///< per surface: what filters know
+  std::unique_ptr<CoincidentSurfaces> Coincident;
+  std::vector<TracedSurface> Traced; ///< per surface: data of the filter functions
   std::uint64_t Id;
   RTCDeviceTy* Device = nullptr;
   RTCSceneTy* EmbreeScene = nullptr;
-  bool TracesPackets16 = false; ///< this machine traces 16 rays at once, not 8
+  bool TracesPackets16 = false; ///< the processor traces packets of 16 rays, not 8
 };
 
 }

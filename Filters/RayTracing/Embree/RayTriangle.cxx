@@ -3,7 +3,6 @@
 #include "RayTriangle.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace penumbra
 {
@@ -11,12 +10,9 @@ namespace penumbra
 namespace
 {
 
-/// Roundings of single precision between the ray's origin and a corner, at most; times half a unit in
-/// the last place.
-constexpr double Roundings = 16.0;
-
-/// The distance of two lines whose directions have the cross product `normal` and whose volume is
-/// `volume`; parallel lines are far.
+/// Returns the signed distance between two lines, `volume` / |`normal`|. `normal` is the cross
+/// product of their directions, `volume` its scalar product with their offset. Infinite for
+/// parallel lines.
 double LineDistance(double volume, const glm::dvec3& normal)
 {
   const double length = glm::length(normal);
@@ -51,9 +47,8 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
   this->EdgeDistance = std::min(
     { LineDistance(sign * second, p), LineDistance(sign * third, glm::cross(direction, ab)),
       LineDistance(sign * (volume - second - third), glm::cross(direction, ac - ab)) });
-  const glm::dvec3 reach = glm::abs(fromA) + glm::max(glm::abs(ab), glm::abs(ac));
-  this->EdgeTolerance = Roundings * 0.5 * std::numeric_limits<float>::epsilon() *
-    std::max({ reach.x, reach.y, reach.z });
+  const glm::dvec3 extent = glm::abs(fromA) + glm::max(glm::abs(ab), glm::abs(ac));
+  this->EdgeTolerance = MaximumRoundings * HalfUlp * std::max({ extent.x, extent.y, extent.z });
 }
 
 }

@@ -1,30 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a ray meets the plane of a triangle, in double: the same bits on every processor.
+// Intersection of a ray with the plane of a triangle in double precision, with the same bits on
+// every processor.
 #ifndef penumbra_RayTriangle_h
 #define penumbra_RayTriangle_h
 
 #include "RayScene.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace penumbra
 {
 
+/// Relative rounding error of a float: half a unit in the last place of 1.
+constexpr double HalfUlp = 0.5 * std::numeric_limits<float>::epsilon();
+/// Bound of the number of single-precision roundings between the origin of a ray and a hit.
+constexpr double MaximumRoundings = 16.0;
+
 struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayTriangle
 {
-  bool IsValid = false;       ///< the ray is not parallel to the triangle
-  bool IsFront = false;       ///< the ray comes from where the corners turn counterclockwise
+  bool IsValid = false;       ///< if on, the ray is not parallel to the triangle
+  bool IsFront = false;       ///< if on, the ray hits the side with counterclockwise vertices
   double U = 0.0;             ///< weight of the triangle's second vertex
   double V = 0.0;             ///< weight of its third vertex
   double Distance = 0.0;      ///< in units of |Ray::Direction|
-  double EdgeDistance = 0.0;  ///< from the ray to the nearest of the edges' lines; outside negative
-  double EdgeTolerance = 0.0; ///< how far single precision may take the ray for elsewhere
+  double EdgeDistance = 0.0;  ///< from the ray to the nearest edge line; negative outside
+  double EdgeTolerance = 0.0; ///< bound of the error of EdgeDistance in single precision
 
   RayTriangle(const Surface& surface, std::uint32_t triangle, const Ray& ray);
 
-  /// Does single precision not know on which side of an edge the ray is?
+  /// Returns true if single precision cannot decide on which side of an edge the ray passes.
   bool IsOnEdge() const
   {
     return this->EdgeDistance<this->EdgeTolerance&& this->EdgeDistance> - this->EdgeTolerance;

@@ -11,16 +11,17 @@ namespace penumbra
 namespace
 {
 
-// Pieces of a table: at equal angles seen from the light, and at equal losses seen from the eye.
-constexpr int PiecesByAngle = 16;
-constexpr int PiecesByLoss = 8;
-// What is left of light after so many mean free paths is nothing: e^-18 = 1.5e-8.
-constexpr double EndOfSight = 18.0;
-// Nearer than this share of the ray's length no ray passes a light.
-constexpr double NearestPass = 1e-6;
+/// Number of segments of a table with equal angles, seen from the light.
+constexpr int AngularSegments = 16;
+/// Number of segments of a table with equal extinction, seen from the camera.
+constexpr int ExtinctionSegments = 8;
+/// Rays end at this optical depth; the remaining transmittance is e^-18 = 1.5e-8.
+constexpr double MaximumOpticalDepth = 18.0;
+/// Lower bound of the distance between the ray and a light, as a fraction of the length of the ray.
+constexpr double MinimumLightDistance = 1e-6;
 
-/// The integral of exp(-slope t) over [0, length], length possibly infinite.
-double Decay(double slope, double length)
+/// Returns the integral of exp(-slope t) over [0, length]; length may be infinite.
+double IntegrateExponential(double slope, double length)
 {
   const double x = slope * length;
   return std::abs(x) < 1e-9 ? length : -std::expm1(-x) / slope;
@@ -30,87 +31,91 @@ double Decay(double slope, double length)
 
 LightDirection DirectionToLight(const Light& light, glm::dvec3 point)
 {
-  LightDirection way;
+  LightDirection toLight;
   if (light.Kind == Light::Kinds::Directional)
   {
-    way.Direction = -glm::dvec3(light.Direction);
-    return way;
+    toLight.Direction = -glm::dvec3(light.Direction);
+    return toLight;
   }
-  const glm::dvec3 path = glm::dvec3(light.Position) - point;
-  way.Distance = glm::length(path);
-  way.Direction = path / std::max(way.Distance, 1e-300);
-  way.InCone = light.Kind != Light::Kinds::Spot ||
-    glm::dot(way.Direction, -glm::dvec3(light.Direction)) >= light.ConeCosine;
-  return way;
+  const glm::dvec3 offset = glm::dvec3(light.Position) - point;
+  toLight.Distance = glm::length(offset);
+  toLight.Direction = offset / std::max(toLight.Distance, 1e-300);
+  toLight.InCone = light.Kind != Light::Kinds::Spot ||
+    glm::dot(toLight.Direction, -glm::dvec3(light.Direction)) >= light.ConeCosine;
+  return toLight;
 }
 
 InScatteringDistribution::InScatteringDistribution(const Medium& medium, const Light& light,
   glm::dvec3 origin, glm::dvec3 direction, double from, double to)
-  : Fog(medium),
+  : ScatteringMedium(medium),
     Source(light),
     Origin(origin),
     Direction(direction),
     From(from),
-    To(medium.Extinction > 0.0 ? std::min(to, from + EndOfSight / medium.Extinction) : to)
+    To(medium.Extinction > 0.0 ? std::min(to, from + MaximumOpticalDepth / medium.Extinction) : to)
 {
-  if (!(this->Fog.Scattering > 0.0) || !(this->To > this->From) || !std::isfinite(this->To))
+  if (!(this->ScatteringMedium.Scattering > 0.0) || !(this->To > this->From) ||
+    !std::isfinite(this->To))
   {
     return;
   }
   if (light.Kind == Light::Kinds::Directional)
   {
-    this->AddExactPieces();
+    this->AddExactSegments();
   }
   else
   {
-    this->AddTabulatedPieces();
+    this->AddTabulatedSegments();
   }
 }
 
-/// Scattered towards the eye per unit of length.
+/// Returns the light scattered toLight the camera per unit of length.
 double InScatteringDistribution::Density(double t) const
 {
   const glm::dvec3 point = this->Origin + t * this->Direction;
-  const LightDirection way = DirectionToLight(this->Source, point);
-  double inside = std::min(this->Fog.DistanceToExit(point, way.Direction), way.Distance);
-  // The light of a source infinitely far in a medium without end is told as it arrives here.
+  const LightDirection toLight = DirectionToLight(this->Source, point);
+  double inside =
+    std::min(this->ScatteringMedium.DistanceToExit(point, toLight.Direction), toLight.Distance);
+  // In an unbounded medium, a directional light is specified as it arrives at the point.
   inside = std::isfinite(inside) ? inside : 0.0;
   double strength = 1.0;
   if (this->Source.Kind != Light::Kinds::Directional)
   {
     const glm::dvec3 a(this->Source.Attenuation);
-    strength = 1.0 / std::max(a.x + way.Distance * (a.y + way.Distance * a.z), 1e-30);
+    strength = 1.0 / std::max(a.x + toLight.Distance * (a.y + toLight.Distance * a.z), 1e-30);
     if (this->Source.Kind == Light::Kinds::Spot)
     {
-      const double cosine = glm::dot(way.Direction, -glm::dvec3(this->Source.Direction));
+      const double cosine = glm::dot(toLight.Direction, -glm::dvec3(this->Source.Direction));
       strength *= std::pow(std::max(cosine, 0.0), static_cast<double>(this->Source.Exponent));
     }
   }
-  const double cosine = glm::dot(way.Direction, this->Direction);
-  return strength * this->Fog.Scattering * this->Fog.PhaseFunction(cosine) *
-    std::exp(-this->Fog.Extinction * (t - this->From + inside));
+  const double cosine = glm::dot(toLight.Direction, this->Direction);
+  return strength * this->ScatteringMedium.Scattering *
+    this->ScatteringMedium.PhaseFunction(cosine) *
+    std::exp(-this->ScatteringMedium.Extinction * (t - this->From + inside));
 }
 
-void InScatteringDistribution::AddPiece(double begin, double end, double slope, double weight)
+void InScatteringDistribution::AddSegment(double begin, double end, double slope, double weight)
 {
-  this->Pieces.push_back({ begin, end - begin, slope, this->Sum, weight });
+  this->Segments.push_back({ begin, end - begin, slope, this->Sum, weight });
   this->Sum += weight;
 }
 
-// The way to the light ends at the nearest of three faces of the medium, and the way to each of
-// them is linear along the ray: pieces end where two of them are equally far.
-void InScatteringDistribution::AddExactPieces()
+// The distance to the light in the medium ends at the nearest of three faces of its box. The
+// distance to each face is linear along the ray, so segments end where two faces are equally far.
+void InScatteringDistribution::AddExactSegments()
 {
-  const glm::dvec3 towards = -glm::dvec3(this->Source.Direction);
+  const glm::dvec3 toLight = -glm::dvec3(this->Source.Direction);
   glm::dvec3 distances(std::numeric_limits<double>::infinity());
   glm::dvec3 changes(0.0);
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (towards[axis] != 0.0)
+    if (toLight[axis] != 0.0)
     {
-      const double face = towards[axis] > 0.0 ? this->Fog.High[axis] : this->Fog.Low[axis];
-      distances[axis] = (face - this->Origin[axis]) / towards[axis];
-      changes[axis] = -this->Direction[axis] / towards[axis];
+      const double face =
+        toLight[axis] > 0.0 ? this->ScatteringMedium.High[axis] : this->ScatteringMedium.Low[axis];
+      distances[axis] = (face - this->Origin[axis]) / toLight[axis];
+      changes[axis] = -this->Direction[axis] / toLight[axis];
     }
   }
   std::vector<double> ends{ this->From, this->To };
@@ -136,33 +141,36 @@ void InScatteringDistribution::AddExactPieces()
         : nearest;
     }
     const double change = std::isfinite(distances[nearest]) ? changes[nearest] : 0.0;
-    const double slope = this->Fog.Extinction * (1.0 + change);
-    // From the middle, where the nearest face is beyond doubt, back to the beginning.
+    const double slope = this->ScatteringMedium.Extinction * (1.0 + change);
+    // The density is evaluated in the middle, where the nearest face is unambiguous, and
+    // extrapolated back to the beginning.
     const double first = this->Density(middle) * std::exp(slope * (middle - ends[i]));
-    this->AddPiece(ends[i], ends[i + 1], slope, first * Decay(slope, ends[i + 1] - ends[i]));
+    this->AddSegment(
+      ends[i], ends[i + 1], slope, first * IntegrateExponential(slope, ends[i + 1] - ends[i]));
   }
 }
 
-void InScatteringDistribution::AddTabulatedPieces()
+void InScatteringDistribution::AddTabulatedSegments()
 {
-  const glm::dvec3 towards = glm::dvec3(this->Source.Position) - this->Origin;
-  const double closest = glm::dot(towards, this->Direction);
-  const double pass = std::max(
-    glm::length(towards - closest * this->Direction), NearestPass * (this->To - this->From));
-  const double low = std::atan((this->From - closest) / pass);
-  const double high = std::atan((this->To - closest) / pass);
-  const double loss = -std::expm1(-this->Fog.Extinction * (this->To - this->From));
+  const glm::dvec3 toLight = glm::dvec3(this->Source.Position) - this->Origin;
+  const double closest = glm::dot(toLight, this->Direction);
+  const double lightDistance = std::max(glm::length(toLight - closest * this->Direction),
+    MinimumLightDistance * (this->To - this->From));
+  const double low = std::atan((this->From - closest) / lightDistance);
+  const double high = std::atan((this->To - closest) / lightDistance);
+  const double opacity = -std::expm1(-this->ScatteringMedium.Extinction * (this->To - this->From));
 
   std::vector<double> ends{ this->From, this->To };
-  for (int i = 1; i < PiecesByAngle; ++i)
+  for (int i = 1; i < AngularSegments; ++i)
   {
-    ends.push_back(closest + pass * std::tan(low + (high - low) * i / PiecesByAngle));
+    ends.push_back(closest + lightDistance * std::tan(low + (high - low) * i / AngularSegments));
   }
-  for (int i = 1; i < PiecesByLoss; ++i)
+  for (int i = 1; i < ExtinctionSegments; ++i)
   {
-    const double share = static_cast<double>(i) / PiecesByLoss;
-    ends.push_back(loss > 1e-6 ? this->From - std::log1p(-share * loss) / this->Fog.Extinction
-                               : this->From + share * (this->To - this->From));
+    const double fraction = static_cast<double>(i) / ExtinctionSegments;
+    ends.push_back(opacity > 1e-6
+        ? this->From - std::log1p(-fraction * opacity) / this->ScatteringMedium.Extinction
+        : this->From + fraction * (this->To - this->From));
   }
   std::sort(ends.begin(), ends.end());
   for (double& end : ends)
@@ -178,14 +186,15 @@ void InScatteringDistribution::AddTabulatedPieces()
       continue;
     }
     const double next = this->Density(ends[i + 1]);
-    // Gauss and Legendre's three points.
+    // Three-point Gauss-Legendre quadrature.
     const double middle = ends[i] + 0.5 * length;
-    const double aside = 0.5 * length * std::sqrt(0.6);
+    const double offset = 0.5 * length * std::sqrt(0.6);
     const double weight = length / 18.0 *
-      (5.0 * this->Density(middle - aside) + 8.0 * this->Density(middle) +
-        5.0 * this->Density(middle + aside));
-    const bool falls = density > 0.0 && next > 0.0;
-    this->AddPiece(ends[i], ends[i + 1], falls ? std::log(density / next) / length : 0.0, weight);
+      (5.0 * this->Density(middle - offset) + 8.0 * this->Density(middle) +
+        5.0 * this->Density(middle + offset));
+    const bool isPositive = density > 0.0 && next > 0.0;
+    this->AddSegment(
+      ends[i], ends[i + 1], isPositive ? std::log(density / next) / length : 0.0, weight);
     density = next;
   }
 }
@@ -196,37 +205,38 @@ double InScatteringDistribution::CDF(double t) const
   {
     return 0.0;
   }
-  const auto after = std::upper_bound(this->Pieces.begin(), this->Pieces.end(), t,
-    [](double place, const Segment& piece) { return place < piece.Begin; });
-  if (after == this->Pieces.begin())
+  const auto after = std::upper_bound(this->Segments.begin(), this->Segments.end(), t,
+    [](double parameter, const Segment& segment) { return parameter < segment.Begin; });
+  if (after == this->Segments.begin())
   {
     return 0.0;
   }
-  const Segment& piece = *(after - 1);
-  const double into = std::clamp(t - piece.Begin, 0.0, piece.Length);
-  const double part = piece.Weight * Decay(piece.Slope, into) / Decay(piece.Slope, piece.Length);
-  return (piece.Before + part) / this->Sum;
+  const Segment& segment = *(after - 1);
+  const double offset = std::clamp(t - segment.Begin, 0.0, segment.Length);
+  const double part = segment.Weight * IntegrateExponential(segment.Slope, offset) /
+    IntegrateExponential(segment.Slope, segment.Length);
+  return (segment.Before + part) / this->Sum;
 }
 
-double InScatteringDistribution::InvertCDF(double share) const
+double InScatteringDistribution::InvertCDF(double fraction) const
 {
-  const double wanted = share * this->Sum;
-  const auto after = std::upper_bound(this->Pieces.begin(), this->Pieces.end(), wanted,
-    [](double amount, const Segment& piece) { return amount < piece.Before; });
-  if (after == this->Pieces.begin())
+  const double target = fraction * this->Sum;
+  const auto after = std::upper_bound(this->Segments.begin(), this->Segments.end(), target,
+    [](double light, const Segment& segment) { return light < segment.Before; });
+  if (after == this->Segments.begin())
   {
     return this->From;
   }
-  const Segment& piece = *(after - 1);
-  if (!(piece.Weight > 0.0))
+  const Segment& segment = *(after - 1);
+  if (!(segment.Weight > 0.0))
   {
-    return piece.Begin;
+    return segment.Begin;
   }
-  const double part = std::clamp((wanted - piece.Before) / piece.Weight, 0.0, 1.0);
-  const double x = piece.Slope * piece.Length;
-  const double into =
-    std::abs(x) < 1e-9 ? part * piece.Length : -std::log1p(part * std::expm1(-x)) / piece.Slope;
-  return piece.Begin + std::clamp(into, 0.0, piece.Length);
+  const double part = std::clamp((target - segment.Before) / segment.Weight, 0.0, 1.0);
+  const double x = segment.Slope * segment.Length;
+  const double offset =
+    std::abs(x) < 1e-9 ? part * segment.Length : -std::log1p(part * std::expm1(-x)) / segment.Slope;
+  return segment.Begin + std::clamp(offset, 0.0, segment.Length);
 }
 
 }

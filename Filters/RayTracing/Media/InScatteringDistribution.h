@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much of one light's light a medium scatters towards the eye along a ray, were nothing in the
-// light's way: eq. 1 of [Shafts], cumulative, and its inverse. Under a directional light this is a
-// closed form; under another it is a table whose pieces are exponentials.
+// Distribution along a ray of the light that a medium scatters from one unshadowed light towards
+// the camera: the cumulative distribution of [Shafts eq. 1] and its inverse. For directional lights
+// it is a closed form, for other lights a table with exponential segments.
 #ifndef penumbra_InScatteringDistribution_h
 #define penumbra_InScatteringDistribution_h
 
@@ -16,12 +16,12 @@
 namespace penumbra
 {
 
-/// From a point to a light.
+/// Direction and distance from a point to a light.
 struct LightDirection
 {
   glm::dvec3 Direction{ 0.0 }; ///< unit
   double Distance = std::numeric_limits<double>::infinity();
-  bool InCone = true; ///< of a spot
+  bool InCone = true; ///< if on, the point is in the cone of the spotlight
 };
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT LightDirection DirectionToLight(
   const Light& light, glm::dvec3 point);
@@ -29,44 +29,45 @@ VTKPENUMBRAFILTERSRAYTRACING_EXPORT LightDirection DirectionToLight(
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT InScatteringDistribution
 {
 public:
-  /// Along origin + t direction (unit), t in [from, to], which must lie in the medium; `to` may be
-  /// infinite. The light is seen from `from`, its colour is left out, and so is the cone of a spot.
+  /// Computes the distribution along origin + t direction (unit) for t in [from, to], which must be
+  /// inside the medium; `to` may be infinite. Light is attenuated from t back to `from`. The color
+  /// of the light and the cone of a spotlight are not included.
   InScatteringDistribution(const Medium& medium, const Light& light, glm::dvec3 origin,
     glm::dvec3 direction, double from, double to);
 
-  /// What a lit ray scatters in all.
+  /// Returns the in-scattered light of the whole ray if it is unshadowed.
   double Integral() const { return this->Sum; }
 
-  /// What it scatters up to t, as a share of Total().
+  /// Returns the in-scattered light up to t, as a fraction of Integral().
   double CDF(double t) const;
 
-  /// The t up to which it scatters this share of Total().
-  double InvertCDF(double share) const;
+  /// Returns the t at which CDF(t) = `fraction`.
+  double InvertCDF(double fraction) const;
 
 private:
-  /// From Begin on the scattered light falls as exp(-Slope t).
+  /// Segment of the ray in which the in-scattered light decreases as exp(-Slope (t - Begin)).
   struct Segment
   {
     double Begin;
     double Length;
     double Slope;
-    double Before; ///< scattered before the piece
-    double Weight; ///< scattered in it
+    double Before; ///< in-scattered light before the segment
+    double Weight; ///< in-scattered light of the segment
   };
 
   double Density(double t) const;
-  void AddExactPieces();
-  void AddTabulatedPieces();
-  void AddPiece(double begin, double end, double slope, double weight);
+  void AddExactSegments();
+  void AddTabulatedSegments();
+  void AddSegment(double begin, double end, double slope, double weight);
 
-  const Medium& Fog;
+  const Medium& ScatteringMedium;
   const Light& Source;
   const glm::dvec3 Origin;
   const glm::dvec3 Direction;
   const double From;
   const double To;
   double Sum = 0.0;
-  std::vector<Segment> Pieces;
+  std::vector<Segment> Segments;
 };
 
 }

@@ -12,38 +12,43 @@ namespace penumbra
 namespace
 {
 
-// One step may hide so much light, in tolerances, where no borders are seen.
+/// In-scattered light per initial step, in tolerances.
 constexpr double LightPerStep = 2.0;
-constexpr double FewestSteps = 3.0;
-constexpr double MostSteps = 4096.0;
-// Steps of light that are believed to be hidden between steps: for each border, and without any.
-constexpr double HiddenAtBorder = 0.2;
-constexpr double HiddenElsewhere = 0.05;
-// More steps are made while more than so many tolerances are believed to be hidden.
-constexpr double HiddenTolerance = 0.75;
-// Borders of shadow are found to this share of the tolerance; with a given number of steps, of one.
-constexpr double BorderShare = 0.1;
-constexpr double BorderShareOfStep = 1.0 / 64.0;
-// The ends of a ray are left out: there a surface shadows itself by rounding.
-constexpr double EndOfSteps = 1e-4;
+/// Bounds of the number of steps per interval.
+constexpr double MinimumSteps = 3.0;
+constexpr double MaximumSteps = 4096.0;
+/// Estimated light that the steps miss, in units of the light of one step: per shadow boundary
+/// found, and per interval.
+constexpr double MissedPerBoundary = 0.2;
+constexpr double MissedPerInterval = 0.05;
+/// The number of steps is doubled while the estimated missed light exceeds this, in tolerances.
+constexpr double MissedLightTolerance = 0.75;
+/// Shadow boundaries are bisected down to this fraction of the tolerance.
+constexpr double BoundaryFractionOfTolerance = 0.1;
+/// With a given number of steps, shadow boundaries are bisected down to this fraction of a step.
+constexpr double BoundaryFractionOfStep = 1.0 / 64.0;
+/// Fraction of the interval at each end without steps, since rounding lets surfaces shadow
+/// themselves there.
+constexpr double EndMargin = 1e-4;
 
-/// The share of light that steps with these visibilities are believed to overlook.
-double EstimateMissedLight(const std::vector<float>& seen)
+/// Returns the estimated fraction of light that steps with these visibilities miss.
+double EstimateMissedLight(const std::vector<float>& visibility)
 {
-  int borders = 0;
-  for (std::size_t i = 1; i < seen.size(); ++i)
+  int boundaries = 0;
+  for (std::size_t i = 1; i < visibility.size(); ++i)
   {
-    borders += seen[i] != seen[i - 1];
+    boundaries += visibility[i] != visibility[i - 1];
   }
-  return (HiddenAtBorder * borders + HiddenElsewhere) / static_cast<double>(seen.size());
+  return (MissedPerBoundary * boundaries + MissedPerInterval) /
+    static_cast<double>(visibility.size());
 }
 
 }
 
-LightShafts::LightShafts(const Shading& shading, const Medium& medium, MarchQuality effort)
+LightShafts::LightShafts(const Shading& shading, const Medium& medium, MarchQuality quality)
   : SurfaceShading(shading),
     ScatteringMedium(medium),
-    Quality(effort)
+    Quality(quality)
 {
   const Scene& scene = shading.GetScene();
   const std::vector<AxisAlignedBox> boxes = BoundOccluders(scene);
@@ -52,7 +57,7 @@ LightShafts::LightShafts(const Shading& shading, const Medium& medium, MarchQual
     if (light.CastsShadow && light.DiffuseColor != glm::vec3(0.f))
     {
       this->Lights.push_back(light);
-      this->Regions.emplace_back(boxes, light);
+      this->Shadows.emplace_back(boxes, light);
     }
   }
 }
@@ -60,7 +65,7 @@ LightShafts::LightShafts(const Shading& shading, const Medium& medium, MarchQual
 LightShafts::InScattering LightShafts::Along(
   const Ray& ray, double from, double to, float weight, long long& shadowRays) const
 {
-  InScattering seen;
+  InScattering result;
   const glm::dvec3 origin(ray.Origin);
   const double length = glm::length(glm::dvec3(ray.Direction));
   const glm::dvec3 direction = glm::dvec3(ray.Direction) / length;
@@ -68,9 +73,9 @@ LightShafts::InScattering LightShafts::Along(
   double far = to * length;
   if (!this->ScatteringMedium.Clip(origin, direction, near, far))
   {
-    return seen;
+    return result;
   }
-  seen.Transmittance =
+  result.Transmittance =
     static_cast<float>(std::exp(-this->ScatteringMedium.Extinction * (far - near)));
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
@@ -79,112 +84,118 @@ LightShafts::InScattering LightShafts::Along(
       this->ScatteringMedium, light, origin, direction, near, far);
     const glm::vec3 color = light.DiffuseColor;
     const double brightest = std::max(color.r, std::max(color.g, color.b));
-    const double worth = weight * brightest * profile.Integral() / this->Quality.Tolerance;
-    if (worth > 0.0)
+    const double importance = weight * brightest * profile.Integral() / this->Quality.Tolerance;
+    if (importance > 0.0)
     {
-      RayMarch march{ profile, light, origin, direction, worth, {}, 0.0, 1.0, 0.0, 0.0, 0.0, 0 };
-      this->MarchIntervals(march, this->Regions[i].Along(origin, direction, near, far));
-      seen.Light += static_cast<float>(march.Lit * profile.Integral()) * color;
-      seen.Error += static_cast<float>(brightest * profile.Integral() * march.LitError);
+      RayMarch march{ profile, light, origin, direction, importance, {}, 0.0, 1.0, 0.0, 0.0, 0.0,
+        0 };
+      this->MarchIntervals(march, this->Shadows[i].Along(origin, direction, near, far));
+      result.Light += static_cast<float>(march.Lit * profile.Integral()) * color;
+      result.Error += static_cast<float>(brightest * profile.Integral() * march.LitError);
       shadowRays += march.Rays;
     }
   }
-  return seen;
+  return result;
 }
 
-/// Through all that may be in shadow; everything else is lit, unless a spot's cone ends.
-void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> spans) const
+/// Marches through the intervals that may be in shadow; the rest of the ray is lit. For spotlights
+/// the whole ray is marched, since points outside the cone are unlit.
+void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> intervals) const
 {
   if (march.Source.Kind == Light::Kinds::Spot)
   {
-    spans = { { -std::numeric_limits<double>::infinity(), march.Profile.InvertCDF(1.0) } };
+    intervals = { { -std::numeric_limits<double>::infinity(), march.Profile.InvertCDF(1.0) } };
   }
   double possible = 0.0;
-  for (RayInterval& span : spans)
+  for (RayInterval& interval : intervals)
   {
-    span = { march.Profile.CDF(span.From), march.Profile.CDF(span.To) };
-    possible += span.To - span.From;
+    interval = { march.Profile.CDF(interval.From), march.Profile.CDF(interval.To) };
+    possible += interval.To - interval.From;
   }
   march.Lit = 1.0 - possible;
-  for (const RayInterval& span : spans)
+  for (const RayInterval& interval : intervals)
   {
-    const double size = span.To - span.From;
+    const double size = interval.To - interval.From;
     if (!(size > 0.0))
     {
       continue;
     }
-    march.Low = span.From;
-    march.High = span.To;
-    const bool free = this->Quality.Steps == 0;
+    march.Low = interval.From;
+    march.High = interval.To;
+    const bool isAdaptive = this->Quality.Steps == 0;
     const double wanted =
-      free ? march.Importance * size / LightPerStep : this->Quality.Steps * size / possible;
+      isAdaptive ? march.Importance * size / LightPerStep : this->Quality.Steps * size / possible;
     this->SampleVisibility(
-      march, static_cast<int>(std::clamp(std::ceil(wanted), FewestSteps, MostSteps)));
-    while (free && march.Importance * size * EstimateMissedLight(march.Seen) > HiddenTolerance &&
-      static_cast<double>(march.Seen.size()) < MostSteps)
+      march, static_cast<int>(std::clamp(std::ceil(wanted), MinimumSteps, MaximumSteps)));
+    while (isAdaptive &&
+      march.Importance * size * EstimateMissedLight(march.Visibility) > MissedLightTolerance &&
+      static_cast<double>(march.Visibility.size()) < MaximumSteps)
     {
       this->BisectSamples(march);
     }
-    march.BoundaryTolerance =
-      free ? BorderShare / std::max(march.Importance, 1.0) : BorderShareOfStep * size / wanted;
-    march.Lit += this->LitShare(march);
-    march.LitError += size * EstimateMissedLight(march.Seen) + 0.5 * march.BoundaryTolerance;
+    march.BoundaryTolerance = isAdaptive
+      ? BoundaryFractionOfTolerance / std::max(march.Importance, 1.0)
+      : BoundaryFractionOfStep * size / wanted;
+    march.Lit += this->IntegrateVisibility(march);
+    march.LitError += size * EstimateMissedLight(march.Visibility) + 0.5 * march.BoundaryTolerance;
   }
 }
 
-double LightShafts::PlaceOfStep(const RayMarch& march, int i, int steps)
+double LightShafts::ComputeStepPosition(const RayMarch& march, int i, int steps)
 {
-  const double place = EndOfSteps + (1.0 - 2.0 * EndOfSteps) * i / (steps - 1);
-  return march.Low + (march.High - march.Low) * place;
+  const double fraction = EndMargin + (1.0 - 2.0 * EndMargin) * i / (steps - 1);
+  return march.Low + (march.High - march.Low) * fraction;
 }
 
-/// Visibility at `steps` places that scatter equally much, from the eye to the end.
+/// Computes the visibility at `steps` positions that divide the in-scattered light equally.
 void LightShafts::SampleVisibility(RayMarch& march, int steps) const
 {
-  march.Seen.resize(steps);
+  march.Visibility.resize(steps);
   for (int i = 0; i < steps; ++i)
   {
-    march.Seen[i] = this->Visible(march, PlaceOfStep(march, i, steps));
+    march.Visibility[i] = this->TraceVisibility(march, ComputeStepPosition(march, i, steps));
   }
 }
 
-/// One more look between any two.
+/// Adds a visibility sample between each pair of neighboring samples.
 void LightShafts::BisectSamples(RayMarch& march) const
 {
-  const int steps = 2 * static_cast<int>(march.Seen.size()) - 1;
-  std::vector<float> seen(steps);
+  const int steps = 2 * static_cast<int>(march.Visibility.size()) - 1;
+  std::vector<float> visibility(steps);
   for (int i = 0; i < steps; ++i)
   {
-    seen[i] = i % 2 ? this->Visible(march, PlaceOfStep(march, i, steps)) : march.Seen[i / 2];
+    visibility[i] = i % 2 ? this->TraceVisibility(march, ComputeStepPosition(march, i, steps))
+                          : march.Visibility[i / 2];
   }
-  march.Seen.swap(seen);
+  march.Visibility.swap(visibility);
 }
 
-/// The share of the profile's light that is not shadowed.
-double LightShafts::LitShare(RayMarch& march) const
+/// Returns the unshadowed fraction of the in-scattered light in the current interval.
+double LightShafts::IntegrateVisibility(RayMarch& march) const
 {
-  const int steps = static_cast<int>(march.Seen.size());
-  double sum = EndOfSteps * (march.High - march.Low) * (march.Seen.front() + march.Seen.back());
+  const int steps = static_cast<int>(march.Visibility.size());
+  double sum =
+    EndMargin * (march.High - march.Low) * (march.Visibility.front() + march.Visibility.back());
   for (int i = 1; i < steps; ++i)
   {
-    sum += this->IntegrateInterval(march, PlaceOfStep(march, i - 1, steps), march.Seen[i - 1],
-      PlaceOfStep(march, i, steps), march.Seen[i]);
+    sum += this->IntegrateInterval(march, ComputeStepPosition(march, i - 1, steps),
+      march.Visibility[i - 1], ComputeStepPosition(march, i, steps), march.Visibility[i]);
   }
   return sum;
 }
 
-float LightShafts::Visible(RayMarch& march, double share) const
+float LightShafts::TraceVisibility(RayMarch& march, double position) const
 {
-  const glm::dvec3 point = march.Origin + march.Profile.InvertCDF(share) * march.Direction;
-  const LightDirection way = DirectionToLight(march.Source, point);
-  if (!way.InCone)
+  const glm::dvec3 point = march.Origin + march.Profile.InvertCDF(position) * march.Direction;
+  const LightDirection toLight = DirectionToLight(march.Source, point);
+  if (!toLight.InCone)
   {
     return 0.f;
   }
   Ray ray;
   ray.Origin = glm::vec3(point);
-  ray.Direction = glm::vec3(way.Direction);
-  ray.Far = static_cast<float>(way.Distance);
+  ray.Direction = glm::vec3(toLight.Direction);
+  ray.Far = static_cast<float>(toLight.Distance);
   return this->SurfaceShading.TraceTransmittance(ray, march.Rays);
 }
 
@@ -200,11 +211,12 @@ double LightShafts::IntegrateInterval(
     return (high - low) * 0.5 * (atLow + atHigh);
   }
   const double middle = 0.5 * (low + high);
-  if (middle <= low || middle >= high) // neighbours as numbers: Finest may be less
+  // BoundaryTolerance may be below the resolution of a double.
+  if (middle <= low || middle >= high)
   {
     return (high - low) * 0.5 * (atLow + atHigh);
   }
-  const float atMiddle = this->Visible(march, middle);
+  const float atMiddle = this->TraceVisibility(march, middle);
   return this->IntegrateInterval(march, low, atLow, middle, atMiddle) +
     this->IntegrateInterval(march, middle, atMiddle, high, atHigh);
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light that a medium scatters towards the eye, shadows in it included: single scattering, eq. 1 and
-// 2 of [Shafts] with true shadow rays. The ray is not marched evenly: its steps scatter equal shares
-// of light, borders of shadow between two steps are bisected, and what lies between borders is
-// summed in closed form.
+// Light that a medium scatters towards the camera, with shadows: single scattering [Shafts eq. 1
+// and 2] with traced shadow rays. Steps along the ray are not equidistant: each step scatters the
+// same amount of light. Shadow boundaries between two steps are found by bisection, and the light
+// between boundaries is integrated in closed form.
 #ifndef penumbra_LightShafts_h
 #define penumbra_LightShafts_h
 
@@ -23,54 +23,56 @@ class VTKPENUMBRAFILTERSRAYTRACING_EXPORT LightShafts
 public:
   struct MarchQuality
   {
-    double Tolerance; ///< the error accepted in a colour
-    int Steps; ///< shadow rays for each light along a ray, beside those that find borders; 0: as
-               ///< many as Tolerance needs
+    double Tolerance; ///< accepted error of a color channel
+    int Steps;        ///< shadow rays per light and ray, not counting bisection; 0: from Tolerance
   };
 
-  /// Lights that cast no shadow (headlights) make no shafts. `shading` must outlive this object.
-  LightShafts(const Shading& shading, const Medium& medium, MarchQuality effort);
+  /// Lights that cast no shadows, such as headlights, are ignored. `shading` must outlive this
+  /// object.
+  LightShafts(const Shading& shading, const Medium& medium, MarchQuality quality);
 
-  /// What the medium adds to a part of a ray, and leaves of what is behind.
+  /// In-scattered light along a ray segment, and the transmittance of the segment.
   struct InScattering
   {
     glm::vec3 Light{ 0.f };
     float Transmittance = 1.f;
-    float Error = 0.f; ///< believed, of Light
+    float Error = 0.f; ///< estimated error of Light
   };
 
-  /// Between the distances `from` and `to` of `ray`, which may be infinite. Only the share `weight`
-  /// of the result reaches the eye: less of it, less work.
+  /// Integrates the segment [from, to] of `ray`; `to` may be infinite. `weight` is the fraction of
+  /// the result that reaches the camera; smaller weights need fewer steps. Adds the number of
+  /// shadow rays traced to `shadowRays`.
   InScattering Along(
     const Ray& ray, double from, double to, float weight, long long& shadowRays) const;
 
-  /// No light makes shafts.
+  /// Returns true if no light of the scene casts light shafts.
   bool IsEmpty() const { return this->Lights.empty(); }
 
 private:
-  /// One light along one ray. Places are shares of what the whole ray scatters, were it lit.
+  /// Ray march for one light. Positions are values of the CDF of the in-scattered light of the
+  /// whole ray, in [0, 1].
   struct RayMarch
   {
     const InScatteringDistribution& Profile;
     const Light& Source;
     glm::dvec3 Origin;
     glm::dvec3 Direction;
-    double Importance;       ///< of the whole ray, in tolerances
-    std::vector<float> Seen; ///< what of the light arrives at each step
-    double Low;              ///< the steps lie between these places
-    double High;
-    double BoundaryTolerance; ///< borders are found to this share
-    double Lit;               ///< found so far
-    double LitError;          ///< believed error of Lit
+    double Importance; ///< in-scattered light of the whole unshadowed ray, in tolerances
+    std::vector<float> Visibility; ///< of the light at each step
+    double Low;                    ///< position of the first step
+    double High;                   ///< position of the last step
+    double BoundaryTolerance;      ///< shadow boundaries are bisected down to this interval
+    double Lit;                    ///< lit fraction of the ray so far
+    double LitError;               ///< estimated error of Lit
     long long Rays;
   };
 
-  void MarchIntervals(RayMarch& march, std::vector<RayInterval> spans) const;
+  void MarchIntervals(RayMarch& march, std::vector<RayInterval> intervals) const;
   void SampleVisibility(RayMarch& march, int steps) const;
   void BisectSamples(RayMarch& march) const;
-  double LitShare(RayMarch& march) const;
-  static double PlaceOfStep(const RayMarch& march, int i, int steps);
-  float Visible(RayMarch& march, double share) const;
+  double IntegrateVisibility(RayMarch& march) const;
+  static double ComputeStepPosition(const RayMarch& march, int i, int steps);
+  float TraceVisibility(RayMarch& march, double position) const;
   double IntegrateInterval(
     RayMarch& march, double low, float atLow, double high, float atHigh) const;
 
@@ -78,7 +80,7 @@ private:
   const Medium ScatteringMedium;
   const MarchQuality Quality;
   std::vector<Light> Lights;
-  std::vector<ShadowVolumes> Regions; ///< of each light
+  std::vector<ShadowVolumes> Shadows; ///< per light
 };
 
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,21 +12,21 @@ namespace penumbra
 
 double Medium::PhaseFunction(double cosine) const
 {
-  constexpr double WholeSphere = 12.566370614359172;
+  constexpr double sphere = 4.0 * glm::pi<double>();
   switch (this->Phase)
   {
     case Phases::Rayleigh:
-      return 0.75 * (1.0 + cosine * cosine) / WholeSphere;
+      return 0.75 * (1.0 + cosine * cosine) / sphere;
     case Phases::HenyeyGreenstein:
     {
       const double g = this->Asymmetry;
       const double root = std::sqrt(std::max(1.0 + g * g - 2.0 * g * cosine, 1e-12));
-      return (1.0 - g * g) / (WholeSphere * root * root * root);
+      return (1.0 - g * g) / (sphere * root * root * root);
     }
     case Phases::Isotropic:
       break;
   }
-  return 1.0 / WholeSphere;
+  return 1.0 / sphere;
 }
 
 bool Medium::Clip(glm::dvec3 origin, glm::dvec3 direction, double& near, double& far) const

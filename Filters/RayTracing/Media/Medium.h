@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A homogeneous medium that absorbs and scatters light: eq. 1 of [Shafts] in the form of its
-// coefficients, in scene coordinates.
+// Homogeneous participating medium in scene coordinates: the coefficients of [Shafts eq. 1].
 #ifndef penumbra_Medium_h
 #define penumbra_Medium_h
 
@@ -24,20 +23,22 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT Medium
     HenyeyGreenstein
   };
 
-  double Scattering = 0.0; ///< share of light scattered per unit of length
-  double Extinction = 0.0; ///< share lost, scattering included
+  double Scattering = 0.0; ///< scattering coefficient, per unit of length
+  double Extinction = 0.0; ///< extinction coefficient: absorption + scattering
   Phases Phase = Phases::Isotropic;
-  double Asymmetry = 0.0; ///< HenyeyGreenstein: mean cosine, -1 to 1
+  double Asymmetry = 0.0; ///< mean cosine of HenyeyGreenstein, in (-1, 1)
+  /// Corners of the bounding box.
   glm::dvec3 Low{ -std::numeric_limits<double>::infinity() };
   glm::dvec3 High{ std::numeric_limits<double>::infinity() };
 
-  /// The share of scattered light per steradian that turns by the angle of this cosine.
+  /// Returns the phase function, per steradian, for the cosine of a scattering angle.
   double PhaseFunction(double cosine) const;
 
-  /// Cuts [near, far] of a ray to what lies in the medium; false: nothing does.
+  /// Clips the interval [near, far] of a ray to the medium. Returns false if nothing remains.
   bool Clip(glm::dvec3 origin, glm::dvec3 direction, double& near, double& far) const;
 
-  /// The way through the medium from a point in it, in a unit direction; infinite where it never ends.
+  /// Returns the distance from a point in the medium to its boundary along a unit direction;
+  /// infinite if the medium is unbounded in this direction.
   double DistanceToExit(glm::dvec3 point, glm::dvec3 direction) const;
 };
 

@@ -12,7 +12,7 @@ namespace penumbra
 
 namespace
 {
-// Lost and scattered over the scene's diagonal, where nothing is given.
+/// Optical depth of the diagonal of the scene if Scattering is negative.
 constexpr double DefaultOpticalDepth = 0.25;
 }
 
@@ -47,7 +47,7 @@ std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scen
 }
 
 std::optional<LightShafts> MakeLightShafts(vtkPenumbraMedium* source, const Shading& shading,
-  double diagonal, LightShafts::MarchQuality effort, std::string& warning)
+  double diagonal, LightShafts::MarchQuality quality, std::string& warning)
 {
   if (!source)
   {
@@ -56,14 +56,17 @@ std::optional<LightShafts> MakeLightShafts(vtkPenumbraMedium* source, const Shad
   const std::optional<Medium> medium = ConvertMedium(source, shading.GetScene(), diagonal);
   if (!medium)
   {
-    warning = "The medium's numbers are no medium: no light shafts are drawn.";
+    warning = "vtkPenumbraMedium: coefficients must be finite and the bounds must not be empty. "
+              "Light shafts are "
+              "not rendered.";
     return {};
   }
-  std::optional<LightShafts> shafts(std::in_place, shading, *medium, effort);
+  std::optional<LightShafts> shafts(std::in_place, shading, *medium, quality);
   if (shafts->IsEmpty())
   {
     warning =
-      "No light makes shafts (headlights and black lights make none): no light shafts are drawn.";
+      "Light shafts are not rendered: the scene has no light that casts shadows and is not black. "
+      "Headlights cast no shadows; add a scene light.";
     return {};
   }
   return shafts;

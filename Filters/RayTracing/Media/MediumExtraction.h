@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From vtkPenumbraMedium to Medium and LightShafts: world to scene coordinates, and defaults from
-// the scene's size.
+// Conversion of vtkPenumbraMedium to Medium and LightShafts: world to scene coordinates, and
+// defaults that depend on the size of the scene.
 #ifndef penumbra_MediumExtraction_h
 #define penumbra_MediumExtraction_h
 
@@ -16,14 +16,15 @@ class vtkPenumbraMedium;
 namespace penumbra
 {
 
-/// `diagonal`: of the scene, in world units. Nothing where the numbers are not finite or no bounds.
+/// Converts `source` to scene coordinates. `diagonal` is the diagonal of the scene in world units.
+/// Returns nothing if a coefficient is not finite or if the bounds are empty.
 std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal);
 
-/// The light shafts that `source` (null: none) makes of a scene; nothing where there are none, with
-/// the reason in `warning`.
+/// Creates the light shafts of a scene in the medium `source`. Returns nothing if `source` is null,
+/// or if there are no light shafts; then `warning` gives the reason.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::optional<LightShafts> MakeLightShafts(
   vtkPenumbraMedium* source, const Shading& shading, double diagonal,
-  LightShafts::MarchQuality effort, std::string& warning);
+  LightShafts::MarchQuality quality, std::string& warning);
 
 }
 #endif

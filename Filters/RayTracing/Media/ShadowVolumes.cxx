@@ -10,14 +10,14 @@ namespace penumbra
 namespace
 {
 
-// Boxes: two to the power of this. More cost more for each ray than they save in steps.
+/// Depth of the hierarchy: 2^Levels boxes. More boxes cost more per ray than they save in steps.
 constexpr int Levels = 4;
-// Boxes and light are rounded; regions grow by this share of the box's coordinates.
+/// Margin of boxes against rounding, as a fraction of their coordinates.
 constexpr float Margin = 1e-5f;
 
-/// Halves a set of triangles at the median along its longest side, again and again.
-void Divide(std::vector<AxisAlignedBox>& triangles, std::size_t begin, std::size_t end, int levels,
-  std::vector<AxisAlignedBox>& boxes)
+/// Splits a set of triangles recursively at the median along the longest side of its bounding box.
+void SplitAtMedian(std::vector<AxisAlignedBox>& triangles, std::size_t begin, std::size_t end,
+  int levels, std::vector<AxisAlignedBox>& boxes)
 {
   if (begin == end)
   {
@@ -42,8 +42,8 @@ void Divide(std::vector<AxisAlignedBox>& triangles, std::size_t begin, std::size
     [axis](const AxisAlignedBox& a, const AxisAlignedBox& b) {
       return a.Low[axis] + a.High[axis] < b.Low[axis] + b.High[axis];
     });
-  Divide(triangles, begin, middle, levels - 1, boxes);
-  Divide(triangles, middle, end, levels - 1, boxes);
+  SplitAtMedian(triangles, begin, middle, levels - 1, boxes);
+  SplitAtMedian(triangles, middle, end, levels - 1, boxes);
 }
 
 }
@@ -66,13 +66,13 @@ std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene)
     }
   }
   std::vector<AxisAlignedBox> boxes;
-  Divide(triangles, 0, triangles.size(), Levels, boxes);
+  SplitAtMedian(triangles, 0, triangles.size(), Levels, boxes);
   return boxes;
 }
 
 ShadowVolumes::ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Light& light)
 {
-  // The light as a homogeneous point: a place, or the direction towards it.
+  // The light in homogeneous coordinates: a position, or the direction towards the light.
   const glm::dvec4 source = light.Kind == Light::Kinds::Directional
     ? glm::dvec4(-glm::dvec3(light.Direction), 0.0)
     : glm::dvec4(glm::dvec3(light.Position), 1.0);
@@ -81,7 +81,7 @@ ShadowVolumes::ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Lig
     Region region;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Nothing is shadowed before the faces that the light shines on.
+      // The shadow volume begins at the lit faces of the box.
       glm::dvec3 normal(0.0);
       normal[axis] = 1.0;
       if (source[axis] > source.w * box.High[axis])
@@ -98,8 +98,8 @@ ShadowVolumes::ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Lig
   }
 }
 
-/// Seen along one axis the box is a rectangle, and its shadow lies between the two lines through the
-/// light that touch the rectangle.
+/// Projected along one axis, the box is a rectangle, and its shadow lies between the two lines
+/// through the light that touch the rectangle.
 void ShadowVolumes::AddSides(Region& region, int axis, glm::dvec4 light, const AxisAlignedBox& box)
 {
   const int i = (axis + 1) % 3;
@@ -112,21 +112,21 @@ void ShadowVolumes::AddSides(Region& region, int axis, glm::dvec4 light, const A
     normal[i] = light.w * y - light[j];
     normal[j] = light[i] - light.w * x;
     const double offset = normal[i] * x + normal[j] * y;
-    double least = 0.0;
-    double most = 0.0;
+    double minimum = 0.0;
+    double maximum = 0.0;
     for (int other = 0; other < 4; ++other)
     {
       const double height = normal[i] * (other & 1 ? box.High[i] : box.Low[i]) +
         normal[j] * (other & 2 ? box.High[j] : box.Low[j]) - offset;
-      least = std::min(least, height);
-      most = std::max(most, height);
+      minimum = std::min(minimum, height);
+      maximum = std::max(maximum, height);
     }
-    const double rounding = 1e-12 * (most - least);
-    if (most <= rounding && least < 0.0)
+    const double rounding = 1e-12 * (maximum - minimum);
+    if (maximum <= rounding && minimum < 0.0)
     {
       region.push_back({ normal, offset });
     }
-    if (least >= -rounding && most > 0.0)
+    if (minimum >= -rounding && maximum > 0.0)
     {
       region.push_back({ -normal, -offset });
     }
@@ -136,52 +136,52 @@ void ShadowVolumes::AddSides(Region& region, int axis, glm::dvec4 light, const A
 std::vector<RayInterval> ShadowVolumes::Along(
   glm::dvec3 origin, glm::dvec3 direction, double from, double to) const
 {
-  std::vector<RayInterval> spans;
+  std::vector<RayInterval> intervals;
   for (const Region& region : this->Regions)
   {
-    RayInterval span{ from, to };
+    RayInterval interval{ from, to };
     for (const HalfSpace& half : region)
     {
       const double height = glm::dot(half.Normal, origin) - half.Offset;
       const double rise = glm::dot(half.Normal, direction);
       if (rise > 0.0)
       {
-        span.To = std::min(span.To, -height / rise);
+        interval.To = std::min(interval.To, -height / rise);
       }
       else if (rise < 0.0)
       {
-        span.From = std::max(span.From, -height / rise);
+        interval.From = std::max(interval.From, -height / rise);
       }
       else if (height > 0.0)
       {
-        span.To = span.From;
+        interval.To = interval.From;
       }
-      if (!(span.From < span.To))
+      if (!(interval.From < interval.To))
       {
         break;
       }
     }
-    if (span.From < span.To)
+    if (interval.From < interval.To)
     {
-      spans.push_back(span);
+      intervals.push_back(interval);
     }
   }
-  std::sort(spans.begin(), spans.end(),
+  std::sort(intervals.begin(), intervals.end(),
     [](const RayInterval& a, const RayInterval& b) { return a.From < b.From; });
   std::size_t last = 0;
-  for (std::size_t i = 1; i < spans.size(); ++i)
+  for (std::size_t i = 1; i < intervals.size(); ++i)
   {
-    if (spans[i].From <= spans[last].To)
+    if (intervals[i].From <= intervals[last].To)
     {
-      spans[last].To = std::max(spans[last].To, spans[i].To);
+      intervals[last].To = std::max(intervals[last].To, intervals[i].To);
     }
     else
     {
-      spans[++last] = spans[i];
+      intervals[++last] = intervals[i];
     }
   }
-  spans.resize(spans.empty() ? 0 : last + 1);
-  return spans;
+  intervals.resize(intervals.empty() ? 0 : last + 1);
+  return intervals;
 }
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where along a ray a shadow is possible at all: a few boxes hold all triangles, and behind each of
-// them, seen from the light, lies a convex region.
+// Conservative intervals of a ray that may be in shadow. A few boxes bound all occluders; behind
+// each box, seen from the light, lies a convex shadow volume.
 #ifndef penumbra_ShadowVolumes_h
 #define penumbra_ShadowVolumes_h
 
@@ -14,31 +14,31 @@
 namespace penumbra
 {
 
-/// A part of a ray, by its parameter.
+/// Interval of the parameter of a ray.
 struct RayInterval
 {
   double From;
   double To;
 };
 
-/// A box around triangles.
+/// Axis-aligned bounding box of triangles.
 struct AxisAlignedBox
 {
   glm::vec3 Low;
   glm::vec3 High;
 };
 
-/// Boxes that hold all triangles of a scene that cast shadows, few enough to be asked for every ray.
+/// Returns at most 16 boxes that bound all triangles that cast shadows.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene);
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT ShadowVolumes
 {
 public:
-  /// What `boxes` may hide from `light`.
+  /// Creates the shadow volumes of `boxes` for `light`.
   ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Light& light);
 
-  /// Parts of origin + t direction, t in [from, to], outside which nothing stands between the ray and
-  /// the light; in order, apart from each other.
+  /// Returns the intervals of t in [from, to] in which origin + t direction may be in shadow,
+  /// sorted and disjoint. Outside them the ray is lit.
   std::vector<RayInterval> Along(
     glm::dvec3 origin, glm::dvec3 direction, double from, double to) const;
 
@@ -49,7 +49,7 @@ private:
     glm::dvec3 Normal;
     double Offset;
   };
-  using Region = std::vector<HalfSpace>; ///< what all of them hold
+  using Region = std::vector<HalfSpace>; ///< intersection of half-spaces
 
   static void AddSides(Region& region, int axis, glm::dvec4 light, const AxisAlignedBox& box);
 

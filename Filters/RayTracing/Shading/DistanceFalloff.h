@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How occluders count less with their distance: D(t) of the integral of occlusion, and how it changes
-// with t. Other words for 1 - D are obscurance and rho(t) (Zhukov, Iones and Kronin, *An Ambient Light
-// Illumination Model*, 1998); rho = sqrt(t / R) is Mendez, Sbert and Cata's (*Real-time Obscurances with
-// Color Bleeding*, 2003).
+// Falloff D(t) of occlusion with the distance t of the occluder, and its derivatives. In the
+// literature 1 - D is called obscurance or rho(t) (Zhukov, Iones and Kronin, *An Ambient Light
+// Illumination Model*, 1998); rho = sqrt(t / R) is due to Mendez, Sbert and Cata (*Real-time
+// Obscurances with Color Bleeding*, 2003).
 #ifndef penumbra_DistanceFalloff_h
 #define penumbra_DistanceFalloff_h
 
@@ -17,7 +17,7 @@ namespace penumbra
 
 struct DistanceFalloff
 {
-  /// In the order of vtkPenumbraIrradianceProvider::Falloffs.
+  /// Falloff functions, in the order of vtkPenumbraIrradianceProvider::Falloffs.
   enum class Shapes
   {
     None,      ///< D = 1
@@ -26,41 +26,43 @@ struct DistanceFalloff
     SquareRoot ///< 1 - sqrt(t / R)
   };
 
-  DistanceFalloff(float reach = std::numeric_limits<float>::infinity(), Shapes shape = Shapes::None)
-    : Radius(reach),
-      Shape(std::isinf(reach) ? Shapes::None : shape)
+  DistanceFalloff(
+    float radius = std::numeric_limits<float>::infinity(), Shapes shape = Shapes::None)
+    : Radius(radius),
+      Shape(std::isinf(radius) ? Shapes::None : shape)
   {
   }
 
-  /// From world units and one of vtkPenumbraIrradianceProvider::Falloffs.
+  /// Creates a falloff from a radius in world units and one of
+  /// vtkPenumbraIrradianceProvider::Falloffs; `scale` converts world units to scene units.
   static DistanceFalloff InScene(double radius, int falloff, double scale)
   {
     return { static_cast<float>(radius * scale), static_cast<Shapes>(falloff) };
   }
 
-  float Radius; ///< R, scene units; infinite: everything counts in full
+  float Radius; ///< R, in scene units; if infinite, D = 1 everywhere
   Shapes Shape;
 
   bool IsConstant() const { return this->Shape == Shapes::None; }
 
-  /// D of what was met at `distance`, which is below Reach.
+  /// Returns D at `distance`, which must be below Radius.
   float Evaluate(float distance) const
   {
-    const float share = std::min(distance / this->Radius, 1.f);
+    const float fraction = std::min(distance / this->Radius, 1.f);
     switch (this->Shape)
     {
       case Shapes::Linear:
-        return 1.f - share;
+        return 1.f - fraction;
       case Shapes::Quadratic:
-        return 1.f - share * share;
+        return 1.f - fraction * fraction;
       case Shapes::SquareRoot:
-        return 1.f - std::sqrt(share);
+        return 1.f - std::sqrt(fraction);
       default:
         return 1.f;
     }
   }
 
-  /// Its first derivative; `distance` is not 0.
+  /// Returns the first derivative of D; `distance` must not be 0.
   float Derivative(float distance) const
   {
     switch (this->Shape)
@@ -76,7 +78,7 @@ struct DistanceFalloff
     }
   }
 
-  /// Its second derivative, likewise.
+  /// Returns the second derivative of D; `distance` must not be 0.
   float SecondDerivative(float distance) const
   {
     switch (this->Shape)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentMap.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,13 +13,13 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
-/// The glow's bound over the mean of the greatest channel: a sky whose radiance is the height above the
-/// horizon has its zenith at 4.
+/// Threshold of suns, as a multiple of the mean of the largest channel over the sphere. Skies are
+/// below it: if the radiance is the sine of the elevation above the horizon, the zenith is at 4.
 constexpr double SunThreshold = 8.0;
 
-float Greatest(glm::vec3 color)
+float LargestChannel(glm::vec3 color)
 {
   return std::max({ color.x, color.y, color.z });
 }
@@ -31,74 +33,77 @@ EnvironmentMap::EnvironmentMap(
     ClampedRadiances(std::move(radiances)),
     Up(up),
     Right(right),
-    Ahead(glm::cross(right, up))
+    Forward(glm::cross(right, up))
 {
   double sum = 0.0;
   for (int row = 0; row < height; ++row)
   {
-    const double share = .5 * (this->SineOfRow(row + 1) - this->SineOfRow(row)) / width;
+    const double weight =
+      .5 * (this->ComputeSineOfLatitude(row + 1) - this->ComputeSineOfLatitude(row)) / width;
     for (int i = 0; i < width; ++i)
     {
-      sum += share * Greatest(this->ClampedRadiances[static_cast<std::size_t>(row) * width + i]);
+      sum +=
+        weight * LargestChannel(this->ClampedRadiances[static_cast<std::size_t>(row) * width + i]);
     }
   }
-  const auto bound = static_cast<float>(SunThreshold * sum);
+  const auto threshold = static_cast<float>(SunThreshold * sum);
   for (int row = 0; row < height; ++row)
   {
-    const double angle = 2.0 * Pi * (this->SineOfRow(row + 1) - this->SineOfRow(row)) / width;
+    const double solidAngle =
+      2.0 * Pi * (this->ComputeSineOfLatitude(row + 1) - this->ComputeSineOfLatitude(row)) / width;
     for (int i = 0; i < width; ++i)
     {
       const int texel = row * width + i;
-      glm::vec3& glow = this->ClampedRadiances[texel];
-      const float greatest = Greatest(glow);
-      if (greatest > bound)
+      glm::vec3& radiance = this->ClampedRadiances[texel];
+      const float largest = LargestChannel(radiance);
+      if (largest > threshold)
       {
-        this->Suns.push_back({ texel, glow / greatest, this->Total });
-        this->Total += angle * (greatest - bound);
-        glow *= bound / greatest;
+        this->Suns.push_back({ texel, radiance / largest, this->Total });
+        this->Total += solidAngle * (largest - threshold);
+        radiance *= threshold / largest;
       }
     }
   }
 }
 
-double EnvironmentMap::SineOfRow(int row) const
+double EnvironmentMap::ComputeSineOfLatitude(int row) const
 {
   return -std::cos(Pi * row / this->Height);
 }
 
-glm::vec3 EnvironmentMap::DirectionOf(double across, double sine) const
+glm::vec3 EnvironmentMap::ComputeDirection(double u, double sine) const
 {
-  const double longitude = 2.0 * Pi * (across - .5);
+  const double longitude = 2.0 * Pi * (u - .5);
   const double cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  return cosine * (std::cos(longitude) * this->Right + std::sin(longitude) * this->Ahead) +
+  return cosine * (std::cos(longitude) * this->Right + std::sin(longitude) * this->Forward) +
     sine * this->Up;
 }
 
 glm::vec3 EnvironmentMap::ClampedRadiance(glm::vec3 direction) const
 {
   const glm::dvec3 w(direction);
-  const double across =
-    std::atan2(glm::dot(w, this->Ahead), glm::dot(w, this->Right)) / (2.0 * Pi) + .5;
-  const double upwards = std::asin(std::clamp(glm::dot(w, this->Up), -1.0, 1.0)) / Pi + .5;
-  const int i = std::clamp(static_cast<int>(across * this->Width), 0, this->Width - 1);
-  const int row = std::clamp(static_cast<int>(upwards * this->Height), 0, this->Height - 1);
+  const double u =
+    std::atan2(glm::dot(w, this->Forward), glm::dot(w, this->Right)) / (2.0 * Pi) + .5;
+  const double v = std::asin(std::clamp(glm::dot(w, this->Up), -1.0, 1.0)) / Pi + .5;
+  const int i = std::clamp(static_cast<int>(u * this->Width), 0, this->Width - 1);
+  const int row = std::clamp(static_cast<int>(v * this->Height), 0, this->Height - 1);
   return this->ClampedRadiances[static_cast<std::size_t>(row) * this->Width + i];
 }
 
-EnvironmentMap::Sun EnvironmentMap::SampleSun(glm::vec2 at) const
+EnvironmentMap::Sun EnvironmentMap::SampleSun(glm::vec2 sample) const
 {
-  const double sought = at.x * this->Total;
-  const auto after = std::upper_bound(this->Suns.begin(), this->Suns.end(), sought,
-    [](double value, const SunTexel& sun) { return value < sun.Cumulative; });
-  const auto found = std::prev(after);
+  const double target = sample.x * this->Total;
+  const auto after = std::upper_bound(this->Suns.begin(), this->Suns.end(), target,
+    [](double value, const SunTexel& texel) { return value < texel.Cumulative; });
+  const auto sun = std::prev(after);
   const double end = after == this->Suns.end() ? this->Total : after->Cumulative;
-  const double within =
-    std::clamp((sought - found->Cumulative) / (end - found->Cumulative), 0.0, 1.0);
-  const int row = found->Texel / this->Width;
-  const double low = this->SineOfRow(row);
-  const double sine = low + within * (this->SineOfRow(row + 1) - low);
-  const double across = (found->Texel % this->Width + static_cast<double>(at.y)) / this->Width;
-  return { this->DirectionOf(across, sine), static_cast<float>(this->Total) * found->Color };
+  const double fraction =
+    std::clamp((target - sun->Cumulative) / (end - sun->Cumulative), 0.0, 1.0);
+  const int row = sun->Texel / this->Width;
+  const double low = this->ComputeSineOfLatitude(row);
+  const double sine = low + fraction * (this->ComputeSineOfLatitude(row + 1) - low);
+  const double u = (sun->Texel % this->Width + static_cast<double>(sample.y)) / this->Width;
+  return { this->ComputeDirection(u, sine), static_cast<float>(this->Total) * sun->Color };
 }
 
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A picture of everything around, infinitely far: latitudes and longitudes, each texel one colour. It is
-// cut in two, so that rays in all directions find the one and only few of them are needed for the other:
-// the glow, bounded, and the suns, which is what of bright texels is above that bound.
+// Environment map in latitude-longitude projection with constant texels. It is the sum of two
+// parts: radiance clamped to a threshold, which rays in all directions sample with little noise,
+// and the suns, the excess of bright texels over the threshold, which are sampled by importance.
 #ifndef penumbra_EnvironmentMap_h
 #define penumbra_EnvironmentMap_h
 
@@ -20,45 +20,46 @@ namespace penumbra
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT EnvironmentMap
 {
 public:
-  /// `radiances`: bottom row first, each row from behind `right` all the way round by `right` x `up`,
-  /// `right` and its opposite, as VTK has it. `up` and `right`: orthonormal.
+  /// `radiances`: one value per texel, bottom row first. As in VTK, each row starts at -`right`,
+  /// has `right` in the middle and `right` x `up` at three quarters. `up` and `right` must be
+  /// orthonormal.
   EnvironmentMap(
     int width, int height, std::vector<glm::vec3> radiances, glm::dvec3 up, glm::dvec3 right);
 
-  /// Radiance that comes from `direction` (unit), suns left out.
+  /// Returns the radiance from `direction` (unit) without the suns.
   glm::vec3 ClampedRadiance(glm::vec3 direction) const;
 
   bool HasSuns() const { return !this->Suns.empty(); }
 
-  /// A direction, as likely as the suns are strong there.
+  /// Sample of the suns: a direction, distributed in proportion to their excess radiance.
   struct Sun
   {
     glm::vec3 Direction;
-    glm::vec3
-      Weight; ///< radiance over the likelihood of a direction: irradiance square to it, each
+    glm::vec3 Weight; ///< radiance / pdf; its mean is the irradiance on a plane that faces the suns
   };
-  /// From a point of the unit square.
-  Sun SampleSun(glm::vec2 at) const;
+  /// Maps a point of the unit square to a sample of the suns.
+  Sun SampleSun(glm::vec2 sample) const;
 
 private:
-  /// The direction of a place in the picture, both coordinates from 0 to 1; the second is that of the
-  /// sine of the latitude.
-  glm::vec3 DirectionOf(double across, double sine) const;
-  double SineOfRow(int row) const;
+  /// Returns the direction of a horizontal image coordinate in [0, 1] and a sine of latitude in
+  /// [-1, 1].
+  glm::vec3 ComputeDirection(double u, double sine) const;
+  /// Returns the sine of the latitude of the lower edge of a row.
+  double ComputeSineOfLatitude(int row) const;
 
   int Width;
   int Height;
   std::vector<glm::vec3> ClampedRadiances;
   glm::dvec3 Up;
   glm::dvec3 Right;
-  glm::dvec3 Ahead;
+  glm::dvec3 Forward; ///< Right x Up
 
-  /// A texel that is above the bound.
+  /// A texel brighter than the threshold.
   struct SunTexel
   {
     int Texel;
-    glm::vec3 Color;   ///< its greatest channel 1
-    double Cumulative; ///< greatest channels times solid angles of all suns before it
+    glm::vec3 Color;   ///< normalized to a largest channel of 1
+    double Cumulative; ///< CDF: sum over earlier suns of excess (largest channel) times solid angle
   };
   std::vector<SunTexel> Suns;
   double Total = 0.0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Directions of a hemisphere, as dense as the cosine: the unit square mapped to the disc below
-// (Shirley and Chiu's concentric map), jitter that is a function of the point alone.
+// Cosine-weighted sampling of the hemisphere: the concentric map of the unit square to the unit
+// disk (Shirley and Chiu 1997), its lift to the hemisphere, and random numbers seeded by the point.
 #ifndef penumbra_HemisphereSampling_h
 #define penumbra_HemisphereSampling_h
 
@@ -16,7 +16,7 @@
 namespace penumbra
 {
 
-/// A good 32-bit mixing function (multiplications and shifts only, the same everywhere).
+/// Mixes the bits of a 32-bit integer; the result is the same on every platform.
 inline std::uint32_t MixBits(std::uint32_t x)
 {
   x ^= x >> 16;
@@ -27,6 +27,7 @@ inline std::uint32_t MixBits(std::uint32_t x)
   return x;
 }
 
+/// Returns a random seed that depends on the bits of a point and its normal.
 inline std::uint32_t HashPoint(glm::vec3 point, glm::vec3 normal)
 {
   const float values[6] = { point.x, point.y, point.z, normal.x, normal.y, normal.z };
@@ -40,14 +41,14 @@ inline std::uint32_t HashPoint(glm::vec3 point, glm::vec3 normal)
   return seed;
 }
 
-/// Uniform in [0, 1).
+/// Returns the next random number, uniform in [0, 1).
 inline float NextFloat(std::uint32_t& state)
 {
   state += 0x9e3779b9u;
   return static_cast<float>(MixBits(state) >> 8) * 0x1p-24f;
 }
 
-/// From the unit square to the unit disc, areas in proportion and neighbours kept together.
+/// Maps the unit square to the unit disk; preserves ratios of areas and is continuous.
 inline glm::vec2 SampleUniformDiskConcentric(float u, float v)
 {
   const float a = 2.f * u - 1.f;
@@ -56,43 +57,43 @@ inline glm::vec2 SampleUniformDiskConcentric(float u, float v)
   {
     return glm::vec2(0.f);
   }
-  const float quarter = 0.785398163f;
-  const bool wide = std::abs(a) > std::abs(b);
-  const float radius = wide ? a : b;
-  const float angle = wide ? quarter * (b / a) : 2.f * quarter - quarter * (a / b);
+  const float piOver4 = 0.785398163f;
+  const bool horizontal = std::abs(a) > std::abs(b);
+  const float radius = horizontal ? a : b;
+  const float angle = horizontal ? piOver4 * (b / a) : 2.f * piOver4 - piOver4 * (a / b);
   return radius * glm::vec2(std::cos(angle), std::sin(angle));
 }
 
-/// The other way round.
-inline glm::vec2 InvertUniformDiskConcentric(glm::vec2 disc)
+/// Inverse of SampleUniformDiskConcentric().
+inline glm::vec2 InvertUniformDiskConcentric(glm::vec2 disk)
 {
-  if (disc == glm::vec2(0.f))
+  if (disk == glm::vec2(0.f))
   {
     return glm::vec2(.5f);
   }
-  const float quarter = 0.785398163f;
-  const float length = glm::length(disc);
-  glm::vec2 at;
-  if (std::abs(disc.x) > std::abs(disc.y))
+  const float piOver4 = 0.785398163f;
+  const float length = glm::length(disk);
+  glm::vec2 square;
+  if (std::abs(disk.x) > std::abs(disk.y))
   {
-    at.x = std::copysign(length, disc.x);
-    at.y = at.x * std::atan(disc.y / disc.x) / quarter;
+    square.x = std::copysign(length, disk.x);
+    square.y = square.x * std::atan(disk.y / disk.x) / piOver4;
   }
   else
   {
-    at.y = std::copysign(length, disc.y);
-    at.x = at.y * std::atan(disc.x / disc.y) / quarter;
+    square.y = std::copysign(length, disk.y);
+    square.x = square.y * std::atan(disk.x / disk.y) / piOver4;
   }
-  return .5f * at + .5f;
+  return .5f * square + .5f;
 }
 
-/// From the disc up to the hemisphere about +z.
-inline glm::vec3 DiskToHemisphere(glm::vec2 disc)
+/// Projects a point of the unit disk up to the hemisphere about +z.
+inline glm::vec3 DiskToHemisphere(glm::vec2 disk)
 {
-  return glm::vec3(disc, std::sqrt(std::max(0.f, 1.f - glm::dot(disc, disc))));
+  return glm::vec3(disk, std::sqrt(std::max(0.f, 1.f - glm::dot(disk, disk))));
 }
 
-/// Two tangents and the normal, orthonormal, as columns.
+/// Returns an orthonormal frame with two tangents and the normal as columns.
 inline glm::mat3 FrameFromNormal(glm::vec3 normal)
 {
   const glm::vec3 other =
@@ -101,8 +102,9 @@ inline glm::mat3 FrameFromNormal(glm::vec3 normal)
   return glm::mat3(tangent, glm::cross(normal, tangent), normal);
 }
 
-/// How far rays start above `point`, which is more than the rounding of positions, so that a
-/// surface does not block itself.
+/// Returns the offset of the ray origin along the normal at `point`, which prevents the surface
+/// from occluding itself: 1e-5 of the largest coordinate, about 170 times the rounding error of a
+/// float.
 inline float RayOriginOffset(glm::vec3 point)
 {
   const glm::vec3 size = glm::abs(point);

@@ -5,48 +5,52 @@
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
 
+#include <glm/gtc/constants.hpp>
+
 namespace penumbra
 {
 namespace
 {
 
-/// Translucent layers along one ray, and what of the light behind still matters.
+/// Maximum number of translucent layers composited along one ray.
 constexpr int MaximumLayers = 64;
-constexpr float LeastShare = 1.f / 1024.f;
+/// A ray ends when the transmittance of the layers in front falls below this.
+constexpr float MinimumTransmittance = 1.f / 1024.f;
 
-/// Rays to the suns of the environment's picture: of the first round, and in all.
-constexpr std::uint32_t FirstSuns = 16;
-constexpr std::uint32_t MostSuns = 4096;
+/// Number of rays to the suns of the environment map per point: first round, and maximum of all
+/// rounds.
+constexpr std::uint32_t FirstSunRays = 16;
+constexpr std::uint32_t MaximumSunRays = 4096;
 
-constexpr float Pi = 3.14159265f;
+constexpr float Pi = glm::pi<float>();
 
-/// More triangles that shine are surfaces, not lamps.
-constexpr std::size_t MostEmitters = 8;
+/// With more emissive triangles than this, none is treated as a small light source.
+constexpr std::size_t MaximumEmitters = 8;
 
-/// Greatest channel of what `surface` sends out by itself.
-float StrengthOf(const Surface& surface)
+/// Returns the largest channel of the radiance that `surface` emits.
+float ComputeEmission(const Surface& surface)
 {
   const Material& material = surface.Front;
-  const glm::vec3 light = material.Ambient * material.AmbientColor +
+  const glm::vec3 radiance = material.Ambient * material.AmbientColor +
     (material.Lighting ? 0.f : material.Diffuse) * material.DiffuseColor;
-  return std::max({ light.x, light.y, light.z });
+  return std::max({ radiance.x, radiance.y, radiance.z });
 }
 
 }
 
 Illumination::Illumination(const RayScene& rays, const IlluminationSettings& settings)
   : Rays(rays),
-    Shades(rays, settings.Shadows),
+    SurfaceShading(rays, settings.Shadows),
     Settings(settings)
 {
   for (const Surface& surface : rays.GetScene().Surfaces)
   {
-    const float strength = StrengthOf(surface);
+    const float strength = ComputeEmission(surface);
     if (!(strength > 0.f) || surface.IsLineOrPoint)
     {
       continue;
     }
-    if (this->Emitters.size() + surface.Triangles.size() > MostEmitters)
+    if (this->Emitters.size() + surface.Triangles.size() > MaximumEmitters)
     {
       this->Emitters.clear();
       return;
@@ -69,32 +73,33 @@ Ray Illumination::SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 directio
 }
 
 glm::vec3 Illumination::IncidentRadiance(
-  Ray ray, Hit hit, const IrradianceFunction& arriving, long long& rays) const
+  Ray ray, Hit hit, const IrradianceFunction& irradiance, long long& rays) const
 {
   glm::vec3 sum(0.f);
-  float left = 1.f;
+  float transmittance = 1.f;
   for (int layer = 0; layer < MaximumLayers; ++layer)
   {
     if (!hit.IsHit())
     {
-      const EnvironmentMap* picture = this->Settings.Picture.get();
+      const EnvironmentMap* map = this->Settings.Picture.get();
       return sum +
-        left * (picture ? picture->ClampedRadiance(ray.Direction) : this->Settings.Environment);
+        transmittance * (map ? map->ClampedRadiance(ray.Direction) : this->Settings.Environment);
     }
     if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
     {
-      const ShadedHit at = this->Shades.ShadeDiffuse(ray, hit, rays);
-      glm::vec3 light(at.Color);
-      const glm::vec3 reflectance = this->Settings.Albedo * at.Reflectance;
-      if (arriving && reflectance != glm::vec3(0.f))
+      const ShadedHit shaded = this->SurfaceShading.ShadeDiffuse(ray, hit, rays);
+      glm::vec3 radiance(shaded.Color);
+      const glm::vec3 reflectance = this->Settings.Albedo * shaded.Reflectance;
+      if (irradiance && reflectance != glm::vec3(0.f))
       {
-        light += reflectance *
-          arriving(ray.Origin + hit.Distance * ray.Direction, glm::normalize(at.GeometricNormal));
+        radiance += reflectance *
+          irradiance(
+            ray.Origin + hit.Distance * ray.Direction, glm::normalize(shaded.GeometricNormal));
       }
-      const float opacity = std::min(at.Color.a, 1.f);
-      sum += left * opacity * light;
-      left *= 1.f - opacity;
-      if (left < LeastShare)
+      const float opacity = std::min(shaded.Color.a, 1.f);
+      sum += transmittance * opacity * radiance;
+      transmittance *= 1.f - opacity;
+      if (transmittance < MinimumTransmittance)
       {
         return sum;
       }
@@ -107,13 +112,13 @@ glm::vec3 Illumination::IncidentRadiance(
 }
 
 glm::vec3 Illumination::SunContribution(
-  glm::vec3 point, glm::vec3 normal, glm::vec2 at, long long& rays) const
+  glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const
 {
-  const EnvironmentMap::Sun sun = this->Settings.Picture->SampleSun(at);
+  const EnvironmentMap::Sun sun = this->Settings.Picture->SampleSun(sample);
   const float cosine = glm::dot(normal, sun.Direction);
   return cosine > 0.f
-    ? this->Shades.TraceTransmittance(SpawnRay(point, normal, sun.Direction), rays) * cosine / Pi *
-      sun.Weight
+    ? this->SurfaceShading.TraceTransmittance(SpawnRay(point, normal, sun.Direction), rays) *
+      cosine / Pi * sun.Weight
     : glm::vec3(0.f);
 }
 
@@ -125,31 +130,26 @@ Illumination::Sunlight Illumination::EstimateSunlight(
   {
     return result;
   }
-  const OwenSobolSequence places(MixBits(HashPoint(point, normal)));
+  const OwenSobolSequence samples(MixBits(HashPoint(point, normal)));
   glm::dvec3 sum(0.0);
-  std::vector<float> greys;
-  for (std::uint32_t count = FirstSuns;; count *= 2)
+  std::vector<float> grays;
+  for (std::uint32_t count = FirstSunRays;; count *= 2)
   {
-    while (greys.size() < count)
+    while (grays.size() < count)
     {
       const glm::vec3 light = this->SunContribution(
-        point, normal, places.At(static_cast<std::uint32_t>(greys.size())), rays);
+        point, normal, samples.At(static_cast<std::uint32_t>(grays.size())), rays);
       sum += light;
-      greys.push_back((light.x + light.y + light.z) / 3.f);
+      grays.push_back((light.x + light.y + light.z) / 3.f);
     }
-    const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
-    double differences = 0.0;
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      differences += .5 * std::pow(greys[i] - greys[i ^ partner], 2.0);
-    }
-    result.Error = static_cast<float>(std::sqrt(differences) / count);
-    if (result.Error <= tolerance || count >= MostSuns)
+    result.Error =
+      static_cast<float>(std::sqrt(OwenSobolSequence::SumPairDifferences(grays)) / count);
+    if (result.Error <= tolerance || count >= MaximumSunRays)
     {
       break;
     }
   }
-  result.Mean = sum / static_cast<double>(greys.size());
+  result.Mean = sum / static_cast<double>(grays.size());
   return result;
 }
 
@@ -173,15 +173,15 @@ glm::vec3 Illumination::TracePath(
   const Ray ray = SpawnRay(
     point, normal, FrameFromNormal(normal) * DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
   ++rays;
-  IrradianceFunction arriving;
+  IrradianceFunction irradiance;
   if (bounces > 1)
   {
-    arriving = [&](glm::vec3 next, glm::vec3 nextNormal) {
+    irradiance = [&](glm::vec3 next, glm::vec3 nextNormal) {
       return this->TracePath(next, nextNormal, bounces - 1, random, rays);
     };
   }
   const glm::vec3 suns = this->SampleSuns(point, normal, random, rays);
-  return suns + this->IncidentRadiance(ray, this->Rays.Intersect(ray), arriving, rays);
+  return suns + this->IncidentRadiance(ray, this->Rays.Intersect(ray), irradiance, rays);
 }
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Diffuse light in a scene: what each surface sends where, how often it is passed on, and what comes
-// from where nothing is. Means over the hemisphere are irradiance over pi: 1 under a sky of radiance 1.
+// Diffuse illumination of a scene: emission, direct light, interreflection between surfaces, and
+// the environment. Means over the hemisphere are irradiance / pi: 1 under a sky of radiance 1.
 #ifndef penumbra_Illumination_h
 #define penumbra_Illumination_h
 
@@ -20,11 +20,11 @@ namespace penumbra
 
 struct IlluminationSettings
 {
-  glm::vec3 Environment{ 0.f };                  ///< radiance from where nothing is
-  std::shared_ptr<const EnvironmentMap> Picture; ///< instead of it; none: one colour
-  float Albedo = .5f;                            ///< share that a white surface throws back, 0 to 1
-  int Bounces = 1;      ///< reflections on the way to the eye, the last one included
-  bool Shadows = false; ///< lights cast shadows
+  glm::vec3 Environment{ 0.f };                  ///< radiance of rays that hit nothing
+  std::shared_ptr<const EnvironmentMap> Picture; ///< replaces Environment if not null
+  float Albedo = .5f;   ///< fraction of light that a white surface reflects, in [0, 1]
+  int Bounces = 1;      ///< reflections of a path, including the one towards the camera
+  bool Shadows = false; ///< if on, lights cast shadows
 
   bool operator==(const IlluminationSettings& other) const
   {
@@ -34,11 +34,11 @@ struct IlluminationSettings
   }
 };
 
-/// A triangle that shines by itself.
+/// An emissive triangle.
 struct Emitter
 {
   std::array<glm::vec3, 3> Corners;
-  float Strength; ///< greatest channel of its radiance
+  float Strength; ///< largest channel of its radiance
 };
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Illumination
@@ -47,38 +47,40 @@ public:
   /// `rays` must outlive this object.
   Illumination(const RayScene& rays, const IlluminationSettings& settings);
 
-  /// The mean that arrives at a point under the hemisphere about a normal (unit).
+  /// Returns the mean incident radiance at a point, over the hemisphere about a normal (unit).
   using IrradianceFunction = std::function<glm::vec3(glm::vec3 point, glm::vec3 normal)>;
 
-  /// Radiance that comes back along `ray` (its direction unit), whose first hit is `hit`: emitted,
-  /// reflected of the lights, and of what is `arriving` where that is given; through translucent
-  /// surfaces. Adds the rays that it traced to `rays`.
+  /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`:
+  /// emission, reflected direct light and, if `irradiance` is not empty, reflected indirect light.
+  /// Translucent surfaces are composited. Adds the number of rays traced to `rays`.
   glm::vec3 IncidentRadiance(
-    Ray ray, Hit hit, const IrradianceFunction& arriving, long long& rays) const;
+    Ray ray, Hit hit, const IrradianceFunction& irradiance, long long& rays) const;
 
-  /// What the suns of the environment's picture send to a point: their part of the mean over the
-  /// hemisphere, which Along() leaves out, and its standard error.
+  /// Contribution of the suns of the environment map to the mean over the hemisphere, which
+  /// IncidentRadiance() excludes, and its standard error.
   struct Sunlight
   {
     glm::vec3 Mean{ 0.f };
     float Error = 0.f;
   };
-  /// To about the error `tolerance`.
+  /// Estimates the contribution of the suns; stops when the estimated error is at most `tolerance`.
   Sunlight EstimateSunlight(
     glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const;
 
-  /// One guess of it.
+  /// Returns an unbiased estimate of the contribution of the suns from one sample.
   glm::vec3 SampleSuns(
     glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const;
 
-  /// One path's guess of the mean that arrives after at most `bounces` - 1 reflections, suns included.
+  /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most
+  /// `bounces` - 1 reflections, including the suns.
   glm::vec3 TracePath(
     glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const;
 
-  /// A ray that leaves `point` on a surface.
+  /// Returns a ray that starts at `point` on a surface, offset along the normal.
   static Ray SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
 
-  /// What shines, where it is so few triangles that they may be small; else none.
+  /// Returns the emissive triangles, or none if there are more than MaximumEmitters: only few
+  /// triangles are likely to be small light sources that random rays miss.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
 
   const RayScene& GetRays() const { return this->Rays; }
@@ -86,10 +88,11 @@ public:
 
 private:
   bool HasSuns() const { return this->Settings.Picture && this->Settings.Picture->HasSuns(); }
-  glm::vec3 SunContribution(glm::vec3 point, glm::vec3 normal, glm::vec2 at, long long& rays) const;
+  glm::vec3 SunContribution(
+    glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const;
 
   const RayScene& Rays;
-  Shading Shades;
+  Shading SurfaceShading;
   IlluminationSettings Settings;
   std::vector<Emitter> Emitters;
 };

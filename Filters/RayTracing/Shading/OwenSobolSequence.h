@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points of the unit square, any number of them spread evenly at every scale: the (0, 2)-sequence of
-// Sobol in the random order of Owen (by the hash of Laine and Karras, with the constants of Burley,
-// "Practical Hash-based Owen Scrambling", 2020). Of the first 2^k points each box of sides 2^-i and
-// 2^-j with i + j = k holds exactly one.
+// Owen-scrambled Sobol (0, 2)-sequence in the unit square, shuffled and scrambled with the hash of
+// Laine and Karras and the constants of Burley ("Practical Hash-based Owen Scrambling", 2020).
+// Among the first 2^k points, each elementary interval with sides 2^-i and 2^-j, i + j = k,
+// contains exactly one.
 #ifndef penumbra_OwenSobolSequence_h
 #define penumbra_OwenSobolSequence_h
 
@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace penumbra
 {
@@ -23,18 +24,20 @@ public:
   /// Sequences of different seeds are independent of each other.
   explicit OwenSobolSequence(std::uint32_t seed)
     : SeedX(MixBits(seed)),
-      SeedY(MixBits(seed + 0x9e3779b9u)) // bit by bit independent of the other
+      SeedY(MixBits(seed + 0x9e3779b9u)) // a hash that is independent of SeedX
   {
   }
 
+  /// Returns the point of an index.
   glm::vec2 At(std::uint32_t index) const
   {
     return { ToUnit(FastOwenScramble(index, this->SeedX)),
       ToUnit(FastOwenScramble(ReverseBits32(SobolDimension1(index)), this->SeedY)) };
   }
 
-  /// What to combine (exclusive or) an index below `count`, a power of two from 4 to 2^30, with, to find
-  /// the one point that shares its box: one of count / 2 boxes that are nearly squares.
+  /// Returns the bit mask m such that, among the first `count` points, the points i and i XOR m
+  /// share one of `count` / 2 congruent, nearly square cells. `count` must be a power of two in [4,
+  /// 2^30].
   static std::uint32_t FindPartner(std::uint32_t count)
   {
     int bits = 0;
@@ -42,18 +45,34 @@ public:
     {
       ++bits;
     }
-    const int across = (bits + 1) / 2;
-    const int up = bits - across;
-    std::uint32_t partner = 1u << across;
-    while (up > 0 && SobolDimension1(partner) >> (32 - up) != 0)
+    const int horizontalBits = (bits + 1) / 2;
+    const int verticalBits = bits - horizontalBits;
+    std::uint32_t partner = 1u << horizontalBits;
+    while (verticalBits > 0 && SobolDimension1(partner) >> (32 - verticalBits) != 0)
     {
-      partner += 1u << across;
+      partner += 1u << horizontalBits;
     }
     return partner;
   }
 
+  /// Returns half the sum of (a - b)^2 over all values a, where b is the value of the point that
+  /// shares the cell of a, see FindPartner(). Its square root divided by the number of values
+  /// estimates the standard error of the mean of stratified samples.
+  static double SumPairDifferences(const std::vector<float>& values)
+  {
+    const auto count = static_cast<std::uint32_t>(values.size());
+    const std::uint32_t partner = FindPartner(count);
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const double difference = values[i] - values[i ^ partner];
+      sum += difference * difference;
+    }
+    return .5 * sum;
+  }
+
 private:
-  /// The sequence's second coordinate before scrambling, as a fraction of 2^32.
+  /// Returns the unscrambled second coordinate of the sequence, as a fraction of 2^32.
   static std::uint32_t SobolDimension1(std::uint32_t index)
   {
     std::uint32_t y = 0;
@@ -73,7 +92,8 @@ private:
     return (x & 0x55555555u) << 1 | (x & 0xaaaaaaaau) >> 1;
   }
 
-  /// Of a coordinate with its bits reversed: each bit is flipped or not as those above it tell.
+  /// Scrambles a coordinate given with reversed bits: a hash of the higher bits decides whether a
+  /// bit is flipped.
   static std::uint32_t FastOwenScramble(std::uint32_t reversed, std::uint32_t seed)
   {
     reversed += seed;

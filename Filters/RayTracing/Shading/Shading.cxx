@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The formulas are those of VTK's polygon shader, so that pictures of both agree: one headlight
-// is lit by the normal's share along the view axis; any other set of lights by Phong's mirrored
-// ray; a highlight takes the light's diffuse colour.
+// The formulas are those of VTK's polygon shader, so that images agree with rasterization. With a
+// single headlight, diffuse and specular terms depend on the cosine between normal and view axis.
+// With other lights, the specular term uses the reflected light direction of the Phong model.
 #include "Shading.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace penumbra
 namespace
 {
 
-/// Bound on the translucent layers that one shadow ray looks through.
+/// Maximum number of translucent layers that one shadow ray passes.
 constexpr int MaximumLayers = 64;
 
 template <typename T>
@@ -25,12 +25,13 @@ T Interpolate(const std::vector<T>& values, glm::uvec3 corners, glm::vec3 weight
     weights.z * values[corners.z];
 }
 
-glm::vec4 Unpack(glm::u8vec4 color)
+glm::vec4 ToFloatColor(glm::u8vec4 color)
 {
   return glm::vec4(color) * (1.f / 255.f);
 }
 
-int Wrap(int i, int size, bool repeat)
+/// Maps a texel index into [0, size).
+int WrapIndex(int i, int size, bool repeat)
 {
   if (repeat)
   {
@@ -40,20 +41,21 @@ int Wrap(int i, int size, bool repeat)
   return std::clamp(i, 0, size - 1);
 }
 
-glm::vec4 Sample(const Texture& texture, glm::vec2 at)
+glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates)
 {
   const auto texel = [&](int i, int j) {
-    i = Wrap(i, texture.Width, texture.Repeat);
-    j = Wrap(j, texture.Height, texture.Repeat);
-    return Unpack(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
+    i = WrapIndex(i, texture.Width, texture.Repeat);
+    j = WrapIndex(j, texture.Height, texture.Repeat);
+    return ToFloatColor(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
   };
-  if (!std::isfinite(at.x) || !std::isfinite(at.y))
+  if (!std::isfinite(coordinates.x) || !std::isfinite(coordinates.y))
   {
     return texel(0, 0);
   }
+  // Larger coordinates would overflow the texel index.
   const float limit = 1e6f;
-  const float x = glm::clamp(at.x, -limit, limit) * texture.Width;
-  const float y = glm::clamp(at.y, -limit, limit) * texture.Height;
+  const float x = glm::clamp(coordinates.x, -limit, limit) * texture.Width;
+  const float y = glm::clamp(coordinates.y, -limit, limit) * texture.Height;
   if (!texture.Interpolate)
   {
     return texel(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
@@ -68,28 +70,29 @@ glm::vec4 Sample(const Texture& texture, glm::vec2 at)
     glm::mix(texel(i, j + 1), texel(i + 1, j + 1), s), t);
 }
 
-/// The colour that a surface brings for itself at a hit.
+/// Returns the color at a hit that is mapped from the data of the surface.
 glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners, glm::vec3 weights)
 {
   if (!surface.PointColors.empty())
   {
-    return weights.x * Unpack(surface.PointColors[corners.x]) +
-      weights.y * Unpack(surface.PointColors[corners.y]) +
-      weights.z * Unpack(surface.PointColors[corners.z]);
+    return weights.x * ToFloatColor(surface.PointColors[corners.x]) +
+      weights.y * ToFloatColor(surface.PointColors[corners.y]) +
+      weights.z * ToFloatColor(surface.PointColors[corners.z]);
   }
   if (!surface.CellColors.empty())
   {
-    return Unpack(surface.CellColors[hit.Triangle]);
+    return ToFloatColor(surface.CellColors[hit.Triangle]);
   }
-  return Sample(*surface.ColorTexture, Interpolate(surface.ColorCoordinates, corners, weights));
+  return SampleTexture(
+    *surface.ColorTexture, Interpolate(surface.ColorCoordinates, corners, weights));
 }
 
-bool HasOwnColor(const Surface& surface)
+bool HasMappedColor(const Surface& surface)
 {
   return !surface.PointColors.empty() || !surface.CellColors.empty() || surface.ColorTexture;
 }
 
-/// The normal that lighting sees.
+/// Returns the normal used for lighting (unit).
 glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corners,
   glm::vec3 weights, bool front, glm::vec3 geometricNormal, glm::vec3 forward)
 {
@@ -102,12 +105,12 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
   {
     normal = surface.TriangleNormals[hit.Triangle];
   }
-  const float square = glm::dot(normal, normal);
-  if (!(square > 0.f && square <= std::numeric_limits<float>::max()))
+  const float squaredLength = glm::dot(normal, normal);
+  if (!(squaredLength > 0.f && squaredLength <= std::numeric_limits<float>::max()))
   {
     return glm::normalize(geometricNormal);
   }
-  normal *= 1.f / std::sqrt(square);
+  normal *= 1.f / std::sqrt(squaredLength);
   switch (surface.NormalRule)
   {
     case Surface::NormalRules::ByWinding:
@@ -118,6 +121,14 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
       break;
   }
   return normal;
+}
+
+/// Returns the offset of shadow rays at `point`: 1e-5 of the largest coordinate, which exceeds the
+/// rounding error of positions and hits.
+float ComputeShadowRayOffset(glm::vec3 point)
+{
+  const glm::vec3 size = glm::abs(point);
+  return 1e-5f * std::max(size.x, std::max(size.y, size.z));
 }
 
 }
@@ -132,37 +143,37 @@ Shading::Shading(const RayScene& scene, bool shadows)
     std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.CastsShadow; });
   for (const Surface& surface : scene.GetScene().Surfaces)
   {
-    SurfaceMaterial look;
-    look.Front = MakeFinish(surface.Front);
-    look.Back = surface.HasBackMaterial ? MakeFinish(surface.Back) : look.Front;
-    look.AmbientShare = surface.Front.Ambient;
-    look.DiffuseShare = surface.Front.Diffuse;
-    look.Lit = surface.Front.Lighting && !lights.empty();
-    look.Colored = HasOwnColor(surface);
-    look.Constant = this->IsConstant(surface, look);
-    this->Materials.push_back(look);
+    SurfaceMaterial material;
+    material.Front = MakePhongCoefficients(surface.Front);
+    material.Back = surface.HasBackMaterial ? MakePhongCoefficients(surface.Back) : material.Front;
+    material.AmbientCoefficient = surface.Front.Ambient;
+    material.DiffuseCoefficient = surface.Front.Diffuse;
+    material.Lit = surface.Front.Lighting && !lights.empty();
+    material.Colored = HasMappedColor(surface);
+    material.Constant = this->IsConstant(surface, material);
+    this->Materials.push_back(material);
     this->Translucent |= surface.IsTranslucent();
   }
 }
 
-Shading::PhongCoefficients Shading::MakeFinish(const Material& material)
+Shading::PhongCoefficients Shading::MakePhongCoefficients(const Material& material)
 {
   return { material.Ambient * material.AmbientColor, material.Diffuse * material.DiffuseColor,
     material.Specular * material.SpecularColor, material.SpecularPower, material.Opacity };
 }
 
-bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& look) const
+bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& material) const
 {
   if (!surface.PointColors.empty() || surface.ColorTexture || surface.LitTexture)
   {
     return false;
   }
-  if (!look.Lit)
+  if (!material.Lit)
   {
     return true;
   }
   const bool highlight =
-    look.Front.Specular != glm::vec3(0.f) || look.Back.Specular != glm::vec3(0.f);
+    material.Front.Specular != glm::vec3(0.f) || material.Back.Specular != glm::vec3(0.f);
   const std::vector<Light>& lights = this->Rays.GetScene().Lights;
   return surface.Normals.empty() && !this->Shadows && (this->OneHeadlight || !highlight) &&
     std::all_of(lights.begin(), lights.end(),
@@ -171,92 +182,94 @@ bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& look) co
 
 ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
-  return this->ShadeAs(false, ray, hit, shadowRays);
+  return this->ShadeHit(false, ray, hit, shadowRays);
 }
 
 ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
-  return this->ShadeAs(true, ray, hit, shadowRays);
+  return this->ShadeHit(true, ray, hit, shadowRays);
 }
 
-ShadedHit Shading::ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const
+ShadedHit Shading::ShadeHit(
+  bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
-  const SurfaceMaterial& look = this->Materials[hit.Surface];
+  const SurfaceMaterial& material = this->Materials[hit.Surface];
   const glm::uvec3 corners = surface.Triangles[hit.Triangle];
   const glm::vec3 a = surface.Positions[corners.x];
   const glm::vec3 b = surface.Positions[corners.y];
   const glm::vec3 c = surface.Positions[corners.z];
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
 
-  ShadedHit at;
-  at.GeometricNormal = surface.NormalOf(hit.Triangle);
-  const bool front = glm::dot(at.GeometricNormal, ray.Direction) < 0.f;
+  ShadedHit shaded;
+  shaded.GeometricNormal = surface.NormalOf(hit.Triangle);
+  const bool front = glm::dot(shaded.GeometricNormal, ray.Direction) < 0.f;
   if (!front)
   {
-    at.GeometricNormal = -at.GeometricNormal;
+    shaded.GeometricNormal = -shaded.GeometricNormal;
   }
   const glm::vec3 forward(scene.ViewCamera.Forward);
-  at.Normal = LightingNormal(surface, hit, corners, weights, front, at.GeometricNormal, forward);
+  shaded.Normal =
+    LightingNormal(surface, hit, corners, weights, front, shaded.GeometricNormal, forward);
 
-  const PhongCoefficients* known = front ? &look.Front : &look.Back;
-  PhongCoefficients colored = *known;
-  if (look.Colored)
+  const PhongCoefficients* coefficients = front ? &material.Front : &material.Back;
+  PhongCoefficients modified = *coefficients;
+  if (material.Colored)
   {
-    const glm::vec4 own = MappedColor(surface, hit, corners, weights);
-    colored.Ambient = look.AmbientShare * glm::vec3(own);
-    colored.Diffuse = look.DiffuseShare * glm::vec3(own);
-    colored.Opacity *= own.a;
-    known = &colored;
+    const glm::vec4 color = MappedColor(surface, hit, corners, weights);
+    modified.Ambient = material.AmbientCoefficient * glm::vec3(color);
+    modified.Diffuse = material.DiffuseCoefficient * glm::vec3(color);
+    modified.Opacity *= color.a;
+    coefficients = &modified;
   }
-  if (matte)
+  if (diffuseOnly)
   {
-    colored.Specular = glm::vec3(0.f);
-    known = &colored;
+    modified.Specular = glm::vec3(0.f);
+    coefficients = &modified;
   }
-  const PhongCoefficients& finish = *known;
-  at.Reflectance = surface.Front.Lighting ? finish.Diffuse : glm::vec3(0.f);
+  const PhongCoefficients& phong = *coefficients;
+  shaded.Reflectance = surface.Front.Lighting ? phong.Diffuse : glm::vec3(0.f);
 
   glm::vec3 rgb;
-  if (!look.Lit)
+  if (!material.Lit)
   {
-    rgb =
-      matte ? finish.Ambient + finish.Diffuse - at.Reflectance : finish.Ambient + finish.Diffuse;
+    rgb = diffuseOnly ? phong.Ambient + phong.Diffuse - shaded.Reflectance
+                      : phong.Ambient + phong.Diffuse;
   }
   else if (this->OneHeadlight)
   {
-    const float share = std::max(1e-6f, -glm::dot(at.Normal, forward));
-    rgb = share * finish.Diffuse;
-    if (finish.Specular != glm::vec3(0.f))
+    const float cosine = std::max(1e-6f, -glm::dot(shaded.Normal, forward));
+    rgb = cosine * phong.Diffuse;
+    if (phong.Specular != glm::vec3(0.f))
     {
-      rgb += std::pow(share, finish.SpecularPower) * finish.Specular;
+      rgb += std::pow(cosine, phong.SpecularPower) * phong.Specular;
     }
-    rgb = finish.Ambient + rgb * scene.Lights[0].DiffuseColor;
+    rgb = phong.Ambient + rgb * scene.Lights[0].DiffuseColor;
   }
   else
   {
     const glm::vec3 point = weights.x * a + weights.y * b + weights.z * c;
-    rgb = this->ApplyLights(finish, at, point, shadowRays);
+    rgb = this->ApplyLights(phong, shaded, point, shadowRays);
   }
-  at.Color = glm::vec4(rgb, finish.Opacity);
+  shaded.Color = glm::vec4(rgb, phong.Opacity);
   if (surface.LitTexture && (front || surface.TextureOnBackfaces))
   {
     const glm::vec4 texel =
-      Sample(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights));
-    at.Color *= texel;
-    at.Reflectance *= glm::vec3(texel);
+      SampleTexture(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights));
+    shaded.Color *= texel;
+    shaded.Reflectance *= glm::vec3(texel);
   }
-  return at;
+  return shaded;
 }
 
-glm::vec3 Shading::ApplyLights(const PhongCoefficients& finish, const ShadedHit& at,
+glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded,
   glm::vec3 point, long long& shadowRays) const
 {
   const Scene& scene = this->Rays.GetScene();
-  const double moved = scene.ViewCamera.Advance - scene.ViewCamera.DepthOfRayOrigins();
-  const glm::vec3 eye(scene.ViewCamera.Position - moved * scene.ViewCamera.Forward);
-  const glm::vec3 towardsEye = glm::normalize(eye - point);
+  const double advance = scene.ViewCamera.Advance - scene.ViewCamera.DepthOfRayOrigins();
+  const glm::vec3 camera(scene.ViewCamera.Position - advance * scene.ViewCamera.Forward);
+  const glm::vec3 towardsCamera = glm::normalize(camera - point);
   glm::vec3 diffuse(0.f);
   glm::vec3 specular(0.f);
   for (const Light& light : scene.Lights)
@@ -277,38 +290,37 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& finish, const ShadedHit&
         strength = cosine >= light.ConeCosine ? strength * std::pow(cosine, light.Exponent) : 0.f;
       }
     }
-    const float share = strength * -glm::dot(at.Normal, direction);
-    if (!(share > 0.f))
+    const float irradiance = strength * -glm::dot(shaded.Normal, direction);
+    if (!(irradiance > 0.f))
     {
       continue;
     }
     if (this->Shadows && light.CastsShadow)
     {
-      strength *= this->Transmittance(point, -direction, distance, at.GeometricNormal, shadowRays);
+      strength *=
+        this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
     }
-    diffuse += strength * -glm::dot(at.Normal, direction) * light.DiffuseColor;
-    if (finish.Specular != glm::vec3(0.f))
+    diffuse += strength * -glm::dot(shaded.Normal, direction) * light.DiffuseColor;
+    if (phong.Specular != glm::vec3(0.f))
     {
-      const float mirrored = glm::dot(glm::reflect(direction, at.Normal), towardsEye);
+      const float cosine = glm::dot(glm::reflect(direction, shaded.Normal), towardsCamera);
       specular +=
-        strength * std::pow(std::max(1e-5f, mirrored), finish.SpecularPower) * light.SpecularColor;
+        strength * std::pow(std::max(1e-5f, cosine), phong.SpecularPower) * light.SpecularColor;
     }
   }
-  return finish.Ambient + diffuse * finish.Diffuse + specular * finish.Specular;
+  return phong.Ambient + diffuse * phong.Diffuse + specular * phong.Specular;
 }
 
-float Shading::Transmittance(
-  glm::vec3 point, glm::vec3 towards, float distance, glm::vec3 normal, long long& shadowRays) const
+float Shading::Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,
+  long long& shadowRays) const
 {
-  if (glm::dot(towards, normal) <= 0.f)
+  if (glm::dot(direction, normal) <= 0.f)
   {
-    return 0.f; // the light is behind the triangle itself
+    return 0.f; // the light is behind the triangle
   }
-  // Rounding of positions and of the hit: some units in the last place of the largest coordinate.
-  const glm::vec3 size = glm::abs(point);
-  const float gap = 1e-5f * std::max(size.x, std::max(size.y, size.z));
+  const float offset = ComputeShadowRayOffset(point);
   return this->TraceTransmittance(
-    Ray{ point + gap * glm::normalize(normal), towards, 0.f, distance }, shadowRays);
+    Ray{ point + offset * glm::normalize(normal), direction, 0.f, distance }, shadowRays);
 }
 
 float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
@@ -318,21 +330,20 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
     ++shadowRays;
     return this->Rays.Occluded(ray) ? 0.f : 1.f;
   }
-  const glm::vec3 size = glm::abs(ray.Origin);
-  const float gap = 1e-5f * std::max(size.x, std::max(size.y, size.z));
-  float left = 1.f;
-  for (int i = 0; i < MaximumLayers && left > 0.f; ++i)
+  const float offset = ComputeShadowRayOffset(ray.Origin);
+  float transmittance = 1.f;
+  for (int i = 0; i < MaximumLayers && transmittance > 0.f; ++i)
   {
     ++shadowRays;
     const Hit hit = this->Rays.Intersect(ray);
     if (!hit.IsHit())
     {
-      return left;
+      return transmittance;
     }
-    left *= this->SurfaceTransmittance(hit, ray);
-    ray.Near = hit.NextNear + gap;
+    transmittance *= this->SurfaceTransmittance(hit, ray);
+    ray.Near = hit.NextNear + offset;
   }
-  return left;
+  return transmittance;
 }
 
 float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
@@ -342,21 +353,23 @@ float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
   {
     return 1.f;
   }
-  const SurfaceMaterial& look = this->Materials[hit.Surface];
+  const SurfaceMaterial& material = this->Materials[hit.Surface];
   const glm::uvec3 corners = surface.Triangles[hit.Triangle];
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
   const glm::vec3 a = surface.Positions[corners.x];
   const glm::vec3 normal =
     glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
-  float opacity = glm::dot(normal, ray.Direction) < 0.f ? look.Front.Opacity : look.Back.Opacity;
-  if (look.Colored)
+  float opacity =
+    glm::dot(normal, ray.Direction) < 0.f ? material.Front.Opacity : material.Back.Opacity;
+  if (material.Colored)
   {
     opacity *= MappedColor(surface, hit, corners, weights).a;
   }
   if (surface.LitTexture)
   {
     opacity *=
-      Sample(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights)).a;
+      SampleTexture(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights))
+        .a;
   }
   return 1.f - std::min(opacity, 1.f);
 }

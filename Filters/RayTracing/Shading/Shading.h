@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The colour of a hit: VTK's Phong model, mapper colours, textures, hard shadows.
+// Color of a hit: VTK's Phong model, mapped scalar colors, textures, hard shadows.
 #ifndef penumbra_Shading_h
 #define penumbra_Shading_h
 
@@ -14,44 +14,46 @@
 namespace penumbra
 {
 
-/// What a surface is and shows at a hit.
+/// Color and surface properties at a hit.
 struct ShadedHit
 {
-  glm::vec4 Color{ 0.f };           ///< straight rgb (unclamped) and opacity
-  glm::vec3 Normal{ 0.f };          ///< shading normal, unit, as VTK's lighting uses it
-  glm::vec3 GeometricNormal{ 0.f }; ///< of the triangle, of any length, facing the eye
-  glm::vec3 Reflectance{ 0.f };     ///< diffuse; 0 on surfaces without lighting
+  glm::vec4 Color{ 0.f };           ///< non-premultiplied RGB (not clamped) and opacity
+  glm::vec3 Normal{ 0.f };          ///< shading normal (unit), as in VTK's lighting
+  glm::vec3 GeometricNormal{ 0.f }; ///< triangle normal, not unit, facing the ray origin
+  glm::vec3 Reflectance{ 0.f };     ///< diffuse reflectance; 0 on surfaces without lighting
 };
 
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Shading
 {
 public:
-  /// `shadows`: lights that cast shadows are asked for occlusion. `scene` must outlive this object.
+  /// `shadows`: if on, shadow rays are traced towards the lights with CastsShadow. `scene` must
+  /// outlive this object.
   Shading(const RayScene& scene, bool shadows);
 
-  /// Colour at a hit of `ray`. Adds the shadow rays it traced to `shadowRays`.
+  /// Shades a hit of `ray`. Adds the number of shadow rays traced to `shadowRays`.
   ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const;
 
-  /// What leaves the hit diffusely: no highlights, and nothing where no light shines.
+  /// Shades a hit without specular highlights. Surfaces without lighting count as emitters, not as
+  /// reflectors.
   ShadedHit ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const;
 
-  /// The share of light that reaches the origin of `ray` from its far end.
+  /// Returns the transmittance of the scene along `ray`: 1 if unoccluded, 0 behind opaque surfaces.
   float TraceTransmittance(Ray ray, long long& shadowRays) const;
 
   const Scene& GetScene() const { return this->Rays.GetScene(); }
 
-  /// The background at picture point p, straight rgb and alpha.
+  /// Returns the background at image point p, as non-premultiplied RGBA.
   glm::vec4 Background(glm::dvec2 p) const;
 
-  /// True where colour is one constant over each triangle (flat, directional lights, no
-  /// highlight, no texture, no shadow): then one sample of a triangle serves all of it.
+  /// Returns true if the color is constant over each triangle (flat shading, directional lights, no
+  /// highlight, no texture, no shadow), so that one sample per triangle suffices.
   bool IsConstantPerTriangle(std::uint32_t surface) const
   {
     return this->Materials[surface].Constant;
   }
 
 private:
-  /// A material with its coefficients multiplied in.
+  /// Colors of a material multiplied by their coefficients.
   struct PhongCoefficients
   {
     glm::vec3 Ambient;
@@ -60,33 +62,33 @@ private:
     float SpecularPower;
     float Opacity;
   };
-  /// What is known of a surface before any hit.
+  /// Shading data of a surface that do not depend on the hit.
   struct SurfaceMaterial
   {
     PhongCoefficients Front;
     PhongCoefficients Back;
-    float AmbientShare; ///< Material::Ambient, for surfaces that bring their own colours
-    float DiffuseShare;
-    bool Lit;
-    bool Colored;
-    bool Constant;
+    float AmbientCoefficient; ///< Material::Ambient, factor of mapped colors
+    float DiffuseCoefficient; ///< Material::Diffuse, factor of mapped colors
+    bool Lit;                 ///< lighting is on and there is a light
+    bool Colored;             ///< the color is mapped from data
+    bool Constant;            ///< see IsConstantPerTriangle()
   };
 
-  ShadedHit ShadeAs(bool matte, const Ray& ray, const Hit& hit, long long& shadowRays) const;
-  static PhongCoefficients MakeFinish(const Material& material);
-  bool IsConstant(const Surface& surface, const SurfaceMaterial& look) const;
-  glm::vec3 ApplyLights(const PhongCoefficients& finish, const ShadedHit& at, glm::vec3 point,
+  ShadedHit ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays) const;
+  static PhongCoefficients MakePhongCoefficients(const Material& material);
+  bool IsConstant(const Surface& surface, const SurfaceMaterial& material) const;
+  glm::vec3 ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded, glm::vec3 point,
     long long& shadowRays) const;
-  float Transmittance(glm::vec3 point, glm::vec3 towards, float distance, glm::vec3 normal,
+  float Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,
     long long& shadowRays) const;
 
-  /// The share of light that a surface lets pass where `ray` hits it.
+  /// Returns 1 - opacity of the surface that `ray` hits.
   float SurfaceTransmittance(const Hit& hit, const Ray& ray) const;
 
   const RayScene& Rays;
   bool Shadows;
   bool OneHeadlight;
-  bool Translucent = false; ///< some surface lets light through
+  bool Translucent = false; ///< at least one surface is translucent
   std::vector<SurfaceMaterial> Materials;
 };
 

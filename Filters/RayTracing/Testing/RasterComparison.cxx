@@ -16,11 +16,11 @@ using namespace penumbra;
 namespace
 {
 
-/// The picture at a pixel's centre: translucent layers in order, the background last.
+/// Color at the center of a pixel: translucent layers from front to back, then the background.
 struct Pixel
 {
   glm::vec3 Color{ 0.f };
-  std::vector<std::uint64_t> Layers; ///< what was met: object and cell
+  std::vector<std::uint64_t> Layers; ///< surface and cell of each layer
 };
 
 Pixel Trace(const Scene& scene, const RayScene& rays, const Shading& shading, int i, int j)
@@ -31,7 +31,7 @@ Pixel Trace(const Scene& scene, const RayScene& rays, const Shading& shading, in
   ray.Direction = scene.ViewCamera.RayDirection(center);
   ray.Near = static_cast<float>(scene.ViewCamera.Near);
   Pixel pixel;
-  float left = 1.f;
+  float transmittance = 1.f;
   long long shadowRays = 0;
   for (int layer = 0; layer < 20; ++layer)
   {
@@ -41,22 +41,22 @@ Pixel Trace(const Scene& scene, const RayScene& rays, const Shading& shading, in
       break;
     }
     const Surface& surface = scene.Surfaces[hit.Surface];
-    // A cell may be drawn by several lines: each counts for itself.
+    // A cell may consist of several lines; each is a layer.
     const std::uint32_t cell = surface.IsLineOrPoint ? hit.Triangle / 2
       : surface.CellIds.empty()                      ? hit.Triangle
                                                      : surface.CellIds[hit.Triangle];
     pixel.Layers.push_back((std::uint64_t(hit.Surface) << 32) + cell);
     const ShadedHit at = shading.Shade(ray, hit, shadowRays);
     const glm::vec3 color = glm::clamp(glm::vec3(at.Color), 0.f, 1.f);
-    pixel.Color += left * at.Color.a * color;
-    left *= 1.f - at.Color.a;
-    if (left <= 0.f)
+    pixel.Color += transmittance * at.Color.a * color;
+    transmittance *= 1.f - at.Color.a;
+    if (transmittance <= 0.f)
     {
       break;
     }
     ray.Near = hit.Distance * 1.00001f;
   }
-  pixel.Color += left * glm::vec3(shading.Background(center));
+  pixel.Color += transmittance * glm::vec3(shading.Background(center));
   return pixel;
 }
 

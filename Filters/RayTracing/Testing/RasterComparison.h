@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compares the colours of extraction and shading with VTK's own rasterised picture, at the centres
-// of pixels that lie inside one cell.
+// Compares ray-traced shading with the image of VTK's rasterizer, at the centers of pixels inside
+// one cell.
 #ifndef RasterComparison_h
 #define RasterComparison_h
 
@@ -20,13 +20,13 @@ class RasterComparison
 public:
   RasterComparison();
 
-  /// How much the two pictures differ.
+  /// Difference between the two images.
   struct Result
   {
-    int Pixels = 0;          ///< compared: a cell's, and their eight neighbours the same cell's
-    int Different = 0;       ///< of them, off by more than 2/255
-    double Largest = 0.0;    ///< difference, in units of 1/255
-    int Where[2] = { 0, 0 }; ///< the pixel of the largest difference
+    int Pixels = 0;          ///< compared pixels: they and their eight neighbors show the same cell
+    int Different = 0;       ///< compared pixels that differ by more than 2/255
+    double Largest = 0.0;    ///< largest difference, in units of 1/255
+    int Where[2] = { 0, 0 }; ///< pixel of the largest difference
     penumbra::Scene Scene;
   };
 

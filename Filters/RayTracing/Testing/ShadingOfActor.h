@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One actor, drawn by VTK's rasteriser and by extraction and shading: inside cells both must agree.
+// Renders one actor with VTK's rasterizer and with ray tracing; the colors inside cells must agree.
 #ifndef ShadingOfActor_h
 #define ShadingOfActor_h
 
@@ -18,7 +18,7 @@
 
 #include <gtest/gtest.h>
 
-/// A sphere of large cells, with smooth normals.
+/// Returns a sphere with large cells and smooth normals.
 inline vtkSmartPointer<vtkPolyData> Sphere(int resolution = 8)
 {
   vtkNew<vtkSphereSource> source;
@@ -38,18 +38,18 @@ inline vtkSmartPointer<vtkPolyData> WithElevation(vtkPolyData* data)
   return vtkPolyData::SafeDownCast(elevation->GetOutput());
 }
 
-/// One actor seen from a side that no symmetry favours.
+/// Test fixture with one actor, seen from an asymmetric viewpoint.
 class ActorShadingTest : public ::testing::Test
 {
 public:
-  void Show(vtkPolyData* data)
+  void SetMesh(vtkPolyData* data)
   {
     this->Mapper->SetInputData(data);
     this->Renderer()->GetActiveCamera()->SetViewUp(.1, 1.0, 0.0);
-    this->ShowThrough(this->Mapper);
+    this->SetMapper(this->Mapper);
   }
 
-  void ShowThrough(vtkMapper* mapper)
+  void SetMapper(vtkMapper* mapper)
   {
     this->Actor->SetMapper(mapper);
     this->Renderer()->AddActor(this->Actor);
@@ -57,20 +57,20 @@ public:
     this->Renderer()->ResetCamera();
   }
 
-  void ExpectSamePicture(int pixels = 500, double tolerance = 2.0)
+  void ExpectSameImage(int pixels = 500, double tolerance = 2.0)
   {
-    const RasterComparison::Result result = this->Pictures.Compare();
+    const RasterComparison::Result result = this->Comparison.Compare();
     EXPECT_GE(result.Pixels, pixels);
     EXPECT_LE(result.Largest, tolerance)
-      << result.Different << " of " << result.Pixels << " pixels differ, most at "
+      << result.Different << " of " << result.Pixels << " pixels differ; largest difference at "
       << result.Where[0] << ", " << result.Where[1];
     EXPECT_TRUE(result.Scene.Warnings.empty()) << result.Scene.Warnings.front();
   }
 
-  vtkRenderer* Renderer() { return this->Pictures.Renderer; }
+  vtkRenderer* Renderer() { return this->Comparison.Renderer; }
   vtkProperty* Property() { return this->Actor->GetProperty(); }
 
-  RasterComparison Pictures;
+  RasterComparison Comparison;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkPolyDataMapper> Mapper;
 };

@@ -15,7 +15,7 @@ using namespace penumbra;
 namespace
 {
 
-/// A square [-1, 1]^2 at height z that faces +z.
+/// Returns a square [-1, 1]^2 at height z that faces +z.
 Surface Square(float z, bool reserve = true)
 {
   Surface surface;
@@ -34,7 +34,7 @@ Surface Square(float z, bool reserve = true)
   return surface;
 }
 
-/// A bumpy sheet of 2 (n - 1)^2 triangles under the eye.
+/// Returns a wavy sheet of 2 (n - 1)^2 triangles below the camera.
 Surface Sheet(unsigned int n)
 {
   Surface surface;
@@ -63,7 +63,7 @@ Ray Down(float x, float y, float z = 0.f)
 
 }
 
-TEST(RayScene, FindsTheNearestSurfaceAndItsDistance)
+TEST(RayScene, FindsNearestSurfaceAndDistance)
 {
   Scene scene;
   scene.Surfaces = { Square(-5.f), Square(-3.f, false) };
@@ -78,7 +78,7 @@ TEST(RayScene, FindsTheNearestSurfaceAndItsDistance)
   EXPECT_NEAR(-1.f + 2.f * hit.V, -.25f, 1e-6);
 }
 
-TEST(RayScene, MissesWhereNothingIs)
+TEST(RayScene, MissesOutsideTheSurface)
 {
   Scene scene;
   scene.Surfaces = { Square(-5.f) };
@@ -90,7 +90,7 @@ TEST(RayScene, MissesWhereNothingIs)
   EXPECT_FALSE(rays.Occluded(shortRay));
 }
 
-TEST(RayScene, IsEmptyWithoutTriangles)
+TEST(RayScene, MissesWithoutTriangles)
 {
   Scene scene;
   scene.Surfaces.resize(3);
@@ -99,7 +99,7 @@ TEST(RayScene, IsEmptyWithoutTriangles)
   EXPECT_FALSE(rays.Occluded(Down(0.f, 0.f)));
 }
 
-TEST(RayScene, PacketsAgreeWithSingleRays)
+TEST(RayScene, TracesPacketsLikeSingleRays)
 {
   Scene scene;
   scene.Surfaces = { Surface(), Square(-5.f), Square(-3.f) };
@@ -114,7 +114,7 @@ TEST(RayScene, PacketsAgreeWithSingleRays)
   packet[5].Near = 1.f;
   packet[5].Far = 0.f;
   rays.Intersect16(packet, hits);
-  int found = 0;
+  int hitCount = 0;
   for (int i = 0; i < 16; ++i)
   {
     if (i == 5)
@@ -128,21 +128,21 @@ TEST(RayScene, PacketsAgreeWithSingleRays)
     if (single.IsHit())
     {
       EXPECT_NEAR(hits[i].Distance, single.Distance, 1e-5);
-      ++found;
+      ++hitCount;
     }
   }
-  EXPECT_GT(found, 3);
+  EXPECT_GT(hitCount, 3);
 }
 
-TEST(RayScene, TakesTheLowestTriangleAtAnEdge)
+TEST(RayScene, SelectsLowestTriangleAtEdge)
 {
-  // The diagonal of the square belongs to both of its triangles; a second square, further on, has it
-  // too.
-  for (const bool turned : { false, true })
+  // The diagonal of the square belongs to both triangles. A second square behind it has the same
+  // diagonal.
+  for (const bool reversed : { false, true })
   {
     Scene scene;
     scene.Surfaces = { Square(-5.f), Square(-6.f) };
-    if (turned)
+    if (reversed)
     {
       std::swap(scene.Surfaces[0].Triangles[0], scene.Surfaces[0].Triangles[1]);
     }
@@ -171,9 +171,9 @@ TEST(RayScene, TakesTheLowestTriangleAtAnEdge)
   }
 }
 
-TEST(RayScene, TakesNoHiddenTriangleAtAnEdge)
+TEST(RayScene, SelectsNoHiddenTriangleAtEdge)
 {
-  // The same diagonal a thousandth behind, of triangles that come first by number.
+  // The same diagonal, a relative distance of 0.001 behind, of triangles with lower indices.
   Surface surface = Square(-5.005f);
   const Surface front = Square(-5.f);
   surface.Positions.insert(surface.Positions.end(), front.Positions.begin(), front.Positions.end());
@@ -188,9 +188,9 @@ TEST(RayScene, TakesNoHiddenTriangleAtAnEdge)
   EXPECT_EQ(rays.Intersect(behind).Triangle, 0u);
 }
 
-TEST(RayScene, TellsSurfacesApartThatAreFarAwayAndNearEachOther)
+TEST(RayScene, ResolvesDistantSurfacesCloseToEachOther)
 {
-  // A millionth of the distance apart, and as wide as four times the distance.
+  // Relative distance 1e-6; the surfaces are four times as wide as they are distant.
   const auto wall = [](float z) {
     Surface surface = Square(z);
     for (glm::vec3& position : surface.Positions)
@@ -213,9 +213,9 @@ TEST(RayScene, TellsSurfacesApartThatAreFarAwayAndNearEachOther)
   }
 }
 
-TEST(RayScene, ChoosesBetweenSurfacesInOnePlaneByTheirLooks)
+TEST(RayScene, OrdersCoplanarSurfacesByMaterial)
 {
-  // A slanted plane, of which one surface has two triangles and the other 800.
+  // Two surfaces in one slanted plane, with two and 800 triangles.
   const auto slanted = [](Surface surface) {
     for (glm::vec3& p : surface.Positions)
     {
@@ -229,31 +229,32 @@ TEST(RayScene, ChoosesBetweenSurfacesInOnePlaneByTheirLooks)
   black.Front.DiffuseColor = glm::vec3(0.f);
   Surface pane = white;
   pane.Front.Opacity = .5f;
-  for (const bool turned : { false, true })
+  for (const bool reversed : { false, true })
   {
     Scene scene;
     scene.Surfaces = { white, black, pane };
-    if (turned)
+    if (reversed)
     {
       std::swap(scene.Surfaces[0], scene.Surfaces[2]);
     }
     const RayScene rays(scene, 1);
     for (int packet = 0; packet < 60; ++packet)
     {
-      Ray asked[16];
+      Ray queried[16];
       Hit hits[16];
       for (int i = 0; i < 16; ++i)
       {
         const float angle = 2.39996f * static_cast<float>(16 * packet + i);
         const float radius = .01f * std::sqrt(static_cast<float>(16 * packet + i));
-        asked[i] = { glm::vec3(0.f), { radius * std::cos(angle), radius * std::sin(angle), -1.f } };
+        queried[i] = { glm::vec3(0.f),
+          { radius * std::cos(angle), radius * std::sin(angle), -1.f } };
       }
-      rays.Intersect16(asked, hits);
+      rays.Intersect16(queried, hits);
       for (int i = 0; i < 16; ++i)
       {
-        EXPECT_EQ(hits[i].Surface, turned ? 2u : 0u);
-        EXPECT_EQ(rays.Intersect(asked[i]).Surface, hits[i].Surface);
-        Ray behind = asked[i];
+        EXPECT_EQ(hits[i].Surface, reversed ? 2u : 0u);
+        EXPECT_EQ(rays.Intersect(queried[i]).Surface, hits[i].Surface);
+        Ray behind = queried[i];
         behind.Near = hits[i].NextNear;
         EXPECT_FALSE(rays.Intersect(behind).IsHit());
       }
@@ -261,10 +262,10 @@ TEST(RayScene, ChoosesBetweenSurfacesInOnePlaneByTheirLooks)
   }
 }
 
-TEST(RayTriangle, KnowsTheDistanceToItsEdges)
+TEST(RayTriangle, ComputesDistanceToEdges)
 {
   const Surface square = Square(-5.f);
-  // Below the diagonal by .1; above the lower edge by .2.
+  // 0.1 below the diagonal, then 0.2 above the lower edge.
   const RayTriangle inside(square, 0, Down(.3f, .3f - .1f * std::sqrt(2.f)));
   EXPECT_TRUE(inside.IsValid);
   EXPECT_TRUE(inside.IsFront);
@@ -279,7 +280,7 @@ TEST(RayTriangle, KnowsTheDistanceToItsEdges)
   EXPECT_FALSE(RayTriangle(square, 0, { { 0.f, 0.f, 0.f }, { 1.f, 0.f, 0.f } }).IsValid);
 }
 
-TEST(RayScene, PassesCulledSides)
+TEST(RayScene, SkipsCulledSides)
 {
   Scene scene;
   scene.Surfaces = { Square(-3.f), Square(-5.f) };
@@ -292,7 +293,7 @@ TEST(RayScene, PassesCulledSides)
   EXPECT_EQ(RayScene(scene, 1).Intersect(up).Surface, 0u);
 }
 
-TEST(RayScene, LetsLightPassLinesAndPoints)
+TEST(RayScene, IgnoresLinesAndPointsInOcclusion)
 {
   Scene scene;
   scene.Surfaces = { Square(-3.f), Square(-5.f) };
@@ -308,7 +309,7 @@ TEST(RayScene, LetsLightPassLinesAndPoints)
 namespace
 {
 
-/// Rays exactly through vertices and through the middles of edges.
+/// Returns rays exactly through vertices and edge midpoints.
 std::vector<Ray> RaysThrough(const Surface& surface)
 {
   std::vector<Ray> rays;
@@ -323,7 +324,7 @@ std::vector<Ray> RaysThrough(const Surface& surface)
 
 }
 
-TEST(RayScene, FindsTheSameTrianglesWithAnyNumberOfThreads)
+TEST(RayScene, IsIndependentOfThreadCount)
 {
   Scene scene;
   scene.Surfaces = { Sheet(300), Sheet(150) };
@@ -339,7 +340,7 @@ TEST(RayScene, FindsTheSameTrianglesWithAnyNumberOfThreads)
   EXPECT_EQ(different, 0);
 }
 
-TEST(RayScene, MeetsNothingByRaysThatAreNone)
+TEST(RayScene, MissesWithInvalidRays)
 {
   Scene scene;
   scene.Surfaces = { Square(-1.f) };
@@ -358,18 +359,18 @@ TEST(RayScene, MeetsNothingByRaysThatAreNone)
     std::fill_n(packet, 16, Ray{ { .1f, .2f, 0.f }, down });
     packet[5] = ray;
     Hit hits[16];
-    bool blocked[16];
+    bool occluded[16];
     rays.Intersect16(packet, hits);
-    rays.Occluded16(packet, blocked);
+    rays.Occluded16(packet, occluded);
     for (int i = 0; i < 16; ++i)
     {
       EXPECT_EQ(hits[i].IsHit(), i != 5);
-      EXPECT_EQ(blocked[i], i != 5);
+      EXPECT_EQ(occluded[i], i != 5);
     }
   }
 }
 
-TEST(RayScene, KnowsTheNormalsOfTinyTriangles)
+TEST(RayScene, ComputesNormalsOfTinyTriangles)
 {
   for (const float size : { 1.f, 1e-7f, 1e-12f, 1e-25f, 1e-38f })
   {

@@ -62,7 +62,7 @@ vtkActor* AddCube(vtkRenderer* renderer)
   return actor;
 }
 
-/// Four points and the cells given, each by its point ids.
+/// Returns four points with the given cells, each a list of point ids.
 vtkSmartPointer<vtkPolyData> Polygons(const std::vector<std::vector<vtkIdType>>& cells)
 {
   vtkNew<vtkPoints> points;
@@ -87,7 +87,7 @@ Scene Extract(vtkDataObject* data)
   return ExtractScene(std::vector<vtkDataObject*>{ data }, Square());
 }
 
-Hit Look(const Scene& scene, double x, double y)
+Hit TracePixel(const Scene& scene, double x, double y)
 {
   Ray ray;
   ray.Origin = scene.ViewCamera.RayOrigin({ x, y });
@@ -95,11 +95,11 @@ Hit Look(const Scene& scene, double x, double y)
   return RayScene(scene, 1).Intersect(ray);
 }
 
-bool Warns(const Scene& scene, const std::string& of)
+bool Warns(const Scene& scene, const std::string& text)
 {
   for (const std::string& warning : scene.Warnings)
   {
-    if (warning.find(of) != std::string::npos)
+    if (warning.find(text) != std::string::npos)
     {
       return true;
     }
@@ -123,18 +123,18 @@ TEST(SceneExtraction, IsEmptyWithoutData)
   EXPECT_EQ(renderer->GetLights()->GetNumberOfItems(), 0);
 }
 
-TEST(SceneExtraction, DrawsDataInVTKsDefaultLook)
+TEST(SceneExtraction, UsesVTKDefaultMaterial)
 {
   const Scene scene = Extract(Cube());
   ASSERT_EQ(scene.Surfaces.size(), 1u);
   EXPECT_EQ(scene.Surfaces[0].Triangles.size(), 12u);
   EXPECT_EQ(scene.Surfaces[0].Front.DiffuseColor, glm::vec3(1.f));
   EXPECT_TRUE(scene.Lights[0].Headlight);
-  EXPECT_TRUE(Look(scene, 50.0, 50.0).IsHit());
-  EXPECT_FALSE(Look(scene, 2.0, 2.0).IsHit());
+  EXPECT_TRUE(TracePixel(scene, 50.0, 50.0).IsHit());
+  EXPECT_FALSE(TracePixel(scene, 2.0, 2.0).IsHit());
 }
 
-TEST(SceneExtraction, ResetsTheViewAsVTKDoes)
+TEST(SceneExtraction, ResetsCameraAsVTK)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkPolyDataMapper> mapper;
@@ -143,15 +143,15 @@ TEST(SceneExtraction, ResetsTheViewAsVTKDoes)
   actor->SetMapper(mapper);
   actor->SetPosition(3.0, 2.0, 1.0);
   renderer->AddActor(actor);
-  const Scene own = ExtractScene(renderer, Square());
+  const Scene automatic = ExtractScene(renderer, Square());
   renderer->ResetCamera();
   const Scene vtk = ExtractScene(renderer, Square());
   for (int k = 0; k < 3; ++k)
   {
-    EXPECT_NEAR(own.Origin[k], vtk.Origin[k], 1e-12);
+    EXPECT_NEAR(automatic.Origin[k], vtk.Origin[k], 1e-12);
   }
-  EXPECT_EQ(own.Scale, vtk.Scale);
-  EXPECT_NEAR(own.ViewCamera.PixelSize, vtk.ViewCamera.PixelSize, 1e-15);
+  EXPECT_EQ(automatic.Scale, vtk.Scale);
+  EXPECT_NEAR(automatic.ViewCamera.PixelSize, vtk.ViewCamera.PixelSize, 1e-15);
 }
 
 TEST(SceneExtraction, KeepsCellIdsOfPolygonsAndGrids)
@@ -169,18 +169,18 @@ TEST(SceneExtraction, KeepsCellIdsOfPolygonsAndGrids)
   for (const std::uint32_t cell : voxels.Surfaces[0].CellIds)
   {
     EXPECT_LT(cell, 27u);
-    EXPECT_NE(cell, 13u); // the one inside
+    EXPECT_NE(cell, 13u); // the interior cell
   }
 }
 
-TEST(SceneExtraction, LeavesReservesForTheRayScene)
+TEST(SceneExtraction, ReservesSpareCapacityForRayScene)
 {
   const Scene scene = Extract(Cube());
   EXPECT_GT(scene.Surfaces[0].Positions.capacity(), scene.Surfaces[0].Positions.size());
   EXPECT_GT(scene.Surfaces[0].Triangles.capacity(), scene.Surfaces[0].Triangles.size());
 }
 
-TEST(SceneExtraction, DropsCellsWithBadPointsAndSaysHowMany)
+TEST(SceneExtraction, DropsCellsWithInvalidPointsAndWarns)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : { std::nan(""), infinity, -infinity })
@@ -198,7 +198,7 @@ TEST(SceneExtraction, DropsCellsWithBadPointsAndSaysHowMany)
   }
 }
 
-TEST(SceneExtraction, LeavesOutAttributesThatDoNotFit)
+TEST(SceneExtraction, IgnoresAttributesOfWrongSizeAndWarns)
 {
   for (const vtkIdType size : { 1, 2, 4, 9 })
   {
@@ -216,11 +216,11 @@ TEST(SceneExtraction, LeavesOutAttributesThatDoNotFit)
     EXPECT_EQ(Warns(scene, "normals of points"), size != 4);
     EXPECT_EQ(Warns(scene, "texture coordinates"), size != 4);
     EXPECT_EQ(Warns(scene, "normals of cells"), size != 2);
-    EXPECT_EQ(data->GetPointData()->GetNormals(), triples); // the input stays as it is
+    EXPECT_EQ(data->GetPointData()->GetNormals(), triples); // the input is not modified
   }
 }
 
-TEST(SceneExtraction, DropsTrianglesWithoutAreaAndSaysHowMany)
+TEST(SceneExtraction, DropsDegenerateTrianglesAndWarns)
 {
   const Scene scene = Extract(Polygons({ { 0, 0, 1 }, { 0, 1, 1 }, { 0, 1, 2 }, { 0 }, { 0, 1 } }));
   EXPECT_EQ(scene.Surfaces[0].Triangles.size(), 1u);
@@ -228,7 +228,7 @@ TEST(SceneExtraction, DropsTrianglesWithoutAreaAndSaysHowMany)
   EXPECT_EQ(scene.Warnings.size(), 1u);
 }
 
-TEST(SceneExtraction, SurvivesDataWithoutAnyGoodPoint)
+TEST(SceneExtraction, IsEmptyWithoutFinitePoints)
 {
   vtkSmartPointer<vtkPolyData> data = Polygons({ { 0, 1, 2 } });
   for (vtkIdType i = 0; i < 4; ++i)
@@ -240,7 +240,7 @@ TEST(SceneExtraction, SurvivesDataWithoutAnyGoodPoint)
   EXPECT_EQ(scene.Warnings.size(), 1u);
 }
 
-TEST(SceneExtraction, NamesWhatItCannotDraw)
+TEST(SceneExtraction, WarnsAboutUnsupportedData)
 {
   vtkNew<vtkTable> table;
   EXPECT_TRUE(Warns(Extract(table), "vtkTable"));
@@ -255,7 +255,7 @@ TEST(SceneExtraction, NamesWhatItCannotDraw)
   EXPECT_EQ(scene.Warnings.size(), 1u);
 }
 
-TEST(SceneExtraction, NamesLooksThatItLeavesOut)
+TEST(SceneExtraction, WarnsAboutUnsupportedProperties)
 {
   vtkNew<vtkRenderer> renderer;
   vtkActor* actor = AddCube(renderer);
@@ -274,9 +274,9 @@ TEST(SceneExtraction, NamesLooksThatItLeavesOut)
   EXPECT_EQ(scene.Warnings.size(), 5u);
 }
 
-// Textures of blocks came with VTK 9.3.
+// Block textures are available since VTK 9.3.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-TEST(SceneExtraction, NamesTexturesOfBlocks)
+TEST(SceneExtraction, WarnsAboutBlockTextures)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Cube());
@@ -294,7 +294,7 @@ TEST(SceneExtraction, NamesTexturesOfBlocks)
 }
 #endif
 
-TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
+TEST(SceneExtraction, KeepsPrecisionForDistantAndSmallData)
 {
   for (const auto& [center, size] :
     { std::pair<double, double>{ 1e7, 1e-3 }, { 0.0, 1e-6 }, { 0.0, 1e9 }, { 1e7, 100.0 } })
@@ -307,7 +307,7 @@ TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
       data->GetPoints()->SetPoint(i, center + size * x[0], center + size * x[1], center);
     }
     const Scene scene = Extract(data);
-    // A square in a sphere seen under 30 degrees: where its corners must be.
+    // Expected corners: the square is inscribed in a sphere that subtends 30 degrees.
     const double half = 50.0 * std::sin(15.0 * 3.14159265358979 / 180.0) /
       std::tan(15.0 * 3.14159265358979 / 180.0) / std::sqrt(2.0);
     for (const glm::vec3& x : scene.Surfaces[0].Positions)
@@ -321,7 +321,7 @@ TEST(SceneExtraction, LosesNothingFarFromTheOriginOrVerySmall)
   }
 }
 
-TEST(SceneExtraction, LosesNothingUnderAParallelCameraFarAway)
+TEST(SceneExtraction, KeepsPrecisionForDistantParallelCamera)
 {
   vtkNew<vtkRenderer> renderer;
   AddCube(renderer);
@@ -333,8 +333,8 @@ TEST(SceneExtraction, LosesNothingUnderAParallelCameraFarAway)
   EXPECT_NEAR(scene.ViewCamera.Advance / scene.Scale, std::sqrt(145e12), 4.0);
   const glm::dvec3 first = (glm::dvec3(-.5) - scene.Origin) * scene.Scale;
   EXPECT_NEAR(glm::length(glm::dvec3(scene.Surfaces[0].Positions[0]) - first), 0.0, 1e-7);
-  EXPECT_TRUE(Look(scene, 50.0, 50.0).IsHit());
-  EXPECT_FALSE(Look(scene, 1.0, 1.0).IsHit());
+  EXPECT_TRUE(TracePixel(scene, 50.0, 50.0).IsHit());
+  EXPECT_FALSE(TracePixel(scene, 1.0, 1.0).IsHit());
 }
 
 TEST(SceneExtraction, NumbersVisibleActorsAndDataSets)
@@ -349,7 +349,7 @@ TEST(SceneExtraction, NumbersVisibleActorsAndDataSets)
   EXPECT_EQ(scene.Surfaces[2].ObjectId, 1);
 }
 
-TEST(SceneExtraction, ScalesWidthsWithTheResolutionOfTheScreen)
+TEST(SceneExtraction, ScalesLineWidthsWithDPI)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
@@ -370,7 +370,7 @@ TEST(SceneExtraction, ScalesWidthsWithTheResolutionOfTheScreen)
     glm::length(scene.ViewCamera.Project(x[3]) - scene.ViewCamera.Project(x[0])), 2.0, 1e-4);
 }
 
-TEST(SceneExtraction, SwitchesLightsAndTakesTheAutomaticOneOnlyWhenAsked)
+TEST(SceneExtraction, CreatesHeadlightOnlyIfAutomatic)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLight> light;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Materials, lights and cameras, each scene drawn by VTK's rasteriser too; shadows, and what no
-// picture shows.
+// Compares materials, lights and cameras with VTK's rasterizer. Also tests shadows and invalid
+// input.
 #include "Shading/Shading.h"
 
 #include "ShadingOfActor.h"
@@ -19,30 +19,30 @@
 
 using namespace penumbra;
 
-TEST_F(ActorShadingTest, IsVTKsWhenSmooth)
+TEST_F(ActorShadingTest, MatchesVTKForSmoothShading)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Property()->SetColor(.9, .5, .2);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWhenFlat)
+TEST_F(ActorShadingTest, MatchesVTKForFlatShading)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Property()->SetInterpolationToFlat();
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithoutNormals)
+TEST_F(ActorShadingTest, MatchesVTKWithoutNormals)
 {
   vtkNew<vtkCubeSource> cube;
   cube->Update();
   cube->GetOutput()->GetPointData()->SetNormals(nullptr);
-  this->Show(cube->GetOutput());
-  this->ExpectSamePicture();
+  this->SetMesh(cube->GetOutput());
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithNormalsOfCells)
+TEST_F(ActorShadingTest, MatchesVTKWithCellNormals)
 {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(Sphere());
@@ -50,55 +50,55 @@ TEST_F(ActorShadingTest, IsVTKsWithNormalsOfCells)
   normals->ComputeCellNormalsOn();
   normals->Update();
   normals->GetOutput()->GetPointData()->SetNormals(nullptr);
-  this->Show(normals->GetOutput());
-  this->ExpectSamePicture();
+  this->SetMesh(normals->GetOutput());
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithAmbientLightAndHighlight)
+TEST_F(ActorShadingTest, MatchesVTKWithAmbientAndSpecular)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Property()->SetAmbient(.2);
   this->Property()->SetAmbientColor(.1, .9, .4);
   this->Property()->SetDiffuse(.6);
   this->Property()->SetSpecular(.5);
   this->Property()->SetSpecularColor(1.0, .8, .1);
   this->Property()->SetSpecularPower(15.0);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithoutLighting)
+TEST_F(ActorShadingTest, MatchesVTKWithoutLighting)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Property()->SetAmbient(.3);
   this->Property()->SetDiffuse(.6);
   this->Property()->SetColor(.9, .5, .2);
   this->Property()->LightingOff();
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsInsideWithABackfaceProperty)
+TEST_F(ActorShadingTest, MatchesVTKWithBackfaceProperty)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Property()->SetFrontfaceCulling(true);
   vtkNew<vtkProperty> back;
   back->SetColor(.1, .8, .3);
   back->SetSpecular(.4);
   back->SetSpecularPower(4.0);
   this->Actor->SetBackfaceProperty(back);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWhenMirrored)
+TEST_F(ActorShadingTest, MatchesVTKForMirroredActors)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Actor->SetScale(-1.0, 1.2, .8);
   this->Actor->RotateX(20.0);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsUnderALightKit)
+TEST_F(ActorShadingTest, MatchesVTKWithLightKit)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Property()->SetSpecular(.3);
   this->Property()->SetSpecularPower(8.0);
   vtkNew<vtkLight> key;
@@ -115,19 +115,19 @@ TEST_F(ActorShadingTest, IsVTKsUnderALightKit)
   this->Renderer()->AddLight(key);
   this->Renderer()->AddLight(fill);
   this->Renderer()->AddLight(off);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsUnderPositionalLightsAndSpots)
+TEST_F(ActorShadingTest, MatchesVTKWithPositionalLightsAndSpotlights)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Property()->SetSpecular(.3);
   this->Property()->SetSpecularPower(8.0);
-  vtkNew<vtkLight> lamp;
-  lamp->PositionalOn();
-  lamp->SetPosition(2.0, 1.0, .5);
-  lamp->SetConeAngle(100.0);
-  lamp->SetAttenuationValues(.5, .2, .1);
+  vtkNew<vtkLight> light;
+  light->PositionalOn();
+  light->SetPosition(2.0, 1.0, .5);
+  light->SetConeAngle(100.0);
+  light->SetAttenuationValues(.5, .2, .1);
   vtkNew<vtkLight> spot;
   spot->PositionalOn();
   spot->SetPosition(0.0, 1.5, 2.0);
@@ -135,23 +135,23 @@ TEST_F(ActorShadingTest, IsVTKsUnderPositionalLightsAndSpots)
   spot->SetConeAngle(12.0);
   spot->SetExponent(3.0);
   spot->SetColor(.2, .3, 1.0);
-  this->Renderer()->AddLight(lamp);
+  this->Renderer()->AddLight(light);
   this->Renderer()->AddLight(spot);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsUnderAParallelCamera)
+TEST_F(ActorShadingTest, MatchesVTKInParallelProjection)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Renderer()->GetActiveCamera()->ParallelProjectionOn();
   this->Renderer()->GetActiveCamera()->SetWindowCenter(.2, -.1);
   this->Property()->SetInterpolationToFlat();
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsInHighlightsUnderAParallelCamera)
+TEST_F(ActorShadingTest, MatchesVTKForHighlightsInParallelProjection)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Renderer()->GetActiveCamera()->ParallelProjectionOn();
   this->Property()->SetSpecular(.5);
   this->Property()->SetSpecularPower(6.0);
@@ -159,32 +159,32 @@ TEST_F(ActorShadingTest, IsVTKsInHighlightsUnderAParallelCamera)
   light->SetLightTypeToSceneLight();
   light->SetPosition(3.0, 1.0, 2.0);
   this->Renderer()->AddLight(light);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsOffCentreWithAHorizontalAngle)
+TEST_F(ActorShadingTest, MatchesVTKWithWindowCenterAndHorizontalViewAngle)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Renderer()->GetActiveCamera()->SetWindowCenter(.2, -.1);
   this->Renderer()->GetActiveCamera()->UseHorizontalViewAngleOn();
   this->Renderer()->GetActiveCamera()->Roll(20.0);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsOverAGradient)
+TEST_F(ActorShadingTest, MatchesVTKOverGradientBackground)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Renderer()->GradientBackgroundOn();
   this->Renderer()->SetBackground2(.9, .1, .1);
   this->Property()->SetOpacity(.3);
   this->Property()->BackfaceCullingOn();
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
 namespace
 {
 
-/// A floor and a small square above it, under one light from straight above.
+/// Returns a floor and a small square above it, lit by a directional light from above.
 Scene FloorUnderSquare(float opacity)
 {
   Scene scene;
@@ -206,8 +206,8 @@ Scene FloorUnderSquare(float opacity)
   return scene;
 }
 
-/// What the floor looks like at (x, y).
-float Floor(const Scene& scene, bool shadows, float x, float y, long long& rays)
+/// Returns the red channel of the floor at (x, y).
+float ShadeFloor(const Scene& scene, bool shadows, float x, float y, long long& rays)
 {
   const RayScene traced(scene, 1);
   const Shading shading(traced, shadows);
@@ -217,48 +217,48 @@ float Floor(const Scene& scene, bool shadows, float x, float y, long long& rays)
 
 }
 
-TEST(Shading, CastsShadowsWhereAsked)
+TEST(Shading, CastsShadowsOnlyIfEnabled)
 {
   long long rays = 0;
   Scene scene = FloorUnderSquare(1.f);
-  EXPECT_FLOAT_EQ(Floor(scene, false, .1f, .2f, rays), 1.1f);
+  EXPECT_FLOAT_EQ(ShadeFloor(scene, false, .1f, .2f, rays), 1.1f);
   EXPECT_EQ(rays, 0);
-  EXPECT_FLOAT_EQ(Floor(scene, true, .1f, .2f, rays), .1f);
-  EXPECT_FLOAT_EQ(Floor(scene, true, .6f, .2f, rays), 1.1f);
+  EXPECT_FLOAT_EQ(ShadeFloor(scene, true, .1f, .2f, rays), .1f);
+  EXPECT_FLOAT_EQ(ShadeFloor(scene, true, .6f, .2f, rays), 1.1f);
   EXPECT_EQ(rays, 2);
   scene.Lights[0].CastsShadow = false;
-  EXPECT_FLOAT_EQ(Floor(scene, true, .1f, .2f, rays), 1.1f);
+  EXPECT_FLOAT_EQ(ShadeFloor(scene, true, .1f, .2f, rays), 1.1f);
   scene.Lights[0].CastsShadow = true;
   scene.Lights[0].Kind = Light::Kinds::Positional;
   scene.Lights[0].Position = { 0.f, 0.f, .5f }; // below the square
-  EXPECT_GT(Floor(scene, true, .1f, .2f, rays), .8f);
+  EXPECT_GT(ShadeFloor(scene, true, .1f, .2f, rays), .8f);
 }
 
-TEST(Shading, LetsLightThroughTranslucentSurfacesAndLines)
+TEST(Shading, TransmitsLightThroughTranslucentSurfacesAndLines)
 {
   long long rays = 0;
   Scene scene = FloorUnderSquare(.25f);
-  EXPECT_NEAR(Floor(scene, true, .1f, .2f, rays), .85f, 1e-6);
+  EXPECT_NEAR(ShadeFloor(scene, true, .1f, .2f, rays), .85f, 1e-6);
   scene.Surfaces[1].Front.Opacity = 1.f;
   scene.Surfaces[1].IsLineOrPoint = true;
-  EXPECT_NEAR(Floor(scene, true, .1f, .2f, rays), 1.1f, 1e-6);
+  EXPECT_NEAR(ShadeFloor(scene, true, .1f, .2f, rays), 1.1f, 1e-6);
 }
 
-TEST(Shading, AsksForOneShadowRayWhereDataColourOpaqueSurfaces)
+TEST(Shading, TracesOneShadowRayThroughColoredOpaqueSurfaces)
 {
   long long rays = 0;
   Scene scene = FloorUnderSquare(1.f);
   scene.Surfaces[1].PointColors.resize(4, glm::u8vec4(200, 100, 50, 255));
-  scene.Surfaces.push_back(scene.Surfaces[1]); // a second roof behind the first one
+  scene.Surfaces.push_back(scene.Surfaces[1]); // a second square above the first one
   for (glm::vec3& position : scene.Surfaces[2].Positions)
   {
     position.z += .5f;
   }
-  EXPECT_FLOAT_EQ(Floor(scene, true, .1f, .2f, rays), .1f);
+  EXPECT_FLOAT_EQ(ShadeFloor(scene, true, .1f, .2f, rays), .1f);
   EXPECT_EQ(rays, 1);
 }
 
-TEST(Shading, KnowsWhereOneSampleServesATriangle)
+TEST(Shading, DetectsConstantColorPerTriangle)
 {
   Scene scene = FloorUnderSquare(1.f);
   const auto isConstant = [&](bool shadows) {
@@ -269,7 +269,7 @@ TEST(Shading, KnowsWhereOneSampleServesATriangle)
   EXPECT_FALSE(isConstant(true));
   scene.Surfaces[0].Front.Specular = .5f;
   EXPECT_FALSE(isConstant(false));
-  scene.Lights[0].Headlight = true; // lit without a view ray
+  scene.Lights[0].Headlight = true; // shading with one headlight does not depend on the view ray
   EXPECT_TRUE(isConstant(false));
   scene.Lights[0].Headlight = false;
   scene.Surfaces[0].Front.Specular = 0.f;
@@ -281,13 +281,13 @@ TEST(Shading, KnowsWhereOneSampleServesATriangle)
   EXPECT_FALSE(isConstant(false));
 }
 
-TEST(Shading, SurvivesNormalsOfNoLengthAndNoNumber)
+TEST(Shading, IgnoresZeroAndNonFiniteNormals)
 {
   Scene scene = FloorUnderSquare(1.f);
   long long rays = 0;
   for (const float bad : { 0.f, std::nanf(""), std::numeric_limits<float>::infinity() })
   {
     scene.Surfaces[0].Normals.assign(4, glm::vec3(bad));
-    EXPECT_FLOAT_EQ(Floor(scene, false, .1f, .2f, rays), 1.1f) << bad;
+    EXPECT_FLOAT_EQ(ShadeFloor(scene, false, .1f, .2f, rays), 1.1f) << bad;
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Colours from scalars, textures. Every scene is drawn by VTK's rasteriser too.
+// Compares scalar mapping and textures with VTK's rasterizer.
 #include "ShadingOfActor.h"
 
 #include "vtkCellData.h"
@@ -20,48 +20,48 @@
 
 #include <cmath>
 
-TEST_F(ActorShadingTest, IsVTKsWithColorsOfPoints)
+TEST_F(ActorShadingTest, MatchesVTKForPointColors)
 {
-  this->Show(WithElevation(Sphere()));
-  this->ExpectSamePicture();
+  this->SetMesh(WithElevation(Sphere()));
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithColorsOfCells)
+TEST_F(ActorShadingTest, MatchesVTKForCellColors)
 {
   vtkNew<vtkPointDataToCellData> cells;
   cells->SetInputData(WithElevation(Sphere()));
   cells->PassPointDataOff();
   cells->Update();
-  this->Show(vtkPolyData::SafeDownCast(cells->GetOutput()));
+  this->SetMesh(vtkPolyData::SafeDownCast(cells->GetOutput()));
   this->Property()->SetInterpolationToFlat();
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWhenScalarsAreInterpolatedBeforeMapping)
+TEST_F(ActorShadingTest, MatchesVTKWithScalarsInterpolatedBeforeMapping)
 {
-  this->Show(WithElevation(Sphere()));
+  this->SetMesh(WithElevation(Sphere()));
   this->Mapper->InterpolateScalarsBeforeMappingOn();
   vtkNew<vtkLookupTable> table;
   table->SetNumberOfTableValues(256);
   table->Build();
   this->Mapper->SetLookupTable(table);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithALogarithmicTableAndNaN)
+TEST_F(ActorShadingTest, MatchesVTKForLogarithmicTableAndNaN)
 {
   vtkSmartPointer<vtkPolyData> data = WithElevation(Sphere());
   data->GetPointData()->GetScalars()->SetComponent(5, 0, std::nan(""));
-  this->Show(data);
+  this->SetMesh(data);
   vtkNew<vtkLookupTable> table;
   table->SetScaleToLog10();
   table->SetNanColor(.9, .1, .9, 1.0);
   this->Mapper->SetLookupTable(table);
   this->Mapper->SetScalarRange(.05, 1.0);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithCategories)
+TEST_F(ActorShadingTest, MatchesVTKForCategoricalColors)
 {
   vtkSmartPointer<vtkPolyData> data = Sphere();
   vtkNew<vtkDoubleArray> kinds;
@@ -71,7 +71,7 @@ TEST_F(ActorShadingTest, IsVTKsWithCategories)
     kinds->InsertNextValue(i % 5);
   }
   data->GetCellData()->SetScalars(kinds);
-  this->Show(data);
+  this->SetMesh(data);
   vtkNew<vtkLookupTable> table;
   table->SetNumberOfTableValues(3);
   for (int i = 0; i < 3; ++i)
@@ -81,14 +81,14 @@ TEST_F(ActorShadingTest, IsVTKsWithCategories)
   }
   table->SetIndexedLookup(true);
   this->Mapper->SetLookupTable(table);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithATexture)
+TEST_F(ActorShadingTest, MatchesVTKWithTexture)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->Update();
-  this->Show(plane->GetOutput());
+  this->SetMesh(plane->GetOutput());
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 3, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -100,10 +100,10 @@ TEST_F(ActorShadingTest, IsVTKsWithATexture)
   texture->SetInputData(image);
   texture->InterpolateOn();
   this->Actor->SetTexture(texture);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithATextureThatRepeatsOrStopsWithoutInterpolation)
+TEST_F(ActorShadingTest, MatchesVTKForRepeatedAndClampedTextureWithoutInterpolation)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->Update();
@@ -112,7 +112,7 @@ TEST_F(ActorShadingTest, IsVTKsWithATextureThatRepeatsOrStopsWithoutInterpolatio
   {
     coordinates->SetTuple2(i, 2.3 * (i % 2) - .7, 1.9 * (i / 2) - .4);
   }
-  this->Show(plane->GetOutput());
+  this->SetMesh(plane->GetOutput());
   vtkNew<vtkImageData> image;
   image->SetDimensions(3, 2, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -127,14 +127,14 @@ TEST_F(ActorShadingTest, IsVTKsWithATextureThatRepeatsOrStopsWithoutInterpolatio
   {
     texture->SetRepeat(repeat);
     texture->SetEdgeClamp(!repeat);
-    // Centres of pixels on the border of two texels may fall to either.
-    const RasterComparison::Result result = this->Pictures.Compare();
+    // Pixel centers on the edge between two texels may take either color.
+    const RasterComparison::Result result = this->Comparison.Compare();
     EXPECT_GE(result.Pixels, 1000);
     EXPECT_LE(result.Different, .02 * result.Pixels) << repeat;
   }
 }
 
-TEST_F(ActorShadingTest, IsVTKsInOneColorFromFieldData)
+TEST_F(ActorShadingTest, MatchesVTKForColorFromFieldData)
 {
   vtkSmartPointer<vtkPolyData> data = Sphere();
   vtkNew<vtkDoubleArray> values;
@@ -142,14 +142,14 @@ TEST_F(ActorShadingTest, IsVTKsInOneColorFromFieldData)
   values->InsertNextValue(.1);
   values->InsertNextValue(.7);
   data->GetFieldData()->AddArray(values);
-  this->Show(data);
+  this->SetMesh(data);
   this->Mapper->SetScalarModeToUseFieldData();
   this->Mapper->SelectColorArray("time");
   this->Mapper->SetFieldDataTupleId(1);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsInColorsStoredAsBytes)
+TEST_F(ActorShadingTest, MatchesVTKForColorsStoredAsBytes)
 {
   vtkSmartPointer<vtkPolyData> data = Sphere();
   vtkNew<vtkUnsignedCharArray> colors;
@@ -159,6 +159,6 @@ TEST_F(ActorShadingTest, IsVTKsInColorsStoredAsBytes)
     colors->InsertNextTuple3((i * 37) % 256, (i * 91) % 256, (i * 13) % 256);
   }
   data->GetPointData()->SetScalars(colors);
-  this->Show(data);
-  this->ExpectSamePicture();
+  this->SetMesh(data);
+  this->ExpectSameImage();
 }

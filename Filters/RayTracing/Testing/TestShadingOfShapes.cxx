@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is drawn: polygons, lines, points, glyphs, blocks, assemblies, what planes leave. Every scene is
-// drawn by VTK's rasteriser too.
+// Compares polygons, lines, points, glyphs, composite data, assemblies and clipping planes with
+// VTK's rasterizer.
 #include "ShadingOfActor.h"
 
 #include "vtkAssembly.h"
@@ -26,7 +26,7 @@
 #include "vtkProperty.h"
 #include "vtkVersionMacros.h"
 
-TEST_F(ActorShadingTest, IsVTKsOnConcavePolygonsAndStrips)
+TEST_F(ActorShadingTest, MatchesVTKForConcavePolygonsAndStrips)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkDoubleArray> values;
@@ -52,24 +52,24 @@ TEST_F(ActorShadingTest, IsVTKsOnConcavePolygonsAndStrips)
   data->SetPolys(polygons);
   data->SetStrips(strips);
   data->GetPointData()->SetScalars(values);
-  this->Show(data);
+  this->SetMesh(data);
   this->Mapper->SetScalarRange(0.0, 6.0);
-  this->ExpectSamePicture();
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsBehindClippingPlanes)
+TEST_F(ActorShadingTest, MatchesVTKWithClippingPlanes)
 {
-  this->Show(Sphere(6));
+  this->SetMesh(Sphere(6));
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(.1, 0.0, 0.0);
   plane->SetNormal(-1.0, .3, -.2);
   this->Mapper->AddClippingPlane(plane);
-  this->ExpectSamePicture(300);
+  this->ExpectSameImage(300);
 }
 
-TEST_F(ActorShadingTest, IsVTKsInAnAssemblyOfTransformedParts)
+TEST_F(ActorShadingTest, MatchesVTKForAssemblyOfTransformedParts)
 {
-  this->Show(Sphere());
+  this->SetMesh(Sphere());
   this->Renderer()->RemoveActor(this->Actor);
   vtkNew<vtkAssembly> inner;
   inner->AddPart(this->Actor);
@@ -79,13 +79,13 @@ TEST_F(ActorShadingTest, IsVTKsInAnAssemblyOfTransformedParts)
   outer->AddPart(inner);
   outer->AddPosition(.1, .05, 0.0);
   this->Renderer()->AddActor(outer);
-  this->ExpectSamePicture(300);
+  this->ExpectSameImage(300);
 }
 
 namespace
 {
 
-/// Lines of some width across the picture.
+/// Returns wide lines across the image.
 vtkSmartPointer<vtkPolyData> Lines(bool normals)
 {
   vtkNew<vtkPoints> points;
@@ -117,80 +117,80 @@ vtkSmartPointer<vtkPolyData> Lines(bool normals)
 
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnLines)
+TEST_F(ActorShadingTest, MatchesVTKForLines)
 {
-  this->Show(Lines(false));
+  this->SetMesh(Lines(false));
   this->Mapper->SetScalarRange(0.0, 4.0);
   this->Property()->SetLineWidth(9.0);
   // Without multisampling OpenGL interpolates along rows or columns of pixels, not along the line.
-  this->ExpectSamePicture(300, 5.0);
+  this->ExpectSameImage(300, 5.0);
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnLinesWithNormals)
+TEST_F(ActorShadingTest, MatchesVTKForLinesWithNormals)
 {
-  this->Show(Lines(true));
+  this->SetMesh(Lines(true));
   this->Mapper->ScalarVisibilityOff();
   this->Property()->SetLineWidth(9.0);
-  this->ExpectSamePicture(300);
+  this->ExpectSameImage(300);
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnWireframes)
+TEST_F(ActorShadingTest, MatchesVTKForWireframes)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetResolution(2, 2);
   plane->Update();
-  this->Show(plane->GetOutput());
+  this->SetMesh(plane->GetOutput());
   this->Property()->SetRepresentationToWireframe();
   this->Property()->SetLineWidth(9.0);
-  // Lines that meet in a corner overlap differently: most pixels must agree.
-  const RasterComparison::Result result = this->Pictures.Compare();
+  // Lines that meet at a vertex overlap differently, so only most pixels must agree.
+  const RasterComparison::Result result = this->Comparison.Compare();
   EXPECT_GE(result.Pixels, 1000);
   EXPECT_LE(result.Different, .06 * result.Pixels);
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnWireframesWithoutNormals)
+TEST_F(ActorShadingTest, MatchesVTKForWireframesWithoutNormals)
 {
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-  GTEST_SKIP() << "This VTK lights such lines otherwise.";
+  GTEST_SKIP() << "This version of VTK lights such lines differently.";
 #endif
   vtkNew<vtkCubeSource> cube;
   cube->Update();
   cube->GetOutput()->GetPointData()->SetNormals(nullptr);
-  this->Show(cube->GetOutput());
+  this->SetMesh(cube->GetOutput());
   this->Property()->SetRepresentationToWireframe();
   this->Property()->SetLineWidth(9.0);
-  const RasterComparison::Result result = this->Pictures.Compare();
+  const RasterComparison::Result result = this->Comparison.Compare();
   EXPECT_GE(result.Pixels, 1000);
   EXPECT_LE(result.Different, .06 * result.Pixels);
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnPoints)
+TEST_F(ActorShadingTest, MatchesVTKForPoints)
 {
-  this->Show(WithElevation(Sphere()));
+  this->SetMesh(WithElevation(Sphere()));
   this->Property()->SetRepresentationToPoints();
   this->Property()->SetPointSize(7.0);
-  this->ExpectSamePicture(100);
+  this->ExpectSameImage(100);
 }
 
-TEST_F(ActorShadingTest, IsVTKsWithVisibleEdgesAndVertices)
+TEST_F(ActorShadingTest, MatchesVTKWithVisibleEdgesAndVertices)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetResolution(3, 3);
   plane->Update();
-  this->Show(plane->GetOutput());
+  this->SetMesh(plane->GetOutput());
   this->Property()->EdgeVisibilityOn();
   this->Property()->SetEdgeColor(.9, .2, .1);
   this->Property()->SetLineWidth(5.0);
   this->Property()->VertexVisibilityOn();
   this->Property()->SetVertexColor(.1, .9, .2);
   this->Property()->SetPointSize(9.0);
-  // VTK draws of edges at a border the inner half only.
-  const RasterComparison::Result result = this->Pictures.Compare();
+  // VTK draws only the inner half of silhouette edges.
+  const RasterComparison::Result result = this->Comparison.Compare();
   EXPECT_GE(result.Pixels, 1000);
   EXPECT_LE(result.Different, .2 * result.Pixels);
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnGlyphs)
+TEST_F(ActorShadingTest, MatchesVTKForGlyphs)
 {
   vtkNew<vtkPlaneSource> points;
   points->SetResolution(2, 2);
@@ -220,18 +220,18 @@ TEST_F(ActorShadingTest, IsVTKsOnGlyphs)
     mapper->SetScaleModeToScaleByMagnitude();
     mapper->SetScaleFactor(.15);
     this->Actor->SetScale(1.0, 1.2, .9);
-    this->ShowThrough(mapper);
-    this->ExpectSamePicture(300);
+    this->SetMapper(mapper);
+    this->ExpectSameImage(300);
     mapper->ScalarVisibilityOff();
     this->Property()->SetColor(.8, .6, .1);
-    this->ExpectSamePicture(300);
+    this->ExpectSameImage(300);
   }
 }
 
 namespace
 {
 
-// What composite mappers say of blocks came to vtkCompositePolyDataMapper in VTK 9.3.
+// vtkCompositePolyDataMapper has per-block attributes since VTK 9.3.
 using Attributes = vtkCompositeDataDisplayAttributes;
 template <typename Mapper>
 auto SetAttributes(Mapper* mapper, Attributes* attributes, int)
@@ -256,7 +256,7 @@ void HideScalars(BlockAttributes*, vtkDataObject*, long)
 {
 }
 
-/// Cubes in rows of two, with the array "values".
+/// Returns cubes in rows of two, with the array "values".
 vtkSmartPointer<vtkMultiBlockDataSet> CubeBlocks(unsigned int count)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -279,7 +279,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> CubeBlocks(unsigned int count)
 
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnBlocksOfTheirOwnLook)
+TEST_F(ActorShadingTest, MatchesVTKForBlocksWithDisplayAttributes)
 {
   const auto blocks = CubeBlocks(4);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
@@ -287,7 +287,7 @@ TEST_F(ActorShadingTest, IsVTKsOnBlocksOfTheirOwnLook)
   mapper->SetInputDataObject(blocks);
   if (!SetAttributes(mapper.Get(), attributes, 0))
   {
-    GTEST_SKIP() << "This VTK's composite mapper knows no blocks.";
+    GTEST_SKIP() << "The composite mapper of this version of VTK has no per-block attributes.";
   }
   const double color[3] = { .9, .3, .2 };
   attributes->SetBlockColor(blocks->GetBlock(1), color);
@@ -295,11 +295,11 @@ TEST_F(ActorShadingTest, IsVTKsOnBlocksOfTheirOwnLook)
   attributes->SetBlockOpacity(blocks->GetBlock(0), .5);
   this->Property()->BackfaceCullingOn(); // VTK blends faces in any order
   this->Property()->SetColor(.2, .6, .9);
-  this->ShowThrough(mapper);
-  this->ExpectSamePicture();
+  this->SetMapper(mapper);
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnTheSurfaceOfAGrid)
+TEST_F(ActorShadingTest, MatchesVTKForSurfaceOfGrid)
 {
   vtkNew<vtkImageData> grid;
   grid->SetDimensions(4, 3, 3);
@@ -312,11 +312,11 @@ TEST_F(ActorShadingTest, IsVTKsOnTheSurfaceOfAGrid)
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputData(grid);
   mapper->SetScalarRange(0.0, 10.0);
-  this->ShowThrough(mapper);
-  this->ExpectSamePicture();
+  this->SetMapper(mapper);
+  this->ExpectSameImage();
 }
 
-TEST_F(ActorShadingTest, IsVTKsOnBlocksWithScalarsOfTheirOwn)
+TEST_F(ActorShadingTest, MatchesVTKForBlocksWithDifferentScalars)
 {
   const auto blocks = CubeBlocks(2);
   for (unsigned int i = 0; i < 2; ++i)
@@ -328,9 +328,9 @@ TEST_F(ActorShadingTest, IsVTKsOnBlocksWithScalarsOfTheirOwn)
   mapper->SetInputDataObject(blocks);
   if (!SetAttributes(mapper.Get(), attributes, 0))
   {
-    GTEST_SKIP() << "This VTK's composite mapper knows no blocks.";
+    GTEST_SKIP() << "The composite mapper of this version of VTK has no per-block attributes.";
   }
   HideScalars(attributes.Get(), blocks->GetBlock(1), 0);
-  this->ShowThrough(mapper);
-  this->ExpectSamePicture();
+  this->SetMapper(mapper);
+  this->ExpectSameImage();
 }

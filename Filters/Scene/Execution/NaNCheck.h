@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Settings that are no numbers: VTK's clamps let NaN pass.
+// Rejects NaN settings, which VTK's clamp macros let through.
 #ifndef penumbra_NaNCheck_h
 #define penumbra_NaNCheck_h
 
@@ -14,12 +14,13 @@
 namespace penumbra
 {
 
-/// Throws std::runtime_error where one of `numbers` is NaN; `names` are theirs, in words.
+/// Throws std::runtime_error if one of `numbers` is NaN. `names` lists the settings for the
+/// message.
 inline void RequireNotNaN(const std::string& names, std::initializer_list<double> numbers)
 {
   if (std::any_of(numbers.begin(), numbers.end(), [](double n) { return std::isnan(n); }))
   {
-    throw std::runtime_error(names + " must be numbers, one of them is NaN.");
+    throw std::runtime_error(names + " must not be NaN.");
   }
 }
 

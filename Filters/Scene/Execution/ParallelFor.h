@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Parallel loops whose exceptions reach the caller; with progress, and stopped between batches.
+// Parallel loops that pass exceptions on to the caller, report progress and can be stopped.
 #ifndef penumbra_ParallelFor_h
 #define penumbra_ParallelFor_h
 
@@ -16,8 +16,9 @@
 namespace penumbra
 {
 
-/// Runs work(i) for i in [begin, end) in parallel, chunks of at least `grain` on one thread (0: VTK
-/// chooses). An exception of one is thrown again here: VTK's threads would only print it and go on.
+/// Runs work(i) for i in [begin, end) in parallel. `grain` is the minimum number of consecutive
+/// iterations per task; 0 lets VTK choose. One exception is rethrown in the calling thread, because
+/// VTK's threads would only print it and continue.
 template <typename Index, typename Work>
 void ParallelFor(Index begin, Index end, Index grain, const Work& work)
 {
@@ -44,35 +45,38 @@ void ParallelFor(Index begin, Index end, Index grain, const Work& work)
   }
 }
 
-/// Told the share of the work that is done, from the calling thread; true asks to stop.
+/// Receives the fraction of the work that is done, in the calling thread. Returns true to request a
+/// stop.
 using ProgressCallback = std::function<bool(double)>;
 
-/// Thrown where one asked to stop and the work cannot return so.
+/// Thrown on a stop request by functions that cannot report it in their result.
 struct Stopped
 {
 };
 
-/// So many cells are read between two questions.
+/// Number of cells that are processed between two calls of the progress callback.
 constexpr int StoppableCells = 16384;
 
-inline void ThrowIfStopped(const ProgressCallback& progress, double share)
+/// Reports progress and throws Stopped on a stop request.
+inline void ThrowIfStopped(const ProgressCallback& progress, double fraction)
 {
-  if (progress && progress(share))
+  if (progress && progress(fraction))
   {
     throw Stopped();
   }
 }
 
-/// Runs work(i) for i in [0, count) in parallel batches, with progress from `from` to `to` before and
-/// between, each in chunks of `grain` as above. Batches follow the clock: few begin after one asked to stop. False when stopped.
+/// Runs work(i) for i in [0, count) in parallel batches and reports progress in [from, to] before
+/// the first and after each batch. `grain` is as above. The batch size adapts so that a batch takes
+/// 100 to 300 ms, which bounds the delay of a stop request. Returns false if stopped.
 template <typename Work>
 bool ParallelForBatches(int count, double from, double to, const ProgressCallback& progress,
   const Work& work, int grain = 1)
 {
   using Clock = std::chrono::steady_clock;
-  constexpr int LeastBatches = 16;
-  constexpr std::chrono::milliseconds shortest(100);
-  constexpr std::chrono::milliseconds longest(300);
+  constexpr int MinimumBatches = 16;
+  constexpr std::chrono::milliseconds minimumDuration(100);
+  constexpr std::chrono::milliseconds maximumDuration(300);
   if (!progress)
   {
     ParallelFor(0, count, grain, work);
@@ -82,20 +86,23 @@ bool ParallelForBatches(int count, double from, double to, const ProgressCallbac
   {
     return false;
   }
-  const int most = std::max((count + LeastBatches - 1) / LeastBatches, 1);
-  const int least = std::min(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1), most);
-  for (int first = 0, step = least; first < count;)
+  const int maximumStep = std::max((count + MinimumBatches - 1) / MinimumBatches, 1);
+  const int minimumStep =
+    std::min(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1), maximumStep);
+  for (int first = 0, step = minimumStep; first < count;)
   {
     const int end = step < count - first ? first + step : count;
-    const Clock::time_point begun = Clock::now();
+    const Clock::time_point start = Clock::now();
     ParallelFor(first, end, grain, work);
-    const Clock::duration taken = Clock::now() - begun;
+    const Clock::duration elapsed = Clock::now() - start;
     if (progress(from + (to - from) * end / count))
     {
       return false;
     }
-    step = taken < shortest ? std::min(step, most / 2) * 2 : taken > longest ? step / 2 : step;
-    step = std::clamp(step, least, most);
+    step = elapsed < minimumDuration ? std::min(step, maximumStep / 2) * 2
+      : elapsed > maximumDuration    ? step / 2
+                                     : step;
+    step = std::clamp(step, minimumStep, maximumStep);
     first = end;
   }
   return true;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How algorithms tell what they did.
+// Statistics of algorithms, stored as field data.
 #ifndef penumbra_Statistics_h
 #define penumbra_Statistics_h
 
@@ -14,7 +14,7 @@
 namespace penumbra
 {
 
-/// One number under a name of the field data.
+/// Adds the array `name` with the single value `value`. An array of the same name is replaced.
 inline void AddStatistic(vtkFieldData* statistics, const std::string& name, double value)
 {
   vtkNew<vtkDoubleArray> array;

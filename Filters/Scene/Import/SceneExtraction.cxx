@@ -20,13 +20,13 @@ namespace penumbra
 namespace
 {
 
-/// Adds the points of `piece`, at one of its places, that are finite.
-void AddBounds(const DrawItem& piece, const glm::dmat4& toWorld, double bounds[6])
+/// Extends `bounds` by the finite points of `item`, transformed by `toWorld`.
+void AddBounds(const DrawItem& item, const glm::dmat4& toWorld, double bounds[6])
 {
-  for (vtkIdType i = 0; i < piece.Data->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < item.Data->GetNumberOfPoints(); ++i)
   {
     double x[3];
-    piece.Data->GetPoints()->GetPoint(i, x);
+    item.Data->GetPoints()->GetPoint(i, x);
     const glm::dvec4 world = toWorld * glm::dvec4(x[0], x[1], x[2], 1.0);
     for (int k = 0; k < 3; ++k)
     {
@@ -39,30 +39,31 @@ void AddBounds(const DrawItem& piece, const glm::dmat4& toWorld, double bounds[6
   }
 }
 
-void ComputeBounds(const std::vector<DrawItem>& pieces, double bounds[6])
+void ComputeBounds(const std::vector<DrawItem>& items, double bounds[6])
 {
   std::fill_n(bounds, 6, std::numeric_limits<double>::infinity());
   bounds[1] = bounds[3] = bounds[5] = -bounds[0];
-  for (const DrawItem& piece : pieces)
+  for (const DrawItem& item : items)
   {
-    if (!piece.Copies)
+    if (!item.GlyphInstances)
     {
-      AddBounds(piece, piece.ToWorld, bounds);
+      AddBounds(item, item.ToWorld, bounds);
       continue;
     }
-    for (const glm::dmat4& place : piece.Copies->Places)
+    for (const glm::dmat4& transform : item.GlyphInstances->Transforms)
     {
-      AddBounds(piece, place, bounds);
+      AddBounds(item, transform, bounds);
     }
   }
 }
 
-void AddPieces(const std::vector<DrawItem>& pieces, const ExtractionOptions& options, Scene& scene)
+void AddDrawItems(
+  const std::vector<DrawItem>& items, const ExtractionOptions& options, Scene& scene)
 {
-  for (const DrawItem& piece : pieces)
+  for (const DrawItem& item : items)
   {
     ThrowIfStopped(options.Progress, 0.0);
-    AddDrawItem(piece, options.DPI / 72.0, scene);
+    AddDrawItem(item, options.DPI / 72.0, scene);
   }
 }
 
@@ -71,17 +72,17 @@ void AddPieces(const std::vector<DrawItem>& pieces, const ExtractionOptions& opt
 Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<DrawItem> pieces = CollectDrawItems(renderer, scene.Warnings, options.Progress);
+  const std::vector<DrawItem> items = CollectDrawItems(renderer, scene.Warnings, options.Progress);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
   {
-    ComputeBounds(pieces, bounds);
+    ComputeBounds(items, bounds);
   }
   ExtractCamera(renderer, bounds, options, scene);
   ExtractLights(renderer, scene);
   ExtractBackground(renderer, options, scene);
-  AddPieces(pieces, options, scene);
+  AddDrawItems(items, options, scene);
   ExtractOverlay(renderer, options, scene);
   return scene;
 }
@@ -89,16 +90,16 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<DrawItem> pieces = CollectDrawItems(data, scene.Warnings, options.Progress);
+  const std::vector<DrawItem> items = CollectDrawItems(data, scene.Warnings, options.Progress);
   double bounds[6];
-  ComputeBounds(pieces, bounds);
+  ComputeBounds(items, bounds);
   ResetCamera(bounds, options, scene);
   scene.Lights = { MakeHeadlight(scene) };
   if (options.Background)
   {
     scene.BackgroundColors.Bottom = scene.BackgroundColors.Top = glm::vec4(0.f, 0.f, 0.f, 1.f);
   }
-  AddPieces(pieces, options, scene);
+  AddDrawItems(items, options, scene);
   return scene;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From VTK to Scene: actors, transforms, properties, mapper colours, lights, camera, background.
-// What cannot be drawn is named in Scene::Warnings.
+// Extracts a Scene from VTK: actors, transforms, properties, mapped colors, lights, camera,
+// background. Scene::Warnings lists unsupported features.
 #ifndef penumbra_SceneExtraction_h
 #define penumbra_SceneExtraction_h
 
@@ -18,19 +18,22 @@ class vtkRenderer;
 namespace penumbra
 {
 
+/// Options of ExtractScene().
 struct ExtractionOptions
 {
-  int Resolution[2] = { 1, 1 };
-  int DPI = 72;
-  bool Background = true;
-  ProgressCallback Progress; ///< asked to stop, the functions below throw Stopped
+  int Resolution[2] = { 1, 1 }; ///< image size in pixels
+  int DPI = 72;                 ///< scales text, line widths and point sizes
+  bool Background = true;       ///< if false, the background is transparent black
+  ProgressCallback Progress;    ///< on a stop request, ExtractScene() throws Stopped
 };
 
-/// The scene that `renderer` would draw into a picture of options.Resolution. Needs no window.
+/// Extracts the scene of `renderer` for an image of options.Resolution. The renderer does not need
+/// a window.
 VTKPENUMBRAFILTERSSCENE_EXPORT Scene ExtractScene(
   vtkRenderer* renderer, const ExtractionOptions& options);
 
-/// The scene of data sets alone: white surfaces, one headlight, the view reset to their bounds.
+/// Extracts a scene of data sets with white surfaces, one headlight and the camera reset to their
+/// bounds.
 VTKPENUMBRAFILTERSSCENE_EXPORT Scene ExtractScene(
   const std::vector<vtkDataObject*>& data, const ExtractionOptions& options);
 

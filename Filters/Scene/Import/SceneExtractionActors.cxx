@@ -38,7 +38,7 @@ bool IsAnyOf(vtkObjectBase* object, std::initializer_list<const char*> names)
     names.begin(), names.end(), [&](const char* name) { return object->IsA(name); });
 }
 
-/// Actors that draw in a way of their own, which triangles of their input are not.
+/// Returns false for actors that do not draw the triangles of their mapper's input.
 bool IsSupported(vtkActor* actor)
 {
   return !IsAnyOf(actor, { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" });
@@ -70,10 +70,10 @@ std::vector<glm::dvec4> ToPlanes(vtkPlaneCollection* from)
   return planes;
 }
 
-class Collector
+class DrawItemCollector
 {
 public:
-  Collector(std::vector<std::string>& warnings, const ProgressCallback& progress)
+  DrawItemCollector(std::vector<std::string>& warnings, const ProgressCallback& progress)
     : Warnings(warnings),
       Progress(progress)
   {
@@ -93,40 +93,40 @@ public:
     }
   }
 
-  void AddData(vtkDataObject* data, const DrawItem& look, ScalarMapper* scalars)
+  void AddData(vtkDataObject* data, const DrawItem& prototype, ScalarMapper* scalars)
   {
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
-      ForEachBlock(composite, nullptr, look, scalars,
-        [&](vtkDataSet* leaf, const DrawItem& blockLook, ScalarMapper* blockScalars) {
-          this->AddDataSet(leaf, blockLook, blockScalars);
+      ForEachBlock(composite, nullptr, prototype, scalars,
+        [&](vtkDataSet* leaf, const DrawItem& blockPrototype, ScalarMapper* blockScalars) {
+          this->AddDataSet(leaf, blockPrototype, blockScalars);
         });
     }
     else if (auto* dataSet = vtkDataSet::SafeDownCast(data))
     {
-      this->AddDataSet(dataSet, look, scalars);
+      this->AddDataSet(dataSet, prototype, scalars);
     }
     else if (data)
     {
       this->Warnings.push_back(
-        look.Name + ": " + data->GetClassName() + " is not supported; left out.");
+        prototype.Name + ": " + data->GetClassName() + " is not supported and was skipped.");
     }
   }
 
-  /// What was added, with attributes that can be read.
-  std::vector<DrawItem> Take()
+  /// Returns the collected items, without attributes of mismatched length.
+  std::vector<DrawItem> ReleaseItems()
   {
-    for (DrawItem& piece : this->Pieces)
+    for (DrawItem& item : this->Items)
     {
-      std::vector<std::string> left;
-      piece.Data = DropMismatchedAttributes(piece.Data, left);
-      piece.Progress = this->Progress;
-      for (const std::string& what : left)
+      std::vector<std::string> dropped;
+      item.Data = DropMismatchedAttributes(item.Data, dropped);
+      item.Progress = this->Progress;
+      for (const std::string& message : dropped)
       {
-        this->Warnings.push_back(piece.Name + ": " + what);
+        this->Warnings.push_back(item.Name + ": " + message);
       }
     }
-    return std::move(this->Pieces);
+    return std::move(this->Items);
   }
 
   int NextObject = 0;
@@ -141,12 +141,13 @@ private:
     }
     if (!actor || !IsSupported(actor))
     {
-      this->Warnings.push_back(std::string(prop->GetClassName()) + " is not supported; left out.");
+      this->Warnings.push_back(
+        std::string(prop->GetClassName()) + " is not supported and was skipped.");
       return;
     }
-    DrawItem look;
-    look.ObjectId = this->NextObject++;
-    look.Name = "Object " + std::to_string(look.ObjectId);
+    DrawItem prototype;
+    prototype.ObjectId = this->NextObject++;
+    prototype.Name = "Object " + std::to_string(prototype.ObjectId);
     vtkMapper* mapper = actor->GetMapper();
     if (!mapper)
     {
@@ -155,69 +156,70 @@ private:
     if (DrawsByShadersAlone(mapper))
     {
       this->Warnings.push_back(
-        look.Name + ": " + mapper->GetClassName() + " is not supported; left out.");
+        prototype.Name + ": " + mapper->GetClassName() + " is not supported and was skipped.");
       return;
     }
-    look.ToWorld = ToMatrix(matrix ? matrix : actor->GetMatrix());
-    look.Property = actor->GetProperty();
-    look.BackProperty = actor->GetBackfaceProperty();
-    look.LitTexture = MakeTexture(actor->GetTexture(), look.Name, this->Warnings);
-    look.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
-    WarnUnsupportedActor(actor, look.Name, this->Warnings);
+    prototype.ToWorld = ToMatrix(matrix ? matrix : actor->GetMatrix());
+    prototype.Property = actor->GetProperty();
+    prototype.BackProperty = actor->GetBackfaceProperty();
+    prototype.LitTexture = MakeTexture(actor->GetTexture(), prototype.Name, this->Warnings);
+    prototype.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
+    WarnUnsupportedActor(actor, prototype.Name, this->Warnings);
     mapper->Update();
     vtkNew<ScalarMapper> scalars;
     scalars->ShallowCopy(mapper);
     vtkDataObject* data = mapper->GetInputDataObject(0, 0);
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
-      ForEachBlock(composite, mapper, look, scalars,
-        [&](vtkDataSet* leaf, const DrawItem& blockLook, ScalarMapper* blockScalars) {
-          this->AddMapped(mapper, leaf, blockLook, blockScalars);
+      ForEachBlock(composite, mapper, prototype, scalars,
+        [&](vtkDataSet* leaf, const DrawItem& blockPrototype, ScalarMapper* blockScalars) {
+          this->AddMapped(mapper, leaf, blockPrototype, blockScalars);
         });
     }
     else if (auto* dataSet = vtkDataSet::SafeDownCast(data))
     {
-      this->AddMapped(mapper, dataSet, look, scalars);
+      this->AddMapped(mapper, dataSet, prototype, scalars);
     }
     else
     {
-      this->AddData(data, look, scalars);
+      this->AddData(data, prototype, scalars);
     }
   }
 
-  void AddMapped(vtkMapper* mapper, vtkDataSet* data, const DrawItem& look, ScalarMapper* scalars)
+  void AddMapped(
+    vtkMapper* mapper, vtkDataSet* data, const DrawItem& prototype, ScalarMapper* scalars)
   {
     auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
     if (!glyphs)
     {
-      this->AddDataSet(data, look, scalars);
+      this->AddDataSet(data, prototype, scalars);
       return;
     }
-    for (DrawItem& piece : MakeGlyphs(glyphs, data, look, scalars, this->Warnings))
+    for (DrawItem& item : MakeGlyphs(glyphs, data, prototype, scalars, this->Warnings))
     {
-      this->Pieces.push_back(std::move(piece));
+      this->Items.push_back(std::move(item));
     }
   }
 
-  void AddDataSet(vtkDataSet* data, const DrawItem& look, ScalarMapper* scalars)
+  void AddDataSet(vtkDataSet* data, const DrawItem& prototype, ScalarMapper* scalars)
   {
-    DrawItem piece = look;
-    piece.Data = ExtractSurface(data, this->Progress);
-    if (piece.Data != data)
+    DrawItem item = prototype;
+    item.Data = ExtractSurface(data, this->Progress);
+    if (item.Data != data)
     {
-      piece.CellIds = piece.Data->GetCellData()->GetArray("vtkOriginalCellIds");
+      item.CellIds = item.Data->GetCellData()->GetArray("vtkOriginalCellIds");
     }
-    if (piece.Data->GetNumberOfPoints() > 0 && piece.Data->GetNumberOfCells() > 0)
+    if (item.Data->GetNumberOfPoints() > 0 && item.Data->GetNumberOfCells() > 0)
     {
       if (scalars)
       {
-        piece.Colors = scalars->Map(piece.Data);
+        item.Colors = scalars->Map(item.Data);
       }
-      this->Pieces.push_back(std::move(piece));
+      this->Items.push_back(std::move(item));
     }
   }
 
-  std::vector<DrawItem> Pieces;
+  std::vector<DrawItem> Items;
   std::vector<std::string>& Warnings;
   const ProgressCallback& Progress;
 };
@@ -233,8 +235,8 @@ bool DrawsByShadersAlone(vtkMapper* mapper)
 std::vector<DrawItem> CollectDrawItems(
   vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress)
 {
-  WarnOfRenderer(renderer, warnings);
-  Collector collector(warnings, progress);
+  WarnUnsupportedRenderer(renderer, warnings);
+  DrawItemCollector collector(warnings, progress);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);
@@ -243,22 +245,22 @@ std::vector<DrawItem> CollectDrawItems(
     ThrowIfStopped(progress, 0.0);
     collector.AddProp(prop);
   }
-  return collector.Take();
+  return collector.ReleaseItems();
 }
 
 std::vector<DrawItem> CollectDrawItems(const std::vector<vtkDataObject*>& data,
   std::vector<std::string>& warnings, const ProgressCallback& progress)
 {
-  Collector collector(warnings, progress);
+  DrawItemCollector collector(warnings, progress);
   for (vtkDataObject* object : data)
   {
-    DrawItem look;
-    look.ObjectId = collector.NextObject++;
-    look.Name = "Object " + std::to_string(look.ObjectId);
-    look.Property = vtkSmartPointer<vtkProperty>::New();
-    collector.AddData(object, look, nullptr);
+    DrawItem prototype;
+    prototype.ObjectId = collector.NextObject++;
+    prototype.Name = "Object " + std::to_string(prototype.ObjectId);
+    prototype.Property = vtkSmartPointer<vtkProperty>::New();
+    collector.AddData(object, prototype, nullptr);
   }
-  return collector.Take();
+  return collector.ReleaseItems();
 }
 
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From props, mappers and data objects to pieces: one poly data each, with all that says how it is
-// drawn.
+// Converts props, mappers and data objects to draw items.
 #ifndef penumbra_SceneExtractionActors_h
 #define penumbra_SceneExtractionActors_h
 
@@ -20,14 +19,15 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// Does it draw by shaders alone what no triangle of its input shows? Then no ray can meet it.
+/// Returns true if `mapper` generates its shapes in shaders, so that they cannot be ray traced.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool DrawsByShadersAlone(vtkMapper* mapper);
 
-/// What `renderer` draws. Names in `warnings` what it cannot turn into pieces.
+/// Returns the draw items of `renderer`. Unsupported props are added to `warnings`.
 std::vector<DrawItem> CollectDrawItems(
   vtkRenderer* renderer, std::vector<std::string>& warnings, const ProgressCallback& progress);
 
-/// Data sets and the leaves of composite ones, in VTK's default look.
+/// Returns draw items for data sets and the leaves of composite data sets, with VTK's default
+/// property.
 std::vector<DrawItem> CollectDrawItems(const std::vector<vtkDataObject*>& data,
   std::vector<std::string>& warnings, const ProgressCallback& progress);
 

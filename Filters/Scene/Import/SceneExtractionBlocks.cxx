@@ -17,7 +17,7 @@ namespace penumbra
 namespace
 {
 
-/// What applies to a block: its own attributes, else those of the block above.
+/// Attributes of a block. Unset attributes are inherited from the parent block.
 struct BlockState
 {
   bool Visible = true;
@@ -28,7 +28,7 @@ struct BlockState
   vtkSmartPointer<ScalarMapper> Scalars;
 };
 
-/// The attributes of composite mappers came to vtkCompositePolyDataMapper in VTK 9.3.
+/// Returns the block attributes of vtkCompositePolyDataMapper, which has them since VTK 9.3.
 template <typename Mapper>
 auto FindAttributes(Mapper* mapper, int) -> decltype(mapper->GetCompositeDataDisplayAttributes())
 {
@@ -40,57 +40,58 @@ vtkCompositeDataDisplayAttributes* FindAttributes(Mapper*, long)
   return nullptr;
 }
 
-/// What a block says of its scalars (since VTK 9.3), into `scalars`. False where it says nothing.
+/// Applies the scalar attributes of a block (since VTK 9.3) to `scalars`. Returns false if there
+/// are none.
 template <typename Attributes>
-auto ChangeScalars(Attributes* attributes, vtkDataObject* block, ScalarMapper* scalars, int)
+auto ApplyScalarAttributes(Attributes* attributes, vtkDataObject* block, ScalarMapper* scalars, int)
   -> decltype(attributes->HasBlockScalarVisibility(block))
 {
   bool changed = false;
-  const auto take = [&](bool has, auto&& set) {
+  const auto apply = [&](bool has, auto&& set) {
     changed = changed || has;
     if (has)
     {
       set();
     }
   };
-  take(attributes->HasBlockScalarVisibility(block),
+  apply(attributes->HasBlockScalarVisibility(block),
     [&] { scalars->SetScalarVisibility(attributes->GetBlockScalarVisibility(block)); });
-  take(attributes->HasBlockUseLookupTableScalarRange(block), [&] {
+  apply(attributes->HasBlockUseLookupTableScalarRange(block), [&] {
     scalars->SetUseLookupTableScalarRange(attributes->GetBlockUseLookupTableScalarRange(block));
   });
-  take(attributes->HasBlockInterpolateScalarsBeforeMapping(block), [&] {
+  apply(attributes->HasBlockInterpolateScalarsBeforeMapping(block), [&] {
     scalars->SetInterpolateScalarsBeforeMapping(
       attributes->GetBlockInterpolateScalarsBeforeMapping(block));
   });
-  take(attributes->HasBlockColorMode(block),
+  apply(attributes->HasBlockColorMode(block),
     [&] { scalars->SetColorMode(attributes->GetBlockColorMode(block)); });
-  take(attributes->HasBlockScalarMode(block),
+  apply(attributes->HasBlockScalarMode(block),
     [&] { scalars->SetScalarMode(attributes->GetBlockScalarMode(block)); });
-  take(attributes->HasBlockArrayAccessMode(block),
+  apply(attributes->HasBlockArrayAccessMode(block),
     [&] { scalars->SetArrayAccessMode(attributes->GetBlockArrayAccessMode(block)); });
-  take(attributes->HasBlockArrayComponent(block),
+  apply(attributes->HasBlockArrayComponent(block),
     [&] { scalars->SetArrayComponent(attributes->GetBlockArrayComponent(block)); });
-  take(attributes->HasBlockArrayId(block),
+  apply(attributes->HasBlockArrayId(block),
     [&] { scalars->SetArrayId(attributes->GetBlockArrayId(block)); });
-  take(attributes->HasBlockArrayName(block),
+  apply(attributes->HasBlockArrayName(block),
     [&] { scalars->SetArrayName(attributes->GetBlockArrayName(block).c_str()); });
-  take(attributes->HasBlockScalarRange(block),
+  apply(attributes->HasBlockScalarRange(block),
     [&] { scalars->SetScalarRange(attributes->GetBlockScalarRange(block).GetData()); });
-  take(attributes->HasBlockFieldDataTupleId(block),
+  apply(attributes->HasBlockFieldDataTupleId(block),
     [&] { scalars->SetFieldDataTupleId(attributes->GetBlockFieldDataTupleId(block)); });
-  take(attributes->HasBlockLookupTable(block),
+  apply(attributes->HasBlockLookupTable(block),
     [&] { scalars->SetLookupTable(attributes->GetBlockLookupTable(block)); });
   return changed;
 }
 template <typename Attributes>
-bool ChangeScalars(Attributes*, vtkDataObject*, ScalarMapper*, long)
+bool ApplyScalarAttributes(Attributes*, vtkDataObject*, ScalarMapper*, long)
 {
   return false;
 }
 
-/// The lookup table of a block's own (since VTK 9.3).
+/// Returns the lookup table of a block (since VTK 9.3), or null.
 template <typename Attributes>
-auto FindTable(Attributes* attributes, vtkDataObject* block, int)
+auto FindLookupTable(Attributes* attributes, vtkDataObject* block, int)
   -> decltype(attributes->GetBlockLookupTable(block).GetPointer())
 {
   return attributes->HasBlockLookupTable(block)
@@ -98,12 +99,12 @@ auto FindTable(Attributes* attributes, vtkDataObject* block, int)
     : nullptr;
 }
 template <typename Attributes>
-vtkScalarsToColors* FindTable(Attributes*, vtkDataObject*, long)
+vtkScalarsToColors* FindLookupTable(Attributes*, vtkDataObject*, long)
 {
   return nullptr;
 }
 
-/// Textures of blocks are as new.
+/// Returns true if blocks have textures (since VTK 9.3).
 template <typename Attributes>
 auto HasTextures(Attributes* attributes, int) -> decltype(attributes->HasBlockTextures())
 {
@@ -115,14 +116,14 @@ bool HasTextures(Attributes*, long)
   return false;
 }
 
-class Walk
+class BlockVisitor
 {
 public:
-  Walk(
-    vtkCompositeDataDisplayAttributes* attributes, const DrawItem& look, const BlockFunction& use)
+  BlockVisitor(vtkCompositeDataDisplayAttributes* attributes, const DrawItem& prototype,
+    const BlockFunction& callback)
     : Attributes(attributes),
-      Look(look),
-      Use(use)
+      Prototype(prototype),
+      Callback(callback)
   {
   }
 
@@ -180,7 +181,7 @@ private:
       state.Opacity = this->Attributes->GetBlockOpacity(block);
     }
     vtkSmartPointer<ScalarMapper> changed = Copy(state.Scalars);
-    if (changed && ChangeScalars(this->Attributes, block, changed.Get(), 0))
+    if (changed && ApplyScalarAttributes(this->Attributes, block, changed.Get(), 0))
     {
       state.Scalars = changed;
     }
@@ -188,11 +189,11 @@ private:
 
   void Draw(vtkDataSet* leaf, const BlockState& state) const
   {
-    DrawItem piece = this->Look;
+    DrawItem item = this->Prototype;
     if (state.HasColor || state.HasOpacity)
     {
       auto property = vtkSmartPointer<vtkProperty>::New();
-      property->DeepCopy(piece.Property);
+      property->DeepCopy(item.Property);
       if (state.HasColor)
       {
         property->SetAmbientColor(state.Color.GetData());
@@ -202,10 +203,10 @@ private:
       {
         property->SetOpacity(state.Opacity);
       }
-      piece.Property = property;
+      item.Property = property;
     }
     vtkSmartPointer<ScalarMapper> scalars = Copy(state.Scalars);
-    this->Use(leaf, piece, scalars);
+    this->Callback(leaf, item, scalars);
   }
 
   static vtkSmartPointer<ScalarMapper> Copy(ScalarMapper* from)
@@ -220,20 +221,20 @@ private:
   }
 
   vtkCompositeDataDisplayAttributes* Attributes;
-  const DrawItem& Look;
-  const BlockFunction& Use;
+  const DrawItem& Prototype;
+  const BlockFunction& Callback;
 };
 
 }
 
-void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& look,
-  ScalarMapper* scalars, const BlockFunction& use)
+void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& prototype,
+  ScalarMapper* scalars, const BlockFunction& callback)
 {
   vtkCompositeDataDisplayAttributes* attributes =
     FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
   BlockState state;
   state.Scalars = scalars;
-  Walk(attributes, look, use).Visit(data, state);
+  BlockVisitor(attributes, prototype, callback).Visit(data, state);
 }
 
 vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)
@@ -253,7 +254,7 @@ vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)
   }
   for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
   {
-    vtkScalarsToColors* table = FindTable(attributes, blocks->GetCurrentDataObject(), 0);
+    vtkScalarsToColors* table = FindLookupTable(attributes, blocks->GetCurrentDataObject(), 0);
     time = std::max(time, table ? table->GetMTime() : 0);
   }
   return time;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The blocks of composite data sets, with what a composite mapper says of each: visible or not,
-// its own colour, opacity, array.
+// Traverses the blocks of composite data sets with the attributes of a composite mapper:
+// visibility, color, opacity and scalar mapping.
 #ifndef penumbra_SceneExtractionBlocks_h
 #define penumbra_SceneExtractionBlocks_h
 
@@ -18,17 +18,19 @@ class vtkDataSet;
 namespace penumbra
 {
 
+/// Receives a leaf, its draw item without data, and its scalar mapping, which may be null.
 using BlockFunction = std::function<void(vtkDataSet*, const DrawItem&, ScalarMapper*)>;
 
-/// Calls `use` for every visible leaf that is a data set, with `look` and a copy of `scalars` (null
-/// without one) changed by what `mapper` (may be null) says of the block or those above it.
-void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& look,
-  ScalarMapper* scalars, const BlockFunction& use);
+/// Calls `callback` for every visible leaf that is a data set. The callback receives `prototype`
+/// and a copy of `scalars` (may be null), modified by the block attributes of `mapper` (may be
+/// null) for the leaf and its ancestors.
+void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& prototype,
+  ScalarMapper* scalars, const BlockFunction& callback);
 
-/// When what `mapper` says of the blocks of `data` last changed.
+/// Returns the modification time of the block attributes of `mapper` for `data`.
 vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper);
 
-/// Does `mapper` give blocks textures of their own?
+/// Returns true if `mapper` has textures for individual blocks.
 bool HasBlockTextures(vtkMapper* mapper);
 
 }

@@ -15,7 +15,7 @@ namespace penumbra
 namespace
 {
 
-/// Texels of 1 to 4 components: luminance, luminance and alpha, RGB, RGBA.
+/// Converts texels with 1 to 4 components (luminance, luminance and alpha, RGB, RGBA) to RGBA.
 std::vector<glm::u8vec4> MakeTexels(vtkUnsignedCharArray* from, std::size_t count)
 {
   const int components = from->GetNumberOfComponents();
@@ -73,7 +73,7 @@ Coloring ScalarMapper::Map(vtkDataSet* data)
     {
       texture->Repeat = false;
       result.Map = texture;
-      result.Way = Coloring::Ways::Texture;
+      result.Mode = Coloring::Modes::Texture;
     }
     return result;
   }
@@ -87,15 +87,15 @@ Coloring ScalarMapper::Map(vtkDataSet* data)
   {
     const unsigned char* c = result.Colors->GetPointer(4 * tuple);
     result.SingleColor = { c[0], c[1], c[2], c[3] };
-    result.Way = Coloring::Ways::Single;
+    result.Mode = Coloring::Modes::Single;
   }
   else if (association == 0 && count >= data->GetNumberOfPoints())
   {
-    result.Way = Coloring::Ways::PerPoint;
+    result.Mode = Coloring::Modes::PerPoint;
   }
   else if (association != 0 && count >= data->GetNumberOfCells())
   {
-    result.Way = Coloring::Ways::PerCell;
+    result.Mode = Coloring::Modes::PerCell;
   }
   return result;
 }
@@ -118,7 +118,8 @@ std::shared_ptr<const Texture> MakeTexture(
   vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!scalars || texture->GetCubeMap())
   {
-    warnings.push_back(name + ": only textures with a picture of point scalars are supported.");
+    warnings.push_back(name +
+      ": the texture was ignored because it is a cube map or its image has no point scalars.");
     return nullptr;
   }
   int size[3];
@@ -131,13 +132,13 @@ std::shared_ptr<const Texture> MakeTexture(
     texture->MapScalarsToColors(scalars);
     colors = texture->GetMappedScalars();
   }
-  // Two of the three sizes count; a flat picture may lie in any plane.
+  // The image may lie in any coordinate plane; its size is given by the dimensions greater than 1.
   const int width = size[0] > 1 ? size[0] : size[1];
   const int height = size[0] > 1 && size[1] > 1 ? size[1] : size[2];
   auto result = MakeTexture(colors, width, height);
   if (!result)
   {
-    warnings.push_back(name + ": its texture has no pixels.");
+    warnings.push_back(name + ": the texture was ignored because its image is empty.");
     return nullptr;
   }
   result->Interpolate = texture->GetInterpolate();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What mappers make of scalars, and textures.
+// Maps scalars to colors and converts textures.
 #ifndef penumbra_SceneExtractionColors_h
 #define penumbra_SceneExtractionColors_h
 
@@ -20,7 +20,8 @@ class vtkTexture;
 namespace penumbra
 {
 
-/// Maps scalars as a mapper of the user's would, on any data set, and leaves that mapper alone.
+/// Maps scalars with the settings of another mapper, on any data set, without modifying that
+/// mapper.
 class ScalarMapper : public vtkMapper
 {
 public:
@@ -29,17 +30,17 @@ public:
 
   void Render(vtkRenderer*, vtkActor*) override {}
 
-  /// The colours of `data` under the settings of this mapper (see ShallowCopy()).
+  /// Returns the colors of `data` for the settings of this mapper (see ShallowCopy()).
   Coloring Map(vtkDataSet* data);
 
-  /// The array of `data` that `algorithm` was told to process as its input array `which`.
+  /// Returns the array of `data` that is set as input array `which` of `algorithm`.
   vtkDataArray* FindArray(vtkAlgorithm* algorithm, int which, vtkDataSet* data);
 
 protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 };
 
-/// Null where there is no picture, with a warning where it cannot be used.
+/// Converts a texture. Returns null if it has no input, or with a warning if it is not supported.
 std::shared_ptr<const Texture> MakeTexture(
   vtkTexture* texture, const std::string& name, std::vector<std::string>& warnings);
 

@@ -22,11 +22,11 @@ namespace penumbra
 namespace
 {
 
-/// The share of a glyph that VTK draws where a scale is 0.
-constexpr double SmallestScale = 1e-10;
+/// Scale factor that vtkGlyph3DMapper uses instead of 0.
+constexpr double MinimumScale = 1e-10;
 
-/// What VTK sets where no shape is given: a line of length 1 along x.
-vtkSmartPointer<vtkPolyData> DefaultShape()
+/// Returns the default shape of vtkGlyph3DMapper: a line of length 1 along x.
+vtkSmartPointer<vtkPolyData> MakeDefaultShape()
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPolyData> DefaultShape()
   return shape;
 }
 
-double Norm(vtkDataArray* array, vtkIdType i)
+double ComputeNorm(vtkDataArray* array, vtkIdType i)
 {
   double sum = 0.0;
   for (int k = 0; k < array->GetNumberOfComponents(); ++k)
@@ -50,11 +50,11 @@ double Norm(vtkDataArray* array, vtkIdType i)
   return std::sqrt(sum);
 }
 
-/// Reads the arrays that place glyphs.
-class Placing
+/// Reads the arrays that transform, mask and select glyphs.
+class GlyphPlacement
 {
 public:
-  Placing(vtkGlyph3DMapper* mapper, vtkDataSet* data, ScalarMapper* arrays)
+  GlyphPlacement(vtkGlyph3DMapper* mapper, vtkDataSet* data, ScalarMapper* arrays)
     : Mapper(mapper),
       Data(data)
   {
@@ -72,24 +72,24 @@ public:
 
   bool IsShown(vtkIdType i) const { return !this->Mask || this->Mask->GetComponent(i, 0) != 0.0; }
 
-  int Shape(vtkIdType i, int count) const
+  int SelectShape(vtkIdType i, int count) const
   {
-    const double value = this->Index ? Norm(this->Index, i) : 0.0;
+    const double value = this->Index ? ComputeNorm(this->Index, i) : 0.0;
     return value < count - 1 ? static_cast<int>(value) : count - 1;
   }
 
-  glm::dmat4 Place(vtkIdType i) const
+  glm::dmat4 ComputeTransform(vtkIdType i) const
   {
     double x[3];
     this->Data->GetPoint(i, x);
-    const glm::dmat3 turned = this->Turn(i);
-    const glm::dvec3 scale = this->Scales(i);
-    return { glm::dvec4(scale.x * turned[0], 0.0), glm::dvec4(scale.y * turned[1], 0.0),
-      glm::dvec4(scale.z * turned[2], 0.0), glm::dvec4(x[0], x[1], x[2], 1.0) };
+    const glm::dmat3 rotation = this->ComputeRotation(i);
+    const glm::dvec3 scale = this->ComputeScale(i);
+    return { glm::dvec4(scale.x * rotation[0], 0.0), glm::dvec4(scale.y * rotation[1], 0.0),
+      glm::dvec4(scale.z * rotation[2], 0.0), glm::dvec4(x[0], x[1], x[2], 1.0) };
   }
 
 private:
-  glm::dvec3 Scales(vtkIdType i) const
+  glm::dvec3 ComputeScale(vtkIdType i) const
   {
     if (!this->Mapper->GetScaling())
     {
@@ -98,7 +98,7 @@ private:
     glm::dvec3 scale(1.0);
     if (this->Scale && this->Mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_MAGNITUDE)
     {
-      scale = glm::dvec3(Norm(this->Scale, i));
+      scale = glm::dvec3(ComputeNorm(this->Scale, i));
     }
     else if (this->Scale && this->Scale->GetNumberOfComponents() == 3)
     {
@@ -114,12 +114,12 @@ private:
     scale *= this->Mapper->GetScaleFactor();
     for (int k = 0; k < 3; ++k)
     {
-      scale[k] = scale[k] == 0.0 ? SmallestScale : scale[k];
+      scale[k] = scale[k] == 0.0 ? MinimumScale : scale[k];
     }
     return scale;
   }
 
-  glm::dmat3 Turn(vtkIdType i) const
+  glm::dmat3 ComputeRotation(vtkIdType i) const
   {
     const int mode = this->Mapper->GetOrientationMode();
     const int components = mode == vtkGlyph3DMapper::QUATERNION ? 4 : 3;
@@ -141,7 +141,7 @@ private:
         glm::angleAxis(angles.x, glm::dvec3(1.0, 0.0, 0.0)) *
         glm::angleAxis(angles.y, glm::dvec3(0.0, 1.0, 0.0)));
     }
-    // Half a turn about the bisector of the x axis and the direction.
+    // Rotate by 180 degrees about the bisector of the x axis and the direction, as VTK does.
     const glm::dvec3 bisector = direction + glm::dvec3(glm::length(direction), 0.0, 0.0);
     const double length = glm::length(bisector);
     if (direction.y == 0.0 && direction.z == 0.0)
@@ -165,8 +165,8 @@ void Append(std::vector<T>& to, const std::vector<T>& from)
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Can both be one surface, once colours are per cell?
-bool IsAlike(const Surface& a, const Surface& b)
+/// Returns true if the surfaces can be merged when their colors are per cell.
+bool AreMergeable(const Surface& a, const Surface& b)
 {
   return a.IsLineOrPoint == b.IsLineOrPoint && a.NormalRule == b.NormalRule &&
     a.Normals.empty() == b.Normals.empty() &&
@@ -175,136 +175,139 @@ bool IsAlike(const Surface& a, const Surface& b)
     a.Front.Diffuse == b.Front.Diffuse;
 }
 
-/// Adds one copy, in the one colour of its material and as one cell, to the surface of its like.
-void Merge(Surface&& copy, std::uint32_t id, Surface& into)
+/// Appends one instance to `into`, with the color of its material and the cell id `id`.
+void MergeInstance(Surface&& instance, std::uint32_t id, Surface& into)
 {
-  const glm::u8vec4 color(glm::vec4(copy.Front.DiffuseColor, copy.Front.Opacity) * 255.f + .5f);
-  copy.Front.Opacity = 1.f;
-  copy.CellColors.assign(copy.Triangles.size(), color);
-  copy.CellIds.assign(copy.Triangles.size(), id);
+  const glm::u8vec4 color(
+    glm::vec4(instance.Front.DiffuseColor, instance.Front.Opacity) * 255.f + 0.5f);
+  instance.Front.Opacity = 1.f;
+  instance.CellColors.assign(instance.Triangles.size(), color);
+  instance.CellIds.assign(instance.Triangles.size(), id);
   if (into.Positions.empty())
   {
-    into = std::move(copy);
+    into = std::move(instance);
     return;
   }
   const auto first = static_cast<std::uint32_t>(into.Positions.size());
-  for (const glm::uvec3& triangle : copy.Triangles)
+  for (const glm::uvec3& triangle : instance.Triangles)
   {
     into.Triangles.push_back(triangle + first);
   }
-  Append(into.Positions, copy.Positions);
-  Append(into.CellIds, copy.CellIds);
-  Append(into.CellColors, copy.CellColors);
-  Append(into.Normals, copy.Normals);
-  Append(into.TriangleNormals, copy.TriangleNormals);
-  Append(into.TextureCoordinates, copy.TextureCoordinates);
+  Append(into.Positions, instance.Positions);
+  Append(into.CellIds, instance.CellIds);
+  Append(into.CellColors, instance.CellColors);
+  Append(into.Normals, instance.Normals);
+  Append(into.TriangleNormals, instance.TriangleNormals);
+  Append(into.TextureCoordinates, instance.TextureCoordinates);
 }
 
-void AddOnce(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
+void AddSurfaceAndLines(const DrawItem& item, double pixelsPerPoint, Scene& scene)
 {
-  if (piece.Property->GetRepresentation() == VTK_SURFACE)
+  if (item.Property->GetRepresentation() == VTK_SURFACE)
   {
-    AddSurface(piece, scene);
+    AddSurface(item, scene);
   }
-  AddLinesAndPoints(piece, pixelsPerPoint, scene);
+  AddLinesAndPoints(item, pixelsPerPoint, scene);
 }
 
 }
 
-std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const DrawItem& look,
-  ScalarMapper* scalars, std::vector<std::string>& warnings)
+std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
+  const DrawItem& prototype, ScalarMapper* scalars, std::vector<std::string>& warnings)
 {
   if (mapper->GetUseSourceTableTree())
   {
     warnings.push_back(
-      look.Name + ": glyphs from a source table tree are not supported; left out.");
+      prototype.Name + ": glyphs from a source table tree are not supported and were skipped.");
     return {};
   }
   std::vector<DrawItem> shapes;
   const int sources = std::max(1, mapper->GetNumberOfInputConnections(1));
   for (int i = 0; i < sources; ++i)
   {
-    DrawItem shape = look;
+    DrawItem shape = prototype;
     shape.Data = mapper->GetSource(i);
     if (!shape.Data)
     {
-      shape.Data = DefaultShape();
+      shape.Data = MakeDefaultShape();
     }
-    shape.Copies = std::make_shared<Instances>();
+    shape.GlyphInstances = std::make_shared<Instances>();
     shapes.push_back(std::move(shape));
   }
   scalars->InterpolateScalarsBeforeMappingOff();
   const Coloring coloring = scalars->Map(data);
-  const bool colored = coloring.Way == Coloring::Ways::PerPoint;
-  double own[3];
-  look.Property->GetColor(own);
-  // VTK multiplies a glyph by its opacity twice.
-  const glm::u8vec4 color(
-    glm::dvec4(own[0], own[1], own[2], look.Property->GetOpacity()) * 255.0 + .5);
-  const Placing placing(mapper, data, scalars);
+  const bool colored = coloring.Mode == Coloring::Modes::PerPoint;
+  double propertyColor[3];
+  prototype.Property->GetColor(propertyColor);
+  // The opacity multiplies the color here and once more in the material, as in VTK.
+  const glm::u8vec4 color(glm::dvec4(propertyColor[0], propertyColor[1], propertyColor[2],
+                            prototype.Property->GetOpacity()) *
+      255.0 +
+    0.5);
+  const GlyphPlacement placement(mapper, data, scalars);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    if (!placing.IsShown(i))
+    if (!placement.IsShown(i))
     {
       continue;
     }
-    Instances& copies = *shapes[placing.Shape(i, sources)].Copies;
-    copies.ByScalars = colored;
-    copies.Places.push_back(look.ToWorld * placing.Place(i));
-    copies.Ids.push_back(static_cast<std::uint32_t>(i));
+    Instances& instances = *shapes[placement.SelectShape(i, sources)].GlyphInstances;
+    instances.ByScalars = colored;
+    instances.Transforms.push_back(prototype.ToWorld * placement.ComputeTransform(i));
+    instances.Ids.push_back(static_cast<std::uint32_t>(i));
     glm::u8vec4 mapped = color;
     if (colored)
     {
       const unsigned char* c = coloring.Colors->GetPointer(4 * i);
       mapped = { c[0], c[1], c[2],
-        static_cast<unsigned char>(c[3] * look.Property->GetOpacity() + .5) };
+        static_cast<unsigned char>(c[3] * prototype.Property->GetOpacity() + 0.5) };
     }
-    copies.Colors.push_back(mapped);
+    instances.Colors.push_back(mapped);
   }
   return shapes;
 }
 
-void AddDrawItem(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
+void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene)
 {
-  if (!piece.Copies)
+  if (!item.GlyphInstances)
   {
-    AddOnce(piece, pixelsPerPoint, scene);
+    AddSurfaceAndLines(item, pixelsPerPoint, scene);
     return;
   }
-  // What one copy is drawn as (a surface, lines, points, edges) comes as several surfaces; each
-  // collects the same of all copies.
-  std::vector<Surface> collected;
-  Scene alone;
-  alone.Origin = scene.Origin;
-  alone.Scale = scene.Scale;
-  alone.ViewCamera = scene.ViewCamera;
-  DrawItem copy = piece;
-  copy.Colors.Way = Coloring::Ways::Single;
-  for (std::size_t i = 0; i < piece.Copies->Places.size(); ++i)
+  // An instance may consist of several surfaces (surface, lines, points, edges). Each merged
+  // surface collects the matching ones of all instances.
+  std::vector<Surface> merged;
+  Scene instanceScene;
+  instanceScene.Origin = scene.Origin;
+  instanceScene.Scale = scene.Scale;
+  instanceScene.ViewCamera = scene.ViewCamera;
+  DrawItem instance = item;
+  instance.Colors.Mode = Coloring::Modes::Single;
+  for (std::size_t i = 0; i < item.GlyphInstances->Transforms.size(); ++i)
   {
-    copy.ToWorld = piece.Copies->Places[i];
-    copy.Colors.SingleColor = piece.Copies->Colors[i];
-    AddOnce(copy, pixelsPerPoint, alone);
-    for (Surface& surface : alone.Surfaces)
+    instance.ToWorld = item.GlyphInstances->Transforms[i];
+    instance.Colors.SingleColor = item.GlyphInstances->Colors[i];
+    AddSurfaceAndLines(instance, pixelsPerPoint, instanceScene);
+    for (Surface& surface : instanceScene.Surfaces)
     {
-      const auto like = std::find_if(collected.begin(), collected.end(),
-        [&](const Surface& other) { return IsAlike(surface, other); });
-      Surface& into = like == collected.end() ? collected.emplace_back() : *like;
-      Merge(std::move(surface), piece.Copies->Ids[i], into);
+      const auto match = std::find_if(merged.begin(), merged.end(),
+        [&](const Surface& other) { return AreMergeable(surface, other); });
+      Surface& into = match == merged.end() ? merged.emplace_back() : *match;
+      MergeInstance(std::move(surface), item.GlyphInstances->Ids[i], into);
     }
-    alone.Surfaces.clear();
+    instanceScene.Surfaces.clear();
   }
-  for (Surface& surface : collected)
+  for (Surface& surface : merged)
   {
     surface.Positions.reserve(surface.Positions.size() + 1);
     surface.Triangles.reserve(surface.Triangles.size() + 1);
-    surface.ScalarColoring = piece.Copies->ByScalars;
+    surface.ScalarColoring = item.GlyphInstances->ByScalars;
     scene.Surfaces.push_back(std::move(surface));
   }
-  // The same shape is faulty in the same way everywhere.
-  if (!alone.Warnings.empty())
+  // All instances share the shape and cause the same warnings.
+  if (!instanceScene.Warnings.empty())
   {
-    scene.Warnings.push_back(alone.Warnings.front());
+    scene.Warnings.push_back(instanceScene.Warnings.front());
   }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Glyph mappers: one shape at every point of a data set, turned, scaled and coloured by arrays.
+// Converts glyph mappers: a shape at each point of a data set, rotated, scaled and colored by
+// arrays.
 #ifndef penumbra_SceneExtractionGlyphs_h
 #define penumbra_SceneExtractionGlyphs_h
 
@@ -18,13 +19,14 @@ namespace penumbra
 
 class ScalarMapper;
 
-/// One piece with copies for every shape that `mapper` sets at points of `data`, in `look`.
-std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data, const DrawItem& look,
-  ScalarMapper* scalars, std::vector<std::string>& warnings);
+/// Returns one draw item with instances for each shape that `mapper` places at points of `data`.
+/// Items are copies of `prototype`.
+std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
+  const DrawItem& prototype, ScalarMapper* scalars, std::vector<std::string>& warnings);
 
-/// Adds all that is drawn of `piece`, at every place it is copied to; copies of one kind become one
-/// surface, and their cells are the points they stand at.
-void AddDrawItem(const DrawItem& piece, double pixelsPerPoint, Scene& scene);
+/// Adds the surfaces, lines and points of `item` to `scene`, for each of its instances. Compatible
+/// surfaces of instances are merged into one, whose CellIds are the ids of the glyphs' points.
+void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene);
 
 }
 #endif

@@ -28,20 +28,20 @@ bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
   {
     return true;
   }
-  vtkNew<vtkTextProperty> look;
-  look->ShallowCopy(actor->GetTextProperty());
-  const glm::dvec2 at = PlaceInPicture(actor->GetPositionCoordinate(), scene);
+  vtkNew<vtkTextProperty> property;
+  property->ShallowCopy(actor->GetTextProperty());
+  const glm::dvec2 anchor = ComputePixelPosition(actor->GetPositionCoordinate(), scene);
   if (actor->GetTextScaleMode() == vtkTextActor::TEXT_SCALE_MODE_PROP)
   {
-    const glm::dvec2 size = PlaceInPicture(actor->GetPosition2Coordinate(), scene) - at;
+    const glm::dvec2 size = ComputePixelPosition(actor->GetPosition2Coordinate(), scene) - anchor;
     vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
     if (renderer)
     {
       renderer->GetConstrainedFontSize(
-        text, look, static_cast<int>(size.x), static_cast<int>(size.y), dpi);
+        text, property, static_cast<int>(size.x), static_cast<int>(size.y), dpi);
     }
   }
-  return DrawText(text, look, at, dpi, scene.OverlayImage);
+  return DrawText(text, property, anchor, dpi, scene.OverlayImage);
 }
 
 }
@@ -51,44 +51,44 @@ bool IsOverlay(vtkProp* prop)
   return prop->IsA("vtkTextActor") || prop->IsA("vtkScalarBarActor");
 }
 
-glm::dvec2 PlaceInPicture(vtkCoordinate* coordinate, const Scene& scene)
+glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene)
 {
   const double* value = coordinate->GetValue();
   const glm::dvec2 size(scene.ViewCamera.Width, scene.ViewCamera.Height);
-  glm::dvec2 place(value[0], value[1]);
+  glm::dvec2 position(value[0], value[1]);
   switch (coordinate->GetCoordinateSystem())
   {
     case VTK_NORMALIZED_DISPLAY:
     case VTK_NORMALIZED_VIEWPORT:
-      place *= size;
+      position *= size;
       break;
     case VTK_VIEW:
-      place = .5 * (place + 1.0) * size;
+      position = 0.5 * (position + 1.0) * size;
       break;
     case VTK_WORLD:
-      place = scene.ViewCamera.Project(scene.FromWorld(value));
+      position = scene.ViewCamera.Project(scene.FromWorld(value));
       break;
     default:
       break; // pixels
   }
   vtkCoordinate* reference = coordinate->GetReferenceCoordinate();
-  return reference ? place + PlaceInPicture(reference, scene) : place;
+  return reference ? position + ComputePixelPosition(reference, scene) : position;
 }
 
 bool DrawText(
-  const std::string& text, vtkTextProperty* look, glm::dvec2 at, int dpi, Overlay& overlay)
+  const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi, Overlay& overlay)
 {
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   vtkNew<vtkImageData> image;
   int size[2];
   int box[4];
-  if (!renderer || !renderer->RenderString(look, text, image, size, dpi) ||
-    !renderer->GetBoundingBox(look, text, box, dpi))
+  if (!renderer || !renderer->RenderString(property, text, image, size, dpi) ||
+    !renderer->GetBoundingBox(property, text, box, dpi))
   {
     return false;
   }
-  overlay.DrawImage(image, static_cast<int>(std::lround(at.x)) + box[0],
-    static_cast<int>(std::lround(at.y)) + box[2]);
+  overlay.DrawImage(image, static_cast<int>(std::lround(anchor.x)) + box[0],
+    static_cast<int>(std::lround(anchor.y)) + box[2]);
   return true;
 }
 
@@ -116,7 +116,8 @@ void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Sce
   }
   if (!drawn)
   {
-    scene.Warnings.emplace_back("Text cannot be drawn: VTK's FreeType module is not linked in.");
+    scene.Warnings.emplace_back(
+      "Text was skipped because VTK cannot render it. Link VTK::RenderingFreeType.");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Flat props over the picture: text and scalar bars.
+// Draws 2-D props into the overlay: text actors and scalar bars.
 #ifndef penumbra_SceneExtractionOverlay_h
 #define penumbra_SceneExtractionOverlay_h
 
@@ -17,19 +17,20 @@ class vtkTextProperty;
 namespace penumbra
 {
 
-/// Draws text actors and scalar bars of `renderer` into scene.Over. The camera of `scene` must be
-/// set.
+/// Draws the text actors and scalar bars of `renderer` into scene.OverlayImage. The camera of
+/// `scene` must be set.
 void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene);
 
-/// Is this a prop that ExtractOverlay() draws?
+/// Returns true if ExtractOverlay() draws this prop.
 bool IsOverlay(vtkProp* prop);
 
-/// Where a coordinate of a prop lies, in pixels.
-glm::dvec2 PlaceInPicture(vtkCoordinate* coordinate, const Scene& scene);
+/// Returns the position of a coordinate in pixels.
+glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene);
 
-/// Draws text anchored at `at` by the property's justification. False where no text can be drawn.
+/// Draws text at `anchor` with the justification of `property`. Returns false if VTK cannot render
+/// text.
 bool DrawText(
-  const std::string& text, vtkTextProperty* look, glm::dvec2 at, int dpi, Overlay& overlay);
+  const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi, Overlay& overlay);
 
 }
 #endif

@@ -23,29 +23,30 @@ namespace penumbra
 namespace
 {
 
-/// Shares of the bar's rectangle along its length: for the title, and between title and band.
-constexpr double TitleShare = .1;
-constexpr double GapShare = .04;
-/// Between the band and its labels, in pixels.
+/// Layout of the bar as fractions of its rectangle's height: the title of a vertical bar, and the
+/// gap between title and color bar. A horizontal bar has a title of three times this height.
+constexpr double TitleFraction = 0.1;
+constexpr double TitleGapFraction = 0.04;
+/// Gap between the color bar and its labels, in pixels.
 constexpr double LabelGap = 4.0;
 
-/// A text at a place along the band, 0 to 1.
-struct Label
+/// Label at a position in [0, 1] along the color bar.
+struct BandLabel
 {
-  double Place;
+  double Position;
   std::string Text;
 };
 
-std::vector<Label> MakeLabels(vtkScalarBarActor* bar)
+std::vector<BandLabel> MakeLabels(vtkScalarBarActor* bar)
 {
-  std::vector<Label> labels;
+  std::vector<BandLabel> labels;
   vtkScalarsToColors* table = bar->GetLookupTable();
   if (table->GetIndexedLookup())
   {
     const int count = table->GetNumberOfAnnotatedValues();
     for (int i = 0; bar->GetDrawAnnotations() && i < count; ++i)
     {
-      labels.push_back({ (i + .5) / count, table->GetAnnotation(i) });
+      labels.push_back({ (i + 0.5) / count, table->GetAnnotation(i) });
     }
     return labels;
   }
@@ -54,20 +55,20 @@ std::vector<Label> MakeLabels(vtkScalarBarActor* bar)
     return labels;
   }
   const int count = bar->GetNumberOfLabels();
-  const std::vector<double> values = SpreadOverRange(table, count);
+  const std::vector<double> values = SampleRange(table, count);
   for (int i = 0; i < count; ++i)
   {
-    labels.push_back({ count > 1 ? static_cast<double>(i) / (count - 1) : .5,
+    labels.push_back({ count > 1 ? static_cast<double>(i) / (count - 1) : 0.5,
       FormatLabel(bar->GetLabelFormat(), values[i]) });
   }
   return labels;
 }
 
-std::vector<glm::vec4> MakeBand(vtkScalarBarActor* bar)
+std::vector<glm::vec4> ComputeBandColors(vtkScalarBarActor* bar)
 {
   vtkScalarsToColors* table = bar->GetLookupTable();
   std::vector<glm::vec4> colors;
-  const auto push = [&](const unsigned char* c) {
+  const auto append = [&](const unsigned char* c) {
     colors.emplace_back(glm::vec4(c[0], c[1], c[2], bar->GetUseOpacity() ? c[3] : 255) / 255.f);
   };
   if (table->GetIndexedLookup())
@@ -80,23 +81,23 @@ std::vector<glm::vec4> MakeBand(vtkScalarBarActor* bar)
     }
     return colors;
   }
-  const auto available = static_cast<int>(table->GetNumberOfAvailableColors());
-  const int count = std::max(1, std::min(available, bar->GetMaximumNumberOfColors()));
-  // The values in the middle of each colour's stretch: every other one of twice as many.
-  const std::vector<double> values = SpreadOverRange(table, 2 * count + 1);
+  const auto numberOfColors = static_cast<int>(table->GetNumberOfAvailableColors());
+  const int count = std::max(1, std::min(numberOfColors, bar->GetMaximumNumberOfColors()));
+  // Each color is sampled at the center of its interval.
+  const std::vector<double> values = SampleRange(table, 2 * count + 1);
   for (int i = 0; i < count; ++i)
   {
-    push(table->MapValue(values[2 * i + 1]));
+    append(table->MapValue(values[2 * i + 1]));
   }
   return colors;
 }
 
-/// What a bar asks for and is not drawn, by name.
-void WarnOfBar(vtkScalarBarActor* bar, std::vector<std::string>& warnings)
+/// Adds a warning for each requested part of the bar that is not supported.
+void WarnUnsupportedParts(vtkScalarBarActor* bar, std::vector<std::string>& warnings)
 {
   const struct
   {
-    bool Asked;
+    bool IsRequested;
     const char* Name;
   } parts[] = {
     { bar->GetDrawNanAnnotation() != 0, "NaN swatches" },
@@ -107,54 +108,57 @@ void WarnOfBar(vtkScalarBarActor* bar, std::vector<std::string>& warnings)
   };
   for (const auto& part : parts)
   {
-    if (part.Asked)
+    if (part.IsRequested)
     {
-      warnings.push_back(std::string("Scalar bar: ") + part.Name + " are not supported; left out.");
+      warnings.push_back(
+        std::string("Scalar bar: ") + part.Name + " are not supported and were skipped.");
     }
   }
 }
 
-/// The largest font size with which all of `texts` fit, at most the property's own.
-void FitFont(const std::vector<Label>& texts, glm::dvec2 room, int dpi, vtkTextProperty* look)
+/// Reduces the font size of `property` so that each of `texts` fits into `available` (pixels).
+void FitFontSize(
+  const std::vector<BandLabel>& texts, glm::dvec2 available, int dpi, vtkTextProperty* property)
 {
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   int smallest = 1 << 20;
-  for (const Label& label : texts)
+  for (const BandLabel& label : texts)
   {
     vtkNew<vtkTextProperty> fitted;
-    fitted->ShallowCopy(look);
+    fitted->ShallowCopy(property);
     if (renderer && !label.Text.empty())
     {
       const int size = renderer->GetConstrainedFontSize(label.Text, fitted,
-        std::max(1, static_cast<int>(room.x)), std::max(1, static_cast<int>(room.y)), dpi);
+        std::max(1, static_cast<int>(available.x)), std::max(1, static_cast<int>(available.y)),
+        dpi);
       smallest = size > 0 ? std::min(smallest, size) : smallest;
     }
   }
   if (smallest < 1 << 20)
   {
-    look->SetFontSize(smallest);
+    property->SetFontSize(smallest);
   }
 }
 
-/// Lays a bar out and draws it. Directions: `along` the band, `aside` to its labels.
-class Drawing
+/// Computes the layout of a scalar bar and draws it.
+class ScalarBarPainter
 {
 public:
-  Drawing(vtkScalarBarActor* bar, int dpi, Scene& scene)
+  ScalarBarPainter(vtkScalarBarActor* bar, int dpi, Scene& scene)
     : Bar(bar),
       DPI(dpi),
-      Over(scene.OverlayImage),
+      Target(scene.OverlayImage),
       Vertical(bar->GetOrientation() == VTK_ORIENT_VERTICAL)
   {
-    this->Low = PlaceInPicture(bar->GetPositionCoordinate(), scene);
-    this->High = PlaceInPicture(bar->GetPosition2Coordinate(), scene);
+    this->Low = ComputePixelPosition(bar->GetPositionCoordinate(), scene);
+    this->High = ComputePixelPosition(bar->GetPosition2Coordinate(), scene);
     const double height = this->High.y - this->Low.y;
     const bool titled = bar->GetTitle() && *bar->GetTitle();
-    const double title = titled ? (this->Vertical ? TitleShare : 3.0 * TitleShare) : 0.0;
+    const double title = titled ? (this->Vertical ? TitleFraction : 3.0 * TitleFraction) : 0.0;
     this->TitleHeight = title * height;
-    // The band: along the rectangle, below the title, BarRatio of it wide.
+    // The color bar extends along the rectangle below the title; BarRatio is its relative width.
     this->BandHigh =
-      this->High - glm::dvec2(0.0, this->TitleHeight + (titled ? GapShare * height : 0.0));
+      this->High - glm::dvec2(0.0, this->TitleHeight + (titled ? TitleGapFraction * height : 0.0));
     this->LabelsAfter = bar->GetTextPosition() == vtkScalarBarActor::SucceedScalarBar;
     const int across = this->Vertical ? 0 : 1;
     this->BandLow = this->Low;
@@ -176,13 +180,14 @@ public:
 private:
   void DrawBand()
   {
-    const std::vector<glm::vec4> colors = MakeBand(this->Bar);
+    const std::vector<glm::vec4> colors = ComputeBandColors(this->Bar);
     const int axis = this->Vertical ? 1 : 0;
     const double length = this->BandHigh[axis] - this->BandLow[axis];
-    // Each colour is drawn to the end of the band and the next one over it: no seams, whatever part
-    // of a pixel each covers. Translucent ones end at whole pixels instead.
+    // Each opaque color is drawn to the end of the bar and the next one over it, which avoids seams
+    // in partially covered pixels. The edges of translucent colors are rounded to whole pixels
+    // instead.
     const bool opaque = !this->Bar->GetUseOpacity();
-    const auto border = [&](std::size_t i) {
+    const auto computeEdge = [&](std::size_t i) {
       const double at = this->BandLow[axis] + length * static_cast<double>(i) / colors.size();
       return opaque ? at : std::round(at);
     };
@@ -190,51 +195,51 @@ private:
     {
       glm::dvec2 low = this->BandLow;
       glm::dvec2 high = this->BandHigh;
-      low[axis] = border(i);
-      high[axis] = opaque ? high[axis] : border(i + 1);
-      this->Over.FillRectangle(low, high, colors[i]);
+      low[axis] = computeEdge(i);
+      high[axis] = opaque ? high[axis] : computeEdge(i + 1);
+      this->Target.FillRectangle(low, high, colors[i]);
     }
   }
 
   bool DrawLabels()
   {
-    const std::vector<Label> labels = MakeLabels(this->Bar);
-    vtkNew<vtkTextProperty> look;
-    look->ShallowCopy(this->Bar->GetLabelTextProperty());
+    const std::vector<BandLabel> labels = MakeLabels(this->Bar);
+    vtkNew<vtkTextProperty> property;
+    property->ShallowCopy(this->Bar->GetLabelTextProperty());
     const int axis = this->Vertical ? 1 : 0;
     const int across = 1 - axis;
     const double length = this->BandHigh[axis] - this->BandLow[axis];
     if (!this->Bar->GetUnconstrainedFontSize() && !labels.empty())
     {
-      glm::dvec2 room;
-      room[axis] = .8 * length / static_cast<double>(labels.size());
-      room[across] = (this->LabelsAfter ? this->High[across] - this->BandHigh[across]
-                                        : this->BandLow[across] - this->Low[across]) -
+      glm::dvec2 available;
+      available[axis] = 0.8 * length / static_cast<double>(labels.size());
+      available[across] = (this->LabelsAfter ? this->High[across] - this->BandHigh[across]
+                                             : this->BandLow[across] - this->Low[across]) -
         LabelGap;
       if (!this->Vertical)
       {
-        room.y -= this->TitleHeight;
+        available.y -= this->TitleHeight;
       }
-      FitFont(labels, room, this->DPI, look);
+      FitFontSize(labels, available, this->DPI, property);
     }
     if (this->Vertical)
     {
-      look->SetVerticalJustificationToCentered();
-      look->SetJustification(this->LabelsAfter ? VTK_TEXT_LEFT : VTK_TEXT_RIGHT);
+      property->SetVerticalJustificationToCentered();
+      property->SetJustification(this->LabelsAfter ? VTK_TEXT_LEFT : VTK_TEXT_RIGHT);
     }
     else
     {
-      look->SetVerticalJustification(this->LabelsAfter ? VTK_TEXT_BOTTOM : VTK_TEXT_TOP);
-      look->SetJustificationToCentered();
+      property->SetVerticalJustification(this->LabelsAfter ? VTK_TEXT_BOTTOM : VTK_TEXT_TOP);
+      property->SetJustificationToCentered();
     }
     bool drawn = true;
-    for (const Label& label : labels)
+    for (const BandLabel& label : labels)
     {
       glm::dvec2 at;
-      at[axis] = this->BandLow[axis] + label.Place * length;
+      at[axis] = this->BandLow[axis] + label.Position * length;
       at[across] =
         this->LabelsAfter ? this->BandHigh[across] + LabelGap : this->BandLow[across] - LabelGap;
-      drawn = label.Text.empty() || DrawText(label.Text, look, at, this->DPI, this->Over);
+      drawn = label.Text.empty() || DrawText(label.Text, property, at, this->DPI, this->Target);
     }
     return drawn;
   }
@@ -250,22 +255,22 @@ private:
     {
       text += std::string(" ") + this->Bar->GetComponentTitle();
     }
-    vtkNew<vtkTextProperty> look;
-    look->ShallowCopy(this->Bar->GetTitleTextProperty());
+    vtkNew<vtkTextProperty> property;
+    property->ShallowCopy(this->Bar->GetTitleTextProperty());
     if (!this->Bar->GetUnconstrainedFontSize())
     {
-      FitFont(
-        { { 0.0, text } }, { this->High.x - this->Low.x, this->TitleHeight }, this->DPI, look);
+      FitFontSize(
+        { { 0.0, text } }, { this->High.x - this->Low.x, this->TitleHeight }, this->DPI, property);
     }
-    look->SetJustificationToCentered();
-    look->SetVerticalJustificationToTop();
-    return DrawText(
-      text, look, { .5 * (this->Low.x + this->High.x), this->High.y }, this->DPI, this->Over);
+    property->SetJustificationToCentered();
+    property->SetVerticalJustificationToTop();
+    return DrawText(text, property, { 0.5 * (this->Low.x + this->High.x), this->High.y }, this->DPI,
+      this->Target);
   }
 
   vtkScalarBarActor* Bar;
   int DPI;
-  Overlay& Over;
+  Overlay& Target;
   bool Vertical;
   bool LabelsAfter = true;
   glm::dvec2 Low;
@@ -284,18 +289,18 @@ bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene)
     return true;
   }
   bar->GetLookupTable()->Build();
-  WarnOfBar(bar, scene.Warnings);
-  return Drawing(bar, dpi, scene).Draw();
+  WarnUnsupportedParts(bar, scene.Warnings);
+  return ScalarBarPainter(bar, dpi, scene).Draw();
 }
 
-std::vector<double> SpreadOverRange(vtkScalarsToColors* table, int count)
+std::vector<double> SampleRange(vtkScalarsToColors* table, int count)
 {
   const double* range = table->GetRange();
   const bool logarithmic = table->UsingLogScale() && range[0] * range[1] > 0.0;
   std::vector<double> values;
   for (int i = 0; i < count; ++i)
   {
-    const double t = count > 1 ? static_cast<double>(i) / (count - 1) : .5;
+    const double t = count > 1 ? static_cast<double>(i) / (count - 1) : 0.5;
     values.push_back(logarithmic ? range[0] * std::pow(range[1] / range[0], t)
                                  : range[0] + t * (range[1] - range[0]));
   }
@@ -304,7 +309,7 @@ std::vector<double> SpreadOverRange(vtkScalarsToColors* table, int count)
 
 std::string FormatLabel(const char* format, double value)
 {
-  // VTK 9.6 and later write "{:<#6.3g}" for "%-#6.3g".
+  // VTK 9.6 and later use std::format strings, such as "{:<#6.3g}" instead of "%-#6.3g".
   static const std::regex braces(R"(\{:[<>^]?([-+ #0]*\d*(\.\d+)?[eEfFgG])\})");
   static const std::regex percent(R"([^%]*%[-+ #0]*\d*(\.\d+)?[eEfFgG][^%]*)");
   std::string style = std::regex_replace(std::string(format ? format : ""), braces, "%$1");

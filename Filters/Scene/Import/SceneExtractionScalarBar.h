@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The legend of a lookup table: a band of colours, labels, a title.
+// Draws vtkScalarBarActor: a color bar, labels and a title.
 #ifndef penumbra_SceneExtractionScalarBar_h
 #define penumbra_SceneExtractionScalarBar_h
 
@@ -17,16 +17,18 @@ class vtkScalarsToColors;
 namespace penumbra
 {
 
-/// Draws `bar` into scene.Over, inside the rectangle of its two positions; text is as large as
-/// fits, unless the bar's font sizes are unconstrained. False where no text can be drawn.
+/// Draws `bar` into scene.OverlayImage, inside the rectangle of its two positions. The font size is
+/// the largest that fits, unless UnconstrainedFontSize is on. Returns false if VTK cannot render
+/// text.
 bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene);
 
-/// `count` values from one end of the table's range to the other, evenly or in its logarithm.
-VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<double> SpreadOverRange(
+/// Returns `count` values from the start to the end of the table's range, evenly spaced on the
+/// table's linear or logarithmic scale.
+VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<double> SampleRange(
   vtkScalarsToColors* table, int count);
 
-/// A number as a label, in the style of a printf format if it is one for one floating point number;
-/// else as by "%g".
+/// Formats a label. `format` is a printf or std::format string for one floating-point number; "%g"
+/// replaces any other string.
 VTKPENUMBRAFILTERSSCENE_EXPORT std::string FormatLabel(const char* format, double value);
 
 }

@@ -19,8 +19,9 @@ namespace penumbra
 namespace
 {
 
-/// Nothing nearer than this is drawn, in scene units: the scene's far end is at about 1.
-constexpr double NearestDistance = 1e-9;
+/// Minimum depth that is rendered in perspective, in scene units. The far end of the scene is at
+/// about 1.
+constexpr double NearDistance = 1e-9;
 
 glm::dvec3 ToVector(const double x[3])
 {
@@ -33,26 +34,28 @@ bool IsFinite(const double bounds[6])
     bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
 }
 
-/// A power of two (so that scaling rounds nothing) that brings the far end of the scene to about 1.
-double ChooseScale(glm::dvec3 eye, const double bounds[6], double fallback)
+/// Returns the scale for which the farthest corner of `bounds` is at a distance of about 1 from
+/// `origin`. A power of two, so that scaling is exact. `fallback` is the distance used for empty
+/// bounds.
+double ChooseScale(glm::dvec3 origin, const double bounds[6], double fallback)
 {
-  double reach = 0.0;
+  double extent = 0.0;
   if (IsFinite(bounds))
   {
     const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
     const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
-    reach = glm::length(glm::max(glm::abs(low - eye), glm::abs(high - eye)));
+    extent = glm::length(glm::max(glm::abs(low - origin), glm::abs(high - origin)));
   }
-  if (!(reach > 0.0) || !std::isfinite(reach))
+  if (!(extent > 0.0) || !std::isfinite(extent))
   {
-    reach = fallback;
+    extent = fallback;
   }
-  return std::exp2(-std::round(std::log2(std::clamp(reach, 1e-290, 1e290))));
+  return std::exp2(-std::round(std::log2(std::clamp(extent, 1e-290, 1e290))));
 }
 
-/// From world to view coordinates: axes and eye of the camera. False where it is no rigid motion
-/// with uniform scaling.
-bool SetPose(vtkMatrix4x4* view, Camera& eye, glm::dvec3& position)
+/// Sets the axes of `camera` and its world `position` from the view transform. Returns false if the
+/// transform is not a rigid motion with uniform scaling.
+bool SetPose(vtkMatrix4x4* view, Camera& camera, glm::dvec3& position)
 {
   glm::dvec3 rows[3];
   glm::dvec3 shift;
@@ -62,83 +65,87 @@ bool SetPose(vtkMatrix4x4* view, Camera& eye, glm::dvec3& position)
     shift[i] = view->GetElement(i, 3);
   }
   const double length = glm::length(rows[0]);
-  eye.Right = rows[0] / length;
-  eye.Up = rows[1] / length;
-  eye.Forward = -rows[2] / length;
+  camera.Right = rows[0] / length;
+  camera.Up = rows[1] / length;
+  camera.Forward = -rows[2] / length;
   position = -(shift.x * rows[0] + shift.y * rows[1] + shift.z * rows[2]) / (length * length);
   const double tolerance = 1e-6;
-  return std::abs(glm::length(eye.Up) - 1.0) < tolerance &&
-    std::abs(glm::length(eye.Forward) - 1.0) < tolerance &&
-    std::abs(glm::dot(eye.Right, eye.Up)) < tolerance &&
-    glm::length(glm::cross(eye.Right, eye.Up) + eye.Forward) < tolerance;
+  return std::abs(glm::length(camera.Up) - 1.0) < tolerance &&
+    std::abs(glm::length(camera.Forward) - 1.0) < tolerance &&
+    std::abs(glm::dot(camera.Right, camera.Up)) < tolerance &&
+    glm::length(glm::cross(camera.Right, camera.Up) + camera.Forward) < tolerance;
 }
 
-/// Pixel size and centre from a projection matrix of VTK's: perspective or parallel, both possibly
-/// off-centre. False where it is anything else.
-bool SetLens(vtkMatrix4x4* projection, Camera& eye)
+/// Sets the pixel size and the center from VTK's projection matrix, which may be off-axis. Returns
+/// false if the matrix is neither a perspective nor a parallel projection with square pixels.
+bool SetProjection(vtkMatrix4x4* projection, Camera& camera)
 {
   const auto p = [&](int i, int j) { return projection->GetElement(i, j); };
-  eye.Parallel = p(3, 3) != 0.0;
-  const double w = eye.Parallel ? p(3, 3) : -p(3, 2);
-  const double horizontal = 2.0 * w / (p(0, 0) * eye.Width);
-  const double vertical = 2.0 * w / (p(1, 1) * eye.Height);
-  eye.PixelSize = vertical;
+  camera.Parallel = p(3, 3) != 0.0;
+  const double w = camera.Parallel ? p(3, 3) : -p(3, 2);
+  const double horizontal = 2.0 * w / (p(0, 0) * camera.Width);
+  const double vertical = 2.0 * w / (p(1, 1) * camera.Height);
+  camera.PixelSize = vertical;
   const glm::dvec2 shift =
-    eye.Parallel ? glm::dvec2(p(0, 3), p(1, 3)) / w : -glm::dvec2(p(0, 2), p(1, 2)) / w;
-  eye.Center = .5 * glm::dvec2(eye.Width, eye.Height) * (1.0 + shift);
+    camera.Parallel ? glm::dvec2(p(0, 3), p(1, 3)) / w : -glm::dvec2(p(0, 2), p(1, 2)) / w;
+  camera.Center = 0.5 * glm::dvec2(camera.Width, camera.Height) * (1.0 + shift);
   return p(0, 1) == 0.0 && p(1, 0) == 0.0 && p(3, 0) == 0.0 && p(3, 1) == 0.0 &&
-    (eye.Parallel ? p(0, 2) == 0.0 && p(1, 2) == 0.0 : p(0, 3) == 0.0 && p(1, 3) == 0.0) &&
+    (camera.Parallel ? p(0, 2) == 0.0 && p(1, 2) == 0.0 : p(0, 3) == 0.0 && p(1, 3) == 0.0) &&
     std::abs(horizontal - vertical) < 1e-6 * std::abs(vertical);
 }
 
-/// From so many times the size of the scene on, single precision would tell the places in it apart less
-/// well than the picture shows them.
-constexpr double FarAway = 32.0;
+/// Distance of the scene, as a multiple of its size, beyond which ray origins are moved toward the
+/// scene. At larger distances, single precision does not resolve the positions that the image
+/// shows.
+constexpr double FarSceneRatio = 32.0;
 
-/// How far a camera can move forward and stay well in front of `bounds`: by their own size.
-/// In perspective one that is not far away stays.
-double DistanceInFront(glm::dvec3 eye, glm::dvec3 forward, bool parallel, const double bounds[6])
+/// Returns the distance by which ray origins can be moved forward so that they stay in front of
+/// `bounds` by at least the length of their diagonal. In perspective, the result is 0 unless the
+/// scene is far away.
+double ComputeAdvance(
+  glm::dvec3 position, glm::dvec3 forward, bool parallel, const double bounds[6])
 {
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i)
   {
     const glm::dvec3 corner(bounds[i % 2], bounds[2 + i / 2 % 2], bounds[4 + i / 4]);
-    nearest = std::min(nearest, glm::dot(corner - eye, forward));
+    nearest = std::min(nearest, glm::dot(corner - position, forward));
   }
   const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   const double distance = std::max(nearest - glm::length(size), 0.0);
-  return parallel || distance > FarAway * glm::length(size) ? distance : 0.0;
+  return parallel || distance > FarSceneRatio * glm::length(size) ? distance : 0.0;
 }
 
-void SetOrigin(glm::dvec3 position, const double bounds[6], double fallback, Scene& scene)
+void SetSceneCoordinates(glm::dvec3 position, const double bounds[6], double fallback, Scene& scene)
 {
-  Camera& eye = scene.ViewCamera;
+  Camera& camera = scene.ViewCamera;
   double advance = 0.0;
   if (IsFinite(bounds))
   {
-    advance = DistanceInFront(position, eye.Forward, eye.Parallel, bounds);
-    position += advance * eye.Forward;
+    advance = ComputeAdvance(position, camera.Forward, camera.Parallel, bounds);
+    position += advance * camera.Forward;
   }
   scene.Origin = position;
   scene.Scale = ChooseScale(position, bounds, fallback);
-  eye.Advance = advance * scene.Scale;
-  eye.Position = -eye.DepthOfRayOrigins() * eye.Forward;
-  eye.Near = eye.Parallel ? 0.0 : NearestDistance;
-  if (eye.Parallel)
+  camera.Advance = advance * scene.Scale;
+  camera.Position = -camera.DepthOfRayOrigins() * camera.Forward;
+  camera.Near = camera.Parallel ? 0.0 : NearDistance;
+  if (camera.Parallel)
   {
-    eye.PixelSize *= scene.Scale;
+    camera.PixelSize *= scene.Scale;
   }
 }
 
-/// Where the light stands and where it shines, in world coordinates.
-void PlaceLight(vtkRenderer* renderer, vtkLight* light, double position[3], double focus[3])
+/// Computes the position and the focal point of a light in world coordinates.
+void ComputeLightPosition(
+  vtkRenderer* renderer, vtkLight* light, double position[3], double focalPoint[3])
 {
   vtkCamera* camera = renderer->IsActiveCameraCreated() ? renderer->GetActiveCamera() : nullptr;
   const bool follows = renderer->GetLightFollowCamera() && camera;
   if (follows && light->LightTypeIsHeadlight())
   {
     camera->GetPosition(position);
-    camera->GetFocalPoint(focus);
+    camera->GetFocalPoint(focalPoint);
   }
   else if (follows && light->LightTypeIsCameraLight())
   {
@@ -150,37 +157,37 @@ void PlaceLight(vtkRenderer* renderer, vtkLight* light, double position[3], doub
     light->GetFocalPoint(x);
     x[3] = 1.0;
     toWorld->MultiplyPoint(x, x);
-    std::copy(x, x + 3, focus);
+    std::copy(x, x + 3, focalPoint);
   }
   else
   {
     light->GetTransformedPosition(position);
-    light->GetTransformedFocalPoint(focus);
+    light->GetTransformedFocalPoint(focalPoint);
   }
 }
 
 Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const Scene& scene)
 {
   double position[3];
-  double focus[3];
-  PlaceLight(renderer, light, position, focus);
+  double focalPoint[3];
+  ComputeLightPosition(renderer, light, position, focalPoint);
   Light result;
   result.Headlight = light->LightTypeIsHeadlight() && !light->GetPositional();
   result.CastsShadow = !light->LightTypeIsHeadlight();
   if (light->GetPositional())
   {
-    // VTK's rule: an angle of 90 degrees or more is no cone at all.
+    // As in VTK, a cone angle of 90 degrees or more means a light without a cone.
     const double angle = light->GetConeAngle();
     result.Kind = angle < 90.0 ? Light::Kinds::Spot : Light::Kinds::Positional;
     result.ConeCosine = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle)));
     result.Exponent = static_cast<float>(light->GetExponent());
   }
   result.Position = (ToVector(position) - scene.Origin) * scene.Scale;
-  const glm::dvec3 way = ToVector(focus) - ToVector(position);
-  const double length = glm::length(way);
-  result.Direction = glm::vec3(length > 0.0 ? way / length : scene.ViewCamera.Forward);
+  const glm::dvec3 direction = ToVector(focalPoint) - ToVector(position);
+  const double length = glm::length(direction);
+  result.Direction = glm::vec3(length > 0.0 ? direction / length : scene.ViewCamera.Forward);
   const glm::dvec3 color = ToVector(light->GetDiffuseColor()) * light->GetIntensity();
-  // VTK's shaders light highlights with the diffuse colour too.
+  // VTK's shaders use the diffuse color for highlights, too.
   result.DiffuseColor = color;
   result.SpecularColor = color;
   const double* attenuation = light->GetAttenuationValues();
@@ -202,41 +209,42 @@ void ExtractCamera(
   vtkCamera* camera = renderer->GetActiveCamera();
   if (camera->GetStereo())
   {
-    scene.Warnings.emplace_back("Stereo is not supported: one eye is drawn.");
+    scene.Warnings.emplace_back("Stereo rendering is not supported. Only one view was rendered.");
   }
   scene.ViewCamera.Width = options.Resolution[0];
   scene.ViewCamera.Height = options.Resolution[1];
   glm::dvec3 position;
   const double aspect = static_cast<double>(scene.ViewCamera.Width) / scene.ViewCamera.Height;
-  const bool rigid = SetPose(camera->GetModelViewTransformMatrix(), scene.ViewCamera, position);
-  const bool plain =
-    SetLens(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera);
-  if (!rigid || !plain)
+  const bool isRigid = SetPose(camera->GetModelViewTransformMatrix(), scene.ViewCamera, position);
+  const bool isSupported =
+    SetProjection(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera);
+  if (!isRigid || !isSupported)
   {
-    scene.Warnings.emplace_back(
-      "Cameras that shear, mirror or stretch are not supported: the view is drawn without.");
+    scene.Warnings.emplace_back("Camera transforms with shear, mirroring or non-uniform scaling "
+                                "are not supported and were ignored.");
   }
-  SetOrigin(position, bounds, camera->GetDistance(), scene);
+  SetSceneCoordinates(position, bounds, camera->GetDistance(), scene);
 }
 
 void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene& scene)
 {
-  const bool any = IsFinite(bounds);
-  const glm::dvec3 low = any ? glm::dvec3(bounds[0], bounds[2], bounds[4]) : glm::dvec3(-.5);
-  const glm::dvec3 high = any ? glm::dvec3(bounds[1], bounds[3], bounds[5]) : glm::dvec3(.5);
-  const double radius = low == high ? .5 : .5 * glm::length(high - low);
-  Camera& eye = scene.ViewCamera;
-  eye = Camera();
-  eye.Width = options.Resolution[0];
-  eye.Height = options.Resolution[1];
-  eye.Center = .5 * glm::dvec2(eye.Width, eye.Height);
-  // VTK's view angle is 30 degrees, and its sphere touches the narrower pair of sides.
+  const bool hasBounds = IsFinite(bounds);
+  const glm::dvec3 low = hasBounds ? glm::dvec3(bounds[0], bounds[2], bounds[4]) : glm::dvec3(-0.5);
+  const glm::dvec3 high = hasBounds ? glm::dvec3(bounds[1], bounds[3], bounds[5]) : glm::dvec3(0.5);
+  const double radius = low == high ? 0.5 : 0.5 * glm::length(high - low);
+  Camera& camera = scene.ViewCamera;
+  camera = Camera();
+  camera.Width = options.Resolution[0];
+  camera.Height = options.Resolution[1];
+  camera.Center = 0.5 * glm::dvec2(camera.Width, camera.Height);
+  // As in VTK, the view angle is 30 degrees and the bounding sphere fits the smaller side of the
+  // image.
   const double half = std::tan(vtkMath::RadiansFromDegrees(15.0));
-  eye.PixelSize = 2.0 * half / eye.Height;
-  const double aspect = static_cast<double>(eye.Width) / eye.Height;
+  camera.PixelSize = 2.0 * half / camera.Height;
+  const double aspect = static_cast<double>(camera.Width) / camera.Height;
   const double distance = radius / std::sin(std::atan(half * std::min(aspect, 1.0)));
-  const glm::dvec3 position = .5 * (low + high) + glm::dvec3(0.0, 0.0, distance);
-  SetOrigin(position, bounds, distance, scene);
+  const glm::dvec3 position = 0.5 * (low + high) + glm::dvec3(0.0, 0.0, distance);
+  SetSceneCoordinates(position, bounds, distance, scene);
 }
 
 Light MakeHeadlight(const Scene& scene)

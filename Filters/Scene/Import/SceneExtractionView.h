@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a renderer looks at its scene: camera, lights, background.
+// Extracts the camera, the lights and the background of a renderer.
 #ifndef penumbra_SceneExtractionView_h
 #define penumbra_SceneExtractionView_h
 
@@ -12,20 +12,21 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// Sets the Origin, Scale and Eye of `scene` from the renderer's camera, or resets the view to
-/// `bounds` where the renderer has no camera yet (as VTK would).
+/// Sets Origin, Scale and ViewCamera of `scene` from the renderer's camera. If the renderer has no
+/// camera yet, the view is reset to `bounds`, as VTK would do.
 void ExtractCamera(
   vtkRenderer* renderer, const double bounds[6], const ExtractionOptions& options, Scene& scene);
 
-/// Sets Origin, Scale and Eye so that all of `bounds` is seen from the front (from +z, y up).
+/// Sets Origin, Scale and ViewCamera so that `bounds` is fully visible from +z, with y up.
 void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene& scene);
 
-/// The lights that are on; VTK's automatic headlight where none is.
+/// Adds the lights that are on. If there are none, adds VTK's automatic headlight.
 void ExtractLights(vtkRenderer* renderer, Scene& scene);
 
-/// A white light along the view axis.
+/// Returns a white light along the view axis.
 Light MakeHeadlight(const Scene& scene);
 
+/// Sets BackgroundColors of `scene`, if options.Background is on.
 void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene);
 
 }

@@ -39,6 +39,7 @@ namespace penumbra
 namespace
 {
 
+/// Collects the latest modification time of objects.
 class MTimeCollector
 {
 public:
@@ -81,7 +82,7 @@ public:
       path->InitTraversal(position);
       while (vtkAssemblyNode* node = path->GetNextNode(position))
       {
-        this->AddPlace(node->GetViewProp());
+        this->AddTransform(node->GetViewProp());
       }
       if (auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp()))
       {
@@ -103,13 +104,13 @@ private:
     }
   }
 
-  /// A prop and what moves it.
-  void AddPlace(vtkProp* prop)
+  /// Adds a prop and its transforms.
+  void AddTransform(vtkProp* prop)
   {
     this->Add(prop);
-    if (auto* placed = vtkProp3D::SafeDownCast(prop))
+    if (auto* prop3D = vtkProp3D::SafeDownCast(prop))
     {
-      this->Time = std::max(this->Time, placed->GetUserTransformMatrixMTime());
+      this->Time = std::max(this->Time, prop3D->GetUserTransformMatrixMTime());
     }
     if (auto* follower = vtkFollower::SafeDownCast(prop))
     {
@@ -148,7 +149,7 @@ private:
     }
   }
 
-  /// What flows into `algorithm`: through its mesh, glyph or picture ports.
+  /// Updates and adds the inputs of `algorithm` on all its ports.
   void AddInputs(vtkAlgorithm* algorithm)
   {
     for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
@@ -202,11 +203,12 @@ private:
 
   void AddRectangle(vtkActor2D* actor)
   {
-    for (vtkCoordinate* place : { actor->GetPositionCoordinate(), actor->GetPosition2Coordinate() })
+    for (vtkCoordinate* coordinate :
+      { actor->GetPositionCoordinate(), actor->GetPosition2Coordinate() })
     {
-      for (; place; place = place->GetReferenceCoordinate())
+      for (; coordinate; coordinate = coordinate->GetReferenceCoordinate())
       {
-        this->Add(place);
+        this->Add(coordinate);
       }
     }
   }
@@ -216,34 +218,34 @@ private:
 
 vtkMTimeType GetSceneMTime(vtkRenderer* renderer)
 {
-  MTimeCollector latest;
-  latest.AddView(renderer);
+  MTimeCollector collector;
+  collector.AddView(renderer);
   vtkPropCollection* props = renderer->GetViewProps();
-  latest.Add(props);
+  collector.Add(props);
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);
   while (vtkProp* prop = props->GetNextProp(position))
   {
-    latest.AddProp(prop);
+    collector.AddProp(prop);
   }
-  return latest.Time;
+  return collector.Time;
 }
 
 vtkMTimeType GetGeometryMTime(vtkRenderer* renderer)
 {
-  MTimeCollector latest;
+  MTimeCollector collector;
   vtkPropCollection* props = renderer->GetViewProps();
-  latest.Add(props);
+  collector.Add(props);
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);
   while (vtkProp* prop = props->GetNextProp(position))
   {
     if (vtkProp3D::SafeDownCast(prop))
     {
-      latest.AddProp(prop);
+      collector.AddProp(prop);
     }
   }
-  return latest.Time;
+  return collector.Time;
 }
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// When a scene last changed: the latest time of everything that SceneExtraction reads, much of which
-// neither the renderer nor its props answer for.
+// Modification time of a scene: the latest time of all objects that SceneExtraction reads. The
+// times of the renderer and its props do not include many of them.
 #ifndef penumbra_SceneModificationTime_h
 #define penumbra_SceneModificationTime_h
 
@@ -14,10 +14,10 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// Brings the pipelines that feed the scene up to date first.
+/// Updates the pipelines of the scene and returns its modification time.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkMTimeType GetSceneMTime(vtkRenderer* renderer);
 
-/// The same of what stands in the scene alone: the eye, the lights and overlays may have changed.
+/// Same as GetSceneMTime(), but without the camera, the lights and the overlays.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkMTimeType GetGeometryMTime(vtkRenderer* renderer);
 
 }

@@ -25,10 +25,10 @@ namespace penumbra
 namespace
 {
 
-constexpr const char* OriginalPoints = "vtkOriginalPointIds";
-constexpr const char* OriginalCells = "vtkOriginalCellIds";
+constexpr const char* OriginalPointIdsName = "vtkOriginalPointIds";
+constexpr const char* OriginalCellIdsName = "vtkOriginalCellIds";
 
-glm::dvec3 MeanOf(vtkPoints* points)
+glm::dvec3 ComputeMean(vtkPoints* points)
 {
   glm::dvec3 sum(0.0);
   const vtkIdType count = points->GetNumberOfPoints();
@@ -41,11 +41,12 @@ glm::dvec3 MeanOf(vtkPoints* points)
   return sum / static_cast<double>(count);
 }
 
-/// Of a cell's size: nearer to the plane of a face its middle is on neither side.
-constexpr double LeastHeight = 1e-6;
+/// Minimum sine of the angle between a face and the direction from the cell's center to the face's
+/// center. Below, rounding errors decide on which side of the face the center is.
+constexpr double MinimumHeight = 1e-6;
 
-/// Does `polygon` face the middle of the volumetric `cell` that it bounds?
-bool FacesInto(vtkGenericCell* cell, vtkCell* polygon)
+/// Returns true if the normal of `polygon` points toward the center of its volumetric `cell`.
+bool FacesInward(vtkGenericCell* cell, vtkCell* polygon)
 {
   if (cell->GetCellDimension() != 3)
   {
@@ -53,26 +54,26 @@ bool FacesInto(vtkGenericCell* cell, vtkCell* polygon)
   }
   double n[3];
   vtkPolygon::ComputeNormal(polygon->GetPoints(), n);
-  const glm::dvec3 outwards = MeanOf(polygon->GetPoints()) - MeanOf(cell->GetPoints());
-  return glm::dot(glm::dvec3(n[0], n[1], n[2]), outwards) < -LeastHeight * glm::length(outwards);
+  const glm::dvec3 outward = ComputeMean(polygon->GetPoints()) - ComputeMean(cell->GetPoints());
+  return glm::dot(glm::dvec3(n[0], n[1], n[2]), outward) < -MinimumHeight * glm::length(outward);
 }
 
 }
 
 void UpdateStoppably(vtkAlgorithm* filter, const ProgressCallback& progress)
 {
-  struct Watch
+  struct AbortState
   {
     const ProgressCallback& Progress;
-    bool Stops;
+    bool IsAborted;
   };
-  Watch watch{ progress, false };
+  AbortState state{ progress, false };
   vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&watch);
+  observer->SetClientData(&state);
   observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    auto& self = *static_cast<Watch*>(data);
-    self.Stops = self.Stops || (self.Progress && self.Progress(0.0));
-    if (self.Stops)
+    auto& self = *static_cast<AbortState*>(data);
+    self.IsAborted = self.IsAborted || (self.Progress && self.Progress(0.0));
+    if (self.IsAborted)
     {
       static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
     }
@@ -80,7 +81,7 @@ void UpdateStoppably(vtkAlgorithm* filter, const ProgressCallback& progress)
   const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, observer);
   filter->Update();
   filter->RemoveObserver(tag);
-  if (watch.Stops)
+  if (state.IsAborted)
   {
     throw Stopped();
   }
@@ -106,12 +107,13 @@ std::vector<vtkIdType> OriginalIds(vtkPolyData* surface, vtkDataSet* data, int t
   {
     return {};
   }
-  const char* name = type == vtkDataObject::POINT ? OriginalPoints : OriginalCells;
+  const char* name = type == vtkDataObject::POINT ? OriginalPointIdsName : OriginalCellIdsName;
   vtkDataArray* array = surface->GetAttributes(type)->GetArray(name);
   const vtkIdType count = surface->GetNumberOfElements(type);
   if (!array || array->GetNumberOfTuples() != count)
   {
-    throw std::runtime_error(std::string("VTK's surface lacks the array ") + name);
+    throw std::runtime_error(
+      std::string("The surface of vtkGeometryFilter does not have the array ") + name);
   }
   const vtkIdType end = data->GetNumberOfElements(type);
   std::vector<vtkIdType> ids(static_cast<std::size_t>(count));
@@ -127,48 +129,48 @@ vtkSmartPointer<vtkPolyData> FacingOutwards(
   vtkPolyData* surface, vtkDataSet* data, const ProgressCallback& progress)
 {
   const std::vector<vtkIdType> ids = OriginalIds(surface, data, vtkDataObject::CELL);
-  vtkSmartPointer<vtkPolyData> turned = surface;
+  vtkSmartPointer<vtkPolyData> reversed = surface;
   vtkNew<vtkGenericCell> cell;
   vtkNew<vtkGenericCell> polygon;
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    const auto place = static_cast<vtkIdType>(i);
+    const auto index = static_cast<vtkIdType>(i);
     if (i % StoppableCells == 0)
     {
       ThrowIfStopped(progress, 0.0);
     }
-    surface->GetCell(place, polygon);
+    surface->GetCell(index, polygon);
     if (ids[i] < 0 || polygon->GetCellDimension() != 2)
     {
       continue;
     }
     data->GetCell(ids[i], cell);
-    if (!FacesInto(cell, polygon))
+    if (!FacesInward(cell, polygon))
     {
       continue;
     }
-    if (turned == surface)
+    if (reversed == surface)
     {
-      turned = vtkSmartPointer<vtkPolyData>::New();
-      turned->ShallowCopy(surface);
+      reversed = vtkSmartPointer<vtkPolyData>::New();
+      reversed->ShallowCopy(surface);
       vtkNew<vtkCellArray> polygons;
       polygons->DeepCopy(surface->GetPolys());
-      turned->SetPolys(polygons);
-      turned->BuildCells();
+      reversed->SetPolys(polygons);
+      reversed->BuildCells();
     }
-    turned->ReverseCell(place);
+    reversed->ReverseCell(index);
   }
-  return turned;
+  return reversed;
 }
 
 vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
-  vtkPolyData* surface, std::vector<std::string>& left)
+  vtkPolyData* surface, std::vector<std::string>& messages)
 {
   struct Attribute
   {
-    int Of;
-    int Which;
-    int Components; ///< 0: any
+    int Association;
+    int Type;
+    int Components; ///< required number; 0: any
     const char* Name;
   };
   static constexpr Attribute attributes[] = {
@@ -179,8 +181,9 @@ vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
   vtkSmartPointer<vtkPolyData> kept = surface;
   for (const Attribute& attribute : attributes)
   {
-    vtkDataArray* array = surface->GetAttributes(attribute.Of)->GetAttribute(attribute.Which);
-    const vtkIdType count = surface->GetNumberOfElements(attribute.Of);
+    vtkDataArray* array =
+      surface->GetAttributes(attribute.Association)->GetAttribute(attribute.Type);
+    const vtkIdType count = surface->GetNumberOfElements(attribute.Association);
     if (!array ||
       (array->GetNumberOfTuples() == count &&
         (attribute.Components == 0 || array->GetNumberOfComponents() == attribute.Components)))
@@ -192,9 +195,9 @@ vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
       kept = vtkSmartPointer<vtkPolyData>::New();
       kept->ShallowCopy(surface);
     }
-    kept->GetAttributes(attribute.Of)->SetActiveAttribute(-1, attribute.Which);
-    left.push_back(std::to_string(array->GetNumberOfTuples()) + " " + attribute.Name + ", where " +
-      std::to_string(count) + " are needed, left out.");
+    kept->GetAttributes(attribute.Association)->SetActiveAttribute(-1, attribute.Type);
+    messages.push_back(std::to_string(array->GetNumberOfTuples()) + " " + attribute.Name +
+      " were ignored because " + std::to_string(count) + " are required.");
   }
   return kept;
 }

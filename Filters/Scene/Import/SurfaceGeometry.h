@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From any data set to polygons, and what of their attributes can be read.
+// Extracts the surface of data sets and validates its attributes.
 #ifndef penumbra_SurfaceGeometry_h
 #define penumbra_SurfaceGeometry_h
 
@@ -21,30 +21,32 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// Executes `filter`; when `progress` asks to stop, the filter is told and Stopped is thrown.
+/// Updates `filter`. On a stop request by `progress`, aborts the filter and throws Stopped.
 VTKPENUMBRAFILTERSSCENE_EXPORT void UpdateStoppably(
   vtkAlgorithm* filter, const ProgressCallback& progress);
 
-/// `data` itself where it holds polygons already; else its surface, with the point and cell that each of
-/// its points and cells comes from in the arrays `vtkOriginalPointIds` and `vtkOriginalCellIds`.
+/// Returns `data` if it is a vtkPolyData, otherwise its surface. The arrays vtkOriginalPointIds and
+/// vtkOriginalCellIds of the surface hold the ids of its points and cells in `data`.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkSmartPointer<vtkPolyData> ExtractSurface(
   vtkDataSet* data, const ProgressCallback& progress = {});
 
-/// Which point or cell of `data` each one of its `surface` comes from, -1: none, a point that the surface
-/// added; empty: `surface` is `data` itself. `type` is vtkDataObject::POINT or CELL. VTK chooses the type
-/// of the array by the number of ids: whatever it is, it is read. Throws std::runtime_error without it.
+/// Returns the id in `data` of each point or cell of its `surface`, or -1 if the surface filter
+/// added the point. The result is empty if `data` is a vtkPolyData. `type` is vtkDataObject::POINT
+/// or CELL. Throws std::runtime_error if the array of original ids is missing. Its value type does
+/// not matter: VTK chooses it by the number of ids.
 VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<vtkIdType> OriginalIds(
   vtkPolyData* surface, vtkDataSet* data, int type);
 
-/// `surface` with those polygons reversed that face into the volumetric cell of `data` that they bound,
-/// as all do of cells whose points are in the order of a mirror image.
+/// Returns `surface` with all polygons reversed that face toward the interior of their volumetric
+/// cell in `data`. Cells with mirrored point order have such polygons.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkSmartPointer<vtkPolyData> FacingOutwards(
   vtkPolyData* surface, vtkDataSet* data, const ProgressCallback& progress = {});
 
-/// `surface` without normals and texture coordinates that are not one for each point or cell: reading them
-/// would end beyond their last. `left` tells what was left out, a sentence each.
+/// Returns `surface` without normals and texture coordinates whose number of tuples differs from
+/// the number of points or cells, because reading them would exceed the array. Adds one sentence
+/// per dropped array to `messages`.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkSmartPointer<vtkPolyData> DropMismatchedAttributes(
-  vtkPolyData* surface, std::vector<std::string>& left);
+  vtkPolyData* surface, std::vector<std::string>& messages);
 
 }
 #endif

@@ -20,30 +20,30 @@ namespace penumbra
 namespace
 {
 
-// Newer than VTK 9.1: asked where they exist.
+// Features that are newer than VTK 9.1.
 template <typename Prop>
-auto HasOwnSpace(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() != Prop::WORLD)
+auto UsesOtherCoordinates(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() != Prop::WORLD)
 {
   return prop->GetCoordinateSystem() != Prop::WORLD;
 }
 template <typename Prop>
-bool HasOwnSpace(Prop*, long)
+bool UsesOtherCoordinates(Prop*, long)
 {
   return false;
 }
 template <typename Renderer>
-auto HasOtherGradient(Renderer* renderer, int)
+auto HasUnsupportedGradient(Renderer* renderer, int)
   -> decltype(static_cast<int>(renderer->GetGradientMode()) != 0)
 {
   return static_cast<int>(renderer->GetGradientMode()) != 0;
 }
 template <typename Renderer>
-bool HasOtherGradient(Renderer*, long)
+bool HasUnsupportedGradient(Renderer*, long)
 {
   return false;
 }
 
-/// The key's name changed in VTK 9.6.
+/// Returns true if the actor has a texture transform. The name of its key changed in VTK 9.6.
 bool HasTextureTransform(vtkActor* actor)
 {
   vtkInformation* keys = actor->GetPropertyKeys();
@@ -58,9 +58,9 @@ bool HasTextureTransform(vtkActor* actor)
   return false;
 }
 
-bool HasOwnShaders(vtkActor* actor)
+bool HasCustomShaders(vtkActor* actor)
 {
-  // Where no OpenGL is linked, nobody can have made shaders, and asking the actor for them crashes.
+  // Without OpenGL there are no shader properties, and GetShaderProperty() crashes.
   if (!vtkObjectFactory::HasOverrideAny("vtkShaderProperty"))
   {
     return false;
@@ -70,7 +70,7 @@ bool HasOwnShaders(vtkActor* actor)
     shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 
-bool WrapsInOtherWays(vtkTexture* texture)
+bool HasUnsupportedWrapMode(vtkTexture* texture)
 {
   return texture &&
     (texture->GetWrap() == vtkTexture::MirroredRepeat ||
@@ -88,44 +88,52 @@ bool IsSeamless(vtkMapper* mapper)
 void WarnUnsupportedActor(
   vtkActor* actor, const std::string& name, std::vector<std::string>& warnings)
 {
-  const auto warn = [&](bool asked, const char* of) {
-    if (asked)
+  const auto warn = [&](bool isUsed, const char* message) {
+    if (isUsed)
     {
-      warnings.push_back(name + ": " + of);
+      warnings.push_back(name + ": " + message);
     }
   };
   vtkProperty* property = actor->GetProperty();
-  warn(property->GetInterpolation() == VTK_PBR, "physically based shading is drawn as Phong's.");
-  warn(property->GetNumberOfTextures() > 0, "textures of properties are not supported; left out.");
-  warn(
-    property->GetRenderPointsAsSpheres(), "points as spheres are not supported; drawn as squares.");
-  warn(property->GetRenderLinesAsTubes(), "lines as tubes are not supported; drawn flat.");
-  warn(HasOwnShaders(actor), "shaders of its own are not supported; left out.");
-  warn(HasOwnSpace(actor, 0), "only world coordinates are supported; drawn in these.");
-  warn(WrapsInOtherWays(actor->GetTexture()), "textures repeat or stop at their edge; drawn so.");
+  warn(property->GetInterpolation() == VTK_PBR,
+    "physically based shading is not supported. Phong shading was used instead.");
+  warn(property->GetNumberOfTextures() > 0,
+    "textures of vtkProperty are not supported and were ignored.");
+  warn(property->GetRenderPointsAsSpheres(),
+    "points as spheres are not supported. They were rendered as squares.");
+  warn(property->GetRenderLinesAsTubes(),
+    "lines as tubes are not supported. They were rendered flat.");
+  warn(HasCustomShaders(actor), "custom shaders are not supported and were ignored.");
+  warn(UsesOtherCoordinates(actor, 0),
+    "coordinate systems other than world are not supported. World coordinates were used.");
+  warn(HasUnsupportedWrapMode(actor->GetTexture()),
+    "texture wrap modes other than Repeat and ClampToEdge are not supported and were replaced.");
   warn(actor->GetTexture() && HasTextureTransform(actor),
-    "texture transforms are not supported; left out.");
-  warn(HasBlockTextures(actor->GetMapper()), "textures of blocks are not supported; left out.");
+    "texture transforms are not supported and were ignored.");
+  warn(
+    HasBlockTextures(actor->GetMapper()), "textures of blocks are not supported and were ignored.");
   warn(actor->GetTexture() && IsSeamless(actor->GetMapper()),
-    "seamless texture coordinates are not supported; drawn as they are.");
+    "seamless texture coordinates are not supported. They were used unchanged.");
 }
 
-void WarnOfRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings)
+void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings)
 {
-  const auto warn = [&](bool asked, const char* of) {
-    if (asked)
+  const auto warn = [&](bool isUsed, const char* message) {
+    if (isUsed)
     {
-      warnings.emplace_back(of);
+      warnings.emplace_back(message);
     }
   };
-  warn(renderer->GetPass() != nullptr, "Render passes of the renderer are left out.");
-  warn(renderer->GetUseSSAO(), "Screen-space ambient occlusion of the renderer is left out.");
-  warn(renderer->GetUseShadows(), "Shadows of the renderer are left out: ask the ray caster.");
-  warn(renderer->GetUseImageBasedLighting(), "Image-based lighting is not supported; left out.");
+  warn(renderer->GetPass() != nullptr, "The render pass of the renderer was ignored.");
+  warn(renderer->GetUseSSAO(), "Screen-space ambient occlusion of the renderer was ignored.");
+  warn(renderer->GetUseShadows(),
+    "Shadows of the renderer were ignored. Use the shadows of the ray caster.");
+  warn(
+    renderer->GetUseImageBasedLighting(), "Image-based lighting is not supported and was ignored.");
   warn(renderer->GetTexturedBackground(),
-    "A textured background is not supported: the background colour is drawn.");
-  warn(renderer->GetGradientBackground() && HasOtherGradient(renderer, 0),
-    "Only gradients from bottom to top are supported; drawn so.");
+    "A textured background is not supported. The background color was used.");
+  warn(renderer->GetGradientBackground() && HasUnsupportedGradient(renderer, 0),
+    "Only vertical background gradients are supported. A vertical gradient was used.");
 }
 
 }

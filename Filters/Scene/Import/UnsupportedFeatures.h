@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What an actor or a renderer asks for and the ray caster does not draw, by name.
+// Adds a warning for each feature of an actor or a renderer that the ray caster does not support.
 #ifndef penumbra_UnsupportedFeatures_h
 #define penumbra_UnsupportedFeatures_h
 
@@ -16,7 +16,7 @@ namespace penumbra
 
 void WarnUnsupportedActor(
   vtkActor* actor, const std::string& name, std::vector<std::string>& warnings);
-void WarnOfRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings);
+void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings);
 
 }
 #endif

@@ -7,30 +7,31 @@ namespace penumbra
 namespace
 {
 
-/// Side of a pixel at x.
-double PixelAt(const Camera& eye, glm::dvec3 x)
+/// Returns the side length of a pixel at the depth of x, in scene units.
+double ComputePixelSize(const Camera& camera, glm::dvec3 x)
 {
-  return eye.Parallel ? eye.PixelSize : eye.PixelSize * eye.Depth(x);
+  return camera.Parallel ? camera.PixelSize : camera.PixelSize * camera.Depth(x);
 }
 
-/// Moves x towards the eye by `pixels` times the size of a pixel there; its picture stays.
-glm::dvec3 OffsetTowardEye(const Camera& eye, glm::dvec3 x, double pixels)
+/// Moves x toward the camera by `pixels` times the pixel size at x. Its image coordinates do not
+/// change.
+glm::dvec3 OffsetTowardEye(const Camera& camera, glm::dvec3 x, double pixels)
 {
-  if (eye.Parallel)
+  if (camera.Parallel)
   {
-    return x - pixels * eye.PixelSize * eye.Forward;
+    return x - pixels * camera.PixelSize * camera.Forward;
   }
-  // Never past the middle between the eye and x, however wide the line.
-  const double share = glm::min(pixels * eye.PixelSize, .5);
-  return x - share * (x - eye.Position);
+  // Move x at most half the distance to the camera, so that wide lines stay in front of the camera.
+  const double fraction = glm::min(pixels * camera.PixelSize, 0.5);
+  return x - fraction * (x - camera.Position);
 }
 
 }
 
-bool ExpandLine(const Camera& eye, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad)
+bool ExpandLine(const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad)
 {
-  const double fromDepth = eye.Depth(a) - eye.Near;
-  const double toDepth = eye.Depth(b) - eye.Near;
+  const double fromDepth = camera.Depth(a) - camera.Near;
+  const double toDepth = camera.Depth(b) - camera.Near;
   if (fromDepth <= 0.0 && toDepth <= 0.0)
   {
     return false;
@@ -39,35 +40,35 @@ bool ExpandLine(const Camera& eye, glm::dvec3 a, glm::dvec3 b, double width, Qua
   quad.End = toDepth < 0.0 ? fromDepth / (fromDepth - toDepth) : 1.0;
   const glm::dvec3 start = glm::mix(a, b, quad.Start);
   const glm::dvec3 end = glm::mix(a, b, quad.End);
-  const glm::dvec2 way = eye.Project(end) - eye.Project(start);
-  const double length = glm::length(way);
+  const glm::dvec2 delta = camera.Project(end) - camera.Project(start);
+  const double length = glm::length(delta);
   if (!(length > 1e-9))
   {
     return false;
   }
-  const glm::dvec3 aside = (-way.y / length) * eye.Right + (way.x / length) * eye.Up;
-  const glm::dvec3 atStart = .5 * width * PixelAt(eye, start) * aside;
-  const glm::dvec3 atEnd = .5 * width * PixelAt(eye, end) * aside;
-  quad.Corners[0] = OffsetTowardEye(eye, start - atStart, width);
-  quad.Corners[1] = OffsetTowardEye(eye, end - atEnd, width);
-  quad.Corners[2] = OffsetTowardEye(eye, end + atEnd, width);
-  quad.Corners[3] = OffsetTowardEye(eye, start + atStart, width);
+  const glm::dvec3 normal = (-delta.y / length) * camera.Right + (delta.x / length) * camera.Up;
+  const glm::dvec3 startOffset = 0.5 * width * ComputePixelSize(camera, start) * normal;
+  const glm::dvec3 endOffset = 0.5 * width * ComputePixelSize(camera, end) * normal;
+  quad.Corners[0] = OffsetTowardEye(camera, start - startOffset, width);
+  quad.Corners[1] = OffsetTowardEye(camera, end - endOffset, width);
+  quad.Corners[2] = OffsetTowardEye(camera, end + endOffset, width);
+  quad.Corners[3] = OffsetTowardEye(camera, start + startOffset, width);
   return true;
 }
 
-bool ExpandPoint(const Camera& eye, glm::dvec3 x, double size, Quad& quad)
+bool ExpandPoint(const Camera& camera, glm::dvec3 x, double size, Quad& quad)
 {
-  if (eye.Depth(x) <= eye.Near)
+  if (camera.Depth(x) <= camera.Near)
   {
     return false;
   }
-  const double half = .5 * size * PixelAt(eye, x);
-  const glm::dvec3 right = half * eye.Right;
-  const glm::dvec3 up = half * eye.Up;
-  quad.Corners[0] = OffsetTowardEye(eye, x - right - up, size);
-  quad.Corners[1] = OffsetTowardEye(eye, x + right - up, size);
-  quad.Corners[2] = OffsetTowardEye(eye, x + right + up, size);
-  quad.Corners[3] = OffsetTowardEye(eye, x - right + up, size);
+  const double half = 0.5 * size * ComputePixelSize(camera, x);
+  const glm::dvec3 right = half * camera.Right;
+  const glm::dvec3 up = half * camera.Up;
+  quad.Corners[0] = OffsetTowardEye(camera, x - right - up, size);
+  quad.Corners[1] = OffsetTowardEye(camera, x + right - up, size);
+  quad.Corners[2] = OffsetTowardEye(camera, x + right + up, size);
+  quad.Corners[3] = OffsetTowardEye(camera, x - right + up, size);
   return true;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Segments and points in space become quads that face the eye and have an exact size in pixels.
+// Expands line segments and points to quads that face the camera and have an exact size in pixels.
 #ifndef penumbra_LineExpansion_h
 #define penumbra_LineExpansion_h
 
@@ -11,8 +11,9 @@
 namespace penumbra
 {
 
-/// A quad, counter-clockwise as the eye sees it. A segment's corners 0 and 3 lie at its start, and
-/// Start and End say which part of the segment is in front of the eye (0 to 1).
+/// Quad with counterclockwise corners in the image. Corners 0 and 3 are at the start of the
+/// segment. [Start, End] is the part of the segment in front of the camera, as parameters in [0,
+/// 1].
 struct Quad
 {
   glm::dvec3 Corners[4];
@@ -20,16 +21,16 @@ struct Quad
   double End = 1.0;
 };
 
-/// `width` pixels wide everywhere, also where perspective shortens it, and as long as the segment.
-/// It lies nearer to the eye than the segment by its own width, so that lines drawn on a surface
-/// are not buried in it. False where nothing of it is in front of the eye, or where it is seen
-/// from its end.
+/// Expands the segment from a to b to a quad that is `width` pixels wide along its whole length.
+/// The quad is offset toward the camera by the line width, so that surfaces do not hide lines that
+/// lie on them. Returns false if the segment is behind the camera or projects to a point.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandLine(
-  const Camera& eye, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad);
+  const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad);
 
-/// A square of `size` pixels, with sides along those of the picture; pulled nearer as segments are.
+/// Expands the point x to an axis-aligned square of `size` pixels, offset toward the camera as
+/// lines are. Returns false if the point is behind the camera.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandPoint(
-  const Camera& eye, glm::dvec3 x, double size, Quad& quad);
+  const Camera& camera, glm::dvec3 x, double size, Quad& quad);
 
 }
 #endif

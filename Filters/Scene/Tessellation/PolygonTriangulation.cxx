@@ -15,16 +15,19 @@ namespace
 
 using Ring = std::vector<unsigned int>;
 
-/// From so many corners on it pays to remember what stands in the way of each.
-constexpr std::size_t ManyCorners = 64;
+/// Minimum number of corners for which EarClipper is used instead of the quadratic search, which
+/// has less overhead for small polygons.
+constexpr std::size_t MinimumCornersForTree = 64;
 
-/// Twice the signed area of a triangle as seen along `normal`, times its length.
-double Side(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& x, const glm::dvec3& normal)
+/// Returns twice the signed area of triangle (p, q, x) as seen along `normal`, times the length of
+/// `normal`.
+double ComputeOrientation(
+  const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& x, const glm::dvec3& normal)
 {
   return glm::dot(glm::cross(q - p, x - p), normal);
 }
 
-Ring DistinctCorners(const std::vector<glm::dvec3>& corners)
+Ring CollectDistinctCorners(const std::vector<glm::dvec3>& corners)
 {
   Ring ring;
   for (unsigned int i = 0; i < corners.size(); ++i)
@@ -41,8 +44,9 @@ Ring DistinctCorners(const std::vector<glm::dvec3>& corners)
   return ring;
 }
 
-/// Newell's normal, relative to the first corner so that far-away polygons lose nothing.
-glm::dvec3 Normal(const std::vector<glm::dvec3>& corners, const Ring& ring)
+/// Computes Newell's normal relative to the first corner, which keeps the precision of polygons far
+/// from the origin.
+glm::dvec3 ComputeNormal(const std::vector<glm::dvec3>& corners, const Ring& ring)
 {
   glm::dvec3 normal(0.0);
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
@@ -53,7 +57,8 @@ glm::dvec3 Normal(const std::vector<glm::dvec3>& corners, const Ring& ring)
   return normal;
 }
 
-/// Can the corner at `i` of the ring be cut off without crossing the rest?
+/// Returns true if the corner at `i` of the ring is convex and its triangle contains no other
+/// corner.
 bool IsEar(
   const std::vector<glm::dvec3>& corners, const Ring& ring, std::size_t i, glm::dvec3 normal)
 {
@@ -61,15 +66,17 @@ bool IsEar(
   const glm::dvec3 a = corners[ring[(i + size - 1) % size]];
   const glm::dvec3 b = corners[ring[i]];
   const glm::dvec3 c = corners[ring[(i + 1) % size]];
-  const auto side = [&](glm::dvec3 p, glm::dvec3 q, glm::dvec3 x) { return Side(p, q, x, normal); };
-  if (side(a, b, c) <= 0.0)
+  const auto orientation = [&](glm::dvec3 p, glm::dvec3 q, glm::dvec3 x) {
+    return ComputeOrientation(p, q, x, normal);
+  };
+  if (orientation(a, b, c) <= 0.0)
   {
     return false;
   }
   for (std::size_t k = 2; k + 1 < size; ++k)
   {
     const glm::dvec3 x = corners[ring[(i + k) % size]];
-    if (side(a, b, x) > 0.0 && side(b, c, x) > 0.0 && side(c, a, x) > 0.0)
+    if (orientation(a, b, x) > 0.0 && orientation(b, c, x) > 0.0 && orientation(c, a, x) > 0.0)
     {
       return false;
     }
@@ -77,13 +84,14 @@ bool IsEar(
   return true;
 }
 
-/// The corners of a ring that are left, as seen along its normal, found by place: a balanced tree of boxes.
+/// Balanced k-d tree with bounding boxes over the remaining corners of a ring, projected along its
+/// normal.
 class CornerTree
 {
 public:
   CornerTree(const std::vector<glm::dvec3>& corners, const Ring& ring, glm::dvec3 normal)
     : Normal(normal),
-      Places(ring.size())
+      Slots(ring.size())
   {
     const double length = glm::length(normal);
     const glm::dvec3 up = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
@@ -96,101 +104,106 @@ public:
     for (const unsigned int corner : ring)
     {
       this->Corners.push_back(corners[corner]);
-      this->Flat.push_back(this->Flatten(corners[corner]));
-      extent = std::max({ extent, std::abs(this->Flat.back().x), std::abs(this->Flat.back().y) });
+      this->Projected.push_back(this->Project(corners[corner]));
+      extent = std::max(
+        { extent, std::abs(this->Projected.back().x), std::abs(this->Projected.back().y) });
     }
-    this->Slack = 1e-9 * extent;
-    this->Order.resize(ring.size());
-    std::iota(this->Order.begin(), this->Order.end(), 0u);
-    this->Grow(0, 0, ring.size());
-    for (std::size_t i = 0; i < this->Order.size(); ++i)
+    this->Tolerance = 1e-9 * extent;
+    this->SortedCorners.resize(ring.size());
+    std::iota(this->SortedCorners.begin(), this->SortedCorners.end(), 0u);
+    this->Build(0, 0, ring.size());
+    for (std::size_t i = 0; i < this->SortedCorners.size(); ++i)
     {
-      this->Places[this->Order[i]] = i;
+      this->Slots[this->SortedCorners[i]] = i;
     }
   }
 
   void Remove(unsigned int corner)
   {
     std::size_t first = 0;
-    std::size_t last = this->Order.size();
+    std::size_t last = this->SortedCorners.size();
     for (std::size_t node = 0;;)
     {
-      --this->Nodes[node].Left;
+      --this->Nodes[node].NumberOfCorners;
       if (last - first <= LeafSize)
       {
         break;
       }
       const std::size_t middle = (first + last) / 2;
-      const bool upper = this->Places[corner] >= middle;
+      const bool upper = this->Slots[corner] >= middle;
       (upper ? first : last) = middle;
       node = 2 * node + (upper ? 2 : 1);
     }
-    this->Places[corner] = Gone;
+    this->Slots[corner] = Removed;
   }
 
-  /// A corner strictly within the triangle, other than its own; None where there is none.
-  unsigned int FindWithin(const unsigned int (&triangle)[3]) const
+  /// Returns a corner strictly inside the triangle, except the triangle's corners, or None.
+  unsigned int FindCornerInside(const unsigned int (&triangle)[3]) const
   {
-    glm::dvec2 flat[3];
+    glm::dvec2 projected[3];
     for (int k = 0; k < 3; ++k)
     {
-      flat[k] = this->Flat[triangle[k]];
+      projected[k] = this->Projected[triangle[k]];
     }
-    return this->FindWithin(0, 0, this->Order.size(), triangle, flat);
+    return this->FindCornerInside(0, 0, this->SortedCorners.size(), triangle, projected);
   }
 
   static constexpr unsigned int None = std::numeric_limits<unsigned int>::max();
 
 private:
   static constexpr std::size_t LeafSize = 8;
-  static constexpr std::size_t Gone = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t Removed = std::numeric_limits<std::size_t>::max();
 
   struct Node
   {
     glm::dvec2 Low{ std::numeric_limits<double>::infinity() };
     glm::dvec2 High{ -std::numeric_limits<double>::infinity() };
-    std::size_t Left = 0; ///< corners that were not removed
+    std::size_t NumberOfCorners = 0; ///< corners that are not removed
   };
 
-  glm::dvec2 Flatten(const glm::dvec3& corner) const
+  glm::dvec2 Project(const glm::dvec3& corner) const
   {
     const glm::dvec3 d = corner - this->Origin;
-    const glm::dvec2 flat(glm::dot(d, this->Across), glm::dot(d, this->Along));
-    // No triangle has a side next to what is not finite, so its place does not matter.
-    return std::isfinite(flat.x + flat.y) ? flat : glm::dvec2(0.0);
+    const glm::dvec2 projected(glm::dot(d, this->Across), glm::dot(d, this->Along));
+    // Orientation tests with non-finite corners are never positive, so their position is arbitrary.
+    return std::isfinite(projected.x + projected.y) ? projected : glm::dvec2(0.0);
   }
 
-  void Grow(std::size_t node, std::size_t first, std::size_t last)
+  void Build(std::size_t node, std::size_t first, std::size_t last)
   {
     this->Nodes.resize(std::max(this->Nodes.size(), node + 1));
-    Node grown;
+    Node built;
     for (std::size_t i = first; i < last; ++i)
     {
-      grown.Low = glm::min(grown.Low, this->Flat[this->Order[i]]);
-      grown.High = glm::max(grown.High, this->Flat[this->Order[i]]);
+      built.Low = glm::min(built.Low, this->Projected[this->SortedCorners[i]]);
+      built.High = glm::max(built.High, this->Projected[this->SortedCorners[i]]);
     }
-    grown.Left = last - first;
-    this->Nodes[node] = grown;
+    built.NumberOfCorners = last - first;
+    this->Nodes[node] = built;
     if (last - first <= LeafSize)
     {
       return;
     }
     const std::size_t middle = (first + last) / 2;
-    const glm::dvec2 size = grown.High - grown.Low;
+    const glm::dvec2 size = built.High - built.Low;
     const int axis = size.x > size.y ? 0 : 1;
-    const auto begin = this->Order.begin();
+    const auto begin = this->SortedCorners.begin();
     std::nth_element(begin + static_cast<std::ptrdiff_t>(first),
       begin + static_cast<std::ptrdiff_t>(middle), begin + static_cast<std::ptrdiff_t>(last),
-      [&](unsigned int a, unsigned int b) { return this->Flat[a][axis] < this->Flat[b][axis]; });
-    this->Grow(2 * node + 1, first, middle);
-    this->Grow(2 * node + 2, middle, last);
+      [&](unsigned int a, unsigned int b) {
+        return this->Projected[a][axis] < this->Projected[b][axis];
+      });
+    this->Build(2 * node + 1, first, middle);
+    this->Build(2 * node + 2, middle, last);
   }
 
-  /// Can none of the box lie within the triangle?
-  bool IsApart(const Node& node, const glm::dvec2 (&triangle)[3]) const
+  /// Returns true if the box of the node and the triangle do not overlap.
+  bool IsDisjoint(const Node& node, const glm::dvec2 (&triangle)[3]) const
   {
-    const glm::dvec2 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]) - this->Slack;
-    const glm::dvec2 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]) + this->Slack;
+    const glm::dvec2 low =
+      glm::min(glm::min(triangle[0], triangle[1]), triangle[2]) - this->Tolerance;
+    const glm::dvec2 high =
+      glm::max(glm::max(triangle[0], triangle[1]), triangle[2]) + this->Tolerance;
     if (node.High.x < low.x || node.High.y < low.y || node.Low.x > high.x || node.Low.y > high.y)
     {
       return true;
@@ -199,11 +212,11 @@ private:
     {
       const glm::dvec2 from = triangle[k];
       const glm::dvec2 edge = triangle[(k + 1) % 3] - from;
-      // The corner of the box that lies farthest on the inner side.
-      const glm::dvec2 far(
+      // The corner of the box that is farthest toward the inner side of the edge.
+      const glm::dvec2 farthest(
         edge.y > 0.0 ? node.Low.x : node.High.x, edge.x > 0.0 ? node.High.y : node.Low.y);
-      const double inside = edge.x * (far.y - from.y) - edge.y * (far.x - from.x);
-      if (inside < -this->Slack * (std::abs(edge.x) + std::abs(edge.y)))
+      const double inside = edge.x * (farthest.y - from.y) - edge.y * (farthest.x - from.x);
+      if (inside < -this->Tolerance * (std::abs(edge.x) + std::abs(edge.y)))
       {
         return true;
       }
@@ -211,29 +224,33 @@ private:
     return false;
   }
 
-  unsigned int FindWithin(std::size_t node, std::size_t first, std::size_t last,
-    const unsigned int (&triangle)[3], const glm::dvec2 (&flat)[3]) const
+  unsigned int FindCornerInside(std::size_t node, std::size_t first, std::size_t last,
+    const unsigned int (&triangle)[3], const glm::dvec2 (&projected)[3]) const
   {
-    if (this->Nodes[node].Left == 0 || this->IsApart(this->Nodes[node], flat))
+    if (this->Nodes[node].NumberOfCorners == 0 || this->IsDisjoint(this->Nodes[node], projected))
     {
       return None;
     }
     if (last - first > LeafSize)
     {
       const std::size_t middle = (first + last) / 2;
-      const unsigned int found = this->FindWithin(2 * node + 1, first, middle, triangle, flat);
-      return found != None ? found : this->FindWithin(2 * node + 2, middle, last, triangle, flat);
+      const unsigned int corner =
+        this->FindCornerInside(2 * node + 1, first, middle, triangle, projected);
+      return corner != None
+        ? corner
+        : this->FindCornerInside(2 * node + 2, middle, last, triangle, projected);
     }
     const glm::dvec3& a = this->Corners[triangle[0]];
     const glm::dvec3& b = this->Corners[triangle[1]];
     const glm::dvec3& c = this->Corners[triangle[2]];
     for (std::size_t i = first; i < last; ++i)
     {
-      const unsigned int corner = this->Order[i];
+      const unsigned int corner = this->SortedCorners[i];
       const glm::dvec3& x = this->Corners[corner];
-      if (this->Places[corner] != Gone && corner != triangle[0] && corner != triangle[1] &&
-        corner != triangle[2] && Side(a, b, x, this->Normal) > 0.0 &&
-        Side(b, c, x, this->Normal) > 0.0 && Side(c, a, x, this->Normal) > 0.0)
+      if (this->Slots[corner] != Removed && corner != triangle[0] && corner != triangle[1] &&
+        corner != triangle[2] && ComputeOrientation(a, b, x, this->Normal) > 0.0 &&
+        ComputeOrientation(b, c, x, this->Normal) > 0.0 &&
+        ComputeOrientation(c, a, x, this->Normal) > 0.0)
       {
         return corner;
       }
@@ -245,65 +262,66 @@ private:
   glm::dvec3 Across;
   glm::dvec3 Along;
   glm::dvec3 Origin;
-  double Slack = 0.0;
+  double Tolerance = 0.0;
   std::vector<glm::dvec3> Corners;
-  std::vector<glm::dvec2> Flat;
-  std::vector<unsigned int> Order;
-  std::vector<std::size_t> Places; ///< in Order
-  std::vector<Node> Nodes;         ///< the children of i are 2 i + 1 and 2 i + 2
+  std::vector<glm::dvec2> Projected;
+  std::vector<unsigned int> SortedCorners;
+  std::vector<std::size_t> Slots; ///< positions of the corners in SortedCorners
+  std::vector<Node> Nodes;        ///< the children of node i are 2 i + 1 and 2 i + 2
 };
 
-/// The walk of TriangulatePolygon for many corners. A corner that is no ear remembers which other one
-/// lies in the way, and is not asked again before that one or a neighbour is cut off.
-class Walk
+/// Ear clipping for polygons with many corners. For each corner that is not an ear, the clipper
+/// stores one corner inside its triangle. The corner is tested again only after that corner or a
+/// neighbor is removed.
+class EarClipper
 {
 public:
-  Walk(const std::vector<glm::dvec3>& corners, const Ring& ring, glm::dvec3 normal)
+  EarClipper(const std::vector<glm::dvec3>& corners, const Ring& ring, glm::dvec3 normal)
     : Corners(corners),
       Outline(ring),
       Normal(normal),
-      Left(corners, ring, normal),
-      Before(ring.size()),
-      After(ring.size()),
-      Obstacle(ring.size(), CornerTree::None),
-      Waiting(ring.size())
+      Remaining(corners, ring, normal),
+      Previous(ring.size()),
+      Next(ring.size()),
+      Blocker(ring.size(), CornerTree::None),
+      Dependents(ring.size())
   {
     const auto size = static_cast<unsigned int>(ring.size());
     for (unsigned int i = 0; i < size; ++i)
     {
-      this->Before[i] = (i + size - 1) % size;
-      this->After[i] = (i + 1) % size;
+      this->Previous[i] = (i + size - 1) % size;
+      this->Next[i] = (i + 1) % size;
       this->Candidates.insert(this->Candidates.end(), i);
     }
   }
 
   void Cut(std::vector<glm::uvec3>& triangles)
   {
-    unsigned int at = 1;
+    unsigned int current = 1;
     for (std::size_t left = this->Outline.size(); left > 3; --left)
     {
-      at = this->NextEar(at);
-      this->Add(at, triangles);
-      const unsigned int next = this->After[at];
-      this->Remove(at);
-      at = next;
+      current = this->FindNextEar(current);
+      this->Add(current, triangles);
+      const unsigned int next = this->Next[current];
+      this->Remove(current);
+      current = next;
     }
-    this->Add(at, triangles);
+    this->Add(current, triangles);
   }
 
 private:
-  void Add(unsigned int at, std::vector<glm::uvec3>& triangles) const
+  void Add(unsigned int current, std::vector<glm::uvec3>& triangles) const
   {
-    triangles.emplace_back(
-      this->Outline[this->Before[at]], this->Outline[at], this->Outline[this->After[at]]);
+    triangles.emplace_back(this->Outline[this->Previous[current]], this->Outline[current],
+      this->Outline[this->Next[current]]);
   }
 
-  /// From `at` on; `at` itself when no ear is left.
-  unsigned int NextEar(unsigned int at)
+  /// Returns the first ear from `current` on, or `current` if no corner is an ear.
+  unsigned int FindNextEar(unsigned int current)
   {
     while (!this->Candidates.empty())
     {
-      auto candidate = this->Candidates.lower_bound(at);
+      auto candidate = this->Candidates.lower_bound(current);
       candidate = candidate != this->Candidates.end() ? candidate : this->Candidates.begin();
       if (this->IsEar(*candidate))
       {
@@ -311,57 +329,59 @@ private:
       }
       this->Candidates.erase(candidate);
     }
-    return at;
+    return current;
   }
 
-  bool IsEar(unsigned int at)
+  bool IsEar(unsigned int current)
   {
-    const unsigned int triangle[3] = { this->Before[at], at, this->After[at] };
-    this->Obstacle[at] = CornerTree::None;
-    if (Side(this->Corners[this->Outline[triangle[0]]], this->Corners[this->Outline[at]],
-          this->Corners[this->Outline[triangle[2]]], this->Normal) <= 0.0)
+    const unsigned int triangle[3] = { this->Previous[current], current, this->Next[current] };
+    this->Blocker[current] = CornerTree::None;
+    if (ComputeOrientation(this->Corners[this->Outline[triangle[0]]],
+          this->Corners[this->Outline[current]], this->Corners[this->Outline[triangle[2]]],
+          this->Normal) <= 0.0)
     {
       return false;
     }
-    const unsigned int found = this->Left.FindWithin(triangle);
-    if (found == CornerTree::None)
+    const unsigned int corner = this->Remaining.FindCornerInside(triangle);
+    if (corner == CornerTree::None)
     {
       return true;
     }
-    this->Obstacle[at] = found;
-    this->Waiting[found].push_back(at);
+    this->Blocker[current] = corner;
+    this->Dependents[corner].push_back(current);
     return false;
   }
 
-  void Remove(unsigned int at)
+  void Remove(unsigned int current)
   {
-    const unsigned int before = this->Before[at];
-    const unsigned int after = this->After[at];
-    this->After[before] = after;
-    this->Before[after] = before;
-    this->Left.Remove(at);
-    for (const unsigned int waiting : this->Waiting[at])
+    const unsigned int previous = this->Previous[current];
+    const unsigned int next = this->Next[current];
+    this->Next[previous] = next;
+    this->Previous[next] = previous;
+    this->Remaining.Remove(current);
+    for (const unsigned int dependent : this->Dependents[current])
     {
-      if (this->Obstacle[waiting] == at)
+      if (this->Blocker[dependent] == current)
       {
-        this->Candidates.insert(waiting);
+        this->Candidates.insert(dependent);
       }
     }
-    this->Obstacle[at] = CornerTree::None;
-    this->Candidates.insert(before);
-    this->Candidates.insert(after);
-    this->Candidates.erase(at);
+    this->Blocker[current] = CornerTree::None;
+    this->Candidates.insert(previous);
+    this->Candidates.insert(next);
+    this->Candidates.erase(current);
   }
 
   const std::vector<glm::dvec3>& Corners;
   const Ring& Outline;
   const glm::dvec3 Normal;
-  CornerTree Left;
-  std::vector<unsigned int> Before;
-  std::vector<unsigned int> After;
-  std::vector<unsigned int> Obstacle;             ///< of each corner the one in its way
-  std::vector<std::vector<unsigned int>> Waiting; ///< for each corner to go
-  std::set<unsigned int> Candidates;              ///< those that may be ears
+  CornerTree Remaining;
+  std::vector<unsigned int> Previous;
+  std::vector<unsigned int> Next;
+  std::vector<unsigned int> Blocker; ///< a corner inside the triangle of each corner, or None
+  std::vector<std::vector<unsigned int>>
+    Dependents;                      ///< corners to test again when this one is removed
+  std::set<unsigned int> Candidates; ///< corners that may be ears
 };
 
 }
@@ -369,33 +389,34 @@ private:
 void TriangulatePolygon(const std::vector<glm::dvec3>& corners, std::vector<glm::uvec3>& triangles)
 {
   triangles.clear();
-  Ring ring = DistinctCorners(corners);
+  Ring ring = CollectDistinctCorners(corners);
   if (ring.size() < 3)
   {
     return;
   }
-  const glm::dvec3 normal = Normal(corners, ring);
-  if (ring.size() >= ManyCorners)
+  const glm::dvec3 normal = ComputeNormal(corners, ring);
+  if (ring.size() >= MinimumCornersForTree)
   {
-    Walk(corners, ring, normal).Cut(triangles);
+    EarClipper(corners, ring, normal).Cut(triangles);
     return;
   }
   std::size_t i = 1;
-  std::size_t looked = 0;
+  std::size_t rejected = 0;
   while (ring.size() > 3)
   {
     i %= ring.size();
-    if (looked < ring.size() && !IsEar(corners, ring, i, normal))
+    if (rejected < ring.size() && !IsEar(corners, ring, i, normal))
     {
       ++i;
-      ++looked;
+      ++rejected;
       continue;
     }
-    // An ear, or none is left (the outline crosses itself): cut anyway.
+    // The corner is an ear, or there is none because the outline intersects itself. Remove the
+    // corner in both cases.
     const std::size_t size = ring.size();
     triangles.emplace_back(ring[(i + size - 1) % size], ring[i], ring[(i + 1) % size]);
     ring.erase(ring.begin() + static_cast<Ring::difference_type>(i));
-    looked = 0;
+    rejected = 0;
   }
   i %= 3;
   triangles.emplace_back(ring[(i + 2) % 3], ring[i], ring[(i + 1) % 3]);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Polygons into triangles the way VTK's polygon mapper cuts them, since the choice of diagonals
-// shows in interpolated colours and normals.
+// Triangulates polygons with the same diagonals as VTK's polygon mapper, because the diagonals
+// affect interpolated colors and normals.
 #ifndef penumbra_PolygonTriangulation_h
 #define penumbra_PolygonTriangulation_h
 
@@ -15,8 +15,8 @@
 namespace penumbra
 {
 
-/// Fills `triangles` with indices into `corners`: a fan around corner 0 where the polygon is
-/// convex, else ears cut off in a walk that starts at corner 1. Corners that coincide with their
+/// Triangulates a polygon by ear clipping, starting at corner 1; a convex polygon becomes a fan
+/// around corner 0. `triangles` receives indices into `corners`. Corners that coincide with their
 /// predecessor are skipped.
 VTKPENUMBRAFILTERSSCENE_EXPORT void TriangulatePolygon(
   const std::vector<glm::dvec3>& corners, std::vector<glm::uvec3>& triangles);

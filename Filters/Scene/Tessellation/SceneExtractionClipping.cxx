@@ -11,11 +11,11 @@ namespace penumbra
 namespace
 {
 
-/// Cuts the triangles of one surface by one plane.
-class Cut
+/// Clips the triangles of one surface by one plane.
+class PlaneClipper
 {
 public:
-  Cut(Surface& surface, glm::dvec4 plane)
+  PlaneClipper(Surface& surface, glm::dvec4 plane)
     : Target(surface)
   {
     this->Distances.reserve(surface.Positions.size());
@@ -25,7 +25,7 @@ public:
     }
   }
 
-  void Run()
+  void Clip()
   {
     const std::vector<glm::uvec3> triangles = std::move(this->Target.Triangles);
     this->Target.Triangles.clear();
@@ -36,7 +36,7 @@ public:
     }
     this->Target.Triangles.reserve(this->Target.Triangles.size() + 1);
     this->Target.Positions.reserve(this->Target.Positions.size() + 1);
-    this->FollowSources(triangles.size());
+    this->CopyTriangleValues(triangles.size());
   }
 
 private:
@@ -44,20 +44,20 @@ private:
 
   void Add(glm::uvec3 triangle, std::uint32_t source)
   {
-    // The part that is kept is a polygon of up to four corners.
+    // The part of the triangle in front of the plane is a polygon with up to four corners.
     std::uint32_t corners[4];
     int count = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const std::uint32_t here = triangle[k];
+      const std::uint32_t current = triangle[k];
       const std::uint32_t next = triangle[(k + 1) % 3];
-      if (this->IsKept(here))
+      if (this->IsKept(current))
       {
-        corners[count++] = here;
+        corners[count++] = current;
       }
-      if (this->IsKept(here) != this->IsKept(next))
+      if (this->IsKept(current) != this->IsKept(next))
       {
-        corners[count++] = this->CutEdge(here, next);
+        corners[count++] = this->IntersectEdge(current, next);
       }
     }
     for (int k = 2; k < count; ++k)
@@ -73,67 +73,69 @@ private:
     }
   }
 
-  /// The point where edge (i, j) meets the plane; both neighbours of the edge get the same.
-  std::uint32_t CutEdge(std::uint32_t i, std::uint32_t j)
+  /// Returns the index of the intersection of edge (i, j) with the plane. Both triangles of the
+  /// edge use the same point.
+  std::uint32_t IntersectEdge(std::uint32_t i, std::uint32_t j)
   {
     if (j < i)
     {
       std::swap(i, j);
     }
-    const auto known = this->Points.find({ i, j });
-    if (known != this->Points.end())
+    const auto existing = this->EdgePoints.find({ i, j });
+    if (existing != this->EdgePoints.end())
     {
-      return known->second;
+      return existing->second;
     }
     const double t = this->Distances[i] / (this->Distances[i] - this->Distances[j]);
     const auto index = static_cast<std::uint32_t>(this->Target.Positions.size());
-    const auto between = [&](auto& values) {
+    const auto interpolate = [&](auto& values) {
       if (!values.empty())
       {
         using Value = typename std::decay<decltype(values)>::type::value_type;
-        const Value value = Mix(values[i], values[j], t);
+        const Value value = Interpolate(values[i], values[j], t);
         values.push_back(value);
       }
     };
-    between(this->Target.Positions);
-    between(this->Target.Normals);
-    between(this->Target.PointColors);
-    between(this->Target.ColorCoordinates);
-    between(this->Target.TextureCoordinates);
-    this->Points[{ i, j }] = index;
+    interpolate(this->Target.Positions);
+    interpolate(this->Target.Normals);
+    interpolate(this->Target.PointColors);
+    interpolate(this->Target.ColorCoordinates);
+    interpolate(this->Target.TextureCoordinates);
+    this->EdgePoints[{ i, j }] = index;
     return index;
   }
 
-  static glm::vec3 Mix(glm::vec3 a, glm::vec3 b, double t)
+  static glm::vec3 Interpolate(glm::vec3 a, glm::vec3 b, double t)
   {
     return glm::mix(glm::dvec3(a), glm::dvec3(b), t);
   }
-  static glm::vec2 Mix(glm::vec2 a, glm::vec2 b, double t)
+  static glm::vec2 Interpolate(glm::vec2 a, glm::vec2 b, double t)
   {
     return glm::mix(glm::dvec2(a), glm::dvec2(b), t);
   }
-  static glm::u8vec4 Mix(glm::u8vec4 a, glm::u8vec4 b, double t)
+  static glm::u8vec4 Interpolate(glm::u8vec4 a, glm::u8vec4 b, double t)
   {
-    return glm::mix(glm::dvec4(a), glm::dvec4(b), t) + .5;
+    return glm::mix(glm::dvec4(a), glm::dvec4(b), t) + 0.5;
   }
 
-  /// Values per triangle: those of the triangles that the new ones were cut from.
-  void FollowSources(std::size_t count)
+  /// Copies the values per triangle from the original triangles to the clipped ones.
+  void CopyTriangleValues(std::size_t count)
   {
-    if (this->Target.CellIds.empty() && (this->Sources.size() != count || !this->Points.empty()))
+    if (this->Target.CellIds.empty() &&
+      (this->Sources.size() != count || !this->EdgePoints.empty()))
     {
       this->Target.CellIds = this->Sources;
     }
     else
     {
-      this->Follow(this->Target.CellIds);
+      this->CopyFromSources(this->Target.CellIds);
     }
-    this->Follow(this->Target.CellColors);
-    this->Follow(this->Target.TriangleNormals);
+    this->CopyFromSources(this->Target.CellColors);
+    this->CopyFromSources(this->Target.TriangleNormals);
   }
 
   template <typename T>
-  void Follow(std::vector<T>& values) const
+  void CopyFromSources(std::vector<T>& values) const
   {
     if (values.empty())
     {
@@ -150,7 +152,7 @@ private:
 
   Surface& Target;
   std::vector<double> Distances;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> Points;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> EdgePoints;
   std::vector<std::uint32_t> Sources;
 };
 
@@ -167,7 +169,7 @@ void ClipSurface(const std::vector<glm::dvec4>& planes, const Scene& scene, Surf
 {
   for (const glm::dvec4& plane : planes)
   {
-    Cut(surface, ToScene(plane, scene)).Run();
+    PlaneClipper(surface, ToScene(plane, scene)).Clip();
   }
 }
 

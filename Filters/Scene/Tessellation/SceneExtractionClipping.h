@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cutting triangles by planes: a mapper's clipping planes.
+// Clips triangles by the clipping planes of a mapper.
 #ifndef penumbra_SceneExtractionClipping_h
 #define penumbra_SceneExtractionClipping_h
 
@@ -13,12 +13,12 @@
 namespace penumbra
 {
 
-/// Keeps of `surface` what has dot(plane, (x, 1)) >= 0 for every plane (in world coordinates);
-/// normals, colours and texture coordinates are interpolated at the cuts.
+/// Keeps the part of `surface` with dot(plane, (x, 1)) >= 0 for every plane; planes are in world
+/// coordinates. Normals, colors and texture coordinates are interpolated at the cuts.
 VTKPENUMBRAFILTERSSCENE_EXPORT void ClipSurface(
   const std::vector<glm::dvec4>& planes, const Scene& scene, Surface& surface);
 
-/// A plane in world coordinates as one in scene coordinates.
+/// Converts a plane from world to scene coordinates.
 glm::dvec4 ToScene(glm::dvec4 plane, const Scene& scene);
 
 }

@@ -11,7 +11,7 @@ SceneTransform::SceneTransform(const glm::dmat4& toWorld, const Scene& scene)
   : Linear(scene.Scale * glm::dmat3(toWorld)),
     Shift(scene.Scale * (glm::dvec3(toWorld[3]) - scene.Origin))
 {
-  // Lengths of normals stay about the same, so that nothing over- or underflows.
+  // Removing the scale keeps the lengths of normals and avoids overflow and underflow.
   const double size = std::cbrt(std::abs(glm::determinant(this->Linear)));
   this->NormalMatrix =
     size > 0.0 ? glm::transpose(glm::inverse(this->Linear / size)) : glm::dmat3(1.0);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One vtkPolyData and all that says how it is drawn: what actors, blocks and glyphs come down to
-// before they become surfaces.
+// One vtkPolyData with its transform and appearance. Actors, blocks and glyphs are converted to
+// draw items before they become surfaces.
 #ifndef penumbra_SceneExtractionItem_h
 #define penumbra_SceneExtractionItem_h
 
@@ -24,33 +24,34 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// What a mapper made of scalars: at most one of the three ways.
+/// Result of mapping scalars to colors.
 struct Coloring
 {
-  enum class Ways
+  enum class Modes
   {
     None,
     PerPoint,
-    PerCell, ///< cells of the poly data
-    Single,  ///< one colour, from field data
-    Texture  ///< interpolated before mapping
+    PerCell, ///< per cell of the poly data
+    Single,  ///< one color, from field data
+    Texture  ///< scalars are interpolated before mapping, through Map
   };
-  Ways Way = Ways::None;
+  Modes Mode = Modes::None;
   vtkSmartPointer<vtkUnsignedCharArray> Colors; ///< RGBA
   glm::u8vec4 SingleColor{ 255 };
   std::shared_ptr<const Texture> Map;
-  vtkSmartPointer<vtkDataArray> Coordinates; ///< of Map, per point
+  vtkSmartPointer<vtkDataArray> Coordinates; ///< texture coordinates in Map, per point
 };
 
-/// Copies of one shape: a glyph mapper's.
+/// Instances of one glyph shape of a glyph mapper.
 struct Instances
 {
-  std::vector<glm::dmat4> Places; ///< to world
+  std::vector<glm::dmat4> Transforms; ///< shape to world
   std::vector<glm::u8vec4> Colors;
-  std::vector<std::uint32_t> Ids; ///< of the points they stand at
+  std::vector<std::uint32_t> Ids; ///< indices of the glyphs' points
   bool ByScalars = false;
 };
 
+/// One vtkPolyData with its transform and appearance.
 struct DrawItem
 {
   int ObjectId = 0;
@@ -58,22 +59,25 @@ struct DrawItem
   vtkSmartPointer<vtkPolyData> Data;
   glm::dmat4 ToWorld{ 1.0 };
   vtkSmartPointer<vtkProperty> Property;
-  vtkSmartPointer<vtkProperty> BackProperty; ///< null: as the front
+  vtkSmartPointer<vtkProperty> BackProperty; ///< null: same as Property
   Coloring Colors;
   std::shared_ptr<const Texture> LitTexture;
-  std::vector<glm::dvec4> ClippingPlanes; ///< world: what has dot(plane, (x, 1)) < 0 is cut away
-  vtkSmartPointer<vtkDataArray> CellIds;  ///< per cell of Data, its id for `CellId`; null: its own
-  std::shared_ptr<Instances> Copies;      ///< null: drawn once, at ToWorld
-  ProgressCallback Progress;              ///< asked to stop, reading it throws Stopped
+  std::vector<glm::dvec4>
+    ClippingPlanes; ///< in world coordinates; points with dot(plane, (x, 1)) < 0 are clipped
+  vtkSmartPointer<vtkDataArray>
+    CellIds; ///< value of the array CellId per cell of Data; null: the cell's index
+  std::shared_ptr<Instances> GlyphInstances; ///< null: drawn once, with ToWorld
+  ProgressCallback Progress;                 ///< on a stop request, reading the item throws Stopped
 };
 
-/// From the coordinates of data to those of a scene.
+/// Transform from the coordinates of a data set to scene coordinates.
 class SceneTransform
 {
 public:
   SceneTransform(const glm::dmat4& toWorld, const Scene& scene);
   glm::vec3 Point(const double x[3]) const;
-  /// By the inverse transpose, as VTK's shaders do.
+  /// Transforms a normal by the inverse transpose, as VTK's shaders do. The result is not
+  /// normalized.
   glm::vec3 Normal(const double n[3]) const;
 
 private:

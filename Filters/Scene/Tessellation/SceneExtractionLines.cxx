@@ -20,32 +20,32 @@ namespace penumbra
 namespace
 {
 
-// Edges have a width and an opacity of their own since VTK 9.3 and 9.4.
+// vtkProperty has an edge width since VTK 9.3 and an edge opacity since VTK 9.4.
 template <typename Property>
-auto EdgeWidth(Property* property, int)
+auto FindEdgeWidth(Property* property, int)
   -> decltype(property->GetUseLineWidthForEdgeThickness(), property->GetEdgeWidth())
 {
   return property->GetUseLineWidthForEdgeThickness() ? property->GetLineWidth()
                                                      : property->GetEdgeWidth();
 }
 template <typename Property>
-float EdgeWidth(Property* property, long)
+float FindEdgeWidth(Property* property, long)
 {
   return property->GetLineWidth();
 }
 template <typename Property>
-auto EdgeOpacity(Property* property, int) -> decltype(property->GetEdgeOpacity())
+auto FindEdgeOpacity(Property* property, int) -> decltype(property->GetEdgeOpacity())
 {
   return property->GetEdgeOpacity();
 }
 template <typename Property>
-double EdgeOpacity(Property*, long)
+double FindEdgeOpacity(Property*, long)
 {
   return 1.0;
 }
 
-/// One colour whatever the light.
-Material MakeUnlit(const double color[3], double opacity)
+/// Returns a material whose color does not depend on the lights.
+Material MakeUnlitMaterial(const double color[3], double opacity)
 {
   Material material;
   material.AmbientColor = glm::vec3(color[0], color[1], color[2]);
@@ -57,56 +57,56 @@ Material MakeUnlit(const double color[3], double opacity)
   return material;
 }
 
-/// Widens marks of one piece into surfaces.
-class Widener
+/// Expands the line segments and points of one draw item to surfaces.
+class LineExpander
 {
 public:
-  Widener(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
-    : From(piece),
+  LineExpander(const DrawItem& item, double pixelsPerPoint, Scene& scene)
+    : Item(item),
       PixelsPerPoint(pixelsPerPoint),
-      To(scene),
-      Points(MakePositions(piece, scene)),
-      Place(piece.ToWorld, scene)
+      Target(scene),
+      Points(MakePositions(item, scene)),
+      Transform(item.ToWorld, scene)
   {
-    for (const glm::dvec4& plane : piece.ClippingPlanes)
+    for (const glm::dvec4& plane : item.ClippingPlanes)
     {
       this->Planes.push_back(ToScene(plane, scene));
     }
-    const std::vector<std::uint32_t> cells = MakeCellNumbers(piece);
-    this->Own.Front = MakeMaterial(piece.Property);
-    SetColors(piece, cells, this->Own);
-    SetCellIds(piece, cells, this->Own);
+    const std::vector<std::uint32_t> cells = MakeCellIndices(item);
+    this->Attributes.Front = MakeMaterial(item.Property);
+    SetColors(item, cells, this->Attributes);
+    SetCellIds(item, cells, this->Attributes);
   }
 
-  /// How marks are drawn: in the piece's own look or in one colour of their own.
-  struct Look
+  /// Appearance of segments. If Single is set, it replaces the material and the colors of the item.
+  struct LineStyle
   {
     double Width = 1.0;
     bool Lit = false;
     const Material* Single = nullptr;
   };
 
-  void Add(const std::vector<LineSegment>& marks, const Look& look)
+  void Add(const std::vector<LineSegment>& segments, const LineStyle& style)
   {
     this->Result = Surface();
-    this->Result.ObjectId = this->From.ObjectId;
+    this->Result.ObjectId = this->Item.ObjectId;
     this->Result.IsLineOrPoint = true;
-    this->Result.Front = look.Single ? *look.Single : this->Own.Front;
-    this->Result.Front.Lighting = look.Lit && this->Result.Front.Lighting;
-    if (!look.Single)
+    this->Result.Front = style.Single ? *style.Single : this->Attributes.Front;
+    this->Result.Front.Lighting = style.Lit && this->Result.Front.Lighting;
+    if (!style.Single)
     {
-      this->Result.ScalarColoring = this->Own.ScalarColoring;
-      this->Result.ColorTexture = this->Own.ColorTexture;
+      this->Result.ScalarColoring = this->Attributes.ScalarColoring;
+      this->Result.ColorTexture = this->Attributes.ColorTexture;
     }
-    for (const LineSegment& mark : marks)
+    for (const LineSegment& segment : segments)
     {
-      this->Widen(mark, look);
+      this->AddSegment(segment, style);
     }
     if (!this->Result.Triangles.empty())
     {
       this->Result.Positions.reserve(this->Result.Positions.size() + 1);
       this->Result.Triangles.reserve(this->Result.Triangles.size() + 1);
-      this->To.Surfaces.push_back(std::move(this->Result));
+      this->Target.Surfaces.push_back(std::move(this->Result));
     }
   }
 
@@ -116,14 +116,14 @@ private:
     return i < this->Points.size() && std::isfinite(glm::dot(this->Points[i], this->Points[i]));
   }
 
-  void Widen(const LineSegment& mark, const Look& look)
+  void AddSegment(const LineSegment& segment, const LineStyle& style)
   {
-    if (!this->IsUsable(mark.From) || !this->IsUsable(mark.To))
+    if (!this->IsUsable(segment.From) || !this->IsUsable(segment.To))
     {
       return;
     }
-    glm::dvec3 a = this->Points[mark.From];
-    glm::dvec3 b = this->Points[mark.To];
+    glm::dvec3 a = this->Points[segment.From];
+    glm::dvec3 b = this->Points[segment.To];
     double start = 0.0;
     double end = 1.0;
     for (const glm::dvec4& plane : this->Planes)
@@ -138,146 +138,150 @@ private:
       }
     }
     Quad quad;
-    const double width = look.Width * this->PixelsPerPoint;
-    const bool isPoint = mark.From == mark.To;
-    const glm::dvec3 way = b - a;
-    b = a + end * way;
-    a = a + start * way;
-    if (isPoint ? ExpandPoint(this->To.ViewCamera, a, width, quad)
-                : ExpandLine(this->To.ViewCamera, a, b, width, quad))
+    const double width = style.Width * this->PixelsPerPoint;
+    const bool isPoint = segment.From == segment.To;
+    const glm::dvec3 direction = b - a;
+    b = a + end * direction;
+    a = a + start * direction;
+    if (isPoint ? ExpandPoint(this->Target.ViewCamera, a, width, quad)
+                : ExpandLine(this->Target.ViewCamera, a, b, width, quad))
     {
-      this->AddQuad(mark, look, quad, start + quad.Start * (end - start),
-        start + quad.End * (end - start), way);
+      this->AddQuad(segment, style, quad, start + quad.Start * (end - start),
+        start + quad.End * (end - start), direction);
     }
   }
 
-  void AddQuad(const LineSegment& mark, const Look& look, const Quad& quad, double start,
-    double end, glm::dvec3 way)
+  void AddQuad(const LineSegment& segment, const LineStyle& style, const Quad& quad, double start,
+    double end, glm::dvec3 direction)
   {
     const auto first = static_cast<std::uint32_t>(this->Result.Positions.size());
     for (int i = 0; i < 4; ++i)
     {
       this->Result.Positions.emplace_back(quad.Corners[i]);
       const auto t = static_cast<float>(i == 0 || i == 3 ? start : end);
-      this->AddAttributes(mark, look, t, way);
+      this->AddAttributes(segment, style, t, direction);
     }
     this->Result.Triangles.emplace_back(first, first + 1, first + 2);
     this->Result.Triangles.emplace_back(first, first + 2, first + 3);
-    this->Result.CellIds.insert(this->Result.CellIds.end(), 2, this->Own.CellIds[mark.Cell]);
-    if (!look.Single && !this->Own.CellColors.empty())
+    this->Result.CellIds.insert(
+      this->Result.CellIds.end(), 2, this->Attributes.CellIds[segment.Cell]);
+    if (!style.Single && !this->Attributes.CellColors.empty())
     {
       this->Result.CellColors.insert(
-        this->Result.CellColors.end(), 2, this->Own.CellColors[mark.Cell]);
+        this->Result.CellColors.end(), 2, this->Attributes.CellColors[segment.Cell]);
     }
   }
 
-  /// The attributes at the share t of a mark.
-  void AddAttributes(const LineSegment& mark, const Look& look, float t, glm::dvec3 way)
+  /// Adds the attributes at parameter t in [0, 1] of a segment.
+  void AddAttributes(
+    const LineSegment& segment, const LineStyle& style, float t, glm::dvec3 direction)
   {
-    if (look.Lit)
+    if (style.Lit)
     {
-      this->Result.Normals.push_back(this->Normal(mark, t, way));
-      this->Result.NormalRule =
-        mark.From == mark.To ? Surface::NormalRules::AsTheyAre : Surface::NormalRules::TowardsEye;
+      this->Result.Normals.push_back(this->ComputeNormal(segment, t, direction));
+      this->Result.NormalRule = segment.From == segment.To ? Surface::NormalRules::AsTheyAre
+                                                           : Surface::NormalRules::TowardsEye;
     }
-    if (look.Single)
+    if (style.Single)
     {
       return;
     }
-    const auto blend = [&](const auto& from, auto& to) {
+    const auto interpolate = [&](const auto& from, auto& to) {
       if (!from.empty())
       {
-        to.push_back(glm::mix(from[mark.From], from[mark.To], t));
+        to.push_back(glm::mix(from[segment.From], from[segment.To], t));
       }
     };
-    if (!this->Own.PointColors.empty())
+    if (!this->Attributes.PointColors.empty())
     {
-      this->Result.PointColors.emplace_back(glm::mix(glm::vec4(this->Own.PointColors[mark.From]),
-                                              glm::vec4(this->Own.PointColors[mark.To]), t) +
-        .5f);
+      this->Result.PointColors.emplace_back(
+        glm::mix(glm::vec4(this->Attributes.PointColors[segment.From]),
+          glm::vec4(this->Attributes.PointColors[segment.To]), t) +
+        0.5f);
     }
-    blend(this->Own.ColorCoordinates, this->Result.ColorCoordinates);
-    if (mark.From != mark.To && this->Own.LitTexture)
+    interpolate(this->Attributes.ColorCoordinates, this->Result.ColorCoordinates);
+    if (segment.From != segment.To && this->Attributes.LitTexture)
     {
-      this->Result.LitTexture = this->Own.LitTexture;
-      blend(this->Own.TextureCoordinates, this->Result.TextureCoordinates);
+      this->Result.LitTexture = this->Attributes.LitTexture;
+      interpolate(this->Attributes.TextureCoordinates, this->Result.TextureCoordinates);
     }
   }
 
-  glm::vec3 Normal(const LineSegment& mark, float t, glm::dvec3 way) const
+  glm::vec3 ComputeNormal(const LineSegment& segment, float t, glm::dvec3 direction) const
   {
     const auto convert = [&](vtkDataArray* from, std::uint32_t i) {
       double n[3];
       from->GetTuple(i, n);
-      return this->Place.Normal(n);
+      return this->Transform.Normal(n);
     };
-    vtkPolyData* data = this->From.Data;
+    vtkPolyData* data = this->Item.Data;
     vtkDataArray* atPoints = data->GetPointData()->GetNormals();
-    if (this->From.Property->GetInterpolation() != VTK_FLAT && atPoints)
+    if (this->Item.Property->GetInterpolation() != VTK_FLAT && atPoints)
     {
-      return glm::mix(convert(atPoints, mark.From), convert(atPoints, mark.To), t);
+      return glm::mix(convert(atPoints, segment.From), convert(atPoints, segment.To), t);
     }
     if (vtkDataArray* atCells = data->GetCellData()->GetNormals())
     {
-      return convert(atCells, mark.Cell);
+      return convert(atCells, segment.Cell);
     }
-    // VTK's choice for wireframes without normals: across the line, as much towards the eye as can
-    // be.
-    const Camera& eye = this->To.ViewCamera;
-    const glm::dvec3 across = glm::dot(way, eye.Up) * eye.Right - glm::dot(way, eye.Right) * eye.Up;
-    return glm::normalize(glm::cross(across, way));
+    // As VTK does for wireframes without normals: perpendicular to the line and as far toward the
+    // camera as possible.
+    const Camera& camera = this->Target.ViewCamera;
+    const glm::dvec3 across =
+      glm::dot(direction, camera.Up) * camera.Right - glm::dot(direction, camera.Right) * camera.Up;
+    return glm::normalize(glm::cross(across, direction));
   }
 
-  const DrawItem& From;
+  const DrawItem& Item;
   double PixelsPerPoint;
-  Scene& To;
+  Scene& Target;
   std::vector<glm::vec3> Points;
-  SceneTransform Place;
+  SceneTransform Transform;
   std::vector<glm::dvec4> Planes;
-  Surface Own; ///< holds the piece's colours, per point and per cell
+  Surface Attributes; ///< material and colors of the item, per point and per cell
   Surface Result;
 };
 
 }
 
-void AddLinesAndPoints(const DrawItem& piece, double pixelsPerPoint, Scene& scene)
+void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene)
 {
-  vtkProperty* property = piece.Property;
+  vtkProperty* property = item.Property;
   const int representation = property->GetRepresentation();
   const bool edges = property->GetEdgeVisibility() && representation == VTK_SURFACE;
   const bool vertices = property->GetVertexVisibility();
-  vtkPolyData* data = piece.Data;
+  vtkPolyData* data = item.Data;
   const bool cells =
     data->GetVerts()->GetNumberOfCells() > 0 || data->GetLines()->GetNumberOfCells() > 0;
   if (!cells && !edges && !vertices && representation == VTK_SURFACE)
   {
     return;
   }
-  // VTK lights lines and points only where they have normals to be lit by; wireframes always.
+  // VTK lights lines and points only if they have normals, but always lights wireframes.
   const bool smooth =
     property->GetInterpolation() != VTK_FLAT && data->GetPointData()->GetNormals();
-  Widener widener(piece, pixelsPerPoint, scene);
+  LineExpander expander(item, pixelsPerPoint, scene);
   const double pointSize = property->GetPointSize();
   const double lineWidth = property->GetLineWidth();
-  widener.Add(CollectPoints(piece, representation == VTK_POINTS), { pointSize, smooth, nullptr });
+  expander.Add(CollectPoints(item, representation == VTK_POINTS), { pointSize, smooth, nullptr });
   if (representation != VTK_POINTS)
   {
-    widener.Add(CollectLines(data), { lineWidth, smooth, nullptr });
+    expander.Add(CollectLines(data), { lineWidth, smooth, nullptr });
   }
   if (representation == VTK_WIREFRAME)
   {
-    widener.Add(CollectEdges(piece), { lineWidth, true, nullptr });
+    expander.Add(CollectEdges(item), { lineWidth, true, nullptr });
   }
   if (edges)
   {
-    const Material look =
-      MakeUnlit(property->GetEdgeColor(), property->GetOpacity() * EdgeOpacity(property, 0));
-    widener.Add(CollectEdges(piece), { EdgeWidth(property, 0), false, &look });
+    const Material material = MakeUnlitMaterial(
+      property->GetEdgeColor(), property->GetOpacity() * FindEdgeOpacity(property, 0));
+    expander.Add(CollectEdges(item), { FindEdgeWidth(property, 0), false, &material });
   }
   if (vertices)
   {
-    const Material look = MakeUnlit(property->GetVertexColor(), property->GetOpacity());
-    widener.Add(CollectPoints(piece, true), { pointSize, false, &look });
+    const Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
+    expander.Add(CollectPoints(item, true), { pointSize, false, &material });
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lines and points: line and vertex cells, wireframes, points, visible edges and vertices, widened
-// to exact widths in pixels.
+// Expands line and vertex cells, wireframes, point representations, visible edges and visible
+// vertices to quads with an exact width in pixels.
 #ifndef penumbra_SceneExtractionLines_h
 #define penumbra_SceneExtractionLines_h
 
@@ -11,9 +11,9 @@
 namespace penumbra
 {
 
-/// Adds what of `piece` is drawn as lines and points. `pixelsPerPoint`: the width in pixels of
-/// what is one wide.
-void AddLinesAndPoints(const DrawItem& piece, double pixelsPerPoint, Scene& scene);
+/// Adds the parts of `item` that are drawn as lines and points to `scene`. `pixelsPerPoint` is the
+/// width in pixels of a line of width 1.
+void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene);
 
 }
 #endif

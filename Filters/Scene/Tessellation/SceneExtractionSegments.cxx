@@ -17,45 +17,46 @@ namespace penumbra
 namespace
 {
 
-/// Calls use(ids, size, cell) for the cells of an array whose first cell has the number `first`.
+/// Calls callback(ids, size, cell) for the cells of an array whose first cell has the index
+/// `first`.
 template <typename Function>
-void ForEachCell(vtkCellArray* cells, vtkIdType first, Function&& use)
+void ForEachCell(vtkCellArray* cells, vtkIdType first, Function&& callback)
 {
   vtkNew<vtkIdList> cell;
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
     cells->GetCellAtId(i, cell);
-    use(cell->GetPointer(0), cell->GetNumberOfIds(), static_cast<std::uint32_t>(first + i));
+    callback(cell->GetPointer(0), cell->GetNumberOfIds(), static_cast<std::uint32_t>(first + i));
   }
 }
 
-void Append(std::vector<LineSegment>& marks, vtkIdType from, vtkIdType to, std::uint32_t cell)
+void Append(std::vector<LineSegment>& segments, vtkIdType from, vtkIdType to, std::uint32_t cell)
 {
-  // Negative or huge ids wrap to numbers that no point has, and are dropped with these.
-  marks.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), cell });
+  // Out-of-range ids wrap to invalid point indices, which LineExpander skips.
+  segments.push_back({ static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), cell });
 }
 
-/// Leaves of marks between the same two points the first.
-void MakeUnique(std::vector<LineSegment>& marks)
+/// Keeps the first of the segments between the same two points.
+void RemoveDuplicates(std::vector<LineSegment>& segments)
 {
-  const auto key = [](const LineSegment& mark) {
-    return std::make_tuple(
-      std::min(mark.From, mark.To), std::max(mark.From, mark.To), mark.Cell, mark.From);
+  const auto key = [](const LineSegment& segment) {
+    return std::make_tuple(std::min(segment.From, segment.To), std::max(segment.From, segment.To),
+      segment.Cell, segment.From);
   };
-  std::sort(marks.begin(), marks.end(),
+  std::sort(segments.begin(), segments.end(),
     [&](const LineSegment& a, const LineSegment& b) { return key(a) < key(b); });
   const auto same = [](const LineSegment& a, const LineSegment& b) {
     return std::minmax(a.From, a.To) == std::minmax(b.From, b.To);
   };
-  marks.erase(std::unique(marks.begin(), marks.end(), same), marks.end());
+  segments.erase(std::unique(segments.begin(), segments.end(), same), segments.end());
 }
 
 }
 
-std::vector<LineSegment> CollectPoints(const DrawItem& piece, bool all)
+std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all)
 {
-  std::vector<LineSegment> marks;
-  vtkPolyData* data = piece.Data;
+  std::vector<LineSegment> segments;
+  vtkPolyData* data = item.Data;
   vtkCellArray* arrays[] = { data->GetVerts(), data->GetLines(), data->GetPolys(),
     data->GetStrips() };
   vtkIdType first = 0;
@@ -64,7 +65,7 @@ std::vector<LineSegment> CollectPoints(const DrawItem& piece, bool all)
     ForEachCell(cells, first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
       for (vtkIdType i = 0; i < size; ++i)
       {
-        Append(marks, ids[i], ids[i], cell);
+        Append(segments, ids[i], ids[i], cell);
       }
     });
     first += cells->GetNumberOfCells();
@@ -73,30 +74,30 @@ std::vector<LineSegment> CollectPoints(const DrawItem& piece, bool all)
       break;
     }
   }
-  if (all && piece.Colors.Way != Coloring::Ways::PerCell)
+  if (all && item.Colors.Mode != Coloring::Modes::PerCell)
   {
-    MakeUnique(marks);
+    RemoveDuplicates(segments);
   }
-  return marks;
+  return segments;
 }
 
 std::vector<LineSegment> CollectLines(vtkPolyData* data)
 {
-  std::vector<LineSegment> marks;
+  std::vector<LineSegment> segments;
   ForEachCell(data->GetLines(), data->GetVerts()->GetNumberOfCells(),
     [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
       for (vtkIdType i = 0; i + 1 < size; ++i)
       {
-        Append(marks, ids[i], ids[i + 1], cell);
+        Append(segments, ids[i], ids[i + 1], cell);
       }
     });
-  return marks;
+  return segments;
 }
 
-std::vector<LineSegment> CollectEdges(const DrawItem& piece)
+std::vector<LineSegment> CollectEdges(const DrawItem& item)
 {
-  std::vector<LineSegment> marks;
-  vtkPolyData* data = piece.Data;
+  std::vector<LineSegment> segments;
+  vtkPolyData* data = item.Data;
   const vtkIdType points = data->GetNumberOfPoints();
   vtkDataArray* flags = data->GetPointData()->GetAttribute(vtkDataSetAttributes::EDGEFLAG);
   const auto isHidden = [&](vtkIdType id) {
@@ -109,7 +110,7 @@ std::vector<LineSegment> CollectEdges(const DrawItem& piece)
       {
         if (!isHidden(ids[i]))
         {
-          Append(marks, ids[i], ids[(i + 1) % size], cell);
+          Append(segments, ids[i], ids[(i + 1) % size], cell);
         }
       }
     });
@@ -118,26 +119,26 @@ std::vector<LineSegment> CollectEdges(const DrawItem& piece)
     data->GetStrips(), first, [&](const vtkIdType* ids, vtkIdType size, std::uint32_t cell) {
       for (vtkIdType i = 0; i + 1 < size; ++i)
       {
-        Append(marks, ids[i], ids[i + 1], cell);
+        Append(segments, ids[i], ids[i + 1], cell);
         if (i + 2 < size)
         {
-          Append(marks, ids[i], ids[i + 2], cell);
+          Append(segments, ids[i], ids[i + 2], cell);
         }
       }
     });
-  marks.erase(std::remove_if(marks.begin(), marks.end(),
-                [](const LineSegment& mark) { return mark.From == mark.To; }),
-    marks.end());
-  if (piece.Colors.Way != Coloring::Ways::PerCell)
+  segments.erase(std::remove_if(segments.begin(), segments.end(),
+                   [](const LineSegment& segment) { return segment.From == segment.To; }),
+    segments.end());
+  if (item.Colors.Mode != Coloring::Modes::PerCell)
   {
-    MakeUnique(marks);
+    RemoveDuplicates(segments);
   }
-  return marks;
+  return segments;
 }
 
-std::vector<std::uint32_t> MakeCellNumbers(const DrawItem& piece)
+std::vector<std::uint32_t> MakeCellIndices(const DrawItem& item)
 {
-  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(piece.Data->GetNumberOfCells()));
+  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(item.Data->GetNumberOfCells()));
   std::iota(numbers.begin(), numbers.end(), 0u);
   return numbers;
 }

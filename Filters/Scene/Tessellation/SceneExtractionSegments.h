@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which points and segments of a poly data are drawn as points and lines.
+// Collects the points and line segments of a poly data that are drawn as points and lines.
 #ifndef penumbra_SceneExtractionSegments_h
 #define penumbra_SceneExtractionSegments_h
 
@@ -13,7 +13,7 @@
 namespace penumbra
 {
 
-/// A segment between two points of a poly data, or a point (From == To), of one of its cells.
+/// Segment between two points of a cell, as point indices; a single point if From == To.
 struct LineSegment
 {
   std::uint32_t From;
@@ -21,17 +21,19 @@ struct LineSegment
   std::uint32_t Cell;
 };
 
-/// Vertex cells, or with `all` the points of all cells, each once unless cells have colours.
-std::vector<LineSegment> CollectPoints(const DrawItem& piece, bool all);
+/// Returns the points of vertex cells. If `all` is true, returns the points of all cells, without
+/// duplicates unless colors are per cell.
+std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all);
 
-/// Line cells.
+/// Returns the segments of line cells.
 std::vector<LineSegment> CollectLines(vtkPolyData* data);
 
-/// The sides of polygons and strips, each once unless cells have colours. Edge flags are honoured.
-std::vector<LineSegment> CollectEdges(const DrawItem& piece);
+/// Returns the edges of polygons and strips, without duplicates unless colors are per cell. Edges
+/// hidden by edge flags are skipped.
+std::vector<LineSegment> CollectEdges(const DrawItem& item);
 
-/// 0, 1, 2, ... for every cell of the piece.
-std::vector<std::uint32_t> MakeCellNumbers(const DrawItem& piece);
+/// Returns 0, 1, 2, ... for the cells of the item.
+std::vector<std::uint32_t> MakeCellIndices(const DrawItem& item);
 
 }
 #endif

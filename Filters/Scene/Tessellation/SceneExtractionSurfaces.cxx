@@ -25,13 +25,13 @@ bool IsFinite(glm::vec3 x)
   return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
 }
 
-/// Collects triangles of one poly data and counts what it must leave out.
-class Triangles
+/// Collects the triangles of one poly data and counts the cells and triangles that are skipped.
+class TriangleCollector
 {
 public:
-  Triangles(const DrawItem& piece, Surface& surface)
-    : Data(piece.Data),
-      Progress(piece.Progress),
+  TriangleCollector(const DrawItem& item, Surface& surface)
+    : Data(item.Data),
+      Progress(item.Progress),
       Target(surface)
   {
     vtkPolyData* data = this->Data;
@@ -50,14 +50,14 @@ public:
     const vtkIdType count = polygons->GetNumberOfCells();
     for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
     {
-      this->AskProgress(i);
+      this->CheckProgress(i);
       polygons->GetCellAtId(i, this->Cell);
       const vtkIdType size = this->Cell->GetNumberOfIds();
       const vtkIdType* ids = this->Cell->GetPointer(0);
       const std::size_t before = this->Target.Triangles.size();
-      if (!this->AreUsable(ids, size))
+      if (!this->AreValid(ids, size))
       {
-        ++this->Unusable;
+        ++this->InvalidCells;
       }
       else if (size == 3)
       {
@@ -67,7 +67,7 @@ public:
       {
         this->AddPolygon(ids, size);
       }
-      this->NoteCells(this->Target.Triangles.size() - before);
+      this->RecordCells(this->Target.Triangles.size() - before);
     }
   }
 
@@ -77,48 +77,49 @@ public:
     const vtkIdType count = strips->GetNumberOfCells();
     for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
     {
-      this->AskProgress(i);
+      this->CheckProgress(i);
       strips->GetCellAtId(i, this->Cell);
       const vtkIdType size = this->Cell->GetNumberOfIds();
       const vtkIdType* ids = this->Cell->GetPointer(0);
       const std::size_t before = this->Target.Triangles.size();
-      if (this->AreUsable(ids, size))
+      if (this->AreValid(ids, size))
       {
-        // Stitched strips repeat points on purpose: their triangles without area are no news.
-        const std::size_t flat = this->Flat;
+        // Stitched strips repeat points on purpose, so their triangles without area are not
+        // counted.
+        const std::size_t flat = this->DegenerateTriangles;
         for (vtkIdType k = 0; k + 2 < size; ++k)
         {
           this->Add(ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2]);
         }
-        this->Flat = flat;
+        this->DegenerateTriangles = flat;
       }
       else
       {
-        ++this->Unusable;
+        ++this->InvalidCells;
       }
-      this->NoteCells(this->Target.Triangles.size() - before);
+      this->RecordCells(this->Target.Triangles.size() - before);
     }
   }
 
-  /// Per triangle the cell of the data; empty where that is the triangle's own index.
+  /// Returns the cell of each triangle; empty if it is the triangle's index.
   const std::vector<std::uint32_t>& GetCells() const { return this->Cells; }
 
   void Warn(const std::string& name, std::vector<std::string>& warnings) const
   {
-    if (this->Unusable > 0)
+    if (this->InvalidCells > 0)
     {
-      warnings.push_back(name + ": " + std::to_string(this->Unusable) +
-        " cells use points that do not exist or are not finite; left out.");
+      warnings.push_back(name + ": " + std::to_string(this->InvalidCells) +
+        " cells use points that do not exist or are not finite. They were skipped.");
     }
-    if (this->Flat > 0)
+    if (this->DegenerateTriangles > 0)
     {
-      warnings.push_back(
-        name + ": " + std::to_string(this->Flat) + " triangles without area left out.");
+      warnings.push_back(name + ": " + std::to_string(this->DegenerateTriangles) +
+        " triangles without area were skipped.");
     }
   }
 
 private:
-  void AskProgress(vtkIdType cell) const
+  void CheckProgress(vtkIdType cell) const
   {
     if (cell % StoppableCells == 0)
     {
@@ -126,7 +127,7 @@ private:
     }
   }
 
-  bool AreUsable(const vtkIdType* ids, vtkIdType size) const
+  bool AreValid(const vtkIdType* ids, vtkIdType size) const
   {
     const auto count = static_cast<vtkIdType>(this->Target.Positions.size());
     return std::all_of(ids, ids + size,
@@ -140,7 +141,7 @@ private:
     const glm::dvec3 c = this->Target.Positions[k];
     if (glm::cross(b - a, c - a) == glm::dvec3(0.0))
     {
-      ++this->Flat;
+      ++this->DegenerateTriangles;
       return;
     }
     this->Target.Triangles.emplace_back(i, j, k);
@@ -153,18 +154,18 @@ private:
     {
       this->Corners.emplace_back(this->Target.Positions[ids[i]]);
     }
-    TriangulatePolygon(this->Corners, this->Cut);
-    if (this->Cut.empty())
+    TriangulatePolygon(this->Corners, this->Triangulation);
+    if (this->Triangulation.empty())
     {
-      ++this->Flat;
+      ++this->DegenerateTriangles;
     }
-    for (const glm::uvec3& triangle : this->Cut)
+    for (const glm::uvec3& triangle : this->Triangulation)
     {
       this->Add(ids[triangle.x], ids[triangle.y], ids[triangle.z]);
     }
   }
 
-  void NoteCells(std::size_t triangles)
+  void RecordCells(std::size_t triangles)
   {
     if (this->AreCellsTriangles && triangles == 1)
     {
@@ -172,7 +173,7 @@ private:
     }
     if (this->AreCellsTriangles)
     {
-      // The first cell that is not one triangle: from here on the list is kept.
+      // This is the first cell that is not a single triangle. From here on, the cells are recorded.
       this->AreCellsTriangles = false;
       this->Cells.reserve(this->Target.Triangles.capacity());
       for (std::uint32_t i = 0; i < this->NextCell; ++i)
@@ -188,60 +189,61 @@ private:
   Surface& Target;
   vtkSmartPointer<vtkIdList> Cell = vtkSmartPointer<vtkIdList>::New();
   std::vector<glm::dvec3> Corners;
-  std::vector<glm::uvec3> Cut;
+  std::vector<glm::uvec3> Triangulation;
   std::vector<std::uint32_t> Cells;
   std::uint32_t NextCell = 0;
-  bool AreCellsTriangles = true; ///< so far, cell i is triangle i
-  std::size_t Unusable = 0;
-  std::size_t Flat = 0;
+  bool AreCellsTriangles = true; ///< true as long as cell i is triangle i
+  std::size_t InvalidCells = 0;
+  std::size_t DegenerateTriangles = 0;
 };
 
-/// How many triangles (or cells themselves, see SetColors()) get values of cells.
-std::size_t CountOf(const std::vector<std::uint32_t>& cells, const Surface& surface)
+/// Returns the number of values per cell that `surface` needs: the size of `cells`, or the number
+/// of triangles if `cells` is empty.
+std::size_t CountValues(const std::vector<std::uint32_t>& cells, const Surface& surface)
 {
   return cells.empty() ? surface.Triangles.size() : cells.size();
 }
 
-std::uint32_t CellOf(const std::vector<std::uint32_t>& cells, std::size_t triangle)
+std::uint32_t FindCell(const std::vector<std::uint32_t>& cells, std::size_t triangle)
 {
   return cells.empty() ? static_cast<std::uint32_t>(triangle) : cells[triangle];
 }
 
-void SetNormals(const DrawItem& piece, const SceneTransform& placement,
+void SetNormals(const DrawItem& item, const SceneTransform& transform,
   const std::vector<std::uint32_t>& cells, Surface& surface)
 {
   const auto convert = [&](vtkDataArray* from, vtkIdType i) {
     double n[3];
     from->GetTuple(i, n);
-    return placement.Normal(n);
+    return transform.Normal(n);
   };
-  vtkDataArray* atPoints = piece.Data->GetPointData()->GetNormals();
-  if (piece.Property->GetInterpolation() != VTK_FLAT && atPoints)
+  vtkDataArray* pointNormals = item.Data->GetPointData()->GetNormals();
+  if (item.Property->GetInterpolation() != VTK_FLAT && pointNormals)
   {
     surface.Normals.resize(surface.Positions.size());
     for (std::size_t i = 0; i < surface.Normals.size(); ++i)
     {
-      surface.Normals[i] = convert(atPoints, static_cast<vtkIdType>(i));
+      surface.Normals[i] = convert(pointNormals, static_cast<vtkIdType>(i));
     }
     return;
   }
-  if (vtkDataArray* atCells = piece.Data->GetCellData()->GetNormals())
+  if (vtkDataArray* cellNormals = item.Data->GetCellData()->GetNormals())
   {
     surface.TriangleNormals.resize(surface.Triangles.size());
     for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
     {
-      surface.TriangleNormals[i] = convert(atCells, CellOf(cells, i));
+      surface.TriangleNormals[i] = convert(cellNormals, FindCell(cells, i));
     }
   }
 }
 
-glm::u8vec4 ColorAt(vtkUnsignedCharArray* colors, vtkIdType i)
+glm::u8vec4 GetColor(vtkUnsignedCharArray* colors, vtkIdType i)
 {
   const unsigned char* c = colors->GetPointer(4 * i);
   return { c[0], c[1], c[2], c[3] };
 }
 
-std::vector<glm::vec2> MakeCoordinates(vtkDataArray* from)
+std::vector<glm::vec2> MakeTextureCoordinates(vtkDataArray* from)
 {
   std::vector<glm::vec2> result(static_cast<std::size_t>(from->GetNumberOfTuples()));
   const bool two = from->GetNumberOfComponents() > 1;
@@ -255,89 +257,89 @@ std::vector<glm::vec2> MakeCoordinates(vtkDataArray* from)
 
 }
 
-std::vector<glm::vec3> MakePositions(const DrawItem& piece, const Scene& scene)
+std::vector<glm::vec3> MakePositions(const DrawItem& item, const Scene& scene)
 {
-  const SceneTransform placement(piece.ToWorld, scene);
-  const vtkIdType count = piece.Data->GetNumberOfPoints();
+  const SceneTransform transform(item.ToWorld, scene);
+  const vtkIdType count = item.Data->GetNumberOfPoints();
   std::vector<glm::vec3> positions;
   positions.reserve(static_cast<std::size_t>(count) + 1);
   for (vtkIdType i = 0; i < count; ++i)
   {
     double x[3];
-    piece.Data->GetPoints()->GetPoint(i, x);
-    positions.push_back(placement.Point(x));
+    item.Data->GetPoints()->GetPoint(i, x);
+    positions.push_back(transform.Point(x));
   }
   return positions;
 }
 
-void SetColors(const DrawItem& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
+void SetColors(const DrawItem& item, const std::vector<std::uint32_t>& cells, Surface& surface)
 {
-  const Coloring& coloring = piece.Colors;
-  surface.ScalarColoring = coloring.Way != Coloring::Ways::None;
-  switch (coloring.Way)
+  const Coloring& coloring = item.Colors;
+  surface.ScalarColoring = coloring.Mode != Coloring::Modes::None;
+  switch (coloring.Mode)
   {
-    case Coloring::Ways::None:
+    case Coloring::Modes::None:
       break;
-    case Coloring::Ways::PerPoint:
+    case Coloring::Modes::PerPoint:
       surface.PointColors.reserve(surface.Positions.size());
-      for (vtkIdType i = 0; i < piece.Data->GetNumberOfPoints(); ++i)
+      for (vtkIdType i = 0; i < item.Data->GetNumberOfPoints(); ++i)
       {
-        surface.PointColors.push_back(ColorAt(coloring.Colors, i));
+        surface.PointColors.push_back(GetColor(coloring.Colors, i));
       }
       break;
-    case Coloring::Ways::PerCell:
-      surface.CellColors.reserve(CountOf(cells, surface));
-      for (std::size_t i = 0; i < CountOf(cells, surface); ++i)
+    case Coloring::Modes::PerCell:
+      surface.CellColors.reserve(CountValues(cells, surface));
+      for (std::size_t i = 0; i < CountValues(cells, surface); ++i)
       {
-        surface.CellColors.push_back(ColorAt(coloring.Colors, CellOf(cells, i)));
+        surface.CellColors.push_back(GetColor(coloring.Colors, FindCell(cells, i)));
       }
       break;
-    case Coloring::Ways::Single:
+    case Coloring::Modes::Single:
       surface.Front.AmbientColor = glm::vec3(coloring.SingleColor) / 255.f;
       surface.Front.DiffuseColor = surface.Front.AmbientColor;
       surface.Front.Opacity *= static_cast<float>(coloring.SingleColor.a) / 255.f;
       break;
-    case Coloring::Ways::Texture:
+    case Coloring::Modes::Texture:
       surface.ColorTexture = coloring.Map;
-      surface.ColorCoordinates = MakeCoordinates(coloring.Coordinates);
+      surface.ColorCoordinates = MakeTextureCoordinates(coloring.Coordinates);
       break;
   }
-  vtkDataArray* coordinates = piece.Data->GetPointData()->GetTCoords();
-  if (piece.LitTexture && coordinates)
+  vtkDataArray* coordinates = item.Data->GetPointData()->GetTCoords();
+  if (item.LitTexture && coordinates)
   {
-    surface.LitTexture = piece.LitTexture;
-    surface.TextureCoordinates = MakeCoordinates(coordinates);
-    surface.TextureOnBackfaces = piece.Property->GetShowTexturesOnBackface();
+    surface.LitTexture = item.LitTexture;
+    surface.TextureCoordinates = MakeTextureCoordinates(coordinates);
+    surface.TextureOnBackfaces = item.Property->GetShowTexturesOnBackface();
   }
 }
 
-void SetCellIds(const DrawItem& piece, const std::vector<std::uint32_t>& cells, Surface& surface)
+void SetCellIds(const DrawItem& item, const std::vector<std::uint32_t>& cells, Surface& surface)
 {
   surface.CellIds = cells;
-  if (piece.CellIds)
+  if (item.CellIds)
   {
-    surface.CellIds.resize(CountOf(cells, surface));
+    surface.CellIds.resize(CountValues(cells, surface));
     for (std::size_t i = 0; i < surface.CellIds.size(); ++i)
     {
       surface.CellIds[i] =
-        static_cast<std::uint32_t>(piece.CellIds->GetComponent(CellOf(cells, i), 0));
+        static_cast<std::uint32_t>(item.CellIds->GetComponent(FindCell(cells, i), 0));
     }
   }
 }
 
-void AddSurface(const DrawItem& piece, Scene& scene)
+void AddSurface(const DrawItem& item, Scene& scene)
 {
-  if (piece.Data->GetPolys()->GetNumberOfCells() + piece.Data->GetStrips()->GetNumberOfCells() == 0)
+  if (item.Data->GetPolys()->GetNumberOfCells() + item.Data->GetStrips()->GetNumberOfCells() == 0)
   {
     return;
   }
   Surface surface;
-  surface.ObjectId = piece.ObjectId;
-  surface.Positions = MakePositions(piece, scene);
-  Triangles triangles(piece, surface);
+  surface.ObjectId = item.ObjectId;
+  surface.Positions = MakePositions(item, scene);
+  TriangleCollector triangles(item, surface);
   triangles.AddPolygons();
   triangles.AddStrips();
-  triangles.Warn(piece.Name, scene.Warnings);
+  triangles.Warn(item.Name, scene.Warnings);
   if (surface.Triangles.empty())
   {
     return;
@@ -346,19 +348,19 @@ void AddSurface(const DrawItem& piece, Scene& scene)
   {
     x = IsFinite(x) ? x : glm::vec3(0.f);
   }
-  surface.Front = MakeMaterial(piece.Property);
-  surface.HasBackMaterial = piece.BackProperty && piece.Colors.Way == Coloring::Ways::None;
+  surface.Front = MakeMaterial(item.Property);
+  surface.HasBackMaterial = item.BackProperty && item.Colors.Mode == Coloring::Modes::None;
   if (surface.HasBackMaterial)
   {
-    surface.Back = MakeMaterial(piece.BackProperty);
+    surface.Back = MakeMaterial(item.BackProperty);
   }
-  surface.Backfaces = !piece.Property->GetBackfaceCulling();
-  surface.Frontfaces = !piece.Property->GetFrontfaceCulling();
+  surface.Backfaces = !item.Property->GetBackfaceCulling();
+  surface.Frontfaces = !item.Property->GetFrontfaceCulling();
   const std::vector<std::uint32_t>& cells = triangles.GetCells();
-  SetNormals(piece, SceneTransform(piece.ToWorld, scene), cells, surface);
-  SetColors(piece, cells, surface);
-  SetCellIds(piece, cells, surface);
-  ClipSurface(piece.ClippingPlanes, scene, surface);
+  SetNormals(item, SceneTransform(item.ToWorld, scene), cells, surface);
+  SetColors(item, cells, surface);
+  SetCellIds(item, cells, surface);
+  ClipSurface(item.ClippingPlanes, scene, surface);
   if (!surface.Triangles.empty())
   {
     scene.Surfaces.push_back(std::move(surface));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Polygons and triangle strips into triangles.
+// Converts polygons and triangle strips to triangles.
 #ifndef penumbra_SceneExtractionSurfaces_h
 #define penumbra_SceneExtractionSurfaces_h
 
@@ -13,20 +13,19 @@
 namespace penumbra
 {
 
-/// Adds the polygons and strips of `piece` to `scene`, cut by its clipping planes. Cells that use
-/// points which do not exist or are not finite, and triangles without area, are left out with a
-/// warning.
-void AddSurface(const DrawItem& piece, Scene& scene);
+/// Adds the polygons and strips of `item` to `scene`, clipped by its clipping planes. Cells with
+/// invalid point ids or non-finite points and triangles without area are skipped with a warning.
+void AddSurface(const DrawItem& item, Scene& scene);
 
-/// The positions of the piece's points in scene coordinates, with a reserve of one.
-std::vector<glm::vec3> MakePositions(const DrawItem& piece, const Scene& scene);
+/// Returns the item's points in scene coordinates, with capacity for one more.
+std::vector<glm::vec3> MakePositions(const DrawItem& item, const Scene& scene);
 
-/// Fills the colours of `surface`, whose positions are the piece's points; `cells` is the cell of
-/// each triangle, counted as in the piece's data; empty: the triangle's index.
-void SetColors(const DrawItem& piece, const std::vector<std::uint32_t>& cells, Surface& surface);
+/// Sets the colors of `surface`, whose positions are the item's points. `cells` holds the cell of
+/// the item's data for each triangle; if empty, it is the triangle's index.
+void SetColors(const DrawItem& item, const std::vector<std::uint32_t>& cells, Surface& surface);
 
-/// Fills CellIds of `surface` with what the piece calls these cells.
-void SetCellIds(const DrawItem& piece, const std::vector<std::uint32_t>& cells, Surface& surface);
+/// Sets CellIds of `surface` from the CellIds of the item.
+void SetCellIds(const DrawItem& item, const std::vector<std::uint32_t>& cells, Surface& surface);
 
 }
 #endif

@@ -9,8 +9,8 @@ using namespace penumbra;
 namespace
 {
 
-/// [0, 4] x [0, 4] at height 0, with values at the corners that are linear in x.
-Surface Square()
+/// Returns the square [0, 4] x [0, 4] at z = 0 with point colors and normals that are linear in x.
+Surface MakeSquare()
 {
   Surface surface;
   surface.Positions = { { 0.f, 0.f, 0.f }, { 4.f, 0.f, 0.f }, { 4.f, 4.f, 0.f },
@@ -25,13 +25,13 @@ Surface Square()
   return surface;
 }
 
-double Area(const Surface& surface)
+double ComputeArea(const Surface& surface)
 {
   double area = 0.0;
   for (const glm::uvec3& t : surface.Triangles)
   {
     const glm::dvec3 a = surface.Positions[t.x];
-    area += .5 *
+    area += 0.5 *
       glm::cross(glm::dvec3(surface.Positions[t.y]) - a, glm::dvec3(surface.Positions[t.z]) - a).z;
   }
   return area;
@@ -39,20 +39,20 @@ double Area(const Surface& surface)
 
 }
 
-TEST(Clipping, KeepsTheSideThatPlanesFace)
+TEST(Clipping, KeepsThePositiveSideOfPlanes)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
-  EXPECT_NEAR(Area(surface), 12.0, 1e-6);
+  EXPECT_NEAR(ComputeArea(surface), 12.0, 1e-6);
   ClipSurface({ { 0.0, -1.0, 0.0, 1.0 }, { 1.0, 1.0, 0.0, -2.0 } }, Scene(), surface);
-  EXPECT_NEAR(Area(surface), 2.5, 1e-6);
+  EXPECT_NEAR(ComputeArea(surface), 2.5, 1e-6);
   EXPECT_GT(surface.Triangles.capacity(), surface.Triangles.size());
   EXPECT_GT(surface.Positions.capacity(), surface.Positions.size());
 }
 
-TEST(Clipping, InterpolatesAtCutsAndFollowsCells)
+TEST(Clipping, InterpolatesPointDataAndCopiesCellData)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
   ASSERT_EQ(surface.PointColors.size(), surface.Positions.size());
   ASSERT_EQ(surface.Normals.size(), surface.Positions.size());
@@ -69,30 +69,30 @@ TEST(Clipping, InterpolatesAtCutsAndFollowsCells)
   }
 }
 
-TEST(Clipping, SharesTheNewPointsOfNeighbours)
+TEST(Clipping, ReusesNewPointsOfNeighboringTriangles)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -1.0 } }, Scene(), surface);
   EXPECT_EQ(surface.Positions.size(), 4u + 3u);
 }
 
-TEST(Clipping, TakesPlanesInWorldCoordinates)
+TEST(Clipping, AcceptsPlanesInWorldCoordinates)
 {
   Scene scene;
   scene.Origin = { 100.0, 0.0, 0.0 };
-  scene.Scale = .5;
-  Surface surface = Square();
-  // x = 1 in the scene is 102 in the world.
+  scene.Scale = 0.5;
+  Surface surface = MakeSquare();
+  // x = 1 in scene coordinates is x = 102 in world coordinates.
   ClipSurface({ { 1.0, 0.0, 0.0, -102.0 } }, scene, surface);
-  EXPECT_NEAR(Area(surface), 12.0, 1e-6);
+  EXPECT_NEAR(ComputeArea(surface), 12.0, 1e-6);
 }
 
-TEST(Clipping, LeavesNothingBehindAPlaneThatFacesAway)
+TEST(Clipping, RemovesAllOrNothingIfNoTriangleIsCut)
 {
-  Surface surface = Square();
+  Surface surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, -9.0 } }, Scene(), surface);
   EXPECT_TRUE(surface.Triangles.empty());
-  surface = Square();
+  surface = MakeSquare();
   ClipSurface({ { 1.0, 0.0, 0.0, 9.0 } }, Scene(), surface);
   EXPECT_EQ(surface.Triangles.size(), 2u);
   EXPECT_TRUE(surface.CellIds.empty());

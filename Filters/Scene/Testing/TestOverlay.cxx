@@ -24,7 +24,7 @@ using namespace penumbra;
 namespace
 {
 
-ExtractionOptions Options(int width, int height)
+ExtractionOptions MakeOptions(int width, int height)
 {
   ExtractionOptions options;
   options.Resolution[0] = width;
@@ -32,8 +32,8 @@ ExtractionOptions Options(int width, int height)
   return options;
 }
 
-/// The overlay alone, over transparent black: straight colours, row by row.
-std::vector<glm::vec4> Alone(const Overlay& overlay)
+/// Composites the overlay over transparent black. Returns straight-alpha colors, row by row.
+std::vector<glm::vec4> Composite(const Overlay& overlay)
 {
   const int width = overlay.GetWidth();
   std::vector<glm::vec4> colors(
@@ -45,10 +45,10 @@ std::vector<glm::vec4> Alone(const Overlay& overlay)
   return colors;
 }
 
-/// The largest value of a colour's channels and alpha inside [low, high).
-glm::vec4 Largest(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high)
+/// Returns the maximum of each channel over the pixels in [low, high).
+glm::vec4 ComputeMaximum(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high)
 {
-  const std::vector<glm::vec4> colors = Alone(overlay);
+  const std::vector<glm::vec4> colors = Composite(overlay);
   glm::vec4 result(0.f);
   for (int y = low.y; y < high.y; ++y)
   {
@@ -62,21 +62,21 @@ glm::vec4 Largest(const Overlay& overlay, glm::ivec2 low, glm::ivec2 high)
 
 }
 
-TEST(Overlay, CoversPixelsByTheirExactShare)
+TEST(Overlay, FillsRectanglesWithExactCoverage)
 {
   Overlay overlay(4, 3);
   EXPECT_TRUE(overlay.IsEmpty());
-  overlay.FillRectangle({ .75, .5 }, { 2.5, 1.25 }, { 1.f, .5f, 0.f, 1.f });
-  const std::vector<glm::vec4> colors = Alone(overlay);
-  const float shares[12] = { .125f, .5f, .25f, 0.f, .0625f, .25f, .125f, 0.f };
+  overlay.FillRectangle({ 0.75, 0.5 }, { 2.5, 1.25 }, { 1.f, 0.5f, 0.f, 1.f });
+  const std::vector<glm::vec4> colors = Composite(overlay);
+  const float expected[12] = { 0.125f, 0.5f, 0.25f, 0.f, 0.0625f, 0.25f, 0.125f, 0.f };
   for (int i = 0; i < 12; ++i)
   {
-    EXPECT_FLOAT_EQ(colors[i].a, shares[i]) << i;
-    EXPECT_FLOAT_EQ(colors[i].r, shares[i] > 0.f ? 1.f : 0.f) << i;
+    EXPECT_FLOAT_EQ(colors[i].a, expected[i]) << i;
+    EXPECT_FLOAT_EQ(colors[i].r, expected[i] > 0.f ? 1.f : 0.f) << i;
   }
 }
 
-TEST(Overlay, IgnoresWhatLiesOutside)
+TEST(Overlay, IgnoresRectanglesOutsideTheImage)
 {
   Overlay overlay(4, 3);
   overlay.FillRectangle({ -5.0, -5.0 }, { -1.0, 9.0 }, glm::vec4(1.f));
@@ -84,24 +84,24 @@ TEST(Overlay, IgnoresWhatLiesOutside)
   overlay.FillRectangle({ std::nan(""), 0.0 }, { 3.0, 3.0 }, glm::vec4(1.f));
   EXPECT_TRUE(overlay.IsEmpty());
   overlay.FillRectangle({ -1e9, -1e9 }, { 1e9, 1e9 }, glm::vec4(1.f));
-  EXPECT_EQ(Alone(overlay)[11], glm::vec4(1.f));
+  EXPECT_EQ(Composite(overlay)[11], glm::vec4(1.f));
 }
 
-TEST(Overlay, ComposesStraightAlphaOverAnyPicture)
+TEST(Overlay, CompositesOverOpaqueAndTranslucentColors)
 {
   Overlay overlay(1, 1);
-  overlay.FillRectangle({ 0.0, 0.0 }, { 1.0, 1.0 }, { 1.f, 0.f, 0.f, .5f });
+  overlay.FillRectangle({ 0.0, 0.0 }, { 1.0, 1.0 }, { 1.f, 0.f, 0.f, 0.5f });
   glm::vec4 opaque(0.f, 1.f, 0.f, 1.f);
   overlay.CompositeOver(0, 0, 1, &opaque);
-  EXPECT_EQ(opaque, glm::vec4(.5f, .5f, 0.f, 1.f));
-  glm::vec4 half(0.f, 1.f, 0.f, .5f);
+  EXPECT_EQ(opaque, glm::vec4(0.5f, 0.5f, 0.f, 1.f));
+  glm::vec4 half(0.f, 1.f, 0.f, 0.5f);
   overlay.CompositeOver(0, 0, 1, &half);
-  EXPECT_FLOAT_EQ(half.a, .75f);
-  EXPECT_FLOAT_EQ(half.r, .5f / .75f);
-  EXPECT_FLOAT_EQ(half.g, .25f / .75f);
+  EXPECT_FLOAT_EQ(half.a, 0.75f);
+  EXPECT_FLOAT_EQ(half.r, 0.5f / 0.75f);
+  EXPECT_FLOAT_EQ(half.g, 0.25f / 0.75f);
 }
 
-TEST(Overlay, DrawsTextAsVTKDoes)
+TEST(Overlay, MatchesVTKForText)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
@@ -109,24 +109,24 @@ TEST(Overlay, DrawsTextAsVTKDoes)
   window->SetMultiSamples(0);
   window->SetSize(200, 100);
   window->AddRenderer(renderer);
-  renderer->SetBackground(.2, .3, .4);
+  renderer->SetBackground(0.2, 0.3, 0.4);
   vtkNew<vtkTextActor> text;
   text->SetInput("Penumbra 3.14");
   text->GetTextProperty()->SetFontSize(24);
-  text->GetTextProperty()->SetColor(1.0, .8, .2);
+  text->GetTextProperty()->SetColor(1.0, 0.8, 0.2);
   text->SetPosition(10, 30);
   renderer->AddViewProp(text);
   window->Render();
   vtkNew<vtkUnsignedCharArray> raster;
   window->GetPixelData(0, 0, 199, 99, 1, raster);
 
-  const Scene scene = ExtractScene(renderer, Options(200, 100));
+  const Scene scene = ExtractScene(renderer, MakeOptions(200, 100));
   EXPECT_TRUE(scene.Warnings.empty());
   ASSERT_FALSE(scene.OverlayImage.IsEmpty());
   int written = 0;
   for (int y = 0; y < 100; ++y)
   {
-    std::vector<glm::vec4> row(200, glm::vec4(.2f, .3f, .4f, 1.f));
+    std::vector<glm::vec4> row(200, glm::vec4(0.2f, 0.3f, 0.4f, 1.f));
     scene.OverlayImage.CompositeOver(0, y, 200, row.data());
     for (int x = 0; x < 200; ++x)
     {
@@ -134,13 +134,13 @@ TEST(Overlay, DrawsTextAsVTKDoes)
       {
         EXPECT_NEAR(255.f * row[x][k], raster->GetComponent(y * 200 + x, k), 2.0) << x << " " << y;
       }
-      written += row[x].r > .9f;
+      written += row[x].r > 0.9f;
     }
   }
   EXPECT_GT(written, 200);
 }
 
-TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
+TEST(ScalarBar, DrawsColorsLabelsAndTitle)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLookupTable> table;
@@ -158,51 +158,51 @@ TEST(Overlay, DrawsTheBandLabelsAndTitleOfAScalarBar)
     if (!vertical)
     {
       bar->SetOrientationToHorizontal();
-      bar->SetPosition(.1, .1);
-      bar->SetPosition2(.8, .2);
+      bar->SetPosition(0.1, 0.1);
+      bar->SetPosition2(0.8, 0.2);
     }
-    const Scene scene = ExtractScene(renderer, Options(400, 300));
+    const Scene scene = ExtractScene(renderer, MakeOptions(400, 300));
     EXPECT_TRUE(scene.Warnings.empty());
-    const std::vector<glm::vec4> colors = Alone(scene.OverlayImage);
+    const std::vector<glm::vec4> colors = Composite(scene.OverlayImage);
     const auto red = [&](int x, int y) { return colors[y * 400 + x].r; };
     if (vertical)
     {
-      // The band starts at (.82, .1) of the picture; red grows upwards.
+      // The color bar starts at (0.82, 0.1) of the image size; red increases upward.
       EXPECT_LT(red(335, 35), red(335, 120));
       EXPECT_LT(red(335, 120), red(335, 200));
-      EXPECT_GT(Largest(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, .5f);  // labels
-      EXPECT_GT(Largest(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, .5f); // title
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 360, 30 }, { 400, 240 }).a, 0.5f);  // labels
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 330, 246 }, { 400, 270 }).a, 0.5f); // title
     }
     else
     {
       EXPECT_LT(red(50, 35), red(200, 35));
       EXPECT_LT(red(200, 35), red(350, 35));
-      EXPECT_GT(Largest(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, .5f);
-      EXPECT_GT(Largest(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, .5f);
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 40, 50 }, { 360, 72 }).a, 0.5f);
+      EXPECT_GT(ComputeMaximum(scene.OverlayImage, { 150, 72 }, { 250, 90 }).a, 0.5f);
     }
-    EXPECT_EQ(Largest(scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
+    EXPECT_EQ(ComputeMaximum(scene.OverlayImage, { 0, 0 }, { 4, 300 }).a, 0.f);
   }
 }
 
-TEST(ScalarBar, NamesItsPartsThatAreLeftOut)
+TEST(ScalarBar, WarnsAboutEachUnsupportedPart)
 {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkLookupTable> table;
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(table);
   renderer->AddViewProp(bar);
-  EXPECT_TRUE(ExtractScene(renderer, Options(100, 100)).Warnings.empty());
+  EXPECT_TRUE(ExtractScene(renderer, MakeOptions(100, 100)).Warnings.empty());
   bar->DrawNanAnnotationOn();
   bar->DrawFrameOn();
   bar->DrawBackgroundOn();
   bar->DrawBelowRangeSwatchOn();
   bar->DrawAboveRangeSwatchOn();
-  const std::vector<std::string> warnings = ExtractScene(renderer, Options(100, 100)).Warnings;
+  const std::vector<std::string> warnings = ExtractScene(renderer, MakeOptions(100, 100)).Warnings;
   ASSERT_EQ(warnings.size(), 5u);
   EXPECT_NE(warnings[0].find("NaN swatches"), std::string::npos) << warnings[0];
 }
 
-TEST(ScalarBar, FormatsLabelsInBothOfVTKsStyles)
+TEST(ScalarBar, FormatsLabelsWithPrintfAndStdFormatStrings)
 {
   EXPECT_EQ(FormatLabel("%-#6.3g", 2.5), "2.50");
   EXPECT_EQ(FormatLabel("{:<#6.3g}", 2.5), "2.50");
@@ -213,11 +213,11 @@ TEST(ScalarBar, FormatsLabelsInBothOfVTKsStyles)
   EXPECT_EQ(FormatLabel(nullptr, 2.5), "2.5");
 }
 
-TEST(ScalarBar, SpreadsLogarithmicTablesInTheirLogarithm)
+TEST(ScalarBar, SpacesValuesEvenlyOnTheScaleOfTheTable)
 {
   vtkNew<vtkLookupTable> table;
   table->SetRange(1.0, 10000.0);
-  EXPECT_NEAR(SpreadOverRange(table, 3)[1], 5000.5, 1e-9);
+  EXPECT_NEAR(SampleRange(table, 3)[1], 5000.5, 1e-9);
   table->SetScaleToLog10();
-  EXPECT_NEAR(SpreadOverRange(table, 3)[1], 100.0, 1e-9);
+  EXPECT_NEAR(SampleRange(table, 3)[1], 100.0, 1e-9);
 }

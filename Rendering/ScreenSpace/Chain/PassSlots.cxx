@@ -24,32 +24,34 @@ namespace penumbra
 namespace
 {
 
-/// The stages that were made for a renderer without a pass, if `pass` is the camera's around them.
-RendererStepsPass* OwnStages(vtkRenderPass* pass)
+/// Returns the render steps made by EnsurePassSlots(), if `pass` is the camera pass that contains
+/// them.
+RendererStepsPass* FindRenderSteps(vtkRenderPass* pass)
 {
   auto* camera = vtkCameraPass::SafeDownCast(pass);
   return camera ? dynamic_cast<RendererStepsPass*>(camera->GetDelegatePass()) : nullptr;
 }
 
-/// What hangs within the pass of a place.
-std::optional<PassSlot> NextPlace(const PassSlot& place)
+/// Returns the slot inside the pass of a slot.
+std::optional<PassSlot> FindInnerSlot(const PassSlot& slot)
 {
-  if (auto* image = vtkImageProcessingPass::SafeDownCast(place.Pass))
+  if (auto* image = vtkImageProcessingPass::SafeDownCast(slot.Pass))
   {
     return PassSlot{ image->GetDelegatePass(),
-      [image](vtkRenderPass* pass) { image->SetDelegatePass(pass); }, place.OpaqueOnly };
+      [image](vtkRenderPass* pass) { image->SetDelegatePass(pass); }, slot.OpaqueOnly };
   }
-  if (auto* fine = vtkSSAAPass::SafeDownCast(place.Pass))
+  if (auto* supersampling = vtkSSAAPass::SafeDownCast(slot.Pass))
   {
-    return PassSlot{ fine->GetDelegatePass(),
-      [fine](vtkRenderPass* pass) { fine->SetDelegatePass(pass); }, place.OpaqueOnly };
+    return PassSlot{ supersampling->GetDelegatePass(),
+      [supersampling](vtkRenderPass* pass) { supersampling->SetDelegatePass(pass); },
+      slot.OpaqueOnly };
   }
-  if (RendererStepsPass* stages = OwnStages(place.Pass))
+  if (RendererStepsPass* rendererSteps = FindRenderSteps(slot.Pass))
   {
-    return PassSlot{ stages->GetOpaquePass(),
-      [stages](vtkRenderPass* pass) { stages->SetOpaquePass(pass); }, true };
+    return PassSlot{ rendererSteps->GetOpaquePass(),
+      [rendererSteps](vtkRenderPass* pass) { rendererSteps->SetOpaquePass(pass); }, true };
   }
-  if (auto* steps = vtkRenderStepsPass::SafeDownCast(place.Pass))
+  if (auto* steps = vtkRenderStepsPass::SafeDownCast(slot.Pass))
   {
     return PassSlot{ steps->GetOpaquePass(),
       [steps](vtkRenderPass* pass) { steps->SetOpaquePass(pass); }, true };
@@ -61,60 +63,61 @@ std::optional<PassSlot> NextPlace(const PassSlot& place)
 
 std::vector<PassSlot> FindPassSlots(vtkRenderer* renderer)
 {
-  std::vector<PassSlot> places;
+  std::vector<PassSlot> slots;
   if (!renderer)
   {
-    return places;
+    return slots;
   }
   std::optional<PassSlot> next = PassSlot{ renderer->GetPass(),
     [renderer](vtkRenderPass* pass) { renderer->SetPass(pass); }, false };
   while (next)
   {
-    places.push_back(*next);
-    next = NextPlace(places.back());
+    slots.push_back(*next);
+    next = FindInnerSlot(slots.back());
   }
-  return places;
+  return slots;
 }
 
 const PassSlot* FindPass(
-  const std::vector<PassSlot>& places, const std::function<bool(vtkRenderPass*)>& isWanted)
+  const std::vector<PassSlot>& slots, const std::function<bool(vtkRenderPass*)>& predicate)
 {
-  const auto found = std::find_if(places.begin(), places.end(),
-    [&](const PassSlot& place) { return place.Pass && isWanted(place.Pass); });
-  return found == places.end() ? nullptr : &*found;
+  const auto found = std::find_if(slots.begin(), slots.end(),
+    [&](const PassSlot& slot) { return slot.Pass && predicate(slot.Pass); });
+  return found == slots.end() ? nullptr : &*found;
 }
 
 std::vector<PassSlot> EnsurePassSlots(vtkRenderer* renderer)
 {
-  std::vector<PassSlot> places = FindPassSlots(renderer);
-  if (!places.back().Pass && !places.back().OpaqueOnly)
+  std::vector<PassSlot> slots = FindPassSlots(renderer);
+  if (!slots.back().Pass && !slots.back().OpaqueOnly)
   {
     vtkNew<vtkOpaquePass> opaque;
-    vtkNew<RendererStepsPass> stages;
-    stages->SetOpaquePass(opaque);
+    vtkNew<RendererStepsPass> rendererSteps;
+    rendererSteps->SetOpaquePass(opaque);
     vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(stages);
-    places.back().Set(camera);
-    places = FindPassSlots(renderer);
+    camera->SetDelegatePass(rendererSteps);
+    slots.back().Set(camera);
+    slots = FindPassSlots(renderer);
   }
-  return places;
+  return slots;
 }
 
 void RemovePass(vtkRenderer* renderer, vtkImageProcessingPass* pass)
 {
   const vtkSmartPointer<vtkImageProcessingPass> kept = pass;
-  const std::vector<PassSlot> places = FindPassSlots(renderer);
+  const std::vector<PassSlot> slots = FindPassSlots(renderer);
   if (renderer->GetRenderWindow())
   {
     renderer->GetPass()->ReleaseGraphicsResources(renderer->GetRenderWindow());
   }
-  FindPass(places, [&](vtkRenderPass* found) {
+  FindPass(slots, [&](vtkRenderPass* found) {
     return found == pass;
   })->Set(pass->GetDelegatePass());
-  const PassSlot* own = FindPass(places, [](vtkRenderPass* found) { return OwnStages(found); });
-  if (own && vtkOpaquePass::SafeDownCast(OwnStages(own->Pass)->GetOpaquePass()))
+  const PassSlot* made =
+    FindPass(slots, [](vtkRenderPass* found) { return FindRenderSteps(found); });
+  if (made && vtkOpaquePass::SafeDownCast(FindRenderSteps(made->Pass)->GetOpaquePass()))
   {
-    own->Set(nullptr);
+    made->Set(nullptr);
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the passes of a renderer hang, and so where those of ours belong: as close to the opaque
-// geometry as can be, light shafts around ambient occlusion, whichever came first.
+// Slots between the passes of a renderer, where Penumbra's passes are inserted: as close to the
+// opaque geometry as possible, light shafts around ambient occlusion, independent of the order of
+// insertion.
 #ifndef penumbra_PassSlots_h
 #define penumbra_PassSlots_h
 
@@ -21,37 +22,39 @@ namespace penumbra
 
 struct PassSlot
 {
-  vtkRenderPass* Pass = nullptr;           ///< what hangs here
-  std::function<void(vtkRenderPass*)> Set; ///< hangs another pass here
-  bool OpaqueOnly = false;                 ///< what hangs here draws opaque props alone
+  vtkRenderPass* Pass = nullptr;           ///< current pass of the slot; null if there is none
+  std::function<void(vtkRenderPass*)> Set; ///< replaces the pass of the slot
+  bool OpaqueOnly = false;                 ///< the pass of the slot renders opaque props only
 };
 
-/// From the renderer's own pass inwards, through image processing, supersampling and the stages of a
-/// renderer, to what draws; that last one has no pass where the renderer has none. No renderer: no place.
+/// Finds the slots from the pass of the renderer inwards: through image processing, supersampling
+/// and render steps, to the pass that draws. If the renderer has no pass, the only slot is empty.
+/// Returns no slots if `renderer` is null.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassSlot> FindPassSlots(vtkRenderer* renderer);
 
-/// The first place whose pass `isWanted`; null if there is none.
+/// Finds the first slot whose pass satisfies `predicate`; null if there is none.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT const PassSlot* FindPass(
-  const std::vector<PassSlot>& places, const std::function<bool(vtkRenderPass*)>& isWanted);
+  const std::vector<PassSlot>& slots, const std::function<bool(vtkRenderPass*)>& predicate);
 
-/// The first pass of a class; null if there is none.
+/// Finds the first pass of a class; null if there is none.
 template <typename Pass>
-Pass* FindPassOf(const std::vector<PassSlot>& places)
+Pass* FindPassOf(const std::vector<PassSlot>& slots)
 {
-  const PassSlot* place =
-    FindPass(places, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
-  return place ? Pass::SafeDownCast(place->Pass) : nullptr;
+  const PassSlot* slot =
+    FindPass(slots, [](vtkRenderPass* pass) { return Pass::SafeDownCast(pass) != nullptr; });
+  return slot ? Pass::SafeDownCast(slot->Pass) : nullptr;
 }
 
-/// Stages like those of a renderer without a pass, if it has none; then the places.
+/// Gives a renderer without a pass the render steps that it would run itself. Returns the slots.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<PassSlot> EnsurePassSlots(vtkRenderer* renderer);
 
-/// Takes `pass` out, and with the last pass of ours the stages that were made for it.
+/// Removes `pass`. If it was the last pass of Penumbra, the render steps made by EnsurePassSlots()
+/// are removed, too.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT void RemovePass(
   vtkRenderer* renderer, vtkImageProcessingPass* pass);
 
-/// `pass` draws in `window` now, whose context is current: what it made in `last`, if that is another
-/// one, is released in the context of that one. `last` becomes `window`.
+/// Prepares `pass` to render in `window`, whose context is current. If `last` is another window,
+/// releases the resources of `pass` in the context of `last`. Sets `last` to `window`.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT void MoveToWindow(
   vtkRenderPass* pass, vtkOpenGLRenderWindow*& last, vtkOpenGLRenderWindow* window);
 

@@ -20,7 +20,7 @@ vtkStandardNewMacro(RendererStepsPass);
 
 RendererStepsPass::RendererStepsPass()
   : LightsPass(vtkSmartPointer<vtkLightsPass>::New()),
-    Smoothing(vtkSmartPointer<vtkOpenGLFXAAFilter>::New())
+    FXAAFilter(vtkSmartPointer<vtkOpenGLFXAAFilter>::New())
 {
 }
 
@@ -77,8 +77,8 @@ void RendererStepsPass::Render(const vtkRenderState* state)
   }
   if (renderer->GetUseFXAA())
   {
-    this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
-    this->Smoothing->Execute(renderer);
+    this->FXAAFilter->UpdateConfiguration(renderer->GetFXAAOptions());
+    this->FXAAFilter->Execute(renderer);
   }
   const bool volumesPeeled =
     translucent && renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes();
@@ -98,7 +98,7 @@ void RendererStepsPass::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->OpaquePass->ReleaseGraphicsResources(window);
   }
-  this->Smoothing->ReleaseGraphicsResources();
+  this->FXAAFilter->ReleaseGraphicsResources();
 }
 
 }

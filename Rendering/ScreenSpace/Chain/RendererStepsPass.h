@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The stages of a renderer as vtkOpenGLRenderer itself runs them - lights, opaque, translucent with
-// or without depth peeling, FXAA, volumes, overlays - with a pass of ours in place of the opaque one.
+// The render steps of vtkOpenGLRenderer (lights, opaque, translucent with or without depth peeling,
+// FXAA, volumes, overlays) with a replaceable opaque pass.
 #ifndef penumbra_RendererStepsPass_h
 #define penumbra_RendererStepsPass_h
 
@@ -32,7 +32,7 @@ private:
 
   vtkSmartPointer<vtkRenderPass> OpaquePass;
   vtkSmartPointer<vtkRenderPass> LightsPass;
-  vtkSmartPointer<vtkOpenGLFXAAFilter> Smoothing;
+  vtkSmartPointer<vtkOpenGLFXAAFilter> FXAAFilter;
   bool WarnedOfShadows = false;
   bool WarnedOfOcclusion = false;
 };

@@ -24,20 +24,20 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   static const std::string source =
     Assemble(vtkPenumbraCompositeFS, { { "ApplyOcclusionLib", vtkPenumbraApplyOcclusionLib } });
   const bool manySamples = image.GetSamples() > 1;
-  vtkShaderProgram* program = this->Darken.Ready(window, manySamples ? samplesSource : source);
+  vtkShaderProgram* program = this->DrawStage.Ready(window, manySamples ? samplesSource : source);
   if (!program)
   {
     return false;
   }
-  const int* at = image.GetViewport();
+  const int* viewport = image.GetViewport();
   const int* margin = image.GetMargin();
-  const ScopedBlending target(window, at, true);
+  const ScopedBlending target(window, viewport, true);
   if (!manySamples || background)
   {
     window->GetState()->vtkglDisable(GL_BLEND);
   }
-  const float offset[2] = { static_cast<float>(margin[0] - at[0]),
-    static_cast<float>(margin[1] - at[1]) };
+  const float offset[2] = { static_cast<float>(margin[0] - viewport[0]),
+    static_cast<float>(margin[1] - viewport[1]) };
   program->SetUniform2f("offset", offset);
   depth.GetView().SetUniforms(program);
   const double* toCamera = depth.GetView().ToCameraDepth;
@@ -46,21 +46,21 @@ bool Composite::Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   program->SetUniformf("strength", static_cast<float>(darkening.Strength));
   program->SetUniformf("lightAwareness", static_cast<float>(darkening.LightAwareness));
   program->SetUniformf("background", background ? 1.f : 0.f);
-  this->Darken.BindTexture("colors", colors);
-  this->Darken.BindTexture(manySamples ? "depthSamples" : "depthBuffer", image.GetSampleDepth());
+  this->DrawStage.BindTexture("colors", colors);
+  this->DrawStage.BindTexture(manySamples ? "depthSamples" : "depthBuffer", image.GetSampleDepth());
   if (manySamples)
   {
     program->SetUniformi("sampleCount", image.GetSamples());
-    this->Darken.BindTexture("eyeDepths", depth.GetCurrent());
+    this->DrawStage.BindTexture("eyeDepths", depth.GetCurrent());
   }
-  this->Darken.BindTexture("occlusions", occlusions ? occlusions : depth.GetCurrent());
-  this->Darken.Draw();
+  this->DrawStage.BindTexture("occlusions", occlusions ? occlusions : depth.GetCurrent());
+  this->DrawStage.Draw();
   return true;
 }
 
 void Composite::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Darken.ReleaseGraphicsResources(window);
+  this->DrawStage.ReleaseGraphicsResources(window);
 }
 
 }

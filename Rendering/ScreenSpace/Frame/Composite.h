@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The last step of a pass: the delegate's picture, darkened, with its own depth, into whatever is
-// bound.
+// The last step of a pass: draws the image of the delegate, darkened by occlusion, with its depth,
+// into the bound framebuffer.
 #ifndef penumbra_Composite_h
 #define penumbra_Composite_h
 
@@ -12,7 +12,7 @@
 namespace penumbra
 {
 
-/// Colours are multiplied by 1 - Strength * occlusion * (1 - LightAwareness * brightness).
+/// Colors are multiplied by 1 - Strength * occlusion * (1 - LightAwareness * brightness).
 struct Darkening
 {
   double Strength = 1.0;
@@ -22,8 +22,9 @@ struct Darkening
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT Composite
 {
 public:
-  /// `colors`, darkened; without occlusions Strength must be 0. `background`: pixels without a surface
-  /// are drawn, too, else they stay. False when OpenGL refuses.
+  /// Draws `colors`, darkened by `occlusions`. If `occlusions` is null, Strength must be 0. If
+  /// `background` is on, pixels without a surface are drawn, too; else the target keeps them.
+  /// Returns false if the shader does not compile.
   bool Draw(vtkOpenGLRenderWindow* window, const DelegateImage& image, const EyeDepth& depth,
     vtkTextureObject* colors, vtkTextureObject* occlusions, const Darkening& darkening,
     bool background);
@@ -31,7 +32,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  Stage Darken;
+  Stage DrawStage;
 };
 
 }

@@ -82,11 +82,11 @@ vtkSmartPointer<vtkTextureObject> DelegateImage::CreateColor(
 
 void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
 {
-  const bool isRight = this->Color && this->Color->GetContext() == window &&
+  const bool reusable = this->Color && this->Color->GetContext() == window &&
     static_cast<int>(this->Color->GetWidth()) == this->View.Width &&
     static_cast<int>(this->Color->GetHeight()) == this->View.Height && this->Samples == samples &&
     !this->UsesTarget;
-  if (!isRight)
+  if (!reusable)
   {
     this->UsesTarget = false;
     this->Samples = samples;
@@ -146,7 +146,7 @@ void DelegateImage::ResolveColor(vtkOpenGLRenderWindow* window, vtkTextureObject
   gl->PopDrawFramebufferBinding();
 }
 
-int DelegateImage::SamplesOf(const vtkRenderState* state)
+int DelegateImage::GetTargetSamples(const vtkRenderState* state)
 {
   auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer());
   return outer ? outer->GetMultiSamples()
@@ -187,7 +187,7 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
   }
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  this->Prepare(window, oneSample ? 1 : std::max(SamplesOf(state), 1));
+  this->Prepare(window, oneSample ? 1 : std::max(GetTargetSamples(state), 1));
 
   int props = -1;
   FillTextures(this->Framebuffer, this->Color, this->SampleDepth,
@@ -228,7 +228,8 @@ bool DelegateImage::DrawAgain(
     {
       wider.emplace(renderer, this->View);
     }
-    // The same shaders draw the same depths: what is seen of the props, and no depth is changed.
+    // The same shaders produce the same depths, so GL_EQUAL selects the visible pixels of the
+    // props.
     window->GetState()->vtkglDepthFunc(GL_EQUAL);
     props();
     window->GetState()->vtkglDepthFunc(GL_LEQUAL);
@@ -252,9 +253,9 @@ vtkOpenGLFramebufferObject* DelegateImage::GetReadableTarget(const vtkRenderStat
 
 int DelegateImage::DrawToTarget(const vtkRenderState* state, vtkRenderPass* delegate)
 {
-  const int none[2] = { 0, 0 };
+  const int noMargin[2] = { 0, 0 };
   vtkOpenGLFramebufferObject* target = GetReadableTarget(state);
-  if (!target || !this->SetUpView(state, none))
+  if (!target || !this->SetUpView(state, noMargin))
   {
     return -1;
   }

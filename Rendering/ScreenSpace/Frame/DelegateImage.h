@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a pass's delegate draws, as textures of our own: colour and depth, with a margin around the
-// picture if asked for, so that what lies just outside counts; with as many samples a pixel as the
-// target has.
+// The image that the delegate of a pass renders, as textures: color and depth, with an optional
+// margin so that geometry just outside the image has an effect, and with as many samples per pixel
+// as the target.
 #ifndef penumbra_DelegateImage_h
 #define penumbra_DelegateImage_h
 
@@ -25,8 +25,9 @@ class vtkWindow;
 namespace penumbra
 {
 
-/// Clears what `cleared` names of two textures of one size, draws into them, and leaves OpenGL's state as
-/// it was. False when OpenGL refuses.
+/// Clears the buffers in `cleared` (GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT) of two textures of
+/// the same size, calls `draw` with them bound, and restores the OpenGL state. Returns false,
+/// without calling `draw`, if the framebuffer is incomplete.
 bool FillTextures(vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* color,
   vtkTextureObject* depth, unsigned int cleared, const std::function<void()>& draw);
 
@@ -36,54 +37,58 @@ public:
   DelegateImage();
   ~DelegateImage();
 
-  /// Finds out what Draw() would draw where: the view, the viewport. False when that is nothing.
-  /// `bounds`: of all that may be seen, where the clipping planes may be moved to them.
+  /// Computes the view and the viewport of Draw(). `margin` is in pixels on each side, in x and y.
+  /// If `bounds`, those of all visible props, are given, the clipping planes may be moved to them.
+  /// Returns false if the viewport is empty.
   bool SetUpView(const vtkRenderState* state, const int margin[2], const double* bounds = nullptr);
 
-  /// Draws the delegate for the renderer of `state`; `margin` in pixels on each side, in x and y.
-  /// With as many samples a pixel as the target, or one. Returns the number of props drawn, -1 when
-  /// OpenGL refuses.
+  /// Renders the delegate for the renderer of `state`, with as many samples per pixel as the target
+  /// or, if `oneSample` is on, with one. Returns the number of rendered props, or -1 if the
+  /// viewport is empty or the framebuffer is incomplete.
   int Draw(const vtkRenderState* state, vtkRenderPass* delegate, const int margin[2],
     bool oneSample = false, const double* bounds = nullptr);
 
-  /// The same straight into the target of `state`, whose depth is then GetDepth(); there is no colour
-  /// to read, and no margin. Nothing is drawn, and -1 returned, unless the target's depth is a texture
-  /// of the picture's size with one sample a pixel.
+  /// Renders the delegate directly into the target of `state`, without a margin. GetDepth() and
+  /// GetColor() are then the textures of the target; its color cannot be read while it is drawn to.
+  /// Renders nothing and returns -1 unless the depth of the target is a texture of the size of the
+  /// image with one sample per pixel.
   int DrawToTarget(const vtkRenderState* state, vtkRenderPass* delegate);
 
-  /// After Draw(): draws props of the scene, which `props` does, into a texture of the picture's size;
-  /// only what the picture shows of them. Zero elsewhere. False when OpenGL refuses.
+  /// After Draw(): renders props a second time into `target`, a texture of the size of the image.
+  /// `props` renders them; only their visible pixels are written, the others are 0. Returns false
+  /// if the framebuffer is incomplete.
   bool DrawAgain(
     vtkRenderer* renderer, vtkTextureObject* target, const std::function<void()>& props);
 
-  /// A texture of the picture's size for four bytes a sample.
+  /// Creates a texture of the size of the image with four bytes per sample.
   vtkSmartPointer<vtkTextureObject> CreateColor(vtkOpenGLRenderWindow* window, int samples) const;
 
-  /// One depth a pixel, also of pictures with several samples (of these the first).
+  /// One depth per pixel; that of the first sample if there are several.
   vtkTextureObject* GetDepth() const { return this->Depth; }
 
-  /// Colour and depth of every sample: textures with GetSamples() samples a pixel, 1: plain ones.
+  /// Color and depth of every sample; multisample textures if GetSamples() is above 1.
   vtkTextureObject* GetColor() const { return this->Color; }
   vtkTextureObject* GetSampleDepth() const { return this->SampleDepth; }
   int GetSamples() const { return this->Samples; }
 
-  /// How the picture with its margin looks at the scene.
+  /// View of the image, margin included.
   const ScreenTransform& GetView() const { return this->View; }
 
-  /// Where the picture without its margin belongs in the target: origin, size.
+  /// Rectangle of the target that the image without its margin covers: origin, size.
   const int* GetViewport() const { return this->Viewport; }
   const int* GetMargin() const { return this->Margin; }
 
-  /// For stages that fill textures of the picture's size.
+  /// Framebuffer object for stages that render into textures.
   vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /// Where a frame goes; null unless its colours and depths are textures with one sample a pixel.
+  /// Returns the target of a frame; null unless its color and depth are textures with one sample
+  /// per pixel.
   static vtkOpenGLFramebufferObject* GetReadableTarget(const vtkRenderState* state);
 
 private:
-  /// Another camera than the renderer's draws.
+  /// The image is rendered with a camera other than that of the renderer.
   bool IsWider() const
   {
     return this->Margin[0] > 0 || this->Margin[1] > 0 || this->HasTightClipping;
@@ -91,17 +96,17 @@ private:
 
   void PrepareFramebuffers(vtkOpenGLRenderWindow* window);
   void Prepare(vtkOpenGLRenderWindow* window, int samples);
-  static int SamplesOf(const vtkRenderState* state);
+  static int GetTargetSamples(const vtkRenderState* state);
   void ResolveDepth(vtkOpenGLRenderWindow* window);
   void ResolveColor(vtkOpenGLRenderWindow* window, vtkTextureObject* target);
 
   vtkSmartPointer<vtkTextureObject> Color;
-  vtkSmartPointer<vtkTextureObject> SampleDepth; ///< the same as Depth with one sample
+  vtkSmartPointer<vtkTextureObject> SampleDepth; ///< identical to Depth if Samples is 1
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;
   int Samples = 1;
-  bool HasTightClipping = false; ///< the clipping planes are not the camera's
+  bool HasTightClipping = false; ///< the clipping planes differ from those of the camera
   bool UsesTarget = false;       ///< Color and Depth belong to the target
   ScreenTransform View;
   int Viewport[4] = { 0, 0, 0, 0 };

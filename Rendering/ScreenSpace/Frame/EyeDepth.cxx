@@ -19,7 +19,7 @@ namespace penumbra
 namespace
 {
 
-/// From 1 on; of all depths of the process.
+/// Returns a version that is unique in this process, starting at 1.
 long long NextVersion()
 {
   static std::atomic<long long> last(0);
@@ -31,7 +31,8 @@ long long NextVersion()
 EyeDepth::Change EyeDepth::Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const ScreenTransform& view, bool moved)
 {
-  // The current picture keeps its size: it becomes the previous one of a picture with another size.
+  // The current texture keeps its size, because it becomes the previous one of an image of another
+  // size.
   Allocate(this->Textures[1 - this->Current], window, view.Width, view.Height, 1);
   const ScreenTransform& last = this->GetView();
   vtkTextureObject* current = this->GetCurrent();
@@ -65,7 +66,7 @@ bool EyeDepth::IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& i
   {
     return false;
   }
-  // The target only has to have the right size: nothing is written.
+  // Nothing is written; the target only needs the right size.
   const ScopedRenderTarget target(window, image.GetFramebuffer(), { this->GetPrevious() });
   this->GetView().SetUniforms(program);
   this->Compare.BindTexture("depthBuffer", image.GetDepth());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The depth buffer as distances along the view axis, of this picture and of the one before, and
+// Linear eye depth (distance along the view axis) of the current and the previous image, and
 // whether anything changed between them.
 #ifndef penumbra_EyeDepth_h
 #define penumbra_EyeDepth_h
@@ -15,17 +15,17 @@ namespace penumbra
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT EyeDepth
 {
 public:
-  /// What became of the picture since the last call.
+  /// Change of the image since the last call of Update().
   enum class Change
   {
-    None,  ///< same view, same depth
-    Moved, ///< the eye or something in view moved: GetPrevious() and GetPreviousView() are valid
-    Reset, ///< another projection or window: there is no previous picture
-    Failed ///< OpenGL refuses
+    None,  ///< same view and same depth
+    Moved, ///< the camera or a visible object moved; GetPrevious() and GetPreviousView() are valid
+    Reset, ///< another projection or window; there is no previous image
+    Failed ///< OpenGL reports an error
   };
 
-  /// `view`: that of the image, with the unit of length that the depths shall have.
-  /// `moved`: something that depth does not show is known to have changed.
+  /// Computes the depths of `image`. `view` is the view of the image with the unit of the depths.
+  /// If `moved` is on, the scene is treated as changed even if its depths are the same.
   Change Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     const ScreenTransform& view, bool moved = false);
 
@@ -34,10 +34,10 @@ public:
   const ScreenTransform& GetView() const { return this->Views[this->Current]; }
   const ScreenTransform& GetPreviousView() const { return this->Views[1 - this->Current]; }
 
-  /// Another number whenever the current depths are others, and other depths never have the same one.
+  /// Version of the current depths, unique in this process; it changes when the depths do.
   long long GetVersion() const { return this->Version; }
 
-  /// The next Update() says All.
+  /// Discards the depths, so that the next Update() returns Change::Reset.
   void Invalidate() { this->Filled = false; }
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The one seam between versions of VTK: which header declares OpenGL. For sources only.
+// Includes the header that declares OpenGL functions, which depends on the version of VTK. Include
+// it in source files only.
 #ifndef penumbra_OpenGLFunctions_h
 #define penumbra_OpenGLFunctions_h
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the passes tell what they did.
+// Statistics that the passes report as field data.
 #ifndef penumbra_PassStatistics_h
 #define penumbra_PassStatistics_h
 
@@ -12,7 +12,7 @@
 namespace penumbra
 {
 
-/// One number under a name of the field data.
+/// Adds an array with one value to the field data.
 inline void AddStatistic(vtkFieldData* statistics, const char* name, double value)
 {
   vtkNew<vtkDoubleArray> array;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Another view of a renderer's scene than its camera's, and what may be seen in it.
+// Scoped override of the camera of a renderer, and the visible props of a renderer.
 #ifndef penumbra_ScopedCamera_h
 #define penumbra_ScopedCamera_h
 
@@ -18,8 +18,9 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// While it lives the renderer looks through a copy of its camera with another projection. The
-/// renderer's own camera is never touched, and the lights that follow it see no difference.
+/// Replaces the camera of the renderer, for the lifetime of this object, by a copy with another
+/// projection. The original camera is not modified, and lights that follow the camera do not
+/// change.
 class ScopedCamera
 {
 public:
@@ -33,7 +34,7 @@ private:
   vtkSmartPointer<vtkCamera> Saved;
 };
 
-/// All that may be seen, what the renderer has culled included.
+/// Returns all visible props, including those that the renderer culled.
 std::vector<vtkProp*> VisibleProps(vtkRenderer* renderer);
 
 }

@@ -21,7 +21,8 @@ namespace penumbra
 namespace
 {
 
-/// Clipping planes so many times too far off waste the depth buffer's digits.
+/// Clipping planes are tightened if they are farther from the bounds than by this factor, because
+/// less of the precision of the depth buffer would be left.
 constexpr double ClippingRangeRatio = 32.0;
 
 Matrix Copy(vtkMatrix4x4* matrix)
@@ -66,9 +67,9 @@ ScreenTransform ScreenTransform::FromRenderer(
 bool ScreenTransform::TightenClippingRange(const double bounds[6])
 {
   const double* lastRow = this->Projection.data() + 12;
-  const bool usual = this->Projection[8] == 0.0 && this->Projection[9] == 0.0 &&
+  const bool isStandardProjection = this->Projection[8] == 0.0 && this->Projection[9] == 0.0 &&
     lastRow[0] == 0.0 && lastRow[1] == 0.0 && lastRow[this->Parallel ? 2 : 3] == 0.0;
-  if (!usual)
+  if (!isStandardProjection)
   {
     return false;
   }
@@ -86,9 +87,9 @@ bool ScreenTransform::TightenClippingRange(const double bounds[6])
   }
   const double planes[2] = { (this->Parallel ? d + 1.0 : d) / (this->Parallel ? c : c - 1.0),
     (this->Parallel ? d - 1.0 : d) / (this->Parallel ? c : c + 1.0) };
-  const double slack = std::max(farthest - nearest, 1e-3 * (planes[1] - planes[0]));
-  const double lower = std::max(planes[0], this->Parallel ? nearest - slack : 0.5 * nearest);
-  const double upper = std::min(planes[1], this->Parallel ? farthest + slack : 2.0 * farthest);
+  const double reserve = std::max(farthest - nearest, 1e-3 * (planes[1] - planes[0]));
+  const double lower = std::max(planes[0], this->Parallel ? nearest - reserve : 0.5 * nearest);
+  const double upper = std::min(planes[1], this->Parallel ? farthest + reserve : 2.0 * farthest);
   const bool coarse = this->Parallel ? planes[1] - planes[0] > ClippingRangeRatio * (upper - lower)
                                      : lower > ClippingRangeRatio * planes[0];
   if (!(lower < upper) || !coarse || !std::isfinite(upper - lower))
@@ -116,19 +117,19 @@ std::pair<double, double> ScreenTransform::DepthToEye() const
 
 ScreenTransform ScreenTransform::Downsampled(int block) const
 {
-  const int middle = block / 2; // The row and column that stand for their block.
+  const int center = block / 2; // row and column of the pixel that represents its block
   ScreenTransform view = *this;
   view.Width = (this->Width + block - 1) / block;
   view.Height = (this->Height + block - 1) / block;
   for (int axis = 0; axis < 2; ++axis)
   {
     view.Scale[axis] = this->Scale[axis] * block;
-    view.Offset[axis] += this->Scale[axis] * (middle + 0.5 - 0.5 * block);
-    // Clip coordinates: the blocks may reach beyond the picture.
+    view.Offset[axis] += this->Scale[axis] * (center + 0.5 - 0.5 * block);
+    // Clip coordinates: the last blocks may extend beyond the image.
     const int sides[2] = { this->Width, this->Height };
     const int blocks[2] = { view.Width, view.Height };
     const double wider = static_cast<double>(block) * blocks[axis] / sides[axis];
-    const double shift = wider + (2.0 * middle + 1.0 - block) / sides[axis] - 1.0;
+    const double shift = wider + (2.0 * center + 1.0 - block) / sides[axis] - 1.0;
     for (int k = 0; k < 4; ++k)
     {
       double& entry = view.Projection[4 * axis + k];

@@ -119,7 +119,7 @@ struct SavedState
   }
   ~SavedState()
   {
-    // As VTK's own passes leave them.
+    // VTK's passes expect these values.
     this->State->vtkglDepthFunc(GL_LEQUAL);
     this->State->vtkglDepthMask(GL_TRUE);
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One full-screen step of a pass: a fragment shader, the textures that it reads, the textures that
-// it fills.
+// A full-screen step of a pass: a fragment shader with its input textures, and scoped OpenGL state
+// for its outputs.
 #ifndef penumbra_Stage_h
 #define penumbra_Stage_h
 
@@ -24,11 +24,11 @@ class vtkWindow;
 namespace penumbra
 {
 
-/// Shader text with every line `//VTK::Penumbra::NAME` replaced by the piece of that name.
+/// Replaces every line `//VTK::Penumbra::NAME` of a shader by the piece of that name.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::string Assemble(
   std::string source, const std::vector<std::pair<std::string, std::string>>& pieces);
 
-/// Part of a picture, in pixels.
+/// Rectangle of an image, in pixels.
 struct Rectangle
 {
   int X = 0;
@@ -43,14 +43,14 @@ public:
   Stage();
   ~Stage();
 
-  /// Readies the program for uniforms; compiled once, and again when the source differs. Null when
-  /// it cannot be compiled.
+  /// Compiles and activates the program, so that uniforms can be set. It is compiled again only if
+  /// the source differs. Returns null if it does not compile.
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& source);
 
-  /// What the sampler `name` reads in the next Draw().
+  /// Binds a texture to the sampler `name` for the next Draw().
   void BindTexture(const char* name, vtkTextureObject* texture);
 
-  /// Draws into whatever is bound: all of it, or only within some rectangles.
+  /// Draws into the whole bound framebuffer, or only into some rectangles of it.
   void Draw();
   void Draw(const std::vector<Rectangle>& parts);
 
@@ -68,11 +68,12 @@ private:
   std::vector<vtkTextureObject*> Inputs;
 };
 
-/// What stages change of OpenGL; it is as it was when this ends.
+/// OpenGL state that stages change; the destructor restores it.
 struct SavedState;
 
-/// While it lives, stages draw into textures: all of them, all at once, without blending. With a
-/// depth texture only pixels that show a surface are drawn; it stays as it is. Then OpenGL is as it was.
+/// Redirects stages into textures, all at once and without blending, and restores the OpenGL state
+/// when it is destroyed. With a depth texture, only pixels with a surface are drawn; the depth is
+/// not modified.
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScopedRenderTarget
 {
 public:
@@ -82,7 +83,7 @@ public:
   ScopedRenderTarget(const ScopedRenderTarget&) = delete;
   void operator=(const ScopedRenderTarget&) = delete;
 
-  /// False: OpenGL does not accept these textures as targets.
+  /// Returns false if OpenGL does not accept these textures as targets.
   bool IsComplete() const { return this->Complete; }
 
 private:
@@ -94,8 +95,9 @@ private:
   bool Complete = false;
 };
 
-/// While it lives, stages are blended over part of whatever is bound: alpha is what they hide of it, and
-/// their colours are multiplied by it already. `depths`: they replace depths, too.
+/// Blends the output of stages over a viewport of the bound framebuffer, with premultiplied alpha,
+/// and restores the OpenGL state when it is destroyed. If `depths` is on, stages also replace the
+/// depth.
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScopedBlending
 {
 public:
@@ -108,12 +110,12 @@ private:
   std::unique_ptr<SavedState> Saved;
 };
 
-/// A texture of floats, sampled at the nearest pixel; cleared to zero. Kept while its size is right.
-/// True when it is new.
+/// Ensures that `texture` is a float texture of this size, with nearest filtering. A new texture is
+/// cleared to zero; an existing one of the right size is kept. Returns whether the texture is new.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT bool Allocate(vtkSmartPointer<vtkTextureObject>& texture,
   vtkOpenGLRenderWindow* window, int width, int height, int components);
 
-/// All values of a texture of floats, row after row.
+/// Reads all values of a float texture, in row-major order.
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::vector<float> ReadBack(vtkTextureObject* texture);
 
 }

@@ -26,14 +26,15 @@ namespace penumbra
 namespace
 {
 
-/// What eight bits can number.
-constexpr int MostActors = 255;
+/// Maximum number of moving actors per frame: their numbers are stored in 8 bits.
+constexpr int MaximumActors = 255;
 
-/// A motion that changes lengths by more than this share is not that of a rigid body.
+/// Maximum deviation of the entries of R^T R from the identity for a motion to count as rigid,
+/// where R is its 3 x 3 part.
 constexpr double RigidityTolerance = 1e-6;
 
-/// When the mesh of an actor was last another one.
-vtkMTimeType MeshTime(vtkActor* actor)
+/// Returns the modification time of the mapper and its input data.
+vtkMTimeType GetMeshMTime(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   vtkMTimeType time = mapper->GetMTime();
@@ -82,7 +83,7 @@ bool ActorMotion::IsMotion(const ActorState& before, const ActorState& now, Matr
 void ActorMotion::UpdateMotion(vtkRenderer* renderer)
 {
   this->MovedActors.clear();
-  std::map<std::pair<vtkActor*, int>, ActorState> found;
+  std::map<std::pair<vtkActor*, int>, ActorState> current;
   for (vtkProp* prop : VisibleProps(renderer))
   {
     prop->InitPathTraversal();
@@ -96,22 +97,22 @@ void ActorMotion::UpdateMotion(vtkRenderer* renderer)
       }
       ActorState now;
       std::copy_n(node->GetMatrix()->GetData(), 16, now.ToWorld.begin());
-      now.MeshTime = MeshTime(actor);
+      now.MeshTime = GetMeshMTime(actor);
       std::pair<vtkActor*, int> key(actor, 0);
-      while (!found.emplace(key, now).second)
+      while (!current.emplace(key, now).second)
       {
         ++key.second;
       }
       const auto before = this->Last.find(key);
       Motion motion{ actor, now.ToWorld, {} };
       if (before != this->Last.end() && IsMotion(before->second, now, motion.ToWorldBefore) &&
-        static_cast<int>(this->MovedActors.size()) < MostActors)
+        static_cast<int>(this->MovedActors.size()) < MaximumActors)
       {
         this->MovedActors.push_back(motion);
       }
     }
   }
-  this->Last.swap(found);
+  this->Last.swap(current);
 }
 
 bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDepth& depth)
@@ -144,16 +145,16 @@ bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDep
     this->Target = image.CreateColor(window, 1);
   }
   return image.DrawAgain(renderer, this->Target, [&]() {
-    // Whatever an opaque actor's colour is, its alpha is 1: blending makes a number of it.
-    vtkOpenGLState* gl = window->GetState();
-    const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-    const vtkOpenGLState::ScopedglBlendFuncSeparate function(gl);
-    gl->vtkglEnable(GL_BLEND);
-    gl->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_CONSTANT_ALPHA, GL_ZERO);
+    // Opaque actors have alpha 1, which blending replaces by the number of the actor.
+    vtkOpenGLState* state = window->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_CONSTANT_ALPHA, GL_ZERO);
     for (int i = 0; i < rows; ++i)
     {
       const Motion& motion = this->MovedActors[i];
-      glBlendColor(0.f, 0.f, 0.f, static_cast<float>(i + 1) / MostActors);
+      glBlendColor(0.f, 0.f, 0.f, static_cast<float>(i + 1) / MaximumActors);
       vtkNew<vtkMatrix4x4> toWorld;
       toWorld->DeepCopy(motion.ToWorld.data());
       motion.Actor->PokeMatrix(toWorld); // as assemblies do
@@ -164,7 +165,7 @@ bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDep
   });
 }
 
-std::vector<unsigned char> ActorMotion::ReadNumbers() const
+std::vector<unsigned char> ActorMotion::ReadActorNumbers() const
 {
   unsigned int size[2] = { this->Target->GetWidth(), this->Target->GetHeight() };
   std::vector<unsigned char> colors(static_cast<std::size_t>(size[0]) * size[1] * 4);

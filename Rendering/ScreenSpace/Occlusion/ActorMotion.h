@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Actors that have moved as rigid bodies since the last frame: from where, and which pixels show
-// them. With it a history finds the points of what moves, where depth alone shows another surface.
+// Finds actors that moved as rigid bodies since the last frame, and renders which pixels show them.
+// Temporal reprojection uses their matrices to find the history of moving surfaces.
 #ifndef penumbra_ActorMotion_h
 #define penumbra_ActorMotion_h
 
@@ -21,29 +21,32 @@ namespace penumbra
 class ActorMotion
 {
 public:
-  /// Finds which of the renderer's actors moved since the last call; to be called when they are drawn.
+  /// Compares the renderer's actors with those of the last call. Must be called when they are
+  /// rendered.
   void UpdateMotion(vtkRenderer* renderer);
 
-  /// Nothing has moved since the last call.
+  /// Treats all actors as unmoved in this frame.
   void ClearMotion() { this->MovedActors.clear(); }
 
-  /// Draws the actors that moved, as Draw() of `image` did the scene. False when there are none, or
-  /// when OpenGL refuses. `depth`: of this frame and the last one.
+  /// Draws the actors that moved, with the view of `image`. Returns false if there are none or if
+  /// OpenGL reports an error. `depth`: eye depths of this frame and the last one.
   bool Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDepth& depth);
 
-  /// The picture of Draw(). Alpha: the number of the actor that a pixel shows, from 1, in 255ths; 0
-  /// where nothing moved.
+  /// Image that Draw() fills. Alpha: number of the visible actor / 255, starting at 1; 0 if it has
+  /// not moved.
   vtkTextureObject* GetTarget() const { return this->Target; }
-  std::vector<unsigned char> ReadNumbers() const;
 
-  /// A row an actor of Draw(): the four columns of the matrix from eye coordinates to those of the
-  /// last frame.
+  /// Returns the numbers of the visible actors, row by row.
+  std::vector<unsigned char> ReadActorNumbers() const;
+
+  /// One row per actor of Draw(): the four columns of the matrix from eye coordinates to those of
+  /// the last frame.
   vtkTextureObject* GetMatrices() const { return this->Matrices; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// An actor's place, and when its mesh was changed.
+  /// Matrix of an actor and modification time of its mesh.
   struct ActorState
   {
     Matrix ToWorld{};
@@ -53,12 +56,13 @@ private:
   {
     vtkActor* Actor;
     Matrix ToWorld;
-    Matrix ToWorldBefore; ///< from world to world
+    Matrix ToWorldBefore; ///< from world coordinates of this frame to those of the last one
   };
 
   static bool IsMotion(const ActorState& before, const ActorState& now, Matrix& toWorldBefore);
 
-  /// By actor and, of those that are part of several assemblies, number.
+  /// State of each actor in the last frame. The number distinguishes the occurrences of an actor
+  /// that is part of several assemblies.
   std::map<std::pair<vtkActor*, int>, ActorState> Last;
   std::vector<Motion> MovedActors;
   vtkSmartPointer<vtkTextureObject> Target;

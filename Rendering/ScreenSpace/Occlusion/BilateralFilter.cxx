@@ -17,7 +17,7 @@ namespace penumbra
 namespace
 {
 
-std::string WithPieces(const char* source)
+std::string AssembleFilter(const char* source)
 {
   return Assemble(source,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
@@ -28,27 +28,27 @@ std::string WithPieces(const char* source)
 
 bool BilateralFilter::Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const ScreenTransform& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
-  vtkTextureObject* between, vtkTextureObject* target, const BilateralSettings& settings,
+  vtkTextureObject* intermediate, vtkTextureObject* target, const BilateralSettings& settings,
   const std::vector<Rectangle>& parts)
 {
-  static const std::string source = WithPieces(vtkPenumbraBilateralFS);
+  static const std::string source = AssembleFilter(vtkPenumbraBilateralFS);
   for (int direction = 0; direction < 2; ++direction)
   {
     vtkShaderProgram* program = this->Smooth.Ready(window, source);
-    const ScopedRenderTarget into(
-      window, image.GetFramebuffer(), { direction == 0 ? between : target }, image.GetDepth());
-    if (!program || !into.IsComplete())
+    const ScopedRenderTarget renderTarget(
+      window, image.GetFramebuffer(), { direction == 0 ? intermediate : target }, image.GetDepth());
+    if (!program || !renderTarget.IsComplete())
     {
       return false;
     }
-    const float way[2] = { direction == 0 ? 1.f : 0.f, direction == 0 ? 0.f : 1.f };
+    const float axis[2] = { direction == 0 ? 1.f : 0.f, direction == 0 ? 0.f : 1.f };
     view.SetUniforms(program);
-    program->SetUniform2f("way", way);
+    program->SetUniform2f("direction", axis);
     program->SetUniformf("convergedWeight", static_cast<float>(settings.ConvergedWeight));
     program->SetUniformf("distanceInPixels", static_cast<float>(settings.DistanceInPixels));
     program->SetUniformf("mean", direction == 0 ? 0.f : 1.f);
     this->Smooth.BindTexture("eyeDepths", eyeDepths);
-    this->Smooth.BindTexture("values", direction == 0 ? values : between);
+    this->Smooth.BindTexture("values", direction == 0 ? values : intermediate);
     this->Smooth.Draw(parts);
   }
   return true;
@@ -58,10 +58,11 @@ bool BilateralFilter::ApplySinglePass(vtkOpenGLRenderWindow* window, const Deleg
   const ScreenTransform& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
   vtkTextureObject* target, const BilateralSettings& settings, const std::vector<Rectangle>& parts)
 {
-  static const std::string source = WithPieces(vtkPenumbraBilateralSinglePassFS);
+  static const std::string source = AssembleFilter(vtkPenumbraBilateralSinglePassFS);
   vtkShaderProgram* program = this->SinglePass.Ready(window, source);
-  const ScopedRenderTarget into(window, image.GetFramebuffer(), { target }, image.GetDepth());
-  if (!program || !into.IsComplete())
+  const ScopedRenderTarget renderTarget(
+    window, image.GetFramebuffer(), { target }, image.GetDepth());
+  if (!program || !renderTarget.IsComplete())
   {
     return false;
   }
@@ -78,8 +79,9 @@ bool BilateralFilter::Copy(vtkOpenGLRenderWindow* window, const DelegateImage& i
   vtkTextureObject* values, vtkTextureObject* target, const std::vector<Rectangle>& parts)
 {
   vtkShaderProgram* program = this->Mean.Ready(window, vtkPenumbraMeanFS);
-  const ScopedRenderTarget into(window, image.GetFramebuffer(), { target }, image.GetDepth());
-  if (!program || !into.IsComplete())
+  const ScopedRenderTarget renderTarget(
+    window, image.GetFramebuffer(), { target }, image.GetDepth());
+  if (!program || !renderTarget.IsComplete())
   {
     return false;
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The separable cross-bilateral filter [TSSAO eq. 10-11], as steps of a pass.
+// The separable cross-bilateral filter of occlusion [TSSAO eq. 10-11], as stages of a pass.
 #ifndef penumbra_BilateralFilter_h
 #define penumbra_BilateralFilter_h
 
@@ -15,28 +15,28 @@ namespace penumbra
 
 struct BilateralSettings
 {
-  double ConvergedWeight = 150.0; ///< from this weight on a pixel is left alone
-  double DistanceInPixels = 4.0;  ///< a neighbour so many pixel widths away in space counts 1/e
+  double ConvergedWeight = 150.0; ///< pixels with at least this many samples are not filtered
+  double DistanceInPixels = 4.0;  ///< distance at which the weight falls to 1/e, in pixel widths
 };
 
 class BilateralFilter
 {
 public:
-  /// From `values` (r: sum, g: number of samples) over `between` (two floats) to means in
-  /// `target`.
-  /// `view` is that of `eyeDepths`. Only within `parts`. False when OpenGL refuses.
+  /// Filters `values` (r: sum, g: number of samples) and writes means to `target`. `intermediate`
+  /// is a texture of two components for the first direction, `view` the view of `eyeDepths`. Only
+  /// pixels in `parts` are filtered. Returns false if OpenGL reports an error.
   bool Apply(vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenTransform& view,
-    vtkTextureObject* eyeDepths, vtkTextureObject* values, vtkTextureObject* between,
+    vtkTextureObject* eyeDepths, vtkTextureObject* values, vtkTextureObject* intermediate,
     vtkTextureObject* target, const BilateralSettings& settings,
     const std::vector<Rectangle>& parts);
 
-  /// The same in one step: cheaper where all but some spots have converged, else dearer.
+  /// Applies the same filter in a single pass, which is faster if most pixels have converged.
   bool ApplySinglePass(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     const ScreenTransform& view, vtkTextureObject* eyeDepths, vtkTextureObject* values,
     vtkTextureObject* target, const BilateralSettings& settings,
     const std::vector<Rectangle>& parts);
 
-  /// The mean of `values` as it is, for pictures that need no filter.
+  /// Writes the means of `values` without filtering.
   bool Copy(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* values,
     vtkTextureObject* target, const std::vector<Rectangle>& parts);
 

@@ -19,7 +19,7 @@ namespace penumbra
 namespace
 {
 
-/// Whoever draws the whole picture finds what DelegateImage offers, too.
+/// Clears the target. Sets the same OpenGL state as DelegateImage does for its delegate.
 void Clear(vtkOpenGLState* gl, const int at[4])
 {
   gl->vtkglViewport(at[0], at[1], at[2], at[3]);
@@ -48,13 +48,13 @@ void SetPixelSize(vtkShaderProgram* program, const char* name, vtkTextureObject*
 }
 
 bool ConvergedFrame::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
-  const DelegateImage& image, const CompositeInputs& darkness, bool clear)
+  const DelegateImage& image, const CompositeInputs& inputs, bool clear)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
   vtkOpenGLFramebufferObject* target = DelegateImage::GetReadableTarget(state);
   if (!target)
   {
-    this->Known = false;
+    this->Valid = false;
     return false;
   }
   vtkOpenGLState* gl = window->GetState();
@@ -69,17 +69,17 @@ bool ConvergedFrame::Draw(const vtkRenderState* state, vtkRenderPass* delegate,
   delegate->Render(state);
   this->Props = delegate->GetNumberOfRenderedProps();
   vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();
-  this->Known = this->Known || this->Store(window, image, depth, darkness);
-  this->Known = this->Known && this->Darken(window, image, target, darkness.DepthAndFactor);
-  return this->Known;
+  this->Valid = this->Valid || this->Store(window, image, depth, inputs);
+  this->Valid = this->Valid && this->ApplyOcclusion(window, image, target, inputs.DepthAndFactor);
+  return this->Valid;
 }
 
 bool ConvergedFrame::Store(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  vtkTextureObject* depth, const CompositeInputs& darkness)
+  vtkTextureObject* depth, const CompositeInputs& inputs)
 {
   vtkShaderProgram* program = this->Copy.Ready(window, vtkPenumbraConvergedCopyFS);
-  const ScopedRenderTarget into(window, image.GetFramebuffer(), { darkness.DepthAndFactor });
-  if (!program || !into.IsComplete())
+  const ScopedRenderTarget renderTarget(window, image.GetFramebuffer(), { inputs.DepthAndFactor });
+  if (!program || !renderTarget.IsComplete())
   {
     return false;
   }
@@ -87,22 +87,22 @@ bool ConvergedFrame::Store(vtkOpenGLRenderWindow* window, const DelegateImage& i
   const int* margin = image.GetMargin();
   SetVector(program, "offset", at[0] - margin[0], at[1] - margin[1]);
   SetPixelSize(program, "targetPixelSize", depth);
-  SetPixelSize(program, "pixelSize", darkness.Occlusions);
-  program->SetUniformf("strength", static_cast<float>(darkness.Strength));
+  SetPixelSize(program, "pixelSize", inputs.Occlusions);
+  program->SetUniformf("strength", static_cast<float>(inputs.Strength));
   this->Copy.BindTexture("depthBuffer", depth);
-  this->Copy.BindTexture("occlusions", darkness.Occlusions);
+  this->Copy.BindTexture("occlusions", inputs.Occlusions);
   this->Copy.Draw({ { margin[0], margin[1], at[2], at[3] } });
   return true;
 }
 
-bool ConvergedFrame::Darken(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  vtkOpenGLFramebufferObject* target, vtkTextureObject* memory)
+bool ConvergedFrame::ApplyOcclusion(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  vtkOpenGLFramebufferObject* target, vtkTextureObject* convergedFrame)
 {
   vtkTextureObject* depth = target->GetDepthAttachmentAsTextureObject();
   vtkShaderProgram* program = this->Multiply.Ready(window, vtkPenumbraConvergedCompositeFS);
-  const ScopedRenderTarget into(
+  const ScopedRenderTarget renderTarget(
     window, image.GetFramebuffer(), { target->GetColorAttachmentAsTextureObject(0) });
-  if (!program || !into.IsComplete())
+  if (!program || !renderTarget.IsComplete())
   {
     return false;
   }
@@ -110,9 +110,9 @@ bool ConvergedFrame::Darken(vtkOpenGLRenderWindow* window, const DelegateImage& 
   const int* margin = image.GetMargin();
   SetVector(program, "offset", margin[0] - at[0], margin[1] - at[1]);
   SetPixelSize(program, "targetPixelSize", depth);
-  SetPixelSize(program, "pixelSize", memory);
+  SetPixelSize(program, "pixelSize", convergedFrame);
   this->Multiply.BindTexture("depthBuffer", depth);
-  this->Multiply.BindTexture("memory", memory);
+  this->Multiply.BindTexture("convergedFrame", convergedFrame);
 
   vtkOpenGLState* gl = window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
@@ -135,7 +135,7 @@ void ConvergedFrame::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Copy.ReleaseGraphicsResources(window);
   this->Multiply.ReleaseGraphicsResources(window);
-  this->Known = false;
+  this->Valid = false;
 }
 
 }

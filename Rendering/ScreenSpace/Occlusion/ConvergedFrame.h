@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cheap way to draw a picture whose occlusion is known: the delegate draws straight into the
-// target, which is then darkened. Depth tells whether it is still the picture that was known.
+// Fast path for a frame whose occlusion has converged. The delegate renders directly into the
+// target, which is then multiplied by the known occlusion. The stored depth reveals whether the
+// image has changed.
 #ifndef penumbra_ConvergedFrame_h
 #define penumbra_ConvergedFrame_h
 
@@ -15,38 +16,40 @@ namespace penumbra
 class ConvergedFrame
 {
 public:
-  /// What a picture is darkened by, and where that is remembered.
+  /// Occlusion to apply and the texture that stores the frame.
   struct CompositeInputs
   {
     vtkTextureObject* Occlusions;
     double Strength;
-    vtkTextureObject* DepthAndFactor; ///< two floats a pixel, nobody else's until Forget()
+    /// Texture of two components, reserved for this object until Invalidate().
+    vtkTextureObject* DepthAndFactor;
   };
 
-  /// Draws the delegate into the target of `state` and multiplies it by 1 - strength * occlusion,
-  /// where there is a surface. The first picture after Forget() is remembered; of others it is false
-  /// when any depth differs, and false where the target's depth cannot be read: then the target's
-  /// content is to be drawn over. `image`: aimed at the target, which is cleared first if asked for.
+  /// Renders the delegate into the target of `state` and multiplies pixels that show a surface by
+  /// 1 - strength * occlusion. `image`: set up for the target, which is cleared first if `clear` is
+  /// true. The first call after Invalidate() stores the frame. Returns false if the depth of any
+  /// pixel differs from the stored one, or if the depth of the target cannot be read; the caller
+  /// must then render the target again.
   bool Draw(const vtkRenderState* state, vtkRenderPass* delegate, const DelegateImage& image,
-    const CompositeInputs& darkness, bool clear);
+    const CompositeInputs& inputs, bool clear);
 
-  /// Is there a picture to compare with?
-  bool IsKnown() const { return this->Known; }
-  void Forget() { this->Known = false; }
+  /// Returns true if a frame is stored.
+  bool IsValid() const { return this->Valid; }
+  void Invalidate() { this->Valid = false; }
 
   int GetNumberOfRenderedProps() const { return this->Props; }
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   bool Store(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* depth,
-    const CompositeInputs& darkness);
-  bool Darken(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-    vtkOpenGLFramebufferObject* target, vtkTextureObject* memory);
+    const CompositeInputs& inputs);
+  bool ApplyOcclusion(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+    vtkOpenGLFramebufferObject* target, vtkTextureObject* convergedFrame);
 
   Stage Copy;
   Stage Multiply;
   int Props = 0;
-  bool Known = false;
+  bool Valid = false;
 };
 
 }

@@ -12,34 +12,38 @@ namespace penumbra
 namespace
 {
 
+/// Width and height of a tile, in pixels.
 constexpr int TileSide = 16;
 
-/// The first comparison is not worth its reading before this many samples.
-constexpr int FirstReading = 32;
+/// Minimum number of samples per pixel before the first check: earlier, reading the image costs
+/// more than the samples that a check saves.
+constexpr int FirstCheck = 32;
 
-/// The mean of 2 n samples is off by about its difference to the mean of n: with independent samples
-/// exactly. More, because tiles are closed where that difference happens to be small; measured,
-/// `./penumbra benchmark ambient-occlusion --only noise`.
-constexpr double ErrorOfDifference = 1.25;
+/// Estimated error of a mean of 2 n samples as a multiple of its difference from the mean of n. For
+/// independent samples the RMS ratio is 1. It is larger here, because tiles tend to converge when
+/// their difference happens to be small. Found with `./penumbra benchmark ambient-occlusion --only
+/// noise`.
+constexpr double ErrorPerDifference = 1.25;
 
-/// What all pixels of a tile have in common shows as a step to the next one, and counts so many times.
-constexpr double WeightOfSteps = 4.0;
+/// Weight of the mean error of a tile relative to the errors of its pixels: an error that all
+/// pixels of a tile have in common is visible as a step at the tile's edge.
+constexpr double TileOffsetWeight = 4.0;
 
 }
 
-void Convergence::Restart(double carried)
+void Convergence::Restart(double staleSamples)
 {
   *this = Convergence();
-  this->StaleSamples = carried;
+  this->StaleSamples = staleSamples;
 }
 
-void Convergence::Reopen()
+void Convergence::ReactivateTiles()
 {
-  // Tiles that were closed have had fewer samples than others, so that the error that the next
-  // comparison finds in them is too large rather than too small.
-  this->Known = false;
+  // Converged tiles have fewer samples than active ones, so the next check overestimates their
+  // error.
+  this->HasErrors = false;
   this->TileErrors.clear();
-  this->Open.clear();
+  this->ActiveTiles.clear();
   this->LargestError = VTK_DOUBLE_MAX;
 }
 
@@ -47,13 +51,13 @@ void Convergence::MarkConverged(int samples, double error)
 {
   *this = Convergence();
   this->Samples = samples;
-  this->Known = true;
+  this->HasErrors = true;
   this->LargestError = error;
 }
 
 int Convergence::GetSamplesUntilCheck() const
 {
-  return std::max(FirstReading, 2 * this->SamplesAtReading) - this->Samples;
+  return std::max(FirstCheck, 2 * this->SamplesAtCheck) - this->Samples;
 }
 
 void Convergence::Add(
@@ -70,63 +74,65 @@ void Convergence::Add(
     this->UpdateTileErrors(now, width, tolerance);
   }
   this->PreviousValues = std::move(now);
-  this->SamplesAtReading = this->Samples;
+  this->SamplesAtCheck = this->Samples;
 }
 
 void Convergence::UpdateTileErrors(const std::vector<float>& now, int width, double tolerance)
 {
   const int height = static_cast<int>(now.size()) / width;
-  // Of c samples carried over, wrong by e, c e / (c + 2 n) is left after 2 n new ones: the change since
-  // n new ones, times 1 + c / n.
+  // If c stale samples have the error e, c e / (c + 2 n) remains after 2 n new samples: the change
+  // since n new samples, times 1 + c / n.
   const double scale =
-    ErrorOfDifference * (1.0 + this->StaleSamples / std::max(this->SamplesAtReading, 1));
+    ErrorPerDifference * (1.0 + this->StaleSamples / std::max(this->SamplesAtCheck, 1));
   const int columns = (width + TileSide - 1) / TileSide;
   const int rows = (height + TileSide - 1) / TileSide;
-  std::vector<double> sums(static_cast<std::size_t>(columns) * rows, 0.0);
-  std::vector<double> steps(sums.size(), 0.0);
-  std::vector<int> counts(sums.size(), 0);
+  std::vector<double> squaredSums(static_cast<std::size_t>(columns) * rows, 0.0);
+  std::vector<double> offsetSums(squaredSums.size(), 0.0);
+  std::vector<int> counts(squaredSums.size(), 0);
   for (int j = 0; j < height; ++j)
   {
     for (int i = 0; i < width; ++i)
     {
-      const std::size_t at = static_cast<std::size_t>(j) * width + i;
+      const std::size_t pixel = static_cast<std::size_t>(j) * width + i;
       const std::size_t tile = static_cast<std::size_t>(j / TileSide) * columns + i / TileSide;
-      const double difference = scale * (static_cast<double>(now[at]) - this->PreviousValues[at]);
-      sums[tile] += now[at] >= 0.f ? difference * difference : 0.0;
-      steps[tile] += now[at] >= 0.f ? difference : 0.0;
-      counts[tile] += now[at] >= 0.f;
+      const double difference =
+        scale * (static_cast<double>(now[pixel]) - this->PreviousValues[pixel]);
+      squaredSums[tile] += now[pixel] >= 0.f ? difference * difference : 0.0;
+      offsetSums[tile] += now[pixel] >= 0.f ? difference : 0.0;
+      counts[tile] += now[pixel] >= 0.f;
     }
   }
 
-  // What was closed keeps its error: it has had no new samples.
-  this->TileErrors.resize(sums.size(), -1.0);
-  this->Open.clear();
+  // Converged tiles keep their error, because they received no samples.
+  this->TileErrors.resize(squaredSums.size(), -1.0);
+  this->ActiveTiles.clear();
   this->LargestError = 0.0;
-  for (int tile = 0; tile < static_cast<int>(sums.size()); ++tile)
+  for (int tile = 0; tile < static_cast<int>(squaredSums.size()); ++tile)
   {
-    const double closed = this->TileErrors[tile];
-    const double error = closed >= 0.0 ? closed : sums[tile] / std::max(counts[tile], 1);
+    const double converged = this->TileErrors[tile];
+    const double error =
+      converged >= 0.0 ? converged : squaredSums[tile] / std::max(counts[tile], 1);
     this->LargestError = std::max(this->LargestError, std::sqrt(error));
-    const double step = WeightOfSteps * steps[tile] / std::max(counts[tile], 1);
-    if (closed >= 0.0 || std::max(error, step * step) <= tolerance * tolerance)
+    const double offset = TileOffsetWeight * offsetSums[tile] / std::max(counts[tile], 1);
+    if (converged >= 0.0 || std::max(error, offset * offset) <= tolerance * tolerance)
     {
       this->TileErrors[tile] = error;
       continue;
     }
-    const Rectangle part{ tile % columns * TileSide, tile / columns * TileSide, TileSide,
+    const Rectangle rectangle{ tile % columns * TileSide, tile / columns * TileSide, TileSide,
       TileSide };
-    const bool joins = !this->Open.empty() && this->Open.back().Y == part.Y &&
-      this->Open.back().X + this->Open.back().Width == part.X;
+    const bool joins = !this->ActiveTiles.empty() && this->ActiveTiles.back().Y == rectangle.Y &&
+      this->ActiveTiles.back().X + this->ActiveTiles.back().Width == rectangle.X;
     if (joins)
     {
-      this->Open.back().Width += TileSide;
+      this->ActiveTiles.back().Width += TileSide;
     }
     else
     {
-      this->Open.push_back(part);
+      this->ActiveTiles.push_back(rectangle);
     }
   }
-  this->Known = true;
+  this->HasErrors = true;
 }
 
 }

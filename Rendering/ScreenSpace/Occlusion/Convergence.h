@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// When is a still picture good enough? Each time its samples have doubled every tile of 16 x 16
-// pixels is compared with what it was: by as much as the two differ it may still be wrong. Tiles
-// within the tolerance get no more samples.
+// Stopping rule of a static view. Each time the number of samples has doubled, every tile of 16 x
+// 16 pixels is compared with its previous values. Their difference estimates the remaining error.
+// Tiles within the tolerance receive no more samples.
 #ifndef penumbra_Convergence_h
 #define penumbra_Convergence_h
 
@@ -20,40 +20,40 @@ namespace penumbra
 class Convergence
 {
 public:
-  /// The picture has moved: nothing is known, all is open. `carried` samples of before still weigh
-  /// in the mean, and may be wrong.
-  void Restart(double carried = 0.0);
+  /// Starts again after the view or the scene changed: all tiles are active. `staleSamples`: weight
+  /// of earlier samples on average, which may be wrong.
+  void Restart(double staleSamples = 0.0);
 
-  /// A smaller tolerance applies from now on: all is open again, all samples count.
-  void Reopen();
+  /// Activates all tiles because the tolerance has decreased. All samples remain valid.
+  void ReactivateTiles();
 
-  /// Tells of `samples` more samples in the open tiles; `read` fetches the picture when it is
-  /// needed: one value a pixel, row after row, negative where there is nothing.
+  /// Records `samples` more samples in the active tiles and updates the errors when a check is due.
+  /// `read` returns the image: one value per pixel, row by row, negative at empty pixels.
   void Add(
     int samples, int width, double tolerance, const std::function<std::vector<float>()>& read);
 
-  /// All is known with this error: nothing is open.
+  /// Marks the whole image as converged with this error.
   void MarkConverged(int samples, double error);
 
-  /// What open tiles have had.
+  /// Number of samples per pixel in active tiles.
   int GetSamples() const { return this->Samples; }
 
-  /// How many more make it look at the picture again.
+  /// Number of samples until the next check.
   int GetSamplesUntilCheck() const;
 
-  /// What they had when the picture was last looked at.
-  int GetSamplesAtReading() const { return this->SamplesAtReading; }
+  /// Number of samples at the last check.
+  int GetSamplesAtCheck() const { return this->SamplesAtCheck; }
 
-  /// Nothing is open any more.
-  bool IsDone() const { return this->Known && this->Open.empty(); }
+  /// Returns true if no tile is active.
+  bool IsDone() const { return this->HasErrors && this->ActiveTiles.empty(); }
 
-  /// False: all of the picture is open.
-  bool IsKnown() const { return this->Known; }
+  /// Returns false if no errors have been computed yet: the whole image is active.
+  bool HasTileErrors() const { return this->HasErrors; }
 
-  /// Where tiles are open, neighbours joined.
-  const std::vector<Rectangle>& GetActiveTiles() const { return this->Open; }
+  /// Active tiles in pixels; adjacent tiles of a row are merged.
+  const std::vector<Rectangle>& GetActiveTiles() const { return this->ActiveTiles; }
 
-  /// The largest of the errors believed in of the tiles; infinite before they are known.
+  /// Largest estimated error of a tile; VTK_DOUBLE_MAX before the first check.
   double GetLargestError() const { return this->LargestError; }
 
 private:
@@ -61,11 +61,11 @@ private:
 
   double StaleSamples = 0.0;
   int Samples = 0;
-  int SamplesAtReading = 0;
-  bool Known = false;
+  int SamplesAtCheck = 0;
+  bool HasErrors = false;
   std::vector<float> PreviousValues;
-  std::vector<double> TileErrors; ///< squared; negative: open
-  std::vector<Rectangle> Open;
+  std::vector<double> TileErrors; ///< squared; negative: the tile is active
+  std::vector<Rectangle> ActiveTiles;
   double LargestError = VTK_DOUBLE_MAX;
 };
 

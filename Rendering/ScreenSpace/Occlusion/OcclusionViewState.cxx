@@ -22,16 +22,18 @@ namespace penumbra
 namespace
 {
 
-/// A still view gives up on the tolerance when it has been looked at after so many times MaximumWeight.
+/// A static view stops refining after this multiple of MaximumWeight samples, even if the tolerance
+/// is not met.
 constexpr double StillSampleLimit = 8.0;
 
-/// Of one step: graphics cards give up on a picture that takes them seconds.
-constexpr int MostSamples = 128;
+/// Maximum number of samples per draw call: drivers reset the device if a draw call takes seconds.
+constexpr int MaximumSamplesPerStep = 128;
 
-/// The sequence starts again here, long before its index loses precision.
+/// The sample sequence restarts after this many samples, before its index loses precision as a
+/// float.
 constexpr int SequenceLength = 1 << 20;
 
-/// Eye depths beyond this are empty pixels: vtkPenumbraViewLib.glsl.
+/// Eye depths beyond this mark empty pixels: see farAway in vtkPenumbraViewLib.glsl.
 constexpr float FarAway = 1e17f;
 
 vtkFloatArray* AddArray(vtkImageData* image, const char* name)
@@ -48,7 +50,7 @@ vtkFloatArray* AddArray(vtkImageData* image, const char* name)
 bool OcclusionViewState::MeetsTolerance() const
 {
   return this->TileConvergence.IsDone() ||
-    this->TileConvergence.GetSamplesAtReading() >= StillSampleLimit * this->Settings.MaximumWeight;
+    this->TileConvergence.GetSamplesAtCheck() >= StillSampleLimit * this->Settings.MaximumWeight;
 }
 
 bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate,
@@ -59,7 +61,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   this->Estimator = estimator;
   const OcclusionSettings last = this->Settings;
   this->Settings = settings;
-  this->Compare(last);
+  this->CompareSettings(last);
   this->NewSamples = 0;
   this->HasActorMotion = false;
   if (!this->Image.SetUpView(state, settings.Margin, settings.Bounds))
@@ -68,23 +70,24 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   }
   ScreenTransform view = this->Image.GetView();
   view.Unit = settings.Radius;
-  // What is drawn already can be multiplied by a number, not by one of its own brightness.
-  const bool straight = !settings.DelegateOnce && settings.Darkness.LightAwareness == 0.0;
-  if (straight && this->CanReuseConvergedFrame(view) &&
-    this->Picture.Draw(
-      state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
+  // An image in the target can be multiplied by a factor, but not by one that depends on its
+  // brightness.
+  const bool direct = !settings.DelegateOnce && settings.Darkness.LightAwareness == 0.0;
+  if (direct && this->CanReuseConvergedFrame(view) &&
+    this->StoredFrame.Draw(
+      state, delegate, this->Image, this->GetCompositeInputs(), settings.DelegateDrawsBackground))
   {
-    this->Props = this->Picture.GetNumberOfRenderedProps();
-    this->LookForMotion();
+    this->Props = this->StoredFrame.GetNumberOfRenderedProps();
+    this->UpdateActorMotion();
     return true;
   }
-  this->Picture.Forget();
+  this->StoredFrame.Invalidate();
   this->Props = this->Image.Draw(state, delegate, settings.Margin, false, settings.Bounds);
   if (this->Props < 0)
   {
     return false;
   }
-  this->LookForMotion();
+  this->UpdateActorMotion();
   const int* at = this->Image.GetViewport();
   this->InnerRegion = { { settings.Margin[0], settings.Margin[1], at[2], at[3] } };
   Allocate(this->Estimates, this->Window, view.Width, view.Height, 1);
@@ -100,7 +103,8 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   }
   if (change != EyeDepth::Change::None)
   {
-    // What is to converge at once takes nothing over: a mean with old samples is late to be right.
+    // Discard the history when converging within one Render(): stale samples would delay
+    // convergence.
     change = settings.InOneRender ? EyeDepth::Change::Reset : change;
     this->Converged = false;
     this->TileConvergence.Restart(
@@ -109,11 +113,11 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   if (change == EyeDepth::Change::Reset)
   {
     this->SamplesSinceReset = 0;
-    this->TotalSamples = 0; // The same picture, whatever was drawn before.
+    this->TotalSamples = 0; // Makes the image independent of earlier frames.
   }
   if (change == EyeDepth::Change::Moved && this->Settings.PropsChanged)
   {
-    // Many pixels have lost their history: the next frames take FirstSamples.
+    // Many pixels have lost their history: the next frames use FirstSamples.
     this->SamplesSinceReset = 0;
   }
   this->HasActorMotion = change == EyeDepth::Change::Moved &&
@@ -123,18 +127,19 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     return false;
   }
-  // From now on pictures are drawn straight into their target, this one already, so that all are alike.
-  if (straight && this->Converged &&
-    this->Picture.Draw(
-      state, delegate, this->Image, this->GetDarkness(), settings.DelegateDrawsBackground))
+  // Later frames are rendered directly into the target. Do the same for this one, so that all are
+  // identical.
+  if (direct && this->Converged &&
+    this->StoredFrame.Draw(
+      state, delegate, this->Image, this->GetCompositeInputs(), settings.DelegateDrawsBackground))
   {
     return true;
   }
-  return this->Darken.Draw(this->Window, this->Image, this->Depth, this->Image.GetColor(),
+  return this->Compositor.Draw(this->Window, this->Image, this->Depth, this->Image.GetColor(),
     this->Estimates, settings.Darkness, settings.DelegateDrawsBackground);
 }
 
-void OcclusionViewState::LookForMotion()
+void OcclusionViewState::UpdateActorMotion()
 {
   if (this->Settings.UseActorMotion && this->Settings.SceneChanged)
   {
@@ -146,10 +151,10 @@ void OcclusionViewState::LookForMotion()
   }
 }
 
-void OcclusionViewState::Compare(const OcclusionSettings& last)
+void OcclusionViewState::CompareSettings(const OcclusionSettings& last)
 {
   OcclusionSettings& now = this->Settings;
-  // As many samples as there can be: validation by neighbors is off.
+  // If InvalidationWeight is at least MaximumWeight, sample validation has no effect.
   now.PropsChanged = now.PropsChanged && now.InvalidationWeight < now.MaximumWeight;
   // An image that converges in one Render() does not depend on earlier ones.
   now.Restart =
@@ -157,22 +162,23 @@ void OcclusionViewState::Compare(const OcclusionSettings& last)
   if (!now.Restart && now.Tolerance < last.Tolerance)
   {
     this->Converged = false;
-    this->TileConvergence.Reopen();
+    this->TileConvergence.ReactivateTiles();
   }
   const bool sameFilter = now.Filter == last.Filter &&
     now.SpatialConvergence == last.SpatialConvergence && now.MaximumWeight == last.MaximumWeight;
   this->Filtered = sameFilter;
-  this->Darkened = sameFilter && now.Darkness.Strength == last.Darkness.Strength &&
+  this->StoredFrameValid = sameFilter && now.Darkness.Strength == last.Darkness.Strength &&
     now.Darkness.LightAwareness == last.Darkness.LightAwareness;
 }
 
 bool OcclusionViewState::CanReuseConvergedFrame(const ScreenTransform& view) const
 {
-  return this->Converged && this->Picture.IsKnown() && !this->Settings.Restart && this->Darkened &&
-    !this->Settings.HiddenChanged && this->Depth.GetView().HasSameView(view);
+  return this->Converged && this->StoredFrame.IsValid() && !this->Settings.Restart &&
+    this->StoredFrameValid && !this->Settings.HiddenChanged &&
+    this->Depth.GetView().HasSameView(view);
 }
 
-ConvergedFrame::CompositeInputs OcclusionViewState::GetDarkness() const
+ConvergedFrame::CompositeInputs OcclusionViewState::GetCompositeInputs() const
 {
   return { this->Estimates, this->Settings.Darkness.Strength, this->History.GetScratchTexture() };
 }
@@ -194,7 +200,7 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   const bool refine = change == EyeDepth::Change::None && this->TileConvergence.GetSamples() > 0;
   if (change == EyeDepth::Change::None && !refine)
   {
-    // The eye has just stopped: JoinHistory() leaves little of what came along.
+    // The camera has just stopped: AccumulateSamples() caps the weight of the history.
     this->SamplesSinceReset =
       std::min(this->SamplesSinceReset, static_cast<int>(settings.InvalidationWeight));
   }
@@ -207,16 +213,16 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   request.Radius = settings.Radius;
   request.FirstSample = this->TotalSamples;
   const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
-  // Nobody looks at the picture before that many: few steps instead of many small ones.
-  const int unseen = settings.InOneRender ? this->TileConvergence.GetSamplesUntilCheck() : 0;
-  request.Samples =
-    std::max(many ? settings.FirstSamples : settings.Samples, std::min(unseen, MostSamples));
+  // Intermediate images are not shown: take the samples until the next check in few large steps.
+  const int untilCheck = settings.InOneRender ? this->TileConvergence.GetSamplesUntilCheck() : 0;
+  request.Samples = std::max(
+    many ? settings.FirstSamples : settings.Samples, std::min(untilCheck, MaximumSamplesPerStep));
   request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
-  request.Parts = refine && this->TileConvergence.IsKnown()
+  request.Parts = refine && this->TileConvergence.HasTileErrors()
     ? &this->TileConvergence.GetActiveTiles()
     : &this->InnerRegion;
   request.Moving = change == EyeDepth::Change::Moved && this->TotalSamples > 0;
-  // In motion there are always pixels that have just come into sight.
+  // While the view moves, there are always disoccluded pixels with few samples.
   request.RotatePerPixel = request.Moving || convergence < settings.RotationConvergence;
   const int samples = this->AccumulateSamples(request, change, refine);
   if (samples < 1)
@@ -244,7 +250,7 @@ int OcclusionViewState::AccumulateSamples(
   TemporalSettings temporal;
   temporal.MaximumWeight = this->Settings.MaximumWeight;
   temporal.DepthTolerance = this->Settings.DepthTolerance;
-  temporal.NeighbourValidation = this->Settings.SceneChanged;
+  temporal.NeighborValidation = this->Settings.SceneChanged;
   temporal.InvalidationWeight = this->Settings.InvalidationWeight;
   temporal.PropsChanged = this->Settings.PropsChanged;
   temporal.Motion = this->HasActorMotion ? &this->Motion : nullptr;
@@ -259,7 +265,7 @@ int OcclusionViewState::AccumulateSamples(
   }
   if (change == EyeDepth::Change::None)
   {
-    // What came along from frames in motion is a little blurred: it shall not weigh for long.
+    // The reprojected history is slightly blurred, so its weight is limited.
     temporal.WeightCap = this->Settings.InvalidationWeight;
   }
   const bool added = refine
@@ -277,16 +283,16 @@ bool OcclusionViewState::Filter()
     this->TileConvergence.GetSamples() >= settings.ConvergedWeight)
   {
     // No pixel needs the filter.
-    return this->Smoother.Copy(
+    return this->Bilateral.Copy(
       this->Window, this->Image, this->History.GetTexture(), this->Estimates, this->InnerRegion);
   }
   if (this->SamplesSinceReset > settings.ConvergedWeight)
   {
-    return this->Smoother.ApplySinglePass(this->Window, this->Image, this->Depth.GetView(),
+    return this->Bilateral.ApplySinglePass(this->Window, this->Image, this->Depth.GetView(),
       this->Depth.GetCurrent(), this->History.GetTexture(), this->Estimates, settings,
       this->InnerRegion);
   }
-  return this->Smoother.Apply(this->Window, this->Image, this->Depth.GetView(),
+  return this->Bilateral.Apply(this->Window, this->Image, this->Depth.GetView(),
     this->Depth.GetCurrent(), this->History.GetTexture(), this->History.GetScratchTexture(),
     this->Estimates, settings, this->InnerRegion);
 }
@@ -298,7 +304,7 @@ std::vector<float> OcclusionViewState::ReadMeans() const
   std::vector<float> values(depths.size(), -1.f);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    // Nothing has a weight outside of the picture proper.
+    // Pixels in the margin have no weight.
     if (depths[i] < FarAway && history[2 * i + 1] > 0.f)
     {
       values[i] = history[2 * i] / history[2 * i + 1];
@@ -317,12 +323,12 @@ OcclusionViewState::PixelCounts OcclusionViewState::CountPixels() const
   const std::vector<float> depths = ReadBack(this->Depth.GetCurrent());
   const std::vector<float> history = ReadBack(this->History.GetTexture());
   const std::vector<unsigned char> actors = this->HasActorMotion
-    ? this->Motion.ReadNumbers()
+    ? this->Motion.ReadActorNumbers()
     : std::vector<unsigned char>(depths.size(), 0);
   const int width = this->Image.GetView().Width;
-  const auto fresh = static_cast<float>(this->NewSamples);
-  const auto pulled = static_cast<float>(this->Settings.InvalidationWeight) + fresh;
-  const auto enough =
+  const auto newWeight = static_cast<float>(this->NewSamples);
+  const auto invalidatedWeight = static_cast<float>(this->Settings.InvalidationWeight) + newWeight;
+  const auto convergedWeight =
     static_cast<float>(this->Settings.SpatialConvergence * this->Settings.MaximumWeight);
   for (int j = 0; j < this->Image.GetViewport()[3]; ++j)
   {
@@ -336,11 +342,11 @@ OcclusionViewState::PixelCounts OcclusionViewState::CountPixels() const
       }
       const float weight = history[2 * at + 1];
       ++counts.Surface;
-      counts.Disoccluded += fresh > 0.f && weight <= fresh;
-      counts.Invalidated += fresh > 0.f && weight > fresh && weight <= pulled;
-      counts.Kept += fresh == 0.f || weight > pulled;
-      counts.Followed += actors[at] > 0 && weight > fresh;
-      counts.Converged += this->Converged || weight >= enough;
+      counts.Disoccluded += newWeight > 0.f && weight <= newWeight;
+      counts.Invalidated += newWeight > 0.f && weight > newWeight && weight <= invalidatedWeight;
+      counts.Kept += newWeight == 0.f || weight > invalidatedWeight;
+      counts.Followed += actors[at] > 0 && weight > newWeight;
+      counts.Converged += this->Converged || weight >= convergedWeight;
     }
   }
   return counts;
@@ -367,13 +373,13 @@ void OcclusionViewState::CopyTo(vtkImageData* image) const
     {
       const std::size_t at = static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * view.Width +
         i + this->Image.GetMargin()[0];
-      const vtkIdType to = static_cast<vtkIdType>(j) * size[0] + i;
+      const vtkIdType target = static_cast<vtkIdType>(j) * size[0] + i;
       const bool empty = eyeDepths[at] >= FarAway;
       const double depth = eyeDepths[at] * view.Unit;
-      occlusions->SetValue(to, empty ? 0.f : result[at]);
+      occlusions->SetValue(target, empty ? 0.f : result[at]);
       depths->SetValue(
-        to, empty ? std::numeric_limits<float>::infinity() : static_cast<float>(depth));
-      convergences->SetValue(to,
+        target, empty ? std::numeric_limits<float>::infinity() : static_cast<float>(depth));
+      convergences->SetValue(target,
         empty
           ? 1.f
           : std::min(static_cast<float>(history[2 * at + 1] / this->Settings.MaximumWeight), 1.f));
@@ -387,9 +393,9 @@ void OcclusionViewState::ReleaseGraphicsResources(vtkWindow* window)
   this->Depth.ReleaseGraphicsResources(window);
   this->Motion.ReleaseGraphicsResources(window);
   this->History.ReleaseGraphicsResources(window);
-  this->Smoother.ReleaseGraphicsResources(window);
-  this->Darken.ReleaseGraphicsResources(window);
-  this->Picture.ReleaseGraphicsResources(window);
+  this->Bilateral.ReleaseGraphicsResources(window);
+  this->Compositor.ReleaseGraphicsResources(window);
+  this->StoredFrame.ReleaseGraphicsResources(window);
   if (this->Estimates)
   {
     this->Estimates->ReleaseGraphicsResources(window);

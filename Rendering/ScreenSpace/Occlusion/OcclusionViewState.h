@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All that vtkPenumbraTemporalSSAOPass keeps of one renderer, and the steps of a frame: draw the
-// delegate, turn depths into distances, estimate, join with the history, filter, darken.
+// The state that vtkPenumbraTemporalSSAOPass keeps per renderer, and the steps of a frame: render
+// the delegate, convert depth to eye depth, estimate occlusion, add it to the history, filter,
+// composite.
 #ifndef penumbra_OcclusionViewState_h
 #define penumbra_OcclusionViewState_h
 
@@ -22,7 +23,7 @@ class vtkImageData;
 namespace penumbra
 {
 
-/// A frame's settings; see vtkPenumbraTemporalSSAOPass for their meaning.
+/// Settings of a frame; see vtkPenumbraTemporalSSAOPass for their meaning.
 struct OcclusionSettings
 {
   double Radius = 1.0; ///< world units
@@ -38,57 +39,58 @@ struct OcclusionSettings
   double DepthTolerance = 0.02;
   bool Filter = true;
   bool InOneRender = false;
-  bool Interpolate = false; ///< in one Render(): an estimate that is final will do
+  /// With InOneRender: the estimator may interpolate and return a final result.
+  bool Interpolate = false;
   bool DelegateDrawsBackground = true;
-  bool DelegateOnce = false;   ///< it is drawn once in every picture, neither more nor less
-  bool SceneChanged = true;    ///< something besides the eye may have moved since the last frame
-  bool PropsChanged = false;   ///< props have appeared or disappeared since the last frame
-  bool HiddenChanged = false;  ///< something that the estimator sees and depth does not has changed
-  bool UseActorMotion = false; ///< the renderer's props are those that are seen
-  bool Restart = false;        ///< settings changed: what is known is worth nothing
+  bool DelegateOnce = false;  ///< the delegate must be rendered exactly once per frame
+  bool SceneChanged = true;   ///< something besides the camera may have moved since the last frame
+  bool PropsChanged = false;  ///< props were added or removed since the last frame
+  bool HiddenChanged = false; ///< the estimator's scene changed in a way that depth does not show
+  /// Reproject moving actors; the delegate renders the renderer's props.
+  bool UseActorMotion = false;
+  bool Restart = false; ///< settings changed: discard the history
   int Margin[2] = { 0, 0 };
-  const double* Bounds =
-    nullptr; ///< of all that may be seen, where clipping planes may follow them
+  /// Bounds of the visible scene if clipping planes may be fitted to it.
+  const double* Bounds = nullptr;
 };
 
 class OcclusionViewState
 {
 public:
-  /// Draws one frame into the target of `state`. False when OpenGL refuses: nothing was drawn.
+  /// Renders one frame into the target of `state`. Returns false if OpenGL reports an error; the
+  /// target is then unchanged.
   bool Render(const vtkRenderState* state, vtkRenderPass* delegate,
     vtkPenumbraOcclusionEstimator* estimator, const OcclusionSettings& settings);
 
   int GetNumberOfRenderedProps() const { return this->Props; }
 
-  /// Samples a pixel that the last frame took; 0 once converged.
+  /// Number of samples per pixel added in the last frame; 0 once converged.
   int GetNewSamples() const { return this->NewSamples; }
   bool IsConverged() const { return this->Converged; }
   const Convergence& GetConvergence() const { return this->TileConvergence; }
 
-  /// Counts of pixels in the picture without margin: surface, and of these by what became of their
-  /// history in the last frame.
+  /// Numbers of pixels in the image without margin, by the fate of their history in the last frame.
   struct PixelCounts
   {
     long long Surface = 0;
     long long Kept = 0;
-    long long Followed = 0; ///< on actors that moved, with history
+    long long Followed = 0; ///< reprojected with the motion of their actor
     long long Disoccluded = 0;
     long long Invalidated = 0;
     long long Converged = 0;
   };
   PixelCounts CountPixels() const;
 
-  /// Adds the float arrays AmbientOcclusion, Depth and Convergence to an image of the picture
-  /// without margin.
+  /// Adds the float arrays AmbientOcclusion, Depth and Convergence, without margin, to `image`.
   void CopyTo(vtkImageData* image) const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   bool CanReuseConvergedFrame(const ScreenTransform& view) const;
-  void Compare(const OcclusionSettings& last);
-  ConvergedFrame::CompositeInputs GetDarkness() const;
-  void LookForMotion();
+  void CompareSettings(const OcclusionSettings& last);
+  ConvergedFrame::CompositeInputs GetCompositeInputs() const;
+  void UpdateActorMotion();
   bool Converge(EyeDepth::Change change);
   bool Estimate(EyeDepth::Change change);
   int AccumulateSamples(
@@ -105,19 +107,19 @@ private:
   ActorMotion Motion;
   EyeDepth Depth;
   TemporalHistory History;
-  BilateralFilter Smoother;
+  BilateralFilter Bilateral;
   Convergence TileConvergence;
-  Composite Darken;
-  ConvergedFrame Picture;
-  std::vector<Rectangle> InnerRegion; ///< the picture without its margin: nobody sees the rest
-  vtkSmartPointer<vtkTextureObject> Estimates; ///< new ones, then the filtered result
-  int TotalSamples = 0;                        ///< place in the sample sequence
-  int SamplesSinceReset = 0;                   ///< since the last cut
+  Composite Compositor;
+  ConvergedFrame StoredFrame;
+  std::vector<Rectangle> InnerRegion;          ///< the image without its margin
+  vtkSmartPointer<vtkTextureObject> Estimates; ///< new estimates, then the filtered result
+  int TotalSamples = 0;                        ///< position in the sample sequence
+  int SamplesSinceReset = 0; ///< number of samples since the history was discarded
   int NewSamples = 0;
   int Props = 0;
-  bool HasActorMotion = false; ///< some actors' motion is drawn
-  bool Filtered = false;       ///< Estimates are filtered with these settings
-  bool Darkened = false;       ///< so is Picture, and its darkness is that of these settings
+  bool HasActorMotion = false;   ///< the image of moving actors is valid in this frame
+  bool Filtered = false;         ///< Estimates are filtered with the current settings
+  bool StoredFrameValid = false; ///< StoredFrame was composited with the current settings
   bool Converged = false;
 };
 

@@ -25,8 +25,9 @@ namespace penumbra
 namespace
 {
 
-/// Several programs: on some drivers what is skipped costs as much as what is done.
-std::string Reprojection(const TemporalSettings& settings, const std::string& estimate)
+/// Assembles a program without the parts that are off: on some drivers, code that a branch skips
+/// costs as much as code that is executed.
+std::string AssembleReprojection(const TemporalSettings& settings, const std::string& estimate)
 {
   return Assemble(vtkPenumbraReprojectFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
@@ -34,11 +35,11 @@ std::string Reprojection(const TemporalSettings& settings, const std::string& es
       { "ActorMotionLib",
         settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
       { "SampleValidationLib",
-        settings.NeighbourValidation ? vtkPenumbraSampleValidationLib
-                                     : vtkPenumbraNoSampleValidationLib } });
+        settings.NeighborValidation ? vtkPenumbraSampleValidationLib
+                                    : vtkPenumbraNoSampleValidationLib } });
 }
 
-/// What all stages need.
+/// Sets the uniforms of all stages.
 void SetWeights(vtkShaderProgram* program, int samples, const TemporalSettings& settings)
 {
   program->SetUniformf("newSamples", static_cast<float>(samples));
@@ -46,7 +47,7 @@ void SetWeights(vtkShaderProgram* program, int samples, const TemporalSettings& 
   program->SetUniformf("weightCap", static_cast<float>(settings.WeightCap));
 }
 
-/// What only the reprojecting stages need.
+/// Sets the uniforms and textures of the reprojecting stages.
 void SetMotion(
   Stage& stage, vtkShaderProgram* program, const EyeDepth& depth, const TemporalSettings& settings)
 {
@@ -67,7 +68,7 @@ void SetMotion(
     1.f / static_cast<float>(before.Height) };
   program->SetUniform2f("previousPixelSize", pixelSize);
   program->SetUniformf("depthTolerance", static_cast<float>(settings.DepthTolerance));
-  if (settings.NeighbourValidation)
+  if (settings.NeighborValidation)
   {
     program->SetUniformf("propsChanged", settings.PropsChanged ? 1.f : 0.f);
     program->SetUniformf("invalidationWeight",
@@ -84,7 +85,7 @@ void SetMotion(
 
 }
 
-bool TemporalHistory::Prepare(vtkOpenGLRenderWindow* window, const ScreenTransform& view)
+bool TemporalHistory::SwapTextures(vtkOpenGLRenderWindow* window, const ScreenTransform& view)
 {
   const vtkSmartPointer<vtkTextureObject>& last = this->Textures[this->Current];
   const bool isNew = !last || last->GetContext() != window;
@@ -97,7 +98,8 @@ bool TemporalHistory::Prepare(vtkOpenGLRenderWindow* window, const ScreenTransfo
   return isNew;
 }
 
-void TemporalHistory::FitSpare(vtkOpenGLRenderWindow* window, const ScreenTransform& view)
+void TemporalHistory::ResizeScratchTexture(
+  vtkOpenGLRenderWindow* window, const ScreenTransform& view)
 {
   Allocate(this->Textures[1 - this->Current], window, view.Width, view.Height, 2);
 }
@@ -106,13 +108,13 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
   const EyeDepth& depth, EyeDepth::Change change, vtkTextureObject* estimates, int samples,
   const TemporalSettings& settings, const std::vector<Rectangle>& parts)
 {
-  const bool isNew = this->Prepare(window, depth.GetView());
+  const bool isNew = this->SwapTextures(window, depth.GetView());
   const bool moved = change == EyeDepth::Change::Moved && !isNew;
-  Stage& stage = !moved            ? this->Accumulation
-    : settings.NeighbourValidation ? this->Validate
-                                   : this->Reproject;
+  Stage& stage = !moved           ? this->Accumulation
+    : settings.NeighborValidation ? this->Validate
+                                  : this->Reproject;
   vtkShaderProgram* program = stage.Ready(window,
-    moved ? Reprojection(settings, vtkPenumbraPrecomputedEstimateLib)
+    moved ? AssembleReprojection(settings, vtkPenumbraPrecomputedEstimateLib)
           : Assemble(vtkPenumbraAccumulateFS, { { "SoundLib", vtkPenumbraSoundLib } }));
   const ScopedRenderTarget target(
     window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
@@ -131,16 +133,16 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
     SetMotion(stage, program, depth, settings);
   }
   stage.Draw(parts);
-  this->FitSpare(window, depth.GetView());
+  this->ResizeScratchTexture(window, depth.GetView());
   return true;
 }
 
 int TemporalHistory::ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::Request& request,
   vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings)
 {
-  this->Prepare(request.Window, request.Depth->GetView());
+  this->SwapTextures(request.Window, request.Depth->GetView());
   vtkShaderProgram* program =
-    this->Estimate.Ready(request.Window, Reprojection(settings, estimator->GetShader()));
+    this->Estimate.Ready(request.Window, AssembleReprojection(settings, estimator->GetShader()));
   const ScopedRenderTarget target(request.Window, request.Image->GetFramebuffer(),
     { this->GetTexture() }, request.Image->GetDepth());
   if (!program || !target.IsComplete())
@@ -153,7 +155,7 @@ int TemporalHistory::ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::R
   SetMotion(this->Estimate, program, *request.Depth, settings);
   this->Estimate.BindTexture("history", this->GetScratchTexture());
   this->Estimate.Draw(*request.Parts);
-  this->FitSpare(request.Window, request.Depth->GetView());
+  this->ResizeScratchTexture(request.Window, request.Depth->GetView());
   return samples;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All samples that a pixel's surface point has had, over frames [TSSAO eq. 4-9]: r their sum, g
-// their number. What is averaged is the caller's business.
+// Temporal history of occlusion [TSSAO eq. 4-9]: per pixel, r is the sum of the samples of its
+// surface point over all frames, g their number.
 #ifndef penumbra_TemporalHistory_h
 #define penumbra_TemporalHistory_h
 
@@ -18,53 +18,56 @@ namespace penumbra
 
 struct TemporalSettings
 {
-  double MaximumWeight = 500.0;     ///< samples; older ones fade
-  double WeightCap = 1e9;           ///< no more of the history counts in this frame
-  double DepthTolerance = 0.02;     ///< relative distance from the surface expected
-  bool NeighbourValidation = false; ///< something besides the eye may have moved
-  double InvalidationWeight = 30.0; ///< a neighbour's motion pulls no weight below this
-  bool PropsChanged = false;        ///< props appeared or disappeared: no sample next to them stays
-  const ActorMotion* Motion = nullptr; ///< of actors that moved, where there are any
+  double MaximumWeight = 500.0;     ///< maximum number of samples; older ones fade
+  double WeightCap = 1e9;           ///< upper bound of the weight of the history in this frame
+  double DepthTolerance = 0.02;     ///< maximum relative difference from the expected depth
+  bool NeighborValidation = false;  ///< something besides the camera may have moved
+  double InvalidationWeight = 30.0; ///< lower bound of the weight after a change of neighbors
+  bool PropsChanged = false; ///< props were added or removed: samples next to them are discarded
+  const ActorMotion* Motion = nullptr; ///< motion of actors, or null if none moved
 };
 
 class TemporalHistory
 {
 public:
-  /// Joins `samples` new samples a pixel, whose mean is `estimates`, with the history. After
-  /// Change::None pixel by pixel, after Change::Some where the points were before, after
-  /// Change::All there is no history. Only within `parts`. False when OpenGL refuses.
+  /// Adds `samples` new samples per pixel, whose mean is `estimates`, to the history. After
+  /// Change::None the history of the same pixel is used, after Change::Moved it is reprojected, and
+  /// after Change::Reset it is discarded. Only pixels in `parts` are updated. Returns false if
+  /// OpenGL reports an error.
   bool Add(vtkOpenGLRenderWindow* window, const DelegateImage& image, const EyeDepth& depth,
     EyeDepth::Change change, vtkTextureObject* estimates, int samples,
     const TemporalSettings& settings, const std::vector<Rectangle>& parts);
 
-  /// After Change::Some, the same in one step with the estimate itself, by an estimator with a shader.
-  /// Returns how many new samples those were, 0 when OpenGL refuses.
+  /// Reprojects the history after Change::Moved and adds an estimate in the same pass; the
+  /// estimator must have a shader. Returns the number of new samples, or 0 if OpenGL reports an
+  /// error.
   int ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::Request& request,
     vtkPenumbraOcclusionEstimator* estimator, const TemporalSettings& settings);
 
-  /// The same where nothing changed.
+  /// Adds samples after Change::None by blending.
   bool Accumulate(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     vtkTextureObject* estimates, int samples, const std::vector<Rectangle>& parts);
 
   vtkTextureObject* GetTexture() const { return this->Textures[this->Current]; }
 
-  /// The texture that the next Add() will fill: free until then.
+  /// The texture that the next Add() fills; it may be overwritten until then.
   vtkTextureObject* GetScratchTexture() const { return this->Textures[1 - this->Current]; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// Makes the spare texture the current one, with the size of the view. True if there is no history.
-  bool Prepare(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
+  /// Makes the scratch texture the current one, with the size of the view. Returns true if there is
+  /// no history.
+  bool SwapTextures(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
 
-  /// The spare texture held a history of another size; gives it that of the current one.
-  void FitSpare(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
+  /// Resizes the scratch texture, which held a history of another size, to the size of the view.
+  void ResizeScratchTexture(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
 
   vtkSmartPointer<vtkTextureObject> Textures[2];
   int Current = 0;
   Stage Reproject;
-  Stage Validate; ///< the same, and looks whether neighbours have moved
-  Stage Estimate; ///< one of the two, with the estimate
+  Stage Validate; ///< Reproject with sample validation
+  Stage Estimate; ///< Reproject or Validate, with the estimate in the same shader
   Stage Accumulation;
   Stage Sum;
 };

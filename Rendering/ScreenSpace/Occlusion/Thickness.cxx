@@ -12,13 +12,13 @@ namespace penumbra
 namespace
 {
 
-/// Every so many pixels in both directions are looked at.
-constexpr int Stride = 4;
+/// Spacing of the sampled rows, columns and pixels, in pixels.
+constexpr int PixelStride = 4;
 
-/// Depths of neighbours that differ by more than this many pixel widths belong to two things.
-constexpr float Jump = 8.f;
+/// Minimum difference of depth at the outline of an object, in pixel widths.
+constexpr float DepthDiscontinuity = 8.f;
 
-/// A line of pixels through the picture.
+/// A row or column of pixels.
 struct Line
 {
   std::size_t Start;
@@ -26,7 +26,7 @@ struct Line
   int Count;
 };
 
-/// Writes the width of every stretch that lies before what is on both of its sides.
+/// Writes the width of every segment of a line that is in front of the surfaces on both sides.
 void MeasureLine(const std::vector<float>& depths, const Line& line, double pixelWidth,
   bool parallel, std::vector<float>& widths)
 {
@@ -34,21 +34,21 @@ void MeasureLine(const std::vector<float>& depths, const Line& line, double pixe
   const auto widthAt = [&](int k) {
     return static_cast<float>(parallel ? pixelWidth : pixelWidth * at(k));
   };
-  int first = 0;
-  bool outlined = false;
+  int start = 0;
+  bool hasOutline = false;
   float width = 0.f;
   for (int k = 0; k + 1 < line.Count; ++k)
   {
     width += widthAt(k);
-    const bool nearer = at(k) < at(k + 1);
-    if (std::abs(at(k) - at(k + 1)) > Jump * widthAt(nearer ? k : k + 1))
+    const bool isNearer = at(k) < at(k + 1);
+    if (std::abs(at(k) - at(k + 1)) > DepthDiscontinuity * widthAt(isNearer ? k : k + 1))
     {
-      for (int inside = first; outlined && nearer && inside <= k; ++inside)
+      for (int pixel = start; hasOutline && isNearer && pixel <= k; ++pixel)
       {
-        widths[line.Start + inside * line.Step] = width;
+        widths[line.Start + pixel * line.Step] = width;
       }
-      first = k + 1;
-      outlined = !nearer;
+      start = k + 1;
+      hasOutline = !isNearer;
       width = 0.f;
     }
   }
@@ -64,34 +64,34 @@ double MedianWidth(const std::vector<float>& eyeDepths, const ScreenTransform& v
   const double pixelHeight = std::abs(view.Scale[1]) / (view.Parallel ? view.Unit : 1.0);
   std::vector<float> alongRows(eyeDepths.size(), none);
   std::vector<float> alongColumns(eyeDepths.size(), none);
-  for (int j = 0; j < view.Height; j += Stride)
+  for (int j = 0; j < view.Height; j += PixelStride)
   {
     MeasureLine(eyeDepths, { j * width, 1, view.Width }, pixelWidth, view.Parallel, alongRows);
   }
-  for (int i = 0; i < view.Width; i += Stride)
+  for (int i = 0; i < view.Width; i += PixelStride)
   {
     MeasureLine(eyeDepths, { static_cast<std::size_t>(i), width, view.Height }, pixelHeight,
       view.Parallel, alongColumns);
   }
-  std::vector<float> found;
-  for (int j = 0; j < view.Height; j += Stride)
+  std::vector<float> widths;
+  for (int j = 0; j < view.Height; j += PixelStride)
   {
-    for (int i = 0; i < view.Width; i += Stride)
+    for (int i = 0; i < view.Width; i += PixelStride)
     {
-      const float shorter = std::min(alongRows[j * width + i], alongColumns[j * width + i]);
-      if (shorter < none)
+      const float shorterWidth = std::min(alongRows[j * width + i], alongColumns[j * width + i]);
+      if (shorterWidth < none)
       {
-        found.push_back(shorter);
+        widths.push_back(shorterWidth);
       }
     }
   }
-  if (found.empty())
+  if (widths.empty())
   {
     return 0.0;
   }
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  std::nth_element(found.begin(), middle, found.end());
-  return *middle;
+  const auto median = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), median, widths.end());
+  return *median;
 }
 
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How thick are the things in a picture? As thick as they are wide, for want of better knowledge.
+// Estimates the thickness of visible objects, which one layer of depth does not contain, from their
+// width.
 #ifndef penumbra_Thickness_h
 #define penumbra_Thickness_h
 
@@ -12,8 +13,9 @@
 namespace penumbra
 {
 
-/// The median, over pixels of things whose outline is seen, of the shorter of their widths along row
-/// and column, in units of the view; 0 where nothing has an outline. `eyeDepths`: row after row.
+/// Returns the median width of visible objects, in units of the view. The width at a pixel is the
+/// shorter of the widths along its row and its column. Only objects whose outline is visible count;
+/// 0 if there are none. `eyeDepths`: one value per pixel, row by row.
 double MedianWidth(const std::vector<float>& eyeDepths, const ScreenTransform& view);
 
 }

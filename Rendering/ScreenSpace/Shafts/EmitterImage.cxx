@@ -42,7 +42,7 @@ void EmitterImage::Allocate(vtkOpenGLRenderWindow* window, const ScreenTransform
 
 bool EmitterImage::CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage& image, int block)
 {
-  vtkShaderProgram* program = this->Depths.Ready(window, vtkPenumbraShaftDepthCopyFS);
+  vtkShaderProgram* program = this->DepthCopy.Ready(window, vtkPenumbraShaftDepthCopyFS);
   if (!program)
   {
     return false;
@@ -50,10 +50,10 @@ bool EmitterImage::CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage&
   const float pixelSize[2] = { 1.f / static_cast<float>(image.GetView().Width),
     1.f / static_cast<float>(image.GetView().Height) };
   program->SetUniform2f("pixelSize", pixelSize);
-  program->SetUniformf("block", static_cast<float>(block));
-  this->Depths.BindTexture("depthBuffer", image.GetDepth());
+  program->SetUniformf("blockSize", static_cast<float>(block));
+  this->DepthCopy.BindTexture("depthBuffer", image.GetDepth());
   window->GetState()->vtkglDepthFunc(GL_ALWAYS);
-  this->Depths.Draw();
+  this->DepthCopy.Draw();
   window->GetState()->vtkglDepthFunc(GL_LEQUAL);
   return true;
 }
@@ -70,7 +70,7 @@ bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
   const bool drawn = FillTextures(
     this->Framebuffer, this->Color, this->Depth, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, [&]() {
       const ScopedCamera camera(renderer, view);
-      const auto glows = [&](vtkProp* prop) {
+      const auto isEmitter = [&](vtkProp* prop) {
         return std::find(emitters.begin(), emitters.end(), prop) != emitters.end();
       };
       gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -78,7 +78,7 @@ bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
       const std::vector<vtkProp*> props = VisibleProps(renderer);
       for (vtkProp* prop : props)
       {
-        if (prepass && !glows(prop))
+        if (prepass && !isEmitter(prop))
         {
           prop->RenderOpaqueGeometry(renderer);
         }
@@ -86,7 +86,7 @@ bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
       gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
       for (vtkProp* prop : props)
       {
-        if (glows(prop))
+        if (isEmitter(prop))
         {
           prop->RenderOpaqueGeometry(renderer);
         }
@@ -97,7 +97,7 @@ bool EmitterImage::Draw(const vtkRenderState* state, const DelegateImage& image,
 
 void EmitterImage::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Depths.ReleaseGraphicsResources(window);
+  this->DepthCopy.ReleaseGraphicsResources(window);
   for (vtkSmartPointer<vtkTextureObject>* texture : { &this->Color, &this->Depth })
   {
     if (*texture)

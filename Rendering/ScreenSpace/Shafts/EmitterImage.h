@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A picture of the props that glow, everything else black [Shafts 13.5]: over the depths of a picture
-// that is there already (the mask), or of the other props, drawn once more for it (the pre-pass).
+// Image of the emitters with everything else black [Shafts 13.5]. Occlusion comes from the depth of
+// the delegate's image (mask) or from rendering the other props a second time (pre-pass).
 #ifndef penumbra_EmitterImage_h
 #define penumbra_EmitterImage_h
 
@@ -19,12 +19,13 @@ namespace penumbra
 class EmitterImage
 {
 public:
-  /// `view`: of one pixel in each block of the image's, `block` pixels a side. False when OpenGL
-  /// refuses.
+  /// Renders the emitters. `view` is the view of `image` downsampled to blocks of `block` pixels
+  /// per side. If `prepass` is on, occluders are rendered instead of copying the depth of `image`.
+  /// Returns false if OpenGL reports an incomplete framebuffer or a shader does not compile.
   bool Draw(const vtkRenderState* state, const DelegateImage& image, const ScreenTransform& view,
     int block, const std::vector<vtkProp*>& emitters, bool prepass);
 
-  /// rgb: colour, a: 1 where an emitter is seen.
+  /// rgb: color, a: 1 where an emitter is visible.
   vtkTextureObject* GetColor() const { return this->Color; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -33,7 +34,7 @@ private:
   void Allocate(vtkOpenGLRenderWindow* window, const ScreenTransform& view);
   bool CopyDepth(vtkOpenGLRenderWindow* window, const DelegateImage& image, int block);
 
-  Stage Depths;
+  Stage DepthCopy;
   vtkSmartPointer<vtkTextureObject> Color;
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;

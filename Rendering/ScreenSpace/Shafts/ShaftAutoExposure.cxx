@@ -18,68 +18,71 @@ namespace penumbra
 namespace
 {
 
-constexpr int Cell = 16; ///< as in the shader
+/// Pixels per side of a cell, as cellSize in vtkPenumbraShaftBrightnessFS.glsl.
+constexpr int CellSize = 16;
 
-/// Of its way to what a picture asks for the gain goes this share with each picture.
+/// Fraction of the logarithmic distance to the target gain that each image covers.
 constexpr double AdaptationRate = 0.1;
 
-/// No brighter and no darker than this.
-constexpr double LargestGain = 64.0;
+/// Upper bound of the gain; its inverse is the lower bound.
+constexpr double MaximumGain = 64.0;
 
-/// The mean picture shall have room for the brightest light; darker light is made brighter only
-/// where it shows shafts, differences that is.
-double TargetGain(const std::vector<float>& cells)
+/// Gain with which the mean scene plus the brightest in-scattered light reaches brightness 1. A
+/// gain above 1 is reduced if the in-scattered light has little contrast, that is, no visible
+/// shafts.
+double ComputeTargetGain(const std::vector<float>& cells)
 {
   double sum = 0.0;
   double count = 0.0;
-  double least = VTK_DOUBLE_MAX;
-  double largest = 0.0;
+  double minimum = VTK_DOUBLE_MAX;
+  double maximum = 0.0;
   for (std::size_t at = 0; at + 3 < cells.size(); at += 4)
   {
     sum += cells[at];
-    least = std::min<double>(least, cells[at + 1]);
-    largest = std::max<double>(largest, cells[at + 2]);
+    minimum = std::min<double>(minimum, cells[at + 1]);
+    maximum = std::max<double>(maximum, cells[at + 2]);
     count += cells[at + 3];
   }
-  if (!(count > 0.0) || !(largest > 0.0))
+  if (!(count > 0.0) || !(maximum > 0.0))
   {
     return 1.0;
   }
-  const double room = std::clamp(1.0 - sum / count, 1.0 / LargestGain, 1.0);
-  const double contrast = (largest - least) / largest;
-  const double gain = room / largest;
-  return std::clamp(gain > 1.0 ? std::pow(gain, contrast) : gain, 1.0 / LargestGain, LargestGain);
+  const double headroom = std::clamp(1.0 - sum / count, 1.0 / MaximumGain, 1.0);
+  const double contrast = (maximum - minimum) / maximum;
+  const double gain = headroom / maximum;
+  return std::clamp(gain > 1.0 ? std::pow(gain, contrast) : gain, 1.0 / MaximumGain, MaximumGain);
 }
 
 }
 
 bool ShaftAutoExposure::Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  vtkTextureObject* shafts, const double* behind)
+  vtkTextureObject* shafts, const double* background)
 {
   static const std::string oneSample =
-    Assemble(vtkPenumbraShaftBrightnessFS, { { "Picture", vtkPenumbraShaftSceneColorLib } });
+    Assemble(vtkPenumbraShaftBrightnessFS, { { "SceneColor", vtkPenumbraShaftSceneColorLib } });
   static const std::string manySamples =
-    Assemble(vtkPenumbraShaftBrightnessFS, { { "Picture", vtkPenumbraShaftSceneColorMSLib } });
+    Assemble(vtkPenumbraShaftBrightnessFS, { { "SceneColor", vtkPenumbraShaftSceneColorMSLib } });
   const ScreenTransform& view = image.GetView();
-  Allocate(this->Cells, window, (view.Width + Cell - 1) / Cell, (view.Height + Cell - 1) / Cell, 4);
+  Allocate(this->Cells, window, (view.Width + CellSize - 1) / CellSize,
+    (view.Height + CellSize - 1) / CellSize, 4);
   const bool many = image.GetSamples() > 1;
   vtkShaderProgram* program = this->Brightness.Ready(window, many ? manySamples : oneSample);
   {
-    const ScopedRenderTarget target(window, image.GetFramebuffer(), { this->Cells });
-    if (!program || !target.IsComplete())
+    const ScopedRenderTarget renderTarget(window, image.GetFramebuffer(), { this->Cells });
+    if (!program || !renderTarget.IsComplete())
     {
       return false;
     }
     const float size[2] = { 1.f / static_cast<float>(view.Width),
       1.f / static_cast<float>(view.Height) };
     float color[3] = { 0.f, 0.f, 0.f };
-    if (behind)
+    if (background)
     {
-      std::copy_n(behind, 3, color);
+      std::copy_n(background, 3, color);
     }
     program->SetUniform2f("pixelSize", size);
-    program->SetUniform3f("behind", color);
-    program->SetUniformf("background", behind ? 0.f : 1.f);
+    program->SetUniform3f("backgroundColor", color);
+    program->SetUniformf("background", background ? 0.f : 1.f);
     this->Brightness.BindTexture("shafts", shafts);
     this->Brightness.BindTexture("depthBuffer", image.GetDepth());
     this->Brightness.BindTexture("colors", image.GetColor());
@@ -90,9 +93,9 @@ bool ShaftAutoExposure::Update(vtkOpenGLRenderWindow* window, const DelegateImag
     }
     this->Brightness.Draw();
   }
-  const double wanted = TargetGain(ReadBack(this->Cells));
+  const double targetGain = ComputeTargetGain(ReadBack(this->Cells));
   this->Gain =
-    this->Gain > 0.0 ? this->Gain * std::pow(wanted / this->Gain, AdaptationRate) : wanted;
+    this->Gain > 0.0 ? this->Gain * std::pow(targetGain / this->Gain, AdaptationRate) : targetGain;
   return true;
 }
 

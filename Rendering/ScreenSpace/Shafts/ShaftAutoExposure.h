@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The automatic tone balance [Shafts 13.8]: a gain for scattered light, from the mean brightness of
-// the picture behind it and the least and largest brightness of its own, steady in time.
+// Automatic exposure of in-scattered light [Shafts 13.8]: a gain computed from the mean brightness
+// of the attenuated scene and the brightness range of the in-scattered light, smoothed over time.
 #ifndef penumbra_ShaftAutoExposure_h
 #define penumbra_ShaftAutoExposure_h
 
@@ -15,22 +15,23 @@ namespace penumbra
 class ShaftAutoExposure
 {
 public:
-  /// Looks at a new picture. `behind`: colour of the background, null: the delegate draws it. The
-  /// first picture settles the gain, later ones only move it. False when OpenGL refuses.
+  /// Updates the gain for a new image. The first image determines it; later ones move it by
+  /// AdaptationRate. `background` is the color of empty pixels; null if the delegate draws the
+  /// background. Returns false if OpenGL reports an error.
   bool Update(vtkOpenGLRenderWindow* window, const DelegateImage& image, vtkTextureObject* shafts,
-    const double* behind);
+    const double* background);
 
   double GetGain() const { return this->Gain; }
 
-  /// The next picture settles the gain.
-  void Forget() { this->Gain = 0.0; }
+  /// Discards the gain; the next image determines it.
+  void Reset() { this->Gain = 0.0; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   Stage Brightness;
   vtkSmartPointer<vtkTextureObject> Cells;
-  double Gain = 0.0; ///< 0: none yet
+  double Gain = 0.0; ///< 0: not computed yet
 };
 
 }

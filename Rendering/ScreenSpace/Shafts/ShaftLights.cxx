@@ -17,8 +17,9 @@ namespace penumbra
 namespace
 {
 
-/// In eye coordinates with z along the view axis, in the view's unit; w = 0: a direction.
-void ToEye(const ScreenTransform& view, const double world[3], double w, double eye[3])
+/// Transforms to eye coordinates with z along the view axis, in the unit of the view. w = 0: a
+/// direction.
+void TransformToEye(const ScreenTransform& view, const double world[3], double w, double eye[3])
 {
   for (int row = 0; row < 3; ++row)
   {
@@ -29,13 +30,13 @@ void ToEye(const ScreenTransform& view, const double world[3], double w, double 
   }
 }
 
-bool IsSeen(const float place[4], const ScreenTransform& view)
+bool IsInImage(const float position[4], const ScreenTransform& view)
 {
-  if (place[2] <= 0.f && !view.Parallel)
+  if (position[2] <= 0.f && !view.Parallel)
   {
     return false;
   }
-  if (view.Parallel && place[3] == 0.f)
+  if (view.Parallel && position[3] == 0.f)
   {
     return false;
   }
@@ -43,7 +44,7 @@ bool IsSeen(const float place[4], const ScreenTransform& view)
   const int sizes[2] = { view.Width, view.Height };
   for (int axis = 0; axis < 2; ++axis)
   {
-    const double plane = unit * place[axis] / (view.Parallel ? 1.0 : place[2]);
+    const double plane = unit * position[axis] / (view.Parallel ? 1.0 : position[2]);
     const double pixel = (plane - view.Offset[axis]) / view.Scale[axis];
     if (!(pixel >= 0.0 && pixel <= sizes[axis]))
     {
@@ -59,10 +60,10 @@ ShaftLight Convert(vtkLight* light, const ScreenTransform& view)
   double focus[3];
   light->GetTransformedPosition(position);
   light->GetTransformedFocalPoint(focus);
-  double way[3] = { focus[0] - position[0], focus[1] - position[1], focus[2] - position[2] };
-  vtkMath::Normalize(way);
+  double direction[3] = { focus[0] - position[0], focus[1] - position[1], focus[2] - position[2] };
+  vtkMath::Normalize(direction);
   double eye[3];
-  ToEye(view, way, 0.0, eye);
+  TransformToEye(view, direction, 0.0, eye);
   ShaftLight result;
   const bool positional = light->GetPositional() != 0;
   for (int i = 0; i < 3; ++i)
@@ -73,7 +74,7 @@ ShaftLight Convert(vtkLight* light, const ScreenTransform& view)
   }
   if (positional)
   {
-    ToEye(view, position, 1.0, eye);
+    TransformToEye(view, position, 1.0, eye);
     std::copy(eye, eye + 3, result.Position);
     result.Position[3] = 1.f;
     const double* attenuation = light->GetAttenuationValues();
@@ -88,7 +89,7 @@ ShaftLight Convert(vtkLight* light, const ScreenTransform& view)
       result.Exponent = static_cast<float>(light->GetExponent());
     }
   }
-  result.InPicture = IsSeen(result.Position, view);
+  result.InPicture = IsInImage(result.Position, view);
   return result;
 }
 
@@ -105,38 +106,38 @@ bool IsUsable(const ShaftLight& light)
 
 }
 
-bool ShaftLightGroup::Join(const ShaftLight& light)
+bool ShaftLightGroup::Add(const ShaftLight& light)
 {
-  const bool joins =
-    !this->IsLamp() && !light.IsPositional() && static_cast<int>(this->Lights.size()) < Most;
-  if (joins)
+  const bool fits = !this->IsPositional() && !light.IsPositional() &&
+    static_cast<int>(this->Lights.size()) < Capacity;
+  if (fits)
   {
     this->Lights.push_back(light);
   }
-  return joins;
+  return fits;
 }
 
 void ShaftLightGroup::SetUniforms(vtkShaderProgram* program) const
 {
-  float places[Most][4] = {};
+  float positions[Capacity][4] = {};
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
-    std::copy_n(this->Lights[i].Position, 4, places[i]);
+    std::copy_n(this->Lights[i].Position, 4, positions[i]);
   }
-  program->SetUniform4fv("lights", Most, places);
+  program->SetUniform4fv("lights", Capacity, positions);
   program->SetUniformi("lightCount", static_cast<int>(this->Lights.size()));
-  if (this->IsLamp())
+  if (this->IsPositional())
   {
-    const ShaftLight& lamp = this->Lights.front();
-    program->SetUniform3f("attenuation", lamp.Attenuation);
-    program->SetUniform4f("cone", lamp.Cone);
-    program->SetUniformf("coneExponent", lamp.Exponent);
+    const ShaftLight& light = this->Lights.front();
+    program->SetUniform3f("attenuation", light.Attenuation);
+    program->SetUniform4f("cone", light.Cone);
+    program->SetUniformf("coneExponent", light.Exponent);
   }
 }
 
 void ShaftLightGroup::SetColors(vtkShaderProgram* program, double exposure) const
 {
-  float colors[Most][3] = {};
+  float colors[Capacity][3] = {};
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     for (int k = 0; k < 3; ++k)
@@ -144,10 +145,10 @@ void ShaftLightGroup::SetColors(vtkShaderProgram* program, double exposure) cons
       colors[i][k] = this->Lights[i].Color[k] * static_cast<float>(exposure);
     }
   }
-  program->SetUniform3fv("colors", Most, colors);
+  program->SetUniform3fv("colors", Capacity, colors);
 }
 
-std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, bool alone)
+std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, bool separate)
 {
   std::vector<ShaftLight> sorted = lights;
   std::stable_partition(
@@ -155,7 +156,7 @@ std::vector<ShaftLightGroup> GroupLights(const std::vector<ShaftLight>& lights, 
   std::vector<ShaftLightGroup> groups;
   for (const ShaftLight& light : sorted)
   {
-    if (alone || groups.empty() || !groups.back().Join(light))
+    if (separate || groups.empty() || !groups.back().Add(light))
     {
       groups.emplace_back(light);
     }
@@ -180,10 +181,10 @@ std::vector<ShaftLight> FindShaftLights(
   lights->InitTraversal(position);
   while (vtkLight* light = lights->GetNextLight(position))
   {
-    const bool wanted = chosen.empty()
+    const bool selected = chosen.empty()
       ? !light->LightTypeIsHeadlight()
       : std::find(chosen.begin(), chosen.end(), light) != chosen.end();
-    if (wanted && light->GetSwitch())
+    if (selected && light->GetSwitch())
     {
       const ShaftLight converted = Convert(light, view);
       if (IsUsable(converted))

@@ -25,13 +25,14 @@ namespace penumbra
 namespace
 {
 
-/// A geometric way to a light that is seen ends at this share of its distance.
-constexpr double NearestToLight = 1.0 / 64.0;
+/// Geometric spacing towards a light in front of the camera stops at this fraction of its distance,
+/// where the steps would become infinitely small.
+constexpr double MinimumLightDistance = 1.0 / 64.0;
 
 auto AsTuple(const RadialBlurSettings& s)
 {
   return std::tie(s.Steps, s.Passes, s.Geometric, s.Weight, s.Decay, s.Density, s.SurfaceEmission,
-    s.SkyIsPicture, s.Block);
+    s.SkyIsImage, s.Block);
 }
 
 void SetNumber(vtkShaderProgram* program, const char* name, double value)
@@ -45,35 +46,35 @@ void SetSize(vtkShaderProgram* program, const char* name, int width, int height)
   program->SetUniform2f(name, size);
 }
 
-void SampleBetween(vtkTextureObject* texture)
+void UseLinearFilter(vtkTextureObject* texture)
 {
   texture->SetMinificationFilter(vtkTextureObject::Linear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
 }
 
-/// Geometric spacing of `count` steps: logarithm of the factor by which the distance to the light
-/// shrinks with each, and the step where that is nothing. The way from the middle of the picture is
-/// no longer than its diagonal, wherever the light: the guard band.
-void SetGrowth(vtkShaderProgram* program, const ShaftLight& light, const ScreenTransform& view,
-  double density, double count)
+/// Sets the uniform spacingGrowth for `count` geometric steps: the logarithm of the factor by which
+/// the distance to the light shrinks per step, and the step length while that logarithm is 0. The
+/// path from the image center is at most as long as the diagonal (guard band).
+void SetSpacingGrowth(vtkShaderProgram* program, const ShaftLight& light,
+  const ScreenTransform& view, double density, double count)
 {
-  const double turn = view.Parallel ? light.Position[3] : light.Position[2];
+  const double planeFactor = view.Parallel ? light.Position[3] : light.Position[2];
   double square = 0.0;
   const int sides[2] = { view.Width, view.Height };
   for (int axis = 0; axis < 2; ++axis)
   {
     const double unit = view.Parallel ? view.Unit : 1.0;
-    const double middle = (0.5 * sides[axis] * view.Scale[axis] + view.Offset[axis]) / unit;
-    const double way = (light.Position[axis] - middle * turn) / (view.Scale[axis] / unit);
-    square += way * way;
+    const double center = (0.5 * sides[axis] * view.Scale[axis] + view.Offset[axis]) / unit;
+    const double path = (light.Position[axis] - center * planeFactor) / (view.Scale[axis] / unit);
+    square += path * path;
   }
   const double guard = std::hypot(view.Width, view.Height) / std::max(std::sqrt(square), 1e-9);
-  const double whole =
-    turn > 0.0 ? (1.0 - NearestToLight) / turn : std::numeric_limits<double>::infinity();
-  const double end = std::min(guard, whole) / density;
-  const float growth[2] = { static_cast<float>(std::log1p(-turn * end) / count),
+  const double toLight = planeFactor > 0.0 ? (1.0 - MinimumLightDistance) / planeFactor
+                                           : std::numeric_limits<double>::infinity();
+  const double end = std::min(guard, toLight) / density;
+  const float spacingGrowth[2] = { static_cast<float>(std::log1p(-planeFactor * end) / count),
     static_cast<float>(end / count) };
-  program->SetUniform2f("growth", growth);
+  program->SetUniform2f("spacingGrowth", spacingGrowth);
 }
 
 }
@@ -83,28 +84,28 @@ bool RadialBlurSettings::operator==(const RadialBlurSettings& other) const
   return AsTuple(*this) == AsTuple(other);
 }
 
-bool ShaftRadialBlur::CopyBehind(vtkOpenGLRenderWindow* window, const DelegateImage& image)
+bool ShaftRadialBlur::CopyBackground(vtkOpenGLRenderWindow* window, const DelegateImage& image)
 {
   const int* viewport = image.GetViewport();
-  if (!this->Behind || this->Behind->GetContext() != window ||
-    static_cast<int>(this->Behind->GetWidth()) != viewport[2] ||
-    static_cast<int>(this->Behind->GetHeight()) != viewport[3])
+  if (!this->Background || this->Background->GetContext() != window ||
+    static_cast<int>(this->Background->GetWidth()) != viewport[2] ||
+    static_cast<int>(this->Background->GetHeight()) != viewport[3])
   {
-    this->Behind = vtkSmartPointer<vtkTextureObject>::New();
-    this->Behind->SetContext(window);
-    this->Behind->SetWrapS(vtkTextureObject::ClampToEdge);
-    this->Behind->SetWrapT(vtkTextureObject::ClampToEdge);
-    this->Behind->Allocate2D(viewport[2], viewport[3], 4, VTK_UNSIGNED_CHAR);
+    this->Background = vtkSmartPointer<vtkTextureObject>::New();
+    this->Background->SetContext(window);
+    this->Background->SetWrapS(vtkTextureObject::ClampToEdge);
+    this->Background->SetWrapT(vtkTextureObject::ClampToEdge);
+    this->Background->Allocate2D(viewport[2], viewport[3], 4, VTK_UNSIGNED_CHAR);
     this->Copy = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Copy->SetContext(window);
   }
-  // A blit also makes one sample a pixel of many.
+  // The blit also resolves multisampled images.
   vtkOpenGLState* gl = window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
   gl->vtkglDisable(GL_SCISSOR_TEST);
   gl->PushDrawFramebufferBinding();
   this->Copy->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
-  this->Copy->AddColorAttachment(0, this->Behind);
+  this->Copy->AddColorAttachment(0, this->Background);
   this->Copy->ActivateDrawBuffer(0);
   gl->vtkglBlitFramebuffer(viewport[0], viewport[1], viewport[0] + viewport[2],
     viewport[1] + viewport[3], 0, 0, viewport[2], viewport[3], GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -117,15 +118,15 @@ bool ShaftRadialBlur::DrawEmission(vtkOpenGLRenderWindow* window, const Delegate
   const ScreenTransform& coarse, vtkTextureObject* emitters, const RadialBlurSettings& settings)
 {
   static const std::string oneSample =
-    Assemble(vtkPenumbraShaftEmissionFS, { { "Picture", vtkPenumbraShaftSceneColorLib } });
+    Assemble(vtkPenumbraShaftEmissionFS, { { "SceneColor", vtkPenumbraShaftSceneColorLib } });
   static const std::string manySamples =
-    Assemble(vtkPenumbraShaftEmissionFS, { { "Picture", vtkPenumbraShaftSceneColorMSLib } });
+    Assemble(vtkPenumbraShaftEmissionFS, { { "SceneColor", vtkPenumbraShaftSceneColorMSLib } });
   Allocate(this->Emission, window, coarse.Width, coarse.Height, 4);
-  SampleBetween(this->Emission);
-  const bool readsBehind = settings.SkyIsPicture && !settings.DelegateDrawsBackground;
-  if (readsBehind)
+  UseLinearFilter(this->Emission);
+  const bool readsBackground = settings.SkyIsImage && !settings.DelegateDrawsBackground;
+  if (readsBackground)
   {
-    this->CopyBehind(window, image);
+    this->CopyBackground(window, image);
   }
   const bool many = image.GetSamples() > 1;
   vtkShaderProgram* program = this->EmissionStage.Ready(window, many ? manySamples : oneSample);
@@ -136,22 +137,23 @@ bool ShaftRadialBlur::DrawEmission(vtkOpenGLRenderWindow* window, const Delegate
   }
   const int* margin = image.GetMargin();
   const int* size = image.GetViewport() + 2;
-  const float toBehind[4] = { 1.f / static_cast<float>(size[0]), 1.f / static_cast<float>(size[1]),
-    -static_cast<float>(margin[0]) / static_cast<float>(size[0]),
+  const float pixelToBackground[4] = { 1.f / static_cast<float>(size[0]),
+    1.f / static_cast<float>(size[1]), -static_cast<float>(margin[0]) / static_cast<float>(size[0]),
     -static_cast<float>(margin[1]) / static_cast<float>(size[1]) };
   SetSize(program, "pixelSize", image.GetView().Width, image.GetView().Height);
   SetSize(program, "texelSize", coarse.Width, coarse.Height);
-  SetNumber(program, "glowing", emitters ? 1.0 : 0.0);
-  program->SetUniform4f("toBehind", toBehind);
-  SetNumber(program, "block", settings.Block);
+  SetNumber(program, "hasEmitters", emitters ? 1.0 : 0.0);
+  program->SetUniform4f("pixelToBackground", pixelToBackground);
+  SetNumber(program, "blockSize", settings.Block);
   SetNumber(program, "background", settings.DelegateDrawsBackground ? 1.0 : 0.0);
   SetNumber(program, "surfaceEmission", settings.SurfaceEmission);
-  const bool white = !settings.SkyIsPicture && !emitters;
-  const float sky[2] = { white ? 1.f : 0.f, settings.SkyIsPicture ? 1.f : 0.f };
-  program->SetUniform2f("sky", sky);
+  const bool white = !settings.SkyIsImage && !emitters;
+  const float skyEmission[2] = { white ? 1.f : 0.f, settings.SkyIsImage ? 1.f : 0.f };
+  program->SetUniform2f("skyEmission", skyEmission);
   this->EmissionStage.BindTexture("depthBuffer", image.GetDepth());
   this->EmissionStage.BindTexture("colors", image.GetColor());
-  this->EmissionStage.BindTexture("behind", readsBehind ? this->Behind.Get() : image.GetDepth());
+  this->EmissionStage.BindTexture(
+    "backgroundImage", readsBackground ? this->Background.Get() : image.GetDepth());
   this->EmissionStage.BindTexture("emitters", emitters ? emitters : image.GetDepth());
   if (many)
   {
@@ -162,7 +164,7 @@ bool ShaftRadialBlur::DrawEmission(vtkOpenGLRenderWindow* window, const Delegate
   return true;
 }
 
-bool ShaftRadialBlur::Find(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+bool ShaftRadialBlur::ComputeLitFractions(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   const ScreenTransform& coarse, vtkTextureObject* eyeDepths, const ShaftLight& light,
   const RadialBlurSettings& settings, vtkTextureObject* target)
 {
@@ -170,20 +172,20 @@ bool ShaftRadialBlur::Find(vtkOpenGLRenderWindow* window, const DelegateImage& i
     Assemble(vtkPenumbraShaftRadialFS, { { "ViewLib", vtkPenumbraViewLib } });
   const bool geometric = settings.Geometric || settings.Passes > 1;
   const double count = std::pow(settings.Steps, settings.Passes);
-  vtkTextureObject* glows = this->Emission;
-  double leap = 1.0;
+  vtkTextureObject* emission = this->Emission;
+  double stepStride = 1.0;
   for (int pass = 0; pass < settings.Passes; ++pass)
   {
     const bool last = pass + 1 == settings.Passes;
-    vtkSmartPointer<vtkTextureObject>& between = this->Between[pass % 2];
+    vtkSmartPointer<vtkTextureObject>& intermediate = this->Intermediate[pass % 2];
     if (!last)
     {
-      Allocate(between, window, coarse.Width, coarse.Height, 4);
-      SampleBetween(between);
+      Allocate(intermediate, window, coarse.Width, coarse.Height, 4);
+      UseLinearFilter(intermediate);
     }
-    vtkShaderProgram* program = this->Mean.Ready(window, source);
+    vtkShaderProgram* program = this->BlurStage.Ready(window, source);
     const ScopedRenderTarget into(
-      window, image.GetFramebuffer(), { last ? target : between.Get() });
+      window, image.GetFramebuffer(), { last ? target : intermediate.Get() });
     if (!program || !into.IsComplete())
     {
       return false;
@@ -192,18 +194,18 @@ bool ShaftRadialBlur::Find(vtkOpenGLRenderWindow* window, const DelegateImage& i
     program->SetUniform4f("light", light.Position);
     program->SetUniformi("steps", settings.Steps);
     SetNumber(program, "density", settings.Density);
-    SetNumber(program, "evenly", geometric ? 0.0 : 1.0);
-    SetGrowth(program, light, coarse, settings.Density, count);
-    SetNumber(program, "first", pass == 0 ? 0.5 : 0.0);
-    SetNumber(program, "leap", leap);
-    SetNumber(program, "decay", std::pow(settings.Decay, 64.0 * leap / count));
+    SetNumber(program, "evenSpacing", geometric ? 0.0 : 1.0);
+    SetSpacingGrowth(program, light, coarse, settings.Density, count);
+    SetNumber(program, "firstStep", pass == 0 ? 0.5 : 0.0);
+    SetNumber(program, "stepStride", stepStride);
+    SetNumber(program, "decay", std::pow(settings.Decay, 64.0 * stepStride / count));
     SetNumber(program, "weight", settings.Weight);
-    SetNumber(program, "last", last ? 1.0 : 0.0);
-    this->Mean.BindTexture("glows", glows);
-    this->Mean.BindTexture("eyeDepths", eyeDepths);
-    this->Mean.Draw();
-    glows = between;
-    leap *= settings.Steps;
+    SetNumber(program, "isLastPass", last ? 1.0 : 0.0);
+    this->BlurStage.BindTexture("emission", emission);
+    this->BlurStage.BindTexture("eyeDepths", eyeDepths);
+    this->BlurStage.Draw();
+    emission = intermediate;
+    stepStride *= settings.Steps;
   }
   return true;
 }
@@ -211,9 +213,9 @@ bool ShaftRadialBlur::Find(vtkOpenGLRenderWindow* window, const DelegateImage& i
 void ShaftRadialBlur::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->EmissionStage.ReleaseGraphicsResources(window);
-  this->Mean.ReleaseGraphicsResources(window);
+  this->BlurStage.ReleaseGraphicsResources(window);
   for (vtkSmartPointer<vtkTextureObject>* texture :
-    { &this->Behind, &this->Emission, &this->Between[0], &this->Between[1] })
+    { &this->Background, &this->Emission, &this->Intermediate[0], &this->Intermediate[1] })
   {
     if (*texture)
     {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lit shares as the paper finds them: a picture of what glows, and its mean on the way to the light,
-// in one loop or in chained passes [Shafts eq. 3 and 4, 13.5, 13.8].
+// Lit fractions by radial blur, the estimator of the paper: an emission image and its mean along
+// the screen path to the light, in one loop or in chained passes [Shafts eq. 3 and 4, 13.5, 13.8].
 #ifndef penumbra_ShaftRadialBlur_h
 #define penumbra_ShaftRadialBlur_h
 
@@ -13,7 +13,7 @@
 namespace penumbra
 {
 
-/// See vtkPenumbraLightShaftPass.
+/// Settings of the radial blur; vtkPenumbraLightShaftPass describes them.
 struct RadialBlurSettings
 {
   int Steps = 64;
@@ -23,12 +23,12 @@ struct RadialBlurSettings
   double Decay = 1.0;
   double Density = 1.0;
   double SurfaceEmission = 0.0; ///< 0: occluders are black
-  bool SkyIsPicture = false;    ///< else white, or black where emitters are chosen
-  int Block = 1;                ///< pixels a side of the blocks for which lit shares are found
+  bool SkyIsImage = false;      ///< else white, or black if there are emitters
+  int Block = 1;                ///< pixels per side of a block that shares a lit fraction
   bool DelegateDrawsBackground = true;
 
-  /// What glows depends on more than depth.
-  bool DependsOnColor() const { return this->SkyIsPicture || this->SurfaceEmission > 0.0; }
+  /// The emission image depends on colors, not on depth only.
+  bool DependsOnColor() const { return this->SkyIsImage || this->SurfaceEmission > 0.0; }
 
   bool operator==(const RadialBlurSettings& other) const;
 };
@@ -36,26 +36,26 @@ struct RadialBlurSettings
 class ShaftRadialBlur
 {
 public:
-  /// Finds out what glows in the delegate's picture; before anything is drawn over the picture behind
-  /// it. `coarse` is the view of the blocks. `emitters`: their picture, null: there are none.
+  /// Renders the emission image. Must be called before anything is drawn over the background of the
+  /// target. `coarse` is the view of the blocks; `emitters` is the image of the emitters, or null.
   bool DrawEmission(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     const ScreenTransform& coarse, vtkTextureObject* emitters, const RadialBlurSettings& settings);
 
-  /// rgb: lit share, a: eye depth, of each block into `target`.
-  bool Find(vtkOpenGLRenderWindow* window, const DelegateImage& image,
+  /// Computes one texel per block in `target`: rgb: lit fraction, a: eye depth.
+  bool ComputeLitFractions(vtkOpenGLRenderWindow* window, const DelegateImage& image,
     const ScreenTransform& coarse, vtkTextureObject* eyeDepths, const ShaftLight& light,
     const RadialBlurSettings& settings, vtkTextureObject* target);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool CopyBehind(vtkOpenGLRenderWindow* window, const DelegateImage& image);
+  bool CopyBackground(vtkOpenGLRenderWindow* window, const DelegateImage& image);
 
   Stage EmissionStage;
-  Stage Mean;
-  vtkSmartPointer<vtkTextureObject> Behind;
+  Stage BlurStage;
+  vtkSmartPointer<vtkTextureObject> Background;
   vtkSmartPointer<vtkTextureObject> Emission;
-  vtkSmartPointer<vtkTextureObject> Between[2]; ///< of chained passes
+  vtkSmartPointer<vtkTextureObject> Intermediate[2]; ///< results of chained passes
   vtkSmartPointer<vtkOpenGLFramebufferObject> Copy;
 };
 

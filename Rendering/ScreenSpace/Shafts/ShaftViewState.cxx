@@ -43,9 +43,9 @@ namespace
 
 auto AsTuple(const ShaftSettings& s)
 {
-  return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial, s.Paper,
-    s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.Prepass, s.Emitters, s.AutomaticTone,
-    s.Unit, s.Range);
+  return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial,
+    s.RadialBlur, s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.Prepass, s.Emitters,
+    s.AutomaticTone, s.Unit, s.Range);
 }
 
 void SetSize(vtkShaderProgram* program, const char* name, double width, double height)
@@ -59,15 +59,15 @@ void SetNumber(vtkShaderProgram* program, const char* name, double value)
   program->SetUniformf(name, static_cast<float>(value));
 }
 
-/// A shader with the pieces for a kind of light and of medium.
-std::string AssembleFor(bool lamp, bool bounded, const char* source,
+/// Assembles a shader with the libraries for a type of light and of medium.
+std::string AssembleFor(bool positional, bool bounded, const char* source,
   std::vector<std::pair<std::string, std::string>> pieces)
 {
   pieces.insert(pieces.begin(),
     { { "ViewLib", vtkPenumbraViewLib }, { "ShaftLib", vtkPenumbraShaftLib },
       { "Medium", bounded ? vtkPenumbraShaftBoundedLib : vtkPenumbraShaftUnboundedLib },
       { "Light",
-        lamp        ? vtkPenumbraShaftPositionalLib
+        positional  ? vtkPenumbraShaftPositionalLib
           : bounded ? vtkPenumbraShaftDirectionalBoxLib
                     : vtkPenumbraShaftDirectionalLib } });
   return Assemble(source, pieces);
@@ -91,26 +91,27 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
   }
   ScreenTransform view = this->Image.GetView();
   view.Unit = settings.Unit;
-  // What glows in colours cannot be known by depths.
+  // Depth does not reveal changes of emitted colors.
   const bool colored =
-    settings.Radial && (settings.Paper.DependsOnColor() || !settings.Emitters.empty());
-  this->Known = this->Known && !colored && settings == this->Settings && lights == this->Lights &&
-    this->Depth.GetView().HasSameView(view);
+    settings.Radial && (settings.RadialBlur.DependsOnColor() || !settings.Emitters.empty());
+  this->HasLitFractions = this->HasLitFractions && !colored && settings == this->Settings &&
+    lights == this->Lights && this->Depth.GetView().HasSameView(view);
   this->Settings = settings;
   this->Lights = lights;
   this->Groups = GroupLights(lights, settings.Radial);
-  const bool again = this->Known && this->Seen;
-  if (again && this->DrawAgain(state, delegate))
+  const bool reuse = this->HasLitFractions && this->HasTargetDepth;
+  if (reuse && this->ReuseShafts(state, delegate))
   {
     return true;
   }
-  this->Seen = false;
-  // Part of the target may hold old light: what is drawn now has to replace it.
-  const bool simple = !again && !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
+  this->HasTargetDepth = false;
+  // After a failed reuse, part of the target already contains light: the new frame has to replace
+  // it.
+  const bool simple = !reuse && !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
     settings.Margin[1] == 0 && !settings.Radial && !settings.AutomaticTone;
   this->Props = simple ? this->Image.DrawToTarget(state, delegate) : -1;
-  const bool straight = this->Props >= 0;
-  if (!straight)
+  const bool drawnToTarget = this->Props >= 0;
+  if (!drawnToTarget)
   {
     this->Props = this->Image.Draw(state, delegate, settings.Margin);
   }
@@ -123,19 +124,20 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
   {
     return false;
   }
-  this->Known = this->Known && change == EyeDepth::Change::None;
-  const bool still = this->Known && !settings.DelegateDrawsBackground && !settings.Bounded;
-  if (still && (straight || this->Target.DrawToTarget(state, delegate) >= 0))
+  this->HasLitFractions = this->HasLitFractions && change == EyeDepth::Change::None;
+  const bool isStatic =
+    this->HasLitFractions && !settings.DelegateDrawsBackground && !settings.Bounded;
+  if (isStatic && (drawnToTarget || this->Target.DrawToTarget(state, delegate) >= 0))
   {
-    // From now on the delegate draws straight into the target, this picture already.
-    this->Seen = this->RememberTarget(straight ? this->Image : this->Target);
-    return this->CompositeStraight();
+    // From this frame on, the delegate renders directly into the target.
+    this->HasTargetDepth = this->RememberTarget(drawnToTarget ? this->Image : this->Target);
+    return this->BlendOverTarget();
   }
-  if (!this->Known)
+  if (!this->HasLitFractions)
   {
-    this->Known = this->Compute(state);
+    this->HasLitFractions = this->Compute(state);
   }
-  return this->Known && (straight ? this->CompositeStraight() : this->Composite());
+  return this->HasLitFractions && (drawnToTarget ? this->BlendOverTarget() : this->Composite());
 }
 
 bool ShaftViewState::RememberTarget(const DelegateImage& image)
@@ -146,7 +148,7 @@ bool ShaftViewState::RememberTarget(const DelegateImage& image)
   return this->TargetDepth.Update(this->Window, image, view) != EyeDepth::Change::Failed;
 }
 
-bool ShaftViewState::DrawAgain(const vtkRenderState* state, vtkRenderPass* delegate)
+bool ShaftViewState::ReuseShafts(const vtkRenderState* state, vtkRenderPass* delegate)
 {
   static const std::string source =
     Assemble(vtkPenumbraShaftReuseFS, { { "ViewLib", vtkPenumbraViewLib } });
@@ -176,7 +178,7 @@ bool ShaftViewState::Compute(const vtkRenderState* state)
 {
   const int block = this->Settings.Block;
   this->Coarse = this->Depth.GetView().Downsampled(block);
-  this->Filled = false;
+  this->HasShafts = false;
   if (block > 1 && !this->FillCoarseDepths())
   {
     return false;
@@ -195,25 +197,25 @@ bool ShaftViewState::Compute(const vtkRenderState* state)
   }
   if (!this->Settings.AutomaticTone)
   {
-    this->Tone.Forget();
+    this->AutoExposure.Reset();
     return true;
   }
   return this->FillShafts() &&
-    this->Tone.Update(this->Window, this->Image, this->Shafts,
+    this->AutoExposure.Update(this->Window, this->Image, this->Shafts,
       this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data());
 }
 
 bool ShaftViewState::DrawEmission(const vtkRenderState* state)
 {
-  const bool any = !this->Settings.Emitters.empty();
-  if (any &&
+  const bool hasEmitters = !this->Settings.Emitters.empty();
+  if (hasEmitters &&
     !this->Emitters.Draw(state, this->Image, this->Coarse, this->Settings.Block,
       this->Settings.Emitters, this->Settings.Prepass))
   {
     return false;
   }
   return this->RadialBlur.DrawEmission(this->Window, this->Image, this->Coarse,
-    any ? this->Emitters.GetColor() : nullptr, this->Settings.Paper);
+    hasEmitters ? this->Emitters.GetColor() : nullptr, this->Settings.RadialBlur);
 }
 
 bool ShaftViewState::FillCoarseDepths()
@@ -228,7 +230,7 @@ bool ShaftViewState::FillCoarseDepths()
     return false;
   }
   SetSize(program, "pixelSize", this->Depth.GetView().Width, this->Depth.GetView().Height);
-  SetNumber(program, "block", this->Settings.Block);
+  SetNumber(program, "blockSize", this->Settings.Block);
   this->Downsample.BindTexture("eyeDepths", this->Depth.GetCurrent());
   this->Downsample.Draw();
   return true;
@@ -238,9 +240,9 @@ void ShaftViewState::SetBox(vtkShaderProgram* program) const
 {
   const ScreenTransform& view = this->Depth.GetView();
   const Matrix& toEye = view.WorldToEye;
-  float turn[16] = {};
-  float low[3];
-  float high[3];
+  float rotation[16] = {};
+  float boxMinimum[3];
+  float boxMaximum[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     double eye = 0.0;
@@ -248,18 +250,18 @@ void ShaftViewState::SetBox(vtkShaderProgram* program) const
     {
       const double entry = toEye[4 * row + axis];
       eye -= entry * toEye[4 * row + 3];
-      turn[4 * row + axis] = static_cast<float>(row == 2 ? -entry : entry);
+      rotation[4 * row + axis] = static_cast<float>(row == 2 ? -entry : entry);
     }
     const auto fromEye = [&](double bound) {
       return static_cast<float>(std::clamp((bound - eye) / view.Unit, -1e30, 1e30));
     };
-    low[axis] = fromEye(this->Settings.Bounds[2 * axis]);
-    high[axis] = fromEye(this->Settings.Bounds[2 * axis + 1]);
+    boxMinimum[axis] = fromEye(this->Settings.Bounds[2 * axis]);
+    boxMaximum[axis] = fromEye(this->Settings.Bounds[2 * axis + 1]);
   }
-  turn[15] = 1.f;
-  program->SetUniformMatrix4x4("eyeToWorld", turn);
-  program->SetUniform3f("low", low);
-  program->SetUniform3f("high", high);
+  rotation[15] = 1.f;
+  program->SetUniformMatrix4x4("eyeToWorld", rotation);
+  program->SetUniform3f("boxMinimum", boxMinimum);
+  program->SetUniform3f("boxMaximum", boxMaximum);
 }
 
 void ShaftViewState::SetMedium(vtkShaderProgram* program) const
@@ -279,22 +281,22 @@ bool ShaftViewState::ComputeLitFractions(std::size_t number)
 {
   const ShaftSettings& settings = this->Settings;
   const ShaftLightGroup& lights = this->Groups[number];
-  vtkSmartPointer<vtkTextureObject>& shares = this->LitFractions[number];
-  Allocate(shares, this->Window, this->Coarse.Width, this->Coarse.Height, 4);
+  vtkSmartPointer<vtkTextureObject>& fractions = this->LitFractions[number];
+  Allocate(fractions, this->Window, this->Coarse.Width, this->Coarse.Height, 4);
   vtkTextureObject* depths =
     settings.Block > 1 ? this->CoarseDepths.Get() : this->Depth.GetCurrent();
   this->NewLitFractions += static_cast<long long>(this->Coarse.Width) * this->Coarse.Height *
     static_cast<long long>(lights.GetLights().size());
   if (settings.Radial)
   {
-    return this->RadialBlur.Find(this->Window, this->Image, this->Coarse, depths,
-      lights.GetLights().front(), settings.Paper, shares);
+    return this->RadialBlur.ComputeLitFractions(this->Window, this->Image, this->Coarse, depths,
+      lights.GetLights().front(), settings.RadialBlur, fractions);
   }
-  Stage& stage = this->Visibility[lights.IsLamp()];
+  Stage& stage = this->Visibility[lights.IsPositional()];
   vtkShaderProgram* program = stage.Ready(this->Window,
-    AssembleFor(lights.IsLamp(), settings.Bounded, vtkPenumbraShaftVisibilityFS,
+    AssembleFor(lights.IsPositional(), settings.Bounded, vtkPenumbraShaftVisibilityFS,
       { { "Estimator", vtkPenumbraShaftDepthLib } }));
-  const ScopedRenderTarget target(this->Window, this->Image.GetFramebuffer(), { shares });
+  const ScopedRenderTarget target(this->Window, this->Image.GetFramebuffer(), { fractions });
   if (!program || !target.IsComplete())
   {
     return false;
@@ -312,36 +314,36 @@ bool ShaftViewState::ComputeLitFractions(std::size_t number)
 
 bool ShaftViewState::FillShafts()
 {
-  if (this->Filled)
+  if (this->HasShafts)
   {
     return true;
   }
   const ScreenTransform& view = this->Depth.GetView();
   Allocate(this->Shafts, this->Window, view.Width, view.Height, 4);
   const ScopedRenderTarget target(this->Window, this->Image.GetFramebuffer(), { this->Shafts });
-  this->Filled = target.IsComplete();
-  for (std::size_t i = 0; this->Filled && i < this->Groups.size(); ++i)
+  this->HasShafts = target.IsComplete();
+  for (std::size_t i = 0; this->HasShafts && i < this->Groups.size(); ++i)
   {
     vtkOpenGLState* gl = this->Window->GetState();
     gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     i == 0 ? gl->vtkglDisable(GL_BLEND) : gl->vtkglEnable(GL_BLEND);
-    const float left = i == 0 ? 1.f : 0.f;
-    this->Filled = this->Scatter(i, { 0.f, left }, { 0.f, 0.f });
+    const float transmittanceFactor = i == 0 ? 1.f : 0.f;
+    this->HasShafts = this->Scatter(i, { 0.f, transmittanceFactor }, { 0.f, 0.f });
   }
-  return this->Filled;
+  return this->HasShafts;
 }
 
 bool ShaftViewState::Scatter(
   std::size_t number, const std::array<float, 2>& alpha, const std::array<float, 2>& offset)
 {
   const ShaftLightGroup& lights = this->Groups[number];
-  vtkTextureObject* shares = this->LitFractions[number];
-  Stage& stage = this->InScatter[lights.IsLamp()];
-  const char* share =
+  vtkTextureObject* fractions = this->LitFractions[number];
+  Stage& stage = this->InScatter[lights.IsPositional()];
+  const char* library =
     this->Settings.Radial ? vtkPenumbraShaftLitColorLib : vtkPenumbraShaftLitFractionLib;
   vtkShaderProgram* program = stage.Ready(this->Window,
-    AssembleFor(
-      lights.IsLamp(), this->Settings.Bounded, vtkPenumbraShaftScatterFS, { { "Share", share } }));
+    AssembleFor(lights.IsPositional(), this->Settings.Bounded, vtkPenumbraShaftScatterFS,
+      { { "LitFraction", library } }));
   if (!program)
   {
     return false;
@@ -352,29 +354,30 @@ bool ShaftViewState::Scatter(
   lights.SetColors(program, this->Settings.Exposure);
   program->SetUniform2f("alpha", alpha.data());
   program->SetUniform2f("offset", offset.data());
-  SetNumber(program, "block", this->Settings.Block);
+  SetNumber(program, "blockSize", this->Settings.Block);
   const bool exact = this->Settings.Radial && this->Settings.Block == 1;
   SetNumber(program, "interleaved", exact ? 0.0 : 1.0);
-  SetSize(program, "texelSize", shares->GetWidth(), shares->GetHeight());
+  SetSize(program, "texelSize", fractions->GetWidth(), fractions->GetHeight());
   stage.BindTexture("eyeDepths", this->Depth.GetCurrent());
-  stage.BindTexture("litShares", shares);
+  stage.BindTexture("litFractions", fractions);
   stage.Draw();
   return true;
 }
 
 std::array<float, 2> ShaftViewState::GetOffset() const
 {
-  const int* at = this->Image.GetViewport();
+  const int* viewport = this->Image.GetViewport();
   const int* margin = this->Image.GetMargin();
-  return { static_cast<float>(margin[0] - at[0]), static_cast<float>(margin[1] - at[1]) };
+  return { static_cast<float>(margin[0] - viewport[0]),
+    static_cast<float>(margin[1] - viewport[1]) };
 }
 
 bool ShaftViewState::Composite()
 {
   static const std::string oneSample =
-    Assemble(vtkPenumbraShaftCompositeFS, { { "Picture", vtkPenumbraShaftSceneColorLib } });
+    Assemble(vtkPenumbraShaftCompositeFS, { { "SceneColor", vtkPenumbraShaftSceneColorLib } });
   static const std::string manySamples =
-    Assemble(vtkPenumbraShaftCompositeFS, { { "Picture", vtkPenumbraShaftSceneColorMSLib } });
+    Assemble(vtkPenumbraShaftCompositeFS, { { "SceneColor", vtkPenumbraShaftSceneColorMSLib } });
   const bool many = this->Image.GetSamples() > 1;
   vtkShaderProgram* program = nullptr;
   if (this->FillShafts())
@@ -402,11 +405,11 @@ bool ShaftViewState::Composite()
   return true;
 }
 
-bool ShaftViewState::CompositeStraight()
+bool ShaftViewState::BlendOverTarget()
 {
-  // In motion what the lights add goes straight to the target. Where several draw one after the other
-  // that would be rounded in between.
-  if (this->NewLitFractions > 0 && this->Groups.size() == 1 && !this->Filled)
+  // In motion the light is blended directly into the target. With several groups the target would
+  // round the intermediate sums.
+  if (this->NewLitFractions > 0 && this->Groups.size() == 1 && !this->HasShafts)
   {
     const ScopedBlending target(this->Window, this->Image.GetViewport(), false);
     return this->Scatter(0, { 1.f, -1.f }, this->GetOffset());
@@ -442,7 +445,7 @@ void ShaftViewState::CopyTo(vtkImageData* image)
   transmittance->SetNumberOfTuples(image->GetNumberOfPoints());
   image->GetPointData()->AddArray(shafts);
   image->GetPointData()->AddArray(transmittance);
-  if (!this->Known || !this->FillShafts())
+  if (!this->HasLitFractions || !this->FillShafts())
   {
     return;
   }
@@ -452,15 +455,15 @@ void ShaftViewState::CopyTo(vtkImageData* image)
   {
     for (int i = 0; i < size[0]; ++i)
     {
-      const std::size_t at = 4 *
+      const std::size_t from = 4 *
         (static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * width + i +
           this->Image.GetMargin()[0]);
       const vtkIdType to = static_cast<vtkIdType>(j) * size[0] + i;
       for (int k = 0; k < 3; ++k)
       {
-        shafts->SetTypedComponent(to, k, static_cast<float>(this->GetGain()) * values[at + k]);
+        shafts->SetTypedComponent(to, k, static_cast<float>(this->GetGain()) * values[from + k]);
       }
-      transmittance->SetValue(to, values[at + 3]);
+      transmittance->SetValue(to, values[from + 3]);
     }
   }
 }
@@ -472,7 +475,7 @@ void ShaftViewState::ReleaseGraphicsResources(vtkWindow* window)
   this->Target.ReleaseGraphicsResources(window);
   this->TargetDepth.ReleaseGraphicsResources(window);
   this->RadialBlur.ReleaseGraphicsResources(window);
-  this->Tone.ReleaseGraphicsResources(window);
+  this->AutoExposure.ReleaseGraphicsResources(window);
   this->Emitters.ReleaseGraphicsResources(window);
   for (Stage* stage :
     { &this->Downsample, &this->Visibility[0], &this->Visibility[1], &this->InScatter[0],
@@ -492,9 +495,9 @@ void ShaftViewState::ReleaseGraphicsResources(vtkWindow* window)
   this->LitFractions.clear();
   this->CoarseDepths = nullptr;
   this->Shafts = nullptr;
-  this->Known = false;
-  this->Filled = false;
-  this->Seen = false;
+  this->HasLitFractions = false;
+  this->HasShafts = false;
+  this->HasTargetDepth = false;
 }
 
 }

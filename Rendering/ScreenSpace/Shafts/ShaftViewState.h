@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All that vtkPenumbraLightShaftPass keeps of one renderer, and the steps of a frame: draw the
-// delegate, turn depths into distances, find what the lights light and add what they scatter, compose.
-// Of a still scene only the first and the last of it.
+// State that vtkPenumbraLightShaftPass keeps per renderer, and the steps of a frame: render the
+// delegate, linearize depth, compute lit fractions, add in-scattered light, composite. While the
+// view and the depth do not change, only the first and the last step run.
 #ifndef penumbra_ShaftViewState_h
 #define penumbra_ShaftViewState_h
 
@@ -22,7 +22,7 @@ class vtkImageData;
 namespace penumbra
 {
 
-/// A frame's settings; see vtkPenumbraLightShaftPass for their meaning. Lengths in world units.
+/// Settings of a frame; vtkPenumbraLightShaftPass describes them. Lengths are in world units.
 struct ShaftSettings
 {
   double Scattering = 0.0;
@@ -31,18 +31,18 @@ struct ShaftSettings
   double Asymmetry = 0.0;
   double Exposure = 1.0;
   bool Radial = false;
-  RadialBlurSettings Paper; ///< where Radial
+  RadialBlurSettings RadialBlur; ///< used if Radial is on
   double Thickness = 1.0;
   int Steps = 64;
-  int Block = 1; ///< pixels a side of the blocks for which lit shares are found
+  int Block = 1; ///< pixels per side of a block that shares a lit fraction
   bool Bounded = false;
-  std::array<double, 6> Bounds{}; ///< where Bounded: xmin, xmax, ymin, ...
+  std::array<double, 6> Bounds{}; ///< used if Bounded is on: xmin, xmax, ymin, ...
   bool AutomaticTone = false;
   std::array<double, 3> Background{};
-  double Unit = 1.0;              ///< what shaders call 1
-  double Range = 1.0;             ///< no surface is farther from the eye
-  bool Prepass = false;           ///< Radial: occluders are drawn black for their own sake
-  std::vector<vtkProp*> Emitters; ///< Radial
+  double Unit = 1.0;              ///< length of one shader unit
+  double Range = 1.0;             ///< upper bound of the distance of surfaces from the eye
+  bool Prepass = false;           ///< Radial: occluders are rendered black before the emitters
+  std::vector<vtkProp*> Emitters; ///< Radial: props that emit
   bool DelegateDrawsBackground = true;
   int Margin[2] = { 0, 0 };
 
@@ -52,27 +52,31 @@ struct ShaftSettings
 class ShaftViewState
 {
 public:
-  /// Draws one frame into the target of `state`. False when OpenGL refuses: nothing was drawn.
+  /// Renders one frame into the target of `state`. Returns false, with nothing rendered, if OpenGL
+  /// reports an error.
   bool Render(const vtkRenderState* state, vtkRenderPass* delegate,
     const std::vector<ShaftLight>& lights, const ShaftSettings& settings);
 
   int GetNumberOfRenderedProps() const { return this->Props; }
 
-  /// Of the last frame: lit shares that were found anew.
-  long long GetNewShares() const { return this->NewLitFractions; }
+  /// Number of lit fractions that the last frame computed.
+  long long GetNewLitFractions() const { return this->NewLitFractions; }
   int GetNumberOfLights() const { return static_cast<int>(this->Lights.size()); }
 
-  /// What scattered light is multiplied by.
-  double GetGain() const { return this->Settings.AutomaticTone ? this->Tone.GetGain() : 1.0; }
+  /// Factor on the in-scattered light.
+  double GetGain() const
+  {
+    return this->Settings.AutomaticTone ? this->AutoExposure.GetGain() : 1.0;
+  }
 
-  /// Adds the float arrays LightShafts (3) and Transmittance to an image of the picture without
-  /// margin.
+  /// Adds the float arrays LightShafts (3 components) and Transmittance to `image`, which gets the
+  /// size of the frame without its margin.
   void CopyTo(vtkImageData* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool DrawAgain(const vtkRenderState* state, vtkRenderPass* delegate);
+  bool ReuseShafts(const vtkRenderState* state, vtkRenderPass* delegate);
   bool RememberTarget(const DelegateImage& image);
   bool Compute(const vtkRenderState* state);
   bool DrawEmission(const vtkRenderState* state);
@@ -82,7 +86,7 @@ private:
   bool Scatter(
     std::size_t number, const std::array<float, 2>& alpha, const std::array<float, 2>& offset);
   bool Composite();
-  bool CompositeStraight();
+  bool BlendOverTarget();
   std::array<float, 2> GetOffset() const;
   void SetBox(vtkShaderProgram* program) const;
   void SetMedium(vtkShaderProgram* program) const;
@@ -93,26 +97,27 @@ private:
   std::vector<ShaftLightGroup> Groups;
   DelegateImage Image;
   EyeDepth Depth;
-  DelegateImage Target; ///< where what is known is drawn straight and without a margin
+  DelegateImage Target; ///< the target of the frame, while stored shafts are blended over it
   EyeDepth TargetDepth;
-  ScreenTransform Coarse; ///< of one pixel in each block
+  ScreenTransform Coarse; ///< view with one pixel per block
   Stage Downsample;
   ShaftRadialBlur RadialBlur;
   EmitterImage Emitters;
-  ShaftAutoExposure Tone;
-  Stage Visibility[2]; ///< by a sun, by a lamp
+  ShaftAutoExposure AutoExposure;
+  Stage Visibility[2]; ///< of directional lights, of a positional light
   Stage InScatter[2];
   Stage Composition;
   Stage MediumBlend;
   Stage Reuse;
   vtkSmartPointer<vtkTextureObject> CoarseDepths;
-  std::vector<vtkSmartPointer<vtkTextureObject>> LitFractions; ///< of each group: shares, eye depth
-  vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: scattered light, a: transmittance
+  std::vector<vtkSmartPointer<vtkTextureObject>>
+    LitFractions;                           ///< per group; rgb: lit fractions, a: eye depth
+  vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: in-scattered light, a: transmittance
   long long NewLitFractions = 0;
   int Props = 0;
-  bool Known = false;  ///< LitFractions are those of Settings and Lights
-  bool Filled = false; ///< and Shafts
-  bool Seen = false;   ///< twice in a row; TargetDepth holds the target's depths
+  bool HasLitFractions = false; ///< LitFractions are valid for Settings and Lights
+  bool HasShafts = false;       ///< Shafts is valid, too
+  bool HasTargetDepth = false;  ///< TargetDepth holds the depths of an unchanged target
 };
 
 }

@@ -37,16 +37,16 @@ OcclusionScene::OcclusionScene(int width, int height, int multiSamples)
   this->Window->SetAlphaBitPlanes(1);
   this->Window->SetSize(width, height);
   this->Window->AddRenderer(this->Renderer);
-  this->Renderer->SetBackground(.2, .3, .4);
+  this->Renderer->SetBackground(0.2, 0.3, 0.4);
 }
 
 vtkSmartPointer<vtkActor> OcclusionScene::AddWall(
-  const Vector& corner, const Vector& side, const Vector& other)
+  const Vector& corner, const Vector& firstSide, const Vector& secondSide)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(corner[0], corner[1], corner[2]);
-  plane->SetPoint1(corner[0] + side[0], corner[1] + side[1], corner[2] + side[2]);
-  plane->SetPoint2(corner[0] + other[0], corner[1] + other[1], corner[2] + other[2]);
+  plane->SetPoint1(corner[0] + firstSide[0], corner[1] + firstSide[1], corner[2] + firstSide[2]);
+  plane->SetPoint2(corner[0] + secondSide[0], corner[1] + secondSide[1], corner[2] + secondSide[2]);
   auto actor = NewActor(plane);
   this->Renderer->AddActor(actor);
   return actor;
@@ -133,9 +133,9 @@ Vector OcclusionScene::FloorPointAt(double x, double y)
       coordinate /= ends[end][3];
     }
   }
-  const double along = ends[0][2] / (ends[0][2] - ends[1][2]);
-  return { ends[0][0] + along * (ends[1][0] - ends[0][0]),
-    ends[0][1] + along * (ends[1][1] - ends[0][1]), 0.0 };
+  const double fraction = ends[0][2] / (ends[0][2] - ends[1][2]);
+  return { ends[0][0] + fraction * (ends[1][0] - ends[0][0]),
+    ends[0][1] + fraction * (ends[1][1] - ends[0][1]), 0.0 };
 }
 
 double OcclusionScene::At(const std::string& name, const Vector& position)
@@ -148,7 +148,7 @@ double OcclusionScene::At(const std::string& name, const Vector& position)
 
 double BehindWall(double distance)
 {
-  // The wall blocks the directions with w.y > distance: that part of the unit disc.
+  // The wall blocks the part of the unit disk with w.y > distance.
   const double a = distance;
   return a < 1.0 ? (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0) : 0.0;
 }
@@ -159,24 +159,24 @@ double BehindWallFading(double distance)
   double sum = 0.0;
   for (int i = 0; i < steps; ++i)
   {
-    sum += BehindWall(distance / ((i + .5) / steps));
+    sum += BehindWall(distance / ((i + 0.5) / steps));
   }
   return sum / steps;
 }
 
-std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(double))
+std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*reference)(double))
 {
   scene.AddFloor();
   scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
-  const int foot = scene.Pixel({ 0, 0, 0 })[1];
+  const int footRow = scene.Pixel({ 0, 0, 0 })[1];
   std::vector<double> errors;
-  for (int row = 0; row < foot; ++row)
+  for (int row = 0; row < footRow; ++row)
   {
-    const Vector floor = scene.FloorPointAt(80.5, row + .5);
-    errors.push_back(occlusion[row * scene.Width + 80] - truth(-floor[1]));
+    const Vector floor = scene.FloorPointAt(80.5, row + 0.5);
+    errors.push_back(occlusion[row * scene.Width + 80] - reference(-floor[1]));
   }
   return errors;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A small offscreen window with one renderer, walls and spheres to put into it, and what the
-// occlusion pass makes of them.
+// Test fixture: a small offscreen window with one renderer, functions that add walls and spheres,
+// and access to the results of the occlusion pass.
 #ifndef OcclusionScene_h
 #define OcclusionScene_h
 
@@ -26,30 +26,32 @@ class OcclusionScene
 public:
   OcclusionScene(int width = 160, int height = 120, int multiSamples = 0);
 
-  /// A parallelogram with one corner and two sides, unlit white.
-  vtkSmartPointer<vtkActor> AddWall(const Vector& corner, const Vector& side, const Vector& other);
-  /// The square of the plane z = 0 within +-size.
+  /// Adds a parallelogram, given by a corner and two sides, in unlit white.
+  vtkSmartPointer<vtkActor> AddWall(
+    const Vector& corner, const Vector& firstSide, const Vector& secondSide);
+  /// Adds the square [-size, size]^2 in the plane z = 0.
   vtkSmartPointer<vtkActor> AddFloor(double size = 20.0);
   vtkSmartPointer<vtkActor> AddSphere(const Vector& center, double radius);
 
   void SetCamera(const Vector& from, const Vector& at, const Vector& up = { 0.0, 0.0, 1.0 });
 
-  /// \c halfHeight of the picture in world units.
+  /// \c halfHeight: half the height of the image, in world units.
   void UseParallelProjection(bool parallel, double halfHeight);
 
-  /// Adds the pass, with a radius in world units.
+  /// Adds the occlusion pass with a radius in world units.
   vtkPenumbraTemporalSSAOPass* AddOcclusionPass(double radius);
 
-  /// The array of the last frame, row after row from below.
+  /// Returns an array of the last frame, row by row from the bottom.
   std::vector<float> Array(const std::string& name);
-  /// The picture, RGBA, 0 to 255.
+  /// Returns the image, RGBA, each in [0, 255].
   std::vector<int> Picture();
-  /// The value of an array where a world position is seen.
+  /// Returns the value of an array at the pixel that shows a world position, or -1 outside the
+  /// image.
   double At(const std::string& name, const Vector& position);
-  /// The pixel where a world position is seen.
+  /// Returns the pixel that shows a world position.
   std::array<int, 2> Pixel(const Vector& position);
 
-  /// The point of the plane z = 0 that is seen at a place of the picture, in pixels.
+  /// Returns the point of the plane z = 0 at a position in the image, in pixels.
   Vector FloorPointAt(double x, double y);
 
   vtkNew<vtkRenderer> Renderer;
@@ -59,20 +61,22 @@ public:
   vtkPenumbraTemporalSSAOPass* Pass = nullptr;
 };
 
-/// Occlusion with reach 1 of a floor at a distance from an endless wall, D = 1.
+/// Returns the occlusion with radius 1 and D = 1 of a floor at a distance from an infinite wall.
 double BehindWall(double distance);
 
-/// The same with D = 1 - t: the mean of walls of all shorter reaches, since 1 - t counts the reaches between t
-/// and 1.
+/// The same with D = 1 - t: the mean over all radii in [0, 1], because 1 - t is the fraction of
+/// radii above t.
 double BehindWallFading(double distance);
 
-/// Adds a floor and a wall on the plane y = 0 to a scene with an occlusion of radius 1, draws it, and
-/// compares one column of floor, up to the wall, with the truth; a value a row of pixels.
-std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*truth)(double) = BehindWall);
+/// Adds a floor and a wall in the plane y = 0 to a scene whose occlusion has the radius 1, and
+/// renders it. Returns the errors in a column of floor pixels up to the wall, one value per row of
+/// the image.
+std::vector<double> ErrorsBeforeAWall(
+  OcclusionScene& scene, double (*reference)(double) = BehindWall);
 
 double RootMeanSquare(const std::vector<double>& values);
 
-/// Of the differences of two arrays; huge where there is nothing to compare.
+/// Returns the RMS difference of two arrays, or 1e9 if they are empty or differ in size.
 double Rms(const std::vector<float>& a, const std::vector<float>& b);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The occlusion of what moves: its history goes with it.
+// Temporal reprojection of the occlusion of moving actors.
 #include "OcclusionScene.h"
 
 #include "vtkAssembly.h"
@@ -21,13 +21,13 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-double Share(OcclusionScene& scene, const char* name)
+double Statistic(OcclusionScene& scene, const char* name)
 {
   return scene.Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
 }
 
-/// Three walls that meet in a corner, with nothing else near: wherever it goes, it takes its occlusion
-/// along.
+/// Three walls that meet in a corner and move together. No other surface is near, so their
+/// occlusion does not change.
 struct Corner
 {
   explicit Corner(int multiSamples = 0)
@@ -37,16 +37,16 @@ struct Corner
     {
       const auto wall = this->Scene.AddWall({ 0, 0, 0 }, side, { side[2], side[0], side[1] });
       this->Scene.Renderer->RemoveActor(wall);
-      this->Whole->AddPart(wall);
+      this->Assembly->AddPart(wall);
     }
-    this->Scene.Renderer->AddViewProp(this->Whole);
-    this->Whole->SetPosition(-1.0, 0, 0);
-    this->Scene.SetCamera({ 2, 2.5, 2 }, { 0, .5, .5 });
-    this->Scene.AddOcclusionPass(.5)->SetConvergeInOneRender(Pass::NEVER);
+    this->Scene.Renderer->AddViewProp(this->Assembly);
+    this->Assembly->SetPosition(-1.0, 0, 0);
+    this->Scene.SetCamera({ 2, 2.5, 2 }, { 0, 0.5, 0.5 });
+    this->Scene.AddOcclusionPass(0.5)->SetConvergeInOneRender(Pass::NEVER);
     this->Scene.Pass->SetKernelName("horizon");
   }
 
-  void Rest(int frames)
+  void RenderStatic(int frames)
   {
     for (int frame = 0; frame < frames; ++frame)
     {
@@ -54,91 +54,91 @@ struct Corner
     }
   }
 
-  void Move(int frames)
+  void RenderMoving(int frames)
   {
     for (int frame = 0; frame < frames; ++frame)
     {
-      this->Whole->AddPosition(.05, 0, 0);
-      this->Whole->RotateZ(-1.0);
+      this->Assembly->AddPosition(0.05, 0, 0);
+      this->Assembly->RotateZ(-1.0);
       this->Scene.Window->Render();
     }
   }
 
-  /// Of the last frame, against what the place converges to.
-  double Error()
+  /// Returns the RMSE of the last frame, with the converged occlusion as reference.
+  double ComputeError()
   {
     const std::vector<float> moving = this->Scene.Array("AmbientOcclusion");
     this->Scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
-    this->Scene.Pass->SetTolerance(.006);
+    this->Scene.Pass->SetTolerance(0.006);
     this->Scene.Window->Render();
     return Rms(moving, this->Scene.Array("AmbientOcclusion"));
   }
 
   OcclusionScene Scene;
-  vtkNew<vtkAssembly> Whole;
+  vtkNew<vtkAssembly> Assembly;
 };
 
-TEST(MovingActors, TakeTheirHistoryAlong)
+TEST(MovingActors, KeepTheirHistory)
 {
   for (const int multiSamples : { 0, 4 })
   {
     double errors[2];
     double kept[2];
-    for (const bool follows : { false, true })
+    for (const bool useMotion : { false, true })
     {
       Corner corner(multiSamples);
-      corner.Scene.Pass->SetUseActorMotion(follows);
-      corner.Rest(16);
-      corner.Move(8);
-      kept[follows] = Share(corner.Scene, "Pixels/Reprojected");
-      EXPECT_EQ(Share(corner.Scene, "Pixels/ActorMotion") > .9, follows) << multiSamples;
-      errors[follows] = corner.Error();
+      corner.Scene.Pass->SetUseActorMotion(useMotion);
+      corner.RenderStatic(16);
+      corner.RenderMoving(8);
+      kept[useMotion] = Statistic(corner.Scene, "Pixels/Reprojected");
+      EXPECT_EQ(Statistic(corner.Scene, "Pixels/ActorMotion") > 0.9, useMotion) << multiSamples;
+      errors[useMotion] = corner.ComputeError();
     }
-    EXPECT_GT(kept[true], .85) << multiSamples;
-    EXPECT_LT(kept[false], .5) << multiSamples;
-    EXPECT_LT(errors[true], .5 * errors[false]) << multiSamples;
+    EXPECT_GT(kept[true], 0.85) << multiSamples;
+    EXPECT_LT(kept[false], 0.5) << multiSamples;
+    EXPECT_LT(errors[true], 0.5 * errors[false]) << multiSamples;
   }
 }
 
-TEST(MovingActors, AreNotLookedForWhereOnlyTheEyeMoves)
+TEST(MovingActors, HaveNoMotionIfOnlyTheCameraMoves)
 {
   Corner corner;
-  corner.Rest(10);
-  corner.Scene.Renderer->GetActiveCamera()->Azimuth(.25);
+  corner.RenderStatic(10);
+  corner.Scene.Renderer->GetActiveCamera()->Azimuth(0.25);
   corner.Scene.Window->Render();
-  EXPECT_EQ(Share(corner.Scene, "Pixels/ActorMotion"), 0.0);
-  EXPECT_GT(Share(corner.Scene, "Pixels/Reprojected"), .9);
+  EXPECT_EQ(Statistic(corner.Scene, "Pixels/ActorMotion"), 0.0);
+  EXPECT_GT(Statistic(corner.Scene, "Pixels/Reprojected"), 0.9);
 }
 
-TEST(MovingActors, AreFollowedAsRigidBodiesAlone)
+TEST(MovingActors, AreReprojectedOnlyForRigidMotion)
 {
   OcclusionScene scene;
   scene.AddFloor();
-  const auto sphere = scene.AddSphere({ 0, 0, .5 }, .5);
+  const auto sphere = scene.AddSphere({ 0, 0, 0.5 }, 0.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   for (int frame = 0; frame < 10; ++frame)
   {
     scene.Window->Render();
   }
-  const auto followed = [&]() {
+  const auto renderAndGetReprojected = [&]() {
     scene.Window->Render();
-    return Share(scene, "Pixels/ActorMotion");
+    return Statistic(scene, "Pixels/ActorMotion");
   };
-  sphere->SetPosition(.02, 0, .5);
-  EXPECT_GT(followed(), .05);
+  sphere->SetPosition(0.02, 0, 0.5);
+  EXPECT_GT(renderAndGetReprojected(), 0.05);
   sphere->SetScale(1.02);
-  EXPECT_EQ(followed(), 0.0);
-  sphere->SetPosition(.04, 0, .5);
-  sphere->GetMapper()->Modified(); // as if it drew another mesh
-  EXPECT_EQ(followed(), 0.0);
-  sphere->SetPosition(.06, 0, .5);
-  EXPECT_GT(followed(), .05);
+  EXPECT_EQ(renderAndGetReprojected(), 0.0);
+  sphere->SetPosition(0.04, 0, 0.5);
+  sphere->GetMapper()->Modified(); // as if the mesh had changed
+  EXPECT_EQ(renderAndGetReprojected(), 0.0);
+  sphere->SetPosition(0.06, 0, 0.5);
+  EXPECT_GT(renderAndGetReprojected(), 0.05);
 }
 
-TEST(MovingActors, LeaveTheHistoryOfWhatHidesThem)
+TEST(MovingActors, DoNotAffectTheHistoryOfTheirOccluders)
 {
-  // Behind a wall that fills the picture something moves fast.
+  // A sphere moves behind a wall that fills the image.
   OcclusionScene scene;
   scene.AddWall({ -9, 0, -9 }, { 18, 0, 0 }, { 0, 0, 18 });
   const auto sphere = scene.AddSphere({ 0, 2, 0 }, 1.0);
@@ -146,11 +146,11 @@ TEST(MovingActors, LeaveTheHistoryOfWhatHidesThem)
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   for (int frame = 0; frame < 10; ++frame)
   {
-    sphere->AddPosition(.1, 0, 0);
+    sphere->AddPosition(0.1, 0, 0);
     scene.Window->Render();
   }
-  EXPECT_EQ(Share(scene, "Pixels/ActorMotion"), 0.0);
-  EXPECT_EQ(Share(scene, "Pixels/Disoccluded"), 0.0);
+  EXPECT_EQ(Statistic(scene, "Pixels/ActorMotion"), 0.0);
+  EXPECT_EQ(Statistic(scene, "Pixels/Disoccluded"), 0.0);
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What keeps the history of occlusion, what restarts it, and which values it may hold.
+// Which changes keep or discard the temporal history of occlusion, and which values it may contain.
 #include "OcclusionScene.h"
 
 #include "vtkPenumbraBilateralFilterPass.h"
@@ -35,7 +35,7 @@ double Statistic(OcclusionScene& scene, const char* name)
   return scene.Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
 }
 
-void Render(OcclusionScene& scene, int frames, double azimuth = 0.0)
+void RenderFrames(OcclusionScene& scene, int frames, double azimuth = 0.0)
 {
   for (int frame = 0; frame < frames; ++frame)
   {
@@ -44,16 +44,16 @@ void Render(OcclusionScene& scene, int frames, double azimuth = 0.0)
   }
 }
 
-void ShowSphereOnFloor(OcclusionScene& scene)
+void BuildSphereOnFloor(OcclusionScene& scene)
 {
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
-  scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+  scene.AddSphere({ 0, 0, 0.5 }, 0.5);
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, 0.4 });
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
   scene.Pass->SetKernelName("march");
 }
 
-/// The same value in every pixel; NaN as long as Broken.
+/// Estimator that returns the same value in every pixel, or NaN if ReturnsNaN is true.
 class ConstantEstimator : public vtkPenumbraOcclusionEstimator
 {
 public:
@@ -62,7 +62,7 @@ public:
 
   int Estimate(const Request& request, vtkTextureObject* target) override
   {
-    const float value = this->Broken ? std::numeric_limits<float>::quiet_NaN() : .5f;
+    const float value = this->ReturnsNaN ? std::numeric_limits<float>::quiet_NaN() : 0.5f;
     std::vector<float> values(
       static_cast<std::size_t>(target->GetWidth()) * target->GetHeight(), value);
     target->Create2DFromRaw(target->GetWidth(), target->GetHeight(), 1, VTK_FLOAT, values.data());
@@ -70,71 +70,71 @@ public:
   }
   void ReleaseGraphicsResources(vtkWindow*) override {}
 
-  bool Broken = false;
+  bool ReturnsNaN = false;
 };
 vtkStandardNewMacro(ConstantEstimator);
 
 TEST(OcclusionHistory, IsBoundedForMoreSamplesThanMaximumWeight)
 {
   OcclusionScene scene;
-  ShowSphereOnFloor(scene);
+  BuildSphereOnFloor(scene);
   scene.Pass->SetFilter(false);
   scene.Pass->SetFirstSamples(32);
   scene.Pass->SetSamples(32);
   scene.Pass->SetMaximumWeight(8.0);
-  Render(scene, 12, .25);
+  RenderFrames(scene, 12, 0.25);
   const std::vector<float> moving = scene.Array("AmbientOcclusion");
   EXPECT_GE(*std::min_element(moving.begin(), moving.end()), 0.f);
   scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
   scene.Window->Render();
-  EXPECT_LT(Rms(moving, scene.Array("AmbientOcclusion")), .1);
+  EXPECT_LT(Rms(moving, scene.Array("AmbientOcclusion")), 0.1);
 }
 
 TEST(OcclusionHistory, HoldsFiniteValuesOnly)
 {
-  for (const double azimuth : { 0.0, .25 })
+  for (const double azimuth : { 0.0, 0.25 })
   {
     OcclusionScene scene;
-    ShowSphereOnFloor(scene);
+    BuildSphereOnFloor(scene);
     vtkNew<ConstantEstimator> estimator;
     scene.Pass->SetEstimator(estimator);
-    Render(scene, 3, azimuth);
-    estimator->Broken = true;
-    Render(scene, 2, azimuth);
-    estimator->Broken = false;
-    Render(scene, 2, azimuth);
+    RenderFrames(scene, 3, azimuth);
+    estimator->ReturnsNaN = true;
+    RenderFrames(scene, 2, azimuth);
+    estimator->ReturnsNaN = false;
+    RenderFrames(scene, 2, azimuth);
     const std::vector<float> depths = scene.Array("Depth");
     const std::vector<float> values = scene.Array("AmbientOcclusion");
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-      ASSERT_NEAR(values[i], std::isfinite(depths[i]) ? .5f : 0.f, 1e-3f) << azimuth;
+      ASSERT_NEAR(values[i], std::isfinite(depths[i]) ? 0.5f : 0.f, 1e-3f) << azimuth;
     }
   }
 }
 
-TEST(OcclusionHistory, ForgetsPropsThatDisappear)
+TEST(OcclusionHistory, DiscardsOcclusionOfRemovedProps)
 {
   const auto draw = [](const std::function<void(OcclusionScene&, vtkActor*)>& disappear) {
     OcclusionScene scene;
     scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
-    const auto oldest = scene.AddSphere({ -.7, 0, .5 }, .5);
-    scene.AddSphere({ .9, 0, .5 }, .5);
-    scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+    const auto oldest = scene.AddSphere({ -0.7, 0, 0.5 }, 0.5);
+    scene.AddSphere({ 0.9, 0, 0.5 }, 0.5);
+    scene.SetCamera({ 0, -5, 3 }, { 0, 0, 0.4 });
     scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
     scene.Pass->SetKernelName("march");
-    Render(scene, 40, .25);
+    RenderFrames(scene, 40, 0.25);
     disappear(scene, oldest);
-    Render(scene, 3, .25);
-    const std::vector<float> soon = scene.Array("AmbientOcclusion");
+    RenderFrames(scene, 3, 0.25);
+    const std::vector<float> afterThreeFrames = scene.Array("AmbientOcclusion");
     scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
     scene.Window->Render();
-    const std::vector<float> limit = scene.Array("AmbientOcclusion");
+    const std::vector<float> reference = scene.Array("AmbientOcclusion");
     int wrong = 0;
-    for (std::size_t i = 0; i < soon.size(); ++i)
+    for (std::size_t i = 0; i < afterThreeFrames.size(); ++i)
     {
-      wrong += std::abs(soon[i] - limit[i]) > .1f;
+      wrong += std::abs(afterThreeFrames[i] - reference[i]) > 0.1f;
     }
-    return std::make_pair(wrong, Rms(soon, limit));
+    return std::make_pair(wrong, Rms(afterThreeFrames, reference));
   };
   const auto kept = draw([](OcclusionScene&, vtkActor*) {});
   const auto hidden = draw([](OcclusionScene&, vtkActor* actor) { actor->VisibilityOff(); });
@@ -142,59 +142,59 @@ TEST(OcclusionHistory, ForgetsPropsThatDisappear)
     draw([](OcclusionScene& scene, vtkActor* actor) { scene.Renderer->RemoveActor(actor); });
   RecordProperty("kept", kept.first);
   RecordProperty("hidden", hidden.first);
-  for (const auto& gone : { hidden, removed })
+  for (const auto& result : { hidden, removed })
   {
-    EXPECT_LT(gone.first, 160 * 120 / 100) << "pixels off by more than 0.1; kept: " << kept.first;
-    EXPECT_LT(gone.second, .04) << "kept: " << kept.second;
+    EXPECT_LT(result.first, 160 * 120 / 100) << "pixels off by more than 0.1; kept: " << kept.first;
+    EXPECT_LT(result.second, 0.04) << "kept: " << kept.second;
   }
 }
 
-TEST(OcclusionHistory, IsKeptBySettingsThatDoNotChangeOcclusion)
+TEST(OcclusionHistory, KeepsSamplesIfASettingDoesNotAffectOcclusion)
 {
   OcclusionScene scene;
-  ShowSphereOnFloor(scene);
-  Render(scene, 20, .25);
-  const std::function<void(Pass*)> changes[] = { [](Pass* pass) { pass->SetStrength(.5); },
-    [](Pass* pass) { pass->SetLightAwareness(.5); }, [](Pass* pass) { pass->FilterOff(); },
-    [](Pass* pass) { pass->SetTolerance(.005); }, [](Pass* pass) { pass->SetTolerance(.02); },
+  BuildSphereOnFloor(scene);
+  RenderFrames(scene, 20, 0.25);
+  const std::function<void(Pass*)> changes[] = { [](Pass* pass) { pass->SetStrength(0.5); },
+    [](Pass* pass) { pass->SetLightAwareness(0.5); }, [](Pass* pass) { pass->FilterOff(); },
+    [](Pass* pass) { pass->SetTolerance(0.005); }, [](Pass* pass) { pass->SetTolerance(0.02); },
     [](Pass* pass) { pass->SetSamples(16); }, [](Pass* pass) { pass->Modified(); } };
   int number = 0;
   for (const auto& change : changes)
   {
-    for (const double azimuth : { .25, 0.0, 0.0 })
+    for (const double azimuth : { 0.25, 0.0, 0.0 })
     {
       if (azimuth == 0.0)
       {
-        Render(scene, 3);
+        RenderFrames(scene, 3);
       }
-      const double still = Statistic(scene, "Samples/Static");
+      const double staticSamples = Statistic(scene, "Samples/Static");
       change(scene.Pass);
-      Render(scene, 1, azimuth);
-      EXPECT_GT(Statistic(scene, "Pixels/Reprojected"), azimuth == 0.0 ? .999 : .9) << number;
+      RenderFrames(scene, 1, azimuth);
+      EXPECT_GT(Statistic(scene, "Pixels/Reprojected"), azimuth == 0.0 ? 0.999 : 0.9) << number;
       if (azimuth == 0.0)
       {
-        EXPECT_GE(Statistic(scene, "Samples/Static"), still) << number;
+        EXPECT_GE(Statistic(scene, "Samples/Static"), staticSamples) << number;
       }
     }
     ++number;
   }
-  scene.Pass->SetRadius(.5);
-  Render(scene, 1);
+  scene.Pass->SetRadius(0.5);
+  RenderFrames(scene, 1);
   EXPECT_EQ(Statistic(scene, "Pixels/Reprojected"), 0.0);
 }
 
 TEST(OcclusionHistory, RefinesToASmallerTolerance)
 {
   OcclusionScene scene;
-  ShowSphereOnFloor(scene);
-  scene.Pass->SetTolerance(.03);
+  BuildSphereOnFloor(scene);
+  scene.Pass->SetTolerance(0.03);
   for (int frame = 0; frame < 300 && !scene.Pass->IsConverged(); ++frame)
   {
     scene.Window->Render();
   }
   ASSERT_TRUE(scene.Pass->IsConverged());
   const double coarse = Statistic(scene, "Samples/Static");
-  scene.Pass->SetTolerance(.008);
+  scene.Pass->SetTolerance(0.008);
   scene.Window->Render();
   EXPECT_FALSE(scene.Pass->IsConverged());
   EXPECT_GT(Statistic(scene, "Samples/Static"), coarse);
@@ -203,23 +203,23 @@ TEST(OcclusionHistory, RefinesToASmallerTolerance)
     scene.Window->Render();
   }
   ASSERT_TRUE(scene.Pass->IsConverged());
-  EXPECT_LE(scene.Pass->GetEstimatedError(), .008);
+  EXPECT_LE(scene.Pass->GetEstimatedError(), 0.008);
   const std::vector<float> refined = scene.Array("AmbientOcclusion");
   scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
-  scene.Pass->SetTolerance(.003);
+  scene.Pass->SetTolerance(0.003);
   scene.Window->Render();
-  EXPECT_LT(Rms(refined, scene.Array("AmbientOcclusion")), .008);
+  EXPECT_LT(Rms(refined, scene.Array("AmbientOcclusion")), 0.008);
 }
 
 TEST(OcclusionHistory, AppliesStrengthToAConvergedImage)
 {
   OcclusionScene scene;
-  ShowSphereOnFloor(scene);
+  BuildSphereOnFloor(scene);
   scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
-  scene.Pass->SetTolerance(.03);
-  Render(scene, 2);
-  scene.Pass->SetStrength(.25);
-  Render(scene, 1);
+  scene.Pass->SetTolerance(0.03);
+  RenderFrames(scene, 2);
+  scene.Pass->SetStrength(0.25);
+  RenderFrames(scene, 1);
   EXPECT_EQ(Statistic(scene, "Samples/PerPixel"), 0.0);
   const std::vector<int> image = scene.Picture();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
@@ -228,32 +228,32 @@ TEST(OcclusionHistory, AppliesStrengthToAConvergedImage)
   {
     if (std::isfinite(depth[i])) // an unlit white surface
     {
-      ASSERT_NEAR(image[4 * i], 255.f * (1.f - .25f * occlusion[i]), 1.5f);
+      ASSERT_NEAR(image[4 * i], 255.f * (1.f - 0.25f * occlusion[i]), 1.5f);
     }
   }
 }
 
-TEST(OcclusionHistory, SurvivesAZoom)
+TEST(OcclusionHistory, IsReprojectedDuringZoom)
 {
   for (const double factor : { 1.03, 1.0 / 1.03 })
   {
     OcclusionScene scene;
-    ShowSphereOnFloor(scene);
+    BuildSphereOnFloor(scene);
     scene.Renderer->ResetCamera();
-    Render(scene, 20);
-    double least = 1.0;
+    RenderFrames(scene, 20);
+    double minimum = 1.0;
     for (int frame = 0; frame < 28; ++frame)
     {
       scene.Renderer->GetActiveCamera()->Dolly(factor);
       scene.Renderer->ResetCameraClippingRange();
       scene.Window->Render();
-      least = std::min(least, Statistic(scene, "Pixels/Reprojected"));
+      minimum = std::min(minimum, Statistic(scene, "Pixels/Reprojected"));
     }
-    EXPECT_GE(least, .9) << factor;
+    EXPECT_GE(minimum, 0.9) << factor;
     const std::vector<float> zoomed = scene.Array("AmbientOcclusion");
     scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
     scene.Window->Render();
-    EXPECT_LT(Rms(zoomed, scene.Array("AmbientOcclusion")), .04) << factor;
+    EXPECT_LT(Rms(zoomed, scene.Array("AmbientOcclusion")), 0.04) << factor;
   }
 }
 
@@ -295,7 +295,7 @@ TEST(PassSetters, RejectNaN)
   EXPECT_REJECTED(shafts, Density)
   EXPECT_REJECTED(shafts, SurfaceEmission)
   EXPECT_REJECTED(shafts, Margin)
-  EXPECT_REJECTED(filter, Distance)
+  EXPECT_REJECTED(filter, DistanceSigma)
   EXPECT_REJECTED(kernel, Thickness)
 #undef EXPECT_REJECTED
   vtkObject::GlobalWarningDisplayOn();
@@ -303,13 +303,13 @@ TEST(PassSetters, RejectNaN)
   EXPECT_EQ(occlusion->GetStrength(), 1.0);
 }
 
-TEST(PassGetters, ReturnNothingWithoutTheirWindow)
+TEST(PassGetters, ReturnEmptyResultsWithoutAWindow)
 {
   vtkObject::GlobalWarningDisplayOff();
   for (const bool finalized : { true, false })
   {
     auto scene = std::make_unique<OcclusionScene>();
-    ShowSphereOnFloor(*scene);
+    BuildSphereOnFloor(*scene);
     vtkNew<vtkLight> light;
     light->SetPosition(3, 1, 4);
     scene->Renderer->AddLight(light);
@@ -318,7 +318,7 @@ TEST(PassGetters, ReturnNothingWithoutTheirWindow)
       vtkPenumbraLightShaftPass::AddTo(scene->Renderer);
     const vtkSmartPointer<vtkRenderPass> chain = scene->Renderer->GetPass();
     scene->Window->Render();
-    scene->Renderer->SetPass(nullptr); // as an application that clears its renderer first
+    scene->Renderer->SetPass(nullptr); // Applications do this before they delete a window.
     if (finalized)
     {
       scene->Window->Finalize();
@@ -343,16 +343,16 @@ TEST(PassGetters, ReturnNothingWithoutTheirWindow)
 
 TEST(PassGetters, WorkInANewWindow)
 {
-  // A pass outlives its first window and draws into a second one.
+  // A pass outlives its first window and renders into a second one.
   auto first = std::make_unique<OcclusionScene>();
-  ShowSphereOnFloor(*first);
+  BuildSphereOnFloor(*first);
   const vtkSmartPointer<Pass> pass = first->Pass;
   const vtkSmartPointer<vtkRenderPass> chain = first->Renderer->GetPass();
   first->Window->Render();
   first->Renderer->SetPass(nullptr);
   first.reset();
   OcclusionScene second;
-  ShowSphereOnFloor(second);
+  BuildSphereOnFloor(second);
   second.Renderer->SetPass(chain);
   second.Pass = pass;
   second.Window->Render();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The occlusion pass under what windows, cameras and scenes do to it.
+// The occlusion pass with various windows, cameras and scenes.
 #include "BytesInUse.h"
 #include "OcclusionScene.h"
 
@@ -36,16 +36,16 @@
 namespace
 {
 
-/// A sphere on a floor before a wall.
-void Furnish(OcclusionScene& scene, double unit = 1.0, const Vector& at = { 0, 0, 0 })
+/// Adds a sphere on a floor in front of a wall.
+void BuildScene(OcclusionScene& scene, double unit = 1.0, const Vector& at = { 0, 0, 0 })
 {
-  const auto place = [&](double x, double y, double z) {
+  const auto transform = [&](double x, double y, double z) {
     return Vector{ at[0] + unit * x, at[1] + unit * y, at[2] + unit * z };
   };
-  scene.AddWall(place(-3, -3, 0), { 6 * unit, 0, 0 }, { 0, 4 * unit, 0 });
-  scene.AddWall(place(-3, 1, 0), { 6 * unit, 0, 0 }, { 0, 0, 2 * unit });
-  scene.AddSphere(place(0, 0, .5), .5 * unit);
-  scene.SetCamera(place(0, -5, 3), place(0, 0, .4));
+  scene.AddWall(transform(-3, -3, 0), { 6 * unit, 0, 0 }, { 0, 4 * unit, 0 });
+  scene.AddWall(transform(-3, 1, 0), { 6 * unit, 0, 0 }, { 0, 0, 2 * unit });
+  scene.AddSphere(transform(0, 0, 0.5), 0.5 * unit);
+  scene.SetCamera(transform(0, -5, 3), transform(0, 0, 0.4));
 }
 
 int LargestDifference(const std::vector<int>& a, const std::vector<int>& b)
@@ -58,8 +58,8 @@ int LargestDifference(const std::vector<int>& a, const std::vector<int>& b)
   return largest;
 }
 
-/// How many framebuffers, buffers and programs there are in the current context. Textures are the C
-/// library's business where a processor draws.
+/// Returns the numbers of framebuffers, buffers and programs in the current context. Textures are
+/// not counted: a software renderer allocates them with malloc().
 std::array<int, 3> CountObjects()
 {
   unsigned int names[3] = {};
@@ -67,7 +67,7 @@ std::array<int, 3> CountObjects()
   glGenBuffers(1, &names[1]);
   names[2] = glCreateProgram();
   std::array<int, 3> counts{};
-  // All names so far lie below, as drivers give them.
+  // Drivers assign names in ascending order, so all names in use are lower than these.
   for (unsigned int name = 1; name < *std::max_element(names, names + 3); ++name)
   {
     counts[0] += glIsFramebuffer(name);
@@ -80,21 +80,21 @@ std::array<int, 3> CountObjects()
   return counts;
 }
 
-/// The share of pixels that differ by more than `limit`.
-double ShareOff(const std::vector<int>& a, const std::vector<int>& b, int limit)
+/// Returns the fraction of pixels that differ by more than `limit`.
+double FractionAbove(const std::vector<int>& a, const std::vector<int>& b, int limit)
 {
-  int off = 0;
+  int count = 0;
   for (std::size_t i = 0; i + 3 < a.size() && i + 3 < b.size(); i += 4)
   {
-    off += std::abs(a[i] - b[i]) > limit;
+    count += std::abs(a[i] - b[i]) > limit;
   }
-  return a.size() == b.size() ? 4.0 * off / static_cast<double>(a.size()) : 1.0;
+  return a.size() == b.size() ? 4.0 * count / static_cast<double>(a.size()) : 1.0;
 }
 
-TEST(OcclusionInScenes, IsLeftOutInStereo)
+TEST(OcclusionInScenes, IsSkippedInStereo)
 {
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   scene.AddOcclusionPass(1.0);
   scene.Window->SetStereoTypeToAnaglyph();
   scene.Window->StereoRenderOn();
@@ -107,11 +107,11 @@ TEST(OcclusionInScenes, IsLeftOutInStereo)
   EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 0);
 }
 
-TEST(OcclusionInScenes, LeavesAnOverlayWhereAndAsItIs)
+TEST(OcclusionInScenes, DoesNotChangeOverlays)
 {
   OcclusionScene scene;
-  Furnish(scene);
-  vtkNew<vtkPlaneSource> label; // in pixels, across the border of the scene
+  BuildScene(scene);
+  vtkNew<vtkPlaneSource> label; // in pixels, across the silhouette of the scene
   label->SetOrigin(10, 80, 0);
   label->SetPoint1(60, 80, 0);
   label->SetPoint2(10, 115, 0);
@@ -121,7 +121,7 @@ TEST(OcclusionInScenes, LeavesAnOverlayWhereAndAsItIs)
   overlay->SetMapper(mapper);
   overlay->GetProperty()->SetColor(1.0, 0.5, 0.0);
   overlay->GetProperty()->SetOpacity(0.5);
-  const auto labelled = [&]() {
+  const auto overlayError = [&]() {
     overlay->VisibilityOff();
     scene.Window->Render();
     const std::vector<int> without = scene.Picture();
@@ -144,51 +144,52 @@ TEST(OcclusionInScenes, LeavesAnOverlayWhereAndAsItIs)
     return largest;
   };
   scene.Renderer->AddViewProp(overlay);
-  EXPECT_LE(labelled(), 1);
+  EXPECT_LE(overlayError(), 1);
   scene.AddOcclusionPass(1.0);
-  EXPECT_LE(labelled(), 1);
+  EXPECT_LE(overlayError(), 1);
 }
 
-TEST(OcclusionInScenes, IsTheSameAtEveryScaleAndPlace)
+TEST(OcclusionInScenes, IsInvariantUnderScale)
 {
   OcclusionScene reference;
-  Furnish(reference);
+  BuildScene(reference);
   reference.AddOcclusionPass(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::FRACTION_OF_BOUNDS);
-  reference.Pass->SetRadius(.1);
+  reference.Pass->SetRadius(0.1);
   reference.Window->Render();
-  const std::vector<int> picture = reference.Picture();
+  const std::vector<int> image = reference.Picture();
   const std::tuple<double, Vector> cases[] = { { 1e-6, { 0, 0, 0 } }, { 1e6, { 0, 0, 0 } } };
   for (const auto& [unit, at] : cases)
   {
     OcclusionScene scene;
-    Furnish(scene, unit, at);
+    BuildScene(scene, unit, at);
     vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
     scene.Window->Render();
-    EXPECT_LE(ShareOff(scene.Picture(), picture, 2), .01) << unit;
+    EXPECT_LE(FractionAbove(scene.Picture(), image, 2), 0.01) << unit;
   }
 }
 
-TEST(OcclusionInScenes, IsTheSameFarFromTheOrigin)
+TEST(OcclusionInScenes, IsInvariantUnderTranslation)
 {
-  // The scene stays near the origin, an actor's matrix moves it: VTK keeps its precision.
+  // The geometry stays near the origin and is moved by the actor's matrix, so that VTK keeps its
+  // precision.
   const auto draw = [](const Vector& at) {
     OcclusionScene scene;
     const auto floor = scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 4, 0 });
     floor->SetPosition(at[0], at[1], at[2]);
-    scene.AddSphere({ at[0], at[1], at[2] + .5 }, .5);
-    scene.SetCamera({ at[0], at[1] - 5, at[2] + 3 }, { at[0], at[1], at[2] + .4 });
+    scene.AddSphere({ at[0], at[1], at[2] + 0.5 }, 0.5);
+    scene.SetCamera({ at[0], at[1] - 5, at[2] + 3 }, { at[0], at[1], at[2] + 0.4 });
     scene.AddOcclusionPass(1.0);
     scene.Window->Render();
     return scene.Array("AmbientOcclusion");
   };
-  EXPECT_LT(Rms(draw({ 5e5, 5e6, 0 }), draw({ 0, 0, 0 })), .01);
+  EXPECT_LT(Rms(draw({ 5e5, 5e6, 0 }), draw({ 0, 0, 0 })), 0.01);
 }
 
-TEST(OcclusionInScenes, DoesNotDependOnTheClippingPlanes)
+TEST(OcclusionInScenes, IsIndependentOfTheClippingRange)
 {
   const auto draw = [](double nearPlane, double farPlane) {
     OcclusionScene scene;
-    Furnish(scene);
+    BuildScene(scene);
     if (nearPlane > 0.0)
     {
       scene.Renderer->GetActiveCamera()->SetClippingRange(nearPlane, farPlane);
@@ -197,18 +198,18 @@ TEST(OcclusionInScenes, DoesNotDependOnTheClippingPlanes)
     scene.Window->Render();
     return scene.Array("AmbientOcclusion");
   };
-  EXPECT_LT(Rms(draw(1e-3, 100.0), draw(0.0, 0.0)), .01); // 1 : 100,000
-  EXPECT_LT(Rms(draw(1e-6, 1e6), draw(0.0, 0.0)), .01);
+  EXPECT_LT(Rms(draw(1e-3, 100.0), draw(0.0, 0.0)), 0.01); // 1 : 100,000
+  EXPECT_LT(Rms(draw(1e-6, 1e6), draw(0.0, 0.0)), 0.01);
 }
 
-TEST(OcclusionInScenes, LeavesTheDepthThatTheCameraWouldLeave)
+TEST(OcclusionInScenes, PreservesTheDepthBuffer)
 {
   for (const bool parallel : { false, true })
   {
     OcclusionScene scene;
-    Furnish(scene);
+    BuildScene(scene);
     scene.UseParallelProjection(parallel, 1.6);
-    scene.Renderer->GetActiveCamera()->SetClippingRange(.01, 900.0);
+    scene.Renderer->GetActiveCamera()->SetClippingRange(0.01, 900.0);
     const auto depths = [&]() {
       scene.Window->Render();
       std::vector<float> values(160 * 120);
@@ -227,16 +228,16 @@ TEST(OcclusionInScenes, LeavesTheDepthThatTheCameraWouldLeave)
   }
 }
 
-TEST(OcclusionInScenes, GoesOnBeyondThePicturesBorder)
+TEST(OcclusionInScenes, IncludesOccludersInTheMargin)
 {
-  // The same things in the middle of a larger window and filling a small one.
+  // The same scene in the middle of a larger window, and filling a smaller one.
   const auto draw = [](int width, int height, double angle, double margin) {
     OcclusionScene scene(width, height);
-    Furnish(scene);
+    BuildScene(scene);
     scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
     scene.AddOcclusionPass(1.0)->SetMargin(margin);
     scene.Pass->SetKernelName("horizon");
-    scene.Pass->SetTolerance(.003);
+    scene.Pass->SetTolerance(0.003);
     scene.Window->Render();
     return scene.Array("AmbientOcclusion");
   };
@@ -253,14 +254,14 @@ TEST(OcclusionInScenes, GoesOnBeyondThePicturesBorder)
     }
   }
   const double with = Rms(draw(120, 100, small, 50.0), middle);
-  EXPECT_LT(with, .01);
+  EXPECT_LT(with, 0.01);
   EXPECT_GT(Rms(draw(120, 100, small, 0.0), middle), 1.4 * with);
 }
 
-TEST(OcclusionInScenes, FollowsTheCameraWithoutStartingAgain)
+TEST(OcclusionInScenes, KeepsHistoryWhileTheCameraMoves)
 {
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   for (int frame = 0; frame < 30; ++frame)
   {
@@ -268,31 +269,31 @@ TEST(OcclusionInScenes, FollowsTheCameraWithoutStartingAgain)
   }
   for (int frame = 0; frame < 20; ++frame)
   {
-    scene.Renderer->GetActiveCamera()->Azimuth(.25);
+    scene.Renderer->GetActiveCamera()->Azimuth(0.25);
     scene.Window->Render();
   }
-  const auto share = [&](const char* name) {
+  const auto statistic = [&](const char* name) {
     return scene.Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
   };
-  EXPECT_GT(share("Pixels/Reprojected"), .97);
-  EXPECT_LT(share("Pixels/Disoccluded"), .03);
+  EXPECT_GT(statistic("Pixels/Reprojected"), 0.97);
+  EXPECT_LT(statistic("Pixels/Disoccluded"), 0.03);
   const std::vector<float> moving = scene.Array("AmbientOcclusion");
   scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
   scene.Window->Render();
-  EXPECT_LT(Rms(moving, scene.Array("AmbientOcclusion")), .02);
+  EXPECT_LT(Rms(moving, scene.Array("AmbientOcclusion")), 0.02);
 }
 
-TEST(OcclusionInScenes, StaysSmoothWhenTheEyeStops)
+TEST(OcclusionInScenes, StaysSmoothWhenTheCameraStops)
 {
-  // The first still frames drop most of what came along: they may not fall back to a few directions
-  // that all pixels share.
+  // The first static frames discard most of the history. They must still vary the sampled
+  // directions from pixel to pixel.
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   scene.Pass->SetKernelName("march");
   for (int frame = 0; frame < 28; ++frame)
   {
-    scene.Renderer->GetActiveCamera()->Azimuth(.25);
+    scene.Renderer->GetActiveCamera()->Azimuth(0.25);
     scene.Window->Render();
   }
   std::vector<std::vector<float>> frames;
@@ -302,46 +303,46 @@ TEST(OcclusionInScenes, StaysSmoothWhenTheEyeStops)
     frames.push_back(scene.Array("AmbientOcclusion"));
   }
   scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
-  scene.Pass->SetTolerance(.003);
+  scene.Pass->SetTolerance(0.003);
   scene.Window->Render();
   for (const std::vector<float>& frame : frames)
   {
-    EXPECT_LT(Rms(frame, scene.Array("AmbientOcclusion")), .02);
+    EXPECT_LT(Rms(frame, scene.Array("AmbientOcclusion")), 0.02);
   }
 }
 
-TEST(OcclusionInScenes, ForgetsWhatAMovedActorShadowed)
+TEST(OcclusionInScenes, DiscardsOcclusionOfAMovedActor)
 {
   OcclusionScene scene;
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
-  const auto sphere = scene.AddSphere({ -.7, 0, .5 }, .5);
-  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+  const auto sphere = scene.AddSphere({ -0.7, 0, 0.5 }, 0.5);
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, 0.4 });
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   for (int frame = 0; frame < 40; ++frame)
   {
     scene.Window->Render();
   }
-  sphere->SetPosition(.7, 0, .5);
+  sphere->SetPosition(0.7, 0, 0.5);
   for (int frame = 0; frame < 12; ++frame)
   {
     scene.Window->Render();
   }
-  const std::vector<float> soon = scene.Array("AmbientOcclusion");
+  const std::vector<float> early = scene.Array("AmbientOcclusion");
   scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
-  scene.Pass->SetTolerance(.005); // settings changed: everything starts afresh
+  scene.Pass->SetTolerance(0.005); // Discards the history.
   scene.Window->Render();
-  EXPECT_LT(Rms(soon, scene.Array("AmbientOcclusion")), .045);
+  EXPECT_LT(Rms(early, scene.Array("AmbientOcclusion")), 0.045);
 }
 
-TEST(OcclusionInScenes, IsTheSameWithTranslucentThingsVolumesAndPeelingBeforeIt)
+TEST(OcclusionInScenes, IsCorrectBehindTranslucentSurfaces)
 {
-  // What stands before the scene is drawn over it: where it is opaque nothing of the pass shows.
+  // Translucent surfaces are blended over the occluded scene.
   for (const bool peeling : { false, true })
   {
     OcclusionScene scene;
-    Furnish(scene);
+    BuildScene(scene);
     const auto glass = scene.AddWall({ -3, -2, -3 }, { 6, 0, 0 }, { 0, 0, 6 });
-    glass->GetProperty()->SetOpacity(.5);
+    glass->GetProperty()->SetOpacity(0.5);
     glass->GetProperty()->SetColor(1, 0, 0);
     scene.Renderer->SetUseDepthPeeling(peeling);
     scene.Window->Render();
@@ -352,7 +353,8 @@ TEST(OcclusionInScenes, IsTheSameWithTranslucentThingsVolumesAndPeelingBeforeIt)
     const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
     for (std::size_t i = 0; i < occlusion.size(); ++i)
     {
-      // Half red glass over white, darkened by a: (127.5 + 127.5 (1 - a), 127.5 (1 - a), ...).
+      // Red with opacity 0.5 over white with occlusion a: (127.5 + 127.5 (1 - a), 127.5 (1 - a),
+      // ...).
       const double green = plain[4 * i + 1] * (1.0 - occlusion[i]);
       if (occlusion[i] > 0.f)
       {
@@ -363,20 +365,20 @@ TEST(OcclusionInScenes, IsTheSameWithTranslucentThingsVolumesAndPeelingBeforeIt)
   }
 }
 
-TEST(OcclusionInScenes, StaysInItsViewport)
+TEST(OcclusionInScenes, IsConfinedToItsViewport)
 {
   OcclusionScene single(80, 120);
-  Furnish(single);
+  BuildScene(single);
   single.AddOcclusionPass(1.0);
   single.Window->Render();
   const std::vector<int> alone = single.Picture();
 
   OcclusionScene pair(160, 120);
-  Furnish(pair);
-  pair.Renderer->SetViewport(.5, 0, 1, 1);
+  BuildScene(pair);
+  pair.Renderer->SetViewport(0.5, 0, 1, 1);
   vtkNew<vtkRenderer> left;
   left->SetBackground(0, 1, 0);
-  left->SetViewport(0, 0, .5, 1);
+  left->SetViewport(0, 0, 0.5, 1);
   pair.Window->AddRenderer(left);
   pair.Renderer->ResetCameraClippingRange();
   pair.AddOcclusionPass(1.0);
@@ -397,10 +399,10 @@ TEST(OcclusionInScenes, StaysInItsViewport)
   EXPECT_LE(LargestDifference(right, alone), 1);
 }
 
-TEST(OcclusionInScenes, SurvivesResizingAndLosingItsResources)
+TEST(OcclusionInScenes, IsRestoredAfterResizingAndReleasingResources)
 {
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   const std::vector<float> first = scene.Array("AmbientOcclusion");
@@ -413,13 +415,13 @@ TEST(OcclusionInScenes, SurvivesResizingAndLosingItsResources)
   scene.Window->SetSize(160, 120);
   scene.Pass->ReleaseGraphicsResources(scene.Window);
   scene.Window->Render();
-  EXPECT_LT(Rms(scene.Array("AmbientOcclusion"), first), .01);
+  EXPECT_LT(Rms(scene.Array("AmbientOcclusion"), first), 0.01);
 }
 
-TEST(OcclusionInScenes, CanBeSwitchedOnAndOff500TimesInTheSameMemory)
+TEST(OcclusionInScenes, LeaksNoMemoryWhenToggled500Times)
 {
   OcclusionScene scene(64, 48);
-  Furnish(scene);
+  BuildScene(scene);
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
   const auto toggle = [&](int times) {
@@ -434,17 +436,18 @@ TEST(OcclusionInScenes, CanBeSwitchedOnAndOff500TimesInTheSameMemory)
   const auto before = toggle(5);
   const double bytes = penumbra::BytesInUse();
   EXPECT_EQ(toggle(495), before);
-  // Mesa keeps up to 2.7 MB for itself, at times of its own; one lost texture a time were 6 MB.
+  // Mesa caches up to 2.7 MB. A leak of one texture per iteration would take 6 MB.
   EXPECT_LT(penumbra::BytesInUse() - bytes, 4e6);
   scene.Window->Render();
   EXPECT_EQ(scene.Picture(), plain);
 }
 
-TEST(OcclusionInScenes, ChainsThePassesThatAreThere)
+TEST(OcclusionInScenes, IsInsertedIntoExistingPasses)
 {
-  // A vtkRenderStepsPass keeps its place, also below SSAA.
+  // The pass is inserted into an existing vtkRenderStepsPass, also if that is the delegate of
+  // vtkSSAAPass.
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   vtkNew<vtkRenderStepsPass> steps;
   scene.Renderer->SetPass(steps);
   vtkRenderPass* opaque = steps->GetOpaquePass();
@@ -455,7 +458,7 @@ TEST(OcclusionInScenes, ChainsThePassesThatAreThere)
   scene.Pass = pass;
   scene.Window->Render();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
-  EXPECT_GT(*std::max_element(occlusion.begin(), occlusion.end()), .3f);
+  EXPECT_GT(*std::max_element(occlusion.begin(), occlusion.end()), 0.3f);
   vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
   EXPECT_EQ(steps->GetOpaquePass(), opaque);
 
@@ -471,7 +474,7 @@ TEST(OcclusionInScenes, ChainsThePassesThatAreThere)
   fine->ReleaseGraphicsResources(scene.Window);
 }
 
-TEST(OcclusionInScenes, WorksWithEveryAntialiasing)
+TEST(OcclusionInScenes, SupportsEveryAntialiasing)
 {
   for (const int samples : { 0, 4 })
   {
@@ -480,7 +483,7 @@ TEST(OcclusionInScenes, WorksWithEveryAntialiasing)
       for (const bool peeling : { false, true })
       {
         OcclusionScene scene(80, 60, samples);
-        Furnish(scene);
+        BuildScene(scene);
         scene.Renderer->SetUseFXAA(fxaa);
         scene.Renderer->SetUseDepthPeeling(peeling);
         scene.Window->Render();
@@ -491,7 +494,8 @@ TEST(OcclusionInScenes, WorksWithEveryAntialiasing)
           << samples << " samples, FXAA " << fxaa << ", peeling " << peeling;
         scene.Pass->SetStrength(1.0);
         scene.Window->Render();
-        // VTK's FXAA cannot read several samples: with both it shows the picture before, or none.
+        // VTK's FXAA cannot read multisampled images: with both it shows the previous image or
+        // none.
         EXPECT_TRUE((fxaa && samples > 0) || LargestDifference(scene.Picture(), plain) > 80)
           << samples << " samples, FXAA " << fxaa << ", peeling " << peeling;
       }
@@ -499,10 +503,10 @@ TEST(OcclusionInScenes, WorksWithEveryAntialiasing)
   }
 }
 
-TEST(OcclusionInScenes, LeavesHardwareSelectionAlone)
+TEST(OcclusionInScenes, DoesNotChangeHardwareSelection)
 {
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   const auto count = [&]() {
     vtkNew<vtkHardwareSelector> selector;
     selector->SetRenderer(scene.Renderer);
@@ -523,7 +527,7 @@ TEST(OcclusionInScenes, ShowsASkyboxInEveryFrame)
   for (const int multiSamples : { 0, 4 })
   {
     OcclusionScene scene(160, 120, multiSamples);
-    Furnish(scene);
+    BuildScene(scene);
     vtkNew<vtkImageData> colors;
     colors->SetDimensions(8, 8, 1);
     colors->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -544,7 +548,7 @@ TEST(OcclusionInScenes, ShowsASkyboxInEveryFrame)
     vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
     pass->SetStrength(0.0);
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-    pass->SetTolerance(.05);
+    pass->SetTolerance(0.05);
     for (int frame = 0; frame < 3; ++frame)
     {
       scene.Window->Render();
@@ -559,10 +563,10 @@ TEST(OcclusionInScenes, ShowsASkyboxInEveryFrame)
   }
 }
 
-TEST(OcclusionInScenes, WarnsOnceOfShadowsAndOcclusionOfTheRenderer)
+TEST(OcclusionInScenes, WarnsOnceIfTheRendererUsesShadowsOrSSAO)
 {
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   scene.Renderer->UseShadowsOn();
   scene.Renderer->UseSSAOOn();
   scene.AddOcclusionPass(1.0);
@@ -582,13 +586,13 @@ TEST(OcclusionInScenes, WarnsOnceOfShadowsAndOcclusionOfTheRenderer)
   }
 }
 
-TEST(OcclusionInScenes, DrawsEmptyScenesAndRefusesBadNumbers)
+TEST(OcclusionInScenes, RendersEmptyScenesAndRejectsInvalidSettings)
 {
   OcclusionScene scene;
   scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   EXPECT_NEAR(scene.Picture()[1], 76.5, 1.0); // the background's green
-  Furnish(scene);
+  BuildScene(scene);
   scene.Pass->GlobalWarningDisplayOff();
   scene.Pass->SetRadius(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(scene.Pass->GetRadius(), 1.0);

@@ -16,9 +16,9 @@
 namespace
 {
 
-/// Black and white strips, two pixels wide each, on a wall that fills the picture; its right half
-/// lies one unit behind.
-void Furnish(OcclusionScene& scene)
+/// Adds black and white strips, each two pixels wide, on a wall that fills the image. The right
+/// half of the wall is one unit farther away.
+void BuildScene(OcclusionScene& scene)
 {
   for (int strip = 0; strip < 80; ++strip)
   {
@@ -31,7 +31,7 @@ void Furnish(OcclusionScene& scene)
   scene.UseParallelProjection(true, 30.0);
 }
 
-vtkSmartPointer<vtkPenumbraBilateralFilterPass> Filter(OcclusionScene& scene)
+vtkSmartPointer<vtkPenumbraBilateralFilterPass> AddFilterPass(OcclusionScene& scene)
 {
   auto pass = vtkSmartPointer<vtkPenumbraBilateralFilterPass>::New();
   vtkNew<vtkRenderStepsPass> steps;
@@ -40,65 +40,65 @@ vtkSmartPointer<vtkPenumbraBilateralFilterPass> Filter(OcclusionScene& scene)
   return pass;
 }
 
-TEST(BilateralFilterPass, WithReachZeroChangesNothing)
+TEST(BilateralFilterPass, ChangesNothingWithReachZero)
 {
   OcclusionScene scene;
-  Furnish(scene);
+  BuildScene(scene);
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();
-  Filter(scene)->SetReach(0);
+  AddFilterPass(scene)->SetRadius(0);
   scene.Window->Render();
   EXPECT_EQ(scene.Picture(), plain);
 }
 
-TEST(BilateralFilterPass, MovesFromWindowToWindow)
+TEST(BilateralFilterPass, RendersInSeveralWindows)
 {
   OcclusionScene scene;
-  Furnish(scene);
-  const auto pass = Filter(scene);
+  BuildScene(scene);
+  const auto pass = AddFilterPass(scene);
   scene.Window->Render();
   const std::vector<int> first = scene.Picture();
   OcclusionScene other;
-  Furnish(other);
+  BuildScene(other);
   other.Renderer->SetPass(pass);
-  for (OcclusionScene* each : { &other, &scene, &other })
+  for (OcclusionScene* target : { &other, &scene, &other })
   {
-    each->Window->Render(); // what was made in the other window is released
-    each->Window->Render();
-    EXPECT_EQ(each->Picture(), first);
+    target->Window->Render(); // Releases the resources of the other window.
+    target->Window->Render();
+    EXPECT_EQ(target->Picture(), first);
   }
 }
 
-TEST(BilateralFilterPass, AveragesWithinASurfaceAndNeverAcrossAnEdge)
+TEST(BilateralFilterPass, AveragesWithinSurfacesOnly)
 {
   OcclusionScene scene;
-  Furnish(scene);
-  const auto pass = Filter(scene);
-  pass->SetReach(3);
-  pass->SetDistance(.25);
-  pass->ByDepthOn(); // all of a wall has one depth: its pixels count the same
+  BuildScene(scene);
+  const auto pass = AddFilterPass(scene);
+  pass->SetRadius(3);
+  pass->SetDistanceSigma(0.25);
+  pass->UseDepthDistanceOn(); // All pixels of one half have the same depth and so the same weight.
   scene.Window->Render();
-  const std::vector<int> picture = scene.Picture();
-  const auto red = [&](int i) { return picture[4 * (60 * 160 + i)]; };
-  // Seven pixels of strips two wide hold three or four white ones.
-  EXPECT_NEAR(red(40), 255.0 * 3.5 / 7.0, 255.0 * .5 / 7.0 + 1.0);
-  // Left of the edge green is as red, right of it all is 1: nothing came across.
+  const std::vector<int> image = scene.Picture();
+  const auto red = [&](int i) { return image[4 * (60 * 160 + i)]; };
+  // Seven pixels of strips that are two pixels wide include three or four white ones.
+  EXPECT_NEAR(red(40), 255.0 * 3.5 / 7.0, 255.0 * 0.5 / 7.0 + 1.0);
+  // Left of the edge green equals red; right of it green is 1. No color has crossed the edge.
   for (int i = 60; i < 100; ++i)
   {
-    const int green = picture[4 * (60 * 160 + i) + 1];
+    const int green = image[4 * (60 * 160 + i) + 1];
     EXPECT_EQ(green, i < 80 ? red(i) : 255) << i;
   }
 }
 
-TEST(BilateralFilterPass, LetsPixelsOfWeightZeroCountNothing)
+TEST(BilateralFilterPass, IgnoresPixelsOfWeightZero)
 {
   OcclusionScene scene;
-  Furnish(scene);
-  const auto pass = Filter(scene);
-  pass->SetReach(3);
-  pass->SetDistance(100.0);
-  pass->ByDepthOn();
-  // Only white strips count: the picture becomes white.
+  BuildScene(scene);
+  const auto pass = AddFilterPass(scene);
+  pass->SetRadius(3);
+  pass->SetDistanceSigma(100.0);
+  pass->UseDepthDistanceOn();
+  // Only white strips have a weight, so the image becomes white.
   vtkNew<vtkImageData> weights;
   weights->SetDimensions(160, 120, 1);
   weights->AllocateScalars(VTK_FLOAT, 1);
@@ -108,10 +108,10 @@ TEST(BilateralFilterPass, LetsPixelsOfWeightZeroCountNothing)
   }
   pass->SetWeights(weights);
   scene.Window->Render();
-  const std::vector<int> picture = scene.Picture();
+  const std::vector<int> image = scene.Picture();
   for (int i = 8; i < 72; ++i)
   {
-    EXPECT_EQ(picture[4 * (60 * 160 + i)], 255) << i;
+    EXPECT_EQ(image[4 * (60 * 160 + i)], 255) << i;
   }
 }
 

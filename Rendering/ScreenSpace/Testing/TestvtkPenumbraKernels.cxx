@@ -15,25 +15,25 @@
 namespace
 {
 
-/// A row for every kernel: how far from the closed form it may be at the foot of a wall, and how dark where
-/// two facets of a coarse mesh meet: .030 of the sky is blocked there.
-struct Row
+/// Bounds of each kernel: the RMSE in front of a wall, with the closed form as reference, and the
+/// occlusion between two facets of a coarse mesh, which is 0.030.
+struct Bounds
 {
   const char* Kernel;
-  double (*Truth)(double);
+  double (*Reference)(double);
   double Rmse;
   double BetweenFacets;
 };
 
-const Row Rows[] = {
-  { "volumetric", BehindWallFading, .02, .035 },
-  { "patch", BehindWall, .3, .12 },           // no D: only bounds
-  { "depth-difference", BehindWall, .2, .1 }, // no D: only bounds
-  { "horizon", BehindWall, .02, .035 },
-  { "march", BehindWall, .025, .035 },
+const Bounds BoundsTable[] = {
+  { "volumetric", BehindWallFading, 0.02, 0.035 },
+  { "patch", BehindWall, 0.3, 0.12 },           // no D: only bounds
+  { "depth-difference", BehindWall, 0.2, 0.1 }, // no D: only bounds
+  { "horizon", BehindWall, 0.02, 0.035 },
+  { "march", BehindWall, 0.025, 0.035 },
 };
 
-class Kernels : public testing::TestWithParam<Row>
+class Kernels : public testing::TestWithParam<Bounds>
 {
 };
 
@@ -44,8 +44,8 @@ TEST(KernelTable, HasATestRowAndAParagraphForEveryKernel)
   for (int kernel = 0; kernel < vtkPenumbraKernels::GetNumberOfKernels(); ++kernel)
   {
     const std::string name = vtkPenumbraKernels::GetName(kernel);
-    EXPECT_TRUE(std::any_of(
-      std::begin(Rows), std::end(Rows), [&](const Row& row) { return row.Kernel == name; }))
+    EXPECT_TRUE(std::any_of(std::begin(BoundsTable), std::end(BoundsTable),
+      [&](const Bounds& row) { return row.Kernel == name; }))
       << name;
     EXPECT_NE(page.str().find("\n## " + name + "\n"), std::string::npos) << name;
     EXPECT_EQ(vtkPenumbraKernels::Find(name.c_str()), kernel);
@@ -57,7 +57,7 @@ TEST(KernelTable, HasATestRowAndAParagraphForEveryKernel)
   EXPECT_EQ(vtkPenumbraKernels::GetBias(-1), 0.0);
 }
 
-TEST_P(Kernels, SeeNoOcclusionOnAnOpenPlane)
+TEST_P(Kernels, ReturnZeroOnAnOpenPlane)
 {
   for (const bool parallel : { false, true })
   {
@@ -68,28 +68,29 @@ TEST_P(Kernels, SeeNoOcclusionOnAnOpenPlane)
     scene.AddOcclusionPass(1.0)->SetKernelName(GetParam().Kernel);
     scene.Window->Render();
     const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
-    // The seam between the plane's two triangles may be off by the depth buffer's rounding.
+    // At the shared edge of the plane's two triangles, depth is off by the rounding of the depth
+    // buffer.
     double squares = 0.0;
     for (const float value : occlusion)
     {
       squares += static_cast<double>(value) * value;
     }
-    EXPECT_LT(std::sqrt(squares / static_cast<double>(occlusion.size())), .003);
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(occlusion.size())), 0.003);
   }
 }
 
-TEST_P(Kernels, SeeHalfTheSkyAtTheFootOfAWall)
+TEST_P(Kernels, MatchTheClosedFormInFrontOfAWall)
 {
   OcclusionScene scene;
   scene.AddOcclusionPass(1.0)->SetKernelName(GetParam().Kernel);
-  const std::vector<double> errors = ErrorsBeforeAWall(scene, GetParam().Truth);
+  const std::vector<double> errors = ErrorsBeforeAWall(scene, GetParam().Reference);
   EXPECT_STREQ(scene.Pass->GetActiveKernelName(), GetParam().Kernel);
   EXPECT_LT(RootMeanSquare(errors), GetParam().Rmse);
 }
 
-TEST_P(Kernels, DarkenAShallowValleyBetweenFacetsNoMoreThanTheirRow)
+TEST_P(Kernels, StayBelowTheirBoundBetweenFacets)
 {
-  // Two planes that each rise by 10 degrees from x = 0, seen from above.
+  // Two planes that rise by 10 degrees from x = 0 to both sides, viewed from above.
   OcclusionScene scene;
   const double rise = std::tan(vtkMath::RadiansFromDegrees(10.0));
   scene.AddWall({ 0, -20, 0 }, { 20, 0, 20 * rise }, { 0, 40, 0 });
@@ -98,16 +99,16 @@ TEST_P(Kernels, DarkenAShallowValleyBetweenFacetsNoMoreThanTheirRow)
   scene.UseParallelProjection(true, 1.5);
   scene.AddOcclusionPass(1.0)->SetKernelName(GetParam().Kernel);
   scene.Window->Render();
-  double darkest = 0.0;
-  for (double x = .01; x < 1.0; x += .02)
+  double maximum = 0.0;
+  for (double x = 0.01; x < 1.0; x += 0.02)
   {
-    darkest = std::max(darkest, scene.At("AmbientOcclusion", { x, 0, x * rise }));
+    maximum = std::max(maximum, scene.At("AmbientOcclusion", { x, 0, x * rise }));
   }
-  EXPECT_GT(darkest, 0.0);
-  EXPECT_LT(darkest, GetParam().BetweenFacets);
+  EXPECT_GT(maximum, 0.0);
+  EXPECT_LT(maximum, GetParam().BetweenFacets);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(Rows), [](const auto& row) {
+INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(BoundsTable), [](const auto& row) {
   std::string name = row.param.Kernel;
   name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
   return name;

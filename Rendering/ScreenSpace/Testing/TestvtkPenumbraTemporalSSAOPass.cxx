@@ -20,7 +20,7 @@ double Statistic(vtkPenumbraTemporalSSAOPass* pass, const char* name)
   return pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
 }
 
-TEST(TemporalSSAOPass, IsAddedToNoRendererAndRemovedFromNone)
+TEST(TemporalSSAOPass, IgnoresNullRenderers)
 {
   vtkObject::GlobalWarningDisplayOff();
   EXPECT_EQ(vtkPenumbraTemporalSSAOPass::AddTo(nullptr), nullptr);
@@ -28,7 +28,7 @@ TEST(TemporalSSAOPass, IsAddedToNoRendererAndRemovedFromNone)
   vtkObject::GlobalWarningDisplayOn();
 }
 
-TEST(TemporalSSAOPass, SeesNoOcclusionOnAnOpenPlane)
+TEST(TemporalSSAOPass, ReturnsZeroOnAnOpenPlane)
 {
   OcclusionScene scene;
   scene.AddFloor();
@@ -37,14 +37,15 @@ TEST(TemporalSSAOPass, SeesNoOcclusionOnAnOpenPlane)
   scene.Window->Render();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   ASSERT_EQ(occlusion.size(), 160u * 120u);
-  // The seam between the floor's two triangles may be off by the depth buffer's rounding.
+  // At the shared edge of the floor's two triangles, depth is off by the rounding of the depth
+  // buffer.
   const auto dark =
     std::count_if(occlusion.begin(), occlusion.end(), [](float value) { return value > 1e-3f; });
   EXPECT_LE(dark, 200);
-  EXPECT_LT(*std::max_element(occlusion.begin(), occlusion.end()), .05f);
+  EXPECT_LT(*std::max_element(occlusion.begin(), occlusion.end()), 0.05f);
 }
 
-TEST(TemporalSSAOPass, TellsDepthAlongTheViewAxis)
+TEST(TemporalSSAOPass, ReturnsDepthAlongTheViewAxis)
 {
   OcclusionScene scene;
   scene.AddWall({ -5, 3, -5 }, { 10, 0, 0 }, { 0, 0, 10 });
@@ -57,23 +58,23 @@ TEST(TemporalSSAOPass, TellsDepthAlongTheViewAxis)
   }
 }
 
-TEST(TemporalSSAOPass, SeesHalfTheSkyAtTheFootOfAWall)
+TEST(TemporalSSAOPass, MatchesTheClosedFormInFrontOfAWall)
 {
   OcclusionScene scene;
   scene.AddOcclusionPass(1.0);
   const std::vector<double> errors = ErrorsBeforeAWall(scene);
   for (std::size_t row = 0; row < errors.size(); ++row)
   {
-    EXPECT_NEAR(errors[row], 0.0, .06) << "in row " << row;
+    EXPECT_NEAR(errors[row], 0.0, 0.06) << "in row " << row;
   }
-  EXPECT_LT(RootMeanSquare(errors), .025);
+  EXPECT_LT(RootMeanSquare(errors), 0.025);
 }
 
-TEST(TemporalSSAOPass, FreezesOnceConverged)
+TEST(TemporalSSAOPass, TakesNoSamplesOnceConverged)
 {
   OcclusionScene scene;
   scene.AddFloor();
-  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.AddSphere({ 0, 0, 0.5 }, 0.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.AddOcclusionPass(1.0);
   scene.Window->Render();
@@ -86,72 +87,72 @@ TEST(TemporalSSAOPass, FreezesOnceConverged)
     EXPECT_EQ(scene.Picture(), first);
     EXPECT_EQ(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
   }
-  scene.SetCamera({ .1, -4, 3 }, { 0, 0, 0 });
+  scene.SetCamera({ 0.1, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   EXPECT_GT(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
 }
 
-TEST(TemporalSSAOPass, ForgetsAllOfItBeforeItConvergesInOneRender)
+TEST(TemporalSSAOPass, DiscardsHistoryBeforeConvergingInOneRender)
 {
-  // As a picture that was never anything else, to the accepted error.
-  const auto draw = [](bool moved) {
+  // The image equals that of a scene without history, within the tolerance.
+  const auto render = [](bool moved) {
     OcclusionScene scene;
     scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
-    const auto sphere = scene.AddSphere({ moved ? -.5 : .5, 0, .5 }, .5);
-    scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
-    scene.AddOcclusionPass(1.0)->SetTolerance(.003);
+    const auto sphere = scene.AddSphere({ moved ? -0.5 : 0.5, 0, 0.5 }, 0.5);
+    scene.SetCamera({ 0, -5, 3 }, { 0, 0, 0.4 });
+    scene.AddOcclusionPass(1.0)->SetTolerance(0.003);
     for (int frame = 0; moved && frame < 3; ++frame)
     {
       scene.Window->Render();
     }
-    sphere->SetPosition(.5, 0, .5);
+    sphere->SetPosition(0.5, 0, 0.5);
     scene.Window->Render();
     EXPECT_TRUE(scene.Pass->IsConverged());
     return scene.Array("AmbientOcclusion");
   };
-  EXPECT_LT(Rms(draw(true), draw(false)), .003);
+  EXPECT_LT(Rms(render(true), render(false)), 0.003);
 }
 
-TEST(TemporalSSAOPass, BelievesNoMeanThatStillHoldsOldSamples)
+TEST(TemporalSSAOPass, DoesNotConvergeToStaleSamples)
 {
   OcclusionScene scene;
   scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
-  const auto sphere = scene.AddSphere({ -.5, 0, .5 }, .5);
-  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .4 });
+  const auto sphere = scene.AddSphere({ -0.5, 0, 0.5 }, 0.5);
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, 0.4 });
   scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
   for (int frame = 0; frame < 20; ++frame)
   {
     scene.Window->Render();
   }
-  sphere->SetPosition(.5, 0, .5);
+  sphere->SetPosition(0.5, 0, 0.5);
   for (int frame = 0; frame < 600 && (frame < 2 || !scene.Pass->IsConverged()); ++frame)
   {
     scene.Window->Render();
   }
   ASSERT_TRUE(scene.Pass->IsConverged());
-  const std::vector<float> spread = scene.Array("AmbientOcclusion");
+  const std::vector<float> refined = scene.Array("AmbientOcclusion");
   scene.Pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
-  scene.Pass->SetTolerance(.002); // settings changed: everything starts afresh
+  scene.Pass->SetTolerance(0.002); // Discards the history.
   scene.Window->Render();
-  EXPECT_LT(Rms(spread, scene.Array("AmbientOcclusion")), .01);
+  EXPECT_LT(Rms(refined, scene.Array("AmbientOcclusion")), 0.01);
 }
 
-TEST(TemporalSSAOPass, FollowsColoursWithoutNewSamples)
+TEST(TemporalSSAOPass, UpdatesColorsWithoutNewSamples)
 {
-  // Once converged the scene is drawn as it is and only multiplied by what is known; in a part of the
-  // window as in all of it.
+  // Once converged, the scene is rendered without the pass and multiplied by the stored factor,
+  // also in a viewport that covers part of the window.
   OcclusionScene scene;
   scene.AddFloor();
-  const auto sphere = scene.AddSphere({ 0, 0, .5 }, .5);
+  const auto sphere = scene.AddSphere({ 0, 0, 0.5 }, 0.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  scene.Renderer->SetViewport(.25, .25, 1, 1);
+  scene.Renderer->SetViewport(0.25, 0.25, 1, 1);
   scene.AddOcclusionPass(1.0);
   scene.Window->Render();
   ASSERT_TRUE(scene.Pass->IsConverged());
-  sphere->GetProperty()->SetColor(0, .5, 1);
+  sphere->GetProperty()->SetColor(0, 0.5, 1);
   scene.Window->Render();
   EXPECT_EQ(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
-  const std::vector<int> darkened = scene.Picture();
+  const std::vector<int> occluded = scene.Picture();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
   scene.Window->Render();
@@ -167,17 +168,17 @@ TEST(TemporalSSAOPass, FollowsColoursWithoutNewSamples)
       for (int c = 0; c < 3; ++c)
       {
         const int at = 4 * ((j + bottom) * scene.Width + i + left) + c;
-        ASSERT_NEAR(darkened[at], open * plain[at], 1.5) << i << ", " << j;
+        ASSERT_NEAR(occluded[at], open * plain[at], 1.5) << i << ", " << j;
       }
     }
   }
 }
 
-TEST(TemporalSSAOPass, LeavesThePictureExactlyAsItWasWhenRemoved)
+TEST(TemporalSSAOPass, RestoresTheImageWhenRemoved)
 {
   OcclusionScene scene;
   scene.AddFloor(1.0);
-  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.AddSphere({ 0, 0, 0.5 }, 0.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   const std::vector<int> before = scene.Picture();
@@ -190,81 +191,83 @@ TEST(TemporalSSAOPass, LeavesThePictureExactlyAsItWasWhenRemoved)
   EXPECT_EQ(scene.Picture(), before);
 }
 
-TEST(TemporalSSAOPass, LeavesEdgesAsSmoothAsTheyAre)
+TEST(TemporalSSAOPass, PreservesMultisampledEdges)
 {
-  // With strength 0 nothing but the way through the pass is left: every sample's colour has to come
-  // out again, over any background.
+  // With strength 0 the pass only copies the image: the color of every sample must be preserved,
+  // over any background.
   OcclusionScene scene(160, 120, 4);
   scene.Renderer->GradientBackgroundOn();
-  scene.Renderer->SetBackground2(.9, .1, .5);
-  scene.AddSphere({ 0, 0, .5 }, .7);
-  scene.AddWall({ -1, 1, -.5 }, { 2, .1, .3 }, { 0, .2, 1.5 });
+  scene.Renderer->SetBackground2(0.9, 0.1, 0.5);
+  scene.AddSphere({ 0, 0, 0.5 }, 0.7);
+  scene.AddWall({ -1, 1, -0.5 }, { 2, 0.1, 0.3 }, { 0, 0.2, 1.5 });
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   ASSERT_GT(scene.Window->GetMultiSamples(), 1);
   const std::vector<int> plain = scene.Picture();
   scene.AddOcclusionPass(1.0)->SetStrength(0.0);
   scene.Window->Render();
-  const std::vector<int> through = scene.Picture();
+  const std::vector<int> withPass = scene.Picture();
   int largest = 0;
   for (std::size_t i = 0; i < plain.size(); ++i)
   {
-    largest = std::max(largest, std::abs(plain[i] - through[i]));
+    largest = std::max(largest, std::abs(plain[i] - withPass[i]));
   }
   EXPECT_LE(largest, 2);
 }
 
-TEST(TemporalSSAOPass, MakesNoHalosWithManySamples)
+TEST(TemporalSSAOPass, CausesNoHalosWithMultisampling)
 {
-  // A white sphere far before a dark corner: the corner's occlusion may not darken its outline.
+  // A white sphere far in front of a dark corner: the occlusion of the corner must not darken its
+  // silhouette.
   OcclusionScene scene(160, 120, 4);
-  scene.AddSphere({ 0, -2, 1.2 }, .3);
+  scene.AddSphere({ 0, -2, 1.2 }, 0.3);
   scene.AddFloor();
   scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
   scene.Renderer->SetBackground(1, 1, 1);
   scene.SetCamera({ 0, -8, 6 }, { 0, 0, 0 });
-  scene.AddOcclusionPass(.5);
+  scene.AddOcclusionPass(0.5);
   scene.Window->Render();
   const std::array<int, 2> center = scene.Pixel({ 0, -2, 1.2 });
-  const std::vector<int> picture = scene.Picture();
+  const std::vector<int> image = scene.Picture();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
-  // Along the row through its middle every pixel lies between the two surfaces' own brightnesses.
+  // In the row through the center of the sphere, every pixel lies between the brightnesses of both
+  // surfaces.
   for (int i = center[0] - 12; i <= center[0] + 12; ++i)
   {
     const std::size_t at = static_cast<std::size_t>(center[1]) * scene.Width + i;
     const float darkest = std::max({ occlusion[at - 1], occlusion[at], occlusion[at + 1] });
-    EXPECT_GE(picture[4 * at], 255.f * (1.f - darkest) - 2.f) << i - center[0];
+    EXPECT_GE(image[4 * at], 255.f * (1.f - darkest) - 2.f) << i - center[0];
   }
 }
 
-TEST(TemporalSSAOPass, SparesBrightColoursByLightAwareness)
+TEST(TemporalSSAOPass, DarkensBrightColorsLessWithLightAwareness)
 {
   OcclusionScene scene;
   const auto floor = scene.AddFloor();
   const auto wall = scene.AddWall({ -20, 0, 0 }, { 40, 0, 0 }, { 0, 0, 20 });
-  scene.SetCamera({ 0, -5, 3 }, { 0, 0, .2 });
-  scene.AddOcclusionPass(1.0)->SetLightAwareness(.75);
-  const std::array<int, 2> foot = scene.Pixel({ 0, -.05, 0 });
+  scene.SetCamera({ 0, -5, 3 }, { 0, 0, 0.2 });
+  scene.AddOcclusionPass(1.0)->SetLightAwareness(0.75);
+  const std::array<int, 2> foot = scene.Pixel({ 0, -0.05, 0 });
   const std::size_t at = 4 * (static_cast<std::size_t>(foot[1]) * scene.Width + foot[0]);
-  for (const double brightness : { 1.0, .4 })
+  for (const double brightness : { 1.0, 0.4 })
   {
-    floor->GetProperty()->SetColor(brightness, .5 * brightness, 0.0);
+    floor->GetProperty()->SetColor(brightness, 0.5 * brightness, 0.0);
     scene.Window->Render();
-    const double occlusion = scene.At("AmbientOcclusion", { 0, -.05, 0 });
-    const double factor = 1.0 - occlusion * (1.0 - .75 * brightness);
-    EXPECT_GT(occlusion, .3);
-    const std::vector<int> picture = scene.Picture();
-    EXPECT_NEAR(picture[at], 255.0 * brightness * factor, 2.0);
-    EXPECT_NEAR(picture[at + 1], 255.0 * .5 * brightness * factor, 2.0);
-    EXPECT_EQ(picture[at + 2], 0);
+    const double occlusion = scene.At("AmbientOcclusion", { 0, -0.05, 0 });
+    const double factor = 1.0 - occlusion * (1.0 - 0.75 * brightness);
+    EXPECT_GT(occlusion, 0.3);
+    const std::vector<int> image = scene.Picture();
+    EXPECT_NEAR(image[at], 255.0 * brightness * factor, 2.0);
+    EXPECT_NEAR(image[at + 1], 255.0 * 0.5 * brightness * factor, 2.0);
+    EXPECT_EQ(image[at + 2], 0);
   }
 }
 
-TEST(TemporalSSAOPass, DrawsThePlainSceneWithRadiusZero)
+TEST(TemporalSSAOPass, RendersThePlainSceneWithRadiusZero)
 {
   OcclusionScene scene;
   scene.AddFloor(1.0);
-  scene.AddSphere({ 0, 0, .5 }, .5);
+  scene.AddSphere({ 0, 0, 0.5 }, 0.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   const std::vector<int> plain = scene.Picture();

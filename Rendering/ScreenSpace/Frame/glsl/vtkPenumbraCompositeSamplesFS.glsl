@@ -3,8 +3,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The scene with several samples a pixel, darkened: each sample by the occlusion of the surface that
-// it shows, which at an edge is that of a neighbouring pixel. So edges stay smooth and get no halos.
+// Draws a scene image with several samples per pixel. Each sample is darkened by the occlusion of
+// its surface, which at an edge is that of a neighboring pixel. Antialiased edges therefore get no
+// halos.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::ApplyOcclusionLib
 uniform sampler2DMS colors;
@@ -12,25 +13,26 @@ uniform sampler2DMS depthSamples;
 uniform sampler2D eyeDepths;
 uniform sampler2D occlusions;
 uniform int sampleCount;
-uniform vec2 offset;      // from pixels of the target to those of the scene's picture
-uniform vec2 toTargetDepth; // a depth of the picture times x plus y is the target's
-uniform float background; // 1: samples without a surface are the scene's, too; 0: they stay
+uniform vec2 offset;      // from pixels of the target to those of the scene image
+uniform vec2 toTargetDepth; // x * depth + y: from depths of the image to those of the target
+uniform float background; // 1: empty samples are drawn, too; 0: the target keeps them
 
-// Relative depth within which a sample shows the same surface as its pixel.
+// Relative depth difference up to which a sample belongs to the surface of its pixel.
 const float sameSurface = 0.02;
 
-// Of the pixel and, if it does not show the sample's surface, its neighbours: the nearest in depth.
-float occlusionOf(float sampleDepth, vec2 pixel)
+// Occlusion of the pixel or, if the sample belongs to another surface, of the 3 x 3 pixel closest
+// in depth.
+float sampleOcclusion(float sampleDepth, vec2 pixel)
 {
   float nearest = abs(texture(eyeDepths, pixel * pixelSize).r - sampleDepth);
   float occlusion = texture(occlusions, pixel * pixelSize).r;
   int count = nearest > sameSurface * sampleDepth ? 9 : 0;
   for (int i = 0; i < count; ++i)
   {
-    vec2 at = (pixel + vec2(float(i % 3 - 1), float(i / 3 - 1))) * pixelSize;
-    float apart = abs(texture(eyeDepths, at).r - sampleDepth);
-    occlusion = apart < nearest ? texture(occlusions, at).r : occlusion;
-    nearest = min(apart, nearest);
+    vec2 position = (pixel + vec2(float(i % 3 - 1), float(i / 3 - 1))) * pixelSize;
+    float difference = abs(texture(eyeDepths, position).r - sampleDepth);
+    occlusion = difference < nearest ? texture(occlusions, position).r : occlusion;
+    nearest = min(difference, nearest);
   }
   return nearest < 0.5 * farAway ? occlusion : 0.0;
 }
@@ -45,18 +47,18 @@ void main()
   {
     float depth = texelFetch(depthSamples, ivec2(pixel), i).r;
     vec4 color = texelFetch(colors, ivec2(pixel), i);
-    // A skybox has the depth of an empty sample, but a color.
-    float counts = depth < 1.0 || background > 0.5 || color.a > 0.0 ? 1.0 : 0.0;
-    float occlusion = depth < 1.0 ? occlusionOf(eyeDepthOfBuffer(depth), pixel) : 0.0;
-    sum += counts * vec4(darkened(color.rgb, occlusion), color.a);
-    covered += counts;
+    // A skybox has the depth of an empty sample, but nonzero alpha.
+    float coverage = depth < 1.0 || background > 0.5 || color.a > 0.0 ? 1.0 : 0.0;
+    float occlusion = depth < 1.0 ? sampleOcclusion(eyeDepthOfBuffer(depth), pixel) : 0.0;
+    sum += coverage * vec4(applyOcclusion(color.rgb, occlusion), color.a);
+    covered += coverage;
     frontmost = min(frontmost, depth);
   }
   if (covered == 0.0)
   {
     discard;
   }
-  // To be blended over what is there: alpha is the share of the samples.
+  // Blended over the target with premultiplied alpha, the fraction of covered samples.
   gl_FragData[0] = sum / float(sampleCount);
   bool solid = 2.0 * covered >= float(sampleCount) && frontmost < 1.0;
   gl_FragDepth = solid ? toTargetDepth.x * frontmost + toTargetDepth.y : 1.0;

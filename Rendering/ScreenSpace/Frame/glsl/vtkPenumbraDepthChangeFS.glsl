@@ -3,20 +3,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Keeps the pixels whose depth is no longer the remembered one; a query counts them.
+// Discards pixels whose depth equals the previous one. An occlusion query counts the others.
 //VTK::Penumbra::ViewLib
 uniform sampler2D depthBuffer;
 uniform sampler2D eyeDepths;
 
-// Two compilations of one formula may round differently.
+// Relative tolerance: two compilations of the same formula may round differently.
 const float rounding = 1e-6;
 
 void main()
 {
-  vec2 at = gl_FragCoord.xy * pixelSize;
-  float now = eyeDepthOfBuffer(texture(depthBuffer, at).r);
-  float before = texture(eyeDepths, at).r;
-  if (abs(now - before) <= rounding * before)
+  vec2 position = gl_FragCoord.xy * pixelSize;
+  float current = eyeDepthOfBuffer(texture(depthBuffer, position).r);
+  float previous = texture(eyeDepths, position).r;
+  if (abs(current - previous) <= rounding * previous)
   {
     discard;
   }

@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The depth buffer as distance along the view axis.
+// Converts the depth buffer to eye depth, the distance along the view axis.
 //VTK::Penumbra::ViewLib
 uniform sampler2D depthBuffer;
 

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From pixels to eye coordinates and back. Lengths are in units of the occlusion radius (of
-// whatever unit the view was given), the eye looks along -z, pixels have their centres at
-// half-integers.
-uniform vec4 pixelToEye;   // xy * pixel + zw is (x, y) on the plane at distance 1 (parallel: anywhere)
-uniform vec2 depthToEye;   // x + y * (1 - depth of the depth buffer): distance, or its inverse
+// Transforms between pixels and eye coordinates. Lengths are in the unit of the view (the radius
+// for ambient occlusion), the eye looks along -z, and pixel centers are at half-integers.
+uniform vec4 pixelToEye;   // xy * pixel + zw is (x, y) on the plane at depth 1 (parallel: at any depth)
+uniform vec2 depthToEye;   // x + y * (1 - depth buffer value): eye depth (parallel) or its inverse
 uniform float perspective; // 1, or 0 under a parallel camera
-uniform vec2 pixelSize;    // 1 / size of the picture
+uniform vec2 pixelSize;    // 1 / size of the image
 
-// Farther than anything: what empty pixels hold.
+// Eye depth of empty pixels.
 const float farAway = 1e18;
 
 float eyeDepthOfBuffer(float depth)
@@ -31,7 +30,7 @@ vec2 pixelOfPosition(vec3 position)
   return (plane - pixelToEye.zw) / pixelToEye.xy;
 }
 
-// Unit vector from a position to the eye.
+// Unit vector from a position towards the eye.
 vec3 towardsEye(vec3 position)
 {
   return perspective > 0.5 ? normalize(-position) : vec3(0.0, 0.0, 1.0);

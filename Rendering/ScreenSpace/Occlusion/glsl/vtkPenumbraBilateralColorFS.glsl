@@ -3,16 +3,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One direction of a separable cross-bilateral filter of colours [TSSAO eq. 10]: neighbours count by
-// how far they are in depth or in space, and by a weight of their own.
+// One direction of a separable cross-bilateral filter of colors [TSSAO eq. 10]. The weight of a
+// neighbor is a Gaussian of its distance in depth or in space, multiplied by the weight of that
+// pixel.
 //VTK::Penumbra::ViewLib
 uniform sampler2D colors;
 uniform sampler2D eyeDepths;
 uniform sampler2D weights;
-uniform vec2 way;        // (1, 0) or (0, 1)
-uniform int reach;       // pixels on each side
-uniform float distance;  // at which a neighbour counts 1/e
-uniform float byDepth;   // 1: distance along the view axis, 0: in space
+uniform vec2 direction;  // (1, 0) or (0, 1)
+uniform int reach;       // radius of the filter, in pixels
+uniform float distance;  // distance at which the weight of a neighbor falls to 1/e
+uniform float byDepth;   // 1: distance along the view axis; 0: distance in space
 
 void main()
 {
@@ -22,12 +23,12 @@ void main()
   float total = 0.0;
   for (int i = -reach; i <= reach; ++i)
   {
-    vec2 tap = pixel + float(i) * way;
+    vec2 tap = pixel + float(i) * direction;
     vec2 at = tap * pixelSize;
-    vec3 apart = (eyePosition(tap, texture(eyeDepths, at).r) - position) / distance;
-    apart.xy *= 1.0 - byDepth;
-    bool inside = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0)));
-    float weight = inside ? texture(weights, at).r * exp(-dot(apart, apart)) : 0.0;
+    vec3 delta = (eyePosition(tap, texture(eyeDepths, at).r) - position) / distance;
+    delta.xy *= 1.0 - byDepth;
+    bool isInside = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0)));
+    float weight = isInside ? texture(weights, at).r * exp(-dot(delta, delta)) : 0.0;
     sum += weight * texture(colors, at);
     total += weight;
   }

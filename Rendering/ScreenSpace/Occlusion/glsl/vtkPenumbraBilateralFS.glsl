@@ -3,21 +3,21 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One direction of the separable 5 x 5 cross-bilateral filter [TSSAO eq. 10-11]: neighbours count by
-// their distance in space, by that from the plane and by their own convergence. Where a pixel has
-// converged its neighbours no longer count.
+// One direction of the separable 5 x 5 cross-bilateral filter [TSSAO eq. 10-11]. The weight of a
+// neighbor depends on its distance in space, its distance from the tangent plane, and its number of
+// samples. Converged pixels are not filtered.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SurfaceLib
 //VTK::Penumbra::BilateralLib
 uniform sampler2D values;       // r: sum, g: number of samples
-uniform float mean;             // 1: write the mean; 0: sum and number, for the other direction
-uniform vec2 way;               // (1, 0) or (0, 1)
-uniform float convergedWeight;  // from this weight on a pixel is left alone
+uniform float mean;             // 1: write the mean; 0: sum and number, for the second direction
+uniform vec2 direction;               // (1, 0) or (0, 1)
+uniform float convergedWeight;  // pixels with at least this many samples are not filtered
 
-// A neighbour's sum and number, weighed.
-vec2 from(vec2 tap, vec3 apart, vec3 inPlane, float samples, float pixelWidth)
+// Returns the sum and number of samples of a neighbor, multiplied by its weight.
+vec2 weightedSample(vec2 tap, vec3 delta, vec3 inPlane, float samples, float pixelWidth)
 {
-  return neighbourWeight(apart, inPlane, samples, pixelWidth) * texture(values, tap * pixelSize).rg;
+  return neighborWeight(delta, inPlane, samples, pixelWidth) * texture(values, tap * pixelSize).rg;
 }
 
 void main()
@@ -25,25 +25,28 @@ void main()
   vec2 pixel = gl_FragCoord.xy;
   float depth = texture(eyeDepths, pixel * pixelSize).r;
   vec3 position = eyePosition(pixel, depth);
-  vec2 own = texture(values, pixel * pixelSize).rg;
-  float shrink = clamp(1.0 - own.g / convergedWeight, 0.0, 1.0);
+  vec2 center = texture(values, pixel * pixelSize).rg;
+  float filterStrength = clamp(1.0 - center.g / convergedWeight, 0.0, 1.0);
   float pixelWidth = pixelToEye.x * mix(1.0, depth, perspective);
-  vec2 sum = own;
-  // Once or never: a block of pixels that has converged leaves the loop at once.
-  int times = shrink > 0.0 ? 1 : 0;
-  for (int i = 0; i < times; ++i)
+  vec2 sum = center;
+  // At most one iteration: a loop instead of a branch lets blocks of converged pixels skip the
+  // fetches.
+  int iterations = filterStrength > 0.0 ? 1 : 0;
+  for (int i = 0; i < iterations; ++i)
   {
-    vec3 ahead = eyePositionAt(pixel + way) - position;
-    vec3 behind = eyePositionAt(pixel - way) - position;
-    vec3 along = nearerOf(ahead, -behind, position, pixel + way);
-    vec2 near = from(pixel + way, ahead, along, own.g, pixelWidth) +
-      from(pixel - way, behind, -along, own.g, pixelWidth);
-    vec2 far = pixel + 2.0 * way;
-    near += from(far, eyePositionAt(far) - position, 2.0 * along, own.g, pixelWidth);
-    far = pixel - 2.0 * way;
-    near += from(far, eyePositionAt(far) - position, -2.0 * along, own.g, pixelWidth);
-    sum += shrink * near;
+    vec3 ahead = eyePositionAt(pixel + direction) - position;
+    vec3 behind = eyePositionAt(pixel - direction) - position;
+    vec3 along = minDiff(ahead, -behind, position, pixel + direction);
+    vec2 neighbors = weightedSample(pixel + direction, ahead, along, center.g, pixelWidth) +
+      weightedSample(pixel - direction, behind, -along, center.g, pixelWidth);
+    vec2 tap = pixel + 2.0 * direction;
+    neighbors +=
+      weightedSample(tap, eyePositionAt(tap) - position, 2.0 * along, center.g, pixelWidth);
+    tap = pixel - 2.0 * direction;
+    neighbors +=
+      weightedSample(tap, eyePositionAt(tap) - position, -2.0 * along, center.g, pixelWidth);
+    sum += filterStrength * neighbors;
   }
   float value = sum.x / max(sum.y, 1e-6);
-  gl_FragData[0] = vec4(mean > 0.5 ? min(value, 1.0) : own.g * value, own.g, 0.0, 1.0);
+  gl_FragData[0] = vec4(mean > 0.5 ? min(value, 1.0) : center.g * value, center.g, 0.0, 1.0);
 }

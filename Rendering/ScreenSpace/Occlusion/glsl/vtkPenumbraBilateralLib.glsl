@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much a neighbour counts in the filter of occlusion [TSSAO eq. 10-11]. Departures: the fewer samples
-// a pixel has, the farther it looks, where neighbours lie in one plane with it.
-uniform float distanceInPixels; // a neighbour this many pixel widths away in space counts 1/e
+// Weight of a neighbor in the filter of occlusion [TSSAO eq. 10-11]. Departures: the fewer samples
+// a pixel has, the wider its filter; neighbors off its tangent plane have less weight.
+uniform float distanceInPixels; // minimum distance at which the weight is 1/e, in pixel widths
 
-// So far where a pixel has one sample; its square shrinks as samples come. Measured with offPlane, for
-// rays: `./penumbra benchmark ambient-occlusion --only traced`.
-const float farthest = 12.0;
+// So inSpace where a pixel has one sample; its square shrinks as samples come. Measured with
+// planeWidth, for rays: `./penumbra benchmark ambient-occlusion --only traced`.
+const float maximumWidth = 12.0;
 
-// A neighbour this many pixel widths off the plane through the pixel counts 1/e.
-const float offPlane = 1.0;
+// Distance from the tangent plane of the pixel at which the weight is 1/e, in pixel widths.
+const float planeWidth = 1.0;
 
-// `apart`: the way to the neighbour, `inPlane`: what it would be in the plane through the pixel.
-float neighbourWeight(vec3 apart, vec3 inPlane, float samples, float pixelWidth)
+// `delta`: offset of the neighbor. `inPlane`: its offset if it were on the tangent plane of the
+// pixel.
+float neighborWeight(vec3 delta, vec3 inPlane, float samples, float pixelWidth)
 {
-  float width = clamp(farthest / sqrt(max(samples, 1.0)), distanceInPixels, farthest);
-  vec3 far = apart / (width * pixelWidth);
-  vec3 off = (apart - inPlane) / (offPlane * pixelWidth);
-  return exp(-dot(far, far) - dot(off, off));
+  float width = clamp(maximumWidth / sqrt(max(samples, 1.0)), distanceInPixels, maximumWidth);
+  vec3 inSpace = delta / (width * pixelWidth);
+  vec3 fromPlane = (delta - inPlane) / (planeWidth * pixelWidth);
+  return exp(-dot(inSpace, inSpace) - dot(fromPlane, fromPlane));
 }

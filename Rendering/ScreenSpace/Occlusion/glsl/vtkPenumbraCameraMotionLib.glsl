@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Instead of vtkPenumbraActorMotionLib: nothing but the eye has moved.
+// Replaces vtkPenumbraActorMotionLib if only the camera has moved.
 float actorAt(vec2 pixel)
 {
   return 0.0;
 }
 
-mat4 motionOf(float actor)
+mat4 actorMotion(float actor)
 {
   return toPreviousEye;
 }

@@ -3,7 +3,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is remembered of a picture: r its depth buffer, g what its colours are multiplied by.
+// Stores a converged frame: r is its depth buffer, g the factor that applies occlusion to its
+// colors.
 uniform sampler2D depthBuffer;
 uniform sampler2D occlusions;
 uniform vec2 offset;          // from pixels of the occlusions to those of the target

@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A few new samples of ambient occlusion for every pixel.
+// Estimates ambient occlusion from a few new samples per pixel.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SurfaceLib
 //VTK::Penumbra::EstimateLib

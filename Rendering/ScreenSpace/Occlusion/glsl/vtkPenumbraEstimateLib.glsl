@@ -1,23 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A few new samples of ambient occlusion at a surface point [TSSAO eq. 2]: the mean of what the kernel
-// says of them. Departures: all pixels use the same run of the Halton sequence, turned and shifted
-// by a function of the pixel, so that no index has to be stored or interpolated.
-uniform vec4 samples[64]; // Halton points in [0, 1)^4
-uniform int sampleCount;       // at most 64
-uniform float pixelRotation;   // 1: turned from pixel to pixel; 0: all pixels alike
-uniform float thickness;       // of what is seen, in radii
+// Estimate of ambient occlusion at a surface point: the mean of a few new samples [TSSAO eq. 2].
+// Departure: all pixels use the same range of the Halton sequence, shifted by a function of the
+// pixel, so that no index has to be stored or interpolated.
+uniform vec4 samples[64];      // Halton points in [0, 1)^4
+uniform int sampleCount;       // number of points, at most 64
+uniform float pixelRotation;   // 1: a different shift per pixel; 0: no shift
+uniform float thickness;       // of visible objects, in radii
 
 const float pi = 3.14159265;
 
-// A number in [0, 1) that differs much between neighbours [Jimenez 2014, interleaved gradient noise].
+// Returns a number in [0, 1) that differs strongly between neighboring pixels
+// [Jimenez 2014, interleaved gradient noise].
 float pixelNoise(vec2 pixel)
 {
   return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
 }
 
-// The point of the sequence as this pixel uses it.
+// Returns a point of the sequence, with the shift of the pixel applied.
 vec4 pixelSample(int index, vec2 pixel)
 {
   vec2 at = floor(pixel);
@@ -26,7 +27,7 @@ vec4 pixelSample(int index, vec2 pixel)
   return fract(samples[index] + pixelRotation * shift);
 }
 
-// The pixels over which a length of one radius reaches at a point.
+// Returns the radius at a point projected onto the image, in pixels.
 vec2 radiusInPixels(SurfacePoint point)
 {
   return 1.0 / (pixelToEye.xy * mix(1.0, -point.position.z, perspective));
@@ -34,11 +35,11 @@ vec2 radiusInPixels(SurfacePoint point)
 
 //VTK::Penumbra::Kernel
 
-// What one slice can hold of the hemisphere's mean, where the normal is tilted. Estimates are not cut
-// at 1: the mean of many would fall short.
-const float mostOfASlice = 0.5 * pi;
+// Largest occlusion that one slice can return; it exceeds 1 if the normal is tilted from the view
+// direction. Estimates are not clamped to 1, because the mean over many slices would be biased.
+const float maximumSliceOcclusion = 0.5 * pi;
 
 float estimateAt(SurfacePoint point)
 {
-  return clamp(occlusionAt(point), 0.0, mostOfASlice);
+  return clamp(occlusionAt(point), 0.0, maximumSliceOcclusion);
 }

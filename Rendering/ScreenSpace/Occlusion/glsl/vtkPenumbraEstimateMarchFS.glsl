@@ -2,31 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The march kernel: rays through one layer of depth, whose surfaces have a soft thickness. A slice
-// through the eye and the point is searched as by the horizon kernel; against what was found on each
-// side a fan of rays is held, each blocked with probability exp(-b / thickness), b the smallest
-// distance by which it passes behind something. Rays that pass from before a surface to behind it
-// within one step have met it. D = 1 up to the radius.
+// through the camera and the point is sampled as by the horizon kernel. On each side a fan of rays
+// is tested against the sampled surface points. A ray is blocked with probability exp(-b /
+// thickness), where b is the smallest distance by which it passes behind a sampled point. A ray
+// that goes from in front of a surface to behind it within one step hits that surface. D = 1 up to
+// the radius.
 
 const int stepsPerSide = 4; // a sample of the sequence is one slice of 2 * stepsPerSide fetches
-const int raysPerSide = 8; // measured: with 4 a tolerance takes twice the samples
+// Number of rays per side of a slice. With 4, the same tolerance takes twice the samples.
+const int raysPerSide = 8;
 
-// Neighbouring finds with less depth between them than this times their distance across the view
-// belong to one surface.
-const float steepest = 4.0;
+// Two successive sampled points belong to one surface if their difference in depth is less than
+// this multiple of their distance across the view.
+const float maximumSlope = 4.0;
 
-// A ray this near to a surface, in radii, lies on it.
-const float nearlyMet = 1e-3;
+// Distance within which a ray counts as on a surface, in radii.
+const float contactDistance = 1e-3;
 
-// Positions and directions in a slice: x across the view, away from the point, y towards the eye.
+// Positions and directions in a slice: x across the view, away from the point; y towards the
+// camera.
 struct SliceSide
 {
-  vec2 normal; // of the surface, unit
-  vec2 found[stepsPerSide];
-  vec2 away[stepsPerSide]; // unit, from the eye through what was found
+  vec2 normal; // projected normal of the surface, divided by its length
+  vec2 sampled[stepsPerSide];
+  vec2 viewDirection[stepsPerSide]; // unit vectors from the camera through the sampled points
 };
 
-// `up` is the normal divided by its share in the slice: heights are taken over the tangent plane, so
-// that the centres of pixels beside the slice's line do no harm.
+// Samples one side of a slice. `up` is the normal divided by its length projected into the slice.
+// Heights are measured from the tangent plane, so that pixel centers off the line of the slice
+// cause no error.
 SliceSide searchSide(SurfacePoint point, vec3 view, vec3 across, vec3 up, vec2 step, float shift)
 {
   SliceSide side;
@@ -36,50 +40,53 @@ SliceSide searchSide(SurfacePoint point, vec3 view, vec3 across, vec3 up, vec2 s
   for (int i = 0; i < stepsPerSide; ++i)
   {
     vec3 position = eyePositionAt(point.pixel + step * (float(i) + shift));
-    vec3 way = position - point.position;
-    vec3 away = perspective > 0.5 ? position : vec3(0.0, 0.0, -1.0);
-    side.found[i] = dot(way, along) * tangent + dot(way, up) * side.normal;
-    side.away[i] = normalize(vec2(dot(away, across), dot(away, view)));
+    vec3 offset = position - point.position;
+    vec3 viewDirection = perspective > 0.5 ? position : vec3(0.0, 0.0, -1.0);
+    side.sampled[i] = dot(offset, along) * tangent + dot(offset, up) * side.normal;
+    side.viewDirection[i] = normalize(vec2(dot(viewDirection, across), dot(viewDirection, view)));
   }
   return side;
 }
 
-// The probability that the ray in a unit direction is blocked.
-float blocked(SliceSide side, vec2 ray)
+// Returns the probability that the ray in a unit direction is blocked.
+float blockedProbability(SliceSide side, vec2 ray)
 {
-  vec2 last = vec2(0.0);
-  float lastGap = 0.0;
+  vec2 previous = vec2(0.0);
+  float previousGap = 0.0;
   float behind = 1e6;
   for (int i = 0; i < stepsPerSide; ++i)
   {
-    // Where the line of sight through what was found meets the ray.
-    vec2 found = side.found[i];
-    float across = side.away[i].x * ray.y - side.away[i].y * ray.x;
-    float gap = (found.y * ray.x - found.x * ray.y) / max(across, 1e-6);
-    vec2 met = found + gap * side.away[i];
-    // Or, from before a continuous surface to behind it, the surface between two finds.
-    bool through = lastGap < nearlyMet && abs(found.y - last.y) < steepest * (found.x - last.x);
-    met = through ? mix(last, found, lastGap / min(lastGap - gap, -1e-6)) : met;
-    bool passes = across > 1e-6 && gap > nearlyMet && dot(met, met) < 1.0;
-    behind = passes ? min(behind, through ? 0.0 : gap) : behind;
-    last = found;
-    lastGap = gap;
+    // Intersection of the ray with the view ray behind the sampled point.
+    vec2 sampled = side.sampled[i];
+    float across = side.viewDirection[i].x * ray.y - side.viewDirection[i].y * ray.x;
+    float gap = (sampled.y * ray.x - sampled.x * ray.y) / max(across, 1e-6);
+    vec2 hit = sampled + gap * side.viewDirection[i];
+    // If the ray crosses a continuous surface, the intersection with the segment between two
+    // points.
+    bool crosses = previousGap < contactDistance &&
+      abs(sampled.y - previous.y) < maximumSlope * (sampled.x - previous.x);
+    hit = crosses ? mix(previous, sampled, previousGap / min(previousGap - gap, -1e-6)) : hit;
+    bool passes = across > 1e-6 && gap > contactDistance && dot(hit, hit) < 1.0;
+    behind = passes ? min(behind, crosses ? 0.0 : gap) : behind;
+    previous = sampled;
+    previousGap = gap;
   }
   return exp(-behind / thickness);
 }
 
-// The part of a slice's cosine integral that one side blocks; `tilt` is the normal's angle, positive
-// towards this side. Sines and cosines are dear: each ray is the one before it, turned.
-float sideOcclusion(SliceSide side, float tilt, float shift)
+// Returns the part of the cosine-weighted integral over a slice that one side blocks. `normalAngle`
+// is the angle of the projected normal, positive towards this side. Each ray is the previous one,
+// rotated, because trigonometric functions are expensive.
+float sideOcclusion(SliceSide side, float normalAngle, float shift)
 {
-  float width = min(tilt + 0.5 * pi, pi) / float(raysPerSide);
-  mat2 turn = mat2(cos(width), -sin(width), sin(width), cos(width));
+  float width = min(normalAngle + 0.5 * pi, pi) / float(raysPerSide);
+  mat2 rotation = mat2(cos(width), -sin(width), sin(width), cos(width));
   vec2 ray = vec2(sin(shift * width), cos(shift * width));
   float sum = 0.0;
   for (int i = 0; i < raysPerSide; ++i)
   {
-    sum += max(dot(ray, side.normal), 0.0) * ray.x * blocked(side, ray);
-    ray = turn * ray;
+    sum += max(dot(ray, side.normal), 0.0) * ray.x * blockedProbability(side, ray);
+    ray = rotation * ray;
   }
   return sum * width;
 }
@@ -91,13 +98,14 @@ float sliceOcclusion(SurfacePoint point, vec3 view, vec4 xi)
   vec3 across = normalize(direction - view * dot(direction, view));
   vec3 axis = cross(view, across);
   vec3 projected = point.normal - axis * dot(point.normal, axis);
-  float share = length(projected);
-  float tilt = atan(dot(projected, across), dot(projected, view));
+  float projectedLength = length(projected);
+  float normalAngle = atan(dot(projected, across), dot(projected, view));
   vec2 step = direction.xy * radiusInPixels(point) / float(stepsPerSide);
-  vec3 up = point.normal / share;
+  vec3 up = point.normal / projectedLength;
   SliceSide right = searchSide(point, view, across, up, step, xi.y);
   SliceSide left = searchSide(point, view, -across, up, -step, xi.y);
-  return share * (sideOcclusion(right, tilt, xi.z) + sideOcclusion(left, -tilt, xi.z));
+  return projectedLength *
+    (sideOcclusion(right, normalAngle, xi.z) + sideOcclusion(left, -normalAngle, xi.z));
 }
 
 float occlusionAt(SurfacePoint point)

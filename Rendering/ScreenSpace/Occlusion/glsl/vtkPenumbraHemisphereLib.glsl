@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points in space around a surface point, and whether the eye sees them.
+// Visibility from the camera of points above a surface point.
 
-// A frame whose third axis is the normal.
-mat3 frameOf(vec3 normal)
+// Returns an orthonormal frame whose third axis is the normal.
+mat3 tangentFrame(vec3 normal)
 {
-  vec3 other = abs(normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-  vec3 tangent = normalize(cross(other, normal));
+  vec3 axis = abs(normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+  vec3 tangent = normalize(cross(axis, normal));
   return mat3(tangent, cross(normal, tangent), normal);
 }
 
-// Distance along the view axis of the tangent plane at a pixel's centre.
+// Returns the distance along the view axis of the tangent plane at a position in the image, in
+// pixels.
 float tangentDepth(SurfacePoint point, vec2 pixel)
 {
   vec2 plane = pixelToEye.xy * pixel + pixelToEye.zw;
@@ -21,13 +22,13 @@ float tangentDepth(SurfacePoint point, vec2 pixel)
   return perspective > 0.5 ? inPerspective : inParallel;
 }
 
-// How far a point over the surface lies behind what the eye sees there, in radii; negative: it is
-// seen. The point is moved to its pixel's centre along the tangent plane, so that its height over
-// the plane stays and an open plane hides nothing.
+// Returns the distance of a point behind the visible surface at its pixel, in radii; negative if
+// the point is visible. The point is moved to the pixel center parallel to the tangent plane. Its
+// height over the plane does not change, so that an open plane blocks no points.
 float depthBehind(SurfacePoint point, vec3 position)
 {
   vec2 exact = pixelOfPosition(position);
   vec2 center = floor(exact) + 0.5;
-  float moved = tangentDepth(point, center) - tangentDepth(point, exact);
-  return -position.z + moved - eyeDepthAt(center);
+  float shift = tangentDepth(point, center) - tangentDepth(point, exact);
+  return -position.z + shift - eyeDepthAt(center);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Instead of vtkPenumbraEstimateLib: an estimate that an estimator has drawn already.
+// Replaces vtkPenumbraEstimateLib if an estimator has already written its estimates to a texture.
 uniform sampler2D estimates;
 
 float estimateAt(SurfacePoint point)

@@ -3,30 +3,30 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// New samples join those of earlier frames [TSSAO eq. 4-9]. The history is fetched where the point
-// was in the previous picture, bilinearly, each of the four texels only if it lies on the plane
-// through the point: so a surface seen at a grazing angle keeps its history (eq. 8 alone would
-// reject it) and what just came into sight starts afresh.
+// Adds new samples to the reprojected history [TSSAO eq. 4-9]. The history is interpolated
+// bilinearly at the position of the point in the previous frame. Each of the four texels counts
+// only if it lies on the tangent plane of the point. Surfaces at grazing angles keep their history,
+// which eq. 8 alone would reject, and disoccluded pixels start without history.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SurfaceLib
 //VTK::Penumbra::EstimateLib
 //VTK::Penumbra::SoundLib
 uniform sampler2D history;         // r: sum, g: number of samples
 uniform sampler2D previousEyeDepths;
-uniform mat4 toPreviousEye;        // eye coordinates to those of the previous picture
+uniform mat4 toPreviousEye;        // from eye coordinates to those of the previous frame
 uniform vec4 previousPixelToEye;
-uniform vec2 previousPixelSize;    // 1 / size of the previous picture
+uniform vec2 previousPixelSize;    // 1 / size of the previous frame
 uniform float newSamples;
-uniform float maximumWeight;
-uniform float weightCap;           // no more of the history counts in this frame
-uniform float depthTolerance;      // relative, eq. 8
+uniform float maximumWeight;       // upper bound of the weight of all samples
+uniform float weightCap;           // upper bound of the weight of the history in this frame
+uniform float depthTolerance;      // maximum relative difference in depth, eq. 8
 
-// Nor is history kept from farther off the plane than so many radii: occlusion differs there. Measured,
-// `./penumbra benchmark ambient-occlusion --only noise`.
-const float farthestOff = 0.08;
+// Maximum distance of a history texel from the tangent plane, in radii: occlusion differs farther
+// away. Found with `./penumbra benchmark ambient-occlusion --only noise`.
+const float maximumPlaneDistance = 0.08;
 
-// What a sample of a neighbour counts: next to nothing, where there is anything else.
-const float borrowed = 0.01;
+// Weight of a sample taken from a neighboring pixel: negligible if the pixel has other samples.
+const float neighborSampleWeight = 0.01;
 
 vec2 previousPlane(vec2 pixel)
 {
@@ -44,42 +44,44 @@ float previousDepthAt(vec2 pixel)
   return texture(previousEyeDepths, pixel * previousPixelSize).r;
 }
 
-// Whether a pixel lies in a picture, given one by the picture's size.
+// Returns true if a pixel lies in an image. `sizeOfPixel`: 1 / size of the image.
 bool isInside(vec2 pixel, vec2 sizeOfPixel)
 {
   vec2 at = pixel * sizeOfPixel;
   return all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0)));
 }
 
-// The mean of the four nearest pixels of the history that lie on the plane through the point.
-vec2 keptHistory(vec3 position, vec3 normal)
+// Returns the weighted mean of the four nearest history texels that lie on the tangent plane of the
+// point.
+vec2 sampleHistory(vec3 position, vec3 normal)
 {
   vec2 at = previousPixel(position);
   vec2 corner = floor(at - 0.5) + 0.5;
-  vec2 share = at - corner;
-  // A pixel sees the plane at the depth d with d * perDepth = rest; both are linear over the picture, so
-  // that no pixel needs a division.
-  vec2 slope = normal.xy * previousPixelToEye.xy;
-  float aside = dot(normal.xy, previousPlane(corner));
-  float offset = dot(normal, position);
+  vec2 fraction = at - corner;
+  // At a pixel, the depth d of the plane satisfies d * perDepth = planeDepth. Both are linear
+  // functions of the pixel, so that no division is needed.
+  vec2 planeSlope = normal.xy * previousPixelToEye.xy;
+  float planeDot = dot(normal.xy, previousPlane(corner));
+  float planeOffset = dot(normal, position);
   vec2 sum = vec2(0.0);
   float weights = 1e-6;
   for (int i = 0; i < 4; ++i)
   {
     vec2 tap = vec2(float(i % 2), float(i / 2));
-    vec2 near = mix(1.0 - share, share, tap);
-    float tapAside = aside + dot(slope, tap);
-    float perDepth = perspective * tapAside - normal.z;
-    float rest = offset - (1.0 - perspective) * tapAside;
-    float found = previousDepthAt(corner + tap);
+    vec2 bilinear = mix(1.0 - fraction, fraction, tap);
+    float tapPlaneDot = planeDot + dot(planeSlope, tap);
+    float perDepth = perspective * tapPlaneDot - normal.z;
+    float planeDepth = planeOffset - (1.0 - perspective) * tapPlaneDot;
+    float tapDepth = previousDepthAt(corner + tap);
     float allowed =
-      depthTolerance < 1.0 ? min(depthTolerance * abs(rest), farthestOff) : abs(rest);
-    bool same = abs(found * perDepth - rest) < allowed;
-    float weight = same ? near.x * near.y : 0.0;
+      depthTolerance < 1.0 ? min(depthTolerance * abs(planeDepth), maximumPlaneDistance)
+                           : abs(planeDepth);
+    bool onPlane = abs(tapDepth * perDepth - planeDepth) < allowed;
+    float weight = onPlane ? bilinear.x * bilinear.y : 0.0;
     vec2 fetched = texture(history, (corner + tap) * previousPixelSize).rg;
-    vec2 known = soundHistory(fetched);
-    weight = known == fetched ? weight : 0.0;
-    sum += weight * known;
+    vec2 valid = finiteHistory(fetched);
+    weight = valid == fetched ? weight : 0.0;
+    sum += weight * valid;
     weights += weight;
   }
   return isInside(at, previousPixelSize) ? sum / weights : vec2(0.0);
@@ -91,16 +93,17 @@ vec2 keptHistory(vec3 position, vec3 normal)
 void main()
 {
   SurfacePoint point = surfaceAt(gl_FragCoord.xy);
-  mat4 motion = motionOf(actorAt(point.pixel));
+  mat4 motion = actorMotion(actorAt(point.pixel));
   vec3 before = (motion * vec4(point.position, 1.0)).xyz;
-  vec2 kept = keptHistory(before, mat3(motion) * point.normal);
-  float weight = min(kept.g, weightCap);
-  weight = min(weight, neighbourTrust(point, before));
+  vec2 reprojected = sampleHistory(before, mat3(motion) * point.normal);
+  float weight = min(reprojected.g, weightCap);
+  weight = min(weight, historyWeightLimit(point, before));
   float estimate = estimateAt(point);
-  bool isBorrowed = estimate < -0.5; // -1 - a mean: vtkPenumbraOcclusionEstimator::Estimate()
-  float samples = isBorrowed ? borrowed * newSamples : newSamples;
-  estimate = isBorrowed ? -1.0 - estimate : estimate;
+  // Values below -0.5 are -1 - mean of a neighbor: see vtkPenumbraOcclusionEstimator::Estimate().
+  bool isNeighborSample = estimate < -0.5;
+  float samples = isNeighborSample ? neighborSampleWeight * newSamples : newSamples;
+  estimate = isNeighborSample ? -1.0 - estimate : estimate;
   weight = min(weight, max(maximumWeight - newSamples, 0.0));
-  kept *= weight / max(kept.g, 1e-6);
-  gl_FragData[0] = vec4(kept + soundSamples(estimate, samples), 0.0, 1.0);
+  reprojected *= weight / max(reprojected.g, 1e-6);
+  gl_FragData[0] = vec4(reprojected + finiteSamples(estimate, samples), 0.0, 1.0);
 }

@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// New samples, to be added to those of earlier frames by blending.
+// Writes sum and number of new samples, which blending adds to those of earlier frames.
 //VTK::Penumbra::SoundLib
 uniform sampler2D estimates;
 uniform vec2 pixelSize;
@@ -12,5 +12,5 @@ uniform float newSamples;
 void main()
 {
   float estimate = texture(estimates, gl_FragCoord.xy * pixelSize).r;
-  gl_FragData[0] = vec4(soundSamples(estimate, newSamples), 0.0, 1.0);
+  gl_FragData[0] = vec4(finiteSamples(estimate, newSamples), 0.0, 1.0);
 }

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The visible surface at a pixel, from eye depths alone.
+// Position and normal of the visible surface at a pixel, reconstructed from eye depths.
 uniform sampler2D eyeDepths;
 
 struct SurfacePoint
 {
   vec2 pixel;
   vec3 position;
-  vec3 normal; // unit, towards the eye
+  vec3 normal; // unit, towards the camera
 };
 
 float eyeDepthAt(vec2 pixel)
@@ -16,26 +16,27 @@ float eyeDepthAt(vec2 pixel)
   return texture(eyeDepths, pixel * pixelSize).r;
 }
 
-// What the pixel that holds a point of the picture sees at its centre.
+// Returns the position visible at the center of the pixel that contains a point of the image.
 vec3 eyePositionAt(vec2 pixel)
 {
   return eyePosition(floor(pixel) + 0.5, eyeDepthAt(pixel));
 }
 
-// Of the ways to and from two neighbours, that of the one which lies on the same surface, as far as depths
-// tell. Where neither shows a surface: across the view, to the pixel ahead.
-vec3 nearerOf(vec3 ahead, vec3 behind, vec3 position, vec2 pixelAhead)
+// Returns the one-sided difference with the smaller change in depth, which most likely lies on the
+// surface of the point. If both neighbors are empty, returns the offset to the pixel ahead at the
+// depth of the point.
+vec3 minDiff(vec3 ahead, vec3 behind, vec3 position, vec2 pixelAhead)
 {
   vec3 nearer = abs(ahead.z) < abs(behind.z) ? ahead : behind;
   vec3 across = eyePosition(pixelAhead, -position.z) - position;
   return abs(nearer.z) < 0.5 * farAway ? nearer : across;
 }
 
-vec3 nearerNeighbour(vec3 position, vec2 pixel, vec2 way)
+vec3 minDiffNeighbor(vec3 position, vec2 pixel, vec2 direction)
 {
-  vec3 ahead = eyePositionAt(pixel + way) - position;
-  vec3 behind = position - eyePositionAt(pixel - way);
-  return nearerOf(ahead, behind, position, pixel + way);
+  vec3 ahead = eyePositionAt(pixel + direction) - position;
+  vec3 behind = position - eyePositionAt(pixel - direction);
+  return minDiff(ahead, behind, position, pixel + direction);
 }
 
 SurfacePoint surfaceAt(vec2 pixel)
@@ -43,8 +44,8 @@ SurfacePoint surfaceAt(vec2 pixel)
   SurfacePoint point;
   point.pixel = pixel;
   point.position = eyePositionAt(pixel);
-  vec3 right = nearerNeighbour(point.position, pixel, vec2(1.0, 0.0));
-  vec3 up = nearerNeighbour(point.position, pixel, vec2(0.0, 1.0));
+  vec3 right = minDiffNeighbor(point.position, pixel, vec2(1.0, 0.0));
+  vec3 up = minDiffNeighbor(point.position, pixel, vec2(0.0, 1.0));
   point.normal = normalize(cross(right, up));
   return point;
 }

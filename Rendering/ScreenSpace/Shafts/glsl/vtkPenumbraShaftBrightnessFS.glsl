@@ -3,36 +3,37 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Brightness, a colour's largest component, over cells of 16 x 16 pixels: r the sum of what is left of
-// the picture, g and b the least and largest scattered light, a the number of pixels.
-uniform sampler2D shafts;    // rgb: scattered light, a: transmittance
+// Reduces brightness, the largest component of a color, over cells of 16 x 16 pixels. r: sum of the
+// attenuated scene, g and b: minimum and maximum of the in-scattered light, a: number of pixels.
+uniform sampler2D shafts;      // rgb: in-scattered light, a: transmittance
 uniform sampler2D depthBuffer;
-uniform vec2 pixelSize;
-uniform float background;    // 1: the delegate draws it
-uniform vec3 behind;         // else its colour
-//VTK::Penumbra::Picture
+uniform vec2 pixelSize;        // 1 / size of the image
+uniform float background;      // 1: the delegate draws the background
+uniform vec3 backgroundColor;  // used if the delegate does not draw the background
+//VTK::Penumbra::SceneColor
 
-const int cell = 16;
+const int cellSize = 16; // as CellSize in ShaftAutoExposure.cxx
 
-float brightest(vec3 color)
+float brightnessOf(vec3 color)
 {
   return max(max(color.r, color.g), color.b);
 }
 
 void main()
 {
-  vec2 corner = float(cell) * floor(gl_FragCoord.xy);
-  vec4 found = vec4(0.0, 1e30, 0.0, 0.0);
-  for (int i = 0; i < cell * cell; ++i)
+  vec2 corner = float(cellSize) * floor(gl_FragCoord.xy);
+  vec4 result = vec4(0.0, 1e30, 0.0, 0.0);
+  for (int i = 0; i < cellSize * cellSize; ++i)
   {
-    vec2 pixel = corner + vec2(float(i % cell), float(i / cell)) + 0.5;
+    vec2 pixel = corner + vec2(float(i % cellSize), float(i / cellSize)) + 0.5;
     bool inside = all(lessThan(pixel * pixelSize, vec2(1.0)));
-    vec4 seen = pictureAt(pixel);
-    vec4 fog = texture(shafts, pixel * pixelSize);
-    float scattered = brightest(fog.rgb);
-    float left = fog.a * brightest(seen.rgb + (1.0 - seen.a) * behind);
-    vec4 here = vec4(found.r + left, min(found.g, scattered), max(found.b, scattered), found.a + 1.0);
-    found = inside ? here : found;
+    vec4 scene = sceneColorAt(pixel);
+    vec4 medium = texture(shafts, pixel * pixelSize);
+    float scattered = brightnessOf(medium.rgb);
+    float attenuated = medium.a * brightnessOf(scene.rgb + (1.0 - scene.a) * backgroundColor);
+    vec4 updated =
+      vec4(result.r + attenuated, min(result.g, scattered), max(result.b, scattered), result.a + 1.0);
+    result = inside ? updated : result;
   }
-  gl_FragData[0] = found;
+  gl_FragData[0] = result;
 }

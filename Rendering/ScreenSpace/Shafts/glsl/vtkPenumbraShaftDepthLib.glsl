@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which part of a view ray is lit, from depth alone. The way from the point at depth s of the view
-// ray to the light crosses the screen at plane + q (light.xy - plane light.z), whatever s, and there
-// s (1 - q light.z)^-1 is its depth: one march over q tells which s are shadowed, those that lie
-// behind what is seen there, by no more than its thickness. Shadowed bins of shares are kept as bits.
-// A lamp at M: 1/d becomes 1/d - q.
-uniform float thickness; // of what is seen, along the view axis
-uniform int steps;
-uniform float range;     // no surface is farther than this
+// Lit fraction of a view ray, from the depth buffer. The path from the point at depth s of the view
+// ray to the light projects to the screen positions plane + q (light.xy - plane light.z), for every
+// s. Its depth at q is s / (1 - q light.z). One march over q therefore finds all shadowed depths s:
+// those behind the visible surface by at most its thickness. The CDF of in-scattering along the ray
+// is divided into 64 bins; a bit of two words marks a shadowed bin. For a positional light at M,
+// 1/d becomes 1/d - q.
+uniform float thickness; // of visible surfaces, along the view axis
+uniform int steps;       // depth fetches per ray
+uniform float range;     // upper bound of the distance of every surface from the eye
 
-const float bias = 0.002;    // relative, against surfaces that shadow themselves
+const float bias = 0.002;    // relative depth offset against self-shadowing
 const float unreached = 1e30;
 
 // The lowest `count` bits.
@@ -19,7 +20,7 @@ uint lowBits(float count)
   return count >= 32.0 ? 0xffffffffu : (1u << uint(max(count, 0.0))) - 1u;
 }
 
-// Bins of which the part `point` lies between.
+// Bins whose reference point, the fraction `point` of a bin, lies between two values of the CDF.
 uvec2 bitsBetween(float low, float high, float point)
 {
   float first = ceil(low * 64.0 - point);
@@ -36,71 +37,71 @@ vec2 shadowedDepths(float depth, float q)
     return (span - q * light.z) / max(1.0 - q * light.w, 1e-6);
   }
   vec2 inverse = 1.0 / span - q * light.w;
-  float left = max(1.0 - q * light.z, 0.0);
-  return vec2(inverse.x > 0.0 ? left / inverse.x : unreached,
-    inverse.y > 0.0 ? left / inverse.y : unreached);
+  float remaining = max(1.0 - q * light.z, 0.0);
+  return vec2(inverse.x > 0.0 ? remaining / inverse.x : unreached,
+    inverse.y > 0.0 ? remaining / inverse.y : unreached);
 }
 
-// The q at which the way to the light ends, or leaves the picture.
-float lastStep(vec2 pixel, vec2 way)
+// The q at which the path reaches the light or leaves the image.
+float lastStep(vec2 pixel, vec2 pixelsPerQ)
 {
-  vec2 room = mix(pixel, 1.0 / pixelSize - pixel, step(0.0, way));
-  vec2 border = room / max(abs(way), 1e-9);
-  float ends = perspective > 0.5 ? 1.0 / max(light.z, 1e-9)
-                                 : (light.w > 0.5 ? 1.0 : range / max(abs(light.z), 1e-9));
-  return min(min(border.x, border.y), ends);
+  vec2 room = mix(pixel, 1.0 / pixelSize - pixel, step(0.0, pixelsPerQ));
+  vec2 edge = room / max(abs(pixelsPerQ), 1e-9);
+  float end = perspective > 0.5 ? 1.0 / max(light.z, 1e-9)
+                                : (light.w > 0.5 ? 1.0 : range / max(abs(light.z), 1e-9));
+  return min(min(edge.x, edge.y), end);
 }
 
-// A pixel is mixed from four texels: each starts a quarter of a step later, and looks at another quarter
-// of each bin, so that neither steps nor bins are seen.
+// A pixel is interpolated from four texels. Their marches start a quarter of a step apart and test
+// different quarters of each bin, which hides the spacing of steps and bins.
 float startOf(vec2 odd)
 {
   return 0.125 + 0.5 * odd.x + 0.25 * abs(odd.x - odd.y);
 }
 
-float quarterOf(vec2 odd)
+float binPointOf(vec2 odd)
 {
   return 0.125 + 0.5 * abs(odd.x - odd.y) + 0.25 * odd.y;
 }
 
-float litShareOf(Sight sight, vec2 pixel, float eyeDepth)
+float estimateLitFraction(ViewRay ray, vec2 pixel, float eyeDepth)
 {
-  float turn = perspective > 0.5 ? light.z : light.w;
-  vec2 way = (light.xy - sight.plane * turn) / pixelToEye.xy;
-  float stride = lastStep(pixel, way) / float(steps);
+  float planeFactor = perspective > 0.5 ? light.z : light.w;
+  vec2 pixelsPerQ = (light.xy - ray.plane * planeFactor) / pixelToEye.xy;
+  float stride = lastStep(pixel, pixelsPerQ) / float(steps);
   uvec2 shadowed = uvec2(0u);
-  float square = max(dot(way, way), 1e-12);
+  float square = max(dot(pixelsPerQ, pixelsPerQ), 1e-12);
   vec2 odd = mod(floor(pixel), 2.0);
   float start = startOf(odd);
-  float point = quarterOf(odd);
-  float before = eyeDepth;
-  vec2 last = vec2(eyeDepth, eyeDepth + thickness);
+  float point = binPointOf(odd);
+  float previousDepth = eyeDepth;
+  vec2 previousSpan = vec2(eyeDepth, eyeDepth + thickness);
   for (int i = 0; i < steps; ++i)
   {
-    // A depth is that of its texel's middle.
-    vec2 at = floor(pixel + stride * (float(i) + start) * way) + 0.5;
-    float q = max(dot(at - pixel, way) / square, 0.0);
-    float depth = texture(eyeDepths, at * pixelSize).r * (1.0 + bias);
-    // A surface goes on between two steps that both show it; where another one comes into sight, a step
-    // stands for what lies half a step before and after it.
-    vec2 depths = shadowedDepths(depth, q);
-    bool same = abs(depth - before) < thickness;
-    vec2 sooner = last;
-    vec2 later = depths;
-    if (!same)
+    // A depth is valid at the center of its texel.
+    vec2 texel = floor(pixel + stride * (float(i) + start) * pixelsPerQ) + 0.5;
+    float q = max(dot(texel - pixel, pixelsPerQ) / square, 0.0);
+    float depth = texture(eyeDepths, texel * pixelSize).r * (1.0 + bias);
+    // Consecutive steps on the same surface are connected. On a new surface, a step covers half a
+    // step before and half a step after it.
+    vec2 span = shadowedDepths(depth, q);
+    bool sameSurface = abs(depth - previousDepth) < thickness;
+    vec2 before = previousSpan;
+    vec2 after = span;
+    if (!sameSurface)
     {
-      sooner = shadowedDepths(depth, max(q - 0.5 * stride, 0.0));
-      later = shadowedDepths(depth, min(q + 0.5 * stride, stride * float(steps)));
+      before = shadowedDepths(depth, max(q - 0.5 * stride, 0.0));
+      after = shadowedDepths(depth, min(q + 0.5 * stride, stride * float(steps)));
     }
-    float low = min(min(sooner.x, later.x), depths.x);
-    float high = max(max(sooner.y, later.y), depths.y);
+    float low = min(min(before.x, after.x), span.x);
+    float high = max(max(before.y, after.y), span.y);
     if (depth < 0.5 * farAway && low < eyeDepth)
     {
-      shadowed |= bitsBetween(shareOfLength(sight, max(low, 0.0) * sight.reach),
-        shareOfLength(sight, max(min(high, eyeDepth), 0.0) * sight.reach), point);
+      shadowed |= bitsBetween(cdfOfLength(ray, max(low, 0.0) * ray.lengthPerDepth),
+        cdfOfLength(ray, max(min(high, eyeDepth), 0.0) * ray.lengthPerDepth), point);
     }
-    before = depth;
-    last = depths;
+    previousDepth = depth;
+    previousSpan = span;
   }
-  return litOf(sight, shadowed);
+  return litFractionOf(ray, shadowed);
 }

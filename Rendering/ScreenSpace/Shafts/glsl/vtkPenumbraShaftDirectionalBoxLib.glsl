@@ -1,58 +1,59 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light from infinitely far into a medium with bounds, where its way through the medium differs from
-// point to point: bins of equal loss along the view ray.
+// Directional light in a bounded medium, where the path of the light through the medium differs
+// from point to point. Bins along the view ray have equal extinction.
 
-Sight sightThrough(vec2 pixel, float eyeDepth)
+ViewRay makeViewRay(vec2 pixel, float eyeDepth)
 {
-  return sightAlong(pixel, eyeDepth);
+  return clipViewRay(pixel, eyeDepth);
 }
 
-// What is lost along a length.
-float lossOver(float span)
+// Fraction of the light that a path of this length in the medium extinguishes.
+float extinguishedFraction(float span)
 {
   float depth = extinction * span;
-  return depth < thin ? depth : 1.0 - exp(-depth);
+  return depth < thinOpticalDepth ? depth : 1.0 - exp(-depth);
 }
 
-// The share at which a ray has a length.
-float shareOfLength(Sight sight, float span)
+// Coordinate in [0, 1] of the point at a length along the ray.
+float cdfOfLength(ViewRay ray, float span)
 {
-  float whole = max(lossOver(sight.end - sight.begin), 1e-20);
-  return clamp(lossOver(max(span - sight.begin, 0.0)) / whole, 0.0, 1.0);
+  float total = max(extinguishedFraction(ray.end - ray.begin), 1e-20);
+  return clamp(extinguishedFraction(max(span - ray.begin, 0.0)) / total, 0.0, 1.0);
 }
 
-// What is left of the light where a share of the view ray has passed.
-float leftAt(Sight sight, float share)
+// Transmittance between the light and the point at the coordinate `cdf` of the ray.
+float transmittanceToLight(ViewRay ray, float cdf)
 {
-  float whole = lossOver(sight.end - sight.begin);
-  float lost = share * whole;
-  float span = sight.begin + (whole < thin ? lost : -log(max(1.0 - lost, 1e-8))) / extinction;
-  vec3 point = sight.start + span * sight.direction;
-  return exp(-extinction * wayInMedium(point, light.xyz, 1e18));
+  float total = extinguishedFraction(ray.end - ray.begin);
+  float lost = cdf * total;
+  float span =
+    ray.begin + (total < thinOpticalDepth ? lost : -log(max(1.0 - lost, 1e-8))) / extinction;
+  vec3 point = ray.start + span * ray.direction;
+  return exp(-extinction * lengthInMedium(point, light.xyz, 1e18));
 }
 
-// What a lit ray scatters in all, but for the light's colour.
-float scatteredIn(Sight sight)
+// In-scattering of a fully lit ray for a light of color 1.
+float inScattering(ViewRay ray)
 {
-  const int pieces = 32;
+  const int intervals = 32;
   float sum = 0.0;
-  for (int i = 0; i < pieces; ++i)
+  for (int i = 0; i < intervals; ++i)
   {
-    sum += leftAt(sight, (float(i) + 0.5) / float(pieces));
+    sum += transmittanceToLight(ray, (float(i) + 0.5) / float(intervals));
   }
-  float path = lossOver(sight.end - sight.begin) / extinction;
-  return path * scattering * phaseFunction(dot(light.xyz, sight.direction)) * sum / float(pieces);
+  float path = extinguishedFraction(ray.end - ray.begin) / extinction;
+  return path * scattering * phaseFunction(dot(light.xyz, ray.direction)) * sum / float(intervals);
 }
 
-// The lit part of what the ray scatters; each of 64 shadowed bins of shares is a bit.
-float litOf(Sight sight, uvec2 shadowed)
+// Lit fraction of the in-scattering; each bit marks one of 64 bins as shadowed.
+float litFractionOf(ViewRay ray, uvec2 shadowed)
 {
   vec2 sums = vec2(0.0);
   for (int i = 0; i < 64; ++i)
   {
-    float amount = leftAt(sight, (float(i) + 0.5) / 64.0);
+    float amount = transmittanceToLight(ray, (float(i) + 0.5) / 64.0);
     uint word = i < 32 ? shadowed.x : shadowed.y;
     sums += amount * vec2(1.0, float(1u - ((word >> uint(i & 31)) & 1u)));
   }

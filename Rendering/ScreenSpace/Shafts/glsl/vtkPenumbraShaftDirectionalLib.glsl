@@ -1,31 +1,32 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light from infinitely far in a medium without end: all in closed form.
+// Directional light in an unbounded medium: everything has a closed form.
 
-Sight sightThrough(vec2 pixel, float eyeDepth)
+ViewRay makeViewRay(vec2 pixel, float eyeDepth)
 {
-  return sightAlong(pixel, eyeDepth);
+  return clipViewRay(pixel, eyeDepth);
 }
 
-// What is lost along a length, and what is scattered, are in proportion.
-float lossOver(float span)
+// Fraction of the light that a path of this length in the medium extinguishes.
+// In-scattering is proportional to it.
+float extinguishedFraction(float span)
 {
   float depth = extinction * span;
-  return depth < thin ? depth : 1.0 - exp(-depth);
+  return depth < thinOpticalDepth ? depth : 1.0 - exp(-depth);
 }
 
-// The share at which a ray has a length.
-float shareOfLength(Sight sight, float span)
+// Coordinate in [0, 1] of the point at a length along the ray.
+float cdfOfLength(ViewRay ray, float span)
 {
-  return clamp(lossOver(span) / max(lossOver(sight.end), 1e-20), 0.0, 1.0);
+  return clamp(extinguishedFraction(span) / max(extinguishedFraction(ray.end), 1e-20), 0.0, 1.0);
 }
 
-// What a lit ray scatters in all, but for the light's colour.
-float scatteredIn(Sight sight)
+// In-scattering of a fully lit ray for a light of color 1.
+float inScattering(ViewRay ray)
 {
-  float path = lossOver(sight.end) / extinction;
-  return path * scattering * phaseFunction(dot(light.xyz, sight.direction));
+  float path = extinguishedFraction(ray.end) / extinction;
+  return path * scattering * phaseFunction(dot(light.xyz, ray.direction));
 }
 
 float countBits(uvec2 bits)
@@ -37,8 +38,8 @@ float countBits(uvec2 bits)
   return float(bits.x + bits.y);
 }
 
-// The lit part of what the ray scatters; each of 64 shadowed bins of shares is a bit.
-float litOf(Sight sight, uvec2 shadowed)
+// Lit fraction of the in-scattering; each bit marks one of 64 bins as shadowed.
+float litFractionOf(ViewRay ray, uvec2 shadowed)
 {
   return 1.0 - countBits(shadowed) / 64.0;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The lit share from what glows: a colour, of one light alone.
-vec3 litBy(int number, vec3 share)
+// Lit fraction of the radial blur: one color, for groups of a single light.
+vec3 litFraction(int number, vec3 fraction)
 {
-  return share;
+  return fraction;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lit shares from depth: one number for each light.
-vec3 litBy(int number, vec3 shares)
+// Lit fractions of the depth march: one component per light of the group.
+vec3 litFraction(int number, vec3 fractions)
 {
-  return vec3(shares[number]);
+  return vec3(fractions[number]);
 }

@@ -1,68 +1,71 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light from a point, with VTK's attenuation and cone: bins of equal angles seen from the light.
+// Positional light with the attenuation and cone of vtkLight. Bins along the view ray subtend equal
+// angles at the light (equiangular sampling).
 uniform vec3 attenuation;   // constant, linear, quadratic
-uniform vec4 cone;          // the way a spot shines, and the cosine of its cone; -2: none
+uniform vec4 cone;          // xyz: direction of a spotlight, w: cosine of its cone angle; -2: no cone
 uniform float coneExponent;
 
-const float endOfSight = 18.0; // mean free paths after which nothing is left
+const float maximumOpticalDepth = 18.0; // exp(-18) is below 2e-8: the rest of the ray is invisible
 
-Sight sightThrough(vec2 pixel, float eyeDepth)
+ViewRay makeViewRay(vec2 pixel, float eyeDepth)
 {
-  Sight sight = sightAlong(pixel, eyeDepth);
-  sight.end = min(sight.end, sight.begin + endOfSight / extinction);
-  vec3 towards = light.xyz - sight.start;
-  sight.closest = dot(towards, sight.direction);
-  sight.pass = max(length(towards - sight.closest * sight.direction), 1e-5 * sight.end);
-  sight.angles = atan((vec2(sight.begin, sight.end) - sight.closest) / sight.pass);
-  return sight;
+  ViewRay ray = clipViewRay(pixel, eyeDepth);
+  ray.end = min(ray.end, ray.begin + maximumOpticalDepth / extinction);
+  vec3 toLight = light.xyz - ray.start;
+  ray.closestApproach = dot(toLight, ray.direction);
+  ray.lightDistance = max(length(toLight - ray.closestApproach * ray.direction), 1e-5 * ray.end);
+  ray.angles = atan((vec2(ray.begin, ray.end) - ray.closestApproach) / ray.lightDistance);
+  return ray;
 }
 
-// The share at which a ray has a length.
-float shareOfLength(Sight sight, float span)
+// Coordinate in [0, 1] of the point at a length along the ray.
+float cdfOfLength(ViewRay ray, float span)
 {
-  float angle = atan((span - sight.closest) / sight.pass) - sight.angles.x;
-  return clamp(angle / max(sight.angles.y - sight.angles.x, 1e-9), 0.0, 1.0);
+  float angle = atan((span - ray.closestApproach) / ray.lightDistance) - ray.angles.x;
+  return clamp(angle / max(ray.angles.y - ray.angles.x, 1e-9), 0.0, 1.0);
 }
 
-// What a lit ray scatters at a share, for each unit of share.
-float lampScatters(Sight sight, float share)
+// In-scattering of a lit ray per unit of the coordinate `cdf`.
+float inScatteringDensity(ViewRay ray, float cdf)
 {
-  float angle = mix(sight.angles.x, sight.angles.y, share);
-  float aside = sight.pass * tan(angle);
-  float span = sight.closest + aside;
-  vec3 point = sight.start + span * sight.direction;
-  vec3 way = light.xyz - point;
-  float away = length(way);
-  vec3 towards = way / away;
-  float cosine = -dot(towards, cone.xyz);
+  float angle = mix(ray.angles.x, ray.angles.y, cdf);
+  float offset = ray.lightDistance * tan(angle);
+  float span = ray.closestApproach + offset;
+  vec3 point = ray.start + span * ray.direction;
+  vec3 toLight = light.xyz - point;
+  float distanceToLight = length(toLight);
+  vec3 direction = toLight / distanceToLight;
+  float cosine = -dot(direction, cone.xyz);
   float spot = cone.w < -1.5 ? 1.0 : cosine < cone.w ? 0.0 : pow(max(cosine, 0.0), coneExponent);
-  float strength = spot / max(dot(attenuation, vec3(1.0, away, away * away)), 1e-20);
-  float stretch = (sight.pass + aside * aside / sight.pass) * (sight.angles.y - sight.angles.x);
-  return stretch * strength * scattering * phaseFunction(dot(towards, sight.direction)) *
-    exp(-extinction * (span - sight.begin + wayInMedium(point, towards, away)));
+  float strength =
+    spot / max(dot(attenuation, vec3(1.0, distanceToLight, distanceToLight * distanceToLight)), 1e-20);
+  float lengthPerCdf =
+    (ray.lightDistance + offset * offset / ray.lightDistance) * (ray.angles.y - ray.angles.x);
+  return lengthPerCdf * strength * scattering * phaseFunction(dot(direction, ray.direction)) *
+    exp(-extinction * (span - ray.begin + lengthInMedium(point, direction, distanceToLight)));
 }
 
-// What a lit ray scatters in all, but for the light's colour.
-float scatteredIn(Sight sight)
+// In-scattering of a fully lit ray for a light of color 1.
+float inScattering(ViewRay ray)
 {
-  const int pieces = 32;
+  const int intervals = 32;
   float sum = 0.0;
-  for (int i = 0; i < pieces; ++i)
+  for (int i = 0; i < intervals; ++i)
   {
-    sum += lampScatters(sight, (float(i) + 0.5) / float(pieces));
+    sum += inScatteringDensity(ray, (float(i) + 0.5) / float(intervals));
   }
-  return sum / float(pieces);
+  return sum / float(intervals);
 }
 
-// The lit part of what the ray scatters; each of 64 shadowed bins of shares is a bit.
-float litOf(Sight sight, uvec2 shadowed)
+// Lit fraction of the in-scattering; each bit marks one of 64 bins as shadowed.
+float litFractionOf(ViewRay ray, uvec2 shadowed)
 {
   vec2 sums = vec2(0.0);
   for (int i = 0; i < 64; ++i)
   {
-    float amount = lampScatters(sight, (float(i) + 0.5) / 64.0);
+    float amount = inScatteringDensity(ray, (float(i) + 0.5) / 64.0);
     uint word = i < 32 ? shadowed.x : shadowed.y;
     sums += amount * vec2(1.0, float(1u - ((word >> uint(i & 31)) & 1u)));
   }

@@ -3,63 +3,67 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which part of a view ray is lit, as the paper guesses it: the mean of what glows on the screen
-// segment from the pixel to the light [Shafts eq. 3 and 4]; or one of its chained passes, each of which
-// takes the mean of the one before (13.8). At geometric distances from the light steps add up as
-// exponents, so that the passes together are one long loop. Departures: samples are divided by n and
-// all weighted; decay counts for each 1/64 of the way; evenly spaced ways end at the picture's border,
-// others within a guard band; behind the camera shadows fade.
+// Lit fraction of a view ray, estimated by radial blur: the mean emission on the screen segment
+// from the pixel to the light [Shafts eq. 3 and 4], or one of several chained passes, each of which
+// averages the result of the previous one (13.8). With geometric spacing the steps add up as
+// exponents, so that the passes together are one long loop. Departures from the paper:
+// - Samples are divided by their number, and all of them are weighted.
+// - Decay applies per 1/64 of the path.
+// - Evenly spaced samples end at the image edge, others within a guard band.
+// - Shadows fade out when the light is behind the camera.
 //VTK::Penumbra::ViewLib
-uniform sampler2D glows;
+uniform sampler2D emission;
 uniform sampler2D eyeDepths;
-uniform vec4 light;       // where it is (w = 1), or the unit direction towards it (w = 0)
+uniform vec4 light;         // position (w = 1), or unit direction towards the light (w = 0)
 uniform int steps;
-uniform float density;    // the even way is this much shorter
-uniform float evenly;     // 1: the same distance between samples, 0: geometric
-uniform vec2 growth;      // geometric: logarithm of the factor of a step; the step where that is 0
-uniform float first;      // in steps of the long loop
-uniform float leap;       // between samples, in these steps
-uniform float decay;      // for each sample
+uniform float density;      // divides the length of the evenly spaced path
+uniform float evenSpacing;  // 1: samples are evenly spaced, 0: geometrically
+uniform vec2 spacingGrowth; // geometric: logarithm of the factor per step; the step while that is 0
+uniform float firstStep;    // in steps of the long loop
+uniform float stepStride;   // between samples, in steps of the long loop
+uniform float decay;        // per sample
 uniform float weight;
-uniform float last;       // 1: the last pass
+uniform float isLastPass;   // 1: the last of the chained passes
 
-vec2 wayToLight(vec2 pixel, float turn)
+vec2 pathToLight(vec2 pixel, float planeFactor)
 {
   vec2 plane = pixelToEye.xy * pixel + pixelToEye.zw;
-  return (light.xy - plane * turn) / pixelToEye.xy;
+  return (light.xy - plane * planeFactor) / pixelToEye.xy;
 }
 
-// Up to where the way from a pixel goes: to the light, or to the picture's border.
-float evenStride(vec2 pixel, vec2 way, float turn)
+// Step of a path that ends at the light or at the image edge, as a fraction of `path`.
+float evenStride(vec2 pixel, vec2 path, float planeFactor)
 {
-  vec2 room = mix(pixel, 1.0 / pixelSize - pixel, step(0.0, way));
-  vec2 border = room / max(abs(way), 1e-9);
-  return min(min(border.x, border.y), 1.0 / max(turn, 1e-6)) / (density * float(steps));
+  vec2 room = mix(pixel, 1.0 / pixelSize - pixel, step(0.0, path));
+  vec2 edge = room / max(abs(path), 1e-9);
+  return min(min(edge.x, edge.y), 1.0 / max(planeFactor, 1e-6)) / (density * float(steps));
 }
 
-float geometricWay(float exponent, float turn)
+float geometricPosition(float exponent, float planeFactor)
 {
-  float shrunk = growth.x * exponent;
-  return abs(growth.x) < 1e-5 ? growth.y * exponent : (1.0 - exp(shrunk)) / turn;
+  float logFactor = spacingGrowth.x * exponent;
+  return abs(spacingGrowth.x) < 1e-5 ? spacingGrowth.y * exponent
+                                     : (1.0 - exp(logFactor)) / planeFactor;
 }
 
 void main()
 {
   vec2 pixel = gl_FragCoord.xy;
-  float turn = perspective > 0.5 ? light.z : light.w;
-  vec2 way = wayToLight(pixel, turn);
-  float stride = evenStride(pixel, way, turn);
+  float planeFactor = perspective > 0.5 ? light.z : light.w;
+  vec2 path = pathToLight(pixel, planeFactor);
+  float stride = evenStride(pixel, path, planeFactor);
   vec3 sum = vec3(0.0);
-  float share = 1.0;
+  float sampleWeight = 1.0;
   for (int i = 0; i < steps; ++i)
   {
-    float exponent = leap * float(i) + first;
-    float gone = evenly > 0.5 ? stride * exponent : geometricWay(exponent, turn);
-    sum += share * texture(glows, (pixel + gone * way) * pixelSize).rgb;
-    share *= decay;
+    float exponent = stepStride * float(i) + firstStep;
+    float position =
+      evenSpacing > 0.5 ? stride * exponent : geometricPosition(exponent, planeFactor);
+    sum += sampleWeight * texture(emission, (pixel + position * path) * pixelSize).rgb;
+    sampleWeight *= decay;
   }
   vec3 mean = sum / float(steps);
-  float before = smoothstep(-0.2, 0.2, light.z / length(light.xyz));
-  vec3 lit = last > 0.5 ? mix(vec3(1.0), weight * mean, before) : mean;
+  float inFront = smoothstep(-0.2, 0.2, light.z / length(light.xyz));
+  vec3 lit = isLastPass > 0.5 ? mix(vec3(1.0), weight * mean, inFront) : mean;
   gl_FragData[0] = vec4(lit, texture(eyeDepths, pixel * pixelSize).r);
 }

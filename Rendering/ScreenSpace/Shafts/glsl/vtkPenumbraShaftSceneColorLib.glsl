@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The scene's picture with one sample a pixel; alpha is the share that it covers.
+// Premultiplied color of the scene image with one sample per pixel; alpha is its coverage.
 uniform sampler2D colors;
 
-vec4 pictureAt(vec2 pixel)
+vec4 sceneColorAt(vec2 pixel)
 {
-  float covers = texture(depthBuffer, pixel * pixelSize).r < 1.0 ? 1.0 : background;
-  return covers * vec4(texture(colors, pixel * pixelSize).rgb, 1.0);
+  float coverage = texture(depthBuffer, pixel * pixelSize).r < 1.0 ? 1.0 : background;
+  return coverage * vec4(texture(colors, pixel * pixelSize).rgb, 1.0);
 }

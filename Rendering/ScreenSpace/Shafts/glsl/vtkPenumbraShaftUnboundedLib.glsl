@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A medium without end.
+// A medium without bounds.
 
-// Where a ray enters and leaves the medium.
-vec2 spanInMedium(vec3 start, vec3 direction, float end)
+// Lengths at which a ray of length `end` enters and leaves the medium.
+vec2 clipToMedium(vec3 start, vec3 direction, float end)
 {
   return vec2(0.0, end);
 }
 
-// How much of the way from a point to a light `away` lies in the medium.
-float wayInMedium(vec3 point, vec3 towards, float away)
+// Length inside the medium of the path from a point in it to a light at distance `lightDistance`.
+float lengthInMedium(vec3 point, vec3 toLight, float lightDistance)
 {
-  return away;
+  return lightDistance;
 }

@@ -3,8 +3,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which part of every view ray is lit by each of some lights, weighted by what it scatters. The picture
-// may be one pixel of each block of the scene's. rgb: shares, a: eye depth.
+// Lit fraction of every view ray for each light of a group, weighted by in-scattering. The output
+// may have one texel per block of pixels. rgb: one fraction per light, a: eye depth.
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::ShaftLib
 uniform sampler2D eyeDepths;
@@ -19,8 +19,8 @@ void main()
   for (int i = 0; i < lightCount; ++i)
   {
     light = lights[i];
-    vec3 own = vec3(equal(ivec3(0, 1, 2), ivec3(i)));
-    lit += own * litShareOf(sightThrough(pixel, eyeDepth), pixel, eyeDepth);
+    vec3 component = vec3(equal(ivec3(0, 1, 2), ivec3(i)));
+    lit += component * estimateLitFraction(makeViewRay(pixel, eyeDepth), pixel, eyeDepth);
   }
   gl_FragData[0] = vec4(lit, eyeDepth);
 }
