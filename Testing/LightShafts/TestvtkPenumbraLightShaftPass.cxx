@@ -133,11 +133,11 @@ TEST_F(LightShaftPass, MatchesPhaseFunctionsOfTheReference)
 TEST_F(LightShaftPass, AddsLights)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
-  const vtkSmartPointer<vtkLight> lamp = this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
+  const vtkSmartPointer<vtkLight> positional = this->Scene.AddLamp({ 1.0, 2.0, 3.0 });
   this->Scene.Pass->SetMargin(
     0.0); // otherwise the margin for a light outside of the image would apply to all lights
   const std::vector<double> both = this->Scene.RenderWithPass();
-  this->Scene.Pass->AddLight(lamp);
+  this->Scene.Pass->AddLight(positional);
   const std::vector<double> one = this->Scene.RenderWithPass();
   this->Scene.Pass->RemoveAllLights();
   this->Scene.Pass->AddLight(sun);

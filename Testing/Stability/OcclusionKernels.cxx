@@ -96,7 +96,7 @@ ScenarioResult CosineOnce(Variant variant)
   const auto kernel = NewKernel("volumetric");
   if (variant == Variant::Ablated)
   {
-    kernel->Replace("> 1e-4 ? 1.0", "> 1e-4 ? way.z");
+    kernel->Replace("> 1e-4 ? 1.0", "> 1e-4 ? direction.z");
   }
   return MeasureBeforeAWall(kernel, BehindWallFading);
 }
@@ -130,7 +130,7 @@ ScenarioResult OpenPlane(Variant variant)
   const auto kernel = NewKernel("depth-difference");
   if (variant == Variant::Ablated)
   {
-    kernel->Replace("sign(dot(way, point.normal)) * ", "");
+    kernel->Replace("sign(dot(offset, point.normal)) * ", "");
   }
   scene.Pass->SetEstimator(kernel);
   scene.Window->Render();

@@ -71,7 +71,7 @@ protected:
 };
 
 /// A gray image of 40x30 pixels with a box of another gray.
-vtkSmartPointer<vtkImageCanvasSource2D> Canvas(double grey, int boxSize)
+vtkSmartPointer<vtkImageCanvasSource2D> Canvas(double gray, int boxSize)
 {
   auto canvas = vtkSmartPointer<vtkImageCanvasSource2D>::New();
   canvas->SetScalarTypeToUnsignedChar();
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkImageCanvasSource2D> Canvas(double grey, int boxSize)
   canvas->SetExtent(0, 39, 0, 29, 0, 0);
   canvas->SetDrawColor(200, 200, 200);
   canvas->FillBox(0, 39, 0, 29);
-  canvas->SetDrawColor(grey, grey, grey);
+  canvas->SetDrawColor(gray, gray, gray);
   canvas->FillBox(10, 9 + boxSize, 10, 9 + boxSize);
   return canvas;
 }

@@ -153,11 +153,11 @@ TEST(vtkPenumbraImageComparison, IgnoresTheColorOfWhatIsTransparent)
 
 TEST(vtkPenumbraImageComparison, TreatsGrayAndBytesAndFloatsAsEqual)
 {
-  const Image grey = Bytes(12, 12, Constant({ 51 }));
+  const Image gray = Bytes(12, 12, Constant({ 51 }));
   const Image color = Bytes(12, 12, Constant({ 51, 51, 51, 255 }));
   const Image floats = Floats(12, 12, Constant({ 0.2, 0.2, 0.2, 1. }));
-  EXPECT_EQ(Value(grey, color, Comparison::MAXIMUM), 0.0);
-  EXPECT_NEAR(Value(grey, floats, Comparison::MAXIMUM), 0.0, 1e-7);
+  EXPECT_EQ(Value(gray, color, Comparison::MAXIMUM), 0.0);
+  EXPECT_NEAR(Value(gray, floats, Comparison::MAXIMUM), 0.0, 1e-7);
 }
 
 TEST(vtkPenumbraImageComparison, ComparesImagesSmallerThanTheWindow)
