@@ -27,7 +27,7 @@ struct OcclusionBenchmark
   std::string Output; ///< folder for results and images
   bool Diagnose = false;
   int Stride = 4; ///< distance between pixels with a reference value
-  int Rays = 32;  ///< squared: per such pixel
+  int Rays = 32;  ///< per such pixel, the square of this number
   ResultTable Results;
   std::map<std::string, OcclusionTruth> Truths; ///< by the scene's name
 

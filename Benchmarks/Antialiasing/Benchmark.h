@@ -41,7 +41,7 @@ void MeasureDenseMesh(Benchmark& benchmark);
 /// Packets of 16 rays against single rays, shaded.
 void MeasureBasePass(Benchmark& benchmark);
 
-/// Memory: a mesh of 10 million triangles; 1,000 pictures in one process.
+/// Memory: a mesh of 10 million triangles; 1,000 images in one process.
 void MeasureMemory(Benchmark& benchmark);
 
 /// Compares a result with its reference, records the quality of its error estimates, and writes

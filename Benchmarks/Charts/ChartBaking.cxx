@@ -41,7 +41,7 @@ struct Subject
 {
   vtkSmartPointer<vtkPolyData> Mesh;
   BakeInput Found;
-  std::vector<std::size_t> Known; ///< of the sites
+  std::vector<std::size_t> Known; ///< sites with a reference value
   std::vector<double> Truth;
 };
 

@@ -32,7 +32,7 @@ struct ChartStep
   std::string Scene;
   std::string Method;
   std::string Setting;
-  double Asked; ///< tolerance; 0: none
+  double Asked; ///< requested tolerance; 0: none
   std::function<Measurement()> Measure;
 };
 
@@ -40,9 +40,9 @@ struct ChartFamily
 {
   std::string Name;
   std::string Title;
-  std::string ErrorTitle; ///< of the axis
+  std::string ErrorTitle; ///< title of the error axis
   std::string CountTitle;
-  std::string Truth; ///< in one line
+  std::string Truth; ///< description of the reference in one line
   std::vector<ChartStep> Steps;
 };
 

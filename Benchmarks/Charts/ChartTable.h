@@ -17,10 +17,10 @@ struct ChartRow
   std::string Scene;
   std::string Method;
   std::string Setting;
-  double RequestedTolerance = 0.0; ///< tolerance; 0: the method takes none
+  double RequestedTolerance = 0.0; ///< 0: the method has no tolerance
   double Error = 0.0;
   double Seconds = 0.0; ///< CPU
-  double Count = 0.0;   ///< rays or samples a pixel
+  double Count = 0.0;   ///< rays or samples per pixel
 };
 
 class ChartTable
@@ -53,8 +53,8 @@ struct ParetoDistance
 {
   double Off = 0.0; ///< largest fraction by which another row is better in both error and cost
   std::string Than; ///< that row: method and setting
-  double TimesCost = 1.0;  ///< cost over the least for which an error as small is had
-  double TimesError = 1.0; ///< error over the least that is had for as little
+  double TimesCost = 1.0;  ///< cost relative to the cheapest row with at most this error
+  double TimesError = 1.0; ///< error relative to the best row with at most this cost
 };
 
 ParetoDistance DistanceToFront(

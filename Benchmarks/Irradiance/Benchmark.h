@@ -18,8 +18,8 @@ struct IrradianceBenchmark
 {
   std::string Meshes;   ///< folder with the .off files of Debian's libcgal-demo
   std::string Output;   ///< folder for results
-  std::string Radiance; ///< Python that has pyradiance; empty: left out
-  std::string MeshLab;  ///< Python that has pymeshlab; empty: left out
+  std::string Radiance; ///< Python that has pyradiance; empty: skipped
+  std::string MeshLab;  ///< Python that has pymeshlab; empty: skipped
   ResultTable Results;
 };
 

@@ -24,7 +24,8 @@ namespace
 {
 
 constexpr int Points = 48;
-constexpr int DirectionsAlong = 256; ///< both sides of the square of those that tell what is hidden
+constexpr int DirectionsAlong =
+  256; ///< square root of the number of rays that determine the hidden triangles
 
 /// Errors at which times are compared: typical of records, and typical of references.
 constexpr double Targets[] = { .004, .0008 };
@@ -32,7 +33,7 @@ constexpr double Targets[] = { .004, .0008 };
 struct Looks
 {
   std::vector<double> Means;
-  double Seconds = 0.0; ///< of one look
+  double Seconds = 0.0; ///< per hemisphere
 };
 
 std::vector<glm::vec3> PointsOnFloors(int along, int storeys)

@@ -90,7 +90,7 @@ struct Outcome
   double Plane = 0.0;
   double Sphere = 0.0;
   double All = 0.0;
-  double Seconds = 0.0; ///< of asking
+  double Seconds = 0.0; ///< of the queries
 };
 
 Outcome Ask(const vtkPenumbraIrradianceProvider* source, const std::vector<Point>& points)

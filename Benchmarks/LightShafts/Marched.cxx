@@ -69,7 +69,7 @@ struct Run
 {
   double Error = 0.0;
   double Seconds = 0.0;
-  double Rays = 0.0; ///< a pixel
+  double Rays = 0.0; ///< per pixel
 };
 
 Run ByRays(const std::vector<double>& exact, int steps, double tolerance)

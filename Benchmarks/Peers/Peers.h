@@ -14,9 +14,9 @@ namespace penumbra
 struct Peer
 {
   std::string Name;
-  std::string Program; ///< or, with a script, the variable that names its Python
-  std::string Joins;   ///< the family of charts
-  std::string Script;  ///< of Benchmarks/Peers/scripts, that drives it; empty: no script does
+  std::string Program; ///< executable; with a script, the environment variable of its Python
+  std::string Joins;   ///< family of charts in which the peer is used
+  std::string Script;  ///< file in Benchmarks/Peers/scripts; empty: no script is required
   std::vector<std::string> Settings;      ///< arguments of the script, from coarse to fine
   std::vector<std::string> LightSettings; ///< for scenes with area lights; empty: not supported
   std::string Path;                       ///< of the program or of Python; empty: not installed

@@ -25,9 +25,9 @@ struct PointQuery
 struct PointQueryScene
 {
   const Scene* Drawn = nullptr;
-  double Albedo = 0.0; ///< multiplies every diffuse colour
-  int Bounces = 1;     ///< the one at the place is the last
-  double Sky = 1.0;    ///< radiance from where nothing is
+  double Albedo = 0.0; ///< multiplies every diffuse color
+  int Bounces = 1;     ///< including the reflection at the point
+  double Sky = 1.0;    ///< radiance of the background
   std::vector<PointQuery> Questions;
   double Share = 1.0; ///< fraction of all points that these are; seconds are scaled to all
 };
@@ -36,7 +36,7 @@ struct PointQueryResult
 {
   std::vector<glm::dvec3>
     Light; ///< irradiance over pi; the unoccluded fraction if the sky is 1 and the albedo 0
-  double Seconds = 0.0; ///< CPU seconds, the tree ready where the program lets one tell
+  double Seconds = 0.0; ///< CPU seconds, without the acceleration structure if reported
   double RaysPerPlace = 0.0;
 };
 

@@ -25,7 +25,8 @@ using namespace penumbra;
 struct Measured
 {
   Scenario Row;
-  std::vector<ScenarioResult> Outcomes; ///< ours, broken, and VTK's where it has one
+  std::vector<ScenarioResult>
+    Outcomes; ///< Penumbra, the mechanism disabled, and VTK if the row has a peer
 };
 
 std::string Number(double value)

@@ -75,7 +75,7 @@ def box(file):
     panel("red", [0, 0, 0], y, z)
     panel("green", [1, 0, 0], y, z)
     panel("lamp", [.35, .35, .999], .3 * y, .3 * x)
-    panel("lamp", [.35, .35, .9991], .3 * x, .3 * y)  # There, both sides of a panel shine.
+    panel("lamp", [.35, .35, .9991], .3 * x, .3 * y)  # Panels of the reference emit on both sides.
     solid([.15, .5, 0], [.45, .8, .6])
     solid([.55, .2, 0], [.85, .5, .3])
     text = """void plastic white 0 0 5 .5 .5 .5 0 0

@@ -36,16 +36,16 @@ struct BruteForceScene
 /// Contents of a pixel, derived from its samples.
 enum class PixelKind : std::uint8_t
 {
-  Inside,    ///< the background alone, or one triangle
-  Crease,    ///< several triangles that hang together
-  Silhouette ///< background and surface, or surfaces that do not hang together inside the pixel
+  Inside,    ///< only background, or one triangle
+  Crease,    ///< several connected triangles
+  Silhouette ///< background and surface, or surfaces that are not connected within the pixel
 };
 
 struct BruteForcePicture
 {
   int Width = 0;
   int Height = 0;
-  std::vector<glm::dvec3> Colors; ///< row after row from below
+  std::vector<glm::dvec3> Colors; ///< row by row from the bottom
   std::vector<PixelKind> Kinds;
 };
 

@@ -12,7 +12,7 @@ namespace penumbra
 struct FadingOcclusion
 {
   double Radius;
-  double Power; ///< 0: everything within the radius counts in full
+  double Power; ///< 0: no falloff within the radius
 
   /// Occlusion of a floor at `distance` from an infinite wall that stands on it.
   double BeforeWall(double distance) const;

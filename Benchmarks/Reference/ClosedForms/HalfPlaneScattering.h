@@ -29,7 +29,7 @@ public:
   /// Bounds of the medium: they contain the edge of the half-plane and end above it.
   double Low[3] = { -Endless, -Endless, -Endless };
   double High[3] = { Endless, Endless, 2.0 };
-  double Intensity = 1.0; ///< of the sun
+  double Intensity = 1.0; ///< of the directional light
 
   /// Adds the plane, the camera (view angle 90 degrees) and the directional light, which is
   /// returned.

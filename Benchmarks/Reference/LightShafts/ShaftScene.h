@@ -43,9 +43,9 @@ public:
   /// Light added to each pixel (red channel only), row by row from the bottom.
   std::vector<double> RenderWithPass();
   std::vector<double> RenderWithRayCaster(int steps = 256, long long* shadowRays = nullptr);
-  /// Transmittance of each pixel as computed by the pass; valid after ByPass().
+  /// Transmittance of each pixel as computed by the pass; valid after RenderWithPass().
   std::vector<double> Transmittance();
-  /// Pixels within `reach` of a jump of depth, by the pass, after ByPass().
+  /// Pixels within `reach` pixels of a depth discontinuity; valid after RenderWithPass().
   std::vector<bool> NearEdges(int reach);
 
   const int Width;

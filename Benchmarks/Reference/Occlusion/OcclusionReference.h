@@ -20,7 +20,7 @@ struct SeenPoint
 {
   int Pixel;          ///< row * width + column
   double Position[3]; ///< world
-  double Normal[3];   ///< unit, geometric, facing the eye
+  double Normal[3];   ///< unit, geometric, facing the camera
 };
 
 /// Every `stride`-th pixel in both directions that shows a surface.
@@ -36,7 +36,7 @@ enum class Falloff
 struct OcclusionTruth
 {
   int Width = 0;
-  std::vector<int> Pixels; ///< that show a surface: row * width + column
+  std::vector<int> Pixels; ///< surface pixels: row * width + column
   std::vector<float> Constant;
   std::vector<float> Linear;
 };
