@@ -13,8 +13,8 @@ namespace penumbra
 namespace
 {
 
-/// The volumetric kernel takes what the eye does not see for what is blocked. Where that is so for 99
-/// of 100 points it estimates its own D.
+/// The volumetric kernel treats points that are not visible from the camera as occluded. Where this
+/// holds for 99 of 100 points, the kernel estimates its own D.
 void AddRestrictedBias(OcclusionBenchmark& benchmark, const OcclusionTestScene& scene,
   const OcclusionTruth& truth, const std::vector<float>& picture)
 {
@@ -36,7 +36,7 @@ void AddRestrictedBias(OcclusionBenchmark& benchmark, const OcclusionTestScene& 
   table.Add(scene.Name, "share of pixels where the eye judges as the surface does",
     count / static_cast<double>(misjudged.size()), TargetKind::None, 0.0, "at 99 % of 256 points");
   benchmark.Judge(scene.Name, "bias of volumetric there, D = 1 - t/R", std::abs(bias / count), .02,
-    "the tangent plane is known to a pixel");
+    "the tangent plane is known to the precision of a pixel");
   table.Add(
     scene.Name, "RMSE of volumetric there", Rmse(fair, Falloff::Linear, picture), TargetKind::None);
 }
@@ -70,7 +70,7 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
       if (name == "march")
       {
         benchmark.Judge(scene.Name, quantity, error, bars.at(scene.Name),
-          "one layer does not say how thick things are");
+          "a single depth layer does not contain the thickness of objects");
       }
       else
       {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parts of the benchmark of ambient occlusion. Each adds its figures to the table.
+// The parts of the ambient occlusion benchmark. Each adds its results to the table.
 #ifndef penumbra_AmbientOcclusionBenchmark_h
 #define penumbra_AmbientOcclusionBenchmark_h
 
@@ -18,30 +18,31 @@
 namespace penumbra
 {
 
-/// Three scanned meshes on a plane; `folder` holds the files of libcgal-demo.
+/// Three scanned meshes on a plane; `folder` contains the files of libcgal-demo.
 OcclusionTestScene Scans(const std::string& folder);
 
 struct OcclusionBenchmark
 {
   std::string Meshes; ///< folder with the .off files of libcgal-demo
-  std::string Output; ///< folder for results and pictures
+  std::string Output; ///< folder for results and images
   bool Diagnose = false;
-  int Stride = 4; ///< of the pixels with a truth
-  int Rays = 32;  ///< squared: per such pixel
+  int Stride = 4; ///< distance between pixels with a reference value
+  int Rays = 32;  ///< per such pixel, the square of this number
   ResultTable Results;
   std::map<std::string, OcclusionTruth> Truths; ///< by the scene's name
 
-  /// Adds a figure with a bar; where it is missed its remark says by how much and `why`.
+  /// Adds a result with an upper target; if it is missed, the remark states the ratio and the
+  /// reason `why`.
   void Judge(const std::string& scene, const std::string& quantity, double measured, double limit,
     const std::string& why)
   {
     char distance[32];
-    std::snprintf(distance, sizeof distance, "%.2f of the bar: ", measured / limit);
+    std::snprintf(distance, sizeof distance, "%.2f of the target: ", measured / limit);
     this->Results.Add(
       scene, quantity, measured, TargetKind::AtMost, limit, measured > limit ? distance + why : "");
   }
 
-  /// By rays, once for all parts.
+  /// Reference by rays, computed once for all parts.
   const OcclusionTruth& TruthOf(const OcclusionTestScene& scene)
   {
     OcclusionTruth& truth = this->Truths[scene.Name];
@@ -59,22 +60,23 @@ struct OcclusionBenchmark
   }
 };
 
-/// Every kernel, converged, against rays; and vtkSSAOPass.
+/// Every kernel, converged, and vtkSSAOPass, against rays.
 void MeasureAccuracy(OcclusionBenchmark& benchmark);
 
-/// True rays: after one frame, after 16, converged, and what a frame costs.
+/// Traced rays: after one frame, after 16, converged, and the time of a frame.
 void MeasureTraced(OcclusionBenchmark& benchmark);
 
-/// Times of frames: plain, with our pass, converged, with vtkSSAOPass.
+/// Times of frames: without ambient occlusion, with vtkPenumbraTemporalSSAOPass, converged, with
+/// vtkSSAOPass.
 void MeasureCost(OcclusionBenchmark& benchmark);
 
-/// Bytes a pixel.
+/// Bytes per pixel.
 void MeasureMemory(OcclusionBenchmark& benchmark);
 
-/// Whether the occlusion tells how many ranks drew the scene.
+/// Whether the occlusion depends on the number of ranks that render the scene.
 void MeasureRanks(OcclusionBenchmark& benchmark);
 
-/// Noise of still and moving pictures against their own limit.
+/// Noise of static and moving images relative to the images to which they converge.
 void MeasureNoise(OcclusionBenchmark& benchmark);
 
 }

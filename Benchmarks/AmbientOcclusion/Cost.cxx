@@ -19,10 +19,10 @@ namespace
 constexpr int WarmingFrames = 2;
 constexpr int Rounds = 11;
 
-/// Frames in motion until pixels have converged as far as the filter reaches.
+/// Number of frames in motion until the history of the pixels has converged.
 constexpr int HistoryFrames = 20;
 
-/// A window that draws its own copy of the scene in one way.
+/// A window that renders its own copy of the scene with one method.
 struct Variant
 {
   explicit Variant(const OcclusionTestScene& scene)
@@ -31,7 +31,7 @@ struct Variant
   {
   }
 
-  /// The next frame, the eye a little to one side and back.
+  /// Renders the next frame after a small camera movement to one side and back.
   void Draw(bool moves, bool counts)
   {
     if (moves)
@@ -54,7 +54,7 @@ struct Variant
   double Side = .25;
 };
 
-/// `memory`: how it is had, for the table.
+/// Measures all methods. `memory`: configuration of the C library, for the table.
 void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionTestScene()>& scene,
   const std::string& memory)
 {
@@ -103,9 +103,8 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionT
       table.Add(name, kernel + " / vtkSSAOPass 32", overhead / peer, TargetKind::None);
       continue;
     }
-    const std::string why =
-      "8 new samples and what follows them through frames are half of it; the "
-      "rest draws the margin, filters, darkens";
+    const std::string why = "8 new samples and their reprojection are half of the cost; the "
+                            "rest renders the margin, filters and composites";
     benchmark.Judge(name, kernel + " / vtkSSAOPass 32", overhead / peer, .25, why);
     benchmark.Judge(name, kernel + " / vtkSSAOPass 256", overhead / peer256, .05, why);
   }
@@ -113,7 +112,7 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionT
   if (scene().Name == "S400")
   {
     benchmark.Judge(name, "converged still frame / plain frame", converged, 1.05,
-      "one more step of the whole picture, which multiplies it and checks its depths");
+      "one more full-screen step multiplies the image by the occlusion and checks its depths");
   }
   else
   {
@@ -132,8 +131,8 @@ void MeasureCost(OcclusionBenchmark& benchmark)
         benchmark, [&]() { return benchmark.Scenes()[index]; }, memory);
     }
   };
-  // llvmpipe gets memory for every frame and gives it back. By default the C library hands much of it
-  // on to the system, and the page faults of the next frame are taken for its work.
+  // llvmpipe allocates and frees memory in every frame. By default, the C library returns much of
+  // it to the system, and the page faults of the next frame add to its time.
   measure("memory handed back");
   RetainFreedMemory();
   measure("memory kept");

@@ -15,7 +15,7 @@ namespace penumbra
 namespace
 {
 
-/// By how much the memory in use grows with every pixel more of a window.
+/// Growth of the memory in use per additional pixel of a window.
 double BytesPerPixel(const OcclusionTestScene& scene, const std::function<void()>& addPass,
   const std::function<void()>& change)
 {
@@ -26,7 +26,7 @@ double BytesPerPixel(const OcclusionTestScene& scene, const std::function<void()
   addPass();
   double bytes[2];
   const int heights[2] = { OcclusionWindow::Size[1] / 2, OcclusionWindow::Size[1] };
-  // Twice: by then all shaders are compiled.
+  // Rendered twice, so that all shaders are compiled.
   for (const int step : { 0, 1, 0, 1 })
   {
     window->SetSize(OcclusionWindow::Size[0], heights[step]);
@@ -70,7 +70,7 @@ void MeasureMemory(OcclusionBenchmark& benchmark)
   ResultTable& table = benchmark.Results;
   table.Add("S400", "plain window, bytes a pixel", plain, TargetKind::None);
   table.Add("S400", "memory of the pass, bytes a pixel", measure(true, false) - plain,
-    TargetKind::AtMost, 40.0, "a margin makes more pixels");
+    TargetKind::AtMost, 40.0, "measured without margin, which adds pixels");
   table.Add("S400", "memory of the pass where actors have moved, bytes a pixel",
     measure(true, true) - plain, TargetKind::AtMost, 40.0);
 }

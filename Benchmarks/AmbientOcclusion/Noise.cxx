@@ -15,11 +15,11 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-/// In motion: until there is history everywhere, and of these those that are compared.
+/// In motion: frames until every pixel has history, and frames that are compared.
 constexpr int MovingFrames = 32;
 constexpr int FollowedFrames = 8;
 
-/// Over pixels that show a surface and that `chosen` takes.
+/// RMS difference over surface pixels for which `chosen` is true.
 template <typename Choice>
 double Difference(const std::vector<float>& a, const std::vector<float>& b,
   const std::vector<float>& depth, const Choice& chosen)
@@ -37,8 +37,8 @@ double Difference(const std::vector<float>& a, const std::vector<float>& b,
   return pixels > 0.0 ? std::sqrt(sum / pixels) : 0.0;
 }
 
-/// What the pass converges to at this camera, nothing kept from before: much finer than any
-/// figure in every tile.
+/// Image to which the pass converges at this camera without earlier history, with a much smaller
+/// error than any target in every tile.
 std::vector<float> Limit(OcclusionWindow& screen)
 {
   screen.Ours->SetTolerance(1.5e-3);
@@ -79,13 +79,14 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     const std::vector<float> limit = Limit(screen);
     benchmark.Judge(scene.Name, "noise after 32 still frames, against its limit",
       Difference(after32, limit, depth, all), .006,
-      "352 samples a pixel by then, filtered no more from 150 on; what is left is noise that more "
-      "frames take away");
+      "352 samples per pixel by then, unfiltered from 150 on; the remaining noise decreases with "
+      "more frames");
     table.Add(scene.Name, "converged, against its limit", Difference(converged, limit, depth, all),
-      TargetKind::AtMost, .01, "believed of the worst 16x16 pixels: " + std::to_string(believed));
+      TargetKind::AtMost, .01,
+      "estimated error of the worst tile of 16x16 pixels: " + std::to_string(believed));
     table.Add(scene.Name, "change once converged", change, TargetKind::AtMost, 0.0);
 
-    // A quarter of a degree a frame.
+    // A quarter of a degree per frame.
     Start(screen, scene.Radius);
     Reprojection followed(OcclusionWindow::Size[0], OcclusionWindow::Size[1]);
     for (int frame = 0; frame < MovingFrames; ++frame)
@@ -102,14 +103,15 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     const std::vector<float> movedDepth = screen.Array("Depth");
     benchmark.Judge(scene.Name, "moving: standard deviation at points of the surface, 8 frames",
       followed.StandardDeviation(), .0015,
-      "what one layer of depth shows of the same point changes with the view; fewer new samples "
-      "would be steadier, and later");
+      "the occluders in a single depth layer change with the view; fewer new samples per frame "
+      "would be more stable, but slower to adapt");
     benchmark.Judge(scene.Name, "moving .25 degree a frame, against its limit",
       Difference(moving, Limit(screen), movedDepth, all), .02,
-      "history keeps what the last 15 degrees saw beside outlines; a shorter one is as far off by "
+      "next to silhouettes the history contains the last 15 degrees; a shorter history has the "
+      "same error by "
       "noise");
 
-    // Then a jump: what comes into sight starts with nothing.
+    // After a jump, disoccluded pixels start without history.
     Start(screen, scene.Radius);
     for (int frame = 0; frame < 16; ++frame)
     {
@@ -128,14 +130,14 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     {
       const std::string path = benchmark.Output + "/" + scene.Name;
       WritePicture(path + "-moving.png", moving);
-      WritePicture(path + "-convergence.png", convergence); // black: as far as it goes
+      WritePicture(path + "-convergence.png", convergence); // black: fully converged
       WritePicture(path + "-jumped.png", after4);
     }
     const float fresh = 8.5f / static_cast<float>(screen.Ours->GetMaximumWeight());
     benchmark.Judge(scene.Name, "disoccluded pixels after 4 frames, against their limit",
       Difference(
         after4, Limit(screen), jumpedDepth, [&](std::size_t i) { return convergence[i] <= fresh; }),
-      .03, "32 samples and a filter of 5 x 5 pixels, beside outlines of fewer");
+      .03, "32 samples and a filter of 5 x 5 pixels, fewer next to silhouettes");
   }
 }
 

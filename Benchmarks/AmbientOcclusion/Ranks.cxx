@@ -15,7 +15,8 @@ namespace penumbra
 namespace
 {
 
-/// The scene as so many ranks draw it, each its own actors, the nearest of all their pictures.
+/// Composites the scene by depth from the images of the given number of ranks, each with its own
+/// actors.
 DepthImage DrawByRanks(const OcclusionTestScene& scene, int ranks)
 {
   vtkNew<vtkRenderWindow> window;
@@ -42,7 +43,7 @@ DepthImage DrawByRanks(const OcclusionTestScene& scene, int ranks)
   return whole;
 }
 
-/// The occlusion of a picture, by a pass that knows nothing of the scene.
+/// Occlusion of an image, computed by a pass that has no access to the scene.
 std::vector<float> Occlude(const DepthImage& picture, vtkCamera* camera, double radius)
 {
   vtkNew<vtkRenderer> renderer;

@@ -14,7 +14,7 @@ namespace penumbra
 namespace
 {
 
-/// Relative distance from the point within which a pixel shows its surface.
+/// Relative distance from the point within which a pixel shows the same surface.
 constexpr double SameSurface = .005;
 
 constexpr double Unseen = std::numeric_limits<double>::quiet_NaN();
@@ -44,7 +44,7 @@ void Reprojection::Add(vtkCamera* camera, std::vector<float> values, std::vector
 
 glm::dvec4 Reprojection::Position(const Frame& frame, int i, int j) const
 {
-  // In perspective clip w is the eye depth: three equations for the three coordinates.
+  // In perspective, clip w is the eye depth: three equations for the three coordinates.
   const glm::dmat4 rows = glm::transpose(frame.WorldToClip);
   const double depth = frame.Depths[static_cast<std::size_t>(j) * this->Width + i];
   const glm::dvec3 clip(depth * (2.0 * (i + .5) / this->Width - 1.0),

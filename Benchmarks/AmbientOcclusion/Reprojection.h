@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How steady a picture in motion is: the same surface points looked at in frame after frame.
+// Temporal stability of images in motion: compares the same surface points in consecutive frames.
 #ifndef penumbra_Reprojection_h
 #define penumbra_Reprojection_h
 
@@ -19,10 +19,11 @@ class Reprojection
 public:
   Reprojection(int width, int height);
 
-  /// One more frame: what the camera saw, row after row; eye depths are infinite where nothing is seen.
+  /// Adds a frame as seen by the camera, row by row. Eye depths are infinite in the background.
   void Add(vtkCamera* camera, std::vector<float> values, std::vector<float> depths);
 
-  /// RMS, over points of the first frame that all frames see, of the standard deviation over frames.
+  /// RMS, over the points of the first frame that are visible in all frames, of the standard
+  /// deviation over frames.
   double StandardDeviation() const;
 
 private:

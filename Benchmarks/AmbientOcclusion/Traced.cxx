@@ -20,7 +20,7 @@ namespace
 constexpr int Frames = 16;
 constexpr int Repetitions = 5;
 
-/// Of the eye between frames that are timed, degrees.
+/// Camera rotation between timed frames, degrees.
 constexpr double Turn = .05;
 
 struct Bars
@@ -29,7 +29,7 @@ struct Bars
   double Later;
 };
 
-/// One ray a pixel and frame; in motion one for four pixels.
+/// One ray per pixel and frame; in motion, one for four pixels.
 vtkPenumbraTemporalSSAOPass* UseRays(OcclusionWindow& screen, double radius)
 {
   vtkPenumbraTemporalSSAOPass* pass = screen.UsePenumbraPass(radius);
@@ -38,8 +38,8 @@ vtkPenumbraTemporalSSAOPass* UseRays(OcclusionWindow& screen, double radius)
   return pass;
 }
 
-/// The shortest of several frames, each turned by so many degrees, to and fro: by any, nothing is kept but
-/// history.
+/// Returns the time of the fastest of several frames, each rotated by the given number of degrees
+/// in alternating directions. After any rotation, only the history is reused.
 double FrameTime(OcclusionWindow& screen, vtkRenderer* renderer, double degrees)
 {
   screen.Draw();
@@ -53,7 +53,8 @@ double FrameTime(OcclusionWindow& screen, vtkRenderer* renderer, double degrees)
   return shortest;
 }
 
-/// What the eye sees where it is, when it has come there by frames of a quarter of a degree.
+/// Renders the view at the camera's position after approaching it in steps of a quarter of a
+/// degree.
 std::vector<float> MoveCameraToStart(OcclusionWindow& screen, const OcclusionTestScene& scene)
 {
   UseRays(screen, scene.Radius);
@@ -88,7 +89,7 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
       if (frame == 1)
       {
         benchmark.Judge(scene.Name, "RMSE of traced, first frame", error, bars.at(scene.Name).First,
-          "the filter of 5 x 5 pixels has few neighbours on a thing some pixels wide");
+          "the filter of 5 x 5 pixels has few neighbors on objects a few pixels wide");
       }
       else if (frame == 4)
       {
@@ -99,7 +100,7 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
       {
         benchmark.Judge(scene.Name, "RMSE of traced, after 16 frames", error,
           bars.at(scene.Name).Later,
-          "16 rays a pixel, and few neighbours on things some pixels wide");
+          "16 rays per pixel, and few neighbors on objects a few pixels wide");
       }
       if (benchmark.Diagnose && (frame == 1 || frame == Frames))
       {
@@ -126,12 +127,14 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
     const double peer = FrameTime(screen, scene.Renderer, Turn);
     benchmark.Judge(scene.Name, "overhead of traced, moving / of vtkSSAOPass 32",
       (traced - plain) / (peer - plain), .40,
-      "one pixel of four is traced: finding its surface and its ray are a third of it; the rest "
+      "one pixel of four is traced: its surface point and its ray are a third of the cost; the "
+      "rest "
       "reads "
-      "depths back, follows history, filters, darkens");
+      "depths back, reprojects the history, filters and composites");
     benchmark.Judge(scene.Name, "overhead of traced, still / of vtkSSAOPass 32",
       (still - plain) / (peer - plain), .40,
-      "a ray for every pixel, on the drawing thread, is half of it; the rest filters and darkens");
+      "a ray for every pixel, on the rendering thread, is half of the cost; the rest filters and "
+      "composites");
     benchmark.Results.Add(scene.Name, "plain frame, s", plain, TargetKind::None);
     benchmark.Results.Add(scene.Name, "moving frame with traced, s", traced, TargetKind::None);
     benchmark.Results.Add(scene.Name, "still frame with traced, s", still, TargetKind::None);

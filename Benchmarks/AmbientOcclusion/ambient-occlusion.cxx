@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints the figures that ambient occlusion in OpenGL pictures has to reach, each beside its bar. Run
-// it by `./penumbra benchmark ambient-occlusion`, which also fetches what it needs.
+// Measures the ambient occlusion of OpenGL images and compares each result with its target. Run it
+// with `./penumbra benchmark ambient-occlusion`, which also fetches the meshes.
 #include "Benchmark.h"
 #include "Program.h"
 
@@ -14,7 +14,7 @@ int main(int argc, char** argv)
   OcclusionBenchmark benchmark;
   Program program;
   program.Name = "ambient-occlusion";
-  program.Title = "Ambient occlusion in OpenGL pictures: figures and bars";
+  program.Title = "Ambient occlusion in OpenGL images: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER\n"
                   "         [--only accuracy|memory|cost|noise|ranks|traced] [--diagnose]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
@@ -30,7 +30,7 @@ int main(int argc, char** argv)
   };
   const int status = program.Run(argc, argv, benchmark.Results, benchmark.Output, [&] {
     return std::vector<std::string>{ "OSMesa, one thread; 1024x768; " + DateLine(), VersionLine(),
-      "truth: " + std::to_string(benchmark.Rays * benchmark.Rays) + " rays at every " +
+      "reference: " + std::to_string(benchmark.Rays * benchmark.Rays) + " rays at every " +
         std::to_string(benchmark.Stride) + "th foreground pixel in both directions" };
   });
   for (const std::string& missed : benchmark.Results.GetFailed())

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures of the engine itself: dense meshes, packets, memory.
+// Measurements of the engine: dense meshes, ray packets, memory.
 #include "Benchmark.h"
 #include "Meshes.h"
 
@@ -33,7 +33,7 @@ double CpuSeconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// A line of /proc/self/status in bytes.
+/// Returns a line of /proc/self/status in bytes.
 double StatusBytes(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
@@ -47,14 +47,15 @@ double StatusBytes(const std::string& name)
   return 0.0;
 }
 
-/// The peak starts anew at what is resident now.
+/// Resets the peak to the memory that is resident now.
 void ResetPeakMemory()
 {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-/// All 4x4 blocks of a picture by packets or by single rays, shaded; returns CPU seconds.
+/// Casts and shades all 4x4 blocks of an image with packets or with single rays; returns CPU
+/// seconds.
 double Pass(const RayScene& rays, const Shading& shading, int size, bool packets, double& sum)
 {
   const Camera& eye = rays.GetScene().ViewCamera;
@@ -121,12 +122,12 @@ void MeasureDenseMesh(Benchmark& benchmark)
   const Errors reference = Compare(uniform.Colors, truth.Colors, isEdge);
   ResultTable& table = benchmark.Results;
   table.Add(scene, "full RMSE / that of uniform 8x8", errors.Full / reference.Full,
-    TargetKind::AtMost, 1.0, "ours " + std::to_string(errors.Full));
+    TargetKind::AtMost, 1.0, "Penumbra " + std::to_string(errors.Full));
   table.Add(scene, "edge RMSE / that of uniform 8x8", errors.Edge / reference.Edge,
-    TargetKind::AtMost, 1.0, "ours " + std::to_string(errors.Edge));
+    TargetKind::AtMost, 1.0, "Penumbra " + std::to_string(errors.Edge));
   table.Add(scene, "time / that of uniform 8x8", ours.Seconds / uniform.Seconds, TargetKind::AtMost,
     1.0,
-    "ours " + std::to_string(ours.Seconds) + " s, " + std::to_string(ours.RaysPerPixel) +
+    "Penumbra " + std::to_string(ours.Seconds) + " s, " + std::to_string(ours.RaysPerPixel) +
       " rays/pixel");
 }
 
@@ -176,7 +177,7 @@ void MeasureMemory(Benchmark& benchmark)
     std::ostringstream remark;
     remark.precision(3);
     remark << "input arrays " << arrays / 1e6 << " MB, peak with them " << peak / 1e6 << " MB, "
-           << seconds << " CPU s";
+           << seconds << " CPU s; the mesh has no normals, scalars or drawn edges";
     benchmark.Results.Add("10 M triangles", "peak memory / input arrays", peak / arrays,
       TargetKind::AtMost, 4.0, remark.str());
   }
@@ -195,7 +196,7 @@ void MeasureMemory(Benchmark& benchmark)
     }
     const double grown = (StatusBytes("VmRSS:") - afterTen) / 1048576.0;
     benchmark.Results.Add("1,000 pictures in one process", "MiB grown after the tenth", grown,
-      TargetKind::AtMost, 2.0, "flat: less than a quarter of a page a picture");
+      TargetKind::AtMost, 2.0, "constant: less than a quarter of a page per image");
   }
   std::ifstream maps("/proc/self/maps");
   int libraries = 0;

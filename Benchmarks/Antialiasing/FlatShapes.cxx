@@ -15,9 +15,9 @@ struct FlatScene
 {
   std::string Name;
   std::vector<Shape> Shapes;
-  double RaysPerPixel; ///< bar
-  double Edge;         ///< bar, 0: none
-  double Worst;        ///< bar, 0: none
+  double RaysPerPixel; ///< target
+  double Edge;         ///< target; 0: none
+  double Worst;        ///< target; 0: none
 };
 
 }

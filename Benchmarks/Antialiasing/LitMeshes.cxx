@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// White diffuse meshes under one headlight: the default look. Times are CPU seconds of the whole
-// cast on one thread, building of the scene included; POV-Ray's are its own tracing alone.
+// White diffuse meshes under one headlight: the default appearance. Times are CPU seconds of the
+// whole cast on one thread, including the construction of the scene; POV-Ray's are of tracing only.
 #include "Benchmark.h"
 #include "Meshes.h"
 #include "PovRay.h"
@@ -24,7 +24,7 @@ struct LitScene
 {
   std::string Name;
   vtkSmartPointer<vtkPolyData> Mesh;
-  double Edge; ///< bars; 0: reported only
+  double Edge; ///< targets; 0: reported only
   double Full;
   double RaysPerPixel;
   bool Timed;
@@ -35,7 +35,7 @@ TargetKind If(double limit)
   return limit > 0.0 ? TargetKind::AtMost : TargetKind::None;
 }
 
-/// The fastest of three.
+/// Returns the fastest of three casts.
 Answer CastThrice(vtkRenderer* renderer, double tolerance)
 {
   Answer best;
@@ -74,7 +74,8 @@ void CompareWithUniform(Benchmark& benchmark, const LitScene& scene, vtkRenderer
   }
   benchmark.Results.Add(scene.Name, "times faster than uniform",
     CostAtError(ladder, edge) / seconds, scene.Timed ? TargetKind::AtLeast : TargetKind::None, 8.0,
-    "at equal edge error, interpolated over n = 1..16");
+    std::string("at equal edge error, ") +
+      (IsExtrapolated(ladder, edge) ? "extrapolated from" : "interpolated over") + " n = 1..16");
 }
 
 void CompareWithPovRay(Benchmark& benchmark, const LitScene& scene, vtkRenderer* renderer,
@@ -116,7 +117,8 @@ void Measure(Benchmark& benchmark, const LitScene& scene)
   const BruteForcePicture truth = DrawByBruteForce(description, Size, Size, benchmark.TruthSamples);
   const std::vector<bool> isEdge = SilhouettePixels(truth);
 
-  // The coarsest tolerance that keeps the bars; the default is always judged and reported.
+  // Selects the coarsest tolerance that meets the targets; the default is always measured and
+  // reported.
   Answer answer;
   Errors errors;
   double inverse = 256.0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints the figures that the antialiasing has to reach, each beside its bar. Run it by
-// `./penumbra benchmark antialiasing`, which also fetches what it needs.
+// Measures the antialiasing and compares each result with its target. Run it with `./penumbra
+// benchmark antialiasing`, which also fetches the meshes.
 #include "Benchmark.h"
 #include "Program.h"
 
@@ -21,7 +21,7 @@ namespace penumbra
 namespace
 {
 
-/// |error| times 64, and the worst pixels as numbers.
+/// Writes |error| times 64 as an image, and prints the worst pixels.
 void Diagnose(const Benchmark& benchmark, const std::string& scene, const Answer& answer,
   const std::vector<glm::dvec3>& truth, int width)
 {
@@ -115,11 +115,12 @@ std::vector<std::string> Circumstances(const Benchmark& benchmark)
   }
   return { "machine: " + processor + ", one thread", DateLine(), VersionLine(),
     "peer: " + (benchmark.PovRay.empty() ? "none" : "POV-Ray, `" + benchmark.PovRay + "`"),
-    "truth: exact coverage for flat shapes; " + std::to_string(benchmark.TruthSamples) + " x " +
+    "reference: exact coverage for flat shapes; " + std::to_string(benchmark.TruthSamples) + " x " +
       std::to_string(benchmark.TruthSamples) +
-      " samples a pixel for lit meshes, 16 times as many on edges",
-    "RMSE over RGB in [0, 1]; edge: over partly covered pixels of flat shapes, and over pixels of "
-    "lit meshes that hold background and surface, or surfaces not connected within the pixel" };
+      " samples per pixel for lit meshes, 16 times as many on edges",
+    "RMSE over RGB in [0, 1]; edge: over partly covered pixels of flat shapes, and over pixels "
+    "of "\n
+    "lit meshes that contain background and surface, or surfaces not connected within the pixel" };
 }
 
 }
@@ -129,8 +130,8 @@ Errors Judge(Benchmark& benchmark, const std::string& scene, const Answer& answe
 {
   ErrorCalibration own;
   AddTiles(own, answer.Colors, truth, answer.Estimates, width);
-  std::printf("  %s: %.1f %% of tiles honest, median estimate / error %.2f\n", scene.c_str(),
-    100.0 * own.ConservativeFraction(), own.MedianRatio());
+  std::printf("  %s: estimate >= error in %.1f %% of tiles, median estimate / error %.2f\n",
+    scene.c_str(), 100.0 * own.ConservativeFraction(), own.MedianRatio());
   AddTiles(benchmark.Estimates, answer.Colors, truth, answer.Estimates, width);
   if (benchmark.Diagnose)
   {
@@ -147,7 +148,7 @@ int main(int argc, char** argv)
   Benchmark benchmark;
   Program program;
   program.Name = "antialiasing";
-  program.Title = "Antialiasing: figures and bars";
+  program.Title = "Antialiasing: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER [--povray PROGRAM]\n"
                   "         [--only memory|flat|lit|dense|packets] [--diagnose] [--no-peers]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
@@ -155,7 +156,8 @@ int main(int argc, char** argv)
   program.Switches = { { "--diagnose", &benchmark.Diagnose },
     { "--no-peers", &benchmark.Peers, false } };
   program.Parts = {
-    { "memory", [&] { MeasureMemory(benchmark); } }, // first: nothing else has touched the heap
+    { "memory",
+      [&] { MeasureMemory(benchmark); } }, // first, before anything else has used the heap
     { "flat", [&] { MeasureFlatShapes(benchmark); } },
     { "packets", [&] { MeasureBasePass(benchmark); } },
     { "dense", [&] { MeasureDenseMesh(benchmark); } },

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which pictures are the same on other machines. Run it by `./penumbra benchmark baselines`, which
-// calls this under one setting after the other:
+// Compares images across machine configurations. `./penumbra benchmark baselines` runs this program
+// once per configuration:
 //   draw rays|opengl FOLDER            the gallery under the present settings
 //   compare FOLDER REFERENCE SETTING   rows of the table: a setting against the reference
 #include "BaselineScenes.h"
@@ -33,11 +33,12 @@ namespace
 {
 
 constexpr int Size[2] = { 320, 240 };
-/// Ambient occlusion by brute force is slow: a smaller picture, with more of an error.
+/// Ambient occlusion by brute force is slow: the image is smaller and has a larger tolerance.
 constexpr int SizeWithLight[2] = { 96, 72 };
 constexpr double ToleranceWithLight = 1.0 / 16.0;
 
-// False where the ray caster cannot, such as under instructions that the processor lacks.
+// Returns false if the ray caster fails, for example with an instruction set that the processor
+// lacks.
 bool DrawByRays(const BaselineScene& exhibit, const std::string& path)
 {
   vtkNew<vtkPenumbraRayCaster> caster;
@@ -90,7 +91,7 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
   return reader->GetOutput();
 }
 
-// How many values of all arrays have other bits.
+// Counts the values of all arrays whose bits differ.
 long long CountOtherBits(vtkImageData* a, vtkImageData* b)
 {
   long long count = 0;

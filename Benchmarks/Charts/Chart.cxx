@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra chart: speed against accuracy of every method, measured and drawn.
+// The subcommand `chart`: measures and plots speed against accuracy of every method.
 #include "Chart.h"
 #include "ChartFamilies.h"
 #include "ChartPlot.h"
@@ -50,7 +50,7 @@ struct ChartOptions
   std::string Progress = "auto";
 };
 
-/// A file as one mesh of triangles, named without folder, ending and commas.
+/// Reads a file as one triangle mesh, named by the file name without folder, extension and commas.
 ChartMesh ReadMesh(const std::string& path)
 {
   EnterPhase(path, BadInput);
@@ -66,7 +66,7 @@ ChartMesh ReadMesh(const std::string& path)
   triangles->Update();
   if (triangles->GetOutput()->GetNumberOfPolys() == 0)
   {
-    throw CommandError(BadInput, path + ": it has no polygons; charts need surfaces");
+    throw CommandError(BadInput, path + " has no polygons; charts require surface meshes");
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(triangles->GetOutput()->GetPoints());
@@ -105,7 +105,7 @@ std::vector<std::string> Metadata(const ChartFamily& family, const std::vector<P
   return { std::string("date: ") + date, "machine: " + Processor(),
     "penumbra " PENUMBRA_VERSION ", VTK " + std::string(vtkVersion::GetVTKVersion()) +
       ", compiler " __VERSION__,
-    "programs of others: " + (others.empty() ? "none" : others), "truth: " + family.Truth,
+    "peer programs: " + (others.empty() ? "none" : others), "reference: " + family.Truth,
     "seconds: CPU seconds of one thread" };
 }
 
@@ -125,7 +125,8 @@ std::vector<ChartFamily> Families(const ChartOptions& options, const ChartReques
   return families;
 }
 
-/// How far from the Pareto front is what Penumbra chooses by itself: to a file and to the terminal.
+/// Writes the distance of Penumbra's automatic settings from the Pareto front to a file and to the
+/// terminal.
 void WriteDistances(const std::string& path, const std::vector<ChartRow>& rows)
 {
   std::ostringstream text;
@@ -181,7 +182,7 @@ int Chart(const ChartOptions& options)
   }
   EnterPhase("the chart's window", Unavailable);
   ChooseWindow(options.Window);
-  // One thread, so that its CPU seconds are what a method costs.
+  // One thread, so that its CPU seconds are the cost of a method.
   setenv("LP_NUM_THREADS", "0", 1);
   vtkSMPTools::Initialize(1);
   ChartRequest request;
@@ -229,15 +230,16 @@ Action DeclareChart(CLI::App& program)
   app->add_option("FILE", options->Files, "Meshes; default: built-in scenes")->type_name("");
   app
     ->add_option("--output", options->Output,
-      "Folder for one .csv, .png and .svg a family; steps that it holds are not measured again")
+      "Folder for one .csv, .png and .svg per family; rows that it already contains are not "
+      "measured again")
     ->required()
     ->type_name("DIR")
     ->take_last();
   AddChoice(*app, "--family", options->Family, { "ao", "aa", "irradiance", "shafts", "all" },
     "ao: ambient occlusion; aa: antialiasing; irradiance: the cache; shafts: light shafts");
-  app->add_flag("--quick", options->Quick, "Small pictures and few steps: seconds a family");
+  app->add_flag("--quick", options->Quick, "Small images and few settings: seconds per family");
   AddChoice(*app, "--window", options->Window, { "auto", "osmesa", "egl", "x" },
-    "Kind of OpenGL window; auto: the first that works here");
+    "Kind of OpenGL window; auto: the first that works on this machine");
   AddReadLimitOption(*app);
   AddChoice(*app, "--progress", options->Progress, { "auto", "bar", "plain", "none" },
     "How progress is shown on stderr; auto: a bar on a terminal");

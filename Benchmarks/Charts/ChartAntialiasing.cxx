@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Antialiasing: OpenGL's ways, samples on a grid, [AA]'s subdivision and exact borders to a tolerance.
-// Error over pixels that hold a border, against exact areas or thousands of samples a pixel.
+// Antialiasing: OpenGL's methods, samples on a grid, the subdivision of [AA], and exact edges to a
+// tolerance. The error is over edge pixels; the reference is exact areas or thousands of samples
+// per pixel.
 #include "ChartFamilies.h"
 
 #include "BruteForce/ImageErrors.h"
@@ -33,13 +34,13 @@ namespace
 
 constexpr int Repetitions = 3;
 
-/// What takes longer is measured once.
+/// Measurements that take longer are not repeated, in seconds.
 constexpr double LongSeconds = .5;
 
-/// vtkSSAAPass draws sqrt(5) times as wide and as high.
+/// vtkSSAAPass renders sqrt(5) times as wide and as high.
 constexpr double SsaaSamples = 5.0;
 
-/// A renderer with its truth.
+/// A renderer with its reference.
 struct Subject
 {
   vtkSmartPointer<vtkRenderer> Renderer;
@@ -114,7 +115,8 @@ Measurement MeasureOpenGL(const Subject& subject, int samples, Smoothing smoothi
     colors.emplace_back(bytes->GetTypedComponent(i, 0) / 255.0,
       bytes->GetTypedComponent(i, 1) / 255.0, bytes->GetTypedComponent(i, 2) / 255.0);
   }
-  // What a window does not say: with several samples it may have fewer than were asked for.
+  // The number of samples in use cannot be queried from a window, which may have fewer than
+  // requested.
   result.Count =
     smoothing == Smoothing::Ssaa ? SsaaSamples : std::max(1, window->GetMultiSamples());
   result.Error = EdgeError(subject, colors);
@@ -140,7 +142,7 @@ Measurement MeasureRays(
   return result;
 }
 
-/// Its own tracing alone.
+/// CPU seconds of tracing only, as POV-Ray reports them.
 Measurement MeasurePovRay(
   const Subject& subject, const std::string& program, const PovRayStep& step)
 {
@@ -232,8 +234,8 @@ ChartFamily AntialiasingFamily(const ChartRequest& request)
 {
   const int size = request.Quick ? 64 : 512;
   ChartFamily family{ "aa", "Antialiasing, " + std::to_string(size) + "x" + std::to_string(size),
-    "RMSE over border pixels", "rays or samples a pixel",
-    "exact areas (rods); 32 x 32 samples a pixel, 16 times as many on borders (meshes)", {} };
+    "RMSE over edge pixels", "rays or samples per pixel",
+    "exact areas (rods); 32 x 32 samples per pixel, 16 times as many on edges (meshes)", {} };
   if (request.Meshes.empty())
   {
     AddSteps(family, "thin rods", FlatRods(size), request.Quick);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Occlusion of all distances baked onto the points of a mesh: as Penumbra chooses, by rays at every point,
-// by programs of others; against very many rays at some of the points. Trees are built within the time.
+// Ambient occlusion of unlimited distance baked onto the points of a mesh: with Penumbra's
+// defaults, with rays at every point, and with peer programs. The reference traces many rays at
+// some of the points. Times include building the acceleration structure.
 #include "ChartPointQueries.h"
 
 #include "Baking/BakeInput.h"
@@ -29,18 +30,18 @@ namespace
 
 using Filter = vtkPenumbraIrradianceFilter;
 
-/// Rays of the truth, and where charts are quick.
+/// Rays per point of the reference, in full and in quick charts.
 constexpr int TruthRays = 65536;
 constexpr int QuickTruthRays = 4096;
-/// So many points have a truth.
+/// Number of points with a reference value.
 constexpr std::size_t TruePoints = 256;
 
-/// A mesh with its truth.
+/// A mesh with its reference values.
 struct Subject
 {
   vtkSmartPointer<vtkPolyData> Mesh;
   BakeInput Found;
-  std::vector<std::size_t> Known; ///< of the sites
+  std::vector<std::size_t> Known; ///< sites with a reference value
   std::vector<double> Truth;
 };
 
@@ -57,7 +58,7 @@ Subjects Prepare(const ChartMesh& mesh, int truthRays)
 {
   return Lazily<Subject>([mesh, truthRays] {
     auto subject = std::make_shared<Subject>();
-    // One normal a point, the same for all programs.
+    // One normal per point, the same for all programs.
     vtkNew<vtkPolyDataNormals> normals;
     normals->SetInputData(mesh.Mesh);
     normals->SplittingOff();
@@ -81,7 +82,7 @@ Subjects Prepare(const ChartMesh& mesh, int truthRays)
   });
 }
 
-/// `occlusion(site)` against the truth.
+/// Returns the RMSE of `occlusion(site)` against the reference.
 template <typename Occlusion>
 double ErrorOf(const Subject& subject, const Occlusion& occlusion)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What `penumbra chart` measures: families of methods that make the same thing, each method at a
-// ladder of settings, on scenes whose truth is known. Times are CPU seconds of one thread.
+// The measurements of `penumbra chart`: families of methods that compute the same quantity, each at
+// a series of settings, on scenes with a known reference. Times are CPU seconds of one thread.
 #ifndef penumbra_ChartFamilies_h
 #define penumbra_ChartFamilies_h
 
@@ -32,7 +32,7 @@ struct ChartStep
   std::string Scene;
   std::string Method;
   std::string Setting;
-  double Asked; ///< tolerance; 0: none
+  double Asked; ///< requested tolerance; 0: none
   std::function<Measurement()> Measure;
 };
 
@@ -40,9 +40,9 @@ struct ChartFamily
 {
   std::string Name;
   std::string Title;
-  std::string ErrorTitle; ///< of the axis
+  std::string ErrorTitle; ///< title of the error axis
   std::string CountTitle;
-  std::string Truth; ///< in one line
+  std::string Truth; ///< description of the reference in one line
   std::vector<ChartStep> Steps;
 };
 
@@ -55,8 +55,8 @@ struct ChartMesh
 struct ChartRequest
 {
   std::vector<ChartMesh> Meshes; ///< empty: the built-in scenes
-  std::vector<Peer> Peers;       ///< programs of others that are here
-  bool Quick = false;            ///< small pictures, few steps
+  std::vector<Peer> Peers;       ///< installed peer programs
+  bool Quick = false;            ///< small images, few steps
 };
 
 ChartFamily AntialiasingFamily(const ChartRequest& request);
@@ -67,7 +67,7 @@ ChartFamily ShaftFamily(const ChartRequest& request);
 /// CPU seconds of this process so far.
 double CpuSeconds();
 
-/// A value that is made when it is first asked for.
+/// A value that is computed on first use.
 template <typename Value>
 std::function<Value&()> Lazily(std::function<std::shared_ptr<Value>()> make)
 {

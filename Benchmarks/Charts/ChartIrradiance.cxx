@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The irradiance cache: its rules for radii, and rays at every pixel, for the occlusion beside a
-// sphere on a floor, which is known in closed form, and for the light in a room, of five reflections,
-// against independent paths. The tree is ready before the clock starts.
+// The irradiance cache: its radius rules, and rays at every pixel. Scenes: the occlusion next to a
+// sphere on a floor, with a closed form; and the light in a room with five bounces, with
+// independent paths as reference. The acceleration structure is built before the clock starts.
 #include "ChartPointQueries.h"
 
 #include "BruteForce/PathTracer.h"
@@ -37,13 +37,13 @@ using Cache = vtkPenumbraIrradianceCache;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Pi = 3.14159265358979323846;
 
-/// Programs without a cache are asked at every so many-th pixel in both directions.
+/// Methods without a cache are evaluated at every n-th pixel in both directions.
 constexpr int StrideWithoutCache = 4;
 
-/// Of the sides of a cube map, four are drawn by halves and one not at all.
+/// A hemicube: four faces are rendered by halves and one is not rendered.
 constexpr double FacesOfACubeMap = 3.0;
 
-/// vtkPenumbraBruteForceIrradiance begins with so many paths where it would begin with one ray.
+/// Initial number of paths where vtkPenumbraBruteForceIrradiance would start with one ray.
 constexpr int PathsPerRay = 8;
 
 struct Subject
@@ -55,7 +55,7 @@ struct Subject
 
 using Subjects = std::function<Subject&()>;
 
-/// A unit sphere whose centre is `height` above a floor.
+/// Builds a unit sphere with its center at `height` above a floor.
 Subjects SphereOnFloor(double height, int size)
 {
   return Lazily<Subject>([=] {
@@ -69,7 +69,7 @@ Subjects SphereOnFloor(double height, int size)
   });
 }
 
-/// Rays of a source's records; the pixels of cube maps stand for rays.
+/// Number of rays of the records of a provider; pixels of cube maps count as rays.
 double Gathered(vtkPenumbraIrradianceProvider* source)
 {
   vtkNew<vtkFieldData> statistics;
@@ -89,7 +89,7 @@ double TruthAt(const Subject& subject, const double* p, const double* normal)
                      : .5 * (1.0 - normal[2]);
 }
 
-/// Asks at every `stride`-th pixel; the seconds are scaled to all of them.
+/// Evaluates every `stride`-th pixel; the seconds are scaled to all pixels.
 Measurement Ask(
   const Subject& subject, vtkPenumbraIrradianceProvider* source, double tolerance, int stride)
 {
@@ -198,13 +198,13 @@ PointQuerySteps PeersBesideSphere(const std::string& scene, const Subjects& subj
   return steps;
 }
 
-/// A room lit by a panel below its ceiling.
+/// Builds a room lit by a panel below its ceiling.
 struct Room
 {
   Scene Drawn;
   std::unique_ptr<RayScene> Rays;
   std::unique_ptr<Illumination> Light;
-  std::vector<SeenPoint> Known;  ///< of all pixels those that have a truth
+  std::vector<SeenPoint> Known;  ///< pixels with a reference value
   std::vector<glm::dvec3> Truth; ///< irradiance over pi
 };
 
@@ -235,7 +235,7 @@ Rooms LitRoom(int size, int stride, int paths)
   });
 }
 
-/// `tolerance` of irradiance over pi. The seconds are of all pixels.
+/// `tolerance` is of irradiance over pi. The seconds are of all pixels.
 Measurement AskForLight(
   const Room& room, vtkPenumbraIrradianceProvider* source, double tolerance, bool ofAllPixels)
 {
@@ -341,10 +341,10 @@ ChartFamily IrradianceFamily(const ChartRequest& request)
 {
   const int size = request.Quick ? 256 : 512;
   ChartFamily family{ "irradiance", "Interpolated occlusion and light",
-    "RMSE over surface pixels or points", "rays a pixel or point",
+    "RMSE over surface pixels or points", "rays per pixel or point",
     "closed form at 512x512; in the room, of irradiance over pi, 16384 independent paths at a "
-    "share of the "
-    "pixels; on meshes 65536 rays at a share of the points",
+    "fraction of the "
+    "pixels; on meshes 65536 rays at a fraction of the points",
     {} };
   for (const ChartMesh& mesh : request.Meshes)
   {

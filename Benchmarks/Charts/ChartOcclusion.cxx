@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient occlusion: VTK's pass, kernels and true rays over frames, the cache, rays alone. Error over
-// surface pixels against [TSSAO eq. 1] by a thousand rays a pixel. Meshes and trees are ready before
-// the clock starts, programs of shaders are warm.
+// Ambient occlusion: VTK's pass, kernels and traced rays over several frames, the cache, and rays
+// at every pixel. The error is over surface pixels; the reference is [TSSAO eq. 1] with a thousand
+// rays per pixel. Meshes and acceleration structures are built and shaders are compiled before the
+// clock starts.
 #include "ChartFamilies.h"
 
 #include "Embree/RayScene.h"
@@ -34,7 +35,7 @@ namespace
 using Pass = vtkPenumbraTemporalSSAOPass;
 using Cache = vtkPenumbraIrradianceCache;
 
-/// A scene with its truth and its tree.
+/// A scene with its reference and its acceleration structure.
 struct Subject
 {
   OcclusionTestScene Scene;
@@ -74,7 +75,7 @@ OcclusionTestScene SceneOf(const ChartMesh& mesh)
   return scene;
 }
 
-/// Takes the mesh of that name out of those given; null where it is not among them.
+/// Removes the mesh of the given name from `meshes`; returns null if it is not among them.
 vtkSmartPointer<vtkPolyData> Take(std::vector<ChartMesh>& meshes, const std::string& name)
 {
   const auto found = std::find_if(
@@ -113,24 +114,25 @@ Pass* Warm(OcclusionWindow& screen, const Subject& subject, const char* kernel)
   return pass;
 }
 
-/// So many frames of a still view, from nothing.
+/// Renders the given number of frames of a static view, starting without history.
 Measurement MeasureFrames(const Subject& subject, const char* kernel, Falloff falloff, int frames)
 {
   OcclusionWindow screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
   Pass* pass = Warm(screen, subject, kernel);
-  pass->SetTolerance(1e-4); // a setting that changes: everything starts afresh, and does not stop
+  pass->SetTolerance(
+    1e-4); // the changed setting discards the history; the low tolerance prevents an early stop
   Measurement result;
   for (int frame = 0; frame < frames; ++frame)
   {
     result.Seconds += screen.Draw();
   }
   result.Error = Rmse(subject.Truth, falloff, screen.Array("AmbientOcclusion"));
-  // A ray stands for the samples that cost as much.
+  // One ray replaces the samples that cost as much.
   result.Count = std::string(kernel) == "traced" ? frames : SamplesOf(pass);
   return result;
 }
 
-/// What `penumbra render --engine raster` does.
+/// Renders as `penumbra render --engine raster` does.
 Measurement MeasureAutomatic(const Subject& subject, double tolerance)
 {
   OcclusionWindow screen(subject.Scene.Renderer, subject.Size[0], subject.Size[1]);
@@ -144,7 +146,7 @@ Measurement MeasureAutomatic(const Subject& subject, double tolerance)
   return result;
 }
 
-/// Asks a source at points; the seconds are scaled from them to all pixels.
+/// Queries a provider at points; the seconds are scaled from these to all pixels.
 Measurement Ask(const Subject& subject, vtkPenumbraIrradianceProvider* source, double tolerance,
   bool onlyWhereTruthIs)
 {
@@ -237,9 +239,9 @@ ChartFamily OcclusionFamily(const ChartRequest& request)
   vtkPenumbraTracedEstimator::Register();
   ChartFamily family{ "ao",
     std::string("Ambient occlusion, ") + (request.Quick ? "96x72" : "640x480"),
-    "RMSE over surface pixels", "rays or samples a pixel",
+    "RMSE over surface pixels", "rays or samples per pixel",
     "eq. 1 of [TSSAO], D = 1 within the radius, by " + std::string(request.Quick ? "144" : "1024") +
-      " rays at a share of the pixels",
+      " rays at a fraction of the pixels",
     {} };
   std::vector<ChartMesh> others = request.Meshes;
   const auto dragon = Take(others, "ChineseDragon-10kv");
@@ -248,7 +250,7 @@ ChartFamily OcclusionFamily(const ChartRequest& request)
   const bool hasScans = dragon && armadillo && elephant;
   if (hasScans)
   {
-    // Those of the benchmarks stand together.
+    // The meshes of the benchmark scene form one scene.
     AddSteps(family, "Scans",
       Prepare([=] { return Scans(dragon, armadillo, elephant); }, request.Quick), request.Quick);
   }

@@ -30,15 +30,15 @@ namespace penumbra
 namespace
 {
 
-// Pixels.
+// In pixels.
 constexpr int ChartWidth = 620;
 constexpr int LegendWidth = 300;
 constexpr int ChartHeight = 460;
 
-/// What a logarithmic axis shows of 0.
+/// Stand-in for 0 on a logarithmic axis.
 constexpr double Least = 1e-8;
 
-// Apart for eyes of every kind; ours are black and dark red.
+// Distinguishable with color vision deficiency. Penumbra's methods are black and dark red.
 constexpr unsigned char Colors[][3] = { { 230, 159, 0 }, { 86, 180, 233 }, { 0, 158, 115 },
   { 204, 121, 167 }, { 0, 114, 178 }, { 213, 94, 0 }, { 150, 150, 40 }, { 120, 80, 160 },
   { 150, 90, 50 }, { 90, 90, 90 } };
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkTable> TableOf(const std::string& name, const std::vector<Cha
 vtkPlotPoints* AddCurve(
   vtkChartXY* chart, vtkTable* table, bool isLine, const unsigned char* color, float width)
 {
-  // A line needs two points.
+  // A line requires two points.
   const int type = isLine && table->GetNumberOfRows() > 1 ? vtkChart::LINE : vtkChart::POINTS;
   auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(type));
   plot->SetInputData(table, 0, 1);
@@ -86,7 +86,7 @@ void SetUpAxis(vtkAxis* axis, const std::string& title)
   axis->GetGridPen()->SetColor(225, 225, 225, 255);
 }
 
-/// From a little less than the least to a little more than the greatest, so that no mark is cut.
+/// Returns a range that is slightly larger than the values, so that no mark is clipped.
 void SetRange(vtkAxis* axis, const std::vector<double>& values)
 {
   constexpr double room = 1.25;
@@ -143,7 +143,7 @@ bool ChartCurve::HasTolerances() const
 
 std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows)
 {
-  // A method has the same colour in every panel.
+  // A method has the same color in every panel.
   std::vector<ChartCurve> methods;
   std::vector<ChartPanel> panels;
   for (const ChartRow& row : rows)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pictures of a chart: for each scene error against seconds and error against counts, both
-// logarithmic. PNG by VTK's charts. SVG by hand: not every VTK has an exporter for it, and GL2PS of VTK
-// 9.7 crashes on charts.
+// The plots of a chart: for each scene, error against seconds and error against counts, both
+// logarithmic. The PNG is drawn by VTK's charts. The SVG is written directly, because not every VTK
+// build has an SVG exporter and GL2PS of VTK 9.7 crashes on charts.
 #ifndef penumbra_ChartPlot_h
 #define penumbra_ChartPlot_h
 
@@ -17,17 +17,17 @@ namespace penumbra
 
 struct ChartFamily;
 
-/// The steps of one method.
+/// The settings of one method.
 struct ChartCurve
 {
   std::string Method;
   bool IsOurs;
   unsigned char Color[3];
   std::vector<ChartRow> Steps;
-  bool HasTolerances() const; ///< were tolerances asked?
+  bool HasTolerances() const; ///< whether any row has a requested tolerance
 };
 
-/// All steps in one scene.
+/// All settings in one scene.
 struct ChartPanel
 {
   std::string Scene;
@@ -38,7 +38,7 @@ struct ChartPanel
 std::vector<ChartPanel> PanelsOf(const std::vector<ChartRow>& rows);
 
 ///@{
-/// Throws Failure where the file cannot be written. The PNG needs an OpenGL window.
+/// Throws Failure if the file cannot be written. The PNG requires an OpenGL window.
 void WriteChartPng(
   const ChartFamily& family, const std::vector<ChartPanel>& panels, const std::string& path);
 void WriteChartSvg(

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps of a chart in which programs of others tell what light arrives at places on surfaces.
+// Rows of a chart in which peer programs compute the light at points of surfaces.
 #ifndef penumbra_ChartPointQueries_h
 #define penumbra_ChartPointQueries_h
 
@@ -15,19 +15,19 @@
 namespace penumbra
 {
 
-/// What programs of others are asked, and the error of their answers.
+/// The queries for peer programs, and the error of their results.
 struct PointQuerySteps
 {
   std::string Scene;
-  bool Lamps = false; ///< light, not occlusion
+  bool Lamps = false; ///< whether the scene has area lights; otherwise occlusion is queried
   std::function<PointQueryScene(const Peer& peer)> Prepare;
   std::function<double(const PointQueryScene& asked, const std::vector<glm::dvec3>& light)> Error;
 };
 
-/// Adds a step for each setting of those peers that know such a scene.
+/// Adds a step for each setting of the peers that support such a scene.
 void AddPeers(ChartFamily& family, const std::vector<Peer>& peers, const PointQuerySteps& steps);
 
-/// Occlusion baked onto the points of a mesh.
+/// Ambient occlusion baked onto the points of a mesh.
 void AddBaking(ChartFamily& family, const ChartMesh& mesh, const ChartRequest& request);
 
 }

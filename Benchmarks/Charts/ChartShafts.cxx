@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light shafts: the paper's mean of a mask, at once or in two chained passes, depth along the way to the
-// light for blocks of three sizes, marched shadow rays. Error relative to the RMS of the added light,
-// against 512 shadow rays a pixel; programs of shaders are warm.
+// Light shafts: the mean of a radial mask of the paper, in one pass or in two chained passes; depth
+// along the path to the light for blocks of three sizes; marched shadow rays. The error is relative
+// to the RMS of the added light; the reference uses 512 shadow rays per pixel. Shaders are compiled
+// before the clock starts.
 #include "ChartFamilies.h"
 
 #include "ShaftScene.h"
@@ -36,7 +37,7 @@ struct Subject
 
 using Subjects = std::function<Subject&()>;
 
-/// What `arrange` puts there, in haze.
+/// The scene built by `arrange`, in a homogeneous medium.
 Subjects InHaze(
   const Vector& sun, bool quick, const std::function<void(ShaftScene& scene)>& arrange)
 {
@@ -59,7 +60,7 @@ void ArrangeSolids(ShaftScene& scene)
   scene.Look({ .5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
 }
 
-/// A mesh over the floor, its diagonal 4.
+/// Places a mesh with a diagonal of 4 above the floor.
 void ArrangeMesh(ShaftScene& scene, vtkPolyData* mesh)
 {
   scene.AddFloor(12.0);
@@ -78,7 +79,7 @@ void ArrangeMesh(ShaftScene& scene, vtkPolyData* mesh)
   scene.Look({ .5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
 }
 
-/// On a spiral around the top of a tree.
+/// Places leaves on a spiral around the top of a tree.
 void ArrangeLeaves(ShaftScene& scene)
 {
   for (int i = 0; i < 60; ++i)
@@ -102,10 +103,10 @@ double ErrorOf(const Subject& subject, const std::vector<double>& light)
   return std::sqrt(squares / size);
 }
 
-/// The fastest of so many counts.
+/// Number of repetitions, of which the fastest counts.
 constexpr int Frames = 12;
 
-/// What the last frame says of itself.
+/// Returns a statistic of the last frame.
 double Statistic(const Subject& subject, const char* name)
 {
   return subject.Scene->Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
@@ -123,7 +124,8 @@ Measurement MeasurePass(Subject& subject, int estimator, double tolerance, int s
   const Vector sun = { place[0], place[1], place[2] };
   for (int frame = -1; frame < Frames; ++frame)
   {
-    // A still scene is computed once: the sun trembles, and is in its place in the last frame.
+    // A static scene is computed only once. The light is therefore moved slightly in every frame
+    // and is at its position in the last one.
     const bool isLast = frame + 1 == Frames;
     subject.Sun->SetPosition(sun[0] + (isLast ? 0.0 : 1e-6 * (frame + 2)), sun[1], sun[2]);
     const double start = CpuSeconds();
@@ -170,7 +172,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   }
   for (const int steps : quick ? std::vector<int>() : std::vector<int>{ 2, 4, 8, 16 })
   {
-    // Two passes of n steps are one loop of n * n.
+    // Two passes of n steps are equivalent to one loop of n * n steps.
     family.Steps.push_back({ scene, "chained geometric mask [Shafts]",
       std::to_string(steps) + " + " + std::to_string(steps) + " steps", 0.0, [=] {
         Pass* pass = subject().Scene->Pass;
@@ -189,7 +191,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   for (const int inverse :
     quick ? std::vector<int>{ 64, 256 } : std::vector<int>{ 16, 64, 128, 256, 1024 })
   {
-    // The tolerance is of a colour; the error here is relative to the light that is added.
+    // The tolerance is a color difference; the error here is relative to the added light.
     family.Steps.push_back(
       { scene, "Penumbra automatic", "--tolerance 1/" + std::to_string(inverse), 0.0,
         [=] { return MeasurePass(subject(), Pass::DEPTH, 1.0 / inverse, 0); } });
@@ -202,8 +204,8 @@ ChartFamily ShaftFamily(const ChartRequest& request)
 {
   ChartFamily family{ "shafts",
     std::string("Light shafts, ") + (request.Quick ? "96x72" : "384x288"),
-    "RMSE over RMS of the added light", "depths or shadow rays a pixel",
-    std::string(request.Quick ? "64" : "512") + " shadow rays a pixel", {} };
+    "RMSE over RMS of the added light", "depths or shadow rays per pixel",
+    std::string(request.Quick ? "64" : "512") + " shadow rays per pixel", {} };
   const Vector inView = { .2, 1.0, .32 };
   for (const ChartMesh& mesh : request.Meshes)
   {

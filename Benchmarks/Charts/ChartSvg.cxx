@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The chart as a drawing, straight from the rows.
+// Writes the chart as SVG, directly from the rows.
 #include "ChartFamilies.h"
 #include "ChartPlot.h"
 #include "Files/AtomicFile.h"
@@ -21,7 +21,7 @@ constexpr double LegendWidth = 300.0;
 constexpr double Height = 460.0;
 constexpr double Margins[4] = { 70.0, 20.0, 55.0, 35.0 }; ///< left, right, below, above
 
-/// A logarithmic axis, from decimal logarithms to places of the drawing.
+/// A logarithmic axis; maps decimal logarithms to coordinates of the image.
 struct Axis
 {
   double Low = 1e9;
@@ -42,7 +42,7 @@ struct Axis
     return this->From + share * (this->To - this->From);
   }
 
-  /// 1, 2 and 5 of every decade, or 1 alone where there are many.
+  /// Returns the ticks: 1, 2 and 5 of every decade, or only 1 if there are many decades.
   std::vector<double> Ticks() const
   {
     std::vector<double> ticks;

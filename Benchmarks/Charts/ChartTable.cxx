@@ -24,7 +24,7 @@ std::string TitleOf(const std::string& subject)
   return "# penumbra chart: " + subject;
 }
 
-/// A name may hold commas: what follows it is read from the end.
+/// Parses a row. The name may contain commas, so the fields after it are parsed from the end.
 ChartRow RowOf(const std::string& line, const std::string& path)
 try
 {
@@ -41,7 +41,8 @@ try
 }
 catch (const std::logic_error&)
 {
-  throw CommandError(BadInput, "--output: " + path + " holds a line that cannot be read: " + line);
+  throw CommandError(
+    BadInput, "--output: " + path + " contains a line that cannot be parsed: " + line);
 }
 
 }
@@ -72,7 +73,7 @@ void ChartTable::Read(const std::string& subject)
   {
     throw CommandError(BadInput,
       "--output: " + this->Path +
-        " is of another chart (other files, or --quick); remove it or use another folder");
+        " belongs to another chart (other files, or --quick); remove it or use another folder");
   }
   this->Head = line + "\n";
   while (std::getline(file, line))

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The measured steps of a chart, kept in a CSV file that is written anew, whole, after each: an interrupted
-// run goes on where it ended.
+// The measured rows of a chart, stored in a CSV file. The complete file is rewritten after each
+// row, so that an interrupted run can continue.
 #ifndef penumbra_ChartTable_h
 #define penumbra_ChartTable_h
 
@@ -17,23 +17,24 @@ struct ChartRow
   std::string Scene;
   std::string Method;
   std::string Setting;
-  double RequestedTolerance = 0.0; ///< tolerance; 0: the method takes none
+  double RequestedTolerance = 0.0; ///< 0: the method has no tolerance
   double Error = 0.0;
   double Seconds = 0.0; ///< CPU
-  double Count = 0.0;   ///< rays or samples a pixel
+  double Count = 0.0;   ///< rays or samples per pixel
 };
 
 class ChartTable
 {
 public:
-  /// Rows that an earlier run left at `path`. `subject`: what is measured; `remarks`: machine, date.
-  /// Throws Failure where the file is of another subject or no chart's, or cannot be written.
+  /// Reads the rows of an earlier run at `path`. `subject`: identifies the measurement; `remarks`:
+  /// machine, date. Throws Failure if the file belongs to another subject, is not a chart, or
+  /// cannot be written.
   ChartTable(
     const std::string& path, const std::string& subject, const std::vector<std::string>& remarks);
 
   bool Has(const std::string& scene, const std::string& method, const std::string& setting) const;
 
-  /// Writes it at once.
+  /// Adds a row and writes the file.
   void Add(const ChartRow& row);
 
   const std::vector<ChartRow>& GetRows() const { return this->Rows; }
@@ -47,19 +48,19 @@ private:
   std::vector<ChartRow> Rows;
 };
 
-/// How far a row lies off the front of all rows of its scene; 0 and 1 where it lies on it.
+/// Distance of a row from the front of all rows of its scene; 0 and 1 if the row is on the front.
 struct ParetoDistance
 {
-  double Off = 0.0;        ///< share by which some other row is better in both, error and cost
-  std::string Than;        ///< that row: method and setting
-  double TimesCost = 1.0;  ///< cost over the least for which an error as small is had
-  double TimesError = 1.0; ///< error over the least that is had for as little
+  double Off = 0.0; ///< largest fraction by which another row is better in both error and cost
+  std::string Than; ///< that row: method and setting
+  double TimesCost = 1.0;  ///< cost relative to the cheapest row with at most this error
+  double TimesError = 1.0; ///< error relative to the best row with at most this cost
 };
 
 ParetoDistance DistanceToFront(
   const std::vector<ChartRow>& rows, const ChartRow& row, double ChartRow::*cost);
 
-/// Rows that no other row beats in error and in `cost`, by falling error.
+/// Rows that no other row beats in both error and `cost`, by decreasing error.
 std::vector<ChartRow> ParetoFront(std::vector<ChartRow> rows, double ChartRow::*cost);
 
 }

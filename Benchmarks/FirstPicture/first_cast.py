@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first picture by VTK's classes alone, without PyVista: first_cast.py FILE"""
+"""Renders a first image with VTK's classes, without PyVista: first_cast.py FILE"""
 import sys
 
 from cvista.util.numpy_support import vtk_to_numpy

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first picture of somebody who has just installed the wheel: first_plot.py FILE"""
+"""Renders a first image with PyVista and the installed wheel: first_plot.py FILE"""
 import sys
 
 import penumbra  # noqa: F401

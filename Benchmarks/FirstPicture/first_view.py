@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Seconds from an empty ParaView to the first picture of a contour: first_view.py plain|penumbra FILE"""
+"""Prints the seconds from an empty ParaView to the first image of a contour: first_view.py plain|penumbra FILE"""
 import os
 import sys
 import time

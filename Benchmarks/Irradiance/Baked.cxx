@@ -27,7 +27,7 @@ namespace penumbra
 namespace
 {
 
-/// Every so many points has a truth of 16,384 rays.
+/// Distance between the points with a reference of 16,384 rays.
 constexpr std::size_t TruthStep = 400;
 
 struct Truth
@@ -91,7 +91,7 @@ Baked BakeIt(vtkPolyData* mesh, double tolerance, int method, const Truth& truth
   return baked;
 }
 
-/// Writes mesh and truth for MeshLab; returns what to ask.
+/// Writes mesh and reference for MeshLab; returns the script's arguments.
 std::string WriteFor(const IrradianceBenchmark& benchmark, vtkPolyData* mesh, const Truth& truth)
 {
   const std::string meshFile = benchmark.Output + "/armadillo.ply";
@@ -123,7 +123,7 @@ void MeasureBaking(IrradianceBenchmark& benchmark)
   std::vector<glm::dvec2> ladder;
   std::vector<Baked> cached;
   double slowest = 0.0;
-  vtkSmartPointer<vtkPolyData> best; // by brute force at the smallest tolerance
+  vtkSmartPointer<vtkPolyData> best; // brute force with the smallest tolerance
   const std::string name = "armadillo, 104 thousand points";
   for (const double tolerance : { .03, .01, .006 })
   {
@@ -136,17 +136,18 @@ void MeasureBaking(IrradianceBenchmark& benchmark)
     table.Add(name, "RMSE at tolerance " + std::to_string(tolerance).substr(0, 5), baked.Error,
       TargetKind::AtMost, tolerance,
       std::to_string(static_cast<int>(baked.Records)) + " records, " +
-        std::to_string(baked.Rays * 1e-6).substr(0, 4) + " M rays; brute force alone " +
+        std::to_string(baked.Rays * 1e-6).substr(0, 4) + " M rays; brute force " +
         std::to_string(brute.Error).substr(0, 6) + ", " +
         std::to_string(brute.Rays * 1e-6).substr(0, 4) + " M rays");
   }
   WriteBakings(benchmark.Output + "/baked-scan.png", cached[1].Mesh, best);
   table.Add(name, "RMSE at the default tolerance", cached[1].Error, TargetKind::AtMost, .009,
-    "Embree alone: .0089 at 256 rays");
+    "Embree without cache: 0.0089 at 256 rays");
   table.Add(name, "time at equal RMSE, baking over brute force",
     cached[1].Seconds / CostAtError(ladder, cached[1].Error), TargetKind::AtMost, .5,
-    "at an RMSE of " + std::to_string(cached[1].Error).substr(0, 6) +
-      ": half of the rays, but reading, tree and fits cost, too");
+    std::string(IsExtrapolated(ladder, cached[1].Error) ? "extrapolated, " : "") +
+      "at an RMSE of " + std::to_string(cached[1].Error).substr(0, 6) +
+      ": half of the rays, but reading, the acceleration structure and fits also take time");
   CompareTimes(table, name, { "MeshLab", benchmark.MeshLab, WriteFor(benchmark, mesh, truth) },
     cached[1].Error, cached[1].Seconds, .2);
   table.Add(name, "greatest time at equal tolerance, baking over brute force", slowest,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parts of the benchmark of the irradiance cache. Each adds its figures to the table.
+// The parts of the irradiance cache benchmark. Each adds its results to the table.
 #ifndef penumbra_irradiance_Benchmark_h
 #define penumbra_irradiance_Benchmark_h
 
@@ -18,13 +18,13 @@ struct IrradianceBenchmark
 {
   std::string Meshes;   ///< folder with the .off files of Debian's libcgal-demo
   std::string Output;   ///< folder for results
-  std::string Radiance; ///< Python that has pyradiance; empty: left out
-  std::string MeshLab;  ///< Python that has pymeshlab; empty: left out
+  std::string Radiance; ///< Python that has pyradiance; empty: skipped
+  std::string MeshLab;  ///< Python that has pymeshlab; empty: skipped
   ResultTable Results;
 };
 
-/// A unit sphere on and above a plane, 1024 x 1024 pixels, against closed forms and brute force; and
-/// whether the tolerance is kept from .05 to .002.
+/// A unit sphere on and above a plane, 1024 x 1024 pixels, against closed forms and brute force.
+/// Also tests whether the error stays below tolerances from 0.05 to 0.002.
 void MeasureSpheres(IrradianceBenchmark& benchmark);
 
 /// Walls, rectangle, disc, open plane and closed box against closed forms.
@@ -33,13 +33,13 @@ void MeasureForms(IrradianceBenchmark& benchmark);
 /// A scan of 104 thousand points against many rays.
 void MeasureBaking(IrradianceBenchmark& benchmark);
 
-/// Light of several reflections in a room and in closed cubes.
+/// Interreflection in a room and in closed cubes.
 void MeasureLight(IrradianceBenchmark& benchmark);
 
-/// A building whose rooms are mostly hidden, looked at by rays and by cube maps.
+/// A building whose rooms are mostly hidden, sampled with rays and with cube maps.
 void MeasureGatherers(IrradianceBenchmark& benchmark);
 
-/// A tree of a million records.
+/// A tree of one million records.
 void MeasureRecords(IrradianceBenchmark& benchmark);
 
 /// CPU seconds of this process.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes whose occlusion is known in closed form, over all pixels that see their floor.
+// Scenes with closed-form occlusion, over all pixels that show their floor.
 #include "Benchmark.h"
 
 #include "Embree/RayScene.h"
@@ -26,7 +26,7 @@ constexpr float Far = 1000.f;
 
 using Truth = std::function<double(glm::dvec3)>;
 
-/// RMSE over what is seen of the first surface, which lies in z = 0.
+/// RMSE over the visible part of the first surface, which lies in z = 0.
 double ErrorOnFloor(Scene& scene, glm::dvec3 eye, glm::dvec3 target, const Truth& truth)
 {
   LookAt(scene, eye, target, 45.0, Size, Size);
@@ -52,13 +52,13 @@ double ErrorOnFloor(Scene& scene, glm::dvec3 eye, glm::dvec3 target, const Truth
   return std::sqrt(square / count);
 }
 
-/// What a wall of endless width hides, h high and d away.
+/// Occlusion by a wall of infinite width, of height h at distance d.
 double BehindWall(double d, double h)
 {
   return .5 * (1.0 - d / std::hypot(d, h));
 }
 
-/// What a rectangle a x b at height 1 hides from the point below one of its corners.
+/// Occlusion by a rectangle a x b at height 1 for the point below one of its corners.
 double UnderCorner(double a, double b)
 {
   const double u = std::hypot(1.0, a);
@@ -72,7 +72,7 @@ void MeasureForms(IrradianceBenchmark& benchmark)
 {
   const auto add = [&](const char* what, double error, double bar) {
     benchmark.Results.Add("closed forms, tolerance .005", what, error, TargetKind::AtMost, bar,
-      error > bar ? "brute force: .001" : "");
+      error > bar ? "brute force: 0.001" : "");
   };
   Scene open;
   AddFloor(open, Far);
@@ -90,7 +90,7 @@ void MeasureForms(IrradianceBenchmark& benchmark)
     ErrorOnFloor(wall, { 0, -4, 3 }, { 0, -.5, 0 },
       [](glm::dvec3 at) { return BehindWall(std::abs(at.y), 1.0); }),
     Tolerance);
-  Scene corner; // both walls so high that from near them no end is seen
+  Scene corner; // both walls are so high that their upper edges do not matter close to them
   AddFloor(corner, Far);
   AddRectangle(corner, { -Far, 0, 0 }, { 2 * Far, 0, 0 }, { 0, 0, Far });
   AddRectangle(corner, { 0, -Far, 0 }, { 0, 2 * Far, 0 }, { 0, 0, Far });

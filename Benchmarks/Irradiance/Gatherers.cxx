@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays and cube maps look around in one room, and in a building of which a point sees little.
+// Compares hemisphere sampling by rays and by cube maps, in one room and in a building of which
+// most is hidden from any point.
 #include "Benchmark.h"
 
 #include "BruteForce/ImageErrors.h"
@@ -23,15 +24,16 @@ namespace
 {
 
 constexpr int Points = 48;
-constexpr int DirectionsAlong = 256; ///< both sides of the square of those that tell what is hidden
+constexpr int DirectionsAlong =
+  256; ///< square root of the number of rays that determine the hidden triangles
 
-/// The errors at which times are compared: what records are usually made with, and one of truths.
+/// Errors at which times are compared: typical of records, and typical of references.
 constexpr double Targets[] = { .004, .0008 };
 
 struct Looks
 {
   std::vector<double> Means;
-  double Seconds = 0.0; ///< of one look
+  double Seconds = 0.0; ///< per hemisphere
 };
 
 std::vector<glm::vec3> PointsOnFloors(int along, int storeys)
@@ -55,7 +57,8 @@ Looks LookAround(const Gatherer& gatherer, int side, const std::vector<glm::vec3
   std::vector<glm::vec3> directions;
   std::vector<HemisphereSample> sights;
   Looks looks;
-  gatherer.SampleHemisphere(points.front(), frame, grid, 0, directions, sights); // tables, programs
+  gatherer.SampleHemisphere(
+    points.front(), frame, grid, 0, directions, sights); // allocates tables and compiles shaders
   const double start = Seconds();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -82,7 +85,7 @@ double ErrorOf(const Looks& looks, const Looks& truth)
   return std::sqrt(square / static_cast<double>(truth.Means.size()));
 }
 
-/// What share of the triangles none of very many rays from a point meets, in the mean.
+/// Mean fraction of the triangles that are not hit by a large number of rays from a point.
 double HiddenShare(
   const RayScene& rays, const std::vector<glm::vec3>& points, std::size_t triangles)
 {
@@ -106,14 +109,14 @@ double HiddenShare(
   return 1.0 - seen / static_cast<double>(points.size() * triangles);
 }
 
-/// Adds a step of a ladder to the table, and to `ladder` its error and its seconds.
+/// Adds a setting to the table, and its error and seconds to `ladder`.
 void AddStep(ResultTable& table, const std::string& scene, const std::string& what,
   const Looks& looks, const Looks& truth, std::vector<glm::dvec2>& ladder)
 {
   const double error = ErrorOf(looks, truth);
   ladder.emplace_back(error, looks.Seconds);
   table.Add(scene, "RMSE by " + what, error, TargetKind::None, 0.0,
-    std::to_string(1e3 * looks.Seconds).substr(0, 5) + " ms a look");
+    std::to_string(1e3 * looks.Seconds).substr(0, 5) + " ms per hemisphere");
 }
 
 void Compare(ResultTable& table, const std::string& name, int along, int storeys)
@@ -126,7 +129,7 @@ void Compare(ResultTable& table, const std::string& name, int along, int storeys
     triangles += surface.Triangles.size();
   }
   const RayScene rays(scene, 1);
-  // Everything is blocked in the end: what counts is what is near.
+  // Every ray hits a surface eventually, so the radius is limited.
   const OcclusionGatherer byRays(rays, .5f * RoomSize);
   const std::vector<glm::vec3> points = PointsOnFloors(along, storeys);
   const Looks truth = LookAround(byRays, HemisphereGrid::MostSide, points);
@@ -159,11 +162,13 @@ void Compare(ResultTable& table, const std::string& name, int along, int storeys
     table.Add(name,
       "time at an RMSE of " + std::to_string(target).substr(1, 5) + ", cube maps over rays",
       CostAtError(mapLadder, target) / CostAtError(rayLadder, target), TargetKind::None, 0.0,
-      "reach half a room");
+      std::string("radius of half a room") +
+        (IsExtrapolated(mapLadder, target) || IsExtrapolated(rayLadder, target) ? ", extrapolated"
+                                                                                : ""));
   }
   table.Add(name, "time of a look, a cube map of 64 over 1024 rays", allMaps / allRays,
     TargetKind::None, 0.0,
-    "reach without limit: " + std::to_string(1e3 * allMaps).substr(0, 5) + " ms over " +
+    "unlimited radius: " + std::to_string(1e3 * allMaps).substr(0, 5) + " ms over " +
       std::to_string(1e3 * allRays).substr(0, 5));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light of several reflections: a room against independent paths, closed cubes against closed forms.
+// Interreflection: a room against independent paths, closed cubes against closed forms.
 #include "Benchmark.h"
 
 #include "BruteForce/PathTracer.h"
@@ -26,13 +26,13 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 constexpr int Size = 256;
-constexpr int TruthStep = 8; ///< every so many pixels in both directions have a truth
+constexpr int TruthStep = 8; ///< distance in pixels, in both directions, between reference values
 constexpr int Paths = 16384;
 
-/// What the room's picture is accepted to err, as irradiance over pi: about 1.7 % of its mean.
+/// Accepted error of the image of the room, as irradiance over pi: about 1.7 % of its mean.
 constexpr double RoomTolerance = .0034;
 
-/// Radiance that is white in the room's picture.
+/// Radiance displayed as white in the image of the room.
 constexpr double WhiteOfPicture = .5;
 
 struct Asked
@@ -43,7 +43,7 @@ struct Asked
   glm::dvec3 Normal;
 };
 
-/// What the middle of every `step`-th pixel sees, what shines left out.
+/// Surface points at the centers of every `step`-th pixel, without emitting surfaces.
 std::vector<Asked> Look(const RayScene& rays, int step)
 {
   const Scene& scene = rays.GetScene();
@@ -120,7 +120,7 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
   double square = 0.0;
   double size = 0.0;
   std::uint64_t seed = 0;
-  const std::string known = benchmark.Output + "/box-truth.txt"; // for others
+  const std::string known = benchmark.Output + "/box-truth.txt"; // for peer programs
   std::ofstream file(known);
   for (const Asked& place : Look(rays, TruthStep))
   {
@@ -135,14 +135,14 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
   const std::string name =
     std::string("box, albedo .5, 5 bounces, 256 x 256") + (onScreen ? ", screen space" : "");
   const TargetKind atMost =
-    onScreen ? TargetKind::None : TargetKind::AtMost; // bars are of the default
+    onScreen ? TargetKind::None : TargetKind::AtMost; // targets apply to the default
   table.Add(name, "RMSE over root mean square", std::sqrt(square / size), atMost, .018);
   table.Add(
     name, "records", CountOf(cache, "Cache/Records"), atMost, 10000.0, "Radiance: 11.9 thousand");
   table.Add(name, "rays, millions",
     (CountOf(cache, "Rays/Gather") + static_cast<double>(own)) * 1e-6, atMost, 12.0,
     "Radiance: 15; " + std::to_string(static_cast<double>(own) * 1e-6).substr(0, 4) +
-      " M of them at pixels that no record serves");
+      " M of them at pixels without a valid record");
   table.Add(name, "seconds: records, then look-ups", seconds, TargetKind::None, 0.0,
     std::to_string(placing) + " + " + std::to_string(seconds - placing));
   if (!onScreen)
@@ -171,7 +171,7 @@ void MeasureFurnace(ResultTable& table, double albedo)
   settings.Bounces = 8;
   vtkNew<vtkPenumbraIrradianceCache> cache;
   cache->BeginIrradiance(Illumination(rays, settings), .02);
-  // Surfaces shine by 1 and by what they reflect: Le / (1 - albedo), less what is left out.
+  // Surfaces emit 1 and reflect: Le / (1 - albedo), minus the truncated bounces.
   const double truth = (1.0 - std::pow(albedo, settings.Bounces + 1)) / (1.0 - albedo);
   long long ignored = 0;
   double worst = 0.0;

@@ -50,7 +50,7 @@ void CompareTimes(ResultTable& table, const std::string& scene, const PeerProgra
     throw std::runtime_error(rival.Name + " failed: " + command);
   }
   char remark[600];
-  std::snprintf(remark, sizeof remark, "ours %.4f in %.2f s; its %.4f in %.2f s (%s)", error,
+  std::snprintf(remark, sizeof remark, "Penumbra %.4f in %.2f s; peer %.4f in %.2f s (%s)", error,
     seconds, bestError, bestSeconds, bestSetting.c_str());
   table.Add(scene, "time, ours over " + rival.Name + "'s", seconds / bestSeconds,
     TargetKind::AtMost, bar, remark);

@@ -31,7 +31,7 @@ unsigned char ToByte(double value)
   return static_cast<unsigned char>(255.0 * std::clamp(value, 0.0, 1.0) + .5);
 }
 
-/// The mesh in plain colours, `right` sizes to the right.
+/// Adds the mesh in plain colors, shifted to the right by `right` times its width.
 void Add(vtkRenderer* renderer, vtkPolyData* mesh, double right,
   const std::function<glm::dvec3(vtkIdType)>& colorAt)
 {
@@ -51,7 +51,7 @@ void Add(vtkRenderer* renderer, vtkPolyData* mesh, double right,
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
   const double* bounds = mesh->GetBounds();
-  actor->SetPosition(-right * (bounds[1] - bounds[0]), 0.0, 0.0); // seen from behind
+  actor->SetPosition(-right * (bounds[1] - bounds[0]), 0.0, 0.0); // the view is from behind
   renderer->AddActor(actor);
 }
 
@@ -91,7 +91,7 @@ void WriteBakings(const std::string& path, vtkPolyData* baked, vtkPolyData* othe
     return more > 0.0 ? glm::dvec3(.9, .9 * rest, .9 * rest) : glm::dvec3(.9 * rest, .9 * rest, .9);
   });
   renderer->ResetCamera();
-  renderer->GetActiveCamera()->Azimuth(180.0); // armadillo.off looks along -z
+  renderer->GetActiveCamera()->Azimuth(180.0); // armadillo.off faces -z
   renderer->GetActiveCamera()->Zoom(2.2);
 
   vtkNew<vtkPenumbraRayCaster> caster;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures of what the benchmark of the irradiance cache measures, to be looked at.
+// Images of the results of the irradiance cache benchmark, for visual inspection.
 #ifndef penumbra_irradiance_Pictures_h
 #define penumbra_irradiance_Pictures_h
 
@@ -15,11 +15,11 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// Colours from 0 to 1, row after row from below, as a PNG file.
+/// Writes colors in [0, 1], row by row from the bottom, to a PNG file.
 void WritePicture(const std::string& path, int width, const std::vector<glm::dvec3>& colors);
 
-/// Two bakings of one mesh (point array `AmbientOcclusion`) beside each other, and what the first has
-/// more (red) or less (blue): .05 and more is full colour.
+/// Renders two bakings of one mesh (point array `AmbientOcclusion`) next to each other, and their
+/// difference: red where the first is larger, blue where it is smaller; 0.05 and more is saturated.
 void WriteBakings(const std::string& path, vtkPolyData* baked, vtkPolyData* other);
 
 }

@@ -14,7 +14,7 @@ void MeasureRecords(IrradianceBenchmark& benchmark)
 {
   constexpr int Count = 1000000;
   constexpr int Questions = 1000000;
-  // On a plane, each place within reach of about three.
+  // Records on a plane; each point is within the radius of about three.
   const float radius = std::sqrt(3.f * 4.f / (3.14159f * Count));
   std::uint32_t state = 1;
   const auto random = [&state]() {
@@ -43,9 +43,9 @@ void MeasureRecords(IrradianceBenchmark& benchmark)
   const double micro = 1e6 * (Seconds() - start) / Questions;
   ResultTable& table = benchmark.Results;
   table.Add("1 million records", "microseconds a look-up", micro, TargetKind::AtMost, 2.0,
-    std::to_string(100 * found / Questions) + " % served");
+    std::to_string(100 * found / Questions) + " % interpolated");
   table.Add("1 million records", "memory, MB", static_cast<double>(tree.GetBytes()) * 1e-6,
-    TargetKind::None, 0.0, std::to_string(sizeof(Record)) + " bytes of it a record");
+    TargetKind::None, 0.0, std::to_string(sizeof(Record)) + " bytes per record");
 }
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints the figures that the irradiance cache has to reach, each beside its bar. Run it by
-// `./penumbra benchmark irradiance`, which also fetches what it needs.
+// Measures the irradiance cache and compares each result with its target. Run it with `./penumbra
+// benchmark irradiance`, which also fetches the meshes.
 #include "Benchmark.h"
 #include "Program.h"
 
@@ -14,7 +14,7 @@ int main(int argc, char** argv)
   IrradianceBenchmark benchmark;
   Program program;
   program.Name = "irradiance";
-  program.Title = "Irradiance cache: figures and bars";
+  program.Title = "Irradiance cache: measurements and targets";
   program.Usage = "--meshes FOLDER --output FOLDER [--radiance PYTHON] [--meshlab PYTHON]\n"
                   "         [--only spheres|forms|light|baking|gatherers|records]";
   program.Values = { { "--meshes", &benchmark.Meshes, true },
@@ -31,14 +31,14 @@ int main(int argc, char** argv)
   vtkSMPTools::Initialize(1);
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
     return std::vector<std::string>{ "one thread, CPU seconds; " + DateLine(), VersionLine(),
-      "spheres: default settings, tolerance .005, all pixels of 1024 x 1024 that are more than 2 "
-      "pixels from the sphere's outline",
-      "brute force: every 16th pixel in both directions or every 400th point, a ladder of "
-      "tolerances read at the cache's own error",
-      "Radiance and MeshLab: what they are asked for is in Benchmarks/Peers/scripts; CPU seconds "
+      "spheres: default settings, tolerance 0.005, all pixels of 1024 x 1024 more than 2 "
+      "pixels from the sphere's silhouette",
+      "brute force: every 16th pixel in both directions or every 400th point, a series of "
+      "tolerances, interpolated at the error of the cache",
+      "Radiance and MeshLab: settings are in Benchmarks/Peers/scripts; CPU seconds "
       "of all "
       "their "
-      "threads, reading and trees left out",
-      "cube maps: by OpenGL without a graphics card (llvmpipe), its threads counted" };
+      "threads, without reading and acceleration structures",
+      "cube maps: software OpenGL (llvmpipe), including the CPU time of its threads" };
   });
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pass against the marched reference in the same medium, no gain fitted.
+// The pass against the marched reference in the same medium, without a fitted gain.
 #include "Benchmark.h"
 #include "ShaftScene.h"
 
@@ -20,10 +20,10 @@ namespace
 {
 
 constexpr double WholeSphere = 12.566370614359172;
-constexpr double EdgeDensity = 0.12; // scattering and extinction a world unit
+constexpr double EdgeDensity = 0.12; // scattering and extinction per world unit
 
-/// Few, and so many that only what depth does not tell is wrong: what a history of many jittered frames
-/// could gain lies between.
+/// A small number of steps, and one so large that only the missing depth layers cause errors. A
+/// history of many jittered frames could attain an error between both.
 constexpr int Steps[2] = { 16, 1024 };
 
 double Rms(const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& out)
@@ -136,7 +136,7 @@ void MeasureAccuracy(ShaftBenchmark& benchmark)
       scene.AddFloor(12.0);
       scene.AddSolids(14, seed);
       scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
-      // Half the width of the picture is 0.485 on the plane at distance 1.
+      // Half the width of the image is 0.485 on the plane at distance 1.
       scene.AddSun({ outside ? 0.72 : 0.2, 1.0, 0.32 });
       scene.SetMedium(EdgeDensity, EdgeDensity);
       const std::string name = std::string(outside ? "outside-" : "inside-") + std::to_string(seed);

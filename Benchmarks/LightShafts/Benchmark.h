@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parts of the light shaft benchmark. Each adds its figures to the table.
+// The parts of the light shaft benchmark. Each adds its results to the table.
 #ifndef penumbra_LightShaftBenchmark_h
 #define penumbra_LightShaftBenchmark_h
 
@@ -15,14 +15,15 @@ namespace penumbra
 
 struct ShaftBenchmark
 {
-  std::string Output;  ///< folder for results, pictures and what is handed to peers
+  std::string Output;  ///< folder for results, images and the peers' scene files
   std::string PovRay;  ///< program; empty: no comparison with it
   std::string Mitsuba; ///< Python that has it; empty: no comparison with it
   bool Diagnose = false;
   ResultTable Results;
 };
 
-/// Scattered light of some pictures side by side, white where fog hides all, `width` pixels each.
+/// Writes the in-scattered light of several images next to each other; white is the radiance of an
+/// opaque medium. `width` pixels each.
 void WritePicture(
   const std::string& path, const std::vector<std::vector<double>>& parts, int width);
 
@@ -32,13 +33,13 @@ void MeasureMarched(ShaftBenchmark& benchmark);
 /// The pass against the marched reference.
 void MeasureAccuracy(ShaftBenchmark& benchmark);
 
-/// Chained passes against one long loop.
+/// Chained passes against one loop.
 void MeasureChained(ShaftBenchmark& benchmark);
 
-/// What the pass costs, still and moving.
+/// Cost of the pass in static and moving views.
 void MeasureCost(ShaftBenchmark& benchmark);
 
-/// Motion: a light that sweeps, an occluder that crosses the border.
+/// Motion: a light that sweeps, an occluder that crosses the image edge.
 void MeasureMotion(ShaftBenchmark& benchmark);
 
 }

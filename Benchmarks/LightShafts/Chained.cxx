@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The paper's chained passes: two of 8 samples against one loop of 64, both at geometric distances.
+// The paper's chained passes: two of 8 samples against one loop of 64, both at geometrically spaced
+// distances.
 #include "Benchmark.h"
 #include "ShaftScene.h"
 
@@ -16,7 +17,7 @@ namespace penumbra
 namespace
 {
 
-/// What a sun of this brightness scatters is 1 where fog hides all.
+/// Intensity of the directional light at which an opaque medium has the radiance 1.
 constexpr double WholeSphere = 12.566370614359172;
 constexpr int Frames = 7;
 
@@ -35,7 +36,7 @@ struct Chain
   std::vector<double> Light{};
 };
 
-/// The least of some frames, none of which is still.
+/// Returns the fastest of several frames, none of which is static.
 void Measure(ShaftScene& scene, vtkLight* sun, Chain& chain, int frame)
 {
   scene.Pass->SetSteps(chain.Steps);
@@ -60,7 +61,7 @@ void MeasureChained(ShaftBenchmark& benchmark)
   scene.SetMedium(0.12, 0.12);
   scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
   scene.Pass->SetSpacing(vtkPenumbraLightShaftPass::GEOMETRIC);
-  scene.Pass->SetTolerance(1.0 / 1024.0); // a share for every pixel
+  scene.Pass->SetTolerance(1.0 / 1024.0); // a lit fraction for every pixel
   Chain chains[3] = { { 8, 2 }, { 64, 1 }, { 1, 1 } };
   for (int frame = 0; frame < Frames; ++frame)
   {

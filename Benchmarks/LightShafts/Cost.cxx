@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What light shafts cost over a plain frame: 400 spheres, 1024x768, medians over rounds of alternating
-// frames, each against the plain frame of its round, in seconds of the drawing thread.
+// Cost of light shafts relative to a plain frame: 400 spheres, 1024x768, medians over rounds of
+// alternating frames, each compared with the plain frame of its round, in seconds of the rendering
+// thread.
 #include "Benchmark.h"
 #include "FrameTimes.h"
 #include "Processes/MallocSettings.h"
@@ -104,7 +105,7 @@ struct SphereScene
   vtkNew<vtkRenderWindow> Window;
 };
 
-/// In thousands, so far.
+/// Page faults of the process so far, in thousands.
 double PageFaults()
 {
   rusage usage;
@@ -112,7 +113,7 @@ double PageFaults()
   return 1e-3 * static_cast<double>(usage.ru_minflt);
 }
 
-/// `memory`: how it is had, for the table.
+/// `memory`: configuration of the C library, for the table.
 void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
 {
   const std::string scene = "S400, " + memory;
@@ -133,7 +134,7 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   constexpr int Scenes = 6;
   SphereScene* const scenes[Scenes] = { &plain, &plainOfTwo, &one, &two, &full, &more };
   std::vector<double> moving[Scenes];
-  std::vector<double> stopped[Scenes]; // the first picture that stays
+  std::vector<double> stopped[Scenes]; // the first static image
   std::vector<double> still[Scenes];
   double faults[Scenes] = {};
   for (int round = -WarmingRounds; round < Rounds; ++round)
@@ -161,7 +162,7 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   const double first = MedianOverhead(moving[2], moving[0]);
   const double second = MedianOverhead(moving[3], moving[1]);
   char pages[80];
-  std::snprintf(pages, sizeof pages, "thousands of page faults a frame: %.1f, plain %.1f",
+  std::snprintf(pages, sizeof pages, "thousands of page faults per frame: %.1f, plain %.1f",
     faults[2], faults[0]);
   ResultTable& table = benchmark.Results;
   table.Add(scene, "seconds of a plain frame", base, TargetKind::None);
@@ -170,7 +171,8 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   table.Add(scene, "overhead of two lights over that of one", second / first, TargetKind::AtMost,
     1.6,
     std::string(pages) +
-      "; little is common to both: nearly all of one light's cost is for its own shares");
+      "; little work is common to both: nearly all of the cost of a light is for its lit "
+      "fractions");
   table.Add(scene, "overhead at tolerance 1/256, plain frames",
     MedianOverhead(moving[4], moving[0]) / base, TargetKind::None);
   table.Add(scene, "overhead at tolerance 1/64 with 64 steps, plain frames",

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The marched reference: a half-plane keeps light from straight above off one side, the medium has a
-// flat top; in closed form, by the ray caster, by POV-Ray's media.
+// The marched reference: a half-plane shadows one side from straight above, and the medium has a
+// flat top. Compares the closed form, the ray caster, and POV-Ray's media.
 #include "Benchmark.h"
 #include "ClosedForms/HalfPlaneScattering.h"
 #include "vtkPenumbraMedium.h"
@@ -42,7 +42,7 @@ double Seconds(int who)
     1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// The medium in a box: POV-Ray's media know no other.
+/// The medium in a box, as POV-Ray's media require.
 HalfPlaneInHaze BoxedHaze()
 {
   HalfPlaneInHaze haze;
@@ -69,7 +69,7 @@ struct Run
 {
   double Error = 0.0;
   double Seconds = 0.0;
-  double Rays = 0.0; ///< a pixel
+  double Rays = 0.0; ///< per pixel
 };
 
 Run ByRays(const std::vector<double>& exact, int steps, double tolerance)
@@ -102,8 +102,8 @@ Run ByRays(const std::vector<double>& exact, int steps, double tolerance)
   return run;
 }
 
-/// POV-Ray's media with `samples` samples of its intervals. Its scattering of type 1 has no factor
-/// 1 / (4 pi), which the light's brightness makes good.
+/// Renders POV-Ray's media with `samples` samples per interval. Its scattering type 1 omits the
+/// factor 1 / (4 pi), which the light's intensity compensates.
 Run ByPovRay(const ShaftBenchmark& benchmark, const std::vector<double>& exact, int samples)
 {
   const std::string scene = benchmark.Output + "/half-plane.pov";
@@ -142,7 +142,7 @@ Run ByPovRay(const ShaftBenchmark& benchmark, const std::vector<double>& exact, 
   return run;
 }
 
-/// Mitsuba's volpath with `samples` samples a pixel, and its version.
+/// Renders Mitsuba's volpath with `samples` samples per pixel; also returns its version.
 Run ByMitsuba(const ShaftBenchmark& benchmark, int samples, std::string& version)
 {
   const std::string answer = benchmark.Output + "/volpath.txt";
@@ -159,7 +159,7 @@ Run ByMitsuba(const ShaftBenchmark& benchmark, int samples, std::string& version
   if (std::sscanf(line.c_str(), "relative RMSE %lf, gain %*f, %lf CPU seconds, %63[^\n]",
         &run.Error, &run.Seconds, name) != 3)
   {
-    throw std::runtime_error("Mitsuba said: " + line);
+    throw std::runtime_error("Cannot parse the output of Mitsuba: " + line);
   }
   version = name;
   run.Rays = samples;
@@ -183,11 +183,13 @@ void CompareWithPovRay(
   benchmark.Results.Add(scene, "POV-Ray's time over ours at equal error",
     equal.Seconds / ours.Seconds, TargetKind::AtLeast, 10.0,
     "POV-Ray " + std::to_string(equal.Error) + " with " +
-      std::to_string(static_cast<int>(equal.Rays)) + " samples");
+      std::to_string(static_cast<int>(equal.Rays)) + " samples" +
+      (equal.Error > ours.Error ? ", a larger error" : ""));
 }
 
-/// The square of its noise falls with the number of samples: its time at our error follows from a run
-/// that takes seconds. Four times the samples, half the error, tell whether that is so.
+/// The variance is inversely proportional to the number of samples: the time at Penumbra's error is
+/// extrapolated from a run of a few seconds. A run with four times the samples must have half the
+/// error.
 void CompareWithMitsuba(ShaftBenchmark& benchmark, const std::string& scene, Run ours)
 {
   std::string version;
@@ -196,7 +198,7 @@ void CompareWithMitsuba(ShaftBenchmark& benchmark, const std::string& scene, Run
   const double more = many.Error / ours.Error;
   char remark[160];
   std::snprintf(remark, sizeof remark,
-    "%s: %.3f with 16, %.3f with 64 samples in %.2f s; from there by the square of the error",
+    "%s: %.3f with 16, %.3f with 64 samples in %.2f s; extrapolated by the square of the error",
     version.c_str(), few.Error, many.Error, many.Seconds);
   benchmark.Results.Add(scene, "Mitsuba volpath's time over ours at equal error",
     many.Seconds * more * more / ours.Seconds, TargetKind::AtLeast, 10.0, remark);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light shafts in motion: added light alone, in 1/255 of the brightness of a white surface.
+// Light shafts in motion: only the added light, in 1/255 of the brightness of a white surface.
 #include "Benchmark.h"
 #include "ShaftScene.h"
 
@@ -30,7 +30,7 @@ double LargestChange(const std::vector<double>& a, const std::vector<double>& b)
   return largest;
 }
 
-/// One degree a frame from within the picture, past the camera plane, to the back.
+/// The light moves one degree per frame from inside the image, past the camera plane, to the back.
 void SweepLight(ShaftBenchmark& benchmark)
 {
   ShaftScene scene(160, 120);
@@ -45,7 +45,7 @@ void SweepLight(ShaftBenchmark& benchmark)
   double largest = 0.0;
   double largestOfTruth = 0.0;
   int worst = 0;
-  // The picture ends 26 degrees from its middle.
+  // The image ends 26 degrees from its center.
   for (int angle = 36; angle <= 180; ++angle)
   {
     const double a = angle * 0.017453292519943295;
@@ -62,7 +62,7 @@ void SweepLight(ShaftBenchmark& benchmark)
     {
       strip.push_back(now);
     }
-    if (angle >= 160 && angle <= 168) // where the reference changes most
+    if (angle >= 160 && angle <= 168) // range with the largest changes of the reference
     {
       const std::vector<double> truth = scene.RenderWithRayCaster(64);
       largestOfTruth = truthBefore.empty()
@@ -82,7 +82,7 @@ void SweepLight(ShaftBenchmark& benchmark)
     "largest change of a pixel of the reference, 1/255", largestOfTruth, TargetKind::None);
 }
 
-/// A sphere that leaves the picture, one pixel a frame, under a sun outside of it.
+/// A sphere leaves the image at one pixel per frame; the directional light is outside the image.
 void CrossBorder(ShaftBenchmark& benchmark)
 {
   for (const double margin : { -1.0, 0.0 })
@@ -99,7 +99,7 @@ void CrossBorder(ShaftBenchmark& benchmark)
     double largest = 0.0;
     for (int frame = 0; frame < 40; ++frame)
     {
-      // A pixel is 11 * 0.728 / 120 world units at the ball's distance.
+      // A pixel is 11 * 0.728 / 120 world units at the distance of the sphere.
       ball->SetPosition(4.2 + 0.0667 * frame, 0.0, 0.0);
       const std::vector<double> now = scene.RenderWithPass();
       const std::vector<double> truth = scene.RenderWithRayCaster(64);

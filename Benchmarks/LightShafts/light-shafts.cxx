@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints the figures that light shafts have to reach, each beside its bar. Run it by
-// `./penumbra benchmark light-shafts`.
+// Measures the light shafts and compares each result with its target. Run it with `./penumbra
+// benchmark light-shafts`.
 #include "Benchmark.h"
 #include "Program.h"
 
@@ -12,7 +12,7 @@ int main(int argc, char** argv)
   ShaftBenchmark benchmark;
   Program program;
   program.Name = "light-shafts";
-  program.Title = "Light shafts: figures and bars";
+  program.Title = "Light shafts: measurements and targets";
   program.Usage = "--output FOLDER [--povray PROGRAM] [--mitsuba PYTHON]\n"
                   "         [--only marched|accuracy|chained|cost|motion] [--diagnose]";
   program.Values = { { "--output", &benchmark.Output, true }, { "--povray", &benchmark.PovRay },
@@ -27,7 +27,9 @@ int main(int argc, char** argv)
   };
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
     return std::vector<std::string>{ "OSMesa, one thread; " + DateLine(), VersionLine(),
-      "truth of the pass: the ray caster's marched reference, 256 steps; of that: the closed form",
-      "changes of light are of sources of intensity 1, in 1/255" };
+      "reference of the pass: the ray caster's marched reference, 256 steps; its own reference: "
+      "the closed form",
+      "changes of light are in 1/255 of a light of intensity 1; the brightest in-scattered light "
+      "is 20/255" };
   });
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What scenes made to be dear cost: CPU seconds at n, 2 n and 4 n primitives, the exponent of their
-// growth, rays per pixel and the error that is believed to be left.
+// Cost of worst-case scenes: CPU seconds at n, 2 n and 4 n primitives, the exponent of their
+// growth, rays per pixel, and the estimated remaining error.
 #include "Scenes/Adversaries.h"
 #include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceFilter.h"

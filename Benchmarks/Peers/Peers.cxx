@@ -16,7 +16,7 @@ namespace penumbra
 namespace
 {
 
-/// The last line but for empty ones.
+/// Returns the last nonempty line.
 std::string LastLine(std::istream& lines)
 {
   std::string last;
@@ -27,7 +27,7 @@ std::string LastLine(std::istream& lines)
   return last;
 }
 
-/// Of what a command prints; empty where it fails.
+/// Returns the last line of a command's output, or an empty string if the command fails.
 std::string LastLineOf(const std::string& command)
 {
   std::string text;
@@ -44,7 +44,8 @@ std::string LastLineOf(const std::string& command)
   return LastLine(lines);
 }
 
-/// A program by its name; a script's Python by the variable that names it, if it has what the script needs.
+/// Finds a program by its name, or a script's Python by its environment variable if it has the
+/// required packages.
 void Find(Peer& peer)
 {
   if (peer.Script.empty())
@@ -79,7 +80,8 @@ std::string FindProgram(const std::string& name)
 std::vector<Peer> FindPeers()
 {
   const std::vector<std::string> samples = { "1", "4", "16", "64", "256" };
-  // -ar: records may lie as close as they like. -ds: how finely lamps are sampled; the default leaves steps.
+  // -ar: no minimum distance between records. -ds: sampling of area lights; the default causes
+  // visible steps.
   const std::vector<std::string> occlusion = { "-aa .2 -ad 256 -as 0 -ar 4000",
     "-aa .15 -ad 1024 -as 0 -ar 4000", "-aa .1 -ad 1024 -as 0 -ar 10000",
     "-aa .07 -ad 1024 -as 0 -ar 10000", "-aa .05 -ad 4096 -as 0 -ar 10000" };
@@ -88,19 +90,19 @@ std::vector<Peer> FindPeers()
     "-aa .25 -ad 256 -as 0 -ar 32 -ds .05", "-aa .2 -ad 256 -as 0 -ar 32 -ds .04" };
   std::vector<Peer> peers = {
     { "POV-Ray", "povray", "aa", {}, {}, {}, {}, {} },
-    { "Radiance", "RADIANCE_PYTHON", "irradiance", "radiance_places.py", occlusion, light, {}, {},
+    { "Radiance", "RADIANCE_PYTHON", "irradiance", "radiance_points.py", occlusion, light, {}, {},
       true },
-    { "Mitsuba", "MITSUBA_PYTHON", "aa", "mitsuba_faces.py", samples, {}, {}, {} },
-    { "F3D", "F3D_PYTHON", "aa", "f3d_faces.py", { "none", "fxaa", "ssaa" }, {}, {}, {} },
-    { "MeshLab", "MESHLAB_PYTHON", "irradiance", "meshlab_places.py", { "64", "256", "1024" }, {},
+    { "Mitsuba", "MITSUBA_PYTHON", "aa", "mitsuba_images.py", samples, {}, {}, {} },
+    { "F3D", "F3D_PYTHON", "aa", "f3d_images.py", { "none", "fxaa", "ssaa" }, {}, {}, {} },
+    { "MeshLab", "MESHLAB_PYTHON", "irradiance", "meshlab_points.py", { "64", "256", "1024" }, {},
       {}, {} },
-    { "Blender", "BLENDER_PYTHON", "aa", "blender_faces.py", samples, {}, {}, {} },
+    { "Blender", "BLENDER_PYTHON", "aa", "blender_images.py", samples, {}, {}, {} },
   };
   for (Peer& peer : peers)
   {
     Find(peer);
   }
-  // It prints its version among others to the channel of errors.
+  // The program prints its version to stderr, among other lines.
   peers.front().Version = LastLineOf("povray --version 2>&1 | sed -n 's/^POV-Ray //p'");
   return peers;
 }
@@ -109,11 +111,11 @@ std::string Describe(const Peer& peer)
 {
   if (peer.Path.empty())
   {
-    return peer.Name + ": left out, there is no " +
-      (peer.Script.empty() ? peer.Program + " here"
-                           : "Python with it; " + peer.Program + " names one");
+    return peer.Name + ": skipped, " +
+      (peer.Script.empty() ? peer.Program + " is not installed"
+                           : "no Python provides it; set " + peer.Program + " to one that does");
   }
-  return peer.Name + " " + peer.Version + ": " + peer.Path + ", joins " + peer.Joins;
+  return peer.Name + " " + peer.Version + ": " + peer.Path + ", used by family " + peer.Joins;
 }
 
 ScriptAnswer RunScript(
@@ -137,7 +139,7 @@ ScriptAnswer RunScript(
     static_cast<std::streamsize>(values * sizeof(float)));
   if (!file || !(answer.Count > 0.0))
   {
-    throw std::runtime_error(peer.Name + " wrote no " + output);
+    throw std::runtime_error(peer.Name + " did not write " + output);
   }
   return answer;
 }

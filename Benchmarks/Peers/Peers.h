@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Programs of others that `penumbra chart` looks for, and which of them join.
+// The peer programs that `penumbra chart` searches for.
 #ifndef penumbra_Peers_h
 #define penumbra_Peers_h
 
@@ -14,36 +14,36 @@ namespace penumbra
 struct Peer
 {
   std::string Name;
-  std::string Program; ///< or, with a script, the variable that names its Python
-  std::string Joins;   ///< the family of charts
-  std::string Script;  ///< of Benchmarks/Peers/scripts, that drives it; empty: no script does
-  std::vector<std::string> Settings;      ///< of the script, from coarse to fine
-  std::vector<std::string> LightSettings; ///< where there are lamps; empty: it knows none
-  std::string Path; ///< of the program or Python here; empty: it is not installed
+  std::string Program; ///< executable; with a script, the environment variable of its Python
+  std::string Joins;   ///< family of charts in which the peer is used
+  std::string Script;  ///< file in Benchmarks/Peers/scripts; empty: no script is required
+  std::vector<std::string> Settings;      ///< arguments of the script, from coarse to fine
+  std::vector<std::string> LightSettings; ///< for scenes with area lights; empty: not supported
+  std::string Path;                       ///< of the program or of Python; empty: not installed
   std::string Version;
-  bool HasCache = false; ///< places are not asked one by one
+  bool HasCache = false; ///< points are not evaluated independently
 };
 
-/// What a peer's script wrote and said.
+/// Values written by a peer's script, with its CPU time and count.
 struct ScriptAnswer
 {
   std::vector<float> Values;
   double Seconds = 0.0; ///< CPU seconds, as the script measures them
-  double Count = 0.0;   ///< rays or samples for each thing that was asked
+  double Count = 0.0;   ///< rays or samples per pixel or point
 };
 
-/// Hands `scene`, a file, to the peer's script. Throws std::runtime_error where that does not answer with so
-/// many values.
+/// Passes `scene`, a file, to the peer's script. Throws std::runtime_error if the script does not
+/// return the given number of values.
 ScriptAnswer RunScript(
   const Peer& peer, const std::string& scene, const std::string& setting, std::size_t values);
 
-/// All, in the order in which they are told of.
+/// All peers, in the order in which they are listed.
 std::vector<Peer> FindPeers();
 
-/// What becomes of a peer, in one line.
+/// Describes in one line whether and how a peer is used.
 std::string Describe(const Peer& peer);
 
-/// The program of a peer that is here; empty: it is not.
+/// Path of the peer's program; empty if it is not installed.
 std::string FindProgram(const std::string& name);
 
 }

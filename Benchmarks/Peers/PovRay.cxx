@@ -40,7 +40,7 @@ double ChildSeconds()
     1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// The number that follows `label`, searched from the first occurrence of `section`.
+/// Returns the number after `label`, searching from the first occurrence of `section`.
 double NumberAfter(const std::string& text, const std::string& section, const std::string& label)
 {
   std::size_t at = text.find(section);
@@ -126,7 +126,7 @@ PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int
   vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
   if (!colors || colors->GetNumberOfTuples() != static_cast<vtkIdType>(width) * height)
   {
-    throw std::runtime_error("POV-Ray wrote no picture " + picture);
+    throw std::runtime_error("POV-Ray did not write the image " + picture);
   }
   const double scale = 1.0 / colors->GetDataTypeMax();
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The same scene through POV-Ray: one mesh2, one parallel light along the view, no shadows.
+// Renders the same scene with POV-Ray: one mesh2, one parallel light along the view direction, no
+// shadows.
 #ifndef penumbra_PovRay_h
 #define penumbra_PovRay_h
 
@@ -15,14 +16,15 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// Adaptive antialiasing: a pixel whose neighbours differ by more than Threshold is divided Depth times.
+/// Adaptive antialiasing: a pixel that differs from its neighbors by more than Threshold is
+/// subdivided Depth times.
 struct PovRayStep
 {
   double Threshold;
   int Depth;
 };
 
-/// From coarse to fine.
+/// Settings from coarse to fine.
 const std::vector<PovRayStep>& PovRayLadder();
 
 struct PovRayAnswer
@@ -33,12 +35,12 @@ struct PovRayAnswer
   double ProcessSeconds = 0.0; ///< CPU seconds of the whole process
 };
 
-/// Writes the scene file. Perspective cameras only.
+/// Writes the scene file. Requires a perspective camera.
 void WritePovRayScene(const std::string& path, vtkRenderer* renderer, const BruteForceScene& scene,
   int width, int height);
 
-/// Renders on one thread by adaptive antialiasing (+AM2).
-/// Throws std::runtime_error where the program fails.
+/// Renders on one thread with adaptive antialiasing (+AM2). Throws std::runtime_error if the
+/// program fails.
 PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int width, int height,
   const PovRayStep& step);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where scenes are handed over to programs of others.
+// A temporary folder for the files that are exchanged with peer programs.
 #ifndef penumbra_TemporaryFolder_h
 #define penumbra_TemporaryFolder_h
 
@@ -13,7 +13,7 @@
 namespace penumbra
 {
 
-/// A folder of this process that is gone with it.
+/// A folder that is unique to this process; the destructor removes it.
 struct TemporaryFolder
 {
   TemporaryFolder() { std::filesystem::create_directories(this->Path); }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is handed to programs of others, with a shell script in the place of one.
+// Files exchanged with peer programs, tested with a shell script instead of a real one.
 #include "PointQueries.h"
 #include "TemporaryFolder.h"
 
@@ -25,7 +25,7 @@ Peer StandIn(const TemporaryFolder& folder, const std::string& text)
   return peer;
 }
 
-TEST(Peers, AreHandedTheSceneInWorldCoordinates)
+TEST(Peers, ReceiveSceneInWorldCoordinates)
 {
   Scene scene;
   scene.Origin = { 1.0, 2.0, 3.0 };
@@ -47,10 +47,10 @@ TEST(Peers, AreHandedTheSceneInWorldCoordinates)
   const TemporaryFolder folder;
   const std::string file = folder.Path / "scene";
   WritePlaces(file, asked);
-  const std::vector<double> expected = { 1.0, 1.0, 2.0, 3.0, // triangles, places, sky, reflections
+  const std::vector<double> expected = { 1.0, 1.0, 2.0, 3.0, // triangles, points, sky, reflections
     1.0, 2.0, 3.0, 3.0, 2.0, 3.0, 1.0, 4.0, 3.0,             // corners
     .4, .3, .2, 5.0, 0.0, 0.0,                               // reflectance, emission
-    1.0, 2.0, 3.0, 0.0, 0.0, 1.0 };                          // the place
+    1.0, 2.0, 3.0, 0.0, 0.0, 1.0 };                          // the point
   std::vector<double> written(expected.size() + 1);
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(written.data()),
@@ -62,7 +62,7 @@ TEST(Peers, AreHandedTheSceneInWorldCoordinates)
   }
 }
 
-TEST(Peers, AnswerWithLightSecondsAndRays)
+TEST(Peers, ReturnLightSecondsAndRays)
 {
   const TemporaryFolder folder;
   const Peer peer = StandIn(folder,
@@ -73,11 +73,11 @@ TEST(Peers, AnswerWithLightSecondsAndRays)
   EXPECT_EQ(answer.Light[1], glm::dvec3(0.0));
   EXPECT_EQ(answer.Seconds, 1.5);
   EXPECT_EQ(answer.RaysPerPlace, 64.0);
-  // Fewer answers than places.
+  // Fewer results than points.
   EXPECT_THROW(RunPlaces(peer, folder.Path / "scene", "-aa .1 -ad 64", 3), std::runtime_error);
 }
 
-TEST(Peers, TellWhyTheyFailed)
+TEST(Peers, ReportCauseOfFailure)
 {
   const TemporaryFolder folder;
   const Peer peer = StandIn(folder, "echo out of luck >&2\nexit 1\n");
@@ -92,14 +92,14 @@ TEST(Peers, TellWhyTheyFailed)
   }
 }
 
-TEST(Peers, ThatAreNotHereAreNamed)
+TEST(Peers, DescribeMissingPrograms)
 {
   Peer peer;
   peer.Name = "Radiance";
   peer.Program = "RADIANCE_PYTHON";
-  peer.Script = "radiance_places.py";
-  EXPECT_EQ(
-    Describe(peer), "Radiance: left out, there is no Python with it; RADIANCE_PYTHON names one");
+  peer.Script = "radiance_points.py";
+  EXPECT_EQ(Describe(peer),
+    "Radiance: skipped, no Python provides it; set RADIANCE_PYTHON to one that does");
 }
 
 }

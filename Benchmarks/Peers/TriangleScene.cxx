@@ -23,7 +23,7 @@ std::string List(glm::dvec3 v)
   return text.str();
 }
 
-/// The headlight is parallel to the view and lights both sides.
+/// Shades with a headlight parallel to the view that lights both sides.
 glm::dvec3 ColorOf(const BruteForceScene& scene, const glm::uvec3& triangle)
 {
   const glm::dvec3 a = scene.Positions[triangle.x];

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The same scene through a program that a script of Benchmarks/Peers/scripts drives: triangles of even colours,
-// their light already in them, so that only what happens at borders differs between programs.
+// Renders the same scene with a peer program, driven by a script in Benchmarks/Peers/scripts. The
+// triangles have constant, already shaded colors, so that the images differ only in their
+// antialiasing.
 #ifndef penumbra_TriangleScene_h
 #define penumbra_TriangleScene_h
 
@@ -24,11 +25,12 @@ struct PeerImage
   double SamplesPerPixel = 0.0;
 };
 
-/// Writes the file that scripts read. Perspective cameras over black, flat shading.
+/// Writes the scene file that the scripts read. Requires a perspective camera, a black background
+/// and flat shading.
 void WriteFaces(const std::string& path, vtkRenderer* renderer, const BruteForceScene& scene,
   int width, int height);
 
-/// Draws `scene` at one of the peer's settings. Throws std::runtime_error where the program fails.
+/// Renders `scene` at one of the peer's settings. Throws std::runtime_error if the program fails.
 PeerImage RunImageScript(
   const Peer& peer, const std::string& scene, const std::string& setting, int width, int height);
 

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""PyVista's enable_ssao() beside plotter.penumbra.enable_temporal_ssao(): time and distance from rays.
+"""Compares PyVista's enable_ssao() with plotter.penumbra.enable_temporal_ssao(): time, and error against rays.
 
-A scanned head on a floor, 1024 x 768, without lights, so that pixels show 1 - occlusion. Seconds are of
-frames while the camera moves, the best of three runs, over plain frames of the same run; errors are RMSE
-over pixels inside surfaces against rays, of the last moving frame and of the still picture.
+The scene is a scanned head on a floor, 1024 x 768, without lights, so that pixels contain 1 - occlusion. Times are
+the additional seconds per frame of a moving camera over plain frames, the best of three runs. Errors are the RMSE
+against rays over pixels inside surfaces, of the last moving frame and of the static image.
 occlusion.py MESH
 """
 import sys
@@ -18,7 +18,7 @@ FRAMES = 8
 SIZE = (1024, 768)
 
 
-def stage(path):
+def make_scene(path):
     plotter = pyvista.Plotter(off_screen=True, window_size=SIZE, lighting="none")
     plotter.set_background("black")
     head = pyvista.read(path)
@@ -32,57 +32,57 @@ def stage(path):
     return plotter, 0.1 * extent
 
 
-def frame(plotter):
-    """One frame, finished."""
+def render_frame(plotter):
+    """Renders one frame and waits for its completion."""
     plotter.render_window.Render()
     plotter.render_window.WaitForCompletion()
 
 
-def picture(plotter):
+def read_image(plotter):
     return plotter.screenshot(return_img=True)[..., 0].astype(float) / 255
 
 
-def moving(plotter):
-    """Seconds a frame while the camera turns, there and back; compiled shaders are there already."""
+def time_motion(plotter):
+    """Returns the seconds per frame while the camera rotates back and forth. Shaders are already compiled."""
     times = []
     for _ in range(3):
         begin = time.perf_counter()
         for step in range(2 * FRAMES):
             plotter.camera.azimuth += 0.25 if step < FRAMES else -0.25
-            frame(plotter)
+            render_frame(plotter)
         times.append((time.perf_counter() - begin) / (2 * FRAMES))
     return min(times)
 
 
 def main():
-    plotter, radius = stage(sys.argv[1])
-    frame(plotter)
-    plain = moving(plotter)
+    plotter, radius = make_scene(sys.argv[1])
+    render_frame(plotter)
+    plain = time_motion(plotter)
     rays = plotter.penumbra.ray_cast(ambient_occlusion=True, radius=radius, tolerance=1 / 256)
     rays = rays[..., 0].astype(float) / 255
-    # Away from borders of things, where one picture shows the one and the other the other.
-    seen = numpy.abs(picture(plotter) - 1.0) < 0.01
+    # Excludes silhouettes, where the two images may show different surfaces.
+    seen = numpy.abs(read_image(plotter) - 1.0) < 0.01
     inside = seen.copy()
     for axis in (0, 1):
         for shift in (-2, -1, 1, 2):
             inside &= numpy.roll(seen, shift, axis)
 
     def error():
-        return numpy.sqrt(((picture(plotter) - rays)[inside] ** 2).mean())
+        return numpy.sqrt(((read_image(plotter) - rays)[inside] ** 2).mean())
 
     plotter.enable_ssao(radius=radius, kernel_size=256)
-    frame(plotter)
-    theirs = moving(plotter) - plain
+    render_frame(plotter)
+    theirs = time_motion(plotter) - plain
     theirs_error = error()
     plotter.disable_ssao()
     occlusion = plotter.penumbra.enable_temporal_ssao(radius=radius)
     occlusion.SetConvergeInOneRender(occlusion.NEVER)
-    frame(plotter)
-    ours = moving(plotter) - plain
+    render_frame(plotter)
+    ours = time_motion(plotter) - plain
     moving_error = error()
     kernel = occlusion.GetActiveKernelName()
     occlusion.SetConvergeInOneRender(occlusion.ALWAYS)
-    frame(plotter)
+    render_frame(plotter)
     still_error = error()
 
     def row(what, measured, bar, remark):
@@ -92,8 +92,8 @@ def main():
     row("overhead of a moving frame over that of enable_ssao", ours / theirs, 0.25,
         f"{1e3 * ours:.0f} ms, kernel {kernel}, over {1e3 * theirs:.0f} ms at its default of 256; "
         f"plain {1e3 * plain:.0f} ms")
-    row("error of a moving frame", moving_error, theirs_error, "the bar is that of enable_ssao")
-    row("error of the still picture", still_error, theirs_error, "the bar is that of enable_ssao")
+    row("error of a moving frame", moving_error, theirs_error, "the target is the error of enable_ssao")
+    row("error of the still picture", still_error, theirs_error, "the target is the error of enable_ssao")
 
 
 main()

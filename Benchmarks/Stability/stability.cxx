@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Measures every row of the failure catalogue, the broken variant and VTK's own way included, and
-// writes the document about it. Run it by `./penumbra benchmark stability`.
+// Measures every row of the failure catalogue, including the variant with a mechanism disabled and
+// VTK's method, and writes the document about it. Run it with `./penumbra benchmark stability`.
 #include "Program.h"
 #include "PublishedLimitations.h"
 #include "Scenario.h"
@@ -25,7 +25,8 @@ using namespace penumbra;
 struct Measured
 {
   Scenario Row;
-  std::vector<ScenarioResult> Outcomes; ///< ours, broken, and VTK's where it has one
+  std::vector<ScenarioResult>
+    Outcomes; ///< Penumbra, the mechanism disabled, and VTK if the row has a peer
 };
 
 std::string Number(double value)
@@ -35,7 +36,7 @@ std::string Number(double value)
   return text;
 }
 
-/// Pictures side by side, with a gap between them.
+/// Concatenates images horizontally with a gap between them.
 void WritePicture(const std::string& path, const std::vector<ScenarioResult>& outcomes)
 {
   constexpr int gap = 4;
@@ -83,7 +84,7 @@ std::vector<Measured> MeasureAll(const std::string& pictures)
       }
     }
     WritePicture(pictures + "/" + row.Name + ".png", measured.Outcomes);
-    std::printf("%-26s %-18s bound %-8s ours %-8s broken %-8s %s%s\n", row.Name.c_str(),
+    std::printf("%-26s %-18s bound %-8s Penumbra %-8s disabled %-8s %s%s\n", row.Name.c_str(),
       TextOf(row.Measured).Name.c_str(), Number(row.Bound).c_str(),
       Number(measured.Outcomes[0].Value).c_str(), Number(measured.Outcomes[1].Value).c_str(),
       row.Peer.empty() ? "" : ("VTK " + Number(measured.Outcomes[2].Value)).c_str(),

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenes of the irradiance benchmark by Radiance's ambient cache: error and time of a ladder of settings.
+"""The scenes of the irradiance benchmark by Radiance's ambient cache: error and time for several settings.
 
     pip install pyradiance numpy
     python Benchmarks/Peers/scripts/radiance.py FOLDER sphere HEIGHT
-    python Benchmarks/Peers/scripts/radiance.py FOLDER box TRUTH
+    python Benchmarks/Peers/scripts/radiance.py FOLDER box REFERENCE
 
-A line a setting: RMSE (relative in the box), CPU seconds of rtrace, records and the setting. FOLDER takes
-what is in between. TRUTH holds lines of pixel x, y (from below) and irradiance in red, green and blue."""
+Prints one line per setting: RMSE (relative in the box), CPU seconds of rtrace, records and the setting. FOLDER
+receives intermediate files. REFERENCE contains lines of pixel x, y (from the bottom) and irradiance (RGB)."""
 import pathlib
 import sys
 
@@ -18,7 +18,7 @@ from rtrace import BYTES_PER_RECORD, VERSION, child_seconds, run
 LADDERS = {
     "sphere": ["", "-aa .15 -ad 1024 -as 0 -ar 4000", "-aa .1 -ad 1024 -as 0 -ar 4000",
                "-aa .1 -ad 1024 -as 0 -ar 10000", "-aa .07 -ad 1024 -as 0 -ar 10000"],
-    # -ds: how finely the lamp is sampled; its default leaves steps in half shadows, .046 off.
+    # -ds: sampling of the area light; the default causes steps in the penumbra with an error of 0.046.
     "box": ["-aa .3 -ad 256 -as 0 -ar 32 -ds .06", "-aa .25 -ad 256 -as 0 -ar 32 -ds .06",
             "-aa .25 -ad 256 -as 0 -ar 32 -ds .05", "-aa .2 -ad 256 -as 0 -ar 32 -ds .04"]}
 
@@ -49,7 +49,7 @@ black sphere ball 0 0 4 0 0 {height} 1
 
 
 def box(file):
-    """The room of Benchmarks/Reference/BruteForce/PathTracer: albedo .5, five reflections, the last at the eye."""
+    """The room of Benchmarks/Reference/BruteForce/PathTracer: albedo 0.5, five bounces, the last at the visible point."""
     panels = []
 
     def panel(material, corner, side, other):
@@ -75,7 +75,7 @@ def box(file):
     panel("red", [0, 0, 0], y, z)
     panel("green", [1, 0, 0], y, z)
     panel("lamp", [.35, .35, .999], .3 * y, .3 * x)
-    panel("lamp", [.35, .35, .9991], .3 * x, .3 * y)  # There, both sides of a panel shine.
+    panel("lamp", [.35, .35, .9991], .3 * x, .3 * y)  # Panels of the reference emit on both sides.
     solid([.15, .5, 0], [.45, .8, .6])
     solid([.55, .2, 0], [.85, .5, .3])
     text = """void plastic white 0 0 5 .5 .5 .5 0 0

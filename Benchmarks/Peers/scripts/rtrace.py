@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Radiance's programs, as pyradiance brings them."""
+"""Runs Radiance's programs, which pyradiance includes."""
 import importlib.metadata
 import os
 import pathlib

@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The half-plane of the light shaft benchmark by Mitsuba's volpath: its error and its time.
+"""The half-plane of the light shaft benchmark by Mitsuba's volpath: error and time.
 
     pip install mitsuba && python Benchmarks/Peers/scripts/volpath.py 64
 
-The closed form is that of Benchmarks/Reference/ClosedForms/HalfPlaneInHaze; `gain` says that both mean the same by light and medium."""
+The closed form is that of Benchmarks/Reference/ClosedForms/HalfPlaneScattering. A `gain` of 1
+shows that both define light and medium in the same way."""
 import math
 import sys
 import time

@@ -14,11 +14,11 @@ namespace penumbra
 namespace
 {
 
-constexpr int TileSize = 8;   // pixels; a tile of 64 x 64 samples a pixel stays in the cache
-constexpr int Refinement = 4; // times more samples per side where silhouettes are
+constexpr int TileSize = 8;   // pixels; a tile with 64 x 64 samples per pixel fits into the cache
+constexpr int Refinement = 4; // factor on the samples per side in pixels with silhouettes
 constexpr std::uint32_t Nothing = 0xffffffffu;
 
-/// A triangle in the picture: x, y in pixels, depth an affine function of them, smaller is nearer.
+/// A projected triangle: x and y in pixels, depth as an affine function of them; smaller is nearer.
 struct Projected
 {
   glm::dvec2 Corners[3];
@@ -53,8 +53,8 @@ struct Samples
   int Row;
   std::vector<double> Depths;
   std::vector<std::uint32_t> Ids;
-  /// Where the samples of a row start inside their cells: rows are shifted by the golden ratio, so
-  /// that an upright edge is seen at many positions.
+  /// Offset of the samples of a row within their cells. Rows are shifted by the golden ratio so
+  /// that a vertical edge is sampled at many positions.
   std::vector<double> Shifts;
 };
 
@@ -201,7 +201,7 @@ void Drawing::Fill(std::uint32_t id, Samples& samples) const
       const glm::dvec2 q = c[(k + 1) % 3];
       if ((p.y <= y) != (q.y <= y))
       {
-        // From the lower end up, whichever triangle asks: neighbours find the same number.
+        // Interpolate from the lower end, so that both triangles of an edge compute the same value.
         const glm::dvec2 a = p.y < q.y ? p : q;
         const glm::dvec2 b = p.y < q.y ? q : p;
         const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
@@ -302,11 +302,12 @@ glm::dvec3 Drawing::ShadeSmooth(std::uint32_t id, glm::dvec2 at) const
     const double share = twice(c[(k + 1) % 3] - at, c[(k + 2) % 3] - at);
     normal += this->Scene.Normals[triangle[k]] * (share / this->Clip[triangle[k]].w);
   }
-  // The shares are negative where the winding faces away: there the normal turns round, as VTK's.
+  // The barycentric coordinates are negative on back faces. The normal is flipped there, as in VTK.
   return this->LitBy(glm::normalize(normal));
 }
 
-// Union of triangles that share a corner, by relabelling: a pixel rarely holds more than a few.
+// Merges triangles that share a corner by relabeling. A pixel rarely contains more than a few
+// triangles.
 PixelKind Drawing::Kind(std::vector<std::uint32_t>& ids) const
 {
   if (ids.size() < 2)

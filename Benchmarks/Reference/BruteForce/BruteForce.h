@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures of triangles by brute force: thousands of samples in every pixel, found by scan
-// conversion with a depth buffer in double. It shares neither code nor method with the ray caster,
-// so that the two can check each other. No part of the scene may lie behind the camera.
+// Brute-force rendering of triangles: thousands of samples per pixel, by scan conversion with a
+// depth buffer in double precision. Shares neither code nor method with the ray caster, so that
+// each can validate the other. No part of the scene may lie behind the camera.
 #ifndef penumbra_BruteForce_h
 #define penumbra_BruteForce_h
 
@@ -15,42 +15,42 @@
 namespace penumbra
 {
 
-/// Triangles under one directional light without attenuation, or none.
+/// Triangles lit by one directional light without attenuation, or unlit.
 struct BruteForceScene
 {
   std::vector<glm::dvec3> Positions;
-  std::vector<glm::uvec3> Triangles; ///< triangles that hang together share positions
+  std::vector<glm::uvec3> Triangles; ///< connected triangles have common position indices
   std::vector<glm::dvec3> Normals;   ///< per position; empty: flat
   bool Lighting = true;
   glm::dvec3 Color{ 1.0 };
   glm::dvec3 Background{ 0.0 };
 
-  /// World to clip coordinates, as OpenGL's (x, y, z of the view volume in [-w, w]).
+  /// World to clip coordinates, as in OpenGL (x, y, z in [-w, w] inside the view volume).
   glm::dmat4 Projection{ 1.0 };
   glm::dvec3 Eye{ 0.0 }; ///< position, of a perspective camera
   bool Parallel = false;
-  glm::dvec3 LightTravel{ 0.0, 0.0, -1.0 }; ///< unit, the way the light travels; the headlight's
-                                            ///< is also the view direction
+  /// Unit direction in which the light travels. For the headlight this is also the view direction.
+  glm::dvec3 LightTravel{ 0.0, 0.0, -1.0 };
 };
 
-/// What a pixel holds, told from its samples.
+/// Contents of a pixel, derived from its samples.
 enum class PixelKind : std::uint8_t
 {
-  Inside,    ///< the background alone, or one triangle
-  Crease,    ///< several triangles that hang together
-  Silhouette ///< background and surface, or surfaces that do not hang together inside the pixel
+  Inside,    ///< only background, or one triangle
+  Crease,    ///< several connected triangles
+  Silhouette ///< background and surface, or surfaces that are not connected within the pixel
 };
 
 struct BruteForcePicture
 {
   int Width = 0;
   int Height = 0;
-  std::vector<glm::dvec3> Colors; ///< row after row from below
+  std::vector<glm::dvec3> Colors; ///< row by row from the bottom
   std::vector<PixelKind> Kinds;
 };
 
-/// `samples` x `samples` in every pixel, 16 times as many where silhouettes are; each row of samples
-/// is shifted against the next.
+/// Renders with `samples` x `samples` samples per pixel, and 16 times as many in pixels with
+/// silhouettes. Consecutive rows of samples are shifted.
 BruteForcePicture DrawByBruteForce(
   const BruteForceScene& scene, int width, int height, int samples);
 

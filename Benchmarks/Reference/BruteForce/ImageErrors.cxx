@@ -80,7 +80,7 @@ void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& picture,
   const std::vector<glm::dvec3>& truth, const std::vector<double>& estimates, int width)
 {
   constexpr int size = 16;
-  // A truth of samples is itself only this exact.
+  // A sampled reference has an error of this size itself.
   constexpr double exactness = 2e-5;
   const int height = static_cast<int>(truth.size()) / width;
   for (int tileY = 0; tileY < height; tileY += size)
@@ -110,6 +110,13 @@ void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& picture,
       }
     }
   }
+}
+
+bool IsExtrapolated(const std::vector<glm::dvec2>& ladder, double error)
+{
+  const auto [minimum, maximum] = std::minmax_element(ladder.begin(), ladder.end(),
+    [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x; });
+  return minimum == ladder.end() || error < minimum->x || error > maximum->x;
 }
 
 double CostAtError(std::vector<glm::dvec2> ladder, double error)

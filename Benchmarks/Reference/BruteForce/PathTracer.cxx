@@ -27,7 +27,7 @@ private:
   std::mt19937_64 Engine;
 };
 
-/// Distance along the ray to a panel; infinite: a miss.
+/// Returns the distance along the ray to a panel, or infinity for a miss.
 double DistanceTo(const Panel& panel, glm::dvec3 origin, glm::dvec3 direction)
 {
   const glm::dvec3 p = glm::cross(direction, panel.Other);
@@ -41,7 +41,7 @@ double DistanceTo(const Panel& panel, glm::dvec3 origin, glm::dvec3 direction)
   return hit ? t : std::numeric_limits<double>::infinity();
 }
 
-/// What lies first within `distance`, or null.
+/// Returns the nearest panel within `distance`, or null.
 const Panel* First(
   const std::vector<Panel>& panels, glm::dvec3 origin, glm::dvec3 direction, double& distance)
 {
@@ -58,9 +58,9 @@ const Panel* First(
   return first;
 }
 
-/// Irradiance of a panel's emission from one direction that was chosen in two ways, by the panel's area
-/// and by the cosine, each of which finds it: the balance of both (Veach). By the area alone it would have
-/// no bound where a panel lies close above.
+/// Irradiance of a panel's emission from one direction, as multiple importance sampling with the
+/// balance heuristic [Veach] weights it. The direction can be sampled by the panel's area and by
+/// the cosine. Area sampling alone would be unbounded close to a panel.
 glm::dvec3 Balanced(const Panel& panel, glm::dvec3 direction, double distance, double cosine)
 {
   const glm::dvec3 area = glm::cross(panel.Side, panel.Other);
@@ -68,7 +68,8 @@ glm::dvec3 Balanced(const Panel& panel, glm::dvec3 direction, double distance, d
   return panel.Emission * (cosine / (byArea + cosine / Pi));
 }
 
-/// Irradiance straight from one point of each panel that shines, its share of the balance.
+/// Irradiance from one sampled point of each emitting panel, with the weight of the balance
+/// heuristic.
 glm::dvec3 FromLights(
   const std::vector<Panel>& panels, glm::dvec3 point, glm::dvec3 normal, Random& random)
 {

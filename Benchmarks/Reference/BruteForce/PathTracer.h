@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Diffuse light between parallelograms by independent paths, in double, lights sampled by their area
-// and by the cosine.
-// It shares neither code nor method with the irradiance sources, so that the two can check each other.
+// Diffuse interreflection between parallelograms by independent paths in double precision. Emitters
+// are sampled by area and by the cosine. Shares neither code nor method with the irradiance
+// providers, so that each can validate the other.
 #ifndef penumbra_PathTracer_h
 #define penumbra_PathTracer_h
 
@@ -15,7 +15,7 @@
 namespace penumbra
 {
 
-/// A parallelogram; both sides reflect and shine.
+/// A parallelogram; both sides reflect and emit.
 struct Panel
 {
   glm::dvec3 Corner;
@@ -28,21 +28,22 @@ struct Panel
 /// The six sides of a box.
 void AddPanels(std::vector<Panel>& panels, glm::dvec3 low, glm::dvec3 high, glm::dvec3 reflectance);
 
-/// The same as surfaces of a ray scene: emission is ambient light, and reflectance diffuse colour.
+/// The same panels as surfaces of a ray scene: emission as ambient light, reflectance as diffuse
+/// color.
 void AddSurfaces(Scene& scene, const std::vector<Panel>& panels);
 
-/// A room open to the front (y = 0), 1 wide, deep and high: red on the left, green on the right, a
-/// panel that shines below the ceiling, and two boxes.
+/// A room of width, depth and height 1, open to the front (y = 0): a red left wall, a green right
+/// wall, an emitting panel below the ceiling, and two boxes.
 std::vector<Panel> CornellLikeBox();
 
 struct PathTracer
 {
   std::vector<Panel> Panels;
   double Albedo = 1.0; ///< multiplies every reflectance
-  int Bounces = 1;     ///< the reflection where the irradiance is asked for is the last of them
+  int Bounces = 1;     ///< includes the reflection at the queried point, which is the last one
   glm::dvec3 Environment{ 0.0 };
 
-  /// Irradiance at `point` about `normal` (unit), the mean of so many paths.
+  /// Irradiance at `point` with the unit vector `normal`, averaged over the given number of paths.
   glm::dvec3 Irradiance(glm::dvec3 point, glm::dvec3 normal, int paths, std::uint64_t seed) const;
 };
 

@@ -23,7 +23,7 @@ void ExactCoverage::AddPolygon(const std::vector<glm::dvec2>& polygon)
   }
 }
 
-// Everything to the right of an edge that falls is covered once more, of one that rises once less.
+// Adds the coverage to the right of an edge: +1 for a descending edge, -1 for an ascending one.
 void ExactCoverage::AddEdge(glm::dvec2 from, glm::dvec2 to)
 {
   const double low = std::max(std::min(from.y, to.y), 0.0);
@@ -54,7 +54,7 @@ void ExactCoverage::AddInRow(int row, double fromX, double toX, double rise)
     changes[column + 1] += rise * (left - column);
     return;
   }
-  // What lies left of the picture covers whole rows of it, what lies right of it covers nothing.
+  // Parts left of the image cover entire rows; parts right of it cover nothing.
   const double start = std::min(fromX, toX);
   changes[0] += rise * std::max(0.0, std::min(std::max(fromX, toX), 0.0) - start) / span;
   for (double x = left; x < right;)

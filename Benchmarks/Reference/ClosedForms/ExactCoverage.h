@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much of each pixel polygons cover: Green's theorem in double, no samples. The truth for
-// everything flat and of one colour.
+// Exact coverage of pixels by polygons, with Green's theorem in double precision. Reference for
+// flat shapes of a single color.
 #ifndef penumbra_ExactCoverage_h
 #define penumbra_ExactCoverage_h
 
@@ -16,14 +16,14 @@ namespace penumbra
 class ExactCoverage
 {
 public:
-  /// Pixel (i, j) covers [i, i+1] x [j, j+1]; row 0 is the lowest.
+  /// Pixel (i, j) covers [i, i+1] x [j, j+1]; row 0 is the bottom row.
   ExactCoverage(int width, int height);
 
-  /// Adds a closed polygon: counter-clockwise covers, clockwise cuts a hole. It may be concave and
-  /// may reach beyond the picture. Polygons that overlap are counted twice.
+  /// Adds a closed polygon, which may be concave and may extend beyond the image. Counterclockwise
+  /// polygons add coverage, clockwise polygons cut holes. Overlaps are counted twice.
   void AddPolygon(const std::vector<glm::dvec2>& polygon);
 
-  /// The covered share of every pixel, row after row.
+  /// Returns the coverage of every pixel in [0, 1], row by row.
   std::vector<double> GetShares() const;
 
 private:
@@ -32,7 +32,8 @@ private:
 
   int Width;
   int Height;
-  /// What a pixel's share differs by from that of its left neighbour; one column more than pixels.
+  /// Difference of each pixel's coverage from that of its left neighbor; one more column than
+  /// pixels.
   std::vector<double> Changes;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A place of the wall seen under the angle a to the wall's normal lies at t = d / cos a. What the places
-// of one such angle take of the floor's cosine is 2 / pi sin^2 a da. A place of the ceiling seen under
-// the cosine c lies at t = h / c; its share is 2 c dc.
+// A point of the wall seen at the angle a from the wall's normal is at the distance t = d / cos a.
+// The points at one angle cover the fraction 2 / pi sin^2 a da of the cosine-weighted hemisphere. A
+// point of the ceiling seen at the cosine c is at the distance t = h / c and covers the fraction 2
+// c dc.
 #include "FalloffOcclusion.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int Steps = 2000;
 
-/// Simpson's rule.
+/// Integrates with Simpson's rule.
 template <typename Function>
 double Integrate(double from, double to, const Function& f)
 {

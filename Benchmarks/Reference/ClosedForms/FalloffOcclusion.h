@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Occlusion within a radius R that falls off like 1 - (t / R)^power, by integrals of one variable. It
-// shares no code with the irradiance sources.
+// Occlusion within a radius R with the falloff 1 - (t / R)^power, by one-dimensional integrals.
+// Shares no code with the irradiance providers.
 #ifndef penumbra_FalloffOcclusion_h
 #define penumbra_FalloffOcclusion_h
 
@@ -12,18 +12,18 @@ namespace penumbra
 struct FadingOcclusion
 {
   double Radius;
-  double Power; ///< 0: everything within the radius counts in full
+  double Power; ///< 0: no falloff within the radius
 
-  /// Blocked at `distance` from an endless wall, on the floor that it stands on.
+  /// Occlusion of a floor at `distance` from an infinite wall that stands on it.
   double BeforeWall(double distance) const;
 
-  /// Blocked under an endless ceiling at `height`.
+  /// Occlusion below an infinite ceiling at `height`.
   double UnderCeiling(double height) const;
 
   double At(double distance) const;
 };
 
-/// Powers of vtkPenumbraIrradianceProvider::Falloffs, in their order.
+/// Exponents of vtkPenumbraIrradianceProvider::Falloffs, in the order of the enumeration.
 constexpr double PowersOfFalloffs[] = { 0.0, 1.0, 2.0, .5 };
 
 }

@@ -23,7 +23,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979324;
 
-/// As far as single precision has no trouble.
+/// Finite stand-in for infinity that single precision represents without loss.
 constexpr double Wide = 1000.0;
 
 }
@@ -65,7 +65,7 @@ void HalfPlaneInHaze::Describe(vtkPenumbraMedium* medium) const
 
 double HalfPlaneInHaze::Exact(double right, double up) const
 {
-  // Distances along x. Light begins where the half-plane ends, x = 0.
+  // Distances are along x. The lit region begins at the edge of the half-plane, x = 0.
   const double direction[3] = { 1.0, -right, up };
   const double near = -Eye[0];
   const double enters = std::max(this->Low[0] - Eye[0], 0.0);

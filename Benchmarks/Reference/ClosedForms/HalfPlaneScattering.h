@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light shafts whose single scattering is known: a medium with a flat top under a sun straight above;
-// a black half-plane, z = 1, keeps the light off x < 0. The eye looks along +x from below it.
+// A light shaft with closed-form single scattering: a medium with a flat top under a directional
+// light from straight above. A black half-plane, z = 1, shadows x < 0. The camera looks along +x
+// from below it.
 #ifndef penumbra_HalfPlaneScattering_h
 #define penumbra_HalfPlaneScattering_h
 
@@ -25,17 +26,19 @@ public:
   static constexpr double Scattering = 0.3;
   static constexpr double Extinction = 0.5;
 
-  /// The box that the medium fills; it holds the edge of the half-plane and ends above it.
+  /// Bounds of the medium: they contain the edge of the half-plane and end above it.
   double Low[3] = { -Endless, -Endless, -Endless };
   double High[3] = { Endless, Endless, 2.0 };
-  double Intensity = 1.0; ///< of the sun
+  double Intensity = 1.0; ///< of the directional light
 
-  /// Adds plane and camera, with a view angle of 90 degrees, and the sun, which it returns.
+  /// Adds the plane, the camera (view angle 90 degrees) and the directional light, which is
+  /// returned.
   vtkLight* AddTo(vtkRenderer* renderer) const;
 
   void Describe(vtkPenumbraMedium* medium) const;
 
-  /// What reaches the eye through the point (`right`, `up`) of the plane at distance 1.
+  /// Radiance that arrives at the camera through the point (`right`, `up`) of the plane at distance
+  /// 1.
   double Exact(double right, double up) const;
 };
 

@@ -190,7 +190,7 @@ std::vector<double> ShaftScene::RenderWithRayCaster(int steps, long long* shadow
 
 std::vector<bool> ShaftScene::NearEdges(int reach)
 {
-  // Depth from what is left of the picture.
+  // Reconstruct the depth from the transmittance.
   std::vector<double> depths = this->Transmittance();
   for (double& depth : depths)
   {

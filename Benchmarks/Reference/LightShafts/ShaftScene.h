@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Black solids in haze, seen by the light shaft pass and by the ray caster's marched reference: what
-// both show is scattered light alone.
+// Black solids in a homogeneous medium, rendered by the light shaft pass and by the ray caster's
+// marched reference. Both images contain only in-scattered light.
 #ifndef ShaftScene_h
 #define ShaftScene_h
 
@@ -27,24 +27,25 @@ public:
 
   vtkSmartPointer<vtkActor> AddBox(const Vector& center, const Vector& size);
   vtkSmartPointer<vtkActor> AddSphere(const Vector& center, double radius);
-  /// The square of half side `size` in the plane z = 0.
+  /// Adds the square of half side `size` in the plane z = 0.
   vtkSmartPointer<vtkActor> AddFloor(double size);
-  /// Boxes and spheres over a floor, their places from a sequence that `seed` begins.
+  /// Adds boxes and spheres above a floor, at positions of a pseudorandom sequence with the given
+  /// seed.
   void AddSolids(int count, unsigned int seed);
 
   vtkSmartPointer<vtkLight> AddSun(const Vector& towards);
   vtkSmartPointer<vtkLight> AddLamp(const Vector& place);
   void Look(const Vector& from, const Vector& at, double angle = 40.0);
 
-  /// The same medium for pass and reference.
+  /// Sets the same medium for the pass and for the reference.
   void SetMedium(double scattering, double extinction);
 
-  /// What is added to each pixel, red alone, row after row from below.
+  /// Light added to each pixel (red channel only), row by row from the bottom.
   std::vector<double> RenderWithPass();
   std::vector<double> RenderWithRayCaster(int steps = 256, long long* shadowRays = nullptr);
-  /// What is left of the picture, by the pass, after ByPass().
+  /// Transmittance of each pixel as computed by the pass; valid after RenderWithPass().
   std::vector<double> Transmittance();
-  /// Pixels within `reach` of a jump of depth, by the pass, after ByPass().
+  /// Pixels within `reach` pixels of a depth discontinuity; valid after RenderWithPass().
   std::vector<bool> NearEdges(int reach);
 
   const int Width;

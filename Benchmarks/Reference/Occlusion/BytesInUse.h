@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much memory a picture takes where a processor draws.
+// Memory in use by the process, to measure the memory of software rendering.
 #ifndef penumbra_occlusion_BytesInUse_h
 #define penumbra_occlusion_BytesInUse_h
 
-#include <cstdlib> // tells which C library it is
+#include <cstdlib> // defines the macros of the C library
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -14,7 +14,8 @@
 namespace penumbra
 {
 
-/// What the C library has handed out, textures of a processor that draws among it; 0 where it does not say.
+/// Bytes allocated from the C library, which include the textures of a software renderer; 0 if the
+/// library does not report them.
 inline double BytesInUse()
 {
 #if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures with depths as sort-last parallel rendering has them: taken from windows, put together by
-// depth, shown by a pass that knows nothing of the scene.
+// Images with depth, as sort-last parallel rendering produces them: read from windows, composited
+// by depth, and displayed by a pass that has no access to the scene.
 #ifndef penumbra_occlusion_DepthImage_h
 #define penumbra_occlusion_DepthImage_h
 
@@ -17,20 +17,20 @@ class vtkRenderWindow;
 namespace penumbra
 {
 
-/// Colours (RGBA, 0 to 1) and depths (0 to 1), row after row.
+/// Colors (RGBA, in [0, 1]) and depths (in [0, 1]), row by row.
 struct DepthImage
 {
   std::vector<float> Colors;
   std::vector<float> Depths;
 };
 
-/// What a window has drawn.
+/// Reads color and depth of the last frame of a window.
 DepthImage CaptureDepthImage(vtkRenderWindow* window);
 
-/// Whatever is nearer in another picture of the same size.
+/// Copies the pixels of another image of the same size that are nearer.
 void DepthComposite(DepthImage& whole, const DepthImage& part);
 
-/// Shows a picture that was made elsewhere, of the window's size.
+/// Displays a given image of the window's size.
 class ShowDepthImagePass : public vtkRenderPass
 {
 public:

@@ -24,7 +24,7 @@ glm::vec3 NormalTowardsEye(const Scene& scene, const Hit& hit, glm::vec3 directi
   return glm::dot(normal, direction) > 0.f ? -normal : normal;
 }
 
-/// A renderer's scene, and rays from the points of its surface.
+/// The surfaces of a renderer, for tracing rays from their points.
 struct PictureTracer
 {
   PictureTracer(vtkRenderer* renderer, const int size[2], double radius)
@@ -42,7 +42,7 @@ struct PictureTracer
     return ExtractScene(renderer, options);
   }
 
-  /// Calls `visit(ray, random state)` for rays * rays directions distributed as the cosine.
+  /// Calls `visit(ray, random state)` for rays * rays cosine-distributed directions.
   template <typename Visit>
   void ForRaysFrom(const SeenPoint& seen, int rays, const Visit& visit) const
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient occlusion of a picture by rays from the ray caster's own scene: [TSSAO eq. 1] at the
-// centres of some pixels.
+// Reference ambient occlusion of an image: [TSSAO eq. 1] at the centers of some pixels, by rays
+// through the ray caster's scene.
 #ifndef penumbra_occlusion_OcclusionReference_h
 #define penumbra_occlusion_OcclusionReference_h
 
@@ -15,18 +15,18 @@ namespace penumbra
 
 class RayScene;
 
-/// What the middle of a pixel shows.
+/// Surface point at the center of a pixel.
 struct SeenPoint
 {
   int Pixel;          ///< row * width + column
   double Position[3]; ///< world
-  double Normal[3];   ///< unit, geometric, facing the eye
+  double Normal[3];   ///< unit, geometric, facing the camera
 };
 
 /// Every `stride`-th pixel in both directions that shows a surface.
 std::vector<SeenPoint> PointsInPicture(const RayScene& rays, int stride);
 
-/// D of [TSSAO eq. 1] within the radius.
+/// Function D of [TSSAO eq. 1] within the radius.
 enum class Falloff
 {
   Constant, ///< 1
@@ -36,25 +36,26 @@ enum class Falloff
 struct OcclusionTruth
 {
   int Width = 0;
-  std::vector<int> Pixels; ///< that show a surface: row * width + column
+  std::vector<int> Pixels; ///< surface pixels: row * width + column
   std::vector<float> Constant;
   std::vector<float> Linear;
 };
 
-/// Every `stride`-th pixel in both directions, rays * rays directions each.
+/// Traces rays * rays directions at every `stride`-th pixel in both directions.
 OcclusionTruth TraceOcclusion(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays);
 
-/// For every such pixel the share of rays * rays points in the hemisphere over the surface, directions distributed
-/// as the cosine, distances evenly up to the radius, of which 'hidden from the eye' does not say the
-/// same as 'the way from the surface point is blocked'.
+/// Returns, for each of these pixels, the fraction of rays * rays points for which "not visible
+/// from the camera" differs from "occluded from the surface point". The points lie in the
+/// hemisphere above the surface: directions are cosine-distributed, distances are uniform up to the
+/// radius.
 std::vector<float> TraceMisjudged(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays);
 
-/// RMS of the difference between a picture's array and the truth.
+/// RMS difference between the array of an image and the reference.
 double Rmse(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& picture);
 
-/// The factor on the picture that brings it nearest to the truth.
+/// Factor on the image that minimizes its difference from the reference.
 double Gain(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& picture);
 
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A window that draws a scene plainly, with our pass or with VTK's own.
+// A window that renders a scene without ambient occlusion, with vtkPenumbraTemporalSSAOPass, or
+// with vtkSSAOPass.
 #ifndef penumbra_occlusion_OcclusionWindow_h
 #define penumbra_occlusion_OcclusionWindow_h
 
@@ -19,28 +20,28 @@ namespace penumbra
 class OcclusionWindow
 {
 public:
-  /// The size of the benchmark's pictures.
+  /// Size of the benchmark's images, in pixels.
   static constexpr int Size[2] = { 1024, 768 };
 
   explicit OcclusionWindow(vtkRenderer* renderer, int width = Size[0], int height = Size[1]);
   ~OcclusionWindow();
 
-  /// Shows occlusion by our pass; a radius in world units.
+  /// Enables vtkPenumbraTemporalSSAOPass; the radius is in world units.
   vtkPenumbraTemporalSSAOPass* UsePenumbraPass(double radius);
 
-  /// Shows occlusion by vtkSSAOPass with so many samples, blurred.
+  /// Enables vtkSSAOPass with blur and the given number of samples.
   void UseVTKSSAOPass(double radius, unsigned int samples);
 
-  /// Shows none.
+  /// Disables ambient occlusion.
   void UseNone();
 
-  /// CPU seconds of one frame.
+  /// Renders one frame and returns its CPU seconds.
   double Draw();
 
-  /// An array of our pass's last frame.
+  /// Returns an array of the last frame of vtkPenumbraTemporalSSAOPass.
   std::vector<float> Array(const std::string& name);
 
-  /// 1 - brightness of the last frame: the occlusion, of white unlit scenes.
+  /// Returns 1 - brightness of the last frame, which is the occlusion in white unlit scenes.
   std::vector<float> OcclusionFromBrightness();
 
   vtkPenumbraTemporalSSAOPass* Ours = nullptr;
@@ -50,7 +51,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-/// A picture of one array of the benchmark's size, white for 0, black for `black`.
+/// Writes an array of the benchmark's size as a grayscale image: 0 is white, `black` is black.
 void WritePicture(const std::string& path, const std::vector<float>& values, double black = 1.0);
 
 }

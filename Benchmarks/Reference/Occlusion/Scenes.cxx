@@ -36,7 +36,7 @@ void Show(vtkRenderer* renderer, vtkPolyData* mesh)
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  // White whatever the light, in VTK's own occlusion pass too, which needs lighting.
+  // White regardless of the lights, also in vtkSSAOPass, which requires lighting.
   actor->GetProperty()->SetAmbient(1.0);
   actor->GetProperty()->SetDiffuse(0.0);
   renderer->AddActor(actor);
@@ -99,7 +99,7 @@ OcclusionTestScene Sticks()
   vtkNew<vtkAppendPolyData> things;
   for (int i = 0; i < 120; ++i)
   {
-    // A third each: sticks, plates, boxes.
+    // One third each of sticks, plates and boxes.
     const double sizes[3][3] = { { .05, .05, between(.6, 1.6) },
       { between(.4, .8), between(.4, .8), .03 },
       { between(.15, .4), between(.15, .4), between(.15, .4) } };
@@ -126,7 +126,7 @@ OcclusionTestScene Sticks()
 namespace
 {
 
-/// With its largest extent as given, centred at x, y, standing on z = 0.
+/// Scales the mesh to the given largest extent, centers it at x, y and places it on z = 0.
 vtkSmartPointer<vtkPolyData> Placed(
   vtkPolyData* mesh, bool yIsUp, double extent, double x, double y)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes under ambient occlusion, each with its camera and radius, for benchmarks and charts.
+// Test scenes for ambient occlusion, each with its camera and radius, for benchmarks and charts.
 #ifndef penumbra_occlusion_Scenes_h
 #define penumbra_occlusion_Scenes_h
 
@@ -23,17 +23,18 @@ struct OcclusionTestScene
   double Radius;
 };
 
-/// 400 spheres at five heights over a plane.
+/// 400 spheres at five heights above a plane.
 OcclusionTestScene Spheres400();
 
-/// Sticks, plates and boxes, turned every way: thin things, whose backs one layer of depth hides.
+/// Sticks, plates and boxes in random orientations: thin objects whose back faces are missing in a
+/// single depth layer.
 OcclusionTestScene Sticks();
 
 /// Three scans on a plane: ChineseDragon-10kv, armadillo and refined_elephant of libcgal-demo.
 OcclusionTestScene Scans(vtkPolyData* dragon, vtkPolyData* armadillo, vtkPolyData* elephant);
 
 ///@{
-/// What such scenes are made of: a mesh that is moved, and shown in white whatever the light; the plane
+/// Parts of these scenes: a transformed mesh, rendered in white regardless of the lights; the plane
 /// at `z`; the camera.
 vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, vtkTransform* transform);
 void Show(vtkRenderer* renderer, vtkPolyData* mesh);

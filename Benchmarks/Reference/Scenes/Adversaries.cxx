@@ -20,7 +20,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Cells of one mesh as they are added.
+/// Collects the cells of one mesh.
 class Builder
 {
 public:
@@ -51,7 +51,7 @@ public:
     }
   }
 
-  /// Uniform in [-size, size]^3; the same on every platform.
+  /// Returns a point uniform in [-size, size]^3, identical on every platform.
   glm::dvec3 Random(double size)
   {
     const auto next = [&] { return size * (this->Generator() * 0x1p-31 - 1.0); };
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkPolyData> UnsharedFan(int n)
   return builder.Take();
 }
 
-/// The upper half of a ball of n facets around, in eight rings.
+/// Adds the upper hemisphere of a sphere with n facets around, in eight rings.
 vtkSmartPointer<vtkPolyData> Pole(int n)
 {
   constexpr int Rings = 8;
@@ -196,7 +196,7 @@ vtkSmartPointer<vtkPolyData> Pole(int n)
   return builder.Take();
 }
 
-/// A superellipsoid (exponents .3 and .4) of n triangles, whose poles are nearly flat.
+/// Builds a superellipsoid (exponents 0.3 and 0.4) of n triangles, whose poles are nearly flat.
 vtkSmartPointer<vtkPolyData> SuperEllipsoid(int n)
 {
   const int side = std::max(static_cast<int>(std::sqrt(0.5 * n)), 4);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes made to cost as much as they can: of `n` primitives, the same at every call, between -1 and 1.
+// Worst-case scenes for the cost of rendering: `n` primitives in [-1, 1], identical at every call.
 #ifndef penumbra_Adversaries_h
 #define penumbra_Adversaries_h
 
@@ -21,11 +21,11 @@ struct Adversary
   vtkSmartPointer<vtkPolyData> (*Make)(int n);
 };
 
-/// Slivers in one place, clusters of triangles smaller than pixels, hair, streamlines, soup, fans with
-/// and without shared corners, poles, a polygon like a comb, copies in one place.
+/// All scenes: coincident slivers, clusters of subpixel triangles, hair, streamlines, soup, fans
+/// with and without shared corners, poles, a comb-shaped polygon, coincident copies.
 const std::vector<Adversary>& Adversaries();
 
-/// The one of that name; null when there is none.
+/// Returns the scene of the given name, or null if there is none.
 const Adversary* FindAdversary(const std::string& name);
 
 }

@@ -14,7 +14,7 @@ constexpr float DoorHigh = 3.5f;
 constexpr float DoorHeight = 2.1f;
 constexpr unsigned int RingsOfBall = 32;
 
-/// From `corner` along `side` (unit); `open`: with a doorway.
+/// Adds a wall from `corner` along `side` (unit vector); if `open`, with a doorway.
 void AddWall(Scene& scene, glm::vec3 corner, glm::vec3 side, bool open)
 {
   const glm::vec3 up(0.f, 0.f, 1.f);

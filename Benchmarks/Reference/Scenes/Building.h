@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A building of many furnished rooms with doorways between them: whoever stands in one sees little of
-// the others.
+// A building of many furnished rooms with doorways. From a point in one room, most of the others
+// are hidden.
 #ifndef penumbra_Building_h
 #define penumbra_Building_h
 
@@ -15,7 +15,8 @@ namespace penumbra
 constexpr float RoomSize = 4.f;
 constexpr float RoomHeight = 3.f;
 
-/// `storeys` of `along` x `along` rooms from the origin upwards, each with a table and three balls.
+/// Builds `storeys` of `along` x `along` rooms from the origin upwards, each with a table and three
+/// spheres.
 void AddBuilding(Scene& scene, int along, int storeys);
 
 }

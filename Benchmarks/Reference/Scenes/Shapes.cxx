@@ -11,7 +11,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// The i-th of a sequence that fills [0, 1) evenly, the same on every machine.
+/// Element i of a low-discrepancy sequence in [0, 1), identical on every machine.
 double Spread(int i, double step)
 {
   return std::fmod(0.5 + i * step, 1.0);

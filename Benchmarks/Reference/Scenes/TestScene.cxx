@@ -131,7 +131,7 @@ void LookAlong(vtkRenderer* renderer, glm::dvec3 direction, glm::dvec3 up, int w
   camera->SetPosition(-direction.x, -direction.y, -direction.z);
   camera->SetViewUp(up.x, up.y, up.z);
   renderer->ResetCamera();
-  // VTK fits the bounding sphere to the height of the view; a tall picture is narrower than that.
+  // VTK fits the bounding sphere to the height of the view; a portrait image is narrower than that.
   if (width < height)
   {
     camera->Dolly(double(width) / height);

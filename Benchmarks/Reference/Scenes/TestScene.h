@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes that the ray caster and its truths both understand: vtkRenderers made from shapes or
-// meshes, what brute force draws of them, and the ray caster's answer as plain numbers.
+// Scenes for comparing the ray caster with references: vtkRenderers built from shapes or meshes,
+// the equivalent brute-force scene, and the result of the ray caster as plain arrays.
 #ifndef penumbra_TestScene_h
 #define penumbra_TestScene_h
 
@@ -22,45 +22,46 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// A mesh of triangles that fan out from the shapes' centres.
+/// Builds a mesh of triangle fans around the centers of the shapes.
 vtkSmartPointer<vtkPolyData> MeshOf(const std::vector<Shape>& shapes);
 
-/// A sphere of diameter 1 with deep bumps, `sides` around: most of its borders lie before itself.
+/// Builds a bumpy sphere of diameter 1 with `sides` facets around; most of its silhouettes lie in
+/// front of the sphere itself.
 vtkSmartPointer<vtkPolyData> Burr(int sides = 48);
 
-/// An empty renderer with a black background.
+/// Creates an empty renderer with a black background.
 vtkSmartPointer<vtkRenderer> NewRenderer();
 
-/// Shows a mesh; without `lighting` in plain white.
+/// Adds a mesh; without `lighting` it is rendered in plain white.
 vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh, bool lighting);
 
-/// A parallel camera for which world x and y are picture coordinates.
+/// Sets a parallel camera for which world x and y are pixel coordinates.
 void LookAtPicture(vtkRenderer* renderer, int width, int height);
 
-/// The view reset to the bounds, seen along `direction`.
+/// Resets the camera to the bounds, looking along `direction`.
 void LookAlong(vtkRenderer* renderer, glm::dvec3 direction, glm::dvec3 up, int width, int height);
 
-/// Unlit shapes, white on black, under LookAtPicture().
+/// Builds a scene of unlit white shapes on black with LookAtPicture().
 vtkSmartPointer<vtkRenderer> PictureOf(const std::vector<Shape>& shapes, int width, int height);
 
-/// The exact share of every pixel that shapes cover.
+/// Exact coverage of every pixel by the shapes.
 std::vector<double> SharesOf(const std::vector<Shape>& shapes, int width, int height);
 
-/// Everything that brute force needs to know of a renderer's actors, camera and headlight.
+/// Converts the actors, the camera and the headlight of a renderer for brute force.
 BruteForceScene BruteForceOf(vtkRenderer* renderer, int width, int height);
 
-/// What the ray caster answered.
+/// Result of the ray caster.
 struct Answer
 {
   std::vector<glm::dvec3> Colors;
   std::vector<double> Alphas;
   std::vector<double> Estimates; ///< `EstimatedError` per pixel
-  double EstimatedError = 0.0;   ///< of the whole picture
+  double EstimatedError = 0.0;   ///< of the whole image
   double RaysPerPixel = 0.0;
   double Seconds = 0.0; ///< of CPU time
 };
 
-/// Casts on one thread; `choose` sets tolerance, method and the like.
+/// Casts on one thread; `choose` sets the tolerance, the method and other settings.
 Answer Cast(vtkRenderer* renderer, int width, int height,
   const std::function<void(vtkPenumbraRayCaster*)>& choose = {});
 

@@ -17,16 +17,16 @@ std::string Number(double value)
   return text;
 }
 
-std::string Limit(const BenchmarkResult& figure)
+std::string Limit(const BenchmarkResult& result)
 {
-  return figure.Direction == TargetKind::None
+  return result.Direction == TargetKind::None
     ? std::string()
-    : (figure.Direction == TargetKind::AtMost ? "<= " : ">= ") + Number(figure.Limit);
+    : (result.Direction == TargetKind::AtMost ? "<= " : ">= ") + Number(result.Limit);
 }
 
-std::string Verdict(const BenchmarkResult& figure)
+std::string Verdict(const BenchmarkResult& result)
 {
-  return figure.Direction == TargetKind::None ? "" : figure.IsMet() ? "met" : "**missed**";
+  return result.Direction == TargetKind::None ? "" : result.IsMet() ? "met" : "**missed**";
 }
 
 }
@@ -42,9 +42,9 @@ void ResultTable::Add(const std::string& scene, const std::string& quantity, dou
   TargetKind direction, double limit, const std::string& remark)
 {
   this->Figures.push_back({ scene, quantity, measured, direction, limit, remark });
-  const BenchmarkResult& figure = this->Figures.back();
+  const BenchmarkResult& result = this->Figures.back();
   std::printf("%-34s %-38s %10s  %-10s %-10s %s\n", scene.c_str(), quantity.c_str(),
-    Number(measured).c_str(), Limit(figure).c_str(), Verdict(figure).c_str(), remark.c_str());
+    Number(measured).c_str(), Limit(result).c_str(), Verdict(result).c_str(), remark.c_str());
   std::fflush(stdout);
 }
 
@@ -59,15 +59,15 @@ void ResultTable::Write(const std::string& path, const std::string& title,
   {
     markdown << "- " << line << "\n";
   }
-  markdown << "\n| scene | quantity | measured | bar | | remark |\n|---|---|---|---|---|---|\n";
-  for (const BenchmarkResult& figure : this->Figures)
+  markdown << "\n| scene | quantity | measured | target | | remark |\n|---|---|---|---|---|---|\n";
+  for (const BenchmarkResult& result : this->Figures)
   {
-    const bool judged = figure.Direction != TargetKind::None;
-    csv << '"' << figure.Scene << "\",\"" << figure.Quantity << "\"," << figure.Measured << ",\""
-        << Limit(figure) << "\"," << (judged ? (figure.IsMet() ? "yes" : "no") : "") << ",\""
-        << figure.Remark << "\"\n";
-    markdown << "| " << figure.Scene << " | " << figure.Quantity << " | " << Number(figure.Measured)
-             << " | " << Limit(figure) << " | " << Verdict(figure) << " | " << figure.Remark
+    const bool judged = result.Direction != TargetKind::None;
+    csv << '"' << result.Scene << "\",\"" << result.Quantity << "\"," << result.Measured << ",\""
+        << Limit(result) << "\"," << (judged ? (result.IsMet() ? "yes" : "no") : "") << ",\""
+        << result.Remark << "\"\n";
+    markdown << "| " << result.Scene << " | " << result.Quantity << " | " << Number(result.Measured)
+             << " | " << Limit(result) << " | " << Verdict(result) << " | " << result.Remark
              << " |\n";
   }
 }
@@ -75,11 +75,11 @@ void ResultTable::Write(const std::string& path, const std::string& title,
 std::vector<std::string> ResultTable::GetFailed() const
 {
   std::vector<std::string> missed;
-  for (const BenchmarkResult& figure : this->Figures)
+  for (const BenchmarkResult& result : this->Figures)
   {
-    if (!figure.IsMet())
+    if (!result.IsMet())
     {
-      missed.push_back(figure.Scene + ": " + figure.Quantity);
+      missed.push_back(result.Scene + ": " + result.Quantity);
     }
   }
   return missed;

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `penumbra chart` hands to programs of others, and what it wants back.
+"""Protocol of `penumbra chart` for scripts that render an image with a peer program.
 
-    python SCRIPT                               prints the program's version, fails where it is not there
-    python SCRIPT SCENE.json SETTING PICTURE    draws; prints CPU seconds and samples a pixel
+    python SCRIPT                               prints the program's version; fails if it is not installed
+    python SCRIPT SCENE.json SETTING IMAGE    renders; prints CPU seconds and samples per pixel
 
-The scene is triangles of even colours, their light already in them: every program makes the same picture, and
-only what happens at borders differs. PICTURE holds floats, rgb, row after row from below."""
+The scene consists of triangles with constant, already shaded colors, so that the images of all programs differ
+only in their antialiasing. IMAGE contains floats, RGB, row by row from the bottom."""
 import json
 import math
 import sys
@@ -24,7 +24,7 @@ class Scene:
 
 
 def run(version, draw):
-    """`draw(scene, setting)` returns bytes of floats, CPU seconds and samples a pixel."""
+    """`draw(scene, setting)` returns bytes of floats, CPU seconds and samples per pixel."""
     if len(sys.argv) < 4:
         print(version)
         return

@@ -1,21 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Radiance's ambient cache for `penumbra chart`: light at places. SETTING: options of rtrace.
+"""Radiance's ambient cache for `penumbra chart`: light at surface points. SETTING: options of rtrace.
 
-Rays are counted as records times -ad: what they are at most."""
+Rays are counted as records times -ad, which is an upper bound."""
 import pathlib
 
 import numpy
 
-import places
+import point_protocol
 import rtrace
 
-# A lamp's other side, which does not shine in Radiance, is a second lamp this far behind it.
+# Area lights are one-sided in Radiance. A second light at this distance behind the first replaces the back side.
 BEHIND = 1e-4
 
 
 def describe(scene):
-    """The scene in Radiance's language."""
+    """Returns the scene in Radiance's format."""
     lines = [f"void glow sky 0 0 4 {scene.sky} {scene.sky} {scene.sky} 0", "sky source all 0 0 4 0 0 1 360"]
     names = {}
 
@@ -57,12 +57,12 @@ def ask(scene, setting, path):
         seen = rtrace.run("rtrace", *options, given=some.tobytes())
         return rtrace.child_seconds() - start, seen
 
-    loading, _ = seconds_of(scene.places[:0])
-    seconds, seen = seconds_of(scene.places)
+    loading, _ = seconds_of(scene.points[:0])
+    seconds, seen = seconds_of(scene.points)
     light = numpy.frombuffer(seen, numpy.float32).reshape(-1, 3) / numpy.pi
     rays = int(setting.split()[setting.split().index("-ad") + 1])
-    count = records.stat().st_size / rtrace.BYTES_PER_RECORD * rays / len(scene.places)
+    count = records.stat().st_size / rtrace.BYTES_PER_RECORD * rays / len(scene.points)
     return light, max(seconds - loading, 0), count
 
 
-places.run(rtrace.VERSION, ask)
+point_protocol.run(rtrace.VERSION, ask)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The result of a benchmark: measured figures, each with its bar.
+// The result of a benchmark: measured values, each with its target.
 #ifndef penumbra_ResultTable_h
 #define penumbra_ResultTable_h
 
@@ -30,18 +30,19 @@ struct BenchmarkResult
   bool IsMet() const;
 };
 
+/// The results of a benchmark.
 class ResultTable
 {
 public:
-  /// Adds a figure and prints it at once.
+  /// Adds a result and prints it immediately.
   void Add(const std::string& scene, const std::string& quantity, double measured,
     TargetKind direction, double limit = 0.0, const std::string& remark = {});
 
-  /// Writes NAME.csv and NAME.md, whose heading is `title`; `path` ends in NAME.
+  /// Writes NAME.csv and NAME.md with the heading `title`; `path` ends in NAME.
   void Write(const std::string& path, const std::string& title,
     const std::vector<std::string>& circumstances) const;
 
-  /// Names of figures that missed their bar.
+  /// Names of the results that missed their target.
   std::vector<std::string> GetFailed() const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What frames cost beside plain ones that were drawn in turn with them.
+// Cost of frames relative to plain frames that are rendered alternately with them.
 #ifndef penumbra_FrameTimes_h
 #define penumbra_FrameTimes_h
 
@@ -10,14 +10,16 @@
 namespace penumbra
 {
 
-/// CPU seconds of the calling thread, on which OSMesa draws with one; others may keep the machine busy.
+/// CPU seconds of the calling thread, on which OSMesa renders with one thread. Independent of the
+/// load by other processes.
 double ThreadSeconds();
 
-/// The median of what each frame took beyond the plain one of its round, seconds. A machine that is slow
-/// for a while is so for both. @pre as many of both, at least one
+/// Median of the difference between each frame and the plain frame of its round, in seconds. Both
+/// are affected equally if the machine is slow for a while. @pre both vectors have the same,
+/// nonzero size
 double MedianOverhead(const std::vector<double>& frames, const std::vector<double>& plain);
 
-/// The median of the quotients of the same.
+/// Median of the ratios of the same frames.
 double MedianQuotient(const std::vector<double>& frames, const std::vector<double>& plain);
 
 double Median(std::vector<double> values);

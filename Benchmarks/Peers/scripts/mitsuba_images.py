@@ -6,7 +6,7 @@ import time
 import mitsuba
 import numpy
 
-import handed
+import image_protocol
 
 mitsuba.set_variant("scalar_rgb")
 
@@ -38,4 +38,4 @@ def draw(scene, setting):
     return values.astype("f4").tobytes(), seconds, int(setting)
 
 
-handed.run(mitsuba.__version__, draw)
+image_protocol.run(mitsuba.__version__, draw)

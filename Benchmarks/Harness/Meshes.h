@@ -12,16 +12,16 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// Reads an .off file of triangles. Throws std::runtime_error.
+/// Reads an .off file of triangles. Throws std::runtime_error if this fails.
 vtkSmartPointer<vtkPolyData> ReadOff(const std::string& path);
 
-/// With normals at the points, averaged over the triangles around.
+/// Returns the mesh with point normals, averaged over the adjacent triangles.
 vtkSmartPointer<vtkPolyData> Smooth(vtkPolyData* mesh);
 
-/// Every triangle divided into 4^times.
+/// Subdivides every triangle into 4^times triangles.
 vtkSmartPointer<vtkPolyData> Subdivide(vtkPolyData* mesh, int times);
 
-/// A wavy sheet of 2 (side - 1)^2 triangles.
+/// Builds a wavy height field of 2 (side - 1)^2 triangles.
 vtkSmartPointer<vtkPolyData> WavySheet(int side);
 
 }

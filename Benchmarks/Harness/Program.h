@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What every program of figures does: read options, measure the parts that are asked for, write the
+// Command line of a benchmark program: parses the options, runs the requested parts, and writes the
 // table.
 #ifndef penumbra_Program_h
 #define penumbra_Program_h
@@ -30,7 +30,7 @@ struct Program
     std::string* Where;
     bool Required = false;
   };
-  /// An option that stands alone, and what it sets.
+  /// An option without a value, and the variable that it sets.
   struct Switch
   {
     std::string Option;
@@ -38,24 +38,26 @@ struct Program
     bool Set = true;
   };
 
-  std::string Name;  ///< of the files of results
-  std::string Title; ///< of the table
-  std::string Usage; ///< the options, for the message
+  std::string Name;  ///< base name of the result files
+  std::string Title; ///< heading of the table
+  std::string Usage; ///< options, for the usage message
   std::vector<Value> Values;
   std::vector<Switch> Switches;
-  std::vector<Part> Parts; ///< in this order
+  std::vector<Part> Parts; ///< measured in this order
 
-  /// Measures and writes the table to the folder `output`, which is one of the values. Returns the
-  /// exit status: 0 all bars met, 1 some missed, 2 bad use or a failure that was told.
+  /// Runs the measurements and writes the table to the folder `output`, which is one of the values.
+  /// Returns the exit status: 0 if all targets are met, 1 if some are missed, 2 after invalid usage
+  /// or a reported error.
   int Run(int argc, char** argv, ResultTable& results, const std::string& output,
     const std::function<std::vector<std::string>()>& circumstances);
 
 private:
-  /// The part to measure, empty for all, and whether the options were understood.
+  /// Parses the options. Returns the part to measure (empty for all) and whether the options are
+  /// valid.
   std::pair<std::string, bool> ReadOptions(int argc, char** argv) const;
 };
 
-/// "date: ..." and "VTK ..., compiler ...", for the circumstances.
+/// "date: ..." and "VTK ..., compiler ...", for the head of the table.
 std::string DateLine();
 std::string VersionLine();
 

@@ -10,7 +10,7 @@ import bpy
 import mathutils
 import numpy
 
-import handed
+import image_protocol
 
 
 def add_mesh(scene):
@@ -75,4 +75,4 @@ def draw(scene, setting):
     return values.reshape(-1, 4)[:, :3].tobytes(), seconds, int(setting)
 
 
-handed.run(bpy.app.version_string, draw)
+image_protocol.run(bpy.app.version_string, draw)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""F3D for `penumbra chart`: OpenGL with what F3D offers against jagged edges. SETTING: none, fxaa or ssaa."""
+"""F3D for `penumbra chart`: OpenGL with F3D's antialiasing. SETTING: none, fxaa or ssaa."""
 import array
 import os
 import tempfile
@@ -8,11 +8,11 @@ import time
 
 import f3d
 
-import handed
+import image_protocol
 
 
 def write_faces(scene, path):
-    """A legacy VTK file with a colour for every triangle."""
+    """Writes a legacy VTK file with a color per triangle."""
     with open(path, "w", encoding="ascii") as file:
         file.write("# vtk DataFile Version 3.0\nfaces\nASCII\nDATASET POLYDATA\n"
                    f"POINTS {len(scene.positions)} float\n")
@@ -47,4 +47,4 @@ def draw(scene, setting):
             5 if setting == "ssaa" else 1)
 
 
-handed.run(f3d.__version__, draw)
+image_protocol.run(f3d.__version__, draw)
