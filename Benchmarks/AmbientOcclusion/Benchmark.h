@@ -29,7 +29,7 @@ struct OcclusionBenchmark
   int Stride = 4; ///< distance between pixels with a reference value
   int Rays = 32;  ///< per such pixel, the square of this number
   ResultTable Results;
-  std::map<std::string, OcclusionTruth> Truths; ///< by the scene's name
+  std::map<std::string, OcclusionTruth> References; ///< by the scene's name
 
   /// Adds a result with an upper target; if it is missed, the remark states the ratio and the
   /// reason `why`.
@@ -45,7 +45,7 @@ struct OcclusionBenchmark
   /// Reference by rays, computed once for all parts.
   const OcclusionTruth& TruthOf(const OcclusionTestScene& scene)
   {
-    OcclusionTruth& truth = this->Truths[scene.Name];
+    OcclusionTruth& truth = this->References[scene.Name];
     if (truth.Pixels.empty())
     {
       truth = TraceOcclusion(

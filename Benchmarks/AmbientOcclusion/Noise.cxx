@@ -75,7 +75,7 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     const std::vector<float> converged = screen.Array("AmbientOcclusion");
     screen.Draw();
     const double change = Difference(converged, screen.Array("AmbientOcclusion"), depth, all);
-    const double believed = screen.Ours->GetEstimatedError();
+    const double estimated = screen.Ours->GetEstimatedError();
     const std::vector<float> limit = Limit(screen);
     benchmark.Judge(scene.Name, "noise after 32 still frames, against its limit",
       Difference(after32, limit, depth, all), .006,
@@ -83,7 +83,7 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
       "more frames");
     table.Add(scene.Name, "converged, against its limit", Difference(converged, limit, depth, all),
       TargetKind::AtMost, .01,
-      "estimated error of the worst tile of 16x16 pixels: " + std::to_string(believed));
+      "estimated error of the worst tile of 16x16 pixels: " + std::to_string(estimated));
     table.Add(scene.Name, "change once converged", change, TargetKind::AtMost, 0.0);
 
     // A quarter of a degree per frame.

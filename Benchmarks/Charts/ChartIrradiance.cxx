@@ -272,7 +272,7 @@ PointQuerySteps PeersInRoom(const std::string& scene, const Rooms& room)
 {
   PointQuerySteps steps;
   steps.Scene = scene;
-  steps.Lamps = true;
+  steps.Emitters = true;
   steps.Prepare = [=](const Peer&) {
     PointQueryScene asked;
     asked.Drawn = &room().Drawn;

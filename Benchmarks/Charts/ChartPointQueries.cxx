@@ -30,7 +30,7 @@ void AddPeers(ChartFamily& family, const std::vector<Peer>& peers, const PointQu
     {
       continue;
     }
-    for (const std::string& setting : steps.Lamps ? peer.LightSettings : peer.Settings)
+    for (const std::string& setting : steps.Emitters ? peer.LightSettings : peer.Settings)
     {
       family.Steps.push_back(
         { steps.Scene, peer.Name, setting, 0.0, [=] { return Ask(steps, peer, setting); } });

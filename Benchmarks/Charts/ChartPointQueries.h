@@ -19,7 +19,7 @@ namespace penumbra
 struct PointQuerySteps
 {
   std::string Scene;
-  bool Lamps = false; ///< whether the scene has area lights; otherwise occlusion is queried
+  bool Emitters = false; ///< whether the scene has area lights; otherwise occlusion is queried
   std::function<PointQueryScene(const Peer& peer)> Prepare;
   std::function<double(const PointQueryScene& asked, const std::vector<glm::dvec3>& light)> Error;
 };

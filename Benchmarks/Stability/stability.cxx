@@ -88,7 +88,7 @@ std::vector<Measured> MeasureAll(const std::string& pictures)
       TextOf(row.Measured).Name.c_str(), Number(row.Bound).c_str(),
       Number(measured.Outcomes[0].Value).c_str(), Number(measured.Outcomes[1].Value).c_str(),
       row.Peer.empty() ? "" : ("VTK " + Number(measured.Outcomes[2].Value)).c_str(),
-      row.IsKnownFailure ? " OPEN" : "");
+      row.IsKnownFailure ? " KNOWN FAILURE" : "");
     std::fflush(stdout);
     rows.push_back(measured);
   }

@@ -191,7 +191,7 @@ TEST(Animate, ReportsInvalidOptions)
   } rows[] = {
     { { "--output", folder / "a.png" }, "{frame}" },
     { { "--output", folder / "{frame}.jpg", "--resume" }, "--resume" },
-    { { "--output", folder / "{frame}.png", "--move", "2:1,0,0" }, "there are 1 files" },
+    { { "--output", folder / "{frame}.png", "--move", "2:1,0,0" }, "at most 1" },
     { { "--output", folder / "{frame}.png", "--move", "1,0,0" }, "N:X,Y,Z" },
     { { "--output", folder / "{frame}.png", "--time-series", "--frames", "3" }, "--time-series" },
     { { "--output", folder / "{frame}.png", "--frames", "0" }, "--frames" },

@@ -119,7 +119,7 @@ const Row Rows[] = {
     { "--resolution", "1 to 65535" } },
   { "NegativeResolution", 2, Square, "stl", { "--resolution", "-5,5" }, { "--resolution" } },
   { "FractionalResolution", 2, Square, "stl", { "--resolution", "9.5,5" },
-    { "--resolution", "whole" } },
+    { "--resolution", "two integers" } },
   { "AbsurdSide", 2, Square, "stl", { "--resolution", "65536,1" }, { "--resolution", "65535" } },
   { "MorePixelsThanMemory", 2, Square, "stl", { "--resolution", "65535,65535" },
     { "--resolution", "memory", "smaller" } },

@@ -74,14 +74,14 @@ def box(file):
     panel("white", [0, 1, 0], x, z)
     panel("red", [0, 0, 0], y, z)
     panel("green", [1, 0, 0], y, z)
-    panel("lamp", [.35, .35, .999], .3 * y, .3 * x)
-    panel("lamp", [.35, .35, .9991], .3 * x, .3 * y)  # Panels of the reference emit on both sides.
+    panel("emitter", [.35, .35, .999], .3 * y, .3 * x)
+    panel("emitter", [.35, .35, .9991], .3 * x, .3 * y)  # Panels of the reference emit on both sides.
     solid([.15, .5, 0], [.45, .8, .6])
     solid([.55, .2, 0], [.85, .5, .3])
     text = """void plastic white 0 0 5 .5 .5 .5 0 0
 void plastic red 0 0 5 .5 .15 .15 0 0
 void plastic green 0 0 5 .15 .5 .15 0 0
-void light lamp 0 0 3 12 11 9
+void light emitter 0 0 3 12 11 9
 """ + "\n".join(panels) + "\n"
     view = "-vp .51 -1.3 .47 -vd -.01 1.3 .03 -vu 0 0 1 -vh 41 -vv 41 -x 256 -y 256"
     known = numpy.loadtxt(file)

@@ -47,7 +47,7 @@ def ask(scene, setting, path):
     tree, records = path + ".oct", pathlib.Path(path + ".amb")
     pathlib.Path(path + ".rad").write_text(describe(scene))
     pathlib.Path(tree).write_bytes(rtrace.run("oconv", "-w", "-f", path + ".rad"))
-    gathers = int(scene.bounces) - (scene.sky == 0)  # Lamps shine without.
+    gathers = int(scene.bounces) - (scene.sky == 0)  # Emitters shine without.
     options = ["-h", "-w", "-I", "-fdf", "-ov", "-af", str(records), "-aw", "0", "-av", "0", "0", "0", "-dt", "0",
                "-dj", "0", "-ab", str(gathers), *setting.split(), tree]
 
