@@ -119,7 +119,7 @@ std::vector<std::string> Circumstances(const Benchmark& benchmark)
       std::to_string(benchmark.TruthSamples) +
       " samples per pixel for lit meshes, 16 times as many on edges",
     "RMSE over RGB in [0, 1]; edge: over partly covered pixels of flat shapes, and over pixels "
-    "of "\n
+    "of "
     "lit meshes that contain background and surface, or surfaces not connected within the pixel" };
 }
 
