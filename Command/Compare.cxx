@@ -114,7 +114,8 @@ int Compare(const CompareOptions& options)
   if (!comparison->Compare())
   {
     throw CommandError(BadInput,
-      options.Images[0] + ": " + comparison->GetErrorText() + "; give images of the same size");
+      options.Images[0] + ": " + comparison->GetErrorText() +
+        "; images and mask must have the same size, and the mask must include a pixel");
   }
   double factor = 1.0;
   if (file)
