@@ -28,15 +28,23 @@ namespace
 // Limits for an empty file, and the memory that each byte of a file adds. One second per MiB is added.
 constexpr double BaseSeconds = 60.0;
 constexpr unsigned long long BaseMemory = 1ull << 30; ///< bytes
-constexpr unsigned long long BytesPerByte = 64;
-constexpr unsigned long long BytesPerCompressedByte = 2200; ///< zlib compresses up to 1032 to 1
+constexpr unsigned long long MemoryPerFileByte = 64;
+constexpr unsigned long long MemoryPerCompressedFileByte = 2200; // zlib compresses up to 1032:1.
+
+// AddressSanitizer reserves more address space than any limit allows.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool LimitsMemory = false;
+#else
+constexpr bool LimitsMemory = true;
+#endif
 
 double RequestedSeconds = 0.0; ///< 0: computed from the file size
-std::string Line;
+std::string TimeoutMessage;
 
 void EndReading(int)
 {
-  [[maybe_unused]] const auto written = write(TerminalDescriptor(), Line.data(), Line.size());
+  [[maybe_unused]] const auto written =
+    write(TerminalDescriptor(), TimeoutMessage.data(), TimeoutMessage.size());
   RemoveTemporaries();
   _exit(BadInput);
 }
@@ -57,9 +65,9 @@ bool MayBeCompressed(const std::string& path, unsigned long long bytes)
   file.seekg(0);
   std::string head(4096, '\0');
   file.read(&head[0], static_cast<std::streamsize>(head.size()));
-  for (const char* sign : { "compressor", "CompressedData", "gz", "\x89HDF", "bz" })
+  for (const char* signature : { "compressor", "CompressedData", "gz", "\x89HDF", "bz" })
   {
-    if (head.find(sign) != std::string::npos)
+    if (head.find(signature) != std::string::npos)
     {
       return true;
     }
@@ -99,19 +107,20 @@ ReadLimit::ReadLimit(const std::string& path)
     return;
   }
   const unsigned long long bytes = InputBytes(path);
-#if !defined(__SANITIZE_ADDRESS__)
-  const unsigned long long memory = MemoryInUse() + BaseMemory +
-    bytes * (MayBeCompressed(path, bytes) ? BytesPerCompressedByte : BytesPerByte);
-  this->ByFile = memory < this->Memory;
-  limit.rlim_cur = std::min<unsigned long long>(memory, this->Memory);
-  setrlimit(RLIMIT_DATA, &limit);
-#endif
+  if (LimitsMemory)
+  {
+    const unsigned long long memory = MemoryInUse() + BaseMemory +
+      bytes * (MayBeCompressed(path, bytes) ? MemoryPerCompressedFileByte : MemoryPerFileByte);
+    this->ByFile = memory < this->Memory;
+    limit.rlim_cur = std::min<unsigned long long>(memory, this->Memory);
+    setrlimit(RLIMIT_DATA, &limit);
+  }
   const double seconds =
     RequestedSeconds > 0.0 ? RequestedSeconds : std::ceil(BaseSeconds + bytes / 1048576.0);
   std::ostringstream text;
   text << path << ": reading takes more than " << seconds
        << " s; the file is damaged or needs a longer --read-limit";
-  Line = LineOf(text.str());
+  TimeoutMessage = LineOf(text.str());
   std::signal(SIGALRM, EndReading);
   SetTimer(std::min(std::max(seconds, 1e-6), 1e8));
 }

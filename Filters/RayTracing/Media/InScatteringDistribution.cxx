@@ -69,7 +69,7 @@ InScatteringDistribution::InScatteringDistribution(const Medium& medium, const L
   }
 }
 
-/// Returns the light scattered toLight the camera per unit of length.
+/// Returns the light scattered toward the camera per unit of length.
 double InScatteringDistribution::Density(double t) const
 {
   const glm::dvec3 point = this->Origin + t * this->Direction;
