@@ -148,6 +148,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   occlusion->SetKernelName(this->OcclusionKernel.c_str());
   occlusion->SetConvergeInOneRender(
     interactive ? vtkPenumbraTemporalSSAOPass::NEVER : vtkPenumbraTemporalSSAOPass::ALWAYS);
+  occlusion->SetRefineStaticView(false); // ParaView renders a still frame after each interaction.
 
   vtkPenumbraLightShaftPass* shafts = pass->Shafts;
   shafts->SetTolerance(this->PenumbraTolerance);

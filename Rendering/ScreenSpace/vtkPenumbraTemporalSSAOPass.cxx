@@ -3,6 +3,7 @@
 #include "vtkPenumbraTemporalSSAOPass.h"
 
 #include "Chain/PassSlots.h"
+#include "Chain/StaticViewRefiner.h"
 #include "Frame/PassStatistics.h"
 #include "Frame/ScopedCamera.h"
 #include "Occlusion/OcclusionViewState.h"
@@ -103,6 +104,7 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   vtkNew<vtkPenumbraKernelEstimator> Kernels;
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
+  penumbra::StaticViewRefiner Refiner;
 
   /// Returns a text that differs between settings whose occlusion differs.
   std::string DescribeOcclusion(const Pass* pass) const;
@@ -217,6 +219,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.Radius = this->Radius * units[this->RadiusUnit];
   if (!window || !(settings.Radius > 0.0) || !std::isfinite(settings.Radius))
   {
+    internals.Refiner.Stop();
     return false;
   }
   settings.Darkness = { this->Strength, this->LightAwareness };
@@ -231,7 +234,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.DepthTolerance = this->DepthTolerance;
   settings.Filter = this->Filter;
   settings.InOneRender = this->ConvergeInOneRender == ALWAYS ||
-    (this->ConvergeInOneRender == OFFSCREEN &&
+    (this->ConvergeInOneRender == OFFSCREEN && !penumbra::IsInteractive(window) &&
       (window->GetOffScreenRendering() || !window->GetShowWindow()));
   settings.DelegateDrawsBackground = !this->OpaqueOnly;
   settings.DelegateOnce = this->DelegateOnce;
@@ -262,6 +265,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   internals.Last = &rendererState.View;
   if (!internals.Last->Render(state, this->DelegatePass, estimator, settings))
   {
+    internals.Refiner.Stop();
     this->WarnOnce(
       "OpenGL cannot render ambient occlusion in this window; the scene is rendered without it.");
     return false;
@@ -269,6 +273,9 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   // Queried after rendering, because rendering or tracing may update the pipelines of the scene.
   rendererState.HiddenTime = estimator->GetSceneMTime(renderer);
   this->NumberOfRenderedProps = internals.Last->GetNumberOfRenderedProps();
+  const bool unfinished =
+    this->RefineStaticView && !settings.InOneRender && !internals.Last->IsConverged();
+  internals.Refiner.RecordFrame(renderer, unfinished, internals.Last->HasChanged());
   return true;
 }
 
@@ -312,6 +319,7 @@ vtkPenumbraOcclusionEstimator* vtkPenumbraTemporalSSAOPass::ChooseEstimator(
 void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
+  this->Implementation->Refiner.Stop();
   Internals& internals = *this->Implementation;
   for (auto& [renderer, rendererState] : internals.Renderers)
   {
@@ -410,4 +418,5 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DelegateOnce: " << this->DelegateOnce << "\n";
   os << indent << "UseActorMotion: " << this->UseActorMotion << "\n";
   os << indent << "ConvergeInOneRender: " << this->ConvergeInOneRender << "\n";
+  os << indent << "RefineStaticView: " << this->RefineStaticView << "\n";
 }

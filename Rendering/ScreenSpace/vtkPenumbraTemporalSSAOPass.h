@@ -236,17 +236,33 @@ public:
   /** Conditions under which a single Render() converges. */
   enum ConvergeModes
   {
-    OFFSCREEN, ///< in offscreen windows; other windows converge over several frames
+    /// In offscreen windows whose DesiredUpdateRate is below 1 per second, which is not the case
+    /// during interaction; other windows converge over several frames.
+    OFFSCREEN,
     NEVER,
     ALWAYS
   };
   ///@{
   /**
-   * Condition under which one Render() repeats the estimate until the tolerance is met. Default:
-   * OFFSCREEN.
+   * Condition under which one Render() repeats the estimate until the tolerance is met or the window
+   * reports an abort (vtkRenderWindow::CheckAbortStatus()); the next Render() then continues.
+   * Default: OFFSCREEN.
    */
   vtkSetClampMacro(ConvergeInOneRender, int, OFFSCREEN, ALWAYS);
   vtkGetMacro(ConvergeInOneRender, int);
+  ///@}
+
+  ///@{
+  /**
+   * If on, a window with a vtkRenderWindowInteractor renders a static view again, through
+   * vtkRenderWindowInteractor::Render(), until it has converged. Frames of the application take
+   * precedence: a repeating timer waits for a pause of at least five ticks of 10 ms. No frames are
+   * requested while the window's DesiredUpdateRate is 1 per second or more, as during interaction.
+   * Default: on.
+   */
+  vtkSetMacro(RefineStaticView, bool);
+  vtkGetMacro(RefineStaticView, bool);
+  vtkBooleanMacro(RefineStaticView, bool);
   ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -307,6 +323,7 @@ private:
   bool DelegateOnce = false;
   bool UseActorMotion = true;
   int ConvergeInOneRender = OFFSCREEN;
+  bool RefineStaticView = true;
 };
 
 #endif

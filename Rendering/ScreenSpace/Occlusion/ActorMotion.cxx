@@ -14,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPixelBufferObject.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -163,21 +162,6 @@ bool ActorMotion::Draw(vtkRenderer* renderer, DelegateImage& image, const EyeDep
     }
     glBlendColor(0.f, 0.f, 0.f, 0.f);
   });
-}
-
-std::vector<unsigned char> ActorMotion::ReadActorNumbers() const
-{
-  unsigned int size[2] = { this->Target->GetWidth(), this->Target->GetHeight() };
-  std::vector<unsigned char> colors(static_cast<std::size_t>(size[0]) * size[1] * 4);
-  vtkIdType increments[2] = { 0, 0 };
-  auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(this->Target->Download());
-  buffer->Download2D(VTK_UNSIGNED_CHAR, colors.data(), size, 4, increments);
-  std::vector<unsigned char> numbers(colors.size() / 4);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    numbers[i] = colors[4 * i + 3];
-  }
-  return numbers;
 }
 
 void ActorMotion::ReleaseGraphicsResources(vtkWindow* window)

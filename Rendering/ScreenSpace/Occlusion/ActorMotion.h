@@ -36,9 +36,6 @@ public:
   /// not moved.
   vtkTextureObject* GetTarget() const { return this->Target; }
 
-  /// Returns the numbers of the visible actors, row by row.
-  std::vector<unsigned char> ReadActorNumbers() const;
-
   /// One row per actor of Draw(): the four columns of the matrix from eye coordinates to those of
   /// the last frame.
   vtkTextureObject* GetMatrices() const { return this->Matrices; }

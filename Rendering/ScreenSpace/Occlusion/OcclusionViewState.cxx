@@ -78,6 +78,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
       state, delegate, this->Image, this->GetCompositeInputs(), settings.DelegateDrawsBackground))
   {
     this->Props = this->StoredFrame.GetNumberOfRenderedProps();
+    this->Changed = false;
     this->UpdateActorMotion();
     return true;
   }
@@ -101,7 +102,8 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     return false;
   }
-  if (change != EyeDepth::Change::None)
+  this->Changed = change != EyeDepth::Change::None;
+  if (this->Changed)
   {
     // Discard the history when converging within one Render(): stale samples would delay
     // convergence.
@@ -186,7 +188,8 @@ ConvergedFrame::CompositeInputs OcclusionViewState::GetCompositeInputs() const
 bool OcclusionViewState::Converge(EyeDepth::Change change)
 {
   bool done = this->Estimate(change);
-  while (done && this->Settings.InOneRender && !this->MeetsTolerance())
+  while (done && this->Settings.InOneRender && !this->MeetsTolerance() &&
+    !this->Window->CheckAbortStatus())
   {
     done = this->Estimate(EyeDepth::Change::None);
   }
@@ -313,43 +316,21 @@ std::vector<float> OcclusionViewState::ReadMeans() const
   return values;
 }
 
-OcclusionViewState::PixelCounts OcclusionViewState::CountPixels() const
+HistoryCounts OcclusionViewState::CountPixels()
 {
-  PixelCounts counts;
   if (!this->Estimates)
   {
-    return counts;
+    return {};
   }
-  const std::vector<float> depths = ReadBack(this->Depth.GetCurrent());
-  const std::vector<float> history = ReadBack(this->History.GetTexture());
-  const std::vector<unsigned char> actors = this->HasActorMotion
-    ? this->Motion.ReadActorNumbers()
-    : std::vector<unsigned char>(depths.size(), 0);
-  const int width = this->Image.GetView().Width;
-  const auto newWeight = static_cast<float>(this->NewSamples);
-  const auto invalidatedWeight = static_cast<float>(this->Settings.InvalidationWeight) + newWeight;
-  const auto convergedWeight =
-    static_cast<float>(this->Settings.SpatialConvergence * this->Settings.MaximumWeight);
-  for (int j = 0; j < this->Image.GetViewport()[3]; ++j)
-  {
-    for (int i = 0; i < this->Image.GetViewport()[2]; ++i)
-    {
-      const std::size_t at = static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * width + i +
-        this->Image.GetMargin()[0];
-      if (depths[at] >= FarAway)
-      {
-        continue;
-      }
-      const float weight = history[2 * at + 1];
-      ++counts.Surface;
-      counts.Disoccluded += newWeight > 0.f && weight <= newWeight;
-      counts.Invalidated += newWeight > 0.f && weight > newWeight && weight <= invalidatedWeight;
-      counts.Kept += newWeight == 0.f || weight > invalidatedWeight;
-      counts.Followed += actors[at] > 0 && weight > newWeight;
-      counts.Converged += this->Converged || weight >= convergedWeight;
-    }
-  }
-  return counts;
+  PixelCounter::Inputs inputs;
+  inputs.EyeDepths = this->Depth.GetCurrent();
+  inputs.History = this->History.GetTexture();
+  inputs.MovedActors = this->HasActorMotion ? this->Motion.GetTarget() : nullptr;
+  inputs.NewWeight = this->NewSamples;
+  inputs.InvalidationWeight = this->Settings.InvalidationWeight;
+  inputs.ConvergedWeight =
+    this->Converged ? 0.0 : this->Settings.SpatialConvergence * this->Settings.MaximumWeight;
+  return this->Counter.Count(this->Window, this->Image, inputs);
 }
 
 void OcclusionViewState::CopyTo(vtkImageData* image) const
@@ -396,6 +377,7 @@ void OcclusionViewState::ReleaseGraphicsResources(vtkWindow* window)
   this->Bilateral.ReleaseGraphicsResources(window);
   this->Compositor.ReleaseGraphicsResources(window);
   this->StoredFrame.ReleaseGraphicsResources(window);
+  this->Counter.ReleaseGraphicsResources(window);
   if (this->Estimates)
   {
     this->Estimates->ReleaseGraphicsResources(window);

@@ -14,6 +14,7 @@
 #include "Frame/Composite.h"
 #include "Frame/DelegateImage.h"
 #include "Frame/EyeDepth.h"
+#include "PixelCounter.h"
 #include "TemporalHistory.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
@@ -67,19 +68,13 @@ public:
   /// Number of samples per pixel added in the last frame; 0 once converged.
   int GetNewSamples() const { return this->NewSamples; }
   bool IsConverged() const { return this->Converged; }
+  /// Returns whether the camera or the depths of the last frame differ from the one before.
+  bool HasChanged() const { return this->Changed; }
   const Convergence& GetConvergence() const { return this->TileConvergence; }
 
-  /// Numbers of pixels in the image without margin, by the fate of their history in the last frame.
-  struct PixelCounts
-  {
-    long long Surface = 0;
-    long long Kept = 0;
-    long long Followed = 0; ///< reprojected with the motion of their actor
-    long long Disoccluded = 0;
-    long long Invalidated = 0;
-    long long Converged = 0;
-  };
-  PixelCounts CountPixels() const;
+  /// Counts the pixels of the image without its margin by the fate of their history in the last
+  /// frame.
+  HistoryCounts CountPixels();
 
   /// Adds the float arrays AmbientOcclusion, Depth and Convergence, without margin, to `image`.
   void CopyTo(vtkImageData* image) const;
@@ -111,6 +106,7 @@ private:
   Convergence TileConvergence;
   Composite Compositor;
   ConvergedFrame StoredFrame;
+  PixelCounter Counter;
   std::vector<Rectangle> InnerRegion;          ///< the image without its margin
   vtkSmartPointer<vtkTextureObject> Estimates; ///< new estimates, then the filtered result
   int TotalSamples = 0;                        ///< position in the sample sequence
@@ -121,6 +117,7 @@ private:
   bool Filtered = false;         ///< Estimates are filtered with the current settings
   bool StoredFrameValid = false; ///< StoredFrame was composited with the current settings
   bool Converged = false;
+  bool Changed = true;
 };
 
 }

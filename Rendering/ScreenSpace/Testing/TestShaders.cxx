@@ -32,12 +32,12 @@ std::string ReadShader(const std::string& name)
 /// Assembles the libraries of the estimation stage without its main function.
 std::string AssembleEstimate(const std::string& kernel)
 {
-  std::string text = penumbra::Assemble(ReadShader("Occlusion/glsl/vtkPenumbraEstimateFS.glsl"),
+  std::string text = penumbra::Assemble(ReadShader("glsl/vtkPenumbraEstimateFS.glsl"),
     { { "ViewLib", ReadShader("Frame/glsl/vtkPenumbraViewLib.glsl") },
       { "SurfaceLib", ReadShader("Occlusion/glsl/vtkPenumbraSurfaceLib.glsl") },
-      { "EstimateLib", ReadShader("Occlusion/glsl/vtkPenumbraEstimateLib.glsl") },
-      { "Kernel", ReadShader("Occlusion/glsl/vtkPenumbraEstimate" + kernel + "FS.glsl") },
-      { "HemisphereLib", ReadShader("Occlusion/glsl/vtkPenumbraHemisphereLib.glsl") } });
+      { "EstimateLib", ReadShader("glsl/vtkPenumbraEstimateLib.glsl") },
+      { "Kernel", ReadShader("glsl/vtkPenumbraEstimate" + kernel + "FS.glsl") },
+      { "HemisphereLib", ReadShader("glsl/vtkPenumbraHemisphereLib.glsl") } });
   return text.substr(0, text.rfind("void main()")) +
     ReadShader("Frame/glsl/vtkPenumbraApplyOcclusionLib.glsl") +
     ReadShader("Occlusion/glsl/vtkPenumbraBilateralLib.glsl");

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Renders further frames of a static view through the interactor of its window. A repeating timer
+// renders one frame per tick until the view has converged, and is then destroyed. Frames that the
+// application renders take precedence: the timer then waits.
+#ifndef penumbra_StaticViewRefiner_h
+#define penumbra_StaticViewRefiner_h
+
+#include "vtkWeakPointer.h"
+
+#include <set>
+
+class vtkObject;
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+class vtkRenderer;
+
+namespace penumbra
+{
+
+/// Returns whether the application requests fast frames: the desired update rate of the window is
+/// at least one frame per second, as interactor styles set it during interaction.
+bool IsInteractive(vtkRenderWindow* window);
+
+class StaticViewRefiner
+{
+public:
+  StaticViewRefiner() = default;
+  ~StaticViewRefiner();
+  StaticViewRefiner(const StaticViewRefiner&) = delete;
+  void operator=(const StaticViewRefiner&) = delete;
+
+  /// Call this after every frame of a renderer. Requests further frames if `unfinished` is true,
+  /// but not if the scene `changed` in a frame requested here: it then changes in every frame.
+  void RecordFrame(vtkRenderer* renderer, bool unfinished, bool changed);
+
+  /// Destroys the timer.
+  void Stop();
+
+private:
+  static void OnTimer(vtkObject*, unsigned long, void* self, void* timerId);
+  void Start(vtkRenderWindowInteractor* interactor);
+  void Tick();
+
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  std::set<vtkRenderer*> Unfinished; ///< renderers whose last frame requested another one
+  unsigned long ObserverTag = 0;
+  int TimerId = 0;
+  int TicksToWait = 0;
+  bool Rendering = false; ///< the current frame was rendered by Tick()
+};
+
+}
+#endif

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Frames that a window with an interactor renders by itself, and frames that are interrupted.
+#include "OcclusionScene.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindowInteractor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace
+{
+
+using Pass = vtkPenumbraTemporalSSAOPass;
+
+/// Interactor whose timers are fired by the test.
+class ManualInteractor : public vtkRenderWindowInteractor
+{
+public:
+  static ManualInteractor* New();
+  vtkTypeMacro(ManualInteractor, vtkRenderWindowInteractor);
+
+  void Initialize() override
+  {
+    this->Initialized = 1;
+    this->Enabled = 1;
+  }
+
+  /// Fires every timer `count` times.
+  void Tick(int count = 1)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      for (int timer : std::set<int>(this->Timers))
+      {
+        int id = this->GetVTKTimerId(timer);
+        this->InvokeEvent(vtkCommand::TimerEvent, &id);
+      }
+    }
+  }
+
+  std::set<int> Timers;
+
+protected:
+  int InternalCreateTimer(int, int, unsigned long) override
+  {
+    this->Timers.insert(++this->LastTimer);
+    return this->LastTimer;
+  }
+  int InternalDestroyTimer(int timer) override
+  {
+    return static_cast<int>(this->Timers.erase(timer));
+  }
+
+private:
+  int LastTimer = 0;
+};
+vtkStandardNewMacro(ManualInteractor);
+
+/// A sphere on a floor, in a window that converges over several frames and counts them.
+class StaticViewRefinement : public ::testing::Test
+{
+protected:
+  StaticViewRefinement()
+  {
+    Build(this->Scene);
+    vtkNew<vtkCallbackCommand> counter;
+    counter->SetClientData(&this->Frames);
+    counter->SetCallback(
+      [](vtkObject*, unsigned long, void* frames, void*) { ++*static_cast<int*>(frames); });
+    this->Scene.Window->AddObserver(vtkCommand::EndEvent, counter);
+    this->Interactor->SetRenderWindow(this->Scene.Window);
+    this->Interactor->Initialize();
+  }
+
+  static void Build(OcclusionScene& scene)
+  {
+    scene.AddWall({ -3, -3, 0 }, { 6, 0, 0 }, { 0, 6, 0 });
+    scene.AddSphere({ 0, 0, 0.5 }, 0.5);
+    scene.SetCamera({ 0, -5, 3 }, { 0, 0, 0.4 });
+    scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
+    scene.Pass->SetKernelName("march");
+    scene.Pass->SetTolerance(0.03);
+  }
+
+  /// Renders a frame of the application and returns the number of frames of `ticks` ticks.
+  int FramesAfter(int ticks)
+  {
+    this->Scene.Window->Render();
+    this->Frames = 0;
+    this->Interactor->Tick(ticks);
+    return this->Frames;
+  }
+
+  double Statistic(const char* name)
+  {
+    return this->Scene.Pass->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+  }
+
+  OcclusionScene Scene;
+  vtkNew<ManualInteractor> Interactor;
+  int Frames = 0;
+};
+
+TEST_F(StaticViewRefinement, RendersFramesUntilConvergedAndThenNone)
+{
+  OcclusionScene manual;
+  Build(manual);
+  int needed = 0;
+  for (; needed < 1000 && !manual.Pass->IsConverged(); ++needed)
+  {
+    manual.Window->Render();
+  }
+  EXPECT_EQ(needed, 1 + this->FramesAfter(1000));
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+  EXPECT_EQ(manual.Picture(), this->Scene.Picture());
+  EXPECT_EQ(0, this->FramesAfter(1000));
+  this->Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+  EXPECT_LT(10, this->FramesAfter(1000));
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+}
+
+TEST_F(StaticViewRefinement, StopsDuringInteraction)
+{
+  EXPECT_EQ(5, this->FramesAfter(10));
+  this->Scene.Window->SetDesiredUpdateRate(15.0); // as an interactor style does on a button press
+  this->Frames = 0;
+  this->Interactor->Tick(1);
+  EXPECT_EQ(0, this->Frames);
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+  EXPECT_EQ(0, this->FramesAfter(100));
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+  this->Scene.Window->SetDesiredUpdateRate(0.0001);
+  EXPECT_LT(10, this->FramesAfter(1000));
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+}
+
+TEST_F(StaticViewRefinement, WaitsWhileTheApplicationRenders)
+{
+  for (int i = 0; i < 20; ++i)
+  {
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(0.2);
+    EXPECT_EQ(0, this->FramesAfter(3));
+  }
+  EXPECT_EQ(1u, this->Interactor->Timers.size());
+}
+
+TEST_F(StaticViewRefinement, StopsIfTheSceneChangesInEveryFrame)
+{
+  vtkActor* actor = this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3);
+  vtkNew<vtkCallbackCommand> mover;
+  mover->SetClientData(actor);
+  mover->SetCallback([](vtkObject*, unsigned long, void* moved, void*) {
+    static_cast<vtkActor*>(moved)->AddPosition(0.01, 0.0, 0.0);
+  });
+  this->Scene.Window->AddObserver(vtkCommand::StartEvent, mover);
+  EXPECT_EQ(1, this->FramesAfter(100));
+}
+
+TEST_F(StaticViewRefinement, StopsWithThePass)
+{
+  this->Scene.Pass->RefineStaticViewOff();
+  EXPECT_EQ(0, this->FramesAfter(100));
+  this->Scene.Pass->RefineStaticViewOn();
+  EXPECT_EQ(5, this->FramesAfter(10));
+  Pass::RemoveFrom(this->Scene.Renderer);
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+  EXPECT_EQ(0, this->FramesAfter(100));
+}
+
+TEST_F(StaticViewRefinement, RendersOneFramePerTickForSeveralViewports)
+{
+  this->Scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> second;
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  second->AddViewProp(this->Scene.AddSphere({ 1, 0, 0.5 }, 0.3));
+  this->Scene.Window->AddRenderer(second);
+  Pass* pass = Pass::AddTo(second);
+  pass->SetConvergeInOneRender(Pass::NEVER);
+  const int frames = this->FramesAfter(25);
+  EXPECT_GT(frames, 10);
+  EXPECT_LE(frames, 20);
+  this->Interactor->Tick(1000);
+  EXPECT_TRUE(this->Scene.Pass->IsConverged() && pass->IsConverged());
+  EXPECT_TRUE(this->Interactor->Timers.empty());
+}
+
+TEST_F(StaticViewRefinement, IsNotNeededIfOneRenderConverges)
+{
+  this->Scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+  EXPECT_EQ(0, this->FramesAfter(100));
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+}
+
+TEST_F(StaticViewRefinement, RendersInteractiveFramesOffscreenDuringInteraction)
+{
+  this->Scene.Pass->SetConvergeInOneRender(Pass::OFFSCREEN);
+  this->Scene.Window->SetDesiredUpdateRate(15.0);
+  for (int i = 0; i < 5; ++i)
+  {
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(0.2);
+    this->Scene.Window->Render();
+    EXPECT_FALSE(this->Scene.Pass->IsConverged());
+    EXPECT_LE(this->Statistic("Samples/PerPixel"), 32.0);
+  }
+  EXPECT_GT(this->Statistic("Pixels/Reprojected"), 0.5);
+  this->Scene.Window->SetDesiredUpdateRate(0.0001);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+}
+
+TEST_F(StaticViewRefinement, LetsAnAbortInterruptConvergingInOneRender)
+{
+  OcclusionScene uninterrupted;
+  Build(uninterrupted);
+  uninterrupted.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+  uninterrupted.Window->Render();
+
+  this->Scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* window, unsigned long, void*, void*) {
+    static_cast<vtkRenderWindow*>(window)->SetAbortRender(1);
+  });
+  const unsigned long tag = this->Scene.Window->AddObserver(vtkCommand::AbortCheckEvent, abort);
+  this->Scene.Window->Render();
+  EXPECT_FALSE(this->Scene.Pass->IsConverged());
+  this->Scene.Window->RemoveObserver(tag);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(this->Scene.Pass->IsConverged());
+  EXPECT_LT(
+    Rms(uninterrupted.Array("AmbientOcclusion"), this->Scene.Array("AmbientOcclusion")), 0.03);
+}
+
+TEST_F(StaticViewRefinement, CountsTheSamePixelsAsTheArrays)
+{
+  this->Scene.Window->Render();
+  for (int frame = 0; frame < 8; ++frame)
+  {
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(2.0);
+    this->Scene.Window->Render();
+  }
+  const double spatialConvergence = this->Scene.Pass->GetSpatialConvergence();
+  const double newConvergence =
+    this->Statistic("Samples/PerPixel") / this->Scene.Pass->GetMaximumWeight();
+  const std::vector<float> depths = this->Scene.Array("Depth");
+  const std::vector<float> convergences = this->Scene.Array("Convergence");
+  double surface = 0.0;
+  double converged = 0.0;
+  double disoccluded = 0.0;
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    surface += std::isfinite(depths[i]);
+    converged += std::isfinite(depths[i]) && convergences[i] >= spatialConvergence;
+    disoccluded += std::isfinite(depths[i]) && convergences[i] < 1.0001 * newConvergence;
+  }
+  EXPECT_GT(disoccluded, 10.0);
+  EXPECT_NEAR(disoccluded / surface, this->Statistic("Pixels/Disoccluded"), 1e-6);
+  EXPECT_NEAR(converged / surface, this->Statistic("Pixels/Converged"), 1e-6);
+}
+
+}
