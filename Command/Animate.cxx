@@ -218,12 +218,11 @@ int RenderGroup(const AnimationOptions& options, int first, int last)
     OutputFiles output(fixed);
     EnterPhase("rendering " + fixed.Output, Unavailable);
     const ProgressListener silent = [](double) {};
-    const RenderResult picture =
-      rays ? RenderWithRays(scene.Renderer, fixed, silent) : draw(silent);
+    const RenderResult result = rays ? RenderWithRays(scene.Renderer, fixed, silent) : draw(silent);
     if (!made)
     {
       for (const std::string& warning :
-        output.Save(picture, scene.Renderer, fixed, preparation, Fingerprint(options, frame)))
+        output.Save(result, scene.Renderer, fixed, preparation, Fingerprint(options, frame)))
       {
         warnings.push_back(fixed.Output + ": " + warning);
       }
@@ -319,29 +318,29 @@ void DeclareMotion(CLI::App& app, AnimationOptions& options)
 
 void CheckMotion(const CLI::App& app, AnimationOptions& options)
 {
-  const RenderOptions& picture = options.Render;
-  if (!HasFrame(picture.Output))
+  const RenderOptions& render = options.Render;
+  if (!HasFrame(render.Output))
+  {
+    throw CommandError(
+      BadInput, "--output " + render.Output + ": the path of numbered images must contain {frame}");
+  }
+  if (!render.Statistics.empty() && !HasFrame(render.Statistics))
   {
     throw CommandError(BadInput,
-      "--output " + picture.Output + ": the path of numbered images must contain {frame}");
+      "--statistics " + render.Statistics + ": the path must contain {frame}, one file per image");
   }
-  if (!picture.Statistics.empty() && !HasFrame(picture.Statistics))
-  {
-    throw CommandError(BadInput,
-      "--statistics " + picture.Statistics + ": the path must contain {frame}, one file per image");
-  }
-  if (options.Resume && std::filesystem::path(picture.Output).extension() != ".png")
+  if (options.Resume && std::filesystem::path(render.Output).extension() != ".png")
   {
     throw CommandError(BadInput,
       "--resume requires an --output that ends in .png, the format that stores the options");
   }
   for (const Movement& movement : options.Movements)
   {
-    if (movement.File >= static_cast<int>(picture.Files.size()))
+    if (movement.File >= static_cast<int>(render.Files.size()))
     {
       throw CommandError(BadInput,
         "--move " + std::to_string(movement.File + 1) + ": the number must be at most " +
-          std::to_string(picture.Files.size()) + ", the number of files");
+          std::to_string(render.Files.size()) + ", the number of files");
     }
   }
   if (options.TimeSeries)
@@ -351,7 +350,7 @@ void CheckMotion(const CLI::App& app, AnimationOptions& options)
       throw CommandError(BadInput,
         "--time-series renders one image per file; it cannot be combined with --frames or --move");
     }
-    options.Frames = static_cast<int>(picture.Files.size());
+    options.Frames = static_cast<int>(render.Files.size());
   }
   if (std::isnan(options.Orbit))
   {
@@ -395,15 +394,15 @@ Action DeclareAnimate(CLI::App& program)
       "Write ray counts, estimated error, times and memory to these files; {frame} as in --output");
   app->get_option("--jobs")->description("Number of groups of images rendered at the same time");
   return [options, app]() {
-    RenderOptions& picture = options->Render;
-    picture.Coloring.Enabled = picture.Coloring.Enabled || !picture.Coloring.Array.empty();
-    CheckRenderOptions(*app, picture);
+    RenderOptions& render = options->Render;
+    render.Coloring.Enabled = render.Coloring.Enabled || !render.Coloring.Array.empty();
+    CheckRenderOptions(*app, render);
     CheckMotion(*app, *options);
     options->Description = Describe(*app);
     const int status = Animate(*options);
     if (status == Done)
     {
-      for (const std::string& warning : FindIgnoredOptions(*app, picture))
+      for (const std::string& warning : FindIgnoredOptions(*app, render))
       {
         PrintMessage("warning: " + warning);
       }

@@ -74,7 +74,7 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
 {
   EnterPhase(path, BadInput);
   const ReadLimit limit(path);
-  return ReadPicture(path);
+  return ReadImage(path);
 }
 
 // Runs in a worker process.
@@ -88,7 +88,7 @@ int Compare(const CompareOptions& options)
   std::unique_ptr<AtomicFile> file;
   if (!options.Difference.empty())
   {
-    CheckPictureExtension(options.Difference, "--difference");
+    CheckImageExtension(options.Difference, "--difference");
     file = std::make_unique<AtomicFile>(options.Difference, "--difference");
   }
   const bool usesTolerance = !std::isnan(options.Tolerance);
@@ -122,7 +122,7 @@ int Compare(const CompareOptions& options)
   {
     const vtkSmartPointer<vtkImageData> difference = comparison->MakeDifference();
     factor = HoldsArrays(options.Difference) ? 1.0 : Amplify(difference);
-    WritePicture(difference, *file, options.Difference, false, 72);
+    WriteImage(difference, *file, options.Difference, false, 72);
     file->Commit();
   }
 

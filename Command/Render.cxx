@@ -73,10 +73,10 @@ int RenderImage(const RenderOptions& options, Clock::time_point start)
     BuildScene(meshes, options, rays ? 1.0 : options.DotsPerInch / 72.0);
   preparation.SceneSeconds = SecondsSince(lap);
   const auto listener = [&progress](double fraction) { progress.Show("rendering", fraction); };
-  const RenderResult picture =
+  const RenderResult result =
     rays ? RenderWithRays(renderer, options, listener) : PrepareRaster(renderer, options)(listener);
   progress.Show("writing", 1.0);
-  const std::vector<std::string> more = files.Save(picture, renderer, options, preparation);
+  const std::vector<std::string> more = files.Save(result, renderer, options, preparation);
   warnings.insert(warnings.end(), more.begin(), more.end());
   progress.Clear();
   PrintWarnings(warnings);
@@ -99,7 +99,7 @@ std::vector<RenderOptions> PlanImages(const RenderOptions& options)
     throw CommandError(BadInput,
       "--statistics " + options.Statistics + ": the path must contain {name}, one file per image");
   }
-  std::vector<RenderOptions> pictures;
+  std::vector<RenderOptions> images;
   std::set<std::string> outputs;
   for (const std::string& file : options.Files)
   {
@@ -116,27 +116,27 @@ std::vector<RenderOptions> PlanImages(const RenderOptions& options)
       throw CommandError(BadInput,
         file + ": another file has the same output " + one.Output + "; rename one of the two");
     }
-    pictures.push_back(one);
+    images.push_back(one);
   }
-  return pictures;
+  return images;
 }
 
 int Render(const RenderOptions& options, Clock::time_point start)
 {
-  std::vector<RenderOptions> pictures = PlanImages(options);
+  std::vector<RenderOptions> images = PlanImages(options);
   RecordInputs(options);
-  for (const RenderOptions& picture : pictures)
+  for (const RenderOptions& image : images)
   {
-    CheckFiles(picture);
+    CheckFiles(image);
   }
-  const int count = static_cast<int>(pictures.size());
+  const int count = static_cast<int>(images.size());
   const int jobs = std::min(options.Jobs, count);
   if (jobs > 1 && options.Threads == 0)
   {
     const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads() / jobs);
-    for (RenderOptions& picture : pictures)
+    for (RenderOptions& image : images)
     {
-      picture.Threads = threads;
+      image.Threads = threads;
     }
   }
   std::unique_ptr<ProgressLine> progress;
@@ -152,7 +152,7 @@ int Render(const RenderOptions& options, Clock::time_point start)
     }
   };
   return RunWorkers(
-    count, jobs, [&](int i) { return RenderImage(pictures[i], start); }, finished);
+    count, jobs, [&](int i) { return RenderImage(images[i], start); }, finished);
 }
 
 }

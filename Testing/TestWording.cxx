@@ -55,7 +55,8 @@ std::vector<Rule> ReadRules()
   return rules;
 }
 
-/// If true, the file is searched. The style page quotes the words; results and data are not prose.
+/// If true, the file is searched. The style page and the changelog quote the words; results and data
+/// are not prose.
 bool IsSearched(const fs::path& file)
 {
   static const std::set<std::string> extensions = { ".cmake", ".cxx", ".glsl", ".h", ".md", ".py",
@@ -63,7 +64,8 @@ bool IsSearched(const fs::path& file)
   const std::string path = file.lexically_relative(Root).generic_string();
   return (extensions.count(file.extension().string()) || file.filename() == "CMakeLists.txt" ||
            path == "penumbra" || path == "Testing/run-suites") &&
-    path != "Documentation/dev/Style.md" && path.rfind("Benchmarks/results/", 0) != 0;
+    path != "Documentation/dev/Style.md" && path != "CHANGELOG.md" &&
+    path.rfind("Benchmarks/results/", 0) != 0;
 }
 
 std::vector<fs::path> SearchedFiles()

@@ -16,7 +16,7 @@ namespace
 /// The volumetric kernel treats points that are not visible from the camera as occluded. Where this
 /// holds for 99 of 100 points, the kernel estimates its own D.
 void AddRestrictedBias(OcclusionBenchmark& benchmark, const OcclusionTestScene& scene,
-  const OcclusionTruth& truth, const std::vector<float>& picture)
+  const OcclusionTruth& truth, const std::vector<float>& image)
 {
   const std::vector<float> misjudged =
     TraceMisjudged(scene.Renderer, OcclusionWindow::Size, scene.Radius, benchmark.Stride, 16);
@@ -28,7 +28,7 @@ void AddRestrictedBias(OcclusionBenchmark& benchmark, const OcclusionTestScene& 
     {
       fair.Pixels.push_back(truth.Pixels[i]);
       fair.Linear.push_back(truth.Linear[i]);
-      bias += static_cast<double>(picture[truth.Pixels[i]]) - truth.Linear[i];
+      bias += static_cast<double>(image[truth.Pixels[i]]) - truth.Linear[i];
     }
   }
   const double count = static_cast<double>(fair.Pixels.size());
@@ -38,7 +38,7 @@ void AddRestrictedBias(OcclusionBenchmark& benchmark, const OcclusionTestScene& 
   benchmark.Judge(scene.Name, "bias of volumetric there, D = 1 - t/R", std::abs(bias / count), .02,
     "the tangent plane is known to the precision of a pixel");
   table.Add(
-    scene.Name, "RMSE of volumetric there", Rmse(fair, Falloff::Linear, picture), TargetKind::None);
+    scene.Name, "RMSE of volumetric there", Rmse(fair, Falloff::Linear, image), TargetKind::None);
 }
 
 }
@@ -63,9 +63,9 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
       screen.UsePenumbraPass(scene.Radius)->SetKernelName(name.c_str());
       screen.Ours->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
       screen.Draw();
-      const std::vector<float> picture = screen.Array("AmbientOcclusion");
+      const std::vector<float> image = screen.Array("AmbientOcclusion");
       const bool linear = falloff == "1 - t";
-      const double error = Rmse(truth, linear ? Falloff::Linear : Falloff::Constant, picture);
+      const double error = Rmse(truth, linear ? Falloff::Linear : Falloff::Constant, image);
       const std::string quantity = "RMSE of " + name + (linear ? ", D = 1 - t/R" : "");
       if (name == "march")
       {
@@ -75,21 +75,21 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
       else
       {
         benchmark.Results.Add(scene.Name, quantity, error, TargetKind::None, 0.0,
-          falloff.empty() ? "best gain " + std::to_string(Gain(truth, Falloff::Constant, picture))
+          falloff.empty() ? "best gain " + std::to_string(Gain(truth, Falloff::Constant, image))
                           : "");
       }
       if (name == "volumetric")
       {
-        AddRestrictedBias(benchmark, scene, truth, picture);
+        AddRestrictedBias(benchmark, scene, truth, image);
       }
       if (benchmark.Diagnose)
       {
-        WritePicture(benchmark.Output + "/" + scene.Name + "-" + name + ".png", picture);
+        WriteImage(benchmark.Output + "/" + scene.Name + "-" + name + ".png", image);
       }
     }
     if (benchmark.Diagnose)
     {
-      WritePicture(benchmark.Output + "/" + scene.Name + "-vtkSSAOPass.png", peer);
+      WriteImage(benchmark.Output + "/" + scene.Name + "-vtkSSAOPass.png", peer);
     }
   }
 }

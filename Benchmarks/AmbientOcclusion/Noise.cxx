@@ -129,9 +129,9 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     if (benchmark.Diagnose)
     {
       const std::string path = benchmark.Output + "/" + scene.Name;
-      WritePicture(path + "-moving.png", moving);
-      WritePicture(path + "-convergence.png", convergence); // black: fully converged
-      WritePicture(path + "-jumped.png", after4);
+      WriteImage(path + "-moving.png", moving);
+      WriteImage(path + "-convergence.png", convergence); // black: fully converged
+      WriteImage(path + "-jumped.png", after4);
     }
     const float fresh = 8.5f / static_cast<float>(screen.Ours->GetMaximumWeight());
     benchmark.Judge(scene.Name, "disoccluded pixels after 4 frames, against their limit",

@@ -44,13 +44,13 @@ DepthImage DrawByRanks(const OcclusionTestScene& scene, int ranks)
 }
 
 /// Occlusion of an image, computed by a pass that has no access to the scene.
-std::vector<float> Occlude(const DepthImage& picture, vtkCamera* camera, double radius)
+std::vector<float> Occlude(const DepthImage& image, vtkCamera* camera, double radius)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->GetActiveCamera()->DeepCopy(camera);
   OcclusionWindow screen(renderer);
   vtkNew<ShowDepthImagePass> show;
-  show->Shown = picture;
+  show->Shown = image;
   renderer->SetPass(show);
   screen.Ours = vtkPenumbraTemporalSSAOPass::AddTo(renderer);
   screen.Ours->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::WORLD);

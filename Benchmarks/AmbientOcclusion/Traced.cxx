@@ -84,8 +84,8 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
     const double withTree = screen.Draw();
     for (int frame = 1; frame <= Frames; ++frame)
     {
-      const std::vector<float> picture = screen.Array("AmbientOcclusion");
-      const double error = Rmse(truth, Falloff::Constant, picture);
+      const std::vector<float> image = screen.Array("AmbientOcclusion");
+      const double error = Rmse(truth, Falloff::Constant, image);
       if (frame == 1)
       {
         benchmark.Judge(scene.Name, "RMSE of traced, first frame", error, bars.at(scene.Name).First,
@@ -104,9 +104,8 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
       }
       if (benchmark.Diagnose && (frame == 1 || frame == Frames))
       {
-        WritePicture(
-          benchmark.Output + "/" + scene.Name + "-traced-" + std::to_string(frame) + ".png",
-          picture);
+        WriteImage(
+          benchmark.Output + "/" + scene.Name + "-traced-" + std::to_string(frame) + ".png", image);
       }
       screen.Draw();
     }

@@ -99,7 +99,7 @@ void MeasureDenseMesh(Benchmark& benchmark)
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, mesh, true);
   LookAlong(renderer, { 0.6, -0.3, 1.0 }, { 0.0, 1.0, 0.0 }, size, size);
-  const BruteForcePicture truth =
+  const BruteForceImage truth =
     DrawByBruteForce(BruteForceOf(renderer, size, size), size, size, 128);
   const std::vector<bool> isEdge = SilhouettePixels(truth);
   const auto best = [&](int method, Answer& answer) {
@@ -195,7 +195,7 @@ void MeasureMemory(Benchmark& benchmark)
       afterTen = i == 9 ? StatusBytes("VmRSS:") : afterTen;
     }
     const double grown = (StatusBytes("VmRSS:") - afterTen) / 1048576.0;
-    benchmark.Results.Add("1,000 pictures in one process", "MiB grown after the tenth", grown,
+    benchmark.Results.Add("1,000 images in one process", "MiB grown after the tenth", grown,
       TargetKind::AtMost, 2.0, "constant: less than a quarter of a page per image");
   }
   std::ifstream maps("/proc/self/maps");
@@ -213,7 +213,7 @@ void MeasureMemory(Benchmark& benchmark)
       }
     }
   }
-  benchmark.Results.Add("1,000 pictures in one process", "OpenGL, EGL and X libraries loaded",
+  benchmark.Results.Add("1,000 images in one process", "OpenGL, EGL and X libraries loaded",
     libraries, TargetKind::AtMost, 0.0, names);
 }
 

@@ -38,7 +38,7 @@ void MeasureFlatShapes(Benchmark& benchmark)
   {
     const std::vector<double> shares = SharesOf(scene.Shapes, Size, Size);
     const std::vector<bool> isEdge = PartlyCoveredPixels(shares);
-    vtkSmartPointer<vtkRenderer> renderer = PictureOf(scene.Shapes, Size, Size);
+    vtkSmartPointer<vtkRenderer> renderer = RendererOf(scene.Shapes, Size, Size);
     const Answer answer = Cast(renderer, Size, Size,
       [](vtkPenumbraRayCaster* caster) { caster->SetTolerance(1.0 / 512.0); });
     const Errors errors = Judge(benchmark, scene.Name, answer, WhiteOnBlack(shares), isEdge, Size);

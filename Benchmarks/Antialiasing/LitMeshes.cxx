@@ -114,7 +114,7 @@ void Measure(Benchmark& benchmark, const LitScene& scene)
   AddMesh(renderer, scene.Mesh, true);
   LookAlong(renderer, { -0.6, -0.3, -1.0 }, { 0.0, 1.0, 0.0 }, Size, Size);
   const BruteForceScene description = BruteForceOf(renderer, Size, Size);
-  const BruteForcePicture truth = DrawByBruteForce(description, Size, Size, benchmark.TruthSamples);
+  const BruteForceImage truth = DrawByBruteForce(description, Size, Size, benchmark.TruthSamples);
   const std::vector<bool> isEdge = SilhouettePixels(truth);
 
   // Selects the coarsest tolerance that meets the targets; the default is always measured and

@@ -110,16 +110,16 @@ long long CountOtherBits(vtkImageData* a, vtkImageData* b)
   return count;
 }
 
-void Compare(const BaselineScene& exhibit, vtkImageData* picture, vtkImageData* reference,
+void Compare(const BaselineScene& exhibit, vtkImageData* image, vtkImageData* reference,
   const std::string& setting)
 {
   using Comparison = vtkPenumbraImageComparison;
   vtkNew<vtkPenumbraImageComparison> comparison;
-  comparison->SetImage(picture);
+  comparison->SetImage(image);
   comparison->AddBaseline(reference);
   comparison->Compare();
   std::printf("| %s | %s | %lld | %.4f | %.5f | %.4f | %.4f | %s |\n", setting.c_str(),
-    exhibit.Name.c_str(), CountOtherBits(picture, reference),
+    exhibit.Name.c_str(), CountOtherBits(image, reference),
     comparison->GetValue(Comparison::MAXIMUM), comparison->GetValue(Comparison::PIXELS),
     comparison->GetValue(Comparison::TILE_RMSE), comparison->GetValue(Comparison::TILE_PIXELS),
     comparison->IsNear() ? "yes" : "no");

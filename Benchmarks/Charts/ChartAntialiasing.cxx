@@ -57,7 +57,7 @@ Subjects FlatRods(int size)
     const std::vector<Shape> rods = Rods(size, size, size / 16);
     const std::vector<double> shares = SharesOf(rods, size, size);
     return std::make_shared<Subject>(Subject{
-      PictureOf(rods, size, size), size, WhiteOnBlack(shares), PartlyCoveredPixels(shares) });
+      RendererOf(rods, size, size), size, WhiteOnBlack(shares), PartlyCoveredPixels(shares) });
   });
 }
 
@@ -67,7 +67,7 @@ Subjects LitMesh(const vtkSmartPointer<vtkPolyData>& mesh, int size, int samples
     const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
     AddMesh(renderer, mesh, true)->GetProperty()->SetInterpolationToFlat();
     LookAlong(renderer, { -.6, 1.0, -.4 }, { 0.0, 0.0, 1.0 }, size, size);
-    const BruteForcePicture truth =
+    const BruteForceImage truth =
       DrawByBruteForce(BruteForceOf(renderer, size, size), size, size, samples);
     return std::make_shared<Subject>(
       Subject{ renderer, size, truth.Colors, SilhouettePixels(truth) });

@@ -93,7 +93,7 @@ double TruthAt(const Subject& subject, const double* p, const double* normal)
 Measurement Ask(
   const Subject& subject, vtkPenumbraIrradianceProvider* source, double tolerance, int stride)
 {
-  const std::vector<SeenPoint> points = PointsInPicture(*subject.Rays, stride);
+  const std::vector<SeenPoint> points = PointsInImage(*subject.Rays, stride);
   const double start = CpuSeconds();
   source->Begin(*subject.Rays, Infinity, tolerance);
   double rays = 0.0;
@@ -181,7 +181,7 @@ PointQuerySteps PeersBesideSphere(const std::string& scene, const Subjects& subj
     const int stride = peer.HasCache ? 1 : StrideWithoutCache;
     PointQueryScene asked;
     asked.Drawn = &subject().Drawn;
-    asked.Questions = QuestionsAt(PointsInPicture(*subject().Rays, stride));
+    asked.Questions = QuestionsAt(PointsInImage(*subject().Rays, stride));
     asked.Share = 1.0 / (stride * stride);
     return asked;
   };
@@ -222,7 +222,7 @@ Rooms LitRoom(int size, int stride, int paths)
     settings.Albedo = static_cast<float>(truth.Albedo);
     settings.Bounces = truth.Bounces;
     room->Light = std::make_unique<Illumination>(*room->Rays, settings);
-    room->Known = PointsInPicture(*room->Rays, stride);
+    room->Known = PointsInImage(*room->Rays, stride);
     for (const SeenPoint& point : room->Known)
     {
       const double* p = point.Position;
@@ -239,7 +239,7 @@ Rooms LitRoom(int size, int stride, int paths)
 Measurement AskForLight(
   const Room& room, vtkPenumbraIrradianceProvider* source, double tolerance, bool ofAllPixels)
 {
-  const std::vector<SeenPoint> all = PointsInPicture(*room.Rays, 1);
+  const std::vector<SeenPoint> all = PointsInImage(*room.Rays, 1);
   const double start = CpuSeconds();
   source->BeginIrradiance(*room.Light, Pi * tolerance);
   double rays = 0.0;
@@ -279,12 +279,12 @@ PointQuerySteps PeersInRoom(const std::string& scene, const Rooms& room)
     asked.Albedo = room().Light->GetSettings().Albedo;
     asked.Bounces = room().Light->GetSettings().Bounces;
     asked.Sky = 0.0;
-    asked.Questions = QuestionsAt(PointsInPicture(*room().Rays, 1));
+    asked.Questions = QuestionsAt(PointsInImage(*room().Rays, 1));
     return asked;
   };
   steps.Error = [=](const PointQueryScene&, const std::vector<glm::dvec3>& light) {
     std::map<int, std::size_t> placeOf;
-    for (const SeenPoint& point : PointsInPicture(*room().Rays, 1))
+    for (const SeenPoint& point : PointsInImage(*room().Rays, 1))
     {
       placeOf.insert({ point.Pixel, placeOf.size() });
     }

@@ -151,22 +151,22 @@ Measurement Ask(const Subject& subject, vtkPenumbraIrradianceProvider* source, d
   bool onlyWhereTruthIs)
 {
   const int stride = onlyWhereTruthIs ? (subject.Size[0] < 200 ? 3 : 4) : 1;
-  const std::vector<SeenPoint> points = PointsInPicture(*subject.Rays, stride);
+  const std::vector<SeenPoint> points = PointsInImage(*subject.Rays, stride);
   const auto pixels = static_cast<std::size_t>(subject.Size[0]) * subject.Size[1];
-  std::vector<float> picture(pixels);
+  std::vector<float> image(pixels);
   const double start = CpuSeconds();
   source->Begin(*subject.Rays, subject.Scene.Radius, tolerance);
   double rays = 0.0;
   for (const SeenPoint& point : points)
   {
     const auto estimate = source->Occlusion(point.Position, point.Normal);
-    picture[point.Pixel] = static_cast<float>(estimate.Value);
+    image[point.Pixel] = static_cast<float>(estimate.Value);
     rays += static_cast<double>(estimate.Rays);
   }
   const double scale = stride * stride;
   Measurement result;
   result.Seconds = scale * (CpuSeconds() - start);
-  result.Error = Rmse(subject.Truth, Falloff::Constant, picture);
+  result.Error = Rmse(subject.Truth, Falloff::Constant, image);
   vtkNew<vtkFieldData> statistics;
   source->Report(statistics);
   if (vtkDataArray* gathered = statistics->GetArray("Rays/Gather"))

@@ -214,7 +214,7 @@ void WriteChartPng(
   }
   window->Render();
 
-  AtomicFile picture(path, "--output");
+  AtomicFile image(path, "--output");
   vtkNew<vtkWindowToImageFilter> capture;
   capture->SetInput(window);
   capture->ReadFrontBufferOff();
@@ -223,9 +223,9 @@ void WriteChartPng(
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  picture.Write(
+  image.Write(
     std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues()));
-  picture.Commit();
+  image.Commit();
 }
 
 }

@@ -219,7 +219,7 @@ ChartFamily ShaftFamily(const ChartRequest& request)
   if (request.Meshes.empty() && !request.Quick)
   {
     AddSteps(
-      family, "sun outside of the picture", InHaze({ .72, 1.0, .32 }, false, ArrangeSolids), false);
+      family, "sun outside of the image", InHaze({ .72, 1.0, .32 }, false, ArrangeSolids), false);
     AddSteps(family, "sun behind leaves", InHaze({ .05, 1.0, .35 }, false, ArrangeLeaves), false);
   }
   return family;

@@ -7,7 +7,7 @@
 #include "Embree/RayScene.h"
 #include "Meshes.h"
 #include "PeerTimings.h"
-#include "Pictures.h"
+#include "ResultImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

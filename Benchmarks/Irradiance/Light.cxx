@@ -7,7 +7,7 @@
 #include "BruteForce/PathTracer.h"
 #include "Embree/RayScene.h"
 #include "PeerTimings.h"
-#include "Pictures.h"
+#include "ResultImages.h"
 #include "Scenes/Solids.h"
 #include "Shading/Illumination.h"
 
@@ -33,7 +33,7 @@ constexpr int Paths = 16384;
 constexpr double RoomTolerance = .0034;
 
 /// Radiance displayed as white in the image of the room.
-constexpr double WhiteOfPicture = .5;
+constexpr double WhiteOfImage = .5;
 
 struct Asked
 {
@@ -106,15 +106,15 @@ void MeasureRoom(IrradianceBenchmark& benchmark, int space)
   cache->BeginIrradiance(light, 1.0);
   const double placing = Seconds() - start;
   long long own = 0;
-  std::vector<glm::dvec3> picture(static_cast<std::size_t>(Size) * Size, glm::dvec3(1.0));
+  std::vector<glm::dvec3> image(static_cast<std::size_t>(Size) * Size, glm::dvec3(1.0));
   for (const Asked& place : Look(rays, 1))
   {
     const glm::dvec3 reflected =
-      truth.Albedo * place.Reflectance / Pi * Ask(cache, place, own) / WhiteOfPicture;
-    picture[place.Pixel] = glm::pow(reflected, glm::dvec3(1.0 / 2.2));
+      truth.Albedo * place.Reflectance / Pi * Ask(cache, place, own) / WhiteOfImage;
+    image[place.Pixel] = glm::pow(reflected, glm::dvec3(1.0 / 2.2));
   }
   const double seconds = Seconds() - start;
-  WritePicture(benchmark.Output + (onScreen ? "/box-screen.png" : "/box.png"), Size, picture);
+  WriteImage(benchmark.Output + (onScreen ? "/box-screen.png" : "/box.png"), Size, image);
 
   long long ignored = 0;
   double square = 0.0;

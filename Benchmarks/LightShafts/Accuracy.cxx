@@ -90,7 +90,7 @@ Accuracy Compare(ShaftBenchmark& benchmark, ShaftScene& scene, const std::string
   result.Correlation = Correlation(missing, missed);
   if (benchmark.Diagnose)
   {
-    WritePicture(benchmark.Output + "/" + name + ".png", { ours, truth }, scene.Width);
+    WriteImage(benchmark.Output + "/" + name + ".png", { ours, truth }, scene.Width);
   }
   std::printf("  %s: %.4f all, %.4f away from edges, %.4f without shadows, correlation %.4f\n",
     name.c_str(), result.All, result.AwayFromEdges, result.Unshadowed, result.Correlation);
@@ -99,7 +99,7 @@ Accuracy Compare(ShaftBenchmark& benchmark, ShaftScene& scene, const std::string
 
 }
 
-void WritePicture(const std::string& path, const std::vector<std::vector<double>>& parts, int width)
+void WriteImage(const std::string& path, const std::vector<std::vector<double>>& parts, int width)
 {
   const int count = static_cast<int>(parts.size());
   vtkNew<vtkImageData> image;
@@ -174,7 +174,7 @@ void MeasureAccuracy(ShaftBenchmark& benchmark)
       TargetKind::None);
   }
   table.Add(inside, "relative RMSE of the paper's mean of a mask", radial, TargetKind::None);
-  const std::string outside = "the same, sun 48 % outside of the picture";
+  const std::string outside = "the same, sun 48 % outside of the image";
   table.Add(outside, "relative RMSE", worst[1].All, TargetKind::AtMost, 0.035);
 }
 

@@ -24,8 +24,7 @@ struct ShaftBenchmark
 
 /// Writes the in-scattered light of several images next to each other; white is the radiance of an
 /// opaque medium. `width` pixels each.
-void WritePicture(
-  const std::string& path, const std::vector<std::vector<double>>& parts, int width);
+void WriteImage(const std::string& path, const std::vector<std::vector<double>>& parts, int width);
 
 /// The marched reference against the closed form, and its speed against POV-Ray's media.
 void MeasureMarched(ShaftBenchmark& benchmark);

@@ -70,7 +70,7 @@ struct SphereScene
     camera->SetViewUp(0.0, 0.0, 1.0);
     camera->SetViewAngle(30.0);
     this->Renderer->ResetCameraClippingRange();
-    // In view: towards the far end of the plane.
+    // In view: toward the far end of the plane.
     this->AddLight(14.0, 24.0, 4.0);
   }
 
@@ -177,7 +177,7 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
     MedianOverhead(moving[4], moving[0]) / base, TargetKind::None);
   table.Add(scene, "overhead at tolerance 1/64 with 64 steps, plain frames",
     MedianOverhead(moving[5], moving[0]) / base, TargetKind::None);
-  table.Add(scene, "the first picture that stays, plain frames",
+  table.Add(scene, "the first image that stays, plain frames",
     MedianQuotient(stopped[2], stopped[0]), TargetKind::None);
   table.Add(scene, "still, plain frames", MedianQuotient(still[2], still[0]), TargetKind::AtMost,
     1.05, pages);

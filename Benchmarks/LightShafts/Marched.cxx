@@ -53,13 +53,13 @@ HalfPlaneInHaze BoxedHaze()
   return haze;
 }
 
-double RelativeRmse(const std::vector<double>& picture, const std::vector<double>& exact)
+double RelativeRmse(const std::vector<double>& image, const std::vector<double>& exact)
 {
   double squares = 0.0;
   double reference = 0.0;
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
-    squares += (picture[i] - exact[i]) * (picture[i] - exact[i]);
+    squares += (image[i] - exact[i]) * (image[i] - exact[i]);
     reference += exact[i] * exact[i];
   }
   return std::sqrt(squares / reference);
@@ -93,12 +93,12 @@ Run ByRays(const std::vector<double>& exact, int steps, double tolerance)
   run.Seconds = Seconds(RUSAGE_SELF) - start;
   run.Rays = caster->GetStatistics()->GetArray("Rays/Shaft")->GetTuple1(0) / (double(Side) * Side);
   auto* color = vtkFloatArray::SafeDownCast(caster->GetOutput()->GetPointData()->GetScalars());
-  std::vector<double> picture(exact.size());
-  for (std::size_t i = 0; i < picture.size(); ++i)
+  std::vector<double> image(exact.size());
+  for (std::size_t i = 0; i < image.size(); ++i)
   {
-    picture[i] = color->GetTypedComponent(static_cast<vtkIdType>(i), 0);
+    image[i] = color->GetTypedComponent(static_cast<vtkIdType>(i), 0);
   }
-  run.Error = RelativeRmse(picture, exact);
+  run.Error = RelativeRmse(image, exact);
   return run;
 }
 
@@ -132,12 +132,12 @@ Run ByPovRay(const ShaftBenchmark& benchmark, const std::vector<double>& exact, 
   reader->SetFileName((scene + ".png").c_str());
   reader->Update();
   vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
-  std::vector<double> picture(exact.size());
-  for (std::size_t i = 0; i < picture.size(); ++i)
+  std::vector<double> image(exact.size());
+  for (std::size_t i = 0; i < image.size(); ++i)
   {
-    picture[i] = colors->GetComponent(static_cast<vtkIdType>(i), 0) / 65535.0 / 10.0;
+    image[i] = colors->GetComponent(static_cast<vtkIdType>(i), 0) / 65535.0 / 10.0;
   }
-  run.Error = RelativeRmse(picture, exact);
+  run.Error = RelativeRmse(image, exact);
   run.Rays = samples;
   return run;
 }

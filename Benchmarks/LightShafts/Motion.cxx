@@ -73,7 +73,7 @@ void SweepLight(ShaftBenchmark& benchmark)
   }
   if (benchmark.Diagnose)
   {
-    WritePicture(benchmark.Output + "/sweep.png", strip, scene.Width);
+    WriteImage(benchmark.Output + "/sweep.png", strip, scene.Width);
   }
   benchmark.Results.Add("light from 10 degrees outside to 180, 1 degree a frame",
     "largest change of a pixel, 1/255", largest, TargetKind::AtMost, 3.0,

@@ -70,7 +70,7 @@ Cost Draw(vtkPolyData* mesh, const Options& options)
   if (options.Occlusion)
   {
     caster->AmbientOcclusionOn();
-    caster->SetIrradianceSource(vtkNew<vtkPenumbraBruteForceIrradiance>());
+    caster->SetIrradianceProvider(vtkNew<vtkPenumbraBruteForceIrradiance>());
   }
   const double start = CpuSeconds();
   caster->Update();

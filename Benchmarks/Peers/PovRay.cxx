@@ -99,10 +99,10 @@ const std::vector<PovRayStep>& PovRayLadder()
 PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int width, int height,
   const PovRayStep& step)
 {
-  const std::string picture = scene + ".png";
+  const std::string image = scene + ".png";
   const std::string log = scene + ".log";
   std::ostringstream command;
-  command << "'" << program << "' '+I" << scene << "' '+O" << picture << "' +W" << width << " +H"
+  command << "'" << program << "' '+I" << scene << "' '+O" << image << "' +W" << width << " +H"
           << height << " +FN16 File_Gamma=1.0 +AM2 +A" << step.Threshold << " +R" << step.Depth
           << " -J -D -V +WT1 >'" << log << "' 2>&1";
   PovRayAnswer answer;
@@ -121,12 +121,12 @@ PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int
     NumberAfter(text.str(), "Render Statistics", "Rays:") / (double(width) * height);
 
   vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(picture.c_str());
+  reader->SetFileName(image.c_str());
   reader->Update();
   vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetScalars();
   if (!colors || colors->GetNumberOfTuples() != static_cast<vtkIdType>(width) * height)
   {
-    throw std::runtime_error("POV-Ray did not write the image " + picture);
+    throw std::runtime_error("POV-Ray did not write the image " + image);
   }
   const double scale = 1.0 / colors->GetDataTypeMax();
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)

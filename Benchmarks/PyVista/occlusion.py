@@ -93,7 +93,7 @@ def main():
         f"{1e3 * ours:.0f} ms, kernel {kernel}, over {1e3 * theirs:.0f} ms at its default of 256; "
         f"plain {1e3 * plain:.0f} ms")
     row("error of a moving frame", moving_error, theirs_error, "the target is the error of enable_ssao")
-    row("error of the still picture", still_error, theirs_error, "the target is the error of enable_ssao")
+    row("error of the still image", still_error, theirs_error, "the target is the error of enable_ssao")
 
 
 main()

@@ -37,15 +37,15 @@ std::string Number(double value)
 }
 
 /// Concatenates images horizontally with a gap between them.
-void WritePicture(const std::string& path, const std::vector<ScenarioResult>& outcomes)
+void WriteImage(const std::string& path, const std::vector<ScenarioResult>& outcomes)
 {
   constexpr int gap = 4;
   int width = -gap;
   int height = 0;
   for (const ScenarioResult& outcome : outcomes)
   {
-    width += outcome.Picture.Width + gap;
-    height = std::max(height, outcome.Picture.Height);
+    width += outcome.Image.Width + gap;
+    height = std::max(height, outcome.Image.Height);
   }
   vtkNew<vtkImageData> image;
   image->SetDimensions(width, height, 1);
@@ -55,7 +55,7 @@ void WritePicture(const std::string& path, const std::vector<ScenarioResult>& ou
   int left = 0;
   for (const ScenarioResult& outcome : outcomes)
   {
-    const Frame& frame = outcome.Picture;
+    const Frame& frame = outcome.Image;
     for (int i = 0; i < frame.Width * frame.Height; ++i)
     {
       const double value = std::clamp(frame.Values[i], 0.0, 1.0);
@@ -70,7 +70,7 @@ void WritePicture(const std::string& path, const std::vector<ScenarioResult>& ou
   writer->Write();
 }
 
-std::vector<Measured> MeasureAll(const std::string& pictures)
+std::vector<Measured> MeasureAll(const std::string& images)
 {
   std::vector<Measured> rows;
   for (const Scenario& row : Catalogue())
@@ -83,7 +83,7 @@ std::vector<Measured> MeasureAll(const std::string& pictures)
         measured.Outcomes.push_back(row.Measure(variant));
       }
     }
-    WritePicture(pictures + "/" + row.Name + ".png", measured.Outcomes);
+    WriteImage(images + "/" + row.Name + ".png", measured.Outcomes);
     std::printf("%-26s %-18s bound %-8s Penumbra %-8s disabled %-8s %s%s\n", row.Name.c_str(),
       TextOf(row.Measured).Name.c_str(), Number(row.Bound).c_str(),
       Number(measured.Outcomes[0].Value).c_str(), Number(measured.Outcomes[1].Value).c_str(),
@@ -156,7 +156,7 @@ void WriteRows(std::ostream& out, const std::vector<Measured>& rows)
     const auto& outcomes = measured.Outcomes;
     out << "| **" << row.Name << "**" << (row.IsKnownFailure ? " (open)" : "") << "<br>"
         << row.Scene << "; " << row.Motion << (row.Source.empty() ? "" : ".<br>" + row.Source)
-        << " | ![](Pictures/Stability/" << row.Name << ".png) | " << TextOf(row.Measured).Name
+        << " | ![](Images/Stability/" << row.Name << ".png) | " << TextOf(row.Measured).Name
         << " | " << Number(row.Bound) << " | " << Number(outcomes[0].Value) << " | "
         << Number(outcomes[1].Value) << "<br>" << row.AblatedMechanism << " | "
         << (row.Peer.empty() ? std::string("–") : Number(outcomes[2].Value) + "<br>" + row.Peer)
@@ -192,7 +192,7 @@ int main(int argc, char** argv)
     return 2;
   }
   const std::string folder = argv[1];
-  std::filesystem::create_directories(folder + "/Pictures/Stability");
-  WriteDocument(folder + "/Stability.md", MeasureAll(folder + "/Pictures/Stability"));
+  std::filesystem::create_directories(folder + "/Images/Stability");
+  WriteDocument(folder + "/Stability.md", MeasureAll(folder + "/Images/Stability"));
   return 0;
 }

@@ -154,7 +154,7 @@ RenderResult RenderWithRays(
     {
       cache->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
     }
-    caster->SetIrradianceSource(cache);
+    caster->SetIrradianceProvider(cache);
   }
   caster->SetBackground(options.Background);
   caster->SetDPI(options.DotsPerInch);

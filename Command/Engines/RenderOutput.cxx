@@ -48,10 +48,10 @@ bool ShowsOnlyBackground(vtkImageData* image, vtkRenderer* renderer, bool backgr
 
 // Returns the reason why an image shows no surface; empty if it shows one.
 std::string DescribeEmptyImage(
-  const RenderResult& picture, vtkRenderer* renderer, const RenderOptions& options)
+  const RenderResult& result, vtkRenderer* renderer, const RenderOptions& options)
 {
-  const bool empty = picture.Coverage == RenderResult::Coverages::Empty;
-  if (!empty && !ShowsOnlyBackground(picture.Image, renderer, options.Background))
+  const bool empty = result.Coverage == RenderResult::Coverages::Empty;
+  if (!empty && !ShowsOnlyBackground(result.Image, renderer, options.Background))
   {
     return std::string();
   }
@@ -63,7 +63,7 @@ std::string DescribeEmptyImage(
   {
     return "no surface is in view; check the --camera options";
   }
-  return picture.Coverage == RenderResult::Coverages::Unknown
+  return result.Coverage == RenderResult::Coverages::Unknown
     ? "the image shows only the background; check the --camera options, the colors and the lights"
     : "the surfaces in view have the color of the background; check the colors and the lights";
 }
@@ -115,29 +115,29 @@ OutputFiles::OutputFiles(const RenderOptions& options)
   }
 }
 
-std::vector<std::string> OutputFiles::Save(const RenderResult& picture, vtkRenderer* renderer,
+std::vector<std::string> OutputFiles::Save(const RenderResult& result, vtkRenderer* renderer,
   const RenderOptions& options, const PhaseTimes& preparation, const std::string& note)
 {
-  std::vector<std::string> warnings = picture.Warnings;
-  const std::string reason = DescribeEmptyImage(picture, renderer, options);
+  std::vector<std::string> warnings = result.Warnings;
+  const std::string reason = DescribeEmptyImage(result, renderer, options);
   if (!reason.empty())
   {
     warnings.push_back(reason);
   }
   EnterPhase("writing " + options.Output, Unavailable);
   const Clock::time_point lap = Clock::now();
-  WritePicture(
-    picture.Image, this->Output, options.Output, !options.Background, options.DotsPerInch, note);
+  WriteImage(
+    result.Image, this->Output, options.Output, !options.Background, options.DotsPerInch, note);
   const double writeSeconds = SecondsSince(lap);
   if (this->Statistics)
   {
-    const nlohmann::json report = { { "statistics", picture.Statistics },
-      { "estimated_error", picture.EstimatedError }, { "tolerance", picture.Tolerance },
-      { "threads", picture.Threads },
+    const nlohmann::json report = { { "statistics", result.Statistics },
+      { "estimated_error", result.EstimatedError }, { "tolerance", result.Tolerance },
+      { "threads", result.Threads },
       { "seconds",
         { { "read", preparation.ReadSeconds },
-          { "build", preparation.SceneSeconds + picture.BuildSeconds },
-          { "render", picture.RenderSeconds }, { "write", writeSeconds },
+          { "build", preparation.SceneSeconds + result.BuildSeconds },
+          { "render", result.RenderSeconds }, { "write", writeSeconds },
           { "total", SecondsSince(preparation.Start) } } },
       { "peak_memory_bytes", PeakMemory() } };
     this->Statistics->Write(report.dump(2) + "\n");
@@ -156,20 +156,20 @@ void RecordInputs(const RenderOptions& options)
   RecordInput(options.Light.EnvironmentFile);
 }
 
-void CheckFiles(const RenderOptions& picture)
+void CheckFiles(const RenderOptions& options)
 {
-  RefuseInput(picture.Output, "--output");
-  if (picture.Statistics.empty())
+  RefuseInput(options.Output, "--output");
+  if (options.Statistics.empty())
   {
     return;
   }
-  RefuseInput(picture.Statistics, "--statistics");
+  RefuseInput(options.Statistics, "--statistics");
   std::error_code ignored;
-  if (std::filesystem::weakly_canonical(picture.Statistics, ignored) ==
-    std::filesystem::weakly_canonical(picture.Output, ignored))
+  if (std::filesystem::weakly_canonical(options.Statistics, ignored) ==
+    std::filesystem::weakly_canonical(options.Output, ignored))
   {
     throw CommandError(BadInput,
-      "--statistics " + picture.Statistics + ": the path equals --output; choose another file");
+      "--statistics " + options.Statistics + ": the path equals --output; choose another file");
   }
 }
 

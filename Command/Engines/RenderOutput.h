@@ -48,7 +48,7 @@ public:
 
   /// Writes the image and its statistics and renames them to their final names. `note`: text stored in a
   /// .png. Returns the warnings of the engine and a warning if the image is empty.
-  std::vector<std::string> Save(const RenderResult& picture, vtkRenderer* renderer,
+  std::vector<std::string> Save(const RenderResult& result, vtkRenderer* renderer,
     const RenderOptions& options, const PhaseTimes& preparation, const std::string& note = "");
 
 private:
@@ -60,7 +60,7 @@ private:
 void RecordInputs(const RenderOptions& options);
 
 /// Throws CommandError if an output would overwrite an input or the other output.
-void CheckFiles(const RenderOptions& picture);
+void CheckFiles(const RenderOptions& options);
 
 }
 #endif

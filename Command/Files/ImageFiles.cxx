@@ -165,12 +165,12 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
 
 }
 
-std::string PictureExtensions()
+std::string ImageExtensions()
 {
   return ".png .jpg .jpeg .tif .tiff .bmp .vti";
 }
 
-void CheckPictureExtension(const std::string& path, const std::string& option)
+void CheckImageExtension(const std::string& path, const std::string& option)
 {
   const std::string extension = Extension(path);
   for (const char* known : { ".png", ".jpg", ".tif", ".bmp", ".vti" })
@@ -182,7 +182,7 @@ void CheckPictureExtension(const std::string& path, const std::string& option)
   }
   throw CommandError(BadInput,
     option + " " + path + ": unknown image format; the path must end in one of " +
-      PictureExtensions());
+      ImageExtensions());
 }
 
 bool SupportsAlpha(const std::string& path)
@@ -196,7 +196,7 @@ bool HoldsArrays(const std::string& path)
   return Extension(path) == ".vti";
 }
 
-void WritePicture(vtkImageData* image, AtomicFile& file, const std::string& path, bool alpha,
+void WriteImage(vtkImageData* image, AtomicFile& file, const std::string& path, bool alpha,
   int dotsPerInch, const std::string& note)
 {
   const std::string extension = Extension(path);
@@ -254,14 +254,14 @@ std::string ReadNote(const std::string& path)
   return TakeErrors().empty() && chunks[1] > chunks[0] ? reader->GetTextValue(chunks[0]) : "";
 }
 
-vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& path)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
   {
     throw CommandError(BadInput, path + ": no such file; check the name");
   }
-  CheckPictureExtension(path, "image");
+  CheckImageExtension(path, "image");
   RecordInput(path);
   const std::string extension = Extension(path);
   TakeErrors();

@@ -17,10 +17,10 @@ namespace penumbra
 class AtomicFile;
 
 /// Extensions of the image formats, as ".png .jpg ...".
-std::string PictureExtensions();
+std::string ImageExtensions();
 
 /// Throws CommandError unless `path` has the extension of an image format. `option`: its option, for messages.
-void CheckPictureExtension(const std::string& path, const std::string& option);
+void CheckImageExtension(const std::string& path, const std::string& option);
 
 /// Returns whether the format of `path` has an alpha channel.
 bool SupportsAlpha(const std::string& path);
@@ -30,14 +30,14 @@ bool HoldsArrays(const std::string& path);
 
 /// Writes `image`, whose point array `Color` has 4 floats, in the format of `path`. Without `alpha` the 8-bit
 /// formats have three channels. `note` is stored in a text chunk of a .png.
-void WritePicture(vtkImageData* image, AtomicFile& file, const std::string& path, bool alpha,
+void WriteImage(vtkImageData* image, AtomicFile& file, const std::string& path, bool alpha,
   int dotsPerInch, const std::string& note = std::string());
 
 /// Returns the note of a .png; empty if the file is missing or damaged, or has no note.
 std::string ReadNote(const std::string& path);
 
 /// Reads an image. Throws CommandError if `path` is not a valid image.
-vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path);
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& path);
 
 }
 #endif

@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   RecordInput(path);
   auto limit = std::make_unique<ReadLimit>(path);
   const vtkSmartPointer<vtkImageData> image =
-    file.extension() == ".hdr" ? ReadHdr(path) : ReadPicture(path);
+    file.extension() == ".hdr" ? ReadHdr(path) : ReadImage(path);
   limit.reset();
   auto environment = vtkSmartPointer<vtkPenumbraEnvironment>::New();
   environment->SetImage(image);

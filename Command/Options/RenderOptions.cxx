@@ -388,7 +388,7 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
 
 void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
 {
-  CheckPictureExtension(options.Output, "--output");
+  CheckImageExtension(options.Output, "--output");
   RequireEngine(app, options);
   RequireColoring(app, options);
   RequireShafts(app, options.Shafts);

@@ -88,7 +88,7 @@ int main(int argc, char* argv[])
   caster->SetIndirectLight(true);
   caster->SetAlbedo(0.8);
   caster->SetBounces(4);
-  caster->SetIrradianceSource(cache);
+  caster->SetIrradianceProvider(cache);
   caster->SetTolerance(0.01);
   caster->SetResolution(300, 300);
   caster->Update();

@@ -98,7 +98,7 @@ int main(int argc, char* argv[])
   caster->SetRenderer(left);
   caster->SetAmbientOcclusion(true);
   caster->SetAmbientOcclusionRadius(6.0);
-  caster->SetIrradianceSource(cache);
+  caster->SetIrradianceProvider(cache);
   caster->SetTolerance(0.01);
   caster->SetResolution(450, 400);
   caster->Update();

@@ -4,7 +4,7 @@
  * @class   vtkPenumbraIrradianceCache
  * @brief   Irradiance cache: occlusion and irradiance gathered at few points and interpolated [IC].
  *
- * Set with vtkPenumbraRayCaster::SetIrradianceSource(). A record stores a gathered mean and its
+ * Set with vtkPenumbraRayCaster::SetIrradianceProvider(). A record stores a gathered mean and its
  * gradients. The radius of a record follows from its second derivative, so that Tolerance bounds
  * the error of the result. Points without a valid record are computed by brute force.
  *

@@ -376,13 +376,13 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
   RecordPlacement placement(
     customGatherer ? *customGatherer : static_cast<const penumbra::Gatherer&>(rayGatherer),
     work.Settings, work.Tree);
-  vtkNew<vtkPenumbraBruteForceIrradiance> source;
-  source->SetMinimumRays(MinimumRays);
-  source->Begin(*work.Rays, occluders, BruteForceErrorFactor * this->Tolerance);
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  provider->SetMinimumRays(MinimumRays);
+  provider->Begin(*work.Rays, occluders, BruteForceErrorFactor * this->Tolerance);
   const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
-    const auto estimate = source->Occlusion(&world.x, &normal.x);
+    const auto estimate = provider->Occlusion(&world.x, &normal.x);
     count += estimate.Rays;
     return BakedValue{ glm::vec3(static_cast<float>(estimate.Value)),
       static_cast<float>(estimate.Error) };
@@ -418,7 +418,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   settings.Environment = glm::max(
     glm::vec3(this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2]),
     glm::vec3(0.f));
-  settings.Picture = this->Environment ? this->Environment->GetMap() : nullptr;
+  settings.Map = this->Environment ? this->Environment->GetMap() : nullptr;
   settings.Albedo = static_cast<float>(this->Albedo);
   settings.Bounces = this->Bounces;
   const Illumination light(*work.Rays, settings);
@@ -452,9 +452,9 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   RecordPlacement placement(
     customGatherer ? *customGatherer : static_cast<const penumbra::Gatherer&>(rayGatherer),
     work.Settings, work.Tree);
-  vtkNew<vtkPenumbraBruteForceIrradiance> source;
-  source->SetMinimumRays(MinimumRays);
-  source->BeginIrradiance(light, this->Tolerance);
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  provider->SetMinimumRays(MinimumRays);
+  provider->BeginIrradiance(light, this->Tolerance);
   const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
     if (const auto made = records ? placement.Gather(site, count) : std::nullopt)
     {
@@ -463,7 +463,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto estimate =
-      source->Irradiance(&world.x, &normal.x, BruteForceErrorFactor * this->Tolerance);
+      provider->Irradiance(&world.x, &normal.x, BruteForceErrorFactor * this->Tolerance);
     count += estimate.Rays;
     return BakedValue{ glm::vec3(estimate.Value[0], estimate.Value[1], estimate.Value[2]) /
         static_cast<float>(Pi),

@@ -39,12 +39,12 @@ namespace
 
 // Maximum width and height of the image, in pixels.
 constexpr int MaximumResolution = 65535;
-// Tolerance of one result of the irradiance source, in tolerances of the image. The color of a pixel
+// Tolerance of one result of the irradiance provider, in tolerances of the image. The color of a pixel
 // is the mean of about four results, which halves their error.
 constexpr double SourceToleranceFactor = 2.0;
 // Progress reported when the scene has been built. It stays 0 until then.
 constexpr double SceneProgress = 1e-6;
-// Fraction of the progress for the preparation of the irradiance source.
+// Fraction of the progress for the preparation of the irradiance provider.
 constexpr double SourceProgress = 0.25;
 // Fraction of the progress for the geometry arrays.
 constexpr double GeometryProgress = 0.25;
@@ -88,7 +88,7 @@ struct vtkPenumbraRayCaster::Internals
   };
 
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceSource =
+  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
     vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
@@ -129,23 +129,23 @@ vtkRenderer* vtkPenumbraRayCaster::GetRenderer()
   return this->Implementation->Renderer;
 }
 
-void vtkPenumbraRayCaster::SetIrradianceSource(vtkPenumbraIrradianceProvider* source)
+void vtkPenumbraRayCaster::SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider)
 {
-  if (this->Implementation->IrradianceSource != source)
+  if (this->Implementation->IrradianceProvider != provider)
   {
-    this->Implementation->IrradianceSource = source;
-    if (!source)
+    this->Implementation->IrradianceProvider = provider;
+    if (!provider)
     {
-      this->Implementation->IrradianceSource =
+      this->Implementation->IrradianceProvider =
         vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
     }
     this->Modified();
   }
 }
 
-vtkPenumbraIrradianceProvider* vtkPenumbraRayCaster::GetIrradianceSource()
+vtkPenumbraIrradianceProvider* vtkPenumbraRayCaster::GetIrradianceProvider()
 {
-  return this->Implementation->IrradianceSource;
+  return this->Implementation->IrradianceProvider;
 }
 
 void vtkPenumbraRayCaster::SetMedium(vtkPenumbraMedium* medium)
@@ -200,7 +200,7 @@ vtkMTimeType vtkPenumbraRayCaster::GetMTime()
   {
     time = std::max(time, penumbra::GetSceneMTime(this->Implementation->Renderer));
   }
-  time = std::max(time, this->Implementation->IrradianceSource->GetMTime());
+  time = std::max(time, this->Implementation->IrradianceProvider->GetMTime());
   if (this->Implementation->Medium)
   {
     time = std::max(time, this->Implementation->Medium->GetMTime());
@@ -392,7 +392,7 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
     const double radius = self->AmbientOcclusionRadius > 0.0
       ? self->AmbientOcclusionRadius
       : penumbra::DefaultRadiusFraction * ComputeDiagonal(this->Prepared->SceneData);
-    if (!this->IrradianceSource->Begin(
+    if (!this->IrradianceProvider->Begin(
           *this->Prepared->Rays, { radius, self->AmbientOcclusionFalloff }, noise, progress))
     {
       return false;
@@ -401,22 +401,22 @@ bool vtkPenumbraRayCaster::Internals::BeginSource(
   }
   if (self->AmbientOcclusion)
   {
-    tracer.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength, noise);
+    tracer.SetOcclusion(this->IrradianceProvider, self->AmbientOcclusionStrength, noise);
   }
   if (self->IndirectLight && self->Albedo > 0.0)
   {
     const double* color = self->EnvironmentColor;
     penumbra::IlluminationSettings settings;
     settings.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
-    settings.Picture = this->Environment ? this->Environment->GetMap() : nullptr;
+    settings.Map = this->Environment ? this->Environment->GetMap() : nullptr;
     settings.Albedo = static_cast<float>(self->Albedo);
     settings.Bounces = self->Bounces;
     settings.Shadows = self->Shadows;
     const penumbra::Illumination light(*this->Prepared->Rays, settings);
     // The image contains Albedo / pi of the irradiance.
     const double tolerance = noise * vtkMath::Pi() / self->Albedo;
-    tracer.SetIndirectLight(this->IrradianceSource, settings.Albedo, tolerance);
-    return this->IrradianceSource->BeginIrradiance(light, tolerance, progress);
+    tracer.SetIndirectLight(this->IrradianceProvider, settings.Albedo, tolerance);
+    return this->IrradianceProvider->BeginIrradiance(light, tolerance, progress);
   }
   return true;
 }
@@ -458,7 +458,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     return false;
   }
-  // The error of the irradiance source itself is bounded by the source, so the limit allows for it.
+  // The error of the irradiance provider itself is bounded by the provider, so the limit allows for it.
   const double limit = std::hypot(self->Tolerance, 0.5 * settings.Integration.Noise);
   const penumbra::TileErrors tiles = penumbra::EvaluateTiles(image, limit);
   if (self->CoverageMethod != UNIFORM && tiles.AboveTolerance > 0)
@@ -472,7 +472,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   if (self->GeometryArrays)
   {
-    tracer.SetOcclusion(this->IrradianceSource, self->AmbientOcclusionStrength,
+    tracer.SetOcclusion(this->IrradianceProvider, self->AmbientOcclusionStrength,
       SourceToleranceFactor * self->Tolerance);
     const auto geometry = [self, progressEnd](double done) {
       return ReportProgress(self, progressEnd + (1.0 - progressEnd) * done);
@@ -485,7 +485,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   this->Report(totals, squaredError, image->GetNumberOfPoints());
   if (usesSource)
   {
-    this->IrradianceSource->Report(this->Statistics);
+    this->IrradianceProvider->Report(this->Statistics);
     vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
     if (gathered)
     {
@@ -529,7 +529,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Implementation->Renderer.Get() << "\n";
-  os << indent << "IrradianceSource: " << this->Implementation->IrradianceSource.Get() << "\n";
+  os << indent << "IrradianceProvider: " << this->Implementation->IrradianceProvider.Get() << "\n";
   os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "CoverageMethod: " << this->CoverageMethod << "\n";

@@ -187,8 +187,8 @@ public:
 
   ///@{
   /** Object that computes ambient occlusion and irradiance. Default: vtkPenumbraBruteForceIrradiance. */
-  virtual void SetIrradianceSource(vtkPenumbraIrradianceProvider* source);
-  vtkPenumbraIrradianceProvider* GetIrradianceSource();
+  virtual void SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider);
+  vtkPenumbraIrradianceProvider* GetIrradianceProvider();
   ///@}
 
   ///@{

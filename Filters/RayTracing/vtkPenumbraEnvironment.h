@@ -7,7 +7,7 @@
  * Pass it to vtkPenumbraRayCaster or vtkPenumbraIrradianceFilter, where it replaces
  * EnvironmentColor. The image covers a sphere at infinity with the orientation of vtkRenderer and
  * vtkSkybox: the top edge is the direction Up, the middle column is Right, and the columns to the
- * right of the middle turn towards Right x Up. Texels have constant color: they are not
+ * right of the middle turn toward Right x Up. Texels have constant color: they are not
  * interpolated.
  */
 #ifndef vtkPenumbraEnvironment_h

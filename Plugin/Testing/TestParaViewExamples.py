@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs ParaView's own benchmark scripts unchanged, with its render view and with that of the plugin.
 
-If PENUMBRA_PICTURES=FOLDER is set, the images are saved there side by side, without and with occlusion.
+If PENUMBRA_IMAGES=FOLDER is set, the images are saved there side by side, without and with occlusion.
 """
 import os
 import subprocess
@@ -65,8 +65,8 @@ class ParaViewExamples(unittest.TestCase):
                 self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
                 self.assertNotIn("ERR|", run.stderr)
             rendered = [read_image(path)[..., :3] for path in paths]
-        if "PENUMBRA_PICTURES" in os.environ:
-            write_side_by_side(rendered, os.path.join(os.environ["PENUMBRA_PICTURES"], name + ".png"))
+        if "PENUMBRA_IMAGES" in os.environ:
+            write_side_by_side(rendered, os.path.join(os.environ["PENUMBRA_IMAGES"], name + ".png"))
         return [image.astype(int) for image in rendered]
 
     def check(self, *case, darkens):

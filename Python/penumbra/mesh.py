@@ -66,7 +66,7 @@ class MeshAccessor:
         albedo : float
             Fraction of light that the surface reflects. Range: [0, 1].
         bounces : int
-            Number of reflections, including the one towards the camera; 1: direct light only.
+            Number of reflections, including the one toward the camera; 1: direct light only.
             Range: [1, 64].
         on, compute_normals, point_radius, inplace
             As in ``bake_ambient_occlusion``.

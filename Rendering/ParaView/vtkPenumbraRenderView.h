@@ -96,7 +96,7 @@ public:
 
   ///@{
   /**
-   * Direction from the scene towards the sun, a distant light that exists while LightShafts is on.
+   * Direction from the scene toward the sun, a distant light that exists while LightShafts is on.
    * Default: (1, 1, 1).
    */
   vtkSetVector3Macro(SunDirection, double);

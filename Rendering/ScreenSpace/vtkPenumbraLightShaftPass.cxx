@@ -275,7 +275,7 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
   if (this->OpaqueOnly)
   {
     const bool outside = std::any_of(lights.begin(), lights.end(),
-      [](const penumbra::ShaftLight& light) { return !light.InPicture; });
+      [](const penumbra::ShaftLight& light) { return !light.InImage; });
     const double percent = this->Margin >= 0.0 ? this->Margin : outside ? DefaultMargin : 0.0;
     settings.Margin[0] = settings.Margin[1] =
       static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1])));

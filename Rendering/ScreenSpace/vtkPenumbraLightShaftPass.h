@@ -6,7 +6,7 @@
  *
  * The medium attenuates light along every view ray and adds the light that it scatters. The
  * in-scattering of a fully lit ray has a closed form [Shafts eq. 1], which is multiplied by the lit
- * fraction of the ray (eq. 2). By default, one march through the depth buffer towards the light
+ * fraction of the ray (eq. 2). By default, one march through the depth buffer toward the light
  * finds the shadowed intervals of the ray; the radial blur of the paper can be selected instead.
  * The parameters of the medium are those of vtkPenumbraMedium, so that the ray caster renders the
  * same image.

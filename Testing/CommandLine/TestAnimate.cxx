@@ -3,8 +3,8 @@
 //
 // penumbra animate: compares each image with the one that `render` makes of the same view.
 #include "Meshes.h"
-#include "Pictures.h"
 #include "Program.h"
+#include "RenderedImages.h"
 
 #include "vtkImageData.h"
 
@@ -135,7 +135,7 @@ TEST(Animate, ResumesToSameImages)
   {
     const Folder folder(std::string("resume-") + row.Engine);
     WriteSphereWithArrays(folder / "sphere.vtp");
-    const auto picture = [&](int i) { return folder / ("000" + std::to_string(i) + ".png"); };
+    const auto image = [&](int i) { return folder / ("000" + std::to_string(i) + ".png"); };
     const std::vector<std::string> command = { "animate", folder / "sphere.vtp", "--output",
       folder / "{frame}.png", "--frames", std::to_string(row.Frames), "--orbit", "4", "--engine",
       row.Engine, "--ambient-occlusion", "--resume" };
@@ -143,22 +143,22 @@ TEST(Animate, ResumesToSameImages)
     std::vector<std::string> whole;
     for (int i = 0; i < row.Frames; ++i)
     {
-      whole.push_back(ReadText(picture(i)));
+      whole.push_back(ReadText(image(i)));
     }
     // The state after a killed run; the last image was made with other options.
     for (const int missing : row.Missing)
     {
-      std::filesystem::remove(picture(missing));
+      std::filesystem::remove(image(missing));
     }
     std::filesystem::copy_file(
-      picture(0), picture(row.Frames - 1), std::filesystem::copy_options::overwrite_existing);
-    const auto kept = std::filesystem::last_write_time(picture(0));
+      image(0), image(row.Frames - 1), std::filesystem::copy_options::overwrite_existing);
+    const auto kept = std::filesystem::last_write_time(image(0));
     Make(command);
     for (int i = 0; i < row.Frames; ++i)
     {
-      EXPECT_EQ(ReadText(picture(i)), whole[i]) << row.Engine << i;
+      EXPECT_EQ(ReadText(image(i)), whole[i]) << row.Engine << i;
     }
-    EXPECT_EQ(std::filesystem::last_write_time(picture(0)), kept);
+    EXPECT_EQ(std::filesystem::last_write_time(image(0)), kept);
   }
 }
 

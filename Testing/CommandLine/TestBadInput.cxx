@@ -24,7 +24,7 @@ struct Row
   int Status;
   const char* File;                 ///< written to mesh.EXTENSION
   const char* Extension;            ///< of the file; null: no file is written
-  std::vector<std::string> Options; ///< in addition to render mesh.EXTENSION --output picture.png
+  std::vector<std::string> Options; ///< in addition to render mesh.EXTENSION --output image.png
   std::vector<const char*> Words;   ///< contained in the line on stderr
 };
 
@@ -101,7 +101,7 @@ const Row Rows[] = {
   { "UnknownKernel", 2, Square, "stl",
     { "--engine", "raster", "--ambient-occlusion", "--ambient-occlusion-kernel", "steam" },
     { "--ambient-occlusion-kernel", "steam", "march" } },
-  { "NoPicture", 2, Square, "stl", { "--indirect", "--hdri-file", "nowhere.hdr" },
+  { "NoImage", 2, Square, "stl", { "--indirect", "--hdri-file", "nowhere.hdr" },
     { "--hdri-file", "nowhere.hdr" } },
   { "UnknownFalloff", 2, Square, "stl",
     { "--ambient-occlusion", "--ambient-occlusion-falloff", "steep" },
@@ -168,14 +168,13 @@ const Row Rows[] = {
   { "LightNowhere", 2, Square, "stl", { "--light-position", "0,0,0,0" }, { "--light-position" } },
 
   // Output
-  { "UnknownPicture", 2, Square, "stl", { "--output", "picture.webp" },
-    { "picture.webp", ".png" } },
-  { "NoFolder", 2, Square, "stl", { "--output", "/nowhere/at/all/picture.png" },
-    { "--output", "/nowhere/at/all/picture.png", "folder" } },
+  { "UnknownImage", 2, Square, "stl", { "--output", "image.webp" }, { "image.webp", ".png" } },
+  { "NoFolder", 2, Square, "stl", { "--output", "/nowhere/at/all/image.png" },
+    { "--output", "/nowhere/at/all/image.png", "folder" } },
   { "StatisticsNowhere", 2, Square, "stl", { "--statistics", "/nowhere/at/all/s.json" },
     { "--statistics", "folder" } },
-  { "TransparentJpeg", 2, Square, "stl", { "--no-background", "--output", "picture.jpg" },
-    { "--no-background", "picture.jpg", ".png" } },
+  { "TransparentJpeg", 2, Square, "stl", { "--no-background", "--output", "image.jpg" },
+    { "--no-background", "image.jpg", ".png" } },
 
   // Files
   { "NoFile", 2, nullptr, "stl", {}, { "mesh.stl", "no such file" } },
@@ -220,9 +219,9 @@ const Row Rows[] = {
     { "warning", "no surface is in view" } },
   { "RadiusWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-radius", "1" },
     { "warning", "--ambient-occlusion-radius has no effect without --ambient-occlusion" } },
-  { "PictureWithoutIndirectLight", 0, Square, "stl", { "--hdri-file", "sky.hdr" },
+  { "ImageWithoutIndirectLight", 0, Square, "stl", { "--hdri-file", "sky.hdr" },
     { "warning", "--hdri-file has no effect without --indirect" } },
-  { "UpWithoutAPicture", 0, Square, "stl", { "--indirect", "--hdri-up", "0,0,1" },
+  { "UpWithoutAnImage", 0, Square, "stl", { "--indirect", "--hdri-up", "0,0,1" },
     { "warning", "--hdri-up has no effect without --hdri-file" } },
   { "FalloffWithoutOcclusion", 0, Square, "stl", { "--ambient-occlusion-falloff", "linear" },
     { "warning", "--ambient-occlusion-falloff has no effect without --ambient-occlusion" } },
@@ -258,7 +257,7 @@ const Row Rows[] = {
     { "warning", "--ambient-occlusion-kernel has no effect with --engine ray" } },
   { "FramesByRays", 0, Square, "stl", { "--frames", "4" },
     { "warning", "--frames has no effect with --engine ray" } },
-  { "JobsOfOnePicture", 0, Square, "stl", { "--jobs", "2" },
+  { "JobsOfOneImage", 0, Square, "stl", { "--jobs", "2" },
     { "warning", "--jobs has no effect without several files" } },
   { "AllTransparent", 0, Square, "stl", { "--opacity", "0" },
     { "warning", "transparent", "--opacity" } },
@@ -296,11 +295,11 @@ TEST_P(BadInput, PrintsOneLine)
     before = folder.List();
   }
   std::vector<std::string> arguments = { "render", mesh, "--resolution", "16,16", "--output",
-    folder / "picture.png" };
+    folder / "image.png" };
   for (std::size_t i = 0; i < row.Options.size(); ++i)
   {
-    const bool isPicture = row.Options[i].rfind("picture.", 0) == 0;
-    arguments.push_back(isPicture ? folder / row.Options[i] : row.Options[i]);
+    const bool isImage = row.Options[i].rfind("image.", 0) == 0;
+    arguments.push_back(isImage ? folder / row.Options[i] : row.Options[i]);
   }
 
   const ProgramResult outcome = RunProgram(arguments);
@@ -313,7 +312,7 @@ TEST_P(BadInput, PrintsOneLine)
   }
   if (row.Status == 0)
   {
-    before.insert(std::upper_bound(before.begin(), before.end(), "picture.png"), "picture.png");
+    before.insert(std::upper_bound(before.begin(), before.end(), "image.png"), "image.png");
   }
   EXPECT_EQ(folder.List(), before);
 }

@@ -250,7 +250,7 @@ TEST(Bake, RejectsInvalidEnvironmentImages)
   std::ifstream whole(folder / "whole.hdr", std::ios::binary);
   const std::string bytes{ std::istreambuf_iterator<char>(whole), {} };
   std::ofstream(folder / "cut.hdr", std::ios::binary) << bytes.substr(0, bytes.size() - 20);
-  std::ofstream(folder / "text.hdr") << "no picture";
+  std::ofstream(folder / "text.hdr") << "no image";
   for (const char* name : { "none.hdr", "cut.hdr", "text.hdr", "sphere.vtp" })
   {
     const ProgramResult outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",

@@ -3,8 +3,8 @@
 //
 // `penumbra chart --quick` through the real program.
 #include "Meshes.h"
-#include "Pictures.h"
 #include "Program.h"
+#include "RenderedImages.h"
 
 #include "vtkImageData.h"
 
@@ -80,8 +80,8 @@ TEST(Chart, RanksExactEdgesAboveSampling)
   EXPECT_EQ(CountLines(front), 3) << front;
   EXPECT_NE(front.find("thin rods,Penumbra automatic,--tolerance 1/256,"), std::string::npos);
 
-  const auto picture = ReadImage(folder / "charts/aa.png");
-  EXPECT_GT(picture->GetDimensions()[0], 1000);
+  const auto image = ReadImage(folder / "charts/aa.png");
+  EXPECT_GT(image->GetDimensions()[0], 1000);
   EXPECT_NE(ReadText(folder / "charts/aa.svg").find("<svg"), std::string::npos);
 }
 

@@ -78,7 +78,7 @@ TEST(F3D, DocumentedOptionsAreAccepted)
     for (std::string word; words >> word;)
     {
       arguments.push_back(
-        word.rfind("--output", 0) == 0 ? "--output=" + folder / "picture.png" : word);
+        word.rfind("--output", 0) == 0 ? "--output=" + folder / "image.png" : word);
     }
     const ProgramResult outcome = RunProgram(arguments);
     EXPECT_EQ(outcome.Status, 0) << line << outcome.Errors;

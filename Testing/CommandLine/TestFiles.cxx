@@ -59,7 +59,7 @@ TEST(FullDisk, LeavesNoPartialMesh)
 
 TEST(FullDisk, LeavesNoPartialImage)
 {
-  const Folder folder("full-picture");
+  const Folder folder("full-image");
   WriteText(folder / "square.stl", SquareStl());
   const std::string square = Quote(folder / "square.stl");
   ASSERT_EQ(

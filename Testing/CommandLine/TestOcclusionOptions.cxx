@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // `penumbra render --ambient-occlusion` with both engines.
-#include "Pictures.h"
 #include "Program.h"
+#include "RenderedImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -78,12 +78,12 @@ TEST(Render, LightAwarenessReducesDarkeningOfBrightColors)
     "horizon", "--ambient-occlusion-light-awareness", "0.5", "--output", folder / "p.vti" });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_EQ(outcome.Errors, "");
-  const auto picture = ReadImage(folder / "p.vti");
-  vtkDataArray* colors = picture->GetPointData()->GetArray("Color");
-  vtkDataArray* occlusions = picture->GetPointData()->GetArray("AmbientOcclusion");
+  const auto image = ReadImage(folder / "p.vti");
+  vtkDataArray* colors = image->GetPointData()->GetArray("Color");
+  vtkDataArray* occlusions = image->GetPointData()->GetArray("AmbientOcclusion");
   int dark = 0;
   int right = 0;
-  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
     const double occlusion = occlusions->GetComponent(i, 0);
     const double factor = 1.0 - occlusion * (1.0 - 0.5 * 0.8);
@@ -129,8 +129,8 @@ TEST(Render, AppliesNamedFalloff)
       "--ambient-occlusion-falloff", falloff, "--output", folder / "p.vti" });
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "");
-    const auto picture = ReadImage(folder / "p.vti");
-    vtkDataArray* occlusion = picture->GetPointData()->GetArray("AmbientOcclusion");
+    const auto image = ReadImage(folder / "p.vti");
+    vtkDataArray* occlusion = image->GetPointData()->GetArray("AmbientOcclusion");
     double mean = 0.0;
     for (vtkIdType i = 0; i < occlusion->GetNumberOfTuples(); ++i)
     {

@@ -3,8 +3,8 @@
 //
 // `penumbra render` on small meshes through the real program.
 #include "Meshes.h"
-#include "Pictures.h"
 #include "Program.h"
+#include "RenderedImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -61,11 +61,11 @@ TEST(Render, RendersEveryFormatToSameImage)
 
 TEST(Render, WritesEveryImageFormat)
 {
-  const Folder folder("pictures");
+  const Folder folder("images");
   RenderSquare(folder, "reference.vti", {});
   for (const char* extension : { "png", "jpg", "tif", "bmp" })
   {
-    const std::string name = std::string("picture.") + extension;
+    const std::string name = std::string("image.") + extension;
     RenderSquare(folder, name, {});
     const double tolerance = std::string(extension) == "jpg" ? 0.05 : 0.003;
     EXPECT_LE(Compare(folder / name, folder / "reference.vti")["value"], tolerance) << name;
@@ -75,7 +75,7 @@ TEST(Render, WritesEveryImageFormat)
 TEST(Render, WritesDocumentedArrays)
 {
   const Folder folder("arrays");
-  const auto image = RenderSquare(folder, "picture.vti",
+  const auto image = RenderSquare(folder, "image.vti",
     { "--camera-position", "0,0,10", "--camera-view-angle", "30", "--dpi", "150" });
   vtkPointData* arrays = image->GetPointData();
   const vtkIdType center = 15 * 40 + 20;
@@ -370,9 +370,9 @@ TEST(Render, RendersScalarBarWithBothEngines)
     ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
     EXPECT_EQ(outcome.Errors, "");
     // The band stands at 0.82 to 0.88 of the width, beside the sphere.
-    const auto picture = ReadImage(folder / "p.png");
-    const auto low = PixelAt(picture, 170, 30);
-    const auto high = PixelAt(picture, 170, 150);
+    const auto image = ReadImage(folder / "p.png");
+    const auto low = PixelAt(image, 170, 30);
+    const auto high = PixelAt(image, 170, 150);
     EXPECT_GT(low[2] + low[0], 0.2) << engine;
     EXPECT_GT(std::abs(high[1] - low[1]), 0.2) << engine;
   }

@@ -3,8 +3,8 @@
 //
 // Missing resources: full disks, cancellation, missing libraries, too little memory.
 #include "Meshes.h"
-#include "Pictures.h"
 #include "Program.h"
+#include "RenderedImages.h"
 
 #include "vtkImageData.h"
 
@@ -119,7 +119,7 @@ TEST(Output, IsCompleteOrMissingOnFullDisk)
 
 TEST(Output, KeepsOldImageIfNewOneFails)
 {
-  const Folder folder("old-picture");
+  const Folder folder("old-image");
   WriteText(folder / "square.stl", SquareStl());
   WriteText(folder / "p.png", "precious");
   EXPECT_EQ(
@@ -151,10 +151,10 @@ TEST(StandardOutput, ReportsFullDevice)
   WriteText(folder / "square.stl", SquareStl());
   RunProgram(
     { "render", folder / "square.stl", "--resolution", "9,9", "--output", folder / "p.png" });
-  const std::string picture = Quote(folder / "p.png");
+  const std::string image = Quote(folder / "p.png");
   for (const std::string& command :
     { std::string("list"), std::string("info"), std::string("--help"), std::string("--version"),
-      "compare " + picture + " " + picture, "compare --json " + picture + " " + picture })
+      "compare " + image + " " + image, "compare --json " + image + " " + image })
   {
     const ProgramResult outcome = RunShell("$PENUMBRA " + command + " > /dev/full");
     EXPECT_EQ(outcome.Status, 3) << command;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Runs every `./penumbra render Data/...` command of the given pages and compares its image with the one
-# of the same name in Documentation/Pictures: run-documented-commands.py PROGRAM PAGE...
+# of the same name in Documentation/Images: run-documented-commands.py PROGRAM PAGE...
 import pathlib
 import re
 import shlex
@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 def documented_commands(page):
     """The arguments of every command on a page; each must make an image that the page shows."""
     text = pathlib.Path(page).read_text()
-    images = set(re.findall(r"!\[[^]]*\]\([^)]*Pictures/([^)]+)\)", text))
+    images = set(re.findall(r"!\[[^]]*\]\([^)]*Images/([^)]+)\)", text))
     for block in re.findall(r"```sh\n(.*?)```", text, re.DOTALL):
         for line in block.replace("\\\n", " ").splitlines():
             words = shlex.split(line, comments=True)
@@ -33,7 +33,7 @@ def main(program, *pages):
         (pathlib.Path(folder) / "Data").symlink_to(ROOT / "Data")
         for command in sorted(commands):
             name = command[command.index("--output") + 1]
-            committed = str(ROOT / "Documentation" / "Pictures" / name)
+            committed = str(ROOT / "Documentation" / "Images" / name)
             print(name, flush=True)
             for words in [command, ("compare", name, committed, "--tolerance", "0.0625")]:
                 if subprocess.run([program, *words], cwd=folder).returncode:

@@ -54,7 +54,7 @@ inline testing::AssertionResult IsImageNear(const char* expression, const char*,
   vtkObject* source, const std::string& fileName, const ImageTolerance& limits)
 {
   vtkNew<vtkPenumbraBaseline> baseline;
-  baseline->SetPicture(source);
+  baseline->SetImage(source);
   const bool isAbsolute = !fileName.empty() && fileName.front() == '/';
   baseline->SetFileName((isAbsolute ? fileName : PENUMBRA_BASELINE_FOLDER "/" + fileName).c_str());
   if (const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info())
@@ -78,9 +78,9 @@ inline testing::AssertionResult IsImageNear(const char* expression, const char*,
 
 }
 
-#define EXPECT_IMAGE_NEAR(picture, baseline, tolerance)                                            \
-  EXPECT_PRED_FORMAT3(penumbra::IsImageNear, picture, baseline, tolerance)
-#define ASSERT_IMAGE_NEAR(picture, baseline, tolerance)                                            \
-  ASSERT_PRED_FORMAT3(penumbra::IsImageNear, picture, baseline, tolerance)
+#define EXPECT_IMAGE_NEAR(image, baseline, tolerance)                                              \
+  EXPECT_PRED_FORMAT3(penumbra::IsImageNear, image, baseline, tolerance)
+#define ASSERT_IMAGE_NEAR(image, baseline, tolerance)                                              \
+  ASSERT_PRED_FORMAT3(penumbra::IsImageNear, image, baseline, tolerance)
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraBaseline.h"
 
-#include "PictureFiles.h"
+#include "BaselineFiles.h"
 #include "vtkPenumbraImageComparison.h"
 
 #include "vtkAlgorithm.h"
@@ -75,7 +75,7 @@ std::string DescribeProcessor()
 
 struct vtkPenumbraBaseline::Internals
 {
-  vtkSmartPointer<vtkObject> Picture;
+  vtkSmartPointer<vtkObject> Object;
   vtkSmartPointer<vtkImageData> Image; ///< as rendered last
   std::string RenderedBy;
   vtkNew<vtkPenumbraImageComparison> Comparison;
@@ -88,20 +88,20 @@ struct vtkPenumbraBaseline::Internals
 void vtkPenumbraBaseline::Internals::Draw()
 {
   this->Image = nullptr;
-  this->RenderedBy = this->Picture ? this->Picture->GetClassName() : "no object";
-  if (auto* window = vtkRenderWindow::SafeDownCast(this->Picture))
+  this->RenderedBy = this->Object ? this->Object->GetClassName() : "no object";
+  if (auto* window = vtkRenderWindow::SafeDownCast(this->Object))
   {
     this->Image = ::Draw(window);
     this->RenderedBy = Describe(window);
   }
-  else if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->Picture))
+  else if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->Object))
   {
     algorithm->Update();
     this->Image = vtkImageData::SafeDownCast(algorithm->GetOutputDataObject(0));
   }
   else
   {
-    this->Image = vtkImageData::SafeDownCast(this->Picture);
+    this->Image = vtkImageData::SafeDownCast(this->Object);
   }
 }
 
@@ -128,15 +128,15 @@ void vtkPenumbraBaseline::PreferOSMesa()
   }
 }
 
-void vtkPenumbraBaseline::SetPicture(vtkObject* picture)
+void vtkPenumbraBaseline::SetImage(vtkObject* object)
 {
-  this->Implementation->Picture = picture;
+  this->Implementation->Object = object;
   this->Modified();
 }
 
-vtkObject* vtkPenumbraBaseline::GetPicture()
+vtkObject* vtkPenumbraBaseline::GetImage()
 {
-  return this->Implementation->Picture;
+  return this->Implementation->Object;
 }
 
 vtkPenumbraImageComparison* vtkPenumbraBaseline::GetComparison()
@@ -158,7 +158,7 @@ bool vtkPenumbraBaseline::Check()
     vtksys::SystemTools::HasEnv(AcceptVariable) ? std::getenv(AcceptVariable) : "";
   bool passes = false;
   implementation.Draw();
-  if (!penumbra::IsPicturePath(path))
+  if (!penumbra::IsBaselinePath(path))
   {
     implementation.ReportStream
       << "'" << path << "' is not a baseline file: give a path that ends in .png or .vti\n";
@@ -202,7 +202,7 @@ bool vtkPenumbraBaseline::Compare()
   }
   for (const std::string& path : paths)
   {
-    const vtkSmartPointer<vtkImageData> baseline = penumbra::ReadPicture(path);
+    const vtkSmartPointer<vtkImageData> baseline = penumbra::ReadBaseline(path);
     if (!baseline)
     {
       implementation.ReportStream << path << " cannot be read as an image\n";
@@ -242,7 +242,7 @@ bool vtkPenumbraBaseline::Accept(bool add)
 {
   Internals& implementation = *this->Implementation;
   const std::string path = add ? penumbra::NextBaseline(this->FileName) : this->FileName;
-  if (!penumbra::WritePicture(implementation.Image, path))
+  if (!penumbra::WriteBaseline(implementation.Image, path))
   {
     implementation.ReportStream << path << " cannot be written\n";
     return false;
@@ -264,7 +264,7 @@ void vtkPenumbraBaseline::KeepEvidence()
   const auto keep = [&](const char* what, vtkImageData* image, const std::string& extension) {
     const std::string path =
       fs::absolute(folder / (stem + "." + what + extension)).lexically_normal().string();
-    const bool written = penumbra::WritePicture(penumbra::AsStored(image, path), path);
+    const bool written = penumbra::WriteBaseline(penumbra::AsStored(image, path), path);
     implementation.ReportStream << "  " << what << ": " << path
                                 << (written ? "" : " (cannot be written)");
   };
@@ -287,7 +287,7 @@ void vtkPenumbraBaseline::KeepEvidence()
 void vtkPenumbraBaseline::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Picture: " << this->GetPicture() << "\n";
+  os << indent << "Image: " << this->GetImage() << "\n";
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Name: " << (this->Name ? this->Name : "(none)") << "\n";
   os << indent << "OutputFolder: " << (this->OutputFolder ? this->OutputFolder : "(none)") << "\n";

@@ -49,8 +49,8 @@ public:
    * first output is one, such as vtkPenumbraRayCaster. A window is rendered off screen at 72 dots
    * per inch. Default: none.
    */
-  virtual void SetPicture(vtkObject* picture);
-  vtkObject* GetPicture();
+  virtual void SetImage(vtkObject* object);
+  vtkObject* GetImage();
 
   ///@{
   /** Path of the baseline, .png or .vti. Default: none. */

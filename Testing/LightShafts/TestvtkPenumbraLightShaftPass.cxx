@@ -53,7 +53,7 @@ protected:
     this->Scene.SetMedium(0.12, 0.12);
   }
 
-  std::vector<unsigned char> Picture()
+  std::vector<unsigned char> Image()
   {
     vtkNew<vtkUnsignedCharArray> bytes;
     this->Scene.Window->Render();
@@ -151,12 +151,12 @@ TEST_F(LightShaftPass, AddsLights)
 TEST_F(LightShaftPass, ComputesAStaticSceneOnce)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
-  const std::vector<unsigned char> first = this->Picture();
+  const std::vector<unsigned char> first = this->Image();
   EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
-  EXPECT_EQ(this->Picture(), first);
+  EXPECT_EQ(this->Image(), first);
   EXPECT_EQ(this->Statistic("LitFractions/Computed"), 0.0);
   sun->SetPosition(0.3, 1.0, 0.32);
-  EXPECT_NE(this->Picture(), first);
+  EXPECT_NE(this->Image(), first);
   EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
 }
 
@@ -165,10 +165,10 @@ TEST_F(LightShaftPass, RendersAStaticSceneWithMarginDirectlyIntoItsTarget)
   this->Scene.Renderer->SetBackground(0.2, 0.4, 0.6);
   this->Scene.AddSun({ 0.8, 1.0, 0.32 });
   const vtkSmartPointer<vtkActor> ball = this->Scene.AddSphere({ 0.0, -3.0, 2.0 }, 0.5);
-  const std::vector<unsigned char> first = this->Picture();
-  const std::vector<unsigned char> second = this->Picture();
+  const std::vector<unsigned char> first = this->Image();
+  const std::vector<unsigned char> second = this->Image();
   EXPECT_EQ(this->Statistic("LitFractions/Computed"), 0.0);
-  EXPECT_EQ(this->Picture(), second);
+  EXPECT_EQ(this->Image(), second);
   // In a wider image the position of an edge may be rounded differently.
   int apart = 0;
   for (std::size_t i = 0; i < first.size(); ++i)
@@ -178,12 +178,12 @@ TEST_F(LightShaftPass, RendersAStaticSceneWithMarginDirectlyIntoItsTarget)
   EXPECT_LT(apart, static_cast<int>(first.size() / 100));
   // The actor moves without modifying the camera. The pass detects it from the depth buffer.
   ball->SetPosition(0.5, 0.0, 0.0);
-  const std::vector<unsigned char> moved = this->Picture();
+  const std::vector<unsigned char> moved = this->Image();
   EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
   vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
   this->Scene.Pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
   this->Scene.SetMedium(0.12, 0.12);
-  EXPECT_EQ(this->Picture(), moved);
+  EXPECT_EQ(this->Image(), moved);
 }
 
 TEST_F(LightShaftPass, CombinesManyDirectionalAndPositionalLights)
@@ -248,36 +248,36 @@ TEST_F(LightShaftPass, LeavesTheSceneUnchangedOnInvalidInput)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.2, 1.0, 0.32 });
   this->Scene.Renderer->SetBackground(0.2, 0.4, 0.6);
-  const std::vector<unsigned char> foggy = this->Picture();
+  const std::vector<unsigned char> foggy = this->Image();
   vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
   EXPECT_EQ(this->Scene.Renderer->GetPass(), nullptr);
-  const std::vector<unsigned char> plain = this->Picture();
+  const std::vector<unsigned char> plain = this->Image();
   EXPECT_NE(foggy, plain);
 
   vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
   pass->SetScattering(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(this->Picture(), plain);
+  EXPECT_EQ(this->Image(), plain);
   pass->SetScattering(0.12);
   sun->SetIntensity(0.0);
-  EXPECT_EQ(this->Picture(), plain);
+  EXPECT_EQ(this->Image(), plain);
   sun->SetIntensity(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(this->Picture(), plain);
+  EXPECT_EQ(this->Image(), plain);
   sun->SetIntensity(1.0);
   pass->SetBounds(1.0, -1.0, 0.0, 1.0, 0.0, 1.0);
-  EXPECT_EQ(this->Picture(), plain);
+  EXPECT_EQ(this->Image(), plain);
   const double endless = std::numeric_limits<double>::infinity();
   pass->SetBounds(-endless, endless, -endless, endless, -endless, endless);
-  EXPECT_NE(this->Picture(), plain);
+  EXPECT_NE(this->Image(), plain);
   // A positional light at the camera's position.
   sun->PositionalOn();
   sun->SetPosition(this->Scene.Renderer->GetActiveCamera()->GetPosition());
-  EXPECT_EQ(this->Picture(), plain);
+  EXPECT_EQ(this->Image(), plain);
   // A light at the largest finite distance.
   sun->PositionalOff();
   sun->SetPosition(1e30, 5e30, 1.6e30);
-  EXPECT_NE(this->Picture(), plain);
+  EXPECT_NE(this->Image(), plain);
   this->Scene.Renderer->SetViewport(0.5, 0.5, 0.5, 0.5);
-  this->Picture();
+  this->Image();
 }
 
 TEST_F(LightShaftPass, MatchesReferenceInABoundedMedium)
@@ -361,7 +361,7 @@ TEST_F(LightShaftPass, LetsSelectedActorsEmitWhereVisible)
   EXPECT_LT(RelativeRmse(drawn, masked), 0.02);
 }
 
-TEST_F(LightShaftPass, DrawsNoStreaksFromSurfacesBeyondSurfaceGlow)
+TEST_F(LightShaftPass, DrawsNoStreaksFromBrightSurfacesUnlessByContrast)
 {
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
   this->Scene.Pass->SetEstimator(vtkPenumbraLightShaftPass::RADIAL);
@@ -467,7 +467,7 @@ TEST_F(LightShaftPass, AppliesAfterAmbientOcclusionInEitherOrder)
   this->Scene.Pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
   this->Scene.SetMedium(0.12, 0.12);
   const std::vector<double> after = this->Scene.RenderWithPass();
-  const std::vector<unsigned char> one = this->Picture();
+  const std::vector<unsigned char> one = this->Image();
   for (std::size_t i = 0; i < before.size(); ++i)
   {
     EXPECT_NEAR(after[i], before[i], 1e-3);
@@ -475,7 +475,7 @@ TEST_F(LightShaftPass, AppliesAfterAmbientOcclusionInEitherOrder)
   vtkPenumbraTemporalSSAOPass::RemoveFrom(this->Scene.Renderer);
   EXPECT_EQ(vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer), this->Scene.Pass);
   vtkPenumbraTemporalSSAOPass::AddTo(this->Scene.Renderer);
-  EXPECT_EQ(this->Picture(), one);
+  EXPECT_EQ(this->Image(), one);
   vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
   EXPECT_NE(this->Scene.Renderer->GetPass(), nullptr);
   vtkPenumbraTemporalSSAOPass::RemoveFrom(this->Scene.Renderer);

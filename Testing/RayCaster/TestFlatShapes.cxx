@@ -67,7 +67,7 @@ Errors Judge(const std::vector<glm::dvec3>& colors, const std::vector<double>& f
 TEST_P(FlatShapes, KeepBoundsOfErrorAndRays)
 {
   const ShapesRow& row = GetParam();
-  const Answer answer = Cast(PictureOf(row.Shapes, Size, Size), Size, Size,
+  const Answer answer = Cast(RendererOf(row.Shapes, Size, Size), Size, Size,
     [](vtkPenumbraRayCaster* caster) { caster->SetTolerance(1.0 / 512.0); });
   const Errors errors = Judge(answer.Colors, SharesOf(row.Shapes, Size, Size));
   EXPECT_LE(answer.RaysPerPixel, row.RaysPerPixel);
@@ -79,7 +79,7 @@ TEST_P(FlatShapes, KeepBoundsOfErrorAndRays)
 TEST_P(FlatShapes, KeepBoundsOfErrorAtDefaultTolerance)
 {
   const ShapesRow& row = GetParam();
-  const Answer answer = Cast(PictureOf(row.Shapes, Size, Size), Size, Size);
+  const Answer answer = Cast(RendererOf(row.Shapes, Size, Size), Size, Size);
   const Errors errors = Judge(answer.Colors, SharesOf(row.Shapes, Size, Size));
   EXPECT_LE(errors.Edge, row.Edge);
   EXPECT_LE(errors.Worst, row.Worst)
@@ -109,8 +109,8 @@ class PlacedShapes : public testing::TestWithParam<ShadingPoint>
 {
 };
 
-/// PictureOf() with everything transformed by `place`, in the points or by the actor.
-vtkSmartPointer<vtkRenderer> PictureAt(
+/// RendererOf() with everything transformed by `place`, in the points or by the actor.
+vtkSmartPointer<vtkRenderer> RendererAt(
   const ShadingPoint& place, const std::vector<Shape>& shapes, bool moveTheActor)
 {
   vtkSmartPointer<vtkPolyData> mesh = MeshOf(shapes);
@@ -128,7 +128,7 @@ vtkSmartPointer<vtkRenderer> PictureAt(
     actor->SetPosition(place.Origin.x, place.Origin.y, place.Origin.z);
     actor->SetScale(place.Scale);
   }
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   vtkCamera* camera = renderer->GetActiveCamera();
   const glm::dvec3 center = place.Origin + place.Scale * glm::dvec3(0.5 * Size, 0.5 * Size, 0.0);
   camera->SetFocalPoint(center.x, center.y, center.z);
@@ -148,7 +148,7 @@ TEST_P(PlacedShapes, KeepBoundsOfErrorAtAnyPosition)
   const std::vector<double> fractions = SharesOf(shapes, Size, Size);
   for (bool moveTheActor : { false, true })
   {
-    const Answer answer = Cast(PictureAt(GetParam(), shapes, moveTheActor), Size, Size);
+    const Answer answer = Cast(RendererAt(GetParam(), shapes, moveTheActor), Size, Size);
     const Errors errors = Judge(answer.Colors, fractions);
     EXPECT_LE(errors.Edge, 0.002) << "moved by its " << (moveTheActor ? "actor" : "points");
     EXPECT_LE(errors.Worst, 0.01) << "in pixel " << errors.WorstPixel % Size << ", "

@@ -149,7 +149,7 @@ TEST_P(LitMeshes, MatchBruteForceInBothProjections)
   for (bool parallel : { false, true })
   {
     vtkSmartPointer<vtkRenderer> renderer = Lit(GetParam().Make(), parallel);
-    const BruteForcePicture reference =
+    const BruteForceImage reference =
       DrawByBruteForce(BruteForceOf(renderer, Size, Size), Size, Size, 16);
     const Answer answer = Cast(renderer, Size, Size);
     const Errors errors = Compare(answer.Colors, reference.Colors, SilhouettePixels(reference));

@@ -92,7 +92,7 @@ TEST_P(Opacity, OfFlatShapesBecomesAlpha)
   const Stack stack;
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddFlat(renderer, stack.Back, 0.0, { 1.0, 0.5, 0.0 }, opacity);
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   const Answer answer =
     Cast(renderer, Size, Size, [](vtkPenumbraRayCaster* caster) { caster->BackgroundOff(); });
   const std::vector<double> fractions = SharesOf(stack.Back, Size, Size);
@@ -116,7 +116,7 @@ TEST_P(Opacity, OfOverlappingShapesBlendsTheirColors)
   AddFlat(renderer, stack.Front, 10.0, { 1.0, 0.0, 0.0 }, opacity);
   AddFlat(renderer, stack.Back, 0.0, { 0.0, 1.0, 0.0 }, 0.6);
   renderer->SetBackground(0.0, 0.0, 1.0);
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   const Answer answer = Cast(renderer, Size, Size);
   const std::vector<double> front = SharesOf(stack.Front, Size, Size);
   const std::vector<double> back = SharesOf(stack.Back, Size, Size);
@@ -143,7 +143,7 @@ TEST_P(Opacity, GivesAnAlphaThatCompositesOverAnyBackground)
   AddFlat(renderer, stack.Front, 10.0, { 1.0, 0.2, 0.3 }, GetParam());
   AddFlat(renderer, stack.Back, 0.0, { 0.4, 1.0, 0.1 }, 0.99);
   AddFlat(renderer, SmallDiscs(Size, Size, 8), 20.0, { 0.4, 0.1, 1.0 }, GetParam());
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   ExpectComposes(renderer);
 }
 
@@ -156,7 +156,7 @@ TEST_P(Opacity, OfManyLayersMultiplies)
   {
     AddFlat(renderer, stack.Back, 2.0 * i, { 1.0, 1.0, 1.0 }, opacity);
   }
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   const Answer answer = Cast(renderer, Size, Size);
   const std::vector<double> fractions = SharesOf(stack.Back, Size, Size);
   for (std::size_t i = 0; i < fractions.size(); ++i)

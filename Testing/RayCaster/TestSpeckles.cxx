@@ -77,7 +77,7 @@ vtkSmartPointer<vtkRenderer> BeforeAWall(vtkPolyData* mesh, View view)
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, Wall(-20.0), false)->GetProperty()->SetColor(1.0, 0.0, 0.0);
   AddMesh(renderer, mesh, false);
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   if (view == View::Perspective)
   {
     vtkCamera* camera = renderer->GetActiveCamera();

@@ -52,7 +52,7 @@ vtkSmartPointer<vtkRenderer> NewLineRenderer(
 {
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, LineThrough(positions), false)->GetProperty()->SetLineWidth(width);
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetParallelProjection(parallel);
   camera->SetViewAngle(2.0 * std::atan(0.5 * Size / 100.0) * 180.0 / Pi);
@@ -181,7 +181,7 @@ TEST_P(ThinLines, MatchExactCoverageOfPoints)
   cloud->SetVerts(vertices);
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, cloud, false)->GetProperty()->SetPointSize(size);
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   const std::vector<double> fractions = coverage.GetShares();
   const Answer answer = Cast(renderer, Size, Size);
   const Errors errors =

@@ -120,8 +120,8 @@ TEST_P(ReferencesAgree, OnShapes)
     SmallDiscs(size, size, 8), Rods(size, size, 3), Comb(size, size) };
   const std::vector<Shape>& shapes = scenes[GetParam()];
   const std::vector<double> fractions = SharesOf(shapes, size, size);
-  vtkSmartPointer<vtkRenderer> renderer = PictureOf(shapes, size, size);
-  const BruteForcePicture image =
+  vtkSmartPointer<vtkRenderer> renderer = RendererOf(shapes, size, size);
+  const BruteForceImage image =
     DrawByBruteForce(BruteForceOf(renderer, size, size), size, size, 128);
   const Errors errors =
     Compare(image.Colors, WhiteOnBlack(fractions), PartlyCoveredPixels(fractions));
@@ -146,7 +146,7 @@ TEST(BruteForce, MatchesClosedFormShadingOfASphere)
   renderer->GetActiveCamera()->ParallelProjectionOn();
   LookAlong(renderer, { 0.3, 0.4, -1.0 }, { 0.0, 1.0, 0.0 }, 32, 32);
   renderer->GetActiveCamera()->SetParallelScale(1.25);
-  const BruteForcePicture image = DrawByBruteForce(BruteForceOf(renderer, 32, 32), 32, 32, 16);
+  const BruteForceImage image = DrawByBruteForce(BruteForceOf(renderer, 32, 32), 32, 32, 16);
   for (int i = 0; i < 32; ++i)
   {
     const double r2 = (std::pow((i + 0.5) / 16.0 - 1.0, 2) + std::pow(0.5 / 16.0, 2)) * 1.5625;
@@ -167,7 +167,7 @@ TEST(BruteForce, DistinguishesSilhouettesFromCreases)
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, sphere->GetOutput(), true);
   LookAlong(renderer, { 0.0, 0.0, -1.0 }, { 0.0, 1.0, 0.0 }, 64, 64);
-  const BruteForcePicture image = DrawByBruteForce(BruteForceOf(renderer, 64, 64), 64, 64, 16);
+  const BruteForceImage image = DrawByBruteForce(BruteForceOf(renderer, 64, 64), 64, 64, 16);
   EXPECT_EQ(image.Kinds[0], PixelKind::Inside);
   EXPECT_EQ(image.Kinds[64 * 32 + 32], PixelKind::Crease); // the pole faces the camera
   for (std::size_t i = 0; i < image.Kinds.size(); ++i)

@@ -141,7 +141,7 @@ struct Session
     caster->SetResolution(24, 18);
     caster->SetTolerance(.1);
     caster->AmbientOcclusionOn();
-    caster->SetIrradianceSource(vtkNew<vtkPenumbraIrradianceCache>());
+    caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
     caster->Update();
     EXPECT_GE(caster->GetEstimatedError(), 0.0);
   }

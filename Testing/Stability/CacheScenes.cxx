@@ -19,8 +19,8 @@ double Ask(const vtkPenumbraIrradianceProvider* provider, glm::dvec3 position, g
   return provider->Occlusion(&position.x, &normal.x).Value;
 }
 
-Frame Picture(const RayScene& rays, const PointEvaluator& evaluate, const PointEvaluator& reference,
-  double& error)
+Frame RenderFrame(const RayScene& rays, const PointEvaluator& evaluate,
+  const PointEvaluator& reference, double& error)
 {
   const Scene& scene = rays.GetScene();
   const int side = scene.ViewCamera.Width / 2;
@@ -52,19 +52,19 @@ Frame Picture(const RayScene& rays, const PointEvaluator& evaluate, const PointE
   return image;
 }
 
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider,
+Frame RenderFrame(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider,
   const PointEvaluator& reference, double& error)
 {
-  return Picture(
+  return RenderFrame(
     rays,
     [provider](glm::dvec3 position, glm::dvec3 normal) { return Ask(provider, position, normal); },
     reference, error);
 }
 
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider)
+Frame RenderFrame(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider)
 {
   double ignored = 0.0;
-  return Picture(
+  return RenderFrame(
     rays, provider, [](glm::dvec3, glm::dvec3) { return 0.0; }, ignored);
 }
 

@@ -29,15 +29,15 @@ double Ask(const vtkPenumbraIrradianceProvider* provider, glm::dvec3 position, g
 
 /// Returns an image of 1 - value at the surface points seen by every second pixel, and 1 in the
 /// background. `error` is set to the RMS difference from the reference.
-Frame Picture(const RayScene& rays, const PointEvaluator& evaluate, const PointEvaluator& reference,
-  double& error);
+Frame RenderFrame(const RayScene& rays, const PointEvaluator& evaluate,
+  const PointEvaluator& reference, double& error);
 
 /// The same for the occlusion that a provider computes.
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider,
+Frame RenderFrame(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider,
   const PointEvaluator& reference, double& error);
 
 /// The same without a reference.
-Frame Picture(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider);
+Frame RenderFrame(const RayScene& rays, const vtkPenumbraIrradianceProvider* provider);
 
 /// A large floor under a unit sphere whose center is at `height`, seen by a camera of `size` x
 /// `size` pixels. The sphere touches the floor at height 1.

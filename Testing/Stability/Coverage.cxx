@@ -61,7 +61,7 @@ std::function<ScenarioResult(Variant)> Still(Shapes shapes, Choice ablate,
   double (*measure)(const std::vector<double>&, const std::vector<double>&))
 {
   return [=](Variant variant) {
-    const Frame image = Draw(PictureOf(shapes(), Size, Size), Size, Size, variant, ablate);
+    const Frame image = Draw(RendererOf(shapes(), Size, Size), Size, Size, variant, ablate);
     return ScenarioResult{ measure(image.Values, ExactCoverage(shapes()).Values), image };
   };
 }
@@ -71,7 +71,7 @@ std::function<ScenarioResult(Variant)> Pan(Shapes shapes, double step, int frame
   double (*measure)(const std::vector<std::vector<double>>&))
 {
   return [=](Variant variant) {
-    const vtkSmartPointer<vtkRenderer> renderer = PictureOf(shapes(), Size, Size);
+    const vtkSmartPointer<vtkRenderer> renderer = RendererOf(shapes(), Size, Size);
     std::vector<std::vector<double>> times;
     Frame image;
     for (int frame = 0; frame < frames; ++frame)
@@ -103,7 +103,7 @@ ScenarioResult FastPan(Variant variant)
         corner.x += shift;
       }
     }
-    image = Draw(PictureOf(shapes, Size, Size), Size, Size, variant, UseSubdivisionWithoutCase4);
+    image = Draw(RendererOf(shapes, Size, Size), Size, Size, variant, UseSubdivisionWithoutCase4);
     worst = std::max(worst, CoverageMiss(image.Values, ExactCoverage(shapes).Values));
   }
   return { worst, image };
@@ -119,7 +119,7 @@ ScenarioResult Zoom(Variant variant)
   {
     const double scale = 1.0 + frame / 64.0;
     const vtkSmartPointer<vtkRenderer> renderer =
-      PictureOf({ Star({ 48.2, 47.7 }, 38.0, 3.0, 96) }, Size, Size);
+      RendererOf({ Star({ 48.2, 47.7 }, 38.0, 3.0, 96) }, Size, Size);
     renderer->GetActiveCamera()->SetParallelScale(.5 * Size / scale);
     image = Draw(renderer, Size, Size, variant, UseOneSample);
     times.push_back(image.Values);
@@ -140,7 +140,7 @@ ScenarioResult OddSizes(Variant variant)
   {
     const std::vector<Shape> shapes = { Disc(
       { .45 * width, .55 * height }, .4 * std::min(width, height), 48) };
-    image = Draw(PictureOf(shapes, width, height), width, height, variant, UseOneSample);
+    image = Draw(RendererOf(shapes, width, height), width, height, variant, UseOneSample);
     worst =
       std::max(worst, LargestDifference(image.Values, ExactCoverage(shapes, width, height).Values));
   }
@@ -152,7 +152,7 @@ ScenarioResult OddSizes(Variant variant)
 ScenarioResult PaperSubdivision(Variant variant)
 {
   const Frame image = ByRays(
-    PictureOf(HalfPlane(Size, Size), Size, Size), Size, Size, [&](vtkPenumbraRayCaster* caster) {
+    RendererOf(HalfPlane(Size, Size), Size, Size), Size, Size, [&](vtkPenumbraRayCaster* caster) {
       caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
       caster->SetMaximumLevel(variant == Variant::Ablated ? 0 : 3);
     });
@@ -188,7 +188,7 @@ ScenarioResult ColorJumps(Variant variant)
   mesh->GetCellData()->SetScalars(colors);
   const vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, mesh, false)->GetMapper()->ScalarVisibilityOn();
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   const Frame image = Draw(renderer, Size, Size, variant, [](vtkPenumbraRayCaster* caster) {
     UseSubdivisionWithoutCase4(caster);
     caster->SetTolerance(1.0);
@@ -200,7 +200,7 @@ ScenarioResult ColorJumps(Variant variant)
 ScenarioResult TwoResolutions(Variant variant)
 {
   std::vector<Shape> shapes = Rods(Size, Size, 4);
-  const Frame small = Draw(PictureOf(shapes, Size, Size), Size, Size, variant, UseOneSample);
+  const Frame small = Draw(RendererOf(shapes, Size, Size), Size, Size, variant, UseOneSample);
   for (Shape& shape : shapes)
   {
     shape.Center *= 2.0;
@@ -210,7 +210,7 @@ ScenarioResult TwoResolutions(Variant variant)
     }
   }
   const Frame large =
-    Draw(PictureOf(shapes, 2 * Size, 2 * Size), 2 * Size, 2 * Size, variant, UseOneSample);
+    Draw(RendererOf(shapes, 2 * Size, 2 * Size), 2 * Size, 2 * Size, variant, UseOneSample);
   return { Rmse(small.Values, Halved(large).Values), small };
 }
 

@@ -195,7 +195,7 @@ ScenarioResult TJunctions(Variant variant)
   mesh->SetPolys(quads);
   const Renderer renderer = NewRenderer();
   AddMesh(renderer, mesh, false);
-  LookAtPicture(renderer, Size, Size);
+  LookAtImage(renderer, Size, Size);
   const Frame image = Draw(renderer, variant, {});
   return { 1.0 - *std::min_element(image.Values.begin(), image.Values.end()), image };
 }
@@ -219,7 +219,7 @@ ScenarioResult CoplanarDuplicates(Variant variant)
   const double distance = variant == Variant::Ablated ? 1e6 : 0.0;
   const Mesh discs[] = { SlantedDisk({ 32.3, 31.9 }, distance),
     SlantedDisk({ 39.6, 26.8 }, distance) };
-  Frame pictures[2];
+  Frame images[2];
   for (const int first : { 0, 1 })
   {
     const Renderer renderer = NewRenderer();
@@ -227,12 +227,12 @@ ScenarioResult CoplanarDuplicates(Variant variant)
     {
       AddMesh(renderer, discs[each], false)->GetProperty()->SetColor(each, each, each);
     }
-    LookAtPicture(renderer, Size, Size);
-    pictures[first] = Draw(renderer, variant, {});
+    LookAtImage(renderer, Size, Size);
+    images[first] = Draw(renderer, variant, {});
   }
-  const double middle = pictures[0].Values[32 * Size + 32];
+  const double middle = images[0].Values[32 * Size + 32];
   double largest = 0.0;
-  for (const Frame& image : pictures)
+  for (const Frame& image : images)
   {
     for (int y = 24; y < 40; ++y)
     {
@@ -242,7 +242,7 @@ ScenarioResult CoplanarDuplicates(Variant variant)
       }
     }
   }
-  return { largest, pictures[0] };
+  return { largest, images[0] };
 }
 
 Renderer RenderBurrAt(glm::dvec3 position, double scale, bool roundsToFloat)
@@ -401,7 +401,7 @@ ScenarioResult InsideAMesh(Variant variant)
 ScenarioResult BehindGlass(Variant variant)
 {
   const std::vector<Shape> rods = Rods(Size, Size, 4);
-  const Renderer renderer = PictureOf(rods, Size, Size);
+  const Renderer renderer = RendererOf(rods, Size, Size);
   vtkActor* glass = AddMesh(renderer, Box({ 32.0, 32.0, 20.0 }, { 100.0, 100.0, 0.0 }), false);
   glass->GetProperty()->SetOpacity(.5);
   glass->GetProperty()->SetColor(.4, .4, .4);

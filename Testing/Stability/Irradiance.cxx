@@ -62,7 +62,7 @@ std::function<ScenarioResult(Variant)> Sphere(double height, int size)
     }
     cache->Begin(rays, Infinity, .02);
     ScenarioResult outcome{ 0.0, {} };
-    outcome.Picture = Picture(
+    outcome.Image = RenderFrame(
       rays, cache,
       [height](glm::dvec3 position, glm::dvec3 normal) {
         const double square = position.x * position.x + position.y * position.y;
@@ -92,7 +92,7 @@ ScenarioResult ConcaveCorner(Variant variant)
   }
   cache->Begin(rays, 1.0, .02);
   ScenarioResult outcome{ 0.0, {} };
-  outcome.Picture = Picture(
+  outcome.Image = RenderFrame(
     rays, cache,
     [](glm::dvec3 position, glm::dvec3 normal) {
       const double a = normal.z > .5 ? -position.y : position.z;
@@ -115,7 +115,7 @@ ScenarioResult ThinWall(Variant variant)
     UseWideHarmonicMean(cache);
   }
   cache->Begin(rays, Infinity, .01);
-  return { WorstBesideWall(rays, cache), Picture(rays, cache) };
+  return { WorstBesideWall(rays, cache), RenderFrame(rays, cache) };
 }
 
 /// The inside of a closed box, where the whole hemisphere is occluded.
@@ -131,7 +131,7 @@ ScenarioResult ClosedBox(Variant variant)
   const RayScene rays(scene, 1);
   vtkNew<Cache> cache;
   cache->Begin(rays, Infinity, .01);
-  const Frame image = Picture(rays, cache);
+  const Frame image = RenderFrame(rays, cache);
   return { *std::max_element(image.Values.begin(), image.Values.end()), image };
 }
 
@@ -180,7 +180,7 @@ std::function<ScenarioResult(Variant)> QueriedTwice(QueryOrder other)
         const RecordCandidate& site = sites[query];
         values[isSecond][query] = Ask(cache, World(scene, site), site.Normal);
       }
-      image = Picture(rays, cache);
+      image = RenderFrame(rays, cache);
     }
     return ScenarioResult{ LargestDifference(values[0], values[1]), image };
   };
@@ -261,8 +261,8 @@ std::vector<Scenario> IrradianceScenarios()
       "[IC] distant records overrule a contact shadow", "", Sphere(1.0, 256) },
     { "CacheHovering", "a sphere above a floor" + closedForm, "still", Metric::Bias, .01, printed,
       "[IC] radii without bounds", "", Sphere(1.5, 256) },
-    { "CacheSmallPicture", "a sphere on a floor, in an image of 128x128 pixels" + closedForm,
-      "still", Metric::Bias, .01, printed, "", "", Sphere(1.0, 128) },
+    { "CacheSmallImage", "a sphere on a floor, in an image of 128x128 pixels" + closedForm, "still",
+      Metric::Bias, .01, printed, "", "", Sphere(1.0, 128) },
     { "CacheConcaveCorner", "a floor and a wall" + closedForm, "still", Metric::Bias, .006, printed,
       "[IC] radius 0 on concave surfaces", "", ConcaveCorner },
     { "CacheThinWall", "a dark and a bright room, separated by a sheet", "still", Metric::Leak, .05,

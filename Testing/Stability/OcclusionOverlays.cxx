@@ -39,7 +39,7 @@ ScenarioResult MeasureChange(
   OcclusionScene& scene, Variant variant, const std::vector<Vector>& positions)
 {
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   vtkNew<vtkRenderStepsPass> everything;
   vtkNew<Pass> wholeImage;
   if (variant == Variant::Ours)
@@ -55,7 +55,7 @@ ScenarioResult MeasureChange(
     scene.Renderer->SetPass(wholeImage);
   }
   scene.Window->Render();
-  const std::vector<int> occluded = scene.Picture();
+  const std::vector<int> occluded = scene.Image();
   double largest = 0.0;
   for (const Vector& position : positions)
   {
@@ -151,7 +151,7 @@ ScenarioResult TextAndScalarBar(Variant variant)
     text->SetVisibility(overlays);
     scene.Window->Render();
     Frame frame{ scene.Width, scene.Height, {} };
-    const std::vector<int> bytes = scene.Picture();
+    const std::vector<int> bytes = scene.Image();
     for (std::size_t i = 1; i < bytes.size(); i += 4)
     {
       frame.Values.push_back(bytes[i] / 255.0);

@@ -77,7 +77,7 @@ Frame OcclusionByVtk(OcclusionScene& scene, double radius)
   pass->BlurOn();
   scene.Renderer->SetPass(pass);
   scene.Window->Render();
-  const std::vector<int> bytes = scene.Picture();
+  const std::vector<int> bytes = scene.Image();
   pass->ReleaseGraphicsResources(scene.Window);
   scene.Renderer->SetPass(nullptr);
   Frame frame{ scene.Width, scene.Height, {} };

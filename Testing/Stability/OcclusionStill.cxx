@@ -148,7 +148,7 @@ ScenarioResult FilterAcrossAnEdge(Variant variant)
   const auto draw = [&] {
     scene.Window->Render();
     Frame frame{ scene.Width, scene.Height, {} };
-    const std::vector<int> bytes = scene.Picture();
+    const std::vector<int> bytes = scene.Image();
     for (std::size_t i = 1; i < bytes.size(); i += 4)
     {
       frame.Values.push_back(bytes[i] / 255.0);
@@ -407,7 +407,7 @@ std::vector<Scenario> OcclusionStillScenarios()
       Metric::Rotation, .02, frame, "", VtksOcclusion, Transformed(false) },
     { "OcclusionTwoResolutions", scene, "still", Metric::Resolution, .04, frame, "", VtksOcclusion,
       TwoResolutions },
-    { "OcclusionPictureBorder", "a view, and the same view within a larger one", "still",
+    { "OcclusionImageBorder", "a view, and the same view within a larger one", "still",
       Metric::Bias, .008, "margin around the image: none", "[TSSAO] the image edge", "",
       ImageEdge },
     { "OcclusionHalo", "a rod three radii in front of a wall", "still", Metric::HaloWidth, 1,
@@ -416,8 +416,8 @@ std::vector<Scenario> OcclusionStillScenarios()
       "margin around the viewport: none", "[TSSAO] several viewports", "", Viewports },
     { "OcclusionResize", scene, "the window is resized while the view converges", Metric::Bias,
       .014, frame, "[TSSAO] resized window", "", Resize },
-    { "OcclusionTinyPictures", "images of 1x1, 2x1, 33x7 and 7x33 pixels", "still", Metric::Bias,
-      .01, frame, "", "", TinyImages },
+    { "OcclusionTinyImages", "images of 1x1, 2x1, 33x7 and 7x33 pixels", "still", Metric::Bias, .01,
+      frame, "", "", TinyImages },
   };
 }
 

@@ -65,7 +65,7 @@ ScenarioResult Gradients(Variant variant)
   const RayScene rays(scene, 1);
   const auto cache = BuildCache(rays, variant, "TranslationGradient", 0.0, .02);
   ScenarioResult result{ 0.0, {} };
-  result.Picture = Picture(
+  result.Image = RenderFrame(
     rays, cache,
     [](glm::dvec3 position, glm::dvec3 normal) {
       return normal.z > .99999 && position.z < 1e-3
@@ -120,7 +120,7 @@ ScenarioResult UnderABoard(Variant variant)
       worst = std::max(worst, std::abs(Ask(cache, position, up) - Ask(reference, position, up)));
     }
   }
-  return { worst, Picture(rays, cache) };
+  return { worst, RenderFrame(rays, cache) };
 }
 
 ScenarioResult ThroughASheet(Variant variant)
@@ -129,7 +129,7 @@ ScenarioResult ThroughASheet(Variant variant)
   ArrangeTwoRooms(scene);
   const RayScene rays(scene, 1);
   const auto cache = BuildCache(rays, variant, "Clearance", 100.0, .01);
-  return { WorstBesideWall(rays, cache), Picture(rays, cache) };
+  return { WorstBesideWall(rays, cache), RenderFrame(rays, cache) };
 }
 
 /// Inside a closed box whose walls emit light and reflect a quarter of it, against the infinite sum
@@ -153,7 +153,7 @@ ScenarioResult Furnace(Variant variant)
   vtkNew<Cache> cache;
   cache->BeginIrradiance(light, .01);
   ScenarioResult result{ 0.0, {} };
-  result.Picture = Picture(
+  result.Image = RenderFrame(
     rays,
     [&](glm::dvec3 position, glm::dvec3 normal) {
       return cache->Irradiance(&position.x, &normal.x, .01).Value[0] / Pi;

@@ -26,7 +26,7 @@ enum class Variant
 struct ScenarioResult
 {
   double Value;
-  Frame Picture; ///< image for the document; 1 is white
+  Frame Image; ///< image for the document; 1 is white
 };
 
 struct Scenario

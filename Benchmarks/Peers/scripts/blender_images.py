@@ -64,7 +64,7 @@ def draw(scene, setting):
     settings.render.image_settings.file_format = "OPEN_EXR"
     settings.render.image_settings.color_depth = "32"
     with tempfile.TemporaryDirectory() as folder:
-        settings.render.filepath = os.path.join(folder, "picture.exr")
+        settings.render.filepath = os.path.join(folder, "image.exr")
         start = time.process_time()
         bpy.ops.render.render(write_still=True)
         seconds = time.process_time() - start

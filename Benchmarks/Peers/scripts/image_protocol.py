@@ -28,7 +28,7 @@ def run(version, draw):
     if len(sys.argv) < 4:
         print(version)
         return
-    picture, seconds, samples = draw(Scene(sys.argv[1]), sys.argv[2])
+    image, seconds, samples = draw(Scene(sys.argv[1]), sys.argv[2])
     with open(sys.argv[3], "wb") as file:
-        file.write(picture)
+        file.write(image)
     print(f"\n{seconds} {samples}")

@@ -22,7 +22,7 @@ def draw(scene, setting):
     parameters["faces"] = faces.ravel()
     parameters.update()
     mesh.add_attribute("face_color", 3, colors.ravel())
-    picture = mitsuba.load_dict({
+    image = mitsuba.load_dict({
         "type": "scene", "mesh": mesh,
         "integrator": {"type": "aov", "aovs": "face:albedo"},
         "sensor": {
@@ -33,7 +33,7 @@ def draw(scene, setting):
                      "rfilter": {"type": "box"}},
             "sampler": {"type": "independent", "sample_count": int(setting)}}})
     start = time.process_time()
-    values = numpy.array(mitsuba.render(picture))[::-1, :, -3:]
+    values = numpy.array(mitsuba.render(image))[::-1, :, -3:]
     seconds = time.process_time() - start
     return values.astype("f4").tobytes(), seconds, int(setting)
 

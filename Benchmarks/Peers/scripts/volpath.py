@@ -59,10 +59,10 @@ scene = mitsuba.load_dict({
                "interior": {"type": "homogeneous", "sigma_t": EXTINCTION,
                             "albedo": SCATTERING / EXTINCTION, "phase": {"type": "isotropic"}}}})
 start = time.process_time()
-picture = numpy.array(mitsuba.render(scene))[..., 0][::-1]
+image = numpy.array(mitsuba.render(scene))[..., 0][::-1]
 seconds = time.process_time() - start
 truth = exact()
-error = math.sqrt(((picture - truth) ** 2).sum() / (truth ** 2).sum())
-gain = (picture * truth).sum() / (truth ** 2).sum()
+error = math.sqrt(((image - truth) ** 2).sum() / (truth ** 2).sum())
+gain = (image * truth).sum() / (truth ** 2).sum()
 print(f"relative RMSE {error:.4f}, gain {gain:.4f}, {seconds:.2f} CPU seconds, "
       f"mitsuba {mitsuba.__version__}")

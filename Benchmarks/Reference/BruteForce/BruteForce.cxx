@@ -67,17 +67,17 @@ public:
       TilesY((height + TileSize - 1) / TileSize),
       Tiles(static_cast<std::size_t>(this->TilesX) * this->TilesY)
   {
-    this->Picture.Width = width;
-    this->Picture.Height = height;
-    this->Picture.Colors.resize(static_cast<std::size_t>(width) * height);
-    this->Picture.Kinds.resize(this->Picture.Colors.size(), PixelKind::Inside);
+    this->Image.Width = width;
+    this->Image.Height = height;
+    this->Image.Colors.resize(static_cast<std::size_t>(width) * height);
+    this->Image.Kinds.resize(this->Image.Colors.size(), PixelKind::Inside);
     this->Project();
     this->Bin();
   }
 
   void DrawTile(std::size_t tile, Samples& coarse, Samples& fine);
 
-  BruteForcePicture Picture;
+  BruteForceImage Image;
   std::size_t GetNumberOfTiles() const { return this->Tiles.size(); }
 
 private:
@@ -100,7 +100,7 @@ private:
 
 void Drawing::Project()
 {
-  const glm::dvec2 half(0.5 * this->Picture.Width, 0.5 * this->Picture.Height);
+  const glm::dvec2 half(0.5 * this->Image.Width, 0.5 * this->Image.Height);
   this->Clip.reserve(this->Scene.Positions.size());
   for (const glm::dvec3& position : this->Scene.Positions)
   {
@@ -171,8 +171,8 @@ void Drawing::DrawTile(std::size_t tile, Samples& coarse, Samples& fine)
   for (int k = 0; k < TileSize * TileSize; ++k)
   {
     fine.Origin = coarse.Origin + glm::ivec2(k % TileSize, k / TileSize);
-    if (fine.Origin.x < this->Picture.Width && fine.Origin.y < this->Picture.Height &&
-      this->Picture.Kinds[static_cast<std::size_t>(fine.Origin.y) * this->Picture.Width +
+    if (fine.Origin.x < this->Image.Width && fine.Origin.y < this->Image.Height &&
+      this->Image.Kinds[static_cast<std::size_t>(fine.Origin.y) * this->Image.Width +
         fine.Origin.x] == PixelKind::Silhouette)
     {
       draw(fine);
@@ -236,8 +236,8 @@ void Drawing::Resolve(const Samples& samples)
 {
   const int n = samples.PerSide;
   const bool flat = this->Scene.Normals.empty() || !this->Scene.Lighting;
-  const glm::ivec2 end = glm::min(glm::ivec2(samples.Pixels),
-    glm::ivec2(this->Picture.Width, this->Picture.Height) - samples.Origin);
+  const glm::ivec2 end = glm::min(
+    glm::ivec2(samples.Pixels), glm::ivec2(this->Image.Width, this->Image.Height) - samples.Origin);
   std::vector<std::uint32_t> ids;
   for (int j = 0; j < end.y; ++j)
   {
@@ -275,11 +275,11 @@ void Drawing::Resolve(const Samples& samples)
         }
       }
       const std::size_t pixel =
-        static_cast<std::size_t>(samples.Origin.y + j) * this->Picture.Width + samples.Origin.x + i;
-      this->Picture.Colors[pixel] = sum / (static_cast<double>(n) * n);
+        static_cast<std::size_t>(samples.Origin.y + j) * this->Image.Width + samples.Origin.x + i;
+      this->Image.Colors[pixel] = sum / (static_cast<double>(n) * n);
       std::sort(ids.begin(), ids.end());
       ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-      this->Picture.Kinds[pixel] = this->Kind(ids);
+      this->Image.Kinds[pixel] = this->Kind(ids);
     }
   }
 }
@@ -348,7 +348,7 @@ PixelKind Drawing::Kind(std::vector<std::uint32_t>& ids) const
 
 }
 
-BruteForcePicture DrawByBruteForce(const BruteForceScene& scene, int width, int height, int samples)
+BruteForceImage DrawByBruteForce(const BruteForceScene& scene, int width, int height, int samples)
 {
   Drawing drawing(scene, width, height);
   vtkSMPTools::For(
@@ -360,7 +360,7 @@ BruteForcePicture DrawByBruteForce(const BruteForceScene& scene, int width, int 
         drawing.DrawTile(static_cast<std::size_t>(tile), coarse, fine);
       }
     });
-  return std::move(drawing.Picture);
+  return std::move(drawing.Image);
 }
 
 }

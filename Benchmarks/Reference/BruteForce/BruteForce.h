@@ -41,7 +41,7 @@ enum class PixelKind : std::uint8_t
   Silhouette ///< background and surface, or surfaces that are not connected within the pixel
 };
 
-struct BruteForcePicture
+struct BruteForceImage
 {
   int Width = 0;
   int Height = 0;
@@ -51,8 +51,7 @@ struct BruteForcePicture
 
 /// Renders with `samples` x `samples` samples per pixel, and 16 times as many in pixels with
 /// silhouettes. Consecutive rows of samples are shifted.
-BruteForcePicture DrawByBruteForce(
-  const BruteForceScene& scene, int width, int height, int samples);
+BruteForceImage DrawByBruteForce(const BruteForceScene& scene, int width, int height, int samples);
 
 }
 #endif

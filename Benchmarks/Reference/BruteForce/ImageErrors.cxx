@@ -8,7 +8,7 @@
 namespace penumbra
 {
 
-Errors Compare(const std::vector<glm::dvec3>& picture, const std::vector<glm::dvec3>& truth,
+Errors Compare(const std::vector<glm::dvec3>& image, const std::vector<glm::dvec3>& truth,
   const std::vector<bool>& isEdge)
 {
   Errors errors;
@@ -16,7 +16,7 @@ Errors Compare(const std::vector<glm::dvec3>& picture, const std::vector<glm::dv
   double edge = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i)
   {
-    const glm::dvec3 difference = glm::abs(picture[i] - truth[i]);
+    const glm::dvec3 difference = glm::abs(image[i] - truth[i]);
     const double square = glm::dot(difference, difference) / 3.0;
     full += square;
     if (isEdge[i])
@@ -36,7 +36,7 @@ Errors Compare(const std::vector<glm::dvec3>& picture, const std::vector<glm::dv
   return errors;
 }
 
-std::vector<bool> SilhouettePixels(const BruteForcePicture& truth)
+std::vector<bool> SilhouettePixels(const BruteForceImage& truth)
 {
   std::vector<bool> pixels(truth.Kinds.size());
   std::transform(truth.Kinds.begin(), truth.Kinds.end(), pixels.begin(),
@@ -76,7 +76,7 @@ double ErrorCalibration::MedianRatio() const
   return sorted[sorted.size() / 2];
 }
 
-void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& picture,
+void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& image,
   const std::vector<glm::dvec3>& truth, const std::vector<double>& estimates, int width)
 {
   constexpr int size = 16;
@@ -95,7 +95,7 @@ void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& picture,
         for (int x = tileX; x < std::min(tileX + size, width); ++x, ++count)
         {
           const std::size_t i = static_cast<std::size_t>(y) * width + x;
-          const glm::dvec3 difference = picture[i] - truth[i];
+          const glm::dvec3 difference = image[i] - truth[i];
           error += glm::dot(difference, difference) / 3.0;
           estimate += estimates[i] * estimates[i];
         }

@@ -23,11 +23,11 @@ struct Errors
 };
 
 /// `isEdge`: one flag per pixel, from the reference.
-Errors Compare(const std::vector<glm::dvec3>& picture, const std::vector<glm::dvec3>& truth,
+Errors Compare(const std::vector<glm::dvec3>& image, const std::vector<glm::dvec3>& truth,
   const std::vector<bool>& isEdge);
 
 /// Pixels in which the reference contains a silhouette.
-std::vector<bool> SilhouettePixels(const BruteForcePicture& truth);
+std::vector<bool> SilhouettePixels(const BruteForceImage& truth);
 
 /// Pixels with a coverage strictly between 0 and 1.
 std::vector<bool> PartlyCoveredPixels(const std::vector<double>& shares);
@@ -46,7 +46,7 @@ struct ErrorCalibration
 };
 
 /// Adds the tiles of one image. `estimates`: one value per pixel.
-void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& picture,
+void AddTiles(ErrorCalibration& honesty, const std::vector<glm::dvec3>& image,
   const std::vector<glm::dvec3>& truth, const std::vector<double>& estimates, int width);
 
 /// Returns the cost at which a series of (error, cost) pairs attains `error`, by linear

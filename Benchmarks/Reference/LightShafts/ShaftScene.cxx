@@ -111,11 +111,11 @@ void ShaftScene::AddSolids(int count, unsigned int seed)
   }
 }
 
-vtkSmartPointer<vtkLight> ShaftScene::AddSun(const Vector& towards)
+vtkSmartPointer<vtkLight> ShaftScene::AddSun(const Vector& toward)
 {
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToSceneLight();
-  light->SetPosition(towards[0], towards[1], towards[2]);
+  light->SetPosition(toward[0], toward[1], toward[2]);
   light->SetFocalPoint(0.0, 0.0, 0.0);
   this->Renderer->AddLight(light);
   return light;

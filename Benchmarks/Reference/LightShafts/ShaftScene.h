@@ -33,7 +33,7 @@ public:
   /// seed.
   void AddSolids(int count, unsigned int seed);
 
-  vtkSmartPointer<vtkLight> AddSun(const Vector& towards);
+  vtkSmartPointer<vtkLight> AddSun(const Vector& toward);
   vtkSmartPointer<vtkLight> AddLamp(const Vector& place);
   void Look(const Vector& from, const Vector& at, double angle = 40.0);
 

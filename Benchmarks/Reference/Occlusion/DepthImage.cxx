@@ -52,13 +52,13 @@ DepthImage CaptureDepthImage(vtkRenderWindow* window)
   window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
   vtkNew<vtkFloatArray> depths;
   window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths);
-  DepthImage picture;
+  DepthImage image;
   for (vtkIdType i = 0; i < bytes->GetNumberOfValues(); ++i)
   {
-    picture.Colors.push_back(static_cast<float>(bytes->GetValue(i)) / 255.f);
+    image.Colors.push_back(static_cast<float>(bytes->GetValue(i)) / 255.f);
   }
-  picture.Depths.assign(depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues());
-  return picture;
+  image.Depths.assign(depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues());
+  return image;
 }
 
 void DepthComposite(DepthImage& whole, const DepthImage& part)

@@ -25,12 +25,12 @@ glm::vec3 NormalTowardsEye(const Scene& scene, const Hit& hit, glm::vec3 directi
 }
 
 /// The surfaces of a renderer, for tracing rays from their points.
-struct PictureTracer
+struct ImageTracer
 {
-  PictureTracer(vtkRenderer* renderer, const int size[2], double radius)
+  ImageTracer(vtkRenderer* renderer, const int size[2], double radius)
     : Drawn(Extract(renderer, size)),
       Rays(this->Drawn, 1),
-      Reach(static_cast<float>(radius * this->Drawn.Scale))
+      Radius(static_cast<float>(radius * this->Drawn.Scale))
   {
   }
 
@@ -60,7 +60,7 @@ struct PictureTracer
         (static_cast<float>(ray % rays) + NextFloat(state)) / static_cast<float>(rays);
       const float v =
         (static_cast<float>(ray / rays) + NextFloat(state)) / static_cast<float>(rays);
-      probe.Far = this->Reach;
+      probe.Far = this->Radius;
       probe.Direction = frame * DiskToHemisphere(SampleUniformDiskConcentric(u, v));
       visit(probe, state);
     }
@@ -68,12 +68,12 @@ struct PictureTracer
 
   const Scene Drawn;
   const RayScene Rays;
-  const float Reach;
+  const float Radius;
 };
 
 }
 
-std::vector<SeenPoint> PointsInPicture(const RayScene& rays, int stride)
+std::vector<SeenPoint> PointsInImage(const RayScene& rays, int stride)
 {
   const Scene& scene = rays.GetScene();
   std::vector<SeenPoint> points;
@@ -101,17 +101,17 @@ std::vector<SeenPoint> PointsInPicture(const RayScene& rays, int stride)
 OcclusionTruth TraceOcclusion(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays)
 {
-  const PictureTracer tracer(renderer, size, radius);
+  const ImageTracer tracer(renderer, size, radius);
   OcclusionTruth truth;
   truth.Width = size[0];
-  for (const SeenPoint& seen : PointsInPicture(tracer.Rays, stride))
+  for (const SeenPoint& seen : PointsInImage(tracer.Rays, stride))
   {
     double constant = 0.0;
     double linear = 0.0;
     tracer.ForRaysFrom(seen, rays, [&](Ray& probe, std::uint32_t&) {
       const Hit met = tracer.Rays.Intersect(probe);
       constant += met.IsHit();
-      linear += met.IsHit() ? 1.0 - met.Distance / tracer.Reach : 0.0;
+      linear += met.IsHit() ? 1.0 - met.Distance / tracer.Radius : 0.0;
     });
     truth.Pixels.push_back(seen.Pixel);
     truth.Constant.push_back(static_cast<float>(constant / (rays * rays)));
@@ -123,15 +123,15 @@ OcclusionTruth TraceOcclusion(
 std::vector<float> TraceMisjudged(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays)
 {
-  const PictureTracer tracer(renderer, size, radius);
+  const ImageTracer tracer(renderer, size, radius);
   const Camera& eye = tracer.Drawn.ViewCamera;
   std::vector<float> shares;
-  for (const SeenPoint& seen : PointsInPicture(tracer.Rays, stride))
+  for (const SeenPoint& seen : PointsInImage(tracer.Rays, stride))
   {
     const glm::dvec2 pixel(seen.Pixel % size[0] + .5, seen.Pixel / size[0] + .5);
     int misjudged = 0;
     tracer.ForRaysFrom(seen, rays, [&](Ray& probe, std::uint32_t& state) {
-      probe.Far = NextFloat(state) * tracer.Reach;
+      probe.Far = NextFloat(state) * tracer.Radius;
       const bool blocked = tracer.Rays.Intersect(probe).IsHit();
       Ray back;
       back.Origin = probe.Origin + probe.Far * probe.Direction;
@@ -145,26 +145,26 @@ std::vector<float> TraceMisjudged(
   return shares;
 }
 
-double Rmse(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& picture)
+double Rmse(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& image)
 {
   const std::vector<float>& values = falloff == Falloff::Constant ? truth.Constant : truth.Linear;
   double sum = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    const double difference = static_cast<double>(picture[truth.Pixels[i]]) - values[i];
+    const double difference = static_cast<double>(image[truth.Pixels[i]]) - values[i];
     sum += difference * difference;
   }
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-double Gain(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& picture)
+double Gain(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& image)
 {
   const std::vector<float>& values = falloff == Falloff::Constant ? truth.Constant : truth.Linear;
   double product = 0.0;
   double square = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    const double value = picture[truth.Pixels[i]];
+    const double value = image[truth.Pixels[i]];
     product += value * values[i];
     square += value * value;
   }

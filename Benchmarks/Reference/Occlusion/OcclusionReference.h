@@ -24,7 +24,7 @@ struct SeenPoint
 };
 
 /// Every `stride`-th pixel in both directions that shows a surface.
-std::vector<SeenPoint> PointsInPicture(const RayScene& rays, int stride);
+std::vector<SeenPoint> PointsInImage(const RayScene& rays, int stride);
 
 /// Function D of [TSSAO eq. 1] within the radius.
 enum class Falloff
@@ -53,10 +53,10 @@ std::vector<float> TraceMisjudged(
   vtkRenderer* renderer, const int size[2], double radius, int stride, int rays);
 
 /// RMS difference between the array of an image and the reference.
-double Rmse(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& picture);
+double Rmse(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& image);
 
 /// Factor on the image that minimizes its difference from the reference.
-double Gain(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& picture);
+double Gain(const OcclusionTruth& truth, Falloff falloff, const std::vector<float>& image);
 
 }
 #endif

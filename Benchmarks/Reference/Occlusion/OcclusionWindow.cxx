@@ -107,7 +107,7 @@ std::vector<float> OcclusionWindow::OcclusionFromBrightness()
   return values;
 }
 
-void WritePicture(const std::string& path, const std::vector<float>& values, double black)
+void WriteImage(const std::string& path, const std::vector<float>& values, double black)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(OcclusionWindow::Size[0], OcclusionWindow::Size[1], 1);

@@ -52,7 +52,7 @@ private:
 };
 
 /// Writes an array of the benchmark's size as a grayscale image: 0 is white, `black` is black.
-void WritePicture(const std::string& path, const std::vector<float>& values, double black = 1.0);
+void WriteImage(const std::string& path, const std::vector<float>& values, double black = 1.0);
 
 }
 #endif

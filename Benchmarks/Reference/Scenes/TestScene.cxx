@@ -113,7 +113,7 @@ vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh, bool lighting)
   return actor;
 }
 
-void LookAtPicture(vtkRenderer* renderer, int width, int height)
+void LookAtImage(vtkRenderer* renderer, int width, int height)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
@@ -139,11 +139,11 @@ void LookAlong(vtkRenderer* renderer, glm::dvec3 direction, glm::dvec3 up, int w
   renderer->ResetCameraClippingRange();
 }
 
-vtkSmartPointer<vtkRenderer> PictureOf(const std::vector<Shape>& shapes, int width, int height)
+vtkSmartPointer<vtkRenderer> RendererOf(const std::vector<Shape>& shapes, int width, int height)
 {
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   AddMesh(renderer, MeshOf(shapes), false);
-  LookAtPicture(renderer, width, height);
+  LookAtImage(renderer, width, height);
   return renderer;
 }
 

@@ -36,13 +36,13 @@ vtkSmartPointer<vtkRenderer> NewRenderer();
 vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh, bool lighting);
 
 /// Sets a parallel camera for which world x and y are pixel coordinates.
-void LookAtPicture(vtkRenderer* renderer, int width, int height);
+void LookAtImage(vtkRenderer* renderer, int width, int height);
 
 /// Resets the camera to the bounds, looking along `direction`.
 void LookAlong(vtkRenderer* renderer, glm::dvec3 direction, glm::dvec3 up, int width, int height);
 
-/// Builds a scene of unlit white shapes on black with LookAtPicture().
-vtkSmartPointer<vtkRenderer> PictureOf(const std::vector<Shape>& shapes, int width, int height);
+/// Builds a scene of unlit white shapes on black with LookAtImage().
+vtkSmartPointer<vtkRenderer> RendererOf(const std::vector<Shape>& shapes, int width, int height);
 
 /// Exact coverage of every pixel by the shapes.
 std::vector<double> SharesOf(const std::vector<Shape>& shapes, int width, int height);

@@ -81,7 +81,7 @@ public:
   /// Returns the maximum distance in scene units, which may be infinite, and the distance falloff,
   /// which the radiance of the samples already includes.
   virtual DistanceFalloff GetFalloff() const = 0;
-  float GetReach() const { return this->GetFalloff().Radius; }
+  float GetRadius() const { return this->GetFalloff().Radius; }
 };
 
 }

@@ -39,7 +39,7 @@ long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
   std::vector<Hit> hits(paddedCount);
   for (std::size_t i = 0; i < count; ++i)
   {
-    rays[i] = Ray{ origin, directions[i], 0.f, this->GetReach() };
+    rays[i] = Ray{ origin, directions[i], 0.f, this->GetRadius() };
   }
   for (std::size_t first = 0; first < count; first += PacketSize)
   {

@@ -348,7 +348,7 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   }
   const double minimum = this->Settings.MinimumRadiusPixels * site.Pixel;
   const double radius = std::min({ this->ComputeRadius(record.Gathered),
-    double(OcclusionRadiusFraction) * this->Source.GetReach(),
+    double(OcclusionRadiusFraction) * this->Source.GetRadius(),
     (record.Gathered.Error == 0.f ? UniformRadiusFraction : 1.0) * site.MaximumRadius });
   record.IsValid = this->Settings.KeepAllValid || radius >= MinimumRadiusFraction * minimum;
   const double shadow = ShadowRadiusFraction *

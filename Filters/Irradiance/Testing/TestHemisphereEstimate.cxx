@@ -36,7 +36,7 @@ public:
     for (const glm::vec3& direction : directions)
     {
       HemisphereSample sample = this->Intersect(point, direction);
-      if (!(sample.Distance < this->GetReach()))
+      if (!(sample.Distance < this->GetRadius()))
       {
         sample = HemisphereSample();
       }

@@ -41,12 +41,12 @@ std::vector<RecordCandidate> FindVisiblePoints(const RayScene& rays, int levels)
   return all;
 }
 
-glm::dvec3 QueryIrradiance(const vtkPenumbraIrradianceProvider* source, const Scene& scene,
+glm::dvec3 QueryIrradiance(const vtkPenumbraIrradianceProvider* provider, const Scene& scene,
   const RecordCandidate& site, double tolerance = .01)
 {
   const glm::dvec3 world = glm::dvec3(site.Position) / scene.Scale + scene.Origin;
   const glm::dvec3 normal(site.Normal);
-  const auto light = source->Irradiance(&world.x, &normal.x, tolerance);
+  const auto light = provider->Irradiance(&world.x, &normal.x, tolerance);
   return { light.Value[0], light.Value[1], light.Value[2] };
 }
 
@@ -76,7 +76,7 @@ struct Room
   }
 
   /// Returns the RMSE over the root mean square of the reference.
-  double RelativeError(const vtkPenumbraIrradianceProvider* source,
+  double RelativeError(const vtkPenumbraIrradianceProvider* provider,
     const std::vector<RecordCandidate>& sites, int paths) const
   {
     double square = 0.0;
@@ -86,7 +86,8 @@ struct Room
       const glm::dvec3 world = glm::dvec3(sites[i].Position) + this->SceneData.Origin;
       const glm::dvec3 reference =
         this->Reference.Irradiance(world, glm::dvec3(sites[i].Normal), paths, i);
-      const glm::dvec3 error = QueryIrradiance(source, this->SceneData, sites[i], .02) - reference;
+      const glm::dvec3 error =
+        QueryIrradiance(provider, this->SceneData, sites[i], .02) - reference;
       square += glm::dot(error, error);
       size += glm::dot(reference, reference);
     }
@@ -119,16 +120,16 @@ TEST(Irradiance, IsExactInFurnace)
     const Illumination light(rays, settings);
     vtkNew<vtkPenumbraIrradianceCache> cache;
     vtkNew<vtkPenumbraBruteForceIrradiance> brute;
-    for (vtkPenumbraIrradianceProvider* source :
+    for (vtkPenumbraIrradianceProvider* provider :
       { static_cast<vtkPenumbraIrradianceProvider*>(cache.Get()),
         static_cast<vtkPenumbraIrradianceProvider*>(brute.Get()) })
     {
-      ASSERT_TRUE(source->BeginIrradiance(light, .1));
+      ASSERT_TRUE(provider->BeginIrradiance(light, .1));
       // Incident light after 0 to 5 reflections.
       const double reference = Pi * (1.0 - std::pow(albedo, 6)) / (1.0 - albedo);
       for (const RecordCandidate& site : FindVisiblePoints(rays, 3))
       {
-        const glm::dvec3 found = QueryIrradiance(source, scene, site);
+        const glm::dvec3 found = QueryIrradiance(provider, scene, site);
         EXPECT_NEAR(found.x / reference, 1.0, 5e-4);
         EXPECT_NEAR(found.y / reference, 2.0, 1e-3);
         EXPECT_NEAR(found.z / reference, .5, 2.5e-4);
@@ -187,9 +188,9 @@ TEST(Irradiance, FromBruteForceMatchesPathTracing)
   const Room room(Size);
   const RayScene rays(room.SceneData, 0);
   const Illumination light(rays, room.Light());
-  vtkNew<vtkPenumbraBruteForceIrradiance> source;
-  ASSERT_TRUE(source->BeginIrradiance(light, .02));
-  EXPECT_LE(room.RelativeError(source, FindVisiblePoints(rays, 7), 1500), .05);
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  ASSERT_TRUE(provider->BeginIrradiance(light, .02));
+  EXPECT_LE(room.RelativeError(provider, FindVisiblePoints(rays, 7), 1500), .05);
 }
 
 TEST(Irradiance, IsIndependentOfThreadCount)
@@ -272,7 +273,7 @@ TEST(Irradiance, FromCacheHasSharpShadowsOfEnvironmentSun)
   std::vector<glm::vec3> sky(2 * static_cast<std::size_t>(Rows), glm::vec3(.3f));
   sky[2 * Rows - 2] = sky[2 * Rows - 1] = glm::vec3(3e4f);
   IlluminationSettings settings;
-  settings.Picture = std::make_shared<EnvironmentMap>(
+  settings.Map = std::make_shared<EnvironmentMap>(
     2, Rows, std::move(sky), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0));
   settings.Bounces = 1;
   const double sun = 3e4 * Pi * std::pow(std::sin(Pi / Rows), 2.0); // radiance times cosines

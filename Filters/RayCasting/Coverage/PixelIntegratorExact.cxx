@@ -276,7 +276,7 @@ bool PixelIntegrator::IsConstant(const Sample& sample) const
 bool PixelIntegrator::IsConstantBehindMedium(const Sample& sample) const
 {
   return !sample.FirstHit.IsHit() ||
-    (!this->Tracer.HasTranslucentSurfaces() && !this->Tracer.UsesIrradianceSource() &&
+    (!this->Tracer.HasTranslucentSurfaces() && !this->Tracer.UsesIrradianceProvider() &&
       this->Tracer.GetShading().IsConstantPerTriangle(sample.FirstHit.Surface));
 }
 
@@ -341,7 +341,7 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
   // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not
   // split because of an assumed variation.
-  const bool isExpensive = this->Tracer.UsesIrradianceSource() || this->Tracer.HasShafts();
+  const bool isExpensive = this->Tracer.UsesIrradianceProvider() || this->Tracer.HasShafts();
   const bool skipSplit = unknown && isExpensive && variation <= UnknownVariation;
   if (variation * area > limit && !skipSplit)
   {

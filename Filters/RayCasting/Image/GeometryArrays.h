@@ -14,7 +14,7 @@ namespace penumbra
 {
 
 /// Adds `Depth`, `Normal`, `ObjectId`, `CellId` and `AmbientOcclusion` for the extent of `image`.
-/// `tracer` must have an occlusion source. Adds the number of rays to `counts`. Returns false if
+/// `tracer` must have an occlusion provider. Adds the number of rays to `counts`. Returns false if
 /// `progress` requested a stop.
 bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& progress,
   vtkImageData* image, RayCounts& counts);

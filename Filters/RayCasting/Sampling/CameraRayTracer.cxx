@@ -71,17 +71,17 @@ glm::vec4 CameraRayTracer::GetBackground(glm::dvec2 p) const
 }
 
 void CameraRayTracer::SetOcclusion(
-  const vtkPenumbraIrradianceProvider* source, double strength, double tolerance)
+  const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance)
 {
   this->OcclusionTolerance = tolerance;
-  this->OcclusionSource = source;
+  this->OcclusionProvider = provider;
   this->OcclusionStrength = static_cast<float>(strength);
 }
 
 void CameraRayTracer::SetIndirectLight(
-  const vtkPenumbraIrradianceProvider* source, float albedo, double tolerance)
+  const vtkPenumbraIrradianceProvider* provider, float albedo, double tolerance)
 {
-  this->IrradianceSource = source;
+  this->IrradianceProvider = provider;
   this->Albedo = albedo;
   this->IrradianceTolerance = tolerance;
 }
@@ -91,7 +91,7 @@ float CameraRayTracer::ComputeOcclusion(const Ray& ray, const Hit& hit, const Sh
 {
   const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(shaded.GeometricNormal));
-  const vtkPenumbraIrradianceProvider::Estimate estimate = this->OcclusionSource->OcclusionWithin(
+  const vtkPenumbraIrradianceProvider::Estimate estimate = this->OcclusionProvider->OcclusionWithin(
     &point.x, &normal.x, toleranceScale * this->OcclusionTolerance);
   counts.Occlusion += estimate.Rays;
   return static_cast<float>(estimate.Value);
@@ -107,7 +107,7 @@ glm::vec3 CameraRayTracer::ComputeIndirectLight(const Ray& ray, const Hit& hit,
   }
   const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(shaded.GeometricNormal));
-  const vtkPenumbraIrradianceProvider::Light light = this->IrradianceSource->Irradiance(
+  const vtkPenumbraIrradianceProvider::Light light = this->IrradianceProvider->Irradiance(
     &point.x, &normal.x, toleranceScale * this->IrradianceTolerance);
   counts.Indirect += light.Rays;
   return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / glm::pi<float>();
@@ -140,7 +140,7 @@ void CameraRayTracer::CompositeLayers(
     const ShadedHit shaded = this->SurfaceShading.Shade(ray, hit, counts.Shadow);
     glm::vec4 c = shaded.Color;
     const Surface& surface = this->GetScene().Surfaces[hit.Surface];
-    if (this->OcclusionSource && !surface.IsLineOrPoint)
+    if (this->OcclusionProvider && !surface.IsLineOrPoint)
     {
       const float strength = this->OcclusionStrength >= 0.f ? this->OcclusionStrength
         : surface.ScalarColoring                            ? StrengthOnScalars
@@ -149,7 +149,7 @@ void CameraRayTracer::CompositeLayers(
         1.f - strength * this->ComputeOcclusion(ray, hit, shaded, counts, toleranceScale);
       c = glm::vec4(unoccluded * glm::vec3(c), c.a);
     }
-    if (this->IrradianceSource && !surface.IsLineOrPoint)
+    if (this->IrradianceProvider && !surface.IsLineOrPoint)
     {
       c += glm::vec4(this->ComputeIndirectLight(ray, hit, shaded, counts, toleranceScale), 0.f);
     }

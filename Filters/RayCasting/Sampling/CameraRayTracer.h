@@ -23,8 +23,8 @@ struct RayCounts
   long long Auxiliary = 0;  ///< through pixel centers, for the geometry arrays
   long long Shadow = 0;
   long long Shaft = 0;     ///< shadow rays from points in the medium
-  long long Occlusion = 0; ///< traced by the irradiance source for ambient occlusion
-  long long Indirect = 0;  ///< traced by the irradiance source for irradiance
+  long long Occlusion = 0; ///< traced by the irradiance provider for ambient occlusion
+  long long Indirect = 0;  ///< traced by the irradiance provider for irradiance
 
   long long GetImageRays() const { return this->Primary + this->Refinement; }
   RayCounts& operator+=(const RayCounts& other);
@@ -60,26 +60,30 @@ public:
   /// Returns the first hit without shading it.
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
-  /// Multiplies colors by 1 - `strength` * occlusion. `source` computes the occlusion and has been
+  /// Multiplies colors by 1 - `strength` * occlusion. `provider` computes the occlusion and has been
   /// prepared by Begin() with the same `tolerance`. A negative strength selects 1, or less on
   /// surfaces colored by scalars. Null: no occlusion.
-  void SetOcclusion(const vtkPenumbraIrradianceProvider* source, double strength, double tolerance);
+  void SetOcclusion(
+    const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance);
 
-  /// Adds reflected irradiance. `source` computes the irradiance and has been prepared by
+  /// Adds reflected irradiance. `provider` computes the irradiance and has been prepared by
   /// BeginIrradiance() with the same `tolerance`. Surfaces reflect `albedo` times their color.
   /// Null: no indirect light.
   void SetIndirectLight(
-    const vtkPenumbraIrradianceProvider* source, float albedo, double tolerance);
+    const vtkPenumbraIrradianceProvider* provider, float albedo, double tolerance);
 
-  /// Returns true if every sample queries an irradiance source, which makes samples expensive.
-  bool UsesIrradianceSource() const { return this->OcclusionSource || this->IrradianceSource; }
+  /// Returns true if every sample queries an irradiance provider, which makes samples expensive.
+  bool UsesIrradianceProvider() const
+  {
+    return this->OcclusionProvider || this->IrradianceProvider;
+  }
 
   /// Sets the light shafts of a participating medium; `shafts` must outlive this object. Null: no
   /// medium.
   void SetShafts(const LightShafts* shafts) { this->Shafts = shafts; }
   bool HasShafts() const { return this->Shafts != nullptr; }
 
-  /// Returns the ambient occlusion at a hit, in [0, 1]. SetOcclusion() must have set a source.
+  /// Returns the ambient occlusion at a hit, in [0, 1]. SetOcclusion() must have set a provider.
   float ComputeOcclusion(const Ray& ray, const Hit& hit, const ShadedHit& shaded, RayCounts& counts,
     double toleranceScale = 1.0) const;
 
@@ -103,10 +107,10 @@ private:
   const Shading& SurfaceShading;
   const Camera& ViewCamera;
   bool Translucent = false; ///< at least one surface is translucent
-  const vtkPenumbraIrradianceProvider* OcclusionSource = nullptr;
+  const vtkPenumbraIrradianceProvider* OcclusionProvider = nullptr;
   float OcclusionStrength = 1.f;
   double OcclusionTolerance = 0.0;
-  const vtkPenumbraIrradianceProvider* IrradianceSource = nullptr;
+  const vtkPenumbraIrradianceProvider* IrradianceProvider = nullptr;
   float Albedo = 0.f;
   double IrradianceTolerance = 0.0;
   const LightShafts* Shafts = nullptr;

@@ -213,11 +213,11 @@ TEST_F(RayCaster, UpdatesTheCachedSceneBetweenExtents)
 }
 
 /// Brute force that records the ids of its scenes.
-class RecordingSource : public vtkPenumbraBruteForceIrradiance
+class RecordingProvider : public vtkPenumbraBruteForceIrradiance
 {
 public:
-  static RecordingSource* New();
-  vtkTypeMacro(RecordingSource, vtkPenumbraBruteForceIrradiance);
+  static RecordingProvider* New();
+  vtkTypeMacro(RecordingProvider, vtkPenumbraBruteForceIrradiance);
 
   bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress) override
@@ -228,19 +228,19 @@ public:
 
   std::set<std::uint64_t> Scenes;
 };
-vtkStandardNewMacro(RecordingSource);
+vtkStandardNewMacro(RecordingProvider);
 
 TEST_F(RayCaster, BuildsTheSceneOnceForAllExtents)
 {
-  vtkNew<RecordingSource> source;
+  vtkNew<RecordingProvider> provider;
   this->Caster->AmbientOcclusionOn();
-  this->Caster->SetIrradianceSource(source);
+  this->Caster->SetIrradianceProvider(provider);
   for (const int low : { 10, 20, 30 })
   {
     int extent[6] = { 20, 29, low, low + 9, 0, 0 };
     this->Caster->UpdateExtent(extent);
   }
-  EXPECT_EQ(source->Scenes.size(), 1U);
+  EXPECT_EQ(provider->Scenes.size(), 1U);
 }
 
 TEST_F(RayCaster, RejectsInvalidSettings)
@@ -256,12 +256,12 @@ TEST_F(RayCaster, RejectsInvalidSettings)
   vtkObject::GlobalWarningDisplayOn();
 }
 
-/// A source that throws exceptions.
-class FailingSource : public vtkPenumbraBruteForceIrradiance
+/// A provider that throws exceptions.
+class FailingProvider : public vtkPenumbraBruteForceIrradiance
 {
 public:
-  static FailingSource* New();
-  vtkTypeMacro(FailingSource, vtkPenumbraBruteForceIrradiance);
+  static FailingProvider* New();
+  vtkTypeMacro(FailingProvider, vtkPenumbraBruteForceIrradiance);
 
   Estimate Occlusion(const double[3], const double[3]) const override
   {
@@ -273,11 +273,11 @@ public:
     throw std::runtime_error("test failure");
   }
 };
-vtkStandardNewMacro(FailingSource);
+vtkStandardNewMacro(FailingProvider);
 
 TEST_F(RayCaster, ReportsExceptionsOfAnyThread)
 {
-  vtkNew<FailingSource> source;
+  vtkNew<FailingProvider> provider;
   vtkNew<vtkCallbackCommand> observer;
   std::string message;
   observer->SetClientData(&message);
@@ -286,7 +286,7 @@ TEST_F(RayCaster, ReportsExceptionsOfAnyThread)
   });
   this->Caster->AddObserver(vtkCommand::ErrorEvent, observer);
   this->Caster->AmbientOcclusionOn();
-  this->Caster->SetIrradianceSource(source);
+  this->Caster->SetIrradianceProvider(provider);
   for (const int threads : { 1, 4 })
   {
     message.clear();
@@ -295,8 +295,8 @@ TEST_F(RayCaster, ReportsExceptionsOfAnyThread)
     EXPECT_NE(message.find("test failure"), std::string::npos) << message;
     EXPECT_EQ(this->Caster->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
   }
-  this->Caster->SetIrradianceSource(nullptr);
-  EXPECT_TRUE(vtkPenumbraBruteForceIrradiance::SafeDownCast(this->Caster->GetIrradianceSource()));
+  this->Caster->SetIrradianceProvider(nullptr);
+  EXPECT_TRUE(vtkPenumbraBruteForceIrradiance::SafeDownCast(this->Caster->GetIrradianceProvider()));
 }
 
 TEST_F(RayCaster, StopsOnAbort)

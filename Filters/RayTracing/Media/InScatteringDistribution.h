@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Distribution along a ray of the light that a medium scatters from one unshadowed light towards
+// Distribution along a ray of the light that a medium scatters from one unshadowed light toward
 // the camera: the cumulative distribution of [Shafts eq. 1] and its inverse. For directional lights
 // it is a closed form, for other lights a table with exponential segments.
 #ifndef penumbra_InScatteringDistribution_h

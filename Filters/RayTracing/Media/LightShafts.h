@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light that a medium scatters towards the camera, with shadows: single scattering [Shafts eq. 1
+// Light that a medium scatters toward the camera, with shadows: single scattering [Shafts eq. 1
 // and 2] with traced shadow rays. Steps along the ray are not equidistant: each step scatters the
 // same amount of light. Shadow boundaries between two steps are found by bisection, and the light
 // between boundaries is integrated in closed form.

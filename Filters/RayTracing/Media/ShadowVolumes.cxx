@@ -72,7 +72,7 @@ std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene)
 
 ShadowVolumes::ShadowVolumes(const std::vector<AxisAlignedBox>& boxes, const Light& light)
 {
-  // The light in homogeneous coordinates: a position, or the direction towards the light.
+  // The light in homogeneous coordinates: a position, or the direction toward the light.
   const glm::dvec4 source = light.Kind == Light::Kinds::Directional
     ? glm::dvec4(-glm::dvec3(light.Direction), 0.0)
     : glm::dvec4(glm::dvec3(light.Position), 1.0);

@@ -81,7 +81,7 @@ glm::vec3 Illumination::IncidentRadiance(
   {
     if (!hit.IsHit())
     {
-      const EnvironmentMap* map = this->Settings.Picture.get();
+      const EnvironmentMap* map = this->Settings.Map.get();
       return sum +
         transmittance * (map ? map->ClampedRadiance(ray.Direction) : this->Settings.Environment);
     }
@@ -114,7 +114,7 @@ glm::vec3 Illumination::IncidentRadiance(
 glm::vec3 Illumination::SunContribution(
   glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const
 {
-  const EnvironmentMap::Sun sun = this->Settings.Picture->SampleSun(sample);
+  const EnvironmentMap::Sun sun = this->Settings.Map->SampleSun(sample);
   const float cosine = glm::dot(normal, sun.Direction);
   return cosine > 0.f
     ? this->SurfaceShading.TraceTransmittance(SpawnRay(point, normal, sun.Direction), rays) *

@@ -20,15 +20,15 @@ namespace penumbra
 
 struct IlluminationSettings
 {
-  glm::vec3 Environment{ 0.f };                  ///< radiance of rays that hit nothing
-  std::shared_ptr<const EnvironmentMap> Picture; ///< replaces Environment if not null
+  glm::vec3 Environment{ 0.f };              ///< radiance of rays that hit nothing
+  std::shared_ptr<const EnvironmentMap> Map; ///< replaces Environment if not null
   float Albedo = .5f;   ///< fraction of light that a white surface reflects, in [0, 1]
-  int Bounces = 1;      ///< reflections of a path, including the one towards the camera
+  int Bounces = 1;      ///< reflections of a path, including the one toward the camera
   bool Shadows = false; ///< if on, lights cast shadows
 
   bool operator==(const IlluminationSettings& other) const
   {
-    return this->Environment == other.Environment && this->Picture == other.Picture &&
+    return this->Environment == other.Environment && this->Map == other.Map &&
       this->Albedo == other.Albedo && this->Bounces == other.Bounces &&
       this->Shadows == other.Shadows;
   }
@@ -87,7 +87,7 @@ public:
   const IlluminationSettings& GetSettings() const { return this->Settings; }
 
 private:
-  bool HasSuns() const { return this->Settings.Picture && this->Settings.Picture->HasSuns(); }
+  bool HasSuns() const { return this->Settings.Map && this->Settings.Map->HasSuns(); }
   glm::vec3 SunContribution(
     glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const;
 

@@ -269,7 +269,7 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
   const Scene& scene = this->Rays.GetScene();
   const double advance = scene.ViewCamera.Advance - scene.ViewCamera.DepthOfRayOrigins();
   const glm::vec3 camera(scene.ViewCamera.Position - advance * scene.ViewCamera.Forward);
-  const glm::vec3 towardsCamera = glm::normalize(camera - point);
+  const glm::vec3 towardCamera = glm::normalize(camera - point);
   glm::vec3 diffuse(0.f);
   glm::vec3 specular(0.f);
   for (const Light& light : scene.Lights)
@@ -303,7 +303,7 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
     diffuse += strength * -glm::dot(shaded.Normal, direction) * light.DiffuseColor;
     if (phong.Specular != glm::vec3(0.f))
     {
-      const float cosine = glm::dot(glm::reflect(direction, shaded.Normal), towardsCamera);
+      const float cosine = glm::dot(glm::reflect(direction, shaded.Normal), towardCamera);
       specular +=
         strength * std::pow(std::max(1e-5f, cosine), phong.SpecularPower) * light.SpecularColor;
     }

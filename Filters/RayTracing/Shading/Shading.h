@@ -26,7 +26,7 @@ struct ShadedHit
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Shading
 {
 public:
-  /// `shadows`: if on, shadow rays are traced towards the lights with CastsShadow. `scene` must
+  /// `shadows`: if on, shadow rays are traced toward the lights with CastsShadow. `scene` must
   /// outlive this object.
   Shading(const RayScene& scene, bool shadows);
 

@@ -144,12 +144,12 @@ TEST(LightShafts, MatchesEquationOneWithoutShadows)
     medium.Asymmetry = 0.4;
     Scene scene;
     scene.Lights = { DirectionalLight({ 1.f, -2.f, 0.5f }) };
-    const glm::dvec3 towards = -glm::dvec3(scene.Lights[0].Direction);
+    const glm::dvec3 toward = -glm::dvec3(scene.Lights[0].Direction);
     ShaftQuery query(std::move(scene), medium, 1.0 / 256.0, 0);
     for (const double s : { 0.01, 1.0, 30.0, Infinity })
     {
       const glm::dvec3 v = glm::normalize(glm::dvec3(0.3, 0.4, -0.8));
-      const double phaseValue = medium.PhaseFunction(glm::dot(v, towards));
+      const double phaseValue = medium.PhaseFunction(glm::dot(v, toward));
       const double exact = 0.2 * phaseValue * (1.0 - std::exp(-0.7 * s)) / 0.7;
       const LightShafts::InScattering result = query.Along({ 0.1, 0.2, 0.3 }, v, s);
       EXPECT_NEAR(result.Light.g, exact, 1e-6 * exact);
@@ -208,7 +208,7 @@ TEST(LightShafts, AttenuatesLightInsideBoundedMedium)
   medium.High = { 2.0, 1.0, 3.0 };
   Scene scene;
   scene.Lights = { DirectionalLight({ -1.f, -0.7f, -1.3f }) };
-  const glm::dvec3 towards = -glm::dvec3(scene.Lights[0].Direction);
+  const glm::dvec3 toward = -glm::dvec3(scene.Lights[0].Direction);
   ShaftQuery query(std::move(scene), medium, 1.0 / 256.0, 0);
   const glm::dvec3 camera(-4.0, -1.0, -2.0);
   const glm::dvec3 v = glm::normalize(glm::dvec3(1.0, 0.3, 0.55));
@@ -218,7 +218,7 @@ TEST(LightShafts, AttenuatesLightInsideBoundedMedium)
   const auto density = [&](double t) {
     const glm::dvec3 p = camera + t * v;
     const double exit =
-      std::min({ (2.0 - p.x) / towards.x, (1.0 - p.y) / towards.y, (3.0 - p.z) / towards.z });
+      std::min({ (2.0 - p.x) / toward.x, (1.0 - p.y) / toward.y, (3.0 - p.z) / toward.z });
     return std::exp(-0.6 * (t - near + exit));
   };
   const double exact = 0.5 / (4.0 * Pi) * Integral(density, near, far, 100000);

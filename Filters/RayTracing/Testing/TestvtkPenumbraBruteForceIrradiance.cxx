@@ -28,10 +28,10 @@ vtkPenumbraIrradianceProvider::Estimate ComputeOcclusion(const Scene& scene, glm
   glm::dvec3 normal = { 0.0, 0.0, 1.0 })
 {
   const RayScene rays(scene, 1);
-  vtkNew<vtkPenumbraBruteForceIrradiance> source;
-  source->SetMaximumRays(1 << 20);
-  source->Begin(rays, occluders, tolerance);
-  return source->Occlusion(&point.x, &normal.x);
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  provider->SetMaximumRays(1 << 20);
+  provider->Begin(rays, occluders, tolerance);
+  return provider->Occlusion(&point.x, &normal.x);
 }
 
 }
@@ -108,7 +108,7 @@ protected:
     AddFloor(this->TracedScene, 10.f);
     AddSphere(this->TracedScene, { 0.0, 0.0, Height }, 1.0);
     this->Rays = std::make_unique<RayScene>(this->TracedScene, 1);
-    this->Source->SetMaximumRays(1 << 20);
+    this->Provider->SetMaximumRays(1 << 20);
   }
 
   /// Calls use(estimate, reference) for `count` points. If `coarse` > 0, the points are estimated
@@ -116,14 +116,14 @@ protected:
   template <typename Use>
   void EstimateAround(int count, double tolerance, double coarse, const Use& use)
   {
-    this->Source->Begin(*this->Rays, Infinity, tolerance);
+    this->Provider->Begin(*this->Rays, Infinity, tolerance);
     for (int i = 0; i < count; ++i)
     {
       const double rho = .3 + 2.0 * i / count;
       const double point[3] = { rho * std::cos(7.0 * i), rho * std::sin(7.0 * i), 0.0 };
       const double up[3] = { 0.0, 0.0, 1.0 };
-      use(coarse > 0.0 ? this->Source->OcclusionWithin(point, up, coarse)
-                       : this->Source->Occlusion(point, up),
+      use(coarse > 0.0 ? this->Provider->OcclusionWithin(point, up, coarse)
+                       : this->Provider->Occlusion(point, up),
         Height / std::pow(Height * Height + rho * rho, 1.5));
     }
   }
@@ -131,7 +131,7 @@ protected:
   static constexpr double Height = 1.3;
   Scene TracedScene;
   std::unique_ptr<RayScene> Rays;
-  vtkNew<vtkPenumbraBruteForceIrradiance> Source;
+  vtkNew<vtkPenumbraBruteForceIrradiance> Provider;
 };
 
 }
@@ -157,7 +157,7 @@ TEST_F(SphereAbovePlane, MeetsToleranceForSmallOccluder)
 {
   // The sphere is small as seen from distant points; the error must be within the tolerance even if
   // all rays miss it.
-  this->Source->Begin(*this->Rays, Infinity, 1.0 / 128.0);
+  this->Provider->Begin(*this->Rays, Infinity, 1.0 / 128.0);
   double square = 0.0;
   const int count = 1000;
   for (int i = 0; i < count; ++i)
@@ -166,7 +166,7 @@ TEST_F(SphereAbovePlane, MeetsToleranceForSmallOccluder)
     const double point[3] = { rho * std::cos(7.0 * i), rho * std::sin(7.0 * i), 0.0 };
     const double up[3] = { 0.0, 0.0, 1.0 };
     const double reference = Height / std::pow(Height * Height + rho * rho, 1.5);
-    square += std::pow(this->Source->Occlusion(point, up).Value - reference, 2.0) / count;
+    square += std::pow(this->Provider->Occlusion(point, up).Value - reference, 2.0) / count;
   }
   EXPECT_LE(std::sqrt(square), 1.0 / 128.0);
 }
@@ -213,14 +213,14 @@ TEST(vtkPenumbraBruteForceIrradiance, RespectsMaximumRays)
   const glm::dvec3 normal(0.0, 0.0, 1.0);
   for (const int minimum : { 8, 32, 4096 })
   {
-    vtkNew<vtkPenumbraBruteForceIrradiance> source;
-    source->SetMinimumRays(minimum);
-    source->SetMaximumRays(100);
-    source->Begin(rays, Infinity, 0.0);
-    EXPECT_EQ(source->Occlusion(&point.x, &normal.x).Rays, 64);
-    source->BeginIrradiance(Illumination(rays, IlluminationSettings()), 0.0);
+    vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+    provider->SetMinimumRays(minimum);
+    provider->SetMaximumRays(100);
+    provider->Begin(rays, Infinity, 0.0);
+    EXPECT_EQ(provider->Occlusion(&point.x, &normal.x).Rays, 64);
+    provider->BeginIrradiance(Illumination(rays, IlluminationSettings()), 0.0);
     EXPECT_GE(
-      64 * IlluminationSettings().Bounces, source->Irradiance(&point.x, &normal.x, 0.0).Rays);
+      64 * IlluminationSettings().Bounces, provider->Irradiance(&point.x, &normal.x, 0.0).Rays);
   }
 }
 

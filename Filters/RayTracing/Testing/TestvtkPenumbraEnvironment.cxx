@@ -68,10 +68,10 @@ IrradianceResult ComputeIrradiance(vtkPenumbraEnvironment* environment, glm::dve
 {
   const RayScene rays(scene, 1);
   IlluminationSettings settings;
-  settings.Picture = environment->GetMap();
-  vtkNew<vtkPenumbraBruteForceIrradiance> source;
-  source->BeginIrradiance(Illumination(rays, settings), tolerance);
-  const auto light = source->Irradiance(&point.x, &normal.x, tolerance);
+  settings.Map = environment->GetMap();
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  provider->BeginIrradiance(Illumination(rays, settings), tolerance);
+  const auto light = provider->Irradiance(&point.x, &normal.x, tolerance);
   return { { light.Value[0], light.Value[1], light.Value[2] }, light.Error, light.Rays };
 }
 

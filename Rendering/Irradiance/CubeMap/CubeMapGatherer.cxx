@@ -157,7 +157,7 @@ long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& fr
   const glm::vec3 origin = point + offset * frame[2];
   std::vector<HemicubeTexel> texels;
   this->Counts->Triangles +=
-    this->Renderer->Draw(origin, frame, NearFraction * offset, this->GetReach(), texels);
+    this->Renderer->Draw(origin, frame, NearFraction * offset, this->GetRadius(), texels);
   ++this->Counts->CubeMaps;
 
   const Hemicube::Cells& cells = this->FindCells(grid);

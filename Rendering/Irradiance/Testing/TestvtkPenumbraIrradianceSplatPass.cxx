@@ -43,7 +43,7 @@ public:
   {
     this->Caster->SetResolution(this->Width, this->Height);
     this->Caster->SetRenderer(this->Renderer);
-    this->Caster->SetIrradianceSource(this->Cache);
+    this->Caster->SetIrradianceProvider(this->Cache);
     this->Caster->SetAmbientOcclusion(!light);
     this->Caster->SetIndirectLight(light);
     this->Caster->SetAmbientOcclusionRadius(2.0);
@@ -257,12 +257,12 @@ TEST(vtkPenumbraIrradianceSplatPass, DarkensTheColorsOfItsDelegate)
   AddRoom(scene);
   scene.CastRays();
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   vtkPenumbraIrradianceSplatPass* pass = scene.Splat();
-  const std::vector<int> dark = scene.Picture();
+  const std::vector<int> dark = scene.Image();
   pass->SetStrength(0.0);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
   for (vtkIdType pixel = 0; pixel < static_cast<vtkIdType>(ImageWidth) * ImageHeight; ++pixel)
   {
     const double open = 1.0 - scene.SplatValue("AmbientOcclusion", pixel);
@@ -277,11 +277,11 @@ TEST(vtkPenumbraIrradianceSplatPass, RendersTheDelegateWithoutRecords)
   scene.AddSphere({ 0, 0, .5 }, .5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   auto* pass = vtkPenumbraIrradianceSplatPass::AddTo(scene.Renderer);
   EXPECT_EQ(vtkPenumbraIrradianceSplatPass::AddTo(scene.Renderer), pass);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
 
   vtkNew<vtkPolyData> empty;
   pass->SetRecords(empty);
@@ -289,7 +289,7 @@ TEST(vtkPenumbraIrradianceSplatPass, RendersTheDelegateWithoutRecords)
   vtkObject::GlobalWarningDisplayOff();
   scene.Window->Render();
   vtkObject::SetGlobalWarningDisplay(warnings);
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
   EXPECT_EQ(pass->GetStatistics()->GetNumberOfArrays(), 0);
   vtkNew<vtkImageData> nothing;
   pass->CopyResult(nothing);
@@ -298,5 +298,5 @@ TEST(vtkPenumbraIrradianceSplatPass, RendersTheDelegateWithoutRecords)
   vtkPenumbraIrradianceSplatPass::RemoveFrom(scene.Renderer);
   EXPECT_EQ(scene.Renderer->GetPass(), nullptr);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
 }

@@ -204,7 +204,7 @@ private:
     return this->OffsetFromSurface(ray, ray.Origin + hit.Distance * ray.Direction, normal, 0.f);
   }
 
-  /// Orients the normal towards the camera and offsets the position along it. `error`: distance
+  /// Orients the normal toward the camera and offsets the position along it. `error`: distance
   /// that the position may have from the surface.
   SurfacePoint OffsetFromSurface(
     const Ray& ray, glm::vec3 position, glm::vec3 normal, float error) const

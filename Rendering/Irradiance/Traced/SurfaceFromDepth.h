@@ -21,7 +21,7 @@ struct ScreenTransform;
 struct SurfacePoint
 {
   glm::vec3 Position{ 0.f }; ///< offset from the surface against self-intersection
-  glm::vec3 Normal{ 0.f };   ///< unit vector towards the camera; zero: background
+  glm::vec3 Normal{ 0.f };   ///< unit vector toward the camera; zero: background
 };
 
 /// Lattice of the processed pixels of an image: every Step-th column and row.

@@ -8,11 +8,11 @@
 #include "vtkPenumbraAccumulateFS.h"
 #include "vtkPenumbraActorMotionLib.h"
 #include "vtkPenumbraCameraMotionLib.h"
+#include "vtkPenumbraFiniteValuesLib.h"
 #include "vtkPenumbraNoSampleValidationLib.h"
 #include "vtkPenumbraPrecomputedEstimateLib.h"
 #include "vtkPenumbraReprojectFS.h"
 #include "vtkPenumbraSampleValidationLib.h"
-#include "vtkPenumbraSoundLib.h"
 #include "vtkPenumbraSumFS.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
@@ -31,7 +31,7 @@ std::string AssembleReprojection(const TemporalSettings& settings, const std::st
 {
   return Assemble(vtkPenumbraReprojectFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-      { "EstimateLib", estimate }, { "SoundLib", vtkPenumbraSoundLib },
+      { "EstimateLib", estimate }, { "FiniteValuesLib", vtkPenumbraFiniteValuesLib },
       { "ActorMotionLib",
         settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
       { "SampleValidationLib",
@@ -114,8 +114,9 @@ bool TemporalHistory::Add(vtkOpenGLRenderWindow* window, const DelegateImage& im
     : settings.NeighborValidation ? this->Validate
                                   : this->Reproject;
   vtkShaderProgram* program = stage.Ready(window,
-    moved ? AssembleReprojection(settings, vtkPenumbraPrecomputedEstimateLib)
-          : Assemble(vtkPenumbraAccumulateFS, { { "SoundLib", vtkPenumbraSoundLib } }));
+    moved
+      ? AssembleReprojection(settings, vtkPenumbraPrecomputedEstimateLib)
+      : Assemble(vtkPenumbraAccumulateFS, { { "FiniteValuesLib", vtkPenumbraFiniteValuesLib } }));
   const ScopedRenderTarget target(
     window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())
@@ -162,8 +163,8 @@ int TemporalHistory::ReprojectAndEstimate(const vtkPenumbraOcclusionEstimator::R
 bool TemporalHistory::Accumulate(vtkOpenGLRenderWindow* window, const DelegateImage& image,
   vtkTextureObject* estimates, int samples, const std::vector<Rectangle>& parts)
 {
-  vtkShaderProgram* program =
-    this->Sum.Ready(window, Assemble(vtkPenumbraSumFS, { { "SoundLib", vtkPenumbraSoundLib } }));
+  vtkShaderProgram* program = this->Sum.Ready(
+    window, Assemble(vtkPenumbraSumFS, { { "FiniteValuesLib", vtkPenumbraFiniteValuesLib } }));
   const ScopedRenderTarget target(
     window, image.GetFramebuffer(), { this->GetTexture() }, image.GetDepth());
   if (!program || !target.IsComplete())

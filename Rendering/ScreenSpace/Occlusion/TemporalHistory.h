@@ -22,7 +22,7 @@ struct TemporalSettings
   double WeightCap = 1e9;           ///< upper bound of the weight of the history in this frame
   double DepthTolerance = 0.02;     ///< maximum relative difference from the expected depth
   bool NeighborValidation = false;  ///< something besides the camera may have moved
-  double InvalidationWeight = 30.0; ///< least cap of the weight after neighbors moved
+  double InvalidationWeight = 30.0; ///< maximum number of samples kept if a neighbor moved
   bool PropsChanged = false; ///< props were added or removed: samples next to them are discarded
   const ActorMotion* Motion = nullptr; ///< motion of actors, or null if none moved
 };

@@ -89,7 +89,7 @@ ShaftLight Convert(vtkLight* light, const ScreenTransform& view)
       result.Exponent = static_cast<float>(light->GetExponent());
     }
   }
-  result.InPicture = IsInImage(result.Position, view);
+  result.InImage = IsInImage(result.Position, view);
   return result;
 }
 

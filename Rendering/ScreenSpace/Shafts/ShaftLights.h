@@ -28,7 +28,7 @@ struct ShaftLight
 
   /// The light projects into the image. Then nothing outside of the image can shadow what is
   /// inside.
-  bool InPicture = false;
+  bool InImage = false;
 
   bool IsPositional() const { return this->Position[3] > 0.f; }
   bool operator==(const ShaftLight& other) const;

@@ -25,7 +25,7 @@ namespace penumbra
 namespace
 {
 
-/// Geometric spacing towards a light in front of the camera stops at this fraction of its distance,
+/// Geometric spacing toward a light in front of the camera stops at this fraction of its distance,
 /// where the steps would become infinitely small.
 constexpr double MinimumLightDistance = 1.0 / 64.0;
 

@@ -105,7 +105,7 @@ std::vector<float> OcclusionScene::Array(const std::string& name)
   return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
 }
 
-std::vector<int> OcclusionScene::Picture()
+std::vector<int> OcclusionScene::Image()
 {
   vtkNew<vtkUnsignedCharArray> bytes;
   this->Window->GetRGBACharPixelData(0, 0, this->Width - 1, this->Height - 1, 0, bytes);

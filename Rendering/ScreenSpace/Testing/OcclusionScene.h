@@ -44,7 +44,7 @@ public:
   /// Returns an array of the last frame, row by row from the bottom.
   std::vector<float> Array(const std::string& name);
   /// Returns the image, RGBA, each in [0, 255].
-  std::vector<int> Picture();
+  std::vector<int> Image();
   /// Returns the value of an array at the pixel that shows a world position, or -1 outside the
   /// image.
   double At(const std::string& name, const Vector& position);

@@ -221,7 +221,7 @@ TEST(OcclusionHistory, AppliesStrengthToAConvergedImage)
   scene.Pass->SetStrength(0.25);
   RenderFrames(scene, 1);
   EXPECT_EQ(Statistic(scene, "Samples/PerPixel"), 0.0);
-  const std::vector<int> image = scene.Picture();
+  const std::vector<int> image = scene.Image();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   const std::vector<float> depth = scene.Array("Depth");
   for (std::size_t i = 0; i < occlusion.size(); ++i)

@@ -100,10 +100,10 @@ TEST(OcclusionInScenes, IsSkippedInStereo)
   scene.Window->StereoRenderOn();
   scene.Pass->SetStrength(0.0);
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   scene.Pass->SetStrength(1.0);
   scene.Window->Render();
-  EXPECT_EQ(LargestDifference(plain, scene.Picture()), 0);
+  EXPECT_EQ(LargestDifference(plain, scene.Image()), 0);
   EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 0);
 }
 
@@ -124,10 +124,10 @@ TEST(OcclusionInScenes, DoesNotChangeOverlays)
   const auto overlayError = [&]() {
     overlay->VisibilityOff();
     scene.Window->Render();
-    const std::vector<int> without = scene.Picture();
+    const std::vector<int> without = scene.Image();
     overlay->VisibilityOn();
     scene.Window->Render();
-    const std::vector<int> with = scene.Picture();
+    const std::vector<int> with = scene.Image();
     int largest = 0;
     for (int y = 82; y < 113; ++y)
     {
@@ -156,7 +156,7 @@ TEST(OcclusionInScenes, IsInvariantUnderScale)
   reference.AddOcclusionPass(1.0)->SetRadiusUnit(vtkPenumbraTemporalSSAOPass::FRACTION_OF_BOUNDS);
   reference.Pass->SetRadius(0.1);
   reference.Window->Render();
-  const std::vector<int> image = reference.Picture();
+  const std::vector<int> image = reference.Image();
   const std::tuple<double, Vector> cases[] = { { 1e-6, { 0, 0, 0 } }, { 1e6, { 0, 0, 0 } } };
   for (const auto& [unit, at] : cases)
   {
@@ -164,7 +164,7 @@ TEST(OcclusionInScenes, IsInvariantUnderScale)
     BuildScene(scene, unit, at);
     vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
     scene.Window->Render();
-    EXPECT_LE(FractionAbove(scene.Picture(), image, 2), 0.01) << unit;
+    EXPECT_LE(FractionAbove(scene.Image(), image, 2), 0.01) << unit;
   }
 }
 
@@ -346,10 +346,10 @@ TEST(OcclusionInScenes, IsCorrectBehindTranslucentSurfaces)
     glass->GetProperty()->SetColor(1, 0, 0);
     scene.Renderer->SetUseDepthPeeling(peeling);
     scene.Window->Render();
-    const std::vector<int> plain = scene.Picture();
+    const std::vector<int> plain = scene.Image();
     scene.AddOcclusionPass(1.0);
     scene.Window->Render();
-    const std::vector<int> darkened = scene.Picture();
+    const std::vector<int> darkened = scene.Image();
     const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
     for (std::size_t i = 0; i < occlusion.size(); ++i)
     {
@@ -371,7 +371,7 @@ TEST(OcclusionInScenes, IsConfinedToItsViewport)
   BuildScene(single);
   single.AddOcclusionPass(1.0);
   single.Window->Render();
-  const std::vector<int> alone = single.Picture();
+  const std::vector<int> alone = single.Image();
 
   OcclusionScene pair(160, 120);
   BuildScene(pair);
@@ -384,7 +384,7 @@ TEST(OcclusionInScenes, IsConfinedToItsViewport)
   pair.AddOcclusionPass(1.0);
   vtkPenumbraTemporalSSAOPass::AddTo(left);
   pair.Window->Render();
-  const std::vector<int> both = pair.Picture();
+  const std::vector<int> both = pair.Image();
   std::vector<int> right;
   for (int j = 0; j < 120; ++j)
   {
@@ -423,7 +423,7 @@ TEST(OcclusionInScenes, LeaksNoMemoryWhenToggled500Times)
   OcclusionScene scene(64, 48);
   BuildScene(scene);
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   const auto toggle = [&](int times) {
     for (int time = 0; time < times; ++time)
     {
@@ -439,7 +439,7 @@ TEST(OcclusionInScenes, LeaksNoMemoryWhenToggled500Times)
   // Mesa caches up to 2.7 MB. A leak of one texture per iteration would take 6 MB.
   EXPECT_LT(penumbra::BytesInUse() - bytes, 4e6);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
 }
 
 TEST(OcclusionInScenes, IsInsertedIntoExistingPasses)
@@ -487,16 +487,16 @@ TEST(OcclusionInScenes, SupportsEveryAntialiasing)
         scene.Renderer->SetUseFXAA(fxaa);
         scene.Renderer->SetUseDepthPeeling(peeling);
         scene.Window->Render();
-        const std::vector<int> plain = scene.Picture();
+        const std::vector<int> plain = scene.Image();
         scene.AddOcclusionPass(1.0)->SetStrength(0.0);
         scene.Window->Render();
-        EXPECT_LE(LargestDifference(scene.Picture(), plain), 2)
+        EXPECT_LE(LargestDifference(scene.Image(), plain), 2)
           << samples << " samples, FXAA " << fxaa << ", peeling " << peeling;
         scene.Pass->SetStrength(1.0);
         scene.Window->Render();
         // VTK's FXAA cannot read multisampled images: with both it shows the previous image or
         // none.
-        EXPECT_TRUE((fxaa && samples > 0) || LargestDifference(scene.Picture(), plain) > 80)
+        EXPECT_TRUE((fxaa && samples > 0) || LargestDifference(scene.Image(), plain) > 80)
           << samples << " samples, FXAA " << fxaa << ", peeling " << peeling;
       }
     }
@@ -544,7 +544,7 @@ TEST(OcclusionInScenes, ShowsASkyboxInEveryFrame)
     scene.Renderer->AddActor(skybox);
     scene.SetCamera({ 0, -12, 1 }, { 0, 0, 3 });
     scene.Window->Render();
-    const std::vector<int> plain = scene.Picture();
+    const std::vector<int> plain = scene.Image();
     vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
     pass->SetStrength(0.0);
     pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
@@ -552,7 +552,7 @@ TEST(OcclusionInScenes, ShowsASkyboxInEveryFrame)
     for (int frame = 0; frame < 3; ++frame)
     {
       scene.Window->Render();
-      const std::vector<int> through = scene.Picture();
+      const std::vector<int> through = scene.Image();
       int largest = 0;
       for (std::size_t i = 0; i < plain.size(); ++i)
       {
@@ -591,7 +591,7 @@ TEST(OcclusionInScenes, RendersEmptyScenesAndRejectsInvalidSettings)
   OcclusionScene scene;
   scene.AddOcclusionPass(1.0);
   scene.Window->Render();
-  EXPECT_NEAR(scene.Picture()[1], 76.5, 1.0); // the background's green
+  EXPECT_NEAR(scene.Image()[1], 76.5, 1.0); // the background's green
   BuildScene(scene);
   scene.Pass->GlobalWarningDisplayOff();
   scene.Pass->SetRadius(std::numeric_limits<double>::quiet_NaN());

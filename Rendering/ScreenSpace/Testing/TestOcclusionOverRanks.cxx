@@ -74,7 +74,7 @@ TEST(OcclusionOverRanks, IsIndependentOfTheNumberOfRanks)
   EXPECT_STREQ(four.Pass->GetActiveKernelName(), "march"); // needs only depth
   EXPECT_EQ(one.Array("Depth"), four.Array("Depth"));
   EXPECT_EQ(one.Array("AmbientOcclusion"), four.Array("AmbientOcclusion"));
-  EXPECT_EQ(one.Picture(), four.Picture());
+  EXPECT_EQ(one.Image(), four.Image());
   const std::vector<float> occlusion = one.Array("AmbientOcclusion");
   EXPECT_GT(*std::max_element(occlusion.begin(), occlusion.end()), 0.5f);
 }
@@ -85,7 +85,7 @@ TEST(OcclusionOverRanks, AppliesOcclusionToTheCompositedColors)
   RenderWithPass(ranks, 4);
   const DepthImage composite = RenderRank(0, 1);
   const std::vector<float> occlusion = ranks.Array("AmbientOcclusion");
-  const std::vector<int> image = ranks.Picture();
+  const std::vector<int> image = ranks.Image();
   for (std::size_t i = 0; i < occlusion.size(); ++i)
   {
     const float open = composite.Depths[i] < 1.f ? 1.f - occlusion[i] : 1.f;

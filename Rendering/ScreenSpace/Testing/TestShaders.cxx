@@ -118,10 +118,10 @@ TEST_F(Shaders, ConvertPixelsToPositionsAndBack)
   EXPECT_NEAR(this->Evaluate("eyePosition(vec2(3.0, 1.0), 4.0).y"), -2.0, 1e-6);
   EXPECT_NEAR(this->Evaluate("eyePosition(vec2(3.0, 1.0), 4.0).z"), -4.0, 1e-6);
   EXPECT_NEAR(this->Evaluate("pixelOfPosition(eyePosition(vec2(3.3, 1.7), 4.0)).x"), 3.3, 1e-5);
-  EXPECT_NEAR(this->Evaluate("towardsEye(vec3(3.0, 0.0, -4.0)).x"), -0.6, 1e-6);
+  EXPECT_NEAR(this->Evaluate("towardEye(vec3(3.0, 0.0, -4.0)).x"), -0.6, 1e-6);
   this->Parallel = true;
   EXPECT_NEAR(this->Evaluate("eyePosition(vec2(3.0, 1.0), 4.0).x"), 0.5, 1e-6);
-  EXPECT_NEAR(this->Evaluate("towardsEye(vec3(3.0, 0.0, -4.0)).z"), 1.0, 1e-6);
+  EXPECT_NEAR(this->Evaluate("towardEye(vec3(3.0, 0.0, -4.0)).z"), 1.0, 1e-6);
 }
 
 TEST_F(Shaders, IntegrateTheCosineOverASlice)

@@ -122,7 +122,7 @@ TEST_F(StaticViewRefinement, RendersFramesUntilConvergedAndThenNone)
   EXPECT_EQ(needed, 1 + this->FramesAfter(1000));
   EXPECT_TRUE(this->Scene.Pass->IsConverged());
   EXPECT_TRUE(this->Interactor->Timers.empty());
-  EXPECT_EQ(manual.Picture(), this->Scene.Picture());
+  EXPECT_EQ(manual.Image(), this->Scene.Image());
   EXPECT_EQ(0, this->FramesAfter(1000));
   this->Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
   EXPECT_LT(10, this->FramesAfter(1000));

@@ -45,10 +45,10 @@ TEST(BilateralFilterPass, ChangesNothingWithReachZero)
   OcclusionScene scene;
   BuildScene(scene);
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   AddFilterPass(scene)->SetRadius(0);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
 }
 
 TEST(BilateralFilterPass, RendersInSeveralWindows)
@@ -57,7 +57,7 @@ TEST(BilateralFilterPass, RendersInSeveralWindows)
   BuildScene(scene);
   const auto pass = AddFilterPass(scene);
   scene.Window->Render();
-  const std::vector<int> first = scene.Picture();
+  const std::vector<int> first = scene.Image();
   OcclusionScene other;
   BuildScene(other);
   other.Renderer->SetPass(pass);
@@ -65,7 +65,7 @@ TEST(BilateralFilterPass, RendersInSeveralWindows)
   {
     target->Window->Render(); // Releases the resources of the other window.
     target->Window->Render();
-    EXPECT_EQ(target->Picture(), first);
+    EXPECT_EQ(target->Image(), first);
   }
 }
 
@@ -78,7 +78,7 @@ TEST(BilateralFilterPass, AveragesWithinSurfacesOnly)
   pass->SetDistanceSigma(0.25);
   pass->UseDepthDistanceOn(); // All pixels of one half have the same depth and so the same weight.
   scene.Window->Render();
-  const std::vector<int> image = scene.Picture();
+  const std::vector<int> image = scene.Image();
   const auto red = [&](int i) { return image[4 * (60 * 160 + i)]; };
   // Seven pixels of strips that are two pixels wide include three or four white ones.
   EXPECT_NEAR(red(40), 255.0 * 3.5 / 7.0, 255.0 * 0.5 / 7.0 + 1.0);
@@ -108,7 +108,7 @@ TEST(BilateralFilterPass, IgnoresPixelsOfWeightZero)
   }
   pass->SetWeights(weights);
   scene.Window->Render();
-  const std::vector<int> image = scene.Picture();
+  const std::vector<int> image = scene.Image();
   for (int i = 8; i < 72; ++i)
   {
     EXPECT_EQ(image[4 * (60 * 160 + i)], 255) << i;

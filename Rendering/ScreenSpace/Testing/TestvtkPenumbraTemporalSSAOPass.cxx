@@ -80,11 +80,11 @@ TEST(TemporalSSAOPass, TakesNoSamplesOnceConverged)
   scene.Window->Render();
   EXPECT_TRUE(scene.Pass->IsConverged());
   EXPECT_LE(scene.Pass->GetEstimatedError(), scene.Pass->GetTolerance());
-  const std::vector<int> first = scene.Picture();
+  const std::vector<int> first = scene.Image();
   for (int i = 0; i < 3; ++i)
   {
     scene.Window->Render();
-    EXPECT_EQ(scene.Picture(), first);
+    EXPECT_EQ(scene.Image(), first);
     EXPECT_EQ(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
   }
   scene.SetCamera({ 0.1, -4, 3 }, { 0, 0, 0 });
@@ -152,11 +152,11 @@ TEST(TemporalSSAOPass, UpdatesColorsWithoutNewSamples)
   sphere->GetProperty()->SetColor(0, 0.5, 1);
   scene.Window->Render();
   EXPECT_EQ(Statistic(scene.Pass, "Samples/PerPixel"), 0.0);
-  const std::vector<int> occluded = scene.Picture();
+  const std::vector<int> occluded = scene.Image();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   const int left = 40;
   const int bottom = 30;
   ASSERT_EQ(occlusion.size(), 120u * 90u);
@@ -181,14 +181,14 @@ TEST(TemporalSSAOPass, RestoresTheImageWhenRemoved)
   scene.AddSphere({ 0, 0, 0.5 }, 0.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
-  const std::vector<int> before = scene.Picture();
+  const std::vector<int> before = scene.Image();
   scene.AddOcclusionPass(1.0);
   scene.Window->Render();
-  EXPECT_NE(scene.Picture(), before);
+  EXPECT_NE(scene.Image(), before);
   vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
   EXPECT_EQ(scene.Renderer->GetPass(), nullptr);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), before);
+  EXPECT_EQ(scene.Image(), before);
 }
 
 TEST(TemporalSSAOPass, PreservesMultisampledEdges)
@@ -203,10 +203,10 @@ TEST(TemporalSSAOPass, PreservesMultisampledEdges)
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
   ASSERT_GT(scene.Window->GetMultiSamples(), 1);
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   scene.AddOcclusionPass(1.0)->SetStrength(0.0);
   scene.Window->Render();
-  const std::vector<int> withPass = scene.Picture();
+  const std::vector<int> withPass = scene.Image();
   int largest = 0;
   for (std::size_t i = 0; i < plain.size(); ++i)
   {
@@ -228,7 +228,7 @@ TEST(TemporalSSAOPass, CausesNoHalosWithMultisampling)
   scene.AddOcclusionPass(0.5);
   scene.Window->Render();
   const std::array<int, 2> center = scene.Pixel({ 0, -2, 1.2 });
-  const std::vector<int> image = scene.Picture();
+  const std::vector<int> image = scene.Image();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   // In the row through the center of the sphere, every pixel lies between the brightnesses of both
   // surfaces.
@@ -256,7 +256,7 @@ TEST(TemporalSSAOPass, DarkensBrightColorsLessWithLightAwareness)
     const double occlusion = scene.At("AmbientOcclusion", { 0, -0.05, 0 });
     const double factor = 1.0 - occlusion * (1.0 - 0.75 * brightness);
     EXPECT_GT(occlusion, 0.3);
-    const std::vector<int> image = scene.Picture();
+    const std::vector<int> image = scene.Image();
     EXPECT_NEAR(image[at], 255.0 * brightness * factor, 2.0);
     EXPECT_NEAR(image[at + 1], 255.0 * 0.5 * brightness * factor, 2.0);
     EXPECT_EQ(image[at + 2], 0);
@@ -270,14 +270,14 @@ TEST(TemporalSSAOPass, RendersThePlainSceneWithRadiusZero)
   scene.AddSphere({ 0, 0, 0.5 }, 0.5);
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
   scene.Window->Render();
-  const std::vector<int> plain = scene.Picture();
+  const std::vector<int> plain = scene.Image();
   scene.AddOcclusionPass(0.0);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
   scene.Pass->SetStrength(0.0);
   scene.Pass->SetRadius(1.0);
   scene.Window->Render();
-  EXPECT_EQ(scene.Picture(), plain);
+  EXPECT_EQ(scene.Image(), plain);
 }
 
 }

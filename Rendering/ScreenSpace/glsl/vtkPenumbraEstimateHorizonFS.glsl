@@ -70,7 +70,7 @@ float sliceOcclusion(SurfacePoint point, vec3 view, float azimuth, float shift)
 
 float occlusionAt(SurfacePoint point)
 {
-  vec3 view = towardsEye(point.position);
+  vec3 view = towardEye(point.position);
   float sum = 0.0;
   for (int i = 0; i < sampleCount; ++i)
   {

@@ -19,7 +19,7 @@ const float maximumSlope = 4.0;
 // Distance within which a ray counts as on a surface, in radii.
 const float contactDistance = 1e-3;
 
-// Positions and directions in a slice: x across the view, away from the point; y towards the
+// Positions and directions in a slice: x across the view, away from the point; y toward the
 // camera.
 struct SliceSide
 {
@@ -75,7 +75,7 @@ float blockedProbability(SliceSide side, vec2 ray)
 }
 
 // Returns the part of the cosine-weighted integral over a slice that one side blocks. `normalAngle`
-// is the angle of the projected normal, positive towards this side. Each ray is the previous one,
+// is the angle of the projected normal, positive toward this side. Each ray is the previous one,
 // rotated, because trigonometric functions are expensive.
 float sideOcclusion(SliceSide side, float normalAngle, float shift)
 {
@@ -110,7 +110,7 @@ float sliceOcclusion(SurfacePoint point, vec3 view, vec4 xi)
 
 float occlusionAt(SurfacePoint point)
 {
-  vec3 view = towardsEye(point.position);
+  vec3 view = towardEye(point.position);
   float sum = 0.0;
   for (int i = 0; i < sampleCount; ++i)
   {

@@ -37,7 +37,7 @@ protected:
     fs::create_directories(this->Folder);
     unsetenv("PENUMBRA_ACCEPT");
     setenv("PENUMBRA_FAILED_IMAGES", this->At("failed").c_str(), 1);
-    this->Baseline->SetFileName(this->At("picture.png").c_str());
+    this->Baseline->SetFileName(this->At("image.png").c_str());
   }
   void TearDown() override
   {
@@ -47,16 +47,16 @@ protected:
 
   std::string At(const std::string& name) const { return (this->Folder / name).string(); }
 
-  bool Check(vtkObject* picture)
+  bool Check(vtkObject* object)
   {
-    this->Baseline->SetPicture(picture);
+    this->Baseline->SetImage(object);
     return this->Baseline->Check();
   }
 
-  bool CheckAccepting(vtkObject* picture, const char* how)
+  bool CheckAccepting(vtkObject* object, const char* how)
   {
     setenv("PENUMBRA_ACCEPT", how, 1);
-    const bool passes = this->Check(picture);
+    const bool passes = this->Check(object);
     unsetenv("PENUMBRA_ACCEPT");
     return passes;
   }
@@ -87,10 +87,10 @@ vtkSmartPointer<vtkImageCanvasSource2D> Canvas(double gray, int boxSize)
 TEST_F(vtkPenumbraBaselineTest, FailsWithoutABaselineUntilOneIsAccepted)
 {
   EXPECT_FALSE(this->Check(Canvas(50, 8)));
-  EXPECT_TRUE(this->Reports("there is no baseline " + this->At("picture.png")));
+  EXPECT_TRUE(this->Reports("there is no baseline " + this->At("image.png")));
   EXPECT_TRUE(this->Reports("PENUMBRA_ACCEPT=replace"));
   EXPECT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
-  EXPECT_TRUE(this->Reports("accepted as " + this->At("picture.png")));
+  EXPECT_TRUE(this->Reports("accepted as " + this->At("image.png")));
   EXPECT_TRUE(this->Check(Canvas(50, 8)));
   EXPECT_STREQ(this->Baseline->GetReport(), "");
 }
@@ -109,8 +109,8 @@ TEST_F(vtkPenumbraBaselineTest, WritesFailedImagesAndReportsTheRenderer)
   EXPECT_TRUE(this->Reports("processor: "));
 
   vtkNew<vtkPNGReader> reader;
-  ASSERT_TRUE(reader->CanReadFile(this->At("failed/Suite.Test.picture.actual.png").c_str()));
-  reader->SetFileName(this->At("failed/Suite.Test.picture.difference.png").c_str());
+  ASSERT_TRUE(reader->CanReadFile(this->At("failed/Suite.Test.image.actual.png").c_str()));
+  reader->SetFileName(this->At("failed/Suite.Test.image.difference.png").c_str());
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(12, 12, 0, 0), 255.0);
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(5, 5, 0, 0), 0.0);
@@ -129,14 +129,14 @@ TEST_F(vtkPenumbraBaselineTest, AcceptsAnyOfSeveralBaselines)
 {
   ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
   ASSERT_TRUE(this->CheckAccepting(Canvas(120, 10), "add"));
-  EXPECT_TRUE(fs::exists(this->At("picture_1.png")));
+  EXPECT_TRUE(fs::exists(this->At("image_1.png")));
   EXPECT_TRUE(this->Check(Canvas(50, 8)));
   EXPECT_TRUE(this->Check(Canvas(120, 10)));
   EXPECT_FALSE(this->Check(Canvas(120, 14)));
-  EXPECT_TRUE(this->Reports("not near " + this->At("picture_1.png")));
+  EXPECT_TRUE(this->Reports("not near " + this->At("image_1.png")));
   // An image that is near a baseline already is not added.
   ASSERT_TRUE(this->CheckAccepting(Canvas(120, 10), "add"));
-  EXPECT_FALSE(fs::exists(this->At("picture_2.png")));
+  EXPECT_FALSE(fs::exists(this->At("image_2.png")));
 }
 
 TEST_F(vtkPenumbraBaselineTest, StoresFloatsInVti)
@@ -179,7 +179,7 @@ TEST_F(vtkPenumbraBaselineTest, ReportsWhatItCannotCompare)
   EXPECT_TRUE(this->Reports("PENUMBRA_ACCEPT=yes: set it to 'replace' or 'add'"));
   EXPECT_TRUE(this->Check(Canvas(50, 8))) << "the baseline is unchanged";
 
-  this->Baseline->SetFileName(this->At("picture.txt").c_str());
+  this->Baseline->SetFileName(this->At("image.txt").c_str());
   EXPECT_FALSE(this->Check(Canvas(50, 8)));
   std::ofstream(this->At("damaged.png")) << "not an image";
   this->Baseline->SetFileName(this->At("damaged.png").c_str());
@@ -213,7 +213,7 @@ TEST_F(vtkPenumbraBaselineTest, IsAGoogleTestAssertion)
   ASSERT_TRUE(this->CheckAccepting(Canvas(50, 8), "replace"));
   static std::string path;
   static vtkSmartPointer<vtkImageCanvasSource2D> canvas;
-  path = this->At("picture.png");
+  path = this->At("image.png");
   canvas = Canvas(50, 8);
   EXPECT_IMAGE_NEAR(canvas, path, 1.0 / 16.0);
   canvas->Update();
@@ -221,8 +221,8 @@ TEST_F(vtkPenumbraBaselineTest, IsAGoogleTestAssertion)
   canvas = Canvas(90, 8);
   EXPECT_NONFATAL_FAILURE(
     EXPECT_IMAGE_NEAR(canvas, path, 1.0 / 16.0), "canvas: the image is not near");
-  EXPECT_TRUE(fs::exists(
-    this->At("failed/vtkPenumbraBaselineTest.IsAGoogleTestAssertion.picture.actual.png")));
+  EXPECT_TRUE(
+    fs::exists(this->At("failed/vtkPenumbraBaselineTest.IsAGoogleTestAssertion.image.actual.png")));
 
   penumbra::ImageTolerance loose(0.5);
   loose.PixelLimit = 1.0;

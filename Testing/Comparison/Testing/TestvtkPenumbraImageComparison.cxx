@@ -302,11 +302,11 @@ TEST(vtkPenumbraImageComparison, AcceptsDifferencesOfDriversAndProcessors)
 
 TEST(vtkPenumbraImageComparison, RejectsARecordedImageWithSwappedColorsOrAMissingLine)
 {
-  const Image picture = Recorded("scalars-llvmpipe");
-  vtkDataArray* pixels = picture->GetPointData()->GetScalars();
-  const int width = picture->GetDimensions()[0];
+  const Image image = Recorded("scalars-llvmpipe");
+  vtkDataArray* pixels = image->GetPointData()->GetScalars();
+  const int width = image->GetDimensions()[0];
   const auto change = [&](const std::function<vtkIdType(vtkIdType, int)>& source) {
-    return Bytes(width, picture->GetDimensions()[1], [&, source](int x, int y) {
+    return Bytes(width, image->GetDimensions()[1], [&, source](int x, int y) {
       Color color;
       for (int c = 0; c < 3; ++c)
       {
@@ -316,11 +316,11 @@ TEST(vtkPenumbraImageComparison, RejectsARecordedImageWithSwappedColorsOrAMissin
       return color;
     });
   };
-  EXPECT_TRUE(IsNear(picture, change([](vtkIdType i, int c) { return 3 * i + c; })));
-  EXPECT_FALSE(IsNear(picture, change([](vtkIdType i, int c) { return 3 * i + 2 - c; })));
+  EXPECT_TRUE(IsNear(image, change([](vtkIdType i, int c) { return 3 * i + c; })));
+  EXPECT_FALSE(IsNear(image, change([](vtkIdType i, int c) { return 3 * i + 2 - c; })));
   // The middle row of pixels is replaced by a copy of its neighbor.
-  const vtkIdType middle = picture->GetDimensions()[1] / 2;
-  EXPECT_FALSE(IsNear(picture,
+  const vtkIdType middle = image->GetDimensions()[1] / 2;
+  EXPECT_FALSE(IsNear(image,
     change([&](vtkIdType i, int c) { return 3 * (i / width == middle ? i - width : i) + c; })));
 }
 

@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reconstructs the visible surface from eye depths. rgb: unit normal towards the camera in eye
+// Reconstructs the visible surface from eye depths. rgb: unit normal toward the camera in eye
 // coordinates, a: eye depth. Along rows and along columns, the shader uses the three consecutive
 // pixels that are closest to a plane: the center and its neighbors, or the center and two pixels on
 // one side.

@@ -30,8 +30,8 @@ vec2 pixelOfPosition(vec3 position)
   return (plane - pixelToEye.zw) / pixelToEye.xy;
 }
 
-// Unit vector from a position towards the eye.
-vec3 towardsEye(vec3 position)
+// Unit vector from a position toward the eye.
+vec3 towardEye(vec3 position)
 {
   return perspective > 0.5 ? normalize(-position) : vec3(0.0, 0.0, 1.0);
 }

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Adds new samples to those of earlier frames when the view has not moved [TSSAO eq. 4-5].
-//VTK::Penumbra::SoundLib
+//VTK::Penumbra::FiniteValuesLib
 uniform sampler2D estimates;
 uniform sampler2D history; // r: sum, g: number of samples
 uniform vec2 pixelSize;

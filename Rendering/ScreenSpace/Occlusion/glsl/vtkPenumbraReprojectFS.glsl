@@ -10,7 +10,7 @@
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::SurfaceLib
 //VTK::Penumbra::EstimateLib
-//VTK::Penumbra::SoundLib
+//VTK::Penumbra::FiniteValuesLib
 uniform sampler2D history;         // r: sum, g: number of samples
 uniform sampler2D previousEyeDepths;
 uniform mat4 toPreviousEye;        // from eye coordinates to those of the previous frame

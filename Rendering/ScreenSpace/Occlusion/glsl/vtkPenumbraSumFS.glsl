@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Writes sum and number of new samples, which blending adds to those of earlier frames.
-//VTK::Penumbra::SoundLib
+//VTK::Penumbra::FiniteValuesLib
 uniform sampler2D estimates;
 uniform vec2 pixelSize;
 uniform float newSamples;

@@ -8,7 +8,7 @@ struct SurfacePoint
 {
   vec2 pixel;
   vec3 position;
-  vec3 normal; // unit, towards the camera
+  vec3 normal; // unit, toward the camera
 };
 
 float eyeDepthAt(vec2 pixel)

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A homogeneous medium and its lights: single scattering along view rays towards the eye [Shafts
+// A homogeneous medium and its lights: single scattering along view rays toward the eye [Shafts
 // eq. 1]. Coordinates are eye coordinates with z along the view axis. The library of the light type
 // follows at the end. Its CDF maps lengths along a view ray to [0, 1] so that equal intervals
 // scatter equal (directional light) or similar (positional light) amounts of light while the ray is
 // lit.
-uniform vec4 lights[3];     // positions (w = 1), or unit directions towards the lights (w = 0)
+uniform vec4 lights[3];     // positions (w = 1), or unit directions toward the lights (w = 0)
 uniform int lightCount;
 uniform float scattering;   // coefficients per unit of length
 uniform float extinction;

@@ -14,7 +14,7 @@
 //VTK::Penumbra::ViewLib
 uniform sampler2D emission;
 uniform sampler2D eyeDepths;
-uniform vec4 light;         // position (w = 1), or unit direction towards the light (w = 0)
+uniform vec4 light;         // position (w = 1), or unit direction toward the light (w = 0)
 uniform int steps;
 uniform float density;      // divides the length of the evenly spaced path
 uniform float evenSpacing;  // 1: samples are evenly spaced, 0: geometrically

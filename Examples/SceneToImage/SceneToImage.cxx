@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
   bytes->ClampOverflowOn();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(bytes->GetOutputPort());
-  writer->SetFileName(argc > 1 ? argv[1] : "SceneToPicture.png");
+  writer->SetFileName(argc > 1 ? argv[1] : "SceneToImage.png");
   writer->Write();
   return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

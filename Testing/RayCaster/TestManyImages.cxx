@@ -47,14 +47,14 @@ constexpr bool IsMemoryOurs = false;
 #else
 constexpr bool IsMemoryOurs = true;
 #endif
-constexpr int Pictures = IsMemoryOurs ? 1000 : 20;
+constexpr int Images = IsMemoryOurs ? 1000 : 20;
 
 TEST(ManyImages, DoNotGrowMemoryOrLoadOpenGL)
 {
   const std::string before = LoadedFiles();
   double afterTen = 0.0;
   double afterAll = 0.0;
-  for (int i = 0; i < Pictures; ++i)
+  for (int i = 0; i < Images; ++i)
   {
     vtkNew<vtkSphereSource> sphere;
     sphere->SetThetaResolution(40);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pictures.h"
+#include "ResultImages.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -57,7 +57,7 @@ void Add(vtkRenderer* renderer, vtkPolyData* mesh, double right,
 
 }
 
-void WritePicture(const std::string& path, int width, const std::vector<glm::dvec3>& colors)
+void WriteImage(const std::string& path, int width, const std::vector<glm::dvec3>& colors)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(width, static_cast<int>(colors.size()) / width, 1);
@@ -100,13 +100,13 @@ void WriteBakings(const std::string& path, vtkPolyData* baked, vtkPolyData* othe
   caster->SetResolution(960, 420);
   caster->Update();
   vtkDataArray* colors = caster->GetOutput()->GetPointData()->GetArray("Color");
-  std::vector<glm::dvec3> picture;
+  std::vector<glm::dvec3> image;
   for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
   {
-    picture.emplace_back(
+    image.emplace_back(
       colors->GetComponent(i, 0), colors->GetComponent(i, 1), colors->GetComponent(i, 2));
   }
-  WritePicture(path, 960, picture);
+  WriteImage(path, 960, image);
 }
 
 }

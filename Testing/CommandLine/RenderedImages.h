@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads images that the program wrote.
-#ifndef penumbra_testing_Pictures_h
-#define penumbra_testing_Pictures_h
+#ifndef penumbra_testing_RenderedImages_h
+#define penumbra_testing_RenderedImages_h
 
 #include "vtkSmartPointer.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PictureFiles.h"
+#include "BaselineFiles.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -53,7 +53,7 @@ bool IsOpaque(vtkDataArray* color)
 
 }
 
-bool IsPicturePath(const std::string& path)
+bool IsBaselinePath(const std::string& path)
 {
   return HoldsFloats(path) || fs::path(path).extension() == ".png";
 }
@@ -73,7 +73,7 @@ std::string NextBaseline(const std::string& path)
   return Numbered(path, static_cast<int>(FindBaselines(path).size()));
 }
 
-vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path)
+vtkSmartPointer<vtkImageData> ReadBaseline(const std::string& path)
 {
   vtkSmartPointer<vtkImageData> image;
   if (HoldsFloats(path))
@@ -128,7 +128,7 @@ vtkSmartPointer<vtkImageData> AsStored(vtkImageData* image, const std::string& p
   return result;
 }
 
-bool WritePicture(vtkImageData* image, const std::string& path)
+bool WriteBaseline(vtkImageData* image, const std::string& path)
 {
   std::error_code error;
   fs::create_directories(fs::absolute(path).parent_path(), error);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pictures.h"
+#include "RenderedImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
