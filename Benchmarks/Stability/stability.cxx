@@ -170,11 +170,12 @@ void WriteDocument(const std::string& path, const std::vector<Measured>& rows)
   out
     << "# Where methods fail\n\n"
        "Each row is a situation in which rendering methods of this kind are known to fail, with a\n"
-       "metric, a bound that Penumbra keeps, and the value with a mechanism disabled, which must\n"
-       "exceed the bound. The column says what is disabled; in some rows this is more than one\n"
-       "mechanism, such as convergence and filter together. `Testing/Stability/` holds the table "
-       "and\n"
-       "runs it as tests; `./penumbra benchmark stability` writes this page.\n\n"
+       "metric, a bound that Penumbra keeps, and the value with one mechanism disabled, which "
+       "must\n"
+       "exceed the bound. The column says what is disabled, and what is used instead.\n"
+       "`Testing/Stability/` holds the table and runs it as tests; `./penumbra benchmark "
+       "stability`\n"
+       "writes this page.\n\n"
     << "- " << rows.size() << " rows, " << DateLine() << "\n- " << VersionLine() << "\n\n";
   WriteMetrics(out, rows);
   WriteOpenRows(out, rows);

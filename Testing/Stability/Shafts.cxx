@@ -7,6 +7,8 @@
 #include "Scenario.h"
 #include "ShaftScene.h"
 
+#include "Frame/ScopedShaderEdit.h"
+
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace penumbra
 {
@@ -26,6 +29,20 @@ using Pass = vtkPenumbraLightShaftPass;
 constexpr double WholeSphere = 12.566370614359172;
 constexpr double EdgeDensity = .12;
 const Vector SunInView = { .2, 1.0, .32 };
+
+/// Ablated: with a part of the shaders replaced.
+struct ShaderAblation
+{
+  ShaderAblation(Variant variant, const char* part, const char* replacement)
+  {
+    if (variant == Variant::Ablated)
+    {
+      this->Edit.emplace(part, replacement);
+    }
+  }
+
+  std::optional<ScopedShaderEdit> Edit;
+};
 
 struct Haze : ShaftScene
 {
@@ -77,7 +94,7 @@ ScenarioResult PositionalLight(Variant variant)
 {
   Haze scene;
   scene.AddLamp({ 1.0, 2.0, 3.0 });
-  scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
+  const ShaderAblation ablation(variant, "1.0 / span - q * light.w", "1.0 / span");
   return CompareWithRayCaster(scene);
 }
 
@@ -111,7 +128,8 @@ ScenarioResult BehindAForeground(Variant variant)
   Haze scene;
   scene.AddBox({ 1.5, -8.0, 2.5 }, { .6, .1, .6 });
   scene.AddSun(SunInView);
-  scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
+  const ShaderAblation ablation(variant, "ViewRay ray = makeViewRay(pixel, eyeDepth);",
+    "ViewRay ray = makeViewRay(pixel, farAway);");
   const std::vector<double> light = scene.RenderWithPass();
   const std::vector<double> reference = scene.RenderWithRayCaster(64);
   double maximum = 0.0;
@@ -337,16 +355,17 @@ std::vector<Scenario> ShaftScenarios()
       DirectionalLight({ 1.0, .0455, .32 }) },
     { "ShaftsSunBehind", scene + ", the light behind the camera", "still", Metric::Bias, .012, mask,
       "[Shafts] a light behind the view", "", DirectionalLight({ .3, -1.0, .5 }) },
-    { "ShaftsLamp", scene + ", a positional light among them", "still", Metric::Bias, .04, mask,
-      "[Shafts] directional lights only", "", PositionalLight },
+    { "ShaftsLamp", scene + ", a positional light among them", "still", Metric::Bias, .04,
+      "distance of the positional light: infinite", "[Shafts] directional lights only", "",
+      PositionalLight },
     { "ShaftsInParallel", scene + ", in parallel projection", "still", Metric::Bias, .03, mask, "",
       "", InParallel },
     { "ShaftsThinOccluders", "five plates in haze", "still", Metric::Bias, .05,
       "thickness of visible surfaces: unlimited", "[Shafts] one layer of depth", "",
       ThinOccluders },
     { "ShaftsBehindAForeground", scene + ", a box close to the camera", "still",
-      Metric::MaximumDifference, .02, mask, "[Shafts] shafts drawn over the foreground", "",
-      BehindAForeground },
+      Metric::MaximumDifference, .02, "in-scattering ends at the visible surface: does not end",
+      "[Shafts] shafts drawn over the foreground", "", BehindAForeground },
     { "ShaftsSweepingLight", scene, "the light rotates past the camera, 2 degrees per frame",
       Metric::Pop, .09, mask, "[Shafts] a light at right angles to the view", "", SweepingLight },
     { "ShaftsOccluderCrossesTheBorder", "a ball in haze", "it leaves the image", Metric::Bias, .04,

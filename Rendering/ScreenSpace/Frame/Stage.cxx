@@ -3,6 +3,7 @@
 #include "Stage.h"
 
 #include "OpenGLFunctions.h"
+#include "ScopedShaderEdit.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -29,8 +30,9 @@ std::string Assemble(
 Stage::Stage() = default;
 Stage::~Stage() = default;
 
-vtkShaderProgram* Stage::Ready(vtkOpenGLRenderWindow* window, const std::string& source)
+vtkShaderProgram* Stage::Ready(vtkOpenGLRenderWindow* window, const std::string& text)
 {
+  const std::string source = ScopedShaderEdit::Apply(text);
   if (this->Quad && this->Quad->Program && this->Source == source)
   {
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);

@@ -45,7 +45,7 @@ public:
 
   /// Compiles and activates the program, so that uniforms can be set. It is compiled again only if
   /// the source differs. Returns null if it does not compile.
-  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& source);
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& text);
 
   /// Binds a texture to the sampler `name` for the next Draw().
   void BindTexture(const char* name, vtkTextureObject* texture);
