@@ -29,7 +29,8 @@ int main(int argc, char** argv)
     return std::vector<std::string>{ "OSMesa, one thread; " + DateLine(), VersionLine(),
       "reference of the pass: the ray caster's marched reference, 256 steps; its own reference: "
       "the closed form",
-      "changes of light are in 1/255 of a light of intensity 1; the brightest in-scattered light "
-      "is 20/255" };
+      "moving light and occluder: radiance is a fraction of the maximum, that of an infinitely "
+      "long, "
+      "lit ray" };
   });
 }
