@@ -2,15 +2,20 @@
 include(PenumbraTest)
 
 set(penumbra_module_files
+  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Comparison/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Irradiance/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Parallel/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayCasting/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/RayTracing/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Scene/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/Irradiance/vtk.module"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/ScreenSpace/vtk.module"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Comparison/vtk.module")
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/ScreenSpace/vtk.module")
 
+# Support for regression tests of other projects.
+if (BUILD_TESTING)
+  list(APPEND penumbra_module_files
+    "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Comparison/vtk.module")
+endif ()
 if (PENUMBRA_BUILD_PLUGIN)
   list(APPEND penumbra_module_files
     "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/ParaView/vtk.module")
@@ -34,7 +39,8 @@ vtk_module_build(
   TEST_DIRECTORY_NAME Testing)
 
 set(penumbra_python_modules ${penumbra_modules})
-list(REMOVE_ITEM penumbra_python_modules Penumbra::FiltersParallel Penumbra::TestingComparison)
+list(REMOVE_ITEM penumbra_python_modules
+  Penumbra::FiltersComparison Penumbra::FiltersParallel Penumbra::TestingComparison)
 foreach (module IN LISTS penumbra_modules)
   _vtk_module_real_target(penumbra_target ${module})
   penumbra_warnings(${penumbra_target})

@@ -35,6 +35,8 @@ struct Row
 };
 
 const std::vector<Row> Table = {
+  { "Filters/Comparison", {}, {} },
+
   { "Filters/Scene", {}, { "GLM" } },
   { "Filters/Scene/Execution", {}, {} },
   { "Filters/Scene/Tessellation", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
@@ -129,11 +131,11 @@ const std::vector<Row> Table = {
       "Rendering/Irradiance" },
     { "OpenGL", "ParaView" } },
 
-  { "Testing/Comparison", {}, { "GoogleTest" } },
+  { "Testing/Comparison", { "Filters/Comparison" }, { "GoogleTest" } },
 
   { "Command/Processes", {}, {} },
   { "Command/Parsing", { "Command/Processes" }, { "CLI11" } },
-  { "Command/Files", { "Command/Processes", "Testing/Comparison" }, { "JSON" } },
+  { "Command/Files", { "Command/Processes" }, { "JSON" } },
   { "Command/Input",
     { "Command/Processes", "Command/Parsing", "Command/Files", "Filters/RayTracing" },
     { "CLI11" } },
@@ -152,7 +154,7 @@ const std::vector<Row> Table = {
   { "Command",
     { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Input", "Command/Options",
       "Command/Scene", "Command/Engines", "Filters/RayTracing", "Filters/RayCasting",
-      "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance", "Testing/Comparison" },
+      "Filters/Comparison", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance" },
     { "OpenGL", "CLI11", "JSON" } },
 };
 
@@ -480,7 +482,7 @@ TEST(Modules, LinkNoLibraryOfTestsOrBenchmarks)
   const auto forEachList = [](const std::string& top, const auto& use) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(Root / top))
     {
-      if (entry.path().filename() == "CMakeLists.txt")
+      if (entry.path().filename() == "CMakeLists.txt" || entry.path().filename() == "vtk.module")
       {
         use(entry.path(), Text(entry.path()));
       }
@@ -488,7 +490,11 @@ TEST(Modules, LinkNoLibraryOfTestsOrBenchmarks)
   };
   for (const char* top : { "Testing", "Benchmarks" })
   {
-    forEachList(top, [&libraries](const fs::path&, const std::string& text) {
+    forEachList(top, [&libraries](const fs::path& path, const std::string& text) {
+      if (path.filename() == "vtk.module")
+      {
+        libraries.insert(ModuleName(path.parent_path().lexically_relative(Root).generic_string()));
+      }
       for (std::sregex_iterator i(text.begin(), text.end(), library), end; i != end; ++i)
       {
         libraries.insert((*i)[1]);

@@ -145,6 +145,16 @@ TEST(Output, AcceptsLongestFileName)
   EXPECT_TRUE(std::filesystem::exists(folder / name));
 }
 
+TEST(Program, LoadsNoLibraryOfTests)
+{
+  const ProgramResult libraries = RunShell("ldd $PENUMBRA | cut -d = -f 1"); // names without paths
+  EXPECT_NE(libraries.Output.find("libvtkPenumbraFiltersComparison"), std::string::npos);
+  for (const char* name : { "Testing", "gtest", "Reference" })
+  {
+    EXPECT_EQ(libraries.Output.find(name), std::string::npos) << libraries.Output;
+  }
+}
+
 TEST(StandardOutput, ReportsFullDevice)
 {
   const Folder folder("full-output");

@@ -29,14 +29,14 @@
 #define vtkPenumbraImageComparison_h
 
 #include "vtkObject.h"
-#include "vtkPenumbraTestingComparisonModule.h" // for export macro
+#include "vtkPenumbraFiltersComparisonModule.h" // for export macro
 #include "vtkSmartPointer.h"                    // for MakeDifference
 
 #include <memory> // for std::unique_ptr
 
 class vtkImageData;
 
-class VTKPENUMBRATESTINGCOMPARISON_EXPORT vtkPenumbraImageComparison : public vtkObject
+class VTKPENUMBRAFILTERSCOMPARISON_EXPORT vtkPenumbraImageComparison : public vtkObject
 {
 public:
   static vtkPenumbraImageComparison* New();

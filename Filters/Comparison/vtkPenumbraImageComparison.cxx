@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraImageComparison.h"
 
-#include "Metrics.h"
+#include "ImageMetrics.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -146,15 +146,15 @@ double Measure(vtkPenumbraImageComparison* limits, int metric, const penumbra::P
     case Comparison::SSIM:
       return penumbra::StructuralDissimilarity(a, b, mask);
     case Comparison::PIXELS:
-      return penumbra::ShareOfPixelsOff(a, b, mask);
+      return penumbra::FractionOfDifferentPixels(a, b, mask);
     case Comparison::TILE_RMSE:
       return penumbra::WorstTileRootMeanSquare(a, b);
     case Comparison::TILE_PIXELS:
-      return penumbra::WorstTileShareOfPixelsOff(a, b);
+      return penumbra::WorstTileFractionOfDifferentPixels(a, b);
     case Comparison::EXCESS:
       return std::max({ Share(penumbra::WorstTileRootMeanSquare(a, b), limits->GetTolerance()),
-        Share(penumbra::ShareOfPixelsOff(a, b, mask), limits->GetPixelLimit()),
-        Share(penumbra::WorstTileShareOfPixelsOff(a, b), limits->GetTilePixelLimit()) });
+        Share(penumbra::FractionOfDifferentPixels(a, b, mask), limits->GetPixelLimit()),
+        Share(penumbra::WorstTileFractionOfDifferentPixels(a, b), limits->GetTilePixelLimit()) });
     default:
       return penumbra::RootMeanSquare(a, b, mask);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Metrics.h"
+#include "ImageMetrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +115,7 @@ double LargestDifference(const Planes& a, const Planes& b)
   return largest;
 }
 
-double ShareOfPixelsOff(const Planes& a, const Planes& b, const Mask& mask)
+double FractionOfDifferentPixels(const Planes& a, const Planes& b, const Mask& mask)
 {
   const std::vector<double> off = PixelsOff(a, b);
   return std::accumulate(off.begin(), off.end(), 0.0) / CountedPixels(a, mask);
@@ -126,7 +126,7 @@ double WorstTileRootMeanSquare(const Planes& a, const Planes& b)
   return std::sqrt(WorstTileMean(SquaredDifferences(a, b), a.Width, a.Height));
 }
 
-double WorstTileShareOfPixelsOff(const Planes& a, const Planes& b)
+double WorstTileFractionOfDifferentPixels(const Planes& a, const Planes& b)
 {
   return WorstTileMean(PixelsOff(a, b), a.Width, a.Height);
 }

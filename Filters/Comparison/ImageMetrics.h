@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Metrics of vtkPenumbraImageComparison over plain arrays. Private to this module.
-#ifndef penumbra_Metrics_h
-#define penumbra_Metrics_h
+#ifndef penumbra_ImageMetrics_h
+#define penumbra_ImageMetrics_h
 
 #include <array>
 #include <cstddef>
@@ -31,11 +31,11 @@ int ComparedChannels(const Planes& a, const Planes& b);
 double RootMeanSquare(const Planes& a, const Planes& b, const Mask& mask);
 double LargestDifference(const Planes& a, const Planes& b);
 double StructuralDissimilarity(const Planes& a, const Planes& b, const Mask& mask);
-double ShareOfPixelsOff(const Planes& a, const Planes& b, const Mask& mask);
+double FractionOfDifferentPixels(const Planes& a, const Planes& b, const Mask& mask);
 
 /// RMSE and fraction of differing pixels of the worst tile of 16x16 pixels at any position.
 double WorstTileRootMeanSquare(const Planes& a, const Planes& b);
-double WorstTileShareOfPixelsOff(const Planes& a, const Planes& b);
+double WorstTileFractionOfDifferentPixels(const Planes& a, const Planes& b);
 
 }
 #endif
