@@ -4,6 +4,7 @@
 // penumbra bake: computes ambient occlusion or irradiance as an array of a mesh.
 #include "Engines/Engine.h"
 #include "Files/AtomicFile.h"
+#include "Files/FileExtension.h"
 #include "Files/InputFiles.h"
 #include "Files/PlyFile.h"
 #include "Files/Report.h"
@@ -11,7 +12,9 @@
 #include "Input/ReadLimit.h"
 #include "Input/Surfaces.h"
 #include "Options/Falloffs.h"
+#include "Options/SharedOptions.h"
 #include "Parsing/Arguments.h"
+#include "Processes/Clock.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/ProgressLine.h"
@@ -23,6 +26,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPLYWriter.h"
 #include "vtkPenumbraCubeMapGatherer.h"
@@ -37,7 +41,6 @@
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -48,8 +51,6 @@ namespace penumbra
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
 
 struct BakeOptions
 {
@@ -72,22 +73,9 @@ struct BakeOptions
   std::string Progress = "auto";
 };
 
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::string Extension(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 void CheckMeshExtension(const std::string& path)
 {
-  const std::string extension = Extension(path);
+  const std::string extension = LowerExtension(path);
   if (extension != ".vtp" && extension != ".vtu" && extension != ".vtk" && extension != ".ply")
   {
     throw CommandError(BadInput,
@@ -120,8 +108,6 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
   return mesh;
 }
 
-constexpr double Pi = 3.14159265358979323846;
-
 /// Adds 8-bit vertex colors for PLY files, which have no arrays: 1 - occlusion, or the radiosity E / pi of
 /// a white surface clamped to 1.
 void AddColors(vtkPolyData* mesh, bool light)
@@ -136,7 +122,7 @@ void AddColors(vtkPolyData* mesh, bool light)
     for (int c = 0; c < 3; ++c)
     {
       const double value =
-        light ? values->GetComponent(i, c) / Pi : 1.0 - values->GetComponent(i, 0);
+        light ? values->GetComponent(i, c) / vtkMath::Pi() : 1.0 - values->GetComponent(i, 0);
       colors->SetComponent(i, c, std::round(255.0 * std::min(value, 1.0)));
     }
   }
@@ -271,7 +257,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   EnterPhase("writing " + options.Output, Unavailable);
   lap = Clock::now();
   vtkPolyData* baked = vtkPolyData::SafeDownCast(filter->GetOutput());
-  if (!WriteAs(Extension(options.Output), baked, light, output.TemporaryPath()))
+  if (!WriteAs(LowerExtension(options.Output), baked, light, output.TemporaryPath()))
   {
     output.Fail("the file is incomplete; check the free disk space");
   }
@@ -313,13 +299,8 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     "reflected light of the environment)");
   AddNumber(
     app, "--tolerance", options.Tolerance, "X", "Accepted RMSE over all points", { 1e-4, 1.0 });
-  AddNumber(app, "--radius", options.Radius, "R",
-    "Largest distance of an occluder in world units, inf: no limit; default: a tenth of the "
-    "bounds' diagonal",
-    { 0.0, Infinity, true, true })
-    ->default_str("");
-  AddChoice(app, "--falloff", options.Falloff, FalloffNames(),
-    "Weight of an occluder at distance t: 1, 1 - t/R, 1 - (t/R)^2 or 1 - sqrt(t/R)");
+  AddOcclusionRadiusOption(app, "--radius", options.Radius, "inf");
+  AddFalloffOption(app, "--falloff", options.Falloff);
   AddTriple(app, "--environment-color", options.EnvironmentColor,
     "irradiance: radiance of rays that hit nothing; default: 1,1,1", { 0.0, 1e6 });
   AddEnvironmentOptions(app, options.EnvironmentFile, options.EnvironmentUp, "");
@@ -330,21 +311,16 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     64);
   AddChoice(app, "--normals", options.Normals, { "file", "computed" },
     "Normals of the hemispheres; file: computed if the file has none");
-  AddChoice(app, "--gatherer", options.Gatherer, { "rays", "cube-map" },
-    "How cache records sample the hemisphere: by rays or with OpenGL");
+  AddGathererOption(app, options.Gatherer);
   AddNumber(app, "--point-radius", options.PointRadius, "R",
     "Radius of the disks that represent points of a mesh without polygons", { 0.0, 1e30, true })
     ->default_str("");
   AddInteger(app, "--threads", options.Threads,
     "Number of threads, 0: all; the values do not depend on it", 0, 1024);
-  app
-    .add_option("--statistics", options.Statistics,
-      "Write record and ray counts, estimated error, times and memory to this file")
-    ->type_name("FILE.json")
-    ->take_last();
+  AddStatisticsOption(app, options.Statistics,
+    "Write record and ray counts, estimated error, times and memory to this file");
   AddReadLimitOption(app);
-  AddChoice(app, "--progress", options.Progress, { "auto", "bar", "plain", "none" },
-    "Progress on stderr; auto: a bar on a terminal");
+  AddProgressOption(app, options.Progress);
 }
 
 }

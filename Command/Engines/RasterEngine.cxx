@@ -4,6 +4,7 @@
 
 #include "Files/ImageFiles.h"
 #include "Options/RenderOptions.h"
+#include "Processes/Clock.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 
@@ -22,7 +23,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -186,7 +186,7 @@ RasterRenderer::~RasterRenderer()
 
 RenderResult RasterRenderer::Render(const ProgressListener& progress)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock::time_point start = Clock::now();
   const int width = this->Options.Resolution[0];
   const int height = this->Options.Resolution[1];
   TakeErrors();
@@ -221,8 +221,7 @@ RenderResult RasterRenderer::Render(const ProgressListener& progress)
   }
   result.Threads =
     this->Options.Threads > 0 ? this->Options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
-  result.RenderSeconds =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.RenderSeconds = SecondsSince(start);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "Input/Surfaces.h"
 #include "Options/Falloffs.h"
 #include "Options/RenderOptions.h"
+#include "Processes/Clock.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 
@@ -38,8 +39,6 @@ namespace penumbra
 
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
 
 struct AlgorithmObserver
 {

@@ -70,11 +70,6 @@ std::string DescribeEmptyImage(
 
 }
 
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 std::string ReplaceAll(
   std::string pattern, const std::string& placeholder, const std::string& value)
 {

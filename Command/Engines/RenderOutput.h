@@ -7,8 +7,8 @@
 
 #include "Engine.h"
 #include "Files/AtomicFile.h"
+#include "Processes/Clock.h"
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,10 +19,6 @@ namespace penumbra
 {
 
 class ProgressLine;
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start);
 
 /// Returns `pattern` with every `placeholder` replaced by `value`.
 std::string ReplaceAll(

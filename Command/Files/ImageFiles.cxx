@@ -3,11 +3,12 @@
 #include "ImageFiles.h"
 
 #include "AtomicFile.h"
-#include "EarlyEnds.h"
+#include "FileExtension.h"
 #include "InputFiles.h"
 #include "PixelDensity.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "TiffFile.h"
 
 #include "vtkBMPReader.h"
 #include "vtkBMPWriter.h"
@@ -59,9 +60,7 @@ vtkStandardNewMacro(TiffWriter);
 
 std::string Extension(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return std::tolower(letter); });
+  const std::string extension = LowerExtension(path);
   return extension == ".jpeg" ? ".jpg" : extension == ".tiff" ? ".tif" : extension;
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputFiles.h"
 
+#include "FileExtension.h"
+
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -34,14 +35,6 @@ bool Add(const fs::path& path, Files& files)
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
     files.emplace(FileId(status.st_dev, status.st_ino), status.st_size).second;
-}
-
-std::string LowerExtension(const fs::path& path)
-{
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return std::tolower(letter); });
-  return extension;
 }
 
 // Returns whether the format refers to other files.

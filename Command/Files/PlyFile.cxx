@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyFile.h"
 
+#include "MappedFile.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <sstream>
 #include <vector>
-
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace penumbra
 {
@@ -235,23 +232,8 @@ PlyFile Walk(const char* begin, const char* end)
 
 PlyFile WalkPlyFile(const std::string& path)
 {
-  PlyFile result;
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat status = {};
-  if (file < 0 || fstat(file, &status) != 0 || status.st_size == 0)
-  {
-    return result;
-  }
-  const std::size_t size = static_cast<std::size_t>(status.st_size);
-  void* bytes = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-  close(file);
-  if (bytes != MAP_FAILED)
-  {
-    const char* begin = static_cast<const char*>(bytes);
-    result = Walk(begin, begin + size);
-    munmap(bytes, size);
-  }
-  return result;
+  const MappedFile file(path);
+  return file.Size() > 0 ? Walk(file.Begin(), file.End()) : PlyFile();
 }
 
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFileValidation.h"
 
-#include "Files/EarlyEnds.h"
+#include "Files/FileExtension.h"
 #include "Files/PlyFile.h"
 #include "Processes/CommandError.h"
+#include "Truncation/Truncation.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
@@ -57,14 +58,6 @@ void CheckStl(const std::string& path)
   }
 }
 
-std::string LowerExtension(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return std::tolower(letter); });
-  return extension;
-}
-
 }
 
 DeclaredCounts CheckMeshFile(const std::string& path)
@@ -91,7 +84,7 @@ DeclaredCounts CheckMeshFile(const std::string& path)
   }
   else
   {
-    const std::string last = FindEarlyEnd(path);
+    const std::string last = FindTruncation(path);
     if (!last.empty())
     {
       ThrowTruncated(path, last);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Readers.h"
 
+#include "Files/FileExtension.h"
 #include "MeshFileValidation.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
@@ -162,9 +163,7 @@ std::vector<ReaderRow> MakeTable()
 
 const ReaderRow& FindReader(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return std::tolower(letter); });
+  const std::string extension = LowerExtension(path);
   for (const ReaderRow& row : Readers())
   {
     if (std::count(row.Extensions.begin(), row.Extensions.end(), extension))

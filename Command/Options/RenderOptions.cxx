@@ -3,12 +3,12 @@
 #include "RenderOptions.h"
 
 #include "Colormaps.h"
-#include "Falloffs.h"
 #include "Files/ImageFiles.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
+#include "SharedOptions.h"
 
 #include "vtkPenumbraKernels.h"
 
@@ -66,15 +66,10 @@ void DeclareOutput(CLI::App& app, RenderOptions& options)
   AddInteger(app, "--dpi", options.DotsPerInch,
     "Dots per inch, stored in the file; widths are in points of 1/72 inch", 1, 9600)
     ->group("Output");
-  app
-    .add_option("--statistics", options.Statistics,
-      "Write ray counts, estimated error, times and memory to this file; {name} as in --output")
-    ->type_name("FILE.json")
-    ->take_last()
+  AddStatisticsOption(app, options.Statistics,
+    "Write ray counts, estimated error, times and memory to this file; {name} as in --output")
     ->group("Output");
-  AddChoice(app, "--progress", options.Progress, { "auto", "bar", "plain", "none" },
-    "Progress on stderr; auto: a bar on a terminal")
-    ->group("Output");
+  AddProgressOption(app, options.Progress)->group("Output");
   AddInteger(
     app, "--jobs", options.Jobs, "Number of images rendered at the same time, with {name}", 1, 1024)
     ->group("Output");
@@ -320,14 +315,10 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
     .add_flag("-q,--ambient-occlusion", options.AmbientOcclusion,
       "Ambient occlusion: rgb * (1 - strength * occlusion)")
     ->group(group);
-  AddNumber(app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "R",
-    "Largest distance of an occluder in world units, inf (ray): no limit; default: a tenth of the "
-    "bounds' diagonal",
-    { 0.0, Infinity, true, true })
-    ->default_str("")
+  AddOcclusionRadiusOption(
+    app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "inf (ray)")
     ->group(group);
-  AddChoice(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFalloff, FalloffNames(),
-    "Weight of an occluder at distance t: 1, 1 - t/R, 1 - (t/R)^2 or 1 - sqrt(t/R) (ray)")
+  AddFalloffOption(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFalloff, " (ray)")
     ->group(group);
   AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
     "Strength of the darkening; default: 1, on surfaces colored by data 0.6", Unit)
@@ -338,9 +329,7 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   AddChoice(app, "--ambient-occlusion-kernel", options.AmbientOcclusionKernel, KernelNames(),
     "Kernel; traced: rays, others: depth buffer (raster)")
     ->group(group);
-  AddChoice(app, "--gatherer", options.Gatherer, { "rays", "cube-map" },
-    "How cache records sample the hemisphere: by rays or with OpenGL (ray)")
-    ->group(group);
+  AddGathererOption(app, options.Gatherer, " (ray)")->group(group);
   AddInteger(app, "--frames", options.Frames,
     "Number of frames accumulated with a static camera, 0: until converged (raster)", 0, 100000)
     ->group(group);

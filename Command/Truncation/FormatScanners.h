@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Scanners of file formats: each reads a file from its beginning and throws TruncatedFile if it ends too
+// early, or UnknownStructure if it cannot tell.
+#ifndef penumbra_FormatScanners_h
+#define penumbra_FormatScanners_h
+
+#include <string>
+
+namespace penumbra
+{
+
+class FileCursor;
+
+void ScanLegacyVTK(FileCursor& file);
+
+/// .pts: points as text.
+void ScanPts(FileCursor& file);
+
+/// .nrrd and .nhdr; `path` locates a separate data file.
+void ScanNrrd(FileCursor& file, const std::string& path);
+
+/// AVS .inp, text and binary.
+void ScanUcd(FileCursor& file);
+
+/// .slc: a volume in slices.
+void ScanSlc(FileCursor& file);
+
+/// Tecplot text files, first zone.
+void ScanTecplot(FileCursor& file);
+
+/// An EnSight case and its geometry as text; `path` locates the geometry.
+void ScanEnSight(FileCursor& file, const std::string& path);
+
+}
+#endif
