@@ -5,6 +5,7 @@
 #include "Embree/RayScene.h"
 #include "Execution/NaNCheck.h"
 #include "Execution/Statistics.h"
+#include "Gathering/IrradianceConstants.h"
 #include "Records/Interreflection.h"
 #include "Records/PixelCandidates.h"
 #include "Records/RecordPolyData.h"
@@ -23,28 +24,6 @@ namespace
 {
 
 using namespace penumbra;
-
-/// Error of interpolated values as a fraction of the tolerance passed to Begin(). Below 1 because
-/// errors of neighboring pixels are correlated and do not average out.
-constexpr double InterpolationErrorFraction = 0.5;
-
-/// Minimum tolerance of the mean over the hemisphere.
-constexpr double MinimumTolerance = 1e-4;
-
-/// Minimum stride in pixels of the visible points that trace rays to place the records of
-/// reflections.
-constexpr int ViewpointStride = 8;
-
-/// Error of interpolated irradiance as a fraction of the tolerance.
-constexpr double HessianErrorFraction = .5;
-
-/// Error of the grid of one irradiance record over the tolerance. Above 1 because cells are
-/// supersampled and several records are interpolated. Twice as many records with half as many rays
-/// each have a smaller error (benchmark `irradiance`).
-constexpr double GridNoise = 2.5;
-
-/// Fraction of the progress of irradiance spent on all reflections but the last.
-constexpr double ReflectionProgress = 0.5;
 
 /// Converts the records of a view and adds the angle that their weights depend on.
 void Copy(

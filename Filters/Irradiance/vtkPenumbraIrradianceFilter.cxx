@@ -8,6 +8,7 @@
 #include "Embree/RayScene.h"
 #include "Execution/NaNCheck.h"
 #include "Execution/Statistics.h"
+#include "Gathering/IrradianceConstants.h"
 #include "Gathering/RayGatherer.h"
 #include "Records/Interreflection.h"
 
@@ -17,6 +18,7 @@
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPenumbraBruteForceIrradiance.h"
@@ -38,51 +40,6 @@ namespace
 {
 
 using namespace penumbra;
-
-// Unless noted otherwise, the constants below were measured on a scan of 104 thousand points.
-
-/// Pixel size of a mesh over the distance of neighboring points. The minimum radius of a record
-/// must include its neighbors.
-constexpr float PixelPerSpacing = .5f;
-
-/// Error of interpolation along the surface as a fraction of the tolerance. Surfaces of scans are
-/// rough.
-constexpr double HessianErrorFraction = .5;
-
-/// Error of rotation between normals as a fraction of the tolerance.
-constexpr double RotationErrorFraction = .1;
-
-/// Maximum radius of a record, in pixels as defined by PixelPerSpacing.
-constexpr double MaximumRadiusPixels = 16.0;
-
-/// Noise of one record over the tolerance. Above 1 because several records are interpolated.
-constexpr double RecordNoiseFactor = 1.4;
-
-/// Estimated error of brute force over the tolerance. Above 1 because the estimate exceeds the true
-/// error.
-constexpr double BruteForceErrorFactor = 1.3;
-
-/// Noise of low-sample estimates over the tolerance.
-constexpr double LowSampleNoiseFactor = 2.2;
-
-/// Maximum noise of low-sample estimates; that of 32 rays.
-constexpr double MaximumLowSampleNoise = .032;
-
-/// Estimated error of denoised values over the tolerance.
-constexpr double DenoisedErrorFactor = .88;
-
-/// Minimum number of rays per point by brute force. More than for pixels, whose errors average out
-/// over the samples of a pixel.
-constexpr int MinimumRays = 128;
-
-constexpr double Pi = 3.14159265358979323846;
-
-/// Fraction of the progress of irradiance spent on all reflections but the last.
-constexpr double ReflectionProgress = 0.4;
-
-/// Approximate number of points (less than twice as many) that trace rays to place the records of
-/// reflections.
-constexpr std::size_t ViewpointCount = 256;
 
 /// Returns an array of `scale` times the means at all points or cells, 0 for those without a query
 /// point. A cell with several faces gets the mean over its faces.
@@ -109,12 +66,6 @@ vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedVal
   }
   return array;
 }
-
-/// Fraction of occluded points from which normals are reported as inward facing.
-constexpr double MinimumOccludedFraction = .99;
-
-/// Occlusion from which a point counts as occluded.
-constexpr float OccludedThreshold = .999f;
 
 /// Returns true if nearly all points are occluded: the normals face into the mesh, or the mesh is a
 /// cave.
@@ -354,7 +305,7 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   }
   const vtkIdType size = this->OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
   attributes->AddArray(light
-      ? CreateArray(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(Pi))
+      ? CreateArray(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(vtkMath::Pi()))
       : CreateArray(mesh, work.Baked, size, "AmbientOcclusion", 1, 1.f));
   this->Report(work, size);
 }
@@ -422,7 +373,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   settings.Albedo = static_cast<float>(this->Albedo);
   settings.Bounces = this->Bounces;
   const Illumination light(*work.Rays, settings);
-  const double tolerance = this->Tolerance / Pi; // for the mean over the hemisphere
+  const double tolerance = this->Tolerance / vtkMath::Pi(); // for the mean over the hemisphere
   work.Settings.Tolerance = HessianErrorFraction * tolerance;
   work.Settings.Side = RecordPlacement::SideFor(RecordNoiseFactor * tolerance);
   const float angle = RecordPlacement::NormalAngleFor(RotationErrorFraction * tolerance);
@@ -432,19 +383,21 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const bool several = records && this->Bounces > 1;
   work.Reflections = std::make_unique<Interreflection>(light, work.Settings, angle);
   std::vector<RecordCandidate> viewpoints;
-  const std::size_t step = std::max<std::size_t>(work.Mesh.Sites.size() / ViewpointCount, 1);
+  const std::size_t step = std::max<std::size_t>(work.Mesh.Sites.size() / BakingViewpointCount, 1);
   for (std::size_t i = 0; i < work.Mesh.Sites.size(); i += step)
   {
     viewpoints.push_back(work.Mesh.Sites[i]);
   }
-  const auto before = [&](double fraction) { return work.Progress(ReflectionProgress * fraction); };
+  const auto before = [&](double fraction) {
+    return work.Progress(BakingReflectionProgress * fraction);
+  };
   if (several && !work.Reflections->Build(viewpoints, before))
   {
     return false;
   }
   const auto after = [&](double fraction) {
     return work.Progress(
-      several ? ReflectionProgress + (1.0 - ReflectionProgress) * fraction : fraction);
+      several ? BakingReflectionProgress + (1.0 - BakingReflectionProgress) * fraction : fraction);
   };
   const LightGatherer& rayGatherer = work.Reflections->GetGatherer();
   const std::unique_ptr<penumbra::Gatherer> customGatherer =
@@ -466,8 +419,8 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
       provider->Irradiance(&world.x, &normal.x, BruteForceErrorFactor * this->Tolerance);
     count += estimate.Rays;
     return BakedValue{ glm::vec3(estimate.Value[0], estimate.Value[1], estimate.Value[2]) /
-        static_cast<float>(Pi),
-      static_cast<float>(estimate.Error / Pi) };
+        static_cast<float>(vtkMath::Pi()),
+      static_cast<float>(estimate.Error / vtkMath::Pi()) };
   };
   const PointEstimators estimators{ bruteForce, {}, 0.f };
   const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, records, placement, work.Tree,
@@ -480,7 +433,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
 void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
 {
   const BakedValues& baked = work.Baked;
-  const double unit = this->Quantity == IRRADIANCE ? Pi : 1.0;
+  const double unit = this->Quantity == IRRADIANCE ? vtkMath::Pi() : 1.0;
   double square = 0.0;
   for (const BakedValue& value : baked.Values)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BakeInput.h"
 
+#include "Gathering/IrradianceConstants.h"
 #include "Import/SurfaceGeometry.h"
 #include "Shading/HemisphereSampling.h"
 
@@ -31,10 +32,6 @@ namespace
 
 /// Number of sides of the discs that represent points.
 constexpr unsigned int DiscSides = 6;
-
-/// Height of ray origins above a point, over the radius of its disc, so that the discs of
-/// neighboring points on a convex surface do not occlude it.
-constexpr float DiscRayHeight = .5f;
 
 bool IsFinite(const double x[3])
 {

@@ -3,6 +3,7 @@
 #include "Baking.h"
 
 #include "Execution/ParallelFor.h"
+#include "Gathering/IrradianceConstants.h"
 #include "LocalRegression.h"
 #include "Shading/HemisphereSampling.h"
 
@@ -14,28 +15,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// Width of the grid cells of the first level in spacings, and number of levels. Each level halves
-/// the width, down to one spacing.
-constexpr float CoarsestCellWidth = 32.f;
-constexpr int Levels = 6;
-
-/// A level whose records cover fewer points each is the last. A record costs about as much as two
-/// points by brute force, because it needs nearest hits and more rays for its derivatives.
-constexpr double MinimumCoveredPoints = 2.5;
-
-/// The same if other points use denoised low-sample estimates, which are cheaper. Measured on a
-/// scan of 104 thousand points.
-constexpr double MinimumCoveredPointsDenoised = 16.0;
-
-/// Denoising is tried on the points in one of TrialInterval grid cells of width TrialCellWidth. If
-/// the fraction of these points that it can denoise is below the minimum, brute force is as fast.
-constexpr double MinimumDenoisedFraction = .4;
-constexpr float TrialCellWidth = 6.f; ///< spacings
-constexpr std::size_t TrialInterval = 16;
-
-/// Fraction of the progress spent on records; the rest is spent on rays.
-constexpr double RecordProgress = 0.5;
 
 /// Chooses record candidates: for each grid cell and octant of normals, the point nearest to the
 /// center of the cell.
@@ -135,7 +114,7 @@ bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, doub
   }
   const CandidateGrid squares(sites);
   float width = CoarsestCellWidth * spacing;
-  for (int level = 0; level < Levels && !left.empty(); ++level, width *= .5f)
+  for (int level = 0; level < BakingLevels && !left.empty(); ++level, width *= .5f)
   {
     std::vector<RecordCandidate> chosen;
     for (const std::size_t index : squares.Choose(left, width))
@@ -144,7 +123,7 @@ bool PlaceRecords(const std::vector<RecordCandidate>& sites, float spacing, doub
     }
     const std::size_t invalid = placement.GetNumberOfInvalidRecords();
     const auto step = [&](double fraction) {
-      return progress && progress(RecordProgress * (level + fraction) / Levels);
+      return progress && progress(RecordProgress * (level + fraction) / BakingLevels);
     };
     if (!placement.AddLevel(chosen, step))
     {

@@ -2,47 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalRegression.h"
 
+#include "Gathering/IrradianceConstants.h"
 #include "Shading/HemisphereSampling.h"
 
 #include <algorithm>
 
 namespace penumbra
 {
-namespace
-{
-
-/// Radius of the neighborhood in spacings, and minimum cosine between normals. Larger neighborhoods
-/// add more bias than they remove noise. Measured on a scan of 104 thousand points.
-constexpr float RadiusInSpacings = 2.5f;
-constexpr float MinimumCosine = .95f;
-
-/// True variance over the variance that brute force estimates, which is too large.
-constexpr double VarianceFactor = .6;
-
-/// Fraction of the mean variance that is added to the variance of each estimate before the weights
-/// are computed. It prevents single estimates from dominating the fit.
-constexpr float CommonVarianceFraction = .5f;
-
-/// Ridge regularization: added to the diagonal, as a fraction of the sum of weights. Makes the
-/// function constant in directions without data, such as across a line of neighbors.
-constexpr double Ridge = 1e-3;
-
-/// True error of fitted values over the estimate from noise and residual. Measured on the same
-/// scan.
-constexpr double ErrorFactor = .8;
-
-/// Minimum number of estimates in excess of the number of terms.
-constexpr std::size_t MinimumSurplus = 2;
-
-/// Maximum number of points used per grid cell, many times the number on a mesh of uniform density.
-constexpr std::size_t MaximumPointsPerCell = 128;
-
-}
-
 LocalRegression::LocalRegression(
   const std::vector<RecordCandidate>& sites, const std::vector<std::size_t>& which, float spacing)
   : Sites(sites),
-    Radius(std::max(RadiusInSpacings * spacing, 1e-30f))
+    Radius(std::max(RegressionRadius * spacing, 1e-30f))
 {
   std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
   for (const std::size_t index : which)
@@ -86,7 +56,7 @@ void LocalRegression::FindRows(
     const RecordCandidate& other = this->Sites[which];
     const glm::vec3 d = (other.Position - site.Position) / this->Radius;
     const float square = glm::dot(d, d);
-    if (square < 1.f && glm::dot(other.Normal, site.Normal) > MinimumCosine)
+    if (square < 1.f && glm::dot(other.Normal, site.Normal) > RegressionCosine)
     {
       rows.push_back({ { 1.0, glm::dot(d, frame[0]), glm::dot(d, frame[1]),
                          glm::dot(other.Normal, frame[0]), glm::dot(other.Normal, frame[1]) },
@@ -196,7 +166,7 @@ NoisyEstimate LocalRegression::Fit(
   const double degreesOfFreedom = 1.0 - Terms / static_cast<double>(rows.size());
   const double unexplained = std::max(0.0, (residual / degreesOfFreedom - noise) / weights);
   return { static_cast<float>(m[0][Terms] / m[0][0]),
-    static_cast<float>(ErrorFactor * std::sqrt(variance + unexplained)) };
+    static_cast<float>(RegressionErrorFactor * std::sqrt(variance + unexplained)) };
 }
 
 }

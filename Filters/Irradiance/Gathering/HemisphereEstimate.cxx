@@ -24,6 +24,9 @@
 // of D'' w w^T + D'/t (1 - w w^T) and both mixed derivatives: the sums above of the jumps of -D' w.
 #include "HemisphereEstimate.h"
 
+#include "IrradianceConstants.h"
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,38 +35,8 @@ namespace penumbra
 namespace
 {
 
-constexpr float Pi = 3.14159265f;
-
 /// Luminance weights (ITU-R BT.709). One Hessian is used for all channels.
 const glm::vec3 Luminance(.2126f, .7152f, .0722f);
-
-/// Variance per boundary side, as a fraction of the squared jump. A fraction p of a cell on a
-/// straight boundary lies on one side. The variance of its single sample, p (1 - p), is 1/6 on
-/// average, and a staircase has about 4/3 sides per cell.
-constexpr float VariancePerSide = 1.f / 8.f;
-
-/// A hit is a wall if the cosine between its direction and the normal is below the first constant
-/// and the cosine between the normals is below the second.
-constexpr float LowCosine = .35f;
-constexpr float SteepCosine = .7f;
-
-/// Directions with a smaller cosine to the normal are ignored for the nearest hit [IC], which would
-/// be 0 on every concave surface.
-constexpr float GrazingCosine = .3f;
-
-/// Minimum cosine between normals of one plane.
-constexpr float FlatCosine = .99999f;
-
-/// Upper bound of the distance of an occluder edge, relative to the hit next to it.
-constexpr float MaximumEdgeFactor = 4.f;
-
-/// Lower bound of the distance of an occluder edge, in scene units. In a corner it would be 0 and
-/// the derivatives infinite.
-constexpr float MinimumEdgeDistance = 1e-9f;
-
-/// Lower bound of the squared sine between view direction and surface normal, which limits the
-/// gradient at the maximum distance on surfaces seen face-on.
-constexpr float MinimumSlope = .05f;
 
 /// Sums derivatives over the boundaries between cells.
 class Boundaries
@@ -111,12 +84,12 @@ public:
     if (endsAtMaximumDistance)
     {
       change = glm::vec2(m) *
-        (-cosine * glm::dot(slope, edgeNormal) / Pi /
+        (-cosine * glm::dot(slope, edgeNormal) / glm::pi<float>() /
           (this->Falloff.Radius * std::max(glm::dot(slope, slope), MinimumSlope)));
     }
     else
     {
-      change = glm::vec2(edgeNormal) * (-cosine / (Pi * edgeDistance));
+      change = glm::vec2(edgeNormal) * (-cosine / (glm::pi<float>() * edgeDistance));
     }
     for (int c = 0; c < 3; ++c)
     {
@@ -126,7 +99,8 @@ public:
     this->GradientSum += std::abs(luminanceStep) * cosine * length / edgeDistance;
     this->GradientSumOverDistance +=
       std::abs(luminanceStep) * cosine * length / (edgeDistance * edgeDistance);
-    const float curvature = -4.f * cosine * luminanceStep / (Pi * edgeDistance * edgeDistance);
+    const float curvature =
+      -4.f * cosine * luminanceStep / (glm::pi<float>() * edgeDistance * edgeDistance);
     this->HessianSums += curvature * Symmetric(glm::vec2(w), glm::vec2(edgeNormal));
     // At the maximum distance the falloff is 0 everywhere, so that only one mixed derivative
     // remains.

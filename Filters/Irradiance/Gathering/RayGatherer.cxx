@@ -3,7 +3,10 @@
 #include "RayGatherer.h"
 
 #include "Embree/RayScene.h"
+#include "IrradianceConstants.h"
 #include "Shading/HemisphereSampling.h"
+
+#include <glm/gtc/constants.hpp>
 
 #include <utility>
 
@@ -13,12 +16,6 @@ namespace
 {
 
 constexpr std::size_t PacketSize = 16;
-
-/// Number of samples along each side of a triangular emitter, and on the whole triangle.
-constexpr int SamplesPerSide = 4;
-constexpr float SamplesPerEmitter = .5f * SamplesPerSide * (SamplesPerSide + 1);
-
-constexpr float Pi = 3.14159265f;
 
 }
 
@@ -100,7 +97,7 @@ void LightGatherer::SampleEmitters(
     ++emitterIndex;
     const glm::vec3 side = emitter.Corners[1] - emitter.Corners[0];
     const glm::vec3 other = emitter.Corners[2] - emitter.Corners[0];
-    const glm::vec3 area = glm::cross(side, other) / (2.f * SamplesPerEmitter * Pi);
+    const glm::vec3 area = glm::cross(side, other) / (2.f * SamplesPerEmitter * glm::pi<float>());
     for (int i = 0; i < SamplesPerSide; ++i)
     {
       for (int j = 0; j < SamplesPerSide - i; ++j)

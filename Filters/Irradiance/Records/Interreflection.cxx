@@ -3,34 +3,13 @@
 #include "Interreflection.h"
 
 #include "Embree/RayScene.h"
+#include "Gathering/IrradianceConstants.h"
 #include "Shading/HemisphereSampling.h"
 
 namespace penumbra
 {
 namespace
 {
-
-/// Approximate number of points (less than twice as many) that trace rays to find candidates, and
-/// side of the grid of rays of each.
-constexpr std::size_t ViewpointCount = 1024;
-constexpr int ViewpointGridSide = 8;
-
-/// Tolerance of these records over that of the records that use them. Larger than 1 because their
-/// errors are averaged over the hemisphere and attenuated by each reflection. Measured with the
-/// benchmark `irradiance`.
-constexpr double ToleranceFactor = 4.0;
-
-/// Pixel size of a candidate over the length of the ray that found it. The solid angle of one of
-/// the usual 1024 rays is about 14 times as wide.
-constexpr float PixelPerDistance = .004f;
-
-/// Minimum pixel size of a candidate as a fraction of the mean. Smaller ones lie in corners.
-constexpr float MinimumPixelFraction = .25f;
-
-/// Number of candidates of the first level, which doubles with each level, and fraction of
-/// candidates that become records below which a level is the last.
-constexpr std::size_t FirstLevel = 64;
-constexpr double MinimumRecordFraction = .02;
 
 /// Returns a function that looks up the records of `tree`, which must outlive it.
 LightGatherer::LightLookup LookUpRecords(const RecordOctree& tree)
@@ -52,7 +31,7 @@ Interreflection::Interreflection(
     Settings(settings),
     NormalAngle(normalAngle)
 {
-  this->Settings.Tolerance *= ToleranceFactor;
+  this->Settings.Tolerance *= ReflectionToleranceFactor;
   this->Settings.Side = 0;
   this->Settings.KeepAllValid = true;
   this->Gatherers.push_back(std::make_unique<LightGatherer>(this->Light, nullptr, 0));

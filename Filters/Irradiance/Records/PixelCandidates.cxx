@@ -4,19 +4,12 @@
 
 #include "Embree/RayScene.h"
 #include "Execution/ParallelFor.h"
+#include "Gathering/IrradianceConstants.h"
 
 namespace penumbra
 {
 namespace
 {
-
-/// Lower bound of the cosine between view direction and normal, which limits the projected pixel
-/// size.
-constexpr double MinimumCosine = .02;
-
-/// The sphere of a record stays beyond this fraction of its distance from the camera. Nearer points
-/// would see its radius as many pixels, and a far record may miss occluders that matter to them.
-constexpr double NearestFraction = .5;
 
 bool IsInLevel(int x, int y, int stride, int level)
 {
@@ -70,7 +63,7 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
   const double cosine = std::abs(facing) / (length * glm::length(glm::dvec3(ray.Direction)));
   const double depth = hit.Distance + camera.DepthOfRayOrigins();
   const double pixel = camera.PixelSize * (camera.Parallel ? 1.0 : depth);
-  site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, MinimumCosine)));
+  site.Pixel = static_cast<float>(pixel / std::sqrt(std::max(cosine, MinimumViewCosine)));
   if (!camera.Parallel)
   {
     site.MaximumRadius =

@@ -2,16 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordInterpolator.h"
 
+#include "Gathering/IrradianceConstants.h"
+
 namespace penumbra
 {
-namespace
-{
-
-/// Estimated error of a record, over its Hessian norm times the squared distance. It is 1/2 in the
-/// direction of the maximum second derivative and less in others.
-constexpr float HessianErrorFraction = .25f;
-
-}
 
 void RecordInterpolator::Add(const Record& record, const ShadingPoint& point, float weight)
 {
@@ -22,7 +16,7 @@ void RecordInterpolator::Add(const Record& record, const ShadingPoint& point, fl
   this->Weights += weight;
   this->MaximumWeight = std::max(this->MaximumWeight, weight);
   this->Noise += weight * weight * estimate.Error * estimate.Error;
-  this->Bias += weight * HessianErrorFraction * estimate.HessianNorm * glm::dot(d, d);
+  this->Bias += weight * RecordErrorFraction * estimate.HessianNorm * glm::dot(d, d);
   this->Offset += weight * d;
   this->NormalOffset += weight * normalOffset;
   for (int c = 0; c < 3; ++c)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordOctree.h"
 
+#include "Gathering/IrradianceConstants.h"
 #include "Scene.h"
 
 #include <limits>
@@ -10,21 +11,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// A leaf with more references is split if half of its side is at least MinimumHalfSide times the
-/// mean radius of its records. Smaller leaves cost more memory accesses than they save comparisons.
-/// Measured with the benchmark `irradiance`.
-constexpr std::size_t MaximumReferences = 24;
-constexpr float MinimumHalfSide = 2.f;
-
-/// Minimum size of a node as a fraction of the root. Bounds the depth if many records coincide.
-constexpr float MinimumNodeSize = 1e-5f;
-
-/// Shift and growth of the root cube as fractions of its size. Floors and walls often pass through
-/// the center of a scene, where all their records would be referenced on both sides of node
-/// boundaries.
-constexpr float RootShift = .0137f;
-constexpr float RootGrowth = 1.03f;
 
 /// Returns the index of the child around `center` that contains `position`, one bit per axis.
 int FindOctant(glm::vec3 position, glm::vec3 center)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordPlacement.h"
 
+#include "Gathering/IrradianceConstants.h"
 #include "Shading/HemisphereSampling.h"
 
 #include <algorithm>
@@ -11,63 +12,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// A point is covered if the maximum weight of a record exceeds this. Some overlap makes
-/// transitions smooth; more overlap costs records and gains less than the tolerance (benchmark
-/// `irradiance`).
-constexpr float MinimumWeight = .05f;
-
-/// Factor on the radius at which the error of a single record, half its Hessian norm times the
-/// squared distance, equals the tolerance. Larger than 1 because weights decrease toward the radius
-/// and errors of neighboring records cancel. Measured with the benchmark `irradiance`.
-constexpr double OverlapFactor = 2.0;
-
-/// Error of the mean of a grid with side ReferenceSide if half of the hemisphere is occluded. It
-/// decreases with the power -3/2 of the side. Measured with the benchmark `irradiance`.
-constexpr double ReferenceSide = 32.0;
-constexpr double ReferenceError = .005;
-
-/// Side of the first grid. The full grid follows if the samples of the first differ. Occluders that
-/// the first grid misses are too small or too far to matter within the maximum radius.
-constexpr int CoarseSide = 16;
-
-/// Maximum radius as a fraction of the distance of occluder edges, near which the derivatives
-/// change.
-constexpr float OccluderEdgeFraction = .5f;
-
-/// Ratio of the accuracy of split-sphere radii (a fraction of the distance) to the square root of
-/// the tolerance. Gives about the usual accuracy of 0.3 at a tolerance of 0.005.
-constexpr double SplitSphereAccuracy = 4.0;
-
-/// Maximum radius as a fraction of the limit of the candidate if all samples are equal. The grid
-/// misses low distant occluders that nearer points see.
-constexpr double UniformRadiusFraction = .5;
-
-/// Maximum radius as a fraction of the distance to the shadow boundary of an emitter.
-constexpr double ShadowRadiusFraction = .5;
-
-/// Hits nearer than this fraction of the distance of an emitter occlude it.
-constexpr float EmitterDistanceFraction = .97f;
-
-/// Maximum radius as a fraction of the maximum distance of occluders; rays end at that distance.
-constexpr float OcclusionRadiusFraction = .25f;
-
-/// A record is invalid if its radius is below this fraction of the minimum radius: its error would
-/// be above twice the tolerance.
-constexpr double MinimumRadiusFraction = .7;
-
-/// Radius of an invalid record over the minimum radius. No other record is placed within this
-/// radius.
-constexpr double InvalidRadiusFactor = 2.0;
-
-/// Accepted noise of one record as a fraction of the tolerance if cells are supersampled.
-constexpr double NoiseFraction = .5;
-
-/// Maximum number of parts along each side of a supersampled cell.
-constexpr int MaximumSubdivisions = 12;
-
-/// Maximum number of supersampling rays over the number of cells.
-constexpr double MaximumRayFactor = 3.0;
 
 /// Estimates the variance of the single sample of a cell from its neighbors. The covered fraction
 /// of a cell that a straight boundary cuts has the variance 1/6.
@@ -237,10 +181,6 @@ void AverageSubsamples(
   sample.Variance = 1.f / static_cast<float>(m * m * m);
 }
 
-/// Fractions of the angle between a ray and the horizon of the planar surface that it hit, at which
-/// further rays test whether the surface continues.
-constexpr float HorizonFractions[] = { .002f, .016f, .125f };
-
 /// Returns true if `cell` hits a planar surface and a neighboring cell lies beyond its horizon.
 bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& directions,
   const std::vector<HemisphereSample>& samples, int cell)
@@ -290,7 +230,7 @@ RecordPlacement::RecordPlacement(
 
 int RecordPlacement::SideFor(double tolerance)
 {
-  return RoundToValidSide(ReferenceSide * std::pow(ReferenceError / tolerance, 2.0 / 3.0));
+  return RoundToValidSide(ReferenceGridSide * std::pow(ReferenceGridError / tolerance, 2.0 / 3.0));
 }
 
 float RecordPlacement::NormalAngleFor(double tolerance)

@@ -12,12 +12,12 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/gtc/constants.hpp>
+
 namespace penumbra
 {
 namespace
 {
-
-constexpr float Pi = 3.14159265f;
 
 /// Array of Record::IsValid. All records are valid if the array is missing.
 constexpr const char* ValidName = "Serves";
@@ -84,7 +84,7 @@ float FactorOf(const Column& column, Quantities quantity, double scale)
 {
   const bool ofValue =
     column.PerChannel || column.LengthPower < 0 || &column == &Columns[ColumnCount - 1];
-  const float value = ofValue && quantity == Quantities::Irradiance ? Pi : 1.f;
+  const float value = ofValue && quantity == Quantities::Irradiance ? glm::pi<float>() : 1.f;
   return value * static_cast<float>(std::pow(scale, -column.LengthPower));
 }
 
@@ -131,7 +131,7 @@ void ToPolyData(
 
   const int channels = Channels(quantity);
   vtkFloatArray* values = AddArray(data, ValueName(quantity), channels, records.size());
-  const float unit = quantity == Quantities::Irradiance ? Pi : 1.f;
+  const float unit = quantity == Quantities::Irradiance ? glm::pi<float>() : 1.f;
   for (std::size_t i = 0; i < records.size(); ++i)
   {
     for (int c = 0; c < channels; ++c)
@@ -176,7 +176,7 @@ std::vector<Record> FromPolyData(
     problem = std::string("the point array ") + ValueName(quantity) + " is missing";
     return {};
   }
-  const float unit = quantity == Quantities::Irradiance ? Pi : 1.f;
+  const float unit = quantity == Quantities::Irradiance ? glm::pi<float>() : 1.f;
   vtkDataArray* valid = data->GetPointData()->GetArray(ValidName);
   std::vector<Record> records(data->GetNumberOfPoints());
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)

@@ -4,6 +4,7 @@
 
 #include "Embree/RayScene.h"
 #include "Execution/ParallelFor.h"
+#include "Gathering/IrradianceConstants.h"
 #include "PixelCandidates.h"
 
 #include <optional>
@@ -16,17 +17,6 @@ namespace
 /// Entries of corners without a record.
 constexpr std::int32_t Unknown = -1; ///< not sampled yet
 constexpr std::int32_t Nothing = -2; ///< background, or no record could be made
-
-/// A square is subdivided if the maximum weight of a corner is at most this.
-constexpr float MinimumWeight = .05f;
-
-/// The same if the four corners are not all on the surface of the center, which then has records on
-/// one side only.
-constexpr float MinimumPartialWeight = .4f;
-
-/// If all four corners are used, maximum distance of a point from each over the radius of its
-/// record.
-constexpr float FourCornerRadiusFactor = 2.f;
 
 int PowerOfTwoBelow(double limit)
 {

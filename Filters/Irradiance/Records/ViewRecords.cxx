@@ -3,27 +3,13 @@
 #include "ViewRecords.h"
 
 #include "Embree/RayScene.h"
+#include "Gathering/IrradianceConstants.h"
 #include "PixelCandidates.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"
 
 namespace penumbra
 {
-namespace
-{
-
-/// Maximum fraction of invalid records. If more are invalid at a stride of at most CoarseStride
-/// pixels, no further records are made and the rest is left to brute force.
-constexpr double MaximumInvalidFraction = 0.7;
-constexpr int CoarseStride = 16;
-
-/// Error of n rays over n^(-3/4), as in vtkPenumbraBruteForceIrradiance, and maximum number of
-/// rays.
-constexpr double ReferenceError = .42;
-constexpr std::uint32_t MaximumRays = 16384;
-
-}
-
 ViewRecords::ViewRecords(const RayScene& rays, const Gatherer& gatherer,
   const RecordPlacementSettings& settings, float normalAngle, bool onScreen,
   const std::vector<Record>& initial)
@@ -93,7 +79,7 @@ InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& point)
 InterpolationResult ViewRecords::Gather(
   const ShadingPoint& point, double tolerance, long long& rays) const
 {
-  const double needed = std::pow(ReferenceError / tolerance, 4.0 / 3.0);
+  const double needed = std::pow(ReferenceRayError / tolerance, 4.0 / 3.0);
   std::uint32_t count = 4;
   while (count < needed && count < MaximumRays)
   {
