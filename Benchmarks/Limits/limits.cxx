@@ -8,13 +8,9 @@
 #include "vtkPenumbraIrradianceFilter.h"
 #include "vtkPenumbraRayCaster.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <cmath>
@@ -50,21 +46,8 @@ double CpuSeconds()
 
 Cost Draw(vtkPolyData* mesh, const Options& options)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(mesh);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetInterpolationToFlat();
-  actor->GetProperty()->SetLineWidth(2.f);
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  renderer->SetBackground(0.2, 0.3, 0.4);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(1.0);
-  camera->SetPosition(0.3, 0.4, 5.0);
   vtkNew<vtkPenumbraRayCaster> caster;
-  caster->SetRenderer(renderer);
+  caster->SetRenderer(penumbra::NewAdversaryRenderer(mesh, 1.0));
   caster->SetResolution(options.Side, options.Side);
   caster->SetNumberOfThreads(1);
   if (options.Occlusion)

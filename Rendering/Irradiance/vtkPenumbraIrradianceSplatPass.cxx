@@ -3,6 +3,7 @@
 #include "vtkPenumbraIrradianceSplatPass.h"
 
 #include "Chain/PassSlots.h"
+#include "Frame/BackgroundDepth.h"
 #include "Frame/Composite.h"
 #include "Frame/EyeDepth.h"
 #include "Frame/PassStatistics.h"
@@ -34,9 +35,6 @@ using Pass = vtkPenumbraIrradianceSplatPass;
 
 /// Maximum angle between the normals of a record and of a surface that uses it, degrees [IC].
 constexpr double DefaultNormalAngle = 9.0;
-
-/// Pixels with a larger eye depth are background; same value as in vtkPenumbraViewLib.glsl.
-constexpr float BackgroundDepth = 1e17f;
 
 vtkSmartPointer<vtkFloatArray> NewArray(const char* name, int components, std::size_t count)
 {

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionScenes.h"
 
+#include "VTKSSAOPass.h"
+
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
-#include "vtkCameraPass.h"
-#include "vtkLightsPass.h"
-#include "vtkOpaquePass.h"
 #include "vtkProperty.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkSSAOPass.h"
-#include "vtkSequencePass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,21 +57,7 @@ Frame OcclusionByVtk(OcclusionScene& scene, double radius)
     actor->GetProperty()->SetDiffuse(0.0);
   }
   scene.Renderer->SetBackground(1.0, 1.0, 1.0);
-  vtkNew<vtkLightsPass> lights;
-  vtkNew<vtkOpaquePass> opaque;
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(lights);
-  passes->AddItem(opaque);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  vtkNew<vtkSSAOPass> pass;
-  pass->SetDelegatePass(camera);
-  pass->SetRadius(radius);
-  pass->SetBias(.01 * radius);
-  pass->SetKernelSize(128);
-  pass->BlurOn();
+  const vtkSmartPointer<vtkSSAOPass> pass = NewVTKSSAOPass(radius, 128);
   scene.Renderer->SetPass(pass);
   scene.Window->Render();
   const std::vector<int> bytes = scene.Image();

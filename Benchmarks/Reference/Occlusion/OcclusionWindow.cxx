@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionWindow.h"
 
-#include "vtkCameraPass.h"
+#include "VTKSSAOPass.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkLightsPass.h"
-#include "vtkOpaquePass.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkSSAOPass.h"
-#include "vtkSequencePass.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -46,22 +43,7 @@ vtkPenumbraTemporalSSAOPass* OcclusionWindow::UsePenumbraPass(double radius)
 void OcclusionWindow::UseVTKSSAOPass(double radius, unsigned int samples)
 {
   this->UseNone();
-  vtkNew<vtkLightsPass> lights;
-  vtkNew<vtkOpaquePass> opaque;
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(lights);
-  passes->AddItem(opaque);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  vtkNew<vtkSSAOPass> pass;
-  pass->SetDelegatePass(camera);
-  pass->SetRadius(radius);
-  pass->SetBias(0.01 * radius);
-  pass->SetKernelSize(samples);
-  pass->BlurOn();
-  this->Renderer->SetPass(pass);
+  this->Renderer->SetPass(NewVTKSSAOPass(radius, samples));
 }
 
 void OcclusionWindow::UseNone()

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adversaries.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
 
 #include <glm/glm.hpp>
 
@@ -268,6 +273,24 @@ const Adversary* FindAdversary(const std::string& name)
   const auto found = std::find_if(Adversaries().begin(), Adversaries().end(),
     [&](const Adversary& adversary) { return adversary.Name == name; });
   return found != Adversaries().end() ? &*found : nullptr;
+}
+
+vtkSmartPointer<vtkRenderer> NewAdversaryRenderer(vtkPolyData* mesh, double scale)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetInterpolationToFlat();
+  actor->GetProperty()->SetLineWidth(2.f);
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->AddActor(actor);
+  renderer->SetBackground(0.2, 0.3, 0.4);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(scale);
+  camera->SetPosition(0.3, 0.4, 5.0);
+  return renderer;
 }
 
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RecordOctree.h"
 
+#include "AxisAlignedBox.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Scene.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace penumbra
 {
@@ -66,18 +67,16 @@ void RecordOctree::Initialize(glm::vec3 center, float halfSide)
 
 void RecordOctree::InitializeFromScene(const Scene& scene)
 {
-  glm::vec3 low(std::numeric_limits<float>::max());
-  glm::vec3 high(std::numeric_limits<float>::lowest());
+  AxisAlignedBox box;
   for (const Surface& surface : scene.Surfaces)
   {
     for (const glm::vec3& p : surface.Positions)
     {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
+      box.Add(p);
     }
   }
-  const glm::vec3 size = glm::max(high - low, glm::vec3(0.f));
-  this->Initialize(low.x <= high.x ? .5f * (low + high) : glm::vec3(0.f),
+  const glm::vec3 size = glm::max(box.High - box.Low, glm::vec3(0.f));
+  this->Initialize(box.IsEmpty() ? glm::vec3(0.f) : .5f * (box.Low + box.High),
     .5f * std::max({ size.x, size.y, size.z }));
 }
 

@@ -7,16 +7,12 @@
 
 #include "Scenes/Adversaries.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <gtest/gtest.h>
@@ -52,20 +48,7 @@ std::string MakeName(const ::testing::TestParamInfo<Row>& row)
 void Render(const std::string& name, int primitives, int side, vtkPenumbraRayCaster* caster,
   int subdivisions = 1)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(FindAdversary(name)->Make(primitives));
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetInterpolationToFlat();
-  actor->GetProperty()->SetLineWidth(2.f);
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  renderer->SetBackground(0.2, 0.3, 0.4);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(side / 128.0);
-  camera->SetPosition(0.3, 0.4, 5.0);
-  caster->SetRenderer(renderer);
+  caster->SetRenderer(NewAdversaryRenderer(FindAdversary(name)->Make(primitives), side / 128.0));
   caster->SetResolution(subdivisions * side, subdivisions * side);
   caster->Update();
 }

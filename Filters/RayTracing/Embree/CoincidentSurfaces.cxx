@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoincidentSurfaces.h"
 
+#include "AxisAlignedBox.h"
 #include "RayTriangle.h"
 
 #include <algorithm>
@@ -19,28 +20,21 @@ namespace
 /// Bound of the growth of rounding errors along rays at grazing incidence.
 constexpr double GrazingFactor = 64.0;
 
-struct Box
+AxisAlignedBox ComputeBounds(const Surface& surface)
 {
-  glm::vec3 Low{ std::numeric_limits<float>::infinity() };
-  glm::vec3 High{ -std::numeric_limits<float>::infinity() };
-};
-
-Box ComputeBounds(const Surface& surface)
-{
-  Box box;
+  AxisAlignedBox box;
   if (!surface.Triangles.empty())
   {
     for (const glm::vec3& position : surface.Positions)
     {
-      box.Low = glm::min(box.Low, position);
-      box.High = glm::max(box.High, position);
+      box.Add(position);
     }
   }
   return box;
 }
 
 /// Returns the largest error of hits in a box along a ray, in scene units.
-float ComputeDepthTolerance(const Box& box)
+float ComputeDepthTolerance(const AxisAlignedBox& box)
 {
   const glm::vec3 farthest = glm::max(glm::abs(box.Low), glm::abs(box.High));
   return static_cast<float>(
@@ -48,7 +42,7 @@ float ComputeDepthTolerance(const Box& box)
 }
 
 /// Returns true if the boxes, enlarged by `tolerance`, overlap.
-bool AreNear(const Box& a, const Box& b, float tolerance)
+bool AreNear(const AxisAlignedBox& a, const AxisAlignedBox& b, float tolerance)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -149,7 +143,7 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
     DepthTolerances(scene.Surfaces.size(), 0.f),
     DrawOrder(scene.Surfaces.size(), 0)
 {
-  std::vector<Box> boxes(scene.Surfaces.size());
+  std::vector<AxisAlignedBox> boxes(scene.Surfaces.size());
   std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), boxes.begin(), ComputeBounds);
   std::vector<std::uint32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -165,11 +159,11 @@ CoincidentSurfaces::CoincidentSurfaces(const Scene& scene)
   }
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    const Box& a = boxes[order[i]];
+    const AxisAlignedBox& a = boxes[order[i]];
     for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].Low.x <= a.High.x + largest;
          ++j)
     {
-      const Box& b = boxes[order[j]];
+      const AxisAlignedBox& b = boxes[order[j]];
       const float tolerance = std::max(ComputeDepthTolerance(a), ComputeDepthTolerance(b));
       if (AreNear(a, b, tolerance))
       {

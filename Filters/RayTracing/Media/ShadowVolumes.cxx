@@ -26,8 +26,7 @@ void SplitAtMedian(std::vector<AxisAlignedBox>& triangles, std::size_t begin, st
   AxisAlignedBox whole = triangles[begin];
   for (std::size_t i = begin; i < end; ++i)
   {
-    whole.Low = glm::min(whole.Low, triangles[i].Low);
-    whole.High = glm::max(whole.High, triangles[i].High);
+    whole.Add(triangles[i]);
   }
   if (levels == 0 || end - begin == 1)
   {

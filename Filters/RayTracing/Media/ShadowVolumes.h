@@ -6,6 +6,7 @@
 #ifndef penumbra_ShadowVolumes_h
 #define penumbra_ShadowVolumes_h
 
+#include "AxisAlignedBox.h"
 #include "Scene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
@@ -19,13 +20,6 @@ struct RayInterval
 {
   double From;
   double To;
-};
-
-/// Axis-aligned bounding box of triangles.
-struct AxisAlignedBox
-{
-  glm::vec3 Low;
-  glm::vec3 High;
 };
 
 /// Returns at most 16 boxes that bound all triangles that cast shadows.

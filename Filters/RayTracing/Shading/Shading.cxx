@@ -6,6 +6,8 @@
 // With other lights, the specular term uses the reflected light direction of the Phong model.
 #include "Shading.h"
 
+#include "HemisphereSampling.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -121,14 +123,6 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
       break;
   }
   return normal;
-}
-
-/// Returns the offset of shadow rays at `point`: 1e-5 of the largest coordinate, which exceeds the
-/// rounding error of positions and hits.
-float ComputeShadowRayOffset(glm::vec3 point)
-{
-  const glm::vec3 size = glm::abs(point);
-  return 1e-5f * std::max(size.x, std::max(size.y, size.z));
 }
 
 }
@@ -318,7 +312,7 @@ float Shading::Transmittance(glm::vec3 point, glm::vec3 direction, float distanc
   {
     return 0.f; // the light is behind the triangle
   }
-  const float offset = ComputeShadowRayOffset(point);
+  const float offset = RayOriginOffset(point);
   return this->TraceTransmittance(
     Ray{ point + offset * glm::normalize(normal), direction, 0.f, distance }, shadowRays);
 }
@@ -330,7 +324,7 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
     ++shadowRays;
     return this->Rays.Occluded(ray) ? 0.f : 1.f;
   }
-  const float offset = ComputeShadowRayOffset(ray.Origin);
+  const float offset = RayOriginOffset(ray.Origin);
   float transmittance = 1.f;
   for (int i = 0; i < MaximumLayers && transmittance > 0.f; ++i)
   {

@@ -3,6 +3,7 @@
 #include "SurfaceFromDepth.h"
 
 #include "Execution/ParallelFor.h"
+#include "Frame/BackgroundDepth.h"
 #include "Frame/ScreenTransform.h"
 #include "Shading/HemisphereSampling.h"
 
@@ -16,9 +17,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Pixels with a larger eye depth are background; same value as in vtkPenumbraViewLib.glsl.
-constexpr float BackgroundDepth = 1e17f;
 
 /// Rounding error of a float depth buffer near 1: twice its spacing, because the rasterizer rounds
 /// as well.

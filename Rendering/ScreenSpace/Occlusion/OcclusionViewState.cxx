@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionViewState.h"
 
+#include "Frame/BackgroundDepth.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
 #include "vtkFloatArray.h"
@@ -32,9 +33,6 @@ constexpr int MaximumSamplesPerStep = 128;
 /// The sample sequence restarts after this many samples, before its index loses precision as a
 /// float.
 constexpr int SequenceLength = 1 << 20;
-
-/// Eye depths beyond this mark empty pixels: see farAway in vtkPenumbraViewLib.glsl.
-constexpr float FarAway = 1e17f;
 
 vtkFloatArray* AddArray(vtkImageData* image, const char* name)
 {
@@ -308,7 +306,7 @@ std::vector<float> OcclusionViewState::ReadMeans() const
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     // Pixels in the margin have no weight.
-    if (depths[i] < FarAway && history[2 * i + 1] > 0.f)
+    if (depths[i] < BackgroundDepth && history[2 * i + 1] > 0.f)
     {
       values[i] = history[2 * i] / history[2 * i + 1];
     }
@@ -355,7 +353,7 @@ void OcclusionViewState::CopyTo(vtkImageData* image) const
       const std::size_t at = static_cast<std::size_t>(j + this->Image.GetMargin()[1]) * view.Width +
         i + this->Image.GetMargin()[0];
       const vtkIdType target = static_cast<vtkIdType>(j) * size[0] + i;
-      const bool empty = eyeDepths[at] >= FarAway;
+      const bool empty = eyeDepths[at] >= BackgroundDepth;
       const double depth = eyeDepths[at] * view.Unit;
       occlusions->SetValue(target, empty ? 0.f : result[at]);
       depths->SetValue(
