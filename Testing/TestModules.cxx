@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The table of Documentation/dev/Architecture.md, enforced: reads the vtk.module files and the #include
-// lines of the repository and fails on an edge between folders that the table does not allow. Beside it
-// what else holds for all sources: their licence, one name for one type, headers that stand alone.
+// lines of the repository and fails on an edge between folders that the table does not allow.
+#include "SourceFiles.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -19,10 +19,7 @@
 
 namespace
 {
-namespace fs = std::filesystem;
-using Names = std::set<std::string>;
-
-const fs::path Root = PENUMBRA_SOURCE_DIR;
+using namespace penumbra_testing;
 
 /// A row of the table: a module or one of its rooms, the folders that it may include, and the libraries
 /// that it may use in addition to VTK's data and RenderingCore. A row names earlier rows only, so that no
@@ -160,9 +157,6 @@ const std::vector<Row> Table = {
     { "OpenGL", "CLI11", "JSON" } },
 };
 
-/// Maximum number of files in a folder, subfolders not counted.
-constexpr int MostFiles = 25;
-
 /// The library that a header or a VTK module belongs to; empty: VTK's data or the language's own.
 std::string Library(const std::string& name)
 {
@@ -184,45 +178,6 @@ std::string Library(const std::string& name)
     }
   }
   return {};
-}
-
-std::string Text(const fs::path& path)
-{
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
-/// The sources that lie directly in a folder, or below it where that is asked.
-std::vector<fs::path> Sources(const fs::path& folder, bool below)
-{
-  std::vector<fs::path> found;
-  if (fs::exists(folder))
-  {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    {
-      const fs::path& path = entry.path();
-      if ((path.extension() == ".h" || path.extension() == ".cxx") &&
-        (below || path.parent_path() == folder))
-      {
-        found.push_back(path);
-      }
-    }
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-Names Includes(const fs::path& source)
-{
-  static const std::regex include(R"(#\s*include\s*[<"]([^>"]+)[>"])");
-  const std::string text = Text(source);
-  Names names;
-  for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match)
-  {
-    names.insert((*match)[1]);
-  }
-  return names;
 }
 
 /// The modules that a vtk.module file names under DEPENDS and PRIVATE_DEPENDS.
@@ -517,23 +472,6 @@ TEST(Modules, LinkNoLibraryOfTestsOrBenchmarks)
   }
 }
 
-TEST(Folders, HoldAtMost25Files)
-{
-  std::map<fs::path, int> counts;
-  for (const char* top : { "Benchmarks", "CMake", "Command", "Examples", "Filters", "Plugin",
-         "Python", "Rendering", "Testing" })
-  {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(Root / top))
-    {
-      counts[entry.path().parent_path()] += entry.is_regular_file();
-    }
-  }
-  for (const auto& [folder, count] : counts)
-  {
-    EXPECT_LE(count, MostFiles) << folder;
-  }
-}
-
 TEST(Folders, OfModulesHaveAReadme)
 {
   for (const Row& row : Table)
@@ -542,12 +480,6 @@ TEST(Folders, OfModulesHaveAReadme)
       fs::exists(Root / row.Folder / "README.md"))
       << row.Folder;
   }
-}
-
-TEST(Plugin, HoldsNoSourcesOfItsOwn)
-{
-  EXPECT_TRUE(fs::exists(Root / "Plugin"));
-  EXPECT_EQ(Sources(Root / "Plugin", true), std::vector<fs::path>());
 }
 
 TEST(PublicHeaders, ShowNeitherPrivateHeadersNorLibraries)
@@ -655,133 +587,6 @@ TEST(References, IncludeModulesOnly)
         fs::exists(source.parent_path() / include))
         << source << " includes " << include;
     }
-  }
-}
-
-TEST(Sources, SayUnderWhichLicenceTheyAre)
-{
-  for (const char* top : { "Filters", "Rendering", "Testing", "Command", "Examples", "Benchmarks" })
-  {
-    for (const fs::path& source : Sources(Root / top, true))
-    {
-      EXPECT_NE(Text(source).find("SPDX-License-Identifier: BSD-3-Clause"), std::string::npos)
-        << source;
-    }
-  }
-}
-
-/// The types that a source defines in namespace penumbra itself; in unnamed namespaces names may repeat.
-/// Namespaces are not indented, so whatever begins a line stands in namespaces alone.
-Names SharedTypes(const fs::path& source)
-{
-  static const std::regex type(R"((?:class|struct|enum class) (?:[A-Z_]+_EXPORT )?(\w+)(?: :.*)?)");
-  std::stringstream text(Text(source));
-  std::vector<std::string> open;
-  std::string line;
-  std::string before;
-  std::smatch found;
-  Names names;
-  while (std::getline(text, line))
-  {
-    if (line[0] == '{')
-    {
-      open.push_back(before);
-    }
-    else if (line[0] == '}' && !open.empty())
-    {
-      open.pop_back();
-    }
-    else if (open == std::vector<std::string>{ "namespace penumbra" } &&
-      std::regex_match(line, found, type))
-    {
-      names.insert(found[1]);
-    }
-    before = line;
-  }
-  return names;
-}
-
-TEST(Sources, NameEveryTypeOfTheNamespaceOnce)
-{
-  std::map<std::string, fs::path> definitions;
-  for (const char* top : { "Filters", "Rendering", "Plugin", "Command", "Testing", "Benchmarks" })
-  {
-    for (const fs::path& source : Sources(Root / top, true))
-    {
-      for (const std::string& name : SharedTypes(source))
-      {
-        const auto [known, isNew] = definitions.emplace(name, source);
-        EXPECT_TRUE(isNew) << name << " stands in " << known->second << " and in " << source;
-      }
-    }
-  }
-  EXPECT_GT(definitions.size(), 100u);
-}
-
-TEST(Headers, IncludeTheStandardHeadersThatTheyName)
-{
-  const std::pair<std::regex, std::string> rows[] = {
-    { std::regex(R"(std::array\b)"), "array" },
-    { std::regex(R"(std::u?int(8|16|32|64)_t\b)"), "cstdint" },
-    { std::regex(R"(std::function\b)"), "functional" },
-    { std::regex(R"(std::numeric_limits\b)"), "limits" },
-    { std::regex(R"(std::map\b)"), "map" },
-    { std::regex(R"(std::(unique_ptr|shared_ptr|make_unique|make_shared)\b)"), "memory" },
-    { std::regex(R"(std::mutex\b)"), "mutex" },
-    { std::regex(R"(std::optional\b)"), "optional" },
-    { std::regex(R"(std::set\b)"), "set" },
-    { std::regex(R"(std::string\b)"), "string" },
-    { std::regex(R"(std::(pair|move)\b)"), "utility" },
-    { std::regex(R"(std::vector\b)"), "vector" },
-  };
-  for (const char* top : { "Filters", "Rendering", "Plugin", "Command", "Testing", "Benchmarks" })
-  {
-    for (const fs::path& header : Sources(Root / top, true))
-    {
-      if (header.extension() != ".h")
-      {
-        continue;
-      }
-      const std::string text = Text(header);
-      const Names included = Includes(header);
-      for (const auto& [name, needed] : rows)
-      {
-        EXPECT_TRUE(included.count(needed) || !std::regex_search(text, name))
-          << header << " needs <" << needed << ">";
-      }
-    }
-  }
-}
-
-TEST(Documentation, LinksLeadToFiles)
-{
-  const std::regex link(R"(\]\(([^)#:]+)[^):]*\))");
-  std::vector<fs::path> pages = { Root / "README.md", Root / "CHANGELOG.md",
-    Root / "CONTRIBUTING.md", Root / "Examples/README.md" };
-  for (const char* top : { "Documentation", "Benchmarks" })
-  {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(Root / top))
-    {
-      pages.push_back(entry.path());
-    }
-  }
-  for (const fs::path& page : pages)
-  {
-    const std::string text = page.extension() == ".md" ? Text(page) : "";
-    for (std::sregex_iterator i(text.begin(), text.end(), link); i != std::sregex_iterator(); ++i)
-    {
-      EXPECT_TRUE(fs::exists(page.parent_path() / (*i)[1].str())) << page << ": " << (*i)[1];
-    }
-  }
-}
-
-TEST(Data, HasAnOriginForEveryFile)
-{
-  const std::string origins = Text(Root / "Data/README.md");
-  for (const fs::directory_entry& entry : fs::directory_iterator(Root / "Data"))
-  {
-    const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(name == "README.md" || origins.find(name) != std::string::npos) << name;
   }
 }
 

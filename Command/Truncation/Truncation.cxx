@@ -58,8 +58,6 @@ void Scan(const std::string& path)
 
 }
 
-}
-
 std::string FindTruncation(const std::string& path)
 {
   try
