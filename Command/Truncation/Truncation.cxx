@@ -74,4 +74,5 @@ std::string FindTruncation(const std::string& path)
   }
   return std::string();
 }
+
 }
