@@ -25,6 +25,7 @@ struct OcclusionBenchmark
 {
   std::string Meshes; ///< folder with the .off files of libcgal-demo
   std::string Output; ///< folder for results and images
+  std::string Scene;  ///< name of the only scene to measure; empty: all
   bool Diagnose = false;
   int Stride = 4; ///< distance between pixels with a reference value
   int Rays = 32;  ///< per such pixel, the square of this number
@@ -56,7 +57,16 @@ struct OcclusionBenchmark
 
   std::vector<OcclusionTestScene> Scenes() const
   {
-    return { penumbra::Scans(this->Meshes), Spheres400(), Sticks() };
+    std::vector<OcclusionTestScene> scenes;
+    for (OcclusionTestScene& scene :
+      std::vector<OcclusionTestScene>{ penumbra::Scans(this->Meshes), Spheres400(), Sticks() })
+    {
+      if (this->Scene.empty() || scene.Name == this->Scene)
+      {
+        scenes.push_back(scene);
+      }
+    }
+    return scenes;
   }
 };
 

@@ -29,6 +29,10 @@ namespace
 /// vtkPenumbraEstimateFS.glsl.
 constexpr int MaximumPoints = 64;
 
+/// Index at which the points for pixels with a short history start; other indices are below it (see
+/// SequenceLength in OcclusionViewState.cxx).
+constexpr long long ExtraSection = 1LL << 20;
+
 /// Ratio of thickness to median width, and the range of the thickness in radii. Measured with
 /// `./penumbra benchmark ambient-occlusion --only accuracy`.
 constexpr double ThicknessToWidthRatio = 1.5;
@@ -51,19 +55,25 @@ double RadicalInverse(int base, long long number)
   return inverse;
 }
 
-void SetPoints(vtkShaderProgram* program, long long first, int count)
+/// Sets `count` points of the sequence from `first` on, and more for pixels with a short history, up
+/// to `shortHistoryCount`. These are taken from another section, so that the next frame does not
+/// repeat them.
+void SetPoints(vtkShaderProgram* program, long long first, int count, int shortHistoryCount)
 {
   constexpr int bases[4] = { 2, 3, 5, 7 };
+  const long long firstExtra = ExtraSection + first / count * (shortHistoryCount - count);
   float points[MaximumPoints][4] = {};
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < shortHistoryCount; ++i)
   {
+    const long long index = i < count ? first + i : firstExtra + i - count;
     for (int axis = 0; axis < 4; ++axis)
     {
-      points[i][axis] = static_cast<float>(RadicalInverse(bases[axis], first + i + 1));
+      points[i][axis] = static_cast<float>(RadicalInverse(bases[axis], index + 1));
     }
   }
   program->SetUniform4fv("samples", MaximumPoints, points);
   program->SetUniformi("sampleCount", count);
+  program->SetUniformi("shortHistoryPointCount", shortHistoryCount);
 }
 
 }
@@ -146,7 +156,10 @@ int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderPro
 {
   const int fetches = vtkPenumbraKernels::GetFetchesPerPoint(this->Kernel);
   const int points = std::clamp(request.Samples / fetches, 1, MaximumPoints);
-  SetPoints(program, request.FirstSample / fetches, points);
+  const int shortHistoryPoints =
+    std::clamp(request.ShortHistorySamples / fetches, points, MaximumPoints);
+  SetPoints(program, request.FirstSample / fetches, points, shortHistoryPoints);
+  program->SetUniformf("samplesPerPoint", static_cast<float>(fetches));
   program->SetUniformf("pixelRotation", request.RotatePerPixel ? 1.f : 0.f);
   if (program->IsUniformUsed("thickness"))
   {

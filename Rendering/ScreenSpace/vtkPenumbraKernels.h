@@ -46,7 +46,7 @@ public:
   /** Number of depth fetches per point of the sample sequence. Each fetch counts as one sample. */
   static int GetFetchesPerPoint(int kernel);
 
-  /** GLSL of the kernel: a function `float occlusionAt(SurfacePoint)`. */
+  /** GLSL of the kernel: a function `float occlusionAt(SurfacePoint, int pointCount)`. */
   static const char* GetShader(int kernel);
 
 protected:

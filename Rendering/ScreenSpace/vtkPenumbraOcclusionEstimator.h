@@ -54,8 +54,10 @@ public:
     const penumbra::DelegateImage* Image = nullptr; ///< color and depth of the image
     const penumbra::EyeDepth* Depth = nullptr;      ///< eye depth and view; the unit is the radius
     double Radius = 1.0;                            ///< of occlusion, in world units
-    int FirstSample = 0;        ///< number of samples per pixel before this call
-    int Samples = 8;            ///< requested number per pixel
+    int FirstSample = 0; ///< number of samples per pixel before this call
+    int Samples = 8;     ///< requested number per pixel
+    /// Requested number at pixels with a short history, at least Samples; only for shaders.
+    int ShortHistorySamples = 8;
     bool Moving = false;        ///< one of a sequence of similar frames
     bool RotatePerPixel = true; ///< samples differ from pixel to pixel
     /// Accepted RMSE if this single estimate is final: the estimator may then interpolate between
@@ -75,9 +77,11 @@ public:
 
   ///@{
   /**
-   * The estimate as part of another shader. GetShader() returns the GLSL of a function `float
-   * estimateAt(SurfacePoint)` that uses vtkPenumbraViewLib and vtkPenumbraSurfaceLib; empty if
-   * there is none. SetUniforms() sets its uniforms and returns the same number as Estimate().
+   * The estimate as part of another shader. GetShader() returns the GLSL of two functions that use
+   * vtkPenumbraViewLib and vtkPenumbraSurfaceLib; empty if there are none. `float
+   * estimateAt(SurfacePoint, bool hasShortHistory)` returns the mean of the new samples, `float
+   * newSamplesAt(bool hasShortHistory)` their number. SetUniforms() sets their uniforms and returns
+   * the same number as Estimate().
    */
   virtual std::string GetShader() { return {}; }
   virtual int SetUniforms(const Request&, vtkShaderProgram*) { return 0; }

@@ -92,7 +92,9 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   {
     penumbra::OcclusionViewState View;
     PropTimes Props;
-    std::string Occlusion;       ///< the settings that determine the occlusion, as text
+    double Radius = 0.0;
+    int RadiusUnit = FRACTION_OF_BOUNDS;
+    std::string Estimator;       ///< kernel or estimator and its settings, as text
     vtkMTimeType HiddenTime = 0; ///< GetSceneMTime() of the estimator
     int Margin = 0;              ///< pixels
   };
@@ -106,15 +108,14 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   std::string ActiveKernel;
   penumbra::StaticViewRefiner Refiner;
 
-  /// Returns a text that differs between settings whose occlusion differs.
-  std::string DescribeOcclusion(const Pass* pass) const;
+  /// Returns a text that differs between estimators, and between settings of an estimator.
+  std::string DescribeEstimator() const;
 };
 
-std::string vtkPenumbraTemporalSSAOPass::Internals::DescribeOcclusion(const Pass* pass) const
+std::string vtkPenumbraTemporalSSAOPass::Internals::DescribeEstimator() const
 {
   std::ostringstream text;
-  text << std::hexfloat << pass->Radius << ' ' << pass->RadiusUnit << ' ' << pass->KernelName << ' '
-       << this->ActiveKernel << ' ' << this->Estimator.Get() << ' '
+  text << this->ActiveKernel << ' ' << this->Estimator.Get() << ' '
        << (this->Estimator ? this->Estimator->GetMTime() : 0);
   return text.str();
 }
@@ -248,10 +249,15 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
   settings.Interpolate = this->KernelName == "automatic" && !internals.Estimator;
-  std::string occlusion = internals.DescribeOcclusion(this);
-  settings.Restart = occlusion != rendererState.Occlusion;
-  settings.HiddenChanged = estimator->GetSceneMTime(renderer) != rendererState.HiddenTime;
-  rendererState.Occlusion = std::move(occlusion);
+  settings.Restart =
+    this->Radius != rendererState.Radius || this->RadiusUnit != rendererState.RadiusUnit;
+  rendererState.Radius = this->Radius;
+  rendererState.RadiusUnit = this->RadiusUnit;
+  std::string description = internals.DescribeEstimator();
+  settings.EstimatorChanged = description != rendererState.Estimator;
+  settings.HiddenChanged =
+    !settings.EstimatorChanged && estimator->GetSceneMTime(renderer) != rendererState.HiddenTime;
+  rendererState.Estimator = std::move(description);
   if (this->OpaqueOnly)
   {
     settings.Bounds = bounds;

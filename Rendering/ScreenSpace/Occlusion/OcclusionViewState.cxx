@@ -157,8 +157,15 @@ void OcclusionViewState::CompareSettings(const OcclusionSettings& last)
   // If InvalidationWeight is at least MaximumWeight, sample validation has no effect.
   now.PropsChanged = now.PropsChanged && now.InvalidationWeight < now.MaximumWeight;
   // An image that converges in one Render() does not depend on earlier ones.
-  now.Restart =
-    now.Restart || (now.InOneRender && (!last.InOneRender || now.Tolerance != last.Tolerance));
+  now.Restart = now.Restart ||
+    (now.InOneRender &&
+      (!last.InOneRender || now.Tolerance != last.Tolerance || now.EstimatorChanged));
+  if (!now.Restart && now.EstimatorChanged)
+  {
+    this->Converged = false;
+    this->TileConvergence.Restart(now.InvalidationWeight);
+    this->LimitSamplesSinceReset();
+  }
   if (!now.Restart && now.Tolerance < last.Tolerance)
   {
     this->Converged = false;
@@ -195,6 +202,12 @@ bool OcclusionViewState::Converge(EyeDepth::Change change)
   return done && this->Filter();
 }
 
+void OcclusionViewState::LimitSamplesSinceReset()
+{
+  this->SamplesSinceReset =
+    std::min(this->SamplesSinceReset, static_cast<int>(this->Settings.InvalidationWeight));
+}
+
 bool OcclusionViewState::Estimate(EyeDepth::Change change)
 {
   const OcclusionSettings& settings = this->Settings;
@@ -202,8 +215,7 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   if (change == EyeDepth::Change::None && !refine)
   {
     // The camera has just stopped: AccumulateSamples() caps the weight of the history.
-    this->SamplesSinceReset =
-      std::min(this->SamplesSinceReset, static_cast<int>(settings.InvalidationWeight));
+    this->LimitSamplesSinceReset();
   }
   const double convergence = this->SamplesSinceReset / settings.MaximumWeight;
   vtkPenumbraOcclusionEstimator::Request request;
@@ -213,11 +225,17 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   request.Depth = &this->Depth;
   request.Radius = settings.Radius;
   request.FirstSample = this->TotalSamples;
-  const bool many = convergence < settings.AdaptiveConvergence || settings.InOneRender;
+  // In motion, a kernel takes FirstSamples only where history is short. Frames of a static view have
+  // more samples, because the rest of a frame costs as much with few.
+  const bool byPixel = change == EyeDepth::Change::Moved && this->HasShader();
+  const bool many =
+    !byPixel && (change != EyeDepth::Change::Moved || convergence < settings.AdaptiveConvergence);
   // Intermediate images are not shown: take the samples until the next check in few large steps.
   const int untilCheck = settings.InOneRender ? this->TileConvergence.GetSamplesUntilCheck() : 0;
   request.Samples = std::max(
     many ? settings.FirstSamples : settings.Samples, std::min(untilCheck, MaximumSamplesPerStep));
+  request.ShortHistorySamples =
+    byPixel ? std::max(settings.FirstSamples, request.Samples) : request.Samples;
   request.Tolerance = settings.InOneRender && settings.Interpolate ? settings.Tolerance : 0.0;
   request.Parts = refine && this->TileConvergence.HasTileErrors()
     ? &this->TileConvergence.GetActiveTiles()
@@ -233,6 +251,7 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   this->TotalSamples = (this->TotalSamples + samples) % SequenceLength;
   this->SamplesSinceReset += samples;
   this->NewSamples += samples;
+  this->DisocclusionSamples = byPixel ? std::max(settings.FirstSamples, samples) : this->NewSamples;
   if (this->Estimator->IsFinal())
   {
     this->TileConvergence.MarkConverged(samples, settings.Tolerance);
@@ -250,12 +269,17 @@ int OcclusionViewState::AccumulateSamples(
 {
   TemporalSettings temporal;
   temporal.MaximumWeight = this->Settings.MaximumWeight;
+  temporal.ShortHistory = this->Settings.AdaptiveConvergence * this->Settings.MaximumWeight;
   temporal.DepthTolerance = this->Settings.DepthTolerance;
   temporal.NeighborValidation = this->Settings.SceneChanged;
   temporal.InvalidationWeight = this->Settings.InvalidationWeight;
   temporal.PropsChanged = this->Settings.PropsChanged;
   temporal.Motion = this->HasActorMotion ? &this->Motion : nullptr;
-  if (change == EyeDepth::Change::Moved && !this->Estimator->GetShader().empty())
+  if (this->Settings.EstimatorChanged)
+  {
+    temporal.WeightCap = this->Settings.InvalidationWeight;
+  }
+  if (change == EyeDepth::Change::Moved && this->HasShader())
   {
     return this->History.ReprojectAndEstimate(request, this->Estimator, temporal);
   }
@@ -324,7 +348,7 @@ HistoryCounts OcclusionViewState::CountPixels()
   inputs.EyeDepths = this->Depth.GetCurrent();
   inputs.History = this->History.GetTexture();
   inputs.MovedActors = this->HasActorMotion ? this->Motion.GetTarget() : nullptr;
-  inputs.NewWeight = this->NewSamples;
+  inputs.NewWeight = this->NewSamples > 0 ? this->DisocclusionSamples : 0;
   inputs.InvalidationWeight = this->Settings.InvalidationWeight;
   inputs.ConvergedWeight =
     this->Converged ? 0.0 : this->Settings.SpatialConvergence * this->Settings.MaximumWeight;

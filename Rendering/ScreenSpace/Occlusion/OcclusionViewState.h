@@ -50,6 +50,8 @@ struct OcclusionSettings
   /// Reproject moving actors; the delegate renders the renderer's props.
   bool UseActorMotion = false;
   bool Restart = false; ///< settings changed: discard the history
+  /// Another estimator of the same quantity: the history keeps a small weight.
+  bool EstimatorChanged = false;
   int Margin[2] = { 0, 0 };
   /// Bounds of the visible scene if clipping planes may be fitted to it.
   const double* Bounds = nullptr;
@@ -87,6 +89,10 @@ private:
   ConvergedFrame::CompositeInputs GetCompositeInputs() const;
   void UpdateActorMotion();
   bool Converge(EyeDepth::Change change);
+  /// Limits the number of samples that are assumed in pixels to InvalidationWeight.
+  void LimitSamplesSinceReset();
+  /// Returns whether the estimator can be part of the reprojecting shader.
+  bool HasShader() const { return !this->Estimator->GetShader().empty(); }
   bool Estimate(EyeDepth::Change change);
   int AccumulateSamples(
     const vtkPenumbraOcclusionEstimator::Request& request, EyeDepth::Change change, bool refine);
@@ -112,6 +118,7 @@ private:
   int TotalSamples = 0;                        ///< position in the sample sequence
   int SamplesSinceReset = 0; ///< number of samples since the history was discarded
   int NewSamples = 0;
+  int DisocclusionSamples = 0; ///< number of new samples at pixels without history
   int Props = 0;
   bool HasActorMotion = false;   ///< the image of moving actors is valid in this frame
   bool Filtered = false;         ///< Estimates are filtered with the current settings

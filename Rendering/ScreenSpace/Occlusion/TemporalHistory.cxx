@@ -67,6 +67,7 @@ void SetMotion(
   const float pixelSize[2] = { 1.f / static_cast<float>(before.Width),
     1.f / static_cast<float>(before.Height) };
   program->SetUniform2f("previousPixelSize", pixelSize);
+  program->SetUniformf("shortHistory", static_cast<float>(settings.ShortHistory));
   program->SetUniformf("depthTolerance", static_cast<float>(settings.DepthTolerance));
   if (settings.NeighborValidation)
   {

@@ -20,6 +20,7 @@ struct TemporalSettings
 {
   double MaximumWeight = 500.0;     ///< maximum number of samples; older ones fade
   double WeightCap = 1e9;           ///< upper bound of the weight of the history in this frame
+  double ShortHistory = 0.0;        ///< weight below which pixels get Request::ShortHistorySamples
   double DepthTolerance = 0.02;     ///< maximum relative difference from the expected depth
   bool NeighborValidation = false;  ///< something besides the camera may have moved
   double InvalidationWeight = 30.0; ///< maximum number of samples kept if a neighbor moved

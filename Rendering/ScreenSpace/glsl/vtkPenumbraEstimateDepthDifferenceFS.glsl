@@ -12,10 +12,10 @@
 // `./penumbra benchmark ambient-occlusion --only accuracy`.
 const float gain = 0.9;
 
-float occlusionAt(SurfacePoint point)
+float occlusionAt(SurfacePoint point, int pointCount)
 {
   float sum = 0.0;
-  for (int i = 0; i < sampleCount; ++i)
+  for (int i = 0; i < pointCount; ++i)
   {
     vec4 xi = pixelSample(i, point.pixel);
     float angle = 2.0 * pi * xi.x;
@@ -25,5 +25,5 @@ float occlusionAt(SurfacePoint point)
     float behind = depthBehind(point, point.position + offset);
     sum += behind > 1e-4 ? 1.0 / (1.0 + behind * behind) : 0.0;
   }
-  return gain * sum / float(sampleCount);
+  return gain * sum / float(pointCount);
 }

@@ -68,14 +68,14 @@ float sliceOcclusion(SurfacePoint point, vec3 view, float azimuth, float shift)
     (cosNormalAngle + normalAngle * sinNormalAngle - (leftmost < rightmost ? open : 0.0));
 }
 
-float occlusionAt(SurfacePoint point)
+float occlusionAt(SurfacePoint point, int pointCount)
 {
   vec3 view = towardEye(point.position);
   float sum = 0.0;
-  for (int i = 0; i < sampleCount; ++i)
+  for (int i = 0; i < pointCount; ++i)
   {
     vec4 xi = pixelSample(i, point.pixel);
     sum += sliceOcclusion(point, view, pi * xi.x, xi.y);
   }
-  return sum / float(sampleCount);
+  return sum / float(pointCount);
 }

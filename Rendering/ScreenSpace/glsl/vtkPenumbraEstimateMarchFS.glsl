@@ -108,13 +108,13 @@ float sliceOcclusion(SurfacePoint point, vec3 view, vec4 xi)
     (sideOcclusion(right, normalAngle, xi.z) + sideOcclusion(left, -normalAngle, xi.z));
 }
 
-float occlusionAt(SurfacePoint point)
+float occlusionAt(SurfacePoint point, int pointCount)
 {
   vec3 view = towardEye(point.position);
   float sum = 0.0;
-  for (int i = 0; i < sampleCount; ++i)
+  for (int i = 0; i < pointCount; ++i)
   {
     sum += sliceOcclusion(point, view, pixelSample(i, point.pixel));
   }
-  return sum / float(sampleCount);
+  return sum / float(pointCount);
 }

@@ -13,11 +13,11 @@ const float gain = 0.6;
 // Lower bound of the distance in the denominator, in radii: epsilon of eq. 12.
 const float minimumDistance = 0.05;
 
-float occlusionAt(SurfacePoint point)
+float occlusionAt(SurfacePoint point, int pointCount)
 {
   vec2 radius = radiusInPixels(point);
   float sum = 0.0;
-  for (int i = 0; i < sampleCount; ++i)
+  for (int i = 0; i < pointCount; ++i)
   {
     vec4 xi = pixelSample(i, point.pixel);
     float angle = 2.0 * pi * xi.x;
@@ -27,5 +27,5 @@ float occlusionAt(SurfacePoint point)
     float cosine = dot(delta, point.normal) / max(distance, 1e-6);
     sum += distance < 1.0 ? max(cosine, 0.0) / max(distance, minimumDistance) : 0.0;
   }
-  return gain * sum / float(sampleCount);
+  return gain * sum / float(pointCount);
 }

@@ -9,11 +9,11 @@
 // directions are already cosine-distributed.
 //VTK::Penumbra::HemisphereLib
 
-float occlusionAt(SurfacePoint point)
+float occlusionAt(SurfacePoint point, int pointCount)
 {
   mat3 frame = tangentFrame(point.normal);
   float sum = 0.0;
-  for (int i = 0; i < sampleCount; ++i)
+  for (int i = 0; i < pointCount; ++i)
   {
     vec4 xi = pixelSample(i, point.pixel);
     float angle = 2.0 * pi * xi.x;
@@ -21,5 +21,5 @@ float occlusionAt(SurfacePoint point)
     vec3 position = point.position + xi.y * (frame * direction);
     sum += depthBehind(point, position) > 1e-4 ? 1.0 : 0.0;
   }
-  return sum / float(sampleCount);
+  return sum / float(pointCount);
 }

@@ -3,8 +3,14 @@
 //
 // Replaces vtkPenumbraEstimateLib if an estimator has already written its estimates to a texture.
 uniform sampler2D estimates;
+uniform float newSamples; // in every estimate
 
-float estimateAt(SurfacePoint point)
+float estimateAt(SurfacePoint point, bool hasShortHistory)
 {
   return texture(estimates, point.pixel * pixelSize).r;
+}
+
+float newSamplesAt(bool hasShortHistory)
+{
+  return newSamples;
 }

@@ -16,7 +16,7 @@ uniform sampler2D previousEyeDepths;
 uniform mat4 toPreviousEye;        // from eye coordinates to those of the previous frame
 uniform vec4 previousPixelToEye;
 uniform vec2 previousPixelSize;    // 1 / size of the previous frame
-uniform float newSamples;
+uniform float shortHistory;        // weight below which a pixel gets more samples
 uniform float maximumWeight;       // upper bound of the weight of all samples
 uniform float weightCap;           // upper bound of the weight of the history in this frame
 uniform float depthTolerance;      // maximum relative difference in depth, eq. 8
@@ -98,7 +98,10 @@ void main()
   vec2 reprojected = sampleHistory(before, mat3(motion) * point.normal);
   float weight = min(reprojected.g, weightCap);
   weight = min(weight, historyWeightLimit(point, before));
-  float estimate = estimateAt(point);
+  // Samples are spent where history is short: at disoccluded pixels and next to moved surfaces.
+  bool hasShortHistory = weight < shortHistory;
+  float newSamples = newSamplesAt(hasShortHistory);
+  float estimate = estimateAt(point, hasShortHistory);
   // Values below -0.5 are -1 - mean of a neighbor: see vtkPenumbraOcclusionEstimator::Estimate().
   bool isNeighborSample = estimate < -0.5;
   float samples = isNeighborSample ? neighborSampleWeight * newSamples : newSamples;
