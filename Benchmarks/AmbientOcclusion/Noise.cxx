@@ -79,7 +79,7 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
     const std::vector<float> limit = Limit(screen);
     benchmark.Judge(scene.Name, "noise after 32 still frames, against its limit",
       Difference(after32, limit, depth, all), .006,
-      "352 samples per pixel by then, unfiltered from 150 on; the remaining noise decreases with "
+      "1024 samples per pixel by then, unfiltered from 150 on; the remaining noise decreases with "
       "more frames");
     table.Add(scene.Name, "converged, against its limit", Difference(converged, limit, depth, all),
       TargetKind::AtMost, .01,
@@ -142,7 +142,8 @@ void MeasureNoise(OcclusionBenchmark& benchmark)
       Difference(after1, jumpedLimit, jumpedDepth, disoccluded), 1.5 * movingError,
       "32 samples and a filter of 5 x 5 pixels; at most 1.5 times the settled moving error");
     benchmark.Judge(scene.Name, "disoccluded pixels after 4 frames, against their limit",
-      Difference(after4, jumpedLimit, jumpedDepth, disoccluded), .03, "32 samples and a filter of 5 x 5 pixels, fewer next to silhouettes");
+      Difference(after4, jumpedLimit, jumpedDepth, disoccluded), .03,
+      "32 samples and a filter of 5 x 5 pixels, fewer next to silhouettes");
   }
 }
 

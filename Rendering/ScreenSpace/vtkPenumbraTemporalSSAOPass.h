@@ -123,8 +123,8 @@ public:
 
   ///@{
   /**
-   * Samples (depth fetches) per pixel and frame up to AdaptiveConvergence, k1 in [TSSAO]. When
-   * converging within one Render(), batches have as many samples as the next tolerance check needs,
+   * Samples (depth fetches) per pixel and frame, k1 in [TSSAO], of a static view, and in motion at
+   * pixels whose history is shorter than AdaptiveConvergence. When converging within one Render(), batches have as many samples as the next tolerance check needs,
    * at most 128 or FirstSamples. Range: [8, 512]. Default: 32.
    */
   vtkSetClampMacro(FirstSamples, int, 8, 512);
@@ -133,8 +133,8 @@ public:
 
   ///@{
   /**
-   * Samples per pixel and frame above AdaptiveConvergence, k2 in [TSSAO]. Range: [8, 512]. Default:
-   * 8.
+   * Samples per pixel and frame in motion, at pixels above AdaptiveConvergence, k2 in [TSSAO]. Range:
+   * [8, 512]. Default: 8.
    */
   vtkSetClampMacro(Samples, int, 8, 512);
   vtkGetMacro(Samples, int);
@@ -151,7 +151,7 @@ public:
 
   ///@{
   /**
-   * Convergence up to which frames use FirstSamples, c_adaptive in [TSSAO]. Range: [0, 1]. Default:
+   * Convergence up to which pixels take FirstSamples in motion, c_adaptive in [TSSAO]. Range: [0, 1]. Default:
    * 0.2.
    */
   vtkPenumbraSetClampedNumberMacro(AdaptiveConvergence, 0.0, 1.0);

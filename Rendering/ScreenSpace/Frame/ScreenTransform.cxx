@@ -25,6 +25,12 @@ namespace
 /// less of the precision of the depth buffer would be left.
 constexpr double ClippingRangeRatio = 32.0;
 
+/// A view is a cut if less than this fraction of a grid of points was visible before, from a direction
+/// that differs by less than the angle of this cosine, 30 degrees.
+constexpr double MinimumSeenFraction = 0.25;
+constexpr double MinimumCosine = 0.866;
+constexpr int GridSide = 5;
+
 Matrix Copy(vtkMatrix4x4* matrix)
 {
   Matrix copy;
@@ -172,6 +178,45 @@ Matrix ScreenTransform::EyeTransformTo(const ScreenTransform& other, const doubl
     product[4 * row + 3] /= other.Unit;
   }
   return product;
+}
+
+bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) const
+{
+  const Matrix transform = this->EyeTransformTo(other);
+  const double depth = distance / this->Unit;
+  const auto unitOf = [](const ScreenTransform& view) { return view.Parallel ? view.Unit : 1.0; };
+  int seen = 0;
+  for (int i = 0; i < GridSide * GridSide; ++i)
+  {
+    const double pixel[2] = { (i % GridSide + 0.5) / GridSide * this->Width,
+      (i / GridSide + 0.5) / GridSide * this->Height };
+    double here[3] = { 0.0, 0.0, -depth };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      here[axis] = (this->Scale[axis] * pixel[axis] + this->Offset[axis]) / unitOf(*this) *
+        (this->Parallel ? 1.0 : depth);
+    }
+    double there[3];
+    double towardsHere[3]; // towards the camera of this view, in the coordinates of the other one
+    const double viewed[3] = { this->Parallel ? 0.0 : here[0], this->Parallel ? 0.0 : here[1],
+      -depth };
+    for (int row = 0; row < 3; ++row)
+    {
+      const double* axis = transform.data() + 4 * row;
+      there[row] = vtkMath::Dot(axis, here) + axis[3];
+      towardsHere[row] = -vtkMath::Dot(axis, viewed);
+    }
+    const double towardsThere[3] = { other.Parallel ? 0.0 : -there[0],
+      other.Parallel ? 0.0 : -there[1], other.Parallel ? 1.0 : -there[2] };
+    const double cosine = vtkMath::Dot(towardsHere, towardsThere) /
+      (vtkMath::Norm(towardsHere) * vtkMath::Norm(towardsThere));
+    const double perspective = other.Parallel ? 1.0 : -there[2];
+    const double x = (there[0] / perspective * unitOf(other) - other.Offset[0]) / other.Scale[0];
+    const double y = (there[1] / perspective * unitOf(other) - other.Offset[1]) / other.Scale[1];
+    seen += perspective > 0.0 && x > 0.0 && y > 0.0 && x < other.Width && y < other.Height &&
+      cosine > MinimumCosine;
+  }
+  return seen < MinimumSeenFraction * GridSide * GridSide;
 }
 
 bool ScreenTransform::HasSameView(const ScreenTransform& other) const

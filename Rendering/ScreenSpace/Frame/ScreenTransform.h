@@ -59,6 +59,10 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenTransform
   /// double precision, so that camera motion stays exact with coordinates of 1e7.
   Matrix EyeTransformTo(const ScreenTransform& other, const double* motion = nullptr) const;
 
+  /// Returns whether few points at `distance` (eye depth, world units) are seen in `other` from a
+  /// similar direction, so that the two views are not consecutive frames of a motion.
+  bool IsCutFrom(const ScreenTransform& other, double distance) const;
+
   /// Returns whether size, projection and camera position are equal; clipping planes may differ.
   bool HasSameView(const ScreenTransform& other) const;
 

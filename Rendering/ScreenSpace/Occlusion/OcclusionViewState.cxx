@@ -5,6 +5,7 @@
 #include "Frame/BackgroundDepth.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
+#include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -99,6 +100,12 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   if (change == EyeDepth::Change::Failed)
   {
     return false;
+  }
+  if (change == EyeDepth::Change::Moved &&
+    view.IsCutFrom(this->Depth.GetPreviousView(), this->Renderer->GetActiveCamera()->GetDistance()))
+  {
+    // A kernel sees other occluders from there: a short new history is more accurate.
+    change = EyeDepth::Change::Reset;
   }
   this->Changed = change != EyeDepth::Change::None;
   if (this->Changed)

@@ -183,6 +183,68 @@ TEST(OcclusionHistory, KeepsSamplesIfASettingDoesNotAffectOcclusion)
   EXPECT_EQ(Statistic(scene, "Pixels/Reprojected"), 0.0);
 }
 
+TEST(OcclusionHistory, KeepsASmallWeightIfTheEstimatorChanges)
+{
+  for (const double azimuth : { 0.0, 0.25 })
+  {
+    OcclusionScene scene;
+    BuildSphereOnFloor(scene);
+    RenderFrames(scene, 20, azimuth);
+    const std::vector<float> before = scene.Array("AmbientOcclusion");
+    scene.Pass->SetKernelName("horizon");
+    RenderFrames(scene, 1);
+    // The first frame shows little more noise than the last one.
+    EXPECT_LT(Rms(before, scene.Array("AmbientOcclusion")), 0.03) << azimuth;
+    const double weight = scene.Pass->GetMaximumWeight() * scene.At("Convergence", { 1, -1, 0 });
+    EXPECT_NEAR(weight, scene.Pass->GetInvalidationWeight() + scene.Pass->GetFirstSamples(), 1.0);
+    for (int frame = 0; frame < 300 && !scene.Pass->IsConverged(); ++frame)
+    {
+      scene.Window->Render();
+    }
+    EXPECT_TRUE(scene.Pass->IsConverged());
+    const std::vector<float> converged = scene.Array("AmbientOcclusion");
+    scene.Pass->SetConvergeInOneRender(Pass::ALWAYS);
+    scene.Pass->SetTolerance(0.003);
+    RenderFrames(scene, 1);
+    EXPECT_LT(Rms(converged, scene.Array("AmbientOcclusion")), 0.01) << azimuth;
+  }
+}
+
+TEST(OcclusionHistory, TakesMoreSamplesWhereItIsShort)
+{
+  OcclusionScene scene;
+  BuildSphereOnFloor(scene);
+  RenderFrames(scene, 40, 0.25);
+  const int frames = 3;
+  RenderFrames(scene, frames, 2.0);
+  const std::vector<float> convergences = scene.Array("Convergence");
+  const double disoccluded = scene.Pass->GetFirstSamples() / scene.Pass->GetMaximumWeight();
+  int shortPixels = 0;
+  int fullPixels = 0;
+  for (const float convergence : convergences)
+  {
+    EXPECT_GT(convergence, 0.99 * disoccluded);
+    shortPixels += convergence < frames * 1.01 * disoccluded;
+    fullPixels += convergence > 0.5;
+  }
+  EXPECT_GT(shortPixels, 50);
+  EXPECT_GT(fullPixels, 2000);
+  EXPECT_EQ(Statistic(scene, "Samples/PerPixel"), scene.Pass->GetSamples());
+}
+
+TEST(OcclusionHistory, IsDiscardedAtACut)
+{
+  const auto draw = [](int framesBefore) {
+    OcclusionScene scene;
+    BuildSphereOnFloor(scene);
+    RenderFrames(scene, framesBefore, 0.25);
+    scene.SetCamera({ 4, 3, 2 }, { 0, 0, 0.4 });
+    scene.Window->Render();
+    return scene.Array("AmbientOcclusion");
+  };
+  EXPECT_EQ(draw(40), draw(0));
+}
+
 TEST(OcclusionHistory, RefinesToASmallerTolerance)
 {
   OcclusionScene scene;

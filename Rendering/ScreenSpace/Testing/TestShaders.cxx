@@ -64,7 +64,11 @@ protected:
   double Evaluate(const std::string& expression, const std::string& kernel = "Horizon")
   {
     const std::string source = AssembleEstimate(kernel) +
-      "void main() { gl_FragData[0] = vec4(float(" + expression + ")); }\n";
+      "vec2 phase(vec2 s) { return vec2(cos(6.2831853 * (s.x - s.y)), sin(6.2831853 * (s.x - "
+      "s.y))); "
+      "}\n"
+      "void main() { gl_FragData[0] = vec4(float(" +
+      expression + ")); }\n";
     penumbra::Stage stage;
     vtkShaderProgram* program = stage.Ready(this->Context, source);
     if (!program)
@@ -189,6 +193,23 @@ TEST_F(Shaders, KeepPixelNoiseInTheUnitInterval)
     const double noise = this->Evaluate(std::string("pixelNoise(") + pixel + ")");
     EXPECT_GE(noise, 0.0);
     EXPECT_LT(noise, 1.0);
+  }
+}
+
+TEST_F(Shaders, ShiftTheDimensionsOfAPixelIndependently)
+{
+  // The shifts of two dimensions differ by a phase per pixel. The mean of independent phases is
+  // about 1 / sqrt(64) long, that of a constant phase has length 1.
+  for (const char* dimensions : { "xy", "xz", "xw", "yz", "yw", "zw" })
+  {
+    std::string sum;
+    for (int i = 0; i < 64; ++i)
+    {
+      const std::string shift = "pixelSample(0, vec2(" + std::to_string(i % 8) + ".0, " +
+        std::to_string(i / 8) + ".0))." + dimensions;
+      sum += std::string(i ? " + " : "") + "phase(" + shift + ")";
+    }
+    EXPECT_LT(this->Evaluate("length(" + sum + ") / 64.0"), 0.35) << dimensions;
   }
 }
 
