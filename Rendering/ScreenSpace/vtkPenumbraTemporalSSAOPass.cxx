@@ -241,11 +241,10 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.DelegateOnce = this->DelegateOnce;
   settings.UseActorMotion = this->UseActorMotion && this->OpaqueOnly;
   // After compositing of several ranks it is unknown which props moved.
-  PropTimes props = FindPropTimes(renderer);
+  const PropTimes props = FindPropTimes(renderer);
   Internals::RendererState& rendererState = internals.Renderers[renderer];
   settings.SceneChanged = !this->OpaqueOnly || props != rendererState.Props;
   settings.PropsChanged = !HaveSameProps(props, rendererState.Props);
-  rendererState.Props = std::move(props);
   vtkPenumbraOcclusionEstimator* estimator =
     this->ChooseEstimator(renderer, settings.InOneRender || !settings.SceneChanged);
   settings.Interpolate = this->KernelName == "automatic" && !internals.Estimator;
@@ -276,8 +275,10 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
       "OpenGL cannot render ambient occlusion in this window; the scene is rendered without it.");
     return false;
   }
-  // Queried after rendering, because rendering or tracing may update the pipelines of the scene.
+  // Queried after rendering, because rendering or tracing may update the pipelines of the scene, and
+  // rendering moved actors a second time modifies their properties.
   rendererState.HiddenTime = estimator->GetSceneMTime(renderer);
+  rendererState.Props = FindPropTimes(renderer);
   this->NumberOfRenderedProps = internals.Last->GetNumberOfRenderedProps();
   const bool unfinished =
     this->RefineStaticView && !settings.InOneRender && !internals.Last->IsConverged();

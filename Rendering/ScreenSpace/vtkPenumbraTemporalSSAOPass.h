@@ -188,7 +188,7 @@ public:
   ///@{
   /**
    * Relative depth difference from which history is rejected as that of another surface; limited to
-   * 0.08 radii. 1: history is never rejected. Range: [1e-4, 1]. Default: 0.02.
+   * 0.08 radii. 1: history is never rejected, not even at camera cuts. Range: [1e-4, 1]. Default: 0.02.
    */
   vtkPenumbraSetClampedNumberMacro(DepthTolerance, 1e-4, 1.0);
   vtkGetMacro(DepthTolerance, double);

@@ -101,7 +101,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     return false;
   }
-  if (change == EyeDepth::Change::Moved &&
+  if (change == EyeDepth::Change::Moved && settings.DepthTolerance < 1.0 &&
     view.IsCutFrom(this->Depth.GetPreviousView(), this->Renderer->GetActiveCamera()->GetDistance()))
   {
     // A kernel sees other occluders from there: a short new history is more accurate.
