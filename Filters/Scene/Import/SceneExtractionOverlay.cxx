@@ -111,7 +111,7 @@ void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Sce
     }
     else if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
     {
-      drawn = DrawScalarBar(bar, options.DPI, scene) && drawn;
+      drawn = DrawScalarBar(bar, renderer, options.DPI, scene) && drawn;
     }
   }
   if (!drawn)

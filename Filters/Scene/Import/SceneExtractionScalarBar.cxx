@@ -4,325 +4,315 @@
 
 #include "SceneExtractionOverlay.h"
 
+#include "vtkCellData.h"
 #include "vtkCoordinate.h"
-#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkObjectFactoryCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
+#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
-#include "vtkVariant.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVersion.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <regex>
+#include <vector>
+
+#ifndef VTK_FUTURE_CONST // before VTK 9.4
+#define VTK_FUTURE_CONST
+#endif
 
 namespace penumbra
 {
 namespace
 {
 
-/// Layout of the bar as fractions of its rectangle's height: the title of a vertical bar, and the
-/// gap between title and color bar. A horizontal bar has a title of three times this height.
-constexpr double TitleFraction = 0.1;
-constexpr double TitleGapFraction = 0.04;
-/// Gap between the color bar and its labels, in pixels.
-constexpr double LabelGap = 4.0;
-
-/// Label at a position in [0, 1] along the color bar.
-struct BandLabel
+/// Target of the parts of a bar.
+struct OverlayTarget
 {
-  double Position;
-  std::string Text;
+  Overlay& Image;
+  int DPI;
+  bool Drawn = true; ///< false if VTK could not render some text
 };
 
-std::vector<BandLabel> MakeLabels(vtkScalarBarActor* bar)
+/// Target of the bar that this thread draws, or null.
+thread_local OverlayTarget* Target = nullptr;
+
+/// Returns true if a point is in a polygon. Polygons that share an edge have no point in common.
+bool IsInPolygon(const std::vector<glm::dvec2>& corners, glm::dvec2 point)
 {
-  std::vector<BandLabel> labels;
-  vtkScalarsToColors* table = bar->GetLookupTable();
-  if (table->GetIndexedLookup())
+  bool inside = false;
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
   {
-    const int count = table->GetNumberOfAnnotatedValues();
-    for (int i = 0; bar->GetDrawAnnotations() && i < count; ++i)
-    {
-      labels.push_back({ (i + 0.5) / count, table->GetAnnotation(i) });
-    }
-    return labels;
+    const glm::dvec2 a = corners[i];
+    const glm::dvec2 b = corners[j];
+    inside = (a.y > point.y) != (b.y > point.y) &&
+        point.x < a.x + (point.y - a.y) * (b.x - a.x) / (b.y - a.y)
+      ? !inside
+      : inside;
   }
-  if (!bar->GetDrawTickLabels())
-  {
-    return labels;
-  }
-  const int count = bar->GetNumberOfLabels();
-  const std::vector<double> values = SampleRange(table, count);
-  for (int i = 0; i < count; ++i)
-  {
-    labels.push_back({ count > 1 ? static_cast<double>(i) / (count - 1) : 0.5,
-      FormatLabel(bar->GetLabelFormat(), values[i]) });
-  }
-  return labels;
+  return inside;
 }
 
-std::vector<glm::vec4> ComputeBandColors(vtkScalarBarActor* bar)
+/// Fills the pixels whose centers are in a polygon, as OpenGL does without antialiasing.
+void FillPolygon(const std::vector<glm::dvec2>& corners, glm::vec4 color)
 {
-  vtkScalarsToColors* table = bar->GetLookupTable();
-  std::vector<glm::vec4> colors;
-  const auto append = [&](const unsigned char* c) {
-    colors.emplace_back(glm::vec4(c[0], c[1], c[2], bar->GetUseOpacity() ? c[3] : 255) / 255.f);
-  };
-  if (table->GetIndexedLookup())
+  glm::dvec2 low(1e9);
+  glm::dvec2 high(-1e9);
+  for (const glm::dvec2& corner : corners)
   {
-    for (int i = 0; i < table->GetNumberOfAnnotatedValues(); ++i)
-    {
-      double c[4];
-      table->GetAnnotationColor(table->GetAnnotatedValue(i), c);
-      colors.emplace_back(c[0], c[1], c[2], bar->GetUseOpacity() ? c[3] : 1.0);
-    }
-    return colors;
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
   }
-  const auto numberOfColors = static_cast<int>(table->GetNumberOfAvailableColors());
-  const int count = std::max(1, std::min(numberOfColors, bar->GetMaximumNumberOfColors()));
-  // Each color is sampled at the center of its interval.
-  const std::vector<double> values = SampleRange(table, 2 * count + 1);
-  for (int i = 0; i < count; ++i)
+  low = glm::max(glm::floor(low), 0.0);
+  high = glm::min(high, glm::dvec2(Target->Image.GetWidth(), Target->Image.GetHeight()));
+  for (double y = low.y; y < high.y; ++y)
   {
-    append(table->MapValue(values[2 * i + 1]));
-  }
-  return colors;
-}
-
-/// Adds a warning for each requested part of the bar that is not supported.
-void WarnUnsupportedParts(vtkScalarBarActor* bar, std::vector<std::string>& warnings)
-{
-  const struct
-  {
-    bool IsRequested;
-    const char* Name;
-  } parts[] = {
-    { bar->GetDrawNanAnnotation() != 0, "NaN swatches" },
-    { bar->GetDrawBelowRangeSwatch() != 0, "swatches below the range" },
-    { bar->GetDrawAboveRangeSwatch() != 0, "swatches above the range" },
-    { bar->GetDrawFrame() != 0, "frames" },
-    { bar->GetDrawBackground() != 0, "backgrounds" },
-  };
-  for (const auto& part : parts)
-  {
-    if (part.IsRequested)
+    for (double x = low.x; x < high.x; ++x)
     {
-      warnings.push_back(
-        std::string("Scalar bar: ") + part.Name + " are not supported and were skipped.");
+      if (IsInPolygon(corners, { x + 0.5, y + 0.5 }))
+      {
+        Target->Image.FillRectangle({ x, y }, { x + 1.0, y + 1.0 }, color);
+      }
     }
   }
 }
 
-/// Reduces the font size of `property` so that each of `texts` fits into `available` (pixels).
-void FitFontSize(
-  const std::vector<BandLabel>& texts, glm::dvec2 available, int dpi, vtkTextProperty* property)
+/// Fills a line as a rectangle.
+void FillLine(glm::dvec2 from, glm::dvec2 to, double width, glm::vec4 color)
 {
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  int smallest = 1 << 20;
-  for (const BandLabel& label : texts)
+  const double length = glm::length(to - from);
+  if (length > 0.0)
   {
-    vtkNew<vtkTextProperty> fitted;
-    fitted->ShallowCopy(property);
-    if (renderer && !label.Text.empty())
-    {
-      const int size = renderer->GetConstrainedFontSize(label.Text, fitted,
-        std::max(1, static_cast<int>(available.x)), std::max(1, static_cast<int>(available.y)),
-        dpi);
-      smallest = size > 0 ? std::min(smallest, size) : smallest;
-    }
-  }
-  if (smallest < 1 << 20)
-  {
-    property->SetFontSize(smallest);
+    const glm::dvec2 along = 0.5 * width * (to - from) / length;
+    const glm::dvec2 across(-along.y, along.x);
+    FillPolygon(
+      { from - along - across, to + along - across, to + along + across, from - along + across },
+      color);
   }
 }
 
-/// Computes the layout of a scalar bar and draws it.
-class ScalarBarPainter
+glm::dvec2 ComputeViewportPosition(vtkActor2D* actor, vtkViewport* viewport)
+{
+  const int* at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(viewport);
+  return { at[0], at[1] };
+}
+
+/// Draws polygons and lines into the overlay.
+class OverlayMapper : public vtkPolyDataMapper2D
 {
 public:
-  ScalarBarPainter(vtkScalarBarActor* bar, int dpi, Scene& scene)
-    : Bar(bar),
-      DPI(dpi),
-      Target(scene.OverlayImage),
-      Vertical(bar->GetOrientation() == VTK_ORIENT_VERTICAL)
-  {
-    this->Low = ComputePixelPosition(bar->GetPositionCoordinate(), scene);
-    this->High = ComputePixelPosition(bar->GetPosition2Coordinate(), scene);
-    const double height = this->High.y - this->Low.y;
-    const bool titled = bar->GetTitle() && *bar->GetTitle();
-    const double title = titled ? (this->Vertical ? TitleFraction : 3.0 * TitleFraction) : 0.0;
-    this->TitleHeight = title * height;
-    // The color bar extends along the rectangle below the title; BarRatio is its relative width.
-    this->BandHigh =
-      this->High - glm::dvec2(0.0, this->TitleHeight + (titled ? TitleGapFraction * height : 0.0));
-    this->LabelsAfter = bar->GetTextPosition() == vtkScalarBarActor::SucceedScalarBar;
-    const int across = this->Vertical ? 0 : 1;
-    this->BandLow = this->Low;
-    const double width = this->BandHigh[across] - this->BandLow[across];
-    (this->LabelsAfter ? this->BandHigh : this->BandLow)[across] = this->LabelsAfter
-      ? this->Low[across] + bar->GetBarRatio() * width
-      : this->BandHigh[across] - bar->GetBarRatio() * width;
-  }
+  static OverlayMapper* New();
+  vtkTypeMacro(OverlayMapper, vtkPolyDataMapper2D);
 
-  bool Draw()
+  void RenderOverlay(vtkViewport* viewport, vtkActor2D* actor) override
   {
-    if (this->Bar->GetDrawColorBar())
+    vtkPolyData* input = this->GetInput();
+    if (!Target || !input || !input->GetPoints() || actor->IsA("vtkTexturedActor2D"))
     {
-      this->DrawBand();
+      return;
     }
-    return this->DrawLabels() && this->DrawTitle();
+    vtkProperty2D* property = actor->GetProperty();
+    vtkUnsignedCharArray* colors = this->MapScalars(property->GetOpacity());
+    const bool perCell = input->GetCellData()->GetScalars() != nullptr;
+    const glm::dvec2 origin = ComputeViewportPosition(actor, viewport);
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+    {
+      input->GetCellPoints(cell, ids);
+      std::vector<glm::dvec2> corners;
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        const double* point = input->GetPoint(ids->GetId(i));
+        corners.push_back(origin + glm::dvec2(point[0], point[1]));
+      }
+      const double* c = property->GetColor();
+      glm::vec4 color(c[0], c[1], c[2], property->GetOpacity());
+      if (colors && !corners.empty())
+      {
+        double bytes[4];
+        colors->GetTuple(perCell ? cell : ids->GetId(0), bytes);
+        color = glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.f;
+      }
+      this->DrawCell(input->GetCellType(cell), corners, property->GetLineWidth(), color);
+    }
   }
 
 private:
-  void DrawBand()
+  static void DrawCell(
+    int type, const std::vector<glm::dvec2>& corners, double lineWidth, glm::vec4 color)
   {
-    const std::vector<glm::vec4> colors = ComputeBandColors(this->Bar);
-    const int axis = this->Vertical ? 1 : 0;
-    const double length = this->BandHigh[axis] - this->BandLow[axis];
-    // Each opaque color is drawn to the end of the bar and the next one over it, which avoids seams
-    // in partially covered pixels. The edges of translucent colors are rounded to whole pixels
-    // instead.
-    const bool opaque = !this->Bar->GetUseOpacity();
-    const auto computeEdge = [&](std::size_t i) {
-      const double at = this->BandLow[axis] + length * static_cast<double>(i) / colors.size();
-      return opaque ? at : std::round(at);
-    };
-    for (std::size_t i = 0; i < colors.size(); ++i)
+    if (type != VTK_LINE && type != VTK_POLY_LINE)
     {
-      glm::dvec2 low = this->BandLow;
-      glm::dvec2 high = this->BandHigh;
-      low[axis] = computeEdge(i);
-      high[axis] = opaque ? high[axis] : computeEdge(i + 1);
-      this->Target.FillRectangle(low, high, colors[i]);
+      FillPolygon(corners, color);
+      return;
+    }
+    for (std::size_t i = 1; i < corners.size(); ++i)
+    {
+      FillLine(corners[i - 1], corners[i], lineWidth, color);
     }
   }
-
-  bool DrawLabels()
-  {
-    const std::vector<BandLabel> labels = MakeLabels(this->Bar);
-    vtkNew<vtkTextProperty> property;
-    property->ShallowCopy(this->Bar->GetLabelTextProperty());
-    const int axis = this->Vertical ? 1 : 0;
-    const int across = 1 - axis;
-    const double length = this->BandHigh[axis] - this->BandLow[axis];
-    if (!this->Bar->GetUnconstrainedFontSize() && !labels.empty())
-    {
-      glm::dvec2 available;
-      available[axis] = 0.8 * length / static_cast<double>(labels.size());
-      available[across] = (this->LabelsAfter ? this->High[across] - this->BandHigh[across]
-                                             : this->BandLow[across] - this->Low[across]) -
-        LabelGap;
-      if (!this->Vertical)
-      {
-        available.y -= this->TitleHeight;
-      }
-      FitFontSize(labels, available, this->DPI, property);
-    }
-    if (this->Vertical)
-    {
-      property->SetVerticalJustificationToCentered();
-      property->SetJustification(this->LabelsAfter ? VTK_TEXT_LEFT : VTK_TEXT_RIGHT);
-    }
-    else
-    {
-      property->SetVerticalJustification(this->LabelsAfter ? VTK_TEXT_BOTTOM : VTK_TEXT_TOP);
-      property->SetJustificationToCentered();
-    }
-    bool drawn = true;
-    for (const BandLabel& label : labels)
-    {
-      glm::dvec2 at;
-      at[axis] = this->BandLow[axis] + label.Position * length;
-      at[across] =
-        this->LabelsAfter ? this->BandHigh[across] + LabelGap : this->BandLow[across] - LabelGap;
-      drawn = label.Text.empty() || DrawText(label.Text, property, at, this->DPI, this->Target);
-    }
-    return drawn;
-  }
-
-  bool DrawTitle()
-  {
-    if (this->TitleHeight <= 0.0)
-    {
-      return true;
-    }
-    std::string text = this->Bar->GetTitle();
-    if (this->Bar->GetComponentTitle() && *this->Bar->GetComponentTitle())
-    {
-      text += std::string(" ") + this->Bar->GetComponentTitle();
-    }
-    vtkNew<vtkTextProperty> property;
-    property->ShallowCopy(this->Bar->GetTitleTextProperty());
-    if (!this->Bar->GetUnconstrainedFontSize())
-    {
-      FitFontSize(
-        { { 0.0, text } }, { this->High.x - this->Low.x, this->TitleHeight }, this->DPI, property);
-    }
-    property->SetJustificationToCentered();
-    property->SetVerticalJustificationToTop();
-    return DrawText(text, property, { 0.5 * (this->Low.x + this->High.x), this->High.y }, this->DPI,
-      this->Target);
-  }
-
-  vtkScalarBarActor* Bar;
-  int DPI;
-  Overlay& Target;
-  bool Vertical;
-  bool LabelsAfter = true;
-  glm::dvec2 Low;
-  glm::dvec2 High;
-  glm::dvec2 BandLow;
-  glm::dvec2 BandHigh;
-  double TitleHeight = 0.0;
 };
+vtkStandardNewMacro(OverlayMapper);
+
+/// Draws its text into the overlay.
+class OverlayText : public vtkTextActor
+{
+public:
+  static OverlayText* New();
+  vtkTypeMacro(OverlayText, vtkTextActor);
+
+  int RenderOverlay(vtkViewport* viewport) override
+  {
+    const char* text = this->GetInput();
+    if (Target && text && *text)
+    {
+      Target->Drawn = DrawText(text, this->GetTextProperty(),
+                        ComputeViewportPosition(this, viewport), Target->DPI, Target->Image) &&
+        Target->Drawn;
+    }
+    return 1;
+  }
+
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
+};
+vtkStandardNewMacro(OverlayText);
+
+/// Replaces the classes that render the parts of a bar, on a thread that draws a bar.
+class OverlayFactory : public vtkObjectFactory
+{
+public:
+  static OverlayFactory* New();
+  vtkTypeMacro(OverlayFactory, vtkObjectFactory);
+
+  const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
+  const char* GetDescription() VTK_FUTURE_CONST override { return "Penumbra's overlay"; }
+
+private:
+  OverlayFactory()
+  {
+    this->RegisterOverride("vtkPolyDataMapper2D", "OverlayMapper", "draws into an overlay", 1,
+      [] { return static_cast<vtkObject*>(Target ? OverlayMapper::New() : nullptr); });
+    this->RegisterOverride("vtkTextActor", "OverlayText", "draws into an overlay", 1,
+      [] { return static_cast<vtkObject*>(Target ? OverlayText::New() : nullptr); });
+  }
+};
+vtkStandardNewMacro(OverlayFactory);
+
+/// Puts the factory before those of VTK's modules.
+void InsertFactory()
+{
+  static const bool inserted = [] {
+    vtkNew<OverlayFactory> factory;
+    vtkObjectFactory::GetRegisteredFactories()->InsertItem(-1, factory);
+    return true;
+  }();
+  static_cast<void>(inserted);
+}
+
+/// A window of a given size without a graphics context.
+class SizeOnlyWindow : public vtkRenderWindow
+{
+public:
+  static SizeOnlyWindow* New();
+  vtkTypeMacro(SizeOnlyWindow, vtkRenderWindow);
+};
+vtkStandardNewMacro(SizeOnlyWindow);
+
+class SizeOnlyRenderer : public vtkRenderer
+{
+public:
+  static SizeOnlyRenderer* New();
+  vtkTypeMacro(SizeOnlyRenderer, vtkRenderer);
+};
+vtkStandardNewMacro(SizeOnlyRenderer);
+
+/// Copies settings that VTK 9.1 and 9.2 do not have.
+template <typename Bar>
+auto CopyLaterSettings(Bar* from, Bar* to, int)
+  -> decltype(from->GetForceVerticalTitle(), from->GetOpacityFunction(), void())
+{
+  to->SetForceVerticalTitle(from->GetForceVerticalTitle());
+  to->SetOpacityFunction(from->GetOpacityFunction());
+}
+template <typename Bar>
+void CopyLaterSettings(Bar*, Bar*, long)
+{
+}
+
+/// Copies all settings; vtkScalarBarActor::ShallowCopy() omits most.
+void CopySettings(vtkScalarBarActor* from, vtkScalarBarActor* to)
+{
+  to->ShallowCopy(from);
+  to->SetBarRatio(from->GetBarRatio());
+  to->SetTitleRatio(from->GetTitleRatio());
+  to->SetTextPad(from->GetTextPad());
+  to->SetTextPosition(from->GetTextPosition());
+  to->SetNumberOfLabels(from->GetNumberOfLabels());
+  to->SetComponentTitle(from->GetComponentTitle());
+  to->SetUseOpacity(from->GetUseOpacity());
+  to->SetMaximumWidthInPixels(from->GetMaximumWidthInPixels());
+  to->SetMaximumHeightInPixels(from->GetMaximumHeightInPixels());
+  to->SetAnnotationLeaderPadding(from->GetAnnotationLeaderPadding());
+  to->SetAnnotationTextScaling(from->GetAnnotationTextScaling());
+  to->SetFixedAnnotationLeaderLineColor(from->GetFixedAnnotationLeaderLineColor());
+  to->SetVerticalTitleSeparation(from->GetVerticalTitleSeparation());
+  to->SetUnconstrainedFontSize(from->GetUnconstrainedFontSize());
+  to->SetDrawAnnotations(from->GetDrawAnnotations());
+  to->SetDrawColorBar(from->GetDrawColorBar());
+  to->SetDrawTickLabels(from->GetDrawTickLabels());
+  to->SetDrawNanAnnotation(from->GetDrawNanAnnotation());
+  to->SetNanAnnotation(from->GetNanAnnotation());
+  to->SetDrawBelowRangeSwatch(from->GetDrawBelowRangeSwatch());
+  to->SetBelowRangeAnnotation(from->GetBelowRangeAnnotation());
+  to->SetDrawAboveRangeSwatch(from->GetDrawAboveRangeSwatch());
+  to->SetAboveRangeAnnotation(from->GetAboveRangeAnnotation());
+  CopyLaterSettings(from, to, 0);
+}
 
 }
 
-bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene)
+bool DrawScalarBar(vtkScalarBarActor* bar, vtkRenderer* renderer, int dpi, Scene& scene)
 {
   if (!bar->GetLookupTable())
   {
     return true;
   }
-  bar->GetLookupTable()->Build();
-  WarnUnsupportedParts(bar, scene.Warnings);
-  return ScalarBarPainter(bar, dpi, scene).Draw();
-}
-
-std::vector<double> SampleRange(vtkScalarsToColors* table, int count)
-{
-  const double* range = table->GetRange();
-  const bool logarithmic = table->UsingLogScale() && range[0] * range[1] > 0.0;
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i)
+  if (!vtkTextRenderer::GetInstance())
   {
-    const double t = count > 1 ? static_cast<double>(i) / (count - 1) : 0.5;
-    values.push_back(logarithmic ? range[0] * std::pow(range[1] / range[0], t)
-                                 : range[0] + t * (range[1] - range[0]));
+    return false;
   }
-  return values;
-}
-
-std::string FormatLabel(const char* format, double value)
-{
-  // VTK 9.6 and later use std::format strings, such as "{:<#6.3g}" instead of "%-#6.3g".
-  static const std::regex braces(R"(\{:[<>^]?([-+ #0]*\d*(\.\d+)?[eEfFgG])\})");
-  static const std::regex percent(R"([^%]*%[-+ #0]*\d*(\.\d+)?[eEfFgG][^%]*)");
-  std::string style = std::regex_replace(std::string(format ? format : ""), braces, "%$1");
-  if (!std::regex_match(style, percent))
+  InsertFactory();
+  vtkNew<SizeOnlyWindow> window;
+  vtkNew<SizeOnlyRenderer> layoutRenderer;
+  window->SetSize(scene.ViewCamera.Width, scene.ViewCamera.Height);
+  window->SetDPI(dpi);
+  window->AddRenderer(layoutRenderer);
+  if (renderer->IsActiveCameraCreated())
   {
-    style = "%g";
+    layoutRenderer->SetActiveCamera(renderer->GetActiveCamera());
   }
-  char text[400];
-  std::snprintf(text, sizeof text, style.c_str(), value);
-  std::string label = text;
-  label.erase(0, label.find_first_not_of(' '));
-  label.erase(label.find_last_not_of(' ') + 1);
-  return label;
+  OverlayTarget target{ scene.OverlayImage, dpi };
+  Target = &target;
+  {
+    vtkNew<vtkScalarBarActor> copy;
+    CopySettings(bar, copy);
+    copy->GetLookupTable()->Build();
+    copy->RenderOverlay(layoutRenderer);
+  }
+  Target = nullptr;
+  window->RemoveRenderer(layoutRenderer);
+  return target.Drawn;
 }
 
 }

@@ -1,35 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Draws vtkScalarBarActor: a color bar, labels and a title.
+// Draws vtkScalarBarActor with the layout that VTK computes, without a graphics context.
 #ifndef penumbra_SceneExtractionScalarBar_h
 #define penumbra_SceneExtractionScalarBar_h
 
 #include "Scene.h"
-#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
-#include <string>
-#include <vector>
-
+class vtkRenderer;
 class vtkScalarBarActor;
-class vtkScalarsToColors;
 
 namespace penumbra
 {
 
-/// Draws `bar` into scene.OverlayImage, inside the rectangle of its two positions. The font size is
-/// the largest that fits, unless UnconstrainedFontSize is on. Returns false if VTK cannot render
+/// Draws `bar` into scene.OverlayImage. A copy of the bar renders its parts into the overlay instead
+/// of a window. The grid behind translucent colors is omitted. Returns false if VTK cannot render
 /// text.
-bool DrawScalarBar(vtkScalarBarActor* bar, int dpi, Scene& scene);
-
-/// Returns `count` values from the start to the end of the table's range, evenly spaced on the
-/// table's linear or logarithmic scale.
-VTKPENUMBRAFILTERSSCENE_EXPORT std::vector<double> SampleRange(
-  vtkScalarsToColors* table, int count);
-
-/// Formats a label. `format` is a printf or std::format string for one floating-point number; "%g"
-/// replaces any other string.
-VTKPENUMBRAFILTERSSCENE_EXPORT std::string FormatLabel(const char* format, double value);
+bool DrawScalarBar(vtkScalarBarActor* bar, vtkRenderer* renderer, int dpi, Scene& scene);
 
 }
 #endif
