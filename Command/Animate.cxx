@@ -12,6 +12,7 @@
 #include "Files/Report.h"
 #include "Options/FrozenOptions.h"
 #include "Options/RenderOptions.h"
+#include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/ProgressLine.h"
@@ -37,9 +38,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Number of successive frames that one process renders. It is fixed, because the images depend on it.
-constexpr int FramesPerGroup = 8;
 
 /// Displacement of the surfaces of one file over the animation.
 struct Movement

@@ -20,6 +20,8 @@
 #include "vtkPenumbraCubeMapGatherer.h"
 #include "vtkPenumbraIrradianceCache.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +37,7 @@ namespace
 using Cache = vtkPenumbraIrradianceCache;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
 /// Methods without a cache are evaluated at every n-th pixel in both directions.
 constexpr int StrideWithoutCache = 4;

@@ -10,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkPenumbraIrradianceCache.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -21,7 +23,7 @@ namespace
 
 constexpr int Size = 256;
 constexpr double Tolerance = .005;
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 constexpr float Far = 1000.f;
 
 using Truth = std::function<double(glm::dvec3)>;

@@ -16,6 +16,8 @@
 #include "vtkNew.h"
 #include "vtkPenumbraIrradianceCache.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <cmath>
 #include <fstream>
 
@@ -24,7 +26,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 constexpr int Size = 256;
 constexpr int TruthStep = 8; ///< distance in pixels, in both directions, between reference values
 constexpr int Paths = 16384;

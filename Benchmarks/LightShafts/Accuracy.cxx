@@ -9,6 +9,8 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +21,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double WholeSphere = 12.566370614359172;
+constexpr double WholeSphere = 4.0 * glm::pi<double>();
 constexpr double EdgeDensity = 0.12; // scattering and extinction per world unit
 
 /// A small number of steps, and one so large that only the missing depth layers cause errors. A

@@ -6,6 +6,8 @@
 #include "Benchmark.h"
 #include "ShaftScene.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +20,7 @@ namespace
 {
 
 /// Intensity of the directional light at which an opaque medium has the radiance 1.
-constexpr double WholeSphere = 12.566370614359172;
+constexpr double WholeSphere = 4.0 * glm::pi<double>();
 constexpr int Frames = 7;
 
 double ThreadSeconds()

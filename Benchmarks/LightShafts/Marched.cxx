@@ -16,6 +16,8 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <sys/resource.h>
 
 #include <cmath>
@@ -32,7 +34,7 @@ namespace
 {
 
 constexpr int Side = 256;
-constexpr double Pi = 3.14159265358979324;
+constexpr double Pi = glm::pi<double>();
 
 double Seconds(int who)
 {

@@ -5,6 +5,7 @@
 #include "Files/ImageFiles.h"
 #include "Options/RenderOptions.h"
 #include "Processes/Clock.h"
+#include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 
@@ -32,9 +33,6 @@ namespace penumbra
 namespace
 {
 
-/// Requested samples per pixel; the OpenGL driver may provide fewer.
-constexpr int MultiSamples = 8;
-
 // Converts bytes with premultiplied alpha, the result of blending, to floats with straight alpha.
 vtkSmartPointer<vtkImageData> ToFloats(
   vtkUnsignedCharArray* bytes, int width, int height, bool opaque)
@@ -58,9 +56,6 @@ vtkSmartPointer<vtkImageData> ToFloats(
   image->GetPointData()->SetScalars(color);
   return image;
 }
-
-/// Default occlusion strength on surfaces colored by data, as documented in Options.md.
-constexpr double StrengthOnData = 0.6;
 
 vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOptions& options)
 {

@@ -3,6 +3,7 @@
 #include "InputFiles.h"
 
 #include "FileExtension.h"
+#include "Processes/CommandConstants.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -26,9 +27,6 @@ using FileId = std::pair<dev_t, ino_t>;
 using Files = std::map<FileId, unsigned long long>; ///< with their sizes in bytes
 
 Files Inputs;
-
-// Number of bytes that are searched for references. Files that refer to others have short text headers.
-constexpr std::streamsize MaximumHeaderSize = 1 << 20;
 
 bool Add(const fs::path& path, Files& files)
 {

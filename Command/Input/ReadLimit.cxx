@@ -4,6 +4,7 @@
 
 #include "Files/InputFiles.h"
 #include "Parsing/Arguments.h"
+#include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/Worker.h"
@@ -24,12 +25,6 @@ namespace penumbra
 
 namespace
 {
-
-// Limits for an empty file, and the memory that each byte of a file adds. One second per MiB is added.
-constexpr double BaseSeconds = 60.0;
-constexpr unsigned long long BaseMemory = 1ull << 30; ///< bytes
-constexpr unsigned long long MemoryPerFileByte = 64;
-constexpr unsigned long long MemoryPerCompressedFileByte = 2200; // zlib compresses up to 1032:1.
 
 // AddressSanitizer reserves more address space than any limit allows.
 #if defined(__SANITIZE_ADDRESS__)

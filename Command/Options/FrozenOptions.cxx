@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrozenOptions.h"
 
+#include "Processes/CommandConstants.h"
 #include "RenderOptions.h"
 
 #include "vtkActor.h"
@@ -19,11 +20,6 @@ namespace penumbra
 
 namespace
 {
-
-// Defaults documented in Options.md: the occlusion radius as a fraction of the bounds' diagonal, and the
-// scattering coefficient times the diagonal.
-constexpr double DefaultRadiusFraction = 0.1;
-constexpr double DefaultOpticalThickness = 0.25;
 
 void FreezeCamera(vtkCamera* camera, CameraOptions& options)
 {

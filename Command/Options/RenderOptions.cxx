@@ -6,6 +6,7 @@
 #include "Files/ImageFiles.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
+#include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "Processes/Worker.h"
 #include "SharedOptions.h"
@@ -386,8 +387,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
     throw CommandError(BadInput,
       "--no-background: " + options.Output + " cannot hold transparency; use .png, .tif or .vti");
   }
-  const double bytesPerPixel = 32.0;
-  const double needed = bytesPerPixel * options.Resolution[0] * options.Resolution[1];
+  const double needed = BytesPerPixel * options.Resolution[0] * options.Resolution[1];
   if (needed > static_cast<double>(MachineMemory()))
   {
     throw CommandError(BadInput,

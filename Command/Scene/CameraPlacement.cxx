@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/RenderOptions.h"
+#include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
 #include "SceneBuilder.h"
 
@@ -21,9 +22,6 @@ namespace
 // Range of scene radii and camera distances, in world units: their squares are finite and nonzero.
 constexpr double MinimumLength = 1e-100;
 constexpr double MaximumLength = 1e100;
-// Smallest distance from the camera to its focal point as a fraction of the scene's radius: shorter ones
-// lose their direction to rounding.
-constexpr double MinimumDistanceFraction = 1e-12;
 
 // Returns the unit vector. Dividing by the largest component first prevents underflow and overflow of
 // the squared length.

@@ -16,6 +16,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +29,7 @@ namespace
 {
 
 constexpr int Size = 128;
-const double Pi = std::acos(-1.0);
+constexpr double Pi = glm::pi<double>();
 
 /// One polyline.
 vtkSmartPointer<vtkPolyData> LineThrough(const std::vector<glm::dvec3>& positions)

@@ -20,6 +20,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +31,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
 using Cache = vtkPenumbraIrradianceCache;
 

@@ -14,6 +14,8 @@
 #include "vtkLight.h"
 #include "vtkProperty.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -26,7 +28,7 @@ namespace
 
 using Pass = vtkPenumbraLightShaftPass;
 
-constexpr double WholeSphere = 12.566370614359172;
+constexpr double WholeSphere = 4.0 * glm::pi<double>();
 constexpr double EdgeDensity = .12;
 const Vector SunInView = { .2, 1.0, .32 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathTracer.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <cmath>
 #include <limits>
 #include <random>
@@ -11,7 +13,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 constexpr double Gap = 1e-9;
 
 class Random

@@ -7,6 +7,8 @@
 // c dc.
 #include "FalloffOcclusion.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +17,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 constexpr int Steps = 2000;
 
 /// Integrates with Simpson's rule.

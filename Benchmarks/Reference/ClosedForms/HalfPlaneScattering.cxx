@@ -12,6 +12,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979324;
+constexpr double Pi = glm::pi<double>();
 
 /// Finite stand-in for infinity that single precision represents without loss.
 constexpr double Wide = 1000.0;

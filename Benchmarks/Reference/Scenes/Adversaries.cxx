@@ -13,6 +13,7 @@
 #include "vtkRenderer.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
 /// Collects the cells of one mesh.
 class Builder

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <cmath>
 
 namespace penumbra
@@ -9,7 +11,7 @@ namespace penumbra
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
 /// Element i of a low-discrepancy sequence in [0, 1), identical on every machine.
 double Spread(int i, double step)

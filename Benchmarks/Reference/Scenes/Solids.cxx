@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <cmath>
 
 namespace penumbra
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 }
 
 void AddRectangle(Scene& scene, glm::vec3 corner, glm::vec3 side, glm::vec3 other)

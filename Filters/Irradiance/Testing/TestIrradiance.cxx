@@ -17,6 +17,8 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +28,7 @@ using namespace penumbra;
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 constexpr int Size = 64;
 
 /// Returns the visible points of the first `levels` levels of pixels.

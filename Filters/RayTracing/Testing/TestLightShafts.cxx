@@ -5,6 +5,8 @@
 // where shadows are known analytically.
 #include "Media/LightShafts.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +18,7 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Pi = 3.14159265358979324;
+constexpr double Pi = glm::pi<double>();
 constexpr float Extent = 1000.f;
 
 /// Returns the half-plane x < 0 at height z.

@@ -15,6 +15,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +28,7 @@ using namespace penumbra;
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
 /// Radiance by longitude and latitude, in radians.
 using Sky = std::function<glm::dvec3(double longitude, double latitude)>;
