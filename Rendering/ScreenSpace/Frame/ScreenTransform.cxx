@@ -197,19 +197,19 @@ bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) c
         (this->Parallel ? 1.0 : depth);
     }
     double there[3];
-    double towardsHere[3]; // towards the camera of this view, in the coordinates of the other one
+    double towardHere[3]; // toward the camera of this view, in the coordinates of the other one
     const double viewed[3] = { this->Parallel ? 0.0 : here[0], this->Parallel ? 0.0 : here[1],
       -depth };
     for (int row = 0; row < 3; ++row)
     {
       const double* axis = transform.data() + 4 * row;
       there[row] = vtkMath::Dot(axis, here) + axis[3];
-      towardsHere[row] = -vtkMath::Dot(axis, viewed);
+      towardHere[row] = -vtkMath::Dot(axis, viewed);
     }
     const double towardsThere[3] = { other.Parallel ? 0.0 : -there[0],
       other.Parallel ? 0.0 : -there[1], other.Parallel ? 1.0 : -there[2] };
-    const double cosine = vtkMath::Dot(towardsHere, towardsThere) /
-      (vtkMath::Norm(towardsHere) * vtkMath::Norm(towardsThere));
+    const double cosine = vtkMath::Dot(towardHere, towardsThere) /
+      (vtkMath::Norm(towardHere) * vtkMath::Norm(towardsThere));
     const double perspective = other.Parallel ? 1.0 : -there[2];
     const double x = (there[0] / perspective * unitOf(other) - other.Offset[0]) / other.Scale[0];
     const double y = (there[1] / perspective * unitOf(other) - other.Offset[1]) / other.Scale[1];
