@@ -54,7 +54,7 @@ float estimateAt(SurfacePoint point, bool hasShortHistory)
   return clamp(occlusionAt(point, count), 0.0, maximumSliceOcclusion);
 }
 
-// Returns the number of samples in the mean of estimateAt().
+// Returns the number of samples that estimateAt() averages.
 float newSamplesAt(bool hasShortHistory)
 {
   return samplesPerPoint * float(hasShortHistory ? shortHistoryPointCount : sampleCount);
