@@ -49,11 +49,21 @@ struct Light
   bool Headlight = false;
 };
 
-/// Color of rays that miss the scene: constant, or a gradient from the bottom to the top.
+/// Color of rays that miss the scene: constant, a gradient, or an image that fills the view.
 struct Background
 {
-  glm::vec4 Bottom{ 0.f, 0.f, 0.f, 0.f };
-  glm::vec4 Top{ 0.f, 0.f, 0.f, 0.f };
+  /// Direction of the gradient from First to Second, as vtkViewport::GradientModes.
+  enum class Gradients
+  {
+    Vertical,
+    Horizontal,
+    RadialToSide,  ///< ellipse around the center that touches the sides
+    RadialToCorner ///< ellipse around the center that touches the corners
+  };
+  Gradients Gradient = Gradients::Vertical;
+  glm::vec4 First{ 0.f, 0.f, 0.f, 0.f };  ///< at the bottom, the left or the center
+  glm::vec4 Second{ 0.f, 0.f, 0.f, 0.f }; ///< at the top, the right or the ellipse
+  std::shared_ptr<const Texture> Image;   ///< if set, replaces the gradient
 };
 
 /// Default radius of ambient occlusion, as a fraction of the diagonal of the scene's bounds.

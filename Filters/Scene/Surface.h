@@ -38,7 +38,16 @@ struct Texture
   int Height = 0;
   std::vector<glm::u8vec4> Texels;
   bool Interpolate = false;
-  bool Repeat = true;
+  /// Value outside [0, 1], as vtkTexture's wrap modes.
+  enum class WrapModes
+  {
+    ClampToEdge,
+    Repeat,
+    MirroredRepeat,
+    ClampToBorder
+  };
+  WrapModes Wrap = WrapModes::Repeat;
+  glm::vec4 BorderColor{ 0.f }; ///< used by ClampToBorder
 };
 
 /// Triangle mesh with its material. Positions and Triangles reserve capacity for one more element,

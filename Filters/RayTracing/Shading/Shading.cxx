@@ -33,21 +33,33 @@ glm::vec4 ToFloatColor(glm::u8vec4 color)
 }
 
 /// Maps a texel index into [0, size).
-int WrapIndex(int i, int size, bool repeat)
+int WrapIndex(int i, int size, Texture::WrapModes wrap)
 {
-  if (repeat)
+  const auto modulo = [](int x, int n) { return x % n < 0 ? x % n + n : x % n; };
+  switch (wrap)
   {
-    i %= size;
-    return i < 0 ? i + size : i;
+    case Texture::WrapModes::Repeat:
+      return modulo(i, size);
+    case Texture::WrapModes::MirroredRepeat:
+    {
+      const int j = modulo(i, 2 * size);
+      return j < size ? j : 2 * size - 1 - j;
+    }
+    default:
+      return std::clamp(i, 0, size - 1);
   }
-  return std::clamp(i, 0, size - 1);
 }
 
 glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates)
 {
   const auto texel = [&](int i, int j) {
-    i = WrapIndex(i, texture.Width, texture.Repeat);
-    j = WrapIndex(j, texture.Height, texture.Repeat);
+    if (texture.Wrap == Texture::WrapModes::ClampToBorder &&
+      (i < 0 || i >= texture.Width || j < 0 || j >= texture.Height))
+    {
+      return texture.BorderColor;
+    }
+    i = WrapIndex(i, texture.Width, texture.Wrap);
+    j = WrapIndex(j, texture.Height, texture.Wrap);
     return ToFloatColor(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
   };
   if (!std::isfinite(coordinates.x) || !std::isfinite(coordinates.y))
@@ -371,8 +383,34 @@ float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
 glm::vec4 Shading::Background(glm::dvec2 p) const
 {
   const Scene& scene = this->Rays.GetScene();
-  const auto height = static_cast<float>(p.y / scene.ViewCamera.Height);
-  return glm::mix(scene.BackgroundColors.Bottom, scene.BackgroundColors.Top, height);
+  const penumbra::Background& background = scene.BackgroundColors;
+  const glm::vec2 position(p / glm::dvec2(scene.ViewCamera.Width, scene.ViewCamera.Height));
+  if (background.Image)
+  {
+    const glm::vec4 texel = SampleTexture(*background.Image, position);
+    const float alpha = texel.a + (1.f - texel.a) * background.First.a;
+    const glm::vec3 color =
+      glm::mix(background.First.a * glm::vec3(background.First), glm::vec3(texel), texel.a);
+    return alpha > 0.f ? glm::vec4(color / alpha, alpha) : glm::vec4(0.f);
+  }
+  const float radius = 2.f * glm::length(position - .5f);
+  float t = 0.f;
+  switch (background.Gradient)
+  {
+    case penumbra::Background::Gradients::Vertical:
+      t = position.y;
+      break;
+    case penumbra::Background::Gradients::Horizontal:
+      t = position.x;
+      break;
+    case penumbra::Background::Gradients::RadialToSide:
+      t = std::min(radius, 1.f);
+      break;
+    case penumbra::Background::Gradients::RadialToCorner:
+      t = std::min(radius / std::sqrt(2.f), 1.f);
+      break;
+  }
+  return glm::mix(background.First, background.Second, t);
 }
 
 }

@@ -5,7 +5,9 @@
 #include "SceneExtractionActors.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionOverlay.h"
+#include "SceneExtractionProps.h"
 #include "SceneExtractionView.h"
+#include "SceneFeatures.h"
 
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -83,7 +85,10 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   ExtractLights(renderer, scene);
   ExtractBackground(renderer, options, scene);
   AddDrawItems(items, options, scene);
+  const int next = items.empty() ? 0 : items.back().ObjectId + 1;
+  AddDrawItems(MakeBillboards(renderer, options.DPI, next, scene), options, scene);
   ExtractOverlay(renderer, options, scene);
+  scene.Warnings = MergeWarnings(scene.Warnings);
   return scene;
 }
 
@@ -97,9 +102,10 @@ Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOpti
   scene.Lights = { MakeHeadlight(scene) };
   if (options.Background)
   {
-    scene.BackgroundColors.Bottom = scene.BackgroundColors.Top = glm::vec4(0.f, 0.f, 0.f, 1.f);
+    scene.BackgroundColors.First = scene.BackgroundColors.Second = glm::vec4(0.f, 0.f, 0.f, 1.f);
   }
   AddDrawItems(items, options, scene);
+  scene.Warnings = MergeWarnings(scene.Warnings);
   return scene;
 }
 

@@ -6,6 +6,8 @@
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionOverlay.h"
+#include "SceneExtractionProps.h"
+#include "SceneFeatures.h"
 #include "SurfaceGeometry.h"
 #include "UnsupportedFeatures.h"
 
@@ -38,10 +40,19 @@ bool IsAnyOf(vtkObjectBase* object, std::initializer_list<const char*> names)
     names.begin(), names.end(), [&](const char* name) { return object->IsA(name); });
 }
 
-/// Returns false for actors that do not draw the triangles of their mapper's input.
-bool IsSupported(vtkActor* actor)
+/// Returns the row of the feature table for a prop that is skipped.
+Feature FindRefusedFeature(vtkProp* prop)
 {
-  return !IsAnyOf(actor, { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" });
+  if (prop->IsA("vtkImageSlice"))
+  {
+    return Feature::ObliqueImageSlices;
+  }
+  if (prop->IsA("vtkVolume"))
+  {
+    return Feature::Volumes;
+  }
+  return IsAnyOf(prop, { "vtkAxisActor", "vtkCubeAxesActor" }) ? Feature::CubeAxes
+                                                               : Feature::OtherProps;
 }
 
 glm::dmat4 ToMatrix(vtkMatrix4x4* from)
@@ -83,6 +94,16 @@ public:
   {
     if (!prop->GetVisibility() || IsOverlay(prop))
     {
+      return;
+    }
+    if (vtkNew<vtkPropCollection> parts; CollectParts(prop, parts))
+    {
+      vtkCollectionSimpleIterator position;
+      parts->InitTraversal(position);
+      while (vtkProp* part = parts->GetNextProp(position))
+      {
+        this->AddProp(part);
+      }
       return;
     }
     prop->InitPathTraversal();
@@ -135,16 +156,26 @@ private:
   void AddLeaf(vtkProp* prop, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (!prop->GetVisibility())
+    if (!prop->GetVisibility() || IsBillboard(prop))
     {
       return;
     }
-    if (!actor || !IsSupported(actor))
+    if (DrawItem item; MakeTexturedProp(prop, ToMatrix(matrix), item, this->Warnings))
     {
-      this->Warnings.push_back(
-        std::string(prop->GetClassName()) + " is not supported and was skipped.");
+      item.ObjectId = this->NextObject++;
+      item.Name = "Object " + std::to_string(item.ObjectId);
+      if (item.Data)
+      {
+        this->Items.push_back(std::move(item));
+      }
       return;
     }
+    if (!actor || IsAnyOf(actor, { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" }))
+    {
+      WarnFeature(FindRefusedFeature(prop), prop->GetClassName(), this->Warnings);
+      return;
+    }
+    this->Prop = actor;
     DrawItem prototype;
     prototype.ObjectId = this->NextObject++;
     prototype.Name = "Object " + std::to_string(prototype.ObjectId);
@@ -155,8 +186,8 @@ private:
     }
     if (DrawsByShadersAlone(mapper))
     {
-      this->Warnings.push_back(
-        prototype.Name + ": " + mapper->GetClassName() + " is not supported and was skipped.");
+      WarnFeature(Feature::ShaderMappers, prototype.Name + " (" + mapper->GetClassName() + ")",
+        this->Warnings);
       return;
     }
     prototype.ToWorld = ToMatrix(matrix ? matrix : actor->GetMatrix());
@@ -205,6 +236,10 @@ private:
   {
     DrawItem item = prototype;
     item.Data = ExtractSurface(data, this->Progress);
+    if (this->Prop)
+    {
+      item.Data = TransformTextureCoordinates(item.Data, this->Prop);
+    }
     if (item.Data != data)
     {
       item.CellIds = item.Data->GetCellData()->GetArray("vtkOriginalCellIds");
@@ -220,6 +255,7 @@ private:
   }
 
   std::vector<DrawItem> Items;
+  vtkProp* Prop = nullptr; ///< prop whose data is added
   std::vector<std::string>& Warnings;
   const ProgressCallback& Progress;
 };

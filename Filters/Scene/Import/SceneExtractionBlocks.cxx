@@ -9,6 +9,10 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkScalarsToColors.h"
+#include "vtkVersionMacros.h"
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper2.h"
+#endif
 
 #include <algorithm>
 
@@ -38,6 +42,19 @@ template <typename Mapper>
 vtkCompositeDataDisplayAttributes* FindAttributes(Mapper*, long)
 {
   return nullptr;
+}
+
+/// Returns the block attributes of a mapper, or null. Before VTK 9.3, vtkCompositePolyDataMapper2
+/// of VTK's OpenGL module has them.
+vtkCompositeDataDisplayAttributes* GetBlockAttributes(vtkMapper* mapper)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  if (auto* blocks = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  {
+    return blocks->GetCompositeDataDisplayAttributes();
+  }
+#endif
+  return FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
 }
 
 /// Applies the scalar attributes of a block (since VTK 9.3) to `scalars`. Returns false if there
@@ -230,8 +247,7 @@ private:
 void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& prototype,
   ScalarMapper* scalars, const BlockFunction& callback)
 {
-  vtkCompositeDataDisplayAttributes* attributes =
-    FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
+  vtkCompositeDataDisplayAttributes* attributes = GetBlockAttributes(mapper);
   BlockState state;
   state.Scalars = scalars;
   BlockVisitor(attributes, prototype, callback).Visit(data, state);
@@ -239,8 +255,7 @@ void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& 
 
 vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)
 {
-  vtkCompositeDataDisplayAttributes* attributes =
-    FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0);
+  vtkCompositeDataDisplayAttributes* attributes = GetBlockAttributes(mapper);
   if (!attributes)
   {
     return 0;
@@ -262,7 +277,7 @@ vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)
 
 bool HasBlockTextures(vtkMapper* mapper)
 {
-  return HasTextures(FindAttributes(vtkCompositePolyDataMapper::SafeDownCast(mapper), 0), 0);
+  return HasTextures(GetBlockAttributes(mapper), 0);
 }
 
 }

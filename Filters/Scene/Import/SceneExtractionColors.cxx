@@ -2,13 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionColors.h"
 
+#include "SceneFeatures.h"
+
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationKeyLookup.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProp.h"
 #include "vtkTexture.h"
+
+#include <cmath>
 
 namespace penumbra
 {
@@ -31,6 +39,56 @@ std::vector<glm::u8vec4> MakeTexels(vtkUnsignedCharArray* from, std::size_t coun
   return texels;
 }
 
+Texture::WrapModes ConvertWrapMode(vtkTexture* texture)
+{
+  switch (texture->GetWrap())
+  {
+    case vtkTexture::ClampToEdge:
+      return Texture::WrapModes::ClampToEdge;
+    case vtkTexture::MirroredRepeat:
+      return Texture::WrapModes::MirroredRepeat;
+    case vtkTexture::ClampToBorder:
+      return Texture::WrapModes::ClampToBorder;
+    default:
+      return Texture::WrapModes::Repeat;
+  }
+}
+
+/// Converts texels from sRGB to linear colors, as OpenGL does when it samples sRGB textures.
+void ConvertFromSRGB(std::vector<glm::u8vec4>& texels)
+{
+  unsigned char linear[256];
+  for (int i = 0; i < 256; ++i)
+  {
+    const double c = i / 255.0;
+    const double value = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    linear[i] = static_cast<unsigned char>(std::lround(255.0 * value));
+  }
+  for (glm::u8vec4& texel : texels)
+  {
+    texel = { linear[texel.r], linear[texel.g], linear[texel.b], texel.a };
+  }
+}
+
+/// Returns the texture transform of `prop` as 16 numbers by rows, or null. The name of its key
+/// changed in VTK 9.6.
+const double* FindTextureTransform(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  for (const char* name : { "GENERAL_TEXTURE_TRANSFORM", "GeneralTextureTransform" })
+  {
+    auto* key =
+      vtkInformationDoubleVectorKey::SafeDownCast(vtkInformationKeyLookup::Find(name, "vtkProp"));
+    if (keys && key && keys->Has(key) && key->Length(keys) == 16)
+    {
+      return key->Get(keys);
+    }
+  }
+  return nullptr;
+}
+
+}
+
 std::shared_ptr<Texture> MakeTexture(vtkUnsignedCharArray* colors, int width, int height)
 {
   const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -43,8 +101,6 @@ std::shared_ptr<Texture> MakeTexture(vtkUnsignedCharArray* colors, int width, in
   texture->Height = height;
   texture->Texels = MakeTexels(colors, count);
   return texture;
-}
-
 }
 
 vtkStandardNewMacro(ScalarMapper);
@@ -71,7 +127,7 @@ Coloring ScalarMapper::Map(vtkDataSet* data)
       vtkUnsignedCharArray::SafeDownCast(map->GetPointData()->GetScalars()), size[0], size[1]);
     if (texture && result.Coordinates->GetNumberOfTuples() >= data->GetNumberOfPoints())
     {
-      texture->Repeat = false;
+      texture->Wrap = Texture::WrapModes::ClampToEdge;
       result.Map = texture;
       result.Mode = Coloring::Modes::Texture;
     }
@@ -118,8 +174,7 @@ std::shared_ptr<const Texture> MakeTexture(
   vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!scalars || texture->GetCubeMap())
   {
-    warnings.push_back(name +
-      ": the texture was ignored because it is a cube map or its image has no point scalars.");
+    WarnFeature(Feature::TextureCubeMap, name, warnings);
     return nullptr;
   }
   int size[3];
@@ -142,8 +197,39 @@ std::shared_ptr<const Texture> MakeTexture(
     return nullptr;
   }
   result->Interpolate = texture->GetInterpolate();
-  result->Repeat = texture->GetRepeat();
+  result->Wrap = ConvertWrapMode(texture);
+  const float* border = texture->GetBorderColor();
+  result->BorderColor = { border[0], border[1], border[2], border[3] };
+  if (texture->GetUseSRGBColorSpace())
+  {
+    ConvertFromSRGB(result->Texels);
+  }
   return result;
+}
+
+vtkSmartPointer<vtkPolyData> TransformTextureCoordinates(vtkPolyData* data, vtkProp* prop)
+{
+  const double* matrix = FindTextureTransform(prop);
+  vtkDataArray* from = data->GetPointData()->GetTCoords();
+  if (!matrix || !from)
+  {
+    return data;
+  }
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(from->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < from->GetNumberOfTuples(); ++i)
+  {
+    const double u = from->GetComponent(i, 0);
+    const double v = from->GetNumberOfComponents() > 1 ? from->GetComponent(i, 1) : 0.0;
+    const double w = matrix[12] * u + matrix[13] * v + matrix[15];
+    coordinates->SetTuple2(i, (matrix[0] * u + matrix[1] * v + matrix[3]) / w,
+      (matrix[4] * u + matrix[5] * v + matrix[7]) / w);
+  }
+  auto transformed = vtkSmartPointer<vtkPolyData>::New();
+  transformed->ShallowCopy(data);
+  transformed->GetPointData()->SetTCoords(coordinates);
+  return transformed;
 }
 
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkProp;
 class vtkTexture;
 
 namespace penumbra
@@ -43,6 +44,14 @@ protected:
 /// Converts a texture. Returns null if it has no input, or with a warning if it is not supported.
 std::shared_ptr<const Texture> MakeTexture(
   vtkTexture* texture, const std::string& name, std::vector<std::string>& warnings);
+
+/// Converts texels with 1 to 4 components (luminance, luminance and alpha, RGB, RGBA), bottom row
+/// first. Returns null if there are too few.
+std::shared_ptr<Texture> MakeTexture(vtkUnsignedCharArray* colors, int width, int height);
+
+/// Returns `data` with texture coordinates that are transformed by the texture transform of `prop`,
+/// or `data` if there is none.
+vtkSmartPointer<vtkPolyData> TransformTextureCoordinates(vtkPolyData* data, vtkProp* prop);
 
 }
 #endif

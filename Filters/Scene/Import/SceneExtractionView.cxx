@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionView.h"
 
+#include "SceneExtractionColors.h"
+#include "SceneFeatures.h"
+
 #include "vtkCamera.h"
 #include "vtkCollection.h"
 #include "vtkLight.h"
@@ -136,6 +139,19 @@ void SetSceneCoordinates(glm::dvec3 position, const double bounds[6], double fal
   }
 }
 
+// vtkViewport has gradient modes since VTK 9.2.
+template <typename Renderer>
+auto FindGradientMode(Renderer* renderer, int)
+  -> decltype(static_cast<int>(renderer->GetGradientMode()))
+{
+  return static_cast<int>(renderer->GetGradientMode());
+}
+template <typename Renderer>
+int FindGradientMode(Renderer*, long)
+{
+  return 0;
+}
+
 /// Computes the position and the focal point of a light in world coordinates.
 void ComputeLightPosition(
   vtkRenderer* renderer, vtkLight* light, double position[3], double focalPoint[3])
@@ -209,7 +225,7 @@ void ExtractCamera(
   vtkCamera* camera = renderer->GetActiveCamera();
   if (camera->GetStereo())
   {
-    scene.Warnings.emplace_back("Stereo rendering is not supported. Only one view was rendered.");
+    WarnFeature(Feature::Stereo, "", scene.Warnings);
   }
   scene.ViewCamera.Width = options.Resolution[0];
   scene.ViewCamera.Height = options.Resolution[1];
@@ -220,8 +236,7 @@ void ExtractCamera(
     SetProjection(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera);
   if (!isRigid || !isSupported)
   {
-    scene.Warnings.emplace_back("Camera transforms with shear, mirroring or non-uniform scaling "
-                                "are not supported and were ignored.");
+    WarnFeature(Feature::CameraShear, "", scene.Warnings);
   }
   SetSceneCoordinates(position, bounds, camera->GetDistance(), scene);
 }
@@ -280,11 +295,19 @@ void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, 
   {
     return;
   }
-  scene.BackgroundColors.Bottom = glm::vec4(ToVector(renderer->GetBackground()), 1.0);
-  scene.BackgroundColors.Top = scene.BackgroundColors.Bottom;
+  // VTK's default of 0 is visible only if the window has an alpha channel, so it counts as opaque.
+  const double alpha = renderer->GetBackgroundAlpha() > 0.0 ? renderer->GetBackgroundAlpha() : 1.0;
+  Background& background = scene.BackgroundColors;
+  background.First = glm::vec4(ToVector(renderer->GetBackground()), alpha);
+  background.Second = background.First;
   if (renderer->GetGradientBackground())
   {
-    scene.BackgroundColors.Top = glm::vec4(ToVector(renderer->GetBackground2()), 1.0);
+    background.Second = glm::vec4(ToVector(renderer->GetBackground2()), alpha);
+    background.Gradient = static_cast<Background::Gradients>(FindGradientMode(renderer, 0));
+  }
+  if (renderer->GetTexturedBackground())
+  {
+    background.Image = MakeTexture(renderer->GetBackgroundTexture(), "Background", scene.Warnings);
   }
 }
 

@@ -3,10 +3,9 @@
 #include "UnsupportedFeatures.h"
 
 #include "SceneExtractionBlocks.h"
+#include "SceneFeatures.h"
 
 #include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationKeyLookup.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -14,6 +13,10 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
 
 namespace penumbra
 {
@@ -31,32 +34,6 @@ bool UsesOtherCoordinates(Prop*, long)
 {
   return false;
 }
-template <typename Renderer>
-auto HasUnsupportedGradient(Renderer* renderer, int)
-  -> decltype(static_cast<int>(renderer->GetGradientMode()) != 0)
-{
-  return static_cast<int>(renderer->GetGradientMode()) != 0;
-}
-template <typename Renderer>
-bool HasUnsupportedGradient(Renderer*, long)
-{
-  return false;
-}
-
-/// Returns true if the actor has a texture transform. The name of its key changed in VTK 9.6.
-bool HasTextureTransform(vtkActor* actor)
-{
-  vtkInformation* keys = actor->GetPropertyKeys();
-  for (const char* name : { "GENERAL_TEXTURE_TRANSFORM", "GeneralTextureTransform" })
-  {
-    vtkInformationKey* key = vtkInformationKeyLookup::Find(name, "vtkProp");
-    if (keys && key && keys->Has(key))
-    {
-      return true;
-    }
-  }
-  return false;
-}
 
 bool HasCustomShaders(vtkActor* actor)
 {
@@ -70,11 +47,35 @@ bool HasCustomShaders(vtkActor* actor)
     shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 
-bool HasUnsupportedWrapMode(vtkTexture* texture)
+/// Returns true for mappers whose polygons are drawn without anything else that they add.
+bool IsKnownMapper(vtkMapper* mapper)
 {
-  return texture &&
-    (texture->GetWrap() == vtkTexture::MirroredRepeat ||
-      texture->GetWrap() == vtkTexture::ClampToBorder);
+  static const char* const names[] = { "vtkPolyDataMapper", "vtkOpenGLPolyDataMapper",
+    "vtkOpenGLLowMemoryPolyDataMapper", "vtkWebGPUPolyDataMapper", "vtkCompositePolyDataMapper",
+    "vtkCompositePolyDataMapper2", "vtkOpenGLCompositePolyDataMapper",
+    "vtkOpenGLBatchedPolyDataMapper", "vtkWebGPUCompositePolyDataMapper", "vtkDataSetMapper",
+    "vtkGlyph3DMapper", "vtkOpenGLGlyph3DMapper", "vtkLabeledContourMapper" };
+  return std::any_of(std::begin(names), std::end(names),
+    [&](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+}
+
+bool IsTranslucent(vtkActor* actor)
+{
+  return actor->GetProperty()->GetOpacity() < 1.0 ||
+    (actor->GetBackfaceProperty() && actor->GetBackfaceProperty()->GetOpacity() < 1.0);
+}
+
+// Properties of physically based materials that are newer than VTK 9.0.
+bool HasOtherMaterialDetails(vtkProperty* property)
+{
+  for (const auto& [name, texture] : property->GetAllTextures())
+  {
+    if (texture && name != "albedoTex")
+    {
+      return true;
+    }
+  }
+  return property->GetCoatStrength() > 0.0 || property->GetAnisotropy() != 0.0;
 }
 
 bool IsSeamless(vtkMapper* mapper)
@@ -88,52 +89,43 @@ bool IsSeamless(vtkMapper* mapper)
 void WarnUnsupportedActor(
   vtkActor* actor, const std::string& name, std::vector<std::string>& warnings)
 {
-  const auto warn = [&](bool isUsed, const char* message) {
+  const auto warn = [&](bool isUsed, Feature feature) {
     if (isUsed)
     {
-      warnings.push_back(name + ": " + message);
+      WarnFeature(feature, name, warnings);
     }
   };
   vtkProperty* property = actor->GetProperty();
-  warn(property->GetInterpolation() == VTK_PBR,
-    "physically based shading is not supported. Phong shading was used instead.");
-  warn(property->GetNumberOfTextures() > 0,
-    "textures of vtkProperty are not supported and were ignored.");
-  warn(property->GetRenderPointsAsSpheres(),
-    "points as spheres are not supported. They were rendered as squares.");
-  warn(property->GetRenderLinesAsTubes(),
-    "lines as tubes are not supported. They were rendered flat.");
-  warn(HasCustomShaders(actor), "custom shaders are not supported and were ignored.");
-  warn(UsesOtherCoordinates(actor, 0),
-    "coordinate systems other than world are not supported. World coordinates were used.");
-  warn(HasUnsupportedWrapMode(actor->GetTexture()),
-    "texture wrap modes other than Repeat and ClampToEdge are not supported and were replaced.");
-  warn(actor->GetTexture() && HasTextureTransform(actor),
-    "texture transforms are not supported and were ignored.");
-  warn(
-    HasBlockTextures(actor->GetMapper()), "textures of blocks are not supported and were ignored.");
-  warn(actor->GetTexture() && IsSeamless(actor->GetMapper()),
-    "seamless texture coordinates are not supported. They were used unchanged.");
+  vtkMapper* mapper = actor->GetMapper();
+  const bool isPhysicallyBased = property->GetInterpolation() == VTK_PBR;
+  warn(isPhysicallyBased && HasOtherMaterialDetails(property), Feature::PhysicallyBasedDetails);
+  warn(property->GetRenderPointsAsSpheres(), Feature::PointsAsSpheres);
+  warn(property->GetRenderLinesAsTubes(), Feature::LinesAsTubes);
+  warn(HasCustomShaders(actor), Feature::CustomShaders);
+  warn(UsesOtherCoordinates(actor, 0), Feature::CoordinateSystems);
+  warn(HasBlockTextures(mapper), Feature::BlockTextures);
+  warn(actor->GetTexture() && IsSeamless(mapper), Feature::TextureSeams);
+  warn(actor->GetForceOpaque() && IsTranslucent(actor), Feature::ForceOpaque);
+  warn(mapper->GetSelection() != nullptr, Feature::Selection);
+  if (!IsKnownMapper(mapper))
+  {
+    WarnFeature(Feature::DerivedMappers, name + " (" + mapper->GetClassName() + ")", warnings);
+  }
 }
 
 void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& warnings)
 {
-  const auto warn = [&](bool isUsed, const char* message) {
+  const auto warn = [&](bool isUsed, Feature feature) {
     if (isUsed)
     {
-      warnings.emplace_back(message);
+      WarnFeature(feature, "", warnings);
     }
   };
-  warn(renderer->GetPass() != nullptr, "The render pass of the renderer was ignored.");
-  warn(renderer->GetUseSSAO(), "Screen-space ambient occlusion of the renderer was ignored.");
-  warn(renderer->GetUseShadows(),
-    "Shadows of the renderer were ignored. Use the shadows of the ray caster.");
-  warn(
-    renderer->GetUseImageBasedLighting(), "Image-based lighting is not supported and was ignored.");
-  warn(renderer->GetTexturedBackground(),
-    "A textured background is not supported. The background color was used.");
-  warn(renderer->GetGradientBackground() && HasUnsupportedGradient(renderer, 0),
-    "Only vertical background gradients are supported. A vertical gradient was used.");
+  warn(renderer->GetPass() != nullptr, Feature::RenderPass);
+  warn(renderer->GetUseSSAO(), Feature::RendererOcclusion);
+  warn(renderer->GetUseShadows(), Feature::RendererShadows);
+  warn(renderer->GetUseImageBasedLighting(), Feature::ImageBasedLighting);
+  warn(renderer->GetUseHiddenLineRemoval(), Feature::HiddenLineRemoval);
 }
 
 }

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneFeatures.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Maximum number of props that one warning names.
+constexpr std::size_t MaximumNames = 3;
+
+/// Splits a warning into the name of the prop and the text. The name may be empty.
+std::pair<std::string, std::string> SplitWarning(const std::string& warning)
+{
+  const std::size_t end = warning.find(": ");
+  const bool hasName = warning.rfind("Object ", 0) == 0 || warning.rfind("vtk", 0) == 0;
+  return hasName && end != std::string::npos
+    ? std::make_pair(warning.substr(0, end), warning.substr(end + 2))
+    : std::make_pair(std::string(), warning);
+}
+
+std::string JoinNames(const std::vector<std::string>& names)
+{
+  std::string result;
+  for (std::size_t i = 0; i < std::min(names.size(), MaximumNames); ++i)
+  {
+    result += (i > 0 ? ", " : "") + names[i];
+  }
+  if (names.size() > MaximumNames)
+  {
+    result += " and " + std::to_string(names.size() - MaximumNames) + " more";
+  }
+  return result;
+}
+
+}
+
+const std::vector<FeatureRow>& GetFeatureTable()
+{
+  constexpr auto Drawn = FeatureRow::Levels::Drawn;
+  constexpr auto Approximated = FeatureRow::Levels::Approximated;
+  constexpr auto Refused = FeatureRow::Levels::Refused;
+  static const std::vector<FeatureRow> table = {
+    { Feature::Polygons, Drawn, "vtkActor, vtkPolyDataMapper, vtkDataSetMapper", "", "" },
+    { Feature::Representations, Drawn, "vtkProperty: Representation, LineWidth, PointSize", "",
+      "" },
+    { Feature::VertexAndEdgeVisibility, Drawn, "vtkProperty: EdgeVisibility, VertexVisibility", "",
+      "" },
+    { Feature::ScalarColoring, Drawn, "vtkMapper: scalars, lookup tables, texture maps", "", "" },
+    { Feature::Opacity, Drawn, "vtkProperty: Opacity; translucent scalars",
+      "Translucent layers are sorted exactly.", "" },
+    { Feature::BackfaceProperty, Drawn, "vtkActor: BackfaceProperty", "", "" },
+    { Feature::Culling, Drawn, "vtkProperty: BackfaceCulling, FrontfaceCulling", "", "" },
+    { Feature::ClippingPlanes, Drawn, "vtkMapper: ClippingPlanes", "", "" },
+    { Feature::Assemblies, Drawn, "vtkAssembly, vtkFollower, user transforms", "", "" },
+    { Feature::Glyphs, Drawn, "vtkGlyph3DMapper", "", "" },
+    { Feature::Blocks, Drawn,
+      "vtkCompositePolyDataMapper, vtkCompositePolyDataMapper2: visibility, color, opacity and "
+      "scalars of blocks",
+      "", "" },
+    { Feature::BlockTextures, Refused, "vtkCompositeDataDisplayAttributes: BlockTexture",
+      "textures of blocks are ignored.", "Use one actor per textured block." },
+    { Feature::GhostCells, Drawn, "cell array vtkGhostType",
+      "Cells that are hidden or duplicates are drawn, as vtkPolyDataMapper does; surfaces of other "
+      "data sets omit them.",
+      "" },
+    { Feature::PointShape, Drawn, "vtkProperty: Point2DShape", "", "" },
+    { Feature::LineJoin, Drawn, "vtkProperty: LineJoin", "", "" },
+    { Feature::PointsAsSpheres, Approximated, "vtkProperty: RenderPointsAsSpheres",
+      "points as spheres are drawn as flat squares.", "Use vtkGlyph3DMapper with spheres." },
+    { Feature::LinesAsTubes, Approximated, "vtkProperty: RenderLinesAsTubes",
+      "lines as tubes are drawn flat.", "Use vtkTubeFilter." },
+    { Feature::PhysicallyBased, Drawn,
+      "vtkProperty: VTK_PBR with metallic, roughness, base color texture", "", "" },
+    { Feature::PhysicallyBasedDetails, Approximated,
+      "vtkProperty: VTK_PBR with other textures, clear coat, anisotropy",
+      "material, normal and emission textures, clear coat and anisotropy are ignored.",
+      "Use metallic, roughness and a base color texture." },
+    { Feature::Textures, Drawn, "vtkTexture: interpolation, color mapping, opacity", "", "" },
+    { Feature::TextureWrap, Drawn, "vtkTexture: Wrap, BorderColor", "", "" },
+    { Feature::TextureTransform, Drawn, "vtkProp: GENERAL_TEXTURE_TRANSFORM", "", "" },
+    { Feature::TextureMipmap, Drawn, "vtkTexture: Mipmap",
+      "Minified textures are integrated to the tolerance instead.", "" },
+    { Feature::TextureColorSpace, Drawn, "vtkTexture: UseSRGBColorSpace", "", "" },
+    { Feature::TextureSeams, Refused, "vtkPolyDataMapper: SeamlessU, SeamlessV",
+      "seamless texture coordinates are used unchanged.", "Duplicate the points on the seam." },
+    { Feature::TextureCubeMap, Refused, "vtkTexture: CubeMap",
+      "the texture is ignored because it is a cube map or its image has no point scalars.",
+      "Use a 2-D image." },
+    { Feature::ForceOpaque, Approximated, "vtkActor: ForceOpaque",
+      "the translucent actor is blended in depth order although ForceOpaque is on.",
+      "Set the opacity to 1." },
+    { Feature::ForceTranslucent, Drawn, "vtkActor: ForceTranslucent", "", "" },
+    { Feature::CustomShaders, Refused, "vtkShaderProperty", "custom shaders are ignored.",
+      "Use --engine raster, or vtkProperty." },
+    { Feature::CoordinateSystems, Refused, "vtkProp3D: CoordinateSystem",
+      "the coordinate system is treated as world coordinates.",
+      "Set the coordinate system to WORLD." },
+    { Feature::Selection, Refused, "vtkMapper: Selection", "selected cells are not highlighted.",
+      "Show the output of vtkExtractSelection with a second actor." },
+    { Feature::DerivedMappers, Approximated, "other mappers derived from vtkPolyDataMapper",
+      "the mapper is drawn as the polygons of its input.", "Use vtkPolyDataMapper." },
+    { Feature::ShaderMappers, Refused,
+      "vtkOpenGLSphereMapper, vtkOpenGLStickMapper, vtkPointGaussianMapper",
+      "the prop is not supported and was skipped.", "Use vtkGlyph3DMapper." },
+    { Feature::ImageSlices, Drawn, "vtkImageActor, vtkImageSlice with vtkImageSliceMapper", "",
+      "" },
+    { Feature::ObliqueImageSlices, Refused,
+      "vtkImageSlice with vtkImageResliceMapper and other mappers",
+      "the prop is not supported and was skipped.",
+      "Use vtkImageReslice and vtkImageSliceMapper." },
+    { Feature::TextActors, Drawn, "vtkTextActor", "", "" },
+    { Feature::ScalarBars, Drawn, "vtkScalarBarActor", "", "" },
+    { Feature::BillboardText, Drawn, "vtkBillboardTextActor3D", "", "" },
+    { Feature::Text3D, Drawn, "vtkTextActor3D", "", "" },
+    { Feature::AxesActors, Drawn, "vtkAxesActor, vtkAnnotatedCubeActor", "", "" },
+    { Feature::CubeAxes, Refused, "vtkCubeAxesActor, vtkAxisActor",
+      "the prop is not supported and was skipped.", "Use vtkOutlineFilter and text actors." },
+    { Feature::OtherProps, Refused, "other props, such as 2-D actors and vtkSkybox",
+      "the prop is not supported and was skipped.", "Use --engine raster, or hide the prop." },
+    { Feature::Volumes, Refused, "vtkVolume", "the prop is not supported and was skipped.",
+      "Use vtkContourFilter, or --engine raster." },
+    { Feature::Cameras, Drawn, "vtkCamera: perspective, parallel and off-axis projections", "",
+      "" },
+    { Feature::CameraShear, Refused, "vtkCamera: transforms with shear or mirroring",
+      "Camera transforms with shear, mirroring or non-uniform scaling are ignored.",
+      "Transform the actors." },
+    { Feature::ClippingRange, Drawn, "vtkCamera: ClippingRange", "", "" },
+    { Feature::Stereo, Refused, "vtkCamera: stereo",
+      "Stereo rendering is not supported. Only one view is drawn.",
+      "Render one image for each eye with its own camera." },
+    { Feature::Lights, Drawn, "vtkLight: headlights, camera lights, scene lights, cones", "", "" },
+    { Feature::Background, Drawn, "vtkRenderer: Background", "", "" },
+    { Feature::BackgroundAlpha, Drawn, "vtkRenderer: BackgroundAlpha",
+      "An alpha of 0, which is VTK's default, means opaque. BackgroundOff() of the ray caster "
+      "makes "
+      "the background transparent.",
+      "" },
+    { Feature::BackgroundGradients, Drawn, "vtkRenderer: GradientBackground, GradientMode", "",
+      "" },
+    { Feature::BackgroundImage, Drawn, "vtkRenderer: TexturedBackground", "", "" },
+    { Feature::Layers, Drawn, "vtkRenderWindow: renderers in layers above, orientation widgets", "",
+      "" },
+    { Feature::DepthPeeling, Drawn, "vtkRenderer: UseDepthPeeling",
+      "Layers are always sorted exactly.", "" },
+    { Feature::HiddenLineRemoval, Refused, "vtkRenderer: UseHiddenLineRemoval",
+      "Hidden lines of wireframes are drawn.",
+      "Draw the surface in the background color, with edges." },
+    { Feature::RenderPass, Refused, "vtkRenderer: Pass",
+      "The render pass of the renderer is ignored.", "Use --engine raster." },
+    { Feature::RendererOcclusion, Refused, "vtkRenderer: UseSSAO",
+      "Screen-space ambient occlusion of the renderer is ignored.",
+      "Use AmbientOcclusion of the ray caster." },
+    { Feature::RendererShadows, Refused, "vtkRenderer: UseShadows",
+      "Shadows of the renderer are ignored.", "Use Shadows of the ray caster." },
+    { Feature::ImageBasedLighting, Refused, "vtkRenderer: UseImageBasedLighting",
+      "Image-based lighting is ignored.", "Use IndirectLight and Environment of the ray caster." },
+  };
+  return table;
+}
+
+void WarnFeature(Feature feature, const std::string& prop, std::vector<std::string>& warnings)
+{
+  const FeatureRow& row = GetFeatureTable()[static_cast<std::size_t>(feature)];
+  std::string warning = prop.empty() ? row.Difference : prop + ": " + row.Difference;
+  if (*row.Remedy)
+  {
+    warning += std::string(" ") + row.Remedy;
+  }
+  warnings.push_back(warning);
+}
+
+std::vector<std::string> MergeWarnings(const std::vector<std::string>& warnings)
+{
+  std::vector<std::pair<std::string, std::vector<std::string>>> causes;
+  for (const std::string& warning : warnings)
+  {
+    const auto [name, text] = SplitWarning(warning);
+    const auto same = std::find_if(causes.begin(), causes.end(),
+      [&text = text](const auto& cause) { return cause.first == text; });
+    auto& cause =
+      same == causes.end() ? causes.emplace_back(text, std::vector<std::string>()) : *same;
+    if (!name.empty() &&
+      std::find(cause.second.begin(), cause.second.end(), name) == cause.second.end())
+    {
+      cause.second.push_back(name);
+    }
+  }
+  std::vector<std::string> merged;
+  for (const auto& [text, names] : causes)
+  {
+    merged.push_back(names.empty() ? text : JoinNames(names) + ": " + text);
+  }
+  return merged;
+}
+
+}

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Compares each drawn row of the table of VTK's rendering features with the image of VTK's
+// rasterizer, and the page of the table with the table. With PENUMBRA_FEATURE_SHEET=FOLDER, the
+// images are written side by side: VTK, ray caster, pixels that differ.
+#include "FeatureScenes.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPenumbraRayCaster.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkShaderProgram.h"
+#include "vtkShader.h"
+#include "vtkActorCollection.h"
+#include "vtkActor.h"
+#include "vtkMapper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+using penumbra::Feature;
+using penumbra::FeatureRow;
+
+namespace
+{
+
+constexpr int Size = 160;
+/// Differences below this value, in units of 1/255, are rounding and interpolation.
+constexpr double Threshold = 8.0;
+
+struct Images
+{
+  vtkNew<vtkUnsignedCharArray> Raster;
+  std::vector<double> Rays; ///< 3 components in [0, 255]
+  std::vector<bool> Different;
+  double Fraction = 0.0;
+};
+
+const FeatureRow& Row(Feature feature)
+{
+  return penumbra::GetFeatureTable()[static_cast<std::size_t>(feature)];
+}
+
+/// Marks pixels that lie outside of the range of VTK's pixel and its neighbors: antialiased edges
+/// lie within.
+void Compare(Images& images)
+{
+  images.Different.resize(Size * Size);
+  int different = 0;
+  for (int j = 0; j < Size; ++j)
+  {
+    for (int i = 0; i < Size; ++i)
+    {
+      double excess = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        double low = 255.0;
+        double high = 0.0;
+        for (int n = 0; n < 9; ++n)
+        {
+          const int x = std::clamp(i + n % 3 - 1, 0, Size - 1);
+          const int y = std::clamp(j + n / 3 - 1, 0, Size - 1);
+          low = std::min(low, images.Raster->GetComponent(y * Size + x, k));
+          high = std::max(high, images.Raster->GetComponent(y * Size + x, k));
+        }
+        const double value = images.Rays[3 * (j * Size + i) + k];
+        excess = std::max({ excess, low - value, value - high });
+      }
+      images.Different[j * Size + i] = excess > Threshold;
+      different += excess > Threshold;
+    }
+  }
+  images.Fraction = static_cast<double>(different) / (Size * Size);
+}
+
+void Write(const Images& images, const std::string& path)
+{
+  vtkNew<vtkImageData> sheet;
+  sheet->SetDimensions(3 * Size, Size, 1);
+  sheet->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int p = 0; p < Size * Size; ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto set = [&](int column, double value) {
+        sheet->SetScalarComponentFromDouble(column * Size + p % Size, p / Size, 0, k, value);
+      };
+      set(0, images.Raster->GetComponent(p, k));
+      set(1, std::round(images.Rays[3 * p + k]));
+      set(2, images.Different[p] ? 255.0 : 0.0);
+    }
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(sheet);
+  writer->SetFileName(path.c_str());
+  writer->Write();
+}
+
+void Render(const FeatureScene& scene, Images& images)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetAlphaBitPlanes(1);
+  window->SetSize(Size, Size);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.2, 0.3, 0.4);
+  window->AddRenderer(renderer);
+  scene.Build(renderer, window);
+  if (std::getenv("DUMP")) {
+    vtkNew<vtkCallbackCommand> d;
+    d->SetCallback([](vtkObject*, unsigned long, void*, void* p) {
+      std::ofstream("/tmp/shader.txt") << static_cast<vtkShaderProgram*>(p)->GetFragmentShader()->GetSource(); });
+    renderer->GetActors()->GetLastActor()->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, d);
+    window->Render();
+  }
+  window->Render();
+  window->GetPixelData(0, 0, Size - 1, Size - 1, 0, images.Raster);
+
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(Size, Size);
+  std::string warnings;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&warnings);
+  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
+    *static_cast<std::string*>(data) += static_cast<const char*>(text);
+  });
+  caster->AddObserver(vtkCommand::WarningEvent, observer);
+  caster->Update();
+  if (Row(scene.Key).Level == FeatureRow::Levels::Drawn)
+  {
+    EXPECT_EQ(warnings, "");
+  }
+  else
+  {
+    EXPECT_NE(warnings.find(Row(scene.Key).Difference), std::string::npos) << warnings;
+  }
+  vtkDataArray* color = caster->GetOutput()->GetPointData()->GetArray("Color");
+  for (vtkIdType p = 0; p < Size * Size; ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      images.Rays.push_back(255.0 * std::clamp(color->GetComponent(p, k), 0.0, 1.0));
+    }
+  }
+  Compare(images);
+}
+
+class FeatureTable : public testing::TestWithParam<std::size_t>
+{
+};
+
+std::string LevelName(FeatureRow::Levels level)
+{
+  switch (level)
+  {
+    case FeatureRow::Levels::Drawn:
+      return "drawn";
+    case FeatureRow::Levels::Approximated:
+      return "approximated";
+    case FeatureRow::Levels::Refused:
+      break;
+  }
+  return "refused";
+}
+
+}
+
+TEST_P(FeatureTable, AgreesWithVTK)
+{
+  const FeatureScene scene = MakeFeatureScenes()[GetParam()];
+  Images images;
+  Render(scene, images);
+  if (const char* folder = std::getenv("PENUMBRA_FEATURE_SHEET"))
+  {
+    std::ostringstream path;
+    path << folder << "/" << 100 + GetParam() << ".png";
+    Write(images, path.str());
+    std::cout << path.str() << " " << Row(scene.Key).Name << " " << images.Fraction << "\n";
+  }
+  if (Row(scene.Key).Level == FeatureRow::Levels::Drawn)
+  {
+    EXPECT_LE(images.Fraction, scene.MaximumDifferent) << Row(scene.Key).Name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Features, FeatureTable, testing::Range<std::size_t>(0, MakeFeatureScenes().size()));
+
+TEST(FeatureRows, FollowTheOrderOfTheFeatures)
+{
+  const std::vector<FeatureRow>& table = penumbra::GetFeatureTable();
+  ASSERT_EQ(table.size(), static_cast<std::size_t>(Feature::NumberOfFeatures));
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    EXPECT_EQ(static_cast<std::size_t>(table[i].Key), i) << table[i].Name;
+    if (table[i].Level != FeatureRow::Levels::Drawn)
+    {
+      EXPECT_NE(std::string(table[i].Difference), "") << table[i].Name;
+      EXPECT_NE(std::string(table[i].Remedy), "") << table[i].Name;
+    }
+  }
+}
+
+/// Returns the page of the table.
+std::string MakePage()
+{
+  const std::vector<FeatureRow>& table = penumbra::GetFeatureTable();
+  std::ostringstream page;
+  page << "# VTK features in ray-cast images\n\n"
+       << "How `vtkPenumbraRayCaster` handles the rendering features of VTK. This page is generated "
+          "from the table in\n"
+       << "`Filters/Scene/Import/SceneFeatures.cxx`, which also holds the warnings. "
+          "`Testing/Features` compares each drawn row\nwith the image of VTK's rasterizer.\n\n"
+       << "- *drawn*: as VTK draws it, away from antialiased edges\n"
+       << "- *approximated*: drawn differently; one warning names the props\n"
+       << "- *refused*: skipped or ignored; one warning names the props\n\n"
+       << "| feature | ray caster | difference | remedy |\n|---|---|---|---|\n";
+  for (const FeatureRow& row : table)
+  {
+    std::string difference = row.Difference;
+    if (!difference.empty())
+    {
+      difference[0] = static_cast<char>(std::toupper(difference[0]));
+    }
+    page << "| " << row.Name << " | " << LevelName(row.Level) << " | " << difference << " | "
+         << row.Remedy << " |\n";
+  }
+  return page.str();
+}
+
+TEST(FeatureRows, AreDocumented)
+{
+  const std::string path = PENUMBRA_SOURCE_DIR "/Documentation/reference/VTKFeatures.md";
+  if (std::getenv("PENUMBRA_UPDATE_PAGES"))
+  {
+    std::ofstream(path) << MakePage();
+  }
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  EXPECT_EQ(text.str(), MakePage()) << "Run this test with PENUMBRA_UPDATE_PAGES=1.";
+}
+
+TEST(FeatureRows, AreDrawnInFourOfFiveCases)
+{
+  const std::vector<FeatureRow>& table = penumbra::GetFeatureTable();
+  const auto drawn = std::count_if(table.begin(), table.end(),
+    [](const FeatureRow& row) { return row.Level == FeatureRow::Levels::Drawn; });
+  RecordProperty("drawn", static_cast<int>(drawn));
+  RecordProperty("rows", static_cast<int>(table.size()));
+  EXPECT_GE(5 * drawn, 4 * static_cast<int>(table.size())) << drawn << " of " << table.size();
+}
