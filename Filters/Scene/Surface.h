@@ -29,6 +29,12 @@ struct Material
   float SpecularPower = 1.f;
   float Opacity = 1.f;
   bool Lighting = true;
+  /// Physically based material, as VTK_PBR: DiffuseColor is the linear albedo.
+  bool PhysicallyBased = false;
+  float Metallic = 0.f;
+  float Roughness = 0.5f;
+  float BaseReflectance = 0.04f; ///< at normal incidence, of the dielectric part
+  glm::vec3 EdgeTint{ 1.f };     ///< reflectance at grazing incidence, of the metallic part
 };
 
 /// Texture image: bottom row first, 8-bit RGBA with straight alpha.
@@ -85,7 +91,9 @@ struct Surface
 
   /// Texture of the actor. It multiplies the lit color and the opacity.
   std::shared_ptr<const Texture> LitTexture;
-  std::vector<glm::vec2> TextureCoordinates; ///< per position, if LitTexture is set
+  /// Texture of a physically based material. It multiplies DiffuseColor and the opacity.
+  std::shared_ptr<const Texture> BaseColorTexture;
+  std::vector<glm::vec2> TextureCoordinates; ///< per position, if one of these textures is set
   bool TextureOnBackfaces = true;
 
   bool HasBackMaterial = false;
@@ -132,7 +140,8 @@ inline bool Surface::IsTranslucent() const
   return this->Front.Opacity < 1.f || (this->HasBackMaterial && this->Back.Opacity < 1.f) ||
     translucent(this->PointColors) || translucent(this->CellColors) ||
     (this->ColorTexture && translucent(this->ColorTexture->Texels)) ||
-    (this->LitTexture && translucent(this->LitTexture->Texels));
+    (this->LitTexture && translucent(this->LitTexture->Texels)) ||
+    (this->BaseColorTexture && translucent(this->BaseColorTexture->Texels));
 }
 
 }

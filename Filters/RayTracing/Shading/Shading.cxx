@@ -137,6 +137,30 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
   return normal;
 }
 
+/// Returns the attenuation of `light` at `point`. `direction` receives the unit vector from the
+/// light, `distance` its distance.
+float ComputeLightStrength(
+  const Light& light, glm::vec3 point, glm::vec3& direction, float& distance)
+{
+  direction = light.Direction;
+  distance = std::numeric_limits<float>::infinity();
+  if (light.Kind == Light::Kinds::Directional)
+  {
+    return 1.f;
+  }
+  direction = point - light.Position;
+  distance = glm::length(direction);
+  direction /= distance;
+  const float strength =
+    1.f / (light.Attenuation.x + distance * (light.Attenuation.y + distance * light.Attenuation.z));
+  if (light.Kind != Light::Kinds::Spot)
+  {
+    return strength;
+  }
+  const float cosine = glm::dot(direction, light.Direction);
+  return cosine >= light.ConeCosine ? strength * std::pow(cosine, light.Exponent) : 0.f;
+}
+
 }
 
 Shading::Shading(const RayScene& scene, bool shadows)
@@ -165,12 +189,14 @@ Shading::Shading(const RayScene& scene, bool shadows)
 Shading::PhongCoefficients Shading::MakePhongCoefficients(const Material& material)
 {
   return { material.Ambient * material.AmbientColor, material.Diffuse * material.DiffuseColor,
-    material.Specular * material.SpecularColor, material.SpecularPower, material.Opacity };
+    material.Specular * material.SpecularColor, material.SpecularPower, material.Opacity,
+    material.PhysicallyBased ? &material : nullptr };
 }
 
 bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& material) const
 {
-  if (!surface.PointColors.empty() || surface.ColorTexture || surface.LitTexture)
+  if (!surface.PointColors.empty() || surface.ColorTexture || surface.LitTexture ||
+    surface.BaseColorTexture || (material.Lit && surface.Front.PhysicallyBased))
   {
     return false;
   }
@@ -234,6 +260,15 @@ ShadedHit Shading::ShadeHit(
     modified.Specular = glm::vec3(0.f);
     coefficients = &modified;
   }
+  if (coefficients->PhysicallyBased && surface.BaseColorTexture)
+  {
+    const glm::vec4 texel = SampleTexture(
+      *surface.BaseColorTexture, Interpolate(surface.TextureCoordinates, corners, weights));
+    modified = *coefficients;
+    modified.Diffuse *= glm::vec3(texel);
+    modified.Opacity *= texel.a;
+    coefficients = &modified;
+  }
   const PhongCoefficients& phong = *coefficients;
   shaded.Reflectance = surface.Front.Lighting ? phong.Diffuse : glm::vec3(0.f);
 
@@ -242,6 +277,12 @@ ShadedHit Shading::ShadeHit(
   {
     rgb = diffuseOnly ? phong.Ambient + phong.Diffuse - shaded.Reflectance
                       : phong.Ambient + phong.Diffuse;
+  }
+  else if (phong.PhysicallyBased)
+  {
+    const glm::vec3 point = weights.x * a + weights.y * b + weights.z * c;
+    rgb = this->ApplyLightsPhysicallyBased(phong, shaded, point, diffuseOnly, shadowRays);
+    shaded.Reflectance *= 1.f - phong.PhysicallyBased->Metallic;
   }
   else if (this->OneHeadlight)
   {
@@ -273,29 +314,14 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
   glm::vec3 point, long long& shadowRays) const
 {
   const Scene& scene = this->Rays.GetScene();
-  const double advance = scene.ViewCamera.Advance - scene.ViewCamera.DepthOfRayOrigins();
-  const glm::vec3 camera(scene.ViewCamera.Position - advance * scene.ViewCamera.Forward);
-  const glm::vec3 towardCamera = glm::normalize(camera - point);
+  const glm::vec3 towardCamera = this->DirectionToCamera(point);
   glm::vec3 diffuse(0.f);
   glm::vec3 specular(0.f);
   for (const Light& light : scene.Lights)
   {
-    glm::vec3 direction = light.Direction;
-    float distance = std::numeric_limits<float>::infinity();
-    float strength = 1.f;
-    if (light.Kind != Light::Kinds::Directional)
-    {
-      direction = point - light.Position;
-      distance = glm::length(direction);
-      direction /= distance;
-      strength = 1.f /
-        (light.Attenuation.x + distance * (light.Attenuation.y + distance * light.Attenuation.z));
-      if (light.Kind == Light::Kinds::Spot)
-      {
-        const float cosine = glm::dot(direction, light.Direction);
-        strength = cosine >= light.ConeCosine ? strength * std::pow(cosine, light.Exponent) : 0.f;
-      }
-    }
+    glm::vec3 direction;
+    float distance;
+    float strength = ComputeLightStrength(light, point, direction, distance);
     const float irradiance = strength * -glm::dot(shaded.Normal, direction);
     if (!(irradiance > 0.f))
     {
@@ -315,6 +341,64 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
     }
   }
   return phong.Ambient + diffuse * phong.Diffuse + specular * phong.Specular;
+}
+
+glm::vec3 Shading::DirectionToCamera(glm::vec3 point) const
+{
+  const Camera& view = this->Rays.GetScene().ViewCamera;
+  const double advance = view.Advance - view.DepthOfRayOrigins();
+  return glm::normalize(glm::vec3(view.Position - advance * view.Forward) - point);
+}
+
+// VTK's shader for VTK_PBR: Lambert's diffuse term and an isotropic GGX lobe with Schlick's Fresnel
+// term. The result is converted to display colors by an exponent of 1/2.2.
+glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhongCoefficients& material,
+  const ShadedHit& shaded, glm::vec3 point, bool diffuseOnly, long long& shadowRays) const
+{
+  const penumbra::Material& settings = *material.PhysicallyBased;
+  const auto clampCosine = [](float cosine) { return glm::clamp(cosine, 1e-5f, 1.f); };
+  const float pi = 3.14159265f;
+  const glm::vec3 view = this->DirectionToCamera(point);
+  const glm::vec3 normal = shaded.Normal;
+  const float nv = clampCosine(glm::dot(normal, view));
+  const float alpha = settings.Roughness * settings.Roughness;
+  const glm::vec3 f0 =
+    glm::mix(glm::vec3(settings.BaseReflectance), material.Diffuse, settings.Metallic);
+  const float grazing = glm::clamp(glm::dot(f0, glm::vec3(50.f * .33f)), 0.f, 1.f);
+  const glm::vec3 f90 = glm::mix(glm::vec3(grazing), settings.EdgeTint, settings.Metallic);
+  glm::vec3 radiance(0.f);
+  for (const Light& light : this->Rays.GetScene().Lights)
+  {
+    glm::vec3 direction;
+    float distance;
+    float strength = ComputeLightStrength(light, point, direction, distance);
+    const float nl = clampCosine(-glm::dot(normal, direction));
+    if (strength > 0.f && this->Shadows && light.CastsShadow)
+    {
+      strength *=
+        this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
+    }
+    if (!(strength > 0.f))
+    {
+      continue;
+    }
+    const glm::vec3 half = glm::normalize(view - direction);
+    const float nh = clampCosine(glm::dot(normal, half));
+    const float hl = clampCosine(-glm::dot(half, direction));
+    const float a2 = alpha * alpha;
+    const float d = (nh * a2 - nh) * nh + 1.f;
+    const float distribution = a2 / (pi * d * d);
+    // VTK uses the second power of the roughness in the visibility term, not the fourth.
+    const float visibility = 0.5f /
+      (nl * std::sqrt(alpha + nv * (nv - alpha * nv)) +
+        nv * std::sqrt(alpha + nl * (nl - alpha * nl)));
+    const glm::vec3 fresnel = f0 + (f90 - f0) * std::pow(1.f - hl, 5.f);
+    const glm::vec3 diffuse =
+      (1.f - settings.Metallic) / pi * (glm::vec3(1.f) - fresnel) * material.Diffuse;
+    const glm::vec3 specular = diffuseOnly ? glm::vec3(0.f) : distribution * visibility * fresnel;
+    radiance += strength * nl * light.DiffuseColor * (diffuse + specular);
+  }
+  return glm::pow(glm::max(radiance, glm::vec3(0.f)), glm::vec3(1.f / 2.2f));
 }
 
 float Shading::Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,
@@ -370,6 +454,12 @@ float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
   if (material.Colored)
   {
     opacity *= MappedColor(surface, hit, corners, weights).a;
+  }
+  if (surface.BaseColorTexture)
+  {
+    opacity *= SampleTexture(
+      *surface.BaseColorTexture, Interpolate(surface.TextureCoordinates, corners, weights))
+                 .a;
   }
   if (surface.LitTexture)
   {

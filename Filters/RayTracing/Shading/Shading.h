@@ -61,6 +61,7 @@ private:
     glm::vec3 Specular;
     float SpecularPower;
     float Opacity;
+    const Material* PhysicallyBased; ///< null for Phong materials; Diffuse is the albedo
   };
   /// Shading data of a surface that do not depend on the hit.
   struct SurfaceMaterial
@@ -79,6 +80,9 @@ private:
   bool IsConstant(const Surface& surface, const SurfaceMaterial& material) const;
   glm::vec3 ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded, glm::vec3 point,
     long long& shadowRays) const;
+  glm::vec3 ApplyLightsPhysicallyBased(const PhongCoefficients& material, const ShadedHit& shaded,
+    glm::vec3 point, bool diffuseOnly, long long& shadowRays) const;
+  glm::vec3 DirectionToCamera(glm::vec3 point) const;
   float Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,
     long long& shadowRays) const;
 

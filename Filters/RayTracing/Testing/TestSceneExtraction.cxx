@@ -8,8 +8,6 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -24,8 +22,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
-#include "vtkTexture.h"
-#include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 
 #include <gtest/gtest.h>
@@ -261,38 +257,52 @@ TEST(SceneExtraction, WarnsAboutUnsupportedProperties)
   vtkActor* actor = AddCube(renderer);
   EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
   actor->GetProperty()->SetInterpolationToPBR();
+  actor->GetProperty()->SetCoatStrength(1.0);
   actor->GetProperty()->RenderLinesAsTubesOn();
   actor->GetProperty()->RenderPointsAsSpheresOn();
   renderer->UseSSAOOn();
-  renderer->TexturedBackgroundOn();
+  renderer->UseHiddenLineRemovalOn();
   const Scene scene = ExtractScene(renderer, Square());
-  EXPECT_TRUE(Warns(scene, "physically based"));
+  EXPECT_TRUE(Warns(scene, "clear coat"));
   EXPECT_TRUE(Warns(scene, "tubes"));
   EXPECT_TRUE(Warns(scene, "spheres"));
   EXPECT_TRUE(Warns(scene, "Screen-space ambient occlusion"));
-  EXPECT_TRUE(Warns(scene, "textured background"));
+  EXPECT_TRUE(Warns(scene, "Hidden lines"));
   EXPECT_EQ(scene.Warnings.size(), 5u);
 }
 
-// Block textures are available since VTK 9.3.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-TEST(SceneExtraction, WarnsAboutBlockTextures)
+TEST(SceneExtraction, WarnsOncePerCause)
 {
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Cube());
-  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-  vtkNew<vtkCompositePolyDataMapper> mapper;
-  mapper->SetInputDataObject(blocks);
-  mapper->SetCompositeDataDisplayAttributes(attributes);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
-  attributes->SetBlockTexture(blocks->GetBlock(0), vtkSmartPointer<vtkTexture>::New());
-  EXPECT_TRUE(Warns(ExtractScene(renderer, Square()), "textures of blocks"));
+  for (int i = 0; i < 5; ++i)
+  {
+    AddCube(renderer)->GetProperty()->RenderLinesAsTubesOn();
+  }
+  const Scene scene = ExtractScene(renderer, Square());
+  ASSERT_EQ(scene.Warnings.size(), 1u);
+  EXPECT_EQ(scene.Warnings[0].rfind("Object 0, Object 1, Object 2 and 2 more: ", 0), 0u)
+    << scene.Warnings[0];
 }
-#endif
+
+TEST(SceneExtraction, ClipsAtTheClippingRange)
+{
+  vtkNew<vtkRenderer> renderer;
+  AddCube(renderer);
+  renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 5.0);
+  renderer->GetActiveCamera()->SetClippingRange(5.0, 6.0);
+  const Scene scene = ExtractScene(renderer, Square());
+  ASSERT_EQ(scene.Surfaces.size(), 1u);
+  for (const glm::uvec3& triangle : scene.Surfaces[0].Triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const glm::dvec3 x = scene.ToWorld(scene.Surfaces[0].Positions[triangle[k]]);
+      EXPECT_LE(x.z, 1e-6);
+    }
+  }
+  renderer->GetActiveCamera()->SetClippingRange(50.0, 60.0);
+  EXPECT_TRUE(Warns(ExtractScene(renderer, Square()), "ResetCameraClippingRange"));
+}
 
 TEST(SceneExtraction, KeepsPrecisionForDistantAndSmallData)
 {
@@ -329,6 +339,7 @@ TEST(SceneExtraction, KeepsPrecisionForDistantParallelCamera)
   camera->SetPosition(6e6, 3e6, 1e7);
   camera->ParallelProjectionOn();
   camera->SetParallelScale(1.0);
+  camera->SetClippingRange(1.0, 2e7);
   const Scene scene = ExtractScene(renderer, Square());
   EXPECT_NEAR(scene.ViewCamera.Advance / scene.Scale, std::sqrt(145e12), 4.0);
   const glm::dvec3 first = (glm::dvec3(-.5) - scene.Origin) * scene.Scale;

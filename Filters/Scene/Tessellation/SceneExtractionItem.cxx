@@ -40,6 +40,15 @@ Material MakeMaterial(vtkProperty* property)
   material.SpecularPower = static_cast<float>(property->GetSpecularPower());
   material.Opacity = static_cast<float>(property->GetOpacity());
   material.Lighting = property->GetLighting();
+  if (property->GetInterpolation() == VTK_PBR)
+  {
+    material.PhysicallyBased = true;
+    material.Metallic = static_cast<float>(property->GetMetallic());
+    material.Roughness = static_cast<float>(property->GetRoughness());
+    material.BaseReflectance =
+      static_cast<float>(vtkProperty::ComputeReflectanceFromIOR(property->GetBaseIOR(), 1.0));
+    material.EdgeTint = color(property->GetEdgeTint());
+  }
   return material;
 }
 

@@ -62,6 +62,7 @@ struct DrawItem
   vtkSmartPointer<vtkProperty> BackProperty; ///< null: same as Property
   Coloring Colors;
   std::shared_ptr<const Texture> LitTexture;
+  std::shared_ptr<const Texture> BaseColorTexture;
   std::vector<glm::dvec4>
     ClippingPlanes; ///< in world coordinates; points with dot(plane, (x, 1)) < 0 are clipped
   vtkSmartPointer<vtkDataArray>

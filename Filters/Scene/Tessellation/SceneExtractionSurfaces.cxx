@@ -305,9 +305,10 @@ void SetColors(const DrawItem& item, const std::vector<std::uint32_t>& cells, Su
       break;
   }
   vtkDataArray* coordinates = item.Data->GetPointData()->GetTCoords();
-  if (item.LitTexture && coordinates)
+  if ((item.LitTexture || item.BaseColorTexture) && coordinates)
   {
     surface.LitTexture = item.LitTexture;
+    surface.BaseColorTexture = item.BaseColorTexture;
     surface.TextureCoordinates = MakeTextureCoordinates(coordinates);
     surface.TextureOnBackfaces = item.Property->GetShowTexturesOnBackface();
   }
