@@ -13,6 +13,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -22,15 +23,21 @@
 #include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraMedium.h"
+#include "vtkPointData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <new>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -67,12 +74,126 @@ double ComputeDiagonal(const penumbra::Scene& scene)
   vtkBoundingBox bounds;
   for (const penumbra::Surface& surface : scene.Surfaces)
   {
-    for (const glm::vec3& p : surface.Positions)
+    // Positions that no triangle uses are not drawn.
+    for (const glm::uvec3& triangle : surface.Triangles)
     {
-      bounds.AddPoint(p.x, p.y, p.z);
+      for (int k = 0; k < 3; ++k)
+      {
+        const glm::vec3& p = surface.Positions[triangle[k]];
+        bounds.AddPoint(p.x, p.y, p.z);
+      }
     }
   }
   return bounds.IsValid() ? bounds.GetDiagonalLength() / scene.Scale : 1.0;
+}
+
+}
+
+namespace
+{
+
+bool HasVisibleProps(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (prop->GetVisibility())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Returns the renderers in layers above `renderer` in its window whose viewports overlap.
+std::vector<vtkRenderer*> FindLayers(vtkRenderer* renderer, bool enabled)
+{
+  std::vector<vtkRenderer*> layers;
+  vtkRenderWindow* window = enabled ? renderer->GetRenderWindow() : nullptr;
+  if (!window)
+  {
+    return layers;
+  }
+  const auto overlaps = [&](vtkRenderer* other) {
+    const double* a = renderer->GetViewport();
+    const double* b = other->GetViewport();
+    return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+  };
+  vtkCollectionSimpleIterator position;
+  vtkRendererCollection* renderers = window->GetRenderers();
+  renderers->InitTraversal(position);
+  while (vtkRenderer* other = renderers->GetNextRenderer(position))
+  {
+    if (other->GetLayer() > renderer->GetLayer() && other->GetDraw() && overlaps(other) &&
+      HasVisibleProps(other))
+    {
+      layers.push_back(other);
+    }
+  }
+  std::stable_sort(layers.begin(), layers.end(),
+    [](vtkRenderer* a, vtkRenderer* b) { return a->GetLayer() < b->GetLayer(); });
+  return layers;
+}
+
+/// Composites the colors of `layer` over `image`, with its lower left corner at pixel `low`. Errors
+/// are combined in proportion to the visible parts.
+void CompositeOver(vtkImageData* layer, const int low[2], vtkImageData* image)
+{
+  auto* from = vtkFloatArray::SafeDownCast(layer->GetPointData()->GetArray("Color"));
+  auto* to = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Color"));
+  vtkDataArray* fromErrors = layer->GetPointData()->GetArray("EstimatedError");
+  vtkDataArray* toErrors = image->GetPointData()->GetArray("EstimatedError");
+  if (!from || !to || !fromErrors || !toErrors)
+  {
+    return;
+  }
+  const int* size = layer->GetDimensions();
+  const int* extent = image->GetExtent();
+  for (int j = std::max(low[1], extent[2]); j <= std::min(low[1] + size[1] - 1, extent[3]); ++j)
+  {
+    for (int i = std::max(low[0], extent[0]); i <= std::min(low[0] + size[0] - 1, extent[1]); ++i)
+    {
+      int index[3] = { i, j, 0 };
+      int source[3] = { i - low[0], j - low[1], 0 };
+      const vtkIdType p = layer->ComputePointId(source);
+      const vtkIdType q = image->ComputePointId(index);
+      const float* over = from->GetPointer(4 * p);
+      float* under = to->GetPointer(4 * q);
+      const float below = (1.f - over[3]) * under[3];
+      const float alpha = over[3] + below;
+      for (int k = 0; k < 3 && alpha > 0.f; ++k)
+      {
+        under[k] = (over[3] * over[k] + below * under[k]) / alpha;
+      }
+      under[3] = alpha;
+      toErrors->SetComponent(q, 0,
+        std::hypot(fromErrors->GetComponent(p, 0), (1.0 - over[3]) * toErrors->GetComponent(q, 0)));
+    }
+  }
+}
+
+/// Adds the rays of a layer to the statistics of the image.
+void AddLayerRays(vtkFieldData* layer, vtkFieldData* statistics)
+{
+  vtkDataArray* rays = layer->GetArray("Rays/Total");
+  if (!rays)
+  {
+    return;
+  }
+  vtkDataArray* sum = statistics->GetArray("Rays/Layers");
+  const double count = rays->GetComponent(0, 0);
+  if (sum)
+  {
+    sum->SetComponent(0, 0, sum->GetComponent(0, 0) + count);
+  }
+  else
+  {
+    AddStatistic(statistics, "Rays/Layers", count);
+  }
+  vtkDataArray* total = statistics->GetArray("Rays/Total");
+  total->SetComponent(0, 0, total->GetComponent(0, 0) + count);
 }
 
 }
@@ -96,10 +217,13 @@ struct vtkPenumbraRayCaster::Internals
   double EstimatedError = std::nan("");
   std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
   vtkMTimeType PreparedTime = 0;
+  std::set<std::string> Warned; ///< warnings of the scene that were reported
+  bool IsComputingMTime = false;
 
   void ResetResults();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
+  void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   bool BeginSource(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
   void Report(const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels);
   static penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self);
@@ -196,9 +320,20 @@ double vtkPenumbraRayCaster::GetEstimatedError()
 vtkMTimeType vtkPenumbraRayCaster::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
+  // A texture of the scene may depend on this image.
+  if (this->Implementation->IsComputingMTime)
+  {
+    return time;
+  }
   if (this->Implementation->Renderer)
   {
+    this->Implementation->IsComputingMTime = true;
     time = std::max(time, penumbra::GetSceneMTime(this->Implementation->Renderer));
+    for (vtkRenderer* layer : FindLayers(this->Implementation->Renderer, this->Layers))
+    {
+      time = std::max(time, penumbra::GetSceneMTime(layer));
+    }
+    this->Implementation->IsComputingMTime = false;
   }
   time = std::max(time, this->Implementation->IrradianceProvider->GetMTime());
   if (this->Implementation->Medium)
@@ -273,10 +408,24 @@ int vtkPenumbraRayCaster::RequestData(
       "EnvironmentColor",
       { this->Tolerance, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
         this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
-    internals.Prepare(this, inputs[0]);
     bool finished = true;
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(this->NumberOfThreads),
-      [&]() { finished = internals.Execute(this, image); });
+    std::exception_ptr thrown;
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(this->NumberOfThreads), [&]() {
+      // LocalScope() does not restore the number of threads after an exception.
+      try
+      {
+        internals.Prepare(this, inputs[0]);
+        finished = internals.Execute(this, image);
+      }
+      catch (...)
+      {
+        thrown = std::current_exception();
+      }
+    });
+    if (thrown)
+    {
+      std::rethrow_exception(thrown);
+    }
     if (!finished)
     {
       image->Initialize();
@@ -352,7 +501,10 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   }
   for (const std::string& warning : scene.Warnings)
   {
-    vtkWarningWithObjectMacro(self, << warning);
+    if (this->Warned.insert(warning).second)
+    {
+      vtkWarningWithObjectMacro(self, << warning);
+    }
   }
   prepared->Rays =
     std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
@@ -483,6 +635,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     }
   }
   this->Report(totals, squaredError, image->GetNumberOfPoints());
+  this->AddLayers(self, image);
   if (usesSource)
   {
     this->IrradianceProvider->Report(this->Statistics);
@@ -495,6 +648,43 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   image->GetFieldData()->ShallowCopy(this->Statistics);
   return true;
+}
+
+void vtkPenumbraRayCaster::Internals::AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  for (vtkRenderer* layer : FindLayers(this->Renderer, self->Layers))
+  {
+    const double* whole = this->Renderer->GetViewport();
+    const double* part = layer->GetViewport();
+    int low[2];
+    int size[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      const double scale = self->Resolution[k] / (whole[k + 2] - whole[k]);
+      low[k] = static_cast<int>(std::lround((part[k] - whole[k]) * scale));
+      size[k] = static_cast<int>(std::lround((part[k + 2] - whole[k]) * scale)) - low[k];
+    }
+    if (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > MaximumResolution)
+    {
+      continue;
+    }
+    vtkNew<vtkPenumbraRayCaster> caster;
+    caster->SetRenderer(layer);
+    caster->SetLayers(false);
+    caster->SetResolution(size);
+    caster->SetTolerance(self->Tolerance);
+    caster->SetCoverageMethod(self->CoverageMethod);
+    caster->SetUniformSamples(self->UniformSamples);
+    caster->SetMaximumLevel(self->MaximumLevel);
+    caster->SetFindSmallObjects(self->FindSmallObjects);
+    caster->SetUsePackets(self->UsePackets);
+    caster->SetNumberOfThreads(self->NumberOfThreads);
+    caster->SetDPI(self->DPI);
+    caster->SetBackground(!layer->GetPreserveColorBuffer() && layer->GetLayer() == 0);
+    caster->Update();
+    CompositeOver(caster->GetOutput(), low, image);
+    AddLayerRays(caster->GetStatistics(), this->Statistics);
+  }
 }
 
 void vtkPenumbraRayCaster::Internals::Report(
@@ -554,5 +744,6 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UsePackets: " << this->UsePackets << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "DPI: " << this->DPI << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";
 }

@@ -219,6 +219,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * If true, the renderers in layers above that of Renderer in its window are composited over the
+   * image where their viewports overlap, such as the one of an orientation widget. They are ray cast
+   * with the same Tolerance, without ambient occlusion, indirect light and shadows. Default: true.
+   */
+  vtkSetMacro(Layers, bool);
+  vtkGetMacro(Layers, bool);
+  vtkBooleanMacro(Layers, bool);
+  ///@}
+
+  ///@{
   /** Screen resolution in dots per inch. Line widths and point sizes are in points of 1/72 inch. Range: [1, 9600]. Default: 72. */
   vtkSetClampMacro(DPI, int, 1, 9600);
   vtkGetMacro(DPI, int);
@@ -276,6 +287,7 @@ private:
   bool UsePackets = true;
   int NumberOfThreads = 0;
   int DPI = 72;
+  bool Layers = true;
 };
 
 #endif

@@ -92,6 +92,7 @@ bool RenderViewPass::RenderRayCast(const vtkRenderState* state)
   const vtkSmartPointer<vtkRenderPass> rendererPass = renderer->GetPass();
   renderer->SetPass(nullptr);
   this->Caster->SetRenderer(renderer);
+  this->Caster->LayersOff(); // the view draws them over the image
   this->Caster->SetResolution(size);
   this->Caster->Update();
   this->Caster->SetRenderer(nullptr);

@@ -238,7 +238,9 @@ PixelResult PixelIntegrator::IntegrateInterior()
     if (empty || (error <= 0.25f * this->Settings.Tolerance && !this->IsNearShadowBoundary()))
     {
       ++(empty ? this->Pixels.Empty : this->Pixels.Interior);
-      result.Color = ComputeMean(this->Corners);
+      result.Color = empty && this->Tracer.HasBackgroundImage()
+        ? this->Tracer.GetBackground(glm::dvec2(this->X, this->Y) + 0.5)
+        : ComputeMean(this->Corners);
       result.Error =
         empty ? EmptyErrorFloor : this->CombineErrors(CurvatureSafetyFactor * error, ErrorFloor);
       return result;

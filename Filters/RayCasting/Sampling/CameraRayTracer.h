@@ -92,6 +92,12 @@ public:
   /// Returns the background at image point p, premultiplied by alpha.
   glm::vec4 GetBackground(glm::dvec2 p) const;
 
+  /// Returns true if the background is an image, which is not linear inside a pixel.
+  bool HasBackgroundImage() const
+  {
+    return this->SurfaceShading.GetScene().BackgroundColors.Image != nullptr;
+  }
+
   const Shading& GetShading() const { return this->SurfaceShading; }
   const Scene& GetScene() const { return this->Rays.GetScene(); }
   bool HasTranslucentSurfaces() const { return this->Translucent; }
