@@ -36,9 +36,12 @@ const std::vector<Row> Table = {
 
   { "Filters/Scene", {}, { "GLM" } },
   { "Filters/Scene/Execution", {}, {} },
+  { "Filters/Scene/Features", { "Filters/Scene" }, {} },
   { "Filters/Scene/Tessellation", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/Scene/Import",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/Scene/Tessellation" }, { "GLM" } },
+    { "Filters/Scene", "Filters/Scene/Execution", "Filters/Scene/Features",
+      "Filters/Scene/Tessellation" },
+    { "GLM" } },
 
   { "Filters/RayTracing/Embree", { "Filters/Scene", "Filters/Scene/Execution" },
     { "Embree", "GLM" } },

@@ -211,6 +211,25 @@ void AddBlocks(vtkRenderer* renderer)
   renderer->AddActor(actor);
 }
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+void AddTexturedBlock(vtkRenderer* renderer)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakePlane());
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(MakeImage(32, 32));
+  texture->InterpolateOn();
+  attributes->SetBlockTexture(blocks->GetBlock(0), texture);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+}
+#endif
+
 void AddGhosts(vtkRenderer* renderer)
 {
   vtkSmartPointer<vtkPolyData> plane = MakePlane(8);
@@ -263,12 +282,12 @@ void AddPhysicallyBased(vtkRenderer* renderer, bool texture, bool headlight)
     light->SetFocalPoint(1.0, 1.0, 0.0);
     light->SetColor(1.0, 0.9, 0.8);
     renderer->AddLight(light);
-    vtkNew<vtkLight> lamp;
-    lamp->SetPositional(true);
-    lamp->SetConeAngle(90.0);
-    lamp->SetPosition(-2.0, 1.0, 3.0);
-    lamp->SetIntensity(0.6);
-    renderer->AddLight(lamp);
+    vtkNew<vtkLight> positional;
+    positional->SetPositional(true);
+    positional->SetConeAngle(90.0);
+    positional->SetPosition(-2.0, 1.0, 3.0);
+    positional->SetIntensity(0.6);
+    renderer->AddLight(positional);
   }
 }
 
@@ -370,6 +389,7 @@ std::vector<FeatureScene> MakeFeatureScenes()
   add(Feature::Representations, [](Renderer r, Window) {
     vtkActor* actor = Add(r, MakeCube());
     actor->GetProperty()->SetRepresentationToWireframe();
+    actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetLineWidth(3.f);
     Look(r);
   });
@@ -383,7 +403,7 @@ std::vector<FeatureScene> MakeFeatureScenes()
       actor->GetProperty()->SetPointSize(9.f);
       Look(r);
     },
-    0.01);
+    0.02);
   add(Feature::ScalarColoring, [](Renderer r, Window) {
     vtkSmartPointer<vtkPolyData> data = MakeSphere();
     AddElevation(data);
@@ -445,6 +465,9 @@ std::vector<FeatureScene> MakeFeatureScenes()
     AddBlocks(r);
     r->SetUseDepthPeeling(true);
   });
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  add(Feature::BlockTextures, [](Renderer r, Window) { AddTexturedBlock(r); });
+#endif
   add(Feature::GhostCells, [](Renderer r, Window) { AddGhosts(r); });
   add(Feature::PointShape, [](Renderer r, Window) {
     vtkActor* actor = Add(r, MakePointGrid());
@@ -463,7 +486,9 @@ std::vector<FeatureScene> MakeFeatureScenes()
 #endif
     },
     0.01);
-  add(Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, false, true); });
+  add(
+    Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, false, true); },
+    0.004);
   add(Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, true, false); });
   add(Feature::Textures,
     [](Renderer r, Window) { AddTexture(Add(r, MakePlane()), MakeImage(32, 32)); });
@@ -495,6 +520,7 @@ std::vector<FeatureScene> MakeFeatureScenes()
     AddTexture(Add(r, MakePlane()), MakeImage(32, 32))->UseSRGBColorSpaceOn();
   });
   add(Feature::ForceTranslucent, [](Renderer r, Window) {
+    r->SetUseDepthPeeling(true);
     Add(r, MakeCube())->ForceTranslucentOn();
     Look(r);
   });

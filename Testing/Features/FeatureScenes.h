@@ -5,7 +5,7 @@
 #ifndef FeatureScenes_h
 #define FeatureScenes_h
 
-#include "Import/SceneFeatures.h"
+#include "Features/SceneFeatures.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"

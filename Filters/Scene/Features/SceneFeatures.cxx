@@ -48,8 +48,8 @@ const std::vector<FeatureRow>& GetFeatureTable()
     { Feature::Polygons, Drawn, "vtkActor, vtkPolyDataMapper, vtkDataSetMapper", "", "" },
     { Feature::Representations, Drawn, "vtkProperty: Representation, LineWidth, PointSize", "",
       "" },
-    { Feature::VertexAndEdgeVisibility, Drawn, "vtkProperty: EdgeVisibility, VertexVisibility", "",
-      "" },
+    { Feature::VertexAndEdgeVisibility, Drawn, "vtkProperty: EdgeVisibility, VertexVisibility",
+      "Edges have their full width at silhouettes.", "" },
     { Feature::ScalarColoring, Drawn, "vtkMapper: scalars, lookup tables, texture maps", "", "" },
     { Feature::Opacity, Drawn, "vtkProperty: Opacity; translucent scalars",
       "Translucent layers are sorted exactly.", "" },
@@ -62,8 +62,7 @@ const std::vector<FeatureRow>& GetFeatureTable()
       "vtkCompositePolyDataMapper, vtkCompositePolyDataMapper2: visibility, color, opacity and "
       "scalars of blocks",
       "", "" },
-    { Feature::BlockTextures, Refused, "vtkCompositeDataDisplayAttributes: BlockTexture",
-      "textures of blocks are ignored.", "Use one actor per textured block." },
+    { Feature::BlockTextures, Drawn, "vtkCompositeDataDisplayAttributes: BlockTexture", "", "" },
     { Feature::GhostCells, Drawn, "cell array vtkGhostType",
       "Cells that are hidden or duplicates are drawn, as vtkPolyDataMapper does; surfaces of other "
       "data sets omit them.",

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnsupportedFeatures.h"
 
-#include "SceneExtractionBlocks.h"
 #include "SceneFeatures.h"
 
 #include "vtkActor.h"
@@ -103,7 +102,6 @@ void WarnUnsupportedActor(
   warn(property->GetRenderLinesAsTubes(), Feature::LinesAsTubes);
   warn(HasCustomShaders(actor), Feature::CustomShaders);
   warn(UsesOtherCoordinates(actor, 0), Feature::CoordinateSystems);
-  warn(HasBlockTextures(mapper), Feature::BlockTextures);
   warn(actor->GetTexture() && IsSeamless(mapper), Feature::TextureSeams);
   warn(actor->GetForceOpaque() && IsTranslucent(actor), Feature::ForceOpaque);
   warn(mapper->GetSelection() != nullptr, Feature::Selection);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtraction.h"
 
+#include "Features/SceneFeatures.h"
 #include "SceneExtractionActors.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionOverlay.h"
 #include "SceneExtractionProps.h"
 #include "SceneExtractionView.h"
-#include "SceneFeatures.h"
 
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -74,7 +74,7 @@ void AddDrawItems(
 Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<DrawItem> items = CollectDrawItems(renderer, scene.Warnings, options.Progress);
+  std::vector<DrawItem> items = CollectDrawItems(renderer, scene.Warnings, options.Progress);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
@@ -84,7 +84,17 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   ExtractCamera(renderer, bounds, options, scene);
   ExtractLights(renderer, scene);
   ExtractBackground(renderer, options, scene);
+  const std::vector<glm::dvec4> range = FindClippingRange(renderer, bounds);
+  for (DrawItem& item : items)
+  {
+    item.ClippingPlanes.insert(item.ClippingPlanes.end(), range.begin(), range.end());
+  }
   AddDrawItems(items, options, scene);
+  if (!range.empty() && !items.empty() && scene.Surfaces.empty())
+  {
+    scene.Warnings.emplace_back("The clipping range of the camera excludes the whole scene. Call "
+                                "vtkRenderer::ResetCameraClippingRange().");
+  }
   const int next = items.empty() ? 0 : items.back().ObjectId + 1;
   AddDrawItems(MakeBillboards(renderer, options.DPI, next, scene), options, scene);
   ExtractOverlay(renderer, options, scene);

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionActors.h"
 
+#include "Features/SceneFeatures.h"
+#include "Features/UnsupportedFeatures.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionOverlay.h"
 #include "SceneExtractionProps.h"
-#include "SceneFeatures.h"
 #include "SurfaceGeometry.h"
-#include "UnsupportedFeatures.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
@@ -118,7 +118,7 @@ public:
   {
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
-      ForEachBlock(composite, nullptr, prototype, scalars,
+      ForEachBlock(composite, nullptr, prototype, scalars, this->Warnings,
         [&](vtkDataSet* leaf, const DrawItem& blockPrototype, ScalarMapper* blockScalars) {
           this->AddDataSet(leaf, blockPrototype, blockScalars);
         });
@@ -194,6 +194,11 @@ private:
     prototype.Property = actor->GetProperty();
     prototype.BackProperty = actor->GetBackfaceProperty();
     prototype.LitTexture = MakeTexture(actor->GetTexture(), prototype.Name, this->Warnings);
+    if (actor->GetProperty()->GetInterpolation() == VTK_PBR)
+    {
+      prototype.BaseColorTexture =
+        MakeTexture(actor->GetProperty()->GetTexture("albedoTex"), prototype.Name, this->Warnings);
+    }
     prototype.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
     WarnUnsupportedActor(actor, prototype.Name, this->Warnings);
     mapper->Update();
@@ -202,7 +207,7 @@ private:
     vtkDataObject* data = mapper->GetInputDataObject(0, 0);
     if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
     {
-      ForEachBlock(composite, mapper, prototype, scalars,
+      ForEachBlock(composite, mapper, prototype, scalars, this->Warnings,
         [&](vtkDataSet* leaf, const DrawItem& blockPrototype, ScalarMapper* blockScalars) {
           this->AddMapped(mapper, leaf, blockPrototype, blockScalars);
         });

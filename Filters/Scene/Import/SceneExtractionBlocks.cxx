@@ -9,6 +9,7 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkScalarsToColors.h"
+#include "vtkTexture.h"
 #include "vtkVersionMacros.h"
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper2.h"
@@ -30,6 +31,7 @@ struct BlockState
   double Opacity = 1.0;
   bool HasOpacity = false;
   vtkSmartPointer<ScalarMapper> Scalars;
+  vtkTexture* BlockTexture = nullptr;
 };
 
 /// Returns the block attributes of vtkCompositePolyDataMapper, which has them since VTK 9.3.
@@ -121,25 +123,28 @@ vtkScalarsToColors* FindLookupTable(Attributes*, vtkDataObject*, long)
   return nullptr;
 }
 
-/// Returns true if blocks have textures (since VTK 9.3).
+/// Returns the texture of a block (since VTK 9.3), or null.
 template <typename Attributes>
-auto HasTextures(Attributes* attributes, int) -> decltype(attributes->HasBlockTextures())
+auto FindTexture(Attributes* attributes, vtkDataObject* block, int)
+  -> decltype(attributes->GetBlockTexture(block).GetPointer())
 {
-  return attributes && attributes->HasBlockTextures();
+  return attributes->HasBlockTexture(block) ? attributes->GetBlockTexture(block).GetPointer()
+                                            : nullptr;
 }
 template <typename Attributes>
-bool HasTextures(Attributes*, long)
+vtkTexture* FindTexture(Attributes*, vtkDataObject*, long)
 {
-  return false;
+  return nullptr;
 }
 
 class BlockVisitor
 {
 public:
   BlockVisitor(vtkCompositeDataDisplayAttributes* attributes, const DrawItem& prototype,
-    const BlockFunction& callback)
+    std::vector<std::string>& warnings, const BlockFunction& callback)
     : Attributes(attributes),
       Prototype(prototype),
+      Warnings(warnings),
       Callback(callback)
   {
   }
@@ -197,6 +202,10 @@ private:
       state.HasOpacity = true;
       state.Opacity = this->Attributes->GetBlockOpacity(block);
     }
+    if (vtkTexture* texture = FindTexture(this->Attributes, block, 0))
+    {
+      state.BlockTexture = texture;
+    }
     vtkSmartPointer<ScalarMapper> changed = Copy(state.Scalars);
     if (changed && ApplyScalarAttributes(this->Attributes, block, changed.Get(), 0))
     {
@@ -222,6 +231,10 @@ private:
       }
       item.Property = property;
     }
+    if (state.BlockTexture)
+    {
+      item.LitTexture = MakeTexture(state.BlockTexture, item.Name, this->Warnings);
+    }
     vtkSmartPointer<ScalarMapper> scalars = Copy(state.Scalars);
     this->Callback(leaf, item, scalars);
   }
@@ -239,18 +252,19 @@ private:
 
   vtkCompositeDataDisplayAttributes* Attributes;
   const DrawItem& Prototype;
+  std::vector<std::string>& Warnings;
   const BlockFunction& Callback;
 };
 
 }
 
 void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& prototype,
-  ScalarMapper* scalars, const BlockFunction& callback)
+  ScalarMapper* scalars, std::vector<std::string>& warnings, const BlockFunction& callback)
 {
   vtkCompositeDataDisplayAttributes* attributes = GetBlockAttributes(mapper);
   BlockState state;
   state.Scalars = scalars;
-  BlockVisitor(attributes, prototype, callback).Visit(data, state);
+  BlockVisitor(attributes, prototype, warnings, callback).Visit(data, state);
 }
 
 vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)
@@ -271,13 +285,10 @@ vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper)
   {
     vtkScalarsToColors* table = FindLookupTable(attributes, blocks->GetCurrentDataObject(), 0);
     time = std::max(time, table ? table->GetMTime() : 0);
+    vtkTexture* texture = FindTexture(attributes, blocks->GetCurrentDataObject(), 0);
+    time = std::max(time, texture ? texture->GetMTime() : 0);
   }
   return time;
-}
-
-bool HasBlockTextures(vtkMapper* mapper)
-{
-  return HasTextures(GetBlockAttributes(mapper), 0);
 }
 
 }

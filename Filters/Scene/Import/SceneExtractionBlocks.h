@@ -11,6 +11,8 @@
 #include "vtkType.h"
 
 #include <functional>
+#include <string>
+#include <vector>
 
 class vtkCompositeDataSet;
 class vtkDataSet;
@@ -25,13 +27,10 @@ using BlockFunction = std::function<void(vtkDataSet*, const DrawItem&, ScalarMap
 /// and a copy of `scalars` (may be null), modified by the block attributes of `mapper` (may be
 /// null) for the leaf and its ancestors.
 void ForEachBlock(vtkCompositeDataSet* data, vtkMapper* mapper, const DrawItem& prototype,
-  ScalarMapper* scalars, const BlockFunction& callback);
+  ScalarMapper* scalars, std::vector<std::string>& warnings, const BlockFunction& callback);
 
 /// Returns the modification time of the block attributes of `mapper` for `data`.
 vtkMTimeType GetBlockMTime(vtkCompositeDataSet* data, vtkMapper* mapper);
-
-/// Returns true if `mapper` has textures for individual blocks.
-bool HasBlockTextures(vtkMapper* mapper);
 
 }
 #endif

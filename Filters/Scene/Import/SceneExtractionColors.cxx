@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionColors.h"
 
-#include "SceneFeatures.h"
+#include "Features/SceneFeatures.h"
 
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"

@@ -4,6 +4,8 @@
 
 #include "SceneExtractionScalarBar.h"
 
+#include "vtkAxesActor.h"
+#include "vtkCaptionActor2D.h"
 #include "vtkCoordinate.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -42,6 +44,39 @@ bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
     }
   }
   return DrawText(text, property, anchor, dpi, scene.OverlayImage);
+}
+
+/// Draws the labels of axes: text next to a point of the scene, scaled to a part of the image.
+bool DrawAxesLabels(vtkAxesActor* axes, int dpi, Scene& scene)
+{
+  bool drawn = true;
+  if (!axes->GetAxisLabels())
+  {
+    return drawn;
+  }
+  for (vtkCaptionActor2D* caption : { axes->GetXAxisCaptionActor2D(),
+         axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D() })
+  {
+    const char* text = caption->GetCaption();
+    vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+    if (!caption->GetVisibility() || !text || !*text || !renderer)
+    {
+      drawn = drawn && renderer;
+      continue;
+    }
+    // The box of the caption, inset by its padding.
+    const glm::dvec2 low = ComputePixelPosition(caption->GetPositionCoordinate(), scene);
+    const glm::dvec2 high = ComputePixelPosition(caption->GetPosition2Coordinate(), scene);
+    const glm::dvec2 size = high - low - 2.0 * caption->GetPadding();
+    vtkNew<vtkTextProperty> property;
+    property->ShallowCopy(caption->GetCaptionTextProperty());
+    renderer->GetConstrainedFontSize(
+      text, property, static_cast<int>(size.x), static_cast<int>(size.y), dpi);
+    drawn = DrawText(text, property, low + static_cast<double>(caption->GetPadding()), dpi,
+              scene.OverlayImage) &&
+      drawn;
+  }
+  return drawn;
 }
 
 }
@@ -108,6 +143,10 @@ void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Sce
     if (auto* text = vtkTextActor::SafeDownCast(prop))
     {
       drawn = DrawTextActor(text, options.DPI, scene) && drawn;
+    }
+    else if (auto* axes = vtkAxesActor::SafeDownCast(prop))
+    {
+      drawn = DrawAxesLabels(axes, options.DPI, scene) && drawn;
     }
     else if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
     {

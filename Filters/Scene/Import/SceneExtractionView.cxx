@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionView.h"
 
+#include "Features/SceneFeatures.h"
 #include "SceneExtractionColors.h"
-#include "SceneFeatures.h"
 
 #include "vtkCamera.h"
 #include "vtkCollection.h"
@@ -239,6 +239,37 @@ void ExtractCamera(
     WarnFeature(Feature::CameraShear, "", scene.Warnings);
   }
   SetSceneCoordinates(position, bounds, camera->GetDistance(), scene);
+}
+
+std::vector<glm::dvec4> FindClippingRange(vtkRenderer* renderer, const double bounds[6])
+{
+  if (!renderer->IsActiveCameraCreated() || !IsFinite(bounds))
+  {
+    return {};
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double* range = camera->GetClippingRange();
+  vtkMatrix4x4* view = camera->GetModelViewTransformMatrix();
+  const glm::dvec4 depth(-view->GetElement(2, 0), -view->GetElement(2, 1), -view->GetElement(2, 2),
+    -view->GetElement(2, 3));
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 corner(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0);
+    low = std::min(low, glm::dot(depth, corner));
+    high = std::max(high, glm::dot(depth, corner));
+  }
+  std::vector<glm::dvec4> planes;
+  if (low < range[0])
+  {
+    planes.push_back(depth - glm::dvec4(0.0, 0.0, 0.0, range[0]));
+  }
+  if (high > range[1])
+  {
+    planes.push_back(glm::dvec4(0.0, 0.0, 0.0, range[1]) - depth);
+  }
+  return planes;
 }
 
 void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene& scene)

@@ -7,6 +7,8 @@
 
 #include "SceneExtraction.h"
 
+#include <vector>
+
 class vtkRenderer;
 
 namespace penumbra
@@ -16,6 +18,10 @@ namespace penumbra
 /// camera yet, the view is reset to `bounds`, as VTK would do.
 void ExtractCamera(
   vtkRenderer* renderer, const double bounds[6], const ExtractionOptions& options, Scene& scene);
+
+/// Returns the near and far plane of the renderer's camera in world coordinates, as
+/// DrawItem::ClippingPlanes. Empty if `bounds` lies between them.
+std::vector<glm::dvec4> FindClippingRange(vtkRenderer* renderer, const double bounds[6]);
 
 /// Sets Origin, Scale and ViewCamera so that `bounds` is fully visible from +z, with y up.
 void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene& scene);

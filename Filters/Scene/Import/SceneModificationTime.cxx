@@ -3,19 +3,25 @@
 #include "SceneModificationTime.h"
 
 #include "SceneExtractionBlocks.h"
+#include "SceneExtractionProps.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkBillboardTextActor3D.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkCoordinate.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkFollower.h"
 #include "vtkHomogeneousTransform.h"
+#include "vtkImageMapper3D.h"
+#include "vtkImageProperty.h"
+#include "vtkImageSlice.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
@@ -29,6 +35,7 @@
 #include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTextActor.h"
+#include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
 
@@ -56,6 +63,10 @@ public:
   void AddView(vtkRenderer* renderer)
   {
     this->Add(renderer);
+    if (vtkTexture* texture = renderer->GetBackgroundTexture())
+    {
+      this->AddTexture(texture);
+    }
     if (renderer->IsActiveCameraCreated())
     {
       this->AddCamera(renderer->GetActiveCamera());
@@ -74,7 +85,22 @@ public:
   void AddProp(vtkProp* prop)
   {
     this->Add(prop);
+    if (!prop->GetVisibility())
+    {
+      return;
+    }
     this->AddOverlay(prop);
+    this->AddImageOrText(prop);
+    if (vtkNew<vtkPropCollection> parts; CollectParts(prop, parts))
+    {
+      vtkCollectionSimpleIterator part;
+      parts->InitTraversal(part);
+      while (vtkProp* next = parts->GetNextProp(part))
+      {
+        this->AddProp(next);
+      }
+      return;
+    }
     prop->InitPathTraversal();
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
@@ -118,15 +144,27 @@ private:
     }
   }
 
+  void AddTexture(vtkTexture* texture)
+  {
+    this->Add(texture);
+    this->Add(texture->GetLookupTable());
+    this->AddInputs(texture);
+  }
+
   void AddActor(vtkActor* actor)
   {
     this->Add(actor->GetProperty());
     this->Add(actor->GetBackfaceProperty());
     if (vtkTexture* texture = actor->GetTexture())
     {
-      this->Add(texture);
-      this->Add(texture->GetLookupTable());
-      this->AddInputs(texture);
+      this->AddTexture(texture);
+    }
+    for (const auto& [name, texture] : actor->GetProperty()->GetAllTextures())
+    {
+      if (texture)
+      {
+        this->AddTexture(texture);
+      }
     }
     vtkMapper* mapper = actor->GetMapper();
     if (!mapper)
@@ -149,7 +187,7 @@ private:
     }
   }
 
-  /// Updates and adds the inputs of `algorithm` on all its ports.
+  /// Adds the inputs of `algorithm` on all its ports, without executing their pipelines.
   void AddInputs(vtkAlgorithm* algorithm)
   {
     for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
@@ -158,7 +196,11 @@ private:
       {
         int output = 0;
         vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, i, output);
-        producer->Update(output);
+        if (auto* executive = vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive()))
+        {
+          executive->UpdatePipelineMTime();
+          this->Time = std::max(this->Time, executive->GetPipelineMTime());
+        }
         this->AddData(producer->GetOutputDataObject(output));
       }
     }
@@ -181,6 +223,31 @@ private:
     for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
     {
       this->Add(blocks->GetCurrentDataObject());
+    }
+  }
+
+  void AddImageOrText(vtkProp* prop)
+  {
+    if (auto* slice = vtkImageSlice::SafeDownCast(prop))
+    {
+      this->Add(slice->GetProperty());
+      if (slice->GetProperty())
+      {
+        this->Add(slice->GetProperty()->GetLookupTable());
+      }
+      if (slice->GetMapper())
+      {
+        this->Add(slice->GetMapper());
+        this->AddInputs(slice->GetMapper());
+      }
+    }
+    else if (auto* text3D = vtkTextActor3D::SafeDownCast(prop))
+    {
+      this->Add(text3D->GetTextProperty());
+    }
+    else if (auto* billboard = vtkBillboardTextActor3D::SafeDownCast(prop))
+    {
+      this->Add(billboard->GetTextProperty());
     }
   }
 

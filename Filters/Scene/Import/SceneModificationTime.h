@@ -14,7 +14,7 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// Updates the pipelines of the scene and returns its modification time.
+/// Returns the modification time of the scene, without executing the pipelines of its mappers.
 VTKPENUMBRAFILTERSSCENE_EXPORT vtkMTimeType GetSceneMTime(vtkRenderer* renderer);
 
 /// Same as GetSceneMTime(), but without the camera, the lights and the overlays.
