@@ -37,10 +37,9 @@ constexpr double SubpixelArea = 1.0;
 /// exactly.
 constexpr double TrianglesPerPixel = 0.5;
 constexpr double MinimumTriangles = 4096.0;
-/// Number of triangles whose projection takes as long as sampling one pixel completely (measured).
-constexpr double TrianglesPerSampledPixel = 40.0;
-/// Bound on the error of a position projected in single precision.
-constexpr float ProjectionPrecision = 0.01f;
+/// Length of a side in pixels from which the feature edges of a triangle of such a surface are
+/// covered exactly.
+constexpr double LargeTriangleSide = 2.0;
 
 // --- Limits of exact coverage ---
 
@@ -98,21 +97,27 @@ constexpr float ContrastError = 0.3f;
 
 // --- Samples ---
 
-/// Range of the number of samples of a pixel that is too expensive to cover exactly.
-constexpr int MinimumSamples = 64;
+/// Number of the first samples of a pixel, traced as one packet, and the maximum number.
+constexpr int MinimumSamples = 16;
 constexpr int MaximumSamples = 4096;
 /// Factor on the number of samples that straight edges require. Dense edges, as of slivers, need
 /// more.
 constexpr int SampleBudgetFactor = 4;
-/// Factor on the standard error of these samples, so that few errors exceed the estimate.
-constexpr float ConfidenceFactor = 1.5f;
+/// Number of samples per pixel of a tile that are traced at least before it is given up, and the
+/// fraction of the number that straight edges require.
+constexpr double MinimumSampleBudget = 64.0;
+constexpr double SampleBudgetFraction = 0.25;
+/// Maximum estimated error of a sampled pixel, in multiples of the tolerance of a tile.
+constexpr double MaximumPixelError = 4.0;
+/// The squared error of n samples of a low-discrepancy sequence is assumed to be proportional to
+/// this power of 1/n, as for straight edges.
+constexpr double SampledErrorDecay = 1.5;
+/// Number of samples whose own estimate of their error counts as much as that of the tile.
+constexpr double PooledSamples = 8.0;
+/// Factor on the standard error of samples, so that few errors exceed the estimate.
+constexpr float ConfidenceFactor = 1.2f;
 /// Estimated error of objects between n samples, times n.
 constexpr float HiddenError = 0.25f;
-/// Uniform sampling of a pixel stops when the estimated error is below this fraction of the
-/// tolerance.
-constexpr double UniformToleranceFraction = 0.1;
-/// The error of n regular samples of a straight edge is proportional to this power of n.
-constexpr float RegularSamplingExponent = -0.75f;
 /// Assumed error of a pixel with a single sample.
 constexpr float SingleSampleError = 0.125f;
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshEdges.h"
 
+#include "CoverageConstants.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace penumbra
@@ -53,16 +56,16 @@ std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
   return canonical;
 }
 
-/// Half-edges grouped by their smaller position; those of position v are Edges[Begin[v]] to
-/// Edges[Begin[v + 1] - 1].
+/// Half-edges between two positions that are kept, grouped by their smaller position; those of
+/// position v are Edges[Begin[v]] to Edges[Begin[v + 1] - 1].
 struct HalfEdges
 {
   std::vector<Index> Begin;
   std::vector<HalfEdge> Edges;
 
-  HalfEdges(const Surface& surface, const std::vector<Index>& canonical)
-    : Begin(surface.Positions.size() + 1, 0),
-      Edges(3 * surface.Triangles.size())
+  template <typename IsKept>
+  HalfEdges(const Surface& surface, const std::vector<Index>& canonical, IsKept isKept)
+    : Begin(surface.Positions.size() + 1, 0)
   {
     const auto corner = [&](Index triangle, int side) {
       return canonical[surface.Triangles[triangle][side % 3]];
@@ -72,13 +75,16 @@ struct HalfEdges
     {
       for (int side = 0; side < 3; ++side)
       {
-        ++this->Begin[std::min(corner(t, side), corner(t, side + 1)) + 1];
+        const Index a = corner(t, side);
+        const Index b = corner(t, side + 1);
+        this->Begin[std::min(a, b) + 1] += isKept(a) && isKept(b) ? 1u : 0u;
       }
     }
     for (std::size_t v = 1; v < this->Begin.size(); ++v)
     {
       this->Begin[v] += this->Begin[v - 1];
     }
+    this->Edges.resize(this->Begin.back());
     std::vector<Index> next(this->Begin.begin(), this->Begin.end() - 1);
     for (Index t = 0; t < count; ++t)
     {
@@ -86,8 +92,11 @@ struct HalfEdges
       {
         const Index a = corner(t, side);
         const Index b = corner(t, side + 1);
-        this->Edges[next[std::min(a, b)]++] = { std::max(a, b), t,
-          static_cast<std::uint8_t>(side) };
+        if (isKept(a) && isKept(b))
+        {
+          this->Edges[next[std::min(a, b)]++] = { std::max(a, b), t,
+            static_cast<std::uint8_t>(side) };
+        }
       }
     }
   }
@@ -168,20 +177,11 @@ private:
   int ColorLimit;
 };
 
-}
-
-std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast)
+/// Calls visit(first, count) for the half-edges of every edge that is not of zero length.
+template <typename Visit>
+void VisitEdges(HalfEdges& half, Visit visit)
 {
-  const std::vector<Index> canonical = MergePositions(surface.Positions);
-  HalfEdges half(surface, canonical);
-  const CreaseTest crease(surface, contrast);
-  const auto opposite = [&](const HalfEdge& e) {
-    return surface.Triangles[e.Triangle][(e.Side + 2) % 3];
-  };
-
-  std::vector<MeshEdge> edges;
-  edges.reserve(half.Edges.size() / 2 + 16);
-  for (Index v = 0; v < surface.Positions.size(); ++v)
+  for (Index v = 0; v + 1 < half.Begin.size(); ++v)
   {
     HalfEdge* begin = half.Edges.data() + half.Begin[v];
     HalfEdge* end = half.Edges.data() + half.Begin[v + 1];
@@ -195,16 +195,163 @@ std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast)
       {
         ++next;
       }
-      if (begin->To != v) // skip edges of zero length
+      if (begin->To != v)
       {
-        const bool pair = next - begin == 2;
-        const HalfEdge& other = pair ? begin[1] : begin[0];
-        edges.push_back(
-          { v, begin->To, opposite(*begin), opposite(other), !pair || crease(*begin, other) });
+        visit(v, begin, next - begin);
       }
       begin = next;
     }
   }
+}
+
+MeshEdge MakeEdge(const Surface& surface, Index v, const HalfEdge* half, bool pair, bool isFeature)
+{
+  const auto opposite = [&](const HalfEdge& e) {
+    return surface.Triangles[e.Triangle][(e.Side + 2) % 3];
+  };
+  return { v, half->To, opposite(half[0]), opposite(half[pair ? 1 : 0]), isFeature };
+}
+
+/// Finds the positions whose edges may be silhouettes, boundaries, seams or sides of large
+/// triangles, in one pass over the triangles.
+class PositionFlags
+{
+public:
+  PositionFlags(const Surface& surface, const std::vector<Index>& canonical, const Camera& camera)
+    : Mesh(surface),
+      View(camera),
+      Flags(surface.Positions.size(), 0),
+      Cycles(surface.Positions.size(), 0)
+  {
+    // The triangles around an inner position form a cycle: every neighbor is the next of one
+    // triangle and the previous of another, so the differences of their hashes cancel. Seams have
+    // neighbors with different normals or colors, so they do not cancel.
+    for (Index t = 0; t < surface.Triangles.size(); ++t)
+    {
+      const glm::uvec3 corners = surface.Triangles[t];
+      const std::uint8_t flags = this->Classify(t);
+      std::uint32_t hashes[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        hashes[i] = this->Hash(corners[i], canonical[corners[i]]);
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        const Index v = canonical[corners[i]];
+        this->Flags[v] |= flags;
+        this->Cycles[v] += hashes[(i + 1) % 3] - hashes[(i + 2) % 3];
+      }
+    }
+  }
+
+  /// Returns true if the position lies on an edge to be found.
+  bool operator()(Index v) const
+  {
+    return (this->Flags[v] & (Front | Back)) == (Front | Back) || (this->Flags[v] & Large) ||
+      this->Cycles[v] != 0;
+  }
+
+  /// Returns true if the triangle has feature edges that are not smaller than pixels.
+  bool IsLarge(Index triangle) const
+  {
+    const glm::uvec3 t = this->Mesh.Triangles[triangle];
+    const glm::dvec3 p[3] = { glm::dvec3(this->Mesh.Positions[t.x]),
+      glm::dvec3(this->Mesh.Positions[t.y]), glm::dvec3(this->Mesh.Positions[t.z]) };
+    double square = 0.0;
+    double depth = this->View.Parallel ? 1.0 : this->View.Depth(p[0]);
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec3 d = p[i] - p[(i + 1) % 3];
+      square = std::max(square, glm::dot(d, d));
+      depth = this->View.Parallel ? 1.0 : std::min(depth, this->View.Depth(p[i]));
+    }
+    const double limit = LargeTriangleSide * this->View.PixelSize * std::max(depth, 0.0);
+    return square > limit * limit;
+  }
+
+private:
+  static constexpr std::uint8_t Front = 1;
+  static constexpr std::uint8_t Back = 2;
+  static constexpr std::uint8_t Large = 4;
+
+  std::uint8_t Classify(Index triangle) const
+  {
+    const glm::uvec3 t = this->Mesh.Triangles[triangle];
+    const glm::dvec3 a(this->Mesh.Positions[t.x]);
+    const glm::dvec3 d = glm::dvec3(this->Mesh.Positions[t.y]) - a;
+    const glm::dvec3 e = glm::dvec3(this->Mesh.Positions[t.z]) - a;
+    const glm::dvec3 view = this->View.Parallel ? this->View.Forward : a - this->View.Position;
+    const double volume = glm::dot(glm::cross(d, e), view);
+    const double rounding = 1e-14 * glm::length(d) * glm::length(e) * glm::length(view);
+    std::uint8_t flags = volume > rounding ? Back : volume < -rounding ? Front : Front | Back;
+    // Smooth surfaces have no creases.
+    if (this->Mesh.Normals.empty() && this->IsLarge(triangle))
+    {
+      flags |= Large;
+    }
+    return flags;
+  }
+
+  std::uint32_t Hash(Index corner, Index canonical) const
+  {
+    std::uint64_t hash = canonical * 0x9e3779b97f4a7c15ull;
+    const auto add = [&](std::uint32_t bits) {
+      hash = (hash ^ (hash >> 29) ^ bits) * 0xbf58476d1ce4e5b9ull;
+    };
+    if (!this->Mesh.Normals.empty())
+    {
+      const glm::vec3 n = this->Mesh.Normals[corner] + glm::vec3(0.f);
+      std::uint32_t bits[3];
+      std::memcpy(bits, &n, sizeof(bits));
+      add(bits[0]);
+      add(bits[1]);
+      add(bits[2]);
+    }
+    if (!this->Mesh.PointColors.empty())
+    {
+      std::uint32_t bits;
+      std::memcpy(&bits, &this->Mesh.PointColors[corner], sizeof(bits));
+      add(bits);
+    }
+    return static_cast<std::uint32_t>(hash >> 32);
+  }
+
+  const Surface& Mesh;
+  const Camera& View;
+  std::vector<std::uint8_t> Flags;
+  std::vector<std::uint32_t> Cycles;
+};
+
+}
+
+std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast)
+{
+  const std::vector<Index> canonical = MergePositions(surface.Positions);
+  HalfEdges half(surface, canonical, [](Index) { return true; });
+  const CreaseTest crease(surface, contrast);
+  std::vector<MeshEdge> edges;
+  edges.reserve(half.Edges.size() / 2 + 16);
+  VisitEdges(half, [&](Index v, const HalfEdge* e, std::ptrdiff_t count) {
+    const bool pair = count == 2;
+    edges.push_back(MakeEdge(surface, v, e, pair, !pair || crease(e[0], e[1])));
+  });
+  return edges;
+}
+
+std::vector<MeshEdge> FindEdgesOfDenseMesh(
+  const Surface& surface, double contrast, const Camera& camera)
+{
+  const std::vector<Index> canonical = MergePositions(surface.Positions);
+  const PositionFlags flags(surface, canonical, camera);
+  HalfEdges half(surface, canonical, flags);
+  const CreaseTest crease(surface, contrast);
+  std::vector<MeshEdge> edges;
+  VisitEdges(half, [&](Index v, const HalfEdge* e, std::ptrdiff_t count) {
+    const bool pair = count == 2;
+    const bool keepCreases = pair &&
+      (!surface.Normals.empty() || flags.IsLarge(e[0].Triangle) || flags.IsLarge(e[1].Triangle));
+    edges.push_back(MakeEdge(surface, v, e, pair, !pair || (keepCreases && crease(e[0], e[1]))));
+  });
   return edges;
 }
 

@@ -30,5 +30,13 @@ struct MeshEdge
  */
 std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast);
 
+/**
+ * Returns the silhouettes, boundaries and color seams of `surface` as seen from `camera`, and the
+ * other feature edges of triangles that are larger than pixels. Uses little memory for meshes of
+ * millions of triangles.
+ */
+std::vector<MeshEdge> FindEdgesOfDenseMesh(
+  const Surface& surface, double contrast, const Camera& camera);
+
 }
 #endif

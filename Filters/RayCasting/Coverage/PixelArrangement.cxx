@@ -327,6 +327,18 @@ int PixelArrangement::FindFace(glm::dvec2 p) const
   return face < 0 && onLine ? this->FindFaceInSlab(slab + 1, p) : face;
 }
 
+int PixelArrangement::FindFaceAt(glm::dvec2 p) const
+{
+  const auto end = std::lower_bound(this->Events.begin() + 1, this->Events.end() - 1, p.x);
+  const auto slab = static_cast<std::size_t>(end - this->Events.begin()) - 1;
+  const Trapezoid* const first = this->Trapezoids.data() + this->SlabBegin[slab];
+  const Trapezoid* const last = this->Trapezoids.data() + this->SlabBegin[slab + 1] - 1;
+  const double u = (p.x - first->X0) / (first->X1 - first->X0);
+  return std::partition_point(first, last, [&](const Trapezoid& t) {
+    return p.y >= t.Top0 + u * (t.Top1 - t.Top0);
+  })->Face;
+}
+
 int PixelArrangement::FindFaceInSlab(std::size_t slab, glm::dvec2 p) const
 {
   // Minimum distance of an inside point from bottom and top, as a fraction of the height.

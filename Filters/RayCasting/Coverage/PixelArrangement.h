@@ -78,6 +78,9 @@ public:
   const std::vector<Face>& GetFaces() const { return this->Faces; }
   const std::vector<Trapezoid>& GetTrapezoids() const { return this->Trapezoids; }
 
+  /// Returns the index of the face that contains a point of the pixel.
+  int FindFaceAt(glm::dvec2 p) const;
+
   /// Calls visit(trapezoid) for the trapezoids of a face in ascending order.
   template <typename Visit>
   void VisitTrapezoids(std::size_t face, Visit visit) const

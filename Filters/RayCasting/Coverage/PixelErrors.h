@@ -22,17 +22,23 @@ inline double ComputeToleranceScale(double area)
 }
 
 /// Returns the number of low-discrepancy samples that reduce the error of a pixel with straight
-/// edges of any contrast to `tolerance`: a power of two in [MinimumSamples, MaximumSamples]. It
-/// bounds the cost of exact coverage.
+/// edges of any contrast to `tolerance`: a power of two in [64, MaximumSamples]. It bounds the cost
+/// of exact coverage.
 inline int ComputeMaximumSamples(double tolerance)
 {
   const double required = std::pow(0.5 / std::max(tolerance, 1e-6), 4.0 / 3.0);
-  int samples = MinimumSamples;
+  int samples = 64;
   while (samples < required && samples < MaximumSamples)
   {
     samples *= 2;
   }
   return samples;
+}
+
+/// Returns the maximum number of samples of a tile, per pixel.
+inline double ComputeSampleBudget(double tolerance)
+{
+  return std::max(SampleBudgetFraction * ComputeMaximumSamples(tolerance), MinimumSampleBudget);
 }
 
 /// Returns the maximum over the components of |a - b|.

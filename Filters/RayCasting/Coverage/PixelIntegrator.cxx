@@ -23,10 +23,12 @@ PixelCounts& PixelCounts::operator+=(const PixelCounts& other)
 }
 
 PixelIntegrator::PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
-  const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings)
+  const std::vector<ProjectedEdge>& edges, const std::vector<char>& dense,
+  const IntegrationSettings& settings)
   : Tracer(tracer),
     Grid(corners),
     Edges(edges),
+    Dense(dense),
     Settings(settings)
 {
 }
@@ -69,7 +71,7 @@ bool PixelIntegrator::CornersAgree() const
 }
 
 PixelResult PixelIntegrator::Integrate(
-  int x, int y, const std::uint32_t* edgeIndices, std::size_t count, EdgeDensity density)
+  int x, int y, const std::uint32_t* edgeIndices, std::size_t count, bool crowded)
 {
   if (this->Settings.Method == IntegrationSettings::Methods::Uniform)
   {
@@ -87,19 +89,20 @@ PixelResult PixelIntegrator::Integrate(
     }
     return this->IntegrateSubdivided(true);
   }
-  if (count <= MaximumEdges)
-  {
-    this->LoadSegments(edgeIndices, count, true);
-  }
-  if (density == EdgeDensity::Sparse && count > MaximumEdges)
+  this->ListedEdges = edgeIndices;
+  this->NumberOfListedEdges = count;
+  if (count > MaximumEdges)
   {
     return this->IntegrateSampled();
   }
-  if (density == EdgeDensity::Dense || count > MaximumEdges ||
-    (density == EdgeDensity::Crowded && this->Segments.size() > MaximumEdgesInCrowdedTile))
+  this->LoadSegments(edgeIndices, count, true);
+  if (this->HitsDenseSurface())
   {
-    ++this->Pixels.Uniform;
-    return this->IntegrateUniformAdaptive();
+    return this->IntegrateDense();
+  }
+  if (crowded && this->Segments.size() > MaximumEdgesInCrowdedTile)
+  {
+    return this->IntegrateSampled();
   }
   if (this->Segments.empty() || (!this->Settings.FindSmallObjects && this->CornersAgree()))
   {

@@ -7,6 +7,7 @@
 #define penumbra_PixelIntegrator_h
 
 #include "PixelArrangement.h"
+#include "SampledPixel.h"
 #include "Sampling/CornerGrid.h"
 #include "Sampling/SampleCache.h"
 #include "Silhouettes.h"
@@ -52,27 +53,15 @@ struct PixelCounts
   PixelCounts& operator+=(const PixelCounts& other);
 };
 
-/// Density of triangles and edges near a pixel.
-enum class EdgeDensity
-{
-  Sparse,
-  Crowded, ///< many edges in most pixels of the tile
-  Dense    ///< triangles smaller than pixels
-};
-
-/// Color and estimated error of a pixel.
-struct PixelResult
-{
-  glm::vec4 Color{ 0.f }; ///< premultiplied by alpha
-  float Error = 0.f;      ///< estimated RMS error of the three color components
-};
-
 /// Integrates one pixel at a time. Each thread needs its own object, which keeps scratch memory.
 class PixelIntegrator
 {
 public:
+  /// `dense` has a flag per surface: its subpixel triangles have no edges in `edges` except
+  /// silhouettes and boundaries. Empty: no surface is dense.
   PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
-    const std::vector<ProjectedEdge>& edges, const IntegrationSettings& settings);
+    const std::vector<ProjectedEdge>& edges, const std::vector<char>& dense,
+    const IntegrationSettings& settings);
 
   /// Resets the state of a tile. Call it before the first pixel of a tile.
   void BeginTile()
@@ -80,11 +69,22 @@ public:
     this->Cache.Clear();
     this->FoundIntersection = false;
     this->SearchAllPixels = false;
+    this->Sampled.clear();
   }
 
-  /// Computes pixel (x, y), which the listed edges cross.
+  /// Computes pixel (x, y), which the listed edges cross. If it is sampled, GetSampledPixels()
+  /// contains it afterwards, and the result is its first estimate. `crowded`: most pixels of the
+  /// tile have many edges. The list of edges must remain valid until the next tile.
   PixelResult Integrate(
-    int x, int y, const std::uint32_t* edgeIndices, std::size_t count, EdgeDensity density);
+    int x, int y, const std::uint32_t* edgeIndices, std::size_t count, bool crowded);
+
+  /// Returns the sampled pixels since BeginTile().
+  std::vector<SampledPixel>& GetSampledPixels() { return this->Sampled; }
+
+  /// Doubles the number of samples of a pixel; the first MinimumSamples are traced at once.
+  void Refine(SampledPixel& pixel);
+
+  const IntegrationSettings& GetSettings() const { return this->Settings; }
 
   /// Returns true if intersecting triangles were found in a pixel since BeginTile().
   bool HasFoundIntersection() const { return this->FoundIntersection; }
@@ -130,8 +130,12 @@ private:
   PixelResult IntegrateExact(const std::uint32_t* edgeIndices, std::size_t count);
   PixelResult IntegrateSubdivided(bool byObject);
   PixelResult IntegrateUniform(int side);
-  PixelResult IntegrateUniformAdaptive();
+  bool HitsDenseSurface() const;
+  PixelResult IntegrateDense();
   PixelResult IntegrateSampled();
+  SampledPixel& AddSampledPixel();
+  bool BuildFaces();
+  void ComputeFaceColors(SampledPixel& pixel);
   void AddTriangle(const Sample& sample);
   void FindNearbyIntersections();
   bool AreDisconnected(const Hit& a, const Hit& b) const;
@@ -164,14 +168,18 @@ private:
   const CameraRayTracer& Tracer;
   const CornerGrid& Grid;
   const std::vector<ProjectedEdge>& Edges;
+  const std::vector<char>& Dense;
   const IntegrationSettings Settings;
   SampleCache Cache;
+  std::vector<SampledPixel> Sampled; ///< of the current tile
 
   // State of the current pixel.
   int X = 0;
   int Y = 0;
   Sample Corners[4];
   float MediumError = 0.f;
+  const std::uint32_t* ListedEdges = nullptr; ///< edges that cross the pixel
+  std::size_t NumberOfListedEdges = 0;
   unsigned int TrustedCorners =
     0; ///< bits of the corners farther than EdgePrecision from all edges
   std::vector<PixelSegment> Segments;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Adaptive sampling in PixelIntegrator, for single pixels whose exact coverage would cost more than
-// samples of the same accuracy.
+// Sampling in PixelIntegrator: pixels of dense surfaces, and pixels whose exact coverage would cost
+// more than samples of the same accuracy. TileRefinement.h decides the number of samples.
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
@@ -17,72 +17,171 @@ namespace penumbra
 namespace
 {
 
-// Number of groups whose means estimate the error.
-constexpr int Groups = 16;
+/// Returns the estimated variance of the mean of the samples, averaged over the color components.
+/// The samples are the first 2^k points of a (0, 2)-sequence. Pairs of samples share congruent
+/// cells of the pixel, and their differences estimate the variance that stratification leaves.
+double EstimateVariance(const std::vector<glm::vec4>& samples)
+{
+  const auto count = static_cast<std::uint32_t>(samples.size());
+  const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const glm::dvec3 d = glm::dvec3(samples[i]) - glm::dvec3(samples[i ^ partner]);
+    sum += glm::dot(d, d);
+  }
+  const double n = count;
+  return 0.5 * sum / (3.0 * n * n);
+}
 
 }
 
-// Doubles the number of samples until the estimated error is below the tolerance or the maximum
-// number is reached. Each group of samples is a contiguous part of the Owen-scrambled Sobol
-// sequence and has low discrepancy. The variance of the means of the groups is a conservative
-// estimate of the error.
+bool PixelIntegrator::HitsDenseSurface() const
+{
+  return !this->Dense.empty() &&
+    std::any_of(this->Corners, this->Corners + 4, [this](const Sample& corner) {
+      return corner.FirstHit.IsHit() && this->Dense[corner.FirstHit.Surface];
+    });
+}
+
+SampledPixel& PixelIntegrator::AddSampledPixel()
+{
+  this->Sampled.emplace_back();
+  SampledPixel& pixel = this->Sampled.back();
+  pixel.X = this->X;
+  pixel.Y = this->Y;
+  pixel.Edges = this->ListedEdges;
+  pixel.NumberOfEdges = this->NumberOfListedEdges;
+  pixel.MediumError = this->MediumError;
+  pixel.MinimumError = ErrorFloor;
+  return pixel;
+}
+
 PixelResult PixelIntegrator::IntegrateSampled()
 {
-  ++this->Pixels.Uniform;
-  const OwenSobolSequence sequence(static_cast<std::uint32_t>(this->X) * 0x9e3779b1u ^
-    static_cast<std::uint32_t>(this->Y) * 0x85ebca77u);
-  const int maximumSamples =
-    std::min(SampleBudgetFactor * ComputeMaximumSamples(this->Settings.Tolerance), MaximumSamples);
-  glm::dvec4 sums[Groups] = {};
-  int inGroup = MinimumSamples / Groups;
-  int traced = 0;
+  SampledPixel& pixel = this->AddSampledPixel();
+  pixel.Floor = HiddenError;
+  this->Refine(pixel);
+  return pixel.Result;
+}
+
+// The first estimate of a pixel needs few rays: the mean of the corners, or one ray per face. The
+// triangles of a dense surface have no edges, so colors vary within faces.
+PixelResult PixelIntegrator::IntegrateDense()
+{
+  if (this->Segments.empty())
+  {
+    this->RetraceCornersOnEdges();
+    const bool agree = this->CornersAgree() || this->RetraceIsolatedMiss();
+    SampledPixel& pixel = this->AddSampledPixel();
+    if (agree && !this->IsNearShadowBoundary())
+    {
+      pixel.Result.Color = ComputeMean(this->Corners);
+      pixel.Result.Error =
+        this->CombineErrors(CurvatureSafetyFactor * this->EstimateCurvatureError(), ErrorFloor);
+    }
+    else
+    {
+      this->Refine(pixel);
+    }
+    return pixel.Result;
+  }
+  if (this->Segments.size() > MaximumEdgesInCrowdedTile || !this->BuildFaces())
+  {
+    return this->IntegrateSampled();
+  }
+  SampledPixel& pixel = this->AddSampledPixel();
+  pixel.MinimumError = EdgeErrorFloor;
+  this->ComputeFaceColors(pixel);
+  return pixel.Result;
+}
+
+// Arranges the edges of the pixel. Returns false if this costs more than samples.
+bool PixelIntegrator::BuildFaces()
+{
+  const auto budget = static_cast<std::size_t>(ComputeMaximumSamples(this->Settings.Tolerance));
+  return this->Arrangement.Build(this->Segments.data(), static_cast<int>(this->Segments.size()),
+    { budget, budget * TrapezoidsPerRay });
+}
+
+void PixelIntegrator::ComputeFaceColors(SampledPixel& pixel)
+{
+  const std::vector<PixelArrangement::Face>& faces = this->Arrangement.GetFaces();
+  float squares = 0.f;
+  for (const PixelArrangement::Face& face : faces)
+  {
+    pixel.FaceColors.emplace_back(0.f);
+    if (face.Area < MinimumFaceArea)
+    {
+      continue;
+    }
+    const Sample sample = this->Trace(face.Point, face.Area);
+    const unsigned int inside = face.Corners & this->TrustedCorners;
+    float variation = inside ? 0.f : UnknownVariation;
+    for (int i = 0; i < 4; ++i)
+    {
+      if (inside >> i & 1u)
+      {
+        const Sample& corner = this->Corners[i];
+        const bool disconnected = corner.FirstHit.Surface != sample.FirstHit.Surface;
+        variation = std::max(variation,
+          std::max(disconnected ? 1.f : 0.f, ComputeMaximumDifference(corner.Color, sample.Color)));
+      }
+    }
+    const auto area = static_cast<float>(face.Area);
+    pixel.FaceColors.back() = sample.Color;
+    pixel.MeanOfFaces += area * sample.Color;
+    const float error = area * ResidualErrorFraction * variation;
+    squares += error * error;
+  }
+  pixel.Result.Color = pixel.MeanOfFaces;
+  pixel.Result.Error = this->CombineErrors(std::sqrt(squares), pixel.MinimumError);
+}
+
+void PixelIntegrator::Refine(SampledPixel& pixel)
+{
+  const std::size_t before = pixel.Samples.size();
+  const std::size_t total = std::max<std::size_t>(2 * before, MinimumSamples);
+  const bool hasFaces = !pixel.FaceColors.empty();
+  if (hasFaces)
+  {
+    this->LoadCorners(pixel.X, pixel.Y);
+    this->LoadSegments(pixel.Edges, pixel.NumberOfEdges, true);
+    this->BuildFaces();
+  }
+  const OwenSobolSequence sequence(static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
+    static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u);
+  const double toleranceScale = ComputeToleranceScale(1.0 / static_cast<double>(total));
   glm::dvec2 points[CameraRayTracer::PacketSize];
   Sample samples[CameraRayTracer::PacketSize];
-  PixelResult result;
-  for (int total = MinimumSamples;; total *= 2)
+  pixel.Samples.reserve(total);
+  while (pixel.Samples.size() < total)
   {
-    const double toleranceScale = ComputeToleranceScale(1.0 / total);
-    while (traced < total)
+    for (glm::dvec2& point : points)
     {
-      for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
-      {
-        points[i] = glm::dvec2(this->X, this->Y) +
-          glm::dvec2(sequence.At(static_cast<std::uint32_t>(traced + i)));
-      }
-      this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale);
-      for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
-      {
-        sums[(traced + i) / inGroup] += glm::dvec4(samples[i].Color);
-      }
-      traced += CameraRayTracer::PacketSize;
+      const auto index = static_cast<std::uint32_t>(pixel.Samples.size() + (&point - points));
+      point = glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(sequence.At(index));
     }
-    this->Rays.Refinement += total == MinimumSamples ? total : total / 2;
-
-    glm::dvec4 sum(0.0);
-    glm::dvec4 squares(0.0);
-    for (const glm::dvec4& group : sums)
+    this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale);
+    for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
-      const glm::dvec4 mean = group / static_cast<double>(inGroup);
-      sum += mean;
-      squares += mean * mean;
+      const glm::vec4 expected = hasFaces
+        ? pixel.FaceColors[this->Arrangement.FindFaceAt(points[i] - glm::dvec2(pixel.X, pixel.Y))]
+        : glm::vec4(0.f);
+      pixel.Samples.push_back(samples[i].Color - expected);
     }
-    const glm::dvec4 mean = sum / static_cast<double>(Groups);
-    const glm::dvec4 variance =
-      glm::max(squares / static_cast<double>(Groups) - mean * mean, 0.0) / (Groups - 1.0);
-    const double largest = std::max(std::max(variance.r, variance.g), variance.b);
-    result.Color = glm::vec4(mean);
-    result.Error = this->CombineErrors(ConfidenceFactor * static_cast<float>(std::sqrt(largest)),
-      HiddenError / static_cast<float>(total));
-    if (result.Error <= this->Settings.Tolerance || total >= maximumSamples)
-    {
-      return result;
-    }
-    for (int i = 0; i < Groups; ++i)
-    {
-      sums[i] = 2 * i < Groups ? sums[2 * i] + sums[2 * i + 1] : glm::dvec4(0.0);
-    }
-    inGroup *= 2;
   }
+  this->Rays.Refinement += static_cast<long long>(total - before);
+
+  glm::dvec4 sum(0.0);
+  for (const glm::vec4& sample : pixel.Samples)
+  {
+    sum += glm::dvec4(sample);
+  }
+  pixel.Result.Color = pixel.MeanOfFaces + glm::vec4(sum / static_cast<double>(total));
+  pixel.Result.Error = this->CombineErrors(
+    ConfidenceFactor * static_cast<float>(std::sqrt(EstimateVariance(pixel.Samples))),
+    std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)));
 }
 
 }

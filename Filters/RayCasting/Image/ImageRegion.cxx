@@ -4,6 +4,7 @@
 
 #include "Coverage/CoverageConstants.h"
 #include "Coverage/SubpixelTriangles.h"
+#include "Coverage/TileRefinement.h"
 #include "Execution/ParallelFor.h"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ namespace
 
 // Side of a tile in pixels. A tile is the unit of work of a thread.
 constexpr int TileSide = 32;
+// Side of the tiles in pixels whose RMSE the tolerance bounds.
+constexpr int ErrorTileSide = 16;
 
 /// The tiles that cover the pixels [low, high).
 struct Tiles
@@ -32,9 +35,61 @@ struct Tiles
   }
 };
 
+void StorePixel(
+  const PixelResult& result, float mediumError, std::size_t index, ImageRegion& region)
+{
+  const float alpha = result.Color.a;
+  region.Colors[index] =
+    alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);
+  region.Errors[index] = std::hypot(result.Error, mediumError);
+}
+
+/// Refines the sampled pixels of [low, high), which contains whole tiles of ErrorTileSide pixels.
+void RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, ImageRegion& region)
+{
+  if (integrator.GetSampledPixels().empty())
+  {
+    return;
+  }
+  for (glm::ivec2 first = low; first.y < high.y; first = first.x + ErrorTileSide < high.x
+         ? first + glm::ivec2(ErrorTileSide, 0)
+         : glm::ivec2(low.x, first.y + ErrorTileSide))
+  {
+    const glm::ivec2 last = glm::min(first + ErrorTileSide, high);
+    std::vector<SampledPixel*> pixels;
+    double squares = 0.0;
+    for (int y = first.y; y < last.y; ++y)
+    {
+      for (int x = first.x; x < last.x; ++x)
+      {
+        const double error = region.Errors[region.Index(x, y)];
+        squares += error * error;
+      }
+    }
+    for (SampledPixel& pixel : integrator.GetSampledPixels())
+    {
+      if (pixel.X >= first.x && pixel.X < last.x && pixel.Y >= first.y && pixel.Y < last.y)
+      {
+        const double error = region.Errors[region.Index(pixel.X, pixel.Y)];
+        squares -= error * error;
+        region.RaysPerPixel[region.Index(pixel.X, pixel.Y)] -=
+          static_cast<float>(pixel.Samples.size());
+        pixels.push_back(&pixel);
+      }
+    }
+    RefineTile(integrator, pixels, (last.x - first.x) * (last.y - first.y), std::max(squares, 0.0));
+    for (const SampledPixel* pixel : pixels)
+    {
+      const std::size_t index = region.Index(pixel->X, pixel->Y);
+      StorePixel(pixel->Result, pixel->MediumError, index, region);
+      region.RaysPerPixel[index] += static_cast<float>(pixel->Samples.size());
+      pixel->Samples.empty() ? ++integrator.Pixels.Interior : ++integrator.Pixels.Uniform;
+    }
+  }
+}
+
 void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& edges,
-  const EdgeBins& tileEdges, const std::vector<char>& dense, PixelIntegrator& integrator,
-  ImageRegion& region)
+  const EdgeBins& tileEdges, PixelIntegrator& integrator, ImageRegion& region)
 {
   const glm::ivec2 origin =
     (tiles.First + glm::ivec2(tile % tiles.Count.x, tile / tiles.Count.x)) * TileSide;
@@ -59,15 +114,9 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
       const std::uint32_t* list = pixelEdges.Edges.data() + pixelEdges.Begin[cell];
       const std::size_t size = pixelEdges.Begin[cell + 1] - pixelEdges.Begin[cell];
       const std::size_t index = region.Index(x, y);
-      const EdgeDensity density = !dense.empty() && dense[index] ? EdgeDensity::Dense
-        : crowded                                                ? EdgeDensity::Crowded
-                                                                 : EdgeDensity::Sparse;
       const long long before = integrator.Rays.GetImageRays();
-      const PixelResult result = integrator.Integrate(x, y, list, size, density);
-      const float alpha = result.Color.a;
-      region.Colors[index] =
-        alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);
-      region.Errors[index] = std::hypot(result.Error, integrator.GetMediumError());
+      const PixelResult result = integrator.Integrate(x, y, list, size, crowded);
+      StorePixel(result, integrator.GetMediumError(), index, region);
       region.RaysPerPixel[index] += static_cast<float>(integrator.Rays.GetImageRays() - before);
     }
     // Triangles that intersect in one pixel also intersect in its neighbors. Render the tile again
@@ -76,10 +125,12 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
     {
       searchAll = true;
       integrator.SearchAllPixelsForIntersections();
+      integrator.GetSampledPixels().clear();
       integrator.Pixels = initialCounts;
       y = low.y - 1;
     }
   }
+  RefineTiles(low, high, integrator, region);
 }
 
 }
@@ -97,10 +148,11 @@ SceneEdges FindSceneEdges(
   for (const Surface& surface : scene.Surfaces)
   {
     ThrowIfStopped(progress, 0.0);
+    const double contrast = EdgeContrastFraction * integration.Tolerance;
     edges.Dense.push_back(HasSubpixelTriangles(surface, scene.ViewCamera));
     edges.EdgesBySurface.push_back(edges.Dense.back()
-        ? std::vector<MeshEdge>()
-        : FindMeshEdges(surface, EdgeContrastFraction * integration.Tolerance));
+        ? FindEdgesOfDenseMesh(surface, contrast, scene.ViewCamera)
+        : FindMeshEdges(surface, contrast));
   }
   return edges;
 }
@@ -133,7 +185,6 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   }
 
   std::vector<ProjectedEdge> edges;
-  std::vector<char> dense;
   for (std::size_t i = 0; i < sceneEdges.EdgesBySurface.size(); ++i)
   {
     const Surface& surface = scene.Surfaces[i];
@@ -141,15 +192,8 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     {
       return false;
     }
-    if (sceneEdges.Dense[i])
-    {
-      MarkCoveredPixels(surface, scene.ViewCamera, region.Low, region.High, dense);
-    }
-    else
-    {
-      ProjectEdges(surface, sceneEdges.EdgesBySurface[i], scene.ViewCamera, glm::dvec2(region.Low),
-        glm::dvec2(region.High), edges);
-    }
+    ProjectEdges(surface, sceneEdges.EdgesBySurface[i], scene.ViewCamera, glm::dvec2(region.Low),
+      glm::dvec2(region.High), edges);
   }
   region.Edges = static_cast<long long>(edges.size());
 
@@ -159,8 +203,8 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     tileEdges);
   return ParallelForBatches(
     tiles.Count.x * tiles.Count.y, corners ? 0.45 : 0.0, 1.0, progress, [&](int tile) {
-      PixelIntegrator integrator(tracer, grid, edges, settings.Integration);
-      RenderTile(tile, tiles, edges, tileEdges, dense, integrator, region);
+      PixelIntegrator integrator(tracer, grid, edges, sceneEdges.Dense, settings.Integration);
+      RenderTile(tile, tiles, edges, tileEdges, integrator, region);
       const std::lock_guard<std::mutex> lock(totals);
       region.Rays += integrator.Rays;
       region.Pixels += integrator.Pixels;

@@ -26,7 +26,8 @@ struct RenderSettings
 struct SceneEdges
 {
   std::vector<std::vector<MeshEdge>> EdgesBySurface;
-  std::vector<char> Dense; ///< per surface: its triangles are smaller than pixels
+  std::vector<char> Dense; ///< per surface: its triangles are smaller than pixels, and only the
+                           ///< silhouettes and boundaries among their edges are found
 };
 
 /// Finds the edges of all surfaces. Throws Stopped if `progress` requests a stop.

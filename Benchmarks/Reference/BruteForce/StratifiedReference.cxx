@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StratifiedReference.h"
+
+#include "Embree/RayScene.h"
+#include "Import/SceneExtraction.h"
+#include "Shading/Shading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr int PacketSize = 16;
+
+/// Composites all layers behind a first hit, premultiplied by alpha.
+glm::dvec4 ComputeColor(
+  const RayScene& rays, const Shading& shading, glm::dvec2 p, Ray ray, Hit hit)
+{
+  glm::dvec4 color(0.0);
+  long long shadowRays = 0;
+  while (hit.IsHit() && color.a < 1.0)
+  {
+    const glm::dvec4 c(shading.Shade(ray, hit, shadowRays).Color);
+    const double weight = (1.0 - color.a) * c.a;
+    color += weight * glm::dvec4(glm::dvec3(c), 1.0);
+    if (c.a >= 1.0)
+    {
+      return color;
+    }
+    ray.Near = hit.NextNear;
+    hit = rays.Intersect(ray);
+  }
+  const glm::dvec4 c(shading.Background(p));
+  return color + (1.0 - color.a) * c.a * glm::dvec4(glm::dvec3(c), 1.0);
+}
+
+}
+
+StratifiedReference DrawStratified(
+  vtkRenderer* renderer, int width, int height, int side, bool shadows)
+{
+  ExtractionOptions options;
+  options.Resolution[0] = width;
+  options.Resolution[1] = height;
+  const Scene scene = ExtractScene(renderer, options);
+  const RayScene rays(scene, 0);
+  const Shading shading(rays, shadows);
+  const Camera& camera = scene.ViewCamera;
+  const auto near = static_cast<float>(std::max(camera.Near - camera.DepthOfRayOrigins(), 0.0));
+  StratifiedReference reference;
+  reference.Colors.resize(static_cast<std::size_t>(width) * height);
+  reference.SquaredErrors.resize(reference.Colors.size());
+  ParallelFor<int>(0, height, 1, [&](int y) {
+    std::mt19937 generator(1234u + y);
+    const auto random = [&] { return generator() * 0x1p-32; };
+    for (int x = 0; x < width; ++x)
+    {
+      glm::dvec3 means[2] = {};
+      for (glm::dvec3& mean : means)
+      {
+        for (int first = 0; first < side * side; first += PacketSize)
+        {
+          glm::dvec2 points[PacketSize];
+          Ray packet[PacketSize];
+          Hit hits[PacketSize];
+          for (int i = 0; i < PacketSize; ++i)
+          {
+            const int k = std::min(first + i, side * side - 1);
+            const double u = random();
+            points[i] = { x + (k % side + u) / side, y + (k / side + random()) / side };
+            packet[i].Origin = camera.RayOrigin(points[i]);
+            packet[i].Direction = camera.RayDirection(points[i]);
+            packet[i].Near = near;
+          }
+          rays.Intersect16(packet, hits);
+          for (int i = 0; i < std::min(PacketSize, side * side - first); ++i)
+          {
+            mean += glm::dvec3(ComputeColor(rays, shading, points[i], packet[i], hits[i]));
+          }
+        }
+        mean /= side * side;
+      }
+      const std::size_t index = static_cast<std::size_t>(y) * width + x;
+      const glm::dvec3 difference = means[0] - means[1];
+      reference.Colors[index] = 0.5 * (means[0] + means[1]);
+      reference.SquaredErrors[index] = glm::dot(difference, difference) / 12.0;
+    }
+  });
+  return reference;
+}
+
+std::vector<TileAccuracy> CompareTiles(
+  const Answer& answer, const StratifiedReference& reference, int width)
+{
+  constexpr int Side = 16;
+  const int height = static_cast<int>(reference.Colors.size()) / width;
+  std::vector<TileAccuracy> tiles;
+  for (int low = 0; low < height; low += Side)
+  {
+    for (int left = 0; left < width; left += Side)
+    {
+      double error = 0.0;
+      double estimate = 0.0;
+      int count = 0;
+      for (int y = low; y < std::min(low + Side, height); ++y)
+      {
+        for (int x = left; x < std::min(left + Side, width); ++x, ++count)
+        {
+          const std::size_t i = static_cast<std::size_t>(y) * width + x;
+          const glm::dvec3 d = answer.Colors[i] * answer.Alphas[i] - reference.Colors[i];
+          error += glm::dot(d, d) / 3.0 - reference.SquaredErrors[i];
+          estimate += answer.Estimates[i] * answer.Estimates[i];
+        }
+      }
+      tiles.push_back({ std::sqrt(std::max(error, 0.0) / count), std::sqrt(estimate / count) });
+    }
+  }
+  return tiles;
+}
+
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A pixel that is sampled until the error of its tile is small enough.
+#ifndef penumbra_SampledPixel_h
+#define penumbra_SampledPixel_h
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace penumbra
+{
+
+/// Color and estimated error of a pixel.
+struct PixelResult
+{
+  glm::vec4 Color{ 0.f }; ///< premultiplied by alpha
+  float Error = 0.f;      ///< estimated RMS error of the three color components
+};
+
+/// A pixel with the samples that were traced so far. Where few edges cross the pixel, its faces
+/// have constant colors and exact areas, and samples only estimate the mean difference to them.
+struct SampledPixel
+{
+  int X = 0;
+  int Y = 0;
+  const std::uint32_t* Edges = nullptr; ///< edges that cross the pixel
+  std::size_t NumberOfEdges = 0;
+  std::vector<glm::vec4> FaceColors; ///< per face of the arrangement; empty: no faces
+  glm::vec4 MeanOfFaces{ 0.f };      ///< sum of areas times FaceColors
+  std::vector<glm::vec4> Samples;    ///< differences to the colors of the faces
+  float Floor = 0.f;                 ///< minimum estimated error of a single sample, over samples
+  float MinimumError = 0.f;          ///< minimum estimated error of any number of samples
+  float MediumError = 0.f;           ///< estimated error of in-scattered light
+  PixelResult Result;
+};
+
+}
+#endif

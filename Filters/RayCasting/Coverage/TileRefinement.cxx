@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TileRefinement.h"
+
+#include "PixelErrors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+namespace
+{
+
+double Square(double x)
+{
+  return x * x;
+}
+
+/// Estimates of the errors of pixels. Few samples estimate their own error poorly. Such a pixel is
+/// therefore assigned a part of the mean over all sampled pixels.
+class PooledErrors
+{
+public:
+  explicit PooledErrors(const std::vector<SampledPixel*>& pixels)
+  {
+    double sum = 0.0;
+    double count = 0.0;
+    for (const SampledPixel* pixel : pixels)
+    {
+      if (!pixel->Samples.empty())
+      {
+        sum += Square(pixel->Result.Error) * ComputeDecay(*pixel);
+        count += 1.0;
+      }
+    }
+    this->Mean = count > 0.0 ? sum / count : 0.0;
+  }
+
+  double ComputeSquaredError(const SampledPixel& pixel) const
+  {
+    const double own = Square(pixel.Result.Error);
+    if (pixel.Samples.empty())
+    {
+      return own;
+    }
+    const double weight = PooledSamples / static_cast<double>(pixel.Samples.size());
+    return std::max(own, (own + weight * this->Mean / ComputeDecay(pixel)) / (1.0 + weight));
+  }
+
+private:
+  /// Returns the factor by which samples reduce the squared error.
+  static double ComputeDecay(const SampledPixel& pixel)
+  {
+    return std::pow(static_cast<double>(pixel.Samples.size()), SampledErrorDecay);
+  }
+
+  double Mean = 0.0;
+};
+
+struct Candidate
+{
+  SampledPixel* Pixel;
+  double SquaredError;
+  double Gain; ///< per ray
+};
+
+}
+
+void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& pixels, int count,
+  double squaredError)
+{
+  const IntegrationSettings& settings = integrator.GetSettings();
+  const double limit = Square(std::hypot(settings.Tolerance, settings.Noise));
+  const double tileLimit = limit * count;
+  const double pixelLimit = limit * Square(MaximumPixelError);
+  const int maximumSamples =
+    std::min(SampleBudgetFactor * ComputeMaximumSamples(settings.Tolerance), MaximumSamples);
+  double budget = ComputeSampleBudget(settings.Tolerance) * count;
+  std::vector<Candidate> candidates;
+  for (;;)
+  {
+    const PooledErrors pooled(pixels);
+    double sum = squaredError;
+    candidates.clear();
+    for (SampledPixel* pixel : pixels)
+    {
+      const double square = pooled.ComputeSquaredError(*pixel);
+      sum += square;
+      if (static_cast<int>(pixel->Samples.size()) < maximumSamples)
+      {
+        const double rays = std::max<double>(pixel->Samples.size(), MinimumSamples);
+        candidates.push_back({ pixel, square, square / rays });
+      }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.Gain > b.Gain; });
+    bool refined = false;
+    for (const Candidate& candidate : candidates)
+    {
+      const double rays = std::max<double>(candidate.Pixel->Samples.size(), MinimumSamples);
+      if ((sum > tileLimit || candidate.SquaredError > pixelLimit) && rays <= budget)
+      {
+        integrator.Refine(*candidate.Pixel);
+        sum -= (1.0 - std::exp2(-SampledErrorDecay)) * candidate.SquaredError;
+        budget -= rays;
+        refined = true;
+      }
+    }
+    if (!refined)
+    {
+      break;
+    }
+  }
+  const PooledErrors pooled(pixels);
+  for (SampledPixel* pixel : pixels)
+  {
+    pixel->Result.Error = static_cast<float>(std::sqrt(pooled.ComputeSquaredError(*pixel)));
+  }
+}
+
+}
