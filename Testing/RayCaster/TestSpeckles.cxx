@@ -349,8 +349,7 @@ TEST(Slivers, MatchTheirExactCoverage)
 
 TEST(Slivers, OfADenseMeshMatchSampledCoverage)
 {
-  // A mesh of more triangles than pixels is sampled with 8 x 8 rays per pixel. The error is up to
-  // 1/16 at a vertical edge, and slightly more at a corner.
+  // A mesh of more triangles than pixels is sampled where its strips are too narrow to be covered.
   ExpectCoverage(MeshOf(Strips(3000)), SharesOf(Strips(3000), Size, Size), 0.08);
   const std::vector<glm::dvec3> colors =
     Cast(BeforeAWall(MeshOf(Strips(3000)), View::Parallel), Size, Size).Colors;

@@ -39,7 +39,7 @@ constexpr double TrianglesPerPixel = 0.5;
 constexpr double MinimumTriangles = 4096.0;
 /// Length of a side in pixels from which the feature edges of a triangle of such a surface are
 /// covered exactly.
-constexpr double LargeTriangleSide = 2.0;
+constexpr double LargeTriangleSide = 4.0;
 
 // --- Limits of exact coverage ---
 
@@ -100,6 +100,9 @@ constexpr float ContrastError = 0.3f;
 /// Number of the first samples of a pixel, traced as one packet, and the maximum number.
 constexpr int MinimumSamples = 16;
 constexpr int MaximumSamples = 4096;
+/// Distance of samples from the sides of their pixel, so that rounding does not move them into its
+/// neighbors.
+constexpr double SampleInset = 1e-4;
 /// Factor on the number of samples that straight edges require. Dense edges, as of slivers, need
 /// more.
 constexpr int SampleBudgetFactor = 4;
@@ -108,14 +111,14 @@ constexpr int SampleBudgetFactor = 4;
 constexpr double MinimumSampleBudget = 64.0;
 constexpr double SampleBudgetFraction = 0.25;
 /// Maximum estimated error of a sampled pixel, in multiples of the tolerance of a tile.
-constexpr double MaximumPixelError = 4.0;
+constexpr double MaximumPixelError = 2.0;
 /// The squared error of n samples of a low-discrepancy sequence is assumed to be proportional to
 /// this power of 1/n, as for straight edges.
 constexpr double SampledErrorDecay = 1.5;
 /// Number of samples whose own estimate of their error counts as much as that of the tile.
 constexpr double PooledSamples = 8.0;
 /// Factor on the standard error of samples, so that few errors exceed the estimate.
-constexpr float ConfidenceFactor = 1.2f;
+constexpr float ConfidenceFactor = 1.1f;
 /// Estimated error of objects between n samples, times n.
 constexpr float HiddenError = 0.25f;
 /// Assumed error of a pixel with a single sample.

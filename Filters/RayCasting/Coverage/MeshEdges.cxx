@@ -77,7 +77,10 @@ struct HalfEdges
       {
         const Index a = corner(t, side);
         const Index b = corner(t, side + 1);
-        this->Begin[std::min(a, b) + 1] += isKept(a) && isKept(b) ? 1u : 0u;
+        if (isKept(a) && isKept(b))
+        {
+          ++this->Begin[std::min(a, b) + 1];
+        }
       }
     }
     for (std::size_t v = 1; v < this->Begin.size(); ++v)
@@ -220,6 +223,10 @@ public:
   PositionFlags(const Surface& surface, const std::vector<Index>& canonical, const Camera& camera)
     : Mesh(surface),
       View(camera),
+      Eye(camera.Position),
+      Forward(camera.Forward),
+      LargeSquare(static_cast<float>(
+        LargeTriangleSide * camera.PixelSize * LargeTriangleSide * camera.PixelSize)),
       Flags(surface.Positions.size(), 0),
       Cycles(surface.Positions.size(), 0)
   {
@@ -242,14 +249,17 @@ public:
         this->Cycles[v] += hashes[(i + 1) % 3] - hashes[(i + 2) % 3];
       }
     }
+    for (Index v = 0; v < this->Flags.size(); ++v)
+    {
+      const std::uint8_t flags = this->Flags[v];
+      this->Flags[v] =
+        (flags & (Front | Back)) == (Front | Back) || (flags & Large) || this->Cycles[v] != 0;
+    }
+    this->Cycles = {};
   }
 
   /// Returns true if the position lies on an edge to be found.
-  bool operator()(Index v) const
-  {
-    return (this->Flags[v] & (Front | Back)) == (Front | Back) || (this->Flags[v] & Large) ||
-      this->Cycles[v] != 0;
-  }
+  bool operator()(Index v) const { return this->Flags[v] != 0; }
 
   /// Returns true if the triangle has feature edges that are not smaller than pixels.
   bool IsLarge(Index triangle) const
@@ -277,15 +287,20 @@ private:
   std::uint8_t Classify(Index triangle) const
   {
     const glm::uvec3 t = this->Mesh.Triangles[triangle];
-    const glm::dvec3 a(this->Mesh.Positions[t.x]);
-    const glm::dvec3 d = glm::dvec3(this->Mesh.Positions[t.y]) - a;
-    const glm::dvec3 e = glm::dvec3(this->Mesh.Positions[t.z]) - a;
-    const glm::dvec3 view = this->View.Parallel ? this->View.Forward : a - this->View.Position;
-    const double volume = glm::dot(glm::cross(d, e), view);
-    const double rounding = 1e-14 * glm::length(d) * glm::length(e) * glm::length(view);
-    std::uint8_t flags = volume > rounding ? Back : volume < -rounding ? Front : Front | Back;
-    // Smooth surfaces have no creases.
-    if (this->Mesh.Normals.empty() && this->IsLarge(triangle))
+    const glm::vec3 a = this->Mesh.Positions[t.x];
+    const glm::vec3 d = this->Mesh.Positions[t.y] - a;
+    const glm::vec3 e = this->Mesh.Positions[t.z] - a;
+    const glm::vec3 view = this->View.Parallel ? this->Forward : a - this->Eye;
+    const float volume = glm::dot(glm::cross(d, e), view);
+    // In doubt the triangle faces both ways, which only adds candidates.
+    const float dd = glm::dot(d, d);
+    const float ee = glm::dot(e, e);
+    const float doubt = FacingPrecision * FacingPrecision * dd * ee * glm::dot(view, view);
+    std::uint8_t flags = volume * volume <= doubt ? Front | Back : volume > 0.f ? Back : Front;
+    // Smooth surfaces have no creases. A cheap bound on the sides excludes most triangles.
+    const float depth = this->View.Parallel ? 1.f : glm::dot(view, this->Forward);
+    if (this->Mesh.Normals.empty() && !(4.f * (dd + ee) < this->LargeSquare * depth * depth) &&
+      this->IsLarge(triangle))
     {
       flags |= Large;
     }
@@ -316,8 +331,14 @@ private:
     return static_cast<std::uint32_t>(hash >> 32);
   }
 
+  /// Sine of the angle between triangle and ray below which the triangle may face both ways.
+  static constexpr float FacingPrecision = 1e-4f;
+
   const Surface& Mesh;
   const Camera& View;
+  const glm::vec3 Eye;
+  const glm::vec3 Forward;
+  const float LargeSquare; ///< of LargeTriangleSide at depth 1
   std::vector<std::uint8_t> Flags;
   std::vector<std::uint32_t> Cycles;
 };

@@ -160,7 +160,8 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
     for (glm::dvec2& point : points)
     {
       const auto index = static_cast<std::uint32_t>(pixel.Samples.size() + (&point - points));
-      point = glm::dvec2(pixel.X, pixel.Y) + glm::dvec2(sequence.At(index));
+      point = glm::dvec2(pixel.X, pixel.Y) + SampleInset +
+        (1.0 - 2.0 * SampleInset) * glm::dvec2(sequence.At(index));
     }
     this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale);
     for (int i = 0; i < CameraRayTracer::PacketSize; ++i)

@@ -13,6 +13,9 @@ namespace penumbra
 namespace
 {
 
+/// Number of pixels of a tile that the border of the image does not clip.
+constexpr int PixelsPerTile = 256;
+
 double Square(double x)
 {
   return x * x;
@@ -46,7 +49,7 @@ public:
       return own;
     }
     const double weight = PooledSamples / static_cast<double>(pixel.Samples.size());
-    return std::max(own, (own + weight * this->Mean / ComputeDecay(pixel)) / (1.0 + weight));
+    return (own + weight * this->Mean / ComputeDecay(pixel)) / (1.0 + weight);
   }
 
 private:
@@ -77,7 +80,8 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
   const double pixelLimit = limit * Square(MaximumPixelError);
   const int maximumSamples =
     std::min(SampleBudgetFactor * ComputeMaximumSamples(settings.Tolerance), MaximumSamples);
-  double budget = ComputeSampleBudget(settings.Tolerance) * count;
+  // A few pixels may use the budget of the whole tile, also at the border of the image.
+  double budget = ComputeSampleBudget(settings.Tolerance) * PixelsPerTile;
   std::vector<Candidate> candidates;
   for (;;)
   {

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces whose triangles are smaller than pixels: exact outlines, and tiles within the tolerance.
+// References are closed forms of coverage, and jittered samples.
+#include "vtkPenumbraRayCaster.h"
+
+#include "BruteForce/StratifiedReference.h"
+#include "Scenes/AccuracyScenes.h"
+#include "Scenes/TestScene.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr int Size = 64;
+
+/// Builds the upper half of a ball above a disc with the same number of edges.
+vtkSmartPointer<vtkPolyData> MakeDome(const Shape& disc, double height, int rings)
+{
+  const auto around = static_cast<vtkIdType>(disc.Outline.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType top = points->InsertNextPoint(disc.Center.x, disc.Center.y, height);
+  for (int ring = 1; ring <= rings; ++ring)
+  {
+    const double angle = 0.5 * std::acos(-1.0) * ring / rings;
+    for (const glm::dvec2& corner : disc.Outline)
+    {
+      const glm::dvec2 p =
+        ring == rings ? corner : disc.Center + std::sin(angle) * (corner - disc.Center);
+      points->InsertNextPoint(p.x, p.y, ring == rings ? 0.0 : height * std::cos(angle));
+    }
+  }
+  for (vtkIdType i = 0; i < around; ++i)
+  {
+    const vtkIdType j = (i + 1) % around;
+    const vtkIdType cap[3] = { top, 1 + i, 1 + j };
+    cells->InsertNextCell(3, cap);
+    for (int ring = 0; ring + 1 < rings; ++ring)
+    {
+      const vtkIdType low = 1 + ring * around;
+      const vtkIdType triangles[2][3] = { { low + i, low + around + i, low + around + j },
+        { low + i, low + around + j, low + j } };
+      cells->InsertNextCell(3, triangles[0]);
+      cells->InsertNextCell(3, triangles[1]);
+    }
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+vtkSmartPointer<vtkRenderer> MakeScene(const Shape& disc, int rings)
+{
+  vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
+  AddMesh(renderer, MakeDome(disc, 10.0, rings), false);
+  LookAtImage(renderer, Size, Size);
+  return renderer;
+}
+
+}
+
+TEST(DenseSurfaces, HaveExactOutlines)
+{
+  const Shape disc = Disc({ 31.7, 32.4 }, 25.0, 200);
+  const std::vector<double> shares = SharesOf({ disc }, Size, Size);
+  const Answer answer = Cast(MakeScene(disc, 60), Size, Size);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    EXPECT_NEAR(answer.Colors[i].g, shares[i], 1e-4) << "pixel " << i % Size << ", " << i / Size;
+  }
+  EXPECT_LE(answer.RaysPerPixel, 2.0);
+}
+
+TEST(DenseSurfaces, HaveEdgesThatSubdivisionFinds)
+{
+  const Shape disc = Disc({ 31.5, 32.5 }, 0.4, 100);
+  const Answer answer = Cast(MakeScene(disc, 60), Size, Size, [](vtkPenumbraRayCaster* caster) {
+    caster->SetCoverageMethod(vtkPenumbraRayCaster::SUBDIVISION);
+    caster->SetMaximumLevel(3);
+  });
+  EXPECT_NEAR(answer.Colors[32 * Size + 31].g, std::acos(-1.0) * 0.16, 0.1);
+}
+
+TEST(DenseSurfaces, AreWithinTheToleranceAtACostThatFollowsIt)
+{
+  for (const bool smooth : { false, true })
+  {
+    vtkNew<vtkRenderer> renderer;
+    BuildGyroid(renderer, 10.0, smooth, AccuracyImageSide);
+    const StratifiedReference reference =
+      DrawStratified(renderer, AccuracyImageSide, AccuracyImageSide, 8, false);
+    double rays[2];
+    for (const int step : { 0, 1 })
+    {
+      const double tolerance = step == 0 ? 1.0 / 64.0 : 1.0 / 256.0;
+      const Answer answer = Cast(renderer, AccuracyImageSide, AccuracyImageSide,
+        [&](vtkPenumbraRayCaster* caster) { caster->SetTolerance(tolerance); });
+      rays[step] = answer.RaysPerPixel;
+      const std::vector<TileAccuracy> tiles = CompareTiles(answer, reference, AccuracyImageSide);
+      std::size_t above = 0;
+      for (const TileAccuracy& tile : tiles)
+      {
+        above += tile.Error > tolerance ? 1 : 0;
+      }
+      EXPECT_LE(20 * above, tiles.size()) << tolerance << smooth;
+    }
+    EXPECT_LE(rays[0], 4.0) << smooth;
+    EXPECT_LE(3.0 * rays[0], rays[1]) << smooth;
+    EXPECT_LE(rays[1], 30.0) << smooth;
+  }
+}
