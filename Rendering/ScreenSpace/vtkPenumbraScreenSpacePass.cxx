@@ -5,6 +5,7 @@
 #include "Chain/PassSlots.h"
 #include "Frame/WindowReleaseNotifier.h"
 
+#include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -34,14 +35,19 @@ void vtkPenumbraScreenSpacePass::Render(const vtkRenderState* state)
   }
 }
 
-vtkOpenGLRenderWindow* vtkPenumbraScreenSpacePass::EnterWindow(vtkRenderer* renderer)
+vtkOpenGLRenderWindow* vtkPenumbraScreenSpacePass::EnterWindow(
+  vtkRenderer* renderer, bool hasStatePerEye)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window && window->GetStereoRender())
+  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  if (window && window->GetStereoRender() && (parallel || !hasStatePerEye))
   {
-    // The projections of the two eyes are sheared; positions are not computed from depth for them.
-    this->WarnOnce(std::string("Stereo rendering does not support ") + this->GetEffectName() +
-      "; the scene is rendered without the effect. Turn stereo off.");
+    const char* mode =
+      hasStatePerEye ? "Stereo rendering in parallel projection" : "Stereo rendering";
+    const char* remedy =
+      hasStatePerEye ? "Use perspective, or turn stereo off." : "Turn stereo off.";
+    this->WarnOnce(std::string(mode) + " does not support " + this->GetEffectName() +
+      "; the scene is rendered without the effect. " + remedy);
     return nullptr;
   }
   if (window && window != this->Window)

@@ -5,8 +5,8 @@
  * @brief   Base class of passes that compute an effect from the depth of their delegate's image.
  *
  * The delegate renders the scene; a subclass renders it with its effect. During hardware selection,
- * in stereo, and if OpenGL reports an error, the scene is rendered without the effect. Except for
- * hardware selection, one warning explains why.
+ * in stereo unless the subclass supports it, and if OpenGL reports an error, the scene is rendered
+ * without the effect. Except for hardware selection, one warning explains why.
  */
 #ifndef vtkPenumbraScreenSpacePass_h
 #define vtkPenumbraScreenSpacePass_h
@@ -61,9 +61,10 @@ protected:
 
   /**
    * Returns the window of the renderer, after releasing the resources of another window. Returns
-   * null, with a warning, in stereo, where positions cannot be computed from depths.
+   * null, with a warning, in stereo, unless the pass has a state per eye; with parallel projection,
+   * positions cannot be computed from depths in stereo.
    */
-  vtkOpenGLRenderWindow* EnterWindow(vtkRenderer* renderer);
+  vtkOpenGLRenderWindow* EnterWindow(vtkRenderer* renderer, bool hasStatePerEye = false);
 
   /** Window of the last frame; null if there is none or its resources were released. */
   vtkOpenGLRenderWindow* GetWindow() { return this->Window; }

@@ -11,6 +11,7 @@
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
+#include "vtkCamera.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -87,7 +88,7 @@ int ChooseMargin(double needed, double largest, int last)
 
 struct vtkPenumbraTemporalSSAOPass::Internals
 {
-  /// State of a renderer.
+  /// State of a renderer, in stereo of one eye.
   struct RendererState
   {
     penumbra::OcclusionViewState View;
@@ -98,7 +99,7 @@ struct vtkPenumbraTemporalSSAOPass::Internals
     vtkMTimeType HiddenTime = 0; ///< GetSceneMTime() of the estimator
     int Margin = 0;              ///< pixels
   };
-  std::map<vtkRenderer*, RendererState> Renderers;
+  std::map<std::pair<vtkRenderer*, int>, RendererState> Renderers; ///< one per eye in stereo
   penumbra::OcclusionViewState* Last = nullptr;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> Estimator;
   vtkSmartPointer<vtkPenumbraOcclusionEstimator> NamedEstimator; ///< registered by another module
@@ -107,6 +108,15 @@ struct vtkPenumbraTemporalSSAOPass::Internals
   vtkNew<vtkFieldData> Statistics;
   std::string ActiveKernel;
   penumbra::StaticViewRefiner Refiner;
+
+  /// Returns whether a renderer has converged; in stereo, both of its eyes.
+  bool IsConverged(vtkRenderer* renderer, int eye)
+  {
+    const auto state = this->Renderers.find({ renderer, eye });
+    const auto other = this->Renderers.find({ renderer, eye > 0 ? 3 - eye : 0 });
+    return state != this->Renderers.end() && state->second.View.IsConverged() &&
+      (other == this->Renderers.end() || other->second.View.IsConverged());
+  }
 
   /// Returns a text that differs between estimators, and between settings of an estimator.
   std::string DescribeEstimator() const;
@@ -208,7 +218,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
 {
   Internals& internals = *this->Implementation;
   vtkRenderer* renderer = state->GetRenderer();
-  vtkOpenGLRenderWindow* window = this->EnterWindow(renderer);
+  vtkOpenGLRenderWindow* window = this->EnterWindow(renderer, true);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const double diagonal = vtkMath::AreBoundsInitialized(bounds)
@@ -242,7 +252,8 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.UseActorMotion = this->UseActorMotion && this->OpaqueOnly;
   // After compositing of several ranks it is unknown which props moved.
   const PropTimes props = FindPropTimes(renderer);
-  Internals::RendererState& rendererState = internals.Renderers[renderer];
+  const int eye = window->GetStereoRender() ? 1 + renderer->GetActiveCamera()->GetLeftEye() : 0;
+  Internals::RendererState& rendererState = internals.Renderers[{ renderer, eye }];
   settings.SceneChanged = !this->OpaqueOnly || props != rendererState.Props;
   settings.PropsChanged = !HaveSameProps(props, rendererState.Props);
   vtkPenumbraOcclusionEstimator* estimator =
@@ -281,7 +292,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   rendererState.Props = FindPropTimes(renderer);
   this->NumberOfRenderedProps = internals.Last->GetNumberOfRenderedProps();
   const bool unfinished =
-    this->RefineStaticView && !settings.InOneRender && !internals.Last->IsConverged();
+    this->RefineStaticView && !settings.InOneRender && !internals.IsConverged(renderer, eye);
   internals.Refiner.RecordFrame(renderer, unfinished, internals.Last->HasChanged());
   return true;
 }
@@ -328,7 +339,7 @@ void vtkPenumbraTemporalSSAOPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Implementation->Refiner.Stop();
   Internals& internals = *this->Implementation;
-  for (auto& [renderer, rendererState] : internals.Renderers)
+  for (auto& [rendererAndEye, rendererState] : internals.Renderers)
   {
     rendererState.View.ReleaseGraphicsResources(window);
   }

@@ -73,24 +73,25 @@ DelegateImage::DelegateImage() = default;
 DelegateImage::~DelegateImage() = default;
 
 vtkSmartPointer<vtkTextureObject> DelegateImage::CreateColor(
-  vtkOpenGLRenderWindow* window, int samples) const
+  vtkOpenGLRenderWindow* window, int samples, int type) const
 {
   vtkSmartPointer<vtkTextureObject> texture = NewTexture(window, samples);
-  texture->Allocate2D(this->View.Width, this->View.Height, 4, VTK_UNSIGNED_CHAR);
+  texture->Allocate2D(this->View.Width, this->View.Height, 4, type);
   return texture;
 }
 
-void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples)
+void DelegateImage::Prepare(vtkOpenGLRenderWindow* window, int samples, int colorType)
 {
   const bool reusable = this->Color && this->Color->GetContext() == window &&
     static_cast<int>(this->Color->GetWidth()) == this->View.Width &&
     static_cast<int>(this->Color->GetHeight()) == this->View.Height && this->Samples == samples &&
-    !this->UsesTarget;
+    this->ColorType == colorType && !this->UsesTarget;
   if (!reusable)
   {
     this->UsesTarget = false;
     this->Samples = samples;
-    this->Color = this->CreateColor(window, samples);
+    this->ColorType = colorType;
+    this->Color = this->CreateColor(window, samples, colorType);
     this->Depth = NewTexture(window, 1);
     this->Depth->AllocateDepth(this->View.Width, this->View.Height, vtkTextureObject::Float32);
     this->SampleDepth = this->Depth;
@@ -153,6 +154,15 @@ int DelegateImage::GetTargetSamples(const vtkRenderState* state)
                : state->GetRenderer()->GetRenderWindow()->GetMultiSamples();
 }
 
+int DelegateImage::GetTargetColorType(const vtkRenderState* state)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+  auto* outer = vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer());
+  vtkOpenGLFramebufferObject* target = outer ? outer : window->GetRenderFramebuffer();
+  vtkTextureObject* color = target ? target->GetColorAttachmentAsTextureObject(0) : nullptr;
+  return color && color->GetVTKDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+}
+
 bool DelegateImage::SetUpView(
   const vtkRenderState* state, const int margin[2], const double* bounds)
 {
@@ -187,7 +197,8 @@ int DelegateImage::Draw(const vtkRenderState* state, vtkRenderPass* delegate, co
   }
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  this->Prepare(window, oneSample ? 1 : std::max(GetTargetSamples(state), 1));
+  this->Prepare(
+    window, oneSample ? 1 : std::max(GetTargetSamples(state), 1), GetTargetColorType(state));
 
   int props = -1;
   FillTextures(this->Framebuffer, this->Color, this->SampleDepth,

@@ -13,6 +13,7 @@
 #include "vtkPenumbraRenderingScreenSpaceModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
+#include "vtkType.h"
 
 #include <functional>
 
@@ -60,8 +61,9 @@ public:
   bool DrawAgain(
     vtkRenderer* renderer, vtkTextureObject* target, const std::function<void()>& props);
 
-  /// Creates a texture of the size of the image with four bytes per sample.
-  vtkSmartPointer<vtkTextureObject> CreateColor(vtkOpenGLRenderWindow* window, int samples) const;
+  /// Creates a texture of the size of the image with four components of a VTK type per sample.
+  vtkSmartPointer<vtkTextureObject> CreateColor(
+    vtkOpenGLRenderWindow* window, int samples, int type = VTK_UNSIGNED_CHAR) const;
 
   /// One depth per pixel; that of the first sample if there are several.
   vtkTextureObject* GetDepth() const { return this->Depth; }
@@ -95,8 +97,10 @@ private:
   }
 
   void PrepareFramebuffers(vtkOpenGLRenderWindow* window);
-  void Prepare(vtkOpenGLRenderWindow* window, int samples);
+  void Prepare(vtkOpenGLRenderWindow* window, int samples, int colorType);
   static int GetTargetSamples(const vtkRenderState* state);
+  /// Returns the VTK type of the color components of the target: VTK_FLOAT under tone mapping.
+  static int GetTargetColorType(const vtkRenderState* state);
   void ResolveDepth(vtkOpenGLRenderWindow* window);
   void ResolveColor(vtkOpenGLRenderWindow* window, vtkTextureObject* target);
 
@@ -106,6 +110,7 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;
   int Samples = 1;
+  int ColorType = VTK_UNSIGNED_CHAR;
   bool HasTightClipping = false; ///< the clipping planes differ from those of the camera
   bool UsesTarget = false;       ///< Color and Depth belong to the target
   ScreenTransform View;

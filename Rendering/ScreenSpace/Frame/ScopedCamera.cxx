@@ -20,6 +20,12 @@ ScopedCamera::ScopedCamera(vtkRenderer* renderer, const ScreenTransform& view)
   wide->DeepCopy(this->Saved);
   vtkNew<vtkMatrix4x4> projection;
   projection->DeepCopy(view.Projection.data());
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    // The copied camera has VTK's camera coordinates.
+    projection->SetElement(axis, 3,
+      projection->GetElement(axis, 3) + view.EyeOffset[axis] * projection->GetElement(axis, axis));
+  }
   wide->SetExplicitProjectionTransformMatrix(projection);
   wide->UseExplicitProjectionTransformMatrixOn();
   renderer->SetActiveCamera(wide);

@@ -57,6 +57,7 @@ ScreenTransform ScreenTransform::FromRenderer(
   view.WorldToEye = Copy(camera->GetModelViewTransformMatrix());
   view.Projection =
     Copy(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  view.MoveOriginToEye();
   const int sides[2] = { view.Width, view.Height };
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -68,6 +69,20 @@ ScreenTransform ScreenTransform::FromRenderer(
     view.Offset[axis] = (-1.0 + (view.Parallel ? -row[3] : row[2])) / row[axis];
   }
   return view;
+}
+
+void ScreenTransform::MoveOriginToEye()
+{
+  for (int axis = 0; axis < 2 && !this->Parallel; ++axis)
+  {
+    double* row = this->Projection.data() + 4 * axis;
+    this->EyeOffset[axis] = row[3] / row[axis];
+    row[3] = 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      this->WorldToEye[4 * axis + k] += this->EyeOffset[axis] * this->WorldToEye[12 + k];
+    }
+  }
 }
 
 bool ScreenTransform::TightenClippingRange(const double bounds[6])

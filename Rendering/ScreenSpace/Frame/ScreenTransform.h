@@ -33,6 +33,10 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenTransform
   double Scale[2] = { 1.0, 1.0 };
   double Offset[2] = { 0.0, 0.0 };
 
+  /// Position of VTK's camera coordinates in eye coordinates, in x and y: in stereo, VTK shears the
+  /// projection instead of moving the camera.
+  double EyeOffset[2] = { 0.0, 0.0 };
+
   /// A depth buffer value of this view times [0] plus [1] is the value that the clipping planes of
   /// the camera would give.
   double ToCameraDepth[2] = { 1.0, 0.0 };
@@ -67,6 +71,9 @@ struct VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScreenTransform
   bool HasSameView(const ScreenTransform& other) const;
 
 private:
+  /// Moves the origin of eye coordinates to the center of projection.
+  void MoveOriginToEye();
+
   /// Returns the coefficients of first + second * (1 - depth buffer value), which is the eye depth
   /// or, in perspective, its inverse.
   std::pair<double, double> DepthToEye() const;

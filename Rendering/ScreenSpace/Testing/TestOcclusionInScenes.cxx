@@ -91,22 +91,6 @@ double FractionAbove(const std::vector<int>& a, const std::vector<int>& b, int l
   return a.size() == b.size() ? 4.0 * count / static_cast<double>(a.size()) : 1.0;
 }
 
-TEST(OcclusionInScenes, IsSkippedInStereo)
-{
-  OcclusionScene scene;
-  BuildScene(scene);
-  scene.AddOcclusionPass(1.0);
-  scene.Window->SetStereoTypeToAnaglyph();
-  scene.Window->StereoRenderOn();
-  scene.Pass->SetStrength(0.0);
-  scene.Window->Render();
-  const std::vector<int> plain = scene.Image();
-  scene.Pass->SetStrength(1.0);
-  scene.Window->Render();
-  EXPECT_EQ(LargestDifference(plain, scene.Image()), 0);
-  EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 0);
-}
-
 TEST(OcclusionInScenes, DoesNotChangeOverlays)
 {
   OcclusionScene scene;

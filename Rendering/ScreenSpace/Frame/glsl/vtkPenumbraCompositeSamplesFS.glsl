@@ -17,16 +17,31 @@ uniform vec2 offset;      // from pixels of the target to those of the scene ima
 uniform vec2 toTargetDepth; // x * depth + y: from depths of the image to those of the target
 uniform float background; // 1: empty samples are drawn, too; 0: the target keeps them
 
-// Relative depth difference up to which a sample belongs to the surface of its pixel.
-const float sameSurface = 0.02;
+// Relative rounding error of depths.
+const float depthPrecision = 1e-4;
 
-// Occlusion of the pixel or, if the sample belongs to another surface, of the 3 x 3 pixel closest
-// in depth.
-float sampleOcclusion(float sampleDepth, vec2 pixel)
+// Returns the change in depth of the surface of a pixel over the distance of two pixels: the smaller
+// difference to the neighbors on both sides, in x and y.
+float depthSlope(vec2 pixel, float depth)
+{
+  float slope = 0.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    vec2 direction = axis == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+    float ahead = abs(texture(eyeDepths, (pixel + direction) * pixelSize).r - depth);
+    float behind = abs(texture(eyeDepths, (pixel - direction) * pixelSize).r - depth);
+    slope += min(ahead, behind);
+  }
+  return slope;
+}
+
+// Occlusion of the pixel or, if the depth of the sample differs by more than `slope` and thus belongs
+// to another surface, of the 3 x 3 pixel closest in depth.
+float sampleOcclusion(float sampleDepth, vec2 pixel, float slope)
 {
   float nearest = abs(texture(eyeDepths, pixel * pixelSize).r - sampleDepth);
   float occlusion = texture(occlusions, pixel * pixelSize).r;
-  int count = nearest > sameSurface * sampleDepth ? 9 : 0;
+  int count = nearest > slope + depthPrecision * sampleDepth ? 9 : 0;
   for (int i = 0; i < count; ++i)
   {
     vec2 position = (pixel + vec2(float(i % 3 - 1), float(i / 3 - 1))) * pixelSize;
@@ -43,13 +58,14 @@ void main()
   vec4 sum = vec4(0.0);
   float covered = 0.0;
   float frontmost = 1.0;
+  float slope = depthSlope(pixel, texture(eyeDepths, pixel * pixelSize).r);
   for (int i = 0; i < sampleCount; ++i)
   {
     float depth = texelFetch(depthSamples, ivec2(pixel), i).r;
     vec4 color = texelFetch(colors, ivec2(pixel), i);
     // A skybox has the depth of an empty sample, but nonzero alpha.
     float coverage = depth < 1.0 || background > 0.5 || color.a > 0.0 ? 1.0 : 0.0;
-    float occlusion = depth < 1.0 ? sampleOcclusion(eyeDepthOfBuffer(depth), pixel) : 0.0;
+    float occlusion = depth < 1.0 ? sampleOcclusion(eyeDepthOfBuffer(depth), pixel, slope) : 0.0;
     sum += coverage * vec4(applyOcclusion(color.rgb, occlusion), color.a);
     covered += coverage;
     frontmost = min(frontmost, depth);
