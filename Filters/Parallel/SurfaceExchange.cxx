@@ -7,6 +7,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -34,6 +35,7 @@ vtkSmartPointer<vtkPolyData> ExtractLeafSurface(vtkDataObject* data)
     const vtkSmartPointer<vtkPolyData> mesh = ExtractSurface(dataSet);
     surface->CopyStructure(mesh);
     surface->GetPointData()->SetNormals(mesh->GetPointData()->GetNormals());
+    surface->GetCellData()->SetNormals(mesh->GetCellData()->GetNormals());
   }
   return surface;
 }

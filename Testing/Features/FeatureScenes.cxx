@@ -39,6 +39,7 @@
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
 #include "vtkSphereSource.h"
+#include "vtkStripper.h"
 #include "vtkTextActor.h"
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
@@ -386,6 +387,30 @@ std::vector<FeatureScene> MakeFeatureScenes()
     Add(r, MakeSphere());
     Look(r);
   });
+  add(Feature::TriangleStrips, [](Renderer r, Window) {
+    vtkNew<vtkStripper> strips;
+    strips->SetInputData(MakeSphere());
+    Add(r, Make(strips.Get()));
+    Look(r);
+  });
+  add(Feature::LinesAndVertices, [](Renderer r, Window) {
+    Add(r, MakePolyline())->GetProperty()->SetLineWidth(2.f);
+    vtkActor* points = Add(r, MakePointGrid());
+    points->SetScale(0.3, -0.3, 1.0);
+    points->GetProperty()->SetPointSize(5.f);
+  });
+  add(Feature::Interpolation, [](Renderer r, Window) {
+    Add(r, MakeSphere(12))->GetProperty()->SetInterpolationToFlat();
+    Look(r);
+  });
+  add(Feature::Specular, [](Renderer r, Window) {
+    vtkActor* actor = Add(r, MakeSphere(48));
+    actor->GetProperty()->SetSpecular(0.7);
+    actor->GetProperty()->SetSpecularPower(20.0);
+    actor->GetProperty()->SetAmbient(0.2);
+    actor->GetProperty()->SetDiffuse(0.6);
+    Look(r);
+  });
   add(Feature::Representations, [](Renderer r, Window) {
     vtkActor* actor = Add(r, MakeCube());
     actor->GetProperty()->SetRepresentationToWireframe();
@@ -410,6 +435,27 @@ std::vector<FeatureScene> MakeFeatureScenes()
     Add(r, data)->GetMapper()->InterpolateScalarsBeforeMappingOn();
     Look(r);
   });
+  for (bool direct : { false, true })
+  {
+    add(direct ? Feature::DirectScalars : Feature::CellScalars, [direct](Renderer r, Window) {
+      vtkSmartPointer<vtkPolyData> data = MakeSphere();
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(3);
+      vtkNew<vtkFloatArray> values;
+      for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+      {
+        colors->InsertNextTuple3(40.0 * (i % 6), 200.0, 30.0 * (i % 4));
+        values->InsertNextValue(static_cast<float>(i % 7) / 7.f);
+      }
+      data->GetCellData()->SetScalars(values);
+      if (direct)
+      {
+        data->GetCellData()->SetScalars(colors);
+      }
+      Add(r, data);
+      Look(r);
+    });
+  }
   add(Feature::Opacity, [](Renderer r, Window) {
     r->SetUseDepthPeeling(true);
     r->SetMaximumNumberOfPeels(20);
@@ -593,6 +639,9 @@ std::vector<FeatureScene> MakeFeatureScenes()
       vtkNew<vtkCubeAxesActor> axes;
       Add(r, MakeSphere());
       axes->SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+      axes->SetXTitle("Width");
+      axes->DrawXGridlinesOn();
+      axes->DrawYGridlinesOn();
       axes->SetCamera(r->GetActiveCamera());
       r->AddActor(axes);
       Look(r);

@@ -12,6 +12,8 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkCoordinate.h"
+#include "vtkDataArray.h"
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
@@ -23,6 +25,8 @@
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -36,6 +40,8 @@
 #include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include <functional>
 #include <ostream>
@@ -444,4 +450,99 @@ std::string MakeName(const testing::TestParamInfo<Row>& row)
 
 INSTANTIATE_TEST_SUITE_P(Table, SceneChange, testing::ValuesIn(Rows), MakeName);
 
+}
+
+TEST(SceneModificationTime, ExecutesNoPipeline)
+{
+  vtkNew<vtkSphereSource> source;
+  int executions = 0;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&executions);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  source->AddObserver(vtkCommand::StartEvent, observer);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  const vtkMTimeType before = caster->GetMTime();
+  source->SetRadius(2.0);
+  EXPECT_GT(caster->GetMTime(), before);
+  EXPECT_EQ(executions, 0);
+  actor->VisibilityOff();
+  caster->SetResolution(8, 8);
+  caster->Update();
+  EXPECT_EQ(executions, 0);
+}
+
+TEST(SceneModificationTime, EndsIfTheImageTexturesItsScene)
+{
+  vtkNew<vtkPenumbraRayCaster> caster;
+  vtkNew<vtkTexture> texture;
+  texture->SetInputConnection(caster->GetOutputPort());
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  caster->SetRenderer(renderer);
+  EXPECT_GT(caster->GetMTime(), 0u);
+}
+
+TEST(DefaultOcclusionRadius, IgnoresUnusedAndInvalidPoints)
+{
+  const auto render = [](bool stray) {
+    vtkNew<vtkSphereSource> source;
+    source->Update();
+    vtkNew<vtkPolyData> data;
+    data->DeepCopy(source->GetOutput());
+    if (stray)
+    {
+      data->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
+      data->GetPoints()->InsertNextPoint(std::nan(""), 0.0, 0.0);
+      data->GetPointData()->Initialize();
+    }
+    else
+    {
+      data->GetPointData()->Initialize();
+    }
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-1.0, -1.0, -0.5);
+    plane->SetPoint1(1.0, -1.0, -0.5);
+    plane->SetPoint2(-1.0, 1.0, -0.5);
+    plane->Update();
+    vtkNew<vtkPolyData> flat;
+    flat->ShallowCopy(plane->GetOutput());
+    vtkNew<vtkRenderer> renderer;
+    for (vtkPolyData* part : { data.Get(), flat.Get() })
+    {
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(part);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      renderer->AddActor(actor);
+    }
+    renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 6.0);
+    renderer->GetActiveCamera()->SetClippingRange(1.0, 20.0);
+    vtkNew<vtkPenumbraRayCaster> caster;
+    caster->SetRenderer(renderer);
+    caster->SetResolution(40, 40);
+    caster->AmbientOcclusionOn();
+    caster->Update();
+    vtkDataArray* color = caster->GetOutput()->GetPointData()->GetArray("Color");
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
+    {
+      sum += color->GetComponent(i, 0);
+    }
+    return sum / static_cast<double>(color->GetNumberOfTuples());
+  };
+  EXPECT_NEAR(render(true), render(false), 1e-3);
 }

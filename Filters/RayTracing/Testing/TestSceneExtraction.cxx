@@ -284,6 +284,15 @@ TEST(SceneExtraction, WarnsOncePerCause)
     << scene.Warnings[0];
 }
 
+TEST(SceneExtraction, KeepsTheAlphaOfTheBackground)
+{
+  vtkNew<vtkRenderer> renderer;
+  EXPECT_EQ(ExtractScene(renderer, Square()).BackgroundColors.First.a, 1.f);
+  renderer->SetBackgroundAlpha(0.25);
+  EXPECT_EQ(ExtractScene(renderer, Square()).BackgroundColors.First.a, .25f);
+  EXPECT_EQ(ExtractScene(renderer, Square()).BackgroundColors.Second.a, .25f);
+}
+
 TEST(SceneExtraction, ClipsAtTheClippingRange)
 {
   vtkNew<vtkRenderer> renderer;

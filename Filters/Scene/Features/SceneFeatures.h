@@ -19,9 +19,15 @@ namespace penumbra
 enum class Feature
 {
   Polygons,
+  TriangleStrips,
+  LinesAndVertices,
+  Interpolation,
+  Specular,
   Representations,
   VertexAndEdgeVisibility,
   ScalarColoring,
+  CellScalars,
+  DirectScalars,
   Opacity,
   BackfaceProperty,
   Culling,
@@ -59,6 +65,7 @@ enum class Feature
   Text3D,
   AxesActors,
   CubeAxes,
+  AxisActors,
   OtherProps,
   Volumes,
   Cameras,

@@ -50,10 +50,10 @@ bool HasCustomShaders(vtkActor* actor)
 bool IsKnownMapper(vtkMapper* mapper)
 {
   static const char* const names[] = { "vtkPolyDataMapper", "vtkOpenGLPolyDataMapper",
-    "vtkOpenGLLowMemoryPolyDataMapper", "vtkWebGPUPolyDataMapper", "vtkCompositePolyDataMapper",
-    "vtkCompositePolyDataMapper2", "vtkOpenGLCompositePolyDataMapper",
-    "vtkOpenGLBatchedPolyDataMapper", "vtkWebGPUCompositePolyDataMapper", "vtkDataSetMapper",
-    "vtkGlyph3DMapper", "vtkOpenGLGlyph3DMapper", "vtkLabeledContourMapper" };
+    "vtkWebGPUPolyDataMapper", "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2",
+    "vtkOpenGLCompositePolyDataMapper", "vtkOpenGLBatchedPolyDataMapper",
+    "vtkWebGPUCompositePolyDataMapper", "vtkDataSetMapper", "vtkGlyph3DMapper",
+    "vtkOpenGLGlyph3DMapper", "vtkLabeledContourMapper" };
   return std::any_of(std::begin(names), std::end(names),
     [&](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
 }

@@ -4,6 +4,7 @@
 
 #include "Features/SceneFeatures.h"
 #include "SceneExtractionActors.h"
+#include "SceneExtractionAxes.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionOverlay.h"
 #include "SceneExtractionProps.h"
@@ -95,8 +96,12 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
     scene.Warnings.emplace_back("The clipping range of the camera excludes the whole scene. Call "
                                 "vtkRenderer::ResetCameraClippingRange().");
   }
-  const int next = items.empty() ? 0 : items.back().ObjectId + 1;
-  AddDrawItems(MakeBillboards(renderer, options.DPI, next, scene), options, scene);
+  // Parts that depend on the camera and the size of the image.
+  int next = items.empty() ? 0 : items.back().ObjectId + 1;
+  const std::vector<DrawItem> texts = MakeBillboards(renderer, options.DPI, next, scene);
+  next += static_cast<int>(texts.size());
+  AddDrawItems(texts, options, scene);
+  AddDrawItems(MakeCubeAxes(renderer, options.DPI, next, scene), options, scene);
   ExtractOverlay(renderer, options, scene);
   scene.Warnings = MergeWarnings(scene.Warnings);
   return scene;

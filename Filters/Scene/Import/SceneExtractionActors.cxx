@@ -4,6 +4,7 @@
 
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
+#include "SceneExtractionAxes.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
@@ -51,7 +52,7 @@ Feature FindRefusedFeature(vtkProp* prop)
   {
     return Feature::Volumes;
   }
-  return IsAnyOf(prop, { "vtkAxisActor", "vtkCubeAxesActor" }) ? Feature::CubeAxes
+  return IsAnyOf(prop, { "vtkAxisActor", "vtkCubeAxesActor" }) ? Feature::AxisActors
                                                                : Feature::OtherProps;
 }
 
@@ -156,7 +157,7 @@ private:
   void AddLeaf(vtkProp* prop, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (!prop->GetVisibility() || IsBillboard(prop))
+    if (!prop->GetVisibility() || IsBillboard(prop) || IsCubeAxes(prop))
     {
       return;
     }

@@ -3,6 +3,7 @@
 #include "SceneExtractionScalarBar.h"
 
 #include "SceneExtractionOverlay.h"
+#include "SizeOnlyWindow.h"
 
 #include "vtkCellData.h"
 #include "vtkCoordinate.h"
@@ -14,8 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTextActor.h"
@@ -219,23 +218,6 @@ void InsertFactory()
   }();
   static_cast<void>(inserted);
 }
-
-/// A window of a given size without a graphics context.
-class SizeOnlyWindow : public vtkRenderWindow
-{
-public:
-  static SizeOnlyWindow* New();
-  vtkTypeMacro(SizeOnlyWindow, vtkRenderWindow);
-};
-vtkStandardNewMacro(SizeOnlyWindow);
-
-class SizeOnlyRenderer : public vtkRenderer
-{
-public:
-  static SizeOnlyRenderer* New();
-  vtkTypeMacro(SizeOnlyRenderer, vtkRenderer);
-};
-vtkStandardNewMacro(SizeOnlyRenderer);
 
 /// Copies settings that VTK 9.1 and 9.2 do not have.
 template <typename Bar>

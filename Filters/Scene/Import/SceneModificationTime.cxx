@@ -14,6 +14,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkCoordinate.h"
+#include "vtkCubeAxesActor.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -239,6 +240,17 @@ private:
       {
         this->Add(slice->GetMapper());
         this->AddInputs(slice->GetMapper());
+      }
+    }
+    else if (auto* axes = vtkCubeAxesActor::SafeDownCast(prop))
+    {
+      this->Add(axes->GetXAxesLinesProperty());
+      this->Add(axes->GetYAxesLinesProperty());
+      this->Add(axes->GetZAxesLinesProperty());
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Add(axes->GetTitleTextProperty(axis));
+        this->Add(axes->GetLabelTextProperty(axis));
       }
     }
     else if (auto* text3D = vtkTextActor3D::SafeDownCast(prop))

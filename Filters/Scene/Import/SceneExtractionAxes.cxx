@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkCubeAxesActor computes its parts only while it renders. A copy renders into a window without a
+// graphics context, with actors that record their parts.
+#include "SceneExtractionAxes.h"
+
+#include "SizeOnlyWindow.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCubeAxesActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkObjectFactoryCollection.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkStringArray.h"
+#include "vtkTextProperty.h"
+#include "vtkVersion.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifndef VTK_FUTURE_CONST // before VTK 9.4
+#define VTK_FUTURE_CONST
+#endif
+
+namespace penumbra
+{
+namespace
+{
+
+/// Parts of the axes that this thread renders, or null.
+thread_local std::vector<DrawItem>* RecordedParts = nullptr;
+
+/// Records its mapper's polygons and lines instead of rendering them.
+class RecordingActor : public vtkActor
+{
+public:
+  static RecordingActor* New();
+  vtkTypeMacro(RecordingActor, vtkActor);
+
+  int RenderOpaqueGeometry(vtkViewport*) override
+  {
+    return this->HasOpaqueGeometry() && this->Record(this->GetMapper());
+  }
+
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override
+  {
+    return this->HasTranslucentPolygonalGeometry() && this->Record(this->GetMapper());
+  }
+
+  /// Called by followers.
+  void Render(vtkRenderer*, vtkMapper* mapper) override { this->Record(mapper); }
+
+private:
+  int Record(vtkMapper* mapper)
+  {
+    auto* polygons = vtkPolyDataMapper::SafeDownCast(mapper);
+    if (!RecordedParts || !polygons || !this->GetVisibility())
+    {
+      return 0;
+    }
+    polygons->Update();
+    if (!polygons->GetInput() || polygons->GetInput()->GetNumberOfCells() == 0)
+    {
+      return 0;
+    }
+    DrawItem item;
+    item.Data = vtkSmartPointer<vtkPolyData>::New();
+    item.Data->DeepCopy(polygons->GetInput());
+    item.Property = vtkSmartPointer<vtkProperty>::New();
+    item.Property->DeepCopy(this->GetProperty());
+    vtkMatrix4x4* matrix = this->GetMatrix();
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < 4; ++j)
+      {
+        item.ToWorld[j][i] = matrix->GetElement(i, j);
+      }
+    }
+    RecordedParts->push_back(std::move(item));
+    return 1;
+  }
+};
+vtkStandardNewMacro(RecordingActor);
+
+/// Property that needs no graphics context.
+class RecordedProperty : public vtkProperty
+{
+public:
+  static RecordedProperty* New();
+  vtkTypeMacro(RecordedProperty, vtkProperty);
+  void Render(vtkActor*, vtkRenderer*) override {}
+  void PostRender(vtkActor*, vtkRenderer*) override {}
+};
+vtkStandardNewMacro(RecordedProperty);
+
+/// Replaces actors and properties, on a thread that records parts.
+class RecordingFactory : public vtkObjectFactory
+{
+public:
+  static RecordingFactory* New();
+  vtkTypeMacro(RecordingFactory, vtkObjectFactory);
+
+  const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
+  const char* GetDescription() VTK_FUTURE_CONST override { return "Penumbra's cube axes"; }
+
+private:
+  RecordingFactory()
+  {
+    this->RegisterOverride("vtkActor", "RecordingActor", "records parts", 1,
+      [] { return static_cast<vtkObject*>(RecordedParts ? RecordingActor::New() : nullptr); });
+    this->RegisterOverride("vtkProperty", "RecordedProperty", "records parts", 1,
+      [] { return static_cast<vtkObject*>(RecordedParts ? RecordedProperty::New() : nullptr); });
+  }
+};
+vtkStandardNewMacro(RecordingFactory);
+
+/// Puts the factory before those of VTK's modules.
+void InsertFactory()
+{
+  static const bool inserted = [] {
+    vtkNew<RecordingFactory> factory;
+    vtkObjectFactory::GetRegisteredFactories()->InsertItem(-1, factory);
+    return true;
+  }();
+  static_cast<void>(inserted);
+}
+
+/// Copies the appearance of the three axes.
+void CopyProperties(vtkCubeAxesActor* from, vtkCubeAxesActor* to)
+{
+  using Property = vtkProperty* (vtkCubeAxesActor::*)();
+  for (Property property :
+    { &vtkCubeAxesActor::GetXAxesLinesProperty, &vtkCubeAxesActor::GetYAxesLinesProperty,
+      &vtkCubeAxesActor::GetZAxesLinesProperty, &vtkCubeAxesActor::GetXAxesGridlinesProperty,
+      &vtkCubeAxesActor::GetYAxesGridlinesProperty, &vtkCubeAxesActor::GetZAxesGridlinesProperty,
+      &vtkCubeAxesActor::GetXAxesInnerGridlinesProperty,
+      &vtkCubeAxesActor::GetYAxesInnerGridlinesProperty,
+      &vtkCubeAxesActor::GetZAxesInnerGridlinesProperty,
+      &vtkCubeAxesActor::GetXAxesGridpolysProperty, &vtkCubeAxesActor::GetYAxesGridpolysProperty,
+      &vtkCubeAxesActor::GetZAxesGridpolysProperty })
+  {
+    (to->*property)()->DeepCopy((from->*property)());
+  }
+  to->GetProperty()->DeepCopy(from->GetProperty());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    to->GetTitleTextProperty(axis)->ShallowCopy(from->GetTitleTextProperty(axis));
+    to->GetLabelTextProperty(axis)->ShallowCopy(from->GetLabelTextProperty(axis));
+    if (from->GetAxisLabels(axis))
+    {
+      to->SetAxisLabels(axis, from->GetAxisLabels(axis));
+    }
+  }
+}
+
+// vtkCubeAxesActor has a two-component title offset since VTK 9.3.
+template <typename Axes>
+auto CopyTitleOffset(Axes* from, Axes* to, int)
+  -> decltype(to->SetTitleOffset(from->GetTitleOffset()))
+{
+  to->SetTitleOffset(from->GetTitleOffset());
+}
+template <typename Axes>
+void CopyTitleOffset(Axes*, Axes*, long)
+{
+}
+
+void CopySettings(vtkCubeAxesActor* from, vtkCubeAxesActor* to)
+{
+  CopyProperties(from, to);
+  CopyTitleOffset(from, to, 0);
+  to->SetBounds(from->GetBounds());
+  to->SetXAxisRange(from->GetXAxisRange());
+  to->SetYAxisRange(from->GetYAxisRange());
+  to->SetZAxisRange(from->GetZAxisRange());
+  to->SetScreenSize(from->GetScreenSize());
+  to->SetLabelOffset(from->GetLabelOffset());
+  to->SetFlyMode(from->GetFlyMode());
+  to->SetXTitle(from->GetXTitle());
+  to->SetYTitle(from->GetYTitle());
+  to->SetZTitle(from->GetZTitle());
+  to->SetXUnits(from->GetXUnits());
+  to->SetYUnits(from->GetYUnits());
+  to->SetZUnits(from->GetZUnits());
+  to->SetXLabelFormat(from->GetXLabelFormat());
+  to->SetYLabelFormat(from->GetYLabelFormat());
+  to->SetZLabelFormat(from->GetZLabelFormat());
+  to->SetInertia(from->GetInertia());
+  to->SetCornerOffset(from->GetCornerOffset());
+  to->SetEnableDistanceLOD(from->GetEnableDistanceLOD());
+  to->SetDistanceLODThreshold(from->GetDistanceLODThreshold());
+  to->SetEnableViewAngleLOD(from->GetEnableViewAngleLOD());
+  to->SetViewAngleLODThreshold(from->GetViewAngleLODThreshold());
+  to->SetXAxisVisibility(from->GetXAxisVisibility());
+  to->SetYAxisVisibility(from->GetYAxisVisibility());
+  to->SetZAxisVisibility(from->GetZAxisVisibility());
+  to->SetXAxisLabelVisibility(from->GetXAxisLabelVisibility());
+  to->SetYAxisLabelVisibility(from->GetYAxisLabelVisibility());
+  to->SetZAxisLabelVisibility(from->GetZAxisLabelVisibility());
+  to->SetXAxisTickVisibility(from->GetXAxisTickVisibility());
+  to->SetYAxisTickVisibility(from->GetYAxisTickVisibility());
+  to->SetZAxisTickVisibility(from->GetZAxisTickVisibility());
+  to->SetXAxisMinorTickVisibility(from->GetXAxisMinorTickVisibility());
+  to->SetYAxisMinorTickVisibility(from->GetYAxisMinorTickVisibility());
+  to->SetZAxisMinorTickVisibility(from->GetZAxisMinorTickVisibility());
+  to->SetDrawXGridlines(from->GetDrawXGridlines());
+  to->SetDrawYGridlines(from->GetDrawYGridlines());
+  to->SetDrawZGridlines(from->GetDrawZGridlines());
+  to->SetDrawXInnerGridlines(from->GetDrawXInnerGridlines());
+  to->SetDrawYInnerGridlines(from->GetDrawYInnerGridlines());
+  to->SetDrawZInnerGridlines(from->GetDrawZInnerGridlines());
+  to->SetDrawXGridpolys(from->GetDrawXGridpolys());
+  to->SetDrawYGridpolys(from->GetDrawYGridpolys());
+  to->SetDrawZGridpolys(from->GetDrawZGridpolys());
+  to->SetTickLocation(from->GetTickLocation());
+  to->SetOrientedBounds(from->GetOrientedBounds());
+  to->SetUseOrientedBounds(from->GetUseOrientedBounds());
+  to->SetAxisBaseForX(from->GetAxisBaseForX());
+  to->SetAxisBaseForY(from->GetAxisBaseForY());
+  to->SetAxisBaseForZ(from->GetAxisBaseForZ());
+  to->SetAxisOrigin(from->GetAxisOrigin());
+  to->SetUseAxisOrigin(from->GetUseAxisOrigin());
+  to->SetGridLineLocation(from->GetGridLineLocation());
+  to->SetStickyAxes(from->GetStickyAxes());
+  to->SetCenterStickyAxes(from->GetCenterStickyAxes());
+}
+
+}
+
+bool IsCubeAxes(vtkProp* prop)
+{
+  auto* axes = vtkCubeAxesActor::SafeDownCast(prop);
+  return axes && !axes->GetUse2DMode();
+}
+
+std::vector<DrawItem> MakeCubeAxes(
+  vtkRenderer* renderer, int dpi, int firstObject, const Scene& scene)
+{
+  std::vector<DrawItem> items;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (!prop->GetVisibility() || !IsCubeAxes(prop) || !renderer->IsActiveCameraCreated())
+    {
+      continue;
+    }
+    InsertFactory();
+    vtkNew<SizeOnlyWindow> window;
+    vtkNew<SizeOnlyRenderer> layoutRenderer;
+    window->SetSize(scene.ViewCamera.Width, scene.ViewCamera.Height);
+    window->SetDPI(dpi);
+    window->AddRenderer(layoutRenderer);
+    layoutRenderer->SetActiveCamera(renderer->GetActiveCamera());
+    std::vector<DrawItem> parts;
+    RecordedParts = &parts;
+    {
+      vtkNew<vtkCubeAxesActor> copy;
+      CopySettings(vtkCubeAxesActor::SafeDownCast(prop), copy);
+      copy->SetCamera(renderer->GetActiveCamera());
+      copy->RenderOpaqueGeometry(layoutRenderer);
+      copy->RenderTranslucentPolygonalGeometry(layoutRenderer);
+    }
+    RecordedParts = nullptr;
+    window->RemoveRenderer(layoutRenderer);
+    for (DrawItem& part : parts)
+    {
+      part.ObjectId = firstObject;
+      part.Name = "Object " + std::to_string(firstObject);
+      items.push_back(std::move(part));
+    }
+    ++firstObject;
+  }
+  return items;
+}
+
+}
