@@ -98,11 +98,6 @@ void MeasureFrames(OcclusionBenchmark& benchmark, const std::function<OcclusionT
     const std::string kernel = ours == &horizon ? "horizon" : "march";
     const double overhead = ours->Over(plain);
     table.Add(name, "overhead of " + kernel + ", moving, ms", 1e3 * overhead, TargetKind::None);
-    if (ours == &march)
-    {
-      table.Add(name, kernel + " / vtkSSAOPass 32", overhead / peer, TargetKind::None);
-      continue;
-    }
     const std::string why = "8 new samples and their reprojection are half of the cost; the "
                             "rest renders the margin, filters and composites";
     benchmark.Judge(name, kernel + " / vtkSSAOPass 32", overhead / peer, .25, why);

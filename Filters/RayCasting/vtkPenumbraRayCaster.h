@@ -95,7 +95,10 @@ public:
   void SetMaximumLevelFromViewing(double distance, double pixelPitch);
 
   ///@{
-  /** If on, find objects that lie between the corner rays (case 4 of [AA]). Default: on. */
+  /**
+   * If on, find objects that lie between the corner rays (case 4 of [AA]). With SUBDIVISION, those on
+   * dense meshes can be missed. Default: on.
+   */
   vtkSetMacro(FindSmallObjects, bool);
   vtkGetMacro(FindSmallObjects, bool);
   vtkBooleanMacro(FindSmallObjects, bool);
