@@ -14,7 +14,9 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -42,6 +44,10 @@ constexpr double MaximumThickness = 1.5;
 /// Number of frames between measurements of the thickness in motion. Each reads the depths back
 /// from the graphics card.
 constexpr int FramesPerMeasurement = 8;
+
+/// Number of frames after which depths that are read back in motion are used. By then they have
+/// arrived, so that no frame waits for them.
+constexpr int FramesUntilArrival = 4;
 
 /// Mirrors the digits of a number at the radix point (Halton sequence) [TSSAO].
 double RadicalInverse(int base, long long number)
@@ -85,9 +91,19 @@ struct vtkPenumbraKernelEstimator::Internals
   struct Measurement
   {
     double Thickness = 1.0;
-    long long Version = -1; ///< of the depths of the last request
-    int Frames = 0;         ///< since the measurement
+    long long Version = -1;                        ///< of the depths of the last request
+    int Frames = 0;                                ///< since the measurement
+    vtkSmartPointer<vtkPixelBufferObject> Pending; ///< depths on their way from the graphics card
+    penumbra::ScreenTransform PendingView;
   };
+
+  static double ThicknessOf(const std::vector<float>& depths, const penumbra::ScreenTransform& view)
+  {
+    const double width = penumbra::MedianWidth(depths, view);
+    return width > 0.0
+      ? std::clamp(ThicknessToWidthRatio * width, MinimumThickness, MaximumThickness)
+      : 1.0;
+  }
   std::map<const penumbra::EyeDepth*, Measurement> Thicknesses;
 };
 
@@ -133,13 +149,27 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
   const bool isNew = state.Version < 0;
   state.Version = depth.GetVersion();
   ++state.Frames;
-  if (isNew || !request.Moving || state.Frames >= FramesPerMeasurement)
+  if (isNew || !request.Moving)
   {
-    const double width =
-      penumbra::MedianWidth(penumbra::ReadBack(depth.GetCurrent()), depth.GetView());
-    state.Thickness = width > 0.0
-      ? std::clamp(ThicknessToWidthRatio * width, MinimumThickness, MaximumThickness)
-      : 1.0;
+    state.Thickness =
+      Internals::ThicknessOf(penumbra::ReadBack(depth.GetCurrent()), depth.GetView());
+    state.Pending = nullptr;
+    state.Frames = 0;
+  }
+  else if (state.Pending && state.Frames >= FramesUntilArrival)
+  {
+    unsigned int size[2] = { static_cast<unsigned int>(state.PendingView.Width),
+      static_cast<unsigned int>(state.PendingView.Height) };
+    std::vector<float> depths(static_cast<std::size_t>(size[0]) * size[1]);
+    vtkIdType increments[2] = { 0, 0 };
+    state.Pending->Download2D(VTK_FLOAT, depths.data(), size, 1, increments);
+    state.Pending = nullptr;
+    state.Thickness = Internals::ThicknessOf(depths, state.PendingView);
+  }
+  else if (!state.Pending && state.Frames >= FramesPerMeasurement)
+  {
+    state.Pending.TakeReference(depth.GetCurrent()->Download());
+    state.PendingView = depth.GetView();
     state.Frames = 0;
   }
   return state.Thickness;

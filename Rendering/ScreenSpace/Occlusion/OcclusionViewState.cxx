@@ -31,6 +31,9 @@ constexpr double StillSampleLimit = 8.0;
 /// Maximum number of samples per draw call: drivers reset the device if a draw call takes seconds.
 constexpr int MaximumSamplesPerStep = 128;
 
+/// While actors move in front of a static camera, the number of frames between comparisons of depths.
+constexpr int FramesPerComparison = 8;
+
 /// The sample sequence restarts after this many samples, before its index loses precision as a
 /// float.
 constexpr int SequenceLength = 1 << 20;
@@ -95,8 +98,12 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     this->Depth.Invalidate();
   }
+  // Comparing depths waits for the graphics card. While actors move, it is done in some frames only.
+  const bool moves = settings.UseActorMotion && settings.SceneChanged && this->Changed &&
+    !settings.InOneRender && this->UncheckedFrames < FramesPerComparison;
+  this->UncheckedFrames = moves ? this->UncheckedFrames + 1 : 0;
   EyeDepth::Change change =
-    this->Depth.Update(this->Window, this->Image, view, settings.HiddenChanged);
+    this->Depth.Update(this->Window, this->Image, view, settings.HiddenChanged || moves);
   if (change == EyeDepth::Change::Failed)
   {
     return false;
