@@ -47,6 +47,10 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkVersionMacros.h"
 
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper2.h"
+#endif
+
 #include <cmath>
 
 using penumbra::Feature;
@@ -197,16 +201,18 @@ void AddBlocks(vtkRenderer* renderer)
     sphere->SetPhiResolution(24);
     blocks->SetBlock(i, Make(sphere.Get()));
   }
-  vtkNew<vtkCompositePolyDataMapper> mapper;
-  mapper->SetInputDataObject(blocks);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+#else
+  vtkNew<vtkCompositePolyDataMapper2> mapper;
+#endif
+  mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
   const double blue[3] = { 0.2, 0.4, 0.9 };
   attributes->SetBlockColor(blocks->GetBlock(1), blue);
   attributes->SetBlockVisibility(blocks->GetBlock(2), false);
   attributes->SetBlockOpacity(blocks->GetBlock(3), 0.4);
-#endif
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   renderer->AddActor(actor);

@@ -213,6 +213,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(const SceneRow& row)
   const double originalWidth = computeHalfWidth();
   camera->SetViewAngle(row.ViewAngle);
   camera->Dolly(computeHalfWidth() / originalWidth);
+  renderer->ResetCameraClippingRange();
   auto caster = vtkSmartPointer<vtkPenumbraRayCaster>::New();
   caster->SetRenderer(renderer);
   caster->SetResolution(Side, Side);
