@@ -96,9 +96,11 @@ PixelResult PixelIntegrator::Integrate(
     return this->IntegrateSampled();
   }
   this->LoadSegments(edgeIndices, count, true);
-  if (this->HitsDenseSurface())
+  const bool unknown = (this->Settings.Shadows && !this->Segments.empty()) ||
+    this->IsNearShadowBoundary() || this->IsTextureDiscontinuous();
+  if (unknown || this->HitsDenseSurface())
   {
-    return this->IntegrateDense();
+    return this->IntegrateDense(unknown);
   }
   if (crowded && this->Segments.size() > MaximumEdgesInCrowdedTile)
   {

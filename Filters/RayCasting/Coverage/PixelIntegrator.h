@@ -131,7 +131,8 @@ private:
   PixelResult IntegrateSubdivided(bool byObject);
   PixelResult IntegrateUniform(int side);
   bool HitsDenseSurface() const;
-  PixelResult IntegrateDense();
+  bool IsTextureDiscontinuous() const;
+  PixelResult IntegrateDense(bool unknown);
   PixelResult IntegrateSampled();
   SampledPixel& AddSampledPixel();
   bool BuildFaces();

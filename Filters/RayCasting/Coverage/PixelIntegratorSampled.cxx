@@ -34,6 +34,42 @@ double EstimateVariance(const std::vector<glm::vec4>& samples)
   return 0.5 * sum / (3.0 * n * n);
 }
 
+/// Returns the position of a hit in a texture, in texels.
+glm::dvec2 ComputeTexel(const Surface& surface, const Texture& texture,
+  const std::vector<glm::vec2>& coordinates, const Hit& hit)
+{
+  const glm::uvec3 t = surface.Triangles[hit.Triangle];
+  const glm::dvec2 p = (1.0 - hit.U - hit.V) * glm::dvec2(coordinates[t.x]) +
+    static_cast<double>(hit.U) * glm::dvec2(coordinates[t.y]) +
+    static_cast<double>(hit.V) * glm::dvec2(coordinates[t.z]);
+  return p * glm::dvec2(texture.Width, texture.Height);
+}
+
+/// Returns true if a texture may change abruptly between two hits of the surface. With
+/// interpolation, it changes abruptly if they are more than one texel apart.
+bool IsInDifferentTexels(const Surface& surface, const Hit& a, const Hit& b)
+{
+  const Texture* const textures[2] = { surface.ColorTexture.get(), surface.LitTexture.get() };
+  const std::vector<glm::vec2>* const coordinates[2] = { &surface.ColorCoordinates,
+    &surface.TextureCoordinates };
+  for (int i = 0; i < 2; ++i)
+  {
+    if (!textures[i] || coordinates[i]->empty())
+    {
+      continue;
+    }
+    const glm::dvec2 p = ComputeTexel(surface, *textures[i], *coordinates[i], a);
+    const glm::dvec2 q = ComputeTexel(surface, *textures[i], *coordinates[i], b);
+    const glm::dvec2 d =
+      textures[i]->Interpolate ? glm::floor(glm::abs(p - q)) : glm::floor(p) - glm::floor(q);
+    if (d != glm::dvec2(0.0))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 }
 
 bool PixelIntegrator::HitsDenseSurface() const
@@ -42,6 +78,23 @@ bool PixelIntegrator::HitsDenseSurface() const
     std::any_of(this->Corners, this->Corners + 4, [this](const Sample& corner) {
       return corner.FirstHit.IsHit() && this->Dense[corner.FirstHit.Surface];
     });
+}
+
+// Returns true if the corners lie in different texels of a texture, so that colors may change within
+// the pixel without an edge of the mesh.
+bool PixelIntegrator::IsTextureDiscontinuous() const
+{
+  const std::vector<Surface>& surfaces = this->Tracer.GetScene().Surfaces;
+  for (int side = 0; side < 4; ++side)
+  {
+    const Hit& a = this->Corners[side == 3 ? 3 : 0].FirstHit;
+    const Hit& b = this->Corners[side < 2 ? side + 1 : side == 2 ? 3 : 1].FirstHit;
+    if (a.Surface == b.Surface && a.IsHit() && IsInDifferentTexels(surfaces[a.Surface], a, b))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 SampledPixel& PixelIntegrator::AddSampledPixel()
@@ -66,15 +119,16 @@ PixelResult PixelIntegrator::IntegrateSampled()
 }
 
 // The first estimate of a pixel needs few rays: the mean of the corners, or one ray per face. The
-// triangles of a dense surface have no edges, so colors vary within faces.
-PixelResult PixelIntegrator::IntegrateDense()
+// triangles of a dense surface have no edges, so colors vary within faces. `unknown`: corners and
+// faces do not tell the variation of the colors.
+PixelResult PixelIntegrator::IntegrateDense(bool unknown)
 {
   if (this->Segments.empty())
   {
     this->RetraceCornersOnEdges();
     const bool agree = this->CornersAgree() || this->RetraceIsolatedMiss();
     SampledPixel& pixel = this->AddSampledPixel();
-    if (agree && !this->IsNearShadowBoundary())
+    if (agree && !unknown)
     {
       pixel.Result.Color = ComputeMean(this->Corners);
       pixel.Result.Error =
@@ -93,6 +147,10 @@ PixelResult PixelIntegrator::IntegrateDense()
   SampledPixel& pixel = this->AddSampledPixel();
   pixel.MinimumError = EdgeErrorFloor;
   this->ComputeFaceColors(pixel);
+  if (unknown)
+  {
+    this->Refine(pixel);
+  }
   return pixel.Result;
 }
 
