@@ -39,8 +39,7 @@ vtk_module_build(
   TEST_DIRECTORY_NAME Testing)
 
 set(penumbra_python_modules ${penumbra_modules})
-list(REMOVE_ITEM penumbra_python_modules
-  Penumbra::FiltersComparison Penumbra::FiltersParallel Penumbra::TestingComparison)
+list(REMOVE_ITEM penumbra_python_modules Penumbra::FiltersParallel Penumbra::TestingComparison)
 foreach (module IN LISTS penumbra_modules)
   _vtk_module_real_target(penumbra_target ${module})
   penumbra_warnings(${penumbra_target})

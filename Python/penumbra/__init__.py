@@ -1,37 +1,48 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ambient occlusion, light shafts and antialiased ray casting for VTK.
+"""Ambient occlusion, irradiance and antialiased ray casting for arrays and VTK scenes, to a chosen error.
 
-This package contains all public classes of Penumbra under their VTK names. PyVista registers the accessors
-``plotter.penumbra`` and ``mesh.penumbra`` automatically, see :mod:`penumbra.plotter` and
-:mod:`penumbra.mesh`.
+``ambient_occlusion``, ``irradiance``, ``render`` and ``compare`` take and return NumPy arrays. PyVista registers
+``plotter.penumbra`` and ``mesh.penumbra``, see :mod:`penumbra.plotter` and :mod:`penumbra.mesh`. All classes are
+available under their VTK names, such as ``penumbra.vtkPenumbraRayCaster``. VTK is loaded at the first use.
 """
-import os as _os
-import sys as _sys
+import importlib as _importlib
+from typing import TYPE_CHECKING, Any
 
-if _sys.version_info < (3, 12):
-    raise ImportError(
-        "penumbra needs CPython 3.12 or newer; this is " + ".".join(map(str, _sys.version_info[:2])))
+from . import _backend  # raises ImportError if VTK cannot be used
+from ._version import __version__
 
-try:
-    # These imports load the VTK libraries and register the OpenGL render windows.
-    from cvista import vtkFiltersGeometry, vtkFiltersGeneral, vtkRenderingAnnotation  # noqa: F401
-    from cvista import vtkRenderingFreeType, vtkRenderingOpenGL2  # noqa: F401
-except ImportError as error:
-    raise ImportError(
-        "penumbra needs VTK with rendering from the package cvista; install it with "
-        "pip install 'cvista[all]'"
-    ) from error
+if TYPE_CHECKING:
+    from ._classes import *
+    from .baking import ambient_occlusion, irradiance
+    from .comparison import Comparison, Tile, compare
+    from .messages import PenumbraWarning, messages_as_warnings
+    from .rendering import render
 
-if _os.environ.get("PYVISTA_VTK_BACKEND", "cvista") != "cvista":
-    raise ImportError(
-        "penumbra and PyVista must use the same VTK: unset PYVISTA_VTK_BACKEND, or set it to cvista"
-    )
+_NAMES = {
+    "ambient_occlusion": "baking",
+    "irradiance": "baking",
+    "render": "rendering",
+    "compare": "comparison",
+    "Comparison": "comparison",
+    "Tile": "comparison",
+    "PenumbraWarning": "messages",
+    "messages_as_warnings": "messages",
+}
 
-from .vtkPenumbraFiltersRayTracing import *  # noqa: E402,F401,F403
-from .vtkPenumbraFiltersRayCasting import *  # noqa: E402,F401,F403
-from .vtkPenumbraFiltersIrradiance import *  # noqa: E402,F401,F403
-from .vtkPenumbraRenderingScreenSpace import *  # noqa: E402,F401,F403
-from .vtkPenumbraRenderingIrradiance import *  # noqa: E402,F401,F403
+__all__ = ["Comparison", "PenumbraWarning", "Tile", "__version__", "ambient_occlusion", "compare", "irradiance",
+           "messages_as_warnings", "render"]
 
-vtkPenumbraTracedEstimator.RegisterEstimator()  # noqa: F405
+
+def __getattr__(name: str) -> Any:
+    if name in _NAMES or name.startswith("vtkPenumbra"):
+        module = _importlib.import_module(f".{_NAMES.get(name, '_classes')}", __name__)
+        if hasattr(module, name):
+            globals()[name] = getattr(module, name)
+            return globals()[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    classes = _importlib.import_module("._classes", __name__)
+    return sorted({*globals(), *_NAMES, *(name for name in vars(classes) if name.startswith("vtkPenumbra"))})

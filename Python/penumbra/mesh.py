@@ -1,12 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
 """``mesh.penumbra``: ambient occlusion and irradiance baked onto PyVista meshes."""
+from __future__ import annotations
+
+from typing import Any
+
 import pyvista
 
-from .colors import parse_radiance
-from .falloffs import falloff_index
-from .statistics import statistics_dict, update_or_raise
-from .vtkPenumbraFiltersIrradiance import vtkPenumbraIrradianceFilter
+from .baking import ColorLike, Falloff, Location, irradiance_filter, occlusion_filter, result_statistics, set_location
+from .conversion import parse_color
+from .messages import Progress, update
+
+
+def parse_radiance(color: Any) -> list[float]:
+    """Return three floats from a color of PyVista or from three numbers >= 0, which may exceed 1."""
+    if isinstance(color, str):
+        return list(pyvista.Color(color).float_rgb)
+    return parse_color("environment_color", color)
 
 
 @pyvista.register_dataset_accessor("penumbra", pyvista.MultiBlock)
@@ -14,13 +24,19 @@ from .vtkPenumbraFiltersIrradiance import vtkPenumbraIrradianceFilter
 class MeshAccessor:
     """Accessor ``mesh.penumbra`` of PyVista data sets and multiblocks."""
 
-    def __init__(self, mesh):
+    def __init__(self, mesh: Any) -> None:
         self._mesh = mesh
 
+    def __repr__(self) -> str:
+        baked = [name for name in ("AmbientOcclusion", "Irradiance")
+                 if isinstance(self._mesh, pyvista.DataSet) and name in self._mesh.array_names]
+        return f"<penumbra of {type(self._mesh).__name__}: {'has ' + ' and '.join(baked) if baked else 'nothing baked'}>"
+
     def bake_ambient_occlusion(
-        self, *, tolerance=0.01, radius=None, falloff="none", on="points", compute_normals=False,
-        point_radius=0.0, inplace=False,
-    ):
+        self, *, tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none",
+        on: Location = "points", compute_normals: bool = False, point_radius: float = 0.0, inplace: bool = False,
+        statistics: bool = False, progress: Progress | None = None,
+    ) -> Any:
         """Return the mesh with the array ``AmbientOcclusion``: 0 open, 1 blocked.
 
         Parameters
@@ -40,21 +56,33 @@ class MeshAccessor:
             Radius of the disks that represent points if the mesh has no polygons.
         inplace : bool
             If True, add the array to this mesh instead of to a copy.
+        statistics : bool
+            If True, add the statistics to the field data, with ``EstimatedError``, the estimated RMSE.
+        progress : callable, optional
+            Called with the completed fraction, from 0 to 1. An exception that it raises stops the computation.
 
-        The blocks of a multiblock occlude each other. Statistics are in the field data, with
-        ``EstimatedError``, the estimated RMSE.
+        Returns
+        -------
+        pyvista.DataSet or pyvista.MultiBlock
+            The blocks of a multiblock occlude each other.
+
+        Raises
+        ------
+        TypeError
+            If the mesh is a grid without a surface, or an argument has the wrong type.
+        ValueError
+            If an argument is out of range.
+        RuntimeError
+            If the computation fails.
         """
-        if radius is not None and not radius > 0.0:
-            raise ValueError(f"radius must be > 0, not {radius!r}")
-        bake = vtkPenumbraIrradianceFilter()
-        bake.SetRadius(0.0 if radius is None else min(radius, 1e299))
-        bake.SetFalloff(falloff_index(falloff))
-        return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
+        bake = occlusion_filter(tolerance, radius, falloff)
+        return self._bake(bake, on, compute_normals, point_radius, inplace, statistics, progress)
 
     def bake_irradiance(
-        self, *, tolerance=0.01, environment_color="white", albedo=0.5, bounces=3, on="points",
-        compute_normals=False, point_radius=0.0, inplace=False,
-    ):
+        self, *, tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5,
+        bounces: int = 3, on: Location = "points", compute_normals: bool = False, point_radius: float = 0.0,
+        inplace: bool = False, statistics: bool = False, progress: Progress | None = None,
+    ) -> Any:
         """Return the mesh with the array ``Irradiance``: red, green and blue; pi if unoccluded.
 
         Parameters
@@ -68,40 +96,36 @@ class MeshAccessor:
         bounces : int
             Number of reflections, including the one toward the camera; 1: direct light only.
             Range: [1, 64].
-        on, compute_normals, point_radius, inplace
+        on, compute_normals, point_radius, inplace, statistics, progress
             As in ``bake_ambient_occlusion``.
-        """
-        if not 0.0 <= albedo <= 1.0:
-            raise ValueError(f"albedo must be in [0, 1], not {albedo!r}")
-        if not 1 <= bounces <= 64:
-            raise ValueError(f"bounces must be in [1, 64], not {bounces!r}")
-        bake = vtkPenumbraIrradianceFilter()
-        bake.SetQuantity(bake.IRRADIANCE)
-        bake.SetEnvironmentColor(parse_radiance(environment_color))
-        bake.SetAlbedo(albedo)
-        bake.SetBounces(bounces)
-        return self._bake(bake, tolerance, on, compute_normals, point_radius, inplace)
 
-    def _bake(self, bake, tolerance, on, compute_normals, point_radius, inplace):
-        if on not in ("points", "cells"):
-            raise ValueError(f"on must be 'points' or 'cells', not {on!r}")
-        if not 1e-4 <= tolerance <= 1.0:
-            raise ValueError(f"tolerance must be in [0.0001, 1], not {tolerance!r}")
+        Returns
+        -------
+        pyvista.DataSet or pyvista.MultiBlock
+        """
+        bake = irradiance_filter(tolerance, parse_radiance(environment_color), albedo, bounces)
+        return self._bake(bake, on, compute_normals, point_radius, inplace, statistics, progress)
+
+    def _bake(self, bake: Any, on: str, compute_normals: bool, point_radius: float, inplace: bool, statistics: bool,
+              progress: Progress | None) -> Any:
+        set_location(bake, on, compute_normals, point_radius)
         if isinstance(self._mesh, pyvista.Grid):
             raise TypeError(
                 f"{type(self._mesh).__name__} is not a surface mesh: pass its extract_surface() instead")
         bake.SetInputDataObject(self._mesh)
-        bake.SetTolerance(tolerance)
-        bake.SetOnCells(on == "cells")
-        bake.SetComputeNormals(compute_normals)
-        bake.SetPointRadius(point_radius)
-        update_or_raise(bake)
+        update(bake, progress, stacklevel=3)
         baked = pyvista.wrap(bake.GetOutputDataObject(0))
-        for name, value in statistics_dict(bake).items():
-            baked.field_data[name] = [value]
-        baked.field_data["EstimatedError"] = [bake.GetEstimatedError()]
+        # The filter adds its statistics to the field data, and files would keep them.
+        counts = result_statistics(bake)
+        for name, value in counts.items():
+            if name in baked.field_data and name not in self._mesh.field_data:
+                del baked.field_data[name]
+            if statistics:
+                baked.field_data[name] = [value]
         if inplace:
-            self._mesh.copy_from(baked) if isinstance(self._mesh, pyvista.DataSet) else (
-                self._mesh.shallow_copy(baked))
+            if isinstance(self._mesh, pyvista.DataSet):
+                self._mesh.copy_from(baked)
+            else:
+                self._mesh.shallow_copy(baked)
             return self._mesh
         return baked

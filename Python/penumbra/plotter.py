@@ -1,41 +1,47 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
 """``plotter.penumbra``: render passes and ray casting for PyVista plotters."""
-import numpy
+from __future__ import annotations
+
+from typing import Any
+
 import pyvista
 
-from cvista.util.numpy_support import vtk_to_numpy
-
-from .colors import parse_radiance
-from .falloffs import falloff_index
+from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
+from .baking import ColorLike, Falloff
+from .conversion import check_choice, check_radius, check_range, check_size
+from .mesh import parse_radiance
+from .messages import Progress, observe_warnings
 from .opengl import require_opengl
-from .statistics import statistics_dict, update_or_raise
-from .vtkPenumbraFiltersRayCasting import vtkPenumbraRayCaster
-from .vtkPenumbraRenderingScreenSpace import (
-    vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass)
+from .rendering import Settings, cast_renderers, finish, passes_of, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
-
-
-def _check(condition, message):
-    if not condition:
-        raise ValueError(message)
 
 
 @pyvista.register_plotter_component("penumbra")
 class PlotterAccessor:
     """Accessor ``plotter.penumbra``, which applies to the active renderer of the plotter."""
 
-    def __init__(self, plotter):
+    def __init__(self, plotter: Any) -> None:
         self._plotter = plotter
 
     @property
-    def _renderer(self):
+    def _renderer(self) -> Any:
         return self._plotter.renderer
 
+    def __repr__(self) -> str:
+        names = {"vtkPenumbraTemporalSSAOPass": "ambient occlusion", "vtkPenumbraLightShaftPass": "light shafts"}
+        found = [names[each.GetClassName()] for each in passes_of(self._renderer) if each.GetClassName() in names]
+        return f"<penumbra of a plotter: {' and '.join(found) or 'no pass'} enabled in the active renderer>"
+
+    def _require_window(self) -> None:
+        if self._plotter.render_window is None:
+            raise RuntimeError("the plotter is closed: enable passes before close() or show()")
+
     def enable_temporal_ssao(
-        self, *, radius=None, tolerance=0.01, strength=1.0, kernel="automatic",
-    ):
+        self, *, radius: float | None = None, tolerance: float = 0.01, strength: float = 1.0,
+        kernel: str = "automatic",
+    ) -> Any:
         """Add ambient occlusion, which converges while the view is static.
 
         Parameters
@@ -51,11 +57,13 @@ class PlotterAccessor:
 
         Returns the pass, a ``vtkPenumbraTemporalSSAOPass``.
         """
-        _check(radius is None or radius > 0.0, f"radius must be > 0, not {radius!r}")
-        _check(1e-4 <= tolerance <= 1.0, f"tolerance must be in [0.0001, 1], not {tolerance!r}")
-        _check(0.0 <= strength <= 1.0, f"strength must be in [0, 1], not {strength!r}")
+        check_radius(radius)
+        check_range("tolerance", tolerance, 1e-4, 1.0)
+        check_range("strength", strength, 0.0, 1.0)
+        self._require_window()
         require_opengl(self._plotter.render_window)
         occlusion = vtkPenumbraTemporalSSAOPass.AddTo(self._renderer)
+        observe_warnings(occlusion)
         occlusion.SetRadiusUnit(
             occlusion.FRACTION_OF_BOUNDS if radius is None else occlusion.WORLD)
         occlusion.SetRadius(0.1 if radius is None else radius)
@@ -69,15 +77,15 @@ class PlotterAccessor:
         self._plotter.render()
         return occlusion
 
-    def disable_temporal_ssao(self):
+    def disable_temporal_ssao(self) -> None:
         """Remove the pass added by ``enable_temporal_ssao``."""
         vtkPenumbraTemporalSSAOPass.RemoveFrom(self._renderer)
         self._plotter.render()
 
     def enable_light_shafts(
-        self, *, scattering=None, extinction=None, phase="isotropic", asymmetry=0.6,
-        tolerance=1.0 / 256.0,
-    ):
+        self, *, scattering: float | None = None, extinction: float | None = None, phase: str = "isotropic",
+        asymmetry: float = 0.6, tolerance: float = 1.0 / 256.0,
+    ) -> Any:
         """Add light shafts of all lights except headlights in a homogeneous medium.
 
         Parameters
@@ -94,13 +102,15 @@ class PlotterAccessor:
         Returns the pass, a ``vtkPenumbraLightShaftPass``.
         """
         for name, coefficient in (("scattering", scattering), ("extinction", extinction)):
-            _check(coefficient is None or coefficient >= 0.0,
-                   f"{name} must be >= 0, not {coefficient!r}")
-        _check(phase in PHASES, f"phase must be one of {', '.join(PHASES)}, not {phase!r}")
-        _check(-0.999 <= asymmetry <= 0.999, f"asymmetry must be in [-0.999, 0.999], not {asymmetry!r}")
-        _check(1e-4 <= tolerance <= 1.0, f"tolerance must be in [0.0001, 1], not {tolerance!r}")
+            if coefficient is not None:
+                check_range(name, coefficient, 0.0, 1e299)
+        check_choice("phase", phase, PHASES)
+        check_range("asymmetry", asymmetry, -0.999, 0.999)
+        check_range("tolerance", tolerance, 1e-4, 1.0)
+        self._require_window()
         require_opengl(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
+        observe_warnings(shafts)
         shafts.SetScattering(-1.0 if scattering is None else scattering)
         shafts.SetExtinction(-1.0 if extinction is None else extinction)
         shafts.SetPhase(PHASES.index(phase))
@@ -109,22 +119,25 @@ class PlotterAccessor:
         self._plotter.render()
         return shafts
 
-    def disable_light_shafts(self):
+    def disable_light_shafts(self) -> None:
         """Remove the pass added by ``enable_light_shafts``."""
         vtkPenumbraLightShaftPass.RemoveFrom(self._renderer)
         self._plotter.render()
 
     def ray_cast(
-        self, *, tolerance=1.0 / 256.0, window_size=None, ambient_occlusion=False, radius=None,
-        falloff="none", strength=None, shadows=False, indirect_light=False,
-        environment_color="black", albedo=0.5, bounces=3, transparent_background=False,
-        as_float=False, return_statistics=False,
-    ):
-        """Return an image of the scene by ray casting, antialiased to a tolerance.
+        self, *, tolerance: float = 1.0 / 256.0, window_size: tuple[int, int] | None = None,
+        ambient_occlusion: bool | None = None, radius: float | None = None, falloff: Falloff = "none",
+        strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
+        indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
+        transparent_background: bool = False, as_float: bool = False, return_statistics: bool = False,
+        scale: int | None = None, progress: Progress | None = None,
+    ) -> Any:
+        """Return an image of the plotter by ray casting, antialiased to a tolerance.
 
-        Does not need a window or OpenGL. The image is an array of rows from top to bottom, as returned by
-        ``plotter.screenshot``: bytes, or unclamped colors with ``as_float``. With
-        ``transparent_background``, the fourth channel is the covered fraction of each pixel.
+        Does not need a window or OpenGL. All subplots and widgets with a renderer are drawn. Effects that are enabled
+        are drawn, by rays. The image is an array of rows from top to bottom, as returned by ``plotter.screenshot``:
+        bytes, or unclamped colors with ``as_float``. With ``transparent_background``, the fourth channel is the covered
+        fraction of each pixel.
 
         Parameters
         ----------
@@ -132,11 +145,12 @@ class PlotterAccessor:
             Accepted RMSE over any 16x16 pixels, for colors in [0, 1]. Range: [1e-6, 1].
         window_size : tuple of int, optional
             Width and height in pixels. Default: the size of the plotter's window.
-        ambient_occlusion, radius, falloff, strength
-            Ambient occlusion. The radius is in world units, default: a tenth of the diagonal of the
-            bounds. Falloff as in ``mesh.penumbra.bake_ambient_occlusion``.
-        shadows : bool
-            If True, the lights cast hard shadows.
+        ambient_occlusion, shadows, light_shafts : bool, optional
+            Draw these effects. Default: those that are enabled: ``enable_temporal_ssao``, ``enable_light_shafts``, and
+            ``enable_ssao`` and ``enable_shadows`` of PyVista.
+        radius, falloff, strength
+            Ambient occlusion. The radius is in world units, default: that of the pass, else a tenth of the diagonal of
+            the bounds. Falloff as in ``mesh.penumbra.bake_ambient_occlusion``.
         indirect_light : bool
             If True, add the light of the environment and of diffuse interreflection.
         environment_color, albedo, bounces
@@ -144,36 +158,26 @@ class PlotterAccessor:
         return_statistics : bool
             If True, return ``(image, statistics)``. The statistics include ``EstimatedError``, the
             estimated RMSE.
+        scale : int, optional
+            Factor of both sizes, of line widths and of point sizes. Default: ``plotter.image_scale``.
+        progress : callable, optional
+            Called with the completed fraction, from 0 to 1. An exception that it raises stops the rendering.
+
+        Returns
+        -------
+        numpy.ndarray, shape (height, width, 3) or (height, width, 4), uint8 or float32
         """
-        _check(1e-6 <= tolerance <= 1.0, f"tolerance must be in [0.000001, 1], not {tolerance!r}")
-        _check(radius is None or radius > 0.0, f"radius must be > 0, not {radius!r}")
-        _check(strength is None or 0.0 <= strength <= 1.0, f"strength must be in [0, 1], not {strength!r}")
-        _check(0.0 <= albedo <= 1.0, f"albedo must be in [0, 1], not {albedo!r}")
-        _check(1 <= bounces <= 64, f"bounces must be in [1, 64], not {bounces!r}")
-        width, height = window_size or self._plotter.window_size
-        _check(width >= 1 and height >= 1, f"window_size must be at least 1 by 1, not {window_size!r}")
-        if not self._renderer.camera.is_set and not self._renderer.camera_set:
-            self._plotter.reset_camera()
-        caster = vtkPenumbraRayCaster()
-        caster.SetRenderer(self._renderer)
-        caster.SetResolution(int(width), int(height))
-        caster.SetTolerance(tolerance)
-        caster.SetShadows(shadows)
-        caster.SetAmbientOcclusion(ambient_occlusion)
-        caster.SetAmbientOcclusionRadius(0.0 if radius is None else radius)
-        caster.SetAmbientOcclusionFalloff(falloff_index(falloff))
-        caster.SetAmbientOcclusionStrength(-1.0 if strength is None else strength)
-        caster.SetIndirectLight(indirect_light)
-        caster.SetEnvironmentColor(parse_radiance(environment_color))
-        caster.SetAlbedo(albedo)
-        caster.SetBounces(bounces)
-        caster.SetBackground(not transparent_background)
-        update_or_raise(caster)
-        colors = vtk_to_numpy(caster.GetOutput().GetPointData().GetArray("Color"))
-        channels = 4 if transparent_background else 3
-        image = colors.reshape(int(height), int(width), 4)[::-1, :, :channels]
-        if not as_float:
-            image = (numpy.clip(image, 0.0, 1.0) * 255.0 + 0.5).astype(numpy.uint8)
-        if not return_statistics:
-            return image
-        return image, statistics_dict(caster) | {"EstimatedError": caster.GetEstimatedError()}
+        scale = int(check_range("scale", scale or self._plotter.image_scale, 1, 64))
+        settings = Settings(
+            tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
+            parse_radiance(environment_color), albedo, bounces, transparent_background, 72 * scale)
+        window = self._plotter.render_window
+        if window is None:
+            raise RuntimeError("the plotter is closed: call ray_cast() before close() or show()")
+        width, height = check_size("window_size", window_size or self._plotter.window_size)
+        prepare_plotter(self._plotter)
+        collection = window.GetRenderers()
+        renderers = [collection.GetItemAsObject(i) for i in range(collection.GetNumberOfItems())]
+        canvas, statistics = cast_renderers(renderers, (scale * width, scale * height), settings, progress)
+        image = finish(canvas, transparent_background, as_float)
+        return (image, statistics) if return_statistics else image

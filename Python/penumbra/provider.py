@@ -3,7 +3,8 @@
 """Provider of ambient occlusion and light shafts for pyvista-render-passes."""
 from pyvista_render_passes import BasePassProvider
 
-from . import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
+from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
+from .messages import observe_warnings
 
 DEFAULTS = {
     "ambient_occlusion": False,
@@ -45,6 +46,7 @@ class OcclusionProvider(BasePassProvider):
         last_pass = delegate
         if state["ambient_occlusion"]:
             occlusion = vtkPenumbraTemporalSSAOPass()
+            observe_warnings(occlusion)
             if state["radius"] is not None:
                 occlusion.SetRadiusUnit(occlusion.WORLD)
                 occlusion.SetRadius(state["radius"])
@@ -54,6 +56,7 @@ class OcclusionProvider(BasePassProvider):
             last_pass = occlusion
         if state["light_shafts"]:
             shafts = vtkPenumbraLightShaftPass()
+            observe_warnings(shafts)
             shafts.SetDelegatePass(last_pass)
             last_pass = shafts
         return last_pass

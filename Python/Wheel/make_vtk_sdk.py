@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Make an SDK for the package ``vtk`` from the SDK of ``cvista`` and an installed ``vtk``.
+
+The package ``vtk`` has libraries but neither headers nor CMake files on Linux. Both packages are built from VTK 9.7;
+vtk-headers.patch returns the headers that cvista changed, as far as Penumbra includes them, to VTK 9.7.0. In the folder of
+the libraries stand linker scripts that name the libraries of ``vtk``. These use the C++ ABI of GCC before 5:
+compile with _GLIBCXX_USE_CXX11_ABI=0.
+"""
+import argparse
+import importlib.util
+import pathlib
+import re
+import shutil
+import sys
+
+PATCH = pathlib.Path(__file__).parent / "vtk-headers.patch"
+
+
+def apply_patch(patch, folder):
+    """Apply a unified diff of files in one folder; every line of context must match."""
+    lines = patch.read_text().split("\n")
+    name, output, source, position = None, [], [], 0
+
+    def finish():
+        if name is not None:
+            (folder / name).unlink()
+            (folder / name).write_text("\n".join(output + source[position:]))
+
+    for line in lines:
+        if line.startswith("--- a/"):
+            finish()
+            name = line[6:]
+            source, output, position = (folder / name).read_text().split("\n"), [], 0
+        elif line.startswith("@@"):
+            start, count = re.match(r"@@ -(\d+)(?:,(\d+))?", line).groups()
+            start = int(start) - (0 if count == "0" else 1)
+            output += source[position:start]
+            position = start
+        elif line[:1] in (" ", "-") and not line.startswith("---"):
+            if source[position] != line[1:]:
+                raise SystemExit(f"{patch}: {name}, line {position + 1} is not {line[1:]!r}")
+            output += [line[1:]] if line[0] == " " else []
+            position += 1
+        elif line.startswith("+") and not line.startswith("+++"):
+            output.append(line[1:])
+    finish()
+
+
+def find_libraries():
+    return pathlib.Path(importlib.util.find_spec("vtkmodules").submodule_search_locations[0])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--sdk", required=True, type=pathlib.Path, help="the folder cvista_sdk")
+    parser.add_argument("--output", required=True, type=pathlib.Path, help="the SDK to make, if it does not exist")
+    parser.add_argument("--python", required=True, type=pathlib.Path,
+                        help="the folder for the library that depends on this CPython, to be given to the linker")
+    options = parser.parse_args()
+    libraries = find_libraries()
+    folder = options.python.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    link = folder / "libvtkWrappingPython.so"
+    link.unlink(missing_ok=True)
+    link.symlink_to(libraries / f"libvtkWrappingPythonCore{sys.version_info[0]}.{sys.version_info[1]}.so")
+    if options.output.exists():
+        return
+    sdk = options.sdk.resolve()
+    output = options.output.resolve().with_suffix(".new")
+    shutil.rmtree(output, ignore_errors=True)
+    (output / "content").mkdir(parents=True)
+    shutil.copytree(sdk / "cmake", output / "cmake")
+    for name in ("bin", "cvista"):
+        (output / "content" / name).symlink_to(sdk / "content" / name)
+    data, = (sdk / "content").glob("vtk-*.data")
+    headers, = (data / "headers").glob("vtk-*")
+    target = output / "content" / data.name / "headers"
+    shutil.copytree(data / "headers", target)
+    apply_patch(PATCH, target / headers.name)
+    properties = target / "cmake" / "cvista-vtk-python-module-properties.cmake"
+    properties.write_text(properties.read_text().replace('"cvista"', '"vtkmodules"'))
+
+    scripts = output / "content" / "build" / next((sdk / "content" / "build").glob("lib*")).name / "cvista"
+    scripts.mkdir(parents=True)
+    used = [path for path in sorted(libraries.glob("libvtk*.so")) if "Python" not in path.name]
+    # One SDK serves all versions of CPython: --python names the folder of a link to the library of each.
+    for library in (sdk / "content" / "build").glob("lib*/cvista/libvtk*.so"):
+        inputs = ["libvtkWrappingPython.so"] if "WrappingPython" in library.name else map(str, used)
+        (scripts / library.name).write_text(f"INPUT(AS_NEEDED({' '.join(inputs)}))\n")
+    output.rename(options.output.resolve())
+
+
+main()

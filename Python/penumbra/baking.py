@@ -1,0 +1,217 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ambient occlusion and irradiance of meshes that are NumPy arrays."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Literal, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from ._classes import vtkPenumbraIrradianceFilter
+from .conversion import (FALLOFFS, check_choice, check_radius, check_range, parse_color, poly_data, statistics_dict,
+                         to_numpy)
+from .messages import Progress, update
+
+Floats = npt.NDArray[np.float32]
+Falloff = Literal["none", "linear", "quadratic", "square-root"]
+Location = Literal["points", "cells"]
+ColorLike = str | Sequence[float] | npt.NDArray[Any]
+
+
+def occlusion_filter(tolerance: float, radius: float | None, falloff: str) -> Any:
+    """Return a filter that bakes ambient occlusion."""
+    bake = vtkPenumbraIrradianceFilter()
+    bake.SetTolerance(check_range("tolerance", tolerance, 1e-4, 1.0))
+    bake.SetRadius(check_radius(radius))
+    bake.SetFalloff(check_choice("falloff", falloff, FALLOFFS))
+    return bake
+
+
+def irradiance_filter(tolerance: float, color: list[float], albedo: float, bounces: int) -> Any:
+    """Return a filter that bakes irradiance."""
+    bake = vtkPenumbraIrradianceFilter()
+    bake.SetQuantity(bake.IRRADIANCE)
+    bake.SetTolerance(check_range("tolerance", tolerance, 1e-4, 1.0))
+    bake.SetEnvironmentColor(color)
+    bake.SetAlbedo(check_range("albedo", albedo, 0.0, 1.0))
+    bake.SetBounces(int(check_range("bounces", bounces, 1, 64)))
+    return bake
+
+
+def set_location(bake: Any, on: str, compute_normals: bool, point_radius: float) -> None:
+    bake.SetOnCells(check_choice("on", on, ("points", "cells")) == 1)
+    bake.SetComputeNormals(bool(compute_normals))
+    bake.SetPointRadius(check_range("point_radius", point_radius, 0.0, 1e299))
+
+
+def result_statistics(bake: Any) -> dict[str, Any]:
+    return statistics_dict(bake) | {"EstimatedError": bake.GetEstimatedError()}
+
+
+def _bake(bake: Any, name: str, points: npt.ArrayLike, faces: npt.ArrayLike | None, normals: npt.ArrayLike | None,
+          on: str, point_radius: float, progress: Progress | None) -> Floats:
+    set_location(bake, on, False, point_radius)
+    if faces is None and (normals is None or not point_radius > 0.0):
+        raise ValueError("points without faces need normals and point_radius > 0, the radius of the disk that "
+                         "represents a point")
+    bake.SetInputData(poly_data(points, faces, normals))
+    update(bake, progress, stacklevel=3)
+    output = bake.GetOutputDataObject(0)
+    attributes = output.GetCellData() if on == "cells" else output.GetPointData()
+    return to_numpy(attributes.GetArray(name))
+
+
+@overload
+def ambient_occlusion(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
+    tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none", on: Location = "points",
+    point_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[False] = False,
+) -> Floats: ...
+
+
+@overload
+def ambient_occlusion(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
+    tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none", on: Location = "points",
+    point_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[True],
+) -> tuple[Floats, dict[str, Any]]: ...
+
+
+def ambient_occlusion(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
+    tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none", on: Location = "points",
+    point_radius: float = 0.0, progress: Progress | None = None, return_statistics: bool = False,
+) -> Floats | tuple[Floats, dict[str, Any]]:
+    """Compute the ambient occlusion of a mesh or of oriented points.
+
+    The value is the fraction of the cosine-weighted hemisphere around the normal that surfaces within the radius
+    block. Surfaces block from both sides.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3), float
+        Coordinates. float32 and float64 are used without a copy.
+    faces : array_like, shape (m, k) or flat, int, optional
+        Indices of the k >= 3 points of each face, counterclockwise seen from outside. Or one row in which each face is
+        preceded by the number of its points, as ``faces`` in PyVista. Default: no faces; then `normals` and
+        `point_radius` are required.
+    normals : array_like, shape (n, 3), float, optional
+        Normals of the points. Default: computed from the faces.
+    tolerance : float
+        Accepted RMSE over all values. Range: [1e-4, 1].
+    radius : float, optional
+        Maximum distance of an occluder, in the unit of `points`. Range: > 0; may be ``inf``. Default: a tenth of the
+        diagonal of the bounds.
+    falloff : {"none", "linear", "quadratic", "square-root"}
+        Weight of an occluder at the fraction s of the radius: 1, 1 - s, 1 - s**2, or 1 - sqrt(s).
+    on : {"points", "cells"}
+        Compute a value for each point, or for the center of each face.
+    point_radius : float
+        Radius of the disks that represent points without faces, in the unit of `points`. Range: >= 0.
+    progress : callable, optional
+        Called with the completed fraction, from 0 to 1. An exception that it raises stops the computation.
+    return_statistics : bool
+        If True, return ``(values, statistics)``. The statistics are a dictionary of counts such as ``Rays/Total``, with
+        ``EstimatedError``, the estimated RMSE.
+
+    Returns
+    -------
+    numpy.ndarray, shape (n,) or (m,), float32
+        Values from 0, open, to 1, blocked. They do not depend on the number of threads.
+
+    Raises
+    ------
+    TypeError
+        If an argument has the wrong type, such as faces that are not integers.
+    ValueError
+        If an argument has the wrong shape or is out of range, or if coordinates are not finite.
+    IndexError
+        If a face refers to a point that does not exist.
+    RuntimeError
+        If the computation fails.
+    KeyboardInterrupt
+        On Ctrl-C in the main thread.
+
+    Warns
+    -----
+    PenumbraWarning
+        If points do not belong to a face, or if all points are blocked.
+
+    Examples
+    --------
+    A floor and a roof that is a tenth of its size above it:
+
+    >>> import penumbra
+    >>> points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+    ...           (0, 0, 0.1), (1, 0, 0.1), (1, 1, 0.1), (0, 1, 0.1)]
+    >>> faces = [(0, 1, 2, 3), (4, 5, 6, 7)]
+    >>> penumbra.ambient_occlusion(points, faces, radius=10, on="cells").round(1).tolist()
+    [1.0, 0.0]
+    """
+    bake = occlusion_filter(tolerance, radius, falloff)
+    values = _bake(bake, "AmbientOcclusion", points, faces, normals, on, point_radius, progress)
+    return (values, result_statistics(bake)) if return_statistics else values
+
+
+@overload
+def irradiance(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
+    tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5, bounces: int = 3,
+    on: Location = "points", point_radius: float = 0.0, progress: Progress | None = None,
+    return_statistics: Literal[False] = False,
+) -> Floats: ...
+
+
+@overload
+def irradiance(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
+    tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5, bounces: int = 3,
+    on: Location = "points", point_radius: float = 0.0, progress: Progress | None = None,
+    return_statistics: Literal[True],
+) -> tuple[Floats, dict[str, Any]]: ...
+
+
+def irradiance(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
+    tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5, bounces: int = 3,
+    on: Location = "points", point_radius: float = 0.0, progress: Progress | None = None,
+    return_statistics: bool = False,
+) -> Floats | tuple[Floats, dict[str, Any]]:
+    """Compute the irradiance of a mesh or of oriented points under an environment, with interreflection.
+
+    The value is the integral of the incident radiance times the cosine over the hemisphere: pi under a white
+    environment that nothing blocks.
+
+    Parameters
+    ----------
+    points, faces, normals, tolerance, on, point_radius, progress, return_statistics
+        As in `ambient_occlusion`. The tolerance is in the unit of the values.
+    environment_color : str or array_like of three floats
+        Radiance of the environment: a color name, '#rrggbb', or three numbers >= 0, which may exceed 1.
+    albedo : float
+        Fraction of light that surfaces reflect. Range: [0, 1].
+    bounces : int
+        Number of reflections, including the one toward the eye; 1 is direct light only. Range: [1, 64].
+
+    Returns
+    -------
+    numpy.ndarray, shape (n, 3) or (m, 3), float32
+        Red, green and blue, from 0.
+
+    Raises
+    ------
+    TypeError, ValueError, IndexError, RuntimeError, KeyboardInterrupt
+        As `ambient_occlusion`.
+
+    Examples
+    --------
+    >>> import penumbra
+    >>> points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+    >>> penumbra.irradiance(points, [(0, 1, 2)]).round(2)[0].tolist()
+    [3.140000104904175, 3.140000104904175, 3.140000104904175]
+    """
+    bake = irradiance_filter(tolerance, parse_color("environment_color", environment_color), albedo, bounces)
+    values = _bake(bake, "Irradiance", points, faces, normals, on, point_radius, progress)
+    return (values, result_statistics(bake)) if return_statistics else values

@@ -1,0 +1,199 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks of arguments, and conversion of arrays to VTK and back."""
+from __future__ import annotations
+
+import math
+import numbers
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._backend import vtk_module
+
+FALLOFFS = ("none", "linear", "quadratic", "square-root")  # as vtkPenumbraIrradianceProvider::Falloffs
+
+
+def check_range(name: str, value: Any, low: float, high: float) -> Any:
+    """Return a number in [low, high]; raise TypeError or ValueError otherwise."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} must be a number, not {value!r}")
+    if not low <= value <= high:
+        raise ValueError(f"{name} must be in [{low:g}, {high:g}], not {value!r}")
+    return value
+
+
+def check_radius(radius: Any) -> float:
+    """Return VTK's value of a radius: 0 for None, which stands for the default."""
+    if radius is None:
+        return 0.0
+    if isinstance(radius, bool) or not isinstance(radius, numbers.Real):
+        raise TypeError(f"radius must be a number or None, not {radius!r}")
+    if not radius > 0.0:
+        raise ValueError(f"radius must be > 0, not {radius!r}")
+    return min(float(radius), 1e299)
+
+
+def check_choice(name: str, value: Any, choices: Sequence[str]) -> int:
+    """Return the index of a choice."""
+    if value not in choices:
+        raise ValueError(f"{name} must be one of {', '.join(map(repr, choices))}, not {value!r}")
+    return choices.index(value)
+
+
+def check_size(name: str, size: Any) -> tuple[int, int]:
+    """Return width and height in pixels."""
+    try:
+        width, height = (int(number) for number in size)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be two integers, width and height, not {size!r}") from None
+    if not (1 <= width <= 65535 and 1 <= height <= 65535):
+        raise ValueError(f"{name} must be 1 by 1 to 65535 by 65535 pixels, not {size!r}")
+    return width, height
+
+
+def parse_color(name: str, color: Any, high: float = math.inf) -> list[float]:
+    """Return red, green and blue from a color name or from three numbers in [0, high]."""
+    if isinstance(color, str):
+        colors = vtk_module("vtkCommonColor").vtkNamedColors()
+        if not colors.ColorExists(color) and not color.startswith("#"):
+            raise ValueError(f"{name} must be a color name, '#rrggbb' or three numbers >= 0, not {color!r}")
+        rgb = colors.HTMLColorToRGB(color)
+        return [component / 255.0 for component in (rgb.GetRed(), rgb.GetGreen(), rgb.GetBlue())]
+    try:
+        values = [float(value) for value in color]
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a color name or three numbers >= 0, not {color!r}") from None
+    if len(values) != 3 or not all(0.0 <= value <= high and value < math.inf for value in values):
+        limit = ">= 0" if high == math.inf else f"in [0, {high:g}]"
+        raise ValueError(f"{name} must be a color name or three numbers {limit}, not {color!r}")
+    return values
+
+
+def vectors(name: str, array: npt.ArrayLike, rows: int | None = None) -> npt.NDArray[Any]:
+    """Return an array of shape (n, 3) of finite floats."""
+    try:
+        values = np.asarray(array)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{name} must have the shape (n, 3): {error}") from None
+    if values.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must be an array of numbers, not of dtype {values.dtype}")
+    if values.ndim != 2 or values.shape[1] != 3:
+        raise ValueError(f"{name} must have the shape (n, 3), not {values.shape}")
+    if rows is not None and len(values) != rows:
+        raise ValueError(f"{name} must have one row for each of the {rows} points, not {len(values)}")
+    if values.dtype not in (np.float32, np.float64):
+        values = values.astype(np.float64)
+    finite = np.isfinite(values).all(axis=1)
+    if not finite.all():
+        raise ValueError(f"{name} must be finite: {np.count_nonzero(~finite)} of {len(values)} are not, the first is "
+                         f"{name}[{np.argmin(finite)}] = {values[np.argmin(finite)]}. Remove them.")
+    return np.ascontiguousarray(values)
+
+
+def _cells(faces: npt.ArrayLike, size: int) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    """Return offsets and connectivity of faces of shape (m, k), or flat as in PyVista: n, i0, ... in-1, n, ..."""
+    try:
+        values = np.asarray(faces)
+    except ValueError:
+        raise ValueError("faces of different sizes must be flat: the number of points of the first face, its points, "
+                         "the number of points of the second face, and so on") from None
+    if values.size == 0:
+        raise ValueError("faces is empty: pass None for points without faces, with point_radius and normals")
+    if values.dtype.kind not in "iu":
+        raise TypeError(f"faces must be an array of integers, not of dtype {values.dtype}")
+    values = np.ascontiguousarray(values, np.int64)
+    if values.ndim == 2 and values.shape[1] >= 3:
+        offsets = np.arange(0, values.size + 1, values.shape[1])
+        connectivity = values.ravel()
+    elif values.ndim == 1:
+        starts = []
+        position = 0
+        while position < len(values):
+            count = int(values[position])
+            if count < 3 or position + count >= len(values):
+                raise ValueError(f"faces is flat and must hold the number of points of each face, which is at least 3, "
+                                 f"followed by its points; faces[{position}] = {count} is no such number")
+            starts.append(position)
+            position += count + 1
+        connectivity = np.delete(values, starts)
+        offsets = np.concatenate([[0], np.cumsum(values[starts])])
+    else:
+        raise ValueError(f"faces must have the shape (m, 3), (m, 4) or (k,), not {values.shape}")
+    if connectivity.min() < 0 or connectivity.max() >= size:
+        wrong = int(np.argmax((connectivity < 0) | (connectivity >= size)))
+        raise IndexError(f"faces refer to points 0 to {size - 1}, but face {np.searchsorted(offsets, wrong, 'right') - 1} "
+                         f"has the point {connectivity[wrong]}")
+    return offsets.astype(np.int64), connectivity
+
+
+def poly_data(points: npt.ArrayLike, faces: npt.ArrayLike | None, normals: npt.ArrayLike | None) -> Any:
+    """Return a vtkPolyData that shares the memory of the arrays where their types allow it."""
+    support = vtk_module("util.numpy_support")
+    model = vtk_module("vtkCommonDataModel")
+    positions = vectors("points", points)
+    if len(positions) == 0:
+        raise ValueError("points is empty: pass at least one point")
+    vtk_points = vtk_module("vtkCommonCore").vtkPoints()
+    vtk_points.SetData(support.numpy_to_vtk(positions))
+    data = model.vtkPolyData()
+    data.SetPoints(vtk_points)
+    cells = model.vtkCellArray()
+    if faces is None:
+        offsets = np.arange(len(positions) + 1, dtype=np.int64)
+        connectivity = offsets[:-1].copy()
+    else:
+        offsets, connectivity = _cells(faces, len(positions))
+    id_type = vtk_module("vtkCommonCore").VTK_ID_TYPE
+    cells.SetData(support.numpy_to_vtk(offsets, array_type=id_type),
+                  support.numpy_to_vtk(connectivity, array_type=id_type))
+    if faces is None:
+        data.SetVerts(cells)
+    else:
+        data.SetPolys(cells)
+    if normals is not None:
+        data.GetPointData().SetNormals(support.numpy_to_vtk(vectors("normals", normals, len(positions))))
+    return data
+
+
+def image_data(name: str, image: Any) -> Any:
+    """Return a vtkImageData from an array of rows from top to bottom, or the image itself if it is one."""
+    if hasattr(image, "IsA") and image.IsA("vtkImageData"):
+        return image
+    values = np.asarray(image)
+    if values.dtype.kind not in "fu" or values.dtype == np.float16:
+        raise TypeError(f"{name} must be an array of uint8, uint16, float32 or float64, not of {values.dtype}")
+    if values.ndim == 2:
+        values = values[:, :, None]
+    if values.ndim != 3 or not 1 <= values.shape[2] <= 4 or values.size == 0:
+        raise ValueError(f"{name} must have the shape (height, width) or (height, width, 1 to 4), "
+                         f"not {np.shape(image)}")
+    support = vtk_module("util.numpy_support")
+    data = vtk_module("vtkCommonDataModel").vtkImageData()
+    data.SetDimensions(values.shape[1], values.shape[0], 1)
+    rows = np.ascontiguousarray(values[::-1]).reshape(-1, values.shape[2])
+    data.GetPointData().SetScalars(support.numpy_to_vtk(rows, deep=True))
+    return data
+
+
+def to_numpy(array: Any) -> npt.NDArray[Any]:
+    return vtk_module("util.numpy_support").vtk_to_numpy(array)  # type: ignore[no-any-return]
+
+
+def colors_of(image: Any, channels: int) -> npt.NDArray[Any]:
+    """Return the array Color of a vtkImageData, rows from top to bottom."""
+    width, height, _ = image.GetDimensions()
+    return to_numpy(image.GetPointData().GetArray("Color")).reshape(height, width, 4)[::-1, :, :channels]
+
+
+def to_bytes(image: npt.NDArray[Any]) -> npt.NDArray[np.uint8]:
+    return (np.clip(image, 0.0, 1.0) * 255.0 + 0.5).astype(np.uint8)
+
+
+def statistics_dict(algorithm: Any) -> dict[str, Any]:
+    """Return the statistics of a filter or pass as a dictionary of numbers or strings."""
+    data = algorithm.GetStatistics()
+    arrays = (data.GetAbstractArray(i) for i in range(data.GetNumberOfArrays()))
+    return {array.GetName(): array.GetValue(0) for array in arrays}

@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Messages of VTK as Python warnings and exceptions; progress and Ctrl-C in long calls."""
+from __future__ import annotations
+
+import contextlib
+import re
+import signal
+import warnings
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from ._backend import vtk_module
+
+Progress = Callable[[float], object]
+
+
+class PenumbraWarning(UserWarning):
+    """Category of all warnings of this package: a result that is usable but not what was asked for."""
+
+
+def _sentence(text: str) -> str:
+    """Return a message of VTK without its file name, line number and object address."""
+    text = re.sub(r"^(Generic )?(Warning|ERROR): In .*?, line \d+\s*", "", text.strip())
+    return re.sub(r"^\w+ \(0x[0-9a-fA-F]+\): ", "", text).strip()
+
+
+def _split(text: str) -> tuple[list[str], list[str]]:
+    """Return the warnings and the errors in the output of VTK."""
+    messages = re.split(r"(?m)^(?=(?:Generic )?(?:Warning|ERROR): In )", text)
+    notes: list[str] = []
+    errors: list[str] = []
+    for message in filter(str.strip, messages):
+        (errors if message.startswith("ERROR") else notes).append(_sentence(message))
+    return notes, errors
+
+
+@contextlib.contextmanager
+def _collected() -> Iterator[list[str]]:
+    """Collect what VTK prints; the list has the text after the block."""
+    core = vtk_module("vtkCommonCore")
+    before = core.vtkOutputWindow.GetInstance()
+    window = core.vtkStringOutputWindow()
+    text: list[str] = []
+    core.vtkOutputWindow.SetInstance(window)
+    try:
+        yield text
+    finally:
+        core.vtkOutputWindow.SetInstance(before)
+        text.append(window.GetOutput())
+
+
+def warn(message: str, stacklevel: int = 2) -> None:
+    warnings.warn(message, PenumbraWarning, stacklevel=stacklevel + 1)
+
+
+@contextlib.contextmanager
+def messages_as_warnings() -> Iterator[None]:
+    """Turn what VTK prints to the standard error stream within the block into Python warnings.
+
+    Errors raise RuntimeError at the end of the block. The functions and accessors of this package do this
+    themselves; the block serves classes that are used under their VTK names.
+
+    Warns
+    -----
+    PenumbraWarning
+        For every warning of VTK.
+
+    Raises
+    ------
+    RuntimeError
+        If VTK reported an error.
+
+    Examples
+    --------
+    >>> import penumbra
+    >>> caster = penumbra.vtkPenumbraRayCaster()
+    >>> with penumbra.messages_as_warnings():
+    ...     caster.Update()
+    """
+    with _collected() as text:
+        yield
+    _report(text[0], stacklevel=4)
+
+
+def _report(text: str, stacklevel: int) -> None:
+    notes, errors = _split(text)
+    for note in notes:
+        warn(note, stacklevel)
+    if errors:
+        raise RuntimeError(errors[0].splitlines()[-1])
+
+
+def observe_warnings(vtk_object: Any) -> None:
+    """Turn the messages of an object that works later, such as a render pass, into Python warnings."""
+    def emit(caller: object, event: str, text: str) -> None:
+        warn(_sentence(text), stacklevel=1)
+
+    emit.CallDataType = vtk_module("vtkCommonCore").VTK_STRING  # type: ignore[attr-defined]
+    if not vtk_object.HasObserver("WarningEvent"):
+        vtk_object.AddObserver("WarningEvent", emit)
+        vtk_object.AddObserver("ErrorEvent", emit)
+
+
+class _Interruption:
+    """Reports progress of a filter, and stops it on Ctrl-C or if the callback raises an exception."""
+
+    def __init__(self, algorithm: Any, progress: Progress | None) -> None:
+        self.algorithm = algorithm
+        self.progress = progress
+        self.error: BaseException | None = None
+        self.before: Any = None
+
+    def stop(self, error: BaseException) -> None:
+        self.error = self.error or error
+        self.algorithm.SetAbortExecute(1)
+
+    def __enter__(self) -> _Interruption:
+        # Python handles signals only while it executes code, here at each progress event of the filter.
+        self.observer = self.algorithm.AddObserver("ProgressEvent", self.observe)
+        try:
+            self.before = signal.signal(signal.SIGINT, lambda *_: self.stop(KeyboardInterrupt()))
+            self.handles = True
+        except ValueError:  # only the main thread receives Ctrl-C
+            self.handles = False
+        return self
+
+    def observe(self, caller: Any, event: str) -> None:
+        if self.progress is None or self.error is not None:
+            return
+        try:
+            self.progress(float(self.algorithm.GetProgress()))
+        except BaseException as error:  # VTK would print it and go on
+            self.stop(error)
+
+    def __exit__(self, *_: object) -> None:
+        self.algorithm.RemoveObserver(self.observer)
+        if self.handles:
+            signal.signal(signal.SIGINT, signal.SIG_DFL if self.before is None else self.before)
+
+
+def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2) -> None:
+    """Update a filter; raise its errors, warn its warnings."""
+    with _collected() as text, _Interruption(algorithm, progress) as interruption:
+        algorithm.Update()
+    if interruption.error is not None:
+        raise interruption.error
+    _report(text[0], stacklevel + 1)

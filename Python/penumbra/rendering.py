@@ -1,0 +1,386 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ray-cast images of meshes, renderers, windows and plotters as NumPy arrays."""
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator, Sequence
+from typing import Any, Literal, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from ._backend import vtk_module
+from ._classes import vtkPenumbraMedium, vtkPenumbraRayCaster
+from .baking import ColorLike, Falloff
+from .conversion import (FALLOFFS, check_choice, check_radius, check_range, check_size, colors_of, parse_color,
+                         poly_data, statistics_dict, to_bytes)
+from .messages import Progress, update, warn
+
+Image = npt.NDArray[Any]
+Camera = Any
+
+# Render passes that show something that rays do not draw.
+NOT_DRAWN = {
+    "vtkEDLShading": "eye-dome lighting",
+    "vtkDepthOfFieldPass": "depth of field",
+    "vtkGaussianBlurPass": "blur",
+    "vtkToneMappingPass": "tone mapping",
+    "vtkOutlineGlowPass": "outlines",
+}
+
+
+def passes_of(renderer: Any) -> Iterator[Any]:
+    """Iterate over the render passes of a renderer, outermost first."""
+    waiting = [renderer.GetPass()]
+    seen = set()
+    while waiting:
+        render_pass = waiting.pop(0)
+        if render_pass is None or id(render_pass) in seen:
+            continue
+        seen.add(id(render_pass))
+        yield render_pass
+        if render_pass.IsA("vtkSequencePass") and render_pass.GetPasses():
+            passes = render_pass.GetPasses()
+            waiting += [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
+        for name in ("GetDelegatePass", "GetOpaqueSequence"):
+            if hasattr(render_pass, name):
+                waiting.append(getattr(render_pass, name)())
+
+
+@dataclasses.dataclass
+class Settings:
+    """What is drawn; None means what the renderer shows."""
+
+    tolerance: float = 1.0 / 256.0
+    ambient_occlusion: bool | None = None
+    radius: float | None = None
+    falloff: str = "none"
+    strength: float | None = None
+    shadows: bool | None = None
+    light_shafts: bool | None = None
+    indirect_light: bool = False
+    environment_color: Any = "black"
+    albedo: float = 0.5
+    bounces: int = 3
+    transparent_background: bool = False
+    dpi: int = 72
+
+    def __post_init__(self) -> None:
+        check_range("tolerance", self.tolerance, 1e-6, 1.0)
+        check_radius(self.radius)
+        check_choice("falloff", self.falloff, FALLOFFS)
+        if self.strength is not None:
+            check_range("strength", self.strength, 0.0, 1.0)
+        self.environment_color = parse_color("environment_color", self.environment_color)
+        check_range("albedo", self.albedo, 0.0, 1.0)
+        check_range("bounces", self.bounces, 1, 64)
+
+
+def _diagonal(renderer: Any) -> float:
+    bounds = np.array(renderer.ComputeVisiblePropBounds()).reshape(3, 2)
+    return float(np.linalg.norm(bounds[:, 1] - bounds[:, 0]))
+
+
+def _follow_occlusion(caster: Any, renderer: Any, render_pass: Any, settings: Settings) -> None:
+    """Set the radius and the strength of a pass that computes ambient occlusion."""
+    radius = settings.radius
+    if render_pass.IsA("vtkSSAOPass"):
+        own, strength = render_pass.GetRadius(), 1.0
+    else:
+        own, strength = render_pass.GetRadius(), render_pass.GetStrength()
+        if render_pass.GetRadiusUnit() == render_pass.FRACTION_OF_BOUNDS:
+            own *= _diagonal(renderer)
+        elif render_pass.GetRadiusUnit() == render_pass.PIXELS and radius is None:
+            warn("the radius of the ambient occlusion is in pixels, which rays do not know: a tenth of the bounds is "
+                 "used instead; pass radius in world units", stacklevel=5)
+            own = 0.0
+    caster.SetAmbientOcclusion(True)
+    caster.SetAmbientOcclusionRadius(own if radius is None else check_radius(radius))
+    caster.SetAmbientOcclusionStrength(strength if settings.strength is None else settings.strength)
+
+
+def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> None:
+    for render_pass in passes_of(renderer):
+        name = render_pass.GetClassName()
+        if render_pass.IsA("vtkPenumbraTemporalSSAOPass") or render_pass.IsA("vtkSSAOPass"):
+            if settings.ambient_occlusion is None:
+                _follow_occlusion(caster, renderer, render_pass, settings)
+        elif render_pass.IsA("vtkPenumbraLightShaftPass"):
+            if settings.light_shafts is None:
+                medium = vtkPenumbraMedium()
+                medium.SetScattering(render_pass.GetScattering())
+                medium.SetExtinction(render_pass.GetExtinction())
+                medium.SetPhase(render_pass.GetPhase())
+                medium.SetAsymmetry(render_pass.GetAsymmetry())
+                medium.SetBounds(render_pass.GetBounds())
+                caster.SetMedium(medium)
+        elif render_pass.IsA("vtkShadowMapPass"):
+            if settings.shadows is None:
+                caster.SetShadows(True)
+        elif name in NOT_DRAWN:
+            warn(f"rays do not draw {NOT_DRAWN[name]} ({name})", stacklevel=5)
+
+
+def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> Any:
+    """Return a ray caster that draws a renderer."""
+    caster = vtkPenumbraRayCaster()
+    caster.SetRenderer(renderer)
+    caster.SetResolution(*size)
+    caster.SetTolerance(settings.tolerance)
+    caster.SetShadows(bool(settings.shadows))
+    caster.SetAmbientOcclusion(bool(settings.ambient_occlusion))
+    caster.SetAmbientOcclusionRadius(check_radius(settings.radius))
+    caster.SetAmbientOcclusionFalloff(FALLOFFS.index(settings.falloff))
+    caster.SetAmbientOcclusionStrength(-1.0 if settings.strength is None else settings.strength)
+    if settings.light_shafts:
+        caster.SetMedium(vtkPenumbraMedium())
+    caster.SetIndirectLight(bool(settings.indirect_light))
+    caster.SetEnvironmentColor(settings.environment_color)
+    caster.SetAlbedo(settings.albedo)
+    caster.SetBounces(int(settings.bounces))
+    caster.SetDPI(settings.dpi)
+    _follow_passes(caster, renderer, settings)
+    return caster
+
+
+def _add(total: dict[str, Any], counts: dict[str, Any]) -> None:
+    for name, value in counts.items():
+        total[name] = total.get(name, 0) + value if isinstance(value, (int, float)) else value
+
+
+def cast_renderers(
+    renderers: Sequence[Any], size: tuple[int, int], settings: Settings, progress: Progress | None,
+    stacklevel: int = 3,
+) -> tuple[Image, dict[str, Any]]:
+    """Return an image of the renderers of a window with four floats a pixel, and statistics."""
+    width, height = size
+    canvas = np.zeros((height, width, 4), np.float32)
+    total: dict[str, Any] = {}
+    squares = 0.0
+    shown = sorted((renderer for renderer in renderers if renderer.GetDraw()), key=lambda item: item.GetLayer())
+    for index, renderer in enumerate(shown):
+        left, bottom, right, top = renderer.GetViewport()
+        columns = slice(round(left * width), round(right * width))
+        rows = slice(height - round(top * height), height - round(bottom * height))
+        part = (columns.stop - columns.start, rows.stop - rows.start)
+        if min(part) < 1:
+            continue
+        renderer.InvokeEvent("StartEvent")  # axes widgets copy the camera of the scene then
+        caster = make_caster(renderer, part, settings)
+        opaque = renderer.GetLayer() == 0 and not settings.transparent_background
+        caster.SetBackground(opaque)
+        update(caster, None if progress is None else
+               lambda fraction, index=index: progress((index + fraction) / len(shown)), stacklevel + 1)
+        colors = colors_of(caster.GetOutput(), 4)
+        below = canvas[rows, columns]
+        alpha = colors[..., 3:]
+        if opaque or renderer.GetLayer() == 0:
+            canvas[rows, columns] = colors
+        else:
+            covered = alpha + below[..., 3:] * (1.0 - alpha)
+            mixed = colors[..., :3] * alpha + below[..., :3] * below[..., 3:] * (1.0 - alpha)
+            below[..., :3] = np.divide(mixed, covered, out=np.zeros_like(mixed), where=covered > 0.0)
+            below[..., 3:] = covered
+        _add(total, statistics_dict(caster))
+        if np.isfinite(caster.GetEstimatedError()):
+            squares += caster.GetEstimatedError() ** 2 * part[0] * part[1]
+    if "Rays/Total" in total:
+        total["Rays/PerPixel"] = total["Rays/Total"] / (width * height)
+    total["EstimatedError"] = float(np.sqrt(squares / (width * height)))
+    return canvas, total
+
+
+def finish(canvas: Image, transparent_background: bool, as_float: bool) -> Image:
+    image = canvas if transparent_background else canvas[..., :3]
+    return np.ascontiguousarray(image) if as_float else to_bytes(image)
+
+
+def _set_camera(renderer: Any, camera: Camera) -> None:
+    if hasattr(camera, "IsA") and camera.IsA("vtkCamera"):
+        renderer.SetActiveCamera(camera)
+        return
+    view = renderer.GetActiveCamera()
+    if camera is None:
+        view.SetPosition(1.0, 1.0, 1.0)
+        view.SetFocalPoint(0.0, 0.0, 0.0)
+        view.SetViewUp(0.0, 0.0, 1.0)
+        renderer.ResetCamera()
+        return
+    try:
+        position, focal_point, view_up = ([float(value) for value in vector] for vector in camera)
+        view.SetPosition(position)
+        view.SetFocalPoint(focal_point)
+        view.SetViewUp(view_up)
+    except (TypeError, ValueError):
+        raise ValueError("camera must be three points, (position, focal_point, view_up), or a vtkCamera, "
+                         f"not {camera!r}") from None
+    renderer.ResetCameraClippingRange()
+
+
+def renderer_of_mesh(mesh: Any, color: ColorLike, camera: Camera) -> Any:
+    """Return a renderer with one mesh and a headlight."""
+    core = vtk_module("vtkRenderingCore")
+    if mesh.IsA("vtkCompositeDataSet"):
+        mapper = core.vtkCompositePolyDataMapper()
+        surfaces = vtk_module("vtkFiltersGeometry").vtkGeometryFilter()
+        surfaces.SetInputDataObject(mesh)
+        mapper.SetInputConnection(surfaces.GetOutputPort())
+    else:
+        mapper = core.vtkPolyDataMapper() if mesh.IsA("vtkPolyData") else core.vtkDataSetMapper()
+        mapper.SetInputDataObject(mesh)
+    mapper.ScalarVisibilityOff()
+    actor = core.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(parse_color("color", color, 1.0))
+    renderer = core.vtkRenderer()
+    renderer.AddActor(actor)
+    _set_camera(renderer, camera)
+    return renderer
+
+
+def _resolve(scene: Any, size: Any, color: ColorLike, camera: Camera) -> tuple[list[Any], tuple[int, int]]:
+    """Return the renderers of a scene and the size of the image."""
+    if hasattr(scene, "render_window") and hasattr(scene, "renderers"):  # a PyVista plotter
+        prepare_plotter(scene)
+        window = scene.render_window
+        if window is None:
+            raise RuntimeError("the plotter is closed: render it before close() or show()")
+    elif hasattr(scene, "IsA"):
+        window = scene if scene.IsA("vtkRenderWindow") else None
+        if scene.IsA("vtkDataObject"):
+            return [renderer_of_mesh(scene, color, camera)], check_size("size", size or (1024, 768))
+        if scene.IsA("vtkRenderer"):
+            if camera is not None:
+                _set_camera(scene, camera)
+            return [scene], check_size("size", size or (1024, 768))
+    elif isinstance(scene, tuple) and len(scene) == 2:
+        return [renderer_of_mesh(poly_data(*scene, None), color, camera)], check_size("size", size or (1024, 768))
+    else:
+        window = None
+    if window is None:
+        raise TypeError("scene must be a mesh, (points, faces), a vtkRenderer, a vtkRenderWindow or a PyVista plotter, "
+                        f"not {type(scene).__name__}")
+    if camera is not None:
+        raise ValueError("camera applies to meshes and renderers; set that of the plotter instead")
+    collection = window.GetRenderers()
+    renderers = [collection.GetItemAsObject(i) for i in range(collection.GetNumberOfItems())]
+    return renderers, check_size("size", size or window.GetSize())
+
+
+def prepare_plotter(plotter: Any) -> None:
+    """Place cameras that nobody placed, as the first ``show`` does."""
+    prepare = getattr(plotter, "_on_first_render_request", None)
+    if prepare is not None:
+        prepare()
+
+
+@overload
+def render(
+    scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
+    tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
+    falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
+    light_shafts: bool | None = None, indirect_light: bool = False, environment_color: ColorLike = "black",
+    albedo: float = 0.5, bounces: int = 3, transparent_background: bool = False, as_float: bool = False,
+    progress: Progress | None = None, return_statistics: Literal[False] = False,
+) -> Image: ...
+
+
+@overload
+def render(
+    scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
+    tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
+    falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
+    light_shafts: bool | None = None, indirect_light: bool = False, environment_color: ColorLike = "black",
+    albedo: float = 0.5, bounces: int = 3, transparent_background: bool = False, as_float: bool = False,
+    progress: Progress | None = None, return_statistics: Literal[True],
+) -> tuple[Image, dict[str, Any]]: ...
+
+
+def render(
+    scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
+    tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
+    falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
+    light_shafts: bool | None = None, indirect_light: bool = False, environment_color: ColorLike = "black",
+    albedo: float = 0.5, bounces: int = 3, transparent_background: bool = False, as_float: bool = False,
+    progress: Progress | None = None, return_statistics: bool = False,
+) -> Image | tuple[Image, dict[str, Any]]:
+    """Render an image by ray casting, antialiased to a tolerance.
+
+    No window, display or OpenGL is used, and the image has the same bits on every machine and with any number of
+    threads.
+
+    Parameters
+    ----------
+    scene : mesh, (points, faces), vtkRenderer, vtkRenderWindow or pyvista.Plotter
+        What to render. A mesh is any vtkDataSet or composite data set, or arrays as in `ambient_occlusion`; it gets a
+        headlight and one color. All renderers of a window or plotter are drawn in their viewports.
+    size : tuple of int, optional
+        Width and height in pixels. Range: 1 to 65535. Default: the size of the window, else 1024 by 768.
+    camera : (position, focal_point, view_up) or vtkCamera, optional
+        Camera of a mesh or renderer, in world coordinates. Default: that of the renderer; a mesh is seen from
+        (1, 1, 1) with z up.
+    color : str or array_like of three floats in [0, 1]
+        Color of a mesh.
+    tolerance : float
+        Accepted RMSE of any 16 by 16 pixels, for colors in [0, 1]. Range: [1e-6, 1].
+    ambient_occlusion, shadows, light_shafts : bool, optional
+        Draw these effects. Default: those that the render passes of the renderer draw.
+    radius : float, optional
+        Radius of the ambient occlusion, in world units. Range: > 0. Default: that of the pass, else a tenth of the
+        diagonal of the bounds.
+    falloff : {"none", "linear", "quadratic", "square-root"}
+        As in `ambient_occlusion`.
+    strength : float, optional
+        Colors are multiplied by 1 - strength * occlusion. Range: [0, 1]. Default: that of the pass, else 1, and 0.6 on
+        surfaces that are colored by scalars.
+    indirect_light : bool
+        Add the light of the environment and of diffuse interreflection.
+    environment_color, albedo, bounces
+        As in `irradiance`.
+    transparent_background : bool
+        If True, the image has a fourth channel, the covered fraction of each pixel.
+    as_float : bool
+        If True, return float32 without clamping instead of bytes.
+    progress : callable, optional
+        Called with the completed fraction, from 0 to 1. An exception that it raises stops the rendering.
+    return_statistics : bool
+        If True, return ``(image, statistics)``. The statistics are a dictionary of counts such as ``Rays/PerPixel``,
+        with ``EstimatedError``, the estimated RMSE.
+
+    Returns
+    -------
+    numpy.ndarray, shape (height, width, 3) or (height, width, 4), uint8 or float32
+        Rows from top to bottom.
+
+    Raises
+    ------
+    TypeError
+        If the scene is none of these, or an argument has another type.
+    ValueError
+        If an argument is out of range.
+    RuntimeError
+        If the rendering fails.
+    KeyboardInterrupt
+        On Ctrl-C in the main thread.
+
+    Warns
+    -----
+    PenumbraWarning
+        If the scene has something that rays do not draw, or if the tolerance is not met.
+
+    Examples
+    --------
+    >>> import penumbra
+    >>> points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    >>> faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+    >>> penumbra.render((points, faces), size=(320, 240), ambient_occlusion=True).shape
+    (240, 320, 3)
+    """
+    settings = Settings(
+        tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
+        environment_color, albedo, bounces, transparent_background)
+    renderers, pixels = _resolve(scene, size, color, camera)
+    canvas, statistics = cast_renderers(renderers, pixels, settings, progress)
+    image = finish(canvas, transparent_background, as_float)
+    return (image, statistics) if return_statistics else image
