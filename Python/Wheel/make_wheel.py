@@ -36,7 +36,7 @@ ENTRY_POINTS = f"""[pyvista.accessors]
 {PACKAGE} = {PACKAGE}.provider:OcclusionProvider
 
 [pytest11]
-{PACKAGE} = {PACKAGE}.pytest_plugin
+{PACKAGE} = pytest_penumbra
 """
 
 
@@ -67,7 +67,6 @@ Provides-Extra: pyvista
 Requires-Dist: pyvista>=0.49; extra == "pyvista"
 Provides-Extra: pytest
 Requires-Dist: pytest>=8; extra == "pytest"
-Requires-Dist: pillow; extra == "pytest"
 Description-Content-Type: text/markdown
 
 {(ROOT / "Python" / "README.md").read_text()}"""
@@ -123,7 +122,8 @@ def generate_stubs(modules, libraries, site):
 def collect(options, scratch):
     """Return the contents of the wheel by path, without its metadata."""
     files = {f"{PACKAGE}/{path.name}": path.read_bytes() for path in sorted(SOURCES.iterdir())
-             if path.suffix in (".py", ".typed", ".pyi", ".html")}
+             if path.suffix in (".py", ".typed")}
+    files["pytest_penumbra.py"] = (SOURCES.parent / "pytest_penumbra.py").read_bytes()
     files[f"{PACKAGE}/_version.py"] = f'__version__ = "{options.version}"\n'.encode()
     for tree in options.trees:
         modules = modules_of(tree)

@@ -147,7 +147,7 @@ def ambient_occlusion(
     >>> points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
     ...           (0, 0, 0.1), (1, 0, 0.1), (1, 1, 0.1), (0, 1, 0.1)]
     >>> faces = [(0, 1, 2, 3), (4, 5, 6, 7)]
-    >>> penumbra.ambient_occlusion(points, faces, radius=10, on="cells").round(1).tolist()
+    >>> penumbra.ambient_occlusion(points, faces, radius=1, on="cells").round(1).tolist()
     [1.0, 0.0]
     """
     bake = occlusion_filter(tolerance, radius, falloff)

@@ -37,15 +37,24 @@ def _split(text: str) -> tuple[list[str], list[str]]:
 
 @contextlib.contextmanager
 def _collected() -> Iterator[list[str]]:
-    """Collect what VTK prints; the list has the text after the block."""
+    """Collect what VTK prints; the list has the text after the block.
+
+    No observers written in Python: VTK may call them from threads, which wait forever for the interpreter.
+    """
     core = vtk_module("vtkCommonCore")
     before = core.vtkOutputWindow.GetInstance()
     window = core.vtkStringOutputWindow()
     text: list[str] = []
     core.vtkOutputWindow.SetInstance(window)
+    # VTK's log goes to the standard error stream, too. More than its default means that someone wants to see it.
+    verbosity = core.vtkLogger.GetCurrentVerbosityCutoff()
+    if verbosity <= core.vtkLogger.VERBOSITY_INFO:
+        core.vtkLogger.SetStderrVerbosity(core.vtkLogger.VERBOSITY_OFF)
     try:
         yield text
     finally:
+        if verbosity <= core.vtkLogger.VERBOSITY_INFO:
+            core.vtkLogger.SetStderrVerbosity(verbosity)
         core.vtkOutputWindow.SetInstance(before)
         text.append(window.GetOutput())
 
@@ -110,6 +119,7 @@ class _Interruption:
         self.progress = progress
         self.error: BaseException | None = None
         self.before: Any = None
+        self.fraction = 0.0
 
     def stop(self, error: BaseException) -> None:
         self.error = self.error or error
@@ -129,7 +139,8 @@ class _Interruption:
         if self.progress is None or self.error is not None:
             return
         try:
-            self.progress(float(self.algorithm.GetProgress()))
+            self.fraction = max(self.fraction, float(self.algorithm.GetProgress()))
+            self.progress(self.fraction)
         except BaseException as error:  # VTK would print it and go on
             self.stop(error)
 
@@ -145,4 +156,4 @@ def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2
         algorithm.Update()
     if interruption.error is not None:
         raise interruption.error
-    _report(text[0], stacklevel + 1)
+    _report(text[0], stacklevel + 2)

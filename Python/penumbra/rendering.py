@@ -93,7 +93,7 @@ def _follow_occlusion(caster: Any, renderer: Any, render_pass: Any, settings: Se
             own *= _diagonal(renderer)
         elif render_pass.GetRadiusUnit() == render_pass.PIXELS and radius is None:
             warn("the radius of the ambient occlusion is in pixels, which rays do not know: a tenth of the bounds is "
-                 "used instead; pass radius in world units", stacklevel=5)
+                 "used instead; pass radius in world units", stacklevel=6)
             own = 0.0
     caster.SetAmbientOcclusion(True)
     caster.SetAmbientOcclusionRadius(own if radius is None else check_radius(radius))
@@ -171,7 +171,7 @@ def cast_renderers(
         opaque = renderer.GetLayer() == 0 and not settings.transparent_background
         caster.SetBackground(opaque)
         update(caster, None if progress is None else
-               lambda fraction, index=index: progress((index + fraction) / len(shown)), stacklevel + 1)
+               lambda fraction, index=index: progress((index + fraction) / len(shown)), stacklevel)
         colors = colors_of(caster.GetOutput(), 4)
         below = canvas[rows, columns]
         alpha = colors[..., 3:]

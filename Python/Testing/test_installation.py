@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests of the choice of VTK, of the time of the import, and of the metadata of the installed wheel."""
+import importlib.metadata
+import importlib.util
+import os
+import subprocess
+import sys
+
+import pytest
+
+import penumbra
+from penumbra import _backend
+
+
+def run(code, **environment):
+    variables = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                          env=variables | environment)
+
+
+def fake_vtk(folder, version, package="vtk"):
+    """Install a package without content."""
+    root = "vtkmodules" if package == "vtk" else package
+    (folder / root).mkdir()
+    (folder / root / "__init__.py").write_text("")
+    info = folder / f"{package}-{version}.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {package}\nVersion: {version}\n")
+
+
+@pytest.mark.parametrize(("package", "version"), [("vtk", "9.6.2"), ("vtk", "9.8.0"), ("cvista", "9.7.0.4")])
+def test_unsupported_vtk_is_named_with_those_that_work(tmp_path, package, version):
+    fake_vtk(tmp_path, version, package)
+    result = run("import penumbra", PYTHONPATH=str(tmp_path), PYVISTA_VTK_BACKEND=package)
+    assert result.returncode == 1
+    message = result.stderr.strip().splitlines()[-1]
+    assert message.startswith(f"ImportError: penumbra does not work with {package} {version} and CPython")
+    assert "cvista 9.7.0.5 ('pip install" in message
+
+
+def test_unknown_vtk_is_named():
+    result = run("import penumbra", PYVISTA_VTK_BACKEND="paraview")
+    assert "ImportError: PYVISTA_VTK_BACKEND is 'paraview', a VTK that penumbra was not built for" in result.stderr
+
+
+def test_imported_vtk_is_used():
+    for root in ("vtkmodules", "cvista"):
+        if importlib.util.find_spec(root):
+            result = run(f"import {root}.vtkCommonCore, penumbra; print(penumbra._backend.ROOT)",
+                         PYVISTA_VTK_BACKEND="")
+            assert result.stdout.strip() == root, result.stderr
+
+
+def test_import_loads_neither_vtk_nor_numpy():
+    result = run("import sys, penumbra; print([n for n in ('numpy', f'{penumbra._backend.ROOT}.vtkCommonCore', 'pyvista')"
+                 " if n in sys.modules])")
+    assert result.stdout.strip() == "[]", result.stderr
+
+
+def test_rays_need_no_display():
+    result = run("import penumbra\nimage = penumbra.render(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))\n"
+                 "print(image.shape)")
+    assert result.stdout.strip() == "(768, 1024, 3)", result.stderr
+
+
+def test_version_is_that_of_the_distribution():
+    assert penumbra.__version__ == importlib.metadata.version("vtk-penumbra")
+
+
+def test_wheel_requires_no_vtk():
+    required = [name for name in importlib.metadata.requires("vtk-penumbra") if "extra ==" not in name]
+    assert required == ["numpy>=1.26"]
+
+
+def test_wheel_contains_licenses_and_a_platform_tag():
+    files = {str(path) for path in importlib.metadata.files("vtk-penumbra")}
+    for name in ("LICENSE", "Apache-2.0.txt", "GLM.txt", "VTK.txt", "THIRD-PARTY.txt"):
+        assert any(path.endswith(f"dist-info/licenses/{name}") for path in files), name
+    wheel = importlib.metadata.distribution("vtk-penumbra").read_text("WHEEL")
+    assert "Tag: cp312-abi3-manylinux_2_" in wheel
+    metadata = pytest.importorskip("packaging.metadata")
+    text = importlib.metadata.distribution("vtk-penumbra").read_text("METADATA")
+    assert metadata.Metadata.from_email(text, validate=True).license_expression == "BSD-3-Clause AND Apache-2.0 AND MIT"
+
+
+def test_libraries_for_both_packages_are_present():
+    assert list((_backend.HERE / "_cvista").glob("vtkPenumbraFiltersRayCasting.abi3.so"))
+    assert f"{sys.version_info[0]}.{sys.version_info[1]}" in _backend._pythons()

@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests of the fixture penumbra_regression in runs of pytest of their own."""
+import json
+import pathlib
+
+import numpy as np
+import pytest
+
+from penumbra.regression import read_png, write_png
+
+pytest_plugins = ["pytester"]
+
+RAYS = """
+import pytest
+POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, {height})]
+FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+
+@pytest.mark.parametrize("size", [(64, 48)])
+def test_pyramid(penumbra_regression, size):
+    penumbra_regression((POINTS, FACES), size=size)
+"""
+IMAGE = """
+import numpy as np
+
+def test_given(penumbra_regression):
+    image = np.full((40, 50, 3), 200, np.uint8)
+    image[20, 30] = {value}
+    penumbra_regression(image)
+"""
+BASELINE = "image_cache/scene/pyramid-size0.png"
+
+
+@pytest.fixture
+def scene(pytester):
+    """Return a function that writes a test and runs it."""
+    def run(text, *options):
+        pytester.makepyfile(test_scene=text)
+        return pytester.runpytest("-p", "no:cacheprovider", *options)
+    return run
+
+
+def test_missing_baseline_fails_and_says_what_to_do(scene, pytester):
+    result = scene(RAYS.format(height=1))
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines([f"*There is no baseline {BASELINE}.", "*Look at penumbra-report/scene/pyramid-size0/.",
+                                 "*pytest --penumbra-update 'test_scene.py::test_pyramid[[]size0[]]'*"])
+    assert read_png(pytester.path / "penumbra-report/scene/pyramid-size0/image.png").shape == (48, 64, 3)
+    assert not (pytester.path / "image_cache").exists()
+
+
+def test_update_writes_the_baseline_which_then_equals(scene, pytester):
+    scene(RAYS.format(height=1), "--penumbra-update").assert_outcomes(passed=1)
+    before = (pytester.path / BASELINE).read_bytes()
+    result = scene(RAYS.format(height=1))
+    result.assert_outcomes(passed=1)
+    result.stdout.fnmatch_lines(["1 images: 1 equal"])
+    scene(RAYS.format(height=1), "--penumbra-update").assert_outcomes(passed=1)
+    assert (pytester.path / BASELINE).read_bytes() == before
+    assert not (pytester.path / "penumbra-report").exists()
+
+
+def test_difference_fails_with_its_image_its_tiles_and_a_page(scene, pytester):
+    scene(RAYS.format(height=1), "--penumbra-update")
+    result = scene(RAYS.format(height=1.3))
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines([f"*The image differs from {BASELINE}: rmse *", "*worst tile, columns * rows *RMSE *"])
+    folder = pytester.path / "penumbra-report"
+    images = {name: read_png(folder / f"scene/pyramid-size0/{name}.png") for name in ("image", "baseline", "difference")}
+    assert (np.abs(images["image"].astype(int) - images["baseline"]).max(axis=2) > 0).any()
+    assert images["difference"].max() > 0
+    page = (folder / "index.html").read_text()
+    assert "1 of 1 images differ" in page
+    assert 'src="scene/pyramid-size0/difference.png"' in page
+    assert "columns" in page
+
+
+def test_given_images_may_differ_in_single_pixels(scene):
+    scene(IMAGE.format(value=200), "--penumbra-update").assert_outcomes(passed=1)
+    result = scene(IMAGE.format(value=180))
+    result.assert_outcomes(passed=1)
+    result.stdout.fnmatch_lines(["1 images: 1 near"])
+
+
+def test_other_size_fails_with_both_sizes(scene, pytester):
+    scene(IMAGE.format(value=200), "--penumbra-update")
+    write_png(pytester.path / "image_cache/scene/given.png", np.zeros((40, 51, 3), np.uint8))
+    result = scene(IMAGE.format(value=200))
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines(["*has 51 by 40 pixels, the image 50 by 40: render it with that size."])
+
+
+def test_damaged_baseline_fails(scene, pytester):
+    scene(IMAGE.format(value=200), "--penumbra-update")
+    (pytester.path / "image_cache/scene/given.png").write_bytes(b"nothing")
+    result = scene(IMAGE.format(value=200))
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines(["*is not a PNG file: restore it, or remove it*"])
+
+
+def test_folder_that_cannot_be_written_fails_and_says_what_to_do(scene, pytester):
+    (pytester.path / "image_cache").write_text("not a folder")
+    result = scene(RAYS.format(height=1), "--penumbra-update")
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines(["*cannot be written: *Make its folder writable, or choose another*"])
+    (pytester.path / "image_cache").unlink()
+    (pytester.path / "penumbra-report").write_text("not a folder")
+    result = scene(RAYS.format(height=1))
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines(["*The image cannot be written to *penumbra-report: *--penumbra-report*",
+                                 "The report cannot be written: *"])
+
+
+def test_several_images_of_a_test_have_several_baselines(scene, pytester):
+    scene("""
+import numpy as np
+def test_steps(penumbra_regression):
+    for i in range(3):
+        penumbra_regression(np.full((8, 8, 3), 50 * i, np.uint8))
+    penumbra_regression(np.zeros((8, 8, 3)), "named")
+""", "--penumbra-update").assert_outcomes(passed=1)
+    names = {path.name for path in (pytester.path / "image_cache/scene").iterdir()}
+    assert names == {"steps.png", "steps_1.png", "steps_2.png", "named.png"}
+
+
+def test_folder_of_baselines_is_a_setting(scene, pytester):
+    pytester.makeini("[pytest]\npenumbra_baselines = references")
+    scene(IMAGE.format(value=200), "--penumbra-update").assert_outcomes(passed=1)
+    assert (pytester.path / "references/scene/given.png").exists()
+
+
+def test_runs_in_several_processes(scene, pytester):
+    pytest.importorskip("xdist")
+    text = """
+import numpy as np, pytest
+@pytest.mark.parametrize("gray", range(4))
+def test_gray(penumbra_regression, gray):
+    penumbra_regression(np.full((8, 8, 3), gray, np.uint8), tolerance=0)
+"""
+    pytester.makepyfile(test_scene=text)
+    pytester.runpytest_subprocess("-n2", "--penumbra-update").assert_outcomes(passed=4)
+    result = pytester.runpytest_subprocess("-n2", "--penumbra-report=page")
+    result.assert_outcomes(passed=4)
+    result.stdout.fnmatch_lines(["4 images: 4 equal", "report: *page/index.html"])
+    assert (pytester.path / "page/index.html").read_text().count(">equal<") == 4
+
+
+def test_pytest_starts_without_vtk(pytester):
+    pytester.makepyfile("""
+import sys
+def test_plugin():
+    assert "pytest_penumbra" in sys.modules
+    assert "penumbra" not in sys.modules
+""")
+    pytester.runpytest_subprocess().assert_outcomes(passed=1)
+
+
+def test_results_are_in_the_report_of_junit(scene, pytester):
+    scene(IMAGE.format(value=200), "--penumbra-update", "--junitxml=results.xml")
+    text = pathlib.Path(pytester.path, "results.xml").read_text()
+    row = text.split('name="penumbra_regression" value="')[1].split('"')[0].replace("&quot;", '"')
+    assert json.loads(row)["outcome"] == "updated"
