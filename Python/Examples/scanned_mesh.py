@@ -9,7 +9,7 @@ import pyvista as pv
 
 data = pathlib.Path(__file__).parents[2] / "Data"
 head = pv.read(data / "head.ply")
-baked = head.penumbra.bake_ambient_occlusion(tolerance=0.02)
+baked = head.penumbra.bake_ambient_occlusion(tolerance=0.02, statistics=True)
 records, points = (baked.field_data[name][0] for name in ("Cache/Records", "Points/Total"))
 print(f"{points:.0f} points, {records:.0f} records, error {baked.field_data['EstimatedError'][0]:.3f}")
 

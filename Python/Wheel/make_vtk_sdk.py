@@ -3,9 +3,9 @@
 """Make an SDK for the package ``vtk`` from the SDK of ``cvista`` and an installed ``vtk``.
 
 The package ``vtk`` has libraries but neither headers nor CMake files on Linux. Both packages are built from VTK 9.7;
-vtk-headers.patch returns the headers that cvista changed, as far as Penumbra includes them, to VTK 9.7.0. In the folder of
-the libraries stand linker scripts that name the libraries of ``vtk``. These use the C++ ABI of GCC before 5:
-compile with _GLIBCXX_USE_CXX11_ABI=0.
+vtk-headers.patch returns the headers that cvista changed, as far as Penumbra includes them, to VTK 9.7.0. Linker scripts
+stand for the libraries and name those of ``vtk``, so that one SDK serves all versions of CPython. These libraries use the
+C++ ABI of GCC before 5: compile with _GLIBCXX_USE_CXX11_ABI=0.
 """
 import argparse
 import importlib.util
@@ -14,6 +14,7 @@ import re
 import shutil
 import sys
 
+PYTHON_CORE = "libvtkWrappingPython.so"
 PATCH = pathlib.Path(__file__).parent / "vtk-headers.patch"
 
 
@@ -51,22 +52,29 @@ def find_libraries():
     return pathlib.Path(importlib.util.find_spec("vtkmodules").submodule_search_locations[0])
 
 
+def link_libraries(folder, libraries):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for name, path in libraries.items():
+        (folder / name).symlink_to(path)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sdk", required=True, type=pathlib.Path, help="the folder cvista_sdk")
     parser.add_argument("--output", required=True, type=pathlib.Path, help="the SDK to make, if it does not exist")
-    parser.add_argument("--python", required=True, type=pathlib.Path,
-                        help="the folder for the library that depends on this CPython, to be given to the linker")
+    parser.add_argument("--libraries", required=True, type=pathlib.Path,
+                        help="the folder for links to the libraries of the vtk of this CPython, to be given to the linker")
     options = parser.parse_args()
     libraries = find_libraries()
-    folder = options.python.resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    link = folder / "libvtkWrappingPython.so"
-    link.unlink(missing_ok=True)
-    link.symlink_to(libraries / f"libvtkWrappingPythonCore{sys.version_info[0]}.{sys.version_info[1]}.so")
-    if options.output.exists():
-        return
+    core = f"libvtkWrappingPythonCore{sys.version_info[0]}.{sys.version_info[1]}.so"
+    names = [path.name for path in sorted(libraries.glob("libvtk*.so")) if "Python" not in path.name]
+    link_libraries(options.libraries.resolve(), {name: libraries / name for name in names}
+                   | {PYTHON_CORE: libraries / core})
     sdk = options.sdk.resolve()
+    stamp = f"{sdk}\n{names}\n{PATCH.read_text()}"
+    if (options.output / "stamp").exists() and (options.output / "stamp").read_text() == stamp:
+        return
     output = options.output.resolve().with_suffix(".new")
     shutil.rmtree(output, ignore_errors=True)
     (output / "content").mkdir(parents=True)
@@ -83,11 +91,11 @@ def main():
 
     scripts = output / "content" / "build" / next((sdk / "content" / "build").glob("lib*")).name / "cvista"
     scripts.mkdir(parents=True)
-    used = [path for path in sorted(libraries.glob("libvtk*.so")) if "Python" not in path.name]
-    # One SDK serves all versions of CPython: --python names the folder of a link to the library of each.
     for library in (sdk / "content" / "build").glob("lib*/cvista/libvtk*.so"):
-        inputs = ["libvtkWrappingPython.so"] if "WrappingPython" in library.name else map(str, used)
+        inputs = [PYTHON_CORE] if "WrappingPython" in library.name else names
         (scripts / library.name).write_text(f"INPUT(AS_NEEDED({' '.join(inputs)}))\n")
+    (output / "stamp").write_text(stamp)
+    shutil.rmtree(options.output, ignore_errors=True)
     output.rename(options.output.resolve())
 
 

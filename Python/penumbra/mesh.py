@@ -118,10 +118,12 @@ class MeshAccessor:
         # The filter adds its statistics to the field data, and files would keep them.
         counts = result_statistics(bake)
         for name, value in counts.items():
-            if name in baked.field_data and name not in self._mesh.field_data:
-                del baked.field_data[name]
             if statistics:
                 baked.field_data[name] = [value]
+            elif name in self._mesh.field_data:
+                baked.field_data[name] = self._mesh.field_data[name]
+            elif name in baked.field_data:
+                del baked.field_data[name]
         if inplace:
             if isinstance(self._mesh, pyvista.DataSet):
                 self._mesh.copy_from(baked)

@@ -92,12 +92,14 @@ def messages_as_warnings() -> Iterator[None]:
     _report(text[0], stacklevel=4)
 
 
-def _report(text: str, stacklevel: int) -> None:
+def _report(text: str, stacklevel: int, ignored: str | None = None) -> None:
     notes, errors = _split(text)
     for note in notes:
-        warn(note, stacklevel)
+        if note != ignored:
+            warn(note, stacklevel)
     if errors:
-        raise RuntimeError(errors[0].splitlines()[-1])
+        message = errors[0].splitlines()[-1]
+        raise (MemoryError if message.startswith("Out of memory") else RuntimeError)(message)
 
 
 def observe_warnings(vtk_object: Any) -> None:
@@ -150,10 +152,10 @@ class _Interruption:
             signal.signal(signal.SIGINT, signal.SIG_DFL if self.before is None else self.before)
 
 
-def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2) -> None:
-    """Update a filter; raise its errors, warn its warnings."""
+def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2, ignored: str | None = None) -> None:
+    """Update a filter; raise its errors, and warn its warnings except the ignored one."""
     with _collected() as text, _Interruption(algorithm, progress) as interruption:
         algorithm.Update()
     if interruption.error is not None:
         raise interruption.error
-    _report(text[0], stacklevel + 2)
+    _report(text[0], stacklevel + 2, ignored)

@@ -13,7 +13,7 @@ from .conversion import check_choice, check_radius, check_range, check_size
 from .mesh import parse_radiance
 from .messages import Progress, observe_warnings
 from .opengl import require_opengl
-from .rendering import Settings, cast_renderers, finish, passes_of, prepare_plotter
+from .rendering import Settings, added_passes, cast_renderers, finish, passes_of, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
 
@@ -64,6 +64,7 @@ class PlotterAccessor:
         require_opengl(self._plotter.render_window)
         occlusion = vtkPenumbraTemporalSSAOPass.AddTo(self._renderer)
         observe_warnings(occlusion)
+        added_passes.setdefault(self._renderer, {})["occlusion"] = occlusion
         occlusion.SetRadiusUnit(
             occlusion.FRACTION_OF_BOUNDS if radius is None else occlusion.WORLD)
         occlusion.SetRadius(0.1 if radius is None else radius)
@@ -80,6 +81,7 @@ class PlotterAccessor:
     def disable_temporal_ssao(self) -> None:
         """Remove the pass added by ``enable_temporal_ssao``."""
         vtkPenumbraTemporalSSAOPass.RemoveFrom(self._renderer)
+        added_passes.get(self._renderer, {}).pop("occlusion", None)
         self._plotter.render()
 
     def enable_light_shafts(
@@ -111,6 +113,7 @@ class PlotterAccessor:
         require_opengl(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
         observe_warnings(shafts)
+        added_passes.setdefault(self._renderer, {})["shafts"] = shafts
         shafts.SetScattering(-1.0 if scattering is None else scattering)
         shafts.SetExtinction(-1.0 if extinction is None else extinction)
         shafts.SetPhase(PHASES.index(phase))
@@ -122,6 +125,7 @@ class PlotterAccessor:
     def disable_light_shafts(self) -> None:
         """Remove the pass added by ``enable_light_shafts``."""
         vtkPenumbraLightShaftPass.RemoveFrom(self._renderer)
+        added_passes.get(self._renderer, {}).pop("shafts", None)
         self._plotter.render()
 
     def ray_cast(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import weakref
 from collections.abc import Iterator, Sequence
 from typing import Any, Literal, overload
 
@@ -29,10 +30,16 @@ NOT_DRAWN = {
     "vtkOutlineGlowPass": "outlines",
 }
 
+# Passes that this package added to renderers, whose own passes they are parts of.
+added_passes: weakref.WeakKeyDictionary[Any, dict[str, Any]] = weakref.WeakKeyDictionary()
+
+# What the ray caster says of any render pass.
+PASS_IGNORED = "The render pass of the renderer was ignored."
+
 
 def passes_of(renderer: Any) -> Iterator[Any]:
     """Iterate over the render passes of a renderer, outermost first."""
-    waiting = [renderer.GetPass()]
+    waiting = [renderer.GetPass(), *added_passes.get(renderer, {}).values()]
     seen = set()
     while waiting:
         render_pass = waiting.pop(0)
@@ -43,9 +50,8 @@ def passes_of(renderer: Any) -> Iterator[Any]:
         if render_pass.IsA("vtkSequencePass") and render_pass.GetPasses():
             passes = render_pass.GetPasses()
             waiting += [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
-        for name in ("GetDelegatePass", "GetOpaqueSequence"):
-            if hasattr(render_pass, name):
-                waiting.append(getattr(render_pass, name)())
+        if hasattr(render_pass, "GetDelegatePass"):
+            waiting.append(render_pass.GetDelegatePass())
 
 
 @dataclasses.dataclass
@@ -100,9 +106,12 @@ def _follow_occlusion(caster: Any, renderer: Any, render_pass: Any, settings: Se
     caster.SetAmbientOcclusionStrength(strength if settings.strength is None else settings.strength)
 
 
-def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> None:
+def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
+    """Draw what the render passes draw, or warn. Return True if there are passes other than VTK's plain ones."""
+    found = 0
     for render_pass in passes_of(renderer):
         name = render_pass.GetClassName()
+        found += 1
         if render_pass.IsA("vtkPenumbraTemporalSSAOPass") or render_pass.IsA("vtkSSAOPass"):
             if settings.ambient_occlusion is None:
                 _follow_occlusion(caster, renderer, render_pass, settings)
@@ -120,10 +129,13 @@ def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> None:
                 caster.SetShadows(True)
         elif name in NOT_DRAWN:
             warn(f"rays do not draw {NOT_DRAWN[name]} ({name})", stacklevel=5)
+        else:
+            found -= 1
+    return found > 0
 
 
-def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> Any:
-    """Return a ray caster that draws a renderer."""
+def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tuple[Any, bool]:
+    """Return a ray caster that draws a renderer, and whether it follows render passes."""
     caster = vtkPenumbraRayCaster()
     caster.SetRenderer(renderer)
     caster.SetResolution(*size)
@@ -140,8 +152,7 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> Any
     caster.SetAlbedo(settings.albedo)
     caster.SetBounces(int(settings.bounces))
     caster.SetDPI(settings.dpi)
-    _follow_passes(caster, renderer, settings)
-    return caster
+    return caster, _follow_passes(caster, renderer, settings)
 
 
 def _add(total: dict[str, Any], counts: dict[str, Any]) -> None:
@@ -167,11 +178,12 @@ def cast_renderers(
         if min(part) < 1:
             continue
         renderer.InvokeEvent("StartEvent")  # axes widgets copy the camera of the scene then
-        caster = make_caster(renderer, part, settings)
+        caster, follows = make_caster(renderer, part, settings)
         opaque = renderer.GetLayer() == 0 and not settings.transparent_background
         caster.SetBackground(opaque)
         update(caster, None if progress is None else
-               lambda fraction, index=index: progress((index + fraction) / len(shown)), stacklevel)
+               lambda fraction, index=index: progress((index + fraction) / len(shown)), stacklevel,
+               PASS_IGNORED if follows else None)
         colors = colors_of(caster.GetOutput(), 4)
         below = canvas[rows, columns]
         alpha = colors[..., 3:]
@@ -269,10 +281,14 @@ def _resolve(scene: Any, size: Any, color: ColorLike, camera: Camera) -> tuple[l
 
 
 def prepare_plotter(plotter: Any) -> None:
-    """Place cameras that nobody placed, as the first ``show`` does."""
-    prepare = getattr(plotter, "_on_first_render_request", None)
-    if prepare is not None:
-        prepare()
+    """Place the cameras that nobody placed where the first ``show`` of a plotter places them."""
+    if not getattr(plotter, "_first_time", False):
+        return
+    for renderer in plotter.renderers:
+        if not renderer.camera.is_set:
+            renderer.camera_position = renderer.get_default_cam_pos()
+            renderer.ResetCamera()
+            renderer.camera.is_set = False  # ``show`` places it again, if meshes are added until then
 
 
 @overload

@@ -1,0 +1,28 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Use of the package as a type checker sees it; mypy --strict accepts this file."""
+from typing import Any, assert_type
+
+import numpy as np
+import numpy.typing as npt
+
+import penumbra
+from penumbra.regression import Regression
+
+points = np.zeros((3, 3))
+faces = [(0, 1, 2)]
+
+assert_type(penumbra.__version__, str)
+assert_type(penumbra.ambient_occlusion(points, faces), npt.NDArray[np.float32])
+values, statistics = penumbra.irradiance(points, faces, progress=lambda fraction: None, return_statistics=True)
+assert_type(values, npt.NDArray[np.float32])
+assert_type(statistics, dict[str, Any])
+image = penumbra.render((points, faces), size=(320, 240), ambient_occlusion=True)
+assert_type(image, npt.NDArray[Any])
+comparison = penumbra.compare(image, image, tolerance=0.0)
+assert_type(comparison, penumbra.Comparison)
+assert_type(comparison.worst[0].x, int)
+
+
+def test_image(penumbra_regression: Regression) -> None:
+    assert_type(penumbra_regression(image), penumbra.Comparison | None)
