@@ -12,7 +12,7 @@ for _name in ("vtkFiltersGeometry", "vtkFiltersGeneral", "vtkIOImage", "vtkIOXML
     vtk_module(_name)
 
 MODULES = ("vtkPenumbraFiltersRayTracing", "vtkPenumbraFiltersRayCasting", "vtkPenumbraFiltersIrradiance",
-           "vtkPenumbraRenderingScreenSpace", "vtkPenumbraRenderingIrradiance", "vtkPenumbraTestingComparison")
+           "vtkPenumbraRenderingScreenSpace", "vtkPenumbraRenderingIrradiance", "vtkPenumbraFiltersComparison")
 
 if TYPE_CHECKING:
     from ._cvista.vtkPenumbraFiltersIrradiance import *
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ._cvista.vtkPenumbraFiltersRayTracing import *
     from ._cvista.vtkPenumbraRenderingIrradiance import *
     from ._cvista.vtkPenumbraRenderingScreenSpace import *
-    from ._cvista.vtkPenumbraTestingComparison import *
+    from ._cvista.vtkPenumbraFiltersComparison import *
 else:
     for _name in MODULES:
         _module = importlib.import_module(f"._{ROOT}.{_name}", __package__)

@@ -152,6 +152,7 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetAlbedo(settings.albedo)
     caster.SetBounces(int(settings.bounces))
     caster.SetDPI(settings.dpi)
+    caster.SetLayers(False)  # cast_renderers draws all renderers, with the effects of each
     return caster, _follow_passes(caster, renderer, settings)
 
 
