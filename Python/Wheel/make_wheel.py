@@ -59,12 +59,11 @@ Classifier: Framework :: Pytest
 Classifier: Typing :: Typed
 Requires-Python: >=3.12
 Requires-Dist: numpy>=1.26
-Provides-Extra: vtk
-Requires-Dist: vtk<9.8,>=9.7; extra == "vtk"
 Provides-Extra: cvista
 Requires-Dist: cvista[all]=={CVISTA}; extra == "cvista"
 Provides-Extra: pyvista
 Requires-Dist: pyvista>=0.49; extra == "pyvista"
+Requires-Dist: cvista[all]=={CVISTA}; extra == "pyvista"
 Provides-Extra: pytest
 Requires-Dist: pytest>=8; extra == "pytest"
 Description-Content-Type: text/markdown

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Choice of the VTK that Penumbra uses: the package ``cvista`` or the package ``vtk``.
 
-The wheel has one set of libraries for each. The choice is that of PyVista: PYVISTA_VTK_BACKEND if it is set, else
+The wheel has libraries for ``cvista`` and, if it was built so, for ``vtk``. The choice is that of PyVista: PYVISTA_VTK_BACKEND if it is set, else
 ``cvista`` if it is installed, else ``vtk``. Without PyVista, a ``vtk`` that is imported already is used.
 """
 from __future__ import annotations
@@ -56,7 +56,7 @@ def _installed(root: str) -> str | None:
     if importlib.util.find_spec(root) is None:
         return None
     # VTK of a system or of ParaView has no metadata.
-    return importlib.import_module(f"{root}.vtkCommonCore").vtkVersion.GetVTKVersion()
+    return str(importlib.import_module(f"{root}.vtkCommonCore").vtkVersion.GetVTKVersion())
 
 
 def _check(root: str) -> None:

@@ -20,7 +20,7 @@ def check_range(name: str, value: Any, low: float, high: float) -> Any:
     """Return a number in [low, high]; raise TypeError or ValueError otherwise."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name} must be a number, not {value!r}")
-    if not low <= value <= high:
+    if not low <= float(value) <= high:
         raise ValueError(f"{name} must be in [{low:g}, {high:g}], not {value!r}")
     return value
 
@@ -31,7 +31,7 @@ def check_radius(radius: Any) -> float:
         return 0.0
     if isinstance(radius, bool) or not isinstance(radius, numbers.Real):
         raise TypeError(f"radius must be a number or None, not {radius!r}")
-    if not radius > 0.0:
+    if not float(radius) > 0.0:
         raise ValueError(f"radius must be > 0, not {radius!r}")
     return min(float(radius), 1e299)
 
@@ -189,7 +189,8 @@ def colors_of(image: Any, channels: int) -> npt.NDArray[Any]:
 
 
 def to_bytes(image: npt.NDArray[Any]) -> npt.NDArray[np.uint8]:
-    return (np.clip(image, 0.0, 1.0) * 255.0 + 0.5).astype(np.uint8)
+    result: npt.NDArray[np.uint8] = (np.clip(image, 0.0, 1.0) * 255.0 + 0.5).astype(np.uint8)
+    return result
 
 
 def statistics_dict(algorithm: Any) -> dict[str, Any]:
