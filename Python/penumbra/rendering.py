@@ -282,7 +282,7 @@ def _resolve(scene: Any, size: Any, color: ColorLike, camera: Camera) -> tuple[l
 
 
 def prepare_plotter(plotter: Any) -> None:
-    """Place the cameras that nobody placed where the first ``show`` of a plotter places them."""
+    """Place the cameras that have no position yet where the first ``show`` of a plotter places them."""
     if not getattr(plotter, "_first_time", False):
         return
     for renderer in plotter.renderers:
