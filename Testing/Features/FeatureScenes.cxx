@@ -715,5 +715,21 @@ std::vector<FeatureScene> MakeFeatureScenes()
       Look(r);
     },
     0.01);
+  add(Feature::HiddenLineRemoval, [](Renderer r, Window) {
+    r->SetUseHiddenLineRemoval(true);
+    Add(r, MakeCube())->GetProperty()->SetRepresentationToWireframe();
+    Look(r);
+  });
+  add(Feature::ForceOpaque, [](Renderer r, Window) {
+    vtkActor* actor = Add(r, MakeCube());
+    actor->GetProperty()->SetOpacity(0.4);
+    actor->ForceOpaqueOn();
+    Look(r);
+  });
+  add(Feature::PhysicallyBasedDetails, [](Renderer r, Window) {
+    vtkActor* actor = Add(r, MakeSphere(48));
+    actor->GetProperty()->SetInterpolationToPBR();
+    actor->GetProperty()->SetCoatStrength(1.0);
+  });
   return scenes;
 }

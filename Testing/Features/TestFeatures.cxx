@@ -206,6 +206,19 @@ TEST(FeatureRows, FollowTheOrderOfTheFeatures)
   }
 }
 
+TEST(FeatureRows, HaveASceneIfTheyAreDrawn)
+{
+  std::set<Feature> features = { Feature::BackgroundAlpha }; // the window shows no alpha
+  for (const FeatureScene& scene : MakeFeatureScenes())
+  {
+    features.insert(scene.Key);
+  }
+  for (const FeatureRow& row : penumbra::GetFeatureTable())
+  {
+    EXPECT_TRUE(row.Level != FeatureRow::Levels::Drawn || features.count(row.Key)) << row.Name;
+  }
+}
+
 /// Returns the page of the table.
 std::string MakePage()
 {
