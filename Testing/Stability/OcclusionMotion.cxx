@@ -342,7 +342,7 @@ std::vector<Scenario> OcclusionMotionScenarios()
       NoDepthValidation.Name, "[TSSAO] changed geometry", "",
       Bind(ErrorAfter, GrowBall, 12, NoDepthValidation) },
     { "OcclusionChangingTopology", scene, "the mesh of the ball changes every frame",
-      Metric::Flicker, .003, NoHistory.Name, "[TSSAO] changed geometry", "",
+      Metric::Flicker, .002, NoHistory.Name, "[TSSAO] changed geometry", "",
       Bind(FlickerUnder, RemeshBall, NoHistory) },
     { "OcclusionRodsInMotion", "thin rods in front of a wall", "the rods move", Metric::Bias, .04,
       NoDepthValidation.Name, "[TSSAO eq. 8] history of disoccluded surfaces", "",
