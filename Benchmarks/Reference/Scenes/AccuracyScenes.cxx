@@ -75,6 +75,7 @@ void Look(vtkRenderer* renderer, glm::dvec3 eye, glm::dvec3 target, double angle
   camera->SetFocalPoint(target.x, target.y, target.z);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetViewAngle(angle);
+  renderer->ResetCameraClippingRange();
   renderer->SetBackground(0.2, 0.3, 0.4);
 }
 
