@@ -681,8 +681,9 @@ std::vector<FeatureScene> MakeFeatureScenes()
     r->SetBackground(0.7, 0.3, 0.2);
     Add(r, MakeSphere());
   });
+  add(Feature::BackgroundGradients, [](Renderer r, Window) { SetGradient(r); });
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  for (int mode = 0; mode < 4; ++mode)
+  for (int mode = 1; mode < 4; ++mode)
   {
     add(Feature::BackgroundGradients, [mode](Renderer r, Window) {
       SetGradient(r);
