@@ -83,6 +83,13 @@ double ComputeDiagonal(const penumbra::Scene& scene)
         bounds.AddPoint(p.x, p.y, p.z);
       }
     }
+    for (std::size_t i = 0; surface.IsRound() && i < surface.Positions.size(); ++i)
+    {
+      const glm::vec3 low = surface.Positions[i] - surface.GetRadius(i);
+      const glm::vec3 high = surface.Positions[i] + surface.GetRadius(i);
+      bounds.AddPoint(low.x, low.y, low.z);
+      bounds.AddPoint(high.x, high.y, high.z);
+    }
   }
   return bounds.IsValid() ? bounds.GetDiagonalLength() / scene.Scale : 1.0;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangle mesh of a scene with its material, in scene coordinates.
+// Triangle mesh of a scene, or spheres or tubes, with their material, in scene coordinates.
 #ifndef penumbra_Surface_h
 #define penumbra_Surface_h
 
@@ -56,7 +56,16 @@ struct Texture
   glm::vec4 BorderColor{ 0.f }; ///< used by ClampToBorder
 };
 
-/// Triangle mesh with its material. Positions and Triangles reserve capacity for one more element,
+/// A sphere if A and B are equal, otherwise a tube: the convex hull of two spheres.
+struct RoundShape
+{
+  glm::vec3 A;
+  glm::vec3 B;
+  float RadiusA;
+  float RadiusB;
+};
+
+/// Triangle mesh with its material, or spheres or tubes. Positions and Triangles reserve capacity for one more element,
 /// because Embree may read 16 bytes starting at the last one (see RayScene).
 struct Surface
 {
@@ -64,6 +73,15 @@ struct Surface
 
   std::vector<glm::vec3> Positions;
   std::vector<glm::uvec3> Triangles; ///< indices into Positions, each in range
+
+  /// Radius of each position, or one radius for all of them. If not empty, the surface consists of
+  /// spheres or tubes, Triangles is empty, and "triangle" means sphere or tube in the names of
+  /// other members.
+  std::vector<float> Radii;
+  /// Axes of tubes: indices into Positions. Consecutive tubes whose axes have a common index are
+  /// joined. If empty, each position is the center of a sphere.
+  std::vector<glm::uvec2> Segments;
+
   /// Cell of the input for each triangle. If empty, it is the index of the triangle.
   std::vector<std::uint32_t> CellIds;
 
@@ -108,10 +126,50 @@ struct Surface
 
   bool IsTranslucent() const;
 
-  /// Returns the geometric normal of a triangle, not normalized. It is zero only for triangles
+  /// Returns true if the surface consists of spheres or tubes.
+  bool IsRound() const { return !this->Radii.empty(); }
+  std::size_t GetNumberOfPrimitives() const;
+  /// Returns the positions of a triangle. Those of a sphere or tube are its ends; the second and
+  /// third are equal.
+  glm::uvec3 GetCorners(std::uint32_t primitive) const;
+  /// Returns the radius around a position; 0 if the surface consists of triangles.
+  float GetRadius(std::size_t position) const;
+  RoundShape GetRoundShape(std::uint32_t primitive) const;
+
+  /// Returns the geometric normal of a triangle (not of a sphere or tube), not normalized. It is zero only for triangles
   /// without area.
   glm::vec3 NormalOf(std::uint32_t triangle) const;
 };
+
+inline std::size_t Surface::GetNumberOfPrimitives() const
+{
+  return !this->IsRound()    ? this->Triangles.size()
+    : this->Segments.empty() ? this->Positions.size()
+                             : this->Segments.size();
+}
+
+inline glm::uvec3 Surface::GetCorners(std::uint32_t primitive) const
+{
+  if (!this->IsRound())
+  {
+    return this->Triangles[primitive];
+  }
+  return this->Segments.empty()
+    ? glm::uvec3(primitive)
+    : glm::uvec3(this->Segments[primitive], this->Segments[primitive].y);
+}
+
+inline float Surface::GetRadius(std::size_t position) const
+{
+  return this->Radii.empty() ? 0.f : this->Radii[this->Radii.size() == 1 ? 0 : position];
+}
+
+inline RoundShape Surface::GetRoundShape(std::uint32_t primitive) const
+{
+  const glm::uvec3 ends = this->GetCorners(primitive);
+  return { this->Positions[ends.x], this->Positions[ends.y], this->GetRadius(ends.x),
+    this->GetRadius(ends.y) };
+}
 
 // The cross product underflows in single precision for triangles of about 1e-20 in size. Their
 // normal is computed in double precision and normalized.

@@ -19,9 +19,9 @@ constexpr std::size_t PacketSize = 16;
 
 }
 
-glm::vec3 NormalAt(const Scene& scene, const Hit& hit)
+glm::vec3 NormalAt(const RayScene& rays, const Ray& ray, const Hit& hit)
 {
-  const glm::vec3 n = scene.Surfaces[hit.Surface].NormalOf(hit.Triangle);
+  const glm::vec3 n = rays.GetNormal(ray, hit);
   const float length = glm::length(n);
   return length > 0.f ? n / length : glm::vec3(0.f);
 }
@@ -73,7 +73,7 @@ long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, glm::vec3 /*normal*/
     if (hits[i].IsHit())
     {
       samples[i].Distance = hits[i].Distance;
-      samples[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
+      samples[i].Normal = NormalAt(this->GetRays(), rays[i], hits[i]);
       samples[i].Radiance = glm::vec3(1.f);
     }
   }
@@ -139,7 +139,7 @@ long long LightGatherer::ShadeHits(glm::vec3 point, glm::vec3 normal, const std:
     if (hits[i].IsHit())
     {
       samples[i].Distance = hits[i].Distance;
-      samples[i].Normal = NormalAt(this->GetRays().GetScene(), hits[i]);
+      samples[i].Normal = NormalAt(this->GetRays(), rays[i], hits[i]);
     }
     samples[i].Radiance = this->Light.IncidentRadiance(rays[i], hits[i], arriving, additionalRays);
   }

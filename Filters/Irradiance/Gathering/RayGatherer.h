@@ -19,7 +19,7 @@ namespace penumbra
 
 /// Returns the unit normal of the triangle that was hit, facing either side; 0 for a degenerate
 /// triangle.
-glm::vec3 NormalAt(const Scene& scene, const Hit& hit);
+glm::vec3 NormalAt(const RayScene& rays, const Ray& ray, const Hit& hit);
 
 /// Base class of gatherers that trace rays. Derived classes shade the hits. Other gatherers use
 /// ShadeHits() for hits that they find without rays.

@@ -63,7 +63,7 @@ std::vector<RecordCandidate> Interreflection::FindSites(
       }
       RecordCandidate site;
       site.Position = ray.Origin + hit.Distance * ray.Direction;
-      site.Normal = NormalAt(rays.GetScene(), hit);
+      site.Normal = NormalAt(rays, ray, hit);
       site.Normal = glm::dot(site.Normal, ray.Direction) > 0.f ? -site.Normal : site.Normal;
       site.Pixel = PixelPerDistance * hit.Distance;
       if (site.Normal != glm::vec3(0.f) && site.Pixel > 0.f)

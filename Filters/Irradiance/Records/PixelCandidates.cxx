@@ -48,10 +48,12 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
     return false;
   }
   const Surface& surface = scene.Surfaces[hit.Surface];
-  const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+  const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
   const glm::dvec3 a(surface.Positions[corners.x]);
-  const glm::dvec3 normal = glm::cross(
-    glm::dvec3(surface.Positions[corners.y]) - a, glm::dvec3(surface.Positions[corners.z]) - a);
+  const glm::dvec3 normal = surface.IsRound()
+    ? glm::dvec3(rays.GetNormal(ray, hit))
+    : glm::cross(
+        glm::dvec3(surface.Positions[corners.y]) - a, glm::dvec3(surface.Positions[corners.z]) - a);
   const double length = glm::length(normal);
   if (!(length > 0.0))
   {

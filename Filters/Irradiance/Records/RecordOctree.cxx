@@ -70,9 +70,10 @@ void RecordOctree::InitializeFromScene(const Scene& scene)
   AxisAlignedBox box;
   for (const Surface& surface : scene.Surfaces)
   {
-    for (const glm::vec3& p : surface.Positions)
+    for (std::size_t i = 0; i < surface.Positions.size(); ++i)
     {
-      box.Add(p);
+      box.Add(surface.Positions[i] - surface.GetRadius(i));
+      box.Add(surface.Positions[i] + surface.GetRadius(i));
     }
   }
   const glm::vec3 size = glm::max(box.High - box.Low, glm::vec3(0.f));

@@ -49,6 +49,9 @@ constexpr std::size_t CrowdedEdgesPerPixel = 6;
 constexpr std::size_t MaximumEdges = 512;
 /// The same for pixels of crowded tiles, in which the cost of arrangements adds up.
 constexpr std::size_t MaximumEdgesInCrowdedTile = 32;
+/// Number of spheres and tubes in a tile of 32x32 pixels above which their outlines are not cut, but
+/// the tile is sampled.
+constexpr std::size_t MaximumOutlinesInTile = 4096;
 /// Number of trapezoids of an arrangement that cost about as much as one ray.
 constexpr std::size_t TrapezoidsPerRay = 16;
 /// Faces with a smaller area are ignored, because rays cannot be aimed at them reliably.

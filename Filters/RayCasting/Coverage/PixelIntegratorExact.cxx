@@ -6,6 +6,7 @@
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
+#include "RoundOutlines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,21 +134,29 @@ bool PixelIntegrator::AddIntersectionSegments()
 {
   const std::size_t before = this->Segments.size();
   const glm::dvec2 origin(this->X, this->Y);
+  const Scene& scene = this->Tracer.GetScene();
+  bool found = false;
   for (std::size_t i = this->PairsTested; i < this->VisibleTriangles.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
+      const TriangleId a = this->VisibleTriangles[i];
+      const TriangleId b = this->VisibleTriangles[j];
       PixelSegment segment;
-      if (IntersectTriangles(this->Tracer.GetScene(), this->VisibleTriangles[i],
-            this->VisibleTriangles[j], origin, segment))
+      if (scene.Surfaces[a.Surface].IsRound() || scene.Surfaces[b.Surface].IsRound())
+      {
+        IntersectSphere(scene, a, b, origin, this->Segments);
+      }
+      else if (IntersectTriangles(scene, a, b, origin, segment))
       {
         this->Segments.push_back(segment);
+        found = true;
       }
     }
   }
   this->PairsTested = this->VisibleTriangles.size();
-  this->HasIntersections = this->HasIntersections || this->Segments.size() > before;
-  this->FoundIntersection = this->FoundIntersection || this->Segments.size() > before;
+  this->HasIntersections = this->HasIntersections || found;
+  this->FoundIntersection = this->FoundIntersection || found;
   return this->Segments.size() > before;
 }
 

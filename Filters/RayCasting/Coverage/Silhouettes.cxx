@@ -23,46 +23,6 @@ bool IsSilhouette(const Surface& surface, const MeshEdge& e, const Camera& camer
   return !(left * right < 0.0);
 }
 
-/// Clips the edge to the rectangle. Returns false if nothing is left.
-bool ClipToRectangle(ProjectedEdge& e, glm::dvec2 low, glm::dvec2 high)
-{
-  double enter = 0.0;
-  double leave = 1.0;
-  const glm::dvec2 d = e.B - e.A;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    if (d[axis] == 0.0)
-    {
-      if (e.A[axis] < low[axis] || e.A[axis] > high[axis])
-      {
-        return false;
-      }
-      continue;
-    }
-    const double t0 = (low[axis] - e.A[axis]) / d[axis];
-    const double t1 = (high[axis] - e.A[axis]) / d[axis];
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
-  }
-  if (!(enter <= leave))
-  {
-    return false;
-  }
-  const ProjectedEdge original = e;
-  const double depth = original.DepthB - original.DepthA;
-  if (enter > 0.0)
-  {
-    e.A = original.A + enter * d;
-    e.DepthA = original.DepthA + enter * depth;
-  }
-  if (leave < 1.0)
-  {
-    e.B = original.A + leave * d;
-    e.DepthB = original.DepthA + leave * depth;
-  }
-  return true;
-}
-
 /// Calls visit(cell) for every cell whose distance to the edge is EdgeMargin at most.
 template <typename Visit>
 void VisitCells(
@@ -101,6 +61,45 @@ void VisitCells(
   }
 }
 
+}
+
+bool ClipToRectangle(ProjectedEdge& e, glm::dvec2 low, glm::dvec2 high)
+{
+  double enter = 0.0;
+  double leave = 1.0;
+  const glm::dvec2 d = e.B - e.A;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (d[axis] == 0.0)
+    {
+      if (e.A[axis] < low[axis] || e.A[axis] > high[axis])
+      {
+        return false;
+      }
+      continue;
+    }
+    const double t0 = (low[axis] - e.A[axis]) / d[axis];
+    const double t1 = (high[axis] - e.A[axis]) / d[axis];
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
+  }
+  if (!(enter <= leave))
+  {
+    return false;
+  }
+  const ProjectedEdge original = e;
+  const double depth = original.DepthB - original.DepthA;
+  if (enter > 0.0)
+  {
+    e.A = original.A + enter * d;
+    e.DepthA = original.DepthA + enter * depth;
+  }
+  if (leave < 1.0)
+  {
+    e.B = original.A + leave * d;
+    e.DepthB = original.DepthA + leave * depth;
+  }
+  return true;
 }
 
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,

@@ -45,6 +45,9 @@ constexpr double EdgeMargin = 2e-3;
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
   std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& bins);
 
+/// Clips an edge to the rectangle [low, high] of the image. Returns false if nothing is left.
+bool ClipToRectangle(ProjectedEdge& edge, glm::dvec2 low, glm::dvec2 high);
+
 /**
  * Appends the feature edges and silhouettes of `surface` as seen from `camera`. They are clipped to
  * the near plane and to the rectangle [low, high] of the image, enlarged by twice EdgeMargin.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleIntersection.h"
 
+#include "RoundOutlines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -90,6 +92,10 @@ bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b)
 {
   const Surface& s = scene.Surfaces[a.Surface];
   const Surface& t = scene.Surfaces[b.Surface];
+  if (s.IsRound() || t.IsRound())
+  {
+    return false;
+  }
   int shared = 0;
   for (int i = 0; i < 3; ++i)
   {
@@ -103,6 +109,10 @@ bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b)
 
 double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
 {
+  if (scene.Surfaces[id.Surface].IsRound())
+  {
+    return MaximumRoundDepthInPixel(scene, id, origin);
+  }
   ProjectedTriangle projected;
   if (!ProjectTriangle(scene, id, origin, projected))
   {

@@ -3,12 +3,14 @@
 #include "ImageRegion.h"
 
 #include "Coverage/CoverageConstants.h"
+#include "Coverage/RoundOutlines.h"
 #include "Coverage/SubpixelTriangles.h"
 #include "Coverage/TileRefinement.h"
 #include "Execution/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 
 namespace penumbra
@@ -88,21 +90,28 @@ void RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, I
   }
 }
 
-void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& edges,
-  const EdgeBins& tileEdges, PixelIntegrator& integrator, ImageRegion& region)
+/// Edges of one tile.
+struct TileEdges
 {
-  const glm::ivec2 origin =
-    (tiles.First + glm::ivec2(tile % tiles.Count.x, tile / tiles.Count.x)) * TileSide;
+  const std::vector<ProjectedEdge>& All;
+  const std::uint32_t* Indices; ///< of `Count` edges in `All`; null: the first `Count` edges
+  std::size_t Count;
+  bool IsDense = false; ///< the edges are too many and have been left out
+};
+
+void RenderTile(
+  glm::ivec2 origin, const TileEdges& edges, PixelIntegrator& integrator, ImageRegion& region)
+{
   const glm::ivec2 low = glm::max(origin, region.Low);
   const glm::ivec2 high = glm::min(origin + TileSide, region.High);
 
   EdgeBins pixelEdges;
-  const std::uint32_t begin = tileEdges.Begin[tile];
-  const std::uint32_t count = tileEdges.Begin[tile + 1] - begin;
-  BinEdges(edges, tileEdges.Edges.data() + begin, count, glm::dvec2(origin), 1.0,
-    glm::ivec2(TileSide), pixelEdges);
+  BinEdges(edges.All, edges.Indices, edges.Count, glm::dvec2(origin), 1.0, glm::ivec2(TileSide),
+    pixelEdges);
   const bool crowded = pixelEdges.Edges.size() > CrowdedEdgesPerPixel * TileSide * TileSide;
 
+  // The integrator samples a pixel whose list of edges is longer than MaximumEdges.
+  const std::vector<std::uint32_t> tooMany(edges.IsDense ? MaximumEdges + 1 : 0, 0u);
   integrator.BeginTile();
   bool searchAll = false;
   const PixelCounts initialCounts = integrator.Pixels;
@@ -111,8 +120,10 @@ void RenderTile(int tile, const Tiles& tiles, const std::vector<ProjectedEdge>& 
     for (int x = low.x; x < high.x; ++x)
     {
       const int cell = (y - origin.y) * TileSide + (x - origin.x);
-      const std::uint32_t* list = pixelEdges.Edges.data() + pixelEdges.Begin[cell];
-      const std::size_t size = pixelEdges.Begin[cell + 1] - pixelEdges.Begin[cell];
+      const std::uint32_t* list =
+        edges.IsDense ? tooMany.data() : pixelEdges.Edges.data() + pixelEdges.Begin[cell];
+      const std::size_t size =
+        edges.IsDense ? tooMany.size() : pixelEdges.Begin[cell + 1] - pixelEdges.Begin[cell];
       const std::size_t index = region.Index(x, y);
       const long long before = integrator.Rays.GetImageRays();
       const PixelResult result = integrator.Integrate(x, y, list, size, crowded);
@@ -150,9 +161,9 @@ SceneEdges FindSceneEdges(
     ThrowIfStopped(progress, 0.0);
     const double contrast = EdgeContrastFraction * integration.Tolerance;
     edges.Dense.push_back(HasSubpixelTriangles(surface, scene.ViewCamera));
-    edges.EdgesBySurface.push_back(edges.Dense.back()
-        ? FindEdgesOfDenseMesh(surface, contrast, scene.ViewCamera)
-        : FindMeshEdges(surface, contrast));
+    edges.EdgesBySurface.push_back(surface.IsRound() ? std::vector<MeshEdge>()
+        : edges.Dense.back() ? FindEdgesOfDenseMesh(surface, contrast, scene.ViewCamera)
+                             : FindMeshEdges(surface, contrast));
   }
   return edges;
 }
@@ -201,11 +212,35 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   EdgeBins tileEdges;
   BinEdges(edges, nullptr, edges.size(), glm::dvec2(tiles.First * TileSide), TileSide, tiles.Count,
     tileEdges);
+  const RoundOutlines outlines(scene, glm::dvec2(tiles.First * TileSide), TileSide,
+    sceneEdges.EdgesBySurface.empty() ? glm::ivec2(0) : tiles.Count);
   return ParallelForBatches(
     tiles.Count.x * tiles.Count.y, corners ? 0.45 : 0.0, 1.0, progress, [&](int tile) {
-      PixelIntegrator integrator(tracer, grid, edges, sceneEdges.Dense, settings.Integration);
-      RenderTile(tile, tiles, edges, tileEdges, integrator, region);
+      const glm::ivec2 origin =
+        (tiles.First + glm::ivec2(tile % tiles.Count.x, tile / tiles.Count.x)) * TileSide;
+      const std::uint32_t* const indices = tileEdges.Edges.data() + tileEdges.Begin[tile];
+      const std::size_t count = tileEdges.Begin[tile + 1] - tileEdges.Begin[tile];
+      const std::size_t shapes = outlines.GetCount(tile);
+      std::vector<ProjectedEdge> withOutlines;
+      if (shapes > 0 && shapes <= MaximumOutlinesInTile)
+      {
+        withOutlines.reserve(count);
+        std::transform(indices, indices + count, std::back_inserter(withOutlines),
+          [&](std::uint32_t i) { return edges[i]; });
+        outlines.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);
+      }
+      else if (shapes > 0)
+      {
+        // One edge outside of the tile, which stands for those that were left out.
+        withOutlines.push_back({ glm::dvec2(origin) - 16.0, glm::dvec2(origin) - 15.0, 1.0, 1.0 });
+      }
+      const TileEdges inTile{ shapes > 0 ? withOutlines : edges, shapes > 0 ? nullptr : indices,
+        shapes > 0 ? withOutlines.size() : count, shapes > MaximumOutlinesInTile };
+      PixelIntegrator integrator(tracer, grid, inTile.All, sceneEdges.Dense, settings.Integration);
+      RenderTile(origin, inTile, integrator, region);
       const std::lock_guard<std::mutex> lock(totals);
+      region.Edges +=
+        inTile.IsDense || shapes == 0 ? 0 : static_cast<long long>(inTile.Count - count);
       region.Rays += integrator.Rays;
       region.Pixels += integrator.Pixels;
     });

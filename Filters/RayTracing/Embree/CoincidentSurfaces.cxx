@@ -199,6 +199,13 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
   {
     const CandidateHit& hit = candidates.Hits[i];
     const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
+    if (surface.IsRound())
+    {
+      distances[i] = hit.Distance;
+      roundings[i] = 0.0;
+      nearest = distances[i] < distances[nearest] ? i : nearest;
+      continue;
+    }
     const RayTriangle exact(surface, hit.Triangle, ray);
     // The error of single precision exceeds the tolerance only for triangles seen edge-on.
     const bool isAccurate = exact.IsValid &&

@@ -5,6 +5,8 @@
 #include "CoincidentSurfaces.h"
 #include "EmbreeQuery.h"
 #include "RayTriangle.h"
+#include "RoundGeometry.h"
+#include "RoundIntersection.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,13 +19,6 @@
 
 namespace penumbra
 {
-
-/// Data of a surface that filter functions use.
-struct TracedSurface
-{
-  const Surface* Data;
-  float DepthTolerance;
-};
 
 namespace
 {
@@ -102,6 +97,10 @@ void SetBuffer(
 RTCGeometry MakeGeometry(RTCDevice device, TracedSurface& traced)
 {
   const Surface& surface = *traced.Data;
+  if (surface.IsRound())
+  {
+    return MakeRoundGeometry(device, traced);
+  }
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   SetBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.Positions);
   SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.Triangles);
@@ -172,12 +171,12 @@ std::string MakeDeviceConfiguration(int threads)
   return "threads=" + std::to_string(threads) + (additional ? std::string(",") + additional : "");
 }
 
-std::size_t CountTriangles(const Scene& scene)
+std::size_t CountPrimitives(const Scene& scene)
 {
   std::size_t count = 0;
   for (const Surface& surface : scene.Surfaces)
   {
-    count += surface.Triangles.size();
+    count += surface.GetNumberOfPrimitives();
   }
   return count;
 }
@@ -250,6 +249,13 @@ bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
   return false;
 }
 
+/// Returns a distance a few units in the last place behind both arguments.
+float MakeNextNear(float distance, float farthestCoincident)
+{
+  const float farther = std::max(distance, farthestCoincident);
+  return farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
+}
+
 /// Converts a hit of Embree to a hit that does not depend on the instruction set: resolves
 /// coincident surfaces, recomputes the hit in double precision, and selects the lowest triangle at
 /// an edge.
@@ -264,6 +270,11 @@ Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embr
   }
   Hit hit = resolved;
   const Scene& scene = rays.GetScene();
+  if (scene.Surfaces[hit.Surface].IsRound())
+  {
+    hit.NextNear = MakeNextNear(hit.Distance, resolved.NextNear);
+    return hit;
+  }
   RayTriangle exact(scene.Surfaces[hit.Surface], hit.Triangle, ray);
   // The recomputed hit of an edge-on sliver is unreliable; the hit of Embree is kept.
   if (exact.IsValid &&
@@ -286,9 +297,7 @@ Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embr
     hit.V = static_cast<float>(std::clamp(exact.V, 0.0, 1.0 - u));
     hit.Distance = static_cast<float>(exact.Distance);
   }
-  const float farther = std::max(hit.Distance, resolved.NextNear);
-  // A few units in the last place behind the hit.
-  hit.NextNear = farther + std::max(std::abs(farther) * 4e-7f, 1e-30f);
+  hit.NextNear = MakeNextNear(hit.Distance, resolved.NextNear);
   return hit;
 }
 
@@ -376,7 +385,9 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
 {
   for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
   {
-    this->Traced.push_back({ &scene.Surfaces[i], this->Coincident->DepthTolerance(i) });
+    const Surface& surface = scene.Surfaces[i];
+    this->Traced.push_back({ &surface, this->Coincident->DepthTolerance(i),
+      surface.IsRound() && surface.IsTranslucent() });
   }
   this->Device = rtcNewDevice(MakeDeviceConfiguration(threads).c_str());
   CheckDevice(this->Device);
@@ -386,12 +397,12 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   {
     this->EmbreeScene = rtcNewScene(this->Device);
     rtcSetSceneFlags(this->EmbreeScene,
-      CountTriangles(scene) < MinimumCompactTriangles
+      CountPrimitives(scene) < MinimumCompactTriangles
         ? RTC_SCENE_FLAG_ROBUST
         : static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
     for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
     {
-      if (!scene.Surfaces[i].Triangles.empty())
+      if (scene.Surfaces[i].GetNumberOfPrimitives() > 0)
       {
         RTCGeometry geometry = MakeGeometry(this->Device, this->Traced[i]);
         rtcAttachGeometryByID(this->EmbreeScene, geometry, static_cast<unsigned int>(i));
@@ -484,6 +495,21 @@ bool RayScene::Occluded(const Ray& ray) const
   Fill(query, ray);
   Query(false).Occluded(this->EmbreeScene, query);
   return query.tfar < 0.f;
+}
+
+glm::vec3 RayScene::GetNormal(const Ray& ray, const Hit& hit) const
+{
+  const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
+  if (!surface.IsRound())
+  {
+    return surface.NormalOf(hit.Triangle);
+  }
+  const glm::dvec3 point =
+    glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction);
+  const TouchingSphere sphere(surface.GetRoundShape(hit.Triangle), point);
+  const glm::dvec3 normal = point - sphere.Center;
+  const double length = glm::length(normal);
+  return length > 0.0 ? glm::vec3(normal / length) : -ray.Direction;
 }
 
 Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit)

@@ -42,8 +42,8 @@ struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
   std::uint32_t Surface = None;  ///< index into Scene::Surfaces; None if the ray misses
-  std::uint32_t Triangle = None; ///< index into Surface::Triangles
-  float U = 0.f;                 ///< weight of the triangle's second vertex
+  std::uint32_t Triangle = None; ///< index of the triangle, sphere or tube of the surface
+  float U = 0.f;                 ///< weight of the triangle's second vertex or of the tube's end
   float V = 0.f;                 ///< weight of its third vertex
   float Distance = std::numeric_limits<float>::infinity(); ///< in units of |Ray::Direction|
   float NextNear =
@@ -82,6 +82,10 @@ public:
 
   /// Computes the occlusion of 16 rays. Rays with Near > Far are inactive and unoccluded.
   void Occluded16(const Ray* rays, bool* occluded) const;
+
+  /// Returns the geometric normal at a hit of `ray`, not normalized. It points to the front side of
+  /// triangles and to the outside of spheres and tubes.
+  glm::vec3 GetNormal(const Ray& ray, const Hit& hit) const;
 
   const Scene& GetScene() const { return this->TracedScene; }
   const CoincidentSurfaces& GetCoincidentSurfaces() const { return *this->Coincident; }

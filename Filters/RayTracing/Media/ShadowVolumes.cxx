@@ -56,6 +56,12 @@ std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene)
     {
       continue;
     }
+    for (std::size_t i = 0; surface.IsRound() && i < surface.GetNumberOfPrimitives(); ++i)
+    {
+      const RoundShape shape = surface.GetRoundShape(static_cast<std::uint32_t>(i));
+      triangles.push_back({ glm::min(shape.A - shape.RadiusA, shape.B - shape.RadiusB),
+        glm::max(shape.A + shape.RadiusA, shape.B + shape.RadiusB) });
+    }
     for (const glm::uvec3& corners : surface.Triangles)
     {
       const glm::vec3& a = surface.Positions[corners.x];

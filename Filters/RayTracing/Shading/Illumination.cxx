@@ -50,7 +50,7 @@ Illumination::Illumination(const RayScene& rays, const IlluminationSettings& set
     {
       continue;
     }
-    if (this->Emitters.size() + surface.Triangles.size() > MaximumEmitters)
+    if (surface.IsRound() || this->Emitters.size() + surface.Triangles.size() > MaximumEmitters)
     {
       this->Emitters.clear();
       return;

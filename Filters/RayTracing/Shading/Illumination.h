@@ -79,8 +79,9 @@ public:
   /// Returns a ray that starts at `point` on a surface, offset along the normal.
   static Ray SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
 
-  /// Returns the emissive triangles, or none if there are more than MaximumEmitters: only few
-  /// triangles are likely to be small light sources that random rays miss.
+  /// Returns the emissive triangles. Returns none if there are more than MaximumEmitters, because
+  /// only few triangles are likely to be small light sources that random rays miss, or if a sphere
+  /// or tube is emissive.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
 
   const RayScene& GetRays() const { return this->Rays; }

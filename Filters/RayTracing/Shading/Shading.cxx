@@ -207,7 +207,8 @@ bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& material
   const bool highlight =
     material.Front.Specular != glm::vec3(0.f) || material.Back.Specular != glm::vec3(0.f);
   const std::vector<Light>& lights = this->Rays.GetScene().Lights;
-  return surface.Normals.empty() && !this->Shadows && (this->OneHeadlight || !highlight) &&
+  return surface.Normals.empty() && !surface.IsRound() && !this->Shadows &&
+    (this->OneHeadlight || !highlight) &&
     std::all_of(lights.begin(), lights.end(),
       [](const Light& light) { return light.Kind == Light::Kinds::Directional; });
 }
@@ -228,14 +229,14 @@ ShadedHit Shading::ShadeHit(
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
   const SurfaceMaterial& material = this->Materials[hit.Surface];
-  const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+  const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
   const glm::vec3 a = surface.Positions[corners.x];
   const glm::vec3 b = surface.Positions[corners.y];
   const glm::vec3 c = surface.Positions[corners.z];
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
 
   ShadedHit shaded;
-  shaded.GeometricNormal = surface.NormalOf(hit.Triangle);
+  shaded.GeometricNormal = this->Rays.GetNormal(ray, hit);
   const bool front = glm::dot(shaded.GeometricNormal, ray.Direction) < 0.f;
   if (!front)
   {
@@ -296,7 +297,8 @@ ShadedHit Shading::ShadeHit(
   }
   else
   {
-    const glm::vec3 point = weights.x * a + weights.y * b + weights.z * c;
+    const glm::vec3 point = surface.IsRound() ? ray.Origin + hit.Distance * ray.Direction
+                                              : weights.x * a + weights.y * b + weights.z * c;
     rgb = this->ApplyLights(phong, shaded, point, shadowRays);
   }
   shaded.Color = glm::vec4(rgb, phong.Opacity);
@@ -444,11 +446,12 @@ float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
     return 1.f;
   }
   const SurfaceMaterial& material = this->Materials[hit.Surface];
-  const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+  const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
   const glm::vec3 a = surface.Positions[corners.x];
-  const glm::vec3 normal =
-    glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
+  const glm::vec3 normal = surface.IsRound()
+    ? this->Rays.GetNormal(ray, hit)
+    : glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
   float opacity =
     glm::dot(normal, ray.Direction) < 0.f ? material.Front.Opacity : material.Back.Opacity;
   if (material.Colored)

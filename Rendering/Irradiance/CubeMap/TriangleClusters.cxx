@@ -67,6 +67,11 @@ TriangleClusters::TriangleClusters(const Scene& scene)
     {
       continue;
     }
+    if (surface.IsRound())
+    {
+      throw std::runtime_error(
+        "Gathering by cube maps does not support spheres and tubes: gather by rays.");
+    }
     const Sides sides = !surface.Backfaces ? FrontOnly : !surface.Frontfaces ? BackOnly : Both;
     for (std::uint32_t t = 0; t < surface.Triangles.size(); ++t)
     {

@@ -132,6 +132,8 @@ void RemoveShadingData(Scene& scene)
       Surface geometry;
       geometry.Positions = std::move(surface.Positions);
       geometry.Triangles = std::move(surface.Triangles);
+      geometry.Radii = std::move(surface.Radii);
+      geometry.Segments = std::move(surface.Segments);
       geometry.Frontfaces = surface.Frontfaces;
       geometry.Backfaces = surface.Backfaces;
       surfaces.push_back(std::move(geometry));

@@ -195,10 +195,11 @@ private:
   SurfacePoint ReconstructFromHit(const Ray& ray, const Hit& hit) const
   {
     const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
-    const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+    const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
     const glm::vec3 a = surface.Positions[corners.x];
-    const glm::vec3 normal =
-      glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
+    const glm::vec3 normal = surface.IsRound()
+      ? this->Rays.GetNormal(ray, hit)
+      : glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
     return this->OffsetFromSurface(ray, ray.Origin + hit.Distance * ray.Direction, normal, 0.f);
   }
 

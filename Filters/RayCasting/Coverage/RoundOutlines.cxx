@@ -1,0 +1,559 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RoundOutlines.h"
+
+#include "Embree/RoundIntersection.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+constexpr double FullAngle = glm::two_pi<double>();
+/// Number of chords that are skipped together if they are outside the rectangle.
+constexpr int ChordsPerBlock = 16;
+/// Range of the number of chords of a full circle.
+constexpr double MinimumChords = 12.0;
+constexpr double MaximumChords = 16384.0;
+
+/// Returns half the length of the chords, in pixels, of a circle of the given radius in pixels. The
+/// area between an arc and its chord is proportional to h^3 / radius. It is below 5e-5 for short
+/// chords; chords longer than half a pixel have a sagitta below 1e-4. The sagitta stays below
+/// EdgePrecision.
+double ComputeHalfChord(double radius)
+{
+  const double byArea = std::cbrt(3.9e-4 * radius);
+  const double byHeight = std::max(0.35, std::sqrt(1.5e-4 * radius));
+  return std::min({ byArea, byHeight, std::sqrt(2e-3 * radius) });
+}
+
+/// Minimum depth that is projected.
+double ComputeNear(const Camera& camera)
+{
+  return std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
+}
+
+/// An arc of a circle in space: Center + cos(angle) * U + sin(angle) * V.
+struct Arc
+{
+  glm::dvec3 Center;
+  glm::dvec3 U;
+  glm::dvec3 V;
+  double Begin = 0.0;
+  double Size = FullAngle;
+
+  glm::dvec3 At(double angle, double scale = 1.0) const
+  {
+    return this->Center + scale * (std::cos(angle) * this->U + std::sin(angle) * this->V);
+  }
+};
+
+/// Projects arcs and lines to edges within a rectangle of the image.
+class OutlineProjector
+{
+public:
+  OutlineProjector(
+    const Camera& camera, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges)
+    : View(camera),
+      Low(low),
+      High(high),
+      Near(ComputeNear(camera)),
+      Edges(edges)
+  {
+  }
+
+  void AddLine(glm::dvec3 a, glm::dvec3 b)
+  {
+    double depthA = this->View.Depth(a);
+    double depthB = this->View.Depth(b);
+    if (depthA < this->Near && depthB < this->Near)
+    {
+      return;
+    }
+    if (depthA < this->Near || depthB < this->Near)
+    {
+      const glm::dvec3 cut = a + (b - a) * ((this->Near - depthA) / (depthB - depthA));
+      (depthA < this->Near ? a : b) = cut;
+      (depthA < this->Near ? depthA : depthB) = this->Near;
+    }
+    const bool parallel = this->View.Parallel;
+    ProjectedEdge edge{ this->View.Project(a), this->View.Project(b),
+      parallel ? depthA : 1.0 / depthA, parallel ? depthB : 1.0 / depthB };
+    if (ClipToRectangle(edge, this->Low, this->High))
+    {
+      this->Edges.push_back(edge);
+    }
+  }
+
+  /// Adds an arc whose full circle has about the given radius in the image, in pixels.
+  void AddArc(const Arc& arc, double radius)
+  {
+    const double chords = glm::pi<double>() * radius / std::max(ComputeHalfChord(radius), 1e-9);
+    const bool closed = arc.Size >= FullAngle;
+    const int count = std::max(
+      static_cast<int>(
+        std::ceil(std::clamp(chords, MinimumChords, MaximumChords) * arc.Size / FullAngle)),
+      1);
+    const double step = arc.Size / count;
+    // The polygon has the area of the circle. The ends of an open arc stay in place.
+    const double scale = std::sqrt(step / std::sin(step));
+    const auto at = [&](int i) {
+      const bool end = !closed && (i == 0 || i == count);
+      return arc.At(arc.Begin + step * (closed && i == count ? 0 : i), end ? 1.0 : scale);
+    };
+    for (int first = 0; first < count; first += ChordsPerBlock)
+    {
+      const int last = std::min(first + ChordsPerBlock, count);
+      glm::dvec3 from = at(first);
+      if (count > ChordsPerBlock && this->IsOutside(from, at(last), step * (last - first), radius))
+      {
+        continue;
+      }
+      for (int i = first; i < last; ++i)
+      {
+        const glm::dvec3 to = at(i + 1);
+        this->AddLine(from, to);
+        from = to;
+      }
+    }
+  }
+
+private:
+  /// Returns true if an arc of `angle` between two points does not reach the rectangle.
+  bool IsOutside(glm::dvec3 a, glm::dvec3 b, double angle, double radius) const
+  {
+    if (this->View.Depth(a) < this->Near || this->View.Depth(b) < this->Near)
+    {
+      return false;
+    }
+    const glm::dvec2 p = this->View.Project(a);
+    const glm::dvec2 q = this->View.Project(b);
+    // Twice the sagitta of the arc.
+    const double margin = 4.0 *
+      (glm::distance(p, q) + radius * (1.0 - std::cos(std::min(0.5 * angle, glm::pi<double>()))));
+    const glm::dvec2 low = glm::min(p, q) - margin;
+    const glm::dvec2 high = glm::max(p, q) + margin;
+    return high.x < this->Low.x || high.y < this->Low.y || low.x > this->High.x ||
+      low.y > this->High.y;
+  }
+
+  const Camera& View;
+  glm::dvec2 Low;
+  glm::dvec2 High;
+  double Near;
+  std::vector<ProjectedEdge>& Edges;
+};
+
+/// Bounds of a sphere in the image. Returns false if they are unknown, because the sphere reaches
+/// the camera plane.
+bool BoundSphere(
+  glm::dvec3 center, double radius, const Camera& camera, glm::dvec2& low, glm::dvec2& high)
+{
+  const glm::dvec3 d = center - camera.Position;
+  const double depth = glm::dot(d, camera.Forward);
+  const glm::dvec2 offset(glm::dot(d, camera.Right), glm::dot(d, camera.Up));
+  if (camera.Parallel)
+  {
+    low = camera.Center + (offset - radius) / camera.PixelSize;
+    high = camera.Center + (offset + radius) / camera.PixelSize;
+    return true;
+  }
+  if (!(depth > radius * (1.0 + 1e-6)))
+  {
+    return false;
+  }
+  const double square = depth * depth - radius * radius;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double root = radius * std::sqrt(offset[axis] * offset[axis] + square);
+    low[axis] = camera.Center[axis] + (offset[axis] * depth - root) / (square * camera.PixelSize);
+    high[axis] = camera.Center[axis] + (offset[axis] * depth + root) / (square * camera.PixelSize);
+  }
+  return true;
+}
+
+bool BoundShape(const RoundShape& shape, const Camera& camera, glm::dvec2& low, glm::dvec2& high)
+{
+  glm::dvec2 lowB;
+  glm::dvec2 highB;
+  if (!BoundSphere(glm::dvec3(shape.A), shape.RadiusA, camera, low, high) ||
+    !BoundSphere(glm::dvec3(shape.B), shape.RadiusB, camera, lowB, highB))
+  {
+    return false;
+  }
+  low = glm::min(low, lowB);
+  high = glm::max(high, highB);
+  return true;
+}
+
+/// The circle on a sphere that is its outline. Normal(angle) is the normal of the sphere there.
+struct OutlineCircle
+{
+  bool IsVisible = false; ///< false if the camera is inside the sphere
+  glm::dvec3 Sphere{ 0.0 };
+  double Radius = 0.0;
+  double ImageRadius = 0.0;
+  glm::dvec3 U{ 0.0 }; ///< unit vectors
+  glm::dvec3 V{ 0.0 };
+  glm::dvec3 Offset{ 0.0 }; ///< from the center of the sphere to that of the circle, over Radius
+  double Scale = 1.0;       ///< radius of the circle over Radius
+
+  OutlineCircle(glm::dvec3 center, double radius, const Camera& camera)
+    : Sphere(center),
+      Radius(radius)
+  {
+    glm::dvec3 axis = camera.Forward;
+    this->IsVisible = radius > 0.0;
+    if (!camera.Parallel)
+    {
+      const glm::dvec3 d = center - camera.Position;
+      const double distance = glm::length(d);
+      this->IsVisible = this->IsVisible && distance > radius * (1.0 + 1e-9);
+      if (!this->IsVisible)
+      {
+        return;
+      }
+      axis = d / distance;
+      const double sine = radius / distance;
+      this->Offset = -sine * axis;
+      this->Scale = std::sqrt(1.0 - sine * sine);
+    }
+    const glm::dvec3 across = glm::cross(axis, camera.Up);
+    const double length = glm::length(across);
+    this->U = length > 1e-6 ? across / length : camera.Right;
+    this->V = glm::cross(this->U, axis);
+    glm::dvec2 low;
+    glm::dvec2 high;
+    this->ImageRadius = BoundSphere(center, radius, camera, low, high)
+      ? 0.5 * glm::distance(low, high)
+      : static_cast<double>(camera.Width + camera.Height);
+  }
+
+  glm::dvec3 Normal(double angle) const
+  {
+    return this->Offset + this->Scale * (std::cos(angle) * this->U + std::sin(angle) * this->V);
+  }
+
+  Arc MakeArc(double begin, double size) const
+  {
+    const double r = this->Radius * this->Scale;
+    return { this->Sphere + this->Radius * this->Offset, r * this->U, r * this->V, begin, size };
+  }
+};
+
+/// A range of angles.
+struct AngleRange
+{
+  double Begin = 0.0;
+  double Size = FullAngle;
+};
+
+/// Returns the angles at which Normal() . direction <= limit.
+AngleRange FindAngles(const OutlineCircle& circle, glm::dvec3 direction, double limit)
+{
+  const double u = glm::dot(circle.U, direction);
+  const double v = glm::dot(circle.V, direction);
+  const double amplitude = circle.Scale * std::hypot(u, v);
+  const double rest = limit - glm::dot(circle.Offset, direction);
+  if (rest >= amplitude)
+  {
+    return {};
+  }
+  if (rest <= -amplitude)
+  {
+    return { 0.0, 0.0 };
+  }
+  const double half = std::acos(rest / amplitude);
+  return { std::atan2(v, u) + half, FullAngle - 2.0 * half };
+}
+
+/// A tube between two spheres of which neither contains the other.
+struct Tube
+{
+  bool IsTube = false;
+  glm::dvec3 Direction{ 0.0 };
+  double Sine = 0.0;
+
+  explicit Tube(const RoundShape& shape)
+  {
+    const glm::dvec3 d = glm::dvec3(shape.B) - glm::dvec3(shape.A);
+    const double length = glm::length(d);
+    const double growth = static_cast<double>(shape.RadiusB) - shape.RadiusA;
+    this->IsTube = length > std::abs(growth);
+    if (this->IsTube)
+    {
+      this->Direction = d / length;
+      this->Sine = growth / length;
+    }
+  }
+};
+
+/// Adds the parts of the circle at angles in both ranges.
+void AddCommonArcs(
+  OutlineProjector& projector, const OutlineCircle& circle, AngleRange a, AngleRange b)
+{
+  if (a.Size >= FullAngle || b.Size >= FullAngle)
+  {
+    const AngleRange& smaller = a.Size < b.Size ? a : b;
+    if (smaller.Size > 0.0)
+    {
+      projector.AddArc(circle.MakeArc(smaller.Begin, smaller.Size), circle.ImageRadius);
+    }
+    return;
+  }
+  for (int turn = -2; turn <= 2; ++turn)
+  {
+    const double begin = std::max(a.Begin, b.Begin + turn * FullAngle);
+    const double end = std::min(a.Begin + a.Size, b.Begin + turn * FullAngle + b.Size);
+    if (end > begin)
+    {
+      projector.AddArc(circle.MakeArc(begin, end - begin), circle.ImageRadius);
+    }
+  }
+}
+
+void AddTube(const Surface& surface, std::uint32_t primitive, const RoundShape& shape,
+  const Tube& tube, const Camera& camera, OutlineProjector& projector)
+{
+  const OutlineCircle start(glm::dvec3(shape.A), shape.RadiusA, camera);
+  const OutlineCircle end(glm::dvec3(shape.B), shape.RadiusB, camera);
+  if (!start.IsVisible || !end.IsVisible)
+  {
+    return;
+  }
+  const std::vector<glm::uvec2>& segments = surface.Segments;
+  const AngleRange startCap = FindAngles(start, tube.Direction, -tube.Sine);
+  AngleRange afterPrevious;
+  if (primitive > 0 && segments[primitive - 1].y == segments[primitive].x)
+  {
+    const Tube previous(surface.GetRoundShape(primitive - 1));
+    if (previous.IsTube)
+    {
+      afterPrevious = FindAngles(start, -previous.Direction, previous.Sine);
+    }
+  }
+  AddCommonArcs(projector, start, startCap, afterPrevious);
+  if (primitive + 1 == segments.size() || segments[primitive + 1].x != segments[primitive].y)
+  {
+    AddCommonArcs(projector, end, FindAngles(end, -tube.Direction, tube.Sine), {});
+  }
+  // The two lines that touch both ends. Their planes contain the camera.
+  if (startCap.Size > 0.0 && startCap.Size < FullAngle)
+  {
+    for (const double angle : { startCap.Begin, startCap.Begin + startCap.Size })
+    {
+      const glm::dvec3 normal = start.Normal(angle);
+      projector.AddLine(start.Sphere + start.Radius * normal, end.Sphere + end.Radius * normal);
+    }
+  }
+}
+
+}
+
+void ProjectOutline(const Surface& surface, std::uint32_t primitive, const Camera& camera,
+  glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges)
+{
+  OutlineProjector projector(camera, low, high, edges);
+  const RoundShape shape = surface.GetRoundShape(primitive);
+  const Tube tube(shape);
+  if (tube.IsTube)
+  {
+    AddTube(surface, primitive, shape, tube, camera, projector);
+    return;
+  }
+  const bool largerIsB = shape.RadiusB > shape.RadiusA;
+  const OutlineCircle circle(
+    glm::dvec3(largerIsB ? shape.B : shape.A), largerIsB ? shape.RadiusB : shape.RadiusA, camera);
+  if (circle.IsVisible)
+  {
+    projector.AddArc(circle.MakeArc(0.0, FullAngle), circle.ImageRadius);
+  }
+}
+
+RoundOutlines::RoundOutlines(const Scene& scene, glm::dvec2 origin, double size, glm::ivec2 cells)
+  : OutlinedScene(scene),
+    FirstShape(1, 0)
+{
+  for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
+  {
+    if (scene.Surfaces[i].IsRound())
+    {
+      this->Surfaces.push_back(i);
+      this->FirstShape.push_back(this->FirstShape.back() +
+        static_cast<std::uint32_t>(scene.Surfaces[i].GetNumberOfPrimitives()));
+    }
+  }
+  if (this->Surfaces.empty() || cells.x * cells.y == 0)
+  {
+    return;
+  }
+  const auto visit = [&](const auto& callback) {
+    for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
+    {
+      const Surface& surface = scene.Surfaces[this->Surfaces[k]];
+      const std::uint32_t count = this->FirstShape[k + 1] - this->FirstShape[k];
+      for (std::uint32_t i = 0; i < count; ++i)
+      {
+        glm::dvec2 low;
+        glm::dvec2 high;
+        glm::ivec2 first(0);
+        glm::ivec2 last(cells - 1);
+        const RoundShape shape = surface.GetRoundShape(i);
+        const double radius = std::max(shape.RadiusA, shape.RadiusB);
+        if (std::max(scene.ViewCamera.Depth(glm::dvec3(shape.A)),
+              scene.ViewCamera.Depth(glm::dvec3(shape.B))) +
+            radius <
+          scene.ViewCamera.Near)
+        {
+          continue;
+        }
+        if (BoundShape(shape, scene.ViewCamera, low, high))
+        {
+          low = glm::floor((low - 2.0 * EdgeMargin - origin) / size);
+          high = glm::floor((high + 2.0 * EdgeMargin - origin) / size);
+          first = glm::ivec2(glm::clamp(low, glm::dvec2(0.0), glm::dvec2(cells)));
+          last = glm::ivec2(glm::clamp(high, glm::dvec2(-1.0), glm::dvec2(cells - 1)));
+        }
+        for (int y = first.y; y <= last.y; ++y)
+        {
+          for (int x = first.x; x <= last.x; ++x)
+          {
+            callback(y * cells.x + x, this->FirstShape[k] + i);
+          }
+        }
+      }
+    }
+  };
+  this->Begin.assign(static_cast<std::size_t>(cells.x) * cells.y + 1, 0);
+  visit([&](int tile, std::uint32_t) { ++this->Begin[tile + 1]; });
+  for (std::size_t tile = 1; tile < this->Begin.size(); ++tile)
+  {
+    this->Begin[tile] += this->Begin[tile - 1];
+  }
+  this->Shapes.resize(this->Begin.back());
+  std::vector<std::uint32_t> next(this->Begin.begin(), this->Begin.end() - 1);
+  visit([&](int tile, std::uint32_t shape) { this->Shapes[next[tile]++] = shape; });
+}
+
+void RoundOutlines::Project(
+  int tile, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const
+{
+  low -= 2.0 * EdgeMargin;
+  high += 2.0 * EdgeMargin;
+  for (std::uint32_t i = this->Begin[tile]; i < this->Begin[tile + 1]; ++i)
+  {
+    const std::size_t k =
+      std::upper_bound(this->FirstShape.begin(), this->FirstShape.end(), this->Shapes[i]) -
+      this->FirstShape.begin() - 1;
+    ProjectOutline(this->OutlinedScene.Surfaces[this->Surfaces[k]],
+      this->Shapes[i] - this->FirstShape[k], this->OutlinedScene.ViewCamera, low, high, edges);
+  }
+}
+
+// Front surfaces of convex shapes are convex, in perspective after a projective map. Their largest
+// depth in a pixel is that of a corner. Beyond the outline, the depth of the shape is bounded by
+// its farthest end.
+double MaximumRoundDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
+{
+  const RoundShape shape = scene.Surfaces[id.Surface].GetRoundShape(id.Triangle);
+  const Camera& camera = scene.ViewCamera;
+  double largest = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const glm::dvec2 p = origin + glm::dvec2(corner & 1, corner >> 1);
+    const RoundIntersection hit(shape, camera.RayOrigin(p), camera.RayDirection(p));
+    if (!hit.IsHit || hit.Enter < 0.0)
+    {
+      return std::max(camera.Depth(glm::dvec3(shape.A)) + shape.RadiusA,
+        camera.Depth(glm::dvec3(shape.B)) + shape.RadiusB);
+    }
+    largest = std::max(largest, hit.Enter + camera.DepthOfRayOrigins());
+  }
+  return largest;
+}
+
+void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin,
+  std::vector<PixelSegment>& segments)
+{
+  const auto isSphere = [&](TriangleId id) {
+    const Surface& surface = scene.Surfaces[id.Surface];
+    return surface.IsRound() && surface.Segments.empty();
+  };
+  if (!isSphere(a))
+  {
+    std::swap(a, b);
+  }
+  if (!isSphere(a) || (scene.Surfaces[b.Surface].IsRound() && !isSphere(b)))
+  {
+    return;
+  }
+  const RoundShape sphere = scene.Surfaces[a.Surface].GetRoundShape(a.Triangle);
+  const glm::dvec3 center(sphere.A);
+  const double radius = sphere.RadiusA;
+  glm::dvec3 normal;
+  double distance = 0.0; // of the plane of the intersection from the center
+  const Surface& other = scene.Surfaces[b.Surface];
+  if (isSphere(b))
+  {
+    const RoundShape second = other.GetRoundShape(b.Triangle);
+    const glm::dvec3 d = glm::dvec3(second.A) - center;
+    const double length = glm::length(d);
+    if (!(length > 0.0))
+    {
+      return;
+    }
+    normal = d / length;
+    distance = 0.5 * (length + (radius - second.RadiusA) * (radius + second.RadiusA) / length);
+  }
+  else
+  {
+    const glm::uvec3 corners = other.Triangles[b.Triangle];
+    const glm::dvec3 p(other.Positions[corners.x]);
+    const glm::dvec3 n = glm::cross(
+      glm::dvec3(other.Positions[corners.y]) - p, glm::dvec3(other.Positions[corners.z]) - p);
+    const double length = glm::length(n);
+    if (!(length > 0.0))
+    {
+      return;
+    }
+    normal = n / length;
+    distance = glm::dot(p - center, normal);
+  }
+  const double square = radius * radius - distance * distance;
+  if (!(square > 0.0))
+  {
+    return;
+  }
+  const glm::dvec3 helper =
+    std::abs(normal.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 u = glm::normalize(glm::cross(normal, helper));
+  const glm::dvec3 v = glm::cross(normal, u);
+  const glm::dvec3 middle = center + distance * normal;
+  glm::dvec2 low;
+  glm::dvec2 high;
+  if (!BoundSphere(middle, std::sqrt(square), scene.ViewCamera, low, high))
+  {
+    return;
+  }
+  std::vector<ProjectedEdge> edges;
+  OutlineProjector projector(scene.ViewCamera, origin, origin + 1.0, edges);
+  projector.AddArc({ middle, std::sqrt(square) * u, std::sqrt(square) * v, 0.0, FullAngle },
+    0.5 * glm::distance(low, high));
+  for (const ProjectedEdge& edge : edges)
+  {
+    PixelSegment segment{ edge.A - origin, edge.B - origin };
+    if (ClipToPixel(segment))
+    {
+      segments.push_back(segment);
+    }
+  }
+}
+
+}
