@@ -411,9 +411,9 @@ int vtkPenumbraRayCaster::RequestData(
   try
   {
     penumbra::RequireNotNaN(
-      "Tolerance, AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo and "
-      "EnvironmentColor",
-      { this->Tolerance, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
+      "Tolerance, PointRadius, LineRadius, AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo "
+      "and EnvironmentColor",
+      { this->Tolerance, this->PointRadius, this->LineRadius, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
         this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
     bool finished = true;
     std::exception_ptr thrown;
@@ -494,6 +494,8 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Resolution[1] = self->Resolution[1];
   options.DPI = self->DPI;
   options.Background = self->Background;
+  options.PointRadius = self->PointRadius;
+  options.LineRadius = self->LineRadius;
   options.Progress = [self](double) { return ReportProgress(self, 0.0); };
   this->Prepared.reset(); // frees the memory before the next scene is built
   auto prepared = std::make_unique<PreparedScene>();
@@ -750,6 +752,8 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Background: " << this->Background << "\n";
   os << indent << "UsePackets: " << this->UsePackets << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "PointRadius: " << this->PointRadius << "\n";
+  os << indent << "LineRadius: " << this->LineRadius << "\n";
   os << indent << "DPI: " << this->DPI << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";

@@ -238,6 +238,26 @@ public:
   vtkGetMacro(DPI, int);
   ///@}
 
+  ///@{
+  /**
+   * Radius of points in world units. All points are then rendered as spheres. 0: as spheres only if
+   * vtkProperty::RenderPointsAsSpheres is on, with the radius PointSize / 2 at their depth. Range:
+   * [0, inf). Default: 0.
+   */
+  vtkSetClampMacro(PointRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(PointRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of lines in world units. Lines and wireframes are then rendered as tubes with round
+   * joints and ends. 0: as tubes only if vtkProperty::RenderLinesAsTubes is on, with the radius
+   * LineWidth / 2 at the depth of each point. Range: [0, inf). Default: 0.
+   */
+  vtkSetClampMacro(LineRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LineRadius, double);
+  ///@}
+
   /**
    * Counts of the last execution, one array with one value each: `Rays/Primary`, `Rays/Total`,
    * `Rays/PerPixel`, `Pixels/Refined`, ... Empty if the execution was stopped or failed. The arrays
@@ -291,6 +311,8 @@ private:
   int NumberOfThreads = 0;
   int DPI = 72;
   bool Layers = true;
+  double PointRadius = 0.0;
+  double LineRadius = 0.0;
 };
 
 #endif

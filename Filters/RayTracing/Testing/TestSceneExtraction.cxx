@@ -276,7 +276,9 @@ TEST(SceneExtraction, WarnsOncePerCause)
   vtkNew<vtkRenderer> renderer;
   for (int i = 0; i < 5; ++i)
   {
-    AddCube(renderer)->GetProperty()->RenderLinesAsTubesOn();
+    vtkProperty* property = AddCube(renderer)->GetProperty();
+    property->SetInterpolationToPBR();
+    property->SetCoatStrength(1.0);
   }
   const Scene scene = ExtractScene(renderer, Square());
   ASSERT_EQ(scene.Warnings.size(), 1u);

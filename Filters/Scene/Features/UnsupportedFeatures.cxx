@@ -98,8 +98,6 @@ void WarnUnsupportedActor(
   vtkMapper* mapper = actor->GetMapper();
   const bool isPhysicallyBased = property->GetInterpolation() == VTK_PBR;
   warn(isPhysicallyBased && HasOtherMaterialDetails(property), Feature::PhysicallyBasedDetails);
-  warn(property->GetRenderPointsAsSpheres(), Feature::PointsAsSpheres);
-  warn(property->GetRenderLinesAsTubes(), Feature::LinesAsTubes);
   warn(HasCustomShaders(actor), Feature::CustomShaders);
   warn(UsesOtherCoordinates(actor, 0), Feature::CoordinateSystems);
   warn(actor->GetTexture() && IsSeamless(mapper), Feature::TextureSeams);

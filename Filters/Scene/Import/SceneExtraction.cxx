@@ -60,6 +60,16 @@ void ComputeBounds(const std::vector<DrawItem>& items, double bounds[6])
   }
 }
 
+/// Sets the radii of spheres and tubes that `options` require.
+void SetRadii(const ExtractionOptions& options, std::vector<DrawItem>& items)
+{
+  for (DrawItem& item : items)
+  {
+    item.PointRadius = options.PointRadius > 0.0 ? options.PointRadius : item.PointRadius;
+    item.LineRadius = options.LineRadius > 0.0 ? options.LineRadius : item.LineRadius;
+  }
+}
+
 void AddDrawItems(
   const std::vector<DrawItem>& items, const ExtractionOptions& options, Scene& scene)
 {
@@ -76,6 +86,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 {
   Scene scene;
   std::vector<DrawItem> items = CollectDrawItems(renderer, scene.Warnings, options.Progress);
+  SetRadii(options, items);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
@@ -110,7 +121,8 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
 Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options)
 {
   Scene scene;
-  const std::vector<DrawItem> items = CollectDrawItems(data, scene.Warnings, options.Progress);
+  std::vector<DrawItem> items = CollectDrawItems(data, scene.Warnings, options.Progress);
+  SetRadii(options, items);
   double bounds[6];
   ComputeBounds(items, bounds);
   ResetCamera(bounds, options, scene);

@@ -24,6 +24,8 @@ struct ExtractionOptions
   int Resolution[2] = { 1, 1 }; ///< image size in pixels
   int DPI = 72;                 ///< scales text, line widths and point sizes
   bool Background = true;       ///< if false, the background is transparent black
+  double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
+  double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
   ProgressCallback Progress;    ///< on a stop request, ExtractScene() throws Stopped
 };
 

@@ -168,7 +168,8 @@ void Append(std::vector<T>& to, const std::vector<T>& from)
 /// Returns true if the surfaces can be merged when their colors are per cell.
 bool AreMergeable(const Surface& a, const Surface& b)
 {
-  return a.IsLineOrPoint == b.IsLineOrPoint && a.NormalRule == b.NormalRule &&
+  return a.IsRound() == b.IsRound() && a.Segments.empty() == b.Segments.empty() &&
+    a.IsLineOrPoint == b.IsLineOrPoint && a.NormalRule == b.NormalRule &&
     a.Normals.empty() == b.Normals.empty() &&
     a.TriangleNormals.empty() == b.TriangleNormals.empty() && a.LitTexture == b.LitTexture &&
     a.Front.Lighting == b.Front.Lighting && a.Front.Ambient == b.Front.Ambient &&
@@ -181,8 +182,12 @@ void MergeInstance(Surface&& instance, std::uint32_t id, Surface& into)
   const glm::u8vec4 color(
     glm::vec4(instance.Front.DiffuseColor, instance.Front.Opacity) * 255.f + 0.5f);
   instance.Front.Opacity = 1.f;
-  instance.CellColors.assign(instance.Triangles.size(), color);
-  instance.CellIds.assign(instance.Triangles.size(), id);
+  instance.CellColors.assign(instance.GetNumberOfPrimitives(), color);
+  instance.CellIds.assign(instance.GetNumberOfPrimitives(), id);
+  if (instance.Radii.size() == 1)
+  {
+    instance.Radii.resize(instance.Positions.size(), instance.Radii.front());
+  }
   if (into.Positions.empty())
   {
     into = std::move(instance);
@@ -193,6 +198,11 @@ void MergeInstance(Surface&& instance, std::uint32_t id, Surface& into)
   {
     into.Triangles.push_back(triangle + first);
   }
+  for (const glm::uvec2& segment : instance.Segments)
+  {
+    into.Segments.push_back(segment + first);
+  }
+  Append(into.Radii, instance.Radii);
   Append(into.Positions, instance.Positions);
   Append(into.CellIds, instance.CellIds);
   Append(into.CellColors, instance.CellColors);

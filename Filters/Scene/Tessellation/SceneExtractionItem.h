@@ -67,6 +67,12 @@ struct DrawItem
     ClippingPlanes; ///< in world coordinates; points with dot(plane, (x, 1)) < 0 are clipped
   vtkSmartPointer<vtkDataArray>
     CellIds; ///< value of the array CellId per cell of Data; null: the cell's index
+  /// Radius of points that are drawn as spheres and of lines that are drawn as tubes, in world
+  /// units. 0: as the property requests.
+  double PointRadius = 0.0;
+  double LineRadius = 0.0;
+  /// Radius of each point of Data in world units. Replaces PointRadius and LineRadius; null: none.
+  vtkSmartPointer<vtkDataArray> Radii;
   std::shared_ptr<Instances> GlyphInstances; ///< null: drawn once, with ToWorld
   ProgressCallback Progress;                 ///< on a stop request, reading the item throws Stopped
 };

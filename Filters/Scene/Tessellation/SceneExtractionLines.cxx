@@ -57,10 +57,22 @@ Material MakeUnlitMaterial(const double color[3], double opacity)
   return material;
 }
 
+/// Returns the lit material of edges and vertices that are drawn as tubes and spheres.
+Material MakeRoundMaterial(vtkProperty* property, const Material& unlit)
+{
+  Material material = MakeMaterial(property);
+  material.AmbientColor = unlit.AmbientColor;
+  material.DiffuseColor = unlit.DiffuseColor;
+  material.Opacity = unlit.Opacity;
+  return material;
+}
+
 /// Expands the line segments and points of one draw item to surfaces.
 class LineExpander
 {
 public:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
   LineExpander(const DrawItem& item, double pixelsPerPoint, Scene& scene)
     : Item(item),
       PixelsPerPoint(pixelsPerPoint),
@@ -84,20 +96,20 @@ public:
     double Width = 1.0;
     bool Lit = false;
     const Material* Single = nullptr;
+    bool IsRound = false; ///< spheres and tubes instead of squares and strips
+    double Radius = 0.0;  ///< of spheres and tubes, in world units; 0: half of Width
   };
 
   void Add(const std::vector<LineSegment>& segments, const LineStyle& style)
   {
-    this->Result = Surface();
-    this->Result.ObjectId = this->Item.ObjectId;
-    this->Result.IsLineOrPoint = true;
-    this->Result.Front = style.Single ? *style.Single : this->Attributes.Front;
-    this->Result.Front.Lighting = style.Lit && this->Result.Front.Lighting;
-    if (!style.Single)
+    if (style.IsRound)
     {
-      this->Result.ScalarColoring = this->Attributes.ScalarColoring;
-      this->Result.ColorTexture = this->Attributes.ColorTexture;
+      this->AddRound(segments, style);
+      return;
     }
+    this->Begin(style);
+    this->Result.IsLineOrPoint = true;
+    this->Result.Front.Lighting = style.Lit && this->Result.Front.Lighting;
     for (const LineSegment& segment : segments)
     {
       this->AddSegment(segment, style);
@@ -110,7 +122,144 @@ public:
     }
   }
 
+  /// Returns the number of points whose radius is not a positive finite number.
+  std::size_t GetNumberOfInvalidRadii() const { return this->InvalidRadii; }
+
 private:
+  void Begin(const LineStyle& style)
+  {
+    this->Result = Surface();
+    this->Result.ObjectId = this->Item.ObjectId;
+    this->Result.Front = style.Single ? *style.Single : this->Attributes.Front;
+    if (!style.Single)
+    {
+      this->Result.ScalarColoring = this->Attributes.ScalarColoring;
+      this->Result.ColorTexture = this->Attributes.ColorTexture;
+    }
+  }
+
+  /// Adds spheres or tubes. Clipping planes remove spheres by their centers, and cut the axes of
+  /// tubes.
+  void AddRound(const std::vector<LineSegment>& segments, const LineStyle& style)
+  {
+    this->Begin(style);
+    this->LastEnd = None;
+    const bool isUniform = style.Radius > 0.0 && !this->Item.Radii;
+    if (isUniform)
+    {
+      this->Result.Radii.push_back(static_cast<float>(style.Radius * this->Target.Scale));
+    }
+    const bool areTubes = std::any_of(segments.begin(), segments.end(),
+      [](const LineSegment& segment) { return segment.From != segment.To; });
+    const std::size_t estimate = segments.size() + (areTubes ? segments.size() / 8 : 0) + 1;
+    this->Result.Positions.reserve(estimate);
+    this->Result.CellIds.reserve(estimate);
+    this->Result.Segments.reserve(areTubes ? estimate : 0);
+    for (const LineSegment& segment : segments)
+    {
+      double start = 0.0;
+      double end = 1.0;
+      if (!this->IsUsable(segment.From) || !this->IsUsable(segment.To) ||
+        !this->Clip(segment, start, end))
+      {
+        continue;
+      }
+      const float radii[2] = { this->ComputeRadius(segment.From, style),
+        this->ComputeRadius(segment.To, style) };
+      if (!(radii[0] > 0.f && radii[1] > 0.f))
+      {
+        continue;
+      }
+      const std::uint32_t first = this->AddEnd(segment, style, start, radii, isUniform);
+      if (areTubes)
+      {
+        this->Result.Segments.emplace_back(
+          first, this->AddEnd(segment, style, end, radii, isUniform));
+      }
+      this->Result.CellIds.push_back(this->Attributes.CellIds[segment.Cell]);
+      if (!style.Single && !this->Attributes.CellColors.empty())
+      {
+        this->Result.CellColors.push_back(this->Attributes.CellColors[segment.Cell]);
+      }
+    }
+    if (!this->Result.Positions.empty())
+    {
+      this->Target.Surfaces.push_back(std::move(this->Result));
+    }
+  }
+
+  /// Returns the radius of a sphere or tube at a point in scene units; 0 if it is not drawn.
+  float ComputeRadius(std::uint32_t point, const LineStyle& style)
+  {
+    const Camera& camera = this->Target.ViewCamera;
+    double radius = style.Radius * this->Target.Scale;
+    if (this->Item.Radii)
+    {
+      radius = this->Item.Radii->GetComponent(point, 0) * this->Target.Scale;
+      if (!(radius > 0.0 && std::isfinite(radius)))
+      {
+        ++this->InvalidRadii;
+        return 0.f;
+      }
+    }
+    else if (!(radius > 0.0))
+    {
+      const double depth = camera.Depth(glm::dvec3(this->Points[point]));
+      radius = 0.5 * style.Width * this->PixelsPerPoint * camera.PixelSize *
+        (camera.Parallel ? 1.0 : std::max(depth, camera.Near));
+    }
+    return static_cast<float>(radius);
+  }
+
+  /// Adds the end at parameter t of a segment, or returns the end of the last segment if that is
+  /// the same point.
+  std::uint32_t AddEnd(const LineSegment& segment, const LineStyle& style, double t,
+    const float (&radii)[2], bool isUniform)
+  {
+    const std::uint32_t point = t == 0.0 ? segment.From : segment.To;
+    const auto index = static_cast<std::uint32_t>(this->Result.Positions.size());
+    const bool isEnd = t == 0.0 || t == 1.0;
+    if (t == 0.0 && this->LastEnd == point && segment.From != segment.To)
+    {
+      return index - 1;
+    }
+    this->LastEnd = isEnd ? point : None;
+    const glm::vec3 a = this->Points[segment.From];
+    const glm::vec3 b = this->Points[segment.To];
+    this->Result.Positions.push_back(
+      isEnd ? this->Points[point] : glm::vec3(glm::mix(glm::dvec3(a), glm::dvec3(b), t)));
+    if (!isUniform)
+    {
+      this->Result.Radii.push_back(glm::mix(radii[0], radii[1], static_cast<float>(t)));
+    }
+    LineStyle unlit = style;
+    unlit.Lit = false;
+    this->AddAttributes(segment, unlit, static_cast<float>(t), glm::dvec3(b) - glm::dvec3(a));
+    this->Result.LitTexture = nullptr;
+    this->Result.TextureCoordinates.clear();
+    return index;
+  }
+
+  /// Narrows the range [start, end] of a segment to the part in front of all clipping planes.
+  /// Returns false if there is none.
+  bool Clip(const LineSegment& segment, double& start, double& end) const
+  {
+    const glm::dvec3 a = this->Points[segment.From];
+    const glm::dvec3 b = this->Points[segment.To];
+    for (const glm::dvec4& plane : this->Planes)
+    {
+      const double p = glm::dot(plane, glm::dvec4(a, 1.0));
+      const double q = glm::dot(plane, glm::dvec4(b, 1.0));
+      start = p < 0.0 && q > p ? std::max(start, p / (p - q)) : start;
+      end = q < 0.0 && p > q ? std::min(end, p / (p - q)) : end;
+      if ((p < 0.0 && q < 0.0) || start > end)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   bool IsUsable(std::uint32_t i) const
   {
     return i < this->Points.size() && std::isfinite(glm::dot(this->Points[i], this->Points[i]));
@@ -122,21 +271,14 @@ private:
     {
       return;
     }
-    glm::dvec3 a = this->Points[segment.From];
-    glm::dvec3 b = this->Points[segment.To];
     double start = 0.0;
     double end = 1.0;
-    for (const glm::dvec4& plane : this->Planes)
+    if (!this->Clip(segment, start, end))
     {
-      const double p = glm::dot(plane, glm::dvec4(a, 1.0));
-      const double q = glm::dot(plane, glm::dvec4(b, 1.0));
-      start = p < 0.0 && q > p ? std::max(start, p / (p - q)) : start;
-      end = q < 0.0 && p > q ? std::min(end, p / (p - q)) : end;
-      if ((p < 0.0 && q < 0.0) || start > end)
-      {
-        return;
-      }
+      return;
     }
+    glm::dvec3 a = this->Points[segment.From];
+    glm::dvec3 b = this->Points[segment.To];
     Quad quad;
     const double width = style.Width * this->PixelsPerPoint;
     const bool isPoint = segment.From == segment.To;
@@ -240,6 +382,8 @@ private:
   std::vector<glm::dvec4> Planes;
   Surface Attributes; ///< material and colors of the item, per point and per cell
   Surface Result;
+  std::uint32_t LastEnd = None; ///< point at the last position of Result; None if it is none
+  std::size_t InvalidRadii = 0;
 };
 
 }
@@ -263,25 +407,39 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   LineExpander expander(item, pixelsPerPoint, scene);
   const double pointSize = property->GetPointSize();
   const double lineWidth = property->GetLineWidth();
-  expander.Add(CollectPoints(item, representation == VTK_POINTS), { pointSize, smooth, nullptr });
+  const bool spheres = item.Radii || item.PointRadius > 0.0 || property->GetRenderPointsAsSpheres();
+  const bool tubes = item.LineRadius > 0.0 || property->GetRenderLinesAsTubes();
+  const bool roundEdges = property->GetRenderLinesAsTubes();
+  const bool roundVertices = property->GetRenderPointsAsSpheres();
+  expander.Add(CollectPoints(item, representation == VTK_POINTS),
+    { pointSize, smooth, nullptr, spheres, item.PointRadius });
   if (representation != VTK_POINTS)
   {
-    expander.Add(CollectLines(data), { lineWidth, smooth, nullptr });
+    expander.Add(CollectLines(data), { lineWidth, smooth, nullptr, tubes, item.LineRadius });
   }
   if (representation == VTK_WIREFRAME)
   {
-    expander.Add(CollectEdges(item), { lineWidth, true, nullptr });
+    expander.Add(CollectEdges(item), { lineWidth, true, nullptr, tubes, item.LineRadius });
   }
   if (edges)
   {
     const Material material = MakeUnlitMaterial(
       property->GetEdgeColor(), property->GetOpacity() * FindEdgeOpacity(property, 0));
-    expander.Add(CollectEdges(item), { FindEdgeWidth(property, 0), false, &material });
+    const Material round = MakeRoundMaterial(property, material);
+    expander.Add(CollectEdges(item),
+      { FindEdgeWidth(property, 0), false, roundEdges ? &round : &material, roundEdges });
   }
   if (vertices)
   {
     const Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
-    expander.Add(CollectPoints(item, true), { pointSize, false, &material });
+    const Material round = MakeRoundMaterial(property, material);
+    expander.Add(CollectPoints(item, true),
+      { pointSize, false, roundVertices ? &round : &material, roundVertices });
+  }
+  if (expander.GetNumberOfInvalidRadii() > 0)
+  {
+    scene.Warnings.push_back(item.Name + ": " + std::to_string(expander.GetNumberOfInvalidRadii()) +
+      " points were skipped because their radius is not a positive finite number.");
   }
 }
 

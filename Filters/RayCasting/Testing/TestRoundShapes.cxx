@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Points as spheres and lines as tubes: coverage against supersampled closed forms, shading against
+// the normal of the sphere, occlusion and shadows against closed forms.
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPenumbraRayCaster.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+constexpr int Side = 256;
+
+/// A camera at the origin that looks along -z, in the coordinates of the closed forms below.
+constexpr double ViewAngle = 40.0;
+
+vtkSmartPointer<vtkPolyData> MakeCells(
+  const std::vector<glm::dvec3>& points, const std::vector<std::vector<vtkIdType>>& lines)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const glm::dvec3& p : points)
+  {
+    const vtkIdType id = positions->InsertNextPoint(p.x, p.y, p.z);
+    if (lines.empty())
+    {
+      cells->InsertNextCell(1, &id);
+    }
+  }
+  for (const std::vector<vtkIdType>& line : lines)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(line.size()), line.data());
+  }
+  data->SetPoints(positions);
+  lines.empty() ? data->SetVerts(cells) : data->SetLines(cells);
+  return data;
+}
+
+/// A white scene on black.
+struct RoundScene
+{
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkPenumbraRayCaster> Caster;
+  vtkActor* Actor = nullptr;
+
+  explicit RoundScene(vtkPolyData* data, bool lit = false)
+  {
+    this->Actor = this->Add(data, lit);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.0, 0.0, 0.0);
+    camera->SetFocalPoint(0.0, 0.0, -1.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetViewAngle(ViewAngle);
+    camera->SetClippingRange(0.01, 1000.0);
+    this->Caster->SetRenderer(this->Renderer);
+    this->Caster->SetResolution(Side, Side);
+  }
+
+  vtkActor* Add(vtkPolyData* data, bool lit)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetLighting(lit);
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+
+  std::vector<double> RenderRed()
+  {
+    this->Caster->Update();
+    vtkDataArray* colors = this->Caster->GetOutput()->GetPointData()->GetArray("Color");
+    std::vector<double> red;
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      red.push_back(colors->GetComponent(i, 0) * colors->GetComponent(i, 3));
+    }
+    return red;
+  }
+
+  double Statistic(const char* name)
+  {
+    return this->Caster->GetStatistics()->GetArray(name)->GetComponent(0, 0);
+  }
+};
+
+/// Returns the direction through image point (x, y).
+glm::dvec3 Direction(double x, double y)
+{
+  const double pixel = 2.0 * std::tan(0.5 * ViewAngle * std::acos(-1.0) / 180.0) / Side;
+  return glm::normalize(glm::dvec3((x - 0.5 * Side) * pixel, (y - 0.5 * Side) * pixel, -1.0));
+}
+
+/// Returns true if the ray from the origin passes a segment at a distance below the radius: the
+/// distance of two lines, and of the end points, written without the ray caster's formulas.
+bool HitsTube(glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b, double radius)
+{
+  const glm::dvec3 d = b - a;
+  const double dd = glm::dot(d, d);
+  const double along = glm::dot(d, direction);
+  const double denominator = dd - along * along;
+  double u =
+    denominator > 0.0 ? (glm::dot(a, direction) * along - glm::dot(a, d)) / denominator : 0.0;
+  u = glm::clamp(u, 0.0, 1.0);
+  const glm::dvec3 p = a + u * d;
+  const double t = glm::dot(p, direction);
+  return t > 0.0 && glm::distance(p, t * direction) < radius;
+}
+
+using Inside = std::function<bool(glm::dvec3)>;
+
+/// Returns the coverage of a pixel: the length of the covered part of `lines` horizontal lines,
+/// whose ends are found by bisection.
+double ComputeCoverage(int x, int y, const Inside& isInside, int lines)
+{
+  constexpr int Steps = 16;
+  double sum = 0.0;
+  for (int line = 0; line < lines; ++line)
+  {
+    const double at = y + (line + 0.5) / lines;
+    bool before = isInside(Direction(x, at));
+    for (int i = 0; i < Steps; ++i)
+    {
+      double low = x + static_cast<double>(i) / Steps;
+      double high = x + static_cast<double>(i + 1) / Steps;
+      const bool after = isInside(Direction(high, at));
+      if (before == after)
+      {
+        sum += before ? 1.0 / Steps : 0.0;
+      }
+      else
+      {
+        const double from = low;
+        const double to = high;
+        for (int k = 0; k < 30; ++k)
+        {
+          const double middle = 0.5 * (low + high);
+          (isInside(Direction(middle, at)) == before ? low : high) = middle;
+        }
+        sum += before ? low - from : to - low;
+      }
+      before = after;
+    }
+  }
+  return sum / lines;
+}
+
+/// Returns the RMSE of the pixels that an outline crosses.
+double ComputeEdgeError(const std::vector<double>& image, const Inside& isInside, int stride = 5)
+{
+  double squares = 0.0;
+  int count = 0;
+  for (int y = 0; y < Side; ++y)
+  {
+    for (int x = 0; x < Side; ++x)
+    {
+      int corners = 0;
+      for (int i = 0; i < 9; ++i)
+      {
+        corners += isInside(Direction(x + 0.5 * (i % 3), y + 0.5 * (i / 3))) ? 1 : 0;
+      }
+      if (corners == 0 || corners == 9)
+      {
+        EXPECT_NEAR(image[y * Side + x], corners / 9.0, 0.2) << x << " " << y;
+      }
+      else if (++count % stride == 0)
+      {
+        const double error = image[y * Side + x] - ComputeCoverage(x, y, isInside, 512);
+        squares += error * error;
+      }
+    }
+  }
+  return std::sqrt(squares / (count / stride));
+}
+
+const std::vector<glm::dvec3> FiveCenters = { { 0.0, 0.0, -6.0 }, { 1.1, 0.9, -5.0 },
+  { -1.4, 1.2, -7.0 }, { -1.3, -1.2, -5.5 }, { 1.2, -1.0, -6.5 } };
+
+}
+
+TEST(RoundShapes, CoversOutlinesOfSpheresExactly)
+{
+  RoundScene scene(MakeCells(FiveCenters, {}));
+  scene.Caster->SetPointRadius(0.6);
+  const std::vector<double> image = scene.RenderRed();
+  const double error = ComputeEdgeError(image, [](glm::dvec3 direction) {
+    return std::any_of(FiveCenters.begin(), FiveCenters.end(),
+      [&](glm::dvec3 c) { return HitsTube(direction, c, c, 0.6); });
+  });
+  RecordProperty("RMSE", std::to_string(error));
+  EXPECT_LT(error, 1e-4);
+  EXPECT_LT(scene.Statistic("Rays/PerPixel"), 1.05);
+}
+
+TEST(RoundShapes, CoversOutlinesOfTubesExactly)
+{
+  const std::vector<glm::dvec3> points = { { -1.5, -1.0, -5.0 }, { -0.3, 1.0, -7.0 },
+    { 0.4, -0.8, -6.0 }, { 1.6, 0.9, -5.5 } };
+  RoundScene scene(MakeCells(points, { { 0, 1, 2, 3 } }));
+  scene.Caster->SetLineRadius(0.2);
+  const std::vector<double> image = scene.RenderRed();
+  const double error = ComputeEdgeError(image, [&](glm::dvec3 direction) {
+    bool hit = false;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    {
+      hit = hit || HitsTube(direction, points[i], points[i + 1], 0.2);
+    }
+    return hit;
+  });
+  RecordProperty("RMSE", std::to_string(error));
+  EXPECT_LT(error, 1e-4);
+  EXPECT_LT(scene.Statistic("Rays/PerPixel"), 1.05);
+}
+
+TEST(RoundShapes, MissesNoSphereBelowAPixel)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<glm::dvec3> centers;
+  for (int i = 0; i < 2000; ++i)
+  {
+    centers.emplace_back(
+      2.0 * uniform(random), 2.0 * uniform(random), -6.0 + 0.1 * uniform(random));
+  }
+  RoundScene scene(MakeCells(centers, {}));
+  const double radius = 0.004; // a quarter of a pixel
+  scene.Caster->SetPointRadius(radius);
+  const std::vector<double> image = scene.RenderRed();
+  double sum = 0.0;
+  for (const double red : image)
+  {
+    sum += red;
+  }
+  // Overlaps of two spheres reduce the sum by less than 0.1 %.
+  double expected = 0.0;
+  const double focal = 0.5 * Side / std::tan(0.5 * ViewAngle * std::acos(-1.0) / 180.0);
+  for (const glm::dvec3& c : centers)
+  {
+    // Area of the ellipse to which a sphere projects.
+    const double z = -c.z;
+    const double square = z * z - radius * radius;
+    const double b = focal * radius / std::sqrt(square);
+    const double a = focal * radius * std::sqrt(glm::dot(c, c) - radius * radius) / square;
+    expected += std::acos(-1.0) * a * b;
+    const int x = static_cast<int>(0.5 * Side + focal * c.x / z);
+    const int y = static_cast<int>(0.5 * Side + focal * c.y / z);
+    ASSERT_GT(image[y * Side + x], 0.0) << c.x << " " << c.y;
+  }
+  EXPECT_NEAR(sum, expected, 0.004 * expected);
+}
