@@ -68,6 +68,7 @@ struct BakeOptions
   std::string Normals = "file";
   std::string Gatherer = "rays";
   double PointRadius = 0.0;
+  double LineRadius = 0.0;
   int Threads = 0;
   std::string Statistics;
   std::string Progress = "auto";
@@ -232,6 +233,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   filter->SetFalloff(FindFalloff(options.Falloff));
   filter->SetComputeNormals(options.Normals == "computed");
   filter->SetPointRadius(options.PointRadius);
+  filter->SetLineRadius(options.LineRadius);
   filter->SetNumberOfThreads(options.Threads);
   vtkNew<vtkCallbackCommand> progressObserver;
   progressObserver->SetCallback(OnProgress);
@@ -313,7 +315,12 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     "Normals of the hemispheres; file: computed if the file has none");
   AddGathererOption(app, options.Gatherer);
   AddNumber(app, "--point-radius", options.PointRadius, "R",
-    "Radius of the disks that represent points of a mesh without polygons", { 0.0, 1e30, true })
+    "Radius of the disks that represent points of a mesh without polygons, and of spheres at the "
+    "vertices of other meshes, which occlude",
+    { 0.0, 1e30, true })
+    ->default_str("");
+  AddNumber(app, "--line-radius", options.LineRadius, "R",
+    "Radius of tubes along the lines of the mesh, which occlude", { 0.0, 1e30, true })
     ->default_str("");
   AddInteger(app, "--threads", options.Threads,
     "Number of threads, 0: all; the values do not depend on it", 0, 1024);

@@ -157,6 +157,8 @@ RenderResult RenderWithRays(
   }
   caster->SetBackground(options.Background);
   caster->SetDPI(options.DotsPerInch);
+  caster->SetPointRadius(options.PointRadius);
+  caster->SetLineRadius(options.LineRadius);
   caster->SetGeometryArrays(HoldsArrays(options.Output));
 
   AlgorithmObserver state{ progress, Clock::now() };

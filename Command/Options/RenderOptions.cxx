@@ -174,6 +174,15 @@ void DeclareAppearance(CLI::App& app, RenderOptions& options)
     ->group(group);
   AddNumber(app, "--point-size", options.PointSize, "PT", "Size of points", { 0.0, 1000.0, true })
     ->group(group);
+  AddNumber(app, "--point-radius", options.PointRadius, "R",
+    "Draw points as spheres of this radius in world units (ray)", { 0.0, 1e30, true })
+    ->default_str("")
+    ->group(group);
+  AddNumber(app, "--line-radius", options.LineRadius, "R",
+    "Draw lines as tubes of this radius in world units, with round joints and ends (ray)",
+    { 0.0, 1e30, true })
+    ->default_str("")
+    ->group(group);
 }
 
 void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
@@ -348,7 +357,8 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     return;
   }
-  for (const std::string name : { "--shadows", "--indirect", "--ambient-occlusion-falloff" })
+  for (const std::string name :
+    { "--shadows", "--indirect", "--ambient-occlusion-falloff", "--point-radius", "--line-radius" })
   {
     if (app.count(name) > 0)
     {
@@ -443,6 +453,8 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
       "with --engine raster without --ambient-occlusion" },
     { "--max-level", !ray, "with --engine raster" },
     { "--no-small-objects", !ray, "with --engine raster" },
+    { "--point-size", options.PointRadius > 0.0, "with --point-radius" },
+    { "--line-width", options.LineRadius > 0.0 && !options.ShowEdges, "with --line-radius" },
     { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
       "without --ambient-occlusion" },
     { "--ambient-occlusion-falloff", !options.AmbientOcclusion && !HoldsArrays(options.Output),

@@ -89,8 +89,10 @@ struct RenderOptions
   double FeatureAngle = Unset;
   bool ShowEdges = false;
   std::string Representation = "surface";
-  double LineWidth = 1.0; ///< points of 1/72 inch
-  double PointSize = 1.0; ///< points of 1/72 inch
+  double LineWidth = 1.0;   ///< points of 1/72 inch
+  double PointSize = 1.0;   ///< points of 1/72 inch
+  double PointRadius = 0.0; ///< ray, world units; 0: squares of PointSize
+  double LineRadius = 0.0;  ///< ray, world units; 0: flat lines of LineWidth
   int DotsPerInch = 72;
 
   bool AmbientOcclusion = false;

@@ -189,9 +189,9 @@ int vtkPenumbraIrradianceFilter::RequestData(
   this->EstimatedError = std::nan("");
   try
   {
-    RequireNotNaN("Tolerance, Radius, PointRadius, Albedo and EnvironmentColor",
-      { this->Tolerance, this->Radius, this->PointRadius, this->Albedo, this->EnvironmentColor[0],
-        this->EnvironmentColor[1], this->EnvironmentColor[2] });
+    RequireNotNaN("Tolerance, Radius, PointRadius, LineRadius, Albedo and EnvironmentColor",
+      { this->Tolerance, this->Radius, this->PointRadius, this->LineRadius, this->Albedo,
+        this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(this->NumberOfThreads), [&]() { this->Execute(inputs, outputs); });
   }
@@ -259,6 +259,7 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   options.OnCells = this->OnCells;
   options.ComputeNormals = this->ComputeNormals;
   options.PointRadius = this->PointRadius;
+  options.LineRadius = this->LineRadius;
   Work work;
   work.Progress = [this](double fraction) {
     if (!this->GetAbortExecute())
@@ -271,7 +272,7 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   mesh = PrepareBakeInput(input, options, work.Progress);
   if (surroundings)
   {
-    AddOccluders(surroundings, mesh, work.Progress);
+    AddOccluders(surroundings, options, mesh, work.Progress);
   }
   for (RecordCandidate& site : mesh.Sites)
   {
@@ -482,6 +483,7 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OnCells: " << this->OnCells << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
+  os << indent << "LineRadius: " << this->LineRadius << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Gatherer: " << this->Gatherer.Get() << "\n";
   os << indent << "Method: " << this->Method << "\n";

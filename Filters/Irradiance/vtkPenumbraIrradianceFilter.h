@@ -129,10 +129,20 @@ public:
   ///@{
   /**
    * Radius of the discs that represent the points of an input without polygons, in world units. The
-   * points need normals. Range: >= 0. Default: 0, no discs.
+   * points need normals. The vertices of an input with polygons and of the surroundings become
+   * spheres of this radius, which occlude. Range: >= 0. Default: 0, no discs and spheres.
    */
   vtkSetClampMacro(PointRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of tubes along the lines of the input and of the surroundings, in world units. Tubes
+   * occlude; no values are computed on them. Range: >= 0. Default: 0, lines do not occlude.
+   */
+  vtkSetClampMacro(LineRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LineRadius, double);
   ///@}
 
   /** Methods of computing values. */
@@ -205,6 +215,7 @@ private:
   bool OnCells = false;
   bool ComputeNormals = false;
   double PointRadius = 0.0;
+  double LineRadius = 0.0;
   int Method = AUTOMATIC;
   int NumberOfThreads = 0;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;

@@ -78,6 +78,46 @@ std::vector<glm::uvec3> Triangulate(
   return triangles;
 }
 
+/// Adds spheres at the vertices or tubes along the lines of `mesh` to `scene`, with the given radius
+/// in world units.
+void AddRoundOccluders(vtkPolyData* mesh, bool tubes, double radius, Scene& scene)
+{
+  vtkCellArray* cells = tubes ? mesh->GetLines() : mesh->GetVerts();
+  if (!(radius > 0.0) || cells->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  Surface surface;
+  surface.Radii = { static_cast<float>(radius * scene.Scale) };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    bool joins = false;
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      double x[3];
+      mesh->GetPoint(ids->GetId(k), x);
+      if (!IsFinite(x))
+      {
+        joins = false;
+        continue;
+      }
+      const auto index = static_cast<std::uint32_t>(surface.Positions.size());
+      surface.Positions.emplace_back(scene.FromWorld(x));
+      if (tubes && joins)
+      {
+        surface.Segments.emplace_back(index - 1, index);
+      }
+      joins = true;
+    }
+  }
+  if (tubes ? !surface.Segments.empty() : !surface.Positions.empty())
+  {
+    scene.Surfaces.push_back(std::move(surface));
+  }
+}
+
 /// Extracts occluders and query points from a data set.
 class BakeInputBuilder
 {
@@ -327,6 +367,12 @@ private:
     surface.Positions = std::move(this->Positions);
     surface.Triangles = std::move(this->Triangles);
     this->Result.OccluderScene.Surfaces.push_back(std::move(surface));
+    Scene& scene = this->Result.OccluderScene;
+    if (this->Mesh->GetNumberOfPolys() + this->Mesh->GetNumberOfStrips() > 0)
+    {
+      AddRoundOccluders(this->Mesh, false, this->Options.PointRadius, scene);
+    }
+    AddRoundOccluders(this->Mesh, true, this->Options.LineRadius, scene);
   }
 
   vtkPointSet* Data;
@@ -351,7 +397,8 @@ BakeInput PrepareBakeInput(
   return BakeInputBuilder(data, options, progress).Build();
 }
 
-void AddOccluders(vtkPolyData* surroundings, BakeInput& mesh, const ProgressCallback& progress)
+void AddOccluders(vtkPolyData* surroundings, const BakeInputOptions& options, BakeInput& mesh,
+  const ProgressCallback& progress)
 {
   AddFinitePoints(surroundings, mesh.Bounds);
   mesh.Diagonal = mesh.Bounds.IsValid() ? mesh.Bounds.GetDiagonalLength() : 0.0;
@@ -367,6 +414,8 @@ void AddOccluders(vtkPolyData* surroundings, BakeInput& mesh, const ProgressCall
   }
   surface.Triangles = Triangulate(surroundings, finite, progress);
   mesh.OccluderScene.Surfaces.push_back(std::move(surface));
+  AddRoundOccluders(surroundings, false, options.PointRadius, mesh.OccluderScene);
+  AddRoundOccluders(surroundings, true, options.LineRadius, mesh.OccluderScene);
 }
 
 }

@@ -24,7 +24,8 @@ struct BakeInputOptions
 {
   bool OnCells = false;        ///< if true, bake at cell centers instead of points
   bool ComputeNormals = false; ///< if true, ignore normals of the data set
-  double PointRadius = 0.0; ///< radius of the discs for points without cells, world units; 0: none
+  double PointRadius = 0.0; ///< of discs for points without polygons, and of spheres; world units
+  double LineRadius = 0.0;  ///< of tubes along lines, world units
 };
 
 struct BakeInput
@@ -45,10 +46,11 @@ struct BakeInput
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT BakeInput PrepareBakeInput(
   vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress = {});
 
-/// Adds the polygons of `surroundings` to the occluders, without query points. Extends the bounds
+/// Adds the polygons of `surroundings`, and its vertices and lines with the radii of `options`, to
+/// the occluders, without query points. Extends the bounds
 /// by all finite points, including those without polygons.
-VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddOccluders(
-  vtkPolyData* surroundings, BakeInput& mesh, const ProgressCallback& progress = {});
+VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddOccluders(vtkPolyData* surroundings,
+  const BakeInputOptions& options, BakeInput& mesh, const ProgressCallback& progress = {});
 
 }
 #endif

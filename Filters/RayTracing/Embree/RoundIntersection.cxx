@@ -40,6 +40,17 @@ struct TubeAxis
   }
 };
 
+/// Returns true if the line is farther from the line through both ends than the larger radius. This
+/// rejects most shapes whose bounds a ray hits at little cost.
+bool IsFar(const RoundShape& shape, glm::dvec3 origin, glm::dvec3 direction)
+{
+  const glm::dvec3 a(shape.A);
+  const glm::dvec3 normal = glm::cross(direction, glm::dvec3(shape.B) - a);
+  const double volume = glm::dot(a - origin, normal);
+  const double radius = (1.0 + Overlap) * std::max(shape.RadiusA, shape.RadiusB);
+  return volume * volume > radius * radius * glm::dot(normal, normal);
+}
+
 /// Extends the range of `result` by the parameter t.
 void Extend(RoundIntersection& result, double t)
 {
@@ -55,8 +66,27 @@ void Extend(RoundIntersection& result, double t)
 RoundIntersection::RoundIntersection(
   const RoundShape& shape, glm::dvec3 origin, glm::dvec3 direction)
 {
-  const TubeAxis axis(shape);
   const double square = glm::dot(direction, direction);
+  if (shape.A == shape.B && shape.RadiusA == shape.RadiusB)
+  {
+    const glm::dvec3 center(shape.A);
+    const double shift = glm::dot(center - origin, direction) / square;
+    const glm::dvec3 x = origin + shift * direction - center;
+    const double discriminant = static_cast<double>(shape.RadiusA) * shape.RadiusA - glm::dot(x, x);
+    this->IsHit = discriminant >= 0.0;
+    if (this->IsHit)
+    {
+      const double half = std::sqrt(discriminant / square);
+      this->Enter = shift - half;
+      this->Leave = shift + half;
+    }
+    return;
+  }
+  if (IsFar(shape, origin, direction))
+  {
+    return;
+  }
+  const TubeAxis axis(shape);
   const bool largerIsB = shape.RadiusB > shape.RadiusA;
   const glm::dvec3 ends[2] = { glm::dvec3(shape.A), glm::dvec3(shape.B) };
   const double radii[2] = { shape.RadiusA, shape.RadiusB };

@@ -258,17 +258,13 @@ TEST(SceneExtraction, WarnsAboutUnsupportedProperties)
   EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
   actor->GetProperty()->SetInterpolationToPBR();
   actor->GetProperty()->SetCoatStrength(1.0);
-  actor->GetProperty()->RenderLinesAsTubesOn();
-  actor->GetProperty()->RenderPointsAsSpheresOn();
   renderer->UseSSAOOn();
   renderer->UseHiddenLineRemovalOn();
   const Scene scene = ExtractScene(renderer, Square());
   EXPECT_TRUE(Warns(scene, "clear coat"));
-  EXPECT_TRUE(Warns(scene, "tubes"));
-  EXPECT_TRUE(Warns(scene, "spheres"));
   EXPECT_TRUE(Warns(scene, "Screen-space ambient occlusion"));
   EXPECT_TRUE(Warns(scene, "Hidden lines"));
-  EXPECT_EQ(scene.Warnings.size(), 5u);
+  EXPECT_EQ(scene.Warnings.size(), 3u);
 }
 
 TEST(SceneExtraction, WarnsOncePerCause)

@@ -120,20 +120,18 @@ std::string FindMissing(vtkRenderer* renderer)
   return {};
 }
 
-/// Removes all attributes except the geometry, and all translucent surfaces, which have no depth
-/// either.
+/// Removes all attributes except the geometry, all translucent surfaces, which have no depth
+/// either, and spheres and tubes, whose size depends on the camera.
 void RemoveShadingData(Scene& scene)
 {
   std::vector<Surface> surfaces;
   for (Surface& surface : scene.Surfaces)
   {
-    if (!surface.IsTranslucent() && !surface.IsLineOrPoint)
+    if (!surface.IsTranslucent() && !surface.IsLineOrPoint && !surface.IsRound())
     {
       Surface geometry;
       geometry.Positions = std::move(surface.Positions);
       geometry.Triangles = std::move(surface.Triangles);
-      geometry.Radii = std::move(surface.Radii);
-      geometry.Segments = std::move(surface.Segments);
       geometry.Frontfaces = surface.Frontfaces;
       geometry.Backfaces = surface.Backfaces;
       surfaces.push_back(std::move(geometry));
