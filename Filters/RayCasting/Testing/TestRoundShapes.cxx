@@ -274,3 +274,236 @@ TEST(RoundShapes, MissesNoSphereBelowAPixel)
   }
   EXPECT_NEAR(sum, expected, 0.004 * expected);
 }
+
+TEST(RoundShapes, LightsSpheresByTheirNormals)
+{
+  // One sphere in parallel projection under a headlight: color = cosine of normal and view axis.
+  RoundScene scene(MakeCells({ { 0.0, 0.0, -5.0 } }, {}), true);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1.0);
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  scene.Renderer->AddLight(headlight);
+  scene.Caster->SetPointRadius(0.8);
+  const std::vector<double> image = scene.RenderRed();
+  for (const double at : { 0.0, 0.3, 0.6 })
+  {
+    const int x = static_cast<int>((1.0 + at) * 0.5 * Side);
+    const double center = (x + 0.5) / (0.5 * Side) - 1.0;
+    const double y = 0.5 / (0.5 * Side);
+    const double expected = std::sqrt(1.0 - (center * center + y * y) / 0.64);
+    EXPECT_NEAR(image[Side / 2 * Side + x], expected, 1e-3) << at;
+  }
+}
+
+TEST(RoundShapes, InterpolatesColorsAlongTubes)
+{
+  vtkSmartPointer<vtkPolyData> line =
+    MakeCells({ { -1.0, 0.0, -5.0 }, { 1.0, 0.0, -5.0 } }, { { 0, 1 } });
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->InsertNextTuple3(0, 0, 0);
+  colors->InsertNextTuple3(255, 0, 0);
+  line->GetPointData()->SetScalars(colors);
+  RoundScene scene(line);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(2.0);
+  scene.Caster->SetLineRadius(0.2);
+  const std::vector<double> image = scene.RenderRed();
+  for (const double at : { -0.9, -0.5, 0.0, 0.4, 0.9 })
+  {
+    const int x = static_cast<int>((2.0 + at) * 0.25 * Side);
+    const double center = (x + 0.5) / (0.25 * Side) - 2.0;
+    EXPECT_NEAR(image[Side / 2 * Side + x], 0.5 * (center + 1.0), 3e-3) << at;
+  }
+}
+
+TEST(RoundShapes, UsesTheSizesOfTheProperty)
+{
+  // A sphere and a tube of 40 pixels at the view axis: the covered height of column 128.
+  RoundScene spheres(MakeCells({ { 0.0, 0.0, -9.0 } }, {}));
+  spheres.Actor->GetProperty()->RenderPointsAsSpheresOn();
+  spheres.Actor->GetProperty()->SetPointSize(40.f);
+  RoundScene tubes(MakeCells({ { -9.0, 0.0, -9.0 }, { 9.0, 0.0, -9.0 } }, { { 0, 1 } }));
+  tubes.Actor->GetProperty()->RenderLinesAsTubesOn();
+  tubes.Actor->GetProperty()->SetLineWidth(40.f);
+  for (RoundScene* scene : { &spheres, &tubes })
+  {
+    const std::vector<double> image = scene->RenderRed();
+    double height = 0.0;
+    for (int y = 0; y < Side; ++y)
+    {
+      height += image[y * Side + Side / 2];
+    }
+    EXPECT_NEAR(height, 40.0, 0.2); // the outline in perspective is slightly larger
+  }
+}
+
+TEST(RoundShapes, CoverOutlinesFarFromTheOrigin)
+{
+  const glm::dvec3 far(3e6, -2e6, 1e6);
+  std::vector<glm::dvec3> centers = FiveCenters;
+  for (glm::dvec3& c : centers)
+  {
+    c = far + c;
+  }
+  RoundScene near(MakeCells(FiveCenters, {}));
+  RoundScene distant(MakeCells(centers, {}));
+  vtkCamera* camera = distant.Renderer->GetActiveCamera();
+  camera->SetPosition(far.x, far.y, far.z);
+  camera->SetFocalPoint(far.x, far.y, far.z - 1.0);
+  near.Caster->SetPointRadius(0.6);
+  distant.Caster->SetPointRadius(0.6);
+  const std::vector<double> expected = near.RenderRed();
+  const std::vector<double> image = distant.RenderRed();
+  for (std::size_t i = 0; i < image.size(); ++i)
+  {
+    ASSERT_NEAR(image[i], expected[i], 1e-3) << i;
+  }
+}
+
+TEST(RoundShapes, CoverTheHorizonOfAHugeSphere)
+{
+  // The camera is 1 above a sphere of radius 1e5; the horizon is at elevation -asin(1e5 / (1e5 + 1)).
+  const double radius = 1e5;
+  RoundScene scene(MakeCells({ { 0.0, -radius - 1.0, 0.0 } }, {}));
+  scene.Caster->SetPointRadius(radius);
+  scene.Renderer->GetActiveCamera()->SetClippingRange(0.01, 1e4);
+  const std::vector<double> image = scene.RenderRed();
+  const double elevation = -std::acos(radius / (radius + 1.0));
+  const double focal = 0.5 * Side / std::tan(0.5 * ViewAngle * std::acos(-1.0) / 180.0);
+  double height = 0.0;
+  for (int y = 0; y < Side; ++y)
+  {
+    height += image[y * Side + Side / 2];
+  }
+  EXPECT_NEAR(height, 0.5 * Side + focal * std::tan(elevation), 0.01);
+}
+
+TEST(RoundShapes, OccludeThePlaneBelow)
+{
+  // A sphere that touches a plane blocks (r / d)^2 (r / d) = sin^2(a) cos(b) of the hemisphere of a
+  // point from which it is visible completely: at distance s from the contact, d^2 = s^2 + r^2.
+  RoundScene scene(MakeCells({ { 0.0, 0.0, 1.0 } }, {}));
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkCellArray> cells;
+  for (const double sign : { -1.0, 1.0 })
+  {
+    corners->InsertNextPoint(20.0 * sign, -20.0, 0.0);
+    corners->InsertNextPoint(20.0 * sign, 20.0, 0.0);
+  }
+  const vtkIdType quad[4] = { 0, 2, 3, 1 };
+  cells->InsertNextCell(4, quad);
+  vtkNew<vtkPolyData> plane;
+  plane->SetPoints(corners);
+  plane->SetPolys(cells);
+  scene.Add(plane, false);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 20.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(4.0);
+  scene.Caster->SetPointRadius(1.0);
+  scene.Caster->SetResolution(64, 64);
+  scene.Caster->SetTolerance(0.01);
+  scene.Caster->AmbientOcclusionOn();
+  scene.Caster->SetAmbientOcclusionRadius(1e6);
+  const std::vector<double> image = scene.RenderRed();
+  for (const double s : { 1.4, 2.0, 3.0 })
+  {
+    const int x = static_cast<int>((4.0 + s) * 8.0);
+    const double at = (x + 0.5) / 8.0 - 4.0;
+    const double expected = std::pow(1.0 / std::sqrt(at * at + 1.0), 3.0);
+    EXPECT_NEAR(1.0 - image[32 * 64 + x], expected, 0.02) << s;
+  }
+}
+
+TEST(RoundShapes, CastShadows)
+{
+  // A light along the view axis of a parallel camera from above, and a tube: its shadow is as wide
+  // as the tube, displaced by the slanted light.
+  RoundScene scene(MakeCells({ { 0.0, -9.0, 1.0 }, { 0.0, 9.0, 1.0 } }, { { 0, 1 } }), true);
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkCellArray> cells;
+  for (const double sign : { -1.0, 1.0 })
+  {
+    corners->InsertNextPoint(20.0 * sign, -20.0, 0.0);
+    corners->InsertNextPoint(20.0 * sign, 20.0, 0.0);
+  }
+  const vtkIdType quad[4] = { 0, 2, 3, 1 };
+  cells->InsertNextCell(4, quad);
+  vtkNew<vtkPolyData> plane;
+  plane->SetPoints(corners);
+  plane->SetPolys(cells);
+  scene.Add(plane, true);
+  scene.Renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(1.0, 0.0, 1.0);
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  scene.Renderer->AddLight(sun);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 20.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(4.0);
+  scene.Caster->SetLineRadius(0.25);
+  scene.Caster->ShadowsOn();
+  const std::vector<double> image = scene.RenderRed();
+  // The shadow of the axis is at x = -1; its half width on the plane is 0.25 * sqrt(2).
+  double dark = 0.0;
+  for (int x = 0; x < Side / 2 - 10; ++x)
+  {
+    const double lit = std::sqrt(0.5);
+    dark += (1.0 - image[Side / 2 * Side + x] / lit) * 8.0 / Side;
+  }
+  EXPECT_NEAR(dark, 0.5 * std::sqrt(2.0), 0.01);
+}
+
+TEST(RoundShapes, BlendOneLayerOfATranslucentShape)
+{
+  // A polyline of three joined tubes: everywhere one layer of opacity 0.5, also at the joints.
+  RoundScene scene(
+    MakeCells({ { -1.0, 0.0, -5.0 }, { -0.3, 0.0, -5.0 }, { 0.3, 0.2, -5.0 }, { 1.0, 0.2, -5.0 } },
+      { { 0, 1, 2, 3 } }));
+  scene.Actor->GetProperty()->SetOpacity(0.5);
+  scene.Caster->SetLineRadius(0.2);
+  for (const double red : scene.RenderRed())
+  {
+    ASSERT_LE(red, 0.501);
+  }
+  EXPECT_NEAR(scene.RenderRed()[Side / 2 * Side + Side / 2], 0.5, 1e-3);
+}
+
+TEST(RoundShapes, RejectsARadiusThatIsNotANumber)
+{
+  RoundScene scene(MakeCells(FiveCenters, {}));
+  scene.Caster->SetPointRadius(std::nan(""));
+  scene.Caster->SetGlobalWarningDisplay(0);
+  scene.Caster->Update();
+  EXPECT_EQ(scene.Caster->GetOutput()->GetNumberOfPoints(), 0);
+  scene.Caster->SetGlobalWarningDisplay(1);
+}
+
+TEST(RoundShapes, GivesTheSameBitsForAnyTiling)
+{
+  RoundScene scene(MakeCells(FiveCenters, {}), true);
+  scene.Caster->SetPointRadius(1.0); // the spheres intersect
+  const std::vector<double> whole = scene.RenderRed();
+  scene.Caster->SetNumberOfThreads(1);
+  const int part[6] = { 100, 180, 70, 150, 0, 0 };
+  scene.Caster->UpdateExtent(part);
+  vtkImageData* image = scene.Caster->GetOutput();
+  vtkDataArray* colors = image->GetPointData()->GetArray("Color");
+  for (int y = part[2]; y <= part[3]; ++y)
+  {
+    for (int x = part[0]; x <= part[1]; ++x)
+    {
+      int at[3] = { x, y, 0 };
+      const vtkIdType id = image->ComputePointId(at);
+      ASSERT_EQ(colors->GetComponent(id, 0) * colors->GetComponent(id, 3), whole[y * Side + x]);
+    }
+  }
+}
