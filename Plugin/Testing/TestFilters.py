@@ -72,8 +72,8 @@ class BakeAmbientOcclusionFilter(unittest.TestCase):
     def test_has_the_defaults_of_its_class(self):
         baked = BakeAmbientOcclusion(Input=sphere())
         text = str(baked.SMProxy.GetClientSideObject())
-        for name in ("Tolerance", "Radius", "OnCells", "ComputeNormals", "PointRadius", "Method",
-                     "NumberOfThreads"):
+        for name in ("Tolerance", "Radius", "OnCells", "ComputeNormals", "PointRadius", "LineRadius",
+                     "Method", "NumberOfThreads"):
             shown = baked.SMProxy.GetProperty(name).GetElement(0)
             self.assertIn(f"  {name}: {shown:g}\n", text)
 

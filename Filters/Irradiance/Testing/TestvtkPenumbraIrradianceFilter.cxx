@@ -169,6 +169,57 @@ TEST(vtkPenumbraIrradianceFilter, WarnsIfAllPointsAreOccluded)
   EXPECT_NE(warningOf(true).find("vtkReverseSense"), std::string::npos);
 }
 
+TEST(vtkPenumbraIrradianceFilter, VerticesOccludeAsSpheres)
+{
+  vtkNew<vtkPolyData> mesh;
+  mesh->DeepCopy(MakeFloor(40)->GetOutput());
+  const vtkIdType center = mesh->GetPoints()->InsertNextPoint(0.0, 0.0, 1.0);
+  mesh->GetPointData()->Initialize();
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell(1, &center);
+  mesh->SetVerts(vertices);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->SetPointRadius(1.0);
+  filter->Update();
+  EXPECT_LE(ComputeFloorRmse(GetPolyData(filter)), .01);
+}
+
+TEST(vtkPenumbraIrradianceFilter, LinesOccludeAsTubes)
+{
+  // An infinite tube of radius 1 that touches the floor occludes 1 / (1 + x^2) at the distance x.
+  vtkNew<vtkPolyData> mesh;
+  mesh->DeepCopy(MakeFloor(40)->GetOutput());
+  const vtkIdType ends[2] = { mesh->GetPoints()->InsertNextPoint(0.0, -1000.0, 1.0),
+    mesh->GetPoints()->InsertNextPoint(0.0, 1000.0, 1.0) };
+  mesh->GetPointData()->Initialize();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(2, ends);
+  mesh->SetLines(lines);
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetRadius(VTK_DOUBLE_MAX);
+  filter->SetLineRadius(1.0);
+  filter->Update();
+  vtkPolyData* baked = GetPolyData(filter);
+  vtkDataArray* values = baked->GetPointData()->GetArray("AmbientOcclusion");
+  ASSERT_TRUE(values);
+  double square = 0.0;
+  int count = 0;
+  for (vtkIdType i = 0; i < baked->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    baked->GetPoint(i, x);
+    if (x[2] == 0.0 && std::abs(x[0]) > .1)
+    {
+      square += std::pow(values->GetComponent(i, 0) - 1.0 / (1.0 + x[0] * x[0]), 2.0);
+      ++count;
+    }
+  }
+  EXPECT_LE(std::sqrt(square / count), .01);
+}
+
 TEST(vtkPenumbraIrradianceFilter, AddsNoArrayIfAborted)
 {
   const auto mesh = MakeSphereOnFloor(60);

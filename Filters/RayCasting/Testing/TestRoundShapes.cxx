@@ -384,8 +384,8 @@ TEST(RoundShapes, CoverTheHorizonOfAHugeSphere)
 
 TEST(RoundShapes, OccludeThePlaneBelow)
 {
-  // A sphere that touches a plane blocks (r / d)^2 (r / d) = sin^2(a) cos(b) of the hemisphere of a
-  // point from which it is visible completely: at distance s from the contact, d^2 = s^2 + r^2.
+  // A sphere that is completely above the horizon blocks (r / d)^2 times the cosine to its center,
+  // here r / d. At the distance s from the contact with the plane, d^2 = s^2 + r^2.
   RoundScene scene(MakeCells({ { 0.0, 0.0, 1.0 } }, {}));
   vtkNew<vtkPoints> corners;
   vtkNew<vtkCellArray> cells;
