@@ -138,8 +138,8 @@ private:
     }
   }
 
-  /// Adds spheres or tubes. Clipping planes remove spheres by their centers, and cut the axes of
-  /// tubes.
+  /// Adds spheres or tubes. Clipping planes remove only shapes and ends of tubes that are completely
+  /// behind them.
   void AddRound(const std::vector<LineSegment>& segments, const LineStyle& style)
   {
     this->Begin(style);
@@ -159,14 +159,14 @@ private:
     {
       double start = 0.0;
       double end = 1.0;
-      if (!this->IsUsable(segment.From) || !this->IsUsable(segment.To) ||
-        !this->Clip(segment, start, end))
+      if (!this->IsUsable(segment.From) || !this->IsUsable(segment.To))
       {
         continue;
       }
       const float radii[2] = { this->ComputeRadius(segment.From, style),
         this->ComputeRadius(segment.To, style) };
-      if (!(radii[0] > 0.f && radii[1] > 0.f))
+      if (!(radii[0] > 0.f && radii[1] > 0.f) ||
+        !this->Clip(segment, std::max(radii[0], radii[1]), start, end))
       {
         continue;
       }
@@ -240,16 +240,17 @@ private:
     return index;
   }
 
-  /// Narrows the range [start, end] of a segment to the part in front of all clipping planes.
-  /// Returns false if there is none.
-  bool Clip(const LineSegment& segment, double& start, double& end) const
+  /// Narrows the range [start, end] of a segment to the part that is less than `margin` behind all
+  /// clipping planes. Returns false if there is none.
+  bool Clip(const LineSegment& segment, double margin, double& start, double& end) const
   {
     const glm::dvec3 a = this->Points[segment.From];
     const glm::dvec3 b = this->Points[segment.To];
     for (const glm::dvec4& plane : this->Planes)
     {
-      const double p = glm::dot(plane, glm::dvec4(a, 1.0));
-      const double q = glm::dot(plane, glm::dvec4(b, 1.0));
+      const double shift = margin > 0.0 ? margin * glm::length(glm::dvec3(plane)) : 0.0;
+      const double p = glm::dot(plane, glm::dvec4(a, 1.0)) + shift;
+      const double q = glm::dot(plane, glm::dvec4(b, 1.0)) + shift;
       start = p < 0.0 && q > p ? std::max(start, p / (p - q)) : start;
       end = q < 0.0 && p > q ? std::min(end, p / (p - q)) : end;
       if ((p < 0.0 && q < 0.0) || start > end)
@@ -273,7 +274,7 @@ private:
     }
     double start = 0.0;
     double end = 1.0;
-    if (!this->Clip(segment, start, end))
+    if (!this->Clip(segment, 0.0, start, end))
     {
       return;
     }
