@@ -235,6 +235,11 @@ ShadedHit Shading::ShadeHit(
   const glm::vec3 c = surface.Positions[corners.z];
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
 
+  const auto pointOfHit = [&]() {
+    return surface.IsRound() ? ray.Origin + hit.Distance * ray.Direction
+                             : weights.x * a + weights.y * b + weights.z * c;
+  };
+
   ShadedHit shaded;
   shaded.GeometricNormal = this->Rays.GetNormal(ray, hit);
   const bool front = glm::dot(shaded.GeometricNormal, ray.Direction) < 0.f;
@@ -281,7 +286,7 @@ ShadedHit Shading::ShadeHit(
   }
   else if (phong.PhysicallyBased)
   {
-    const glm::vec3 point = weights.x * a + weights.y * b + weights.z * c;
+    const glm::vec3 point = pointOfHit();
     rgb = this->ApplyLightsPhysicallyBased(phong, shaded, point, diffuseOnly, shadowRays);
     shaded.Reflectance *= 1.f - phong.PhysicallyBased->Metallic;
   }
@@ -297,8 +302,7 @@ ShadedHit Shading::ShadeHit(
   }
   else
   {
-    const glm::vec3 point = surface.IsRound() ? ray.Origin + hit.Distance * ray.Direction
-                                              : weights.x * a + weights.y * b + weights.z * c;
+    const glm::vec3 point = pointOfHit();
     rgb = this->ApplyLights(phong, shaded, point, shadowRays);
   }
   shaded.Color = glm::vec4(rgb, phong.Opacity);
