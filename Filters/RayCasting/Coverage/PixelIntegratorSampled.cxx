@@ -38,7 +38,7 @@ double EstimateVariance(const std::vector<glm::vec4>& samples)
 glm::dvec2 ComputeTexel(const Surface& surface, const Texture& texture,
   const std::vector<glm::vec2>& coordinates, const Hit& hit)
 {
-  const glm::uvec3 t = surface.Triangles[hit.Triangle];
+  const glm::uvec3 t = surface.GetCorners(hit.Triangle);
   const glm::dvec2 p = (1.0 - hit.U - hit.V) * glm::dvec2(coordinates[t.x]) +
     static_cast<double>(hit.U) * glm::dvec2(coordinates[t.y]) +
     static_cast<double>(hit.V) * glm::dvec2(coordinates[t.z]);
