@@ -122,7 +122,9 @@ RenderResult RenderWithRays(
   caster->SetMaximumLevel(options.MaximumLevel);
   caster->SetFindSmallObjects(options.FindSmallObjects);
   caster->SetNumberOfThreads(options.Threads);
-  caster->SetShadows(options.Shadows);
+  caster->SetShadows(options.Shadows || options.LightRadius > 0.0 || options.LightAngle > 0.0);
+  caster->SetLightRadius(options.LightRadius);
+  caster->SetLightAngle(options.LightAngle);
   if (options.Shafts.Enabled)
   {
     caster->SetMedium(MakeMedium(options.Shafts));

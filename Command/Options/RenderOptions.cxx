@@ -346,7 +346,15 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
   AddChoice(app, "--cache", options.Cache, { "world", "screen" },
     "Interpolate occlusion and indirect light in world space or over the image (ray)")
     ->group(group);
-  app.add_flag("--shadows", options.Shadows, "Hard shadows of the lights (ray)")->group(group);
+  app.add_flag("--shadows", options.Shadows, "Shadows of the lights (ray)")->group(group);
+  AddNumber(app, "--light-radius", options.LightRadius, "R",
+    "Positional lights are spheres of this radius in world units; implies --shadows (ray)",
+    { 0.0, 1e30 })
+    ->group(group);
+  AddNumber(app, "--light-angle", options.LightAngle, "DEG",
+    "Angular diameter of directional lights, the sun: 0.53; implies --shadows (ray)",
+    { 0.0, 180.0 })
+    ->group(group);
 }
 
 /// Throws CommandError for options whose effect the selected engine cannot render. Options that only
@@ -357,8 +365,8 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   {
     return;
   }
-  for (const std::string name :
-    { "--shadows", "--indirect", "--ambient-occlusion-falloff", "--point-radius", "--line-radius" })
+  for (const std::string name : { "--shadows", "--light-radius", "--light-angle", "--indirect",
+         "--ambient-occlusion-falloff", "--point-radius", "--line-radius" })
   {
     if (app.count(name) > 0)
     {

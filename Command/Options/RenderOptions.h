@@ -86,6 +86,8 @@ struct RenderOptions
   bool Lighting = true;
   std::vector<std::array<double, 4>> Lights; ///< w = 0: a direction
   double LightIntensity = 1.0;
+  double LightRadius = 0.0; ///< ray: of positional lights, world units
+  double LightAngle = 0.0;  ///< ray: angular diameter of directional lights, degrees
   double FeatureAngle = Unset;
   bool ShowEdges = false;
   std::string Representation = "surface";

@@ -17,6 +17,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -30,6 +31,7 @@
 #include "vtkRendererCollection.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -215,11 +217,20 @@ struct vtkPenumbraRayCaster::Internals
     penumbra::SceneEdges Edges;
   };
 
+  /// Size of one light; NaN where that of all lights applies.
+  struct SizedLight
+  {
+    vtkWeakPointer<vtkLight> Source;
+    double Radius = std::nan("");
+    double Angle = std::nan("");
+  };
+
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
     vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
   vtkSmartPointer<vtkPenumbraMedium> Medium;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;
+  std::vector<SizedLight> SizedLights;
   vtkNew<vtkFieldData> Statistics;
   double EstimatedError = std::nan("");
   std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
@@ -227,6 +238,9 @@ struct vtkPenumbraRayCaster::Internals
   std::set<std::string> Warned; ///< warnings of the scene that were reported
   bool IsComputingMTime = false;
 
+  SizedLight* FindSizedLight(vtkLight* light);
+  SizedLight& GetOrAddSizedLight(vtkLight* light);
+  void CheckLightSizes(vtkPenumbraRayCaster* self) const;
   void ResetResults();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
@@ -277,6 +291,76 @@ void vtkPenumbraRayCaster::SetIrradianceProvider(vtkPenumbraIrradianceProvider* 
 vtkPenumbraIrradianceProvider* vtkPenumbraRayCaster::GetIrradianceProvider()
 {
   return this->Implementation->IrradianceProvider;
+}
+
+vtkPenumbraRayCaster::Internals::SizedLight* vtkPenumbraRayCaster::Internals::FindSizedLight(
+  vtkLight* light)
+{
+  const auto found = std::find_if(this->SizedLights.begin(), this->SizedLights.end(),
+    [light](const SizedLight& sized) { return sized.Source == light; });
+  return light && found != this->SizedLights.end() ? &*found : nullptr;
+}
+
+vtkPenumbraRayCaster::Internals::SizedLight& vtkPenumbraRayCaster::Internals::GetOrAddSizedLight(
+  vtkLight* light)
+{
+  if (SizedLight* found = this->FindSizedLight(light))
+  {
+    return *found;
+  }
+  this->SizedLights.emplace_back();
+  this->SizedLights.back().Source = light;
+  return this->SizedLights.back();
+}
+
+void vtkPenumbraRayCaster::Internals::CheckLightSizes(vtkPenumbraRayCaster* self) const
+{
+  const auto check = [](double radius, double angle) {
+    if (!(radius >= 0.0 && std::isfinite(radius)))
+    {
+      throw std::runtime_error("LightRadius must be finite and not negative.");
+    }
+    if (!(angle >= 0.0 && angle <= 180.0))
+    {
+      throw std::runtime_error("LightAngle must be between 0 and 180 degrees.");
+    }
+  };
+  check(self->LightRadius, self->LightAngle);
+  for (const SizedLight& light : this->SizedLights)
+  {
+    check(std::isnan(light.Radius) ? 0.0 : light.Radius, std::isnan(light.Angle) ? 0.0 : light.Angle);
+  }
+}
+
+void vtkPenumbraRayCaster::SetLightRadius(vtkLight* light, double radius)
+{
+  // NaN means that no radius is set, so it is replaced by another invalid one.
+  this->Implementation->GetOrAddSizedLight(light).Radius = std::isnan(radius) ? -1.0 : radius;
+  this->Modified();
+}
+
+void vtkPenumbraRayCaster::SetLightAngle(vtkLight* light, double angle)
+{
+  this->Implementation->GetOrAddSizedLight(light).Angle = std::isnan(angle) ? -1.0 : angle;
+  this->Modified();
+}
+
+double vtkPenumbraRayCaster::GetLightRadius(vtkLight* light)
+{
+  const Internals::SizedLight* sized = this->Implementation->FindSizedLight(light);
+  return sized && !std::isnan(sized->Radius) ? sized->Radius : this->LightRadius;
+}
+
+double vtkPenumbraRayCaster::GetLightAngle(vtkLight* light)
+{
+  const Internals::SizedLight* sized = this->Implementation->FindSizedLight(light);
+  return sized && !std::isnan(sized->Angle) ? sized->Angle : this->LightAngle;
+}
+
+void vtkPenumbraRayCaster::ClearLightSizes()
+{
+  this->Implementation->SizedLights.clear();
+  this->Modified();
 }
 
 void vtkPenumbraRayCaster::SetMedium(vtkPenumbraMedium* medium)
@@ -415,6 +499,7 @@ int vtkPenumbraRayCaster::RequestData(
       "and EnvironmentColor",
       { this->Tolerance, this->PointRadius, this->LineRadius, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
         this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
+    internals.CheckLightSizes(this);
     bool finished = true;
     std::exception_ptr thrown;
     vtkSMPTools::LocalScope(vtkSMPTools::Config(this->NumberOfThreads), [&]() {
@@ -496,6 +581,9 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Background = self->Background;
   options.PointRadius = self->PointRadius;
   options.LineRadius = self->LineRadius;
+  options.SizeOfLight = [self](vtkLight* light) {
+    return penumbra::LightSize{ self->GetLightRadius(light), self->GetLightAngle(light) };
+  };
   options.Progress = [self](double) { return ReportProgress(self, 0.0); };
   this->Prepared.reset(); // frees the memory before the next scene is built
   auto prepared = std::make_unique<PreparedScene>();
@@ -591,6 +679,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
   penumbra::CameraRayTracer tracer(*this->Prepared->Rays, shading, scene.ViewCamera);
+  tracer.SetPenumbraTolerance(SourceToleranceFactor * self->Tolerance);
   const penumbra::RenderSettings settings = MakeSettings(self);
   const bool usesSource = self->AmbientOcclusion || self->IndirectLight || self->GeometryArrays;
   if (usesSource && !this->BeginSource(self, tracer))
@@ -736,6 +825,9 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "FindSmallObjects: " << this->FindSmallObjects << "\n";
   os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "LightRadius: " << this->LightRadius << "\n";
+  os << indent << "LightAngle: " << this->LightAngle << "\n";
+  os << indent << "SizedLights: " << this->Implementation->SizedLights.size() << "\n";
   os << indent << "Environment: " << this->Implementation->Environment.Get() << "\n";
   os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
   os << indent << "LightShaftSteps: " << this->LightShaftSteps << "\n";

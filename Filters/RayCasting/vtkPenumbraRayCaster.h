@@ -25,6 +25,7 @@
 #include <memory> // for std::unique_ptr
 
 class vtkFieldData;
+class vtkLight;
 class vtkPenumbraEnvironment;
 class vtkPenumbraIrradianceProvider;
 class vtkPenumbraMedium;
@@ -105,11 +106,44 @@ public:
   ///@}
 
   ///@{
-  /** If on, lights cast hard shadows. Default: off. */
+  /** If on, lights cast shadows: hard ones, unless they have a size. Default: off. */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
   vtkBooleanMacro(Shadows, bool);
   ///@}
+
+  ///@{
+  /**
+   * Radius of positional lights in world units: spheres, and for spotlights (ConeAngle below 90
+   * degrees) disks across their direction. With Shadows, they cast penumbrae, sampled until the
+   * estimated error is within Tolerance. Surfaces are shaded as by a light at the center, times the
+   * fraction of the light that is visible, in solid angle (disks: in area). The part of a light
+   * below the horizon of a surface is not visible. Light shafts ignore the size. Range: >= 0,
+   * finite. Default: 0, hard shadows.
+   */
+  vtkSetMacro(LightRadius, double);
+  vtkGetMacro(LightRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Angular diameter of directional lights in degrees, see LightRadius. That of the sun is 0.53.
+   * Range: [0, 180]. Default: 0, hard shadows.
+   */
+  vtkSetMacro(LightAngle, double);
+  vtkGetMacro(LightAngle, double);
+  ///@}
+
+  ///@{
+  /** Radius or angular diameter of one light, which replaces LightRadius or LightAngle for it. */
+  void SetLightRadius(vtkLight* light, double radius);
+  void SetLightAngle(vtkLight* light, double angle);
+  double GetLightRadius(vtkLight* light);
+  double GetLightAngle(vtkLight* light);
+  ///@}
+
+  /** Remove the radii and angular diameters of single lights. */
+  void ClearLightSizes();
 
   ///@{
   /**
@@ -296,6 +330,8 @@ private:
   int MaximumLevel = 3;
   bool FindSmallObjects = true;
   bool Shadows = false;
+  double LightRadius = 0.0;
+  double LightAngle = 0.0;
   int LightShaftSteps = 0;
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;

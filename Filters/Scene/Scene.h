@@ -44,10 +44,18 @@ struct Light
   glm::vec3 Attenuation{ 1.f, 0.f, 0.f };
   float ConeCosine = -1.f; ///< Spot: cosine of vtkLight's cone angle
   float Exponent = 1.f;    ///< Spot: exponent of vtkLight
+  float Radius = 0.f;      ///< Positional: of the sphere; Spot: of the disk across Direction
+  float AngularRadius = 0.f; ///< Directional: half the angular diameter, in radians
   bool CastsShadow = true;
   /// If true, the light is directional and along the view axis. VTK uses a simpler lighting model
   /// if this is the only light.
   bool Headlight = false;
+
+  /// Returns true if the light casts penumbrae.
+  bool HasSize() const
+  {
+    return (this->Kind == Kinds::Directional ? this->AngularRadius : this->Radius) > 0.f;
+  }
 };
 
 /// Color of rays that miss the scene: constant, a gradient, or an image that fills the view.

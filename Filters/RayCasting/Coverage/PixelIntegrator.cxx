@@ -29,7 +29,8 @@ PixelIntegrator::PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid
     Grid(corners),
     Edges(edges),
     Dense(dense),
-    Settings(settings)
+    Settings(settings),
+    Noise(settings.Noise)
 {
 }
 
@@ -37,8 +38,9 @@ PixelIntegrator::PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid
 Sample PixelIntegrator::Trace(glm::dvec2 local, double area)
 {
   ++this->Rays.Refinement;
+  const glm::dvec2 p = glm::dvec2(this->X, this->Y) + local;
   return this->Tracer.TraceSample(
-    glm::dvec2(this->X, this->Y) + local, this->Rays, ComputeToleranceScale(area));
+    p, this->Rays, ComputeToleranceScale(area), this->Grid.GetPenumbrae(p));
 }
 
 void PixelIntegrator::LoadCorners(int x, int y)
@@ -46,11 +48,16 @@ void PixelIntegrator::LoadCorners(int x, int y)
   this->X = x;
   this->Y = y;
   this->MediumError = 0.f;
+  float penumbraNoise = 0.f;
   for (int i = 0; i < 4; ++i)
   {
     this->Corners[i] = this->Grid.At(x + (i & 1), y + (i >> 1));
     this->MediumError = std::max(this->MediumError, this->Corners[i].Error);
+    penumbraNoise = std::max(penumbraNoise, this->Corners[i].Noise);
   }
+  this->Noise = penumbraNoise > 0.f
+    ? std::hypot(this->Settings.Noise, static_cast<double>(penumbraNoise))
+    : this->Settings.Noise;
   this->TrustedCorners = 15u;
   this->Segments.clear();
   this->VisibleTriangles.clear();
@@ -153,7 +160,7 @@ float PixelIntegrator::EstimateCurvatureError() const
     sum += worst;
   }
   // The expected second difference of noise is about 2.4 of its standard errors.
-  const float noise = 2.f * 2.4f * static_cast<float>(this->Settings.Noise);
+  const float noise = 2.f * 2.4f * static_cast<float>(this->Noise);
   return std::max(sum - noise, 0.f) / 12.f;
 }
 
@@ -216,7 +223,7 @@ bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>
 }
 
 // A shadow boundary may cross a pixel without a difference between its corners. The corners of a
-// neighboring pixel then show one.
+// neighboring pixel then show one. Penumbrae, in which colors are noisy, are no boundaries.
 bool PixelIntegrator::IsNearShadowBoundary() const
 {
   if (!this->Settings.Shadows)
@@ -225,7 +232,8 @@ bool PixelIntegrator::IsNearShadowBoundary() const
   }
   return this->AnyNeighborCorner([this](const Sample& neighbor) {
     return std::any_of(this->Corners, this->Corners + 4, [&](const Sample& corner) {
-      return neighbor.FirstHit.Surface == corner.FirstHit.Surface &&
+      return neighbor.Noise == 0.f && corner.Noise == 0.f &&
+        neighbor.FirstHit.Surface == corner.FirstHit.Surface &&
         ComputeMaximumDifference(neighbor.Color, corner.Color) > ShadowContrast;
     });
   });

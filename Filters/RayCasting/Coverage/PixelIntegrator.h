@@ -163,7 +163,7 @@ private:
   /// are averaged per pixel, which halves the noise.
   float CombineErrors(float error, float floor) const
   {
-    return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Settings.Noise)), floor);
+    return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Noise)), floor);
   }
 
   const CameraRayTracer& Tracer;
@@ -181,6 +181,7 @@ private:
   float MediumError = 0.f;
   const std::uint32_t* ListedEdges = nullptr; ///< edges that cross the pixel
   std::size_t NumberOfListedEdges = 0;
+  double Noise; ///< standard error of sampled colors: Settings.Noise and penumbrae
   unsigned int TrustedCorners =
     0; ///< bits of the corners farther than EdgePrecision from all edges
   std::vector<PixelSegment> Segments;

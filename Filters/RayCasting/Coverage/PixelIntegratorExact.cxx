@@ -347,7 +347,7 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
     }
   }
   const float area = static_cast<float>(face.Area);
-  const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Settings.Noise);
+  const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Noise);
   // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not
   // split because of an assumed variation.
   const bool isExpensive = this->Tracer.UsesIrradianceProvider() || this->Tracer.HasShafts();
@@ -416,7 +416,7 @@ void PixelIntegrator::SplitTrapezoid(const PixelArrangement::Trapezoid& t, glm::
     disconnected = disconnected || quarters[i].FirstHit.Surface != center.FirstHit.Surface;
   }
   const float deviation = ComputeMaximumDifference(sum, area * center.Color);
-  if (!disconnected && deviation < this->Settings.Tolerance + 2.0 * area * this->Settings.Noise)
+  if (!disconnected && deviation < this->Settings.Tolerance + 2.0 * area * this->Noise)
   {
     color += sum;
     squaredError += ResidualErrorFraction * ResidualErrorFraction * deviation * deviation;

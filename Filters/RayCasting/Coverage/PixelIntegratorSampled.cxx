@@ -106,6 +106,7 @@ SampledPixel& PixelIntegrator::AddSampledPixel()
   pixel.Edges = this->ListedEdges;
   pixel.NumberOfEdges = this->NumberOfListedEdges;
   pixel.MediumError = this->MediumError;
+  pixel.Noise = this->Noise;
   pixel.MinimumError = ErrorFloor;
   return pixel;
 }
@@ -207,6 +208,7 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
     this->LoadSegments(pixel.Edges, pixel.NumberOfEdges, true);
     this->BuildFaces();
   }
+  this->Noise = pixel.Noise;
   const OwenSobolSequence sequence(static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u);
   const double toleranceScale = ComputeToleranceScale(1.0 / static_cast<double>(total));
@@ -221,7 +223,8 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
       point = glm::dvec2(pixel.X, pixel.Y) + SampleInset +
         (1.0 - 2.0 * SampleInset) * glm::dvec2(sequence.At(index));
     }
-    this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale);
+    this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale,
+      this->Grid.GetPenumbrae(glm::dvec2(pixel.X, pixel.Y)));
     for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
       const glm::vec4 expected = hasFaces

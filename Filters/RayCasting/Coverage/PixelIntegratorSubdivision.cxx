@@ -38,7 +38,8 @@ const Sample& PixelIntegrator::GetGridSample(glm::ivec2 fine)
   const double scale = std::ldexp(1.0, -this->Settings.MaximumLevel);
   ++this->Rays.Refinement;
   return this->Cache.Insert(fine,
-    this->Tracer.TraceSample(glm::dvec2(fine) * scale, this->Rays, ComputeToleranceScale(area)));
+    this->Tracer.TraceSample(glm::dvec2(fine) * scale, this->Rays, ComputeToleranceScale(area),
+      this->Grid.GetPenumbrae(glm::dvec2(fine) * scale)));
 }
 
 bool PixelIntegrator::NeedsSubdivision(const Square& square) const
@@ -90,7 +91,7 @@ void PixelIntegrator::Subdivide(
     // For quadratic colors, the errors of the mean of the corners and of the center have the ratio
     // 2 : -1, so their weighted mean is exact.
     const float deviation = area * ComputeMaximumDifference(nodes[4].Color, mean);
-    const float noise = area * 2.f * static_cast<float>(this->Settings.Noise);
+    const float noise = area * 2.f * static_cast<float>(this->Noise);
     const bool doubtful = square.Level == 0 && this->IsNearShadowBoundary();
     if (!doubtful && deviation <= static_cast<float>(this->Settings.Tolerance) + noise)
     {

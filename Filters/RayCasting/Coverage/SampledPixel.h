@@ -35,6 +35,7 @@ struct SampledPixel
   float Floor = 0.f;                 ///< minimum estimated error of a single sample, over samples
   float MinimumError = 0.f;          ///< minimum estimated error of any number of samples
   float MediumError = 0.f;           ///< estimated error of in-scattered light
+  double Noise = 0.0;                ///< standard error of the colors of its samples
   PixelResult Result;
 };
 

@@ -184,13 +184,25 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const bool corners = settings.Integration.Method != IntegrationSettings::Methods::Uniform;
   CornerGrid grid(glm::max(region.Low - 1, 0),
     glm::min(region.High + 1, glm::ivec2(scene.ViewCamera.Width, scene.ViewCamera.Height)),
-    corners);
+    corners, tracer.GetShading().HasPenumbrae());
   if (corners && !ParallelForBatches(grid.GetNumberOfRows(), 0.0, 0.4, progress, [&](int row) {
         RayCounts counts;
         grid.TraceRow(tracer, row, settings.UsePackets, counts);
         const std::lock_guard<std::mutex> lock(totals);
         region.Rays += counts;
       }))
+  {
+    return false;
+  }
+
+  grid.FindPenumbrae();
+  if (corners && tracer.GetShading().HasPenumbrae() &&
+    !ParallelForBatches(grid.GetNumberOfRows(), 0.4, 0.4, progress, [&](int row) {
+      RayCounts counts;
+      grid.ResolvePenumbrae(tracer, row, settings.UsePackets, counts);
+      const std::lock_guard<std::mutex> lock(totals);
+      region.Rays += counts;
+    }))
   {
     return false;
   }

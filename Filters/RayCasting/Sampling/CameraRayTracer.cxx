@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraRayTracer.h"
 
+#include "Shading/HemisphereSampling.h"
 #include "vtkPenumbraIrradianceProvider.h"
 
 #include <glm/gtc/constants.hpp>
@@ -23,6 +24,21 @@ constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
 // Default strength of occlusion on surfaces colored by scalars. Below 1, so that the colors still
 // represent the data.
 constexpr float StrengthOnScalars = 0.6f;
+
+/// Returns the index of the sample of a light for the ray at image point p. The 4 x 4 pixel corners
+/// of a block have the indices of one stratified set, which differs from that of other blocks.
+std::uint32_t FindLightSample(glm::dvec2 p)
+{
+  const glm::dvec2 corner = glm::floor(p);
+  if (p != corner)
+  {
+    return HashPoint(glm::vec3(p, 0.0), glm::vec3(0.f));
+  }
+  const auto x = static_cast<std::uint32_t>(corner.x);
+  const auto y = static_cast<std::uint32_t>(corner.y);
+  const std::uint32_t block = MixBits(x / 4 + MixBits(y / 4));
+  return block << 4 | (y % 4 * 4 + x % 4);
+}
 
 glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
 {
@@ -123,10 +139,12 @@ void CameraRayTracer::AddMedium(
   sample.Error += weight * scattered.Error;
 }
 
-void CameraRayTracer::CompositeLayers(
-  glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double toleranceScale) const
+void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample,
+  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae) const
 {
   glm::vec4& color = sample.Color;
+  const bool hasPenumbrae = this->SurfaceShading.HasPenumbrae();
+  float squaredNoise = 0.f;
   Hit hit = sample.FirstHit;
   Ray continuation = ray;
   double distance = -this->ViewCamera.Advance;
@@ -137,7 +155,15 @@ void CameraRayTracer::CompositeLayers(
       this->AddMedium(ray, distance, hit.Distance, sample, counts);
       distance = hit.Distance;
     }
-    const ShadedHit shaded = this->SurfaceShading.Shade(ray, hit, counts.Shadow);
+    PenumbraSampling lights;
+    if (hasPenumbrae)
+    {
+      lights.Estimated = penumbrae;
+      lights.Index = FindLightSample(p);
+      lights.Tolerance = static_cast<float>(toleranceScale * this->PenumbraTolerance);
+    }
+    const ShadedHit shaded =
+      this->SurfaceShading.Shade(ray, hit, counts.Shadow, hasPenumbrae ? &lights : nullptr);
     glm::vec4 c = shaded.Color;
     const Surface& surface = this->GetScene().Surfaces[hit.Surface];
     if (this->OcclusionProvider && !surface.IsLineOrPoint)
@@ -155,6 +181,9 @@ void CameraRayTracer::CompositeLayers(
     }
     const float weight = (1.f - color.a) * c.a;
     color += glm::vec4(weight * c.r, weight * c.g, weight * c.b, weight);
+    squaredNoise += weight * weight * lights.SquaredError;
+    sample.LitBy |= lights.Lit;
+    sample.ShadowedFrom |= lights.Shadowed;
     if (c.a >= 1.f || color.a > OpaqueAlpha)
     {
       sample.OpaqueDepth = hit.Distance;
@@ -168,23 +197,25 @@ void CameraRayTracer::CompositeLayers(
   {
     this->AddMedium(ray, distance, std::numeric_limits<double>::infinity(), sample, counts);
   }
+  sample.Noise = std::sqrt(squaredNoise);
   if (color.a < 1.f)
   {
     color += (1.f - color.a) * this->GetBackground(p);
   }
 }
 
-Sample CameraRayTracer::TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale) const
+Sample CameraRayTracer::TraceSample(
+  glm::dvec2 p, RayCounts& counts, double toleranceScale, std::uint32_t penumbrae) const
 {
   const Ray ray = this->MakeRay(p);
   Sample sample;
   sample.FirstHit = this->Rays.Intersect(ray);
-  this->CompositeLayers(p, ray, sample, counts, toleranceScale);
+  this->CompositeLayers(p, ray, sample, counts, toleranceScale, penumbrae);
   return sample;
 }
 
 void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
-  RayCounts& counts, double toleranceScale) const
+  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae) const
 {
   Ray rays[PacketSize];
   Hit hits[PacketSize];
@@ -207,7 +238,7 @@ void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active,
     {
       samples[i] = Sample();
       samples[i].FirstHit = hits[i];
-      this->CompositeLayers(points[i], rays[i], samples[i], counts, toleranceScale);
+      this->CompositeLayers(points[i], rays[i], samples[i], counts, toleranceScale, penumbrae);
     }
   }
 }

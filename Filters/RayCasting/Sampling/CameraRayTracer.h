@@ -38,6 +38,9 @@ struct Sample
   float OpaqueDepth =
     std::numeric_limits<float>::infinity(); ///< distance of the first opaque surface
   float Error = 0.f;                        ///< estimated error of the in-scattered light
+  float Noise = 0.f;                        ///< standard error of the color in penumbrae
+  std::uint32_t LitBy = 0;                  ///< lights with a size that single rays reached
+  std::uint32_t ShadowedFrom = 0;           ///< lights with a size that single rays did not reach
 };
 
 /// Computes the color of image points. All methods but the setters may be called from any thread.
@@ -50,12 +53,14 @@ public:
 
   /// Returns the color along the ray through image point p. The caller counts the camera ray
   /// itself. `toleranceScale` multiplies the tolerances of occlusion and irradiance; it is larger
-  /// than 1 for a sample that is averaged with others.
-  Sample TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale = 1.0) const;
+  /// than 1 for a sample that is averaged with others. `penumbrae` are the lights with a size whose
+  /// visible fraction is estimated, see PenumbraSampling; one ray is traced toward each other light.
+  Sample TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale = 1.0,
+    std::uint32_t penumbrae = 0) const;
 
   /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.
   void TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
-    RayCounts& counts, double toleranceScale = 1.0) const;
+    RayCounts& counts, double toleranceScale = 1.0, std::uint32_t penumbrae = 0) const;
 
   /// Returns the first hit without shading it.
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
@@ -77,6 +82,9 @@ public:
   {
     return this->OcclusionProvider || this->IrradianceProvider;
   }
+
+  /// Sets the accepted standard error of a color in the penumbra of a light with a size.
+  void SetPenumbraTolerance(double tolerance) { this->PenumbraTolerance = tolerance; }
 
   /// Sets the light shafts of a participating medium; `shafts` must outlive this object. Null: no
   /// medium.
@@ -106,8 +114,8 @@ private:
   void AddMedium(const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const;
   glm::vec3 ComputeIndirectLight(const Ray& ray, const Hit& hit, const ShadedHit& shaded,
     RayCounts& counts, double toleranceScale) const;
-  void CompositeLayers(
-    glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts, double toleranceScale) const;
+  void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,
+    double toleranceScale, std::uint32_t penumbrae) const;
 
   const RayScene& Rays;
   const Shading& SurfaceShading;
@@ -120,6 +128,7 @@ private:
   float Albedo = 0.f;
   double IrradianceTolerance = 0.0;
   const LightShafts* Shafts = nullptr;
+  double PenumbraTolerance = 0.0;
 };
 
 }

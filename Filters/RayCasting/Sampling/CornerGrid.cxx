@@ -2,58 +2,142 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CornerGrid.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 
-CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate)
+CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate, bool penumbrae)
   : Low(low),
     High(high),
     FirstBlock(low / BlockSide),
     Blocks(high / BlockSide - low / BlockSide + 1),
     Samples(allocate ? static_cast<std::size_t>(high.x - low.x + 1) * (high.y - low.y + 1) : 0)
 {
+  if (penumbrae)
+  {
+    const glm::ivec2 last = high / BlockSide + 1;
+    this->FirstBlock = glm::max(this->FirstBlock - 1, 0);
+    this->Blocks = last - this->FirstBlock + 1;
+    const std::size_t count = static_cast<std::size_t>(this->Blocks.x) * this->Blocks.y;
+    this->LitBy.resize(count);
+    this->ShadowedFrom.resize(count);
+    this->Penumbrae.resize(count);
+  }
 }
 
 void CornerGrid::TraceRow(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts)
 {
-  static_assert(BlockSide * BlockSide == CameraRayTracer::PacketSize, "one packet per block");
-  const glm::ivec2 last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height);
   for (int column = 0; column < this->Blocks.x; ++column)
   {
-    const glm::ivec2 first = (this->FirstBlock + glm::ivec2(column, row)) * BlockSide;
-    glm::dvec2 points[CameraRayTracer::PacketSize];
-    Sample samples[CameraRayTracer::PacketSize];
-    unsigned int active = 0;
-    // Trace all corners of the block that lie in the whole image: packets must not depend on the
-    // region.
-    for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
+    this->TraceBlock(tracer, { column, row }, packets, 0, counts);
+  }
+}
+
+void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, bool packets,
+  std::uint32_t penumbrae, RayCounts& counts)
+{
+  static_assert(BlockSide * BlockSide == CameraRayTracer::PacketSize, "one packet per block");
+  const glm::ivec2 last(tracer.GetScene().ViewCamera.Width, tracer.GetScene().ViewCamera.Height);
+  const glm::ivec2 first = (this->FirstBlock + block) * BlockSide;
+  glm::dvec2 points[CameraRayTracer::PacketSize];
+  Sample samples[CameraRayTracer::PacketSize];
+  unsigned int active = 0;
+  // Trace all corners of the block that lie in the whole image: packets must not depend on the
+  // region.
+  for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
+  {
+    const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
+    points[i] = glm::dvec2(p);
+    active |= (p.x <= last.x && p.y <= last.y ? 1u : 0u) << i;
+  }
+  if (packets && active != 0)
+  {
+    tracer.TracePacket(points, active, samples, counts, 1.0, penumbrae);
+  }
+  for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
+  {
+    const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
+    if (!(active >> i & 1u))
     {
-      const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
-      points[i] = glm::dvec2(p);
-      active |= (p.x <= last.x && p.y <= last.y ? 1u : 0u) << i;
+      continue;
     }
-    if (packets)
+    if (!packets)
     {
-      tracer.TracePacket(points, active, samples, counts);
+      samples[i] = tracer.TraceSample(points[i], counts, 1.0, penumbrae);
     }
-    for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
+    if (penumbrae == 0)
     {
-      const glm::ivec2 p = first + glm::ivec2(i % BlockSide, i / BlockSide);
-      if (!(active >> i & 1u))
-      {
-        continue;
-      }
-      if (!packets)
-      {
-        samples[i] = tracer.TraceSample(points[i], counts);
-      }
       ++counts.Primary;
-      if (p.x >= this->Low.x && p.x <= this->High.x && p.y >= this->Low.y && p.y <= this->High.y)
+      if (!this->LitBy.empty())
       {
-        this->At(p.x, p.y) = samples[i];
+        this->VotesAt(block, this->LitBy) |= samples[i].LitBy;
+        this->VotesAt(block, this->ShadowedFrom) |= samples[i].ShadowedFrom;
       }
+    }
+    if (p.x >= this->Low.x && p.x <= this->High.x && p.y >= this->Low.y && p.y <= this->High.y)
+    {
+      this->At(p.x, p.y) = samples[i];
     }
   }
+}
+
+// Rays of 3 x 3 blocks are 144 samples of the light, so few penumbrae are missed, and those are
+// nearly lit or nearly dark.
+void CornerGrid::FindPenumbrae()
+{
+  for (int y = 0; y < this->Blocks.y && !this->LitBy.empty(); ++y)
+  {
+    for (int x = 0; x < this->Blocks.x; ++x)
+    {
+      std::uint32_t lit = 0;
+      std::uint32_t shadowed = 0;
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, this->Blocks.y - 1); ++j)
+      {
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, this->Blocks.x - 1); ++i)
+        {
+          lit |= this->VotesAt({ i, j }, this->LitBy);
+          shadowed |= this->VotesAt({ i, j }, this->ShadowedFrom);
+        }
+      }
+      this->VotesAt({ x, y }, this->Penumbrae) = lit & shadowed;
+    }
+  }
+}
+
+void CornerGrid::ResolvePenumbrae(
+  const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts)
+{
+  for (int column = 0; column < this->Blocks.x && !this->Penumbrae.empty(); ++column)
+  {
+    const glm::ivec2 block(column, row);
+    const std::uint32_t penumbrae = this->VotesAt(block, this->Penumbrae);
+    const glm::ivec2 first = (this->FirstBlock + block) * BlockSide;
+    const bool isInside = first.x <= this->High.x && first.y <= this->High.y &&
+      first.x + BlockSide > this->Low.x && first.y + BlockSide > this->Low.y;
+    if (penumbrae != 0 && isInside)
+    {
+      this->TraceBlock(tracer, block, packets, penumbrae, counts);
+    }
+  }
+}
+
+std::uint32_t CornerGrid::GetPenumbrae(glm::dvec2 p) const
+{
+  if (this->Penumbrae.empty())
+  {
+    return 0;
+  }
+  std::uint32_t lights = 0;
+  const glm::ivec2 pixel(glm::floor(p));
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const glm::ivec2 at = pixel + glm::ivec2(corner & 1, corner >> 1);
+    const glm::ivec2 block =
+      glm::clamp(at / BlockSide - this->FirstBlock, glm::ivec2(0), this->Blocks - 1);
+    lights |= this->Penumbrae[static_cast<std::size_t>(block.y) * this->Blocks.x + block.x];
+  }
+  return lights;
 }
 
 }

@@ -19,13 +19,26 @@ public:
   static constexpr int BlockSide = 4;
 
   /// Allocates samples for the corners of the pixels [low, high), unless `allocate` is false.
-  CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate = true);
+  /// With `penumbrae`, a margin of one block is traced as well.
+  CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate = true, bool penumbrae = false);
 
   /// Returns the number of rows of blocks.
   int GetNumberOfRows() const { return this->Blocks.y; }
 
   /// Traces one row of blocks. Different rows may be traced in parallel.
   void TraceRow(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts);
+
+  /// Finds the blocks in the penumbra of a light with a size: rays to the light disagree in the
+  /// block or in one of its neighbors. Call it when all rows have been traced.
+  void FindPenumbrae();
+
+  /// Traces the blocks of one row that are in a penumbra again and estimates the visible fractions
+  /// of the lights. Different rows may be traced in parallel.
+  void ResolvePenumbrae(
+    const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts);
+
+  /// Returns the lights that cast a penumbra on the pixel that contains `p`.
+  std::uint32_t GetPenumbrae(glm::dvec2 p) const;
 
   /// Returns the sample at image point (x, y), for x in [low.x, high.x] and y in [low.y, high.y].
   const Sample& At(int x, int y) const { return this->Samples[this->Index(x, y)]; }
@@ -42,8 +55,18 @@ private:
   }
 
   glm::ivec2 Low, High;
+  void TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, bool packets,
+    std::uint32_t penumbrae, RayCounts& counts);
+  std::uint32_t& VotesAt(glm::ivec2 block, std::vector<std::uint32_t>& votes) const
+  {
+    return votes[static_cast<std::size_t>(block.y) * this->Blocks.x + block.x];
+  }
+
   glm::ivec2 FirstBlock, Blocks;
   std::vector<Sample> Samples;
+  /// Per block, if there are lights with a size: lights that rays reached and did not reach, and
+  /// lights that cast a penumbra.
+  std::vector<std::uint32_t> LitBy, ShadowedFrom, Penumbrae;
 };
 
 }

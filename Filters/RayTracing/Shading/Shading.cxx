@@ -7,6 +7,7 @@
 #include "Shading.h"
 
 #include "HemisphereSampling.h"
+#include "OwenSobolSequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,6 +162,13 @@ float ComputeLightStrength(
   return cosine >= light.ConeCosine ? strength * std::pow(cosine, light.Exponent) : 0.f;
 }
 
+/// Returns the largest color channel of the light that a surface reflects, approximately.
+float ComputeBrightness(const Light& light, glm::vec3 diffuse, glm::vec3 specular)
+{
+  const glm::vec3 color = diffuse * light.DiffuseColor + specular * light.SpecularColor;
+  return std::max(std::max(color.r, color.g), color.b);
+}
+
 }
 
 Shading::Shading(const RayScene& scene, bool shadows)
@@ -171,6 +179,9 @@ Shading::Shading(const RayScene& scene, bool shadows)
   this->OneHeadlight = lights.size() == 1 && lights[0].Headlight;
   this->Shadows = shadows &&
     std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.CastsShadow; });
+  this->Penumbrae = this->Shadows &&
+    std::any_of(lights.begin(), lights.end(),
+      [](const Light& light) { return light.CastsShadow && light.HasSize(); });
   for (const Surface& surface : scene.GetScene().Surfaces)
   {
     SurfaceMaterial material;
@@ -213,18 +224,19 @@ bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& material
       [](const Light& light) { return light.Kind == Light::Kinds::Directional; });
 }
 
-ShadedHit Shading::Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const
+ShadedHit Shading::Shade(
+  const Ray& ray, const Hit& hit, long long& shadowRays, PenumbraSampling* penumbrae) const
 {
-  return this->ShadeHit(false, ray, hit, shadowRays);
+  return this->ShadeHit(false, ray, hit, shadowRays, penumbrae);
 }
 
 ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
-  return this->ShadeHit(true, ray, hit, shadowRays);
+  return this->ShadeHit(true, ray, hit, shadowRays, nullptr);
 }
 
-ShadedHit Shading::ShadeHit(
-  bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays) const
+ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit,
+  long long& shadowRays, PenumbraSampling* penumbrae) const
 {
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
@@ -287,7 +299,8 @@ ShadedHit Shading::ShadeHit(
   else if (phong.PhysicallyBased)
   {
     const glm::vec3 point = pointOfHit();
-    rgb = this->ApplyLightsPhysicallyBased(phong, shaded, point, diffuseOnly, shadowRays);
+    rgb = this->ApplyLightsPhysicallyBased(
+      phong, shaded, point, diffuseOnly, shadowRays, penumbrae);
     shaded.Reflectance *= 1.f - phong.PhysicallyBased->Metallic;
   }
   else if (this->OneHeadlight)
@@ -303,7 +316,7 @@ ShadedHit Shading::ShadeHit(
   else
   {
     const glm::vec3 point = pointOfHit();
-    rgb = this->ApplyLights(phong, shaded, point, shadowRays);
+    rgb = this->ApplyLights(phong, shaded, point, shadowRays, penumbrae);
   }
   shaded.Color = glm::vec4(rgb, phong.Opacity);
   if (surface.LitTexture && (front || surface.TextureOnBackfaces))
@@ -317,14 +330,15 @@ ShadedHit Shading::ShadeHit(
 }
 
 glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded,
-  glm::vec3 point, long long& shadowRays) const
+  glm::vec3 point, long long& shadowRays, PenumbraSampling* penumbrae) const
 {
   const Scene& scene = this->Rays.GetScene();
   const glm::vec3 towardCamera = this->DirectionToCamera(point);
   glm::vec3 diffuse(0.f);
   glm::vec3 specular(0.f);
-  for (const Light& light : scene.Lights)
+  for (std::size_t i = 0; i < scene.Lights.size(); ++i)
   {
+    const Light& light = scene.Lights[i];
     glm::vec3 direction;
     float distance;
     float strength = ComputeLightStrength(light, point, direction, distance);
@@ -335,8 +349,11 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
     }
     if (this->Shadows && light.CastsShadow)
     {
-      strength *=
-        this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
+      strength *= light.HasSize()
+        ? this->SampleVisibleFraction(i, point, shaded.GeometricNormal,
+            irradiance * ComputeBrightness(light, phong.Diffuse, phong.Specular), shadowRays,
+            penumbrae)
+        : this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
     }
     diffuse += strength * -glm::dot(shaded.Normal, direction) * light.DiffuseColor;
     if (phong.Specular != glm::vec3(0.f))
@@ -359,7 +376,8 @@ glm::vec3 Shading::DirectionToCamera(glm::vec3 point) const
 // VTK's shader for VTK_PBR: Lambert's diffuse term and an isotropic GGX lobe with Schlick's Fresnel
 // term. The result is converted to display colors by an exponent of 1/2.2.
 glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhongCoefficients& material,
-  const ShadedHit& shaded, glm::vec3 point, bool diffuseOnly, long long& shadowRays) const
+  const ShadedHit& shaded, glm::vec3 point, bool diffuseOnly, long long& shadowRays,
+  PenumbraSampling* penumbrae) const
 {
   const penumbra::Material& settings = *material.PhysicallyBased;
   const auto clampCosine = [](float cosine) { return glm::clamp(cosine, 1e-5f, 1.f); };
@@ -373,16 +391,21 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhongCoefficients& material,
   const float grazing = glm::clamp(glm::dot(f0, glm::vec3(50.f * .33f)), 0.f, 1.f);
   const glm::vec3 f90 = glm::mix(glm::vec3(grazing), settings.EdgeTint, settings.Metallic);
   glm::vec3 radiance(0.f);
-  for (const Light& light : this->Rays.GetScene().Lights)
+  const std::vector<Light>& lights = this->Rays.GetScene().Lights;
+  for (std::size_t i = 0; i < lights.size(); ++i)
   {
+    const Light& light = lights[i];
     glm::vec3 direction;
     float distance;
     float strength = ComputeLightStrength(light, point, direction, distance);
     const float nl = clampCosine(-glm::dot(normal, direction));
     if (strength > 0.f && this->Shadows && light.CastsShadow)
     {
-      strength *=
-        this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
+      strength *= light.HasSize()
+        ? this->SampleVisibleFraction(i, point, shaded.GeometricNormal,
+            strength * ComputeBrightness(light, material.Diffuse, material.Specular), shadowRays,
+            penumbrae)
+        : this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
     }
     if (!(strength > 0.f))
     {
@@ -417,6 +440,52 @@ float Shading::Transmittance(glm::vec3 point, glm::vec3 direction, float distanc
   const float offset = RayOriginOffset(point);
   return this->TraceTransmittance(
     Ray{ point + offset * glm::normalize(normal), direction, 0.f, distance }, shadowRays);
+}
+
+VisibleFraction Shading::ComputeVisibleFraction(const Light& light, glm::vec3 point,
+  glm::vec3 normal, float tolerance, long long& shadowRays) const
+{
+  const glm::vec3 up = glm::normalize(normal);
+  const AreaLight source(light, point + RayOriginOffset(point) * up);
+  if (source.ContainsPoint())
+  {
+    return { 1.f, 0.f };
+  }
+  const auto visibility = [&](glm::vec2 disk) {
+    const Ray ray = source.MakeRay(disk);
+    return glm::dot(ray.Direction, up) > 0.f ? this->TraceTransmittance(ray, shadowRays) : 0.f;
+  };
+  return EstimateVisibleFraction(visibility, HashPoint(point, up), tolerance);
+}
+
+// One ray per light suffices where all rays of a neighborhood agree, see CornerGrid.
+float Shading::SampleVisibleFraction(std::size_t light, glm::vec3 point, glm::vec3 normal,
+  float brightness, long long& shadowRays, PenumbraSampling* penumbrae) const
+{
+  const Light& source = this->Rays.GetScene().Lights[light];
+  const std::uint32_t bit = PenumbraSampling::GetBit(light);
+  if (penumbrae && (penumbrae->Estimated & bit) != 0)
+  {
+    const float tolerance = penumbrae->Tolerance / std::max(brightness, 1e-6f);
+    const VisibleFraction fraction =
+      this->ComputeVisibleFraction(source, point, normal, tolerance, shadowRays);
+    penumbrae->SquaredError += brightness * fraction.Error * brightness * fraction.Error;
+    return fraction.Value;
+  }
+  const glm::vec3 up = glm::normalize(normal);
+  const std::uint32_t index = penumbrae ? penumbrae->Index : HashPoint(point, up);
+  const glm::vec2 at = OwenSobolSequence(static_cast<std::uint32_t>(light)).At(index);
+  const AreaLight area(source, point + RayOriginOffset(point) * up);
+  const Ray ray = area.MakeRay(SampleUniformDiskConcentric(at.x, at.y));
+  const float visible = area.ContainsPoint() ? 1.f
+    : glm::dot(ray.Direction, up) > 0.f      ? this->TraceTransmittance(ray, shadowRays)
+                                             : 0.f;
+  if (penumbrae)
+  {
+    penumbrae->Lit |= visible > 0.f ? bit : 0u;
+    penumbrae->Shadowed |= visible < 1.f ? bit : 0u;
+  }
+  return visible;
 }
 
 float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Color of a hit: VTK's Phong model, mapped scalar colors, textures, hard shadows.
+// Color of a hit: VTK's Phong model, mapped scalar colors, textures, shadows.
 #ifndef penumbra_Shading_h
 #define penumbra_Shading_h
 
+#include "AreaLight.h"
 #include "Embree/RayScene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
@@ -23,6 +24,23 @@ struct ShadedHit
   glm::vec3 Reflectance{ 0.f };     ///< diffuse reflectance; 0 on surfaces without lighting
 };
 
+/// Sampling of lights with a size at one point, and its result.
+struct PenumbraSampling
+{
+  // Input.
+  std::uint32_t Estimated = 0; ///< lights whose visible fraction is estimated; of others, one ray
+  std::uint32_t Index = 0;     ///< index of the sample of this ray
+  float Tolerance = 0.f;       ///< accepted standard error of the color
+
+  // Result.
+  std::uint32_t Lit = 0;      ///< lights that a ray reached
+  std::uint32_t Shadowed = 0; ///< lights that a ray did not reach
+  float SquaredError = 0.f;   ///< squared standard error of the color
+
+  /// Returns the bit of a light; the last lights share one.
+  static std::uint32_t GetBit(std::size_t light) { return 1u << (light < 31 ? light : 31); }
+};
+
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Shading
 {
 public:
@@ -30,8 +48,10 @@ public:
   /// outlive this object.
   Shading(const RayScene& scene, bool shadows);
 
-  /// Shades a hit of `ray`. Adds the number of shadow rays traced to `shadowRays`.
-  ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays) const;
+  /// Shades a hit of `ray`. Adds the number of shadow rays traced to `shadowRays`. If `penumbrae`
+  /// is null, one ray is traced toward each light.
+  ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
+    PenumbraSampling* penumbrae = nullptr) const;
 
   /// Shades a hit without specular highlights. Surfaces without lighting count as emitters, not as
   /// reflectors.
@@ -39,6 +59,14 @@ public:
 
   /// Returns the transmittance of the scene along `ray`: 1 if unoccluded, 0 behind opaque surfaces.
   float TraceTransmittance(Ray ray, long long& shadowRays) const;
+
+  /// Returns the fraction of a light with a size that is visible from a point on a surface with
+  /// the geometric normal `normal`, with a standard error of at most `tolerance`.
+  VisibleFraction ComputeVisibleFraction(const Light& light, glm::vec3 point, glm::vec3 normal,
+    float tolerance, long long& shadowRays) const;
+
+  /// Returns true if a light casts penumbrae.
+  bool HasPenumbrae() const { return this->Penumbrae; }
 
   const Scene& GetScene() const { return this->Rays.GetScene(); }
 
@@ -75,14 +103,17 @@ private:
     bool Constant;            ///< see IsConstantPerTriangle()
   };
 
-  ShadedHit ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays) const;
+  ShadedHit ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays,
+    PenumbraSampling* penumbrae) const;
   static PhongCoefficients MakePhongCoefficients(const Material& material);
   bool IsConstant(const Surface& surface, const SurfaceMaterial& material) const;
   glm::vec3 ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded, glm::vec3 point,
-    long long& shadowRays) const;
+    long long& shadowRays, PenumbraSampling* penumbrae) const;
   glm::vec3 ApplyLightsPhysicallyBased(const PhongCoefficients& material, const ShadedHit& shaded,
-    glm::vec3 point, bool diffuseOnly, long long& shadowRays) const;
+    glm::vec3 point, bool diffuseOnly, long long& shadowRays, PenumbraSampling* penumbrae) const;
   glm::vec3 DirectionToCamera(glm::vec3 point) const;
+  float SampleVisibleFraction(std::size_t light, glm::vec3 point, glm::vec3 normal,
+    float brightness, long long& shadowRays, PenumbraSampling* penumbrae) const;
   float Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,
     long long& shadowRays) const;
 
@@ -91,6 +122,7 @@ private:
 
   const RayScene& Rays;
   bool Shadows;
+  bool Penumbrae = false;
   bool OneHeadlight;
   bool Translucent = false; ///< at least one surface is translucent
   std::vector<SurfaceMaterial> Materials;

@@ -94,7 +94,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
     ComputeBounds(items, bounds);
   }
   ExtractCamera(renderer, bounds, options, scene);
-  ExtractLights(renderer, scene);
+  ExtractLights(renderer, options, scene);
   ExtractBackground(renderer, options, scene);
   const std::vector<glm::dvec4> range = FindClippingRange(renderer, bounds);
   for (DrawItem& item : items)

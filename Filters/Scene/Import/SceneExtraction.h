@@ -10,13 +10,22 @@
 #include "Scene.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
+#include <functional>
 #include <vector>
 
 class vtkDataObject;
+class vtkLight;
 class vtkRenderer;
 
 namespace penumbra
 {
+
+/// Size of a light, which vtkLight lacks.
+struct LightSize
+{
+  double Radius = 0.0; ///< of positional lights, in world units
+  double Angle = 0.0;  ///< angular diameter of directional lights, in degrees
+};
 
 /// Options of ExtractScene().
 struct ExtractionOptions
@@ -26,7 +35,8 @@ struct ExtractionOptions
   bool Background = true;       ///< if false, the background is transparent black
   double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
   double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
-  ProgressCallback Progress;    ///< on a stop request, ExtractScene() throws Stopped
+  std::function<LightSize(vtkLight*)> SizeOfLight; ///< if empty, lights have no size
+  ProgressCallback Progress;                       ///< on a stop request, ExtractScene() throws Stopped
 };
 
 /// Extracts the scene of `renderer` for an image of options.Resolution. The renderer does not need

@@ -182,7 +182,8 @@ void ComputeLightPosition(
   }
 }
 
-Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const Scene& scene)
+Light ConvertLight(
+  vtkRenderer* renderer, vtkLight* light, const LightSize& size, const Scene& scene)
 {
   double position[3];
   double focalPoint[3];
@@ -197,6 +198,11 @@ Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const Scene& scene)
     result.Kind = angle < 90.0 ? Light::Kinds::Spot : Light::Kinds::Positional;
     result.ConeCosine = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle)));
     result.Exponent = static_cast<float>(light->GetExponent());
+    result.Radius = static_cast<float>(size.Radius * scene.Scale);
+  }
+  else
+  {
+    result.AngularRadius = static_cast<float>(vtkMath::RadiansFromDegrees(0.5 * size.Angle));
   }
   result.Position = (ToVector(position) - scene.Origin) * scene.Scale;
   const glm::dvec3 direction = ToVector(focalPoint) - ToVector(position);
@@ -302,7 +308,7 @@ Light MakeHeadlight(const Scene& scene)
   return light;
 }
 
-void ExtractLights(vtkRenderer* renderer, Scene& scene)
+void ExtractLights(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
 {
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator position;
@@ -311,7 +317,8 @@ void ExtractLights(vtkRenderer* renderer, Scene& scene)
   {
     if (light->GetSwitch())
     {
-      scene.Lights.push_back(ConvertLight(renderer, light, scene));
+      const LightSize size = options.SizeOfLight ? options.SizeOfLight(light) : LightSize();
+      scene.Lights.push_back(ConvertLight(renderer, light, size, scene));
     }
   }
   if (scene.Lights.empty() && renderer->GetAutomaticLightCreation())

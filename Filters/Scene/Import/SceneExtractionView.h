@@ -27,7 +27,7 @@ std::vector<glm::dvec4> FindClippingRange(vtkRenderer* renderer, const double bo
 void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene& scene);
 
 /// Adds the lights that are on. If there are none, adds VTK's automatic headlight.
-void ExtractLights(vtkRenderer* renderer, Scene& scene);
+void ExtractLights(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene);
 
 /// Returns a white light along the view axis.
 Light MakeHeadlight(const Scene& scene);
