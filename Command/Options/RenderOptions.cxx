@@ -451,6 +451,12 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
   const bool orthographic = options.Camera.Orthographic;
   const bool placed = options.Camera.Position.has_value();
   const bool lights = options.Lighting && !options.Lights.empty();
+  const auto hasLight = [&](bool positional) {
+    return options.Lighting &&
+      std::any_of(options.Lights.begin(), options.Lights.end(),
+        [positional](
+          const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; });
+  };
   const struct
   {
     const char* Option;
@@ -494,6 +500,8 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
       "with --camera-position, unless the camera is at the center of the bounds" },
     { "--light-position", !options.Lighting, "with --no-lighting" },
     { "--shadows", !lights, "without --light-position: the headlight casts no shadows" },
+    { "--light-radius", !hasLight(true), "without a positional --light-position" },
+    { "--light-angle", !hasLight(false), "without a directional --light-position (w = 0)" },
     { "--window", ray && options.Gatherer == "rays", "with --engine ray" },
   };
   std::vector<std::string> warnings;

@@ -328,7 +328,8 @@ void vtkPenumbraRayCaster::Internals::CheckLightSizes(vtkPenumbraRayCaster* self
   check(self->LightRadius, self->LightAngle);
   for (const SizedLight& light : this->SizedLights)
   {
-    check(std::isnan(light.Radius) ? 0.0 : light.Radius, std::isnan(light.Angle) ? 0.0 : light.Angle);
+    check(
+      std::isnan(light.Radius) ? 0.0 : light.Radius, std::isnan(light.Angle) ? 0.0 : light.Angle);
   }
 }
 

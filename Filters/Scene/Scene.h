@@ -42,9 +42,9 @@ struct Light
   glm::vec3 SpecularColor{ 1.f };        ///< multiplied by the intensity
   /// Constant, linear and quadratic coefficients of the attenuation, in scene units.
   glm::vec3 Attenuation{ 1.f, 0.f, 0.f };
-  float ConeCosine = -1.f; ///< Spot: cosine of vtkLight's cone angle
-  float Exponent = 1.f;    ///< Spot: exponent of vtkLight
-  float Radius = 0.f;      ///< Positional: of the sphere; Spot: of the disk across Direction
+  float ConeCosine = -1.f;   ///< Spot: cosine of vtkLight's cone angle
+  float Exponent = 1.f;      ///< Spot: exponent of vtkLight
+  float Radius = 0.f;        ///< Positional: of the sphere; Spot: of the disk across Direction
   float AngularRadius = 0.f; ///< Directional: half the angular diameter, in radians
   bool CastsShadow = true;
   /// If true, the light is directional and along the view axis. VTK uses a simpler lighting model

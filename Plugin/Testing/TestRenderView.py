@@ -14,7 +14,7 @@ from paraview.modules import vtkRemotingServerManager
 SETTINGS = {
     "Tolerance": 0.02, "AmbientOcclusion": 0, "OcclusionRadius": 0.2, "OcclusionStrength": 0.5,
     "OcclusionKernel": "horizon", "LightShafts": 1, "ShaftDensity": 0.5, "ShaftExposure": 3.0,
-    "ShaftThickness": 0.3, "SunDirection": [1.0, 2.0, 3.0], "SunIntensity": 2.0, "StillByRays": 1}
+    "ShaftThickness": 0.3, "SunDirection": [1.0, 2.0, 3.0], "SunIntensity": 2.0, "SunAngle": 0.5, "StillByRays": 1}
 
 
 class RenderViewPenumbra(unittest.TestCase):

@@ -132,7 +132,7 @@ class PlotterAccessor:
         self, *, tolerance: float = 1.0 / 256.0, window_size: tuple[int, int] | None = None,
         ambient_occlusion: bool | None = None, radius: float | None = None, falloff: Falloff = "none",
         strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
-        indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
+        light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
         transparent_background: bool = False, as_float: bool = False, return_statistics: bool = False,
         scale: int | None = None, progress: Progress | None = None,
     ) -> Any:
@@ -155,6 +155,9 @@ class PlotterAccessor:
         radius, falloff, strength
             Ambient occlusion. The radius is in world units, default: that of the pass, else a tenth of the diagonal of
             the bounds. Falloff as in ``mesh.penumbra.bake_ambient_occlusion``.
+        light_radius, light_angle : float
+            Radius of positional lights in world units, and angular diameter of directional lights in degrees,
+            [0, 180]. With ``shadows``, such lights cast penumbrae. 0: hard shadows.
         indirect_light : bool
             If True, add the light of the environment and of diffuse interreflection.
         environment_color, albedo, bounces
@@ -185,3 +188,6 @@ class PlotterAccessor:
         canvas, statistics = cast_renderers(renderers, (scale * width, scale * height), settings, progress)
         image = finish(canvas, transparent_background, as_float)
         return (image, statistics) if return_statistics else image
+        light_radius, light_angle : float
+            Radius of positional lights in world units, and angular diameter of directional lights in degrees,
+            [0, 180]. With ``shadows``, such lights cast penumbrae. 0: hard shadows.

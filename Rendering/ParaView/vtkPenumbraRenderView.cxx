@@ -174,6 +174,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   this->Implementation->Medium->SetScattering(this->ShaftDensity / diagonal);
   caster->SetMedium(this->LightShafts ? this->Implementation->Medium.Get() : nullptr);
   caster->SetShadows(this->LightShafts);
+  caster->SetLightAngle(this->SunAngle);
 }
 
 bool vtkPenumbraRenderView::UsesOrderedCompositing()
@@ -243,5 +244,6 @@ void vtkPenumbraRenderView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", "
      << this->SunDirection[2] << "\n";
   os << indent << "SunIntensity: " << this->SunIntensity << "\n";
+  os << indent << "SunAngle: " << this->SunAngle << "\n";
   os << indent << "StillByRays: " << this->StillByRays << "\n";
 }

@@ -111,6 +111,15 @@ public:
 
   ///@{
   /**
+   * Angular diameter of directional lights in degrees in ray-cast still renders, which then cast
+   * penumbrae; that of the sun is 0.53. Range: [0, 180]. Default: 0, hard shadows.
+   */
+  vtkSetClampMacro(SunAngle, double, 0.0, 180.0);
+  vtkGetMacro(SunAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * If on, still renders are ray cast, with antialiasing errors below 1/256. Requires that one
    * process has all data; otherwise the view is rasterized. Default: off.
    */
@@ -147,6 +156,7 @@ private:
   double ShaftThickness = 0.1;
   double SunDirection[3] = { 1.0, 1.0, 1.0 };
   double SunIntensity = 1.0;
+  double SunAngle = 0.0;
   bool StillByRays = false;
 };
 

@@ -183,8 +183,8 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   // neighbors for second differences of colors.
   const bool corners = settings.Integration.Method != IntegrationSettings::Methods::Uniform;
   CornerGrid grid(glm::max(region.Low - 1, 0),
-    glm::min(region.High + 1, glm::ivec2(scene.ViewCamera.Width, scene.ViewCamera.Height)),
-    corners, tracer.GetShading().HasPenumbrae());
+    glm::min(region.High + 1, glm::ivec2(scene.ViewCamera.Width, scene.ViewCamera.Height)), corners,
+    tracer.GetShading().HasPenumbrae());
   if (corners && !ParallelForBatches(grid.GetNumberOfRows(), 0.0, 0.4, progress, [&](int row) {
         RayCounts counts;
         grid.TraceRow(tracer, row, settings.UsePackets, counts);

@@ -34,8 +34,7 @@ public:
 
   /// Traces the blocks of one row that are in a penumbra again and estimates the visible fractions
   /// of the lights. Different rows may be traced in parallel.
-  void ResolvePenumbrae(
-    const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts);
+  void ResolvePenumbrae(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts);
 
   /// Returns the lights that cast a penumbra on the pixel that contains `p`.
   std::uint32_t GetPenumbrae(glm::dvec2 p) const;

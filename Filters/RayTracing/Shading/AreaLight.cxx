@@ -33,8 +33,17 @@ constexpr float MissedCapError = 0.4f;
 constexpr float ProbeDistance = 0.05f;
 /// Distance of the points that check the shape of the boundary, in radii.
 constexpr float CheckDistance = 0.12f;
+/// Number of further points that check it.
+constexpr int CheckPoints = 2;
 /// Bracket of an end of the boundary, in radians, that is narrow enough for a prediction.
 constexpr float NarrowBracket = 0.35f;
+/// Standard error of the area as a fraction of the chord times the bracket of the sagitta, times
+/// pi / 2: for curved boundaries, and for those that are straight as far as the probes show.
+constexpr float CurvedError = 0.25f;
+constexpr float StraightError = 0.12f;
+/// Errors of the ends and of the sagitta as fractions of the tolerance.
+constexpr float EndErrorFraction = 0.8f;
+constexpr float SagittaErrorFraction = 0.6f;
 /// Number of samples of the sequence: first round and maximum.
 constexpr std::uint32_t FirstSamples = 32;
 constexpr std::uint32_t MaximumSamples = 1024;
@@ -104,7 +113,7 @@ public:
   bool Refine(
     const std::function<float(glm::vec2)>& visibility, std::uint32_t seed, float tolerance)
   {
-    while (this->EstimateEndError() > 1.25f * tolerance || this->IsWide())
+    while (this->EstimateEndError() > EndErrorFraction * tolerance || this->IsWide())
     {
       const bool first = this->Begin.y - this->Begin.x >= this->End.y - this->End.x;
       glm::vec2& bracket = first ? this->Begin : this->End;
@@ -120,7 +129,7 @@ public:
       }
       ((value == 1.f) == first ? bracket.y : bracket.x) = middle;
     }
-    return this->FindSagitta(visibility, tolerance) && this->Check(visibility, seed, tolerance);
+    return this->FindSagitta(visibility, tolerance) && this->Check(visibility, seed);
   }
 
   float Area() const
@@ -138,10 +147,7 @@ public:
     return std::clamp(area, 0.f, 1.f);
   }
 
-  float Error() const
-  {
-    return std::hypot(this->EstimateEndError(), this->EstimateSagittaError());
-  }
+  float Error() const { return std::hypot(this->EstimateEndError(), this->EstimateSagittaError()); }
 
 private:
   float HalfAngle() const
@@ -160,23 +166,22 @@ private:
   float EstimateEndError() const
   {
     const float slope = this->HalfLength() * this->HalfLength() / Pi;
-    const float width =
-      std::hypot(this->Begin.y - this->Begin.x, this->End.y - this->End.x);
+    const float width = std::hypot(this->Begin.y - this->Begin.x, this->End.y - this->End.x);
     return 0.2887f * slope * width;
   }
 
-  /// A straight boundary is more likely than a curved one.
   float EstimateSagittaError() const
   {
-    return 0.25f * this->SagittaWidth() * this->HalfLength() / Pi;
+    const bool isStraight = this->Middle.x < 0.f && this->Middle.y > 0.f;
+    return (isStraight ? StraightError : CurvedError) * this->SagittaWidth() * this->HalfLength() /
+      Pi;
   }
 
   /// Point at `along` times the direction of the chord and `across` times the direction from its
   /// middle to the visible side.
   glm::vec2 At(float along, float across) const
   {
-    const float middle =
-      0.25f * (this->Begin.x + this->Begin.y + this->End.x + this->End.y);
+    const float middle = 0.25f * (this->Begin.x + this->Begin.y + this->End.x + this->End.y);
     const glm::vec2 axis = OnCircle(middle);
     return (std::cos(this->HalfAngle()) + across) * axis + along * glm::vec2(-axis.y, axis.x);
   }
@@ -216,7 +221,7 @@ private:
       }
     }
     while (this->Middle.y - this->Middle.x > 2.f * ProbeDistance + 1e-3f ||
-      this->EstimateSagittaError() > tolerance)
+      this->EstimateSagittaError() > SagittaErrorFraction * tolerance)
     {
       const float middle = this->Sagitta();
       const float value = visibility(this->At(0.f, -middle));
@@ -233,27 +238,40 @@ private:
     return true;
   }
 
-  /// Tests both sides of the boundary at one quarter of its length.
-  bool Check(const std::function<float(glm::vec2)>& visibility, std::uint32_t seed, float tolerance)
+  /// Returns the distance of a point from the boundary along the axis, positive on the visible
+  /// side.
+  float SignedDistance(glm::vec2 point) const
   {
+    const float middle = 0.25f * (this->Begin.x + this->Begin.y + this->End.x + this->End.y);
+    const glm::vec2 axis = OnCircle(middle);
+    const float along = glm::dot(point, glm::vec2(-axis.y, axis.x));
     const float chord = this->HalfLength();
-    if (chord * CheckDistance / Pi < 0.5f * tolerance)
-    {
-      return true;
-    }
-    const float along = (seed & 0x10000u ? 0.5f : -0.5f) * chord;
     const float h = std::abs(this->Sagitta());
     float rise = 0.f;
-    if (h > 1e-4f)
+    if (h > 1e-4f && chord > 1e-4f)
     {
       const float radius = (chord * chord + h * h) / (2.f * h);
       rise = std::sqrt(std::max(radius * radius - along * along, 0.f)) - (radius - h);
     }
-    const float boundary = -std::copysign(rise, this->Sagitta());
-    for (const float side : { -1.f, 1.f })
+    return glm::dot(point, axis) - std::cos(this->HalfAngle()) +
+      std::copysign(rise, this->Sagitta());
+  }
+
+  /// Tests both sides of the boundary at one quarter of its length, and points of the sequence.
+  bool Check(const std::function<float(glm::vec2)>& visibility, std::uint32_t seed) const
+  {
+    const float along = (seed & 0x10000u ? 0.5f : -0.5f) * this->HalfLength();
+    const float offset = this->SignedDistance(this->At(along, 0.f));
+    const OwenSobolSequence sequence(seed);
+    for (int i = 0; i < 2 + CheckPoints; ++i)
     {
-      const glm::vec2 point = this->At(along, boundary + side * CheckDistance);
-      if (glm::dot(point, point) < 1.f && visibility(point) != (side > 0.f ? 1.f : 0.f))
+      const glm::vec2 at = sequence.At(static_cast<std::uint32_t>(i));
+      const glm::vec2 point = i < 2
+        ? this->At(along, (i == 0 ? CheckDistance : -CheckDistance) - offset)
+        : SampleUniformDiskConcentric(at.x, at.y);
+      const float distance = this->SignedDistance(point);
+      if (glm::dot(point, point) < 1.f && std::abs(distance) > 0.8f * CheckDistance &&
+        visibility(point) != (distance > 0.f ? 1.f : 0.f))
       {
         return false;
       }
@@ -352,7 +370,8 @@ VisibleFraction EstimateVisibleFraction(
       changes += IsBinary(rim[i * step]) ? 0 : MostRimPoints;
     }
     next *= 2;
-  } while (changes == 0 && count < MostRimPoints &&
+  }
+  while (changes == 0 && count < MostRimPoints &&
     (count < LeastRimPoints || MissedCapError * CapArea(Pi / count) > tolerance));
 
   const float missed = MissedCapError * CapArea(Pi / static_cast<float>(count));
@@ -378,8 +397,7 @@ VisibleFraction EstimateVisibleFraction(
     {
       const float before = rim[i * step];
       const float after = rim[(i + 1) % count * step];
-      const glm::vec2 bracket =
-        offset + 2.f * Pi / static_cast<float>(count) * glm::vec2(i, i + 1);
+      const glm::vec2 bracket = offset + 2.f * Pi / static_cast<float>(count) * glm::vec2(i, i + 1);
       begin = before < after ? bracket : begin;
       end = before > after ? bracket : end;
     }

@@ -34,7 +34,7 @@ public:
 private:
   const Light& Source;
   glm::vec3 Point;
-  glm::vec3 Axis;     ///< toward the center of the light
+  glm::vec3 Axis; ///< toward the center of the light
   glm::vec3 Tangents[2];
   float Distance = 0.f; ///< to the center
   float Cap = 0.f;      ///< 1 - cosine of the angular radius

@@ -235,8 +235,8 @@ ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shado
   return this->ShadeHit(true, ray, hit, shadowRays, nullptr);
 }
 
-ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit,
-  long long& shadowRays, PenumbraSampling* penumbrae) const
+ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays,
+  PenumbraSampling* penumbrae) const
 {
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];

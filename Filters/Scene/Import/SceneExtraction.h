@@ -36,7 +36,7 @@ struct ExtractionOptions
   double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
   double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
   std::function<LightSize(vtkLight*)> SizeOfLight; ///< if empty, lights have no size
-  ProgressCallback Progress;                       ///< on a stop request, ExtractScene() throws Stopped
+  ProgressCallback Progress; ///< on a stop request, ExtractScene() throws Stopped
 };
 
 /// Extracts the scene of `renderer` for an image of options.Resolution. The renderer does not need
