@@ -69,6 +69,7 @@ struct BakeOptions
   std::string Gatherer = "rays";
   double PointRadius = 0.0;
   double LineRadius = 0.0;
+  std::string OpacityArray; ///< empty: opaque
   int Threads = 0;
   std::string Statistics;
   std::string Progress = "auto";
@@ -234,6 +235,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   filter->SetComputeNormals(options.Normals == "computed");
   filter->SetPointRadius(options.PointRadius);
   filter->SetLineRadius(options.LineRadius);
+  filter->SetOpacityArray(options.OpacityArray.empty() ? nullptr : options.OpacityArray.c_str());
   filter->SetNumberOfThreads(options.Threads);
   vtkNew<vtkCallbackCommand> progressObserver;
   progressObserver->SetCallback(OnProgress);
@@ -322,6 +324,11 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
   AddNumber(app, "--line-radius", options.LineRadius, "R",
     "Radius of tubes along the lines of the mesh, which occlude", { 0.0, 1e30, true })
     ->default_str("");
+  app
+    .add_option("--opacity-array", options.OpacityArray,
+      "Point array with the opacity of the mesh, in [0, 1]; default: opaque")
+    ->type_name("NAME")
+    ->take_last();
   AddInteger(app, "--threads", options.Threads,
     "Number of threads, 0: all; the values do not depend on it", 0, 1024);
   AddStatisticsOption(app, options.Statistics,

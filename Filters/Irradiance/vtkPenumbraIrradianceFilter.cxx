@@ -120,7 +120,10 @@ vtkPenumbraIrradianceFilter::vtkPenumbraIrradianceFilter()
   this->SetNumberOfInputPorts(2);
 }
 
-vtkPenumbraIrradianceFilter::~vtkPenumbraIrradianceFilter() = default;
+vtkPenumbraIrradianceFilter::~vtkPenumbraIrradianceFilter()
+{
+  this->SetOpacityArray(nullptr);
+}
 
 void vtkPenumbraIrradianceFilter::SetEnvironment(vtkPenumbraEnvironment* environment)
 {
@@ -260,6 +263,7 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   options.ComputeNormals = this->ComputeNormals;
   options.PointRadius = this->PointRadius;
   options.LineRadius = this->LineRadius;
+  options.OpacityArray = this->OpacityArray ? this->OpacityArray : "";
   Work work;
   work.Progress = [this](double fraction) {
     if (!this->GetAbortExecute())
@@ -482,6 +486,7 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Falloff: " << this->Falloff << "\n";
   os << indent << "OnCells: " << this->OnCells << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
+  os << indent << "OpacityArray: " << (this->OpacityArray ? this->OpacityArray : "(none)") << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
   os << indent << "LineRadius: " << this->LineRadius << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";

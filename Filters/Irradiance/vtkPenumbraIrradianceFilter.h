@@ -145,6 +145,15 @@ public:
   vtkGetMacro(LineRadius, double);
   ///@}
 
+  ///@{
+  /**
+   * Name of a point array with the opacity of the surface, in [0, 1]: a surface of opacity a
+   * occludes the fraction a. On input port 1, the array is optional. Default: none, opaque.
+   */
+  vtkSetStringMacro(OpacityArray);
+  vtkGetStringMacro(OpacityArray);
+  ///@}
+
   /** Methods of computing values. */
   enum Methods
   {
@@ -216,6 +225,7 @@ private:
   bool ComputeNormals = false;
   double PointRadius = 0.0;
   double LineRadius = 0.0;
+  char* OpacityArray = nullptr;
   int Method = AUTOMATIC;
   int NumberOfThreads = 0;
   vtkSmartPointer<vtkPenumbraEnvironment> Environment;

@@ -7,6 +7,7 @@
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"
 #include "Shading/OwenSobolSequence.h"
+#include "Shading/TranslucentOcclusion.h"
 
 #include "vtkObjectFactory.h"
 
@@ -64,10 +65,11 @@ std::uint32_t ComputeFirstRound(std::uint32_t minimum, std::uint32_t limit)
 class Hemisphere
 {
 public:
-  Hemisphere(
-    const RayScene& rays, glm::vec3 point, glm::vec3 normal, const DistanceFalloff& falloff)
+  Hemisphere(const RayScene& rays, glm::vec3 point, glm::vec3 normal,
+    const DistanceFalloff& falloff, bool translucent)
     : Rays(rays),
       Falloff(falloff),
+      Translucent(translucent),
       Frame(penumbra::FrameFromNormal(normal)),
       Directions(penumbra::HashPoint(point, normal))
   {
@@ -88,7 +90,7 @@ public:
       VarianceFloorPairs * range * range;
     const double pairError = StratificationGain * std::sqrt(squares) / count;
     Estimate result;
-    result.Rays = count;
+    result.Rays = count + this->AdditionalRays;
     result.Value = this->Sum / count;
     result.Error = std::hypot(pairError, UndetectedFraction / count);
     return result;
@@ -122,9 +124,9 @@ private:
 
   /// Computes the occlusion of each ray of a packet. Without falloff, any hit suffices; otherwise
   /// the nearest hit is needed.
-  void ComputeOcclusion(const Ray* rays, float* occlusion) const
+  void ComputeOcclusion(const Ray* rays, float* occlusion)
   {
-    if (this->Falloff.IsConstant())
+    if (this->Falloff.IsConstant() && !this->Translucent)
     {
       bool occluded[PacketSize];
       this->Rays.Occluded16(rays, occluded);
@@ -136,12 +138,17 @@ private:
     for (std::uint32_t i = 0; i < PacketSize; ++i)
     {
       const penumbra::Hit hit = penumbra::SkipLinesAndPoints(this->Rays, rays[i], hits[i]);
-      occlusion[i] = hit.IsHit() ? this->Falloff.Evaluate(hit.Distance) : 0.f;
+      occlusion[i] = this->Translucent ? penumbra::TraceTranslucentOcclusion(this->Rays, rays[i],
+                                           hit, this->Falloff, this->AdditionalRays)
+        : hit.IsHit()                  ? this->Falloff.Evaluate(hit.Distance)
+                                       : 0.f;
     }
   }
 
   const RayScene& Rays;
   DistanceFalloff Falloff;
+  bool Translucent;
+  long long AdditionalRays = 0;
   glm::mat3 Frame;
   penumbra::OwenSobolSequence Directions;
   Ray RayTemplate;
@@ -151,12 +158,12 @@ private:
 
 Hemisphere MakeHemisphere(const RayScene& rays,
   const vtkPenumbraIrradianceProvider::Occluders& occluders, const double point[3],
-  const double normal[3])
+  const double normal[3], bool translucent)
 {
   const penumbra::Scene& scene = rays.GetScene();
   const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
   return Hemisphere(rays, position, glm::vec3(normal[0], normal[1], normal[2]),
-    DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, scene.Scale));
+    DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, scene.Scale), translucent);
 }
 
 }
@@ -165,6 +172,7 @@ bool vtkPenumbraBruteForceIrradiance::Begin(
   const penumbra::RayScene& scene, const Occluders& occluders, double tolerance, const Progress&)
 {
   this->Rays = &scene;
+  this->Translucent = penumbra::HasTranslucentOccluders(scene.GetScene());
   this->OccluderSettings = occluders;
   this->Tolerance = tolerance;
   return true;
@@ -179,7 +187,8 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusi
 vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::OcclusionWithin(
   const double point[3], const double normal[3], double tolerance) const
 {
-  Hemisphere hemisphere = MakeHemisphere(*this->Rays, this->OccluderSettings, point, normal);
+  Hemisphere hemisphere =
+    MakeHemisphere(*this->Rays, this->OccluderSettings, point, normal, this->Translucent);
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
   if (tolerance > this->Tolerance)
   {

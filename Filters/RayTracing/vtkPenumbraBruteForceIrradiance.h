@@ -62,6 +62,7 @@ private:
   const penumbra::RayScene* Rays = nullptr;
   Occluders OccluderSettings = 0.0;
   double Tolerance = 0.01;
+  bool Translucent = false; ///< the scene has translucent occluders
   int MaximumRays = 16384;
   int MinimumRays = 32;
   std::unique_ptr<penumbra::Illumination> Lighting;

@@ -11,7 +11,8 @@
  *
  * t is the distance of the first hit. D = 1 for t < Radius, or a falloff, and D = 0 beyond. Open
  * points have the value 0, fully occluded points 1. Surfaces occlude from both sides; lines and
- * points do not occlude. The irradiance of a point is the integral of the incident radiance times
+ * points do not occlude. A translucent surface of opacity a occludes the fraction a of what the
+ * surfaces in front of it let pass. The irradiance of a point is the integral of the incident radiance times
  * w.n: pi under a sky of radiance 1.
  *
  * The default provider, vtkPenumbraBruteForceIrradiance, traces rays for every point. Other

@@ -75,6 +75,7 @@ struct Scene
     camera->SetFocalPoint(this->Center.x, this->Center.y, 0.0);
     camera->SetViewUp(0.0, 1.0, 0.0);
     camera->SetViewAngle(2.0 * std::atan(0.5 * this->Width) * 180.0 / Pi);
+    this->Renderer->ResetCameraClippingRange();
     auto caster = vtkSmartPointer<vtkPenumbraRayCaster>::New();
     caster->SetRenderer(this->Renderer);
     caster->SetResolution(Size, Size);

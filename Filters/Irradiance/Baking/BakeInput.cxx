@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace penumbra
@@ -119,6 +120,29 @@ void AddRoundOccluders(vtkPolyData* mesh, bool tubes, double radius, Scene& scen
 }
 
 /// Extracts occluders and query points from a data set.
+/// Sets the opacity of the points of `surface` from an array of `data`. Returns false if the array
+/// is named but missing or invalid.
+bool SetOpacity(vtkPolyData* data, const std::string& name, Surface& surface)
+{
+  vtkDataArray* opacities = data->GetPointData()->GetArray(name.c_str());
+  if (name.empty() || !opacities || opacities->GetNumberOfComponents() != 1 ||
+    opacities->GetNumberOfTuples() != static_cast<vtkIdType>(surface.Positions.size()))
+  {
+    return name.empty();
+  }
+  for (vtkIdType i = 0; i < opacities->GetNumberOfTuples(); ++i)
+  {
+    const double opacity = opacities->GetComponent(i, 0);
+    if (!(opacity >= 0.0 && opacity <= 1.0))
+    {
+      surface.PointColors.clear();
+      return false;
+    }
+    surface.PointColors.emplace_back(255, 255, 255, std::lround(255.0 * opacity));
+  }
+  return true;
+}
+
 class BakeInputBuilder
 {
 public:
@@ -366,6 +390,11 @@ private:
     Surface surface;
     surface.Positions = std::move(this->Positions);
     surface.Triangles = std::move(this->Triangles);
+    if (!SetOpacity(this->Mesh, this->Options.OpacityArray, surface))
+    {
+      throw std::runtime_error("OpacityArray: " + this->Options.OpacityArray +
+        " must be a point array with one component and values in [0, 1].");
+    }
     this->Result.OccluderScene.Surfaces.push_back(std::move(surface));
     Scene& scene = this->Result.OccluderScene;
     if (this->Mesh->GetNumberOfPolys() + this->Mesh->GetNumberOfStrips() > 0)
@@ -413,6 +442,7 @@ void AddOccluders(vtkPolyData* surroundings, const BakeInputOptions& options, Ba
     surface.Positions.emplace_back(finite.back() ? scene.FromWorld(x) : glm::dvec3(0.0));
   }
   surface.Triangles = Triangulate(surroundings, finite, progress);
+  SetOpacity(surroundings, options.OpacityArray, surface);
   mesh.OccluderScene.Surfaces.push_back(std::move(surface));
   AddRoundOccluders(surroundings, false, options.PointRadius, mesh.OccluderScene);
   AddRoundOccluders(surroundings, true, options.LineRadius, mesh.OccluderScene);

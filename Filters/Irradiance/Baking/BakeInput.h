@@ -24,6 +24,7 @@ struct BakeInputOptions
 {
   bool OnCells = false;        ///< if true, bake at cell centers instead of points
   bool ComputeNormals = false; ///< if true, ignore normals of the data set
+  std::string OpacityArray;    ///< point array of opacities in [0, 1]; empty: opaque
   double PointRadius = 0.0; ///< of discs for points without polygons, and of spheres; world units
   double LineRadius = 0.0;  ///< of tubes along lines, world units
 };
@@ -48,7 +49,8 @@ VTKPENUMBRAFILTERSIRRADIANCE_EXPORT BakeInput PrepareBakeInput(
 
 /// Adds the polygons of `surroundings`, and its vertices and lines with the radii of `options`, to
 /// the occluders, without query points. Extends the bounds
-/// by all finite points, including those without polygons.
+/// by all finite points, including those without polygons. Without the opacity array, they are
+/// opaque.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddOccluders(vtkPolyData* surroundings,
   const BakeInputOptions& options, BakeInput& mesh, const ProgressCallback& progress = {});
 

@@ -5,6 +5,7 @@
 #include "Embree/RayScene.h"
 #include "IrradianceConstants.h"
 #include "Shading/HemisphereSampling.h"
+#include "Shading/TranslucentOcclusion.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -59,7 +60,8 @@ long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
 
 OcclusionGatherer::OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff)
   : RayGatherer(scene),
-    Falloff(falloff)
+    Falloff(falloff),
+    Translucent(HasTranslucentOccluders(scene.GetScene()))
 {
 }
 
@@ -68,6 +70,7 @@ long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, glm::vec3 /*normal*/
   std::vector<HemisphereSample>& samples) const
 {
   samples.assign(rays.size(), HemisphereSample());
+  long long additionalRays = 0;
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     if (hits[i].IsHit())
@@ -75,9 +78,17 @@ long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, glm::vec3 /*normal*/
       samples[i].Distance = hits[i].Distance;
       samples[i].Normal = NormalAt(this->GetRays(), rays[i], hits[i]);
       samples[i].Radiance = glm::vec3(1.f);
+      // Gather() multiplies the result by the falloff of the first hit.
+      const float falloff = this->Translucent ? this->Falloff.Evaluate(hits[i].Distance) : 0.f;
+      if (falloff > 0.f)
+      {
+        samples[i].Radiance = glm::vec3(TraceTranslucentOcclusion(this->GetRays(), rays[i], hits[i],
+                                          this->Falloff, additionalRays) /
+          falloff);
+      }
     }
   }
-  return 0;
+  return additionalRays;
 }
 
 LightGatherer::LightGatherer(const Illumination& light, LightLookup arriving, int bounces)

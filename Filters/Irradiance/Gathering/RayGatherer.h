@@ -61,6 +61,7 @@ public:
 
 private:
   DistanceFalloff Falloff;
+  bool Translucent; ///< the scene has translucent occluders
 };
 
 /// Gatherer of light. Radiance of a hit is emitted light, reflected light of the lights, and

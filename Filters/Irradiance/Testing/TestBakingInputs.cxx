@@ -266,3 +266,60 @@ TEST(BakingInputs, AcceptsEmptyMesh)
   EXPECT_EQ(GetPolyData(filter)->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetEstimatedError(), 0.0);
 }
+
+TEST(IrradianceFilter, MultipliesOcclusionByOpacity)
+{
+  const auto bake = [](double opacity, int method) {
+    vtkSmartPointer<vtkPlaneSource> floor = MakeFloor(24);
+    vtkNew<vtkPlaneSource> wall;
+    wall->SetOrigin(-6.0, -1000.0, 0.0);
+    wall->SetPoint1(-6.0, 1000.0, 0.0);
+    wall->SetPoint2(-6.0, -1000.0, 1000.0);
+    wall->Update();
+    vtkNew<vtkFloatArray> opacities;
+    opacities->SetName("Opacity");
+    for (vtkIdType i = 0; i < wall->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      opacities->InsertNextValue(static_cast<float>(opacity));
+    }
+    vtkNew<vtkFloatArray> opaque;
+    opaque->SetName("Opacity");
+    for (vtkIdType i = 0; i < floor->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      opaque->InsertNextValue(1.f);
+    }
+    wall->GetOutput()->GetPointData()->AddArray(opacities);
+    floor->GetOutput()->GetPointData()->AddArray(opaque);
+    vtkNew<vtkPenumbraIrradianceFilter> filter;
+    filter->SetInputData(floor->GetOutput());
+    filter->SetInputData(1, wall->GetOutput());
+    filter->SetRadius(VTK_DOUBLE_MAX);
+    filter->SetTolerance(0.002);
+    filter->SetMethod(method);
+    filter->SetOpacityArray("Opacity");
+    filter->Update();
+    vtkDataArray* values = GetPolyData(filter)->GetPointData()->GetArray("AmbientOcclusion");
+    double sum = 0.0;
+    int count = 0;
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      double x[3];
+      GetPolyData(filter)->GetPoint(i, x);
+      if (x[0] > -5.9)
+      {
+        sum += values->GetComponent(i, 0);
+        ++count;
+      }
+    }
+    return sum / count;
+  };
+  for (const int method :
+    { vtkPenumbraIrradianceFilter::AUTOMATIC, vtkPenumbraIrradianceFilter::BRUTE_FORCE })
+  {
+    EXPECT_NEAR(bake(1.0, method), 0.5, .005);
+    for (const double opacity : { 0.0, 0.1, 0.5, 0.9 })
+    {
+      EXPECT_NEAR(bake(opacity, method), 0.5 * opacity, .005) << opacity;
+    }
+  }
+}

@@ -603,3 +603,26 @@ TEST(RecordOctree, KeepsMinimumRadiusWhenClamping)
   EXPECT_EQ(tree.FindAt(coarse)->Radius, 6.f);
   EXPECT_EQ(tree.FindAt(fine)->Radius, .5f);
 }
+
+TEST(vtkPenumbraIrradianceCache, MultipliesOcclusionByOpacity)
+{
+  for (const float opacity : { 0.f, .1f, .5f, .9f, 1.f })
+  {
+    Scene scene;
+    AddFloor(scene, 1000.f);
+    AddRectangle(scene, { 0.f, -1000.f, 0.f }, { 0.f, 2000.f, 0.f }, { 0.f, 0.f, 1000.f });
+    scene.Surfaces.back().Front.Opacity = opacity;
+    LookAt(scene, { 4.0, -4.0, 4.0 }, { 1.0, 0.0, 0.0 }, 40.0, Size, Size);
+    const RayScene rays(scene, 1);
+    vtkNew<vtkPenumbraIrradianceCache> cache;
+    cache->Begin(rays, Infinity, .005);
+    double square = 0.0;
+    int count = 0;
+    for (double x = .1; x < 1.5; x += .1)
+    {
+      square += std::pow(QueryOcclusion(cache, { x, 0.0, 0.0 }) - .5 * opacity, 2.0);
+      ++count;
+    }
+    EXPECT_LE(std::sqrt(square / count), .005) << opacity;
+  }
+}

@@ -299,8 +299,8 @@ ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, lo
   else if (phong.PhysicallyBased)
   {
     const glm::vec3 point = pointOfHit();
-    rgb = this->ApplyLightsPhysicallyBased(
-      phong, shaded, point, diffuseOnly, shadowRays, penumbrae);
+    rgb =
+      this->ApplyLightsPhysicallyBased(phong, shaded, point, diffuseOnly, shadowRays, penumbrae);
     shaded.Reflectance *= 1.f - phong.PhysicallyBased->Metallic;
   }
   else if (this->OneHeadlight)
@@ -518,16 +518,21 @@ float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
   {
     return 1.f;
   }
-  const SurfaceMaterial& material = this->Materials[hit.Surface];
+  return 1.f - ComputeOpacity(this->Rays, hit, ray);
+}
+
+float Shading::ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& ray)
+{
+  const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
   const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
   const glm::vec3 a = surface.Positions[corners.x];
   const glm::vec3 normal = surface.IsRound()
-    ? this->Rays.GetNormal(ray, hit)
+    ? rays.GetNormal(ray, hit)
     : glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
-  float opacity =
-    glm::dot(normal, ray.Direction) < 0.f ? material.Front.Opacity : material.Back.Opacity;
-  if (material.Colored)
+  const bool isFront = glm::dot(normal, ray.Direction) < 0.f || !surface.HasBackMaterial;
+  float opacity = isFront ? surface.Front.Opacity : surface.Back.Opacity;
+  if (HasMappedColor(surface))
   {
     opacity *= MappedColor(surface, hit, corners, weights).a;
   }
@@ -543,7 +548,7 @@ float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
       SampleTexture(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights))
         .a;
   }
-  return 1.f - std::min(opacity, 1.f);
+  return std::min(opacity, 1.f);
 }
 
 glm::vec4 Shading::Background(glm::dvec2 p) const

@@ -68,6 +68,10 @@ public:
   /// Returns true if a light casts penumbrae.
   bool HasPenumbrae() const { return this->Penumbrae; }
 
+  /// Returns the opacity of the surface that `ray` hits, in [0, 1]: that of its material times the
+  /// alpha of its colors and textures.
+  static float ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& ray);
+
   const Scene& GetScene() const { return this->Rays.GetScene(); }
 
   /// Returns the background at image point p, as non-premultiplied RGBA.

@@ -62,6 +62,51 @@ TEST(vtkPenumbraBruteForceIrradiance, ReturnsHalfNextToWall)
   EXPECT_NEAR(ComputeOcclusion(scene, { .01, 0.0, 0.0 }, Infinity, .001).Value, .5, .004);
 }
 
+TEST(vtkPenumbraBruteForceIrradiance, MultipliesOcclusionByOpacity)
+{
+  for (const float opacity : { 0.f, .1f, .5f, .9f, 1.f })
+  {
+    for (const bool perPoint : { false, true })
+    {
+      Scene scene;
+      AddFloor(scene, 1000.f);
+      AddRectangle(scene, { 0.f, -1000.f, 0.f }, { 0.f, 2000.f, 0.f }, { 0.f, 0.f, 1000.f });
+      Surface& wall = scene.Surfaces.back();
+      if (perPoint)
+      {
+        const auto alpha = static_cast<unsigned char>(std::lround(255.f * opacity));
+        wall.PointColors.assign(wall.Positions.size(), { 255, 255, 255, alpha });
+      }
+      else
+      {
+        wall.Front.Opacity = opacity;
+      }
+      EXPECT_NEAR(
+        ComputeOcclusion(scene, { .01, 0.0, 0.0 }, Infinity, .001).Value, .5 * opacity, .005)
+        << opacity;
+      const FadingOcclusion fading{ 1.0, 1.0 };
+      // The closed form without translucency, at a distance within a falloff.
+      const vtkPenumbraIrradianceProvider::Occluders linear(
+        1.0, vtkPenumbraIrradianceProvider::LINEAR);
+      EXPECT_NEAR(ComputeOcclusion(scene, { .3, 0.0, 0.0 }, linear, .001).Value,
+        opacity * fading.BeforeWall(.3), .005)
+        << opacity;
+    }
+  }
+}
+
+TEST(vtkPenumbraBruteForceIrradiance, CombinesTranslucentLayers)
+{
+  Scene scene;
+  AddFloor(scene, 1000.f);
+  for (const float z : { 1.f, 2.f })
+  {
+    AddRectangle(scene, { -1e4f, -1e4f, z }, { 2e4f, 0.f, 0.f }, { 0.f, 2e4f, 0.f });
+    scene.Surfaces.back().Front.Opacity = .4f;
+  }
+  EXPECT_NEAR(ComputeOcclusion(scene, { 0.0, 0.0, 0.0 }, Infinity, .001).Value, .64, .005);
+}
+
 TEST(vtkPenumbraBruteForceIrradiance, ReturnsThreeQuartersInCorner)
 {
   Scene scene;

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TranslucentOcclusion.h"
+
+#include "Shading.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+
+/// Maximum number of translucent layers along one ray.
+constexpr int MaximumLayers = 64;
+/// A ray ends when the transmittance of the layers in front falls below this.
+constexpr float MinimumTransmittance = 1.f / 1024.f;
+
+}
+
+bool HasTranslucentOccluders(const Scene& scene)
+{
+  return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(),
+    [](const Surface& surface) { return !surface.IsLineOrPoint && surface.IsTranslucent(); });
+}
+
+float TraceTranslucentOcclusion(
+  const RayScene& rays, Ray ray, Hit hit, const DistanceFalloff& falloff, long long& count)
+{
+  float occlusion = 0.f;
+  float transmittance = 1.f;
+  for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
+  {
+    const float opacity = Shading::ComputeOpacity(rays, hit, ray);
+    occlusion += transmittance * opacity * falloff.Evaluate(hit.Distance);
+    transmittance *= 1.f - opacity;
+    if (transmittance < MinimumTransmittance)
+    {
+      break;
+    }
+    ray.Near = hit.NextNear;
+    hit = SkipLinesAndPoints(rays, ray, rays.Intersect(ray));
+    ++count;
+  }
+  return occlusion;
+}
+
+}
