@@ -132,7 +132,8 @@ class PlotterAccessor:
         self, *, tolerance: float = 1.0 / 256.0, window_size: tuple[int, int] | None = None,
         ambient_occlusion: bool | None = None, radius: float | None = None, falloff: Falloff = "none",
         strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
-        light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
+        light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False,
+        environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
         transparent_background: bool = False, as_float: bool = False, return_statistics: bool = False,
         scale: int | None = None, progress: Progress | None = None,
     ) -> Any:
@@ -177,7 +178,8 @@ class PlotterAccessor:
         scale = int(check_range("scale", scale or self._plotter.image_scale, 1, 64))
         settings = Settings(
             tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
-            parse_radiance(environment_color), albedo, bounces, transparent_background, 72 * scale)
+            parse_radiance(environment_color), albedo, bounces, transparent_background, 72 * scale,
+            light_radius, light_angle)
         window = self._plotter.render_window
         if window is None:
             raise RuntimeError("the plotter is closed: call ray_cast() before close() or show()")
@@ -188,6 +190,3 @@ class PlotterAccessor:
         canvas, statistics = cast_renderers(renderers, (scale * width, scale * height), settings, progress)
         image = finish(canvas, transparent_background, as_float)
         return (image, statistics) if return_statistics else image
-        light_radius, light_angle : float
-            Radius of positional lights in world units, and angular diameter of directional lights in degrees,
-            [0, 180]. With ``shadows``, such lights cast penumbrae. 0: hard shadows.

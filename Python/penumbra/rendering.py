@@ -71,6 +71,8 @@ class Settings:
     bounces: int = 3
     transparent_background: bool = False
     dpi: int = 72
+    light_radius: float = 0.0
+    light_angle: float = 0.0
 
     def __post_init__(self) -> None:
         check_range("tolerance", self.tolerance, 1e-6, 1.0)
@@ -81,6 +83,8 @@ class Settings:
         self.environment_color = parse_color("environment_color", self.environment_color)
         check_range("albedo", self.albedo, 0.0, 1.0)
         check_range("bounces", self.bounces, 1, 64)
+        check_range("light_radius", self.light_radius, 0.0, 1e30)
+        check_range("light_angle", self.light_angle, 0.0, 180.0)
 
 
 def _diagonal(renderer: Any) -> float:
@@ -141,6 +145,8 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetResolution(*size)
     caster.SetTolerance(settings.tolerance)
     caster.SetShadows(bool(settings.shadows))
+    caster.SetLightRadius(settings.light_radius)
+    caster.SetLightAngle(settings.light_angle)
     caster.SetAmbientOcclusion(bool(settings.ambient_occlusion))
     caster.SetAmbientOcclusionRadius(check_radius(settings.radius))
     caster.SetAmbientOcclusionFalloff(FALLOFFS.index(settings.falloff))

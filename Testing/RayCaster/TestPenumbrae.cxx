@@ -7,6 +7,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCell.h"
 #include "vtkDiskSource.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -16,6 +17,7 @@
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
@@ -37,10 +39,11 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double LightHeight = 4.0;
 constexpr double LightRadius = 0.5;
 constexpr double OccluderHeight = 2.0;
+constexpr double CameraHeight = 10.0;
 constexpr double Tolerance = 0.006;
 constexpr double MaximumRmse = 0.005;
 
-/// A floor, z = 0, under a light at height 4 and an occluder at height 2, seen from between them.
+/// A floor, z = 0, under a light at height 4 and an occluder at height 2, seen from above through the occluder.
 struct Scene
 {
   vtkSmartPointer<vtkRenderer> Renderer = NewRenderer();
@@ -56,7 +59,11 @@ struct Scene
     floor->SetPoint2(-20.0, 20.0, 0.0);
     floor->Update();
     AddMesh(this->Renderer, floor->GetOutput(), true);
-    AddMesh(this->Renderer, occluder, true);
+    // The camera looks through the culled side of the occluder, which casts a shadow nevertheless.
+    vtkProperty* property = AddMesh(this->Renderer, occluder, true)->GetProperty();
+    double normal[3];
+    vtkPolygon::ComputeNormal(occluder->GetCell(0)->GetPoints(), normal);
+    normal[2] > 0.0 ? property->FrontfaceCullingOn() : property->BackfaceCullingOn();
     this->Renderer->RemoveAllLights();
     this->Light->SetLightTypeToSceneLight();
     this->Light->SetPosition(0.0, 0.0, LightHeight);
@@ -71,11 +78,11 @@ struct Scene
     const std::function<void(vtkPenumbraRayCaster*)>& choose = {}) const
   {
     vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(this->Center.x, this->Center.y, 1.0);
+    camera->SetPosition(this->Center.x, this->Center.y, CameraHeight);
     camera->SetFocalPoint(this->Center.x, this->Center.y, 0.0);
     camera->SetViewUp(0.0, 1.0, 0.0);
-    camera->SetViewAngle(2.0 * std::atan(0.5 * this->Width) * 180.0 / Pi);
-    this->Renderer->ResetCameraClippingRange();
+    camera->SetViewAngle(2.0 * std::atan(0.5 * this->Width / CameraHeight) * 180.0 / Pi);
+    camera->SetClippingRange(0.01, 1000.0);
     auto caster = vtkSmartPointer<vtkPenumbraRayCaster>::New();
     caster->SetRenderer(this->Renderer);
     caster->SetResolution(Size, Size);
