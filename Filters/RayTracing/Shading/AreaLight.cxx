@@ -299,12 +299,12 @@ AreaLight::AreaLight(const Light& light, glm::vec3 point)
   }
   else
   {
-    const glm::vec3 towards = light.Position - point;
-    this->Distance = glm::length(towards);
+    const glm::vec3 toward = light.Position - point;
+    this->Distance = glm::length(toward);
     this->Inside = light.Kind == Light::Kinds::Positional && this->Distance <= light.Radius;
     if (light.Kind == Light::Kinds::Positional && !this->Inside)
     {
-      this->Axis = towards / this->Distance;
+      this->Axis = toward / this->Distance;
       const float sine = light.Radius / this->Distance;
       this->Cap = sine * sine / (1.f + std::sqrt(1.f - sine * sine));
     }
@@ -321,9 +321,9 @@ Ray AreaLight::MakeRay(glm::vec2 disk) const
   const glm::vec3 across = disk.x * this->Tangents[0] + disk.y * this->Tangents[1];
   if (this->Source.Kind == Light::Kinds::Spot)
   {
-    const glm::vec3 towards = this->Source.Position + this->Source.Radius * across - this->Point;
-    ray.Far = glm::length(towards);
-    ray.Direction = towards / ray.Far;
+    const glm::vec3 toward = this->Source.Position + this->Source.Radius * across - this->Point;
+    ray.Far = glm::length(toward);
+    ray.Direction = toward / ray.Far;
     return ray;
   }
   const float square = glm::dot(disk, disk);

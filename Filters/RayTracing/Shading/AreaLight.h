@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lights with a size: shadow rays towards a sphere, a disk or the sun, and the fraction of the
+// Lights with a size: shadow rays toward a sphere, a disk or the sun, and the fraction of the
 // light that is visible from a point. The light is mapped to the unit disk. In a penumbra, the disk
 // is usually divided by one smooth boundary. Its two ends are bisected along the circumference, and
 // a probe between them measures its curvature, so that 16 rays are as accurate as 200 random ones.
