@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Samples at the pixel corners of an image region [AA]. Rays are traced in blocks of 4 x 4 corners,
-// aligned to the whole image, so that the sample of a corner does not depend on the region.
+// aligned to the whole image, so that the sample of a corner does not depend on the region. Blocks in
+// the penumbra of a light with a size are traced again with the visible fraction of the light.
 #ifndef penumbra_CornerGrid_h
 #define penumbra_CornerGrid_h
 
 #include "CameraRayTracer.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace penumbra
