@@ -49,7 +49,7 @@ struct VisibleFraction
 };
 
 /// Estimates the mean of `visibility` over the unit disk. Stops when the estimated error is at most
-/// `tolerance` or at the maximum number of rays, 2048.
+/// `tolerance` or after 1024 samples.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT VisibleFraction EstimateVisibleFraction(
   const std::function<float(glm::vec2)>& visibility, std::uint32_t seed, float tolerance);
 
