@@ -45,10 +45,23 @@ glm::dvec2 ComputeTexel(const Surface& surface, const Texture& texture,
   return p * glm::dvec2(texture.Width, texture.Height);
 }
 
+/// Returns true if the colors of a surface change between two hits only at an outline: those of a
+/// sphere are constant, and only consecutive tubes may be joined.
+bool ChangesAtOutlineOnly(const Surface& surface, const Hit& a, const Hit& b)
+{
+  return surface.IsRound() &&
+    (surface.Segments.empty() ||
+      std::max(a.Triangle, b.Triangle) - std::min(a.Triangle, b.Triangle) > 1);
+}
+
 /// Returns true if a texture may change abruptly between two hits of the surface. With
 /// interpolation, it changes abruptly if they are more than one texel apart.
 bool IsInDifferentTexels(const Surface& surface, const Hit& a, const Hit& b)
 {
+  if (ChangesAtOutlineOnly(surface, a, b))
+  {
+    return false;
+  }
   const Texture* const textures[2] = { surface.ColorTexture.get(), surface.LitTexture.get() };
   const std::vector<glm::vec2>* const coordinates[2] = { &surface.ColorCoordinates,
     &surface.TextureCoordinates };

@@ -8,8 +8,10 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
@@ -26,7 +28,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
+#include <set>
 #include <vector>
 
 namespace
@@ -216,6 +220,98 @@ TEST(RoundShapes, CoversOutlinesOfSpheresExactly)
   RecordProperty("RMSE", std::to_string(error));
   EXPECT_LT(error, 1e-4);
   EXPECT_LT(scene.Statistic("Rays/PerPixel"), 1.05);
+}
+
+TEST(RoundShapes, CoversOutlinesBetweenScalarColorsExactly)
+{
+  // Spheres that cover each other partly, colored by a texture: each edge pixel is the sum of colors
+  // times visible areas.
+  std::vector<glm::dvec3> centers;
+  for (int i = 0; i < 12; ++i)
+  {
+    centers.emplace_back(0.35 * (i % 4) - 0.5, 0.4 * (i / 4) - 0.4, -5.0 - 0.7 * (i * 5 % 12));
+  }
+  constexpr double Radius = 0.3;
+  vtkSmartPointer<vtkPolyData> points = MakeCells(centers, {});
+  vtkNew<vtkFloatArray> scalars;
+  for (std::size_t i = 0; i < centers.size(); ++i)
+  {
+    scalars->InsertNextValue(static_cast<float>(i) / static_cast<float>(centers.size() - 1));
+  }
+  points->GetPointData()->SetScalars(scalars);
+  RoundScene scene(points);
+  vtkNew<vtkLookupTable> grays;
+  grays->SetHueRange(0.0, 0.0);
+  grays->SetSaturationRange(0.0, 0.0);
+  grays->SetValueRange(0.1, 1.0);
+  grays->SetRampToLinear();
+  scene.Actor->GetMapper()->SetLookupTable(grays);
+  scene.Actor->GetMapper()->InterpolateScalarsBeforeMappingOn();
+  scene.Caster->SetPointRadius(Radius);
+  const std::vector<double> image = scene.RenderRed();
+  EXPECT_LT(scene.Statistic("Rays/PerPixel"), 1.05);
+  EXPECT_EQ(scene.Statistic("Pixels/Uniform"), 0.0);
+
+  const auto findNearest = [&](glm::dvec3 direction) {
+    int nearest = -1;
+    double distance = 1e9;
+    for (std::size_t i = 0; i < centers.size(); ++i)
+    {
+      const double along = glm::dot(centers[i], direction);
+      const double across = glm::length(centers[i] - along * direction);
+      const double t = along - std::sqrt(std::max(Radius * Radius - across * across, 0.0));
+      if (across < Radius && t < distance)
+      {
+        nearest = static_cast<int>(i);
+        distance = t;
+      }
+    }
+    return nearest;
+  };
+  // The spheres at the corners, the middles of the sides, and the center of a pixel.
+  const auto findInPixel = [&](int x, int y) {
+    std::set<int> found;
+    for (int i = 0; i < 9; ++i)
+    {
+      found.insert(findNearest(Direction(x + 0.5 * (i % 3), y + 0.5 * (i / 3))));
+    }
+    return found;
+  };
+  std::map<int, double> colors; // of pixels inside the spheres
+  std::vector<int> edges;
+  for (int i = 0; i < Side * Side; ++i)
+  {
+    const std::set<int> found = findInPixel(i % Side, i / Side);
+    if (found.size() > 1)
+    {
+      edges.push_back(i);
+      continue;
+    }
+    const int sphere = *found.begin();
+    const double expected = sphere < 0 ? 0.0 : 0.1 + 0.9 * scalars->GetValue(sphere);
+    ASSERT_NEAR(image[i], expected, 0.01) << i;
+    colors[sphere] = image[i];
+  }
+  ASSERT_GE(colors.size(), 12u); // one sphere is hidden
+  double squares = 0.0;
+  int count = 0;
+  for (std::size_t k = 0; k < edges.size(); k += 5)
+  {
+    const int x = edges[k] % Side;
+    const int y = edges[k] / Side;
+    double expected = 0.0;
+    for (const int i : findInPixel(x, y))
+    {
+      expected += colors[i] *
+        ComputeCoverage(
+          x, y, [&](glm::dvec3 direction) { return findNearest(direction) == i; }, 512);
+    }
+    squares += std::pow(image[edges[k]] - expected, 2.0);
+    ++count;
+  }
+  const double error = std::sqrt(squares / count);
+  RecordProperty("RMSE", std::to_string(error));
+  EXPECT_LT(error, 1e-4);
 }
 
 TEST(RoundShapes, CoversOutlinesOfTubesExactly)
