@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Accuracy of images and of their error estimates in scenes that no constant was chosen with: share
-// of tiles above the tolerance, share of these whose estimate is below their error, and ratio of
+// Accuracy of images and of their error estimates in scenes that no constant was chosen with: fraction
+// of tiles above the tolerance, fraction of these whose estimate is below their error, and ratio of
 // estimate and error. With --uniform also the rays of uniform samples with the same error.
 #include "BruteForce/ImageErrors.h"
 #include "BruteForce/StratifiedReference.h"
@@ -33,10 +33,10 @@ struct Options
 
 struct Accuracy
 {
-  double AboveTolerance = 0.0; ///< share of tiles
-  double Misjudged = 0.0; ///< share of tiles above the tolerance with an estimate below their error
-  double MedianRatio = 0.0; ///< of estimate and error
-  double Error = 0.0;       ///< RMSE of the image
+  double AboveTolerance = 0.0; ///< fraction of tiles
+  double Misjudged = 0.0;      ///< fraction of these with an estimate below their error
+  double MedianRatio = 0.0;    ///< of estimate and error
+  double Error = 0.0;          ///< RMSE of the image
 };
 
 Accuracy Summarize(const std::vector<TileAccuracy>& tiles, double tolerance)

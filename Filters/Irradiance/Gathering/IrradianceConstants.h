@@ -290,7 +290,7 @@ constexpr std::size_t MinimumSurplus = 2;
 /// Maximum number of points used per grid cell, many times the number on a mesh of uniform density.
 constexpr std::size_t MaximumPointsPerCell = 128;
 
-// --- All: share of the progress ---
+// --- All: fraction of the progress ---
 
 /// Fraction of the progress of irradiance spent on all reflections but the last: of a view, and of
 /// baking. Fraction of the progress of baking spent on records; the rest is spent on rays.
