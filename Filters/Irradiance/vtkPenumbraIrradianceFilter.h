@@ -128,9 +128,9 @@ public:
 
   ///@{
   /**
-   * Radius of the discs that represent the points of an input without polygons, in world units. The
+   * Radius of the disks that represent the points of an input without polygons, in world units. The
    * points need normals. The vertices of an input with polygons and of the surroundings become
-   * spheres of this radius, which occlude. Range: >= 0. Default: 0, no discs and spheres.
+   * spheres of this radius, which occlude. Range: >= 0. Default: 0, no disks and spheres.
    */
   vtkSetClampMacro(PointRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointRadius, double);

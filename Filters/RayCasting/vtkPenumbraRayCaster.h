@@ -97,8 +97,8 @@ public:
 
   ///@{
   /**
-   * If on, find objects that lie between the corner rays (case 4 of [AA]). With SUBDIVISION, those on
-   * dense meshes can be missed. Default: on.
+   * If on, find objects that lie between the corner rays (case 4 of [AA]) by their edges. UNIFORM
+   * ignores it. Default: on.
    */
   vtkSetMacro(FindSmallObjects, bool);
   vtkGetMacro(FindSmallObjects, bool);

@@ -30,7 +30,7 @@ namespace penumbra
 namespace
 {
 
-/// Number of sides of the discs that represent points.
+/// Number of sides of the disks that represent points.
 constexpr unsigned int DiscSides = 6;
 
 bool IsFinite(const double x[3])

@@ -25,7 +25,7 @@ struct BakeInputOptions
   bool OnCells = false;        ///< if true, bake at cell centers instead of points
   bool ComputeNormals = false; ///< if true, ignore normals of the data set
   std::string OpacityArray;    ///< point array of opacities in [0, 1]; empty: opaque
-  double PointRadius = 0.0; ///< of discs for points without polygons, and of spheres; world units
+  double PointRadius = 0.0; ///< of disks for points without polygons, and of spheres; world units
   double LineRadius = 0.0;  ///< of tubes along lines, world units
 };
 

@@ -208,7 +208,7 @@ constexpr double MinimumRecordFraction = 0.02;
 
 // --- Baking (`... --only baking`; values marked "measured" on a scan of 104 thousand points) ---
 
-/// Height of ray origins above a point, over the radius of its disc, so that the discs of
+/// Height of ray origins above a point, over the radius of its disk, so that the disks of
 /// neighboring points on a convex surface do not occlude it.
 constexpr float DiscRayHeight = 0.5f;
 
