@@ -53,17 +53,110 @@ bool IsInsideJoinedTube(const Surface& surface, std::uint32_t primitive, glm::dv
       isInside(primitive + 1));
 }
 
-/// A hit of one ray of a packet.
-struct RoundHit
+/// The rays of a part of a packet that may hit a shape, computed in single precision with bounds of
+/// the rounding errors. This rejects most shapes whose bounds a ray hits.
+class Candidates
 {
-  float Distance = std::numeric_limits<float>::infinity();
-  float U = 0.f;
+public:
+  static constexpr unsigned int MaximumSize = 16;
+
+  Candidates(
+    const RoundShape& shape, const int* valid, RTCRayN* rays, unsigned int size, unsigned int first)
+    : Valid(valid + first),
+      Count(std::min(size - first, MaximumSize)),
+      X(&RTCRayN_org_x(rays, size, first)),
+      Y(&RTCRayN_org_y(rays, size, first)),
+      Z(&RTCRayN_org_z(rays, size, first)),
+      DX(&RTCRayN_dir_x(rays, size, first)),
+      DY(&RTCRayN_dir_y(rays, size, first)),
+      DZ(&RTCRayN_dir_z(rays, size, first))
+  {
+    this->TestSphere(shape);
+    if (shape.A != shape.B)
+    {
+      this->TestAxis(shape);
+    }
+  }
+
+  bool operator[](unsigned int i) const { return this->Values[i] != 0; }
+
+private:
+  // The slack exceeds the errors of each cross product, scalar product, and difference.
+  static constexpr float Slack = 4e-6f;
+  static constexpr float Growth = 1.f + 1e-5f;
+
+  static float ComputeExtent(glm::vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+  /// Compares the distance of each ray to the center of a sphere around the shape.
+  void TestSphere(const RoundShape& shape)
+  {
+    const glm::vec3 axis = shape.B - shape.A;
+    const glm::vec3 half = 0.5f * axis;
+    const float radius =
+      Growth * (std::max(shape.RadiusA, shape.RadiusB) + 0.5f * glm::length(axis)) +
+      Slack * ComputeExtent(axis);
+    for (unsigned int i = 0; i < this->Count; ++i)
+    {
+      const float x = shape.A.x - this->X[i];
+      const float y = shape.A.y - this->Y[i];
+      const float z = shape.A.z - this->Z[i];
+      const float limit = radius + Slack * (std::abs(x) + std::abs(y) + std::abs(z));
+      const float cx = x + half.x;
+      const float cy = y + half.y;
+      const float cz = z + half.z;
+      const float dx = this->DX[i];
+      const float dy = this->DY[i];
+      const float dz = this->DZ[i];
+      const float mx = cy * dz - cz * dy;
+      const float my = cz * dx - cx * dz;
+      const float mz = cx * dy - cy * dx;
+      const int misses =
+        mx * mx + my * my + mz * mz > Growth * limit * limit * (dx * dx + dy * dy + dz * dz);
+      this->Values[i] = this->Valid[i] & (misses - 1);
+    }
+  }
+
+  /// Compares the distance of each ray to the line through both ends of a tube.
+  void TestAxis(const RoundShape& shape)
+  {
+    const glm::vec3 axis = shape.B - shape.A;
+    const float extent = ComputeExtent(axis);
+    const float radius = std::max(shape.RadiusA, shape.RadiusB);
+    for (unsigned int i = 0; i < this->Count; ++i)
+    {
+      const float x = shape.A.x - this->X[i];
+      const float y = shape.A.y - this->Y[i];
+      const float z = shape.A.z - this->Z[i];
+      const float dx = this->DX[i];
+      const float dy = this->DY[i];
+      const float dz = this->DZ[i];
+      const float nx = dy * axis.z - dz * axis.y;
+      const float ny = dz * axis.x - dx * axis.z;
+      const float nz = dx * axis.y - dy * axis.x;
+      const float slack = Slack * extent *
+        (std::abs(x) + std::abs(y) + std::abs(z) + extent + radius) *
+        (std::abs(dx) + std::abs(dy) + std::abs(dz));
+      const float volume = std::max(std::abs(x * nx + y * ny + z * nz) - slack, 0.f);
+      const int misses = volume * volume > Growth * radius * radius * (nx * nx + ny * ny + nz * nz);
+      this->Values[i] &= misses - 1;
+    }
+  }
+
+  const int* Valid; ///< -1: the ray takes part
+  unsigned int Count;
+  const float* X;
+  const float* Y;
+  const float* Z;
+  const float* DX;
+  const float* DY;
+  const float* DZ;
+  int Values[MaximumSize];
 };
 
-/// Computes the hit of the ray i of a packet in the range of the ray. Returns false if there is
-/// none.
-bool FindHit(const TracedSurface& traced, std::uint32_t primitive, RTCRayN* rays, unsigned int size,
-  unsigned int i, RoundHit& hit)
+/// Computes the distance of the hit of the ray i of a packet in the range of the ray. Returns false
+/// if there is none.
+bool FindHit(const TracedSurface& traced, std::uint32_t primitive, const RoundShape& shape,
+  RTCRayN* rays, unsigned int size, unsigned int i, double& distance)
 {
   const Surface& surface = *traced.Data;
   const glm::dvec3 origin(
@@ -72,7 +165,6 @@ bool FindHit(const TracedSurface& traced, std::uint32_t primitive, RTCRayN* rays
     RTCRayN_dir_x(rays, size, i), RTCRayN_dir_y(rays, size, i), RTCRayN_dir_z(rays, size, i));
   const float nearest = RTCRayN_tnear(rays, size, i);
   const float farthest = RTCRayN_tfar(rays, size, i);
-  const RoundShape shape = surface.GetRoundShape(primitive);
   const RoundIntersection range(shape, origin, direction);
   if (!range.IsHit)
   {
@@ -80,7 +172,7 @@ bool FindHit(const TracedSurface& traced, std::uint32_t primitive, RTCRayN* rays
   }
   const auto enter = static_cast<float>(range.Enter);
   const auto leave = static_cast<float>(range.Leave);
-  double distance = range.Enter;
+  distance = range.Enter;
   if (enter < nearest || !surface.Frontfaces)
   {
     if (leave < nearest || !surface.Backfaces || (traced.IsTranslucent && range.Enter >= 0.0))
@@ -89,63 +181,69 @@ bool FindHit(const TracedSurface& traced, std::uint32_t primitive, RTCRayN* rays
     }
     distance = range.Leave;
   }
-  hit.Distance = static_cast<float>(distance);
-  if (!(hit.Distance <= farthest))
+  return static_cast<float>(distance) <= farthest &&
+    !(traced.IsTranslucent && !surface.Segments.empty() &&
+      IsInsideJoinedTube(surface, primitive, origin + distance * direction));
+}
+
+/// Calls `function` with the index and the distance of each hit of a packet.
+template <typename Function>
+void ForEachHit(const TracedSurface& traced, std::uint32_t primitive, const int* valid,
+  RTCRayN* rays, unsigned int size, const Function& function)
+{
+  const RoundShape shape = traced.Data->GetRoundShape(primitive);
+  for (unsigned int first = 0; first < size; first += Candidates::MaximumSize)
   {
-    return false;
+    const Candidates candidates(shape, valid, rays, size, first);
+    for (unsigned int i = first; i < std::min(first + Candidates::MaximumSize, size); ++i)
+    {
+      double distance = 0.0;
+      if (candidates[i - first] && FindHit(traced, primitive, shape, rays, size, i, distance))
+      {
+        function(shape, i, distance);
+      }
+    }
   }
-  const glm::dvec3 point = origin + distance * direction;
-  if (traced.IsTranslucent && !surface.Segments.empty() &&
-    IsInsideJoinedTube(surface, primitive, point))
-  {
-    return false;
-  }
-  hit.U = static_cast<float>(TouchingSphere(shape, point).U);
-  return true;
 }
 
 /// Embree callback: nearest hit. Of equally distant shapes, the first one is hit, so that the
 /// result does not depend on the order of the traversal.
 void Intersect(const RTCIntersectFunctionNArguments* args)
 {
-  const TracedSurface& traced = GetTraced(args->geometryUserPtr);
   RTCRayN* const rays = RTCRayHitN_RayN(args->rayhit, args->N);
   RTCHitN* const hits = RTCRayHitN_HitN(args->rayhit, args->N);
-  for (unsigned int i = 0; i < args->N; ++i)
-  {
-    RoundHit hit;
-    if (args->valid[i] == 0 || !FindHit(traced, args->primID, rays, args->N, i, hit))
-    {
-      continue;
-    }
-    const unsigned int geometry = RTCHitN_geomID(hits, args->N, i);
-    if (hit.Distance == RTCRayN_tfar(rays, args->N, i) && geometry != RTC_INVALID_GEOMETRY_ID &&
+  const unsigned int size = args->N;
+  const auto store = [&](const RoundShape& shape, unsigned int i, double distance) {
+    const auto rounded = static_cast<float>(distance);
+    const unsigned int geometry = RTCHitN_geomID(hits, size, i);
+    if (rounded == RTCRayN_tfar(rays, size, i) && geometry != RTC_INVALID_GEOMETRY_ID &&
       (geometry < args->geomID ||
-        (geometry == args->geomID && RTCHitN_primID(hits, args->N, i) < args->primID)))
+        (geometry == args->geomID && RTCHitN_primID(hits, size, i) < args->primID)))
     {
-      continue;
+      return;
     }
-    RTCRayN_tfar(rays, args->N, i) = hit.Distance;
-    RTCHitN_u(hits, args->N, i) = hit.U;
-    RTCHitN_v(hits, args->N, i) = 0.f;
-    RTCHitN_geomID(hits, args->N, i) = args->geomID;
-    RTCHitN_primID(hits, args->N, i) = args->primID;
-    RTCHitN_instID(hits, args->N, i, 0) = RTC_INVALID_GEOMETRY_ID;
-  }
+    const glm::dvec3 origin(
+      RTCRayN_org_x(rays, size, i), RTCRayN_org_y(rays, size, i), RTCRayN_org_z(rays, size, i));
+    const glm::dvec3 direction(
+      RTCRayN_dir_x(rays, size, i), RTCRayN_dir_y(rays, size, i), RTCRayN_dir_z(rays, size, i));
+    RTCRayN_tfar(rays, size, i) = rounded;
+    RTCHitN_u(hits, size, i) =
+      static_cast<float>(TouchingSphere(shape, origin + distance * direction).U);
+    RTCHitN_v(hits, size, i) = 0.f;
+    RTCHitN_geomID(hits, size, i) = args->geomID;
+    RTCHitN_primID(hits, size, i) = args->primID;
+    RTCHitN_instID(hits, size, i, 0) = RTC_INVALID_GEOMETRY_ID;
+  };
+  ForEachHit(GetTraced(args->geometryUserPtr), args->primID, args->valid, rays, size, store);
 }
 
 /// Embree callback: occlusion.
 void Occlude(const RTCOccludedFunctionNArguments* args)
 {
-  const TracedSurface& traced = GetTraced(args->geometryUserPtr);
-  for (unsigned int i = 0; i < args->N; ++i)
-  {
-    RoundHit hit;
-    if (args->valid[i] != 0 && FindHit(traced, args->primID, args->ray, args->N, i, hit))
-    {
+  ForEachHit(GetTraced(args->geometryUserPtr), args->primID, args->valid, args->ray, args->N,
+    [&](const RoundShape&, unsigned int i, double) {
       RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
-    }
-  }
+    });
 }
 
 }

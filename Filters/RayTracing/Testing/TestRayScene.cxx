@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embree/RayScene.h"
 #include "Embree/RayTriangle.h"
+#include "Embree/RoundIntersection.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 using namespace penumbra;
@@ -378,5 +380,64 @@ TEST(RayScene, ComputesNormalsOfTinyTriangles)
     surface.Positions = { { 0.f, 0.f, 0.f }, { size, 0.f, 0.f }, { 0.f, size, 0.f } };
     surface.Triangles = { { 0, 1, 2 } };
     EXPECT_EQ(glm::normalize(surface.NormalOf(0)), glm::vec3(0.f, 0.f, 1.f)) << size;
+  }
+}
+
+TEST(RayScene, FindsEveryRoundShapeThatARayTouches)
+{
+  // Rays that pass the outline of a sphere or tube at a millionth of its radius inside, near and far
+  // from the origin, in packets and alone.
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(-1.f, 1.f);
+  const auto draw = [&] { return glm::vec3(uniform(random), uniform(random), uniform(random)); };
+  for (const float shift : { 0.f, 1000.f })
+  {
+    for (int repetition = 0; repetition < 100; ++repetition)
+    {
+      Surface surface;
+      const glm::vec3 center = draw() + shift;
+      surface.Positions = { center, center + 0.5f * draw() };
+      surface.Positions.reserve(3);
+      surface.Radii = { 0.1f * (1.2f + uniform(random)), 0.1f * (1.2f + uniform(random)) };
+      if (repetition % 2 == 0)
+      {
+        surface.Segments = { { 0, 1 } };
+      }
+      Scene scene;
+      scene.Surfaces = { surface };
+      const RayScene rays(scene, 1);
+      Ray packet[16];
+      for (Ray& ray : packet)
+      {
+        const float u = surface.Segments.empty() ? 0.f : 0.5f + 0.5f * uniform(random);
+        const glm::vec3 at = glm::mix(surface.Positions[0], surface.Positions[1], u);
+        const float radius = glm::mix(surface.Radii[0], surface.Radii[1], u);
+        ray.Direction = glm::normalize(draw());
+        const glm::vec3 across = glm::normalize(glm::cross(ray.Direction, draw()));
+        ray.Origin = at + (1.f - 1e-6f) * radius * across - 3.f * ray.Direction;
+      }
+      Hit hits[16];
+      bool occluded[16];
+      rays.Intersect16(packet, hits);
+      rays.Occluded16(packet, occluded);
+      for (int i = 0; i < 16; ++i)
+      {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::uint32_t k = 0; k < surface.GetNumberOfPrimitives(); ++k)
+        {
+          const RoundIntersection range(
+            surface.GetRoundShape(k), packet[i].Origin, packet[i].Direction);
+          nearest = range.IsHit ? std::min(nearest, range.Enter) : nearest;
+        }
+        const bool expected = std::isfinite(nearest);
+        ASSERT_EQ(hits[i].IsHit(), expected) << repetition;
+        ASSERT_EQ(rays.Intersect(packet[i]).IsHit(), expected) << repetition;
+        ASSERT_EQ(occluded[i], expected) << repetition;
+        if (expected)
+        {
+          ASSERT_EQ(hits[i].Distance, static_cast<float>(nearest)) << repetition;
+        }
+      }
+    }
   }
 }
