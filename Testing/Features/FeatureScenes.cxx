@@ -538,6 +538,23 @@ std::vector<FeatureScene> MakeFeatureScenes()
 #endif
     },
     0.01);
+  // In parallel projection VTK's spheres are circles as well.
+  add(Feature::PointsAsSpheres, [](Renderer r, Window) {
+    vtkActor* actor = Add(r, MakePointGrid());
+    actor->GetProperty()->SetPointSize(17.f);
+    actor->GetProperty()->SetRenderPointsAsSpheres(true);
+    r->GetActiveCamera()->SetParallelProjection(true);
+    r->ResetCamera();
+  });
+  // The joints and ends, which VTK leaves open, are outside of the image.
+  add(Feature::LinesAsTubes, [](Renderer r, Window) {
+    vtkActor* actor = Add(r, MakePolyline());
+    actor->GetProperty()->SetLineWidth(31.f);
+    actor->GetProperty()->SetRenderLinesAsTubes(true);
+    r->GetActiveCamera()->SetParallelProjection(true);
+    r->ResetCamera();
+    r->GetActiveCamera()->SetParallelScale(0.1);
+  });
   add(
     Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, false, true); },
     0.004);

@@ -79,7 +79,7 @@ const std::vector<FeatureRow>& GetFeatureTable()
     { Feature::PointsAsSpheres, Drawn, "vtkProperty: RenderPointsAsSpheres",
       "Spheres are solid; in perspective they are ellipses.", "" },
     { Feature::LinesAsTubes, Drawn, "vtkProperty: RenderLinesAsTubes",
-      "Tubes are solid, with round joints and ends.", "" },
+      "Tubes are solid, with round joints and ends; VTK leaves both open.", "" },
     { Feature::PhysicallyBased, Drawn,
       "vtkProperty: VTK_PBR with metallic, roughness, base color texture", "", "" },
     { Feature::PhysicallyBasedDetails, Approximated,
