@@ -478,6 +478,32 @@ TEST(RoundShapes, CoverTheHorizonOfAHugeSphere)
   EXPECT_NEAR(height, 0.5 * Side + focal * std::tan(elevation), 0.01);
 }
 
+TEST(RoundShapes, StartWhereTheBoundsOfTheirPointsDoNotReach)
+{
+  // The bounds of a point are empty, so that rays that start at the bounds start within the sphere.
+  for (const bool parallel : { false, true })
+  {
+    for (const bool inPixels : { false, true })
+    {
+      RoundScene scene(MakeCells({ { 0.0, 0.0, -50.0 } }, {}));
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      camera->SetParallelProjection(parallel);
+      camera->SetParallelScale(20.0);
+      scene.Caster->SetPointRadius(inPixels ? 0.0 : 4.0);
+      scene.Actor->GetProperty()->SetRenderPointsAsSpheres(inPixels);
+      scene.Actor->GetProperty()->SetPointSize(40.f);
+      const double height = parallel ? 40.0 : 100.0 * std::tan(glm::radians(ViewAngle) / 2.0);
+      const double radius = inPixels ? 20.0 * height / Side : 4.0;
+      scene.Caster->SetGeometryArrays(true);
+      scene.Caster->Update();
+      const double depth =
+        scene.Caster->GetOutput()->GetPointData()->GetArray("Depth")->GetComponent(
+          Side / 2 * Side + Side / 2, 0);
+      EXPECT_NEAR(depth, 50.0 - radius, 0.02 * radius) << parallel << ' ' << inPixels;
+    }
+  }
+}
+
 TEST(RoundShapes, OccludeThePlaneBelow)
 {
   // A sphere that is completely above the horizon blocks (r / d)^2 times the cosine to its center,

@@ -10,9 +10,16 @@
 #include "SceneExtractionProps.h"
 #include "SceneExtractionView.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +77,54 @@ void SetRadii(const ExtractionOptions& options, std::vector<DrawItem>& items)
   }
 }
 
+/// Returns the width of a pixel in world units at the far end of `bounds`.
+double FindPixelWidth(vtkCamera* camera, const double bounds[6], const ExtractionOptions& options)
+{
+  double height = 2.0 * camera->GetParallelScale();
+  if (!camera->GetParallelProjection())
+  {
+    const vtkBoundingBox box(bounds);
+    double center[3];
+    box.GetCenter(center);
+    const double distance =
+      std::sqrt(vtkMath::Distance2BetweenPoints(center, camera->GetPosition())) +
+      0.5 * box.GetDiagonalLength();
+    height = 2.0 * distance * std::tan(glm::radians(camera->GetViewAngle()) / 2.0);
+  }
+  return height / options.Resolution[1];
+}
+
+/// Moves the sides of `bounds` outward by the largest radius of a sphere or tube. `pointWidth`: of
+/// 1/72 inch of the image, in world units.
+void AddRadii(const std::vector<DrawItem>& items, double pointWidth, double bounds[6])
+{
+  double largest = 0.0;
+  for (const DrawItem& item : items)
+  {
+    double radius = std::max(item.PointRadius, item.LineRadius);
+    if (item.Property->GetRenderPointsAsSpheres())
+    {
+      radius = std::max(radius, 0.5 * item.Property->GetPointSize() * pointWidth);
+    }
+    if (item.Property->GetRenderLinesAsTubes())
+    {
+      radius = std::max(radius, 0.5 * item.Property->GetLineWidth() * pointWidth);
+    }
+    if (item.Radii)
+    {
+      double range[2];
+      item.Radii->GetFiniteRange(range);
+      radius = range[1] > 0.0 ? range[1] : 0.0;
+    }
+    largest = std::max(largest, radius);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] -= largest;
+    bounds[2 * axis + 1] += largest;
+  }
+}
+
 void AddDrawItems(
   const std::vector<DrawItem>& items, const ExtractionOptions& options, Scene& scene)
 {
@@ -92,6 +147,12 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
   {
     ComputeBounds(items, bounds);
+  }
+  if (renderer->IsActiveCameraCreated() && vtkBoundingBox(bounds).IsValid())
+  {
+    // Rays must start in front of spheres and tubes.
+    const double width = FindPixelWidth(renderer->GetActiveCamera(), bounds, options);
+    AddRadii(items, width * options.DPI / 72.0, bounds);
   }
   ExtractCamera(renderer, bounds, options, scene);
   ExtractLights(renderer, options, scene);
