@@ -168,10 +168,9 @@ void Move(const AnimatedScene& scene, const AnimationOptions& options, const Ren
         time * movement.Displacement[2]);
     }
   }
-  CameraOptions camera = fixed.Camera;
-  camera.Azimuth = time * options.Orbit;
-  PlaceCamera(
-    scene.Renderer, camera, static_cast<double>(fixed.Resolution[0]) / fixed.Resolution[1]);
+  RenderOptions turned = fixed;
+  turned.Camera.Azimuth = time * options.Orbit;
+  PlaceCamera(scene.Renderer, turned);
 }
 
 /// Renders the frames [first, last) in order.

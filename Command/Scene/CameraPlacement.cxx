@@ -5,8 +5,15 @@
 #include "Processes/CommandError.h"
 #include "SceneBuilder.h"
 
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkMath.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -22,6 +29,9 @@ namespace
 // Range of scene radii and camera distances, in world units: their squares are finite and nonzero.
 constexpr double MinimumLength = 1e-100;
 constexpr double MaximumLength = 1e100;
+
+// A near plane that clips nothing in the ray caster: a negligible fraction of MaximumLength.
+constexpr double NoNearPlane = 1e-10;
 
 // Returns the unit vector. Dividing by the largest component first prevents underflow and overflow of
 // the squared length.
@@ -76,12 +86,44 @@ double ComputeFittingDistance(double radius, double aspect, double viewAngle)
   return radius / std::sin(half);
 }
 
+// Returns the largest radius with which the points and the lines of `actor` are drawn, or 0.
+double FindRadius(vtkActor* actor, const RenderOptions& options)
+{
+  vtkPolyData* mesh = vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput();
+  const int representation = actor->GetProperty()->GetRepresentation();
+  const bool points = representation == VTK_POINTS || mesh->GetNumberOfVerts() > 0;
+  const bool lines = representation == VTK_WIREFRAME ||
+    (representation == VTK_SURFACE && mesh->GetNumberOfLines() > 0);
+  return std::max(points ? options.PointRadius : 0.0, lines ? options.LineRadius : 0.0);
 }
 
-void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options, double aspect)
+// Returns the bounds of all actors, including the radii of spheres and tubes.
+vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options)
 {
+  vtkBoundingBox all;
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator cookie;
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
+  {
+    vtkBoundingBox bounds(actor->GetBounds());
+    if (bounds.IsValid())
+    {
+      bounds.Inflate(FindRadius(actor, options));
+      all.AddBox(bounds);
+    }
+  }
+  return all;
+}
+
+}
+
+void PlaceCamera(vtkRenderer* renderer, const RenderOptions& all)
+{
+  const CameraOptions& options = all.Camera;
+  const double aspect = static_cast<double>(all.Resolution[0]) / all.Resolution[1];
   double bounds[6];
-  renderer->ComputeVisiblePropBounds(bounds);
+  ComputeBounds(renderer, all).GetBounds(bounds);
   Vector3 center;
   double diagonal = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -147,7 +189,15 @@ void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options, double asp
   camera->Azimuth(options.Azimuth);
   camera->Elevation(options.Elevation);
   camera->OrthogonalizeViewUp();
-  renderer->ResetCameraClippingRange(bounds);
+  if (all.Engine == "ray")
+  {
+    // Rays need no near plane: keep surfaces close to the camera, and occluders behind it.
+    camera->SetClippingRange(NoNearPlane, MaximumLength);
+  }
+  else
+  {
+    renderer->ResetCameraClippingRange(bounds);
+  }
 }
 
 }

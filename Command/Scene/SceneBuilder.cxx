@@ -133,8 +133,7 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
   const Vector3 background = options.BackgroundColor.value_or(Vector3{ 0, 0, 0 });
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);
-  PlaceCamera(
-    renderer, options.Camera, static_cast<double>(options.Resolution[0]) / options.Resolution[1]);
+  PlaceCamera(renderer, options);
   return renderer;
 }
 

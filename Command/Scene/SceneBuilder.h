@@ -15,7 +15,6 @@ class vtkRenderer;
 namespace penumbra
 {
 
-struct CameraOptions;
 struct RenderOptions;
 
 /// Builds actors, lights, background and camera. `unitsPerPoint`: units of VTK's line widths and point sizes
@@ -23,8 +22,9 @@ struct RenderOptions;
 vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
   const RenderOptions& options, double unitsPerPoint);
 
-/// Places the camera of `renderer`, which must contain its actors. `aspect`: width / height of the image.
-void PlaceCamera(vtkRenderer* renderer, const CameraOptions& options, double aspect);
+/// Places the camera of `renderer`, which must contain its actors, by options.Camera. The ray engine
+/// draws everything in front of it, also what is very close.
+void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options);
 
 }
 #endif

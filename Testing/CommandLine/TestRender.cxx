@@ -240,6 +240,45 @@ TEST(Render, RendersSphereFromItsCenter)
   EXPECT_EQ(PixelAt(image, 10, 7), (Pixel{ 1, 1, 1 }));
 }
 
+TEST(Render, KeepsSurfacesCloseToTheCamera)
+{
+  const Folder folder("close-camera");
+  for (const char* height : { "0.1", "1e-4" })
+  {
+    const auto image = RenderSquare(folder, "close.vti",
+      { "--no-lighting", "--camera-position", std::string("0,0,") + height, "--camera-focal-point",
+        std::string("0,") + height + ",0", "--camera-view-up", "+Z" });
+    for (const int y : { 0, 15, 29 })
+    {
+      EXPECT_EQ(PixelAt(image, 20, y)[0], 1.0) << height << ' ' << y;
+    }
+  }
+}
+
+TEST(Render, FitsSpheresAndTubes)
+{
+  const Folder folder("fit-round");
+  const std::string header =
+    "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
+    "0 0 0\n0 3 0\n";
+  WriteText(folder / "points.vtk", header + "VERTICES 2 4\n1 0\n1 1\n");
+  WriteText(folder / "line.vtk", header + "LINES 1 3\n2 0 1\n");
+  for (const char* file : { "points.vtk", "line.vtk" })
+  {
+    const ProgramResult outcome =
+      RunProgram({ "render", folder / file, "--point-radius", "2", "--line-radius", "2",
+        "--no-lighting", "--resolution", "40,30", "--output", folder / "p.vti" });
+    EXPECT_EQ(outcome.Errors, "");
+    const auto image = ReadImage(folder / "p.vti");
+    EXPECT_EQ(PixelAt(image, 20, 15)[0], 1.0) << file;
+    for (int x = 0; x < 40; ++x)
+    {
+      EXPECT_EQ(PixelAt(image, x, 0)[0], 0.0) << file;
+      EXPECT_EQ(PixelAt(image, x, 29)[0], 0.0) << file;
+    }
+  }
+}
+
 TEST(Render, ZoomsParallelProjectionWithoutMovingCamera)
 {
   const Folder folder("parallel-zoom");

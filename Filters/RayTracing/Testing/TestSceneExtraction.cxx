@@ -311,6 +311,17 @@ TEST(SceneExtraction, ClipsAtTheClippingRange)
   EXPECT_TRUE(Warns(ExtractScene(renderer, Square()), "ResetCameraClippingRange"));
 }
 
+TEST(SceneExtraction, KeepsAllBehindANegligibleNearPlane)
+{
+  vtkNew<vtkRenderer> renderer;
+  AddCube(renderer);
+  renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 0.1); // in the cube
+  renderer->GetActiveCamera()->SetClippingRange(1e-3, 1e9);
+  const Scene scene = ExtractScene(renderer, Square());
+  ASSERT_EQ(scene.Surfaces.size(), 1u);
+  EXPECT_EQ(scene.Surfaces[0].Triangles.size(), 12u);
+}
+
 TEST(SceneExtraction, KeepsPrecisionForDistantAndSmallData)
 {
   for (const auto& [center, size] :

@@ -26,6 +26,9 @@ namespace
 /// about 1.
 constexpr double NearDistance = 1e-9;
 
+/// Fraction of the far plane up to which a near plane does not clip. VTK resets ranges to 1e-3 or more.
+constexpr double MinimumNearFraction = 1e-6;
+
 glm::dvec3 ToVector(const double x[3])
 {
   return { x[0], x[1], x[2] };
@@ -267,7 +270,7 @@ std::vector<glm::dvec4> FindClippingRange(vtkRenderer* renderer, const double bo
     high = std::max(high, glm::dot(depth, corner));
   }
   std::vector<glm::dvec4> planes;
-  if (low < range[0])
+  if (low < range[0] && range[0] > MinimumNearFraction * range[1])
   {
     planes.push_back(depth - glm::dvec4(0.0, 0.0, 0.0, range[0]));
   }
