@@ -281,6 +281,8 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   for (RecordCandidate& site : mesh.Sites)
   {
     site.Pixel *= PixelPerSpacing;
+    site.MaximumPlaneDistance = site.Pixel;
+    site.MaximumRadius = static_cast<float>(MaximumRadiusPixels * site.Pixel);
   }
   for (const std::string& what : mesh.SkippedAttributes)
   {

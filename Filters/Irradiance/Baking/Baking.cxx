@@ -150,9 +150,11 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
   std::vector<char> unresolved(sites.size());
   std::atomic<std::size_t> interpolated(0);
   ForEach(sites.size(), fraction, progress, [&](int i) {
+    // Records of less weight do not cover the point: it is at the very end of their radius.
     const InterpolationResult found = tree.LookUp(sites[i]);
-    const Record* here = found.Found() ? nullptr : tree.FindAt(sites[i]);
-    if (found.Found())
+    const bool isCovered = found.MaximumWeight > MinimumWeight;
+    const Record* here = isCovered ? nullptr : tree.FindAt(sites[i]);
+    if (isCovered)
     {
       result.Values[i] = { found.Mean, found.Error };
       ++interpolated;
@@ -161,7 +163,7 @@ std::vector<std::size_t> Interpolate(const std::vector<RecordCandidate>& sites,
     {
       result.Values[i] = { here->Gathered.Mean, here->Gathered.Error };
     }
-    unresolved[i] = !found.Found() && !here;
+    unresolved[i] = !isCovered && !here;
   });
   result.Interpolated = interpolated;
   std::vector<std::size_t> left;

@@ -56,7 +56,8 @@ void LocalRegression::FindRows(
     const RecordCandidate& other = this->Sites[which];
     const glm::vec3 d = (other.Position - site.Position) / this->Radius;
     const float square = glm::dot(d, d);
-    if (square < 1.f && glm::dot(other.Normal, site.Normal) > RegressionCosine)
+    if (square < 1.f && glm::dot(other.Normal, site.Normal) > RegressionCosine &&
+      !site.IsOffPlane(other))
     {
       rows.push_back({ { 1.0, glm::dot(d, frame[0]), glm::dot(d, frame[1]),
                          glm::dot(other.Normal, frame[0]), glm::dot(other.Normal, frame[1]) },

@@ -78,7 +78,8 @@ constexpr float OccluderEdgeFraction = 0.5f;
 constexpr double SplitSphereAccuracy = 4.0;
 
 /// Maximum radius as a fraction of the limit of the candidate if all samples are equal. The grid
-/// misses low distant occluders that nearer points see.
+/// misses low distant occluders that nearer points see. Without this on meshes, occlusion of 0.08
+/// next to a sphere was baked as 0.
 constexpr double UniformRadiusFraction = 0.5;
 
 /// Maximum radius as a fraction of the distance to the shadow boundary of an emitter.

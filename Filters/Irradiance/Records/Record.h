@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace penumbra
 {
@@ -18,6 +19,19 @@ struct ShadingPoint
 {
   glm::vec3 Position{ 0.f };
   glm::vec3 Normal{ 0.f, 0.f, 1.f }; ///< unit
+
+  /// Maximum distance of a record and a point from their common tangent plane, along the normals:
+  /// the size of a pixel at each, of which the smaller one applies.
+  float MaximumPlaneDistance = std::numeric_limits<float>::infinity();
+
+  /// Returns true if `other` is not on the surface of this point but, for example, on a parallel
+  /// one. On a smooth surface, a chord is perpendicular to the mean of both normals up to third
+  /// order.
+  bool IsOffPlane(const ShadingPoint& other) const
+  {
+    return std::abs(glm::dot(other.Position - this->Position, other.Normal + this->Normal)) >
+      2.f * std::min(this->MaximumPlaneDistance, other.MaximumPlaneDistance);
+  }
 };
 
 struct Record : ShadingPoint
@@ -27,9 +41,6 @@ struct Record : ShadingPoint
   /// False if the mean changes too fast around this record for interpolation: brute force is used
   /// instead.
   bool IsValid = true;
-
-  /// Maximum distance of a point from the tangent plane, along the normals; the size of a pixel.
-  float MaximumPlaneDistance = 0.f;
 
   glm::vec3 Tangent{ 1.f, 0.f, 0.f }; ///< start of the first sector of Clearance
   HemisphereEstimate Gathered;
@@ -55,18 +66,10 @@ struct Record : ShadingPoint
     const glm::vec3 d = point.Position - this->Position;
     const float normalDistance = std::max(0.f, 1.f - glm::dot(point.Normal, this->Normal));
     const float error = normalFactor * std::sqrt(normalDistance);
-    return error >= 1.f || this->IsOffPlane(d, point.Normal) || this->IsBehindWall(d) ? 0.f
-                                                                                      : 1.f - error;
+    return error >= 1.f || this->IsOffPlane(point) || this->IsBehindWall(d) ? 0.f : 1.f - error;
   }
 
 private:
-  /// Returns true if `d` leaves the surface. On a smooth surface, a chord is perpendicular to the
-  /// mean of both normals up to third order.
-  bool IsOffPlane(glm::vec3 d, glm::vec3 normal) const
-  {
-    return std::abs(glm::dot(d, normal + this->Normal)) > 2.f * this->MaximumPlaneDistance;
-  }
-
   bool IsBehindWall(glm::vec3 d) const
   {
     const float x = glm::dot(d, this->Tangent);

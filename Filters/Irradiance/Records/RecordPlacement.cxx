@@ -287,9 +287,14 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
     }
   }
   const double minimum = this->Settings.MinimumRadiusPixels * site.Pixel;
+  // Equal samples have no derivatives: the model of the split sphere [IC] bounds the radius under
+  // occluders whose edges the grid misses, such as a near parallel surface.
+  const bool isUniform = record.Gathered.Error == 0.f;
   const double radius = std::min({ this->ComputeRadius(record.Gathered),
+    isUniform ? this->ComputeAccuracy() * record.Gathered.HarmonicMean
+              : std::numeric_limits<double>::infinity(),
     double(OcclusionRadiusFraction) * this->Source.GetRadius(),
-    (record.Gathered.Error == 0.f ? UniformRadiusFraction : 1.0) * site.MaximumRadius });
+    (isUniform ? UniformRadiusFraction : 1.0) * site.MaximumRadius });
   record.IsValid = this->Settings.KeepAllValid || radius >= MinimumRadiusFraction * minimum;
   const double shadow = ShadowRadiusFraction *
     ShadowDistance(HemisphereGrid::Get(this->Settings.Side), frame, directions, samples,
@@ -402,9 +407,14 @@ long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,
   return rays;
 }
 
+double RecordPlacement::ComputeAccuracy() const
+{
+  return std::min(1.0, SplitSphereAccuracy * std::sqrt(this->Settings.Tolerance));
+}
+
 double RecordPlacement::ComputeRadius(const HemisphereEstimate& estimate) const
 {
-  const double accuracy = std::min(1.0, SplitSphereAccuracy * std::sqrt(this->Settings.Tolerance));
+  const double accuracy = this->ComputeAccuracy();
   switch (this->Settings.Rule)
   {
     case RadiusRules::NearestHit:

@@ -86,6 +86,8 @@ private:
   long long FindOccluderEdges(const RecordCandidate& site, const HemisphereGrid& grid,
     const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const;
 
+  /// Returns the accuracy of split-sphere radii, as a fraction of the distance.
+  double ComputeAccuracy() const;
   double ComputeRadius(const HemisphereEstimate& estimate) const;
 
   const Gatherer& Source;
