@@ -76,6 +76,11 @@ class BakedOcclusion(unittest.TestCase):
         self.assertEqual(baked.cell_data["AmbientOcclusion"].size, 8)
         self.assertLess(baked.cell_data["AmbientOcclusion"].max(), 0.05)
 
+    def test_refuses_a_negative_line_radius(self):
+        for bake in (sphere().penumbra.bake_ambient_occlusion, sphere().penumbra.bake_irradiance):
+            with self.assertRaisesRegex(ValueError, "line_radius"):
+                bake(line_radius=-1.0)
+
     def test_aborts_on_ctrl_c(self):
         mesh = sphere()
         alarm = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))

@@ -40,10 +40,11 @@ def irradiance_filter(tolerance: float, color: list[float], albedo: float, bounc
     return bake
 
 
-def set_location(bake: Any, on: str, compute_normals: bool, point_radius: float) -> None:
+def set_location(bake: Any, on: str, compute_normals: bool, point_radius: float, line_radius: float = 0.0) -> None:
     bake.SetOnCells(check_choice("on", on, ("points", "cells")) == 1)
     bake.SetComputeNormals(bool(compute_normals))
     bake.SetPointRadius(check_range("point_radius", point_radius, 0.0, 1e299))
+    bake.SetLineRadius(check_range("line_radius", line_radius, 0.0, 1e299))
 
 
 def result_statistics(bake: Any) -> dict[str, Any]:

@@ -34,8 +34,8 @@ class MeshAccessor:
 
     def bake_ambient_occlusion(
         self, *, tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none",
-        on: Location = "points", compute_normals: bool = False, point_radius: float = 0.0, inplace: bool = False,
-        statistics: bool = False, progress: Progress | None = None,
+        on: Location = "points", compute_normals: bool = False, point_radius: float = 0.0, line_radius: float = 0.0,
+        inplace: bool = False, statistics: bool = False, progress: Progress | None = None,
     ) -> Any:
         """Return the mesh with the array ``AmbientOcclusion``: 0 open, 1 blocked.
 
@@ -53,7 +53,11 @@ class MeshAccessor:
         compute_normals : bool
             If True, compute normals even if the mesh has normals.
         point_radius : float
-            Radius of the disks that represent points if the mesh has no polygons.
+            Radius of the disks that represent points if the mesh has no polygons, otherwise of spheres at its
+            vertices, which occlude, in the unit of the mesh. Range: >= 0. Default: 0, neither.
+        line_radius : float
+            Radius of tubes along the lines of the mesh, which occlude, in the unit of the mesh. Range: >= 0.
+            Default: 0, lines do not occlude.
         inplace : bool
             If True, add the array to this mesh instead of to a copy.
         statistics : bool
@@ -76,12 +80,12 @@ class MeshAccessor:
             If the computation fails.
         """
         bake = occlusion_filter(tolerance, radius, falloff)
-        return self._bake(bake, on, compute_normals, point_radius, inplace, statistics, progress)
+        return self._bake(bake, on, compute_normals, point_radius, line_radius, inplace, statistics, progress)
 
     def bake_irradiance(
         self, *, tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5,
         bounces: int = 3, on: Location = "points", compute_normals: bool = False, point_radius: float = 0.0,
-        inplace: bool = False, statistics: bool = False, progress: Progress | None = None,
+        line_radius: float = 0.0, inplace: bool = False, statistics: bool = False, progress: Progress | None = None,
     ) -> Any:
         """Return the mesh with the array ``Irradiance``: red, green and blue; pi if unoccluded.
 
@@ -96,7 +100,7 @@ class MeshAccessor:
         bounces : int
             Number of reflections, including the one toward the camera; 1: direct light only.
             Range: [1, 64].
-        on, compute_normals, point_radius, inplace, statistics, progress
+        on, compute_normals, point_radius, line_radius, inplace, statistics, progress
             As in ``bake_ambient_occlusion``.
 
         Returns
@@ -104,11 +108,11 @@ class MeshAccessor:
         pyvista.DataSet or pyvista.MultiBlock
         """
         bake = irradiance_filter(tolerance, parse_radiance(environment_color), albedo, bounces)
-        return self._bake(bake, on, compute_normals, point_radius, inplace, statistics, progress)
+        return self._bake(bake, on, compute_normals, point_radius, line_radius, inplace, statistics, progress)
 
-    def _bake(self, bake: Any, on: str, compute_normals: bool, point_radius: float, inplace: bool, statistics: bool,
-              progress: Progress | None) -> Any:
-        set_location(bake, on, compute_normals, point_radius)
+    def _bake(self, bake: Any, on: str, compute_normals: bool, point_radius: float, line_radius: float, inplace: bool,
+              statistics: bool, progress: Progress | None) -> Any:
+        set_location(bake, on, compute_normals, point_radius, line_radius)
         if isinstance(self._mesh, pyvista.Grid):
             raise TypeError(
                 f"{type(self._mesh).__name__} is not a surface mesh: pass its extract_surface() instead")
