@@ -120,7 +120,7 @@ bool HasVisibleProps(vtkRenderer* renderer)
 std::vector<vtkRenderer*> FindLayers(vtkRenderer* renderer, bool enabled)
 {
   std::vector<vtkRenderer*> layers;
-  vtkRenderWindow* window = enabled ? renderer->GetRenderWindow() : nullptr;
+  vtkRenderWindow* window = enabled && renderer ? renderer->GetRenderWindow() : nullptr;
   if (!window)
   {
     return layers;
@@ -495,11 +495,12 @@ int vtkPenumbraRayCaster::RequestData(
   internals.ResetResults();
   try
   {
-    penumbra::RequireNotNaN(
-      "Tolerance, PointRadius, LineRadius, AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo "
-      "and EnvironmentColor",
-      { this->Tolerance, this->PointRadius, this->LineRadius, this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
-        this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
+    penumbra::RequireNotNaN("Tolerance, PointRadius, LineRadius, AmbientOcclusionRadius, "
+                            "AmbientOcclusionStrength, Albedo "
+                            "and EnvironmentColor",
+      { this->Tolerance, this->PointRadius, this->LineRadius, this->AmbientOcclusionRadius,
+        this->AmbientOcclusionStrength, this->Albedo, this->EnvironmentColor[0],
+        this->EnvironmentColor[1], this->EnvironmentColor[2] });
     internals.CheckLightSizes(this);
     bool finished = true;
     std::exception_ptr thrown;
@@ -580,6 +581,9 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Resolution[1] = self->Resolution[1];
   options.DPI = self->DPI;
   options.Background = self->Background;
+  // What the camera clips still blocks light.
+  options.ClipToRange =
+    !self->Shadows && !self->AmbientOcclusion && !self->IndirectLight && !this->Medium;
   options.PointRadius = self->PointRadius;
   options.LineRadius = self->LineRadius;
   options.SizeOfLight = [self](vtkLight* light) {

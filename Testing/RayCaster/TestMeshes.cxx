@@ -130,7 +130,8 @@ struct MeshRow
 {
   std::string Name;
   std::function<vtkSmartPointer<vtkPolyData>()> Make;
-  double Edge; ///< RMSE over silhouettes
+  double Edge;          ///< RMSE over silhouettes
+  double Full = 0.0006; ///< RMSE over the image
 };
 
 void PrintTo(const MeshRow& row, std::ostream* out)
@@ -155,7 +156,7 @@ TEST_P(LitMeshes, MatchBruteForceInBothProjections)
     const Errors errors = Compare(answer.Colors, reference.Colors, SilhouettePixels(reference));
     EXPECT_GT(errors.EdgePixels, 100u);
     EXPECT_LE(errors.Edge, GetParam().Edge);
-    EXPECT_LE(errors.Full, 0.0006);
+    EXPECT_LE(errors.Full, GetParam().Full);
     EXPECT_LE(errors.Worst, 0.02) << "in pixel " << errors.WorstPixel % Size << ", "
                                   << errors.WorstPixel / Size;
   }
@@ -190,7 +191,9 @@ TEST_P(LitMeshes, AreIndependentOfAnOffsetOfTenMillion)
 INSTANTIATE_TEST_SUITE_P(RayCaster, LitMeshes,
   testing::Values(MeshRow{ "CoarseSphere", [] { return Sphere(12); }, 0.0016 },
     // Has many edges per pixel near its silhouette, which are sampled with a tolerance of 1/256.
-    MeshRow{ "FineSphere", [] { return Sphere(64); }, 0.003 }, MeshRow{ "Ring", Ring, 0.0016 },
+    // Facets of a few pixels are sampled to the tolerance of 1/256 unless they are exact at less cost.
+    MeshRow{ "FineSphere", [] { return Sphere(64); }, 0.0045, 0.0012 },
+    MeshRow{ "Ring", Ring, 0.0016 },
     MeshRow{ "Cube",
       [] {
         vtkNew<vtkCubeSource> cube;

@@ -307,6 +307,9 @@ TEST(SceneExtraction, ClipsAtTheClippingRange)
       EXPECT_LE(x.z, 1e-6);
     }
   }
+  ExtractionOptions whole = Square();
+  whole.ClipToRange = false;
+  EXPECT_EQ(ExtractScene(renderer, whole).Surfaces[0].Triangles.size(), 12u);
   renderer->GetActiveCamera()->SetClippingRange(50.0, 60.0);
   EXPECT_TRUE(Warns(ExtractScene(renderer, Square()), "ResetCameraClippingRange"));
 }

@@ -157,7 +157,11 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   ExtractCamera(renderer, bounds, options, scene);
   ExtractLights(renderer, options, scene);
   ExtractBackground(renderer, options, scene);
-  const std::vector<glm::dvec4> range = FindClippingRange(renderer, bounds);
+  std::vector<glm::dvec4> range;
+  if (options.ClipToRange)
+  {
+    range = FindClippingRange(renderer, bounds);
+  }
   for (DrawItem& item : items)
   {
     item.ClippingPlanes.insert(item.ClippingPlanes.end(), range.begin(), range.end());

@@ -33,6 +33,7 @@ struct ExtractionOptions
   int Resolution[2] = { 1, 1 }; ///< image size in pixels
   int DPI = 72;                 ///< scales text, line widths and point sizes
   bool Background = true;       ///< if false, the background is transparent black
+  bool ClipToRange = true;      ///< if true, surfaces end at the clipping range of the camera
   double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
   double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
   std::function<LightSize(vtkLight*)> SizeOfLight; ///< if empty, lights have no size

@@ -27,8 +27,8 @@ struct Bounds
 
 const Bounds BoundsTable[] = {
   { "volumetric", BehindWallFading, 0.02, 0.035 },
-  { "patch", BehindWall, 0.3, 0.12 },           // no D: only bounds
-  { "depth-difference", BehindWall, 0.2, 0.1 }, // no D: only bounds
+  { "patch", BehindWall, 0.3, 0.12 },            // no D: only bounds
+  { "depth-difference", BehindWall, 0.2, 0.11 }, // no D: only bounds
   { "horizon", BehindWall, 0.02, 0.035 },
   { "march", BehindWall, 0.025, 0.035 },
 };
