@@ -189,7 +189,7 @@ int RenderGroup(const AnimationOptions& options, int first, int last)
   std::vector<std::string> warnings;
   AnimatedScene scene = ReadScene(all, files, warnings);
   RenderOptions fixed = all;
-  FreezeOptions(scene.Renderer, fixed);
+  FreezeOptions(scene.Renderer, ComputeBounds(scene.Renderer, all).GetDiagonalLength(), fixed);
   if (options.TimeSeries && first > 0)
   {
     warnings.clear();

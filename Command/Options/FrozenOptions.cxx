@@ -7,7 +7,6 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
-#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMapper.h"
 #include "vtkRenderer.h"
@@ -56,16 +55,13 @@ void FreezeColoring(vtkRenderer* renderer, ColoringOptions& options)
 
 }
 
-void FreezeOptions(vtkRenderer* renderer, RenderOptions& options)
+void FreezeOptions(vtkRenderer* renderer, double diagonal, RenderOptions& options)
 {
   FreezeCamera(renderer->GetActiveCamera(), options.Camera);
   if (options.Coloring.Enabled)
   {
     FreezeColoring(renderer, options.Coloring);
   }
-  double bounds[6];
-  renderer->ComputeVisiblePropBounds(bounds);
-  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
   if (options.AmbientOcclusionRadius == 0.0)
   {
     options.AmbientOcclusionRadius = DefaultRadiusFraction * diagonal;

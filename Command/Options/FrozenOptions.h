@@ -13,8 +13,8 @@ namespace penumbra
 struct RenderOptions;
 
 /// Replaces automatic options by the values derived for `renderer`, which was built with `options`: camera,
-/// color array and range, occlusion radius, scattering coefficient.
-void FreezeOptions(vtkRenderer* renderer, RenderOptions& options);
+/// color array and range, occlusion radius, scattering coefficient. `diagonal`: of the bounds of the scene.
+void FreezeOptions(vtkRenderer* renderer, double diagonal, RenderOptions& options);
 
 }
 #endif

@@ -97,7 +97,8 @@ double FindRadius(vtkActor* actor, const RenderOptions& options)
   return std::max(points ? options.PointRadius : 0.0, lines ? options.LineRadius : 0.0);
 }
 
-// Returns the bounds of all actors, including the radii of spheres and tubes.
+}
+
 vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options)
 {
   vtkBoundingBox all;
@@ -114,8 +115,6 @@ vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options
     }
   }
   return all;
-}
-
 }
 
 void PlaceCamera(vtkRenderer* renderer, const RenderOptions& all)

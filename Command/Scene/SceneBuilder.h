@@ -5,6 +5,7 @@
 #ifndef penumbra_SceneBuilder_h
 #define penumbra_SceneBuilder_h
 
+#include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
@@ -21,6 +22,9 @@ struct RenderOptions;
 /// per point of 1/72 inch. Throws CommandError if a color array does not exist.
 vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
   const RenderOptions& options, double unitsPerPoint);
+
+/// Returns the bounds of all actors, including the radii of spheres and tubes.
+vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options);
 
 /// Places the camera of `renderer`, which must contain its actors, by options.Camera. The ray engine
 /// draws everything in front of it, also what is very close.

@@ -54,6 +54,26 @@ double Difference(const std::string& a, const std::string& b)
 
 }
 
+TEST(Animate, OccludesTubesAsRenderDoes)
+{
+  const Folder folder("tubes");
+  WriteText(folder / "lines.vtk",
+    "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+    "POINTS 4 float\n-1 0 0 1 0 0 0 -1 0 0 1 0\n"
+    "LINES 2 6\n2 0 1\n2 2 3\n");
+  const std::vector<std::string> options = { folder / "lines.vtk", "--line-radius", "0.3",
+    "--ambient-occlusion", "--tolerance", "0.05", "--resolution", "60,40", "--output" };
+  std::vector<std::string> render = { "render" };
+  render.insert(render.end(), options.begin(), options.end());
+  render.push_back(folder / "image.png");
+  EXPECT_EQ(RunProgram(render).Status, 0);
+  std::vector<std::string> animate = { "animate", "--frames", "1", "--orbit", "90" };
+  animate.insert(animate.end(), options.begin(), options.end());
+  animate.push_back(folder / "frame-{frame}.png");
+  EXPECT_EQ(RunProgram(animate).Status, 0);
+  EXPECT_EQ(Compare(folder / "image.png", folder / "frame-0000.png")["value"], 0.0);
+}
+
 TEST(Animate, OrbitMatchesRenderedViews)
 {
   const Folder folder("orbit");
