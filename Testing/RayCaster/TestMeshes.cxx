@@ -190,7 +190,6 @@ TEST_P(LitMeshes, AreIndependentOfAnOffsetOfTenMillion)
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, LitMeshes,
   testing::Values(MeshRow{ "CoarseSphere", [] { return Sphere(12); }, 0.0016 },
-    // Has many edges per pixel near its silhouette, which are sampled with a tolerance of 1/256.
     // Facets of a few pixels are sampled to the tolerance of 1/256 unless they are exact at less cost.
     MeshRow{ "FineSphere", [] { return Sphere(64); }, 0.0045, 0.0012 },
     MeshRow{ "Ring", Ring, 0.0016 },
