@@ -73,7 +73,7 @@ TEST(Render, LightAwarenessReducesDarkeningOfBrightColors)
 {
   const Folder folder("awareness");
   const ProgramResult outcome = RunProgram({ "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
-    "--resolution", "120,90", "--camera-direction=-1,-1,-2", "--no-lighting", "--color",
+    "--resolution", "240,180", "--camera-direction=-1,-1,-2", "--no-lighting", "--color",
     "0.8,0.4,0.2", "--engine", "raster", "--ambient-occlusion", "--ambient-occlusion-kernel",
     "horizon", "--ambient-occlusion-light-awareness", "0.5", "--output", folder / "p.vti" });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
