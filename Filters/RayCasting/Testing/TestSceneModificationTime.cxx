@@ -492,6 +492,7 @@ TEST(SceneModificationTime, EndsIfTheImageTexturesItsScene)
   renderer->AddActor(actor);
   caster->SetRenderer(renderer);
   EXPECT_GT(caster->GetMTime(), 0u);
+  caster->SetRenderer(nullptr); // ends the reference cycle
 }
 
 TEST(DefaultOcclusionRadius, IgnoresUnusedAndInvalidPoints)
