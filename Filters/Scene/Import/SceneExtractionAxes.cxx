@@ -5,6 +5,7 @@
 // graphics context, with actors that record their parts.
 #include "SceneExtractionAxes.h"
 
+#include "ClassReplacement.h"
 #include "SizeOnlyWindow.h"
 
 #include "vtkActor.h"
@@ -13,22 +14,16 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkObjectFactoryCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkStringArray.h"
 #include "vtkTextProperty.h"
-#include "vtkVersion.h"
 
 #include <string>
 #include <utility>
 #include <vector>
-
-#ifndef VTK_FUTURE_CONST // before VTK 9.4
-#define VTK_FUTURE_CONST
-#endif
 
 namespace penumbra
 {
@@ -101,36 +96,17 @@ public:
 };
 vtkStandardNewMacro(RecordedProperty);
 
-/// Replaces actors and properties, on a thread that records parts.
-class RecordingFactory : public vtkObjectFactory
+/// Makes the axes that this thread renders create actors and properties that record.
+void ReplaceClasses()
 {
-public:
-  static RecordingFactory* New();
-  vtkTypeMacro(RecordingFactory, vtkObjectFactory);
-
-  const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() VTK_FUTURE_CONST override { return "Penumbra's cube axes"; }
-
-private:
-  RecordingFactory()
-  {
-    this->RegisterOverride("vtkActor", "RecordingActor", "records parts", 1,
+  static const bool replaced = [] {
+    ReplaceClass("vtkActor", "RecordingActor",
       [] { return static_cast<vtkObject*>(RecordedParts ? RecordingActor::New() : nullptr); });
-    this->RegisterOverride("vtkProperty", "RecordedProperty", "records parts", 1,
+    ReplaceClass("vtkProperty", "RecordedProperty",
       [] { return static_cast<vtkObject*>(RecordedParts ? RecordedProperty::New() : nullptr); });
-  }
-};
-vtkStandardNewMacro(RecordingFactory);
-
-/// Puts the factory before those of VTK's modules.
-void InsertFactory()
-{
-  static const bool inserted = [] {
-    vtkNew<RecordingFactory> factory;
-    vtkObjectFactory::GetRegisteredFactories()->InsertItem(-1, factory);
     return true;
   }();
-  static_cast<void>(inserted);
+  static_cast<void>(replaced);
 }
 
 /// Copies the appearance of the three axes.
@@ -254,7 +230,7 @@ std::vector<DrawItem> MakeCubeAxes(
     {
       continue;
     }
-    InsertFactory();
+    ReplaceClasses();
     vtkNew<SizeOnlyWindow> window;
     vtkNew<SizeOnlyRenderer> layoutRenderer;
     window->SetSize(scene.ViewCamera.Width, scene.ViewCamera.Height);

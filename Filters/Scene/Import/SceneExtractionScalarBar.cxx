@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionScalarBar.h"
 
+#include "ClassReplacement.h"
 #include "SceneExtractionOverlay.h"
 #include "SizeOnlyWindow.h"
 
@@ -10,7 +11,6 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkObjectFactoryCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
@@ -20,16 +20,12 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#ifndef VTK_FUTURE_CONST // before VTK 9.4
-#define VTK_FUTURE_CONST
-#endif
 
 namespace penumbra
 {
@@ -187,36 +183,30 @@ public:
 };
 vtkStandardNewMacro(OverlayText);
 
-/// Replaces the classes that render the parts of a bar, on a thread that draws a bar.
-class OverlayFactory : public vtkObjectFactory
+/// Texture of the bar, whose rectangle OverlayMapper omits. It needs no graphics context.
+class OverlayTexture : public vtkTexture
 {
 public:
-  static OverlayFactory* New();
-  vtkTypeMacro(OverlayFactory, vtkObjectFactory);
-
-  const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() VTK_FUTURE_CONST override { return "Penumbra's overlay"; }
-
-private:
-  OverlayFactory()
-  {
-    this->RegisterOverride("vtkPolyDataMapper2D", "OverlayMapper", "draws into an overlay", 1,
-      [] { return static_cast<vtkObject*>(Target ? OverlayMapper::New() : nullptr); });
-    this->RegisterOverride("vtkTextActor", "OverlayText", "draws into an overlay", 1,
-      [] { return static_cast<vtkObject*>(Target ? OverlayText::New() : nullptr); });
-  }
+  static OverlayTexture* New();
+  vtkTypeMacro(OverlayTexture, vtkTexture);
+  void Render(vtkRenderer*) override {}
+  void PostRender(vtkRenderer*) override {}
 };
-vtkStandardNewMacro(OverlayFactory);
+vtkStandardNewMacro(OverlayTexture);
 
-/// Puts the factory before those of VTK's modules.
-void InsertFactory()
+/// Makes the bar that this thread draws create parts that draw into the overlay.
+void ReplaceClasses()
 {
-  static const bool inserted = [] {
-    vtkNew<OverlayFactory> factory;
-    vtkObjectFactory::GetRegisteredFactories()->InsertItem(-1, factory);
+  static const bool replaced = [] {
+    ReplaceClass("vtkPolyDataMapper2D", "OverlayMapper",
+      [] { return static_cast<vtkObject*>(Target ? OverlayMapper::New() : nullptr); });
+    ReplaceClass("vtkTextActor", "OverlayText",
+      [] { return static_cast<vtkObject*>(Target ? OverlayText::New() : nullptr); });
+    ReplaceClass("vtkTexture", "OverlayTexture",
+      [] { return static_cast<vtkObject*>(Target ? OverlayTexture::New() : nullptr); });
     return true;
   }();
-  static_cast<void>(inserted);
+  static_cast<void>(replaced);
 }
 
 /// Copies settings that VTK 9.1 and 9.2 do not have.
@@ -274,7 +264,7 @@ bool DrawScalarBar(vtkScalarBarActor* bar, vtkRenderer* renderer, int dpi, Scene
   {
     return false;
   }
-  InsertFactory();
+  ReplaceClasses();
   vtkNew<SizeOnlyWindow> window;
   vtkNew<SizeOnlyRenderer> layoutRenderer;
   window->SetSize(scene.ViewCamera.Width, scene.ViewCamera.Height);

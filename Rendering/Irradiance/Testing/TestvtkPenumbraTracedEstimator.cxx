@@ -10,11 +10,14 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCubeAxesActor.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkLookupTable.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
+#include "vtkScalarBarActor.h"
 #include "vtkStringArray.h"
 #include "vtkTexture.h"
 
@@ -360,6 +363,34 @@ TEST(TracedEstimator, IgnoresActorsWithTranslucentTextures)
   AddTracedPass(scene, 1.0);
   scene.Window->Render();
   EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.3, 0 }), 0.0);
+}
+
+TEST(TracedEstimator, IsIndependentOfAnnotations)
+{
+  const auto render = [](bool annotated) {
+    OcclusionScene scene;
+    scene.AddFloor();
+    scene.AddSphere({ 0, 0, .5 }, .5);
+    scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+    if (annotated)
+    {
+      vtkNew<vtkLookupTable> table;
+      vtkNew<vtkScalarBarActor> bar;
+      bar->SetLookupTable(table);
+      bar->SetTitle("Depth");
+      bar->UseOpacityOn(); // adds a texture
+      scene.Renderer->AddViewProp(bar);
+      vtkNew<vtkCubeAxesActor> axes;
+      axes->SetBounds(-1.0, 1.0, -1.0, 1.0, 0.0, 1.0);
+      axes->SetCamera(scene.Renderer->GetActiveCamera());
+      scene.Renderer->AddViewProp(axes);
+    }
+    AddTracedPass(scene, 1.0);
+    scene.Window->Render();
+    return scene.At("AmbientOcclusion", { 0, -.6, 0 });
+  };
+  EXPECT_GT(render(false), .05);
+  EXPECT_EQ(render(true), render(false));
 }
 
 TEST(TracedEstimator, MatchesTheClosedFormInParallelProjection)
