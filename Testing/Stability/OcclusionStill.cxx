@@ -26,7 +26,7 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
-/// A single frame of 32 samples per pixel instead of as many as the tolerance needs.
+/// Replaces refinement to the tolerance by a single frame of 32 samples per pixel.
 void OneFrame(Pass* pass)
 {
   pass->SetConvergeInOneRender(Pass::NEVER);

@@ -206,6 +206,24 @@ double ComputeEdgeError(const std::vector<double>& image, const Inside& isInside
 const std::vector<glm::dvec3> FiveCenters = { { 0.0, 0.0, -6.0 }, { 1.1, 0.9, -5.0 },
   { -1.4, 1.2, -7.0 }, { -1.3, -1.2, -5.5 }, { 1.2, -1.0, -6.5 } };
 
+/// Returns a square of side 40 in the plane z = 0.
+vtkSmartPointer<vtkPolyData> MakeFloor()
+{
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkCellArray> cells;
+  for (const double sign : { -1.0, 1.0 })
+  {
+    corners->InsertNextPoint(20.0 * sign, -20.0, 0.0);
+    corners->InsertNextPoint(20.0 * sign, 20.0, 0.0);
+  }
+  const vtkIdType quad[4] = { 0, 2, 3, 1 };
+  cells->InsertNextCell(4, quad);
+  auto plane = vtkSmartPointer<vtkPolyData>::New();
+  plane->SetPoints(corners);
+  plane->SetPolys(cells);
+  return plane;
+}
+
 }
 
 TEST(RoundShapes, CoversOutlinesOfSpheresExactly)
@@ -509,19 +527,7 @@ TEST(RoundShapes, OccludeThePlaneBelow)
   // A sphere that is completely above the horizon blocks (r / d)^2 times the cosine to its center,
   // here r / d. At the distance s from the contact with the plane, d^2 = s^2 + r^2.
   RoundScene scene(MakeCells({ { 0.0, 0.0, 1.0 } }, {}));
-  vtkNew<vtkPoints> corners;
-  vtkNew<vtkCellArray> cells;
-  for (const double sign : { -1.0, 1.0 })
-  {
-    corners->InsertNextPoint(20.0 * sign, -20.0, 0.0);
-    corners->InsertNextPoint(20.0 * sign, 20.0, 0.0);
-  }
-  const vtkIdType quad[4] = { 0, 2, 3, 1 };
-  cells->InsertNextCell(4, quad);
-  vtkNew<vtkPolyData> plane;
-  plane->SetPoints(corners);
-  plane->SetPolys(cells);
-  scene.Add(plane, false);
+  scene.Add(MakeFloor(), false);
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   camera->SetPosition(0.0, 0.0, 20.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
@@ -547,19 +553,7 @@ TEST(RoundShapes, CastShadows)
   // A light along the view axis of a parallel camera from above, and a tube: its shadow is as wide
   // as the tube, displaced by the slanted light.
   RoundScene scene(MakeCells({ { 0.0, -9.0, 1.0 }, { 0.0, 9.0, 1.0 } }, { { 0, 1 } }), true);
-  vtkNew<vtkPoints> corners;
-  vtkNew<vtkCellArray> cells;
-  for (const double sign : { -1.0, 1.0 })
-  {
-    corners->InsertNextPoint(20.0 * sign, -20.0, 0.0);
-    corners->InsertNextPoint(20.0 * sign, 20.0, 0.0);
-  }
-  const vtkIdType quad[4] = { 0, 2, 3, 1 };
-  cells->InsertNextCell(4, quad);
-  vtkNew<vtkPolyData> plane;
-  plane->SetPoints(corners);
-  plane->SetPolys(cells);
-  scene.Add(plane, true);
+  scene.Add(MakeFloor(), true);
   scene.Renderer->AutomaticLightCreationOff();
   vtkNew<vtkLight> sun;
   sun->SetLightTypeToSceneLight();

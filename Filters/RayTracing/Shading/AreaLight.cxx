@@ -21,8 +21,8 @@ constexpr float Pi = glm::pi<float>();
 
 /// Number of points on the circumference of the disk: first round and maximum.
 constexpr int FirstRimPoints = 4;
-constexpr int LeastRimPoints = 8; ///< if all agree
-constexpr int MostRimPoints = 32;
+constexpr int MinimumRimPoints = 8; ///< if all agree
+constexpr int MaximumRimPoints = 32;
 /// Radius of the circumference, slightly inside the light.
 constexpr float RimRadius = 0.999f;
 /// Number of points inside the disk that are traced if all points on the circumference agree.
@@ -347,13 +347,13 @@ VisibleFraction EstimateVisibleFraction(
   // independent.
   std::uint32_t random = seed;
   const float offset = 0.5f * Pi * NextFloat(random);
-  std::array<float, MostRimPoints> rim;
+  std::array<float, MaximumRimPoints> rim;
   int count = 0;
   int changes = 0;
   int next = FirstRimPoints;
   do
   {
-    const int step = MostRimPoints / next;
+    const int step = MaximumRimPoints / next;
     for (int i = 0; i < next; ++i)
     {
       if (count == 0 || i % 2 == 1)
@@ -367,12 +367,12 @@ VisibleFraction EstimateVisibleFraction(
     for (int i = 0; i < count; ++i)
     {
       changes += rim[i * step] != rim[(i + 1) % count * step] ? 1 : 0;
-      changes += IsBinary(rim[i * step]) ? 0 : MostRimPoints;
+      changes += IsBinary(rim[i * step]) ? 0 : MaximumRimPoints;
     }
     next *= 2;
   }
-  while (changes == 0 && count < MostRimPoints &&
-    (count < LeastRimPoints || MissedCapError * CapArea(Pi / count) > tolerance));
+  while (changes == 0 && count < MaximumRimPoints &&
+    (count < MinimumRimPoints || MissedCapError * CapArea(Pi / count) > tolerance));
 
   const float missed = MissedCapError * CapArea(Pi / static_cast<float>(count));
   if (changes == 0)
@@ -390,7 +390,7 @@ VisibleFraction EstimateVisibleFraction(
   }
   if (changes == 2)
   {
-    const int step = MostRimPoints / count;
+    const int step = MaximumRimPoints / count;
     glm::vec2 begin(0.f);
     glm::vec2 end(0.f);
     for (int i = 0; i < count; ++i)

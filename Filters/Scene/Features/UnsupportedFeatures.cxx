@@ -36,7 +36,7 @@ bool UsesOtherCoordinates(Prop*, long)
 
 bool HasCustomShaders(vtkActor* actor)
 {
-  // Without OpenGL there are no shader properties, and GetShaderProperty() crashes.
+  // GetShaderProperty() crashes where no OpenGL module is loaded.
   if (!vtkObjectFactory::HasOverrideAny("vtkShaderProperty"))
   {
     return false;

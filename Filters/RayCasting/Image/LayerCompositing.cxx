@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerCompositing.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+bool HasVisibleProps(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (prop->GetVisibility())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+std::vector<vtkRenderer*> FindLayersAbove(vtkRenderer* renderer)
+{
+  std::vector<vtkRenderer*> layers;
+  vtkRenderWindow* window = renderer ? renderer->GetRenderWindow() : nullptr;
+  if (!window)
+  {
+    return layers;
+  }
+  const auto overlaps = [&](vtkRenderer* other) {
+    const double* a = renderer->GetViewport();
+    const double* b = other->GetViewport();
+    return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+  };
+  vtkCollectionSimpleIterator position;
+  vtkRendererCollection* renderers = window->GetRenderers();
+  renderers->InitTraversal(position);
+  while (vtkRenderer* other = renderers->GetNextRenderer(position))
+  {
+    if (other->GetLayer() > renderer->GetLayer() && other->GetDraw() && overlaps(other) &&
+      HasVisibleProps(other))
+    {
+      layers.push_back(other);
+    }
+  }
+  std::stable_sort(layers.begin(), layers.end(),
+    [](vtkRenderer* a, vtkRenderer* b) { return a->GetLayer() < b->GetLayer(); });
+  return layers;
+}
+
+LayerRectangle FindLayerRectangle(
+  vtkRenderer* renderer, vtkRenderer* layer, const int resolution[2])
+{
+  const double* whole = renderer->GetViewport();
+  const double* part = layer->GetViewport();
+  LayerRectangle rectangle;
+  for (int k = 0; k < 2; ++k)
+  {
+    const double scale = resolution[k] / (whole[k + 2] - whole[k]);
+    rectangle.Low[k] = static_cast<int>(std::lround((part[k] - whole[k]) * scale));
+    rectangle.Size[k] =
+      static_cast<int>(std::lround((part[k + 2] - whole[k]) * scale)) - rectangle.Low[k];
+  }
+  return rectangle;
+}
+
+void CompositeOver(vtkImageData* layer, const int low[2], vtkImageData* image)
+{
+  auto* from = vtkFloatArray::SafeDownCast(layer->GetPointData()->GetArray("Color"));
+  auto* to = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Color"));
+  vtkDataArray* fromErrors = layer->GetPointData()->GetArray("EstimatedError");
+  vtkDataArray* toErrors = image->GetPointData()->GetArray("EstimatedError");
+  if (!from || !to || !fromErrors || !toErrors)
+  {
+    return;
+  }
+  const int* size = layer->GetDimensions();
+  const int* extent = image->GetExtent();
+  for (int j = std::max(low[1], extent[2]); j <= std::min(low[1] + size[1] - 1, extent[3]); ++j)
+  {
+    for (int i = std::max(low[0], extent[0]); i <= std::min(low[0] + size[0] - 1, extent[1]); ++i)
+    {
+      int index[3] = { i, j, 0 };
+      int source[3] = { i - low[0], j - low[1], 0 };
+      const vtkIdType p = layer->ComputePointId(source);
+      const vtkIdType q = image->ComputePointId(index);
+      const float* over = from->GetPointer(4 * p);
+      float* under = to->GetPointer(4 * q);
+      const float below = (1.f - over[3]) * under[3];
+      const float alpha = over[3] + below;
+      for (int k = 0; k < 3 && alpha > 0.f; ++k)
+      {
+        under[k] = (over[3] * over[k] + below * under[k]) / alpha;
+      }
+      under[3] = alpha;
+      toErrors->SetComponent(q, 0,
+        std::hypot(fromErrors->GetComponent(p, 0), (1.0 - over[3]) * toErrors->GetComponent(q, 0)));
+    }
+  }
+}
+
+}

@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayCasterInternals.h"
+
+#include "Execution/Statistics.h"
+#include "Image/GeometryArrays.h"
+#include "Image/LayerCompositing.h"
+#include "Import/SceneExtraction.h"
+#include "Media/MediumExtraction.h"
+#include "SceneBounds.h"
+#include "Shading/Illumination.h"
+
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+
+// Tolerance of one result of the irradiance provider, in tolerances of the image. The color of a pixel
+// is the mean of about four results, which halves their error.
+constexpr double ProviderToleranceFactor = 2.0;
+// Progress reported when the scene has been built. It stays 0 until then.
+constexpr double SceneProgress = 1e-6;
+// Fraction of the progress for the preparation of the irradiance provider.
+constexpr double ProviderProgress = 0.25;
+// Fraction of the progress for the geometry arrays.
+constexpr double GeometryProgress = 0.25;
+
+using penumbra::AddStatistic;
+
+/// Reports progress unless an abort was requested. Returns true if the execution must stop.
+bool ReportProgress(vtkAlgorithm* self, double fraction)
+{
+  if (!self->GetAbortExecute())
+  {
+    self->UpdateProgress(fraction);
+  }
+  return self->GetAbortExecute() != 0;
+}
+
+/// Adds the rays of a layer to the statistics of the image.
+void AddLayerRays(vtkFieldData* layer, vtkFieldData* statistics)
+{
+  vtkDataArray* rays = layer->GetArray("Rays/Total");
+  if (!rays)
+  {
+    return;
+  }
+  vtkDataArray* sum = statistics->GetArray("Rays/Layers");
+  const double count = rays->GetComponent(0, 0);
+  if (sum)
+  {
+    sum->SetComponent(0, 0, sum->GetComponent(0, 0) + count);
+  }
+  else
+  {
+    AddStatistic(statistics, "Rays/Layers", count);
+  }
+  vtkDataArray* total = statistics->GetArray("Rays/Total");
+  total->SetComponent(0, 0, total->GetComponent(0, 0) + count);
+}
+
+}
+
+void vtkPenumbraRayCaster::Internals::ResetResults()
+{
+  this->Statistics->Initialize();
+  this->EstimatedError = std::nan("");
+}
+
+void vtkPenumbraRayCaster::Internals::Prepare(
+  vtkPenumbraRayCaster* self, vtkInformationVector* inputs)
+{
+  std::vector<vtkDataObject*> data;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    data.push_back(vtkDataObject::GetData(inputs, i));
+  }
+  const auto computeTime = [&]() {
+    vtkMTimeType time = self->GetMTime();
+    for (vtkDataObject* object : data)
+    {
+      time = std::max(time, object->GetMTime());
+    }
+    return time;
+  };
+  if (this->Prepared && computeTime() <= this->PreparedTime)
+  {
+    return;
+  }
+  penumbra::ExtractionOptions options;
+  options.Resolution[0] = self->Resolution[0];
+  options.Resolution[1] = self->Resolution[1];
+  options.DPI = self->DPI;
+  options.Background = self->Background;
+  // What the camera clips still blocks light.
+  options.ClipToRange =
+    !self->Shadows && !self->AmbientOcclusion && !self->IndirectLight && !this->Medium;
+  options.PointRadius = self->PointRadius;
+  options.LineRadius = self->LineRadius;
+  options.SizeOfLight = [self](vtkLight* light) {
+    return penumbra::LightSize{ self->GetLightRadius(light), self->GetLightAngle(light) };
+  };
+  options.Progress = [self](double) { return ReportProgress(self, 0.0); };
+  this->Prepared.reset(); // frees the memory before the next scene is built
+  auto prepared = std::make_unique<PreparedScene>();
+  penumbra::Scene& scene = prepared->SceneData;
+  scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
+                         : penumbra::ExtractScene(data, options);
+  if (!scene.ViewCamera.IsUsable())
+  {
+    throw std::runtime_error(
+      "The camera is not usable: position, focal point, view up, view angle and "
+      "parallel scale must be finite.");
+  }
+  for (const std::string& warning : scene.Warnings)
+  {
+    if (this->Warned.insert(warning).second)
+    {
+      vtkWarningWithObjectMacro(self, << warning);
+    }
+  }
+  prepared->Rays =
+    std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
+  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
+  this->Prepared = std::move(prepared);
+  this->PreparedTime = computeTime(); // extraction may have updated the mappers
+}
+
+penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
+{
+  penumbra::RenderSettings settings;
+  settings.UsePackets = self->UsePackets;
+  settings.Integration.Method =
+    static_cast<penumbra::IntegrationSettings::Methods>(self->CoverageMethod);
+  settings.Integration.Tolerance = self->Tolerance;
+  settings.Integration.MaximumLevel = self->MaximumLevel;
+  settings.Integration.FindSmallObjects = self->FindSmallObjects;
+  settings.Integration.Shadows = self->Shadows;
+  settings.Integration.UniformSamples = self->UniformSamples;
+  settings.Integration.Noise =
+    self->AmbientOcclusion || self->IndirectLight ? ProviderToleranceFactor * self->Tolerance : 0.0;
+  return settings;
+}
+
+bool vtkPenumbraRayCaster::Internals::BeginProvider(
+  vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer)
+{
+  const double noise = ProviderToleranceFactor * self->Tolerance;
+  const bool occlusion = self->AmbientOcclusion || self->GeometryArrays;
+  const double phaseFraction = occlusion && self->IndirectLight ? 0.5 : 1.0;
+  double done = 0.0;
+  const auto progress = [&](double fraction) {
+    return ReportProgress(self, ProviderProgress * (done + phaseFraction * fraction));
+  };
+  if (occlusion)
+  {
+    const double radius = self->AmbientOcclusionRadius > 0.0
+      ? self->AmbientOcclusionRadius
+      : penumbra::DefaultRadiusFraction * penumbra::ComputeSceneDiagonal(this->Prepared->SceneData);
+    if (!this->IrradianceProvider->Begin(
+          *this->Prepared->Rays, { radius, self->AmbientOcclusionFalloff }, noise, progress))
+    {
+      return false;
+    }
+    done = phaseFraction;
+  }
+  if (self->AmbientOcclusion)
+  {
+    tracer.SetOcclusion(this->IrradianceProvider, self->AmbientOcclusionStrength, noise);
+  }
+  if (self->IndirectLight && self->Albedo > 0.0)
+  {
+    const double* color = self->EnvironmentColor;
+    penumbra::IlluminationSettings settings;
+    settings.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
+    settings.Map = this->Environment ? this->Environment->GetMap() : nullptr;
+    settings.Albedo = static_cast<float>(self->Albedo);
+    settings.Bounces = self->Bounces;
+    settings.Shadows = self->Shadows;
+    const penumbra::Illumination light(*this->Prepared->Rays, settings);
+    // The image contains Albedo / pi of the irradiance.
+    const double tolerance = noise * vtkMath::Pi() / self->Albedo;
+    tracer.SetIndirectLight(this->IrradianceProvider, settings.Albedo, tolerance);
+    return this->IrradianceProvider->BeginIrradiance(light, tolerance, progress);
+  }
+  return true;
+}
+
+bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  const penumbra::Scene& scene = this->Prepared->SceneData;
+  if (ReportProgress(self, SceneProgress))
+  {
+    return false;
+  }
+  const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
+  penumbra::CameraRayTracer tracer(*this->Prepared->Rays, shading, scene.ViewCamera);
+  tracer.SetPenumbraTolerance(ProviderToleranceFactor * self->Tolerance);
+  const penumbra::RenderSettings settings = MakeSettings(self);
+  const bool usesProvider = self->AmbientOcclusion || self->IndirectLight || self->GeometryArrays;
+  if (usesProvider && !this->BeginProvider(self, tracer))
+  {
+    return false;
+  }
+
+  std::string warning;
+  const std::optional<penumbra::LightShafts> shafts =
+    penumbra::MakeLightShafts(this->Medium, shading, penumbra::ComputeSceneDiagonal(scene),
+      { self->Tolerance, self->LightShaftSteps }, warning);
+  tracer.SetShafts(shafts ? &*shafts : nullptr);
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(self, << warning);
+  }
+
+  const double progressBegin = usesProvider ? ProviderProgress : 0.0;
+  const double progressEnd = self->GeometryArrays ? 1.0 - GeometryProgress : 1.0;
+  const auto progress = [self, progressBegin, progressEnd](double done) {
+    return ReportProgress(self, progressBegin + (progressEnd - progressBegin) * done);
+  };
+  penumbra::ImageRegion totals;
+  double squaredError = 0.0;
+  if (!penumbra::RenderImage(
+        tracer, this->Prepared->Edges, settings, progress, image, totals, squaredError))
+  {
+    return false;
+  }
+  // The error of the irradiance provider itself is bounded by the provider, so the limit allows for it.
+  const double limit = std::hypot(self->Tolerance, 0.5 * settings.Integration.Noise);
+  const penumbra::TileErrors tiles = penumbra::EvaluateTiles(image, limit);
+  if (self->CoverageMethod != UNIFORM && tiles.AboveTolerance > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "The tolerance of " << self->Tolerance << " was not reached in " << tiles.AboveTolerance
+                          << " of " << tiles.Tiles
+                          << " tiles of 16x16 pixels. The largest estimated error of a"
+                          << " tile is " << tiles.MaximumError
+                          << ". Increase Tolerance or MaximumLevel.");
+  }
+  if (self->GeometryArrays)
+  {
+    tracer.SetOcclusion(this->IrradianceProvider, self->AmbientOcclusionStrength,
+      ProviderToleranceFactor * self->Tolerance);
+    const auto geometry = [self, progressEnd](double done) {
+      return ReportProgress(self, progressEnd + (1.0 - progressEnd) * done);
+    };
+    if (!penumbra::AddGeometryArrays(tracer, geometry, image, totals.Rays))
+    {
+      return false;
+    }
+  }
+  this->Report(totals, squaredError, image->GetNumberOfPoints());
+  if (self->Layers)
+  {
+    this->AddLayers(self, image);
+  }
+  if (usesProvider)
+  {
+    this->IrradianceProvider->Report(this->Statistics);
+    vtkDataArray* gathered = this->Statistics->GetArray("Rays/Gather");
+    if (gathered)
+    {
+      vtkDataArray* total = this->Statistics->GetArray("Rays/Total");
+      total->SetComponent(0, 0, total->GetComponent(0, 0) + gathered->GetComponent(0, 0));
+    }
+  }
+  image->GetFieldData()->ShallowCopy(this->Statistics);
+  return true;
+}
+
+void vtkPenumbraRayCaster::Internals::AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  for (vtkRenderer* layer : penumbra::FindLayersAbove(this->Renderer))
+  {
+    const penumbra::LayerRectangle part =
+      penumbra::FindLayerRectangle(this->Renderer, layer, self->Resolution);
+    if (std::min(part.Size[0], part.Size[1]) < 1 ||
+      std::max(part.Size[0], part.Size[1]) > MaximumResolution)
+    {
+      continue;
+    }
+    vtkNew<vtkPenumbraRayCaster> caster;
+    caster->SetRenderer(layer);
+    caster->SetLayers(false);
+    caster->SetResolution(part.Size[0], part.Size[1]);
+    caster->SetTolerance(self->Tolerance);
+    caster->SetCoverageMethod(self->CoverageMethod);
+    caster->SetUniformSamples(self->UniformSamples);
+    caster->SetMaximumLevel(self->MaximumLevel);
+    caster->SetFindSmallObjects(self->FindSmallObjects);
+    caster->SetUsePackets(self->UsePackets);
+    caster->SetNumberOfThreads(self->NumberOfThreads);
+    caster->SetDPI(self->DPI);
+    caster->SetBackground(!layer->GetPreserveColorBuffer() && layer->GetLayer() == 0);
+    caster->Update();
+    penumbra::CompositeOver(caster->GetOutput(), part.Low, image);
+    AddLayerRays(caster->GetStatistics(), this->Statistics);
+  }
+}
+
+void vtkPenumbraRayCaster::Internals::Report(
+  const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels)
+{
+  const penumbra::RayCounts& rays = totals.Rays;
+  vtkFieldData* s = this->Statistics;
+  s->Initialize();
+  AddStatistic(s, "Rays/Primary", rays.Primary);
+  AddStatistic(s, "Rays/Refinement", rays.Refinement);
+  AddStatistic(s, "Rays/Shadow", rays.Shadow);
+  AddStatistic(s, "Rays/Shaft", rays.Shaft);
+  AddStatistic(s, "Rays/Occlusion", rays.Occlusion);
+  AddStatistic(s, "Rays/Indirect", rays.Indirect);
+  AddStatistic(s, "Rays/Auxiliary", rays.Auxiliary);
+  AddStatistic(s, "Rays/Total",
+    rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Indirect +
+      rays.Auxiliary);
+  AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.GetImageRays()) / pixels);
+  AddStatistic(s, "Pixels/Total", pixels);
+  AddStatistic(s, "Pixels/Empty", totals.Pixels.Empty);
+  AddStatistic(s, "Pixels/Interior", totals.Pixels.Interior);
+  AddStatistic(s, "Pixels/Edge", totals.Pixels.Edge);
+  AddStatistic(s, "Pixels/SmallObject", totals.Pixels.SmallObject);
+  AddStatistic(s, "Pixels/Refined", totals.Pixels.Refined);
+  AddStatistic(s, "Pixels/Uniform", totals.Pixels.Uniform);
+  AddStatistic(s, "Edges/Projected", totals.Edges);
+  this->EstimatedError = std::sqrt(squaredError / pixels);
+}

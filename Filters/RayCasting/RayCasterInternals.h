@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// State and execution of vtkPenumbraRayCaster: from the renderer or the data sets to the image.
+#ifndef penumbra_RayCasterInternals_h
+#define penumbra_RayCasterInternals_h
+
+#include "vtkPenumbraRayCaster.h"
+
+#include "Image/ImageRenderer.h"
+#include "LightSizes.h"
+
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
+#include "vtkPenumbraEnvironment.h"
+#include "vtkPenumbraMedium.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+
+struct vtkPenumbraRayCaster::Internals
+{
+  /// Maximum width and height of the image, in pixels.
+  static constexpr int MaximumResolution = 65535;
+
+  /// An extracted scene with its ray tracing structures.
+  struct PreparedScene
+  {
+    penumbra::Scene SceneData;
+    std::unique_ptr<penumbra::RayScene> Rays;
+    penumbra::SceneEdges Edges;
+  };
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
+    vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
+  vtkSmartPointer<vtkPenumbraMedium> Medium;
+  vtkSmartPointer<vtkPenumbraEnvironment> Environment;
+  penumbra::LightSizes SizedLights;
+  vtkNew<vtkFieldData> Statistics;
+  double EstimatedError = std::nan("");
+  std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
+  vtkMTimeType PreparedTime = 0;
+  std::set<std::string> Warned; ///< warnings of the scene that were reported
+  bool IsComputingMTime = false;
+
+  void ResetResults();
+  void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
+  bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
+  void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
+  bool BeginProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
+  void Report(const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels);
+  static penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self);
+};
+
+#endif
