@@ -3,12 +3,9 @@
 #include "RenderOptions.h"
 
 #include "Colormaps.h"
-#include "Files/ImageFiles.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
-#include "Processes/CommandConstants.h"
 #include "Processes/CommandError.h"
-#include "Processes/Worker.h"
 #include "SharedOptions.h"
 
 #include "vtkPenumbraKernels.h"
@@ -24,8 +21,7 @@ namespace
 {
 
 const Range Unit{ 0.0, 1.0 };
-// Coordinates and lengths whose squares are finite and nonzero in double precision.
-const Range Coordinate{ -1e100, 1e100 };
+// Lengths whose squares are finite and nonzero in double precision.
 const Range Length{ 1e-100, 1e100 };
 
 /// Adds a flag that sets `target` to false.
@@ -280,34 +276,6 @@ void DeclareLight(CLI::App& app, LightOptions& light)
     ->group(group);
 }
 
-void RequireShafts(const CLI::App& app, const ShaftOptions& shafts)
-{
-  for (const char* name : { "--shafts-scattering", "--shafts-extinction", "--shafts-phase" })
-  {
-    if (!shafts.Enabled && app.count(name) > 0)
-    {
-      throw CommandError(BadInput, std::string(name) + " needs --light-shafts; give both");
-    }
-  }
-  if (shafts.Extinction < shafts.Scattering)
-  {
-    throw CommandError(
-      BadInput, "--shafts-extinction must not be less than --shafts-scattering, which it includes");
-  }
-}
-
-void RequireColoring(const CLI::App& app, const RenderOptions& options)
-{
-  for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
-         "--colormap", "--coloring-scalar-bar" })
-  {
-    if (!options.Coloring.Enabled && app.count(name) > 0)
-    {
-      throw CommandError(BadInput, std::string(name) + " needs --scalar-coloring; give both");
-    }
-  }
-}
-
 std::vector<std::string> KernelNames()
 {
   std::vector<std::string> names = { "automatic", "traced" };
@@ -357,29 +325,6 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
     ->group(group);
 }
 
-/// Throws CommandError for options whose effect the selected engine cannot render. Options that only
-/// configure the other engine are ignored with a warning, see FindIgnoredOptions().
-void RequireEngine(const CLI::App& app, const RenderOptions& options)
-{
-  if (options.Engine == "ray")
-  {
-    return;
-  }
-  for (const std::string name : { "--shadows", "--light-radius", "--light-angle", "--indirect",
-         "--ambient-occlusion-falloff", "--point-radius", "--line-radius" })
-  {
-    if (app.count(name) > 0)
-    {
-      throw CommandError(BadInput, name + " is not supported by --engine raster; use --engine ray");
-    }
-  }
-  if (std::isinf(options.AmbientOcclusionRadius))
-  {
-    throw CommandError(BadInput,
-      "--ambient-occlusion-radius: inf is not supported by --engine raster; use --engine ray");
-  }
-}
-
 }
 
 void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
@@ -392,127 +337,6 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
   DeclareEffects(app, options);
   DeclareLight(app, options.Light);
   DeclareShafts(app, options.Shafts);
-}
-
-void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
-{
-  CheckImageExtension(options.Output, "--output");
-  RequireEngine(app, options);
-  RequireColoring(app, options);
-  RequireShafts(app, options.Shafts);
-  if (!options.Background && !SupportsAlpha(options.Output))
-  {
-    throw CommandError(BadInput,
-      "--no-background: " + options.Output + " cannot hold transparency; use .png, .tif or .vti");
-  }
-  const double needed = BytesPerPixel * options.Resolution[0] * options.Resolution[1];
-  if (needed > static_cast<double>(MachineMemory()))
-  {
-    throw CommandError(BadInput,
-      "--resolution: the image needs more memory than the machine has; choose a smaller one");
-  }
-  const Vector3& up = options.Camera.ViewUp.value_or(Vector3{ 0, 1, 0 });
-  if (std::hypot(up[0], up[1], up[2]) == 0.0)
-  {
-    throw CommandError(
-      BadInput, "--camera-view-up: 0,0,0 is not a direction; give a nonzero vector");
-  }
-  const Vector3& direction = options.Camera.Direction.value_or(Vector3{ 0, 0, -1 });
-  if (std::hypot(direction[0], direction[1], direction[2]) == 0.0)
-  {
-    throw CommandError(
-      BadInput, "--camera-direction: 0,0,0 is not a direction; give a nonzero vector");
-  }
-  if (options.Camera.Position && options.Camera.Position == options.Camera.FocalPoint)
-  {
-    throw CommandError(
-      BadInput, "--camera-focal-point must differ from --camera-position; move one of them");
-  }
-  const Vector3& upwards = options.Light.EnvironmentUp.value_or(Vector3{ 0, 1, 0 });
-  if (std::hypot(upwards[0], upwards[1], upwards[2]) == 0.0)
-  {
-    throw CommandError(BadInput, "--hdri-up: 0,0,0 is not a direction; give a nonzero vector");
-  }
-  for (const std::array<double, 4>& light : options.Lights)
-  {
-    const double length = std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]) });
-    if (light[3] < 0.0 || (light[3] == 0.0 && length == 0.0) ||
-      (light[3] > 0.0 && length > light[3] * Coordinate.Maximum))
-    {
-      throw CommandError(
-        BadInput, "--light-position: w must be positive, or 0 with a nonzero direction");
-    }
-  }
-}
-
-std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOptions& options)
-{
-  const bool ray = options.Engine == "ray";
-  const bool orthographic = options.Camera.Orthographic;
-  const bool placed = options.Camera.Position.has_value();
-  const bool lights = options.Lighting && !options.Lights.empty();
-  const auto hasLight = [&](bool positional) {
-    return options.Lighting &&
-      std::any_of(options.Lights.begin(), options.Lights.end(),
-        [positional](
-          const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; });
-  };
-  const struct
-  {
-    const char* Option;
-    bool IsIgnored;
-    const char* Reason;
-  } rows[] = {
-    { "--tolerance", !ray && !options.AmbientOcclusion,
-      "with --engine raster without --ambient-occlusion" },
-    { "--max-level", !ray, "with --engine raster" },
-    { "--no-small-objects", !ray, "with --engine raster" },
-    { "--point-size", options.PointRadius > 0.0, "with --point-radius" },
-    { "--line-width", options.LineRadius > 0.0 && !options.ShowEdges, "with --line-radius" },
-    { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
-      "without --ambient-occlusion" },
-    { "--ambient-occlusion-falloff", !options.AmbientOcclusion && !HoldsArrays(options.Output),
-      "without --ambient-occlusion" },
-    { "--ambient-occlusion-falloff", std::isinf(options.AmbientOcclusionRadius),
-      "with --ambient-occlusion-radius inf" },
-    { "--ambient-occlusion-strength", !options.AmbientOcclusion, "without --ambient-occlusion" },
-    { "--ambient-occlusion-light-awareness", !options.AmbientOcclusion,
-      "without --ambient-occlusion" },
-    { "--ambient-occlusion-light-awareness", options.AmbientOcclusion && ray, "with --engine ray" },
-    { "--ambient-occlusion-kernel", !options.AmbientOcclusion, "without --ambient-occlusion" },
-    { "--ambient-occlusion-kernel", options.AmbientOcclusion && ray, "with --engine ray" },
-    { "--cache", !ray, "with --engine raster" },
-    { "--cache", ray && !options.AmbientOcclusion && !options.Light.Indirect,
-      "without --ambient-occlusion or --indirect" },
-    { "--gatherer", !ray, "with --engine raster" },
-    { "--gatherer", ray && !options.AmbientOcclusion && !options.Light.Indirect,
-      "without --ambient-occlusion or --indirect" },
-    { "--environment-color", !options.Light.Indirect, "without --indirect" },
-    { "--environment-color", !options.Light.EnvironmentFile.empty(), "with --hdri-file" },
-    { "--hdri-file", !options.Light.Indirect, "without --indirect" },
-    { "--hdri-up", options.Light.EnvironmentFile.empty(), "without --hdri-file" },
-    { "--albedo", !options.Light.Indirect, "without --indirect" },
-    { "--bounces", !options.Light.Indirect, "without --indirect" },
-    { "--camera-parallel-scale", !orthographic, "without --camera-orthographic" },
-    { "--camera-view-angle", orthographic, "with --camera-orthographic" },
-    { "--camera-zoom-factor", placed, "with --camera-position" },
-    { "--camera-direction", placed,
-      "with --camera-position, unless the camera is at the center of the bounds" },
-    { "--light-position", !options.Lighting, "with --no-lighting" },
-    { "--shadows", !lights, "without --light-position: the headlight casts no shadows" },
-    { "--light-radius", !hasLight(true), "without a positional --light-position" },
-    { "--light-angle", !hasLight(false), "without a directional --light-position (w = 0)" },
-    { "--window", ray && options.Gatherer == "rays", "with --engine ray" },
-  };
-  std::vector<std::string> warnings;
-  for (const auto& row : rows)
-  {
-    if (row.IsIgnored && app.count(row.Option) > 0)
-    {
-      warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
-    }
-  }
-  return warnings;
 }
 
 }

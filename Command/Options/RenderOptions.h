@@ -18,6 +18,9 @@ namespace penumbra
 
 constexpr double Unset = std::numeric_limits<double>::quiet_NaN();
 
+/// Coordinates whose squares are finite in double precision.
+const Range Coordinate{ -1e100, 1e100 };
+
 struct CameraOptions
 {
   std::optional<Vector3> Position;
