@@ -6,18 +6,10 @@
 #define penumbra_RoundGeometry_h
 
 #include "EmbreeQuery.h"
-#include "Surface.h"
+#include "TracedSurface.h"
 
 namespace penumbra
 {
-
-/// Data of a surface that the callbacks of Embree use.
-struct TracedSurface
-{
-  const Surface* Data;
-  float DepthTolerance;
-  bool IsTranslucent; ///< of spheres and tubes only
-};
 
 /**
  * Returns the geometry of a surface of spheres or tubes; `traced` must outlive it. A ray hits the

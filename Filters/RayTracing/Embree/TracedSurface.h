@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Data of a surface that the callbacks of Embree use.
+#ifndef penumbra_TracedSurface_h
+#define penumbra_TracedSurface_h
+
+#include "Surface.h"
+
+namespace penumbra
+{
+
+/// Data of a surface that the callbacks of Embree use.
+struct TracedSurface
+{
+  const Surface* Data;
+  float DepthTolerance;
+  bool IsTranslucent; ///< of spheres and tubes only
+};
+
+}
+#endif

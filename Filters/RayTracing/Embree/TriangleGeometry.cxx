@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleGeometry.h"
+
+#include "CoincidentSurfaces.h"
+
+#include <algorithm>
+#include <new>
+
+namespace penumbra
+{
+
+namespace
+{
+
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree expects packed vectors");
+
+/// Embree intersection filter: rejects hits on culled sides, collects candidates for
+/// CoincidentSurfaces and extends the ray by the depth tolerance.
+void IntersectFilter(const RTCFilterFunctionNArguments* args)
+{
+  const auto& traced = *static_cast<const TracedSurface*>(args->geometryUserPtr);
+  CandidateHits* candidatesOfRays = static_cast<QueryContext*>(args->context)->Candidates;
+  for (unsigned int i = 0; i < args->N; ++i)
+  {
+    const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
+      RTCRayN_dir_y(args->ray, args->N, i), RTCRayN_dir_z(args->ray, args->N, i));
+    const glm::vec3 normal(RTCHitN_Ng_x(args->hit, args->N, i), RTCHitN_Ng_y(args->hit, args->N, i),
+      RTCHitN_Ng_z(args->hit, args->N, i));
+    const float facing = glm::dot(normal, direction);
+    if (facing < 0.f ? !traced.Data->Frontfaces : !traced.Data->Backfaces)
+    {
+      args->valid[i] = 0;
+    }
+    else if (args->valid[i] != 0 && traced.DepthTolerance > 0.f)
+    {
+      const CandidateHit hit{ RTCHitN_geomID(args->hit, args->N, i),
+        RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
+        RTCHitN_v(args->hit, args->N, i), RTCRayN_tfar(args->ray, args->N, i) };
+      const float tolerance = traced.DepthTolerance / glm::length(direction);
+      CandidateHits& candidates = candidatesOfRays[RTCRayN_id(args->ray, args->N, i)];
+      RTCRayN_tfar(args->ray, args->N, i) =
+        std::min(candidates.Add(hit, tolerance) + tolerance, candidates.Far);
+    }
+  }
+}
+
+/// Occlusion filter of line and point geometries: rejects every hit, because lines and points cast
+/// no shadows.
+void RejectAllFilter(const RTCFilterFunctionNArguments* args)
+{
+  std::fill_n(args->valid, args->N, 0);
+}
+
+/// Shares `data` with Embree if there is spare capacity behind the last element, since Embree reads
+/// elements as 16 bytes; copies it otherwise.
+template <typename T>
+void SetBuffer(
+  RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& data)
+{
+  if (data.capacity() > data.size())
+  {
+    rtcSetSharedGeometryBuffer(geometry, type, 0, format, data.data(), 0, sizeof(T), data.size());
+    return;
+  }
+  void* copy = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), data.size());
+  if (!copy)
+  {
+    throw std::bad_alloc();
+  }
+  std::copy(data.begin(), data.end(), static_cast<T*>(copy));
+}
+
+}
+
+RTCGeometry MakeTriangleGeometry(RTCDevice device, TracedSurface& traced)
+{
+  const Surface& surface = *traced.Data;
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  SetBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.Positions);
+  SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.Triangles);
+  rtcSetGeometryUserData(geometry, &traced);
+  if (!surface.Frontfaces || !surface.Backfaces || traced.DepthTolerance > 0.f)
+  {
+    rtcSetGeometryIntersectFilterFunction(geometry, IntersectFilter);
+  }
+  if (surface.IsLineOrPoint)
+  {
+    rtcSetGeometryOccludedFilterFunction(geometry, RejectAllFilter);
+  }
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+}

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Triangles as primitives of Embree's BVH, with the filters of their hits.
+#ifndef penumbra_TriangleGeometry_h
+#define penumbra_TriangleGeometry_h
+
+#include "EmbreeQuery.h"
+#include "TracedSurface.h"
+
+namespace penumbra
+{
+
+/// Returns the geometry of a surface of triangles; `traced` must outlive it. Rays skip culled sides.
+/// Hits that may coincide with other surfaces are collected in QueryContext::Candidates. Lines and
+/// points do not occlude. Throws std::bad_alloc.
+RTCGeometry MakeTriangleGeometry(RTCDevice device, TracedSurface& traced);
+
+}
+#endif

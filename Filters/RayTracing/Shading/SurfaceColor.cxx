@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceColor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+glm::vec4 ToFloatColor(glm::u8vec4 color)
+{
+  return glm::vec4(color) * (1.f / 255.f);
+}
+
+/// Maps a texel index into [0, size).
+int WrapIndex(int i, int size, Texture::WrapModes wrap)
+{
+  const auto modulo = [](int x, int n) { return x % n < 0 ? x % n + n : x % n; };
+  switch (wrap)
+  {
+    case Texture::WrapModes::Repeat:
+      return modulo(i, size);
+    case Texture::WrapModes::MirroredRepeat:
+    {
+      const int j = modulo(i, 2 * size);
+      return j < size ? j : 2 * size - 1 - j;
+    }
+    default:
+      return std::clamp(i, 0, size - 1);
+  }
+}
+
+}
+
+glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates)
+{
+  const auto texel = [&](int i, int j) {
+    if (texture.Wrap == Texture::WrapModes::ClampToBorder &&
+      (i < 0 || i >= texture.Width || j < 0 || j >= texture.Height))
+    {
+      return texture.BorderColor;
+    }
+    i = WrapIndex(i, texture.Width, texture.Wrap);
+    j = WrapIndex(j, texture.Height, texture.Wrap);
+    return ToFloatColor(texture.Texels[static_cast<std::size_t>(j) * texture.Width + i]);
+  };
+  if (!std::isfinite(coordinates.x) || !std::isfinite(coordinates.y))
+  {
+    return texel(0, 0);
+  }
+  // Larger coordinates would overflow the texel index.
+  const float limit = 1e6f;
+  const float x = glm::clamp(coordinates.x, -limit, limit) * texture.Width;
+  const float y = glm::clamp(coordinates.y, -limit, limit) * texture.Height;
+  if (!texture.Interpolate)
+  {
+    return texel(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
+  }
+  const float left = std::floor(x - .5f);
+  const float bottom = std::floor(y - .5f);
+  const int i = static_cast<int>(left);
+  const int j = static_cast<int>(bottom);
+  const float s = x - .5f - left;
+  const float t = y - .5f - bottom;
+  return glm::mix(glm::mix(texel(i, j), texel(i + 1, j), s),
+    glm::mix(texel(i, j + 1), texel(i + 1, j + 1), s), t);
+}
+
+glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners, glm::vec3 weights)
+{
+  if (!surface.PointColors.empty())
+  {
+    return weights.x * ToFloatColor(surface.PointColors[corners.x]) +
+      weights.y * ToFloatColor(surface.PointColors[corners.y]) +
+      weights.z * ToFloatColor(surface.PointColors[corners.z]);
+  }
+  if (!surface.CellColors.empty())
+  {
+    return ToFloatColor(surface.CellColors[hit.Triangle]);
+  }
+  return SampleTexture(
+    *surface.ColorTexture, Interpolate(surface.ColorCoordinates, corners, weights));
+}
+
+bool HasMappedColor(const Surface& surface)
+{
+  return !surface.PointColors.empty() || !surface.CellColors.empty() || surface.ColorTexture;
+}
+
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Colors at a hit that come from data: point and cell colors, textures.
+#ifndef penumbra_SurfaceColor_h
+#define penumbra_SurfaceColor_h
+
+#include "Embree/RayScene.h"
+
+#include <vector>
+
+namespace penumbra
+{
+
+/// Interpolates point data with the barycentric coordinates of a hit.
+template <typename T>
+T Interpolate(const std::vector<T>& values, glm::uvec3 corners, glm::vec3 weights)
+{
+  return weights.x * values[corners.x] + weights.y * values[corners.y] +
+    weights.z * values[corners.z];
+}
+
+/// Returns the RGBA color of a texture, in [0, 1], as VTK samples it without mipmaps. `coordinates`
+/// span the image from (0, 0) to (1, 1).
+glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates);
+
+/// Returns true if the color of the surface is mapped from its data.
+bool HasMappedColor(const Surface& surface);
+
+/// Returns the RGBA color at a hit that is mapped from the data of the surface.
+glm::vec4 MappedColor(
+  const Surface& surface, const Hit& hit, glm::uvec3 corners, glm::vec3 weights);
+
+}
+#endif
