@@ -30,6 +30,8 @@ constexpr double ProviderToleranceFactor = 2.0;
 constexpr double SceneProgress = 1e-6;
 // Fraction of the progress for the preparation of the irradiance provider.
 constexpr double ProviderProgress = 0.25;
+// Relative rounding error of the estimated errors, which are floats.
+constexpr double RoundingError = 1e-6;
 // Fraction of the progress for the geometry arrays.
 constexpr double GeometryProgress = 0.25;
 
@@ -43,6 +45,35 @@ bool ReportProgress(vtkAlgorithm* self, double fraction)
     self->UpdateProgress(fraction);
   }
   return self->GetAbortExecute() != 0;
+}
+
+/// Emits one warning if the estimated error of a tile exceeds its limit, or `error`, that of the image,
+/// exceeds the tolerance.
+void WarnMissedTolerance(vtkPenumbraRayCaster* self, const penumbra::RenderSettings& settings,
+  double error, vtkImageData* image)
+{
+  const double tolerance = self->GetTolerance();
+  // Ambient occlusion and indirect light have an error of their own, within the tolerance, that adds
+  // to that of the image.
+  const double limit = std::hypot(tolerance, 0.5 * settings.Integration.Noise);
+  const penumbra::TileErrors tiles = penumbra::EvaluateTiles(image, limit);
+  if (tiles.AboveTolerance > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "The tolerance of " << tolerance << " was not reached in " << tiles.AboveTolerance << " of "
+                          << tiles.Tiles
+                          << " tiles of 16x16 pixels. The largest estimated error of a"
+                          << " tile is " << tiles.MaximumError
+                          << ". Increase Tolerance or MaximumLevel.");
+  }
+  else if (error > (1.0 + RoundingError) * tolerance)
+  {
+    vtkWarningWithObjectMacro(self,
+      "The estimated error of the image, "
+        << error << ", exceeds the tolerance of " << tolerance
+        << ", because that of ambient occlusion and indirect light adds to it. Set Tolerance to "
+        << std::sqrt(0.5) * tolerance << " for an image within " << tolerance << ".");
+  }
 }
 
 /// Adds the rays of a layer to the statistics of the image.
@@ -233,17 +264,10 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     return false;
   }
-  // The error of the irradiance provider itself is bounded by the provider, so the limit allows for it.
-  const double limit = std::hypot(self->Tolerance, 0.5 * settings.Integration.Noise);
-  const penumbra::TileErrors tiles = penumbra::EvaluateTiles(image, limit);
-  if (self->CoverageMethod != UNIFORM && tiles.AboveTolerance > 0)
+  if (self->CoverageMethod != UNIFORM)
   {
-    vtkWarningWithObjectMacro(self,
-      "The tolerance of " << self->Tolerance << " was not reached in " << tiles.AboveTolerance
-                          << " of " << tiles.Tiles
-                          << " tiles of 16x16 pixels. The largest estimated error of a"
-                          << " tile is " << tiles.MaximumError
-                          << ". Increase Tolerance or MaximumLevel.");
+    const double error = std::sqrt(squaredError / image->GetNumberOfPoints());
+    WarnMissedTolerance(self, settings, error, image);
   }
   if (self->GeometryArrays)
   {

@@ -299,7 +299,10 @@ public:
    */
   vtkFieldData* GetStatistics();
 
-  /** Estimated RMS error of the image, for colors in [0, 1]; NaN if there is no image. */
+  /** Estimated RMS error of the image, for colors in [0, 1]; NaN if there is no image. One warning
+   * says so if it exceeds `Tolerance`, or if that of a tile of 16x16 pixels exceeds its limit:
+   * `Tolerance`, or `sqrt(2) * Tolerance` with ambient occlusion or indirect light, whose own error,
+   * within `Tolerance`, adds to that of the image. Images with the method `UNIFORM` do not warn. */
   double GetEstimatedError();
 
   vtkMTimeType GetMTime() override;

@@ -7,12 +7,21 @@
 #include "Scenes/AccuracyScenes.h"
 #include "vtkPenumbraRayCaster.h"
 
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 using namespace penumbra;
@@ -49,3 +58,80 @@ INSTANTIATE_TEST_SUITE_P(RayCaster, ErrorEstimates,
   ::testing::Values(
     "Foliage", "FoliageWithShadows", "Checkerboard", "Glass", "FlatTerrain", "Soup300WithShadows"),
   [](const ::testing::TestParamInfo<std::string>& row) { return row.param; });
+
+namespace
+{
+
+/// Spheres that touch and cover the whole image.
+void AddSpheres(vtkRenderer* renderer)
+{
+  for (int i = 0; i < 25; ++i)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(0.8 * (i % 5), 0.8 * (i / 5), 0.1 * (i % 3));
+    sphere->SetRadius(0.6);
+    sphere->SetThetaResolution(16);
+    sphere->SetPhiResolution(16);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+  }
+  renderer->GetActiveCamera()->ParallelProjectionOn();
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->SetParallelScale(1.4);
+}
+
+/// Returns the largest RMS of `EstimatedError` of 16 x 16 pixels of a square image of 64 pixels.
+double FindLargestTileError(vtkImageData* image)
+{
+  vtkDataArray* errors = image->GetPointData()->GetArray("EstimatedError");
+  double squares[16] = {};
+  for (int p = 0; p < 64 * 64; ++p)
+  {
+    const double error = errors->GetComponent(p, 0);
+    squares[p / 64 / 16 * 4 + p % 64 / 16] += error * error / 256.0;
+  }
+  return std::sqrt(*std::max_element(squares, squares + 16));
+}
+
+}
+
+TEST(ErrorWarnings, AgreeWithTheEstimatedError)
+{
+  int cases[2] = {}; // warnings of the image, of tiles
+  for (const double tolerance : { 0.3, 0.1, 1e-4 })
+  {
+    for (const bool occlusion : { false, true })
+    {
+      if (occlusion && tolerance < 0.1)
+      {
+        continue; // too many rays
+      }
+      SCOPED_TRACE("tolerance " + std::to_string(tolerance) + (occlusion ? " with occlusion" : ""));
+      vtkNew<vtkRenderer> renderer;
+      AddSpheres(renderer);
+      vtkNew<vtkPenumbraRayCaster> caster;
+      caster->SetRenderer(renderer);
+      caster->SetResolution(64, 64);
+      caster->SetTolerance(tolerance);
+      caster->SetAmbientOcclusion(occlusion);
+      int warnings = 0;
+      vtkNew<vtkCallbackCommand> count;
+      count->SetClientData(&warnings);
+      count->SetCallback(
+        [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+      caster->AddObserver(vtkCommand::WarningEvent, count);
+      caster->Update();
+      const double limit = occlusion ? std::sqrt(2.0) * tolerance : tolerance;
+      const bool tileMissed = FindLargestTileError(caster->GetOutput()) > limit;
+      const bool imageMissed = caster->GetEstimatedError() > (1.0 + 1e-6) * tolerance;
+      EXPECT_EQ(warnings, tileMissed || imageMissed ? 1 : 0) << caster->GetEstimatedError();
+      cases[0] += imageMissed && !tileMissed;
+      cases[1] += tileMissed;
+    }
+  }
+  EXPECT_GT(cases[0], 0);
+  EXPECT_GT(cases[1], 0);
+}
