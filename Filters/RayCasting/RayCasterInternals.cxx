@@ -9,6 +9,7 @@
 #include "Media/MediumExtraction.h"
 #include "SceneBounds.h"
 #include "Shading/Illumination.h"
+#include "Shading/LightOverlap.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -150,6 +151,11 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     throw std::runtime_error(
       "The camera is not usable: position, focal point, view up, view angle and "
       "parallel scale must be finite.");
+  }
+  if (self->Shadows)
+  {
+    const std::vector<std::string> overlaps = penumbra::DescribeLightOverlaps(scene);
+    scene.Warnings.insert(scene.Warnings.end(), overlaps.begin(), overlaps.end());
   }
   for (const std::string& warning : scene.Warnings)
   {

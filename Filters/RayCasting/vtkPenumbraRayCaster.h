@@ -118,7 +118,8 @@ public:
    * degrees) disks across their direction. With Shadows, they cast penumbrae, sampled until the
    * estimated error is within Tolerance. Surfaces are shaded as by a light at the center, times the
    * fraction of the light that is visible, in solid angle (disks: in area). The part of a light
-   * below the horizon of a surface is not visible. Light shafts ignore the size. Range: >= 0,
+   * below the horizon of a surface is not visible. Inside the sphere of a light, surfaces are fully
+   * lit and cast no shadow; a warning names the light. Light shafts ignore the size. Range: >= 0,
    * finite. Default: 0, hard shadows.
    */
   vtkSetMacro(LightRadius, double);

@@ -6,6 +6,7 @@
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCell.h"
 #include "vtkDiskSource.h"
@@ -28,6 +29,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 using namespace penumbra;
 
@@ -365,4 +367,56 @@ TEST(Penumbrae, RejectInvalidSizes)
     EXPECT_TRUE(std::isnan(caster->GetEstimatedError())) << angle;
   }
   vtkObject::GlobalWarningDisplayOn();
+}
+
+namespace
+{
+
+/// Returns the warnings of a caster with a light of radius 0.5 at the height `height` over the floor.
+std::vector<std::string> WarnAtHeight(double height, bool spot, bool shadows, float& center)
+{
+  Scene scene(MakeHalfPlane());
+  scene.Light->SetPosition(0.3, 0.0, height);
+  scene.Light->SetFocalPoint(0.3, 0.0, height - 1.0);
+  scene.Light->SetConeAngle(spot ? 60.0 : 180.0);
+  std::vector<std::string> warnings;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&warnings);
+  observer->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
+    const std::string warning = static_cast<const char*>(text);
+    if (warning.find("contains") != std::string::npos) // not those of the tolerance
+    {
+      static_cast<std::vector<std::string>*>(client)->push_back(warning);
+    }
+  });
+  const auto caster = scene.Cast([&](vtkPenumbraRayCaster* target) {
+    target->SetShadows(shadows);
+    target->AddObserver(vtkCommand::WarningEvent, observer);
+  });
+  caster->Modified();
+  caster->Update(); // warns only once
+  // The camera looks at the floor below the light, 0.3 from the center of the image.
+  center = caster->GetOutput()->GetScalarComponentAsFloat(Size / 2 + 24, Size / 2, 0, 0);
+  return warnings;
+}
+
+}
+
+TEST(Penumbrae, OfLightsThatContainSurfacesWarnOnce)
+{
+  float color = 0.f;
+  // Through the floor: the points inside the light are fully lit.
+  std::vector<std::string> warnings = WarnAtHeight(0.3, false, true, color);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("The light at (0.3, 0, 0.3) with a radius of 0.5 contains or touches"),
+    std::string::npos)
+    << warnings[0];
+  EXPECT_NEAR(color, 1.f, 0.01f);
+  // Through the edge of the occluder
+  EXPECT_EQ(WarnAtHeight(2.3, false, true, color).size(), 1u);
+  // Next to them, without shadows, and disks, which have no inside
+  EXPECT_TRUE(WarnAtHeight(4.0, false, true, color).empty());
+  EXPECT_TRUE(WarnAtHeight(0.51, false, true, color).empty());
+  EXPECT_TRUE(WarnAtHeight(0.3, false, false, color).empty());
+  EXPECT_TRUE(WarnAtHeight(0.3, true, true, color).empty());
 }

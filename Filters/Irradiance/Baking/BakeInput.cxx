@@ -143,6 +143,12 @@ bool SetOpacity(vtkPolyData* data, const std::string& name, Surface& surface)
   return true;
 }
 
+[[noreturn]] void RejectOpacityArray(const std::string& name, const std::string& where)
+{
+  throw std::runtime_error("OpacityArray: " + name + where +
+    " must be a point array with one component and values in [0, 1].");
+}
+
 class BakeInputBuilder
 {
 public:
@@ -392,8 +398,7 @@ private:
     surface.Triangles = std::move(this->Triangles);
     if (!SetOpacity(this->Mesh, this->Options.OpacityArray, surface))
     {
-      throw std::runtime_error("OpacityArray: " + this->Options.OpacityArray +
-        " must be a point array with one component and values in [0, 1].");
+      RejectOpacityArray(this->Options.OpacityArray, "");
     }
     this->Result.OccluderScene.Surfaces.push_back(std::move(surface));
     Scene& scene = this->Result.OccluderScene;
@@ -442,7 +447,12 @@ void AddOccluders(vtkPolyData* surroundings, const BakeInputOptions& options, Ba
     surface.Positions.emplace_back(finite.back() ? scene.FromWorld(x) : glm::dvec3(0.0));
   }
   surface.Triangles = Triangulate(surroundings, finite, progress);
-  SetOpacity(surroundings, options.OpacityArray, surface);
+  // The array of the surroundings is optional, but an invalid one is an error.
+  if (!SetOpacity(surroundings, options.OpacityArray, surface) &&
+    surroundings->GetPointData()->GetAbstractArray(options.OpacityArray.c_str()))
+  {
+    RejectOpacityArray(options.OpacityArray, " of input port 1");
+  }
   mesh.OccluderScene.Surfaces.push_back(std::move(surface));
   AddRoundOccluders(surroundings, false, options.PointRadius, mesh.OccluderScene);
   AddRoundOccluders(surroundings, true, options.LineRadius, mesh.OccluderScene);

@@ -19,9 +19,12 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -321,5 +324,77 @@ TEST(IrradianceFilter, MultipliesOcclusionByOpacity)
     {
       EXPECT_NEAR(bake(opacity, method), 0.5 * opacity, .005) << opacity;
     }
+  }
+}
+
+namespace
+{
+
+/// Errors of baking a floor, of one array on the floor itself or on the surroundings.
+std::string BakeWithOpacity(vtkAbstractArray* array, bool onSurroundings, bool& hasOutput)
+{
+  vtkSmartPointer<vtkPlaneSource> floor = MakeFloor(4);
+  vtkNew<vtkPlaneSource> wall;
+  wall->Update();
+  vtkNew<vtkFloatArray> opaque;
+  opaque->SetName("Opacity");
+  opaque->SetNumberOfTuples(floor->GetOutput()->GetNumberOfPoints());
+  opaque->Fill(1.0);
+  vtkPolyData* target = onSurroundings ? wall->GetOutput() : floor->GetOutput();
+  floor->GetOutput()->GetPointData()->AddArray(opaque);
+  target->GetPointData()->RemoveArray("Opacity");
+  if (array)
+  {
+    array->SetName("Opacity");
+    target->GetPointData()->AddArray(array);
+  }
+  std::string errors;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&errors);
+  observer->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
+    *static_cast<std::string*>(client) += static_cast<const char*>(text);
+  });
+  vtkNew<vtkPenumbraIrradianceFilter> filter;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->SetInputData(floor->GetOutput());
+  filter->SetInputData(1, wall->GetOutput());
+  filter->SetOpacityArray("Opacity");
+  filter->Update();
+  hasOutput = GetPolyData(filter)->GetPointData()->HasArray("AmbientOcclusion");
+  return errors;
+}
+
+}
+
+TEST(IrradianceFilter, RejectsInvalidOpacityArrays)
+{
+  const auto makeFloats = [](vtkIdType tuples, int components, float value) {
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples);
+    array->Fill(value);
+    return array;
+  };
+  for (const bool onSurroundings : { false, true })
+  {
+    const vtkIdType points = onSurroundings ? 4 : 25;
+    auto words = vtkSmartPointer<vtkStringArray>::New();
+    words->SetNumberOfValues(points);
+    std::vector<vtkSmartPointer<vtkAbstractArray>> arrays = { makeFloats(points - 1, 1, 0.5f),
+      makeFloats(points + 1, 1, 0.5f), makeFloats(points, 3, 0.5f), makeFloats(points, 1, -0.1f),
+      makeFloats(points, 1, 1.1f), makeFloats(points, 1, std::nanf("")), words };
+    for (const vtkSmartPointer<vtkAbstractArray>& array : arrays)
+    {
+      bool hasOutput = true;
+      const std::string errors = BakeWithOpacity(array, onSurroundings, hasOutput);
+      EXPECT_NE(errors.find("OpacityArray: Opacity"), std::string::npos) << errors;
+      EXPECT_EQ(errors.find("input port 1") != std::string::npos, onSurroundings) << errors;
+      EXPECT_FALSE(hasOutput);
+    }
+    // Without the array, the surroundings are opaque; that of the input is required.
+    bool hasOutput = true;
+    const std::string errors = BakeWithOpacity(nullptr, onSurroundings, hasOutput);
+    EXPECT_EQ(errors.empty(), onSurroundings) << errors;
+    EXPECT_EQ(hasOutput, onSurroundings);
   }
 }
