@@ -243,7 +243,7 @@ void ExtractCamera(
   const bool isRigid = SetPose(camera->GetModelViewTransformMatrix(), scene.ViewCamera, position);
   const bool isSupported =
     SetProjection(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera);
-  if (!isRigid || !isSupported)
+  if (!camera->GetStereo() && (!isRigid || !isSupported)) // VTK shears the views of both eyes
   {
     WarnFeature(Feature::CameraShear, "", scene.Warnings);
   }

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WarningScenes.h"
+
+#include "FeatureProps.h"
+
+#include "vtkActor.h"
+#include "vtkAxisActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkImageMapper3D.h"
+#include "vtkImageSlice.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkShaderProperty.h"
+#include "vtkSkybox.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+using penumbra::Feature;
+
+namespace
+{
+
+/// Mapper that the ray caster does not know.
+class DerivedMapper : public vtkPolyDataMapper
+{
+public:
+  static DerivedMapper* New();
+  vtkTypeMacro(DerivedMapper, vtkPolyDataMapper);
+};
+vtkStandardNewMacro(DerivedMapper);
+
+/// Mapper of images other than vtkImageSliceMapper.
+class OtherImageMapper : public vtkImageMapper3D
+{
+public:
+  static OtherImageMapper* New();
+  vtkTypeMacro(OtherImageMapper, vtkImageMapper3D);
+  void Render(vtkRenderer*, vtkImageSlice*) override {}
+  void ReleaseGraphicsResources(vtkWindow*) override {}
+  void GetIndexBounds(double extent[6]) override { std::fill_n(extent, 6, 0.0); }
+  double* GetBounds() override { return this->Bounds; }
+};
+vtkStandardNewMacro(OtherImageMapper);
+
+/// Render pass that draws nothing.
+class EmptyPass : public vtkRenderPass
+{
+public:
+  static EmptyPass* New();
+  vtkTypeMacro(EmptyPass, vtkRenderPass);
+  void Render(const vtkRenderState*) override {}
+};
+vtkStandardNewMacro(EmptyPass);
+
+vtkActor* AddCube(vtkRenderer* renderer)
+{
+  return Add(renderer, MakeCube());
+}
+
+void AddActorScenes(std::vector<WarningScene>& scenes)
+{
+  const auto add = [&](Feature key, auto&& change, const char* prop = "Object 0") {
+    scenes.push_back({ key, prop, [change](vtkRenderer* renderer) { change(AddCube(renderer)); } });
+  };
+  add(Feature::PhysicallyBasedDetails, [](vtkActor* actor) {
+    actor->GetProperty()->SetInterpolationToPBR();
+    actor->GetProperty()->SetCoatStrength(1.0);
+  });
+  add(Feature::TextureSeams, [](vtkActor* actor) {
+    AddTexture(actor, MakeImage(8, 8));
+    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SeamlessUOn();
+  });
+  add(Feature::TextureCubeMap, [](vtkActor* actor) {
+    vtkTexture* texture = AddTexture(actor, MakeImage(8, 8));
+    texture->CubeMapOn();
+    for (int side = 0; side < 6; ++side)
+    {
+      texture->SetInputDataObject(side, MakeImage(8, 8));
+    }
+  });
+  add(Feature::ForceOpaque, [](vtkActor* actor) {
+    actor->GetProperty()->SetOpacity(0.5);
+    actor->ForceOpaqueOn();
+  });
+  add(Feature::CustomShaders, [](vtkActor* actor) {
+    actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, "", false);
+  });
+  add(Feature::CoordinateSystems, [](vtkActor* actor) { actor->SetCoordinateSystemToDevice(); });
+  add(Feature::Selection,
+    [](vtkActor* actor) { actor->GetMapper()->SetSelection(vtkNew<vtkSelection>()); });
+  add(
+    Feature::DerivedMappers,
+    [](vtkActor* actor) {
+      vtkNew<DerivedMapper> mapper;
+      mapper->SetInputData(MakeCube());
+      actor->SetMapper(mapper);
+    },
+    "Object 0 (DerivedMapper)");
+  add(
+    Feature::ShaderMappers,
+    [](vtkActor* actor) {
+      vtkNew<vtkPointGaussianMapper> mapper;
+      mapper->SetInputData(MakeCube());
+      actor->SetMapper(mapper);
+    },
+    "Object 0 (vtkOpenGLPointGaussianMapper)");
+}
+
+void AddPropScenes(std::vector<WarningScene>& scenes)
+{
+  const auto add = [&](Feature key, const char* name, auto&& make) {
+    scenes.push_back({ key, name, [make](vtkRenderer* renderer) {
+                        AddCube(renderer);
+                        make(renderer);
+                      } });
+  };
+  add(Feature::ObliqueImageSlices, "vtkImageSlice", [](vtkRenderer* renderer) {
+    vtkNew<OtherImageMapper> mapper;
+    mapper->SetInputData(MakeImage(8, 8));
+    vtkNew<vtkImageSlice> slice;
+    slice->SetMapper(mapper);
+    renderer->AddViewProp(slice);
+  });
+  add(Feature::AxisActors, "vtkAxisActor",
+    [](vtkRenderer* renderer) { renderer->AddActor(vtkNew<vtkAxisActor>()); });
+  add(Feature::OtherProps, "vtkOpenGLSkybox",
+    [](vtkRenderer* renderer) { renderer->AddActor(vtkNew<vtkSkybox>()); });
+  add(Feature::Volumes, "vtkVolume",
+    [](vtkRenderer* renderer) { renderer->AddViewProp(vtkNew<vtkVolume>()); });
+}
+
+void AddRendererScenes(std::vector<WarningScene>& scenes)
+{
+  const auto add = [&](Feature key, auto&& change) {
+    scenes.push_back({ key, "", [change](vtkRenderer* renderer) {
+                        AddCube(renderer);
+                        change(renderer);
+                      } });
+  };
+  add(Feature::CameraShear, [](vtkRenderer* renderer) {
+    vtkNew<vtkTransform> transform;
+    transform->Scale(1.0, 2.0, 1.0);
+    renderer->GetActiveCamera()->SetUserViewTransform(transform);
+  });
+  add(Feature::Stereo, [](vtkRenderer* renderer) {
+    vtkRenderWindow* window = renderer->GetRenderWindow();
+    window->SetStereoTypeToRedBlue();
+    window->StereoRenderOn();
+    window->Render(); // sets the camera's Stereo
+  });
+  add(
+    Feature::HiddenLineRemoval, [](vtkRenderer* renderer) { renderer->UseHiddenLineRemovalOn(); });
+  add(Feature::RenderPass, [](vtkRenderer* renderer) { renderer->SetPass(vtkNew<EmptyPass>()); });
+  add(Feature::RendererOcclusion, [](vtkRenderer* renderer) { renderer->UseSSAOOn(); });
+  add(Feature::RendererShadows, [](vtkRenderer* renderer) { renderer->UseShadowsOn(); });
+  add(Feature::ImageBasedLighting,
+    [](vtkRenderer* renderer) { renderer->UseImageBasedLightingOn(); });
+}
+
+}
+
+std::vector<WarningScene> MakeWarningScenes()
+{
+  std::vector<WarningScene> scenes;
+  AddActorScenes(scenes);
+  AddPropScenes(scenes);
+  AddRendererScenes(scenes);
+  return scenes;
+}
