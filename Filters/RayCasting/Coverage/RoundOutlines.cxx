@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RoundOutlines.h"
 
-#include "Embree/RoundIntersection.h"
-
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -457,103 +455,22 @@ void RoundOutlines::Project(
   }
 }
 
-// Front surfaces of convex shapes are convex, in perspective after a projective map. Their largest
-// depth in a pixel is that of a corner. Beyond the outline, the depth of the shape is bounded by
-// its farthest end.
-double MaximumRoundDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
+void ProjectCircle(glm::dvec3 center, double radius, glm::dvec3 normal, const Camera& camera,
+  glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges)
 {
-  const RoundShape shape = scene.Surfaces[id.Surface].GetRoundShape(id.Triangle);
-  const Camera& camera = scene.ViewCamera;
-  double largest = 0.0;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const glm::dvec2 p = origin + glm::dvec2(corner & 1, corner >> 1);
-    const RoundIntersection hit(shape, camera.RayOrigin(p), camera.RayDirection(p));
-    if (!hit.IsHit || hit.Enter < 0.0)
-    {
-      return std::max(camera.Depth(glm::dvec3(shape.A)) + shape.RadiusA,
-        camera.Depth(glm::dvec3(shape.B)) + shape.RadiusB);
-    }
-    largest = std::max(largest, hit.Enter + camera.DepthOfRayOrigins());
-  }
-  return largest;
-}
-
-void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin,
-  std::vector<PixelSegment>& segments)
-{
-  const auto isSphere = [&](TriangleId id) {
-    const Surface& surface = scene.Surfaces[id.Surface];
-    return surface.IsRound() && surface.Segments.empty();
-  };
-  if (!isSphere(a))
-  {
-    std::swap(a, b);
-  }
-  if (!isSphere(a) || (scene.Surfaces[b.Surface].IsRound() && !isSphere(b)))
-  {
-    return;
-  }
-  const RoundShape sphere = scene.Surfaces[a.Surface].GetRoundShape(a.Triangle);
-  const glm::dvec3 center(sphere.A);
-  const double radius = sphere.RadiusA;
-  glm::dvec3 normal;
-  double distance = 0.0; // of the plane of the intersection from the center
-  const Surface& other = scene.Surfaces[b.Surface];
-  if (isSphere(b))
-  {
-    const RoundShape second = other.GetRoundShape(b.Triangle);
-    const glm::dvec3 d = glm::dvec3(second.A) - center;
-    const double length = glm::length(d);
-    if (!(length > 0.0))
-    {
-      return;
-    }
-    normal = d / length;
-    distance = 0.5 * (length + (radius - second.RadiusA) * (radius + second.RadiusA) / length);
-  }
-  else
-  {
-    const glm::uvec3 corners = other.Triangles[b.Triangle];
-    const glm::dvec3 p(other.Positions[corners.x]);
-    const glm::dvec3 n = glm::cross(
-      glm::dvec3(other.Positions[corners.y]) - p, glm::dvec3(other.Positions[corners.z]) - p);
-    const double length = glm::length(n);
-    if (!(length > 0.0))
-    {
-      return;
-    }
-    normal = n / length;
-    distance = glm::dot(p - center, normal);
-  }
-  const double square = radius * radius - distance * distance;
-  if (!(square > 0.0))
-  {
-    return;
-  }
   const glm::dvec3 helper =
     std::abs(normal.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
   const glm::dvec3 u = glm::normalize(glm::cross(normal, helper));
   const glm::dvec3 v = glm::cross(normal, u);
-  const glm::dvec3 middle = center + distance * normal;
-  glm::dvec2 low;
-  glm::dvec2 high;
-  if (!BoundSphere(middle, std::sqrt(square), scene.ViewCamera, low, high))
+  glm::dvec2 lowest;
+  glm::dvec2 highest;
+  if (!BoundSphere(center, radius, camera, lowest, highest))
   {
     return;
   }
-  std::vector<ProjectedEdge> edges;
-  OutlineProjector projector(scene.ViewCamera, origin, origin + 1.0, edges);
-  projector.AddArc({ middle, std::sqrt(square) * u, std::sqrt(square) * v, 0.0, FullAngle },
-    0.5 * glm::distance(low, high));
-  for (const ProjectedEdge& edge : edges)
-  {
-    PixelSegment segment{ edge.A - origin, edge.B - origin };
-    if (ClipToPixel(segment))
-    {
-      segments.push_back(segment);
-    }
-  }
+  OutlineProjector projector(camera, low, high, edges);
+  projector.AddArc(
+    { center, radius * u, radius * v, 0.0, FullAngle }, 0.5 * glm::distance(lowest, highest));
 }
 
 }

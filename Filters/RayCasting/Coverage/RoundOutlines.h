@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Outlines of spheres and tubes in the image, and their intersections with spheres and triangles,
-// as chords. Each chord cuts off as much area as it adds, so that the area of a pixel on either
-// side is exact to about 5e-5.
+// Outlines of spheres and tubes in the image, and circles in space, as chords. Each chord cuts off
+// as much area as it adds, so that the area of a pixel on either side is exact to about 5e-5.
 #ifndef penumbra_RoundOutlines_h
 #define penumbra_RoundOutlines_h
 
 #include "Silhouettes.h"
-#include "TriangleIntersection.h"
 
 #include <cstdint>
 #include <vector>
@@ -47,13 +45,10 @@ private:
 void ProjectOutline(const Surface& surface, std::uint32_t primitive, const Camera& camera,
   glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges);
 
-/// Returns the largest depth in the pixel at `origin` of a sphere or tube that is visible in it.
-double MaximumRoundDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin);
-
-/// Appends the intersection of a sphere with a sphere or triangle in the pixel at `origin`, in pixel
-/// coordinates. The intersections of tubes are not computed.
-void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin,
-  std::vector<PixelSegment>& segments);
+/// Appends the projection of a circle with a unit `normal`, clipped to the rectangle [low, high].
+/// Circles that reach the camera plane are skipped.
+void ProjectCircle(glm::dvec3 center, double radius, glm::dvec3 normal, const Camera& camera,
+  glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges);
 
 }
 #endif

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleIntersection.h"
 
+#include "Embree/RoundIntersection.h"
 #include "RoundOutlines.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace penumbra
 {
@@ -86,6 +89,28 @@ void ClipToTriangle(
   }
 }
 
+// Front surfaces of convex shapes are convex, in perspective after a projective map. Their largest
+// depth in a pixel is that of a corner. Beyond the outline, the depth of the shape is bounded by
+// its farthest end.
+double MaximumRoundDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
+{
+  const RoundShape shape = scene.Surfaces[id.Surface].GetRoundShape(id.Triangle);
+  const Camera& camera = scene.ViewCamera;
+  double largest = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const glm::dvec2 p = origin + glm::dvec2(corner & 1, corner >> 1);
+    const RoundIntersection hit(shape, camera.RayOrigin(p), camera.RayDirection(p));
+    if (!hit.IsHit || hit.Enter < 0.0)
+    {
+      return std::max(camera.Depth(glm::dvec3(shape.A)) + shape.RadiusA,
+        camera.Depth(glm::dvec3(shape.B)) + shape.RadiusB);
+    }
+    largest = std::max(largest, hit.Enter + camera.DepthOfRayOrigins());
+  }
+  return largest;
+}
+
 }
 
 bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b)
@@ -159,6 +184,71 @@ bool IntersectTriangles(
   }
   segment = { center + enter * direction, center + leave * direction };
   return ClipToPixel(segment);
+}
+
+void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin,
+  std::vector<PixelSegment>& segments)
+{
+  const auto isSphere = [&](TriangleId id) {
+    const Surface& surface = scene.Surfaces[id.Surface];
+    return surface.IsRound() && surface.Segments.empty();
+  };
+  if (!isSphere(a))
+  {
+    std::swap(a, b);
+  }
+  if (!isSphere(a) || (scene.Surfaces[b.Surface].IsRound() && !isSphere(b)))
+  {
+    return;
+  }
+  const RoundShape sphere = scene.Surfaces[a.Surface].GetRoundShape(a.Triangle);
+  const glm::dvec3 center(sphere.A);
+  const double radius = sphere.RadiusA;
+  glm::dvec3 normal;
+  double distance = 0.0; // of the plane of the intersection from the center
+  const Surface& other = scene.Surfaces[b.Surface];
+  if (isSphere(b))
+  {
+    const RoundShape second = other.GetRoundShape(b.Triangle);
+    const glm::dvec3 d = glm::dvec3(second.A) - center;
+    const double length = glm::length(d);
+    if (!(length > 0.0))
+    {
+      return;
+    }
+    normal = d / length;
+    distance = 0.5 * (length + (radius - second.RadiusA) * (radius + second.RadiusA) / length);
+  }
+  else
+  {
+    const glm::uvec3 corners = other.Triangles[b.Triangle];
+    const glm::dvec3 p(other.Positions[corners.x]);
+    const glm::dvec3 n = glm::cross(
+      glm::dvec3(other.Positions[corners.y]) - p, glm::dvec3(other.Positions[corners.z]) - p);
+    const double length = glm::length(n);
+    if (!(length > 0.0))
+    {
+      return;
+    }
+    normal = n / length;
+    distance = glm::dot(p - center, normal);
+  }
+  const double square = radius * radius - distance * distance;
+  if (!(square > 0.0))
+  {
+    return;
+  }
+  std::vector<ProjectedEdge> edges;
+  ProjectCircle(center + distance * normal, std::sqrt(square), normal, scene.ViewCamera, origin,
+    origin + 1.0, edges);
+  for (const ProjectedEdge& edge : edges)
+  {
+    PixelSegment segment{ edge.A - origin, edge.B - origin };
+    if (ClipToPixel(segment))
+    {
+      segments.push_back(segment);
+    }
+  }
 }
 
 }

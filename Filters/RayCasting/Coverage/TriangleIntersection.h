@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Intersections of pairs of triangles: image edges that do not correspond to a mesh edge.
+// Intersections of triangles and spheres: image edges that do not correspond to a mesh edge.
 #ifndef penumbra_TriangleIntersection_h
 #define penumbra_TriangleIntersection_h
 
@@ -9,11 +9,12 @@
 #include "Scene.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace penumbra
 {
 
-/// Index of a triangle in a scene.
+/// Index of a triangle, sphere or tube in a scene.
 struct TriangleId
 {
   std::uint32_t Surface;
@@ -26,8 +27,8 @@ struct TriangleId
 };
 
 /**
- * Returns the largest depth of the plane of a triangle in the pixel with the lower left corner
- * `origin`. Infinity if the plane is unbounded there.
+ * Returns the largest depth in the pixel with the lower left corner `origin` of the plane of a
+ * triangle, infinity if the plane is unbounded there, or of a visible sphere or tube.
  */
 double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin);
 
@@ -41,6 +42,11 @@ bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b);
  */
 bool IntersectTriangles(
   const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin, PixelSegment& segment);
+
+/// Appends the projected intersection of a sphere with a sphere or triangle in the pixel with the
+/// lower left corner `origin`. The intersections of tubes are not computed.
+void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin,
+  std::vector<PixelSegment>& segments);
 
 }
 #endif
