@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The table of Documentation/dev/Architecture.md, enforced: reads the vtk.module files and the #include
-// lines of the repository and fails on an edge between folders that the table does not allow.
-#include "SourceFiles.h"
+// Reads the vtk.module files and the #include lines of the repository and fails on an edge between
+// folders that ModuleTable.h does not allow.
+#include "ModuleTable.h"
 
 #include <gtest/gtest.h>
 
@@ -14,174 +14,11 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
 {
 using namespace penumbra_testing;
-
-/// A row of the table: a module or one of its rooms, the folders that it may include, and the libraries
-/// that it may use in addition to VTK's data and RenderingCore. A row names earlier rows only, so that no
-/// include goes back up. A header in the list is a public one of the same module that includes no room.
-struct Row
-{
-  std::string Folder;
-  Names Folders;
-  Names Libraries;
-};
-
-const std::vector<Row> Table = {
-  { "Filters/Comparison", {}, {} },
-
-  { "Filters/Scene", {}, { "GLM" } },
-  { "Filters/Scene/Execution", {}, {} },
-  { "Filters/Scene/Features", { "Filters/Scene" }, {} },
-  { "Filters/Scene/Tessellation", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
-  { "Filters/Scene/Import",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/Scene/Features",
-      "Filters/Scene/Tessellation" },
-    { "GLM" } },
-
-  { "Filters/RayTracing/Embree", { "Filters/Scene", "Filters/Scene/Execution" },
-    { "Embree", "GLM" } },
-  { "Filters/RayTracing/Shading", { "Filters/Scene", "Filters/RayTracing/Embree" }, { "GLM" } },
-  { "Filters/RayTracing/Media",
-    { "Filters/Scene", "Filters/RayTracing/Embree", "Filters/RayTracing/Shading",
-      "vtkPenumbraMedium.h" },
-    { "GLM" } },
-  { "Filters/RayTracing",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
-      "Filters/RayTracing/Shading", "Filters/RayTracing/Media" },
-    { "GLM" } },
-
-  { "Filters/RayCasting/Sampling",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
-      "Filters/RayTracing/Shading", "Filters/RayTracing/Media", "Filters/RayTracing" },
-    { "GLM" } },
-  { "Filters/RayCasting/Coverage",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
-      "Filters/RayTracing/Shading", "Filters/RayCasting/Sampling" },
-    { "GLM" } },
-  { "Filters/RayCasting/Image",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayCasting/Sampling",
-      "Filters/RayCasting/Coverage" },
-    { "GLM" } },
-  { "Filters/RayCasting",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/Scene/Execution",
-      "Filters/RayTracing/Embree", "Filters/RayTracing/Shading", "Filters/RayTracing/Media",
-      "Filters/RayTracing", "Filters/RayCasting/Sampling", "Filters/RayCasting/Coverage",
-      "Filters/RayCasting/Image" },
-    { "GLM" } },
-
-  { "Filters/Irradiance/Gathering",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
-      "Filters/RayTracing/Shading" },
-    { "GLM" } },
-  { "Filters/Irradiance/Records",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
-      "Filters/RayTracing/Shading", "Filters/Irradiance/Gathering" },
-    { "GLM" } },
-  { "Filters/Irradiance/Baking",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/Scene/Execution",
-      "Filters/RayTracing/Embree", "Filters/RayTracing/Shading", "Filters/Irradiance/Gathering",
-      "Filters/Irradiance/Records" },
-    { "GLM" } },
-  { "Filters/Irradiance",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
-      "Filters/RayTracing/Shading", "Filters/RayTracing", "Filters/Irradiance/Gathering",
-      "Filters/Irradiance/Records", "Filters/Irradiance/Baking" },
-    { "GLM" } },
-
-  { "Filters/Parallel",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/RayCasting", "Filters/Irradiance" }, {} },
-
-  { "Rendering/ScreenSpace/Frame", {}, { "OpenGL" } },
-  { "Rendering/ScreenSpace/Chain", {}, { "OpenGL" } },
-  { "Rendering/ScreenSpace/Occlusion",
-    { "Rendering/ScreenSpace/Frame", "vtkPenumbraOcclusionEstimator.h" }, { "OpenGL" } },
-  { "Rendering/ScreenSpace/Shafts", { "Rendering/ScreenSpace/Frame" }, { "OpenGL" } },
-  { "Rendering/ScreenSpace",
-    { "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain",
-      "Rendering/ScreenSpace/Occlusion", "Rendering/ScreenSpace/Shafts" },
-    { "OpenGL" } },
-
-  { "Rendering/Irradiance/Traced",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/Scene/Execution",
-      "Filters/RayTracing/Embree", "Filters/RayTracing/Shading", "Filters/Irradiance",
-      "Rendering/ScreenSpace/Frame" },
-    { "OpenGL", "GLM" } },
-  { "Rendering/Irradiance/Splats",
-    { "Filters/Scene", "Filters/Irradiance/Records", "Rendering/ScreenSpace/Frame" },
-    { "OpenGL", "GLM" } },
-  { "Rendering/Irradiance/CubeMap",
-    { "Filters/Scene", "Filters/RayTracing/Embree", "Filters/RayTracing/Shading",
-      "Filters/Irradiance/Gathering", "Rendering/ScreenSpace/Frame" },
-    { "OpenGL", "GLM" } },
-  { "Rendering/Irradiance",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/RayTracing", "Filters/Irradiance/Records",
-      "Filters/Irradiance", "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain",
-      "Rendering/ScreenSpace", "Rendering/Irradiance/Traced", "Rendering/Irradiance/Splats",
-      "Rendering/Irradiance/CubeMap" },
-    { "OpenGL", "GLM" } },
-
-  { "Rendering/ParaView",
-    { "Filters/RayTracing", "Filters/RayCasting", "Filters/Irradiance",
-      "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain", "Rendering/ScreenSpace",
-      "Rendering/Irradiance" },
-    { "OpenGL", "ParaView" } },
-
-  { "Testing/Comparison", { "Filters/Comparison" }, { "GoogleTest" } },
-
-  { "Command/Processes", {}, {} },
-  { "Command/Parsing", { "Command/Processes" }, { "CLI11" } },
-  { "Command/Files", { "Command/Processes" }, { "JSON" } },
-  { "Command/Truncation", { "Command/Files" }, {} },
-  { "Command/Input",
-    { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Truncation",
-      "Filters/RayTracing" },
-    { "CLI11" } },
-  { "Command/Options",
-    { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Input",
-      "Filters/RayTracing", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance" },
-    { "CLI11" } },
-  { "Command/Scene",
-    { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Input", "Command/Options" },
-    {} },
-  { "Command/Engines",
-    { "Command/Processes", "Command/Files", "Command/Input", "Command/Options", "Command/Scene",
-      "Filters/RayTracing", "Filters/RayCasting", "Filters/Irradiance", "Rendering/ScreenSpace",
-      "Rendering/Irradiance" },
-    { "OpenGL", "CLI11", "JSON" } },
-  { "Command",
-    { "Command/Processes", "Command/Parsing", "Command/Files", "Command/Input", "Command/Options",
-      "Command/Scene", "Command/Engines", "Filters/RayTracing", "Filters/RayCasting",
-      "Filters/Comparison", "Filters/Irradiance", "Rendering/ScreenSpace", "Rendering/Irradiance" },
-    { "OpenGL", "CLI11", "JSON" } },
-};
-
-/// The library that a header or a VTK module belongs to; empty: VTK's data or the language's own.
-std::string Library(const std::string& name)
-{
-  static const std::vector<std::pair<std::regex, std::string>> libraries = {
-    { std::regex("embree[34]/.*"), "Embree" },
-    { std::regex("glm/.*"), "GLM" },
-    { std::regex("(vtkOpenGL|vtk_gl|vtkEGL|vtkOSOpenGL|vtkXOpenGL).*"), "OpenGL" },
-    { std::regex("VTK::Rendering.*OpenGL2?"), "OpenGL" },
-    { std::regex("CLI/.*"), "CLI11" },
-    { std::regex("nlohmann/.*"), "JSON" },
-    { std::regex("gtest/.*"), "GoogleTest" },
-    { std::regex("ParaView::.*"), "ParaView" },
-  };
-  for (const auto& [pattern, library] : libraries)
-  {
-    if (std::regex_match(name, pattern))
-    {
-      return library;
-    }
-  }
-  return {};
-}
 
 /// The modules that a vtk.module file names under DEPENDS and PRIVATE_DEPENDS.
 Names Dependencies(const fs::path& moduleFile)
@@ -202,50 +39,6 @@ Names Dependencies(const fs::path& moduleFile)
     }
   }
   return names;
-}
-
-std::string ModuleName(const std::string& folder)
-{
-  std::string name = "Penumbra::" + folder;
-  name.erase(std::remove(name.begin(), name.end(), '/'), name.end());
-  return name;
-}
-
-bool IsModule(const Row& row)
-{
-  return fs::exists(Root / row.Folder / "vtk.module");
-}
-
-bool IsPublic(const fs::path& header)
-{
-  return header.extension() == ".h" && header.filename().string().rfind("vtkPenumbra", 0) == 0;
-}
-
-/// The row of a folder, or of its nearest parent that has one; null outside the table.
-const Row* RowOf(fs::path folder)
-{
-  for (; folder.has_relative_path() && folder != Root; folder = folder.parent_path())
-  {
-    const std::string name = folder.lexically_relative(Root).generic_string();
-    const auto row =
-      std::find_if(Table.begin(), Table.end(), [&name](const Row& r) { return r.Folder == name; });
-    if (row != Table.end())
-    {
-      return &*row;
-    }
-  }
-  return nullptr;
-}
-
-/// The folder of the module that a row belongs to.
-std::string ModuleOf(const Row& row)
-{
-  fs::path folder = row.Folder;
-  while (folder.has_parent_path() && !fs::exists(Root / folder / "vtk.module"))
-  {
-    folder = folder.parent_path();
-  }
-  return folder.generic_string();
 }
 
 /// Maps each header that is generated from a shader to that shader.
