@@ -29,7 +29,7 @@ inline std::string Text(const fs::path& path)
   return text.str();
 }
 
-/// The sources that lie directly in a folder, or below it where that is asked.
+/// Returns the sources in a folder, with those of its subfolders if `below` is true.
 inline std::vector<fs::path> Sources(const fs::path& folder, bool below)
 {
   std::vector<fs::path> found;

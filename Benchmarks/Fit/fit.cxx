@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two constants of the march kernel: the errors of several values on the generated scenes that the
-// constants were fitted on, and on meshes that took no part in the fit. Run it with
-// `./penumbra benchmark fit`.
+// Errors of several values of two constants of the march kernel, on the generated scenes to which they
+// were fitted and on meshes that were not used in the fit. Run it with `./penumbra benchmark fit`.
 #include "OcclusionReference.h"
 #include "OcclusionWindow.h"
 #include "Program.h"
@@ -51,7 +50,7 @@ struct Setting
   }
 };
 
-/// The mesh in white, seen from above. The radius is a tenth of the diagonal, as by default.
+/// White mesh, seen from above. The radius has its default, a tenth of the diagonal.
 template <typename Reader>
 OcclusionTestScene ReadScene(const std::string& folder, const char* name, const char* extension)
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Accuracy of images and of their error estimates in scenes that no constant was chosen with: fraction
-// of tiles above the tolerance, fraction of these whose estimate is below their error, and ratio of
-// estimate and error. With --uniform also the rays of uniform samples with the same error.
+// Accuracy of images and of their error estimates in scenes that were not used to choose constants:
+// fraction of tiles above the tolerance, fraction of these whose estimate is below their error, and
+// ratio of estimate and error. With --uniform, also the rays of uniform sampling with the same error.
 #include "BruteForce/ImageErrors.h"
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/AccuracyScenes.h"

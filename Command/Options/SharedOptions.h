@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Options that more than one subcommand has, with one description.
+// Options that several subcommands share.
 #ifndef penumbra_SharedOptions_h
 #define penumbra_SharedOptions_h
 

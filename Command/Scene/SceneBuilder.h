@@ -26,8 +26,8 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
 /// Returns the bounds of all actors, including the radii of spheres and tubes.
 vtkBoundingBox ComputeBounds(vtkRenderer* renderer, const RenderOptions& options);
 
-/// Places the camera of `renderer`, which must contain its actors, by options.Camera. The ray engine
-/// draws everything in front of it, also what is very close.
+/// Places the camera of `renderer`, which must contain its actors, by options.Camera. The near
+/// plane of the ray engine clips nothing.
 void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options);
 
 }

@@ -42,9 +42,9 @@ public:
   /// Gets the rest of the line; returns false at the end of the file.
   bool Line(std::string& line);
 
-  // The following throw TruncatedFile with `item` if the file ends before.
+  // The following throw TruncatedFile with `item` if the file ends first.
   std::string RequireLine(const char* item);
-  long long Count(const char* item); ///< also throws UnknownStructure if it is no count
+  long long Count(const char* item); ///< also throws UnknownStructure if it is not a count
   void SkipWords(long long count, const char* item);
   void SkipLines(long long count, const char* item);
   void SkipBytes(long double count, const char* item);

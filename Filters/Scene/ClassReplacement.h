@@ -11,7 +11,7 @@ namespace penumbra
 {
 
 /// Registers a function that creates the objects of a VTK class. It takes precedence over VTK's
-/// modules; where it returns null, VTK creates the object.
+/// modules; if it returns null, VTK creates the object.
 ///
 /// Register each class once. All registrations last until the process ends.
 void ReplaceClass(

@@ -44,7 +44,7 @@ struct Texture
   int Height = 0;
   std::vector<glm::u8vec4> Texels;
   bool Interpolate = false;
-  /// Value outside [0, 1], as vtkTexture's wrap modes.
+  /// Wrap modes of vtkTexture: the color at coordinates outside [0, 1].
   enum class WrapModes
   {
     ClampToEdge,
@@ -65,8 +65,8 @@ struct RoundShape
   float RadiusB;
 };
 
-/// Triangle mesh with its material, or spheres or tubes. Positions and Triangles reserve capacity for one more element,
-/// because Embree may read 16 bytes starting at the last one (see RayScene).
+/// Triangle mesh, spheres or tubes with their material. Positions and Triangles reserve capacity for
+/// one more element, because Embree may read 16 bytes starting at the last one (see RayScene).
 struct Surface
 {
   int ObjectId = 0; ///< index of the actor or data set, as in the array ObjectId
@@ -136,8 +136,8 @@ struct Surface
   float GetRadius(std::size_t position) const;
   RoundShape GetRoundShape(std::uint32_t primitive) const;
 
-  /// Returns the geometric normal of a triangle (not of a sphere or tube), not normalized. It is zero only for triangles
-  /// without area.
+  /// Returns the geometric normal of a triangle (not of a sphere or tube), not normalized. It is
+  /// zero only for triangles without area.
   glm::vec3 NormalOf(std::uint32_t triangle) const;
 };
 

@@ -125,7 +125,7 @@ void Render(const FeatureScene& scene, Images& images)
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&warnings);
   observer->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
-    // Small highlights may miss the tolerance; that is no matter of the table.
+    // Small highlights may miss the tolerance; the table does not cover that.
     const std::string warning = static_cast<const char*>(text);
     *static_cast<std::string*>(data) +=
       warning.find("The tolerance of") == std::string::npos ? warning : "";

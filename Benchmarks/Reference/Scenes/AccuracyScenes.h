@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scenes for the accuracy of images and of their error estimates. No constant of the ray caster was
-// chosen with them.
+// Scenes for the accuracy of images and of their error estimates. They were not used to choose any
+// constant of the ray caster.
 #ifndef penumbra_AccuracyScenes_h
 #define penumbra_AccuracyScenes_h
 
@@ -26,7 +26,7 @@ struct AccuracyScene
 };
 
 /// Gyroids, adversaries, foliage, text, hair, moire patterns, textures, glass, highlights, triangle
-/// soups from outside and inside, wide and tele, with shadows.
+/// soups from outside and inside, wide and narrow view angles, with shadows.
 const std::vector<AccuracyScene>& GetAccuracyScenes();
 
 /// Returns a gyroid with about `triangles` triangles in [-1, 1]^3; without `smooth` it has no

@@ -48,9 +48,9 @@ VTKPENUMBRAFILTERSIRRADIANCE_EXPORT BakeInput PrepareBakeInput(
   vtkPointSet* data, const BakeInputOptions& options, const ProgressCallback& progress = {});
 
 /// Adds the polygons of `surroundings`, and its vertices and lines with the radii of `options`, to
-/// the occluders, without query points. Extends the bounds
-/// by all finite points, including those without polygons. Without the opacity array, they are
-/// opaque; throws std::runtime_error if it is invalid.
+/// the occluders, without query points. Extends the bounds by all finite points, including those
+/// without polygons. Without the opacity array, they are opaque; throws std::runtime_error if it is
+/// invalid.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT void AddOccluders(vtkPolyData* surroundings,
   const BakeInputOptions& options, BakeInput& mesh, const ProgressCallback& progress = {});
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compares baked values with closed forms where surfaces of other mesh densities are near: records
-// of one must not be interpolated on another, and records that see nothing must not reach occluders.
+// Compares baked values with closed forms near surfaces of different mesh densities: records of one
+// surface must not be interpolated on another, and those of unoccluded points must not extend to
+// occluders.
 #include "vtkPenumbraIrradianceFilter.h"
 
 #include "SphereOnFloor.h"

@@ -224,8 +224,7 @@ bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>
 }
 
 // A shadow boundary may cross a pixel without a difference between its corners. The corners of a
-// neighboring pixel then show one. Penumbrae do not count:
-// their colors are noisy everywhere.
+// neighboring pixel then show one. Penumbrae do not count: their colors are noisy everywhere.
 bool PixelIntegrator::IsNearShadowBoundary() const
 {
   if (!this->Settings.Shadows)

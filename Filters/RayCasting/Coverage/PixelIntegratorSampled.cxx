@@ -133,8 +133,8 @@ PixelResult PixelIntegrator::IntegrateSampled()
 }
 
 // The first estimate of a pixel needs few rays: the mean of the corners, or one ray per face. The
-// triangles of a dense surface have no edges, so colors vary within faces. `unknown`: corners and
-// faces do not tell the variation of the colors.
+// triangles of a dense surface have no edges, so colors vary within faces. `unknown`: the variation
+// of the colors is not known from corners and faces.
 PixelResult PixelIntegrator::IntegrateDense(bool unknown)
 {
   if (this->Segments.empty())

@@ -21,8 +21,8 @@ struct PixelResult
   float Error = 0.f;      ///< estimated RMS error of the three color components
 };
 
-/// A pixel with the samples that were traced so far. Where few edges cross the pixel, its faces
-/// have constant colors and exact areas, and samples only estimate the mean difference to them.
+/// A pixel with the samples that were traced so far. If few edges cross the pixel, its faces have
+/// constant colors and exact areas, and samples only estimate the mean difference to them.
 struct SampledPixel
 {
   int X = 0;

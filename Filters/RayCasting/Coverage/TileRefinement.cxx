@@ -80,7 +80,7 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
   const double pixelLimit = limit * Square(MaximumPixelError);
   const int maximumSamples =
     std::min(SampleBudgetFactor * ComputeMaximumSamples(settings.Tolerance), MaximumSamples);
-  // A few pixels may use the budget of the whole tile, also at the border of the image.
+  // A few pixels may use the budget of the whole tile, even at the edge of the image.
   double budget = ComputeSampleBudget(settings.Tolerance) * PixelsPerTile;
   std::vector<Candidate> candidates;
   for (;;)

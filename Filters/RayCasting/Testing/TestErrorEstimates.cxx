@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Error estimates in scenes that no constant was chosen with, a subset of the benchmark `accuracy`.
-// The reference has jittered samples and knows its own error.
+// Error estimates in scenes that were not used to choose constants, a subset of the benchmark
+// `accuracy`. The reference has jittered samples and estimates its own error.
 #include "BruteForce/StratifiedReference.h"
 #include "Scenes/AccuracyScenes.h"
 #include "vtkPenumbraRayCaster.h"

@@ -142,7 +142,7 @@ private:
     }
   }
 
-  const int* Valid; ///< -1: the ray takes part
+  const int* Valid; ///< -1: the ray is active
   unsigned int Count;
   const float* X;
   const float* Y;

@@ -28,7 +28,7 @@ struct ShadedHit
 struct PenumbraSampling
 {
   // Input.
-  std::uint32_t Estimated = 0; ///< lights whose visible fraction is estimated; of others, one ray
+  std::uint32_t Estimated = 0; ///< lights whose visible fraction is estimated; others get one ray
   std::uint32_t Index = 0;     ///< index of the sample of this ray
   float Tolerance = 0.f;       ///< accepted standard error of the color
 

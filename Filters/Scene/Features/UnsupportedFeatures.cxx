@@ -36,7 +36,7 @@ bool UsesOtherCoordinates(Prop*, long)
 
 bool HasCustomShaders(vtkActor* actor)
 {
-  // GetShaderProperty() crashes where no OpenGL module is loaded.
+  // GetShaderProperty() crashes if no OpenGL module is loaded.
   if (!vtkObjectFactory::HasOverrideAny("vtkShaderProperty"))
   {
     return false;
@@ -46,7 +46,7 @@ bool HasCustomShaders(vtkActor* actor)
     shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 
-/// Returns true for mappers whose polygons are drawn without anything else that they add.
+/// Returns true for mappers of which only the polygons are drawn.
 bool IsKnownMapper(vtkMapper* mapper)
 {
   static const char* const names[] = { "vtkPolyDataMapper", "vtkOpenGLPolyDataMapper",

@@ -94,8 +94,8 @@ double FindPixelWidth(vtkCamera* camera, const double bounds[6], const Extractio
   return height / options.Resolution[1];
 }
 
-/// Moves the sides of `bounds` outward by the largest radius of a sphere or tube. `pointWidth`: of
-/// 1/72 inch of the image, in world units.
+/// Moves the sides of `bounds` outward by the largest radius of a sphere or tube. `pointWidth` is the
+/// width of 1/72 inch of the image, in world units.
 void AddRadii(const std::vector<DrawItem>& items, double pointWidth, double bounds[6])
 {
   double largest = 0.0;

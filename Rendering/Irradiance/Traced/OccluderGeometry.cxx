@@ -120,8 +120,8 @@ std::string FindMissing(vtkRenderer* renderer)
   return {};
 }
 
-/// Removes all attributes except the geometry, all translucent surfaces, which have no depth
-/// either, and spheres and tubes, whose size depends on the camera.
+/// Removes all attributes except the geometry. Also removes translucent surfaces, which are not in
+/// the depth buffer either, and spheres and tubes, whose size depends on the camera.
 void RemoveShadingData(Scene& scene)
 {
   std::vector<Surface> surfaces;

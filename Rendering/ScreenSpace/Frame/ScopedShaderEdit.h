@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// For tests only: replaces one piece of shader text while it exists, to measure what that line of
-// the shader is for.
+// For tests only: replaces one piece of shader text while it exists, to measure the effect of that
+// line of the shader.
 #ifndef penumbra_ScopedShaderEdit_h
 #define penumbra_ScopedShaderEdit_h
 
@@ -13,7 +13,7 @@
 namespace penumbra
 {
 
-/// Edits all stages that contain `part`. Edits nest, and end in the opposite order. Use it on the
+/// Edits all stages that contain `part`. Edits nest and must end in reverse order. Use it on the
 /// thread that renders.
 class VTKPENUMBRARENDERINGSCREENSPACE_EXPORT ScopedShaderEdit
 {

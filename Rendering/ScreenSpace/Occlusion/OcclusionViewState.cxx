@@ -111,7 +111,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   if (change == EyeDepth::Change::Moved && settings.DepthTolerance < 1.0 &&
     view.IsCutFrom(this->Depth.GetPreviousView(), this->Renderer->GetActiveCamera()->GetDistance()))
   {
-    // A kernel sees other occluders from there: a short new history is more accurate.
+    // A kernel finds other occluders from the new viewpoint, so a short new history is more accurate.
     change = EyeDepth::Change::Reset;
   }
   this->Changed = change != EyeDepth::Change::None;

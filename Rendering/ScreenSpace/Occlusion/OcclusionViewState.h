@@ -50,7 +50,7 @@ struct OcclusionSettings
   /// Reproject moving actors; the delegate renders the renderer's props.
   bool UseActorMotion = false;
   bool Restart = false; ///< settings changed: discard the history
-  /// Another estimator of the same quantity: the history keeps a small weight.
+  /// If true, another estimator of the same quantity is used: the history keeps a small weight.
   bool EstimatorChanged = false;
   int Margin[2] = { 0, 0 };
   /// Bounds of the visible scene if clipping planes may be fitted to it.
