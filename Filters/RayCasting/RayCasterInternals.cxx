@@ -131,7 +131,8 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   options.Resolution[0] = self->Resolution[0];
   options.Resolution[1] = self->Resolution[1];
   options.DPI = self->DPI;
-  options.Background = self->Background;
+  options.Background =
+    self->Background && !(self->Layers && !penumbra::FindLayersBelow(this->Renderer).empty());
   // What the camera clips still blocks light.
   options.ClipToRange =
     !self->Shadows && !self->AmbientOcclusion && !self->IndirectLight && !this->Medium;
@@ -306,33 +307,43 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   return true;
 }
 
+void vtkPenumbraRayCaster::Internals::AddLayer(
+  vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image)
+{
+  const penumbra::LayerRectangle part =
+    penumbra::FindLayerRectangle(this->Renderer, layer, self->Resolution);
+  if (std::min(part.Size[0], part.Size[1]) < 1 ||
+    std::max(part.Size[0], part.Size[1]) > MaximumResolution)
+  {
+    return;
+  }
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(layer);
+  caster->SetLayers(false);
+  caster->SetResolution(part.Size[0], part.Size[1]);
+  caster->SetTolerance(self->Tolerance);
+  caster->SetCoverageMethod(self->CoverageMethod);
+  caster->SetUniformSamples(self->UniformSamples);
+  caster->SetMaximumLevel(self->MaximumLevel);
+  caster->SetFindSmallObjects(self->FindSmallObjects);
+  caster->SetUsePackets(self->UsePackets);
+  caster->SetNumberOfThreads(self->NumberOfThreads);
+  caster->SetDPI(self->DPI);
+  caster->SetBackground(!isAbove && self->Background && !layer->GetPreserveColorBuffer());
+  caster->Update();
+  penumbra::CompositeLayer(caster->GetOutput(), part.Low, isAbove, image);
+  AddLayerRays(caster->GetStatistics(), this->Statistics);
+}
+
 void vtkPenumbraRayCaster::Internals::AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
+  for (vtkRenderer* layer : penumbra::FindLayersBelow(this->Renderer))
+  {
+    this->AddLayer(self, layer, false, image);
+  }
   for (vtkRenderer* layer : penumbra::FindLayersAbove(this->Renderer))
   {
-    const penumbra::LayerRectangle part =
-      penumbra::FindLayerRectangle(this->Renderer, layer, self->Resolution);
-    if (std::min(part.Size[0], part.Size[1]) < 1 ||
-      std::max(part.Size[0], part.Size[1]) > MaximumResolution)
-    {
-      continue;
-    }
-    vtkNew<vtkPenumbraRayCaster> caster;
-    caster->SetRenderer(layer);
-    caster->SetLayers(false);
-    caster->SetResolution(part.Size[0], part.Size[1]);
-    caster->SetTolerance(self->Tolerance);
-    caster->SetCoverageMethod(self->CoverageMethod);
-    caster->SetUniformSamples(self->UniformSamples);
-    caster->SetMaximumLevel(self->MaximumLevel);
-    caster->SetFindSmallObjects(self->FindSmallObjects);
-    caster->SetUsePackets(self->UsePackets);
-    caster->SetNumberOfThreads(self->NumberOfThreads);
-    caster->SetDPI(self->DPI);
-    caster->SetBackground(!layer->GetPreserveColorBuffer() && layer->GetLayer() == 0);
-    caster->Update();
-    penumbra::CompositeOver(caster->GetOutput(), part.Low, image);
-    AddLayerRays(caster->GetStatistics(), this->Statistics);
+    this->AddLayer(self, layer, true, image);
   }
 }
 

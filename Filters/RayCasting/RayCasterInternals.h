@@ -52,6 +52,7 @@ struct vtkPenumbraRayCaster::Internals
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
+  void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
   bool BeginProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
   void Report(const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels);
   static penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self);

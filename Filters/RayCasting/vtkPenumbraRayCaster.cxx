@@ -151,9 +151,12 @@ vtkMTimeType vtkPenumbraRayCaster::GetMTime()
     time = std::max(time, penumbra::GetSceneMTime(this->Implementation->Renderer));
     if (this->Layers)
     {
-      for (vtkRenderer* layer : penumbra::FindLayersAbove(this->Implementation->Renderer))
+      for (const auto& find : { penumbra::FindLayersAbove, penumbra::FindLayersBelow })
       {
-        time = std::max(time, penumbra::GetSceneMTime(layer));
+        for (vtkRenderer* layer : find(this->Implementation->Renderer))
+        {
+          time = std::max(time, penumbra::GetSceneMTime(layer));
+        }
       }
     }
     this->Implementation->IsComputingMTime = false;

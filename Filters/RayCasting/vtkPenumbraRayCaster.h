@@ -259,8 +259,9 @@ public:
   ///@{
   /**
    * If true, the renderers in layers above that of Renderer in its window are composited over the
-   * image where their viewports overlap, such as the one of an orientation widget. They are ray cast
-   * with the same Tolerance, without ambient occlusion, indirect light and shadows. Default: true.
+   * image where their viewports overlap, such as the one of an orientation widget. Those in layers
+   * below are composited under it instead of the background, unless Renderer erases them
+   * (vtkRenderer::PreserveColorBuffer is off). They are ray cast with the same Tolerance, without ambient occlusion, indirect light and shadows. Default: true.
    */
   vtkSetMacro(Layers, bool);
   vtkGetMacro(Layers, bool);

@@ -403,6 +403,22 @@ void AddViews(SceneList& add)
   add(
     Feature::Layers,
     [](Renderer r, Window w) {
+      vtkNew<vtkRenderer> below;
+      below->SetBackground(0.7, 0.3, 0.2);
+      Add(below, MakeCube());
+      Look(below);
+      w->SetNumberOfLayers(2);
+      r->SetLayer(1);
+      w->AddRenderer(below);
+      Add(r, MakeSphere())->GetProperty()->SetOpacity(0.6);
+      vtkActor* solid = Add(r, MakeSphere());
+      solid->SetPosition(0.9, 0.4, 0.0);
+      r->ResetCamera();
+    },
+    0.01);
+  add(
+    Feature::Layers,
+    [](Renderer r, Window w) {
       Add(r, MakeSphere());
       vtkNew<vtkAnnotatedCubeActor> cube;
       AddAxesLayer(w, cube);
@@ -417,6 +433,20 @@ void AddViews(SceneList& add)
       Look(r);
     },
     0.01);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+  add(Feature::PhysicalCoordinates, [](Renderer r, Window w) {
+    w->SetPhysicalTranslation(-0.5, 0.2, 0.0);
+    w->SetPhysicalScale(2.0);
+    w->SetPhysicalViewDirection(0.6, 0.0, -0.8);
+    Add(r, MakeSphere());
+    vtkActor* actor = Add(r, MakeCube());
+    actor->SetCoordinateSystemRenderer(r);
+    actor->SetCoordinateSystemToPhysical();
+    actor->SetScale(0.5);
+    Look(r);
+    r->GetActiveCamera()->Zoom(0.4);
+  });
+#endif
   add(Feature::HiddenLineRemoval, [](Renderer r, Window) {
     r->SetUseHiddenLineRemoval(true);
     Add(r, MakeCube())->GetProperty()->SetRepresentationToWireframe();

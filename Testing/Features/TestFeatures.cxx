@@ -213,6 +213,9 @@ TEST(FeatureRows, HaveASceneIfTheyAreDrawn)
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
   features.insert(Feature::BlockTextures); // newer
 #endif
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 7, 0)
+  features.insert(Feature::PhysicalCoordinates);
+#endif
   for (const FeatureScene& scene : MakeFeatureScenes())
   {
     features.insert(scene.Key);

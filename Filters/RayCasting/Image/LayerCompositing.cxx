@@ -34,9 +34,10 @@ bool HasVisibleProps(vtkRenderer* renderer)
   return false;
 }
 
-}
-
-std::vector<vtkRenderer*> FindLayersAbove(vtkRenderer* renderer)
+/// Returns the other renderers of the window of `renderer` that are drawn, overlap it and satisfy
+/// `accepts`.
+template <typename Predicate>
+std::vector<vtkRenderer*> FindOverlapping(vtkRenderer* renderer, const Predicate& accepts)
 {
   std::vector<vtkRenderer*> layers;
   vtkRenderWindow* window = renderer ? renderer->GetRenderWindow() : nullptr;
@@ -54,14 +55,48 @@ std::vector<vtkRenderer*> FindLayersAbove(vtkRenderer* renderer)
   renderers->InitTraversal(position);
   while (vtkRenderer* other = renderers->GetNextRenderer(position))
   {
-    if (other->GetLayer() > renderer->GetLayer() && other->GetDraw() && overlaps(other) &&
-      HasVisibleProps(other))
+    if (other != renderer && other->GetDraw() && overlaps(other) && accepts(other))
     {
       layers.push_back(other);
     }
   }
+  return layers;
+}
+
+/// Composites a pixel of 4 floats over another one, and stores the result in `result`.
+void CompositePixel(const float* over, const float* under, float* result)
+{
+  const float below = (1.f - over[3]) * under[3];
+  const float alpha = over[3] + below;
+  for (int k = 0; k < 3; ++k)
+  {
+    result[k] = alpha > 0.f ? (over[3] * over[k] + below * under[k]) / alpha : result[k];
+  }
+  result[3] = alpha;
+}
+
+}
+
+std::vector<vtkRenderer*> FindLayersAbove(vtkRenderer* renderer)
+{
+  std::vector<vtkRenderer*> layers = FindOverlapping(renderer, [renderer](vtkRenderer* other) {
+    return other->GetLayer() > renderer->GetLayer() && HasVisibleProps(other);
+  });
   std::stable_sort(layers.begin(), layers.end(),
     [](vtkRenderer* a, vtkRenderer* b) { return a->GetLayer() < b->GetLayer(); });
+  return layers;
+}
+
+std::vector<vtkRenderer*> FindLayersBelow(vtkRenderer* renderer)
+{
+  if (!renderer || !renderer->GetPreserveColorBuffer())
+  {
+    return {};
+  }
+  std::vector<vtkRenderer*> layers = FindOverlapping(
+    renderer, [renderer](vtkRenderer* other) { return other->GetLayer() < renderer->GetLayer(); });
+  std::stable_sort(layers.begin(), layers.end(),
+    [](vtkRenderer* a, vtkRenderer* b) { return a->GetLayer() > b->GetLayer(); });
   return layers;
 }
 
@@ -81,7 +116,7 @@ LayerRectangle FindLayerRectangle(
   return rectangle;
 }
 
-void CompositeOver(vtkImageData* layer, const int low[2], vtkImageData* image)
+void CompositeLayer(vtkImageData* layer, const int low[2], bool isAbove, vtkImageData* image)
 {
   auto* from = vtkFloatArray::SafeDownCast(layer->GetPointData()->GetArray("Color"));
   auto* to = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Color"));
@@ -101,17 +136,14 @@ void CompositeOver(vtkImageData* layer, const int low[2], vtkImageData* image)
       int source[3] = { i - low[0], j - low[1], 0 };
       const vtkIdType p = layer->ComputePointId(source);
       const vtkIdType q = image->ComputePointId(index);
-      const float* over = from->GetPointer(4 * p);
-      float* under = to->GetPointer(4 * q);
-      const float below = (1.f - over[3]) * under[3];
-      const float alpha = over[3] + below;
-      for (int k = 0; k < 3 && alpha > 0.f; ++k)
-      {
-        under[k] = (over[3] * over[k] + below * under[k]) / alpha;
-      }
-      under[3] = alpha;
+      const float* theirs = from->GetPointer(4 * p);
+      float* ours = to->GetPointer(4 * q);
+      const double theirError = fromErrors->GetComponent(p, 0);
+      const double ourError = toErrors->GetComponent(q, 0);
       toErrors->SetComponent(q, 0,
-        std::hypot(fromErrors->GetComponent(p, 0), (1.0 - over[3]) * toErrors->GetComponent(q, 0)));
+        isAbove ? std::hypot(theirError, (1.0 - theirs[3]) * ourError)
+                : std::hypot(ourError, (1.0 - ours[3]) * theirError));
+      CompositePixel(isAbove ? theirs : ours, isAbove ? ours : theirs, ours);
     }
   }
 }

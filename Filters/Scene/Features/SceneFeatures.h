@@ -53,6 +53,7 @@ enum class Feature
   ForceOpaque,
   ForceTranslucent,
   CustomShaders,
+  PhysicalCoordinates,
   CoordinateSystems,
   Selection,
   DerivedMappers,

@@ -12,6 +12,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cstring>
@@ -24,9 +25,14 @@ namespace
 
 // Features that are newer than VTK 9.1.
 template <typename Prop>
-auto UsesOtherCoordinates(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() != Prop::WORLD)
+auto UsesOtherCoordinates(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() == Prop::DEVICE)
 {
+  // Matrices of assembly paths include the physical coordinate system; tested with VTK 9.7 only.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+  return prop->GetCoordinateSystem() == Prop::DEVICE;
+#else
   return prop->GetCoordinateSystem() != Prop::WORLD;
+#endif
 }
 template <typename Prop>
 bool UsesOtherCoordinates(Prop*, long)
