@@ -131,6 +131,34 @@ vtkActor* AddWrapped(vtkRenderer* renderer)
   return Add(renderer, plane);
 }
 
+vtkSmartPointer<vtkPolyData> MakeTube(int around)
+{
+  constexpr int Sides = 12;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  vtkNew<vtkCellArray> cells;
+  for (int i = 0; i < 2 * Sides; ++i)
+  {
+    const double turn = static_cast<double>(i / 2) / Sides;
+    const double angle = 6.283185307179586 * (turn + 0.15);
+    points->InsertNextPoint(0.5 * std::sin(angle), i % 2 - 0.5, 0.5 * std::cos(angle));
+    const double along = 0.9 * (i % 2);
+    coordinates->InsertNextTuple2(around == 0 ? turn : along, around == 0 ? along : turn);
+    if (i % 2 == 0)
+    {
+      const vtkIdType next = (i + 2) % (2 * Sides);
+      const vtkIdType quad[4] = { i, next, next + 1, i + 1 };
+      cells->InsertNextCell(4, quad);
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetTCoords(coordinates);
+  return data;
+}
+
 vtkSmartPointer<vtkPolyData> MakePolyline()
 {
   vtkNew<vtkPoints> points;

@@ -28,6 +28,10 @@ vtkSmartPointer<vtkPolyData> MakeSphere(int resolution = 24);
 vtkSmartPointer<vtkPolyData> MakeCube();
 vtkSmartPointer<vtkPolyData> MakePlane(int resolution = 1);
 vtkSmartPointer<vtkPolyData> MakePolyline();
+
+/// Closed tube without duplicate points; one texture coordinate runs around it, from 0 to 11/12.
+/// @param around Component of the texture coordinates that runs around the tube.
+vtkSmartPointer<vtkPolyData> MakeTube(int around);
 vtkSmartPointer<vtkPolyData> MakePointGrid();
 
 /// Checkerboard of 8 x 8 fields with gradients of color.

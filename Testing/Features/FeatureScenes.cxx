@@ -257,6 +257,17 @@ void AddMaterials(SceneList& add)
 #endif
     actor->SetPropertyKeys(keys);
   });
+  for (const bool seamlessV : { false, true })
+  {
+    add(Feature::TextureSeams, [seamlessV](Renderer r, Window) {
+      vtkActor* actor = Add(r, MakeTube(seamlessV));
+      AddTexture(actor, MakeImage(32, 32));
+      auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+      mapper->SetSeamlessU(!seamlessV);
+      mapper->SetSeamlessV(seamlessV);
+      Look(r);
+    });
+  }
   add(Feature::TextureMipmap,
     [](Renderer r, Window) { AddTexture(Add(r, MakePlane()), MakeImage(512, 512))->MipmapOn(); });
   add(Feature::TextureColorSpace, [](Renderer r, Window) {

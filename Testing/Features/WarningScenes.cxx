@@ -80,10 +80,6 @@ void AddActorScenes(std::vector<WarningScene>& scenes)
     actor->GetProperty()->SetInterpolationToPBR();
     actor->GetProperty()->SetCoatStrength(1.0);
   });
-  add(Feature::TextureSeams, [](vtkActor* actor) {
-    AddTexture(actor, MakeImage(8, 8));
-    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SeamlessUOn();
-  });
   add(Feature::TextureCubeMap, [](vtkActor* actor) {
     vtkTexture* texture = AddTexture(actor, MakeImage(8, 8));
     texture->CubeMapOn();

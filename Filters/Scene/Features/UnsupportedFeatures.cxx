@@ -5,8 +5,8 @@
 #include "SceneFeatures.h"
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
@@ -83,12 +83,6 @@ bool HasOtherMaterialDetails(vtkProperty* property)
   return property->GetCoatStrength() > 0.0 || property->GetAnisotropy() != 0.0;
 }
 
-bool IsSeamless(vtkMapper* mapper)
-{
-  auto* polygons = vtkPolyDataMapper::SafeDownCast(mapper);
-  return polygons && (polygons->GetSeamlessU() || polygons->GetSeamlessV());
-}
-
 }
 
 void WarnUnsupportedActor(
@@ -106,7 +100,6 @@ void WarnUnsupportedActor(
   warn(isPhysicallyBased && HasOtherMaterialDetails(property), Feature::PhysicallyBasedDetails);
   warn(HasCustomShaders(actor), Feature::CustomShaders);
   warn(UsesOtherCoordinates(actor, 0), Feature::CoordinateSystems);
-  warn(actor->GetTexture() && IsSeamless(mapper), Feature::TextureSeams);
   warn(actor->GetForceOpaque() && IsTranslucent(actor), Feature::ForceOpaque);
   warn(mapper->GetSelection() != nullptr, Feature::Selection);
   if (!IsKnownMapper(mapper))

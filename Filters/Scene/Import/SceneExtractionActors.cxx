@@ -245,6 +245,10 @@ private:
     if (this->Prop)
     {
       item.Data = TransformTextureCoordinates(item.Data, this->Prop);
+      if (auto* actor = vtkActor::SafeDownCast(this->Prop); actor && item.LitTexture)
+      {
+        item.Data = UnwrapTextureCoordinates(item.Data, actor->GetMapper());
+      }
     }
     if (item.Data != data)
     {

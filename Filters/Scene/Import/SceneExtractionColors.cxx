@@ -4,18 +4,24 @@
 
 #include "Features/SceneFeatures.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationKeyLookup.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace penumbra
@@ -86,6 +92,87 @@ const double* FindTextureTransform(vtkProp* prop)
   }
   return nullptr;
 }
+
+/// Assigns unwrapped texture coordinates to polygons. Each point has up to four versions: in either
+/// direction, its coordinate is in [0, 1) or in [-0.5, 0.5).
+class CoordinateUnwrapper
+{
+public:
+  CoordinateUnwrapper(vtkPolyData* from, vtkPolyData* to, const bool seamless[2])
+    : From(from->GetPointData()),
+      To(to->GetPointData()),
+      Seamless{ seamless[0], seamless[1] },
+      Versions(from->GetNumberOfPoints(), { -1, -1, -1, -1 })
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(from->GetPoints()->GetDataType());
+    points->DeepCopy(from->GetPoints());
+    to->SetPoints(points);
+    this->Points = points;
+    this->To->DeepCopy(this->From);
+  }
+
+  /// Replaces the points of a polygon.
+  void Unwrap(vtkIdList* ids)
+  {
+    int version = 0;
+    for (int k = 0; k < 2; ++k)
+    {
+      version |=
+        this->Seamless[k] && this->Range(ids, k, 0.5) < this->Range(ids, k, 0.0) ? 1 << k : 0;
+    }
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      ids->SetId(i, this->FindPoint(ids->GetId(i), version));
+    }
+  }
+
+private:
+  static double Wrap(double x) { return x - std::floor(x); }
+
+  double Range(vtkIdList* ids, int component, double offset)
+  {
+    double low = 1.0;
+    double high = 0.0;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const double x =
+        Wrap(this->From->GetTCoords()->GetComponent(ids->GetId(i), component) + offset);
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    return high - low;
+  }
+
+  vtkIdType FindPoint(vtkIdType id, int version)
+  {
+    vtkIdType& copy = this->Versions[id][version];
+    if (copy < 0)
+    {
+      double x[3];
+      this->Points->GetPoint(id, x);
+      copy = this->Points->InsertNextPoint(x);
+      for (int a = 0; a < this->To->GetNumberOfArrays(); ++a)
+      {
+        this->To->GetAbstractArray(a)->InsertTuple(copy, id, this->From->GetAbstractArray(a));
+      }
+      for (int k = 0; k < 2; ++k)
+      {
+        const double offset = version & (1 << k) ? 0.5 : 0.0;
+        const double value = this->From->GetTCoords()->GetComponent(id, k);
+        this->To->GetTCoords()->SetComponent(
+          copy, k, this->Seamless[k] ? Wrap(value + offset) - offset : value);
+      }
+    }
+    return copy;
+  }
+
+  vtkPointData* From;
+  vtkPointData* To;
+  vtkPoints* Points = nullptr; ///< of the result, which owns it
+  bool Seamless[2];
+  std::vector<std::array<vtkIdType, 4>> Versions;
+};
 
 }
 
@@ -230,6 +317,31 @@ vtkSmartPointer<vtkPolyData> TransformTextureCoordinates(vtkPolyData* data, vtkP
   transformed->ShallowCopy(data);
   transformed->GetPointData()->SetTCoords(coordinates);
   return transformed;
+}
+
+vtkSmartPointer<vtkPolyData> UnwrapTextureCoordinates(vtkPolyData* data, vtkMapper* mapper)
+{
+  auto* polygons = vtkPolyDataMapper::SafeDownCast(mapper);
+  vtkDataArray* from = data->GetPointData()->GetTCoords();
+  const bool seamless[2] = { polygons && polygons->GetSeamlessU(),
+    polygons && polygons->GetSeamlessV() };
+  if (!(seamless[0] || seamless[1]) || !from || from->GetNumberOfComponents() < 2)
+  {
+    return data;
+  }
+  auto unwrapped = vtkSmartPointer<vtkPolyData>::New();
+  unwrapped->ShallowCopy(data);
+  CoordinateUnwrapper unwrapper(data, unwrapped, seamless);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < data->GetPolys()->GetNumberOfCells(); ++i)
+  {
+    data->GetPolys()->GetCellAtId(i, ids);
+    unwrapper.Unwrap(ids);
+    cells->InsertNextCell(ids);
+  }
+  unwrapped->SetPolys(cells);
+  return unwrapped;
 }
 
 }

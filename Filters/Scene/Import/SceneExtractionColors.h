@@ -53,5 +53,11 @@ std::shared_ptr<Texture> MakeTexture(vtkUnsignedCharArray* colors, int width, in
 /// or `data` if there is none.
 vtkSmartPointer<vtkPolyData> TransformTextureCoordinates(vtkPolyData* data, vtkProp* prop);
 
+/// Returns `data` with texture coordinates whose polygons do not cross from 1 to 0 in the seamless
+/// directions of `mapper` (vtkPolyDataMapper::SeamlessU and SeamlessV). Points of the seam are
+/// duplicated. Returns `data` if there is nothing to do.
+/// Source: Tarini, Cylindrical and Toroidal Parameterizations Without Vertex Seams, JGT 16(3), 2012.
+vtkSmartPointer<vtkPolyData> UnwrapTextureCoordinates(vtkPolyData* data, vtkMapper* mapper);
+
 }
 #endif
