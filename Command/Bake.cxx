@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// penumbra bake: computes ambient occlusion or irradiance as an array of a mesh.
+// penumbra bake: computes ambient occlusion, irradiance or direct light as an array of a mesh.
 #include "Engines/Engine.h"
 #include "Files/AtomicFile.h"
 #include "Files/FileExtension.h"
@@ -41,6 +41,8 @@
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -65,6 +67,9 @@ struct BakeOptions
   std::optional<Vector3> EnvironmentUp;
   double Albedo = 0.5;
   int Bounces = 3;
+  LightPositions Lights;
+  double LightRadius = 0.0;
+  double LightAngle = 0.0;
   std::string Normals = "file";
   std::string Gatherer = "rays";
   double PointRadius = 0.0;
@@ -83,6 +88,43 @@ void CheckMeshExtension(const std::string& path)
     throw CommandError(BadInput,
       "--output: " + path + " is not a supported mesh format; use .vtp .vtu .vtk or .ply");
   }
+}
+
+void RequireLights(const BakeOptions& options)
+{
+  RequireLightPositions(options.Lights);
+  if (options.Quantity == "direct-light" && options.Lights.empty())
+  {
+    throw CommandError(
+      BadInput, "--quantity direct-light: there is no light; give --light-position");
+  }
+}
+
+/// Returns one warning for each option of lights that has no effect.
+std::vector<std::string> FindIgnoredLights(const BakeOptions& options)
+{
+  const bool isUsed = options.Quantity == "direct-light";
+  const auto has = [&options](bool positional) {
+    return std::any_of(options.Lights.begin(), options.Lights.end(),
+      [positional](const std::array<double, 4>& at) { return (at[3] > 0.0) == positional; });
+  };
+  const std::string without = " has no effect without ";
+  std::vector<std::string> warnings;
+  if (!options.Lights.empty() && !isUsed)
+  {
+    warnings.push_back("--light-position" + without + "--quantity direct-light");
+  }
+  if (options.LightRadius > 0.0 && !(isUsed && has(true)))
+  {
+    warnings.push_back("--light-radius" + without +
+      (isUsed ? "a positional --light-position" : "--quantity direct-light"));
+  }
+  if (options.LightAngle > 0.0 && !(isUsed && has(false)))
+  {
+    warnings.push_back("--light-angle" + without +
+      (isUsed ? "a directional --light-position (w = 0)" : "--quantity direct-light"));
+  }
+  return warnings;
 }
 
 /// Returns all surfaces of the file, appended to one mesh.
@@ -110,11 +152,15 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& path, std::vector<std::
   return mesh;
 }
 
-/// Adds 8-bit vertex colors for PLY files, which have no arrays: 1 - occlusion, or the radiosity E / pi of
-/// a white surface clamped to 1.
-void AddColors(vtkPolyData* mesh, bool light)
+/// Adds 8-bit vertex colors for PLY files, which have no arrays: 1 - occlusion, the radiosity E / pi of a white
+/// surface, or the direct light, clamped to 1.
+void AddColors(vtkPolyData* mesh, const std::string& quantity)
 {
-  vtkDataArray* values = mesh->GetPointData()->GetArray(light ? "Irradiance" : "AmbientOcclusion");
+  const bool isIrradiance = quantity == "irradiance";
+  const bool isOcclusion = quantity == "ambient-occlusion";
+  vtkDataArray* values = mesh->GetPointData()->GetArray(isIrradiance ? "Irradiance"
+      : isOcclusion                                                  ? "AmbientOcclusion"
+                                                                     : "DirectLight");
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("Baked");
   colors->SetNumberOfComponents(3);
@@ -123,8 +169,8 @@ void AddColors(vtkPolyData* mesh, bool light)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const double value =
-        light ? values->GetComponent(i, c) / vtkMath::Pi() : 1.0 - values->GetComponent(i, 0);
+      const double baked = values->GetComponent(i, isIrradiance ? c : 0);
+      const double value = isIrradiance ? baked / vtkMath::Pi() : isOcclusion ? 1.0 - baked : baked;
       colors->SetComponent(i, c, std::round(255.0 * std::min(value, 1.0)));
     }
   }
@@ -147,7 +193,8 @@ bool WriteColors(vtkPolyData* mesh, const std::string& path)
   return Write(writer.Get(), mesh, path) && WalkPlyFile(path).IsWhole;
 }
 
-bool WriteAs(const std::string& extension, vtkPolyData* mesh, bool light, const std::string& path)
+bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string& quantity,
+  const std::string& path)
 {
   if (extension == ".vtp")
   {
@@ -161,7 +208,7 @@ bool WriteAs(const std::string& extension, vtkPolyData* mesh, bool light, const 
   }
   if (extension == ".ply")
   {
-    AddColors(mesh, light);
+    AddColors(mesh, quantity);
     return WriteColors(mesh, path);
   }
   vtkNew<vtkAppendFilter> convert;
@@ -197,7 +244,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   }
   ProgressLine progress(options.Progress);
   progress.Show("reading", 0.0);
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = FindIgnoredLights(options);
   EnterPhase(options.File, BadInput);
   Clock::time_point lap = Clock::now();
   const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(options.File, warnings);
@@ -217,6 +264,16 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   if (light)
   {
     filter->SetQuantity(vtkPenumbraIrradianceFilter::IRRADIANCE);
+  }
+  if (options.Quantity == "direct-light")
+  {
+    filter->SetQuantity(vtkPenumbraIrradianceFilter::DIRECT_LIGHT);
+    for (const std::array<double, 4>& at : options.Lights)
+    {
+      filter->AddLight(at[0], at[1], at[2], at[3]);
+    }
+    filter->SetLightRadius(options.LightRadius);
+    filter->SetLightAngle(options.LightAngle);
   }
   const Vector3 environment = options.EnvironmentColor.value_or(Vector3{ 1.0, 1.0, 1.0 });
   filter->SetEnvironmentColor(environment[0], environment[1], environment[2]);
@@ -261,7 +318,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   EnterPhase("writing " + options.Output, Unavailable);
   lap = Clock::now();
   vtkPolyData* baked = vtkPolyData::SafeDownCast(filter->GetOutput());
-  if (!WriteAs(LowerExtension(options.Output), baked, light, output.TemporaryPath()))
+  if (!WriteAs(LowerExtension(options.Output), baked, options.Quantity, output.TemporaryPath()))
   {
     output.Fail("the file is incomplete; check the free disk space");
   }
@@ -293,14 +350,16 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     ->type_name("");
   app
     .add_option("--output", options.Output,
-      "Mesh with the array: .vtp .vtu .vtk; .ply: vertex colors, 1 - occlusion or E / pi clamped "
-      "to 1")
+      "Mesh with the array: .vtp .vtu .vtk; .ply: vertex colors, 1 - occlusion, E / pi or direct "
+      "light, clamped to 1")
     ->required()
     ->type_name("MESH")
     ->take_last();
-  AddChoice(app, "--quantity", options.Quantity, { "ambient-occlusion", "irradiance" },
-    "Array AmbientOcclusion (occluded fraction of the hemisphere) or Irradiance (direct and "
-    "reflected light of the environment)");
+  AddChoice(app, "--quantity", options.Quantity,
+    { "ambient-occlusion", "irradiance", "direct-light" },
+    "Array AmbientOcclusion (occluded fraction of the hemisphere), Irradiance (direct and "
+    "reflected light of the environment) or DirectLight (visible fraction of each light times the "
+    "cosine, summed)");
   AddNumber(
     app, "--tolerance", options.Tolerance, "X", "Accepted RMSE over all points", { 1e-4, 1.0 });
   AddOcclusionRadiusOption(app, "--radius", options.Radius, "inf");
@@ -313,6 +372,10 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
   AddInteger(app, "--bounces", options.Bounces,
     "irradiance: diffuse reflections, including the one toward a viewer; 1: direct light only", 1,
     64);
+  AddLightPositionOption(app, options.Lights,
+    "direct-light: position of a light, w = 0: direction toward a directional light; repeatable");
+  AddLightRadiusOption(app, options.LightRadius, " (direct-light)");
+  AddLightAngleOption(app, options.LightAngle, " (direct-light)");
   AddChoice(app, "--normals", options.Normals, { "file", "computed" },
     "Normals of the hemispheres; file: computed if the file has none");
   AddGathererOption(app, options.Gatherer);
@@ -344,10 +407,11 @@ Action DeclareBake(CLI::App& program)
   const Clock::time_point start = Clock::now();
   const auto options = std::make_shared<BakeOptions>();
   CLI::App* app = program.add_subcommand(
-    "bake", "Compute ambient occlusion or irradiance on the points of a mesh");
+    "bake", "Compute ambient occlusion, irradiance or direct light on the points of a mesh");
   DeclareBakeOptions(*app, *options);
   return [options, start]() {
     CheckMeshExtension(options->Output);
+    RequireLights(*options);
     if (options->Statistics == options->Output)
     {
       throw CommandError(BadInput,

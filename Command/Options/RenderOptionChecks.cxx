@@ -110,16 +110,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
   {
     throw CommandError(BadInput, "--hdri-up: 0,0,0 is not a direction; give a nonzero vector");
   }
-  for (const std::array<double, 4>& light : options.Lights)
-  {
-    const double length = std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]) });
-    if (light[3] < 0.0 || (light[3] == 0.0 && length == 0.0) ||
-      (light[3] > 0.0 && length > light[3] * Coordinate.Maximum))
-    {
-      throw CommandError(
-        BadInput, "--light-position: w must be positive, or 0 with a nonzero direction");
-    }
-  }
+  RequireLightPositions(options.Lights);
 }
 
 std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOptions& options)

@@ -138,20 +138,8 @@ void DeclareAppearance(CLI::App& app, RenderOptions& options)
     ->group(group);
   AddNegation(app, "--no-lighting,--unlit", options.Lighting, "Colors without shading")
     ->group(group);
-  const auto storeLights = [&options](const std::vector<std::string>& texts) {
-    options.Lights.clear();
-    for (const std::string& text : texts)
-    {
-      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, Coordinate);
-      numbers.resize(4, 1.0);
-      options.Lights.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
-    }
-  };
-  app
-    .add_option_function<std::vector<std::string>>("--light-position", storeLights,
-      "Light that replaces the headlight; w = 0: directional light from that direction; repeatable")
-    ->type_name("X,Y,Z[,W]")
-    ->allow_extra_args(false)
+  AddLightPositionOption(app, options.Lights,
+    "Light that replaces the headlight; w = 0: directional light from that direction; repeatable")
     ->group(group);
   AddNumber(
     app, "--light-intensity", options.LightIntensity, "I", "Intensity of every light", { 0.0, 1e6 })
@@ -315,14 +303,8 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
     "Interpolate occlusion and indirect light in world space or over the image (ray)")
     ->group(group);
   app.add_flag("--shadows", options.Shadows, "Shadows of the lights (ray)")->group(group);
-  AddNumber(app, "--light-radius", options.LightRadius, "R",
-    "Positional lights are spheres of this radius in world units; implies --shadows (ray)",
-    { 0.0, 1e30 })
-    ->group(group);
-  AddNumber(app, "--light-angle", options.LightAngle, "DEG",
-    "Angular diameter of directional lights, the sun: 0.53; implies --shadows (ray)",
-    { 0.0, 180.0 })
-    ->group(group);
+  AddLightRadiusOption(app, options.LightRadius, "; implies --shadows (ray)")->group(group);
+  AddLightAngleOption(app, options.LightAngle, "; implies --shadows (ray)")->group(group);
 }
 
 }

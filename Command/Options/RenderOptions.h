@@ -6,6 +6,7 @@
 #define penumbra_RenderOptions_h
 
 #include "Parsing/Arguments.h"
+#include "SharedOptions.h"
 
 #include <array>
 #include <limits>
@@ -17,9 +18,6 @@ namespace penumbra
 {
 
 constexpr double Unset = std::numeric_limits<double>::quiet_NaN();
-
-/// Coordinates whose squares are finite in double precision.
-const Range Coordinate{ -1e100, 1e100 };
 
 struct CameraOptions
 {
@@ -87,7 +85,7 @@ struct RenderOptions
   std::optional<Vector3> BackgroundColor;
   bool Background = true;
   bool Lighting = true;
-  std::vector<std::array<double, 4>> Lights; ///< w = 0: a direction
+  LightPositions Lights;
   double LightIntensity = 1.0;
   double LightRadius = 0.0; ///< ray: of positional lights, world units
   double LightAngle = 0.0;  ///< ray: angular diameter of directional lights, degrees

@@ -3,6 +3,10 @@
 #include "SharedOptions.h"
 
 #include "Falloffs.h"
+#include "Processes/CommandError.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace penumbra
 {
@@ -34,6 +38,49 @@ CLI::Option* AddOcclusionRadiusOption(
       ": no limit; default: a tenth of the bounds' diagonal",
     { 0.0, Infinity, true, true })
     ->default_str("");
+}
+
+CLI::Option* AddLightPositionOption(
+  CLI::App& app, LightPositions& lights, const std::string& description)
+{
+  const auto store = [&lights](const std::vector<std::string>& texts) {
+    lights.clear();
+    for (const std::string& text : texts)
+    {
+      std::vector<double> numbers = ParseNumbers("--light-position", text, 3, 4, Coordinate);
+      numbers.resize(4, 1.0);
+      lights.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
+    }
+  };
+  return app.add_option_function<std::vector<std::string>>("--light-position", store, description)
+    ->type_name("X,Y,Z[,W]")
+    ->allow_extra_args(false);
+}
+
+void RequireLightPositions(const LightPositions& lights)
+{
+  for (const std::array<double, 4>& light : lights)
+  {
+    const double length = std::max({ std::abs(light[0]), std::abs(light[1]), std::abs(light[2]) });
+    if (light[3] < 0.0 || (light[3] == 0.0 && length == 0.0) ||
+      (light[3] > 0.0 && length > light[3] * Coordinate.Maximum))
+    {
+      throw CommandError(
+        BadInput, "--light-position: w must be positive, or 0 with a nonzero direction");
+    }
+  }
+}
+
+CLI::Option* AddLightRadiusOption(CLI::App& app, double& radius, const std::string& note)
+{
+  return AddNumber(app, "--light-radius", radius, "R",
+    "Positional lights are spheres of this radius in world units" + note, { 0.0, 1e30 });
+}
+
+CLI::Option* AddLightAngleOption(CLI::App& app, double& angle, const std::string& note)
+{
+  return AddNumber(app, "--light-angle", angle, "DEG",
+    "Angular diameter of directional lights, the sun: 0.53" + note, { 0.0, 180.0 });
 }
 
 CLI::Option* AddStatisticsOption(CLI::App& app, std::string& path, const std::string& description)

@@ -7,10 +7,15 @@
 
 #include "Parsing/Arguments.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace penumbra
 {
+
+/// Coordinates whose squares are finite in double precision.
+const Range Coordinate{ -1e100, 1e100 };
 
 /// Adds --progress.
 CLI::Option* AddProgressOption(CLI::App& app, std::string& progress);
@@ -25,6 +30,22 @@ CLI::Option* AddFalloffOption(
 /// Adds the option `name` for the radius of ambient occlusion. `unlimited`: what "inf" stands for.
 CLI::Option* AddOcclusionRadiusOption(
   CLI::App& app, const std::string& name, double& radius, const std::string& unlimited);
+
+/// Lights as homogeneous positions; w = 0: a direction.
+using LightPositions = std::vector<std::array<double, 4>>;
+
+/// Adds --light-position, which may be repeated.
+CLI::Option* AddLightPositionOption(
+  CLI::App& app, LightPositions& lights, const std::string& description);
+
+/// Throws CommandError unless w is positive, or 0 with a nonzero direction.
+void RequireLightPositions(const LightPositions& lights);
+
+///@{
+/// Add --light-radius and --light-angle. `note` follows the description.
+CLI::Option* AddLightRadiusOption(CLI::App& app, double& radius, const std::string& note = {});
+CLI::Option* AddLightAngleOption(CLI::App& app, double& angle, const std::string& note = {});
+///@}
 
 /// Adds --statistics. `description` states what is written.
 CLI::Option* AddStatisticsOption(CLI::App& app, std::string& path, const std::string& description);

@@ -3,14 +3,17 @@
 #include "vtkPenumbraIrradianceFilter.h"
 
 #include "Baking/BakeInput.h"
+#include "Baking/BakedArrays.h"
 #include "Baking/Baking.h"
 #include "Baking/CompositeMesh.h"
+#include "Baking/DirectLight.h"
 #include "Embree/RayScene.h"
 #include "Execution/NaNCheck.h"
 #include "Execution/Statistics.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Gathering/RayGatherer.h"
 #include "Records/Interreflection.h"
+#include "Shading/LightOverlap.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -40,43 +43,6 @@ namespace
 {
 
 using namespace penumbra;
-
-/// Returns an array of `scale` times the means at all points or cells, 0 for those without a query
-/// point. A cell with several faces gets the mean over its faces.
-vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedValues& baked,
-  vtkIdType size, const char* name, int components, float scale)
-{
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(size);
-  array->Fill(0.0);
-  std::vector<unsigned char> faces(static_cast<std::size_t>(size), 0);
-  for (std::size_t i = 0; i < mesh.Ids.size(); ++i)
-  {
-    const vtkIdType id = mesh.Ids[i];
-    unsigned char& count = faces[static_cast<std::size_t>(id)];
-    count = static_cast<unsigned char>(std::min(count + 1, 255));
-    for (int c = 0; c < components; ++c)
-    {
-      const float before = array->GetTypedComponent(id, c);
-      const float value = scale * baked.Values[i].Mean[c];
-      array->SetTypedComponent(id, c, before + (value - before) / static_cast<float>(count));
-    }
-  }
-  return array;
-}
-
-/// Returns true if nearly all points are occluded: the normals face into the mesh, or the mesh is a
-/// cave.
-bool IsBlocked(const BakedValues& baked)
-{
-  const auto blocked = std::count_if(baked.Values.begin(), baked.Values.end(),
-    [](const BakedValue& value) { return value.Mean.x >= OccludedThreshold; });
-  return blocked > 0 &&
-    static_cast<double>(blocked) >=
-    MinimumOccludedFraction * static_cast<double>(baked.Values.size());
-}
 
 /// Adds the light of suns, which records do not include. Returns false if stopped.
 bool AddSuns(const Illumination& light, const std::vector<RecordCandidate>& sites, double tolerance,
@@ -132,6 +98,18 @@ void vtkPenumbraIrradianceFilter::SetEnvironment(vtkPenumbraEnvironment* environ
     this->Environment = environment;
     this->Modified();
   }
+}
+
+void vtkPenumbraIrradianceFilter::AddLight(double x, double y, double z, double w)
+{
+  this->Lights.push_back({ x, y, z, w });
+  this->Modified();
+}
+
+void vtkPenumbraIrradianceFilter::RemoveAllLights()
+{
+  this->Lights.clear();
+  this->Modified();
 }
 
 vtkPenumbraEnvironment* vtkPenumbraIrradianceFilter::GetEnvironment()
@@ -294,26 +272,39 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
                     << " do not belong to a surface and " << mesh.NotFinite
                     << " are not finite or have no normal. Their value is 0.");
   }
+  if (this->Quantity == DIRECT_LIGHT)
+  {
+    mesh.OccluderScene.Lights =
+      MakeLights({ this->Lights, this->LightRadius, this->LightAngle }, mesh.OccluderScene);
+    for (const std::string& overlap : DescribeLightOverlaps(mesh.OccluderScene))
+    {
+      vtkWarningMacro(<< overlap);
+    }
+  }
   work.Rays = std::make_unique<RayScene>(mesh.OccluderScene, this->NumberOfThreads, work.Progress);
   work.Tree.Initialize(glm::vec3(0.f), .5f);
   work.Settings.MaximumRadiusPixels = MaximumRadiusPixels;
-  const bool light = this->Quantity == IRRADIANCE;
-  if (!(light ? this->BakeIrradiance(work) : this->BakeOcclusion(work)))
+  const bool done = this->Quantity == IRRADIANCE ? this->BakeIrradiance(work)
+    : this->Quantity == DIRECT_LIGHT
+    ? BakeDirectLight(*work.Rays, mesh.Sites, this->Tolerance, work.Progress, work.Baked)
+    : this->BakeOcclusion(work);
+  if (!done)
   {
     return;
   }
   vtkDataSetAttributes* attributes = this->OnCells
     ? static_cast<vtkDataSetAttributes*>(output->GetCellData())
     : static_cast<vtkDataSetAttributes*>(output->GetPointData());
-  if (!light && IsBlocked(work.Baked))
+  if (this->Quantity == AMBIENT_OCCLUSION && IsBlocked(work.Baked))
   {
     vtkWarningMacro("All points are occluded. Polygons and normals may face inward: reverse them, "
                     "for example with vtkReverseSense, or with flip_faces() in PyVista.");
   }
   const vtkIdType size = this->OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
-  attributes->AddArray(light
+  attributes->AddArray(this->Quantity == IRRADIANCE
       ? CreateArray(mesh, work.Baked, size, "Irradiance", 3, static_cast<float>(vtkMath::Pi()))
-      : CreateArray(mesh, work.Baked, size, "AmbientOcclusion", 1, 1.f));
+      : CreateArray(mesh, work.Baked, size,
+          this->Quantity == DIRECT_LIGHT ? "DirectLight" : "AmbientOcclusion", 1, 1.f));
   this->Report(work, size);
 }
 
@@ -466,10 +457,13 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   AddStatistic(s, "Cache/Records", static_cast<double>(records));
   AddStatistic(s, "Cache/Bytes", static_cast<double>(bytes));
   AddStatistic(s, "Rays/Gather", static_cast<double>(work.GatherRays));
-  AddStatistic(s, this->Quantity == IRRADIANCE ? "Rays/Indirect" : "Rays/Occlusion",
+  AddStatistic(s,
+    this->Quantity == IRRADIANCE       ? "Rays/Indirect"
+      : this->Quantity == DIRECT_LIGHT ? "Rays/Shadow"
+                                       : "Rays/Occlusion",
     static_cast<double>(baked.BruteForceRays));
   AddStatistic(s, "Rays/Total", static_cast<double>(work.GatherRays + baked.BruteForceRays));
-  if (this->Gatherer && this->Method == AUTOMATIC)
+  if (this->Gatherer && this->Method == AUTOMATIC && this->Quantity != DIRECT_LIGHT)
   {
     this->Gatherer->Report(s);
   }
@@ -479,6 +473,9 @@ void vtkPenumbraIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Quantity: " << this->Quantity << "\n";
+  os << indent << "Lights: " << this->Lights.size() << "\n";
+  os << indent << "LightRadius: " << this->LightRadius << "\n";
+  os << indent << "LightAngle: " << this->LightAngle << "\n";
   os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "
      << this->EnvironmentColor[1] << " " << this->EnvironmentColor[2] << "\n";
   os << indent << "Albedo: " << this->Albedo << "\n";

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraIrradianceFilter
- * @brief   Bakes ambient occlusion or irradiance onto a mesh, within a tolerance.
+ * @brief   Bakes ambient occlusion, irradiance or direct light onto a mesh, within a tolerance.
  *
- * Adds the array `AmbientOcclusion` (0 unoccluded, 1 occluded) or `Irradiance` (red, green and
- * blue; pi under a white sky) to a copy of the input. The input is any vtkPointSet with a surface,
+ * Adds the array `AmbientOcclusion` (0 unoccluded, 1 occluded), `Irradiance` (red, green and
+ * blue; pi under a white sky) or `DirectLight` (1 where one light is visible and straight above
+ * the surface) to a copy of the input. The input is any vtkPointSet with a surface,
  * or points only with PointRadius. The hemisphere of a point is centered on its normal, which is
  * read from the input or computed from the polygons. Surfaces occlude from both sides. The blocks
  * of a composite data set form one scene and occlude each other.
@@ -26,6 +27,9 @@
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro
 #include "vtkSmartPointer.h"                    // for members
 
+#include <array>  // for members
+#include <vector> // for members
+
 class vtkFieldData;
 class vtkPenumbraEnvironment;
 class vtkPenumbraGatherer;
@@ -44,11 +48,12 @@ public:
   enum Quantities
   {
     AMBIENT_OCCLUSION, ///< occluded fraction of the hemisphere within Radius, cosine-weighted
-    IRRADIANCE         ///< direct and reflected light of the environment
+    IRRADIANCE,        ///< direct and reflected light of the environment
+    DIRECT_LIGHT       ///< sum over the lights: visible fraction times the cosine at the surface
   };
   ///@{
   /** Quantity to bake. Default: AMBIENT_OCCLUSION. */
-  vtkSetClampMacro(Quantity, int, AMBIENT_OCCLUSION, IRRADIANCE);
+  vtkSetClampMacro(Quantity, int, AMBIENT_OCCLUSION, DIRECT_LIGHT);
   vtkGetMacro(Quantity, int);
   ///@}
 
@@ -107,6 +112,36 @@ public:
    */
   vtkSetClampMacro(Bounces, int, 1, 64);
   vtkGetMacro(Bounces, int);
+  ///@}
+
+  /**
+   * Add a light at the homogeneous world position (x, y, z, w); w = 0: a directional light that
+   * comes from the direction (x, y, z). Used for direct light, which is the sum over all lights. All
+   * have the intensity 1 and no attenuation. A position that is not finite, a negative w and the
+   * direction 0 are errors of the execution, and so is direct light without lights.
+   */
+  void AddLight(double x, double y, double z, double w);
+  void RemoveAllLights();
+  int GetNumberOfLights() { return static_cast<int>(this->Lights.size()); }
+
+  ///@{
+  /**
+   * Radius of positional lights, which are spheres, in world units. The visible fraction is that of
+   * vtkPenumbraRayCaster: in solid angle, above the horizon of the normal; the cosine is that to the
+   * center of the light. Points inside a light are not shadowed; a warning names the light. Used for
+   * direct light. Range: >= 0, finite. Default: 0, hard shadows.
+   */
+  vtkSetMacro(LightRadius, double);
+  vtkGetMacro(LightRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Angular diameter of directional lights in degrees; that of the sun is 0.53. Used for direct
+   * light. Range: [0, 180]. Default: 0, hard shadows.
+   */
+  vtkSetMacro(LightAngle, double);
+  vtkGetMacro(LightAngle, double);
   ///@}
 
   ///@{
@@ -184,8 +219,8 @@ public:
   /**
    * Statistics of the last execution, one value per array: `Points/Total`, `Points/Interpolated`,
    * `Points/Denoised` (denoised), `Points/BruteForce`, `Points/Unused`, `Points/NotFinite`
-   * (`Cells/...` if OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`
-   * or `Rays/Indirect`, `Rays/Total`. Also added to the field data of the output.
+   * (`Cells/...` if OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`,
+   * `Rays/Indirect` or `Rays/Shadow`, `Rays/Total`. Also added to the field data of the output.
    */
   vtkFieldData* GetStatistics();
 
@@ -221,6 +256,9 @@ private:
   int Bounces = 3;
   double Radius = 0.0;
   int Falloff = 0;
+  std::vector<std::array<double, 4>> Lights;
+  double LightRadius = 0.0;
+  double LightAngle = 0.0;
   bool OnCells = false;
   bool ComputeNormals = false;
   double PointRadius = 0.0;

@@ -21,7 +21,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <string>
+#include <vector>
 
 using namespace penumbra_testing;
 
@@ -274,4 +278,87 @@ TEST(Bake, GathersWithCubeMaps)
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
   EXPECT_GT(ReadJson(folder / "s.json")["statistics"]["CubeMaps/Total"], 0);
   EXPECT_EQ(ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp")->GetComponent(7, 0), 0.0);
+}
+
+TEST(Bake, ComputesDirectLightOfSeveralSuns)
+{
+  const Folder folder("direct-light");
+  WriteSphere(folder / "sphere.vtp");
+  for (const char* name : { "baked.vtp", "baked.ply" })
+  {
+    const ProgramResult outcome = RunProgram({ "bake", folder / "sphere.vtp", "--output",
+      folder / name, "--quantity", "direct-light", "--light-position", "0,0,2,0",
+      "--light-position", "1,0,0,0", "--light-angle", "0.53", "--statistics", folder / "s.json" });
+    ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
+    EXPECT_EQ(outcome.Errors, "");
+  }
+  const auto values = ValuesIn<vtkXMLPolyDataReader>(folder / "baked.vtp", "DirectLight");
+  ASSERT_TRUE(values);
+  ASSERT_EQ(values->GetNumberOfComponents(), 1);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((folder / "baked.vtp").c_str());
+  reader->Update();
+  vtkDataArray* normals = reader->GetOutput()->GetPointData()->GetNormals();
+  vtkNew<vtkPLYReader> colored;
+  colored->SetFileName((folder / "baked.ply").c_str());
+  colored->Update();
+  vtkDataArray* colors = colored->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_TRUE(normals && colors);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    // The polygons shade points next to the horizon of a light.
+    const double x = normals->GetComponent(i, 0);
+    const double z = normals->GetComponent(i, 2);
+    if (std::abs(x) > 0.4 && std::abs(z) > 0.4)
+    {
+      EXPECT_NEAR(values->GetComponent(i, 0), std::max(x, 0.0) + std::max(z, 0.0), 1e-5);
+    }
+    EXPECT_NEAR(colors->GetComponent(i, 1),
+      std::round(255.0 * std::min(values->GetComponent(i, 0), 1.0)), 1.0);
+  }
+  EXPECT_NE(ReadText(folder / "s.json").find("Rays/Shadow"), std::string::npos);
+}
+
+TEST(Bake, ChecksLightsOfDirectLight)
+{
+  const Folder folder("direct-light-errors");
+  WriteSphere(folder / "sphere.vtp");
+  const auto run = [&folder](std::vector<std::string> options) {
+    std::vector<std::string> arguments = { "bake", folder / "sphere.vtp", "--output",
+      folder / "baked.vtp" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunProgram(arguments);
+  };
+  const std::string direct = "direct-light";
+  const struct
+  {
+    std::vector<std::string> Options;
+    int Status;
+    std::string Message;
+  } rows[] = {
+    { { "--quantity", direct }, 2, "give --light-position" },
+    { { "--quantity", direct, "--light-position", "0,0,0,0" }, 2, "nonzero direction" },
+    { { "--quantity", direct, "--light-position", "0,0,1,-1" }, 2, "w must be positive" },
+    { { "--quantity", direct, "--light-position", "0,nan,1" }, 2, "--light-position" },
+    { { "--quantity", direct, "--light-position", "0,0,9", "--light-radius=-1" }, 2,
+      "--light-radius" },
+    { { "--quantity", direct, "--light-position", "0,0,9", "--light-radius=nan" }, 2,
+      "--light-radius" },
+    { { "--quantity", direct, "--light-position", "0,0,9,0", "--light-angle=181" }, 2,
+      "--light-angle" },
+    { { "--quantity", "direct" }, 2, "--quantity" },
+    { { "--light-position", "0,0,9" }, 0, "no effect without --quantity direct-light" },
+    { { "--quantity", direct, "--light-position", "0,0,9", "--light-angle", "1" }, 0,
+      "--light-angle has no effect without a directional" },
+    { { "--quantity", direct, "--light-position", "0,0,9,0", "--light-radius", "1" }, 0,
+      "--light-radius has no effect without a positional" },
+    { { "--quantity", direct, "--light-position", "0,0,1", "--light-radius", "0.9" }, 0,
+      "contains or touches a surface" },
+  };
+  for (const auto& row : rows)
+  {
+    const ProgramResult outcome = run(row.Options);
+    EXPECT_EQ(outcome.Status, row.Status) << row.Message;
+    EXPECT_NE(outcome.Errors.find(row.Message), std::string::npos) << outcome.Errors;
+  }
 }

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BakedArrays.h"
+
+#include "Gathering/IrradianceConstants.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace penumbra
+{
+
+vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedValues& baked,
+  vtkIdType size, const char* name, int components, float scale)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(size);
+  array->Fill(0.0);
+  std::vector<unsigned char> faces(static_cast<std::size_t>(size), 0);
+  for (std::size_t i = 0; i < mesh.Ids.size(); ++i)
+  {
+    const vtkIdType id = mesh.Ids[i];
+    unsigned char& count = faces[static_cast<std::size_t>(id)];
+    count = static_cast<unsigned char>(std::min(count + 1, 255));
+    for (int c = 0; c < components; ++c)
+    {
+      const float before = array->GetTypedComponent(id, c);
+      const float value = scale * baked.Values[i].Mean[c];
+      array->SetTypedComponent(id, c, before + (value - before) / static_cast<float>(count));
+    }
+  }
+  return array;
+}
+
+bool IsBlocked(const BakedValues& baked)
+{
+  const auto blocked = std::count_if(baked.Values.begin(), baked.Values.end(),
+    [](const BakedValue& value) { return value.Mean.x >= OccludedThreshold; });
+  return blocked > 0 &&
+    static_cast<double>(blocked) >=
+    MinimumOccludedFraction * static_cast<double>(baked.Values.size());
+}
+
+}

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Baked values as an array of the mesh.
+#ifndef penumbra_BakedArrays_h
+#define penumbra_BakedArrays_h
+
+#include "BakeInput.h"
+#include "Baking.h"
+
+#include "vtkFloatArray.h"
+#include "vtkSmartPointer.h"
+
+namespace penumbra
+{
+
+/// Returns an array of `scale` times the means at all points or cells, 0 for those without a query
+/// point. A cell with several faces gets the mean over its faces.
+vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedValues& baked,
+  vtkIdType size, const char* name, int components, float scale);
+
+/// Returns true if nearly all points are occluded: the normals face into the mesh, or the mesh is a
+/// cave.
+bool IsBlocked(const BakedValues& baked);
+
+}
+#endif
