@@ -11,6 +11,9 @@ import numpy as np
 import pytest
 
 import penumbra
+from penumbra._backend import vtk_module
+from penumbra.conversion import poly_data
+from penumbra.rendering import renderer_of_mesh
 
 
 def rmse(a, b):
@@ -98,7 +101,44 @@ class TestAmbientOcclusion:
         values = penumbra.ambient_occlusion(points, normals=normals, point_radius=0.1)
         assert values.max() < 0.05
 
+    def test_matches_the_closed_form_under_a_sphere_around_a_point(self):
+        points, faces = floor(40)
+        both = np.concatenate([points, [(0.0, 0.0, 0.8)]])
+        values = penumbra.ambient_occlusion(both, faces, radius=20.0, point_radius=0.5)
+        assert rmse(values[:-1], closed_form(points)) < 0.01
+        assert values[-1] == 0.0
+
+    def test_matches_the_closed_form_under_a_tube(self):
+        points, faces = floor(40)
+        both = np.concatenate([points, [(-100.0, 0.0, 0.8), (100.0, 0.0, 0.8)]])
+        ends = [len(points), len(points) + 1]
+        options = {"radius": 200.0, "line_radius": 0.25, "tolerance": 0.005}
+        values = penumbra.ambient_occlusion(both, faces, lines=[ends], **options)
+        # An infinite cylinder of radius r at the distance d, inclined by t, covers r / d cos(t) of the hemisphere.
+        assert rmse(values[:-2], 0.25 * 0.8 / (0.64 + points[:, 1] ** 2)) < 0.01
+        assert values[-2:].tolist() == [0.0, 0.0]
+        np.testing.assert_array_equal(penumbra.ambient_occlusion(both, faces, lines=[2, *ends], **options), values)
+        assert penumbra.ambient_occlusion(both, faces, lines=[ends], on="cells", **options).shape == (len(faces),)
+
+    def test_lines_without_a_radius_do_not_occlude(self):
+        points, faces, _ = floor_and_sphere(12, 20)
+        np.testing.assert_array_equal(
+            penumbra.ambient_occlusion(points, faces, lines=[(0, 20), (5, 7)]),
+            penumbra.ambient_occlusion(points, faces))
+
     @pytest.mark.parametrize(("error", "match", "points", "faces", "options"), [
+        (ValueError, "lines must have the shape", TRIANGLE, FACES, {"lines": [[0], [1]]}),
+        (ValueError, r"lines\[0\] = 1", TRIANGLE, FACES, {"lines": [1, 0]}),
+        (ValueError, "lines is empty", TRIANGLE, FACES, {"lines": []}),
+        (TypeError, "lines must be an array of integers", TRIANGLE, FACES, {"lines": [(0.0, 1.0)]}),
+        (IndexError, "lines refer to points 0 to 2, but line 1 has the point 3", TRIANGLE, FACES,
+         {"lines": [(0, 1), (0, 3)]}),
+        (ValueError, "line_radius", TRIANGLE, FACES, {"line_radius": -1.0}),
+        (ValueError, "line_radius", TRIANGLE, FACES, {"line_radius": math.nan}),
+        (TypeError, "line_radius", TRIANGLE, FACES, {"line_radius": (1.0, 2.0)}),
+        (ValueError, "point_radius", TRIANGLE, FACES, {"point_radius": math.inf}),
+        (TypeError, "point_radius", TRIANGLE, FACES, {"point_radius": None}),
+        (ValueError, "on='points'", TRIANGLE, None, {"normals": [(0, 0, 1)] * 3, "point_radius": 1.0, "on": "cells"}),
         (ValueError, r"shape \(n, 3\), not \(1, 2\)", [(0, 0)], FACES, {}),
         (ValueError, "empty", np.zeros((0, 3)), FACES, {}),
         (TypeError, "numbers", [("a", "b", "c")], FACES, {}),
@@ -174,7 +214,17 @@ class TestIrradiance:
             values = penumbra.irradiance(points, faces, environment_color=name, albedo=0.0)
             assert rmse(values, np.broadcast_to((math.pi, 0, 0), values.shape)) < 0.01
 
+    def test_is_pi_minus_the_light_that_spheres_and_tubes_block(self):
+        points, faces = floor(20)
+        both = np.concatenate([points, [(0.0, 0.0, 0.8), (-9.0, 0.0, 0.9), (9.0, 0.0, 0.9)]])
+        options = {"lines": [(400 + 1, 400 + 2)], "line_radius": 0.3, "point_radius": 0.5}
+        values = penumbra.irradiance(both, faces, bounces=1, **options)
+        blocked = penumbra.ambient_occlusion(both, faces, radius=math.inf, **options)
+        assert rmse(values[:400, 0], math.pi * (1.0 - blocked[:400])) < 0.05
+        assert blocked.max() > 0.3
+
     @pytest.mark.parametrize(("error", "options"), [
+        (ValueError, {"line_radius": -1.0}), (ValueError, {"point_radius": math.nan}),
         (ValueError, {"albedo": 2.0}), (ValueError, {"bounces": 0}), (ValueError, {"environment_color": "reddish"}),
         (ValueError, {"environment_color": (1.0, -1.0, 0.0)}), (ValueError, {"environment_color": (1.0, 1.0)}),
         (TypeError, {"environment_color": 3}), (ValueError, {"tolerance": 2.0})])
@@ -214,6 +264,39 @@ class TestRender:
         assert (dark <= plain + 1 / 128).all()
         assert (plain - dark).max() > 0.2
 
+    def test_draws_points_as_spheres(self):
+        options = {"size": (100, 100), "transparent_background": True, "as_float": True}
+        camera = ((0, 0, 10), (0, 0, 0), (0, 1, 0))
+        image = penumbra.render(([(0, 0, 0)], None), camera=camera, point_radius=1.0, **options)
+        # A sphere of radius 1 at the distance 10 has the angular radius asin(1 / 10), half of the view is 15 degrees.
+        radius = 50 * math.tan(math.asin(0.1)) / math.tan(math.radians(15))
+        assert abs(image[..., 3].sum() - math.pi * radius ** 2) < 0.5
+        # Points that belong to a face are no spheres.
+        triangle = ([(-9, -9, 0), (-8, -9, 0), (-8, -8, 0), (0, 0, 0)], [(0, 1, 2)])
+        np.testing.assert_array_equal(penumbra.render(triangle, camera=camera, point_radius=1.0, **options), image)
+
+    def test_draws_lines_as_tubes(self):
+        image = penumbra.render(([(-50, 0, 0), (50, 0, 0)], None, [(0, 1)]), size=(100, 100), line_radius=1.0,
+                                camera=((0, 0, 10), (0, 0, 0), (0, 1, 0)), transparent_background=True, as_float=True)
+        half = 50 * math.tan(math.asin(0.1)) / math.tan(math.radians(15))
+        assert abs(image[..., 3].sum() - 200 * half) < 0.5
+
+    def test_draws_penumbrae_of_lights_with_a_size(self):
+        core, points = vtk_module("vtkRenderingCore"), [*SQUARE[0], (-9, -9, -1), (9, -9, -1), (9, 9, -1), (-9, 9, -1)]
+        renderer = renderer_of_mesh(
+            poly_data(points, [(0, 1, 2, 3), (4, 5, 6, 7)]), "white", ((0, 0, 4), (0, 0, 0), (0, 1, 0)))
+        light = core.vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.SetPosition(5, 0, 10)
+        renderer.AddLight(light)
+        options = {"size": (60, 60), "as_float": True, "shadows": True}
+        gray = [np.count_nonzero((image[..., 0] > 0.1 * image.max()) & (image[..., 0] < 0.8 * image.max()))
+                for image in (penumbra.render(renderer, **options), penumbra.render(renderer, light_angle=20, **options))]
+        assert gray[1] > gray[0] + 50
+        light.PositionalOn()
+        light.SetConeAngle(180)
+        assert rmse(penumbra.render(renderer, light_radius=0.5, **options), penumbra.render(renderer, **options)) > 0.01
+
     def test_returns_statistics(self):
         _, statistics = penumbra.render(sphere(20), size=(40, 40), return_statistics=True)
         assert statistics["Rays/Total"] > 0
@@ -234,6 +317,14 @@ class TestRender:
         (ValueError, "color", SQUARE, {"color": (2.0, 0.0, 0.0)}),
         (ValueError, "tolerance", SQUARE, {"tolerance": 2.0}),
         (ValueError, "strength", SQUARE, {"strength": -1.0}),
+        (ValueError, "point_radius", SQUARE, {"point_radius": -1.0}),
+        (ValueError, "line_radius", SQUARE, {"line_radius": math.nan}),
+        (TypeError, "line_radius", SQUARE, {"line_radius": "thin"}),
+        (ValueError, "light_radius", SQUARE, {"light_radius": -1.0}),
+        (ValueError, "light_angle", SQUARE, {"light_angle": 181.0}),
+        (ValueError, "light_angle", SQUARE, {"light_angle": math.nan}),
+        (IndexError, "line 0 has the point 4", (*SQUARE, [(0, 4)]), {}),
+        (TypeError, "scene must be", (*SQUARE, None, None), {}),
     ])
     def test_refuses_wrong_arguments(self, error, match, scene, options):
         with pytest.raises(error, match=match):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of the accessors of PyVista with either VTK, without a display."""
 import importlib.metadata
+import importlib.util
 import math
 import os
 import shutil
@@ -11,12 +12,15 @@ import sys
 import tempfile
 import threading
 import unittest
+import warnings
 
 import numpy
 import pyvista
+from pyvista import _vtk
 
 import penumbra
 from penumbra.conversion import statistics_dict
+from penumbra.passes import passes_of
 
 
 def rmse(a, b):
@@ -95,6 +99,8 @@ class BakedOcclusion(unittest.TestCase):
         baked = mesh.penumbra.bake_ambient_occlusion()
         self.assertEqual(list(baked.field_data), ["Points/Total"])
         self.assertEqual(baked.field_data["Points/Total"][0], 7)
+        blocks = pyvista.MultiBlock([pyvista.Sphere(), plane()]).penumbra.bake_irradiance(tolerance=0.1)
+        self.assertEqual([list(each.field_data) for each in (blocks, *blocks)], [[], [], []])
         asked = sphere().penumbra.bake_irradiance(statistics=True)
         self.assertIn("EstimatedError", asked.field_data)
 
@@ -102,6 +108,8 @@ class BakedOcclusion(unittest.TestCase):
         baked = sphere().penumbra.bake_ambient_occlusion()
         self.assertEqual(repr(sphere().penumbra), "<penumbra of PolyData: nothing baked>")
         self.assertEqual(repr(baked.penumbra), "<penumbra of PolyData: has AmbientOcclusion>")
+        blocks = pyvista.MultiBlock([pyvista.MultiBlock([baked]), None])
+        self.assertEqual(repr(blocks.penumbra), "<penumbra of MultiBlock: has AmbientOcclusion>")
 
     def test_warns_with_a_category_of_its_own(self):
         mesh = sphere()
@@ -213,6 +221,69 @@ class RayCastImage(unittest.TestCase):
         plotter.enable_shadows()
         numpy.testing.assert_array_equal(plotter.penumbra.ray_cast(), plotter.penumbra.ray_cast(shadows=True))
 
+    def test_does_not_warn_of_effects_that_it_follows(self):
+        def use_settings_of_vtk(plotter):
+            plotter.renderer.UseSSAOOn()
+            plotter.renderer.UseShadowsOn()
+
+        for enable in (lambda plotter: plotter.penumbra.enable_temporal_ssao(), lambda plotter: plotter.enable_ssao(),
+                       lambda plotter: plotter.enable_shadows(), lambda plotter: plotter.enable_anti_aliasing("ssaa"),
+                       use_settings_of_vtk):
+            plotter = scene()
+            enable(plotter)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error", penumbra.PenumbraWarning)
+                plotter.penumbra.ray_cast(window_size=(40, 30), tolerance=0.1)
+
+    def test_follows_the_settings_of_a_renderer_of_vtk(self):
+        plotter = scene()
+        plain = plotter.penumbra.ray_cast()
+        plotter.renderer.UseSSAOOn()
+        plotter.renderer.SetSSAORadius(1.0)
+        numpy.testing.assert_array_equal(
+            plotter.penumbra.ray_cast(), scene().penumbra.ray_cast(ambient_occlusion=True, radius=1.0, strength=1.0))
+        numpy.testing.assert_array_equal(plotter.penumbra.ray_cast(ambient_occlusion=False), plain)
+        plotter = scene()
+        plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
+        lit = plotter.penumbra.ray_cast()
+        plotter.renderer.UseShadowsOn()
+        shadows = plotter.penumbra.ray_cast()
+        numpy.testing.assert_array_equal(shadows, plotter.penumbra.ray_cast(shadows=True))
+        self.assertGreater(rmse(shadows, lit), 1.0)
+
+    def test_names_no_option_of_the_command_line_in_warnings(self):
+        def volume(plotter):
+            plotter.add_volume(pyvista.Wavelet())
+
+        def lighting(plotter):
+            plotter.renderer.UseImageBasedLightingOn()
+
+        def own_pass(plotter):
+            plotter.renderer.SetPass(_vtk.vtkCameraPass())
+
+        for use, remedy in ((volume, "or render with OpenGL"), (lighting, "Pass indirect_light=True"),
+                            (own_pass, "Render with OpenGL")):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(40, 30))
+            use(plotter)
+            with self.assertWarnsRegex(penumbra.PenumbraWarning, remedy) as caught:
+                plotter.penumbra.ray_cast()
+            self.assertNotIn("--", str(caught.warning))
+
+    def test_draws_points_as_spheres_and_lines_as_tubes(self):
+        def coverage(mesh, **options):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(50, 50))
+            plotter.add_mesh(mesh, color="white")
+            plotter.camera_position = [(0, 0, 10), (0, 0, 0), (0, 1, 0)]
+            plotter.enable_parallel_projection()
+            plotter.camera.parallel_scale = 1.0
+            image = plotter.penumbra.ray_cast(transparent_background=True, as_float=True, **options)
+            return image[..., 3].sum() / 625  # in units of the plane
+
+        self.assertAlmostEqual(
+            coverage(pyvista.PolyData([(0.0, 0.0, 0.0)]), point_radius=0.5), math.pi * 0.25, delta=0.001)
+        self.assertAlmostEqual(coverage(pyvista.Line((-0.5, 0, 0), (0.5, 0, 0)), line_radius=0.25),
+                               0.5 + math.pi * 0.0625, delta=0.001)
+
     def test_warns_of_effects_that_rays_do_not_draw(self):
         plotter = scene()
         plotter.enable_eye_dome_lighting()
@@ -278,7 +349,8 @@ class RayCastImage(unittest.TestCase):
     def test_rejects_invalid_arguments(self):
         plotter = scene()
         for arguments in ({"tolerance": 2.0}, {"strength": 3.0}, {"radius": -1.0}, {"albedo": -0.1},
-                      {"bounces": 65}, {"window_size": (0, 20)}):
+                      {"bounces": 65}, {"window_size": (0, 20)}, {"point_radius": -1.0}, {"line_radius": math.nan},
+                      {"light_radius": -1.0}, {"light_angle": 181.0}):
             with self.assertRaisesRegex(ValueError, next(iter(arguments))):
                 plotter.penumbra.ray_cast(**arguments)
 
@@ -305,6 +377,32 @@ class TemporalOcclusion(unittest.TestCase):
         plotter.penumbra.disable_temporal_ssao()
         numpy.testing.assert_array_equal(plotter.screenshot(return_img=True), plain)
 
+    def test_stays_when_pyvista_enables_and_disables_a_pass(self):
+        plotter = scene()
+        plain = plotter.screenshot(return_img=True)
+        occlusion = plotter.penumbra.enable_temporal_ssao(radius=1.0)
+        dark = plotter.screenshot(return_img=True)
+        for change in (lambda: plotter.enable_anti_aliasing("ssaa"), plotter.disable_anti_aliasing):
+            change()
+            plotter.render()
+            image = plotter.screenshot(return_img=True)
+            self.assertLess(rmse(image, dark), 0.5 * rmse(image, plain))
+            self.assertTrue(occlusion.IsConverged())
+        plotter.penumbra.disable_temporal_ssao()
+        plotter.render()
+        self.assertLess(rmse(plotter.screenshot(return_img=True), plain), 0.5 * rmse(dark, plain))
+
+    def test_is_replaced_by_ssao_of_pyvista_with_a_warning(self):
+        plotter = scene()
+        plotter.penumbra.enable_temporal_ssao(radius=1.0)
+        with self.assertWarnsRegex(penumbra.PenumbraWarning, r"call disable_ssao\(\) and enable_temporal_ssao\(\)"):
+            plotter.enable_ssao(radius=0.5)
+            plotter.screenshot(return_img=True)
+        self.assertIn("no pass", repr(plotter.penumbra))
+        plotter.disable_ssao()
+        plotter.penumbra.enable_temporal_ssao(radius=1.0)
+        self.assertIn("ambient occlusion", repr(plotter.penumbra))
+
     def test_rejects_invalid_arguments(self):
         plotter = scene()
         for arguments in ({"radius": -1.0}, {"tolerance": 2.0}, {"strength": 3.0}):
@@ -320,6 +418,11 @@ class LightShafts(unittest.TestCase):
         plotter.penumbra.enable_light_shafts()
         hazy = plotter.screenshot(return_img=True).astype(int)
         self.assertGreater(numpy.abs(hazy - plain).max(), 8)
+        plotter.penumbra.enable_temporal_ssao()
+        plotter.enable_anti_aliasing("ssaa")
+        plotter.render()
+        names = [each.GetClassName() for each in passes_of(plotter.renderer)]
+        self.assertEqual(names[:3], ["vtkSSAAPass", "vtkPenumbraLightShaftPass", "vtkPenumbraTemporalSSAOPass"])
 
     def test_reject_invalid_arguments(self):
         plotter = scene()
@@ -330,6 +433,7 @@ class LightShafts(unittest.TestCase):
 
 
 class RenderPassesProvider(unittest.TestCase):
+    @unittest.skipUnless(importlib.util.find_spec("pyvista_render_passes"), "needs pyvista-render-passes")
     def test_is_registered_and_darkens(self):
         plotter = scene()
         passes = plotter.render_passes

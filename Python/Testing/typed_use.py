@@ -19,6 +19,10 @@ assert_type(values, npt.NDArray[np.float32])
 assert_type(statistics, dict[str, Any])
 image = penumbra.render((points, faces), size=(320, 240), ambient_occlusion=True)
 assert_type(image, npt.NDArray[Any])
+assert_type(penumbra.ambient_occlusion(points, faces, lines=[(0, 1)], line_radius=0.1, point_radius=0.2),
+            npt.NDArray[np.float32])
+assert_type(penumbra.render((points, None, [(0, 1)]), point_radius=0.1, line_radius=0.1, light_radius=1.0,
+                            light_angle=0.53), npt.NDArray[Any])
 comparison = penumbra.compare(image, image, tolerance=0.0)
 assert_type(comparison, penumbra.Comparison)
 assert_type(comparison.worst[0].x, int)

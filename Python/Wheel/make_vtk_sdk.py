@@ -4,8 +4,8 @@
 
 The package ``vtk`` has libraries but neither headers nor CMake files on Linux. Both packages are built from VTK 9.7;
 vtk-headers.patch returns the headers that cvista changed, as far as Penumbra includes them, to VTK 9.7.0. Linker scripts
-stand for the libraries and name those of ``vtk``, so that one SDK serves all versions of CPython. These libraries use the
-C++ ABI of GCC before 5: compile with _GLIBCXX_USE_CXX11_ABI=0.
+stand for the libraries of cvista, which combine several modules, and name those of ``vtk``, so that one SDK serves all
+versions of CPython. These libraries use the C++ ABI of GCC before 5: compile with _GLIBCXX_USE_CXX11_ABI=0.
 """
 import argparse
 import importlib.util
@@ -15,6 +15,8 @@ import shutil
 import sys
 
 PYTHON_CORE = "libvtkWrappingPython.so"
+COMMON = "libvtkCommonCore.so"
+PREFIXES = {"libvtkOpenGL": "libvtkRendering"}
 PATCH = pathlib.Path(__file__).parent / "vtk-headers.patch"
 
 
@@ -48,6 +50,17 @@ def apply_patch(patch, folder):
     finish()
 
 
+def linker_script(library, names):
+    """Return the linker script that stands for a library of cvista, such as libvtkCommon-cvista.so."""
+    if "WrappingPython" in library:
+        return f"INPUT(AS_NEEDED({PYTHON_CORE}))\n"
+    # Linking all libraries instead of those of the same prefix takes minutes.
+    prefix = library.removesuffix("-cvista.so")
+    prefix = PREFIXES.get(prefix, prefix)
+    inputs = [name for name in names if name.startswith(prefix)] or [COMMON]
+    return f"INPUT(AS_NEEDED({' '.join(inputs)}))\n"
+
+
 def find_libraries():
     return pathlib.Path(importlib.util.find_spec("vtkmodules").submodule_search_locations[0])
 
@@ -72,7 +85,7 @@ def main():
     link_libraries(options.libraries.resolve(), {name: libraries / name for name in names}
                    | {PYTHON_CORE: libraries / core})
     sdk = options.sdk.resolve()
-    stamp = f"{sdk}\n{names}\n{PATCH.read_text()}"
+    stamp = f"{sdk}\n{names}\n{PATCH.read_text()}\n{pathlib.Path(__file__).read_text()}"
     if (options.output / "stamp").exists() and (options.output / "stamp").read_text() == stamp:
         return
     output = options.output.resolve().with_suffix(".new")
@@ -92,8 +105,7 @@ def main():
     scripts = output / "content" / "build" / next((sdk / "content" / "build").glob("lib*")).name / "cvista"
     scripts.mkdir(parents=True)
     for library in (sdk / "content" / "build").glob("lib*/cvista/libvtk*.so"):
-        inputs = [PYTHON_CORE] if "WrappingPython" in library.name else names
-        (scripts / library.name).write_text(f"INPUT(AS_NEEDED({' '.join(inputs)}))\n")
+        (scripts / library.name).write_text(linker_script(library.name, names))
     (output / "stamp").write_text(stamp)
     shutil.rmtree(options.output, ignore_errors=True)
     output.rename(options.output.resolve())

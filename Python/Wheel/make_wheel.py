@@ -40,7 +40,17 @@ ENTRY_POINTS = f"""[pyvista.accessors]
 """
 
 
-def metadata(version, licenses):
+def requires_vtk(pythons):
+    """Return the requirement of a VTK for the extra pyvista: vtk where the wheel has libraries for it, else cvista."""
+    if not pythons:
+        return f'Requires-Dist: cvista[all]=={CVISTA}; extra == "pyvista"'
+    works = " or ".join(f'python_version == "{python}"' for python in pythons)
+    others = " and ".join(f'python_version != "{python}"' for python in pythons)
+    return (f'Requires-Dist: vtk>=9.7,<9.8; extra == "pyvista" and ({works})\n'
+            f'Requires-Dist: cvista[all]=={CVISTA}; extra == "pyvista" and {others}')
+
+
+def metadata(version, licenses, pythons):
     return f"""Metadata-Version: 2.4
 Name: {NAME}
 Version: {version}
@@ -63,7 +73,7 @@ Provides-Extra: cvista
 Requires-Dist: cvista[all]=={CVISTA}; extra == "cvista"
 Provides-Extra: pyvista
 Requires-Dist: pyvista>=0.49; extra == "pyvista"
-Requires-Dist: cvista[all]=={CVISTA}; extra == "pyvista"
+{requires_vtk(pythons)}
 Provides-Extra: pytest
 Requires-Dist: pytest>=8; extra == "pytest"
 Description-Content-Type: text/markdown
@@ -144,7 +154,9 @@ def write_wheel(path, files, version, tag):
     info = f"{FOLDER}-{version}.dist-info"
     licenses = {"LICENSE": ROOT / "LICENSE"} | {path.name: path for path in sorted(LICENSES.iterdir())}
     files = files | {f"{info}/licenses/{name}": source.read_bytes() for name, source in licenses.items()}
-    files[f"{info}/METADATA"] = metadata(version, licenses).encode()
+    pythons = sorted({f"{match[1]}.{match[2]}" for name in files
+                      if (match := re.search(r"/_vtkmodules/.*\.cpython-(\d)(\d+)-", name))})
+    files[f"{info}/METADATA"] = metadata(version, licenses, pythons).encode()
     files[f"{info}/WHEEL"] = (
         f"Wheel-Version: 1.0\nGenerator: make_wheel\nRoot-Is-Purelib: false\nTag: {tag}\n").encode()
     files[f"{info}/entry_points.txt"] = ENTRY_POINTS.encode()

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Choice of the VTK that Penumbra uses: the package ``cvista`` or the package ``vtk``.
 
-The wheel has libraries for ``cvista`` and, if it was built so, for ``vtk``. The choice is that of PyVista: PYVISTA_VTK_BACKEND if it is set, else
-``cvista`` if it is installed, else ``vtk``. Without PyVista, a ``vtk`` that is imported already is used.
+The wheel has libraries for both; those for ``vtk`` serve the versions of CPython that it was built for. The choice is that of
+PyVista: PYVISTA_VTK_BACKEND if it is set, else ``cvista`` if it is installed, else ``vtk``. Without PyVista, a ``vtk`` that
+is imported already is used.
 """
 from __future__ import annotations
 

@@ -43,8 +43,8 @@ def irradiance_filter(tolerance: float, color: list[float], albedo: float, bounc
 def set_location(bake: Any, on: str, compute_normals: bool, point_radius: float, line_radius: float = 0.0) -> None:
     bake.SetOnCells(check_choice("on", on, ("points", "cells")) == 1)
     bake.SetComputeNormals(bool(compute_normals))
-    bake.SetPointRadius(check_range("point_radius", point_radius, 0.0, 1e299))
-    bake.SetLineRadius(check_range("line_radius", line_radius, 0.0, 1e299))
+    bake.SetPointRadius(check_range("point_radius", point_radius, 0.0, 1e30))
+    bake.SetLineRadius(check_range("line_radius", line_radius, 0.0, 1e30))
 
 
 def result_statistics(bake: Any) -> dict[str, Any]:
@@ -52,38 +52,55 @@ def result_statistics(bake: Any) -> dict[str, Any]:
 
 
 def _bake(bake: Any, name: str, points: npt.ArrayLike, faces: npt.ArrayLike | None, normals: npt.ArrayLike | None,
-          on: str, point_radius: float, progress: Progress | None) -> Floats:
-    set_location(bake, on, False, point_radius)
-    if faces is None and (normals is None or not point_radius > 0.0):
-        raise ValueError("points without faces need normals and point_radius > 0, the radius of the disk that "
-                         "represents a point")
-    bake.SetInputData(poly_data(points, faces, normals))
-    update(bake, progress, stacklevel=3)
+          lines: npt.ArrayLike | None, on: str, point_radius: float, line_radius: float,
+          progress: Progress | None) -> Floats:
+    set_location(bake, on, False, point_radius, line_radius)
+    if faces is None and (normals is None or not point_radius > 0.0 or on == "cells"):
+        raise ValueError("points without faces need on='points', normals and point_radius > 0, the radius of the disk "
+                         "that represents a point")
+    data = poly_data(points, faces, normals, lines, faces is not None and point_radius > 0.0)
+    bake.SetInputData(data)
+    # Cells of VTK are in the order vertices, lines, faces.
+    others = data.GetNumberOfVerts() + data.GetNumberOfLines() if on == "cells" else 0
+    expected = others if on == "cells" else _count_round(data)
+    update(bake, progress, 3, (f"{expected} {on} do not belong to a surface and 0 are not",))
     output = bake.GetOutputDataObject(0)
     attributes = output.GetCellData() if on == "cells" else output.GetPointData()
-    return to_numpy(attributes.GetArray(name))
+    return to_numpy(attributes.GetArray(name))[others:]
+
+
+def _count_round(data: Any) -> int:
+    """Return the number of points of lines and vertices that belong to no face."""
+    found = np.zeros(data.GetNumberOfPoints(), bool)
+    for cells, value in ((data.GetLines(), True), (data.GetVerts(), True), (data.GetPolys(), False)):
+        if cells.GetNumberOfCells():
+            found[to_numpy(cells.GetConnectivityArray())] = value
+    return int(np.count_nonzero(found))
 
 
 @overload
 def ambient_occlusion(
     points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
-    tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none", on: Location = "points",
-    point_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[False] = False,
+    lines: npt.ArrayLike | None = None, tolerance: float = 0.01, radius: float | None = None,
+    falloff: Falloff = "none", on: Location = "points", point_radius: float = 0.0, line_radius: float = 0.0,
+    progress: Progress | None = None, return_statistics: Literal[False] = False,
 ) -> Floats: ...
 
 
 @overload
 def ambient_occlusion(
     points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
-    tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none", on: Location = "points",
-    point_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[True],
+    lines: npt.ArrayLike | None = None, tolerance: float = 0.01, radius: float | None = None,
+    falloff: Falloff = "none", on: Location = "points", point_radius: float = 0.0, line_radius: float = 0.0,
+    progress: Progress | None = None, return_statistics: Literal[True],
 ) -> tuple[Floats, dict[str, Any]]: ...
 
 
 def ambient_occlusion(
     points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
-    tolerance: float = 0.01, radius: float | None = None, falloff: Falloff = "none", on: Location = "points",
-    point_radius: float = 0.0, progress: Progress | None = None, return_statistics: bool = False,
+    lines: npt.ArrayLike | None = None, tolerance: float = 0.01, radius: float | None = None,
+    falloff: Falloff = "none", on: Location = "points", point_radius: float = 0.0, line_radius: float = 0.0,
+    progress: Progress | None = None, return_statistics: bool = False,
 ) -> Floats | tuple[Floats, dict[str, Any]]:
     """Compute the ambient occlusion of a mesh or of oriented points.
 
@@ -100,6 +117,9 @@ def ambient_occlusion(
         `point_radius` are required.
     normals : array_like, shape (n, 3), float, optional
         Normals of the points. Default: computed from the faces.
+    lines : array_like, shape (m, k) or flat, int, optional
+        Indices of the k >= 2 points of each line, or flat as `faces`. Lines occlude as tubes with `line_radius`; points
+        that belong to lines but to no face have the value 0.
     tolerance : float
         Accepted RMSE over all values. Range: [1e-4, 1].
     radius : float, optional
@@ -110,7 +130,11 @@ def ambient_occlusion(
     on : {"points", "cells"}
         Compute a value for each point, or for the center of each face.
     point_radius : float
-        Radius of the disks that represent points without faces, in the unit of `points`. Range: >= 0.
+        Radius, in the unit of `points`. With faces: of spheres around the points that belong to neither a face nor a
+        line; they occlude. Without faces: of the disks that represent the points. Range: [0, 1e30]. Default: 0, no
+        spheres.
+    line_radius : float
+        Radius of the tubes along `lines`, in the unit of `points`. Range: [0, 1e30]. Default: 0, lines do not occlude.
     progress : callable, optional
         Called with the completed fraction, from 0 to 1. An exception that it raises stops the computation.
     return_statistics : bool
@@ -120,7 +144,7 @@ def ambient_occlusion(
     Returns
     -------
     numpy.ndarray, shape (n,) or (m,), float32
-        Values from 0, open, to 1, blocked. They do not depend on the number of threads.
+        Values from 0, open, to 1, blocked; 0 at points that belong to no face. They do not depend on the number of threads.
 
     Raises
     ------
@@ -129,7 +153,7 @@ def ambient_occlusion(
     ValueError
         If an argument has the wrong shape or is out of range, or if coordinates are not finite.
     IndexError
-        If a face refers to a point that does not exist.
+        If a face or a line refers to a point that does not exist.
     RuntimeError
         If the computation fails.
     KeyboardInterrupt
@@ -152,33 +176,33 @@ def ambient_occlusion(
     [1.0, 0.0]
     """
     bake = occlusion_filter(tolerance, radius, falloff)
-    values = _bake(bake, "AmbientOcclusion", points, faces, normals, on, point_radius, progress)
+    values = _bake(bake, "AmbientOcclusion", points, faces, normals, lines, on, point_radius, line_radius, progress)
     return (values, result_statistics(bake)) if return_statistics else values
 
 
 @overload
 def irradiance(
     points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
-    tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5, bounces: int = 3,
-    on: Location = "points", point_radius: float = 0.0, progress: Progress | None = None,
-    return_statistics: Literal[False] = False,
+    lines: npt.ArrayLike | None = None, tolerance: float = 0.01, environment_color: ColorLike = "white",
+    albedo: float = 0.5, bounces: int = 3, on: Location = "points", point_radius: float = 0.0,
+    line_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[False] = False,
 ) -> Floats: ...
 
 
 @overload
 def irradiance(
     points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
-    tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5, bounces: int = 3,
-    on: Location = "points", point_radius: float = 0.0, progress: Progress | None = None,
-    return_statistics: Literal[True],
+    lines: npt.ArrayLike | None = None, tolerance: float = 0.01, environment_color: ColorLike = "white",
+    albedo: float = 0.5, bounces: int = 3, on: Location = "points", point_radius: float = 0.0,
+    line_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[True],
 ) -> tuple[Floats, dict[str, Any]]: ...
 
 
 def irradiance(
     points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, normals: npt.ArrayLike | None = None,
-    tolerance: float = 0.01, environment_color: ColorLike = "white", albedo: float = 0.5, bounces: int = 3,
-    on: Location = "points", point_radius: float = 0.0, progress: Progress | None = None,
-    return_statistics: bool = False,
+    lines: npt.ArrayLike | None = None, tolerance: float = 0.01, environment_color: ColorLike = "white",
+    albedo: float = 0.5, bounces: int = 3, on: Location = "points", point_radius: float = 0.0,
+    line_radius: float = 0.0, progress: Progress | None = None, return_statistics: bool = False,
 ) -> Floats | tuple[Floats, dict[str, Any]]:
     """Compute the irradiance of a mesh or of oriented points under an environment, with interreflection.
 
@@ -187,7 +211,7 @@ def irradiance(
 
     Parameters
     ----------
-    points, faces, normals, tolerance, on, point_radius, progress, return_statistics
+    points, faces, normals, lines, tolerance, on, point_radius, line_radius, progress, return_statistics
         As in `ambient_occlusion`. The tolerance is in the unit of the values.
     environment_color : str or array_like of three floats
         Radiance of the environment: a color name, '#rrggbb', or three numbers >= 0, which may exceed 1.
@@ -214,5 +238,5 @@ def irradiance(
     [3.140000104904175, 3.140000104904175, 3.140000104904175]
     """
     bake = irradiance_filter(tolerance, parse_color("environment_color", environment_color), albedo, bounces)
-    values = _bake(bake, "Irradiance", points, faces, normals, on, point_radius, progress)
+    values = _bake(bake, "Irradiance", points, faces, normals, lines, on, point_radius, line_radius, progress)
     return (values, result_statistics(bake)) if return_statistics else values

@@ -93,19 +93,22 @@ def vectors(name: str, array: npt.ArrayLike, rows: int | None = None) -> npt.NDA
     return np.ascontiguousarray(values)
 
 
-def _cells(faces: npt.ArrayLike, size: int) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
-    """Return offsets and connectivity of faces of shape (m, k), or flat as in PyVista: n, i0, ... in-1, n, ..."""
+def _cells(
+    name: str, cells: npt.ArrayLike, size: int, minimum: int,
+) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    """Return offsets and connectivity of cells of shape (m, k), or flat as in PyVista: n, i0, ... in-1, n, ..."""
+    one = name[:-1]
     try:
-        values = np.asarray(faces)
+        values = np.asarray(cells)
     except ValueError:
-        raise ValueError("faces of different sizes must be flat: the number of points of the first face, its points, "
-                         "the number of points of the second face, and so on") from None
+        raise ValueError(f"{name} of different sizes must be flat: the number of points of the first {one}, its "
+                         f"points, the number of points of the second {one}, and so on") from None
     if values.size == 0:
-        raise ValueError("faces is empty: pass None for points without faces, with point_radius and normals")
+        raise ValueError(f"{name} is empty: pass None for points without {name}")
     if values.dtype.kind not in "iu":
-        raise TypeError(f"faces must be an array of integers, not of dtype {values.dtype}")
+        raise TypeError(f"{name} must be an array of integers, not of dtype {values.dtype}")
     values = np.ascontiguousarray(values, np.int64)
-    if values.ndim == 2 and values.shape[1] >= 3:
+    if values.ndim == 2 and values.shape[1] >= minimum:
         offsets = np.arange(0, values.size + 1, values.shape[1])
         connectivity = values.ravel()
     elif values.ndim == 1:
@@ -113,46 +116,54 @@ def _cells(faces: npt.ArrayLike, size: int) -> tuple[npt.NDArray[np.int64], npt.
         position = 0
         while position < len(values):
             count = int(values[position])
-            if count < 3 or position + count >= len(values):
-                raise ValueError(f"faces is flat and must hold the number of points of each face, which is at least 3, "
-                                 f"followed by its points; faces[{position}] = {count} is no such number")
+            if count < minimum or position + count >= len(values):
+                raise ValueError(f"{name} is flat and must hold the number of points of each {one}, which is at least "
+                                 f"{minimum}, followed by its points; {name}[{position}] = {count} is no such number")
             starts.append(position)
             position += count + 1
         connectivity = np.delete(values, starts)
         offsets = np.concatenate([[0], np.cumsum(values[starts])])
     else:
-        raise ValueError(f"faces must have the shape (m, 3), (m, 4) or (k,), not {values.shape}")
+        raise ValueError(f"{name} must have the shape (m, {minimum}), (m, {minimum + 1}) or (k,), not {values.shape}")
     if connectivity.min() < 0 or connectivity.max() >= size:
         wrong = int(np.argmax((connectivity < 0) | (connectivity >= size)))
-        raise IndexError(f"faces refer to points 0 to {size - 1}, but face {np.searchsorted(offsets, wrong, 'right') - 1} "
-                         f"has the point {connectivity[wrong]}")
+        raise IndexError(f"{name} refer to points 0 to {size - 1}, but {one} "
+                         f"{np.searchsorted(offsets, wrong, 'right') - 1} has the point {connectivity[wrong]}")
     return offsets.astype(np.int64), connectivity
 
 
-def poly_data(points: npt.ArrayLike, faces: npt.ArrayLike | None, normals: npt.ArrayLike | None) -> Any:
-    """Return a vtkPolyData that shares the memory of the arrays where their types allow it."""
+def _cell_array(offsets: npt.NDArray[np.int64], connectivity: npt.NDArray[np.int64]) -> Any:
     support = vtk_module("util.numpy_support")
-    model = vtk_module("vtkCommonDataModel")
+    id_type = vtk_module("vtkCommonCore").VTK_ID_TYPE
+    cells = vtk_module("vtkCommonDataModel").vtkCellArray()
+    cells.SetData(support.numpy_to_vtk(offsets, array_type=id_type),
+                  support.numpy_to_vtk(connectivity, array_type=id_type))
+    return cells
+
+
+def poly_data(points: npt.ArrayLike, faces: npt.ArrayLike | None, normals: npt.ArrayLike | None = None,
+              lines: npt.ArrayLike | None = None, spheres: bool = False) -> Any:
+    """Return a vtkPolyData that shares the memory of the arrays where their types allow it.
+
+    Points that belong to neither a face nor a line are vertices if they are spheres or if there are points only.
+    """
+    support = vtk_module("util.numpy_support")
     positions = vectors("points", points)
     if len(positions) == 0:
         raise ValueError("points is empty: pass at least one point")
     vtk_points = vtk_module("vtkCommonCore").vtkPoints()
     vtk_points.SetData(support.numpy_to_vtk(positions))
-    data = model.vtkPolyData()
+    data = vtk_module("vtkCommonDataModel").vtkPolyData()
     data.SetPoints(vtk_points)
-    cells = model.vtkCellArray()
-    if faces is None:
-        offsets = np.arange(len(positions) + 1, dtype=np.int64)
-        connectivity = offsets[:-1].copy()
-    else:
-        offsets, connectivity = _cells(faces, len(positions))
-    id_type = vtk_module("vtkCommonCore").VTK_ID_TYPE
-    cells.SetData(support.numpy_to_vtk(offsets, array_type=id_type),
-                  support.numpy_to_vtk(connectivity, array_type=id_type))
-    if faces is None:
-        data.SetVerts(cells)
-    else:
-        data.SetPolys(cells)
+    free = np.ones(len(positions), bool)
+    for name, cells, minimum, setter in (("faces", faces, 3, data.SetPolys), ("lines", lines, 2, data.SetLines)):
+        if cells is not None:
+            offsets, connectivity = _cells(name, cells, len(positions), minimum)
+            free[connectivity] = False
+            setter(_cell_array(offsets, connectivity))
+    vertices = np.flatnonzero(free).astype(np.int64)
+    if vertices.size and (spheres or (faces is None and lines is None)):
+        data.SetVerts(_cell_array(np.arange(vertices.size + 1, dtype=np.int64), vertices))
     if normals is not None:
         data.GetPointData().SetNormals(support.numpy_to_vtk(vectors("normals", normals, len(positions))))
     return data

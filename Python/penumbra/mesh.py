@@ -19,6 +19,13 @@ def parse_radiance(color: Any) -> list[float]:
     return parse_color("environment_color", color)
 
 
+def _array_names(mesh: Any) -> set[str]:
+    """Return the names of the arrays of a mesh or of the blocks of a multiblock."""
+    if isinstance(mesh, pyvista.MultiBlock):
+        return set().union(*(_array_names(block) for block in mesh if block is not None))
+    return set(mesh.array_names)
+
+
 @pyvista.register_dataset_accessor("penumbra", pyvista.MultiBlock)
 @pyvista.register_dataset_accessor("penumbra", pyvista.DataSet)
 class MeshAccessor:
@@ -28,8 +35,8 @@ class MeshAccessor:
         self._mesh = mesh
 
     def __repr__(self) -> str:
-        baked = [name for name in ("AmbientOcclusion", "Irradiance")
-                 if isinstance(self._mesh, pyvista.DataSet) and name in self._mesh.array_names]
+        found = _array_names(self._mesh)
+        baked = [name for name in ("AmbientOcclusion", "Irradiance") if name in found]
         return f"<penumbra of {type(self._mesh).__name__}: {'has ' + ' and '.join(baked) if baked else 'nothing baked'}>"
 
     def bake_ambient_occlusion(

@@ -7,12 +7,19 @@ import contextlib
 import re
 import signal
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from ._backend import vtk_module
 
 Progress = Callable[[float], object]
+
+# Remedies of the classes, which name their methods, and those that the functions and accessors have for them.
+REMEDIES = {
+    "Increase Tolerance or MaximumLevel.": "Pass a larger tolerance.",
+    "Use IndirectLight and Environment of vtkPenumbraRayCaster.":
+        "Pass indirect_light=True and environment_color, or use the class vtkPenumbraRayCaster with SetEnvironment().",
+}
 
 
 class PenumbraWarning(UserWarning):
@@ -92,10 +99,10 @@ def messages_as_warnings() -> Iterator[None]:
     _report(text[0], stacklevel=4)
 
 
-def _report(text: str, stacklevel: int, ignored: str | None = None) -> None:
+def _report(text: str, stacklevel: int, ignored: Sequence[str] = ()) -> None:
     notes, errors = _split(text)
     for note in notes:
-        if note != ignored:
+        if not note.startswith(tuple(ignored)):
             warn(note, stacklevel)
     if errors:
         message = errors[0].splitlines()[-1]
@@ -152,10 +159,17 @@ class _Interruption:
             signal.signal(signal.SIGINT, signal.SIG_DFL if self.before is None else self.before)
 
 
-def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2, ignored: str | None = None) -> None:
-    """Update a filter; raise its errors, and warn its warnings except the ignored one."""
+def _in_python(text: str) -> str:
+    """Return messages with the remedies as callers of the functions of this package have them."""
+    for words, python in REMEDIES.items():
+        text = text.replace(words, python)
+    return text
+
+
+def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2, ignored: Sequence[str] = ()) -> None:
+    """Update a filter; raise its errors, and warn its warnings except those that begin with an ignored sentence."""
     with _collected() as text, _Interruption(algorithm, progress) as interruption:
         algorithm.Update()
     if interruption.error is not None:
         raise interruption.error
-    _report(text[0], stacklevel + 2, ignored)
+    _report(_in_python(text[0]), stacklevel + 2, ignored)

@@ -13,7 +13,8 @@ from .conversion import check_choice, check_radius, check_range, check_size
 from .mesh import parse_radiance
 from .messages import Progress, observe_warnings
 from .opengl import require_opengl
-from .rendering import Settings, added_passes, cast_renderers, finish, passes_of, prepare_plotter
+from .passes import add, passes_of, remove
+from .rendering import Settings, cast_renderers, finish, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
 
@@ -64,7 +65,7 @@ class PlotterAccessor:
         require_opengl(self._plotter.render_window)
         occlusion = vtkPenumbraTemporalSSAOPass.AddTo(self._renderer)
         observe_warnings(occlusion)
-        added_passes.setdefault(self._renderer, {})["occlusion"] = occlusion
+        add(self._renderer, "occlusion", occlusion)
         occlusion.SetRadiusUnit(
             occlusion.FRACTION_OF_BOUNDS if radius is None else occlusion.WORLD)
         occlusion.SetRadius(0.1 if radius is None else radius)
@@ -81,7 +82,7 @@ class PlotterAccessor:
     def disable_temporal_ssao(self) -> None:
         """Remove the pass added by ``enable_temporal_ssao``."""
         vtkPenumbraTemporalSSAOPass.RemoveFrom(self._renderer)
-        added_passes.get(self._renderer, {}).pop("occlusion", None)
+        remove(self._renderer, "occlusion")
         self._plotter.render()
 
     def enable_light_shafts(
@@ -113,7 +114,7 @@ class PlotterAccessor:
         require_opengl(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
         observe_warnings(shafts)
-        added_passes.setdefault(self._renderer, {})["shafts"] = shafts
+        add(self._renderer, "shafts", shafts)
         shafts.SetScattering(-1.0 if scattering is None else scattering)
         shafts.SetExtinction(-1.0 if extinction is None else extinction)
         shafts.SetPhase(PHASES.index(phase))
@@ -125,7 +126,7 @@ class PlotterAccessor:
     def disable_light_shafts(self) -> None:
         """Remove the pass added by ``enable_light_shafts``."""
         vtkPenumbraLightShaftPass.RemoveFrom(self._renderer)
-        added_passes.get(self._renderer, {}).pop("shafts", None)
+        remove(self._renderer, "shafts")
         self._plotter.render()
 
     def ray_cast(
@@ -134,8 +135,9 @@ class PlotterAccessor:
         strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
         light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False,
         environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
-        transparent_background: bool = False, as_float: bool = False, return_statistics: bool = False,
-        scale: int | None = None, progress: Progress | None = None,
+        point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False,
+        as_float: bool = False, return_statistics: bool = False, scale: int | None = None,
+        progress: Progress | None = None,
     ) -> Any:
         """Return an image of the plotter by ray casting, antialiased to a tolerance.
 
@@ -163,6 +165,9 @@ class PlotterAccessor:
             If True, add the light of the environment and of diffuse interreflection.
         environment_color, albedo, bounces
             Parameters of indirect light, as in ``mesh.penumbra.bake_irradiance``.
+        point_radius, line_radius : float
+            Radius of the spheres that represent points, and of the tubes that represent lines and wireframes, in world
+            units. Range: [0, 1e30]. Default: 0, as the plotter draws them.
         return_statistics : bool
             If True, return ``(image, statistics)``. The statistics include ``EstimatedError``, the
             estimated RMSE.
@@ -179,7 +184,7 @@ class PlotterAccessor:
         settings = Settings(
             tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
             parse_radiance(environment_color), albedo, bounces, transparent_background, 72 * scale,
-            light_radius, light_angle)
+            light_radius, light_angle, point_radius, line_radius)
         window = self._plotter.render_window
         if window is None:
             raise RuntimeError("the plotter is closed: call ray_cast() before close() or show()")

@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
-import weakref
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -17,6 +16,7 @@ from .baking import ColorLike, Falloff
 from .conversion import (FALLOFFS, check_choice, check_radius, check_range, check_size, colors_of, parse_color,
                          poly_data, statistics_dict, to_bytes)
 from .messages import Progress, update, warn
+from .passes import passes_of
 
 Image = npt.NDArray[Any]
 Camera = Any
@@ -30,28 +30,12 @@ NOT_DRAWN = {
     "vtkOutlineGlowPass": "outlines",
 }
 
-# Passes that this package added to renderers, whose own passes they are parts of.
-added_passes: weakref.WeakKeyDictionary[Any, dict[str, Any]] = weakref.WeakKeyDictionary()
+ANTIALIASING = ("vtkSSAAPass", "vtkOpenGLFXAAPass")
 
-# What the ray caster says of any render pass.
-PASS_IGNORED = "The render pass of the renderer was ignored."
-
-
-def passes_of(renderer: Any) -> Iterator[Any]:
-    """Iterate over the render passes of a renderer, outermost first."""
-    waiting = [renderer.GetPass(), *added_passes.get(renderer, {}).values()]
-    seen = set()
-    while waiting:
-        render_pass = waiting.pop(0)
-        if render_pass is None or id(render_pass) in seen:
-            continue
-        seen.add(id(render_pass))
-        yield render_pass
-        if render_pass.IsA("vtkSequencePass") and render_pass.GetPasses():
-            passes = render_pass.GetPasses()
-            waiting += [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
-        if hasattr(render_pass, "GetDelegatePass"):
-            waiting.append(render_pass.GetDelegatePass())
+# What the ray caster says of the settings of a renderer that _follow_renderer and _follow_passes follow.
+PASS_IGNORED = "The render pass of the renderer is ignored."
+SETTINGS_IGNORED = (
+    "Screen-space ambient occlusion of the renderer is ignored.", "Shadows of the renderer are ignored.")
 
 
 @dataclasses.dataclass
@@ -73,6 +57,8 @@ class Settings:
     dpi: int = 72
     light_radius: float = 0.0
     light_angle: float = 0.0
+    point_radius: float = 0.0
+    line_radius: float = 0.0
 
     def __post_init__(self) -> None:
         check_range("tolerance", self.tolerance, 1e-6, 1.0)
@@ -85,6 +71,8 @@ class Settings:
         check_range("bounces", self.bounces, 1, 64)
         check_range("light_radius", self.light_radius, 0.0, 1e30)
         check_range("light_angle", self.light_angle, 0.0, 180.0)
+        check_range("point_radius", self.point_radius, 0.0, 1e30)
+        check_range("line_radius", self.line_radius, 0.0, 1e30)
 
 
 def _diagonal(renderer: Any) -> float:
@@ -110,6 +98,17 @@ def _follow_occlusion(caster: Any, renderer: Any, render_pass: Any, settings: Se
     caster.SetAmbientOcclusionStrength(strength if settings.strength is None else settings.strength)
 
 
+def _follow_renderer(caster: Any, renderer: Any, settings: Settings) -> None:
+    """Draw the effects that are switched on by methods of vtkRenderer."""
+    if renderer.GetUseSSAO() and settings.ambient_occlusion is None:
+        caster.SetAmbientOcclusion(True)
+        if settings.radius is None:
+            caster.SetAmbientOcclusionRadius(renderer.GetSSAORadius())
+        caster.SetAmbientOcclusionStrength(1.0 if settings.strength is None else settings.strength)
+    if renderer.GetUseShadows() and settings.shadows is None:
+        caster.SetShadows(True)
+
+
 def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
     """Draw what the render passes draw, or warn. Return True if there are passes other than VTK's plain ones."""
     found = 0
@@ -131,6 +130,8 @@ def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
         elif render_pass.IsA("vtkShadowMapPass"):
             if settings.shadows is None:
                 caster.SetShadows(True)
+        elif name in ANTIALIASING:
+            pass  # rays antialias anyway
         elif name in NOT_DRAWN:
             warn(f"rays do not draw {NOT_DRAWN[name]} ({name})", stacklevel=5)
         else:
@@ -138,8 +139,8 @@ def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
     return found > 0
 
 
-def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tuple[Any, bool]:
-    """Return a ray caster that draws a renderer, and whether it follows render passes."""
+def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tuple[Any, tuple[str, ...]]:
+    """Return a ray caster that draws a renderer, and the warnings of it that do not apply."""
     caster = vtkPenumbraRayCaster()
     caster.SetRenderer(renderer)
     caster.SetResolution(*size)
@@ -159,7 +160,11 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetBounces(int(settings.bounces))
     caster.SetDPI(settings.dpi)
     caster.SetLayers(False)  # cast_renderers draws all renderers, with the effects of each
-    return caster, _follow_passes(caster, renderer, settings)
+    caster.SetPointRadius(settings.point_radius)
+    caster.SetLineRadius(settings.line_radius)
+    _follow_renderer(caster, renderer, settings)
+    follows = _follow_passes(caster, renderer, settings)
+    return caster, (PASS_IGNORED, *SETTINGS_IGNORED) if follows else SETTINGS_IGNORED
 
 
 def _add(total: dict[str, Any], counts: dict[str, Any]) -> None:
@@ -185,12 +190,12 @@ def cast_renderers(
         if min(part) < 1:
             continue
         renderer.InvokeEvent("StartEvent")  # axes widgets copy the camera of the scene then
-        caster, follows = make_caster(renderer, part, settings)
+        caster, ignored = make_caster(renderer, part, settings)
         opaque = renderer.GetLayer() == 0 and not settings.transparent_background
         caster.SetBackground(opaque)
         update(caster, None if progress is None else
                lambda fraction, index=index: progress((index + fraction) / len(shown)), stacklevel,
-               PASS_IGNORED if follows else None)
+               ignored)
         colors = colors_of(caster.GetOutput(), 4)
         below = canvas[rows, columns]
         alpha = colors[..., 3:]
@@ -258,7 +263,9 @@ def renderer_of_mesh(mesh: Any, color: ColorLike, camera: Camera) -> Any:
     return renderer
 
 
-def _resolve(scene: Any, size: Any, color: ColorLike, camera: Camera) -> tuple[list[Any], tuple[int, int]]:
+def _resolve(
+    scene: Any, size: Any, color: ColorLike, camera: Camera, spheres: bool,
+) -> tuple[list[Any], tuple[int, int]]:
     """Return the renderers of a scene and the size of the image."""
     if hasattr(scene, "render_window") and hasattr(scene, "renderers"):  # a PyVista plotter
         prepare_plotter(scene)
@@ -273,13 +280,15 @@ def _resolve(scene: Any, size: Any, color: ColorLike, camera: Camera) -> tuple[l
             if camera is not None:
                 _set_camera(scene, camera)
             return [scene], check_size("size", size or (1024, 768))
-    elif isinstance(scene, tuple) and len(scene) == 2:
-        return [renderer_of_mesh(poly_data(*scene, None), color, camera)], check_size("size", size or (1024, 768))
+    elif isinstance(scene, tuple) and len(scene) in (2, 3):
+        points, faces, lines = (*scene, None)[:3]
+        mesh = poly_data(points, faces, None, lines, spheres)
+        return [renderer_of_mesh(mesh, color, camera)], check_size("size", size or (1024, 768))
     else:
         window = None
     if window is None:
-        raise TypeError("scene must be a mesh, (points, faces), a vtkRenderer, a vtkRenderWindow or a PyVista plotter, "
-                        f"not {type(scene).__name__}")
+        raise TypeError("scene must be a mesh, (points, faces), (points, faces, lines), a vtkRenderer, a "
+                        f"vtkRenderWindow or a PyVista plotter, not {type(scene).__name__}")
     if camera is not None:
         raise ValueError("camera applies to meshes and renderers; set that of the plotter instead")
     collection = window.GetRenderers()
@@ -303,8 +312,9 @@ def render(
     scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
     tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
     falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
-    light_shafts: bool | None = None, indirect_light: bool = False, environment_color: ColorLike = "black",
-    albedo: float = 0.5, bounces: int = 3, transparent_background: bool = False, as_float: bool = False,
+    light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
+    indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
+    point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False, as_float: bool = False,
     progress: Progress | None = None, return_statistics: Literal[False] = False,
 ) -> Image: ...
 
@@ -314,8 +324,9 @@ def render(
     scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
     tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
     falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
-    light_shafts: bool | None = None, indirect_light: bool = False, environment_color: ColorLike = "black",
-    albedo: float = 0.5, bounces: int = 3, transparent_background: bool = False, as_float: bool = False,
+    light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
+    indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
+    point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False, as_float: bool = False,
     progress: Progress | None = None, return_statistics: Literal[True],
 ) -> tuple[Image, dict[str, Any]]: ...
 
@@ -324,8 +335,9 @@ def render(
     scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
     tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
     falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
-    light_shafts: bool | None = None, indirect_light: bool = False, environment_color: ColorLike = "black",
-    albedo: float = 0.5, bounces: int = 3, transparent_background: bool = False, as_float: bool = False,
+    light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
+    indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
+    point_radius: float = 0.0, line_radius: float = 0.0, transparent_background: bool = False, as_float: bool = False,
     progress: Progress | None = None, return_statistics: bool = False,
 ) -> Image | tuple[Image, dict[str, Any]]:
     """Render an image by ray casting, antialiased to a tolerance.
@@ -335,9 +347,10 @@ def render(
 
     Parameters
     ----------
-    scene : mesh, (points, faces), vtkRenderer, vtkRenderWindow or pyvista.Plotter
-        What to render. A mesh is any vtkDataSet or composite data set, or arrays as in `ambient_occlusion`; it gets a
-        headlight and one color. All renderers of a window or plotter are drawn in their viewports.
+    scene : mesh, (points, faces), (points, faces, lines), vtkRenderer, vtkRenderWindow or pyvista.Plotter
+        What to render. A mesh is any vtkDataSet or composite data set, or arrays as in `ambient_occlusion`, of which
+        faces and lines may be None; it gets a headlight, which casts no shadows, and one color. All renderers of a
+        window or plotter are drawn in their viewports.
     size : tuple of int, optional
         Width and height in pixels. Range: 1 to 65535. Default: the size of the window, else 1024 by 768.
     camera : (position, focal_point, view_up) or vtkCamera, optional
@@ -357,10 +370,22 @@ def render(
     strength : float, optional
         Colors are multiplied by 1 - strength * occlusion. Range: [0, 1]. Default: that of the pass, else 1, and 0.6 on
         surfaces that are colored by scalars.
+    light_radius : float
+        Radius of positional lights, in world units. With `shadows`, such lights cast penumbrae. Range: [0, 1e30].
+        Default: 0, hard shadows.
+    light_angle : float
+        Angular diameter of directional lights, in degrees; that of the sun is 0.53. Range: [0, 180]. Default: 0, hard
+        shadows.
     indirect_light : bool
         Add the light of the environment and of diffuse interreflection.
     environment_color, albedo, bounces
         As in `irradiance`.
+    point_radius : float
+        Radius of the spheres that represent points, in world units. Range: [0, 1e30]. Default: 0, points have their
+        size in pixels.
+    line_radius : float
+        Radius of the tubes that represent lines and wireframes, in world units. Range: [0, 1e30]. Default: 0, lines
+        have their width in pixels.
     transparent_background : bool
         If True, the image has a fourth channel, the covered fraction of each pixel.
     as_float : bool
@@ -381,7 +406,9 @@ def render(
     TypeError
         If the scene is none of these, or an argument has another type.
     ValueError
-        If an argument is out of range.
+        If an argument is out of range, or if coordinates are not finite.
+    IndexError
+        If a face or a line refers to a point that does not exist.
     RuntimeError
         If the rendering fails.
     KeyboardInterrupt
@@ -402,8 +429,9 @@ def render(
     """
     settings = Settings(
         tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
-        environment_color, albedo, bounces, transparent_background)
-    renderers, pixels = _resolve(scene, size, color, camera)
+        environment_color, albedo, bounces, transparent_background, 72, light_radius, light_angle, point_radius,
+        line_radius)
+    renderers, pixels = _resolve(scene, size, color, camera, point_radius > 0.0)
     canvas, statistics = cast_renderers(renderers, pixels, settings, progress)
     image = finish(canvas, transparent_background, as_float)
     return (image, statistics) if return_statistics else image

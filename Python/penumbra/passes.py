@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Render passes of a renderer, and those that this package added to it."""
+from __future__ import annotations
+
+import weakref
+from collections.abc import Iterator
+from typing import Any
+
+from ._backend import vtk_module
+from .messages import warn
+
+# Passes that this package added to renderers, whose own passes they are parts of, and the passes that were found then.
+added_passes: weakref.WeakKeyDictionary[Any, dict[str, Any]] = weakref.WeakKeyDictionary()
+_chains: weakref.WeakKeyDictionary[Any, list[Any]] = weakref.WeakKeyDictionary()
+ORDER = ("shafts", "occlusion")  # outermost first
+
+
+def _chain(render_pass: Any) -> Iterator[Any]:
+    """Iterate over a pass and those inside, outermost first."""
+    waiting = [render_pass]
+    while waiting:
+        current = waiting.pop(0)
+        if current is None:
+            continue
+        yield current
+        if current.IsA("vtkSequencePass") and current.GetPasses():
+            passes = current.GetPasses()
+            waiting += [passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems())]
+        if hasattr(current, "GetDelegatePass"):
+            waiting.append(current.GetDelegatePass())
+
+
+def passes_of(renderer: Any) -> Iterator[Any]:
+    """Iterate over the render passes of a renderer, outermost first."""
+    seen = set()
+    for outer in (renderer.GetPass(), *added_passes.get(renderer, {}).values()):
+        for render_pass in _chain(outer):
+            if id(render_pass) not in seen:
+                seen.add(id(render_pass))
+                yield render_pass
+
+
+def _is_image_pass(render_pass: Any) -> bool:
+    return render_pass is not None and (render_pass.IsA("vtkImageProcessingPass") or render_pass.IsA("vtkSSAAPass"))
+
+
+def _steps() -> Any:
+    """Return passes that draw what a renderer without passes draws."""
+    opengl = vtk_module("vtkRenderingOpenGL2")
+    camera = opengl.vtkCameraPass()
+    camera.SetDelegatePass(opengl.vtkRenderStepsPass())
+    return camera
+
+
+def _insert(renderer: Any, added: Any) -> None:
+    """Insert a pass below the other passes that process the image."""
+    outer, inner = None, renderer.GetPass()
+    while _is_image_pass(inner):
+        outer, inner = inner, inner.GetDelegatePass()
+    added.SetDelegatePass(inner or _steps())
+    added.SetOpaqueOnly(False)
+    (outer.SetDelegatePass if outer else renderer.SetPass)(added)
+
+
+def _keep(renderer: Any, event: str) -> None:
+    """Insert the added passes again if others have replaced them, as PyVista does when it enables or disables one."""
+    added = added_passes.get(renderer, {})
+    chain = list(_chain(renderer.GetPass()))
+    if not added or chain == _chains.get(renderer):
+        return
+    if "occlusion" in added and any(each.IsA("vtkSSAOPass") for each in chain):
+        added.pop("occlusion")
+        warn("enable_ssao() has replaced the ambient occlusion of plotter.penumbra: call disable_ssao() and "
+             "enable_temporal_ssao() to draw the latter", stacklevel=2)
+    for name in ORDER:
+        if name in added and added[name] not in chain:
+            _insert(renderer, added[name])
+    _chains[renderer] = list(_chain(renderer.GetPass()))
+
+
+def add(renderer: Any, name: str, render_pass: Any) -> None:
+    """Keep a pass that is part of those of the renderer when others are enabled or disabled."""
+    if renderer not in added_passes:
+        added_passes[renderer] = {}
+        renderer.AddObserver("StartEvent", _keep)
+    added_passes[renderer][name] = render_pass
+    _chains[renderer] = list(_chain(renderer.GetPass()))
+
+
+def remove(renderer: Any, name: str) -> None:
+    added_passes.get(renderer, {}).pop(name, None)
+    _chains[renderer] = list(_chain(renderer.GetPass()))
