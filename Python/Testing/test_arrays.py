@@ -275,6 +275,12 @@ class TestRender:
         triangle = ([(-9, -9, 0), (-8, -9, 0), (-8, -8, 0), (0, 0, 0)], [(0, 1, 2)])
         np.testing.assert_array_equal(penumbra.render(triangle, camera=camera, point_radius=1.0, **options), image)
 
+    def test_shows_spheres_as_a_whole(self):
+        for points in ([(0, 0, 0)], [(0, 0, 0), (1, 0, 0), (1, 1, 0)]):
+            image = penumbra.render((points, None), size=(40, 40), point_radius=1.0, transparent_background=True)
+            assert image[..., 3].max() == 255
+            assert max(edge.max() for edge in (image[0], image[-1], image[:, 0], image[:, -1])) == 0
+
     def test_draws_lines_as_tubes(self):
         image = penumbra.render(([(-50, 0, 0), (50, 0, 0)], None, [(0, 1)]), size=(100, 100), line_radius=1.0,
                                 camera=((0, 0, 10), (0, 0, 0), (0, 1, 0)), transparent_background=True, as_float=True)

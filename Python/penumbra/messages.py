@@ -17,6 +17,7 @@ Progress = Callable[[float], object]
 # Remedies of the classes, which name their methods, and those that the functions and accessors have for them.
 REMEDIES = {
     "Increase Tolerance or MaximumLevel.": "Pass a larger tolerance.",
+    "Set Tolerance to ": "Pass tolerance=",
     "Use IndirectLight and Environment of vtkPenumbraRayCaster.":
         "Pass indirect_light=True and environment_color, or use the class vtkPenumbraRayCaster with SetEnvironment().",
 }

@@ -13,6 +13,8 @@ from .messages import warn
 # Passes that this package added to renderers, whose own passes they are parts of, and the passes that were found then.
 added_passes: weakref.WeakKeyDictionary[Any, dict[str, Any]] = weakref.WeakKeyDictionary()
 _chains: weakref.WeakKeyDictionary[Any, list[Any]] = weakref.WeakKeyDictionary()
+# The camera pass that vtkPenumbra...Pass.AddTo() made for a renderer without passes, and the passes in those added.
+_steps: weakref.WeakKeyDictionary[Any, tuple[Any, dict[str, Any]]] = weakref.WeakKeyDictionary()
 ORDER = ("shafts", "occlusion")  # outermost first
 
 
@@ -45,22 +47,31 @@ def _is_image_pass(render_pass: Any) -> bool:
     return render_pass is not None and (render_pass.IsA("vtkImageProcessingPass") or render_pass.IsA("vtkSSAAPass"))
 
 
-def _steps() -> Any:
-    """Return passes that draw what a renderer without passes draws."""
-    opengl = vtk_module("vtkRenderingOpenGL2")
-    camera = opengl.vtkCameraPass()
-    camera.SetDelegatePass(opengl.vtkRenderStepsPass())
-    return camera
-
-
 def _insert(renderer: Any, added: Any) -> None:
     """Insert a pass below the other passes that process the image."""
     outer, inner = None, renderer.GetPass()
     while _is_image_pass(inner):
         outer, inner = inner, inner.GetDelegatePass()
-    added.SetDelegatePass(inner or _steps())
+    if inner is None:  # what a renderer without passes draws
+        opengl = vtk_module("vtkRenderingOpenGL2")
+        inner = opengl.vtkCameraPass()
+        inner.SetDelegatePass(opengl.vtkRenderStepsPass())
+    added.SetDelegatePass(inner)
     added.SetOpaqueOnly(False)
     (outer.SetDelegatePass if outer else renderer.SetPass)(added)
+
+
+def _restore(renderer: Any) -> bool:
+    """Restore the passes that AddTo() made, if they are known."""
+    added = added_passes[renderer]
+    camera, delegates = _steps.get(renderer, (None, {}))
+    if camera is None or delegates.keys() != added.keys():
+        return False
+    for name, delegate in delegates.items():
+        added[name].SetDelegatePass(delegate)
+        added[name].OpaqueOnlyOn()
+    renderer.SetPass(camera)
+    return True
 
 
 def _keep(renderer: Any, event: str) -> None:
@@ -73,9 +84,10 @@ def _keep(renderer: Any, event: str) -> None:
         added.pop("occlusion")
         warn("enable_ssao() has replaced the ambient occlusion of plotter.penumbra: call disable_ssao() and "
              "enable_temporal_ssao() to draw the latter", stacklevel=2)
-    for name in ORDER:
-        if name in added and added[name] not in chain:
-            _insert(renderer, added[name])
+    if chain or not _restore(renderer):
+        for name in ORDER:
+            if name in added and added[name] not in chain:
+                _insert(renderer, added[name])
     _chains[renderer] = list(_chain(renderer.GetPass()))
 
 
@@ -85,9 +97,19 @@ def add(renderer: Any, name: str, render_pass: Any) -> None:
         added_passes[renderer] = {}
         renderer.AddObserver("StartEvent", _keep)
     added_passes[renderer][name] = render_pass
-    _chains[renderer] = list(_chain(renderer.GetPass()))
+    _remember(renderer)
 
 
 def remove(renderer: Any, name: str) -> None:
+    """Forget a pass that was removed from a renderer."""
     added_passes.get(renderer, {}).pop(name, None)
-    _chains[renderer] = list(_chain(renderer.GetPass()))
+    _remember(renderer)
+
+
+def _remember(renderer: Any) -> None:
+    chain = list(_chain(renderer.GetPass()))
+    added = added_passes.get(renderer, {})
+    _chains[renderer] = chain
+    _steps.pop(renderer, None)
+    if added and chain and chain[0].IsA("vtkCameraPass") and not any(each in chain for each in added.values()):
+        _steps[renderer] = (chain[0], {name: each.GetDelegatePass() for name, each in added.items()})

@@ -220,7 +220,11 @@ def finish(canvas: Image, transparent_background: bool, as_float: bool) -> Image
     return np.ascontiguousarray(image) if as_float else to_bytes(image)
 
 
-def _set_camera(renderer: Any, camera: Camera) -> None:
+def _set_camera(renderer: Any, camera: Camera, radius: float = 0.0) -> None:
+    """Set the camera of a renderer whose points and lines have a radius, which VTK's bounds do not contain."""
+    bounds = np.array(renderer.ComputeVisiblePropBounds())
+    if vtk_module("vtkCommonCore").vtkMath.AreBoundsInitialized(bounds):
+        bounds += np.array([-radius, radius] * 3)
     if hasattr(camera, "IsA") and camera.IsA("vtkCamera"):
         renderer.SetActiveCamera(camera)
         return
@@ -229,7 +233,7 @@ def _set_camera(renderer: Any, camera: Camera) -> None:
         view.SetPosition(1.0, 1.0, 1.0)
         view.SetFocalPoint(0.0, 0.0, 0.0)
         view.SetViewUp(0.0, 0.0, 1.0)
-        renderer.ResetCamera()
+        renderer.ResetCamera(bounds)
         return
     try:
         position, focal_point, view_up = ([float(value) for value in vector] for vector in camera)
@@ -239,10 +243,10 @@ def _set_camera(renderer: Any, camera: Camera) -> None:
     except (TypeError, ValueError):
         raise ValueError("camera must be three points, (position, focal_point, view_up), or a vtkCamera, "
                          f"not {camera!r}") from None
-    renderer.ResetCameraClippingRange()
+    renderer.ResetCameraClippingRange(bounds)
 
 
-def renderer_of_mesh(mesh: Any, color: ColorLike, camera: Camera) -> Any:
+def renderer_of_mesh(mesh: Any, color: ColorLike, camera: Camera, radius: float = 0.0) -> Any:
     """Return a renderer with one mesh and a headlight."""
     core = vtk_module("vtkRenderingCore")
     if mesh.IsA("vtkCompositeDataSet"):
@@ -259,12 +263,12 @@ def renderer_of_mesh(mesh: Any, color: ColorLike, camera: Camera) -> Any:
     actor.GetProperty().SetColor(parse_color("color", color, 1.0))
     renderer = core.vtkRenderer()
     renderer.AddActor(actor)
-    _set_camera(renderer, camera)
+    _set_camera(renderer, camera, radius)
     return renderer
 
 
 def _resolve(
-    scene: Any, size: Any, color: ColorLike, camera: Camera, spheres: bool,
+    scene: Any, size: Any, color: ColorLike, camera: Camera, point_radius: float, line_radius: float,
 ) -> tuple[list[Any], tuple[int, int]]:
     """Return the renderers of a scene and the size of the image."""
     if hasattr(scene, "render_window") and hasattr(scene, "renderers"):  # a PyVista plotter
@@ -275,15 +279,17 @@ def _resolve(
     elif hasattr(scene, "IsA"):
         window = scene if scene.IsA("vtkRenderWindow") else None
         if scene.IsA("vtkDataObject"):
-            return [renderer_of_mesh(scene, color, camera)], check_size("size", size or (1024, 768))
+            radius = max(point_radius, line_radius)
+            return [renderer_of_mesh(scene, color, camera, radius)], check_size("size", size or (1024, 768))
         if scene.IsA("vtkRenderer"):
             if camera is not None:
                 _set_camera(scene, camera)
             return [scene], check_size("size", size or (1024, 768))
     elif isinstance(scene, tuple) and len(scene) in (2, 3):
         points, faces, lines = (*scene, None)[:3]
-        mesh = poly_data(points, faces, None, lines, spheres)
-        return [renderer_of_mesh(mesh, color, camera)], check_size("size", size or (1024, 768))
+        mesh = poly_data(points, faces, None, lines, point_radius > 0.0)
+        radius = max(point_radius if mesh.GetNumberOfVerts() else 0.0, line_radius if mesh.GetNumberOfLines() else 0.0)
+        return [renderer_of_mesh(mesh, color, camera, radius)], check_size("size", size or (1024, 768))
     else:
         window = None
     if window is None:
@@ -431,7 +437,7 @@ def render(
         tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
         environment_color, albedo, bounces, transparent_background, 72, light_radius, light_angle, point_radius,
         line_radius)
-    renderers, pixels = _resolve(scene, size, color, camera, point_radius > 0.0)
+    renderers, pixels = _resolve(scene, size, color, camera, point_radius, line_radius)
     canvas, statistics = cast_renderers(renderers, pixels, settings, progress)
     image = finish(canvas, transparent_background, as_float)
     return (image, statistics) if return_statistics else image
