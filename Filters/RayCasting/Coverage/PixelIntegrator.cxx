@@ -223,6 +223,22 @@ bool PixelIntegrator::AnyNeighborCorner(const std::function<bool(const Sample&)>
   return false;
 }
 
+float PixelIntegrator::ComputeVariation(unsigned int corners, const Sample& sample) const
+{
+  float variation = 0.f;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (corners >> i & 1u)
+    {
+      const Sample& corner = this->Corners[i];
+      const bool disconnected = corner.FirstHit.Surface != sample.FirstHit.Surface;
+      variation = std::max(variation,
+        std::max(disconnected ? 1.f : 0.f, ComputeMaximumDifference(corner.Color, sample.Color)));
+    }
+  }
+  return variation;
+}
+
 // A shadow boundary may cross a pixel without a difference between its corners. The corners of a
 // neighboring pixel then show one. Penumbrae do not count: their colors are noisy everywhere.
 bool PixelIntegrator::IsNearShadowBoundary() const

@@ -124,6 +124,9 @@ private:
   double ComputeDepthBehind(double depth) const;
   void UpdateMaximumFaceDepth(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
+  /// Returns the largest difference between the colors of `sample` and of the corners whose bits are
+  /// set in `corners`; at least 1 if one of them is on another surface.
+  float ComputeVariation(unsigned int corners, const Sample& sample) const;
   bool IsNearShadowBoundary() const;
   bool AnyNeighborCorner(const std::function<bool(const Sample&)>& test) const;
   PixelResult IntegrateInterior();

@@ -335,17 +335,8 @@ PixelResult PixelIntegrator::ComputeFaceColor(std::size_t index)
   // The face is one surface, so the differences between its corners and the sample estimate the
   // variation of the color. A face without corners is assumed to vary by UnknownVariation.
   const bool unknown = !inside || this->IsNearShadowBoundary();
-  float variation = unknown ? UnknownVariation : 0.f;
-  for (int i = 0; i < 4; ++i)
-  {
-    if (inside >> i & 1u)
-    {
-      const Sample& corner = this->Corners[i];
-      const bool disconnected = corner.FirstHit.Surface != sample.FirstHit.Surface;
-      variation = std::max(variation,
-        std::max(disconnected ? 1.f : 0.f, ComputeMaximumDifference(corner.Color, sample.Color)));
-    }
-  }
+  const float variation =
+    std::max(unknown ? UnknownVariation : 0.f, this->ComputeVariation(inside, sample));
   const float area = static_cast<float>(face.Area);
   const float limit = static_cast<float>(this->Settings.Tolerance + 2.0 * this->Noise);
   // Occlusion and light shafts are expensive and rarely discontinuous. With them, a face is not

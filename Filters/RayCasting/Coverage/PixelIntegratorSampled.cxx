@@ -189,17 +189,7 @@ void PixelIntegrator::ComputeFaceColors(SampledPixel& pixel)
     }
     const Sample sample = this->Trace(face.Point, face.Area);
     const unsigned int inside = face.Corners & this->TrustedCorners;
-    float variation = inside ? 0.f : UnknownVariation;
-    for (int i = 0; i < 4; ++i)
-    {
-      if (inside >> i & 1u)
-      {
-        const Sample& corner = this->Corners[i];
-        const bool disconnected = corner.FirstHit.Surface != sample.FirstHit.Surface;
-        variation = std::max(variation,
-          std::max(disconnected ? 1.f : 0.f, ComputeMaximumDifference(corner.Color, sample.Color)));
-      }
-    }
+    const float variation = inside ? this->ComputeVariation(inside, sample) : UnknownVariation;
     const auto area = static_cast<float>(face.Area);
     pixel.FaceColors.back() = sample.Color;
     pixel.MeanOfFaces += area * sample.Color;
