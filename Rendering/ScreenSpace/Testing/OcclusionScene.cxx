@@ -146,6 +146,17 @@ double OcclusionScene::At(const std::string& name, const Vector& position)
   return at >= 0 && at < static_cast<int>(values.size()) ? values[at] : -1.0;
 }
 
+void AddSphereBeforeWall(OcclusionScene& scene, double unit, const Vector& at)
+{
+  const auto transform = [&](double x, double y, double z) {
+    return Vector{ at[0] + unit * x, at[1] + unit * y, at[2] + unit * z };
+  };
+  scene.AddWall(transform(-3, -3, 0), { 6 * unit, 0, 0 }, { 0, 4 * unit, 0 });
+  scene.AddWall(transform(-3, 1, 0), { 6 * unit, 0, 0 }, { 0, 0, 2 * unit });
+  scene.AddSphere(transform(0, 0, 0.5), 0.5 * unit);
+  scene.SetCamera(transform(0, -5, 3), transform(0, 0, 0.4));
+}
+
 double BehindWall(double distance)
 {
   // The wall blocks the part of the unit disk with w.y > distance.

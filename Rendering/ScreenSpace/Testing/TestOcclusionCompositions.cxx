@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The table of compositions in Documentation/reference/ScreenSpacePasses.md; other rows are tested
-// in TestOcclusionInScenes.cxx.
+// in TestOcclusionInScenes.cxx and TestOcclusionWithVTK.cxx.
 #include "Frame/Stage.h"
 #include "OcclusionScene.h"
 
