@@ -115,7 +115,8 @@ int Compare(const CompareOptions& options)
   {
     throw CommandError(BadInput,
       options.Images[0] + ": " + comparison->GetErrorText() +
-        "; images and mask must have the same size, and the mask must include a pixel");
+        "; images and mask must have the same size, and the mask must have at least one pixel that "
+        "is not black");
   }
   double factor = 1.0;
   if (file)
@@ -189,7 +190,8 @@ Action DeclareCompare(CLI::App& program)
     ->take_last();
   app
     ->add_option("--difference", options->Difference,
-      "Write an image of the differences; in 8 bits the largest is white")
+      "Write an image of the differences; 8-bit formats are scaled so that the largest difference "
+      "is white")
     ->type_name("PATH")
     ->take_last();
   AddReadLimitOption(*app);

@@ -113,9 +113,9 @@ void DeclareCamera(CLI::App& app, CameraOptions& camera)
   AddNumber(app, "--camera-zoom-factor", camera.ZoomFactor, "F",
     "Move the camera closer by this factor; ignored with --camera-position", Length);
   AddNumber(app, "--camera-azimuth-angle", camera.Azimuth, "DEG",
-    "Then rotate around the focal point to the right");
+    "Rotate the camera around the focal point to the right, after placing it");
   AddNumber(app, "--camera-elevation-angle", camera.Elevation, "DEG",
-    "Then rotate around the focal point upward");
+    "Rotate the camera around the focal point upward, after placing it");
   app.add_flag("--camera-orthographic", camera.Orthographic, "Parallel projection");
   AddNumber(app, "--camera-parallel-scale", camera.ParallelScale, "S",
     "Half the height of the view in world units; default: fits the bounds", Length);
@@ -189,7 +189,7 @@ void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
     if (coloring.Range[0] > coloring.Range[1])
     {
       throw CLI::ValidationError(
-        "--coloring-range", "'" + text + "' has its minimum after its maximum");
+        "--coloring-range", "'" + text + "' has a minimum above its maximum");
     }
   };
   app
@@ -215,7 +215,7 @@ void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
       "Homogeneous medium in which lights (--light-position) cast visible shafts")
     ->group(group);
   AddNumber(app, "--shafts-scattering", shafts.Scattering, "S",
-    "Scattering coefficient per world unit; default: a quarter over the bounds' diagonal",
+    "Scattering coefficient per world unit; default: 0.25 divided by the diagonal of the bounds",
     { 0.0, Infinity })
     ->default_str("")
     ->group(group);

@@ -80,7 +80,7 @@ CLI::Option* AddLightRadiusOption(CLI::App& app, double& radius, const std::stri
 CLI::Option* AddLightAngleOption(CLI::App& app, double& angle, const std::string& note)
 {
   return AddNumber(app, "--light-angle", angle, "DEG",
-    "Angular diameter of directional lights, the sun: 0.53" + note, { 0.0, 180.0 });
+    "Angular diameter of directional lights (0.53 for the sun)" + note, { 0.0, 180.0 });
 }
 
 CLI::Option* AddStatisticsOption(CLI::App& app, std::string& path, const std::string& description)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Defaults and limits of the program that no option names. Where Documentation/user/Options.md states a
+// Defaults and internal limits of the program. Where Documentation/user/Options.md states a
 // value, change it there, too. Afterwards run TestRender, TestBadInput, TestFiles and TestAnimate.
 #ifndef penumbra_CommandConstants_h
 #define penumbra_CommandConstants_h

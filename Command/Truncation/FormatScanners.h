@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Scanners of file formats: each reads a file from its beginning and throws TruncatedFile if it ends too
-// early, or UnknownStructure if it cannot tell.
+// early, or UnknownStructure if the structure is unknown.
 #ifndef penumbra_FormatScanners_h
 #define penumbra_FormatScanners_h
 

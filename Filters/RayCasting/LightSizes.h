@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sizes of single lights, which vtkLight does not have.
+// Sizes of individual lights, which vtkLight does not have.
 #ifndef penumbra_LightSizes_h
 #define penumbra_LightSizes_h
 
@@ -19,7 +19,7 @@ namespace penumbra
 /// angular diameter is between 0 and 180 degrees.
 void RequireLightSize(double radius, double angle);
 
-/// Sizes of single lights, which replace the size of all lights.
+/// Sizes of individual lights, which replace the size of all lights.
 class LightSizes
 {
 public:

@@ -115,7 +115,7 @@ public:
   ///@{
   /**
    * Radius of positional lights in world units: spheres, and for spotlights (ConeAngle below 90
-   * degrees) disks across their direction. With Shadows, they cast penumbrae, sampled until the
+   * degrees) disks perpendicular to their direction. With Shadows, they cast penumbrae, sampled until the
    * estimated error is within Tolerance. Surfaces are shaded as by a light at the center, times the
    * fraction of the light that is visible, in solid angle (disks: in area). The part of a light
    * below the horizon of a surface is not visible. Inside the sphere of a light, surfaces are fully
@@ -143,7 +143,7 @@ public:
   double GetLightAngle(vtkLight* light);
   ///@}
 
-  /** Remove the radii and angular diameters of single lights. */
+  /** Remove the radii and angular diameters of individual lights. */
   void ClearLightSizes();
 
   ///@{
@@ -200,7 +200,7 @@ public:
   ///@}
 
   ///@{
-  /** Radiance of the environment, which rays receive that hit no surface. Range: >= 0. Default: (0, 0, 0). */
+  /** Radiance of the environment, returned by rays that hit no surface. Range: >= 0. Default: (0, 0, 0). */
   vtkSetVector3Macro(EnvironmentColor, double);
   vtkGetVector3Macro(EnvironmentColor, double);
   ///@}

@@ -7,6 +7,7 @@
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"
 #include "Shading/OwenSobolSequence.h"
+#include "Shading/RayTracingConstants.h"
 #include "Shading/TranslucentOcclusion.h"
 
 #include "vtkObjectFactory.h"
@@ -31,24 +32,6 @@ using penumbra::RayScene;
 using Estimate = vtkPenumbraIrradianceProvider::Estimate;
 
 constexpr double Pi = glm::pi<double>();
-
-/// Fraction of the hemisphere, times the number of rays n, that occluders may cover although all
-/// rays agree: the error is at least this divided by n.
-constexpr double UndetectedFraction = 0.5;
-
-/// Standard error of the mean of n stratified rays above half-planes and disks, divided by n^(-3/4)
-/// (measured over thousands of random ones; see the test SphereAbovePlane.ReportsCalibratedError).
-constexpr double StandardErrorScale = 0.42;
-/// Ratio of the error of stratified rays to that of independent pairs of rays, measured likewise.
-constexpr double StratificationGain = 0.62;
-
-/// Number of pairs that are assumed to differ in addition to those found. Some cells that an edge
-/// crosses agree by chance, and stopping then would underestimate the error.
-constexpr double VarianceFloorPairs = 2.0;
-
-/// Number of paths per MinimumRays in the first round. Light sources are smaller than occluders, so
-/// that irradiance needs more.
-constexpr std::uint32_t PathsPerRay = 8;
 
 /// Returns the smallest power of two that is at least 8 and `minimum`, but at most `limit` (or 8).
 std::uint32_t ComputeFirstRound(std::uint32_t minimum, std::uint32_t limit)
@@ -87,12 +70,12 @@ public:
     const auto ends = std::minmax_element(this->Samples.begin(), this->Samples.end());
     const double range = *ends.second - *ends.first;
     const double squares = penumbra::OwenSobolSequence::SumPairDifferences(this->Samples) +
-      VarianceFloorPairs * range * range;
-    const double pairError = StratificationGain * std::sqrt(squares) / count;
+      penumbra::VarianceFloorPairs * range * range;
+    const double pairError = penumbra::StratificationGain * std::sqrt(squares) / count;
     Estimate result;
     result.Rays = count + this->AdditionalRays;
     result.Value = this->Sum / count;
-    result.Error = std::hypot(pairError, UndetectedFraction / count);
+    result.Error = std::hypot(pairError, penumbra::UndetectedFraction / count);
     return result;
   }
 
@@ -195,7 +178,7 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusi
     // The number of rays is fixed in advance: stopping early when few rays agree would cause bias.
     const std::uint32_t maximum = limit / 2;
     const double needed =
-      std::min<double>(std::pow(StandardErrorScale / tolerance, 4.0 / 3.0), maximum);
+      std::min<double>(std::pow(penumbra::StandardErrorScale / tolerance, 4.0 / 3.0), maximum);
     std::uint32_t count = 4;
     while (count < needed)
     {
@@ -240,7 +223,8 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
   glm::dvec3 sum(0.0);
   std::vector<float> grays;
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
-  for (std::uint32_t count = ComputeFirstRound(PathsPerRay * this->MinimumRays, limit);; count *= 2)
+  for (std::uint32_t count = ComputeFirstRound(penumbra::PathsPerRay * this->MinimumRays, limit);;
+       count *= 2)
   {
     while (grays.size() < count)
     {

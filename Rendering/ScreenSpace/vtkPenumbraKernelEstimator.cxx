@@ -3,6 +3,7 @@
 #include "vtkPenumbraKernelEstimator.h"
 
 #include "Frame/EyeDepth.h"
+#include "Frame/ScreenSpaceConstants.h"
 #include "Frame/Stage.h"
 #include "Occlusion/Thickness.h"
 #include "vtkPenumbraEstimateFS.h"
@@ -34,20 +35,6 @@ constexpr int MaximumPoints = 64;
 /// Index at which the points for pixels with a short history start; other indices are below it (see
 /// SequenceLength in OcclusionViewState.cxx).
 constexpr long long ExtraSection = 1LL << 20;
-
-/// Ratio of thickness to median width, and the range of the thickness in radii. Measured with
-/// `./penumbra benchmark ambient-occlusion --only accuracy`.
-constexpr double ThicknessToWidthRatio = 1.5;
-constexpr double MinimumThickness = 0.05;
-constexpr double MaximumThickness = 1.5;
-
-/// Number of frames between measurements of the thickness in motion. Each reads the depths back
-/// from the graphics card.
-constexpr int FramesPerMeasurement = 8;
-
-/// Number of frames after which depths that are read back in motion are used. By then they have
-/// arrived, so that no frame waits for them.
-constexpr int FramesUntilArrival = 4;
 
 /// Mirrors the digits of a number at the radix point (Halton sequence) [TSSAO].
 double RadicalInverse(int base, long long number)
@@ -100,9 +87,9 @@ struct vtkPenumbraKernelEstimator::Internals
   static double ThicknessOf(const std::vector<float>& depths, const penumbra::ScreenTransform& view)
   {
     const double width = penumbra::MedianWidth(depths, view);
-    return width > 0.0
-      ? std::clamp(ThicknessToWidthRatio * width, MinimumThickness, MaximumThickness)
-      : 1.0;
+    return width > 0.0 ? std::clamp(penumbra::ThicknessToWidthRatio * width,
+                           penumbra::MinimumThickness, penumbra::MaximumThickness)
+                       : 1.0;
   }
   std::map<const penumbra::EyeDepth*, Measurement> Thicknesses;
 };
@@ -156,7 +143,7 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
     state.Pending = nullptr;
     state.Frames = 0;
   }
-  else if (state.Pending && state.Frames >= FramesUntilArrival)
+  else if (state.Pending && state.Frames >= penumbra::FramesUntilThickness)
   {
     unsigned int size[2] = { static_cast<unsigned int>(state.PendingView.Width),
       static_cast<unsigned int>(state.PendingView.Height) };
@@ -166,7 +153,7 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
     state.Pending = nullptr;
     state.Thickness = Internals::ThicknessOf(depths, state.PendingView);
   }
-  else if (!state.Pending && state.Frames >= FramesPerMeasurement)
+  else if (!state.Pending && state.Frames >= penumbra::FramesPerThickness)
   {
     state.Pending.TakeReference(depth.GetCurrent()->Download());
     state.PendingView = depth.GetView();

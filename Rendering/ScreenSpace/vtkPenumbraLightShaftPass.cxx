@@ -4,6 +4,7 @@
 
 #include "Chain/PassSlots.h"
 #include "Frame/PassStatistics.h"
+#include "Frame/ScreenSpaceConstants.h"
 #include "Shafts/ShaftViewState.h"
 #include "vtkPenumbraTemporalSSAOPass.h"
 
@@ -34,35 +35,12 @@ namespace
 
 using Pass = vtkPenumbraLightShaftPass;
 
-/// Default scattering times the diagonal of the scene, as in the ray caster.
-constexpr double DefaultOpticalDepth = 0.25;
-/// Minimum extinction times the diagonal, for a medium that scatters nothing: shaders divide by
-/// extinction.
-constexpr double MinimumOpticalDepth = 1e-12;
-/// Automatic steps times tolerance. This and the following constants were measured with
-/// `./penumbra benchmark light-shafts`.
-constexpr double StepsTimesTolerance = 0.375;
-constexpr int MinimumSteps = 16;
-constexpr int MaximumSteps = 1024;
-/// Minimum number of blocks along the larger image side per step; more steps do not reduce the
-/// error.
-constexpr int BlocksPerStep = 2;
-/// Pixels per side of the largest blocks, which are used from LargestBlockTolerance on. With each
-/// halving of the tolerance the side shrinks by 1.
-constexpr int LargestBlock = 4;
-constexpr double LargestBlockTolerance = 1.0 / 128.0;
-/// Automatic margin while a light is outside of the image, in percent of the larger image side.
-constexpr double DefaultMargin = 20.0;
-/// Props thinner than the first fraction of the diagonal do not count for the mean thickness; the
-/// second fraction is the thickness if no prop counts.
-constexpr double FlatPropFraction = 0.002;
-constexpr double DefaultThicknessFraction = 0.02;
-
 /// Computes the pixels per side of the blocks that share a lit fraction.
 int ComputeBlockSize(double tolerance)
 {
-  const double halvings = std::ceil(std::log2(LargestBlockTolerance / tolerance));
-  return LargestBlock - static_cast<int>(std::clamp(halvings, 0.0, LargestBlock - 1.0));
+  const double halvings = std::ceil(std::log2(penumbra::LargestBlockTolerance / tolerance));
+  return penumbra::LargestBlock -
+    static_cast<int>(std::clamp(halvings, 0.0, penumbra::LargestBlock - 1.0));
 }
 
 /// Computes the mean of the smallest extents of props that are not flat.
@@ -77,14 +55,14 @@ double ComputeMeanThickness(const vtkRenderState* state, double diagonal)
     {
       const double extent =
         std::min({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-      if (extent > FlatPropFraction * diagonal)
+      if (extent > penumbra::FlatPropFraction * diagonal)
       {
         sum += extent;
         ++count;
       }
     }
   }
-  return count > 0 ? sum / count : DefaultThicknessFraction * diagonal;
+  return count > 0 ? sum / count : penumbra::DefaultThicknessFraction * diagonal;
 }
 
 }
@@ -199,11 +177,12 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   penumbra::ShaftSettings settings;
   settings.Unit = diagonal;
   settings.Range = std::sqrt(vtkMath::Distance2BetweenPoints(eye, center)) + diagonal;
-  settings.Scattering = self->Scattering >= 0.0 ? self->Scattering : DefaultOpticalDepth / diagonal;
+  settings.Scattering =
+    self->Scattering >= 0.0 ? self->Scattering : penumbra::DefaultOpticalDepth / diagonal;
   settings.Extinction = std::max(self->Extinction, settings.Scattering);
   if (!(settings.Scattering > 0.0))
   {
-    settings.Extinction = std::max(settings.Extinction, MinimumOpticalDepth / diagonal);
+    settings.Extinction = std::max(settings.Extinction, penumbra::MinimumOpticalDepth / diagonal);
   }
   settings.Phase = self->Phase;
   settings.Asymmetry = self->Asymmetry;
@@ -212,11 +191,12 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   settings.Thickness =
     self->Thickness > 0.0 ? self->Thickness : ComputeMeanThickness(state, diagonal);
   settings.Block = ComputeBlockSize(self->Tolerance);
-  const int maximum = std::max(size[0], size[1]) / (BlocksPerStep * settings.Block);
-  const int steps = static_cast<int>(std::ceil(StepsTimesTolerance / self->Tolerance));
+  const int maximum = std::max(size[0], size[1]) / (penumbra::BlocksPerStep * settings.Block);
+  const int steps = static_cast<int>(std::ceil(penumbra::StepsTimesTolerance / self->Tolerance));
   settings.Steps = self->Steps > 0
     ? self->Steps
-    : std::max(std::min({ steps, maximum, MaximumSteps }), MinimumSteps);
+    : std::max(
+        std::min({ steps, maximum, penumbra::MaximumShaftSteps }), penumbra::MinimumShaftSteps);
   settings.DelegateDrawsBackground = !self->OpaqueOnly;
   settings.Prepass = self->Occlusion == PREPASS;
   settings.Emitters.assign(this->Emitters.begin(), this->Emitters.end());
@@ -276,7 +256,9 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
   {
     const bool outside = std::any_of(lights.begin(), lights.end(),
       [](const penumbra::ShaftLight& light) { return !light.InImage; });
-    const double percent = this->Margin >= 0.0 ? this->Margin : outside ? DefaultMargin : 0.0;
+    const double percent = this->Margin >= 0.0 ? this->Margin
+      : outside                                ? penumbra::DefaultShaftMargin
+                                               : 0.0;
     settings.Margin[0] = settings.Margin[1] =
       static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1])));
   }

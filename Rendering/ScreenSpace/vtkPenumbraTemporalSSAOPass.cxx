@@ -6,6 +6,7 @@
 #include "Chain/StaticViewRefiner.h"
 #include "Frame/PassStatistics.h"
 #include "Frame/ScopedCamera.h"
+#include "Frame/ScreenSpaceConstants.h"
 #include "Occlusion/OcclusionViewState.h"
 #include "vtkPenumbraKernelEstimator.h"
 #include "vtkPenumbraKernels.h"
@@ -42,15 +43,6 @@ constexpr const char* AutomaticKernel = "march";
 /// Registered name of vtkPenumbraTracedEstimator.
 constexpr const char* RayTracing = "traced";
 
-/// Maximum automatic margin as a fraction of the larger image side.
-constexpr double MaximumMargin = 0.1;
-
-/// An automatic margin that becomes too small grows to this multiple of the required size.
-constexpr double MarginReserve = 1.5;
-
-/// An automatic margin shrinks if less than this fraction of it is required.
-constexpr double MinimumUsedMargin = 0.5;
-
 /// Visible props in render order, each with its redraw MTime.
 using PropTimes = std::vector<std::pair<vtkProp*, vtkMTimeType>>;
 
@@ -77,9 +69,9 @@ int ChooseMargin(double needed, double largest, int last)
   needed = std::min(needed, largest);
   if (last > 0 && needed > last)
   {
-    return static_cast<int>(std::ceil(std::min(MarginReserve * needed, largest)));
+    return static_cast<int>(std::ceil(std::min(penumbra::MarginReserve * needed, largest)));
   }
-  return last > 0 && needed >= MinimumUsedMargin * last && last <= std::ceil(largest)
+  return last > 0 && needed >= penumbra::MinimumUsedMargin * last && last <= std::ceil(largest)
     ? last
     : static_cast<int>(std::ceil(needed));
 }
@@ -275,7 +267,8 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
     const double needed = estimator->NeedsMargin() ? settings.Radius / pixel : 0.0;
     rendererState.Margin = this->Margin >= 0.0
       ? static_cast<int>(std::ceil(this->Margin / 100.0 * side))
-      : ChooseMargin(needed, MaximumMargin * side, settings.InOneRender ? 0 : rendererState.Margin);
+      : ChooseMargin(
+          needed, penumbra::MaximumMargin * side, settings.InOneRender ? 0 : rendererState.Margin);
     settings.Margin[0] = settings.Margin[1] = rendererState.Margin;
   }
   internals.Last = &rendererState.View;

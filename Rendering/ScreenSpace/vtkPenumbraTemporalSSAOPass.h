@@ -123,9 +123,9 @@ public:
 
   ///@{
   /**
-   * Samples (depth fetches) per pixel and frame, k1 in [TSSAO], of a static view, and in motion at
-   * pixels whose history is shorter than AdaptiveConvergence. When converging within one Render(), batches have as many samples as the next tolerance check needs,
-   * at most 128 or FirstSamples. Range: [8, 512]. Default: 32.
+   * Samples (depth fetches) per pixel and frame (k1 in [TSSAO]): for static views, and in motion for
+   * pixels whose convergence is below AdaptiveConvergence. When converging within one Render(),
+   * batches have as many samples as the next tolerance check needs, at most 128 or FirstSamples. Range: [8, 512]. Default: 32.
    */
   vtkSetClampMacro(FirstSamples, int, 8, 512);
   vtkGetMacro(FirstSamples, int);

@@ -9,6 +9,8 @@
 #ifndef penumbra_IrradianceConstants_h
 #define penumbra_IrradianceConstants_h
 
+#include "Shading/RayTracingConstants.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -158,7 +160,7 @@ constexpr int CoarseStride = 16;
 
 /// Error of n rays over n^(-3/4), as in vtkPenumbraBruteForceIrradiance, and maximum number of
 /// rays.
-constexpr double ReferenceRayError = 0.42;
+constexpr double ReferenceRayError = StandardErrorScale;
 constexpr std::uint32_t MaximumRays = 16384;
 
 // --- Tree of records (`... --only spheres`: CPU seconds) ---

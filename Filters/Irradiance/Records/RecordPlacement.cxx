@@ -199,7 +199,7 @@ bool EndsAtHorizon(const HemisphereGrid& grid, const std::vector<glm::vec3>& dir
     IsFlat(grid, samples, cell);
 }
 
-/// Returns true if `shadingPoint` lies on the line of a corner, where rounding decides on which
+/// Returns true if `shadingPoint` lies in a concave edge, where rounding decides on which
 /// side of the other surface it is.
 bool IsInCorner(glm::vec3 shadingPoint, const std::vector<HemisphereSample>& samples)
 {

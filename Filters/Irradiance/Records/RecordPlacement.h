@@ -59,8 +59,8 @@ public:
   /// needed.
   static bool IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint);
 
-  /// Returns a record at `site`, or nothing if that lies on the line of a corner. Adds the number
-  /// of rays traced to `rays`.
+  /// Returns a record at `site`, or nothing if that lies in a concave edge, where two surfaces meet.
+  /// Adds the number of rays traced to `rays`.
   std::optional<Record> Gather(const RecordCandidate& site, long long& rays) const;
 
   long long GetRays() const { return this->Rays; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tuning constants of pixel coverage: when a pixel is cut exactly, when it is sampled instead, and
+// Tuning constants of pixel coverage: when a pixel is covered exactly, when it is sampled instead, and
 // how errors are estimated. Lengths are in pixels, areas in pixel areas, colors in [0, 1]. After
 // changing a value run TestCoverageOfScenes and TestHardScenes (errors against a reference) and
 // TestCeilings (numbers of rays).
@@ -109,7 +109,7 @@ constexpr double SampleInset = 1e-4;
 /// Factor on the number of samples that straight edges require. Dense edges, as of slivers, need
 /// more.
 constexpr int SampleBudgetFactor = 4;
-/// Number of samples per pixel of a tile that are traced at least before it is given up, and the
+/// Sampling of a tile does not stop before this number of samples per pixel, nor before this
 /// fraction of the number that straight edges require.
 constexpr double MinimumSampleBudget = 64.0;
 constexpr double SampleBudgetFraction = 0.25;

@@ -48,7 +48,7 @@ struct PixelCounts
   long long Edge = 0;        ///< case 3: exact coverage between edges
   long long SmallObject = 0; ///< case 4: edges between four corners on one surface
   long long Refined = 0;     ///< subdivided because of contrast, or without edges
-  long long Uniform = 0;     ///< sampled: dense geometry, or UNIFORM
+  long long Uniform = 0;     ///< sampled: too many edges, dense geometry, or UNIFORM
 
   PixelCounts& operator+=(const PixelCounts& other);
 };

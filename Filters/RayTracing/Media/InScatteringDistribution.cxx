@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InScatteringDistribution.h"
 
+#include "Shading/RayTracingConstants.h"
 #include <algorithm>
 #include <cmath>
 
@@ -10,15 +11,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Number of segments of a table with equal angles, seen from the light.
-constexpr int AngularSegments = 16;
-/// Number of segments of a table with equal extinction, seen from the camera.
-constexpr int ExtinctionSegments = 8;
-/// Rays end at this optical depth; the remaining transmittance is e^-18 = 1.5e-8.
-constexpr double MaximumOpticalDepth = 18.0;
-/// Lower bound of the distance between the ray and a light, as a fraction of the length of the ray.
-constexpr double MinimumLightDistance = 1e-6;
 
 /// Returns the integral of exp(-slope t) over [0, length]; length may be infinite.
 double IntegrateExponential(double slope, double length)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightShafts.h"
 
+#include "Shading/RayTracingConstants.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,25 +12,6 @@ namespace penumbra
 
 namespace
 {
-
-/// In-scattered light per initial step, in tolerances.
-constexpr double LightPerStep = 2.0;
-/// Bounds of the number of steps per interval.
-constexpr double MinimumSteps = 3.0;
-constexpr double MaximumSteps = 4096.0;
-/// Estimated light that the steps miss, in units of the light of one step: per shadow boundary
-/// found, and per interval.
-constexpr double MissedPerBoundary = 0.2;
-constexpr double MissedPerInterval = 0.05;
-/// The number of steps is doubled while the estimated missed light exceeds this, in tolerances.
-constexpr double MissedLightTolerance = 0.75;
-/// Shadow boundaries are bisected down to this fraction of the tolerance.
-constexpr double BoundaryFractionOfTolerance = 0.1;
-/// With a given number of steps, shadow boundaries are bisected down to this fraction of a step.
-constexpr double BoundaryFractionOfStep = 1.0 / 64.0;
-/// Fraction of the interval at each end without steps, since rounding lets surfaces shadow
-/// themselves there.
-constexpr double EndMargin = 1e-4;
 
 /// Returns the estimated fraction of light that steps with these visibilities miss.
 double EstimateMissedLight(const std::vector<float>& visibility)
@@ -126,10 +108,10 @@ void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> inter
     const double wanted =
       isAdaptive ? march.Importance * size / LightPerStep : this->Quality.Steps * size / possible;
     this->SampleVisibility(
-      march, static_cast<int>(std::clamp(std::ceil(wanted), MinimumSteps, MaximumSteps)));
+      march, static_cast<int>(std::clamp(std::ceil(wanted), MinimumMarchSteps, MaximumMarchSteps)));
     while (isAdaptive &&
       march.Importance * size * EstimateMissedLight(march.Visibility) > MissedLightTolerance &&
-      static_cast<double>(march.Visibility.size()) < MaximumSteps)
+      static_cast<double>(march.Visibility.size()) < MaximumMarchSteps)
     {
       this->BisectSamples(march);
     }
@@ -143,7 +125,7 @@ void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> inter
 
 double LightShafts::ComputeStepPosition(const RayMarch& march, int i, int steps)
 {
-  const double fraction = EndMargin + (1.0 - 2.0 * EndMargin) * i / (steps - 1);
+  const double fraction = MarchEndMargin + (1.0 - 2.0 * MarchEndMargin) * i / (steps - 1);
   return march.Low + (march.High - march.Low) * fraction;
 }
 
@@ -174,8 +156,8 @@ void LightShafts::BisectSamples(RayMarch& march) const
 double LightShafts::IntegrateVisibility(RayMarch& march) const
 {
   const int steps = static_cast<int>(march.Visibility.size());
-  double sum =
-    EndMargin * (march.High - march.Low) * (march.Visibility.front() + march.Visibility.back());
+  double sum = MarchEndMargin * (march.High - march.Low) *
+    (march.Visibility.front() + march.Visibility.back());
   for (int i = 1; i < steps; ++i)
   {
     sum += this->IntegrateInterval(march, ComputeStepPosition(march, i - 1, steps),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MediumExtraction.h"
 
+#include "Shading/RayTracingConstants.h"
 #include "vtkPenumbraMedium.h"
 
 #include <algorithm>
@@ -12,8 +13,7 @@ namespace penumbra
 
 namespace
 {
-/// Optical depth of the diagonal of the scene if Scattering is negative.
-constexpr double DefaultOpticalDepth = 0.25;
+
 }
 
 std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowVolumes.h"
 
+#include "Shading/RayTracingConstants.h"
 #include <algorithm>
 
 namespace penumbra
@@ -9,11 +10,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Depth of the hierarchy: 2^Levels boxes. More boxes cost more per ray than they save in steps.
-constexpr int Levels = 4;
-/// Margin of boxes against rounding, as a fraction of their coordinates.
-constexpr float Margin = 1e-5f;
 
 /// Splits a set of triangles recursively at the median along the longest side of its bounding box.
 void SplitAtMedian(std::vector<AxisAlignedBox>& triangles, std::size_t begin, std::size_t end,
@@ -30,7 +26,7 @@ void SplitAtMedian(std::vector<AxisAlignedBox>& triangles, std::size_t begin, st
   }
   if (levels == 0 || end - begin == 1)
   {
-    const glm::vec3 margin = Margin * (glm::abs(whole.Low) + glm::abs(whole.High));
+    const glm::vec3 margin = ShadowVolumeMargin * (glm::abs(whole.Low) + glm::abs(whole.High));
     boxes.push_back({ whole.Low - margin, whole.High + margin });
     return;
   }
@@ -71,7 +67,7 @@ std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene)
     }
   }
   std::vector<AxisAlignedBox> boxes;
-  SplitAtMedian(triangles, 0, triangles.size(), Levels, boxes);
+  SplitAtMedian(triangles, 0, triangles.size(), ShadowVolumeLevels, boxes);
   return boxes;
 }
 

@@ -4,6 +4,7 @@
 
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
+#include "RayTracingConstants.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -18,39 +19,6 @@ namespace
 {
 
 constexpr float Pi = glm::pi<float>();
-
-/// Number of points on the circumference of the disk: first round and maximum.
-constexpr int FirstRimPoints = 4;
-constexpr int MinimumRimPoints = 8; ///< if all agree
-constexpr int MaximumRimPoints = 32;
-/// Radius of the circumference, slightly inside the light.
-constexpr float RimRadius = 0.999f;
-/// Number of points inside the disk that are traced if all points on the circumference agree.
-constexpr std::uint32_t InteriorPoints = 4;
-/// Standard error of a cap that the points on the circumference miss, as a fraction of its area.
-constexpr float MissedCapError = 0.4f;
-/// Distance of the probes on both sides of the predicted boundary, in radii.
-constexpr float ProbeDistance = 0.05f;
-/// Distance of the points that check the shape of the boundary, in radii.
-constexpr float CheckDistance = 0.12f;
-/// Number of further points that check it.
-constexpr int CheckPoints = 2;
-/// Bracket of an end of the boundary, in radians, that is narrow enough for a prediction.
-constexpr float NarrowBracket = 0.35f;
-/// Standard error of the area as a fraction of the chord times the bracket of the sagitta, times
-/// pi / 2: for curved boundaries, and for those that are straight as far as the probes show.
-constexpr float CurvedError = 0.25f;
-constexpr float StraightError = 0.12f;
-/// Errors of the ends and of the sagitta as fractions of the tolerance.
-constexpr float EndErrorFraction = 0.8f;
-constexpr float SagittaErrorFraction = 0.6f;
-/// Number of samples of the sequence: first round and maximum.
-constexpr std::uint32_t FirstSamples = 32;
-constexpr std::uint32_t MaximumSamples = 1024;
-/// Error of stratified samples relative to independent pairs, see vtkPenumbraBruteForceIrradiance.
-constexpr double StratificationGain = 0.62;
-/// Number of pairs that are assumed to differ in addition to those found.
-constexpr double VarianceFloorPairs = 1.0;
 
 /// Area of a cap of the unit disk with half the central angle `half`, as a fraction of the disk.
 float CapArea(float half)
@@ -73,9 +41,9 @@ VisibleFraction SampleSequence(
 {
   const OwenSobolSequence sequence(seed);
   std::vector<float> values;
-  values.reserve(FirstSamples);
+  values.reserve(FirstLightSamples);
   double sum = 0.0;
-  for (std::uint32_t count = FirstSamples;; count *= 2)
+  for (std::uint32_t count = FirstLightSamples;; count *= 2)
   {
     while (values.size() < count)
     {
@@ -86,9 +54,9 @@ VisibleFraction SampleSequence(
     const auto ends = std::minmax_element(values.begin(), values.end());
     const double range = *ends.second - *ends.first;
     const double squares =
-      OwenSobolSequence::SumPairDifferences(values) + VarianceFloorPairs * range * range;
+      OwenSobolSequence::SumPairDifferences(values) + LightVarianceFloorPairs * range * range;
     const double error = StratificationGain * std::sqrt(squares) / count;
-    if (error <= tolerance || count >= MaximumSamples)
+    if (error <= tolerance || count >= MaximumLightSamples)
     {
       return { static_cast<float>(sum / count), static_cast<float>(error) };
     }
@@ -122,7 +90,7 @@ public:
       {
         break;
       }
-      const float value = visibility(RimRadius * OnCircle(middle));
+      const float value = visibility(CircleRadius * OnCircle(middle));
       if (!IsBinary(value))
       {
         return false;
@@ -347,32 +315,32 @@ VisibleFraction EstimateVisibleFraction(
   // independent.
   std::uint32_t random = seed;
   const float offset = 0.5f * Pi * NextFloat(random);
-  std::array<float, MaximumRimPoints> rim;
+  std::array<float, MaximumCirclePoints> circle;
   int count = 0;
   int changes = 0;
-  int next = FirstRimPoints;
+  int next = FirstCirclePoints;
   do
   {
-    const int step = MaximumRimPoints / next;
+    const int step = MaximumCirclePoints / next;
     for (int i = 0; i < next; ++i)
     {
       if (count == 0 || i % 2 == 1)
       {
-        rim[i * step] =
-          visibility(RimRadius * OnCircle(offset + 2.f * Pi * static_cast<float>(i) / next));
+        circle[i * step] =
+          visibility(CircleRadius * OnCircle(offset + 2.f * Pi * static_cast<float>(i) / next));
       }
     }
     count = next;
     changes = 0;
     for (int i = 0; i < count; ++i)
     {
-      changes += rim[i * step] != rim[(i + 1) % count * step] ? 1 : 0;
-      changes += IsBinary(rim[i * step]) ? 0 : MaximumRimPoints;
+      changes += circle[i * step] != circle[(i + 1) % count * step] ? 1 : 0;
+      changes += IsBinary(circle[i * step]) ? 0 : MaximumCirclePoints;
     }
     next *= 2;
   }
-  while (changes == 0 && count < MaximumRimPoints &&
-    (count < MinimumRimPoints || MissedCapError * CapArea(Pi / count) > tolerance));
+  while (changes == 0 && count < MaximumCirclePoints &&
+    (count < MinimumCirclePoints || MissedCapError * CapArea(Pi / count) > tolerance));
 
   const float missed = MissedCapError * CapArea(Pi / static_cast<float>(count));
   if (changes == 0)
@@ -381,22 +349,22 @@ VisibleFraction EstimateVisibleFraction(
     for (std::uint32_t i = 0; i < InteriorPoints; ++i)
     {
       const glm::vec2 at = sequence.At(i);
-      if (visibility(SampleUniformDiskConcentric(at.x, at.y)) != rim[0])
+      if (visibility(SampleUniformDiskConcentric(at.x, at.y)) != circle[0])
       {
         return SampleSequence(visibility, seed, tolerance);
       }
     }
-    return { rim[0], missed };
+    return { circle[0], missed };
   }
   if (changes == 2)
   {
-    const int step = MaximumRimPoints / count;
+    const int step = MaximumCirclePoints / count;
     glm::vec2 begin(0.f);
     glm::vec2 end(0.f);
     for (int i = 0; i < count; ++i)
     {
-      const float before = rim[i * step];
-      const float after = rim[(i + 1) % count * step];
+      const float before = circle[i * step];
+      const float after = circle[(i + 1) % count * step];
       const glm::vec2 bracket = offset + 2.f * Pi / static_cast<float>(count) * glm::vec2(i, i + 1);
       begin = before < after ? bracket : begin;
       end = before > after ? bracket : end;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentMap.h"
 
+#include "RayTracingConstants.h"
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -14,10 +15,6 @@ namespace
 {
 
 constexpr double Pi = glm::pi<double>();
-
-/// Threshold of suns, as a multiple of the mean of the largest channel over the sphere. Skies are
-/// below it: if the radiance is the sine of the elevation above the horizon, the zenith is at 4.
-constexpr double SunThreshold = 8.0;
 
 float LargestChannel(glm::vec3 color)
 {

@@ -4,6 +4,7 @@
 
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
+#include "RayTracingConstants.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -12,20 +13,7 @@ namespace penumbra
 namespace
 {
 
-/// Maximum number of translucent layers composited along one ray.
-constexpr int MaximumLayers = 64;
-/// A ray ends when the transmittance of the layers in front falls below this.
-constexpr float MinimumTransmittance = 1.f / 1024.f;
-
-/// Number of rays to the suns of the environment map per point: first round, and maximum of all
-/// rounds.
-constexpr std::uint32_t FirstSunRays = 16;
-constexpr std::uint32_t MaximumSunRays = 4096;
-
 constexpr float Pi = glm::pi<float>();
-
-/// With more emissive triangles than this, none is treated as a small light source.
-constexpr std::size_t MaximumEmitters = 8;
 
 /// Returns the largest channel of the radiance that `surface` emits.
 float ComputeEmission(const Surface& surface)

@@ -8,6 +8,7 @@
 
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
+#include "RayTracingConstants.h"
 #include "SurfaceColor.h"
 
 #include <algorithm>
@@ -18,9 +19,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// Maximum number of translucent layers that one shadow ray passes.
-constexpr int MaximumLayers = 64;
 
 /// Returns the normal used for lighting (unit).
 glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corners,

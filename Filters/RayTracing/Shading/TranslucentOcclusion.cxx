@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TranslucentOcclusion.h"
 
+#include "RayTracingConstants.h"
 #include "Shading.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace penumbra
 {
 namespace
 {
-
-/// Maximum number of translucent layers along one ray.
-constexpr int MaximumLayers = 64;
-/// A ray ends when the transmittance of the layers in front falls below this.
-constexpr float MinimumTransmittance = 1.f / 1024.f;
 
 }
 

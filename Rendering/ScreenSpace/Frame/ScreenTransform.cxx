@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScreenTransform.h"
 
+#include "ScreenSpaceConstants.h"
 #include "Stage.h"
 
 #include "vtkCamera.h"
@@ -20,16 +21,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Clipping planes are tightened if they are farther from the bounds than by this factor, because
-/// less of the precision of the depth buffer would be left.
-constexpr double ClippingRangeRatio = 32.0;
-
-/// A view is a cut if less than this fraction of a grid of points was visible before, from a direction
-/// that differs by less than the angle of this cosine, 30 degrees.
-constexpr double MinimumSeenFraction = 0.25;
-constexpr double MinimumCosine = 0.866;
-constexpr int GridSide = 5;
 
 Matrix Copy(vtkMatrix4x4* matrix)
 {
@@ -201,10 +192,10 @@ bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) c
   const double depth = distance / this->Unit;
   const auto unitOf = [](const ScreenTransform& view) { return view.Parallel ? view.Unit : 1.0; };
   int seen = 0;
-  for (int i = 0; i < GridSide * GridSide; ++i)
+  for (int i = 0; i < CutGridSide * CutGridSide; ++i)
   {
-    const double pixel[2] = { (i % GridSide + 0.5) / GridSide * this->Width,
-      (i / GridSide + 0.5) / GridSide * this->Height };
+    const double pixel[2] = { (i % CutGridSide + 0.5) / CutGridSide * this->Width,
+      (i / CutGridSide + 0.5) / CutGridSide * this->Height };
     double here[3] = { 0.0, 0.0, -depth };
     for (int axis = 0; axis < 2; ++axis)
     {
@@ -229,9 +220,9 @@ bool ScreenTransform::IsCutFrom(const ScreenTransform& other, double distance) c
     const double x = (there[0] / perspective * unitOf(other) - other.Offset[0]) / other.Scale[0];
     const double y = (there[1] / perspective * unitOf(other) - other.Offset[1]) / other.Scale[1];
     seen += perspective > 0.0 && x > 0.0 && y > 0.0 && x < other.Width && y < other.Height &&
-      cosine > MinimumCosine;
+      cosine > MinimumUncutCosine;
   }
-  return seen < MinimumSeenFraction * GridSide * GridSide;
+  return seen < MinimumUncutFraction * CutGridSide * CutGridSide;
 }
 
 bool ScreenTransform::HasSameView(const ScreenTransform& other) const

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convergence.h"
 
+#include "Frame/ScreenSpaceConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,20 +16,6 @@ namespace
 
 /// Width and height of a tile, in pixels.
 constexpr int TileSide = 16;
-
-/// Minimum number of samples per pixel before the first check: earlier, reading the image costs
-/// more than the samples that a check saves.
-constexpr int FirstCheck = 32;
-
-/// Estimated error of a mean of 2 n samples as a multiple of its difference from the mean of n. For
-/// independent samples the RMS ratio is 1. It is larger here, because tiles tend to converge when
-/// their difference happens to be small. Found with `./penumbra benchmark ambient-occlusion --only
-/// noise`.
-constexpr double ErrorPerDifference = 1.25;
-
-/// Weight of the mean error of a tile relative to the errors of its pixels: an error that all
-/// pixels of a tile have in common is visible as a step at the tile's edge.
-constexpr double TileOffsetWeight = 4.0;
 
 }
 
@@ -57,7 +45,7 @@ void Convergence::MarkConverged(int samples, double error)
 
 int Convergence::GetSamplesUntilCheck() const
 {
-  return std::max(FirstCheck, 2 * this->SamplesAtCheck) - this->Samples;
+  return std::max(FirstConvergenceCheck, 2 * this->SamplesAtCheck) - this->Samples;
 }
 
 void Convergence::Add(

@@ -3,6 +3,7 @@
 #include "OcclusionViewState.h"
 
 #include "Frame/BackgroundDepth.h"
+#include "Frame/ScreenSpaceConstants.h"
 #include "vtkPenumbraOcclusionEstimator.h"
 
 #include "vtkCamera.h"
@@ -23,16 +24,6 @@ namespace penumbra
 
 namespace
 {
-
-/// A static view stops refining after this multiple of MaximumWeight samples, even if the tolerance
-/// is not met.
-constexpr double StillSampleLimit = 8.0;
-
-/// Maximum number of samples per draw call: drivers reset the device if a draw call takes seconds.
-constexpr int MaximumSamplesPerStep = 128;
-
-/// While actors move in front of a static camera, the number of frames between comparisons of depths.
-constexpr int FramesPerComparison = 8;
 
 /// The sample sequence restarts after this many samples, before its index loses precision as a
 /// float.
@@ -100,7 +91,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   }
   // Comparing depths waits for the graphics card. While actors move, it is done in some frames only.
   const bool moves = settings.UseActorMotion && settings.SceneChanged && this->Changed &&
-    !settings.InOneRender && this->UncheckedFrames < FramesPerComparison;
+    !settings.InOneRender && this->UncheckedFrames < FramesPerDepthComparison;
   this->UncheckedFrames = moves ? this->UncheckedFrames + 1 : 0;
   EyeDepth::Change change =
     this->Depth.Update(this->Window, this->Image, view, settings.HiddenChanged || moves);

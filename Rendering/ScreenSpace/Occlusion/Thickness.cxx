@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Thickness.h"
 
+#include "Frame/ScreenSpaceConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,12 +13,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Spacing of the sampled rows, columns and pixels, in pixels.
-constexpr int PixelStride = 4;
-
-/// Minimum difference of depth at the outline of an object, in pixel widths.
-constexpr float DepthDiscontinuity = 8.f;
 
 /// A row or column of pixels.
 struct Line
@@ -64,19 +60,19 @@ double MedianWidth(const std::vector<float>& eyeDepths, const ScreenTransform& v
   const double pixelHeight = std::abs(view.Scale[1]) / (view.Parallel ? view.Unit : 1.0);
   std::vector<float> alongRows(eyeDepths.size(), none);
   std::vector<float> alongColumns(eyeDepths.size(), none);
-  for (int j = 0; j < view.Height; j += PixelStride)
+  for (int j = 0; j < view.Height; j += ThicknessPixelStride)
   {
     MeasureLine(eyeDepths, { j * width, 1, view.Width }, pixelWidth, view.Parallel, alongRows);
   }
-  for (int i = 0; i < view.Width; i += PixelStride)
+  for (int i = 0; i < view.Width; i += ThicknessPixelStride)
   {
     MeasureLine(eyeDepths, { static_cast<std::size_t>(i), width, view.Height }, pixelHeight,
       view.Parallel, alongColumns);
   }
   std::vector<float> widths;
-  for (int j = 0; j < view.Height; j += PixelStride)
+  for (int j = 0; j < view.Height; j += ThicknessPixelStride)
   {
-    for (int i = 0; i < view.Width; i += PixelStride)
+    for (int i = 0; i < view.Width; i += ThicknessPixelStride)
     {
       const float shorterWidth = std::min(alongRows[j * width + i], alongColumns[j * width + i]);
       if (shorterWidth < none)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShaftAutoExposure.h"
 
+#include "Frame/ScreenSpaceConstants.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPenumbraShaftBrightnessFS.h"
 #include "vtkPenumbraShaftSceneColorLib.h"
@@ -20,12 +22,6 @@ namespace
 
 /// Pixels per side of a cell, as cellSize in vtkPenumbraShaftBrightnessFS.glsl.
 constexpr int CellSize = 16;
-
-/// Fraction of the logarithmic distance to the target gain that each image covers.
-constexpr double AdaptationRate = 0.1;
-
-/// Upper bound of the gain; its inverse is the lower bound.
-constexpr double MaximumGain = 64.0;
 
 /// Gain with which the mean scene plus the brightest in-scattered light reaches brightness 1. A
 /// gain above 1 is reduced if the in-scattered light has little contrast, that is, no visible
@@ -47,10 +43,11 @@ double ComputeTargetGain(const std::vector<float>& cells)
   {
     return 1.0;
   }
-  const double headroom = std::clamp(1.0 - sum / count, 1.0 / MaximumGain, 1.0);
+  const double headroom = std::clamp(1.0 - sum / count, 1.0 / MaximumExposureGain, 1.0);
   const double contrast = (maximum - minimum) / maximum;
   const double gain = headroom / maximum;
-  return std::clamp(gain > 1.0 ? std::pow(gain, contrast) : gain, 1.0 / MaximumGain, MaximumGain);
+  return std::clamp(
+    gain > 1.0 ? std::pow(gain, contrast) : gain, 1.0 / MaximumExposureGain, MaximumExposureGain);
 }
 
 }
@@ -94,8 +91,9 @@ bool ShaftAutoExposure::Update(vtkOpenGLRenderWindow* window, const DelegateImag
     this->Brightness.Draw();
   }
   const double targetGain = ComputeTargetGain(ReadBack(this->Cells));
-  this->Gain =
-    this->Gain > 0.0 ? this->Gain * std::pow(targetGain / this->Gain, AdaptationRate) : targetGain;
+  this->Gain = this->Gain > 0.0
+    ? this->Gain * std::pow(targetGain / this->Gain, ExposureAdaptationRate)
+    : targetGain;
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include "ShaftRadialBlur.h"
 
 #include "Frame/OpenGLFunctions.h"
+#include "Frame/ScreenSpaceConstants.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -24,10 +25,6 @@ namespace penumbra
 
 namespace
 {
-
-/// Geometric spacing toward a light in front of the camera stops at this fraction of its distance,
-/// where the steps would become infinitely small.
-constexpr double MinimumLightDistance = 1.0 / 64.0;
 
 auto AsTuple(const RadialBlurSettings& s)
 {
@@ -69,7 +66,7 @@ void SetSpacingGrowth(vtkShaderProgram* program, const ShaftLight& light,
     square += path * path;
   }
   const double guard = std::hypot(view.Width, view.Height) / std::max(std::sqrt(square), 1e-9);
-  const double toLight = planeFactor > 0.0 ? (1.0 - MinimumLightDistance) / planeFactor
+  const double toLight = planeFactor > 0.0 ? (1.0 - MinimumRadialDistance) / planeFactor
                                            : std::numeric_limits<double>::infinity();
   const double end = std::min(guard, toLight) / density;
   const float spacingGrowth[2] = { static_cast<float>(std::log1p(-planeFactor * end) / count),

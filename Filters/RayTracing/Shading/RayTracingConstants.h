@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tuning constants of lights, emitters, translucent layers and media. Fractions and factors have no
+// unit; optical depths neither. Each section names the command that shows the effect of a change;
+// "measured" values were chosen with it, the others are choices with the given reason. Bounds of
+// rounding errors stay with the intersections in Embree/.
+#ifndef penumbra_RayTracingConstants_h
+#define penumbra_RayTracingConstants_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace penumbra
+{
+
+// --- Samples of a hemisphere or a light (`./penumbra benchmark irradiance --only forms`) ---
+
+/// Fraction of the hemisphere, times the number of rays n, that occluders may cover although all
+/// rays agree: the error is at least this divided by n.
+constexpr double UndetectedFraction = 0.5;
+
+/// Standard error of the mean of n stratified rays above half-planes and disks, divided by n^(-3/4)
+/// (measured over thousands of random ones; see the test SphereAbovePlane.ReportsCalibratedError).
+constexpr double StandardErrorScale = 0.42;
+/// Ratio of the error of stratified rays to that of independent pairs of rays, measured likewise.
+constexpr double StratificationGain = 0.62;
+
+/// Number of pairs that are assumed to differ in addition to those found. Some cells that an edge
+/// crosses agree by chance, and stopping then would underestimate the error.
+constexpr double VarianceFloorPairs = 2.0;
+
+/// Number of paths per MinimumRays in the first round. Light sources are smaller than occluders, so
+/// that irradiance needs more.
+constexpr std::uint32_t PathsPerRay = 8;
+
+// --- Lights with a size, seen as a disk (TestAreaLight: errors against closed forms) ---
+
+/// Number of points on the circumference of the disk: first round and maximum.
+constexpr int FirstCirclePoints = 4;
+constexpr int MinimumCirclePoints = 8; ///< if all agree
+constexpr int MaximumCirclePoints = 32;
+/// Radius of the circumference, slightly inside the light.
+constexpr float CircleRadius = 0.999f;
+/// Number of points inside the disk that are traced if all points on the circumference agree.
+constexpr std::uint32_t InteriorPoints = 4;
+/// Standard error of a cap that the points on the circumference miss, as a fraction of its area.
+constexpr float MissedCapError = 0.4f;
+/// Distance of the probes on both sides of the predicted boundary, in radii.
+constexpr float ProbeDistance = 0.05f;
+/// Distance of the points that check the shape of the boundary, in radii.
+constexpr float CheckDistance = 0.12f;
+/// Number of further points that check it.
+constexpr int CheckPoints = 2;
+/// Bracket of an end of the boundary, in radians, that is narrow enough for a prediction.
+constexpr float NarrowBracket = 0.35f;
+/// Standard error of the area as a fraction of the chord times the bracket of the sagitta, times
+/// pi / 2: for curved boundaries, and for those that are straight as far as the probes show.
+constexpr float CurvedError = 0.25f;
+constexpr float StraightError = 0.12f;
+/// Errors of the ends and of the sagitta as fractions of the tolerance.
+constexpr float EndErrorFraction = 0.8f;
+constexpr float SagittaErrorFraction = 0.6f;
+/// Number of samples of the sequence: first round and maximum.
+constexpr std::uint32_t FirstLightSamples = 32;
+constexpr std::uint32_t MaximumLightSamples = 1024;
+/// Number of pairs that are assumed to differ in addition to those found.
+constexpr double LightVarianceFloorPairs = 1.0;
+
+// --- Environment maps and emissive triangles (TestvtkPenumbraEnvironment) ---
+
+/// Threshold of suns, as a multiple of the mean of the largest channel over the sphere. Skies are
+/// below it: if the radiance is the sine of the elevation above the horizon, the zenith is at 4.
+constexpr double SunThreshold = 8.0;
+
+/// Number of rays to the suns of the environment map per point: first round, and maximum of all
+/// rounds.
+constexpr std::uint32_t FirstSunRays = 16;
+constexpr std::uint32_t MaximumSunRays = 4096;
+
+/// With more emissive triangles than this, none is treated as a small light source.
+constexpr std::size_t MaximumEmitters = 8;
+
+// --- Translucent layers: bounds of the work of one ray ---
+
+/// Maximum number of translucent layers along one ray.
+constexpr int MaximumLayers = 64;
+/// A ray ends when the transmittance of the layers in front falls below this, a quarter of a step
+/// of an image with 8 bits per channel.
+constexpr float MinimumTransmittance = 1.f / 1024.f;
+
+// --- Single scattering (`./penumbra benchmark light-shafts`) ---
+
+/// Optical depth of the diagonal of the scene if Scattering is negative.
+constexpr double DefaultOpticalDepth = 0.25;
+/// In-scattered light per initial step, in tolerances.
+constexpr double LightPerStep = 2.0;
+/// Bounds of the number of steps per interval.
+constexpr double MinimumMarchSteps = 3.0;
+constexpr double MaximumMarchSteps = 4096.0;
+/// Estimated light that the steps miss, in units of the light of one step: per shadow boundary
+/// found, and per interval.
+constexpr double MissedPerBoundary = 0.2;
+constexpr double MissedPerInterval = 0.05;
+/// The number of steps is doubled while the estimated missed light exceeds this, in tolerances.
+constexpr double MissedLightTolerance = 0.75;
+/// Shadow boundaries are bisected down to this fraction of the tolerance.
+constexpr double BoundaryFractionOfTolerance = 0.1;
+/// With a given number of steps, shadow boundaries are bisected down to this fraction of a step.
+constexpr double BoundaryFractionOfStep = 1.0 / 64.0;
+/// Fraction of the interval at each end without steps, since rounding lets surfaces shadow
+/// themselves there.
+constexpr double MarchEndMargin = 1e-4;
+/// Depth of the hierarchy: 2^ShadowVolumeLevels boxes. More boxes cost more per ray than they save in
+/// steps.
+constexpr int ShadowVolumeLevels = 4;
+/// Margin of boxes against rounding, as a fraction of their coordinates.
+constexpr float ShadowVolumeMargin = 1e-5f;
+/// Number of segments of a table with equal angles, seen from the light.
+constexpr int AngularSegments = 16;
+/// Number of segments of a table with equal extinction, seen from the camera.
+constexpr int ExtinctionSegments = 8;
+/// Rays end at this optical depth; the remaining transmittance is e^-18 = 1.5e-8.
+constexpr double MaximumOpticalDepth = 18.0;
+/// Lower bound of the distance between the ray and a light, as a fraction of the length of the ray.
+constexpr double MinimumLightDistance = 1e-6;
+
+}
+#endif
