@@ -47,6 +47,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace penumbra
 {
@@ -100,29 +101,52 @@ void RequireLights(const BakeOptions& options)
   }
 }
 
-/// Returns one warning for each option of lights that has no effect.
-std::vector<std::string> FindIgnoredLights(const BakeOptions& options)
+/// Returns one warning for each option on the command line that has no effect.
+std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const BakeOptions& options)
 {
-  const bool isUsed = options.Quantity == "direct-light";
-  const auto has = [&options](bool positional) {
+  const bool occlusion = options.Quantity == "ambient-occlusion";
+  const bool irradiance = options.Quantity == "irradiance";
+  const bool direct = options.Quantity == "direct-light";
+  const auto hasLight = [&options](bool positional) {
     return std::any_of(options.Lights.begin(), options.Lights.end(),
       [positional](const std::array<double, 4>& at) { return (at[3] > 0.0) == positional; });
   };
-  const std::string without = " has no effect without ";
+  const char* withoutOcclusion = "without --quantity ambient-occlusion";
+  const char* withoutIrradiance = "without --quantity irradiance";
+  const char* withoutDirect = "without --quantity direct-light";
+  // The first row that applies to an option counts.
+  const struct
+  {
+    const char* Option;
+    bool IsIgnored;
+    const char* Reason;
+  } rows[] = {
+    { "--radius", !occlusion, withoutOcclusion },
+    { "--falloff", !occlusion, withoutOcclusion },
+    { "--falloff", std::isinf(options.Radius), "with --radius inf" },
+    { "--environment-color", !irradiance, withoutIrradiance },
+    { "--environment-color", !options.EnvironmentFile.empty(), "with --hdri-file" },
+    { "--hdri-file", !irradiance, withoutIrradiance },
+    { "--hdri-up", !irradiance, withoutIrradiance },
+    { "--hdri-up", options.EnvironmentFile.empty(), "without --hdri-file" },
+    { "--albedo", !irradiance, withoutIrradiance },
+    { "--albedo", options.Bounces == 1, "with --bounces 1" },
+    { "--bounces", !irradiance, withoutIrradiance },
+    { "--light-position", !direct, withoutDirect },
+    { "--light-radius", !direct, withoutDirect },
+    { "--light-radius", !hasLight(true), "without a positional --light-position" },
+    { "--light-angle", !direct, withoutDirect },
+    { "--light-angle", !hasLight(false), "without a directional --light-position (w = 0)" },
+    { "--gatherer", direct, "with --quantity direct-light" },
+  };
   std::vector<std::string> warnings;
-  if (!options.Lights.empty() && !isUsed)
+  std::set<std::string> found;
+  for (const auto& row : rows)
   {
-    warnings.push_back("--light-position" + without + "--quantity direct-light");
-  }
-  if (options.LightRadius > 0.0 && !(isUsed && has(true)))
-  {
-    warnings.push_back("--light-radius" + without +
-      (isUsed ? "a positional --light-position" : "--quantity direct-light"));
-  }
-  if (options.LightAngle > 0.0 && !(isUsed && has(false)))
-  {
-    warnings.push_back("--light-angle" + without +
-      (isUsed ? "a directional --light-position (w = 0)" : "--quantity direct-light"));
+    if (row.IsIgnored && app.count(row.Option) > 0 && found.insert(row.Option).second)
+    {
+      warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
+    }
   }
   return warnings;
 }
@@ -228,14 +252,34 @@ void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
     ->push_back(StripMessagePrefix(static_cast<const char*>(callData)));
 }
 
-int Bake(const BakeOptions& options, Clock::time_point start)
+/// Names the option instead of the property of the filter.
+std::string NameOption(std::string error)
 {
-  if (options.Gatherer == "cube-map")
+  const std::string property = "OpacityArray:";
+  if (error.compare(0, property.size(), property) == 0)
+  {
+    error.replace(0, property.size(), "--opacity-array:");
+  }
+  return error;
+}
+
+/// Returns true if hemispheres are sampled by the rasterizer.
+bool UsesCubeMap(const BakeOptions& options)
+{
+  return options.Gatherer == "cube-map" && options.Quantity != "direct-light";
+}
+
+int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::time_point start)
+{
+  if (UsesCubeMap(options))
   {
     ChooseWindow("auto", "--gatherer cube-map", "--gatherer rays");
   }
   RecordInput(options.File);
-  RecordInput(options.EnvironmentFile);
+  if (options.Quantity == "irradiance")
+  {
+    RecordInput(options.EnvironmentFile);
+  }
   AtomicFile output(options.Output, "--output");
   std::optional<AtomicFile> statistics;
   if (!options.Statistics.empty())
@@ -244,7 +288,6 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   }
   ProgressLine progress(options.Progress);
   progress.Show("reading", 0.0);
-  std::vector<std::string> warnings = FindIgnoredLights(options);
   EnterPhase(options.File, BadInput);
   Clock::time_point lap = Clock::now();
   const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(options.File, warnings);
@@ -281,7 +324,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   {
     filter->SetEnvironment(ReadEnvironment(options.EnvironmentFile, options.EnvironmentUp));
   }
-  if (options.Gatherer == "cube-map")
+  if (UsesCubeMap(options))
   {
     filter->SetGatherer(vtkNew<vtkPenumbraCubeMapGatherer>());
   }
@@ -311,7 +354,7 @@ int Bake(const BakeOptions& options, Clock::time_point start)
   }
   if (!errors.empty())
   {
-    throw CommandError(BadInput, options.File + ": " + errors.front());
+    throw CommandError(BadInput, options.File + ": " + NameOption(errors.front()));
   }
   const double bakeSeconds = SecondsSince(lap);
 
@@ -409,7 +452,7 @@ Action DeclareBake(CLI::App& program)
   CLI::App* app = program.add_subcommand(
     "bake", "Compute ambient occlusion, irradiance or direct light on the points of a mesh");
   DeclareBakeOptions(*app, *options);
-  return [options, start]() {
+  return [options, app, start]() {
     CheckMeshExtension(options->Output);
     RequireLights(*options);
     if (options->Statistics == options->Output)
@@ -417,8 +460,9 @@ Action DeclareBake(CLI::App& program)
       throw CommandError(BadInput,
         "--statistics " + options->Statistics + ": the path equals --output; choose another file");
     }
+    const std::vector<std::string> warnings = FindIgnoredOptions(*app, *options);
     return RunWorkers(
-      1, 1, [&](int) { return Bake(*options, start); }, [](int) {});
+      1, 1, [&](int) { return Bake(*options, warnings, start); }, [](int) {});
   };
 }
 

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -360,5 +361,109 @@ TEST(Bake, ChecksLightsOfDirectLight)
     const ProgramResult outcome = run(row.Options);
     EXPECT_EQ(outcome.Status, row.Status) << row.Message;
     EXPECT_NE(outcome.Errors.find(row.Message), std::string::npos) << outcome.Errors;
+  }
+}
+
+TEST(Bake, WarnsOnceOfEachOptionThatTheQuantityDoesNotUse)
+{
+  const Folder folder("bake-ignored");
+  WriteSphere(folder / "sphere.vtp");
+  const std::vector<std::string> direct = { "--quantity", "direct-light", "--light-position",
+    "0,0,9" };
+  const std::vector<std::string> irradiance = { "--quantity", "irradiance", "--tolerance", "0.1" };
+  const std::string withoutOcclusion = " has no effect without --quantity ambient-occlusion";
+  const std::string withoutIrradiance = " has no effect without --quantity irradiance";
+  const std::string withoutDirect = " has no effect without --quantity direct-light";
+  const struct
+  {
+    std::vector<std::string> Quantity;
+    std::vector<std::string> Options;
+    std::string Warning; ///< empty: none
+  } rows[] = {
+    { {}, { "--environment-color", "1,1,1" }, "--environment-color" + withoutIrradiance },
+    { {}, { "--hdri-file", "none.hdr" }, "--hdri-file" + withoutIrradiance }, // is not read
+    { {}, { "--hdri-up", "0,0,1" }, "--hdri-up" + withoutIrradiance },
+    { {}, { "--albedo", "0.5" }, "--albedo" + withoutIrradiance }, // the default, but given
+    { {}, { "--bounces", "2" }, "--bounces" + withoutIrradiance },
+    { {}, { "--light-position", "0,0,9" }, "--light-position" + withoutDirect },
+    { {}, { "--light-radius", "0" }, "--light-radius" + withoutDirect },
+    { {}, { "--light-angle", "1" }, "--light-angle" + withoutDirect },
+    { {}, { "--radius", "inf", "--falloff", "linear" },
+      "--falloff has no effect with --radius inf" },
+    { {}, { "--radius", "1", "--falloff", "linear" }, "" },
+    { irradiance, { "--radius", "1" }, "--radius" + withoutOcclusion },
+    { irradiance, { "--falloff", "linear" }, "--falloff" + withoutOcclusion },
+    { irradiance, { "--light-angle", "1" }, "--light-angle" + withoutDirect },
+    { irradiance, { "--hdri-up", "0,0,1" }, "--hdri-up has no effect without --hdri-file" },
+    { irradiance, { "--albedo", "0.9", "--bounces", "1" },
+      "--albedo has no effect with --bounces 1" },
+    { irradiance, { "--albedo", "0.9", "--bounces", "2", "--environment-color", "1,0,0" }, "" },
+    { direct, { "--radius", "1" }, "--radius" + withoutOcclusion },
+    { direct, { "--falloff", "linear" }, "--falloff" + withoutOcclusion },
+    { direct, { "--albedo", "0.9" }, "--albedo" + withoutIrradiance },
+    { direct, { "--gatherer", "cube-map" },
+      "--gatherer has no effect with --quantity direct-light" },
+    { direct, { "--light-radius", "0.5", "--normals", "computed" }, "" },
+  };
+  for (const auto& row : rows)
+  {
+    std::vector<std::string> arguments = { "bake", folder / "sphere.vtp", "--output",
+      folder / "baked.vtp" };
+    arguments.insert(arguments.end(), row.Quantity.begin(), row.Quantity.end());
+    arguments.insert(arguments.end(), row.Options.begin(), row.Options.end());
+    const ProgramResult outcome = RunProgram(arguments);
+    EXPECT_EQ(outcome.Status, 0) << row.Warning << outcome.Errors;
+    EXPECT_EQ(CountLines(outcome.Errors), row.Warning.empty() ? 0 : 1) << outcome.Errors;
+    EXPECT_NE(outcome.Errors.find(row.Warning), std::string::npos) << row.Warning << outcome.Errors;
+  }
+}
+
+TEST(Bake, RejectsInvalidOpacityArrays)
+{
+  const Folder folder("bake-opacity");
+  const std::string triangle = "# vtk DataFile Version 3.0\ntriangle\nASCII\nDATASET POLYDATA\n"
+                               "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n";
+  const std::string points = "POINT_DATA 3\nFIELD arrays 1\n";
+  const struct
+  {
+    std::string Arrays;
+    int Status;
+    std::string Message = "--opacity-array: alpha must be a point array";
+  } rows[] = {
+    { "", 2 }, // no such array
+    { "CELL_DATA 1\nFIELD arrays 1\nalpha 1 1 float\n0.5\n", 2 },
+    { points + "alpha 1 2 float\n0.5 0.5\n", 2, "the array 'alpha' is too short" },
+    { points + "alpha 1 4 float\n0.5 0.5 0.5 0.5\n", 2 }, // too long
+    { points + "alpha 2 3 float\n0 0 0 0 0 0\n", 2 },     // two components
+    { points + "alpha 1 3 string\na\nb\nc\n", 2 },
+    { points + "alpha 1 3 float\n0.5 nan 0.5\n", 2 },
+    { points + "alpha 1 3 float\n0.5 inf 0.5\n", 2 },
+    { points + "alpha 1 3 float\n0.5 -0.01 0.5\n", 2 },
+    { points + "alpha 1 3 float\n0.5 1.01 0.5\n", 2 },
+    { points + "alpha 1 3 float\n0 0.5 1\n", 0 },
+    { points + "alpha 1 3 unsigned_char\n0 1 1\n", 0 },
+  };
+  for (const char* quantity : { "ambient-occlusion", "direct-light" })
+  {
+    for (const auto& row : rows)
+    {
+      WriteText(folder / "mesh.vtk", triangle + row.Arrays);
+      std::vector<std::string> arguments = { "bake", folder / "mesh.vtk", "--output",
+        folder / "baked.vtp", "--quantity", quantity, "--opacity-array", "alpha" };
+      if (std::string(quantity) == "direct-light")
+      {
+        arguments.insert(arguments.end(), { "--light-position", "0,0,9" });
+      }
+      const ProgramResult outcome = RunProgram(arguments);
+      EXPECT_EQ(outcome.Status, row.Status) << row.Arrays << outcome.Errors;
+      EXPECT_EQ(CountLines(outcome.Errors), row.Status == 0 ? 0 : 1) << outcome.Errors;
+      if (row.Status != 0)
+      {
+        EXPECT_NE(outcome.Errors.find(row.Message), std::string::npos) << outcome.Errors;
+        EXPECT_NE(outcome.Errors.find("mesh.vtk"), std::string::npos) << outcome.Errors;
+        EXPECT_FALSE(std::ifstream(folder / "baked.vtp")) << row.Arrays;
+      }
+      std::remove((folder / "baked.vtp").c_str());
+    }
   }
 }

@@ -119,7 +119,6 @@ void AddRoundOccluders(vtkPolyData* mesh, bool tubes, double radius, Scene& scen
   }
 }
 
-/// Extracts occluders and query points from a data set.
 /// Sets the opacity of the points of `surface` from an array of `data`. Returns false if the array
 /// is named but missing or invalid.
 bool SetOpacity(vtkPolyData* data, const std::string& name, Surface& surface)
@@ -149,6 +148,7 @@ bool SetOpacity(vtkPolyData* data, const std::string& name, Surface& surface)
     " must be a point array with one component and values in [0, 1].");
 }
 
+/// Extracts occluders and query points from a data set.
 class BakeInputBuilder
 {
 public:
