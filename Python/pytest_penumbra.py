@@ -73,5 +73,5 @@ def penumbra_regression(request: pytest.FixtureRequest) -> Regression:
     folder = request.path.parent / request.config.getini("penumbra_baselines")
     return Regression(
         folder / request.path.stem.removeprefix("test_"), request.node.name, request.node.nodeid,
-        update=request.config.getoption("--penumbra-update"), output=report_folder(request.config),
+        update=bool(request.config.getoption("--penumbra-update")), output=report_folder(request.config),
         record=lambda row: request.node.user_properties.append((PROPERTY, json.dumps(row))))

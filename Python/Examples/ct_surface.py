@@ -11,10 +11,10 @@ tissues = pv.examples.load_frog_tissues()
 coarse = tissues.extract_subset(tissues.extent, rate=(4, 4, 2))
 organs = coarse.contour_labels(smoothing=True, output_mesh_type="triangles")
 
-plotter = pv.Plotter(off_screen=True, window_size=(480, 360))
+plotter = pv.Plotter(off_screen=True, window_size=[480, 360])
 plotter.add_mesh(organs, scalars="boundary_labels", component=0, cmap="tab20", show_scalar_bar=False)
 plotter.camera_position = "yx"
-plotter.camera.zoom(1.4)
+plotter.zoom_camera(1.4)
 plain = plotter.penumbra.ray_cast(tolerance=1 / 64)
 image, statistics = plotter.penumbra.ray_cast(
     tolerance=1 / 64, ambient_occlusion=True, return_statistics=True)

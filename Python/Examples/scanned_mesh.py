@@ -13,7 +13,7 @@ baked = head.penumbra.bake_ambient_occlusion(tolerance=0.02, statistics=True)
 records, points = (baked.field_data[name][0] for name in ("Cache/Records", "Points/Total"))
 print(f"{points:.0f} points, {records:.0f} records, error {baked.field_data['EstimatedError'][0]:.3f}")
 
-plotter = pv.Plotter(off_screen=True, window_size=(480, 480))
+plotter = pv.Plotter(off_screen=True, window_size=[480, 480])
 plotter.add_mesh(baked, scalars="AmbientOcclusion", cmap="bone_r", clim=(0, 1), show_scalar_bar=False)
 image = plotter.penumbra.ray_cast(tolerance=1 / 128)
 

@@ -8,8 +8,9 @@ import penumbra  # noqa: F401
 import pyvista as pv
 
 membrane = pv.Plane(i_size=4, j_size=4, i_resolution=80, j_resolution=80)
-radius = numpy.linalg.norm(membrane.points, axis=1)
-plotter = pv.Plotter(off_screen=True, window_size=(320, 240))
+x, y = numpy.array(membrane.points).T[:2]
+radius = numpy.hypot(x, y)
+plotter = pv.Plotter(off_screen=True, window_size=[320, 240])
 plotter.add_mesh(membrane, color="white", smooth_shading=True)
 plotter.camera_position = [(3, -5, 4), (0, 0, 0), (0, 0, 1)]
 occlusion = plotter.penumbra.enable_temporal_ssao(radius=0.8, kernel="march")
@@ -17,14 +18,14 @@ occlusion = plotter.penumbra.enable_temporal_ssao(radius=0.8, kernel="march")
 plotter.show(auto_close=False)
 frames = []
 for time in numpy.linspace(0, 2 * numpy.pi, 8, endpoint=False):
-    membrane.points[:, 2] = 0.3 * numpy.cos(4 * radius - time)
+    membrane.points = numpy.column_stack([x, y, 0.3 * numpy.cos(4 * radius - time)])
     membrane.compute_normals(inplace=True)
     plotter.render()
     assert occlusion.IsConverged()
-    frames.append(plotter.screenshot(return_img=True))
+    frames.append(numpy.asarray(plotter.screenshot(return_img=True)))
 
 figure = matplotlib.pyplot.figure(figsize=(3.2, 2.4), dpi=100)
-axes = figure.add_axes([0, 0, 1, 1])
+axes = figure.add_axes((0, 0, 1, 1))
 axes.set_axis_off()
 shown = axes.imshow(frames[0])
 movie = matplotlib.animation.FuncAnimation(figure, lambda i: shown.set_data(frames[i]), len(frames))

@@ -124,8 +124,29 @@ def generate_stubs(modules, libraries, site):
         if run.returncode:
             sys.exit(f"The type stubs cannot be generated: {run.stderr}")
         # The stubs of the package vtk are those that most users have.
-        return {stub.name: re.sub(r"\bcvista\b(?=\.vtk)", "vtkmodules", stub.read_text())
-                for stub in target.glob("*.pyi")}
+        stubs = {stub.name: re.sub(r"\bcvista\b(?=\.vtk)", "vtkmodules", stub.read_text())
+                 for stub in target.glob("*.pyi")}
+    return complete_stubs(stubs, site)
+
+
+CLASS = re.compile(r"^class (vtk\w+)", re.MULTILINE)
+
+
+def complete_stubs(stubs, site):
+    """Return type stubs that import the classes that they name, and that export their own only."""
+    modules = {name: f"vtkmodules.{path.stem}" for path in sorted((site / "vtkmodules").glob("vtk*.pyi"))
+               for name in CLASS.findall(path.read_text())}
+    modules |= {name: f".{stub.removesuffix('.pyi')}" for stub, text in stubs.items() for name in CLASS.findall(text)}
+    completed = {}
+    for stub, text in stubs.items():
+        own = CLASS.findall(text)
+        used = sorted(set(re.findall(r"'(vtk\w+)'", text)) - set(own))
+        missing = [name for name in used if name not in modules]
+        if missing:
+            sys.exit(f"{stub}: the module of {', '.join(missing)} is not known")
+        imports = "".join(f"from {modules[name]} import {name}\n" for name in used)
+        completed[stub] = f"{imports}\n__all__ = {own}\n\n{text}"
+    return completed
 
 
 def collect(options, scratch):

@@ -1,13 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Check for OpenGL, because VTK does not report that it is missing and crashes in the first render."""
+from __future__ import annotations
+
 import ctypes
+from typing import Any
 
 # Libraries that VTK loads if neither an X server nor EGL is available.
 OSMESA_LIBRARIES = ("libOSMesa.so", "libOSMesa.so.6")
 
 
-def _is_available(library):
+def _is_available(library: str) -> bool:
     try:
         ctypes.CDLL(library)
     except OSError:
@@ -15,7 +18,7 @@ def _is_available(library):
     return True
 
 
-def require_opengl(window):
+def require_opengl(window: Any) -> None:
     """Raise RuntimeError if VTK fell back to an OSMesa window and OSMesa is not installed."""
     if window is not None and window.GetClassName() == "vtkOSOpenGLRenderWindow" and not any(
             map(_is_available, OSMESA_LIBRARIES)):

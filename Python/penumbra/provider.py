@@ -1,12 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Provider of ambient occlusion and light shafts for pyvista-render-passes."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
 from pyvista_render_passes import BasePassProvider
 
 from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
 from .messages import observe_warnings
 
-DEFAULTS = {
+DEFAULTS: dict[str, Any] = {
     "ambient_occlusion": False,
     "radius": None,
     "strength": 1.0,
@@ -24,24 +29,24 @@ class OcclusionProvider(BasePassProvider):
     name = "penumbra"
     stages = ("base",)
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._state = dict(DEFAULTS)
 
-    def default_state(self):
+    def default_state(self) -> dict[str, Any]:
         return dict(DEFAULTS)
 
-    def get_state(self):
+    def get_state(self) -> dict[str, Any]:
         return dict(self._state)
 
-    def set_state(self, state):
+    def set_state(self, state: Mapping[str, Any]) -> None:
         self._state.update({name: state[name] for name in DEFAULTS if name in state})
 
-    def veto(self, settings):
+    def veto(self, settings: Mapping[str, Any]) -> str | None:
         if settings.get("ssao") and self._state["ambient_occlusion"]:
             return "ambient occlusion would be applied twice: disable ssao or the provider penumbra"
         return None
 
-    def build_pass(self, stage, renderer, chain, delegate):
+    def build_pass(self, stage: Any, renderer: Any, chain: Any, delegate: Any) -> Any:
         state = self._state
         last_pass = delegate
         if state["ambient_occlusion"]:

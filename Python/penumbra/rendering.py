@@ -172,6 +172,11 @@ def _add(total: dict[str, Any], counts: dict[str, Any]) -> None:
         total[name] = total.get(name, 0) + value if isinstance(value, (int, float)) else value
 
 
+def _progress_of_part(progress: Progress | None, index: int, parts: int) -> Progress | None:
+    """Return the callback of one of several parts of equal length."""
+    return None if progress is None else lambda fraction: progress((index + fraction) / parts)
+
+
 def cast_renderers(
     renderers: Sequence[Any], size: tuple[int, int], settings: Settings, progress: Progress | None,
     stacklevel: int = 3,
@@ -193,9 +198,7 @@ def cast_renderers(
         caster, ignored = make_caster(renderer, part, settings)
         opaque = renderer.GetLayer() == 0 and not settings.transparent_background
         caster.SetBackground(opaque)
-        update(caster, None if progress is None else
-               lambda fraction, index=index: progress((index + fraction) / len(shown)), stacklevel,
-               ignored)
+        update(caster, _progress_of_part(progress, index, len(shown)), stacklevel, ignored)
         colors = colors_of(caster.GetOutput(), 4)
         below = canvas[rows, columns]
         alpha = colors[..., 3:]
@@ -286,7 +289,8 @@ def _resolve(
                 _set_camera(scene, camera)
             return [scene], check_size("size", size or (1024, 768))
     elif isinstance(scene, tuple) and len(scene) in (2, 3):
-        points, faces, lines = (*scene, None)[:3]
+        arrays: tuple[Any, ...] = (*scene, None)
+        points, faces, lines = arrays[:3]
         mesh = poly_data(points, faces, None, lines, point_radius > 0.0)
         radius = max(point_radius if mesh.GetNumberOfVerts() else 0.0, line_radius if mesh.GetNumberOfLines() else 0.0)
         return [renderer_of_mesh(mesh, color, camera, radius)], check_size("size", size or (1024, 768))
