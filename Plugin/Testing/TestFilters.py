@@ -150,6 +150,64 @@ class BakeIrradianceFilter(unittest.TestCase):
             self.assertIn(f"  {name}: {' '.join(f'{value:g}' for value in values)}\n", text)
 
 
+class BakeDirectLightFilter(unittest.TestCase):
+    def setUp(self):
+        start()
+
+    def lit_by(self, points, light):
+        """Return the direct light of a plane with a sphere in its middle, and which points are off the shadow's edge."""
+        x, y, z, w = light
+        toward = numpy.array([x, y, z]) - w * points
+        toward = toward / numpy.linalg.norm(toward, axis=1)[:, None]
+        to_center = numpy.array([0, 0, SPHERE_HEIGHT]) - points
+        distance = numpy.linalg.norm(numpy.cross(to_center, toward), axis=1)
+        return numpy.where(distance > SPHERE_RADIUS, toward[:, 2], 0), numpy.abs(distance - SPHERE_RADIUS) > 0.01
+
+    def test_sums_lights_behind_a_sphere(self):
+        scene = AppendGeometry(Input=[plane(), sphere()])
+        lights = ((1, 0, 2, 0), (0, 1, 4, 1))
+        baked = BakeDirectLight(Input=scene, Lights=[number for light in lights for number in light])
+        data = servermanager.Fetch(baked)
+        points, values = arrays(data, "DirectLight")
+        on_plane = numpy.abs(points[:, 2]) < 1e-6
+        exact, clear = zip(*(self.lit_by(points[on_plane], light) for light in lights))
+        clear = numpy.logical_and(*clear)
+        self.assertLess(rmse(values[on_plane][clear], sum(exact)[clear]), 1e-5)
+        self.assertGreater(numpy.count_nonzero(values[on_plane] < 1), 8)
+        self.assertGreater(statistic(data, "Rays/Shadow"), 0)
+        self.assertIsNone(data.GetPointData().GetArray("AmbientOcclusion"))
+
+    def test_sizes_of_lights_make_soft_shadows(self):
+        scene = AppendGeometry(Input=[plane(), sphere()])
+        hard = BakeDirectLight(Input=scene)  # from above
+        soft = BakeDirectLight(Input=scene, LightAngle=40)
+        near = BakeDirectLight(Input=scene, Lights=[0, 0, 4, 1], LightRadius=1, BakeOn="Cells")
+        points, values = arrays(servermanager.Fetch(hard), "DirectLight")
+        on_plane = numpy.abs(points[:, 2]) < 1e-6
+        self.assertEqual(set(numpy.unique(values[on_plane])), {0, 1})
+        penumbra = arrays(servermanager.Fetch(soft), "DirectLight")[1][on_plane]
+        self.assertGreater(numpy.count_nonzero((penumbra > 0.1) & (penumbra < 0.9)), 8)
+        cells = vtk_to_numpy(servermanager.Fetch(near).GetCellData().GetArray("DirectLight"))
+        self.assertGreater(numpy.ptp(cells[: 24 * 24]), 0.5)
+
+    def test_has_the_defaults_of_its_class(self):
+        baked = BakeDirectLight(Input=sphere())
+        text = str(baked.SMProxy.GetClientSideObject())
+        for name in ("Quantity", "Tolerance", "LightRadius", "LightAngle", "OnCells"):
+            self.assertIn(f"  {name}: {baked.SMProxy.GetProperty(name).GetElement(0):g}\n", text)
+        self.assertIn("  Lights: 1\n", text)
+
+    def test_saves_its_lights_in_states(self):
+        BakeDirectLight(registrationName="Baked", Input=sphere(), Lights=[1, 0, 2, 0, 0, 1, 4, 1], LightAngle=0.53)
+        with tempfile.TemporaryDirectory() as folder:
+            state = os.path.join(folder, "state.pvsm")
+            SaveState(state)
+            start()
+            LoadState(state)
+        restored = FindSource("Baked")
+        self.assertEqual((list(restored.Lights), restored.LightAngle), ([1, 0, 2, 0, 0, 1, 4, 1], 0.53))
+
+
 class AdaptiveRayCastFilter(unittest.TestCase):
     def setUp(self):
         start()

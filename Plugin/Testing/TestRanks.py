@@ -56,6 +56,7 @@ def compute(folder):
         ("occlusion", BakeAmbientOcclusion(Input=both, **rays), "AmbientOcclusion"),
         ("blocks", BakeAmbientOcclusion(Input=blocks, **rays), "AmbientOcclusion"),
         ("irradiance", BakeIrradiance(Input=both, Bounces=2, **rays | {"Tolerance": 0.05}), "Irradiance"),
+        ("sunlight", BakeDirectLight(Input=both, Lights=[1, 2, 3, 0], LightAngle=10, Tolerance=0.02), "DirectLight"),
         ("alone", BakeAmbientOcclusion(Input=floor), "AmbientOcclusion"),
     ):
         data = servermanager.Fetch(baked)
@@ -157,7 +158,7 @@ def clouds(folder, messages):
 def computed(folder, _):
     """Load values by position, and the colors of images."""
     baked = {name: dict(numpy.load(os.path.join(folder, name + ".npz")))
-             for name in ("occlusion", "blocks", "irradiance", "alone")}
+             for name in ("occlusion", "blocks", "irradiance", "sunlight", "alone")}
     for name in ("file", "pieces"):
         reader = vtkXMLPImageDataReader()
         reader.SetFileName(os.path.join(folder, name + ".pvti"))
@@ -214,7 +215,7 @@ class Ranks(unittest.TestCase):
         for ranks in (2, 4):
             many = results(ranks, "compute", computed)
             # Bounds: combined error of two results, each within its tolerance.
-            for name, bound in (("occlusion", 0.028), ("blocks", 0.028), ("irradiance", 0.07)):
+            for name, bound in (("occlusion", 0.028), ("blocks", 0.028), ("irradiance", 0.07), ("sunlight", 0.028)):
                 reference, values = by_point(one[name]), by_point(many[name])
                 points = reference.keys() & values.keys()
                 self.assertGreater(len(points), 0.8 * max(len(reference), len(values)))

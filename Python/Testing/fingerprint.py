@@ -28,3 +28,4 @@ for name, points, faces in scenes():
         print(name, options, digest(penumbra.render((points, faces), size=(96, 72), **options)))
     print(name, "ambient occlusion", digest(penumbra.ambient_occlusion(points, faces)))
     print(name, "irradiance", digest(penumbra.irradiance(points, faces, tolerance=0.05)))
+    print(name, "direct light", digest(penumbra.direct_light(points, faces, lights=(1, 2, 3, 0), light_angle=10)))

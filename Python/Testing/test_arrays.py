@@ -233,6 +233,84 @@ class TestIrradiance:
             penumbra.irradiance(TRIANGLE, FACES, **options)
 
 
+def half_plane(columns=31):
+    """Return a floor, and above it, at the height 5, a half-plane that covers x < 0."""
+    points, faces = floor(columns)
+    edge = [(-200, -200, 5), (0, -200, 5), (0, 200, 5), (-200, 200, 5)]
+    corner = len(points)
+    return (np.concatenate([points, edge]),
+            np.concatenate([faces, [(corner, corner + 1, corner + 2), (corner, corner + 2, corner + 3)]]), corner)
+
+
+def sunlight_beside_half_plane(x, diameter, strata=128):
+    """Return the fraction of a sun in the zenith that points of the floor see, by stratified directions."""
+    j, i = np.divmod(np.arange(strata * strata), strata)
+    cosine = 1.0 - (1.0 - math.cos(math.radians(diameter / 2))) * (i + 0.5) / strata
+    across = np.sqrt(1.0 - cosine ** 2) * np.cos(2.0 * math.pi * (j + 0.5) / strata)
+    return np.array([np.mean(at + 5.0 * across / cosine > 0.0) for at in x])
+
+
+class TestDirectLight:
+    def test_matches_a_stratified_sun_beside_a_half_plane(self):
+        points, faces, on_floor = half_plane()
+        values, statistics = penumbra.direct_light(
+            points, faces, lights=(0, 0, 7, 0), light_angle=20, return_statistics=True)
+        assert values.shape == (len(points),)
+        assert values.dtype == np.float32
+        exact = sunlight_beside_half_plane(points[:on_floor, 0], 20)
+        assert np.count_nonzero((exact > 0.05) & (exact < 0.95)) > 100
+        assert rmse(values[:on_floor], exact) < 0.01
+        assert statistics["Rays/Shadow"] > 0
+        assert statistics["EstimatedError"] < 0.01
+
+    def test_is_the_sum_over_hard_lights(self):
+        points, faces, on_floor = half_plane()
+        x = points[:on_floor, 0]
+        free = np.flatnonzero(np.abs(x + 2.5) > 0.01)  # not on the edge of the shadow of the second light
+        values = penumbra.direct_light(points, faces, lights=[(-1, 0, 1, 0), (5, 0, 20, 2)])[:on_floor]
+        to_light = np.array([2.5, 0, 10]) - points[:on_floor]
+        # The shadow of the edge from (2.5, 0, 10), twice as high as the edge, ends at x = -2.5.
+        lit = np.where(x > -2.5, 10 / np.linalg.norm(to_light, axis=1), 0.0)
+        assert (x < 5).all()  # the half-plane hides the first light
+        assert rmse(values[free], lit[free]) < 1e-6
+
+    def test_computes_a_value_for_each_face(self):
+        points, faces = sphere(40)
+        values = penumbra.direct_light(points, faces, lights=[[0, 0, 1e6]], light_radius=1e4, on="cells")
+        a, b, c = (points[faces[:, i]] for i in range(3))
+        normals = np.cross(b - a, c - a)
+        up = normals[:, 2] / np.linalg.norm(normals, axis=1)
+        assert values.shape == (len(faces),)
+        clear = np.abs(up) > 0.1
+        assert rmse(values[clear], np.maximum(up, 0.0)[clear]) < 0.01
+
+    def test_warns_of_a_light_inside_a_surface(self):
+        with pytest.warns(penumbra.PenumbraWarning, match="contains or touches a surface"):
+            penumbra.direct_light(TRIANGLE, FACES, lights=(0, 0, 1), light_radius=2)
+
+    @pytest.mark.parametrize(("error", "match", "options"), [
+        (ValueError, "lights must have the shape", {"lights": []}),
+        (ValueError, "lights must have the shape", {"lights": (1, 2)}),
+        (ValueError, "lights must have the shape", {"lights": np.zeros((1, 1, 3))}),
+        (ValueError, "lights must have the shape", {"lights": [(0, 0, 1), (0, 0, 1, 0)]}),
+        (TypeError, "lights must be an array of numbers", {"lights": "sun"}),
+        (TypeError, "lights must be an array of numbers", {"lights": None}),
+        (ValueError, "lights must be finite", {"lights": (0, 0, math.nan)}),
+        (ValueError, "lights must be finite", {"lights": (0, math.inf, 1, 0)}),
+        (ValueError, "w must be positive", {"lights": (0, 0, 1, -1)}),
+        (ValueError, r"direction \(0, 0, 0\)", {"lights": (0, 0, 0, 0)}),
+        (ValueError, "light_radius", {"lights": (0, 0, 1), "light_radius": -1.0}),
+        (ValueError, "light_radius", {"lights": (0, 0, 1), "light_radius": math.inf}),
+        (ValueError, "light_angle", {"lights": (0, 0, 1), "light_angle": 181}),
+        (ValueError, "light_angle", {"lights": (0, 0, 1), "light_angle": math.nan}),
+        (TypeError, "light_angle", {"lights": (0, 0, 1), "light_angle": "wide"}),
+        (ValueError, "tolerance", {"lights": (0, 0, 1), "tolerance": 0.0}),
+        (ValueError, "on must be", {"lights": (0, 0, 1), "on": "edges"})])
+    def test_refuses_wrong_arguments(self, error, match, options):
+        with pytest.raises(error, match=match):
+            penumbra.direct_light(TRIANGLE, FACES, **options)
+
+
 SQUARE = ([(-0.365, -0.205, 0), (0.365, -0.205, 0), (0.365, 0.205, 0), (-0.365, 0.205, 0)], [(0, 1, 2, 3)])
 
 

@@ -167,6 +167,46 @@ class BakedIrradiance(unittest.TestCase):
                 bake(**arguments)
 
 
+class BakedDirectLight(unittest.TestCase):
+    def test_is_the_cosine_outside_the_shadow_of_a_sphere(self):
+        both = plane().merge(sphere(), merge_points=False)
+        baked = both.penumbra.bake_direct_light((1, 0, 2, 0), statistics=True)
+        on_plane = numpy.abs(baked.points[:, 2]) < 1e-6
+        # Distance of the center of the sphere from the line from the point toward the light.
+        to_center = numpy.array([0, 0, 0.8]) - baked.points[on_plane]
+        direction = numpy.array([1, 0, 2]) / math.sqrt(5)
+        distance = numpy.linalg.norm(numpy.cross(to_center, direction), axis=1)
+        clear = numpy.abs(distance - 0.5) > 0.01  # not on the edge of the shadow
+        lit = numpy.where(distance > 0.5, 2 / math.sqrt(5), 0.0)
+        self.assertLess(rmse(baked["DirectLight"][on_plane][clear], lit[clear]), 1e-6)
+        self.assertGreater(numpy.count_nonzero(lit == 0.0), 5)
+        self.assertGreater(baked.field_data["Rays/Shadow"][0], 0)
+        self.assertNotIn("DirectLight", both.array_names)
+        self.assertEqual(repr(baked.penumbra), f"<penumbra of {type(baked).__name__}: has DirectLight>")
+
+    def test_sizes_of_lights_make_soft_shadows_of_other_blocks(self):
+        blocks = pyvista.MultiBlock([plane(), sphere()])
+        lights = [(0, 0, 1, 0), (0, 0, 4, 1)]
+        values = [blocks.penumbra.bake_direct_light(lights, on=on, light_angle=angle, light_radius=radius)[0][
+            "DirectLight"] for on, angle, radius in (("points", 0, 0), ("points", 40, 0), ("points", 0, 1),
+                                                    ("cells", 40, 1))]
+        self.assertEqual([each.size for each in values], [625, 625, 625, 576])
+        for soft in values[1:3]:
+            self.assertGreater(numpy.count_nonzero(numpy.abs(values[0] - soft) > 0.1), 8)
+
+    def test_rejects_invalid_arguments(self):
+        bake = sphere().penumbra.bake_direct_light
+        for lights, arguments in (([], {}), ((0, 0), {}), ((0, 0, math.nan), {}), ((0, 0, 0, 0), {}),
+                                  ((0, 0, 1, -1), {}), ((0, 0, 9), {"light_radius": -1.0}),
+                                  ((0, 0, 9, 0), {"light_angle": 200}), ((0, 0, 9), {"tolerance": 0.0})):
+            with self.assertRaises(ValueError):
+                bake(lights, **arguments)
+        with self.assertRaises(TypeError):
+            bake("sun")
+        with self.assertRaisesRegex(TypeError, "extract_surface"):
+            pyvista.ImageData(dimensions=(3, 3, 3)).penumbra.bake_direct_light((0, 0, 9))
+
+
 class RayCastImage(unittest.TestCase):
     def test_computes_exact_pixel_coverage(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))

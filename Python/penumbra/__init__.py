@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ambient occlusion, irradiance and antialiased ray casting for arrays and VTK scenes, to a chosen error.
+"""Ambient occlusion, irradiance, direct light and antialiased ray casting for arrays and VTK scenes, to a chosen error.
 
-``ambient_occlusion``, ``irradiance``, ``render`` and ``compare`` take and return NumPy arrays. PyVista registers
-``plotter.penumbra`` and ``mesh.penumbra``, see :mod:`penumbra.plotter` and :mod:`penumbra.mesh`. All classes are
+``ambient_occlusion``, ``irradiance``, ``direct_light``, ``render`` and ``compare`` take and return NumPy arrays. PyVista
+registers ``plotter.penumbra`` and ``mesh.penumbra``, see :mod:`penumbra.plotter` and :mod:`penumbra.mesh`. All classes are
 available under their VTK names, such as ``penumbra.vtkPenumbraRayCaster``. VTK is loaded at the first use.
 """
 import importlib as _importlib
@@ -14,13 +14,14 @@ from ._version import __version__
 
 if TYPE_CHECKING:
     from ._classes import *
-    from .baking import ambient_occlusion, irradiance
+    from .baking import ambient_occlusion, direct_light, irradiance
     from .comparison import Comparison, Tile, compare
     from .messages import PenumbraWarning, messages_as_warnings
     from .rendering import render
 
 _NAMES = {
     "ambient_occlusion": "baking",
+    "direct_light": "baking",
     "irradiance": "baking",
     "render": "rendering",
     "compare": "comparison",
@@ -30,8 +31,8 @@ _NAMES = {
     "messages_as_warnings": "messages",
 }
 
-__all__ = ["Comparison", "PenumbraWarning", "Tile", "__version__", "ambient_occlusion", "compare", "irradiance",
-           "messages_as_warnings", "render"]
+__all__ = ["Comparison", "PenumbraWarning", "Tile", "__version__", "ambient_occlusion", "compare", "direct_light",
+           "irradiance", "messages_as_warnings", "render"]
 
 
 def __getattr__(name: str) -> Any:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ambient occlusion and irradiance of meshes that are NumPy arrays."""
+"""Ambient occlusion, irradiance and direct light of meshes that are NumPy arrays."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._classes import vtkPenumbraIrradianceFilter
-from .conversion import (FALLOFFS, check_choice, check_radius, check_range, parse_color, poly_data, statistics_dict,
-                         to_numpy)
+from .conversion import (FALLOFFS, check_choice, check_radius, check_range, parse_color, parse_lights, poly_data,
+                         statistics_dict, to_numpy)
 from .messages import Progress, update
 
 Floats = npt.NDArray[np.float32]
@@ -37,6 +37,20 @@ def irradiance_filter(tolerance: float, color: list[float], albedo: float, bounc
     bake.SetEnvironmentColor(color)
     bake.SetAlbedo(check_range("albedo", albedo, 0.0, 1.0))
     bake.SetBounces(int(check_range("bounces", bounces, 1, 64)))
+    return bake
+
+
+def direct_light_filter(
+    lights: npt.ArrayLike, tolerance: float, light_radius: float, light_angle: float,
+) -> Any:
+    """Return a filter that bakes direct light."""
+    bake = vtkPenumbraIrradianceFilter()
+    bake.SetQuantity(bake.DIRECT_LIGHT)
+    for light in parse_lights(lights):
+        bake.AddLight(*light)
+    bake.SetTolerance(check_range("tolerance", tolerance, 1e-4, 1.0))
+    bake.SetLightRadius(check_range("light_radius", light_radius, 0.0, 1e30))
+    bake.SetLightAngle(check_range("light_angle", light_angle, 0.0, 180.0))
     return bake
 
 
@@ -239,4 +253,82 @@ def irradiance(
     """
     bake = irradiance_filter(tolerance, parse_color("environment_color", environment_color), albedo, bounces)
     values = _bake(bake, "Irradiance", points, faces, normals, lines, on, point_radius, line_radius, progress)
+    return (values, result_statistics(bake)) if return_statistics else values
+
+
+@overload
+def direct_light(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, lights: npt.ArrayLike,
+    normals: npt.ArrayLike | None = None, lines: npt.ArrayLike | None = None, tolerance: float = 0.01,
+    light_radius: float = 0.0, light_angle: float = 0.0, on: Location = "points", point_radius: float = 0.0,
+    line_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[False] = False,
+) -> Floats: ...
+
+
+@overload
+def direct_light(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, lights: npt.ArrayLike,
+    normals: npt.ArrayLike | None = None, lines: npt.ArrayLike | None = None, tolerance: float = 0.01,
+    light_radius: float = 0.0, light_angle: float = 0.0, on: Location = "points", point_radius: float = 0.0,
+    line_radius: float = 0.0, progress: Progress | None = None, return_statistics: Literal[True],
+) -> tuple[Floats, dict[str, Any]]: ...
+
+
+def direct_light(
+    points: npt.ArrayLike, faces: npt.ArrayLike | None = None, *, lights: npt.ArrayLike,
+    normals: npt.ArrayLike | None = None, lines: npt.ArrayLike | None = None, tolerance: float = 0.01,
+    light_radius: float = 0.0, light_angle: float = 0.0, on: Location = "points", point_radius: float = 0.0,
+    line_radius: float = 0.0, progress: Progress | None = None, return_statistics: bool = False,
+) -> Floats | tuple[Floats, dict[str, Any]]:
+    """Compute the direct light of a mesh or of oriented points, with hard or soft shadows.
+
+    The value is the sum over the lights: visible fraction of the light times the cosine between the normal and the
+    direction to its center. All lights have the intensity 1 and no attenuation.
+
+    Parameters
+    ----------
+    points, faces, normals, lines, tolerance, on, point_radius, line_radius, progress, return_statistics
+        As in `ambient_occlusion`.
+    lights : array_like, shape (k, 3) or (k, 4), float
+        Position x, y, z of each light in the unit of `points`, optionally with w: positive, the position is
+        (x, y, z) / w; 0, the direction (x, y, z) toward a directional light, of any length. A single light may have
+        the shape (3,) or (4,).
+    light_radius : float
+        Radius of lights with a position, which are spheres, in the unit of `points`. Range: [0, 1e30]. Default: 0, hard
+        shadows.
+    light_angle : float
+        Angular diameter of directional lights, in degrees; that of the sun is 0.53. Range: [0, 180]. Default: 0, hard
+        shadows.
+
+    Returns
+    -------
+    numpy.ndarray, shape (n,) or (m,), float32
+        From 0, in shadow of all lights or facing away from them, to k; 1 where one light is visible and straight above
+        the surface.
+
+    Raises
+    ------
+    TypeError, ValueError, IndexError, RuntimeError, KeyboardInterrupt
+        As `ambient_occlusion`; ValueError if `lights` is empty, not finite, or has a negative w or the direction 0.
+
+    Warns
+    -----
+    PenumbraWarning
+        If the sphere of a light contains or touches a surface, which casts no shadow there.
+
+    Examples
+    --------
+    A floor under the sun at an elevation of 30 degrees, and the same floor under a roof:
+
+    >>> import penumbra
+    >>> points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    >>> sun = (3 ** 0.5, 0, 1, 0)
+    >>> penumbra.direct_light(points, [(0, 1, 2, 3)], lights=sun).round(3).tolist()
+    [0.5, 0.5, 0.5, 0.5]
+    >>> points += [(-9, -9, 1), (9, -9, 1), (9, 9, 1), (-9, 9, 1)]
+    >>> penumbra.direct_light(points, [(0, 1, 2, 3), (4, 5, 6, 7)], lights=sun, on="cells").round(3).tolist()
+    [0.0, 0.5]
+    """
+    bake = direct_light_filter(lights, tolerance, light_radius, light_angle)
+    values = _bake(bake, "DirectLight", points, faces, normals, lines, on, point_radius, line_radius, progress)
     return (values, result_statistics(bake)) if return_statistics else values

@@ -72,6 +72,27 @@ def parse_color(name: str, color: Any, high: float = math.inf) -> list[float]:
     return values
 
 
+def parse_lights(lights: npt.ArrayLike) -> list[list[float]]:
+    """Return homogeneous positions, four floats each, from an array of shape (k, 3), (k, 4), (3,) or (4,)."""
+    try:
+        values = np.asarray(lights)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"lights must have the shape (k, 3) or (k, 4): {error}") from None
+    if values.dtype.kind not in "fiu":
+        raise TypeError(f"lights must be an array of numbers, not of dtype {values.dtype}")
+    rows = np.atleast_2d(values).astype(np.float64)
+    if rows.ndim != 2 or rows.shape[1] not in (3, 4) or len(rows) == 0:
+        raise ValueError(f"lights must have the shape (k, 3) or (k, 4) with at least one light, not {values.shape}")
+    if rows.shape[1] == 3:
+        rows = np.column_stack([rows, np.ones(len(rows))])
+    if not np.isfinite(rows).all() or (rows[:, 3] < 0.0).any():
+        raise ValueError("lights must be finite, and w must be positive, or 0 for directional lights")
+    if ((rows[:, 3] == 0.0) & (rows[:, :3] == 0.0).all(axis=1)).any():
+        raise ValueError("lights must not have the direction (0, 0, 0)")
+    positions: list[list[float]] = rows.tolist()
+    return positions
+
+
 def vectors(name: str, array: npt.ArrayLike, rows: int | None = None) -> npt.NDArray[Any]:
     """Return an array of shape (n, 3) of finite floats."""
     try:

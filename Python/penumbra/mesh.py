@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""``mesh.penumbra``: ambient occlusion and irradiance baked onto PyVista meshes."""
+"""``mesh.penumbra``: ambient occlusion, irradiance and direct light baked onto PyVista meshes."""
 from __future__ import annotations
 
 from typing import Any
 
+import numpy.typing as npt
 import pyvista
 
-from .baking import ColorLike, Falloff, Location, irradiance_filter, occlusion_filter, result_statistics, set_location
+from .baking import (ColorLike, Falloff, Location, direct_light_filter, irradiance_filter, occlusion_filter,
+                     result_statistics, set_location)
 from .conversion import parse_color
 from .messages import Progress, update
 
@@ -36,7 +38,7 @@ class MeshAccessor:
 
     def __repr__(self) -> str:
         found = _array_names(self._mesh)
-        baked = [name for name in ("AmbientOcclusion", "Irradiance") if name in found]
+        baked = [name for name in ("AmbientOcclusion", "Irradiance", "DirectLight") if name in found]
         return f"<penumbra of {type(self._mesh).__name__}: {'has ' + ' and '.join(baked) if baked else 'nothing baked'}>"
 
     def bake_ambient_occlusion(
@@ -115,6 +117,45 @@ class MeshAccessor:
         pyvista.DataSet or pyvista.MultiBlock
         """
         bake = irradiance_filter(tolerance, parse_radiance(environment_color), albedo, bounces)
+        return self._bake(bake, on, compute_normals, point_radius, line_radius, inplace, statistics, progress)
+
+    def bake_direct_light(
+        self, lights: npt.ArrayLike, *, tolerance: float = 0.01, light_radius: float = 0.0, light_angle: float = 0.0,
+        on: Location = "points", compute_normals: bool = False, point_radius: float = 0.0, line_radius: float = 0.0,
+        inplace: bool = False, statistics: bool = False, progress: Progress | None = None,
+    ) -> Any:
+        """Return the mesh with the array ``DirectLight``: visible fraction times cosine, summed over the lights.
+
+        Parameters
+        ----------
+        lights : array_like, shape (k, 3) or (k, 4), float
+            Position x, y, z of each light in the unit of the mesh, optionally with w: positive, the position is
+            (x, y, z) / w; 0, the direction (x, y, z) toward a directional light, of any length. A single light may
+            have the shape (3,) or (4,).
+        tolerance : float
+            Accepted RMSE over all points, in the unit of the array. Range: [1e-4, 1].
+        light_radius : float
+            Radius of lights with a position, which are spheres, in the unit of the mesh. Range: [0, 1e30].
+            Default: 0, hard shadows.
+        light_angle : float
+            Angular diameter of directional lights, in degrees; that of the sun is 0.53. Range: [0, 180].
+            Default: 0, hard shadows.
+        on, compute_normals, point_radius, line_radius, inplace, statistics, progress
+            As in ``bake_ambient_occlusion``.
+
+        Returns
+        -------
+        pyvista.DataSet or pyvista.MultiBlock
+            One component from 0, in shadow of all lights or facing away from them, to k; 1 where one light is visible
+            and straight above the surface. The blocks of a multiblock shadow each other.
+
+        Raises
+        ------
+        TypeError, ValueError, RuntimeError
+            As ``bake_ambient_occlusion``; ValueError if `lights` is empty, not finite, or has a negative w or the
+            direction 0.
+        """
+        bake = direct_light_filter(lights, tolerance, light_radius, light_angle)
         return self._bake(bake, on, compute_normals, point_radius, line_radius, inplace, statistics, progress)
 
     def _bake(self, bake: Any, on: str, compute_normals: bool, point_radius: float, line_radius: float, inplace: bool,
