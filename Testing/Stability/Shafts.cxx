@@ -81,13 +81,14 @@ ScenarioResult CompareWithRayCaster(ShaftScene& scene)
   return { RelativeRmse(light, scene.RenderWithRayCaster(64)), Amplified(scene, light) };
 }
 
-/// A directional light. Ablated: the mean of a mask, as in the paper.
-std::function<ScenarioResult(Variant)> DirectionalLight(const Vector& direction)
+/// A directional light. Ablated: with a part of the shaders replaced.
+std::function<ScenarioResult(Variant)> DirectionalLight(
+  const Vector& direction, const char* part, const char* replacement)
 {
-  return [direction](Variant variant) {
+  return [direction, part, replacement](Variant variant) {
     Haze scene;
     scene.AddSun(direction);
-    scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
+    const ShaderAblation ablation(variant, part, replacement);
     return CompareWithRayCaster(scene);
   };
 }
@@ -100,14 +101,16 @@ ScenarioResult PositionalLight(Variant variant)
   return CompareWithRayCaster(scene);
 }
 
+/// Ablated: the depth along a path to the light is computed as in perspective.
 ScenarioResult InParallel(Variant variant)
 {
   Haze scene;
-  scene.AddSun({ 1.0, .6, .9 });
+  scene.AddSun({ .3, 1.0, .3 });
   scene.Look({ .5, -9.0, 8.0 }, { 0.0, 0.0, 1.0 });
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(3.5);
-  scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
+  const ShaderAblation ablation(
+    variant, "if (perspective < 0.5)\n  {\n    return (span", "if (false)\n  {\n    return (span");
   return CompareWithRayCaster(scene);
 }
 
@@ -143,12 +146,13 @@ ScenarioResult BehindAForeground(Variant variant)
   return { maximum, Amplified(scene, light) };
 }
 
-/// The light rotates by 2 degrees per frame, from beside the view to behind the camera.
+/// The light rotates by 2 degrees per frame, from beside the view to behind the camera. Ablated:
+/// consecutive steps are connected even if they are on different surfaces.
 ScenarioResult SweepingLight(Variant variant)
 {
   Haze scene;
   const auto sun = scene.AddSun(SunInView);
-  scene.Pass->SetEstimator(variant == Variant::Ablated ? Pass::RADIAL : Pass::DEPTH);
+  const ShaderAblation ablation(variant, "if (!sameSurface)", "if (false)");
   std::vector<std::vector<double>> times;
   for (int angle = 60; angle < 120; angle += 2)
   {
@@ -345,23 +349,27 @@ ScenarioResult InAViewport(Variant variant)
 std::vector<Scenario> ShaftScenarios()
 {
   const std::string scene = "solids over a floor in haze";
-  const std::string mask = "depth along the ray: the mean of a mask [Shafts eq. 3]";
   const std::string margin = "margin around the image: none";
   return {
-    { "ShaftsSunInView", scene + ", the light in view", "still", Metric::Bias, .03, mask,
-      "[Shafts] no depth along the ray", "", DirectionalLight(SunInView) },
+    { "ShaftsSunInView", scene + ", the light in view", "still", Metric::Bias, .03,
+      "first shadowed depth along the ray: 0", "[Shafts] no depth along the ray", "",
+      DirectionalLight(SunInView, "max(low, 0.0) * ray.lengthPerDepth", "0.0") },
     { "ShaftsSunOutside", scene + ", the light outside of the image", "still", Metric::Bias, .03,
-      mask, "[Shafts] no depth along the ray", "", DirectionalLight({ .72, 1.0, .32 }) },
+      "last shadowed depth along the ray: the visible surface", "[Shafts] no depth along the ray",
+      "", DirectionalLight({ .72, 1.0, .32 }, "max(min(high, eyeDepth), 0.0)", "eyeDepth") },
     { "ShaftsSunAtRightAngles", scene + ", the light at right angles to the view", "still",
-      Metric::Bias, .03, mask, "[Shafts] a light at right angles to the view", "",
-      DirectionalLight({ 1.0, .0455, .32 }) },
-    { "ShaftsSunBehind", scene + ", the light behind the camera", "still", Metric::Bias, .012, mask,
-      "[Shafts] a light behind the view", "", DirectionalLight({ .3, -1.0, .5 }) },
+      Metric::Bias, .012, "march ends at the image edge: at the light only",
+      "[Shafts] a light at right angles to the view", "",
+      DirectionalLight({ 1.0, .0455, .32 }, "min(min(edge.x, edge.y), end)", "end") },
+    { "ShaftsSunBehind", scene + ", the light behind the camera", "still", Metric::Bias, .012,
+      "depth changes along the path to the light: constant", "[Shafts] a light behind the view", "",
+      DirectionalLight({ -.6, -1.0, .5 }, "max(1.0 - q * light.z, 0.0)", "1.0") },
     { "ShaftsLamp", scene + ", a positional light among them", "still", Metric::Bias, .04,
       "distance of the positional light: infinite", "[Shafts] directional lights only", "",
       PositionalLight },
-    { "ShaftsInParallel", scene + ", in parallel projection", "still", Metric::Bias, .03, mask, "",
-      "", InParallel },
+    { "ShaftsInParallel", scene + ", in parallel projection", "still", Metric::Bias, .017,
+      "depth along the path to the light in parallel projection: as in perspective", "", "",
+      InParallel },
     { "ShaftsThinOccluders", "five plates in haze", "still", Metric::Bias, .05,
       "thickness of visible surfaces: unlimited", "[Shafts] one layer of depth", "",
       ThinOccluders },
@@ -369,7 +377,8 @@ std::vector<Scenario> ShaftScenarios()
       Metric::MaximumDifference, .02, "in-scattering ends at the visible surface: does not end",
       "[Shafts] shafts drawn over the foreground", "", BehindAForeground },
     { "ShaftsSweepingLight", scene, "the light rotates past the camera, 2 degrees per frame",
-      Metric::Pop, .09, mask, "[Shafts] a light at right angles to the view", "", SweepingLight },
+      Metric::Pop, .09, "only steps on one surface are connected: all steps",
+      "[Shafts] a light at right angles to the view", "", SweepingLight },
     { "ShaftsOccluderCrossesTheBorder", "a ball in haze", "it leaves the image", Metric::Bias, .04,
       margin, "[Shafts] flicker at the image edge", "", OccluderCrossesImageEdge },
     { "ShaftsOccluderOutside", "a ball outside of the image", "still", Metric::Bias, .03, margin,
