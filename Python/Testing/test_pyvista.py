@@ -252,6 +252,39 @@ class RayCastImage(unittest.TestCase):
         numpy.testing.assert_array_equal(plotter.penumbra.ray_cast(ambient_occlusion=False), plain)
         self.assertGreater(rmse(plain, followed), 1.0)
 
+    def test_follows_passes_that_the_classes_added(self):
+        plotter = scene()
+        occlusion = penumbra.vtkPenumbraTemporalSSAOPass.AddTo(plotter.renderer)
+        occlusion.SetRadiusUnit(occlusion.WORLD)
+        occlusion.SetRadius(1.0)
+        occlusion.SetStrength(0.5)
+        self.assertIs(penumbra.vtkPenumbraTemporalSSAOPass.FindIn(plotter.renderer), occlusion)
+        self.assertIn("ambient occlusion", repr(plotter.penumbra))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", penumbra.PenumbraWarning)
+            followed = plotter.penumbra.ray_cast()
+        numpy.testing.assert_array_equal(
+            followed, scene().penumbra.ray_cast(ambient_occlusion=True, radius=1.0, strength=0.5))
+        penumbra.vtkPenumbraTemporalSSAOPass.RemoveFrom(plotter.renderer)
+        self.assertIsNone(penumbra.vtkPenumbraTemporalSSAOPass.FindIn(plotter.renderer))
+        numpy.testing.assert_array_equal(plotter.penumbra.ray_cast(), scene().penumbra.ray_cast())
+
+    def test_follows_light_shafts_that_the_class_added(self):
+        def lit():
+            plotter = scene()
+            plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
+            return plotter
+
+        plotter = lit()
+        penumbra.vtkPenumbraTemporalSSAOPass.AddTo(plotter.renderer)
+        penumbra.vtkPenumbraLightShaftPass.AddTo(plotter.renderer)
+        self.assertIn("light shafts and ambient occlusion", repr(plotter.penumbra))
+        reference = lit()
+        reference.penumbra.enable_light_shafts()
+        hazy = plotter.penumbra.ray_cast(ambient_occlusion=False)
+        numpy.testing.assert_array_equal(hazy, reference.penumbra.ray_cast())
+        self.assertGreater(rmse(hazy, lit().penumbra.ray_cast()), 1.0)
+
     def test_follows_shadows_and_ssao_of_pyvista(self):
         plotter = scene()
         plotter.enable_ssao(radius=1.0)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from ._backend import vtk_module
+from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
 from .messages import warn
 
 # Passes that this package added to renderers, whose own passes they are parts of, and the passes that were found then.
@@ -34,9 +35,14 @@ def _chain(render_pass: Any) -> Iterator[Any]:
 
 
 def passes_of(renderer: Any) -> Iterator[Any]:
-    """Iterate over the render passes of a renderer, outermost first."""
+    """Iterate over the render passes of a renderer, outermost first.
+
+    AddTo() inserts passes into render steps that Python cannot see through; FindIn() finds them there.
+    """
     seen = set()
-    for outer in (renderer.GetPass(), *added_passes.get(renderer, {}).values()):
+    inner = [found for each in (vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass)
+             if (found := each.FindIn(renderer)) is not None]
+    for outer in (renderer.GetPass(), *added_passes.get(renderer, {}).values(), *inner):
         for render_pass in _chain(outer):
             if id(render_pass) not in seen:
                 seen.add(id(render_pass))

@@ -3,6 +3,8 @@
 """``plotter.penumbra``: render passes and ray casting for PyVista plotters."""
 from __future__ import annotations
 
+import io
+import pathlib
 from typing import Any
 
 import pyvista
@@ -14,9 +16,23 @@ from .mesh import parse_radiance
 from .messages import Progress, observe_warnings
 from .opengl import require_opengl
 from .passes import add, passes_of, remove
-from .rendering import Settings, cast_renderers, finish, prepare_plotter
+from .rendering import Image, Settings, cast_renderers, finish, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
+
+
+def _write(image: Image, filename: str | pathlib.Path | io.BytesIO) -> None:
+    """Write an image as the method screenshot of a plotter does."""
+    import PIL.Image
+
+    picture = PIL.Image.fromarray(image)
+    if isinstance(filename, io.BytesIO):
+        picture.save(filename, format="PNG")
+        return
+    path = pathlib.Path(filename)
+    if pyvista.FIGURE_PATH and not path.is_absolute():
+        path = pathlib.Path(pyvista.FIGURE_PATH) / path
+    picture.save(path.expanduser() if path.suffix else path.expanduser().with_suffix(".png"))
 
 
 @pyvista.register_plotter_component("penumbra")
@@ -195,3 +211,55 @@ class PlotterAccessor:
         canvas, statistics = cast_renderers(renderers, (scale * width, scale * height), settings, progress)
         image = finish(canvas, transparent_background, as_float)
         return (image, statistics) if return_statistics else image
+
+    def screenshot(
+        self, filename: str | pathlib.Path | io.BytesIO | None = None, transparent_background: bool | None = None,
+        return_img: bool = True, window_size: tuple[int, int] | None = None, scale: int | None = None,
+        **options: Any,
+    ) -> Image | None:
+        """Take a screenshot by ray casting; a replacement of ``plotter.screenshot``.
+
+        Parameters
+        ----------
+        filename : str, pathlib.Path or io.BytesIO, optional
+            Where to write the image. Its suffix determines the format, default: PNG. A relative path is relative to
+            ``pyvista.FIGURE_PATH`` if that is set. Default: the image is not written.
+        transparent_background : bool, optional
+            If True, the image has a fourth channel, the covered fraction of each pixel. Default: that of the theme of
+            the plotter.
+        return_img : bool
+            If True, return the image.
+        window_size : tuple of int, optional
+            Width and height in pixels, before they are multiplied by ``scale``. Default: the size of the plotter's
+            window, which does not change.
+        scale : int, optional
+            Factor of both sizes, of line widths and of point sizes. Default: ``plotter.image_scale``.
+        **options
+            Options of ``ray_cast``, such as ``tolerance`` and ``shadows``.
+
+        Returns
+        -------
+        numpy.ndarray, shape (height, width, 3) or (height, width, 4), uint8
+            Rows from top to bottom; None with ``return_img=False``.
+
+        Raises
+        ------
+        TypeError
+            If an option is not one of ``ray_cast``, or is ``as_float`` or ``return_statistics``.
+        ValueError
+            If an option is out of range, or if the suffix of the file is not that of an image format.
+        RuntimeError
+            If the plotter is closed, or if the rendering fails.
+        OSError
+            If the file cannot be written.
+        """
+        for name in ("as_float", "return_statistics"):
+            if name in options:
+                raise TypeError(f"screenshot() writes and returns bytes: use ray_cast() for {name}")
+        if transparent_background is None:
+            transparent_background = bool(self._plotter.theme.transparent_background)
+        image: Image = self.ray_cast(
+            window_size=window_size, transparent_background=transparent_background, scale=scale, **options)
+        if filename is not None:
+            _write(image, filename)
+        return image if return_img else None

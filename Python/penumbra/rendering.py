@@ -189,8 +189,9 @@ def cast_renderers(
     shown = sorted((renderer for renderer in renderers if renderer.GetDraw()), key=lambda item: item.GetLayer())
     for index, renderer in enumerate(shown):
         left, bottom, right, top = renderer.GetViewport()
-        columns = slice(round(left * width), round(right * width))
-        rows = slice(height - round(top * height), height - round(bottom * height))
+        # The rounding of vtkViewport, not that of Python, which rounds halves to even numbers.
+        columns = slice(int(left * width + 0.5), int(right * width + 0.5))
+        rows = slice(height - int(top * height + 0.5), height - int(bottom * height + 0.5))
         part = (columns.stop - columns.start, rows.stop - rows.start)
         if min(part) < 1:
             continue

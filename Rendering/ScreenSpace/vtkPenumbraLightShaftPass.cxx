@@ -89,6 +89,11 @@ vtkPenumbraLightShaftPass::vtkPenumbraLightShaftPass()
 
 vtkPenumbraLightShaftPass::~vtkPenumbraLightShaftPass() = default;
 
+Pass* vtkPenumbraLightShaftPass::FindIn(vtkRenderer* renderer)
+{
+  return penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer));
+}
+
 Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 {
   if (!renderer)
@@ -96,7 +101,7 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
     vtkGenericWarningMacro("The renderer is null; pass a vtkRenderer to AddTo().");
     return nullptr;
   }
-  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
+  if (Pass* present = FindIn(renderer))
   {
     return present;
   }
@@ -113,7 +118,7 @@ Pass* vtkPenumbraLightShaftPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraLightShaftPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
+  if (Pass* pass = FindIn(renderer))
   {
     penumbra::RemovePass(renderer, pass);
   }

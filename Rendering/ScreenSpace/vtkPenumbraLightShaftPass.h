@@ -43,10 +43,12 @@ public:
   /**
    * Add light shafts to a renderer, or remove them: below its translucent geometry, volumes and
    * overlays, and above ambient occlusion. AddTo() returns the new pass, or the existing one if
-   * there is one.
+   * there is one. FindIn() returns the pass that is part of those of the renderer, null if there is
+   * none.
    */
   static vtkPenumbraLightShaftPass* AddTo(vtkRenderer* renderer);
   static void RemoveFrom(vtkRenderer* renderer);
+  static vtkPenumbraLightShaftPass* FindIn(vtkRenderer* renderer);
   ///@}
 
   ///@{

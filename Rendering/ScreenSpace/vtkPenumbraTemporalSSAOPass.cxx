@@ -129,6 +129,11 @@ vtkPenumbraTemporalSSAOPass::vtkPenumbraTemporalSSAOPass()
 
 vtkPenumbraTemporalSSAOPass::~vtkPenumbraTemporalSSAOPass() = default;
 
+Pass* vtkPenumbraTemporalSSAOPass::FindIn(vtkRenderer* renderer)
+{
+  return penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer));
+}
+
 Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 {
   if (!renderer)
@@ -136,7 +141,7 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
     vtkGenericWarningMacro("The renderer is null; pass a vtkRenderer to AddTo().");
     return nullptr;
   }
-  if (Pass* present = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
+  if (Pass* present = FindIn(renderer))
   {
     return present;
   }
@@ -150,7 +155,7 @@ Pass* vtkPenumbraTemporalSSAOPass::AddTo(vtkRenderer* renderer)
 
 void vtkPenumbraTemporalSSAOPass::RemoveFrom(vtkRenderer* renderer)
 {
-  if (Pass* pass = penumbra::FindPassOf<Pass>(penumbra::FindPassSlots(renderer)))
+  if (Pass* pass = FindIn(renderer))
   {
     penumbra::RemovePass(renderer, pass);
   }

@@ -44,10 +44,12 @@ public:
   /**
    * Add ambient occlusion to a renderer, or remove it: below its translucent geometry, volumes and
    * overlays, in addition to its other passes. AddTo() returns the new pass, or the existing one if
-   * there is one. RemoveFrom() restores the passes of the renderer exactly.
+   * there is one. RemoveFrom() restores the passes of the renderer exactly. FindIn() returns the
+   * pass that is part of those of the renderer, null if there is none.
    */
   static vtkPenumbraTemporalSSAOPass* AddTo(vtkRenderer* renderer);
   static void RemoveFrom(vtkRenderer* renderer);
+  static vtkPenumbraTemporalSSAOPass* FindIn(vtkRenderer* renderer);
   ///@}
 
   ///@{

@@ -195,6 +195,7 @@ TEST(OcclusionInScenes, IsInsertedIntoExistingPasses)
   vtkRenderPass* opaque = steps->GetOpaquePass();
   vtkPenumbraTemporalSSAOPass* pass = vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer);
   EXPECT_EQ(vtkPenumbraTemporalSSAOPass::AddTo(scene.Renderer), pass);
+  EXPECT_EQ(vtkPenumbraTemporalSSAOPass::FindIn(scene.Renderer), pass);
   EXPECT_EQ(scene.Renderer->GetPass(), steps);
   EXPECT_EQ(steps->GetOpaquePass(), pass);
   scene.Pass = pass;
@@ -211,6 +212,7 @@ TEST(OcclusionInScenes, IsInsertedIntoExistingPasses)
   scene.Window->Render();
   EXPECT_EQ(steps->GetOpaquePass(), pass);
   vtkPenumbraTemporalSSAOPass::RemoveFrom(scene.Renderer);
+  EXPECT_EQ(vtkPenumbraTemporalSSAOPass::FindIn(scene.Renderer), nullptr);
   EXPECT_EQ(scene.Renderer->GetPass(), fine);
   EXPECT_EQ(steps->GetOpaquePass(), opaque);
   fine->ReleaseGraphicsResources(scene.Window);

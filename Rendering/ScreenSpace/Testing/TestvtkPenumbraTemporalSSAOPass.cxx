@@ -25,6 +25,7 @@ TEST(TemporalSSAOPass, IgnoresNullRenderers)
   vtkObject::GlobalWarningDisplayOff();
   EXPECT_EQ(vtkPenumbraTemporalSSAOPass::AddTo(nullptr), nullptr);
   vtkPenumbraTemporalSSAOPass::RemoveFrom(nullptr);
+  EXPECT_EQ(vtkPenumbraTemporalSSAOPass::FindIn(nullptr), nullptr);
   vtkObject::GlobalWarningDisplayOn();
 }
 
