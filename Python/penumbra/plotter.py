@@ -25,14 +25,14 @@ def _write(image: Image, filename: str | pathlib.Path | io.BytesIO) -> None:
     """Write an image as the method screenshot of a plotter does."""
     import PIL.Image
 
-    picture = PIL.Image.fromarray(image)
+    pixels = PIL.Image.fromarray(image)
     if isinstance(filename, io.BytesIO):
-        picture.save(filename, format="PNG")
+        pixels.save(filename, format="PNG")
         return
     path = pathlib.Path(filename)
     if pyvista.FIGURE_PATH and not path.is_absolute():
         path = pathlib.Path(pyvista.FIGURE_PATH) / path
-    picture.save(path.expanduser() if path.suffix else path.expanduser().with_suffix(".png"))
+    pixels.save(path.expanduser() if path.suffix else path.expanduser().with_suffix(".png"))
 
 
 @pyvista.register_plotter_component("penumbra")
