@@ -7,6 +7,7 @@
 #include "Baking/Baking.h"
 #include "Baking/CompositeMesh.h"
 #include "Baking/DirectLight.h"
+#include "Baking/OcclusionBaking.h"
 #include "Embree/RayScene.h"
 #include "Execution/NaNCheck.h"
 #include "Execution/Statistics.h"
@@ -73,7 +74,6 @@ struct vtkPenumbraIrradianceFilter::Work
   RecordOctree Tree;
   BakedValues Baked;
   std::unique_ptr<Interreflection> Reflections; ///< null for occlusion
-  long long GatherRays = 0;
   ProgressCallback Progress;
 };
 
@@ -256,12 +256,6 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   {
     AddOccluders(surroundings, options, mesh, work.Progress);
   }
-  for (RecordCandidate& site : mesh.Sites)
-  {
-    site.Pixel *= PixelPerSpacing;
-    site.MaximumPlaneDistance = site.Pixel;
-    site.MaximumRadius = static_cast<float>(MaximumRadiusPixels * site.Pixel);
-  }
   for (const std::string& what : mesh.SkippedAttributes)
   {
     vtkWarningMacro(<< what);
@@ -313,51 +307,15 @@ bool vtkPenumbraIrradianceFilter::BakeOcclusion(Work& work)
   const Scene& scene = work.Mesh.OccluderScene;
   const double radius =
     this->Radius > 0.0 ? this->Radius : DefaultRadiusFraction * work.Mesh.Diagonal;
-  const vtkPenumbraIrradianceProvider::Occluders occluders(radius, this->Falloff);
+  const OcclusionBakingSettings settings{ this->Tolerance, { radius, this->Falloff },
+    this->Method == AUTOMATIC };
   const OcclusionGatherer rayGatherer(
     *work.Rays, penumbra::DistanceFalloff::InScene(radius, this->Falloff, scene.Scale));
   const std::unique_ptr<penumbra::Gatherer> customGatherer =
-    this->Gatherer && this->Method == AUTOMATIC ? this->Gatherer->Make(rayGatherer) : nullptr;
-  work.Settings.Tolerance = HessianErrorFraction * this->Tolerance;
-  work.Settings.Side = RecordPlacement::SideFor(RecordNoiseFactor * this->Tolerance);
-  work.Tree.SetNormalAngle(
-    RecordPlacement::NormalAngleFor(RotationErrorFraction * this->Tolerance));
-  RecordPlacement placement(
+    this->Gatherer && settings.UsesRecords ? this->Gatherer->Make(rayGatherer) : nullptr;
+  return penumbra::BakeOcclusion(work.Mesh, *work.Rays,
     customGatherer ? *customGatherer : static_cast<const penumbra::Gatherer&>(rayGatherer),
-    work.Settings, work.Tree);
-  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
-  provider->SetMinimumRays(MinimumRays);
-  provider->Begin(*work.Rays, occluders, BruteForceErrorFactor * this->Tolerance);
-  const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
-    const glm::dvec3 world = scene.ToWorld(site.Position);
-    const glm::dvec3 normal(site.Normal);
-    const auto estimate = provider->Occlusion(&world.x, &normal.x);
-    count += estimate.Rays;
-    return BakedValue{ glm::vec3(static_cast<float>(estimate.Value)),
-      static_cast<float>(estimate.Error) };
-  };
-  // A tolerance of 0 disables adaptive sampling: the noise alone sets the number of rays.
-  vtkNew<vtkPenumbraBruteForceIrradiance> lowSampleSource;
-  lowSampleSource->Begin(*work.Rays, occluders, 0.0);
-  const double noise = std::min(LowSampleNoiseFactor * this->Tolerance, MaximumLowSampleNoise);
-  const auto lowSample = [&](const RecordCandidate& site, long long& count) {
-    const glm::dvec3 world = scene.ToWorld(site.Position);
-    const glm::dvec3 normal(site.Normal);
-    const auto estimate = lowSampleSource->OcclusionWithin(&world.x, &normal.x, noise);
-    count += estimate.Rays;
-    return BakedValue{ glm::vec3(static_cast<float>(estimate.Value)),
-      static_cast<float>(estimate.Error) };
-  };
-  const PointEstimators estimators{ bruteForce, lowSample,
-    static_cast<float>(DenoisedErrorFactor * this->Tolerance) };
-  const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, this->Method == AUTOMATIC, placement,
-    work.Tree, estimators, work.Progress, work.Baked);
-  for (BakedValue& value : work.Baked.Values)
-  {
-    value.Mean = glm::clamp(value.Mean, 0.f, 1.f);
-  }
-  work.GatherRays = placement.GetRays();
-  return done;
+    settings, OcclusionBakingConstants(), work.Tree, work.Progress, work.Baked);
 }
 
 bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
@@ -423,7 +381,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const PointEstimators estimators{ bruteForce, {}, 0.f };
   const bool done = Bake(work.Mesh.Sites, work.Mesh.Spacing, records, placement, work.Tree,
     estimators, after, work.Baked);
-  work.GatherRays = placement.GetRays() + work.Reflections->GetRays();
+  work.Baked.GatherRays = placement.GetRays() + work.Reflections->GetRays();
   return done &&
     (!records || AddSuns(light, work.Mesh.Sites, tolerance, work.Progress, work.Baked));
 }
@@ -456,13 +414,13 @@ void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)
   AddStatistic(s, what + "NotFinite", static_cast<double>(work.Mesh.NotFinite));
   AddStatistic(s, "Cache/Records", static_cast<double>(records));
   AddStatistic(s, "Cache/Bytes", static_cast<double>(bytes));
-  AddStatistic(s, "Rays/Gather", static_cast<double>(work.GatherRays));
+  AddStatistic(s, "Rays/Gather", static_cast<double>(work.Baked.GatherRays));
   AddStatistic(s,
     this->Quantity == IRRADIANCE       ? "Rays/Indirect"
       : this->Quantity == DIRECT_LIGHT ? "Rays/Shadow"
                                        : "Rays/Occlusion",
     static_cast<double>(baked.BruteForceRays));
-  AddStatistic(s, "Rays/Total", static_cast<double>(work.GatherRays + baked.BruteForceRays));
+  AddStatistic(s, "Rays/Total", static_cast<double>(work.Baked.GatherRays + baked.BruteForceRays));
   if (this->Gatherer && this->Method == AUTOMATIC && this->Quantity != DIRECT_LIGHT)
   {
     this->Gatherer->Report(s);

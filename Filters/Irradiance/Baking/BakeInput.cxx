@@ -393,6 +393,12 @@ private:
       this->Result.Spacing =
         static_cast<float>(sum / static_cast<double>(this->Result.Sites.size()));
     }
+    for (RecordCandidate& site : this->Result.Sites)
+    {
+      site.Pixel *= PixelPerSpacing;
+      site.MaximumPlaneDistance = site.Pixel;
+      site.MaximumRadius = static_cast<float>(MaximumRadiusPixels * site.Pixel);
+    }
     Surface surface;
     surface.Positions = std::move(this->Positions);
     surface.Triangles = std::move(this->Triangles);

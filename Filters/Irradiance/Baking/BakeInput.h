@@ -32,7 +32,7 @@ struct BakeInputOptions
 struct BakeInput
 {
   Scene OccluderScene;                        ///< centered on the data set
-  std::vector<RecordCandidate> Sites;         ///< query points
+  std::vector<RecordCandidate> Sites;         ///< query points, with the bounds of records
   std::vector<vtkIdType> Ids;                 ///< point or cell of the data set of each query point
   std::vector<std::string> SkippedAttributes; ///< one message per attribute of invalid size
   vtkIdType Unused = 0;    ///< points without a cell or cells without area, not baked

@@ -256,7 +256,7 @@ private:
       const BakedValue& value = this->Result.Values[index];
       estimates[index] = { value.Mean.x, value.Error };
     }
-    const LocalRegression neighbors(this->Sites, which, spacing);
+    const LocalRegression neighbors(this->Sites, which, spacing, this->Estimators.RegressionRadius);
     std::vector<NoisyEstimate> fitted(which.size());
     ForEach(which.size(), fraction, progress, [&](int i) {
       // Keep estimates of exactly 0 or 1, so that unoccluded points stay at 0.

@@ -8,6 +8,7 @@
 #define penumbra_Baking_h
 
 #include "Execution/ParallelFor.h"
+#include "Gathering/IrradianceConstants.h"
 #include "Records/RecordPlacement.h"
 
 #include <functional>
@@ -32,6 +33,7 @@ struct PointEstimators
   PointEstimator BruteForce;
   PointEstimator LowSample;   ///< uses few rays, one channel; if empty, all points use BruteForce
   float LowSampleError = 0.f; ///< accepted RMS error of denoised values
+  float RegressionRadius = penumbra::RegressionRadius; ///< of the denoising fit, in spacings
 };
 
 struct BakedValues
@@ -41,6 +43,7 @@ struct BakedValues
   std::size_t Denoised = 0;       ///< number of points with denoised low-sample estimates
   std::size_t BruteForce = 0;     ///< number of other points, without those of invalid records
   long long BruteForceRays = 0;
+  long long GatherRays = 0; ///< rays of records
 };
 
 /**

@@ -9,10 +9,10 @@
 
 namespace penumbra
 {
-LocalRegression::LocalRegression(
-  const std::vector<RecordCandidate>& sites, const std::vector<std::size_t>& which, float spacing)
+LocalRegression::LocalRegression(const std::vector<RecordCandidate>& sites,
+  const std::vector<std::size_t>& which, float spacing, float radius)
   : Sites(sites),
-    Radius(std::max(RegressionRadius * spacing, 1e-30f))
+    Radius(std::max(radius * spacing, 1e-30f))
 {
   std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
   for (const std::size_t index : which)

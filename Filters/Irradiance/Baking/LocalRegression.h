@@ -29,9 +29,9 @@ class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LocalRegression
 {
 public:
   /// Uses the points of `sites` with the indices `which`. `spacing` is the mean distance of
-  /// neighboring points.
+  /// neighboring points, `radius` is the radius of the neighborhood of a fit in spacings.
   LocalRegression(const std::vector<RecordCandidate>& sites, const std::vector<std::size_t>& which,
-    float spacing);
+    float spacing, float radius);
 
   /// Returns the fitted value at point `index`. `estimates` has one estimate per point. The error
   /// includes noise and the residual of the fit; it is infinite if there are too few neighbors.

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BakingCase.h"
+
+#include "Meshes.h"
+
+#include "Execution/ParallelFor.h"
+
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace penumbra
+{
+
+BakingMesh::BakingMesh(std::string name, vtkPolyData* data)
+  : Name(std::move(name)),
+    Input(PrepareBakeInput(Smooth(data), BakeInputOptions())),
+    Rays(this->Input.OccluderScene, 0)
+{
+}
+
+BakingCase::BakingCase(std::shared_ptr<const BakingMesh> mesh, bool unbounded)
+  : Mesh(std::move(mesh)),
+    Radius(unbounded ? VTK_DOUBLE_MAX : DefaultRadiusFraction * this->Mesh->Input.Diagonal)
+{
+  const BakeInput& input = this->Mesh->Input;
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  provider->SetMinimumRays(ReferenceRays);
+  provider->SetMaximumRays(ReferenceRays);
+  provider->Begin(this->Mesh->Rays, this->Radius, 1.0);
+  for (std::size_t k = 0; k < ReferencePoints; ++k)
+  {
+    this->Sites.push_back(k * input.Sites.size() / ReferencePoints);
+  }
+  this->References.resize(ReferencePoints);
+  ParallelFor(0, static_cast<int>(ReferencePoints), 0, [&](int k) {
+    const RecordCandidate& site = input.Sites[this->Sites[k]];
+    const glm::dvec3 world = input.OccluderScene.ToWorld(site.Position);
+    const glm::dvec3 normal(site.Normal);
+    this->References[k] = provider->Occlusion(&world.x, &normal.x).Value;
+  });
+}
+
+std::string BakingCase::GetName() const
+{
+  return this->Mesh->Name + (this->Radius == VTK_DOUBLE_MAX ? ", no radius" : ", default radius");
+}
+
+BakingResult BakingCase::Bake(double tolerance, const OcclusionBakingConstants& constants) const
+{
+  const BakeInput& input = this->Mesh->Input;
+  const OcclusionGatherer gatherer(this->Mesh->Rays,
+    DistanceFalloff::InScene(
+      this->Radius, vtkPenumbraIrradianceProvider::NO_FALLOFF, input.OccluderScene.Scale));
+  RecordOctree tree;
+  tree.Initialize(glm::vec3(0.f), .5f);
+  BakedValues baked;
+  BakeOcclusion(input, this->Mesh->Rays, gatherer, { tolerance, { this->Radius }, true }, constants,
+    tree, {}, baked);
+  BakingResult result;
+  for (std::size_t k = 0; k < this->Sites.size(); ++k)
+  {
+    result.Error += std::pow(baked.Values[this->Sites[k]].Mean.x - this->References[k], 2.0);
+  }
+  result.Error = std::sqrt(result.Error / static_cast<double>(this->Sites.size()));
+  const auto points = static_cast<double>(input.Sites.size());
+  result.Rays = static_cast<double>(baked.BruteForceRays + baked.GatherRays) / points;
+  result.Interpolated = static_cast<double>(baked.Interpolated) / points;
+  result.Denoised = static_cast<double>(baked.Denoised) / points;
+  return result;
+}
+
+}
