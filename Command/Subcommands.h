@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The subcommands. DeclareX() adds a subcommand and its options to the command line and returns the action
-// that runs it.
+// The subcommands. DeclareX() adds a subcommand and its options to the command line and returns the
+// action that runs it.
 #ifndef penumbra_Subcommands_h
 #define penumbra_Subcommands_h
 
@@ -19,8 +19,8 @@ Action DeclareCompare(CLI::App& program);
 Action DeclareList(CLI::App& program);
 Action DeclareInfo(CLI::App& program);
 
-/// Replaces this process by the program `penumbra-chart` if the subcommand is `chart`. Returns for other
-/// subcommands, and if the program is not found; it is not part of the installed package.
+/// Replaces this process by the program `penumbra-chart` if the subcommand is `chart`. Returns for
+/// other subcommands, and if the program is not found; it is not part of the installed package.
 void ExecuteChartProgram(int argc, char** argv);
 
 }

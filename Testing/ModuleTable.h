@@ -16,9 +16,10 @@
 namespace penumbra_testing
 {
 
-/// A row of the table: a module or one of its rooms, the folders that it may include, and the libraries
-/// that it may use in addition to VTK's data and RenderingCore. A row names earlier rows only, so that no
-/// include goes back up. A header in the list is a public one of the same module that includes no room.
+/// A row of the table: a module or one of its rooms, the folders that it may include, and the
+/// libraries that it may use in addition to VTK's data and RenderingCore. A row names earlier rows
+/// only, so that no include goes back up. A header in the list is a public one of the same module
+/// that includes no room.
 struct Row
 {
   std::string Folder;

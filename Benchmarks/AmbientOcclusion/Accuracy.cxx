@@ -45,7 +45,7 @@ void AddRestrictedBias(OcclusionBenchmark& benchmark, const OcclusionTestScene& 
 
 void MeasureAccuracy(OcclusionBenchmark& benchmark)
 {
-  const std::map<std::string, double> bars = { { "Scans", .045 }, { "S400", .065 },
+  const std::map<std::string, double> limits = { { "Scans", .045 }, { "S400", .065 },
     { "Sticks", .085 } };
   for (const OcclusionTestScene& scene : benchmark.Scenes())
   {
@@ -69,7 +69,7 @@ void MeasureAccuracy(OcclusionBenchmark& benchmark)
       const std::string quantity = "RMSE of " + name + (linear ? ", D = 1 - t/R" : "");
       if (name == "march" || name == "horizon") // the kernels whose cost has a target
       {
-        benchmark.Judge(scene.Name, quantity, error, bars.at(scene.Name),
+        benchmark.Judge(scene.Name, quantity, error, limits.at(scene.Name),
           "a single depth layer does not contain the thickness of objects");
       }
       else

@@ -23,10 +23,11 @@ constexpr int Repetitions = 5;
 /// Camera rotation between timed frames, degrees.
 constexpr double Turn = .05;
 
-struct Bars
+/// Upper limits of the RMSE of a static view.
+struct ErrorLimits
 {
-  double First;
-  double Later;
+  double FirstFrame;
+  double LastFrame; ///< after all `Frames`
 };
 
 /// One ray per pixel and frame; in motion, one for four pixels.
@@ -72,7 +73,7 @@ std::vector<float> MoveCameraToStart(OcclusionWindow& screen, const OcclusionTes
 
 void MeasureTraced(OcclusionBenchmark& benchmark)
 {
-  const std::map<std::string, Bars> bars = { { "Scans", { .040, .012 } },
+  const std::map<std::string, ErrorLimits> limits = { { "Scans", { .040, .012 } },
     { "S400", { .065, .020 } }, { "Sticks", { .050, .015 } } };
   vtkPenumbraTracedEstimator::Register();
   vtkSMPTools::Initialize(1);
@@ -88,7 +89,8 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
       const double error = Rmse(truth, Falloff::Constant, image);
       if (frame == 1)
       {
-        benchmark.Judge(scene.Name, "RMSE of traced, first frame", error, bars.at(scene.Name).First,
+        benchmark.Judge(scene.Name, "RMSE of traced, first frame", error,
+          limits.at(scene.Name).FirstFrame,
           "the filter of 5 x 5 pixels has few neighbors on objects a few pixels wide");
       }
       else if (frame == 4)
@@ -99,7 +101,7 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
       else if (frame == Frames)
       {
         benchmark.Judge(scene.Name, "RMSE of traced, after 16 frames", error,
-          bars.at(scene.Name).Later,
+          limits.at(scene.Name).LastFrame,
           "16 rays per pixel, and few neighbors on objects a few pixels wide");
       }
       if (benchmark.Diagnose && (frame == 1 || frame == Frames))
@@ -127,9 +129,7 @@ void MeasureTraced(OcclusionBenchmark& benchmark)
     benchmark.Judge(scene.Name, "overhead of traced, moving / of vtkSSAOPass 32",
       (traced - plain) / (peer - plain), .40,
       "one pixel of four is traced: its surface point and its ray are a third of the cost; the "
-      "rest "
-      "reads "
-      "depths back, reprojects the history, filters and composites");
+      "rest reads depths back, reprojects the history, filters and composites");
     benchmark.Judge(scene.Name, "overhead of traced, still / of vtkSSAOPass 32",
       (still - plain) / (peer - plain), .40,
       "a ray for every pixel, on the rendering thread, is half of the cost; the rest filters and "

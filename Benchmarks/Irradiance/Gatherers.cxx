@@ -101,7 +101,7 @@ double HiddenShare(
       const Hit hit = rays.Intersect({ point + glm::vec3(0.f, 0.f, 1e-3f), direction });
       if (hit.IsHit())
       {
-        met.insert({ hit.Surface, hit.Triangle });
+        met.insert({ hit.Surface, hit.Primitive });
       }
     }
     seen += static_cast<double>(met.size());
@@ -132,7 +132,7 @@ void Compare(ResultTable& table, const std::string& name, int along, int storeys
   // Every ray hits a surface eventually, so the radius is limited.
   const OcclusionGatherer byRays(rays, .5f * RoomSize);
   const std::vector<glm::vec3> points = PointsOnFloors(along, storeys);
-  const Looks truth = LookAround(byRays, HemisphereGrid::MostSide, points);
+  const Looks truth = LookAround(byRays, HemisphereGrid::MaximumSide, points);
   table.Add(name, "share of the triangles that a point does not see",
     HiddenShare(rays, points, triangles), TargetKind::None, 0.0,
     std::to_string(triangles) + " triangles");

@@ -28,13 +28,16 @@ constexpr double EdgeDensity = 0.12; // scattering and extinction per world unit
 /// history of many jittered frames could attain an error between both.
 constexpr int Steps[2] = { 16, 1024 };
 
-double Rms(const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& out)
+/// Returns the RMS difference of two images over the pixels that are not excluded; all
+/// pixels if `excluded` is empty.
+double Rms(
+  const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& excluded)
 {
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
   {
-    if (out.empty() || !out[i])
+    if (excluded.empty() || !excluded[i])
     {
       sum += (a[i] - b[i]) * (a[i] - b[i]);
       count += 1.0;
@@ -59,40 +62,41 @@ double Correlation(const std::vector<double>& a, const std::vector<double>& b)
     std::sqrt((sums[2] - sums[0] * sums[0]) * (sums[3] - sums[1] * sums[1]));
 }
 
+/// Errors of the pass relative to the RMS of the reference.
 struct Accuracy
 {
   double All = 0.0;
   double AwayFromEdges = 0.0;
-  double Unshadowed = 0.0; ///< error of leaving the shadows out
-  double Correlation = 0.0;
+  double Unshadowed = 0.0;  ///< error of leaving the shadows out
+  double Correlation = 0.0; ///< of the light removed by the shadows
 };
 
 Accuracy Compare(ShaftBenchmark& benchmark, ShaftScene& scene, const std::string& name)
 {
-  const std::vector<double> truth = scene.RenderWithRayCaster();
-  const std::vector<double> ours = scene.RenderWithPass();
-  std::vector<double> lit = scene.Transmittance();
-  for (double& value : lit)
+  const std::vector<double> reference = scene.RenderWithRayCaster();
+  const std::vector<double> image = scene.RenderWithPass();
+  std::vector<double> unshadowed = scene.Transmittance();
+  for (double& value : unshadowed)
   {
     value = (1.0 - value) / WholeSphere;
   }
-  std::vector<double> missing(lit.size());
-  std::vector<double> missed(lit.size());
-  for (std::size_t i = 0; i < lit.size(); ++i)
+  std::vector<double> shadowsOfReference(unshadowed.size()); // light that the shadows remove
+  std::vector<double> shadowsOfImage(unshadowed.size());
+  for (std::size_t i = 0; i < unshadowed.size(); ++i)
   {
-    missing[i] = lit[i] - truth[i];
-    missed[i] = lit[i] - ours[i];
+    shadowsOfReference[i] = unshadowed[i] - reference[i];
+    shadowsOfImage[i] = unshadowed[i] - image[i];
   }
-  const std::vector<double> nothing(truth.size(), 0.0);
-  const double size = Rms(truth, nothing, {});
+  const std::vector<double> black(reference.size(), 0.0);
+  const double norm = Rms(reference, black, {});
   Accuracy result;
-  result.All = Rms(ours, truth, {}) / size;
-  result.AwayFromEdges = Rms(ours, truth, scene.NearEdges(3)) / size;
-  result.Unshadowed = Rms(lit, truth, {}) / size;
-  result.Correlation = Correlation(missing, missed);
+  result.All = Rms(image, reference, {}) / norm;
+  result.AwayFromEdges = Rms(image, reference, scene.NearEdges(3)) / norm;
+  result.Unshadowed = Rms(unshadowed, reference, {}) / norm;
+  result.Correlation = Correlation(shadowsOfReference, shadowsOfImage);
   if (benchmark.Diagnose)
   {
-    WriteImage(benchmark.Output + "/" + name + ".png", { ours, truth }, scene.Width);
+    WriteImage(benchmark.Output + "/" + name + ".png", { image, reference }, scene.Width);
   }
   std::printf("  %s: %.4f all, %.4f away from edges, %.4f without shadows, correlation %.4f\n",
     name.c_str(), result.All, result.AwayFromEdges, result.Unshadowed, result.Correlation);
@@ -166,7 +170,7 @@ void MeasureAccuracy(ShaftBenchmark& benchmark)
   table.Add(inside, "relative RMSE", worst[0].All, TargetKind::AtMost, 0.025);
   table.Add(inside, "relative RMSE more than 3 pixels from edges", worst[0].AwayFromEdges,
     TargetKind::AtMost, 0.02);
-  table.Add(inside, "share of the error without shadows", worst[0].All / worst[0].Unshadowed,
+  table.Add(inside, "error / error without shadows", worst[0].All / worst[0].Unshadowed,
     TargetKind::AtMost, 0.25);
   table.Add(
     inside, "correlation of the missing light", worst[0].Correlation, TargetKind::AtLeast, 0.95);

@@ -46,14 +46,15 @@ using ProgressListener = std::function<void(double fraction)>;
 RenderResult RenderWithRays(
   vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
 
-/// Creates an offscreen window with `renderer` and the requested passes. Each call of the returned function
-/// renders the current state of `renderer`; occlusion is accumulated across calls.
+/// Creates an offscreen window with `renderer` and the requested passes. Each call of the returned
+/// function renders the current state of `renderer`; occlusion is accumulated across calls.
 std::function<RenderResult(const ProgressListener& progress)> PrepareRaster(
   vtkRenderer* renderer, const RenderOptions& options);
 
-/// Selects the class of OpenGL windows that `window` names, after testing it in a separate process. Call
-/// before any thread is started: a forked process inherits locks that other threads hold and would wait
-/// for them forever. Throws CommandError, with `option` and `otherwise` in the message, if no window works.
+/// Selects the class of OpenGL windows that `window` names, after testing it in a separate process.
+/// Call before any thread is started: a forked process inherits locks that other threads hold and
+/// would wait for them forever. Throws CommandError, with `option` and `otherwise` in the message,
+/// if no window works.
 void ChooseWindow(const std::string& window, const std::string& option = "--engine raster",
   const std::string& otherwise = "--engine ray");
 
@@ -67,7 +68,8 @@ struct WindowReport
   std::string Description; ///< renderer and version, or "not available"
 };
 
-/// Tests each kind of window in a separate process. Call before any thread is started, as ChooseWindow().
+/// Tests each kind of window in a separate process. Call before any thread is started, as
+/// ChooseWindow().
 std::vector<WindowReport> TryWindows();
 
 }

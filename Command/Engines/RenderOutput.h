@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Input and output shared by `render` and `animate`: reads meshes, saves an image with its statistics.
+// Input and output shared by `render` and `animate`: reads meshes, saves an image with its
+// statistics.
 #ifndef penumbra_RenderOutput_h
 #define penumbra_RenderOutput_h
 
@@ -42,8 +43,8 @@ class OutputFiles
 public:
   explicit OutputFiles(const RenderOptions& options);
 
-  /// Writes the image and its statistics and renames them to their final names. `note`: text stored in a
-  /// .png. Returns the warnings of the engine and a warning if the image is empty.
+  /// Writes the image and its statistics and renames them to their final names. `note`: text stored
+  /// in a .png. Returns the warnings of the engine and a warning if the image is empty.
   std::vector<std::string> Save(const RenderResult& result, vtkRenderer* renderer,
     const RenderOptions& options, const PhaseTimes& preparation, const std::string& note = "");
 

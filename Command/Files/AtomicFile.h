@@ -10,8 +10,8 @@
 namespace penumbra
 {
 
-/// Throws CommandError if `path`, the value of `option`, is an input file (InputFiles.h). AtomicFile calls it
-/// in its constructor and again before renaming.
+/// Throws CommandError if `path`, the value of `option`, is an input file (InputFiles.h).
+/// AtomicFile calls it in its constructor and again before renaming.
 void RefuseInput(const std::string& path, const std::string& option);
 
 class AtomicFile

@@ -19,7 +19,8 @@ class AtomicFile;
 /// Extensions of the image formats, as ".png .jpg ...".
 std::string ImageExtensions();
 
-/// Throws CommandError unless `path` has the extension of an image format. `option`: its option, for messages.
+/// Throws CommandError unless `path` has the extension of an image format. `option`: its option,
+/// for messages.
 void CheckImageExtension(const std::string& path, const std::string& option);
 
 /// Returns whether the format of `path` has an alpha channel.
@@ -28,8 +29,8 @@ bool SupportsAlpha(const std::string& path);
 /// Returns whether the format of `path` is .vti, which stores arrays of floats.
 bool HoldsArrays(const std::string& path);
 
-/// Writes `image`, whose point array `Color` has 4 floats, in the format of `path`. Without `alpha` the 8-bit
-/// formats have three channels. `note` is stored in a text chunk of a .png.
+/// Writes `image`, whose point array `Color` has 4 floats, in the format of `path`. Without `alpha`
+/// the 8-bit formats have three channels. `note` is stored in a text chunk of a .png.
 void WriteImage(vtkImageData* image, AtomicFile& file, const std::string& path, bool alpha,
   int dotsPerInch, const std::string& note = std::string());
 

@@ -10,9 +10,9 @@
 namespace penumbra
 {
 
-/// Records the input file at `path` and the files that it refers to: pieces, blocks, data files of a header,
-/// the folder of an OpenFOAM case. Every reader calls it. Commands call it for all inputs before they
-/// create an output, so that a conflict is reported before any work.
+/// Records the input file at `path` and the files that it refers to: pieces, blocks, data files of
+/// a header, the folder of an OpenFOAM case. Every reader calls it. Commands call it for all inputs
+/// before they create an output, so that a conflict is reported before any work.
 void RecordInput(const std::string& path);
 
 /// Returns whether `path` is a recorded file, also by another name or link.

@@ -12,8 +12,8 @@ class vtkDataSet;
 namespace penumbra
 {
 
-/// Returns the first inconsistency of `data`: an index out of range, a cell with too few points, or an array
-/// that is too short. Empty if the data set is valid.
+/// Returns the first inconsistency of `data`: an index out of range, a cell with too few points, or
+/// an array that is too short. Empty if the data set is valid.
 std::string FindInconsistency(vtkDataSet* data);
 
 }

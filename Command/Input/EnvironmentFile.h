@@ -17,8 +17,8 @@ class vtkPenumbraEnvironment;
 namespace penumbra
 {
 
-/// Reads a Radiance .hdr file or any supported image. `up`: direction of its upper edge. Throws CommandError,
-/// naming the file, if it cannot be read or is not a valid environment.
+/// Reads a Radiance .hdr file or any supported image. `up`: direction of its upper edge. Throws
+/// CommandError, naming the file, if it cannot be read or is not a valid environment.
 vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
   const std::string& path, const std::optional<Vector3>& up);
 

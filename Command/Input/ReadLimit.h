@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Time and memory limits for reading a file. Readers may loop forever or allocate excessive memory on
-// damaged files.
+// Time and memory limits for reading a file. Readers may loop forever or allocate excessive memory
+// on damaged files.
 #ifndef penumbra_ReadLimit_h
 #define penumbra_ReadLimit_h
 
@@ -20,9 +20,9 @@ namespace penumbra
 /// Adds --read-limit.
 CLI::Option* AddReadLimitOption(CLI::App& app);
 
-/// Limits time and memory during its lifetime. At the time limit the process removes its temporary files,
-/// prints one line and exits with BadInput; allocations beyond the memory limit throw std::bad_alloc. Use
-/// in worker processes, one object at a time.
+/// Limits time and memory during its lifetime. At the time limit the process removes its temporary
+/// files, prints one line and exits with BadInput; allocations beyond the memory limit throw
+/// std::bad_alloc. Use in worker processes, one object at a time.
 class ReadLimit
 {
 public:

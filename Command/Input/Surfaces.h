@@ -26,8 +26,8 @@ struct Surfaces
   vtkIdType DroppedPoints = 0; ///< non-finite points, skipped with the cells that use them
 };
 
-/// Reads the surfaces of a file. Throws CommandError, naming the file, if it cannot be read, contains no
-/// cells or points, or is inconsistent.
+/// Reads the surfaces of a file. Throws CommandError, naming the file, if it cannot be read,
+/// contains no cells or points, or is inconsistent.
 Surfaces ReadSurfaces(const std::string& path);
 
 }

@@ -12,9 +12,9 @@ namespace penumbra
 
 struct RenderOptions;
 
-/// Replaces automatic options with the values derived for `renderer`, which was built with `options`:
-/// camera, color array and range, occlusion radius, scattering coefficient. `diagonal` is that of the
-/// scene's bounds, in world units.
+/// Replaces automatic options with the values derived for `renderer`, which was built with
+/// `options`: camera, color array and range, occlusion radius, scattering coefficient. `diagonal`
+/// is that of the scene's bounds, in world units.
 void FreezeOptions(vtkRenderer* renderer, double diagonal, RenderOptions& options);
 
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// CLI11 options whose values are numbers, lists of numbers, colors or choices. Messages name the option.
+// CLI11 options whose values are numbers, lists of numbers, colors or choices. Messages name the
+// option.
 #ifndef penumbra_Arguments_h
 #define penumbra_Arguments_h
 
@@ -34,8 +35,8 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   std::size_t minimum, std::size_t maximum, const Range& range);
 
 ///@{
-/// Adds an option; if it is repeated, the last value is used. `name`: "--name", or several separated by
-/// commas.
+/// Adds an option; if it is repeated, the last value is used. `name`: "--name", or several
+/// separated by commas.
 CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description, const Range& range = {});
 CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Vector3>& target,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Common body of main(): parses the command line, runs one subcommand, and converts every error to one
-// line on stderr and an exit status.
+// Common body of main(): parses the command line, runs one subcommand, and converts every error to
+// one line on stderr and an exit status.
 #ifndef penumbra_Program_h
 #define penumbra_Program_h
 

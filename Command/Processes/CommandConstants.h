@@ -28,32 +28,33 @@ constexpr int MultiSamples = 8;
 
 // --- Animations ---
 
-/// Number of successive frames that one process renders. It is fixed, because the images depend on it.
+/// Number of successive frames that one process renders. It is fixed, because the images depend on
+/// it.
 constexpr int FramesPerGroup = 8;
 
 // --- Cameras ---
 
-/// Smallest distance from the camera to its focal point as a fraction of the scene's radius: shorter ones
-/// lose their direction to rounding.
+/// Smallest distance from the camera to its focal point as a fraction of the scene's radius:
+/// shorter ones lose their direction to rounding.
 constexpr double MinimumDistanceFraction = 1e-12;
 
 // --- Limits on memory and time ---
 
-/// Bytes per pixel of an image while it is rendered. Images that need more than the memory of the machine
-/// are refused.
+/// Bytes per pixel of an image while it is rendered. Images that need more than the memory of the
+/// machine are refused.
 constexpr double BytesPerPixel = 32.0;
 
 /// Seconds to read an empty file; one second per MiB is added.
 constexpr double BaseSeconds = 60.0;
 
-/// Memory in bytes to read an empty file, and the bytes that each byte of a file adds: zlib compresses up
-/// to 1032:1.
+/// Memory in bytes to read an empty file, and the bytes that each byte of a file adds: zlib
+/// compresses up to 1032:1.
 constexpr unsigned long long BaseMemory = 1ull << 30;
 constexpr unsigned long long MemoryPerFileByte = 64;
 constexpr unsigned long long MemoryPerCompressedFileByte = 2200;
 
-/// Number of bytes that are searched for references to other files. Files that refer to others have short
-/// text headers.
+/// Number of bytes that are searched for references to other files. Files that refer to others have
+/// short text headers.
 constexpr std::streamsize MaximumHeaderSize = 1 << 20;
 
 }

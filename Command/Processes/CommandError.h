@@ -20,8 +20,8 @@ enum Status
   Unavailable = 3     ///< no OpenGL context, out of memory, a crash
 };
 
-/// Error that ends the program with an exit status. The message is one line: the file or option, the
-/// problem, the remedy.
+/// Error that ends the program with an exit status. The message is one line: the file or option,
+/// the problem, the remedy.
 class CommandError : public std::runtime_error
 {
 public:

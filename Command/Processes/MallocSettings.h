@@ -8,9 +8,10 @@
 namespace penumbra
 {
 
-/// Keeps up to 256 MiB of freed memory in the process. Mesa's software renderer allocates and frees tens of
-/// megabytes per frame. If they are returned to the system, the page faults cost up to a third of a frame.
-/// Without this call, the behavior depends on the sizes freed before. No effect without glibc.
+/// Keeps up to 256 MiB of freed memory in the process. Mesa's software renderer allocates and frees
+/// tens of megabytes per frame. If they are returned to the system, the page faults cost up to a
+/// third of a frame. Without this call, the behavior depends on the sizes freed before. No effect
+/// without glibc.
 void RetainFreedMemory();
 
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Destinations of messages: lines of the program go to stderr, output of VTK, OpenGL and other libraries
-// goes to a log file.
+// Destinations of messages: lines of the program go to stderr, output of VTK, OpenGL and other
+// libraries goes to a log file.
 #ifndef penumbra_MessageLog_h
 #define penumbra_MessageLog_h
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Worker processes. A separate process renders each image, so that a reader that crashes or a scene that
-// exceeds the memory ends one image with a message, and not the program.
+// Worker processes. A separate process renders each image, so that a reader that crashes or a scene
+// that exceeds the memory ends one image with a message, and not the program.
 #ifndef penumbra_Worker_h
 #define penumbra_Worker_h
 
@@ -25,15 +25,15 @@ void KeepOnCrash(const std::string& path);
 /// Removes the registered temporary files; safe in a signal handler.
 void RemoveTemporaries();
 
-/// Runs `count` tasks in separate processes, `jobs` at a time, and calls `finished` after each. `task` returns
-/// an exit status or throws CommandError, whose message is printed. Returns the largest exit status.
-/// SIGINT, SIGTERM and SIGHUP, unless ignored, end the workers and remove their temporary files; Cancelled
-/// is thrown.
+/// Runs `count` tasks in separate processes, `jobs` at a time, and calls `finished` after each.
+/// `task` returns an exit status or throws CommandError, whose message is printed. Returns the
+/// largest exit status. SIGINT, SIGTERM and SIGHUP, unless ignored, end the workers and remove
+/// their temporary files; Cancelled is thrown.
 int RunWorkers(int count, int jobs, const std::function<int(int)>& task,
   const std::function<void(int finishedTasks)>& finished);
 
-/// Runs `body`. Converts exceptions other than Cancelled, and a failed write to standard output, to one line
-/// and an exit status.
+/// Runs `body`. Converts exceptions other than Cancelled, and a failed write to standard output, to
+/// one line and an exit status.
 int RunGuarded(const std::function<int()>& body);
 
 /// Physical memory of the machine in bytes, or the limit of the control group if lower.

@@ -18,8 +18,8 @@ namespace penumbra
 
 struct RenderOptions;
 
-/// Builds actors, lights, background and camera. `unitsPerPoint`: units of VTK's line widths and point sizes
-/// per point of 1/72 inch. Throws CommandError if a color array does not exist.
+/// Builds actors, lights, background and camera. `unitsPerPoint`: units of VTK's line widths and
+/// point sizes per point of 1/72 inch. Throws CommandError if a color array does not exist.
 vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
   const RenderOptions& options, double unitsPerPoint);
 

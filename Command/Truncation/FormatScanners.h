@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Scanners of file formats: each reads a file from its beginning and throws TruncatedFile if it ends too
-// early, or UnknownStructure if the structure is unknown.
+// Scanners of file formats: each reads a file from its beginning and throws TruncatedFile if it
+// ends too early, or UnknownStructure if the structure is unknown.
 #ifndef penumbra_FormatScanners_h
 #define penumbra_FormatScanners_h
 

@@ -14,8 +14,8 @@
  * - MAXIMUM: the largest difference of any channel of any pixel;
  * - SSIM: 1 minus the structural similarity of Wang, Bovik, Sheikh and Simoncelli (2004), mean over
  *   channels, Gaussian window of 11 x 11 with sigma 1.5, K1 = 0.01, K2 = 0.03, dynamic range 1;
- *   evaluated where the whole window lies inside the image, or, in images smaller than the window, at all
- *   pixels with the window cut at the image edge;
+ *   evaluated where the whole window lies inside the image, or, in images smaller than the window,
+ *   at all pixels with the window cut at the image edge;
  * - PIXELS: the fraction of pixels with a channel that differs by more than 4/255;
  * - TILE_RMSE and TILE_PIXELS: RMSE and PIXELS of the worst 16x16 pixels at any position, so that a
  *   defect counts the same in images of any size;
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Largest TILE_RMSE of images that are near; 0 requires equal images. Range: [0, 1]. Default:
-   * 1/16, which is one pixel of a tile changed from black to white.
+   * Largest TILE_RMSE of images that are near; 0 requires equal images. Range: [0, 1].
+   * Default: 1/16, which is one pixel of a tile changed from black to white.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -75,7 +75,9 @@ public:
   ///@}
 
   ///@{
-  /** Largest TILE_PIXELS of images that are near. Range: [0, 1]. Default: 1/32, 8 pixels of a tile. */
+  /**
+   * Largest TILE_PIXELS of images that are near. Range: [0, 1]. Default: 1/32, 8 pixels of a tile.
+   */
   vtkSetClampMacro(TilePixelLimit, double, 0.0, 1.0);
   vtkGetMacro(TilePixelLimit, double);
   ///@}

@@ -30,12 +30,12 @@ public:
   vtkAbstractTypeMacro(vtkPenumbraGatherer, vtkObject);
 
   /**
-   * Returns a gatherer for the scene of the ray gatherer `seen`, which also shades the hits. `seen`
+   * Returns a gatherer for the scene of `rayGatherer`, which also shades the hits. `rayGatherer`
    * and this object must outlive the returned object. Throws std::runtime_error if this machine or
    * the scene is not supported.
    */
   VTK_WRAPEXCLUDE virtual std::unique_ptr<penumbra::Gatherer> Make(
-    const penumbra::RayGatherer& seen) = 0;
+    const penumbra::RayGatherer& rayGatherer) = 0;
 
   /** Adds the statistics collected since Make() to `statistics`. */
   virtual void Report(vtkFieldData* statistics) const = 0;

@@ -107,7 +107,8 @@ struct vtkPenumbraIrradianceCache::Internals
   static float NormalAngle(
     vtkPenumbraIrradianceCache* self, const RecordPlacementSettings& settings);
   bool MakeRecords(vtkPenumbraIrradianceCache* self, penumbra::Quantities quantity,
-    const RayGatherer& seen, const RecordPlacementSettings& settings, const Progress& progress);
+    const RayGatherer& rayGatherer, const RecordPlacementSettings& settings,
+    const Progress& progress);
 };
 
 vtkStandardNewMacro(vtkPenumbraIrradianceCache);
@@ -200,17 +201,17 @@ float vtkPenumbraIrradianceCache::Internals::NormalAngle(
 {
   return self->NormalAngle > 0.0
     ? static_cast<float>(vtkMath::RadiansFromDegrees(self->NormalAngle))
-    : RecordPlacement::NormalAngleFor(settings.Tolerance);
+    : RecordPlacement::ComputeNormalAngle(settings.Tolerance);
 }
 
 bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCache* self,
-  penumbra::Quantities quantity, const RayGatherer& seen, const RecordPlacementSettings& settings,
-  const Progress& progress)
+  penumbra::Quantities quantity, const RayGatherer& rayGatherer,
+  const RecordPlacementSettings& settings, const Progress& progress)
 {
-  const RayScene& rays = seen.GetRays();
+  const RayScene& rays = rayGatherer.GetRays();
   QuantityCache& cache = quantity == Quantities::Occlusion ? this->Occlusion : this->Irradiance;
   cache.Records.reset();
-  cache.CustomGatherer = this->CustomGatherer ? this->CustomGatherer->Make(seen) : nullptr;
+  cache.CustomGatherer = this->CustomGatherer ? this->CustomGatherer->Make(rayGatherer) : nullptr;
   std::vector<Record> initial;
   const auto other =
     quantity == Quantities::Occlusion ? Quantities::Irradiance : Quantities::Occlusion;
@@ -229,7 +230,7 @@ bool vtkPenumbraIrradianceCache::Internals::MakeRecords(vtkPenumbraIrradianceCac
   cache.Units.Origin = rays.GetScene().Origin;
   cache.Units.Scale = rays.GetScene().Scale;
   const Gatherer& gatherer =
-    cache.CustomGatherer ? *cache.CustomGatherer : static_cast<const Gatherer&>(seen);
+    cache.CustomGatherer ? *cache.CustomGatherer : static_cast<const Gatherer&>(rayGatherer);
   cache.Records = std::make_unique<ViewRecords>(
     rays, gatherer, settings, NormalAngle(self, settings), self->Space == SCREEN, initial);
   return self->IsLazy() || cache.Records->PlaceLevels(progress);
@@ -306,7 +307,7 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
     std::make_unique<Interreflection>(light, settings, Internals::NormalAngle(this, settings));
   if (settings.Side == 0)
   {
-    settings.Side = RecordPlacement::SideFor(GridNoise * settings.Tolerance);
+    settings.Side = RecordPlacement::ComputeSide(GridNoise * settings.Tolerance);
   }
   settings.Tolerance *= HessianErrorFraction;
   const auto before = [&](double fraction) {

@@ -331,8 +331,8 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   const Illumination light(*work.Rays, settings);
   const double tolerance = this->Tolerance / vtkMath::Pi(); // for the mean over the hemisphere
   work.Settings.Tolerance = HessianErrorFraction * tolerance;
-  work.Settings.Side = RecordPlacement::SideFor(RecordNoiseFactor * tolerance);
-  const float angle = RecordPlacement::NormalAngleFor(RotationErrorFraction * tolerance);
+  work.Settings.Side = RecordPlacement::ComputeSide(RecordNoiseFactor * tolerance);
+  const float angle = RecordPlacement::ComputeNormalAngle(RotationErrorFraction * tolerance);
   work.Tree.SetNormalAngle(angle);
 
   const bool records = this->Method == AUTOMATIC;

@@ -59,8 +59,8 @@ public:
 
   ///@{
   /**
-   * Accepted RMSE over all points, in the unit of the output array. Range: [1e-4, 1]. Default:
-   * 0.01.
+   * Accepted RMSE over all points, in the unit of the output array. Range: [1e-4, 1].
+   * Default: 0.01.
    */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Distance falloff of occluders, one of vtkPenumbraIrradianceProvider::Falloffs. Default:
-   * NO_FALLOFF.
+   * Distance falloff of occluders, one of vtkPenumbraIrradianceProvider::Falloffs.
+   * Default: NO_FALLOFF.
    */
   vtkSetClampMacro(Falloff, int, 0, 3);
   vtkGetMacro(Falloff, int);
@@ -116,9 +116,9 @@ public:
 
   /**
    * Add a light at the homogeneous world position (x, y, z, w); w = 0: a directional light that
-   * comes from the direction (x, y, z). Used for direct light, which is the sum over all lights. All
-   * have the intensity 1 and no attenuation. A position that is not finite, a negative w and the
-   * direction 0 are errors of the execution, and so is direct light without lights.
+   * comes from the direction (x, y, z). Used for direct light, which is the sum over all lights.
+   * All have the intensity 1 and no attenuation. A position that is not finite, a negative w and
+   * the direction 0 are errors of the execution, and so is direct light without lights.
    */
   void AddLight(double x, double y, double z, double w);
   void RemoveAllLights();
@@ -127,9 +127,9 @@ public:
   ///@{
   /**
    * Radius of positional lights, which are spheres, in world units. The visible fraction is that of
-   * vtkPenumbraRayCaster: in solid angle, above the horizon of the normal; the cosine is that to the
-   * center of the light. Points inside a light are not shadowed; a warning names the light. Used for
-   * direct light. Range: >= 0, finite. Default: 0, hard shadows.
+   * vtkPenumbraRayCaster: in solid angle, above the horizon of the normal; the cosine is that to
+   * the center of the light. Points inside a light are not shadowed; a warning names the light.
+   * Used for direct light. Range: >= 0, finite. Default: 0, hard shadows.
    */
   vtkSetMacro(LightRadius, double);
   vtkGetMacro(LightRadius, double);
@@ -219,8 +219,9 @@ public:
   /**
    * Statistics of the last execution, one value per array: `Points/Total`, `Points/Interpolated`,
    * `Points/Denoised` (denoised), `Points/BruteForce`, `Points/Unused`, `Points/NotFinite`
-   * (`Cells/...` if OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, `Rays/Occlusion`,
-   * `Rays/Indirect` or `Rays/Shadow`, `Rays/Total`. Also added to the field data of the output.
+   * (`Cells/...` if OnCells is on), `Cache/Records`, `Cache/Bytes`, `Rays/Gather`,
+   * `Rays/Occlusion`, `Rays/Indirect` or `Rays/Shadow`, `Rays/Total`. Also added to the field data
+   * of the output.
    */
   vtkFieldData* GetStatistics();
 

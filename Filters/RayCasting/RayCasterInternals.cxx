@@ -138,7 +138,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     !self->Shadows && !self->AmbientOcclusion && !self->IndirectLight && !this->Medium;
   options.PointRadius = self->PointRadius;
   options.LineRadius = self->LineRadius;
-  options.SizeOfLight = [self](vtkLight* light) {
+  options.GetLightSize = [self](vtkLight* light) {
     return penumbra::LightSize{ self->GetLightRadius(light), self->GetLightAngle(light) };
   };
   options.Progress = [self](double) { return ReportProgress(self, 0.0); };

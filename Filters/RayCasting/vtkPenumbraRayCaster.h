@@ -4,14 +4,14 @@
  * @class   vtkPenumbraRayCaster
  * @brief   Renders an image of a VTK scene by ray casting, antialiased to a tolerance.
  *
- * The output is a vtkImageData with the point array `Color` (4 floats: unclamped, straight alpha, no
- * gamma correction; bottom row first). The scene comes from SetRenderer(). Without a renderer, the
- * data sets on the repeatable input port are rendered in white under one headlight, with the camera
- * reset to their bounds.
+ * The output is a vtkImageData with the point array `Color` (4 floats: unclamped, straight alpha,
+ * no gamma correction; bottom row first). The scene comes from SetRenderer(). Without a renderer,
+ * the data sets on the repeatable input port are rendered in white under one headlight, with the
+ * camera reset to their bounds.
  *
  * Antialiasing follows [AA]: one ray passes through each pixel corner, and only pixels whose four
- * corners are not sufficient get more work. By default the edges are projected from the geometry and
- * their coverage is exact (SILHOUETTES). The subdivision of the paper can be selected instead.
+ * corners are not sufficient get more work. By default the edges are projected from the geometry
+ * and their coverage is exact (SILHOUETTES). The subdivision of the paper can be selected instead.
  *
  * The class uses no OpenGL and opens no window.
  */
@@ -57,8 +57,8 @@ public:
   ///@{
   /**
    * Accepted RMSE of every tile of 16x16 pixels, for colors in [0, 1]. Coverage computed from the
-   * geometry is exact for any tolerance. A warning reports the number of tiles whose estimated error
-   * is larger. UNIFORM ignores the tolerance. Range: [1e-6, 1]. Default: 1/256.
+   * geometry is exact for any tolerance. A warning reports the number of tiles whose estimated
+   * error is larger. UNIFORM ignores the tolerance. Range: [1e-6, 1]. Default: 1/256.
    */
   vtkSetClampMacro(Tolerance, double, 1e-6, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -84,7 +84,10 @@ public:
   ///@}
 
   ///@{
-  /** Maximum level of subdivision; subpixels of level L have the side 2^-L [AA eq. 3]. Range: [0, 6]. Default: 3. */
+  /**
+   * Maximum level of subdivision; subpixels of level L have the side 2^-L [AA eq. 3].
+   * Range: [0, 6]. Default: 3.
+   */
   vtkSetClampMacro(MaximumLevel, int, 0, 6);
   vtkGetMacro(MaximumLevel, int);
   ///@}
@@ -115,12 +118,12 @@ public:
   ///@{
   /**
    * Radius of positional lights in world units: spheres, and for spotlights (ConeAngle below 90
-   * degrees) disks perpendicular to their direction. With Shadows, they cast penumbrae, sampled until the
-   * estimated error is within Tolerance. Surfaces are shaded as by a light at the center, times the
-   * fraction of the light that is visible, in solid angle (disks: in area). The part of a light
-   * below the horizon of a surface is not visible. Inside the sphere of a light, surfaces are fully
-   * lit and cast no shadow; a warning names the light. Light shafts ignore the size. Range: >= 0,
-   * finite. Default: 0, hard shadows.
+   * degrees) disks perpendicular to their direction. With Shadows, they cast penumbrae, sampled
+   * until the estimated error is within Tolerance. Surfaces are shaded as by a light at the center,
+   * times the fraction of the light that is visible, in solid angle (disks: in area). The part of a
+   * light below the horizon of a surface is not visible. Inside the sphere of a light, surfaces are
+   * fully lit and cast no shadow; a warning names the light. Light shafts ignore the size.
+   * Range: >= 0, finite. Default: 0, hard shadows.
    */
   vtkSetMacro(LightRadius, double);
   vtkGetMacro(LightRadius, double);
@@ -148,8 +151,8 @@ public:
 
   ///@{
   /**
-   * Participating medium in which light shafts are rendered: single scattering [Shafts eq. 1] of the
-   * lights that cast shadows, which are all but headlights. Default: none.
+   * Participating medium in which light shafts are rendered: single scattering [Shafts eq. 1] of
+   * the lights that cast shadows, which are all but headlights. Default: none.
    */
   virtual void SetMedium(vtkPenumbraMedium* medium);
   vtkPenumbraMedium* GetMedium();
@@ -172,19 +175,28 @@ public:
   ///@}
 
   ///@{
-  /** Maximum distance of an occluder in world units. 0: a tenth of the diagonal of the visible bounds. Default: 0. */
+  /**
+   * Maximum distance of an occluder in world units. 0: a tenth of the diagonal of the visible
+   * bounds. Default: 0.
+   */
   vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionRadius, double);
   ///@}
 
   ///@{
-  /** Attenuation of an occluder with its distance, one of vtkPenumbraIrradianceProvider::Falloffs. Default: NO_FALLOFF. */
+  /**
+   * Attenuation of an occluder with its distance, one of vtkPenumbraIrradianceProvider::Falloffs.
+   * Default: NO_FALLOFF.
+   */
   vtkSetClampMacro(AmbientOcclusionFalloff, int, 0, 3);
   vtkGetMacro(AmbientOcclusionFalloff, int);
   ///@}
 
   ///@{
-  /** Strength of ambient occlusion in [0, 1]. Negative: 1, and 0.6 on surfaces colored by scalars. Default: -1. */
+  /**
+   * Strength of ambient occlusion in [0, 1]. Negative: 1, and 0.6 on surfaces colored by scalars.
+   * Default: -1.
+   */
   vtkSetClampMacro(AmbientOcclusionStrength, double, -1.0, 1.0);
   vtkGetMacro(AmbientOcclusionStrength, double);
   ///@}
@@ -200,7 +212,10 @@ public:
   ///@}
 
   ///@{
-  /** Radiance of the environment, returned by rays that hit no surface. Range: >= 0. Default: (0, 0, 0). */
+  /**
+   * Radiance of the environment, returned by rays that hit no surface. Range: >= 0.
+   * Default: (0, 0, 0).
+   */
   vtkSetVector3Macro(EnvironmentColor, double);
   vtkGetVector3Macro(EnvironmentColor, double);
   ///@}
@@ -218,33 +233,46 @@ public:
   ///@}
 
   ///@{
-  /** Number of diffuse reflections of indirect light on its path to the camera, including the last one. Range: [1, 64]. Default: 3. */
+  /**
+   * Number of diffuse reflections of indirect light on its path to the camera, including the last
+   * one. Range: [1, 64]. Default: 3.
+   */
   vtkSetClampMacro(Bounces, int, 1, 64);
   vtkGetMacro(Bounces, int);
   ///@}
 
   ///@{
-  /** Object that computes ambient occlusion and irradiance. Default: vtkPenumbraBruteForceIrradiance. */
+  /**
+   * Object that computes ambient occlusion and irradiance.
+   * Default: vtkPenumbraBruteForceIrradiance.
+   */
   virtual void SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider);
   vtkPenumbraIrradianceProvider* GetIrradianceProvider();
   ///@}
 
   ///@{
-  /** If on, also output the arrays `Depth`, `Normal`, `ObjectId`, `CellId`, `AmbientOcclusion` (AOVs), sampled at pixel centers. Default: off. */
+  /**
+   * If on, also output the arrays `Depth`, `Normal`, `ObjectId`, `CellId`, `AmbientOcclusion`
+   * (AOVs), sampled at pixel centers. Default: off.
+   */
   vtkSetMacro(GeometryArrays, bool);
   vtkGetMacro(GeometryArrays, bool);
   vtkBooleanMacro(GeometryArrays, bool);
   ///@}
 
   ///@{
-  /** If on, render the background. If off, alpha is the covered fraction of the pixel. Default: on. */
+  /**
+   * If on, render the background. If off, alpha is the covered fraction of the pixel. Default: on.
+   */
   vtkSetMacro(Background, bool);
   vtkGetMacro(Background, bool);
   vtkBooleanMacro(Background, bool);
   ///@}
 
   ///@{
-  /** If on, trace corner rays in packets of 16. Off is useful only to measure the gain. Default: on. */
+  /**
+   * If on, trace corner rays in packets of 16. Off is useful only to measure the gain. Default: on.
+   */
   vtkSetMacro(UsePackets, bool);
   vtkGetMacro(UsePackets, bool);
   vtkBooleanMacro(UsePackets, bool);
@@ -261,7 +289,8 @@ public:
    * If true, the renderers in layers above that of Renderer in its window are composited over the
    * image where their viewports overlap, such as the one of an orientation widget. Those in layers
    * below are composited under it instead of the background, unless Renderer erases them
-   * (vtkRenderer::PreserveColorBuffer is off). They are ray cast with the same Tolerance, without ambient occlusion, indirect light and shadows. Default: true.
+   * (vtkRenderer::PreserveColorBuffer is off). They are ray cast with the same Tolerance, without
+   * ambient occlusion, indirect light and shadows. Default: true.
    */
   vtkSetMacro(Layers, bool);
   vtkGetMacro(Layers, bool);
@@ -269,7 +298,10 @@ public:
   ///@}
 
   ///@{
-  /** Screen resolution in dots per inch. Line widths and point sizes are in points of 1/72 inch. Range: [1, 9600]. Default: 72. */
+  /**
+   * Screen resolution in dots per inch. Line widths and point sizes are in points of 1/72 inch.
+   * Range: [1, 9600]. Default: 72.
+   */
   vtkSetClampMacro(DPI, int, 1, 9600);
   vtkGetMacro(DPI, int);
   ///@}
@@ -277,8 +309,8 @@ public:
   ///@{
   /**
    * Radius of points in world units. All points are then rendered as spheres. 0: as spheres only if
-   * vtkProperty::RenderPointsAsSpheres is on, with the radius PointSize / 2 at their depth. Range:
-   * [0, inf). Default: 0.
+   * vtkProperty::RenderPointsAsSpheres is on, with the radius PointSize / 2 at their depth.
+   * Range: [0, inf). Default: 0.
    */
   vtkSetClampMacro(PointRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointRadius, double);
@@ -303,8 +335,9 @@ public:
 
   /** Estimated RMS error of the image, for colors in [0, 1]; NaN if there is no image. One warning
    * says so if it exceeds `Tolerance`, or if that of a tile of 16x16 pixels exceeds its limit:
-   * `Tolerance`, or `sqrt(2) * Tolerance` with ambient occlusion or indirect light, whose own error,
-   * within `Tolerance`, adds to that of the image. Images with the method `UNIFORM` do not warn. */
+   * `Tolerance`, or `sqrt(2) * Tolerance` with ambient occlusion or indirect light, whose own
+   * error, within `Tolerance`, adds to that of the image. Images with the method `UNIFORM` do not
+   * warn. */
   double GetEstimatedError();
 
   vtkMTimeType GetMTime() override;

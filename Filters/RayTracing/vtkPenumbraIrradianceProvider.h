@@ -12,8 +12,8 @@
  * t is the distance of the first hit. D = 1 for t < Radius, or a falloff, and D = 0 beyond. Open
  * points have the value 0, fully occluded points 1. Surfaces occlude from both sides; spheres and
  * tubes occlude, flat lines and points do not. A translucent surface of opacity a occludes the
- * fraction a of what the surfaces in front of it let pass. The irradiance of a point is the integral
- * of the incident radiance times w.n: pi under a sky of radiance 1.
+ * fraction a of what the surfaces in front of it let pass. The irradiance of a point is the
+ * integral of the incident radiance times w.n: pi under a sky of radiance 1.
  *
  * The default provider, vtkPenumbraBruteForceIrradiance, traces rays for every point. Other
  * providers may cache results and interpolate between them.

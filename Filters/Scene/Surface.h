@@ -65,8 +65,8 @@ struct RoundShape
   float RadiusB;
 };
 
-/// Triangle mesh, spheres or tubes with their material. Positions and Triangles reserve capacity for
-/// one more element, because Embree may read 16 bytes starting at the last one (see RayScene).
+/// Triangle mesh, spheres or tubes with their material. Positions and Triangles reserve capacity
+/// for one more element, because Embree may read 16 bytes starting at the last one (see RayScene).
 struct Surface
 {
   int ObjectId = 0; ///< index of the actor or data set, as in the array ObjectId
@@ -94,9 +94,9 @@ struct Surface
   /// Orientation of Normals and TriangleNormals for lighting.
   enum class NormalRules
   {
-    ByWinding,  ///< negated if the triangle is seen from its back
-    TowardsEye, ///< negated if the normal points away from the camera (lines)
-    AsTheyAre   ///< unchanged (points)
+    ByWinding,    ///< negated if the triangle is seen from its back
+    FacingCamera, ///< negated if the normal points away from the camera (lines)
+    Unchanged     ///< as stored (points)
   };
   NormalRules NormalRule = NormalRules::ByWinding;
 
@@ -138,7 +138,7 @@ struct Surface
 
   /// Returns the geometric normal of a triangle (not of a sphere or tube), not normalized. It is
   /// zero only for triangles without area.
-  glm::vec3 NormalOf(std::uint32_t triangle) const;
+  glm::vec3 ComputeNormal(std::uint32_t triangle) const;
 };
 
 inline std::size_t Surface::GetNumberOfPrimitives() const
@@ -173,7 +173,7 @@ inline RoundShape Surface::GetRoundShape(std::uint32_t primitive) const
 
 // The cross product underflows in single precision for triangles of about 1e-20 in size. Their
 // normal is computed in double precision and normalized.
-inline glm::vec3 Surface::NormalOf(std::uint32_t triangle) const
+inline glm::vec3 Surface::ComputeNormal(std::uint32_t triangle) const
 {
   const glm::uvec3 corners = this->Triangles[triangle];
   const glm::vec3 a = this->Positions[corners.x];

@@ -384,8 +384,8 @@ vtkFieldData* vtkPenumbraTemporalSSAOPass::GetStatistics()
       internals.Statistics, "Samples/Static", internals.Last->GetConvergence().GetSamples());
     penumbra::AddStatistic(
       internals.Statistics, "Pixels/Reprojected", static_cast<double>(counts.Kept) / surface);
-    penumbra::AddStatistic(
-      internals.Statistics, "Pixels/ActorMotion", static_cast<double>(counts.Followed) / surface);
+    penumbra::AddStatistic(internals.Statistics, "Pixels/ActorMotion",
+      static_cast<double>(counts.ActorMotion) / surface);
     penumbra::AddStatistic(internals.Statistics, "Pixels/Disoccluded",
       static_cast<double>(counts.Disoccluded) / surface);
     penumbra::AddStatistic(internals.Statistics, "Pixels/Invalidated",

@@ -92,8 +92,8 @@ public:
   ///@{
   /**
    * Influence of brightness: Strength is multiplied by 1 - LightAwareness * brightness, where
-   * brightness is the largest component of the color. Hues do not change. Range: [0, 1]. Default:
-   * 0.
+   * brightness is the largest component of the color. Hues do not change. Range: [0, 1].
+   * Default: 0.
    */
   vtkPenumbraSetClampedNumberMacro(LightAwareness, 0.0, 1.0);
   vtkGetMacro(LightAwareness, double);
@@ -125,9 +125,10 @@ public:
 
   ///@{
   /**
-   * Samples (depth fetches) per pixel and frame (k1 in [TSSAO]): for static views, and in motion for
-   * pixels whose convergence is below AdaptiveConvergence. When converging within one Render(),
-   * batches have as many samples as the next tolerance check needs, at most 128 or FirstSamples. Range: [8, 512]. Default: 32.
+   * Samples (depth fetches) per pixel and frame (k1 in [TSSAO]): for static views, and in motion
+   * for pixels whose convergence is below AdaptiveConvergence. When converging within one Render(),
+   * batches have as many samples as the next tolerance check needs, at most 128 or FirstSamples.
+   * Range: [8, 512]. Default: 32.
    */
   vtkSetClampMacro(FirstSamples, int, 8, 512);
   vtkGetMacro(FirstSamples, int);
@@ -135,8 +136,8 @@ public:
 
   ///@{
   /**
-   * Samples per pixel and frame in motion, at pixels above AdaptiveConvergence, k2 in [TSSAO]. Range:
-   * [8, 512]. Default: 8.
+   * Samples per pixel and frame in motion, at pixels above AdaptiveConvergence, k2 in [TSSAO].
+   * Range: [8, 512]. Default: 8.
    */
   vtkSetClampMacro(Samples, int, 8, 512);
   vtkGetMacro(Samples, int);
@@ -153,8 +154,8 @@ public:
 
   ///@{
   /**
-   * Convergence up to which pixels take FirstSamples in motion, c_adaptive in [TSSAO]. Range: [0, 1]. Default:
-   * 0.2.
+   * Convergence up to which pixels take FirstSamples in motion, c_adaptive in [TSSAO].
+   * Range: [0, 1]. Default: 0.2.
    */
   vtkPenumbraSetClampedNumberMacro(AdaptiveConvergence, 0.0, 1.0);
   vtkGetMacro(AdaptiveConvergence, double);
@@ -162,8 +163,8 @@ public:
 
   ///@{
   /**
-   * Convergence from which pixels are not filtered, c_spatial in [TSSAO]. Range: [0, 1]. Default:
-   * 0.3.
+   * Convergence from which pixels are not filtered, c_spatial in [TSSAO]. Range: [0, 1].
+   * Default: 0.3.
    */
   vtkPenumbraSetClampedNumberMacro(SpatialConvergence, 0.0, 1.0);
   vtkGetMacro(SpatialConvergence, double);
@@ -190,7 +191,8 @@ public:
   ///@{
   /**
    * Relative depth difference from which history is rejected as that of another surface; limited to
-   * 0.08 radii. 1: history is never rejected, not even at camera cuts. Range: [1e-4, 1]. Default: 0.02.
+   * 0.08 radii. 1: history is never rejected, not even at camera cuts. Range: [1e-4, 1].
+   * Default: 0.02.
    */
   vtkPenumbraSetClampedNumberMacro(DepthTolerance, 1e-4, 1.0);
   vtkGetMacro(DepthTolerance, double);
@@ -246,9 +248,9 @@ public:
   };
   ///@{
   /**
-   * Condition under which one Render() repeats the estimate until the tolerance is met or the window
-   * reports an abort (vtkRenderWindow::CheckAbortStatus()); the next Render() then continues.
-   * Default: OFFSCREEN.
+   * Condition under which one Render() repeats the estimate until the tolerance is met or the
+   * window reports an abort (vtkRenderWindow::CheckAbortStatus()); the next Render() then
+   * continues. Default: OFFSCREEN.
    */
   vtkSetClampMacro(ConvergeInOneRender, int, OFFSCREEN, ALWAYS);
   vtkGetMacro(ConvergeInOneRender, int);

@@ -18,8 +18,8 @@ std::string SquareStl();
 /// .gltf, ... Returns the names of the files.
 std::vector<std::string> WriteSpheres(const std::string& folder);
 
-/// A sphere of radius 0.5 as .vtp with the point arrays Height (z) and Direction (the normal) and the cell
-/// array Number.
+/// A sphere of radius 0.5 as .vtp with the point arrays Height (z) and Direction (the normal) and
+/// the cell array Number.
 void WriteSphereWithArrays(const std::string& path);
 
 }

@@ -65,7 +65,9 @@ public:
   ///@}
 
   ///@{
-  /** Folder for failed images. Default: $PENUMBRA_FAILED_IMAGES, else the folder `failed-images`. */
+  /**
+   * Folder for failed images. Default: $PENUMBRA_FAILED_IMAGES, else the folder `failed-images`.
+   */
   vtkSetFilePathMacro(OutputFolder);
   vtkGetFilePathMacro(OutputFolder);
   ///@}

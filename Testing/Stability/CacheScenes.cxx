@@ -37,7 +37,7 @@ Frame RenderFrame(const RayScene& rays, const PointEvaluator& evaluate,
       continue;
     }
     const Surface& surface = scene.Surfaces[hit.Surface];
-    const glm::uvec3 triangle = surface.Triangles[hit.Triangle];
+    const glm::uvec3 triangle = surface.Triangles[hit.Primitive];
     const glm::dvec3 a = surface.Positions[triangle.x];
     glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(surface.Positions[triangle.y]) - a,
       glm::dvec3(surface.Positions[triangle.z]) - a));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reference images by jittered samples. They share intersection and shading with the ray caster,
-// but neither edges, coverage, sequences nor error estimates. The error of the reference is estimated
-// from two independent sets of samples.
+// but neither edges, coverage, sequences nor error estimates. The error of the reference is
+// estimated from two independent sets of samples.
 #ifndef penumbra_StratifiedReference_h
 #define penumbra_StratifiedReference_h
 

@@ -14,10 +14,10 @@ namespace penumbra
 namespace
 {
 
-glm::vec3 NormalTowardsEye(const Scene& scene, const Hit& hit, glm::vec3 direction)
+glm::vec3 NormalTowardCamera(const Scene& scene, const Hit& hit, glm::vec3 direction)
 {
   const Surface& surface = scene.Surfaces[hit.Surface];
-  const glm::uvec3 triangle = surface.Triangles[hit.Triangle];
+  const glm::uvec3 triangle = surface.Triangles[hit.Primitive];
   const glm::vec3 a = surface.Positions[triangle.x];
   const glm::vec3 normal = glm::normalize(
     glm::cross(surface.Positions[triangle.y] - a, surface.Positions[triangle.z] - a));
@@ -89,7 +89,7 @@ std::vector<SeenPoint> PointsInImage(const RayScene& rays, int stride)
       {
         const glm::dvec3 point = primary.Origin + hit.Distance * primary.Direction;
         const glm::dvec3 world = point / scene.Scale + scene.Origin;
-        const glm::vec3 normal = NormalTowardsEye(scene, hit, primary.Direction);
+        const glm::vec3 normal = NormalTowardCamera(scene, hit, primary.Direction);
         points.push_back({ j * scene.ViewCamera.Width + i, { world.x, world.y, world.z },
           { normal.x, normal.y, normal.z } });
       }

@@ -29,8 +29,8 @@ const std::vector<Adversary>& Adversaries();
 /// Returns the scene of the given name, or null if there is none.
 const Adversary* FindAdversary(const std::string& name);
 
-/// Returns a renderer that shows `mesh` flat, with lines of 2 pixels, in parallel projection with half the
-/// height `scale`.
+/// Returns a renderer that shows `mesh` flat, with lines of 2 pixels, in parallel projection with
+/// half the height `scale`.
 vtkSmartPointer<vtkRenderer> NewAdversaryRenderer(vtkPolyData* mesh, double scale);
 
 }

@@ -24,8 +24,8 @@ struct DirectLightSettings
   double Angle = 0.0;  ///< angular diameter of directional lights, in degrees
 };
 
-/// Converts lights to the coordinates of `scene`. Throws std::runtime_error if there are none, or if
-/// a position or a size is invalid.
+/// Converts lights to the coordinates of `scene`. Throws std::runtime_error if there are none, or
+/// if a position or a size is invalid.
 std::vector<Light> MakeLights(const DirectLightSettings& settings, const Scene& scene);
 
 /**

@@ -37,8 +37,8 @@ bool BakeOcclusion(const BakeInput& mesh, const RayScene& rays, const Gatherer& 
   RecordPlacementSettings records;
   records.MaximumRadiusPixels = MaximumRadiusPixels;
   records.Tolerance = HessianErrorFraction * tolerance;
-  records.Side = RecordPlacement::SideFor(RecordNoiseFactor * tolerance);
-  tree.SetNormalAngle(RecordPlacement::NormalAngleFor(RotationErrorFraction * tolerance));
+  records.Side = RecordPlacement::ComputeSide(RecordNoiseFactor * tolerance);
+  tree.SetNormalAngle(RecordPlacement::ComputeNormalAngle(RotationErrorFraction * tolerance));
   RecordPlacement placement(gatherer, records, tree);
 
   vtkNew<vtkPenumbraBruteForceIrradiance> provider;

@@ -15,8 +15,8 @@ class vtkPolyData;
 namespace penumbra
 {
 
-/// Returns point normals from consistently oriented polygons; null if they cannot be computed. Throws
-/// Stopped if `progress` requests a stop.
+/// Returns point normals from consistently oriented polygons; null if they cannot be computed.
+/// Throws Stopped if `progress` requests a stop.
 vtkSmartPointer<vtkDataArray> ComputePointNormals(
   vtkPolyData* surface, const ProgressCallback& progress);
 

@@ -80,7 +80,7 @@ std::unique_ptr<HemisphereGrid> MakeGrid(int side)
 const HemisphereGrid& HemisphereGrid::Get(int side)
 {
   static std::mutex mutex;
-  static std::array<std::unique_ptr<HemisphereGrid>, MostSide + 1> grids;
+  static std::array<std::unique_ptr<HemisphereGrid>, MaximumSide + 1> grids;
   const std::lock_guard<std::mutex> lock(mutex);
   std::unique_ptr<HemisphereGrid>& grid = grids[side];
   if (!grid)

@@ -19,8 +19,8 @@ namespace penumbra
 struct HemisphereGrid
 {
   static constexpr int Step = 4; ///< sides are multiples of this, to fill packets of 4 x 4 rays
-  static constexpr int LeastSide = 8;
-  static constexpr int MostSide = 256;
+  static constexpr int MinimumSide = 8;
+  static constexpr int MaximumSide = 256;
 
   int Side = 0;
   std::vector<glm::vec3> Corners; ///< (Side + 1)^2, row by row
@@ -38,7 +38,7 @@ struct HemisphereGrid
   void SubsampleCell(
     int cell, int subdivisions, std::uint32_t& random, std::vector<glm::vec3>& directions) const;
 
-  /// Returns the shared grid of `side`, which must be in [LeastSide, MostSide].
+  /// Returns the shared grid of `side`, which must be in [MinimumSide, MaximumSide].
   VTKPENUMBRAFILTERSIRRADIANCE_EXPORT static const HemisphereGrid& Get(int side);
 };
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tuning constants of the irradiance cache and of baking. Cosines, fractions and factors have no unit; a
-// spacing is the distance of neighboring points of a mesh. Each section names the command that shows the
-// effect of a change; "measured" values were chosen with it, the others are choices with the given
-// reason. Afterwards run TestHemisphereEstimate, TestIrradiance, TestvtkPenumbraIrradianceCache and
-// TestvtkPenumbraIrradianceFilter (errors against closed forms and brute force).
+// Tuning constants of the irradiance cache and of baking. Cosines, fractions and factors have no
+// unit; a spacing is the distance of neighboring points of a mesh. Each section names the command
+// that shows the effect of a change; "measured" values were chosen with it, the others are choices
+// with the given reason. Afterwards run TestHemisphereEstimate, TestIrradiance,
+// TestvtkPenumbraIrradianceCache and TestvtkPenumbraIrradianceFilter (errors against closed forms
+// and brute force).
 #ifndef penumbra_IrradianceConstants_h
 #define penumbra_IrradianceConstants_h
 
@@ -51,7 +52,7 @@ constexpr float MinimumSlope = 0.05f;
 constexpr int SamplesPerSide = 4;
 constexpr float SamplesPerEmitter = 0.5f * SamplesPerSide * (SamplesPerSide + 1);
 
-// --- Records: where one is placed, and its radius (`... --only records` and `... --only spheres`) ---
+// --- Records: position and radius (`... --only records` and `... --only spheres`) ---
 
 /// A point is covered if the maximum weight of a record exceeds this. Some overlap makes
 /// transitions smooth; more overlap costs records and gains less than the tolerance (measured).
@@ -62,8 +63,8 @@ constexpr float MinimumWeight = 0.05f;
 /// and errors of neighboring records cancel (measured).
 constexpr double OverlapFactor = 2.0;
 
-/// Error of the mean of a grid with side ReferenceGridSide if half of the hemisphere is occluded. It
-/// decreases with the power -3/2 of the side (measured).
+/// Error of the mean of a grid with side ReferenceGridSide if half of the hemisphere is occluded.
+/// It decreases with the power -3/2 of the side (measured).
 constexpr double ReferenceGridSide = 32.0;
 constexpr double ReferenceGridError = 0.005;
 
@@ -127,8 +128,8 @@ constexpr double HessianErrorFraction = 0.5;
 /// each have a smaller error (measured, `... --only light`).
 constexpr double GridNoise = 2.5;
 
-/// Error of interpolated values as a fraction of the tolerance of an image. Below 1 because errors of
-/// neighboring pixels are correlated and do not average out.
+/// Error of interpolated values as a fraction of the tolerance of an image. Below 1 because errors
+/// of neighboring pixels are correlated and do not average out.
 constexpr double InterpolationErrorFraction = 0.5;
 
 /// Minimum tolerance of the mean over the hemisphere.
@@ -144,9 +145,9 @@ constexpr double MinimumViewCosine = 0.02;
 /// would see its radius as many pixels, and a far record may miss occluders that matter to them.
 constexpr double NearestFraction = 0.5;
 
-/// A square of the image is subdivided if the maximum weight of a corner is at most MinimumWeight, or
-/// at most this if the four corners are not all on the surface of the center, which then has records
-/// on one side only.
+/// A square of the image is subdivided if the maximum weight of a corner is at most MinimumWeight,
+/// or at most this if the four corners are not all on the surface of the center, which then has
+/// records on one side only.
 constexpr float MinimumPartialWeight = 0.4f;
 
 /// If all four corners are used, maximum distance of a point from each over the radius of its
@@ -270,9 +271,9 @@ constexpr int MinimumRays = 128;
 constexpr double MinimumOccludedFraction = 0.99;
 constexpr float OccludedThreshold = 0.999f;
 
-/// Radius of the neighborhood of a regression in spacings, and minimum cosine between normals. Larger
-/// neighborhoods add more bias than they remove noise (measured, `fit-baking`: a radius of 5 costs
-/// 20 % more rays at equal error on held-out meshes).
+/// Radius of the neighborhood of a regression in spacings, and minimum cosine between normals.
+/// Larger neighborhoods add more bias than they remove noise (measured, `fit-baking`: a radius of 5
+/// costs 20 % more rays at equal error on held-out meshes).
 constexpr float RegressionRadius = 2.5f;
 constexpr float RegressionCosine = 0.95f;
 

@@ -38,18 +38,18 @@ Interreflection::Interreflection(
 }
 
 std::vector<RecordCandidate> Interreflection::FindSites(
-  const std::vector<RecordCandidate>& seen, const ProgressCallback& progress)
+  const std::vector<RecordCandidate>& imagePoints, const ProgressCallback& progress)
 {
   const RayScene& rays = this->Light.GetRays();
   const HemisphereGrid& grid = HemisphereGrid::Get(ViewpointGridSide);
-  const std::size_t step = std::max<std::size_t>(seen.size() / ViewpointCount, 1);
+  const std::size_t step = std::max<std::size_t>(imagePoints.size() / ViewpointCount, 1);
   // Group candidates by ray, so that consecutive ones are far apart.
   std::vector<std::vector<RecordCandidate>> found(grid.Cells());
   std::vector<glm::vec3> directions;
-  for (std::size_t i = 0; i < seen.size(); i += step)
+  for (std::size_t i = 0; i < imagePoints.size(); i += step)
   {
     ThrowIfStopped(progress, 0.0);
-    const RecordCandidate& from = seen[i];
+    const RecordCandidate& from = imagePoints[i];
     const glm::mat3 frame = FrameFromNormal(from.Normal);
     grid.JitterDirections(HashPoint(from.Position, from.Normal), directions);
     for (int k = 0; k < grid.Cells(); ++k)
@@ -92,14 +92,14 @@ std::vector<RecordCandidate> Interreflection::FindSites(
 }
 
 bool Interreflection::Build(
-  const std::vector<RecordCandidate>& seen, const ProgressCallback& progress)
+  const std::vector<RecordCandidate>& imagePoints, const ProgressCallback& progress)
 {
   const int reflections = this->Light.GetSettings().Bounces - 1;
   if (reflections < 1 || this->Light.GetSettings().Albedo == 0.f)
   {
     return true;
   }
-  const std::vector<RecordCandidate> sites = this->FindSites(seen, progress);
+  const std::vector<RecordCandidate> sites = this->FindSites(imagePoints, progress);
   for (int reflection = 1; reflection <= reflections; ++reflection)
   {
     auto tree = std::make_unique<RecordOctree>();

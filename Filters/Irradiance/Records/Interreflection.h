@@ -23,9 +23,9 @@ public:
   Interreflection(
     const Illumination& light, const RecordPlacementSettings& settings, float normalAngle);
 
-  /// Places the records at the hits of rays from some of the points `seen`, which are the points of
+  /// Places the records at the hits of rays from some of `imagePoints`, the points of
   /// later queries. Returns false if `progress` requested a stop.
-  bool Build(const std::vector<RecordCandidate>& seen, const ProgressCallback& progress);
+  bool Build(const std::vector<RecordCandidate>& imagePoints, const ProgressCallback& progress);
 
   /// Returns a gatherer of the light of all reflections but the last; before Build(), of the first
   /// only.
@@ -39,7 +39,7 @@ public:
 
 private:
   std::vector<RecordCandidate> FindSites(
-    const std::vector<RecordCandidate>& seen, const ProgressCallback& progress);
+    const std::vector<RecordCandidate>& imagePoints, const ProgressCallback& progress);
 
   Illumination Light;
   RecordPlacementSettings Settings;

@@ -48,7 +48,7 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
     return false;
   }
   const Surface& surface = scene.Surfaces[hit.Surface];
-  const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
+  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
   const glm::dvec3 a(surface.Positions[corners.x]);
   const glm::dvec3 normal = surface.IsRound()
     ? glm::dvec3(rays.GetNormal(ray, hit))

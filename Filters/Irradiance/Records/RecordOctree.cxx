@@ -84,10 +84,10 @@ void RecordOctree::InitializeFromScene(const Scene& scene)
 void RecordOctree::SetNormalAngle(float angle)
 {
   this->NormalAngle = angle;
-  this->NormalFactor = NormalFactorOf(angle);
+  this->NormalFactor = ComputeNormalFactor(angle);
 }
 
-float RecordOctree::NormalFactorOf(float angle)
+float RecordOctree::ComputeNormalFactor(float angle)
 {
   return 1.f / std::sqrt(1.f - std::cos(angle));
 }

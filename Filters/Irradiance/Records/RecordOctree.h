@@ -31,7 +31,7 @@ public:
   float GetNormalAngle() const { return this->NormalAngle; }
 
   /// Returns the `normalFactor` of Record::Weight() for a maximum angle between normals in radians.
-  static float NormalFactorOf(float angle);
+  static float ComputeNormalFactor(float angle);
 
   void Insert(const Record& record);
 

@@ -213,7 +213,7 @@ int RoundToValidSide(double side)
 {
   const int steps = static_cast<int>(std::lround(side / HemisphereGrid::Step));
   return std::clamp(
-    steps * HemisphereGrid::Step, HemisphereGrid::LeastSide, HemisphereGrid::MostSide);
+    steps * HemisphereGrid::Step, HemisphereGrid::MinimumSide, HemisphereGrid::MaximumSide);
 }
 
 }
@@ -225,15 +225,15 @@ RecordPlacement::RecordPlacement(
     Tree(tree)
 {
   this->Settings.Side =
-    settings.Side > 0 ? RoundToValidSide(settings.Side) : SideFor(settings.Tolerance);
+    settings.Side > 0 ? RoundToValidSide(settings.Side) : ComputeSide(settings.Tolerance);
 }
 
-int RecordPlacement::SideFor(double tolerance)
+int RecordPlacement::ComputeSide(double tolerance)
 {
   return RoundToValidSide(ReferenceGridSide * std::pow(ReferenceGridError / tolerance, 2.0 / 3.0));
 }
 
-float RecordPlacement::NormalAngleFor(double tolerance)
+float RecordPlacement::ComputeNormalAngle(double tolerance)
 {
   // Rotation by an angle a causes an error of at most about a^2 / 2 of the mean.
   const double angle = OverlapFactor * std::sqrt(2.0 * tolerance);

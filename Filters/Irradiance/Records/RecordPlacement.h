@@ -59,8 +59,8 @@ public:
   /// needed.
   static bool IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint);
 
-  /// Returns a record at `site`, or nothing if that lies in a concave edge, where two surfaces meet.
-  /// Adds the number of rays traced to `rays`.
+  /// Returns a record at `site`, or nothing if that lies in a concave edge, where two surfaces
+  /// meet. Adds the number of rays traced to `rays`.
   std::optional<Record> Gather(const RecordCandidate& site, long long& rays) const;
 
   long long GetRays() const { return this->Rays; }
@@ -69,11 +69,11 @@ public:
   std::size_t GetNumberOfInvalidRecords() const { return this->InvalidRecords; }
 
   /// Returns the side of the hemisphere grid whose error is about `tolerance`.
-  static int SideFor(double tolerance);
+  static int ComputeSide(double tolerance);
 
   /// Returns the maximum angle between normals in radians for which the error of the rotation
   /// gradient is within tolerance.
-  static float NormalAngleFor(double tolerance);
+  static float ComputeNormalAngle(double tolerance);
 
 private:
   /// Traces more rays in the cells with the highest estimated variance. Returns the number of rays.

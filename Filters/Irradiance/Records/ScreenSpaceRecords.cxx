@@ -34,7 +34,7 @@ ScreenSpaceRecords::ScreenSpaceRecords(const RayScene& rays, const RecordPlaceme
   const RecordPlacementSettings& settings, float normalAngle)
   : Seen(rays),
     Placement(placement),
-    NormalFactor(RecordOctree::NormalFactorOf(normalAngle)),
+    NormalFactor(RecordOctree::ComputeNormalFactor(normalAngle)),
     Unit(PowerOfTwoBelow(settings.MinimumRadiusPixels)),
     Coarsest(PowerOfTwoBelow(settings.MaximumRadiusPixels / this->Unit))
 {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A sphere on a floor, whose ambient occlusion has a closed form, and access to what the filter baked.
+// A sphere on a floor, whose ambient occlusion has a closed form, and access to what the filter
+// baked.
 #ifndef penumbra_SphereOnFloor_h
 #define penumbra_SphereOnFloor_h
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tuning constants of pixel coverage: when a pixel is covered exactly, when it is sampled instead, and
-// how errors are estimated. Lengths are in pixels, areas in pixel areas, colors in [0, 1]. After
-// changing a value run TestCoverageOfScenes and TestHardScenes (errors against a reference) and
-// TestCeilings (numbers of rays).
+// Tuning constants of pixel coverage: when a pixel is covered exactly, when it is sampled instead,
+// and how errors are estimated. Lengths are in pixels, areas in pixel areas, colors in [0, 1].
+// After changing a value run TestCoverageOfScenes and TestHardScenes (errors against a reference)
+// and TestCeilings (numbers of rays).
 #ifndef penumbra_CoverageConstants_h
 #define penumbra_CoverageConstants_h
 
@@ -49,8 +49,8 @@ constexpr std::size_t CrowdedEdgesPerPixel = 6;
 constexpr std::size_t MaximumEdges = 512;
 /// The same for pixels of crowded tiles, in which the cost of arrangements adds up.
 constexpr std::size_t MaximumEdgesInCrowdedTile = 32;
-/// Number of spheres and tubes in a tile of 32x32 pixels above which their outlines are not cut, but
-/// the tile is sampled.
+/// Number of spheres and tubes in a tile of 32x32 pixels above which their outlines are not cut,
+/// but the tile is sampled.
 constexpr std::size_t MaximumOutlinesInTile = 4096;
 /// Number of trapezoids of an arrangement that cost about as much as one ray.
 constexpr std::size_t TrapezoidsPerRay = 16;

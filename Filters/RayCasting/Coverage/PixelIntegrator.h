@@ -124,8 +124,8 @@ private:
   double ComputeDepthBehind(double depth) const;
   void UpdateMaximumFaceDepth(const Sample& sample);
   void LoadSegments(const std::uint32_t* edgeIndices, std::size_t count, bool cull);
-  /// Returns the largest difference between the colors of `sample` and of the corners whose bits are
-  /// set in `corners`; at least 1 if one of them is on another surface.
+  /// Returns the largest difference between the colors of `sample` and of the corners whose bits
+  /// are set in `corners`; at least 1 if one of them is on another surface.
   float ComputeVariation(unsigned int corners, const Sample& sample) const;
   bool IsNearShadowBoundary() const;
   bool AnyNeighborCorner(const std::function<bool(const Sample&)>& test) const;
@@ -192,9 +192,9 @@ private:
   double MaximumFaceDepth = 0.0;
   bool FoundIntersection = false;
   bool SearchAllPixels = false;
-  std::vector<TriangleId> VisibleTriangles; ///< triangles hit by samples
-  bool HasIntersections = false;            ///< some of them intersect, or may
-  std::size_t PairsTested = 0;              ///< number of triangles whose pairs were intersected
+  std::vector<PrimitiveId> VisibleTriangles; ///< triangles hit by samples
+  bool HasIntersections = false;             ///< some of them intersect, or may
+  std::size_t PairsTested = 0;               ///< number of triangles whose pairs were intersected
   PixelArrangement Arrangement;
   std::vector<glm::vec4> Colors;     ///< colors of uniform samples
   std::vector<FaceProbe> FaceProbes; ///< per face; empty if the faces were not probed

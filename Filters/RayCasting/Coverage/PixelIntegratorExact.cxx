@@ -42,7 +42,7 @@ double PixelIntegrator::MaximumOpaqueDepth(const Sample& sample) const
       this->Tracer.GetScene().ViewCamera.DepthOfRayOrigins(); // behind something translucent
   }
   return MaximumDepthInPixel(this->Tracer.GetScene(),
-    { sample.FirstHit.Surface, sample.FirstHit.Triangle }, glm::dvec2(this->X, this->Y));
+    { sample.FirstHit.Surface, sample.FirstHit.Primitive }, glm::dvec2(this->X, this->Y));
 }
 
 // Returns the smallest depth that is behind `depth` in spite of rounding.
@@ -119,7 +119,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
 
 void PixelIntegrator::AddTriangle(const Sample& sample)
 {
-  const TriangleId id{ sample.FirstHit.Surface, sample.FirstHit.Triangle };
+  const PrimitiveId id{ sample.FirstHit.Surface, sample.FirstHit.Primitive };
   if (sample.FirstHit.IsHit() && this->VisibleTriangles.size() < MaximumTriangles &&
     std::find(this->VisibleTriangles.begin(), this->VisibleTriangles.end(), id) ==
       this->VisibleTriangles.end())
@@ -140,8 +140,8 @@ bool PixelIntegrator::AddIntersectionSegments()
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      const TriangleId a = this->VisibleTriangles[i];
-      const TriangleId b = this->VisibleTriangles[j];
+      const PrimitiveId a = this->VisibleTriangles[i];
+      const PrimitiveId b = this->VisibleTriangles[j];
       PixelSegment segment;
       if (scene.Surfaces[a.Surface].IsRound() || scene.Surfaces[b.Surface].IsRound())
       {
@@ -192,12 +192,13 @@ void PixelIntegrator::FindNearbyIntersections()
 // Returns true if there is an edge between two hits in one face.
 bool PixelIntegrator::AreDisconnected(const Hit& a, const Hit& b) const
 {
-  if (a.Surface != b.Surface || !a.IsHit() || a.Triangle == b.Triangle)
+  if (a.Surface != b.Surface || !a.IsHit() || a.Primitive == b.Primitive)
   {
     return a.Surface != b.Surface;
   }
   return this->Tracer.GetShading().IsConstantPerTriangle(a.Surface) &&
-    !HaveCommonEdge(this->Tracer.GetScene(), { a.Surface, a.Triangle }, { b.Surface, b.Triangle });
+    !HaveCommonEdge(
+      this->Tracer.GetScene(), { a.Surface, a.Primitive }, { b.Surface, b.Primitive });
 }
 
 // Finds triangles that no corner ray hit, in pixels in which surfaces may intersect.

@@ -38,7 +38,7 @@ double EstimateVariance(const std::vector<glm::vec4>& samples)
 glm::dvec2 ComputeTexel(const Surface& surface, const Texture& texture,
   const std::vector<glm::vec2>& coordinates, const Hit& hit)
 {
-  const glm::uvec3 t = surface.GetCorners(hit.Triangle);
+  const glm::uvec3 t = surface.GetCorners(hit.Primitive);
   const glm::dvec2 p = (1.0 - hit.U - hit.V) * glm::dvec2(coordinates[t.x]) +
     static_cast<double>(hit.U) * glm::dvec2(coordinates[t.y]) +
     static_cast<double>(hit.V) * glm::dvec2(coordinates[t.z]);
@@ -51,7 +51,7 @@ bool ChangesAtOutlineOnly(const Surface& surface, const Hit& a, const Hit& b)
 {
   return surface.IsRound() &&
     (surface.Segments.empty() ||
-      std::max(a.Triangle, b.Triangle) - std::min(a.Triangle, b.Triangle) > 1);
+      std::max(a.Primitive, b.Primitive) - std::min(a.Primitive, b.Primitive) > 1);
 }
 
 /// Returns true if a texture may change abruptly between two hits of the surface. With

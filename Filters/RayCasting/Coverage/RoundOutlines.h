@@ -18,8 +18,8 @@ namespace penumbra
 class RoundOutlines
 {
 public:
-  /// Finds the shapes whose bounds in the image overlap the tiles: `cells.x` by `cells.y` squares of
-  /// side `size` with the lower left corner `origin`.
+  /// Finds the shapes whose bounds in the image overlap the tiles: `cells.x` by `cells.y` squares
+  /// of side `size` with the lower left corner `origin`.
   RoundOutlines(const Scene& scene, glm::dvec2 origin, double size, glm::ivec2 cells);
 
   std::size_t GetCount(int tile) const

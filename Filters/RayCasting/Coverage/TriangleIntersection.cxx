@@ -33,10 +33,10 @@ struct ProjectedTriangle
 };
 
 bool ProjectTriangle(
-  const Scene& scene, TriangleId id, glm::dvec2 origin, ProjectedTriangle& projected)
+  const Scene& scene, PrimitiveId id, glm::dvec2 origin, ProjectedTriangle& projected)
 {
   const Surface& surface = scene.Surfaces[id.Surface];
-  const glm::uvec3 triangle = surface.Triangles[id.Triangle];
+  const glm::uvec3 triangle = surface.Triangles[id.Primitive];
   double linear[3];
   for (int i = 0; i < 3; ++i)
   {
@@ -92,9 +92,9 @@ void ClipToTriangle(
 // Front surfaces of convex shapes are convex, in perspective after a projective map. Their largest
 // depth in a pixel is that of a corner. Beyond the outline, the depth of the shape is bounded by
 // its farthest end.
-double MaximumRoundDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
+double MaximumRoundDepthInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin)
 {
-  const RoundShape shape = scene.Surfaces[id.Surface].GetRoundShape(id.Triangle);
+  const RoundShape shape = scene.Surfaces[id.Surface].GetRoundShape(id.Primitive);
   const Camera& camera = scene.ViewCamera;
   double largest = 0.0;
   for (int corner = 0; corner < 4; ++corner)
@@ -113,7 +113,7 @@ double MaximumRoundDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 or
 
 }
 
-bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b)
+bool HaveCommonEdge(const Scene& scene, PrimitiveId a, PrimitiveId b)
 {
   const Surface& s = scene.Surfaces[a.Surface];
   const Surface& t = scene.Surfaces[b.Surface];
@@ -126,13 +126,14 @@ bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b)
   {
     for (int j = 0; j < 3; ++j)
     {
-      shared += s.Positions[s.Triangles[a.Triangle][i]] == t.Positions[t.Triangles[b.Triangle][j]];
+      shared +=
+        s.Positions[s.Triangles[a.Primitive][i]] == t.Positions[t.Triangles[b.Primitive][j]];
     }
   }
   return shared >= 2;
 }
 
-double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
+double MaximumDepthInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin)
 {
   if (scene.Surfaces[id.Surface].IsRound())
   {
@@ -154,7 +155,7 @@ double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin)
 }
 
 bool IntersectTriangles(
-  const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin, PixelSegment& segment)
+  const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin, PixelSegment& segment)
 {
   ProjectedTriangle s;
   ProjectedTriangle t;
@@ -186,10 +187,10 @@ bool IntersectTriangles(
   return ClipToPixel(segment);
 }
 
-void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin,
+void IntersectSphere(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin,
   std::vector<PixelSegment>& segments)
 {
-  const auto isSphere = [&](TriangleId id) {
+  const auto isSphere = [&](PrimitiveId id) {
     const Surface& surface = scene.Surfaces[id.Surface];
     return surface.IsRound() && surface.Segments.empty();
   };
@@ -201,7 +202,7 @@ void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 
   {
     return;
   }
-  const RoundShape sphere = scene.Surfaces[a.Surface].GetRoundShape(a.Triangle);
+  const RoundShape sphere = scene.Surfaces[a.Surface].GetRoundShape(a.Primitive);
   const glm::dvec3 center(sphere.A);
   const double radius = sphere.RadiusA;
   glm::dvec3 normal;
@@ -209,7 +210,7 @@ void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 
   const Surface& other = scene.Surfaces[b.Surface];
   if (isSphere(b))
   {
-    const RoundShape second = other.GetRoundShape(b.Triangle);
+    const RoundShape second = other.GetRoundShape(b.Primitive);
     const glm::dvec3 d = glm::dvec3(second.A) - center;
     const double length = glm::length(d);
     if (!(length > 0.0))
@@ -221,7 +222,7 @@ void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 
   }
   else
   {
-    const glm::uvec3 corners = other.Triangles[b.Triangle];
+    const glm::uvec3 corners = other.Triangles[b.Primitive];
     const glm::dvec3 p(other.Positions[corners.x]);
     const glm::dvec3 n = glm::cross(
       glm::dvec3(other.Positions[corners.y]) - p, glm::dvec3(other.Positions[corners.z]) - p);

@@ -14,15 +14,16 @@
 namespace penumbra
 {
 
-/// Index of a triangle, sphere or tube in a scene.
-struct TriangleId
+/// Identifies a triangle, sphere or tube: the index of its surface in Scene::Surfaces and its index
+/// in the surface.
+struct PrimitiveId
 {
   std::uint32_t Surface;
-  std::uint32_t Triangle;
+  std::uint32_t Primitive;
 
-  bool operator==(const TriangleId& other) const
+  bool operator==(const PrimitiveId& other) const
   {
-    return this->Surface == other.Surface && this->Triangle == other.Triangle;
+    return this->Surface == other.Surface && this->Primitive == other.Primitive;
   }
 };
 
@@ -30,10 +31,10 @@ struct TriangleId
  * Returns the largest depth in the pixel with the lower left corner `origin` of the plane of a
  * triangle, infinity if the plane is unbounded there, or of a visible sphere or tube.
  */
-double MaximumDepthInPixel(const Scene& scene, TriangleId id, glm::dvec2 origin);
+double MaximumDepthInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin);
 
 /// Returns true if two triangles have two equal positions.
-bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b);
+bool HaveCommonEdge(const Scene& scene, PrimitiveId a, PrimitiveId b);
 
 /**
  * Computes the projected intersection of `a` and `b` in the pixel with the lower left corner
@@ -41,11 +42,11 @@ bool HaveCommonEdge(const Scene& scene, TriangleId a, TriangleId b);
  * then the edge between them.
  */
 bool IntersectTriangles(
-  const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin, PixelSegment& segment);
+  const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin, PixelSegment& segment);
 
 /// Appends the projected intersection of a sphere with a sphere or triangle in the pixel with the
 /// lower left corner `origin`. The intersections of tubes are not computed.
-void IntersectSphere(const Scene& scene, TriangleId a, TriangleId b, glm::dvec2 origin,
+void IntersectSphere(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin,
   std::vector<PixelSegment>& segments);
 
 }

@@ -75,7 +75,7 @@ bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& pr
         normals->SetTypedComponent(id, axis, shaded.Normal[axis]);
       }
       objects->SetValue(id, surface.ObjectId);
-      cells->SetValue(id, surface.CellIds.empty() ? hit.Triangle : surface.CellIds[hit.Triangle]);
+      cells->SetValue(id, surface.CellIds.empty() ? hit.Primitive : surface.CellIds[hit.Primitive]);
       occlusions->SetValue(id, tracer.ComputeOcclusion(ray, hit, shaded, rowCounts));
     }
     const std::lock_guard<std::mutex> lock(totalsMutex);

@@ -54,7 +54,8 @@ public:
   /// Returns the color along the ray through image point p. The caller counts the camera ray
   /// itself. `toleranceScale` multiplies the tolerances of occlusion and irradiance; it is larger
   /// than 1 for a sample that is averaged with others. `penumbrae` are the lights with a size whose
-  /// visible fraction is estimated, see PenumbraSampling; one ray is traced toward each other light.
+  /// visible fraction is estimated, see PenumbraSampling; one ray is traced toward each other
+  /// light.
   Sample TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale = 1.0,
     std::uint32_t penumbrae = 0) const;
 
@@ -65,8 +66,8 @@ public:
   /// Returns the first hit without shading it.
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
 
-  /// Multiplies colors by 1 - `strength` * occlusion. `provider` computes the occlusion and has been
-  /// prepared by Begin() with the same `tolerance`. A negative strength selects 1, or less on
+  /// Multiplies colors by 1 - `strength` * occlusion. `provider` computes the occlusion and has
+  /// been prepared by Begin() with the same `tolerance`. A negative strength selects 1, or less on
   /// surfaces colored by scalars. Null: no occlusion.
   void SetOcclusion(
     const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance);

@@ -71,8 +71,8 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
       ++counts.Primary;
       if (!this->LitBy.empty())
       {
-        this->VotesAt(block, this->LitBy) |= samples[i].LitBy;
-        this->VotesAt(block, this->ShadowedFrom) |= samples[i].ShadowedFrom;
+        this->FlagsAt(block, this->LitBy) |= samples[i].LitBy;
+        this->FlagsAt(block, this->ShadowedFrom) |= samples[i].ShadowedFrom;
       }
     }
     if (p.x >= this->Low.x && p.x <= this->High.x && p.y >= this->Low.y && p.y <= this->High.y)
@@ -96,11 +96,11 @@ void CornerGrid::FindPenumbrae()
       {
         for (int i = std::max(x - 1, 0); i <= std::min(x + 1, this->Blocks.x - 1); ++i)
         {
-          lit |= this->VotesAt({ i, j }, this->LitBy);
-          shadowed |= this->VotesAt({ i, j }, this->ShadowedFrom);
+          lit |= this->FlagsAt({ i, j }, this->LitBy);
+          shadowed |= this->FlagsAt({ i, j }, this->ShadowedFrom);
         }
       }
-      this->VotesAt({ x, y }, this->Penumbrae) = lit & shadowed;
+      this->FlagsAt({ x, y }, this->Penumbrae) = lit & shadowed;
     }
   }
 }
@@ -111,7 +111,7 @@ void CornerGrid::ResolvePenumbrae(
   for (int column = 0; column < this->Blocks.x && !this->Penumbrae.empty(); ++column)
   {
     const glm::ivec2 block(column, row);
-    const std::uint32_t penumbrae = this->VotesAt(block, this->Penumbrae);
+    const std::uint32_t penumbrae = this->FlagsAt(block, this->Penumbrae);
     const glm::ivec2 first = (this->FirstBlock + block) * BlockSide;
     const bool isInside = first.x <= this->High.x && first.y <= this->High.y &&
       first.x + BlockSide > this->Low.x && first.y + BlockSide > this->Low.y;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Samples at the pixel corners of an image region [AA]. Rays are traced in blocks of 4 x 4 corners,
-// aligned to the whole image, so that the sample of a corner does not depend on the region. Blocks in
-// the penumbra of a light with a size are traced again with the visible fraction of the light.
+// aligned to the whole image, so that the sample of a corner does not depend on the region. Blocks
+// in the penumbra of a light with a size are traced again with the visible fraction of the light.
 #ifndef penumbra_CornerGrid_h
 #define penumbra_CornerGrid_h
 
@@ -58,9 +58,9 @@ private:
   glm::ivec2 Low, High;
   void TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, bool packets,
     std::uint32_t penumbrae, RayCounts& counts);
-  std::uint32_t& VotesAt(glm::ivec2 block, std::vector<std::uint32_t>& votes) const
+  std::uint32_t& FlagsAt(glm::ivec2 block, std::vector<std::uint32_t>& flags) const
   {
-    return votes[static_cast<std::size_t>(block.y) * this->Blocks.x + block.x];
+    return flags[static_cast<std::size_t>(block.y) * this->Blocks.x + block.x];
   }
 
   glm::ivec2 FirstBlock, Blocks;

@@ -190,7 +190,7 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
 {
   if (this->DepthTolerances[last.Surface] <= 0.f)
   {
-    candidates.Add({ last.Surface, last.Triangle, last.U, last.V, last.Distance }, 0.f);
+    candidates.Add({ last.Surface, last.Primitive, last.U, last.V, last.Distance }, 0.f);
   }
   double distances[CandidateHits::Capacity];
   double roundings[CandidateHits::Capacity];
@@ -206,13 +206,13 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
       nearest = distances[i] < distances[nearest] ? i : nearest;
       continue;
     }
-    const RayTriangle exact(surface, hit.Triangle, ray);
+    const RayTriangle exact(surface, hit.Primitive, ray);
     // The error of single precision exceeds the tolerance only for triangles seen edge-on.
     const bool isAccurate = exact.IsValid &&
       std::abs(exact.Distance - hit.Distance) * glm::length(ray.Direction) <=
         this->DepthTolerances[hit.Surface];
     distances[i] = isAccurate ? exact.Distance : hit.Distance;
-    roundings[i] = ComputeRoundingError(ray, surface, hit.Triangle);
+    roundings[i] = ComputeRoundingError(ray, surface, hit.Primitive);
     nearest = distances[i] < distances[nearest] ? i : nearest;
   }
   int best = nearest;
@@ -226,14 +226,14 @@ Hit CoincidentSurfaces::Resolve(const Ray& ray, const Hit& last, CandidateHits& 
     const CandidateHit& hit = candidates.Hits[i];
     farthest = std::max({ farthest, hit.Distance, static_cast<float>(distances[i]) });
     const CandidateHit& front = candidates.Hits[best];
-    if (std::make_pair(this->DrawOrder[hit.Surface], hit.Triangle) <
-      std::make_pair(this->DrawOrder[front.Surface], front.Triangle))
+    if (std::make_pair(this->DrawOrder[hit.Surface], hit.Primitive) <
+      std::make_pair(this->DrawOrder[front.Surface], front.Primitive))
     {
       best = i;
     }
   }
   const CandidateHit& visible = candidates.Hits[best];
-  return { visible.Surface, visible.Triangle, visible.U, visible.V, visible.Distance, farthest };
+  return { visible.Surface, visible.Primitive, visible.U, visible.V, visible.Distance, farthest };
 }
 
 }

@@ -21,7 +21,7 @@ namespace penumbra
 struct CandidateHit
 {
   std::uint32_t Surface;
-  std::uint32_t Triangle;
+  std::uint32_t Primitive;
   float U;
   float V;
   float Distance;

@@ -144,7 +144,7 @@ struct EdgeHitQuery
   const Scene& TracedScene;
   const Ray& TracedRay;
   const RayTriangle& Intersection; ///< the hit
-  Hit Lowest;                      ///< surface and lowest triangle so far
+  Hit Lowest;                      ///< surface and lowest primitive so far
 
   /// Called by Embree for each triangle near the hit.
   static bool Callback(RTCPointQueryFunctionArguments* args);
@@ -153,7 +153,7 @@ struct EdgeHitQuery
 bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
 {
   EdgeHitQuery& self = *static_cast<EdgeHitQuery*>(args->userPtr);
-  if (args->geomID != self.Lowest.Surface || args->primID >= self.Lowest.Triangle)
+  if (args->geomID != self.Lowest.Surface || args->primID >= self.Lowest.Primitive)
   {
     return false;
   }
@@ -165,7 +165,7 @@ bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
     std::abs(other.Distance - self.Intersection.Distance) * glm::length(self.TracedRay.Direction) <=
       EdgeHitTolerance * self.Intersection.EdgeTolerance)
   {
-    self.Lowest.Triangle = args->primID;
+    self.Lowest.Primitive = args->primID;
   }
   return false;
 }
@@ -196,7 +196,7 @@ Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embr
     hit.NextNear = MakeNextNear(hit.Distance, resolved.NextNear);
     return hit;
   }
-  RayTriangle exact(scene.Surfaces[hit.Surface], hit.Triangle, ray);
+  RayTriangle exact(scene.Surfaces[hit.Surface], hit.Primitive, ray);
   // The recomputed hit of an edge-on sliver is unreliable; the hit of Embree is kept.
   if (exact.IsValid &&
     std::abs(exact.Distance - resolved.Distance) <= SliverError * std::abs(exact.Distance))
@@ -210,8 +210,8 @@ Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embr
       RTCPointQueryContext context;
       rtcInitPointQueryContext(&context);
       rtcPointQuery(tree, &query, &context, EdgeHitQuery::Callback, &edge);
-      hit.Triangle = edge.Lowest.Triangle;
-      exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Triangle, ray);
+      hit.Primitive = edge.Lowest.Primitive;
+      exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Primitive, ray);
     }
     const double u = std::clamp(exact.U, 0.0, 1.0);
     hit.U = static_cast<float>(u);
@@ -267,7 +267,7 @@ void IntersectPacket(const RayScene& scene, RTCScene tree, const Ray* rays, Hit*
     if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
     {
       hits[i].Surface = query.hit.geomID[i];
-      hits[i].Triangle = query.hit.primID[i];
+      hits[i].Primitive = query.hit.primID[i];
       hits[i].U = query.hit.u[i];
       hits[i].V = query.hit.v[i];
       hits[i].Distance = query.ray.tfar[i];
@@ -376,7 +376,7 @@ Hit RayScene::Intersect(const Ray& ray) const
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
     hit.Surface = query.hit.geomID;
-    hit.Triangle = query.hit.primID;
+    hit.Primitive = query.hit.primID;
     hit.U = query.hit.u;
     hit.V = query.hit.v;
     hit.Distance = query.ray.tfar;
@@ -425,11 +425,11 @@ glm::vec3 RayScene::GetNormal(const Ray& ray, const Hit& hit) const
   const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
   if (!surface.IsRound())
   {
-    return surface.NormalOf(hit.Triangle);
+    return surface.ComputeNormal(hit.Primitive);
   }
   const glm::dvec3 point =
     glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction);
-  const TouchingSphere sphere(surface.GetRoundShape(hit.Triangle), point);
+  const TouchingSphere sphere(surface.GetRoundShape(hit.Primitive), point);
   const glm::dvec3 normal = point - sphere.Center;
   const double length = glm::length(normal);
   return length > 0.0 ? glm::vec3(normal / length) : -ray.Direction;

@@ -41,10 +41,10 @@ struct Ray
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
-  std::uint32_t Surface = None;  ///< index into Scene::Surfaces; None if the ray misses
-  std::uint32_t Triangle = None; ///< index of the triangle, sphere or tube of the surface
-  float U = 0.f;                 ///< weight of the triangle's second vertex or of the tube's end
-  float V = 0.f;                 ///< weight of its third vertex
+  std::uint32_t Surface = None;   ///< index into Scene::Surfaces; None if the ray misses
+  std::uint32_t Primitive = None; ///< index of the triangle, sphere or tube of the surface
+  float U = 0.f;                  ///< weight of the triangle's second vertex or of the tube's end
+  float V = 0.f;                  ///< weight of its third vertex
   float Distance = std::numeric_limits<float>::infinity(); ///< in units of |Ray::Direction|
   float NextNear =
     std::numeric_limits<float>::infinity(); ///< value of Ray::Near that continues behind this hit

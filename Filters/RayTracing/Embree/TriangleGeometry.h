@@ -11,9 +11,9 @@
 namespace penumbra
 {
 
-/// Returns the geometry of a surface of triangles; `traced` must outlive it. Rays skip culled sides.
-/// Hits that may coincide with other surfaces are collected in QueryContext::Candidates. Lines and
-/// points do not occlude. Throws std::bad_alloc.
+/// Returns the geometry of a surface of triangles; `traced` must outlive it. Rays skip culled
+/// sides. Hits that may coincide with other surfaces are collected in QueryContext::Candidates.
+/// Lines and points do not occlude. Throws std::bad_alloc.
 RTCGeometry MakeTriangleGeometry(RTCDevice device, TracedSurface& traced);
 
 }

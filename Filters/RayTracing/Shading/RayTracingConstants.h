@@ -111,8 +111,8 @@ constexpr double BoundaryFractionOfStep = 1.0 / 64.0;
 /// Fraction of the interval at each end without steps, since rounding lets surfaces shadow
 /// themselves there.
 constexpr double MarchEndMargin = 1e-4;
-/// Depth of the hierarchy: 2^ShadowVolumeLevels boxes. More boxes cost more per ray than they save in
-/// steps.
+/// Depth of the hierarchy: 2^ShadowVolumeLevels boxes. More boxes cost more per ray than they save
+/// in steps.
 constexpr int ShadowVolumeLevels = 4;
 /// Margin of boxes against rounding, as a fraction of their coordinates.
 constexpr float ShadowVolumeMargin = 1e-5f;

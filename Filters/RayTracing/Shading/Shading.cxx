@@ -31,7 +31,7 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
   }
   else if (!surface.TriangleNormals.empty())
   {
-    normal = surface.TriangleNormals[hit.Triangle];
+    normal = surface.TriangleNormals[hit.Primitive];
   }
   const float squaredLength = glm::dot(normal, normal);
   if (!(squaredLength > 0.f && squaredLength <= std::numeric_limits<float>::max()))
@@ -43,9 +43,9 @@ glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corn
   {
     case Surface::NormalRules::ByWinding:
       return front ? normal : -normal;
-    case Surface::NormalRules::TowardsEye:
+    case Surface::NormalRules::FacingCamera:
       return glm::dot(normal, forward) > 0.f ? -normal : normal;
-    case Surface::NormalRules::AsTheyAre:
+    case Surface::NormalRules::Unchanged:
       break;
   }
   return normal;
@@ -154,7 +154,7 @@ ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, lo
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
   const SurfaceMaterial& material = this->Materials[hit.Surface];
-  const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
+  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
   const glm::vec3 a = surface.Positions[corners.x];
   const glm::vec3 b = surface.Positions[corners.y];
   const glm::vec3 c = surface.Positions[corners.z];
@@ -437,7 +437,7 @@ float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
 float Shading::ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& ray)
 {
   const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
-  const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
+  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
   const glm::vec3 a = surface.Positions[corners.x];
   const glm::vec3 normal = surface.IsRound()

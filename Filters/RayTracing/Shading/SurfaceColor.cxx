@@ -79,7 +79,7 @@ glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners
   }
   if (!surface.CellColors.empty())
   {
-    return ToFloatColor(surface.CellColors[hit.Triangle]);
+    return ToFloatColor(surface.CellColors[hit.Primitive]);
   }
   return SampleTexture(
     *surface.ColorTexture, Interpolate(surface.ColorCoordinates, corners, weights));

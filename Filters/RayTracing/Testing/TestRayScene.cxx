@@ -73,7 +73,7 @@ TEST(RayScene, FindsNearestSurfaceAndDistance)
   const Hit hit = rays.Intersect(Down(.5f, -.25f));
   ASSERT_TRUE(hit.IsHit());
   EXPECT_EQ(hit.Surface, 1u);
-  EXPECT_EQ(hit.Triangle, 0u);
+  EXPECT_EQ(hit.Primitive, 0u);
   EXPECT_FLOAT_EQ(hit.Distance, 3.f);
   // The point from the weights of the corners (-1, -1), (1, -1), (1, 1).
   EXPECT_NEAR(-1.f + 2.f * hit.U + 2.f * hit.V, .5f, 1e-6);
@@ -126,7 +126,7 @@ TEST(RayScene, TracesPacketsLikeSingleRays)
     }
     const Hit single = rays.Intersect(packet[i]);
     EXPECT_EQ(hits[i].Surface, single.Surface) << i;
-    EXPECT_EQ(hits[i].Triangle, single.Triangle) << i;
+    EXPECT_EQ(hits[i].Primitive, single.Primitive) << i;
     if (single.IsHit())
     {
       EXPECT_NEAR(hits[i].Distance, single.Distance, 1e-5);
@@ -163,7 +163,7 @@ TEST(RayScene, SelectsLowestTriangleAtEdge)
       for (const Hit& hit : { single, hits[i] })
       {
         EXPECT_EQ(hit.Surface, 0u) << i;
-        EXPECT_EQ(hit.Triangle, 0u) << i;
+        EXPECT_EQ(hit.Primitive, 0u) << i;
         EXPECT_EQ(hit.Distance, 5.f) << i;
         EXPECT_GT(hit.NextNear, 5.f) << i;
       }
@@ -184,10 +184,10 @@ TEST(RayScene, SelectsNoHiddenTriangleAtEdge)
   scene.Surfaces = { surface };
   const RayScene rays(scene, 1);
   const Hit hit = rays.Intersect(Down(.25f, .25f));
-  EXPECT_EQ(hit.Triangle, 2u);
+  EXPECT_EQ(hit.Primitive, 2u);
   Ray behind = Down(.25f, .25f);
   behind.Near = hit.NextNear;
-  EXPECT_EQ(rays.Intersect(behind).Triangle, 0u);
+  EXPECT_EQ(rays.Intersect(behind).Primitive, 0u);
 }
 
 TEST(RayScene, ResolvesDistantSurfacesCloseToEachOther)
@@ -337,7 +337,7 @@ TEST(RayScene, IsIndependentOfThreadCount)
   {
     const Hit a = one.Intersect(ray);
     const Hit b = many.Intersect(ray);
-    different += a.Surface != b.Surface || a.Triangle != b.Triangle || a.Distance != b.Distance;
+    different += a.Surface != b.Surface || a.Primitive != b.Primitive || a.Distance != b.Distance;
   }
   EXPECT_EQ(different, 0);
 }
@@ -379,7 +379,7 @@ TEST(RayScene, ComputesNormalsOfTinyTriangles)
     Surface surface;
     surface.Positions = { { 0.f, 0.f, 0.f }, { size, 0.f, 0.f }, { 0.f, size, 0.f } };
     surface.Triangles = { { 0, 1, 2 } };
-    EXPECT_EQ(glm::normalize(surface.NormalOf(0)), glm::vec3(0.f, 0.f, 1.f)) << size;
+    EXPECT_EQ(glm::normalize(surface.ComputeNormal(0)), glm::vec3(0.f, 0.f, 1.f)) << size;
   }
 }
 

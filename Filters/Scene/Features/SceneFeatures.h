@@ -100,8 +100,8 @@ struct FeatureRow
   Feature Key;
   Levels Level;
   const char* Name; ///< classes and methods of VTK
-  /// Sentence about the difference to VTK's image. It is the text of the warning, unless the feature
-  /// is drawn; empty if there is no difference.
+  /// Sentence about the difference to VTK's image. It is the text of the warning, unless the
+  /// feature is drawn; empty if there is no difference.
   const char* Difference;
   const char* Remedy; ///< sentence that follows in the warning; may be empty
 };

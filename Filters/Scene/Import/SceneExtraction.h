@@ -36,7 +36,7 @@ struct ExtractionOptions
   bool ClipToRange = true;      ///< if true, surfaces end at the clipping range of the camera
   double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
   double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
-  std::function<LightSize(vtkLight*)> SizeOfLight; ///< if empty, lights have no size
+  std::function<LightSize(vtkLight*)> GetLightSize; ///< if empty, lights have no size
   ProgressCallback Progress; ///< on a stop request, ExtractScene() throws Stopped
 };
 

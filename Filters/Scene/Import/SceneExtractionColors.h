@@ -56,7 +56,8 @@ vtkSmartPointer<vtkPolyData> TransformTextureCoordinates(vtkPolyData* data, vtkP
 /// Returns `data` with texture coordinates whose polygons do not cross from 1 to 0 in the seamless
 /// directions of `mapper` (vtkPolyDataMapper::SeamlessU and SeamlessV). Points of the seam are
 /// duplicated. Returns `data` if there is nothing to do.
-/// Source: Tarini, Cylindrical and Toroidal Parameterizations Without Vertex Seams, JGT 16(3), 2012.
+/// Source: Tarini, Cylindrical and Toroidal Parameterizations Without Vertex Seams, JGT 16(3),
+/// 2012.
 vtkSmartPointer<vtkPolyData> UnwrapTextureCoordinates(vtkPolyData* data, vtkMapper* mapper);
 
 }

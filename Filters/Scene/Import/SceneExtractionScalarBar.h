@@ -13,9 +13,9 @@ class vtkScalarBarActor;
 namespace penumbra
 {
 
-/// Draws `bar` into scene.OverlayImage. A copy of the bar renders its parts into the overlay instead
-/// of a window. The grid behind translucent colors is omitted. Returns false if VTK cannot render
-/// text.
+/// Draws `bar` into scene.OverlayImage. A copy of the bar renders its parts into the overlay
+/// instead of a window. The grid behind translucent colors is omitted. Returns false if VTK cannot
+/// render text.
 bool DrawScalarBar(vtkScalarBarActor* bar, vtkRenderer* renderer, int dpi, Scene& scene);
 
 }

@@ -320,7 +320,7 @@ void ExtractLights(vtkRenderer* renderer, const ExtractionOptions& options, Scen
   {
     if (light->GetSwitch())
     {
-      const LightSize size = options.SizeOfLight ? options.SizeOfLight(light) : LightSize();
+      const LightSize size = options.GetLightSize ? options.GetLightSize(light) : LightSize();
       scene.Lights.push_back(ConvertLight(renderer, light, size, scene));
     }
   }

@@ -20,8 +20,8 @@ void ExtractCamera(
   vtkRenderer* renderer, const double bounds[6], const ExtractionOptions& options, Scene& scene);
 
 /// Returns the near and far plane of the renderer's camera in world coordinates, as
-/// DrawItem::ClippingPlanes. Empty if `bounds` lies between them. A near plane closer than 1e-6 of the
-/// far plane, which VTK never sets by itself, does not clip.
+/// DrawItem::ClippingPlanes. Empty if `bounds` lies between them. A near plane closer than 1e-6 of
+/// the far plane, which VTK never sets by itself, does not clip.
 std::vector<glm::dvec4> FindClippingRange(vtkRenderer* renderer, const double bounds[6]);
 
 /// Sets Origin, Scale and ViewCamera so that `bounds` is fully visible from +z, with y up.

@@ -322,8 +322,8 @@ private:
     if (style.Lit)
     {
       this->Result.Normals.push_back(this->ComputeNormal(segment, t, direction));
-      this->Result.NormalRule = segment.From == segment.To ? Surface::NormalRules::AsTheyAre
-                                                           : Surface::NormalRules::TowardsEye;
+      this->Result.NormalRule = segment.From == segment.To ? Surface::NormalRules::Unchanged
+                                                           : Surface::NormalRules::FacingCamera;
     }
     if (style.Single)
     {

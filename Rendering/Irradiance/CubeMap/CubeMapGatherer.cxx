@@ -89,7 +89,7 @@ Hit ComputeHit(
   const double u = intersection.IsValid ? std::clamp(intersection.U, 0.0, 1.0) : 1.0 / 3.0;
   Hit hit;
   hit.Surface = triangle.Surface;
-  hit.Triangle = triangle.Triangle;
+  hit.Primitive = triangle.Triangle;
   hit.U = static_cast<float>(u);
   hit.V =
     static_cast<float>(intersection.IsValid ? std::clamp(intersection.V, 0.0, 1.0 - u) : 1.0 / 3.0);

@@ -187,7 +187,7 @@ bool RecordSplatter::AccumulateSplats(
   program->SetUniformi("rows", this->Rows);
   program->SetUniformi("texels", this->Texels);
   program->SetUniformi("channels", this->Channels);
-  program->SetUniformf("normalFactor", RecordOctree::NormalFactorOf(normalAngle));
+  program->SetUniformf("normalFactor", RecordOctree::ComputeNormalFactor(normalAngle));
   this->Vertices->Bind();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(this->Records.size()));
   this->Vertices->Release();

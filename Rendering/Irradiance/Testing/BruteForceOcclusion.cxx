@@ -29,7 +29,7 @@ std::vector<float> ComputeBruteForceOcclusion(
       continue;
     }
     const penumbra::Surface& surface = scene.Surfaces[hit.Surface];
-    const glm::uvec3 corners = surface.Triangles[hit.Triangle];
+    const glm::uvec3 corners = surface.Triangles[hit.Primitive];
     const glm::vec3 a = surface.Positions[corners.x];
     glm::vec3 normal = glm::normalize(
       glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a));

@@ -295,7 +295,7 @@ TEST(CubeMapGatherer, MatchesTheLightOfRays)
   cubeMaps->SetResolution(128);
   const std::unique_ptr<Gatherer> byCubeMap = cubeMaps->Make(byRays);
   const glm::vec3 point(.2f, -.4f, -1.f);
-  const HemisphereGrid& grid = HemisphereGrid::Get(HemisphereGrid::MostSide);
+  const HemisphereGrid& grid = HemisphereGrid::Get(HemisphereGrid::MaximumSide);
   const glm::mat3 frame = FrameFromNormal({ 0.f, 0.f, 1.f });
   std::vector<glm::vec3> directions;
   std::vector<HemisphereSample> samples;

@@ -195,7 +195,7 @@ private:
   SurfacePoint ReconstructFromHit(const Ray& ray, const Hit& hit) const
   {
     const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
-    const glm::uvec3 corners = surface.GetCorners(hit.Triangle);
+    const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
     const glm::vec3 a = surface.Positions[corners.x];
     const glm::vec3 normal = surface.IsRound()
       ? this->Rays.GetNormal(ray, hit)

@@ -16,8 +16,8 @@ namespace penumbra
 /// less of the precision of the depth buffer would be left.
 constexpr double ClippingRangeRatio = 32.0;
 
-/// A view is a cut if less than this fraction of a grid of points was visible before, from a direction
-/// that differs by less than the angle of this cosine, 30 degrees.
+/// A view is a cut if less than this fraction of a grid of points was visible before, from a
+/// direction that differs by less than the angle of this cosine, 30 degrees.
 constexpr double MinimumUncutFraction = 0.25;
 constexpr double MinimumUncutCosine = 0.866;
 constexpr int CutGridSide = 5;
@@ -65,7 +65,8 @@ constexpr double StillSampleLimit = 8.0;
 /// Maximum number of samples per draw call: drivers reset the device if a draw call takes seconds.
 constexpr int MaximumSamplesPerStep = 128;
 
-/// While actors move in front of a static camera, the number of frames between comparisons of depths.
+/// While actors move in front of a static camera, the number of frames between comparisons of
+/// depths.
 constexpr int FramesPerDepthComparison = 8;
 
 // --- Automatic margin (TestOcclusionHistory for zooms) ---

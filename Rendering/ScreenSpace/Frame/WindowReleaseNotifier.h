@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Calls back when a window releases its OpenGL resources. VTK 9.1 and 9.2 do not install the header of their
-// callback class, but every texture object registers one, so this is a texture object without a texture.
+// Calls back when a window releases its OpenGL resources. VTK 9.1 and 9.2 do not install the header
+// of their callback class, but every texture object registers one, so this is a texture object
+// without a texture.
 #ifndef penumbra_WindowReleaseNotifier_h
 #define penumbra_WindowReleaseNotifier_h
 

@@ -60,7 +60,7 @@ HistoryCounts PixelCounter::Count(
     counts.Kept += static_cast<long long>(fates[i + 1]);
     counts.Disoccluded += static_cast<long long>(fates[i + 2]);
     counts.Invalidated += static_cast<long long>(fates[i + 3]);
-    counts.Followed += static_cast<long long>(others[i]);
+    counts.ActorMotion += static_cast<long long>(others[i]);
     counts.Converged += static_cast<long long>(others[i + 1]);
   }
   return counts;

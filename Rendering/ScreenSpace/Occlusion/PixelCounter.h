@@ -17,7 +17,7 @@ struct HistoryCounts
 {
   long long Surface = 0;
   long long Kept = 0;
-  long long Followed = 0; ///< reprojected with the motion of their actor
+  long long ActorMotion = 0; ///< reprojected with the motion of their actor
   long long Disoccluded = 0;
   long long Invalidated = 0;
   long long Converged = 0;

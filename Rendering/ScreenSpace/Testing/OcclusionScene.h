@@ -61,7 +61,8 @@ public:
   vtkPenumbraTemporalSSAOPass* Pass = nullptr;
 };
 
-/// Adds a sphere on a floor in front of a wall, in units of `unit` around `at`, and sets the camera.
+/// Adds a sphere on a floor in front of a wall, in units of `unit` around `at`, and sets the
+/// camera.
 void AddSphereBeforeWall(OcclusionScene& scene, double unit = 1.0, const Vector& at = { 0, 0, 0 });
 
 /// Returns the occlusion with radius 1 and D = 1 of a floor at a distance from an infinite wall.

@@ -13,7 +13,7 @@
 uniform sampler2D surfaces;  // unit normal, eye depth
 uniform mat3 eyeToRecords;   // transforms offsets
 uniform mat3 normalToRecords;
-uniform float normalFactor;  // RecordOctree::NormalFactorOf(); 9.0124 for 9.0 degrees
+uniform float normalFactor;  // RecordOctree::ComputeNormalFactor(); 9.0124 for 9.0 degrees
 uniform int channels;
 
 flat in int record;
