@@ -43,4 +43,6 @@ list(REMOVE_ITEM penumbra_python_modules Penumbra::FiltersParallel Penumbra::Tes
 foreach (module IN LISTS penumbra_modules)
   _vtk_module_real_target(penumbra_target ${module})
   penumbra_warnings(${penumbra_target})
+  # Filters/Conventions: headers that filters and passes share.
+  target_include_directories(${penumbra_target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Filters")
 endforeach ()

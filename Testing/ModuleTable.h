@@ -28,6 +28,8 @@ struct Row
 };
 
 inline const std::vector<Row> Table = {
+  { "Filters/Conventions", {}, {} },
+
   { "Filters/Comparison", {}, {} },
 
   { "Filters/Scene", {}, { "GLM" } },
@@ -64,7 +66,7 @@ inline const std::vector<Row> Table = {
       "Filters/RayCasting/Coverage" },
     { "GLM" } },
   { "Filters/RayCasting",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/Scene/Execution",
+    { "Filters/Conventions", "Filters/Scene", "Filters/Scene/Import", "Filters/Scene/Execution",
       "Filters/RayTracing/Embree", "Filters/RayTracing/Shading", "Filters/RayTracing/Media",
       "Filters/RayTracing", "Filters/RayCasting/Sampling", "Filters/RayCasting/Coverage",
       "Filters/RayCasting/Image" },
@@ -84,9 +86,9 @@ inline const std::vector<Row> Table = {
       "Filters/Irradiance/Gathering", "Filters/Irradiance/Records" },
     { "GLM" } },
   { "Filters/Irradiance",
-    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
-      "Filters/RayTracing/Shading", "Filters/RayTracing", "Filters/Irradiance/Gathering",
-      "Filters/Irradiance/Records", "Filters/Irradiance/Baking" },
+    { "Filters/Conventions", "Filters/Scene", "Filters/Scene/Execution",
+      "Filters/RayTracing/Embree", "Filters/RayTracing/Shading", "Filters/RayTracing",
+      "Filters/Irradiance/Gathering", "Filters/Irradiance/Records", "Filters/Irradiance/Baking" },
     { "GLM" } },
 
   { "Filters/Parallel",
@@ -98,7 +100,7 @@ inline const std::vector<Row> Table = {
     { "Rendering/ScreenSpace/Frame", "vtkPenumbraOcclusionEstimator.h" }, { "OpenGL" } },
   { "Rendering/ScreenSpace/Shafts", { "Rendering/ScreenSpace/Frame" }, { "OpenGL" } },
   { "Rendering/ScreenSpace",
-    { "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain",
+    { "Filters/Conventions", "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain",
       "Rendering/ScreenSpace/Occlusion", "Rendering/ScreenSpace/Shafts" },
     { "OpenGL" } },
 
@@ -115,10 +117,10 @@ inline const std::vector<Row> Table = {
       "Filters/Irradiance/Gathering", "Rendering/ScreenSpace/Frame" },
     { "OpenGL", "GLM" } },
   { "Rendering/Irradiance",
-    { "Filters/Scene", "Filters/Scene/Import", "Filters/RayTracing", "Filters/Irradiance/Records",
-      "Filters/Irradiance", "Rendering/ScreenSpace/Frame", "Rendering/ScreenSpace/Chain",
-      "Rendering/ScreenSpace", "Rendering/Irradiance/Traced", "Rendering/Irradiance/Splats",
-      "Rendering/Irradiance/CubeMap" },
+    { "Filters/Conventions", "Filters/Scene", "Filters/Scene/Import", "Filters/RayTracing",
+      "Filters/Irradiance/Records", "Filters/Irradiance", "Rendering/ScreenSpace/Frame",
+      "Rendering/ScreenSpace/Chain", "Rendering/ScreenSpace", "Rendering/Irradiance/Traced",
+      "Rendering/Irradiance/Splats", "Rendering/Irradiance/CubeMap" },
     { "OpenGL", "GLM" } },
 
   { "Rendering/ParaView",

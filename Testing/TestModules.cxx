@@ -56,7 +56,7 @@ std::map<std::string, fs::path> ShaderHeaders()
 }
 
 /// The file that `source` includes as `name`, if it belongs to a row of the table; otherwise empty. The
-/// include path holds the source folders of all modules.
+/// include path holds the source folders of all modules, and Filters.
 fs::path Included(const fs::path& source, const std::string& name)
 {
   static const std::map<std::string, fs::path> shaders = ShaderHeaders();
@@ -65,7 +65,7 @@ fs::path Included(const fs::path& source, const std::string& name)
   {
     return shader->second;
   }
-  std::vector<fs::path> folders = { source.parent_path(), Root / "Command" };
+  std::vector<fs::path> folders = { source.parent_path(), Root / "Command", Root / "Filters" };
   for (const Row& row : Table)
   {
     if (IsModule(row))

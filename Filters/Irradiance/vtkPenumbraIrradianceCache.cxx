@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraIrradianceCache.h"
 
+#include "Conventions/Statistics.h"
 #include "Embree/RayScene.h"
 #include "Execution/NaNCheck.h"
-#include "Execution/Statistics.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Records/Interreflection.h"
 #include "Records/PixelCandidates.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayCasterInternals.h"
 
-#include "Execution/Statistics.h"
+#include "Conventions/Statistics.h"
 #include "Image/GeometryArrays.h"
 #include "Image/LayerCompositing.h"
 #include "Import/SceneExtraction.h"

@@ -3,10 +3,10 @@
 #include "vtkPenumbraIrradianceSplatPass.h"
 
 #include "Chain/PassSlots.h"
+#include "Conventions/Statistics.h"
 #include "Frame/BackgroundDepth.h"
 #include "Frame/Composite.h"
 #include "Frame/EyeDepth.h"
-#include "Frame/PassStatistics.h"
 #include "Records/RecordPolyData.h"
 #include "Scene.h"
 #include "Splats/RecordSplatter.h"

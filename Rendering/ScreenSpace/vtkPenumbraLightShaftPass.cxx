@@ -3,7 +3,7 @@
 #include "vtkPenumbraLightShaftPass.h"
 
 #include "Chain/PassSlots.h"
-#include "Frame/PassStatistics.h"
+#include "Conventions/Statistics.h"
 #include "Frame/ScreenSpaceConstants.h"
 #include "Shafts/ShaftViewState.h"
 #include "vtkPenumbraTemporalSSAOPass.h"

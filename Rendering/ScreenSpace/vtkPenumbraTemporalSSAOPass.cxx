@@ -4,7 +4,7 @@
 
 #include "Chain/PassSlots.h"
 #include "Chain/StaticViewRefiner.h"
-#include "Frame/PassStatistics.h"
+#include "Conventions/Statistics.h"
 #include "Frame/ScopedCamera.h"
 #include "Frame/ScreenSpaceConstants.h"
 #include "Occlusion/OcclusionViewState.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Statistics of algorithms, stored as field data.
+// Statistics of filters and passes, stored as field data.
 #ifndef penumbra_Statistics_h
 #define penumbra_Statistics_h
 
