@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrozenOptions.h"
 
+#include "Conventions/MediumCoefficients.h"
 #include "Processes/CommandConstants.h"
 #include "RenderOptions.h"
 
@@ -68,7 +69,7 @@ void FreezeOptions(vtkRenderer* renderer, double diagonal, RenderOptions& option
   }
   if (std::isnan(options.Shafts.Scattering))
   {
-    options.Shafts.Scattering = DefaultOpticalThickness / diagonal;
+    options.Shafts.Scattering = DefaultOpticalDepth / diagonal;
   }
 }
 

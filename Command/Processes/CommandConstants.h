@@ -16,9 +16,6 @@ namespace penumbra
 /// Radius of ambient occlusion, as a fraction of the diagonal of the bounds.
 constexpr double DefaultRadiusFraction = 0.1;
 
-/// Scattering coefficient of light shafts times the diagonal of the bounds.
-constexpr double DefaultOpticalThickness = 0.25;
-
 /// Strength of ambient occlusion on surfaces colored by data, below 1 because the darkening changes
 /// the colors that are read.
 constexpr double StrengthOnData = 0.6;

@@ -3,6 +3,7 @@
 #include "vtkPenumbraLightShaftPass.h"
 
 #include "Chain/PassSlots.h"
+#include "Conventions/MediumCoefficients.h"
 #include "Conventions/Statistics.h"
 #include "Frame/ScreenSpaceConstants.h"
 #include "Shafts/ShaftViewState.h"
@@ -182,9 +183,10 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   penumbra::ShaftSettings settings;
   settings.Unit = diagonal;
   settings.Range = std::sqrt(vtkMath::Distance2BetweenPoints(eye, center)) + diagonal;
-  settings.Scattering =
-    self->Scattering >= 0.0 ? self->Scattering : penumbra::DefaultOpticalDepth / diagonal;
-  settings.Extinction = std::max(self->Extinction, settings.Scattering);
+  const penumbra::MediumCoefficients coefficients =
+    penumbra::ResolveMediumCoefficients(self->Scattering, self->Extinction, diagonal);
+  settings.Scattering = coefficients.Scattering;
+  settings.Extinction = coefficients.Extinction;
   if (!(settings.Scattering > 0.0))
   {
     settings.Extinction = std::max(settings.Extinction, penumbra::MinimumOpticalDepth / diagonal);

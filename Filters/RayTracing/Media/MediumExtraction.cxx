@@ -2,35 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MediumExtraction.h"
 
-#include "Shading/RayTracingConstants.h"
+#include "Conventions/MediumCoefficients.h"
 #include "vtkPenumbraMedium.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace penumbra
 {
 
-namespace
-{
-
-}
-
 std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal)
 {
-  double scattering = source->GetScattering();
-  double extinction = source->GetExtinction();
-  if (!std::isfinite(scattering) || !std::isfinite(extinction) ||
+  if (!std::isfinite(source->GetScattering()) || !std::isfinite(source->GetExtinction()) ||
     !std::isfinite(source->GetAsymmetry()))
   {
     return {};
   }
-  scattering = scattering >= 0.0 ? scattering : DefaultOpticalDepth / diagonal;
-  extinction = std::max(extinction, scattering);
+  const MediumCoefficients coefficients =
+    ResolveMediumCoefficients(source->GetScattering(), source->GetExtinction(), diagonal);
 
   Medium medium;
-  medium.Scattering = scattering / scene.Scale;
-  medium.Extinction = extinction / scene.Scale;
+  medium.Scattering = coefficients.Scattering / scene.Scale;
+  medium.Extinction = coefficients.Extinction / scene.Scale;
   medium.Phase = static_cast<Medium::Phases>(source->GetPhase());
   medium.Asymmetry = source->GetAsymmetry();
   const double* bounds = source->GetBounds();
@@ -57,8 +49,7 @@ std::optional<LightShafts> MakeLightShafts(vtkPenumbraMedium* source, const Shad
   if (!medium)
   {
     warning = "vtkPenumbraMedium: coefficients must be finite and the bounds must not be empty. "
-              "Light shafts are "
-              "not rendered.";
+              "Light shafts are not rendered.";
     return {};
   }
   std::optional<LightShafts> shafts(std::in_place, shading, *medium, quality);

@@ -91,8 +91,6 @@ constexpr float MinimumTransmittance = 1.f / 1024.f;
 
 // --- Single scattering (`./penumbra benchmark light-shafts`) ---
 
-/// Optical depth of the diagonal of the scene if Scattering is negative.
-constexpr double DefaultOpticalDepth = 0.25;
 /// In-scattered light per initial step, in tolerances.
 constexpr double LightPerStep = 2.0;
 /// Bounds of the number of steps per interval.

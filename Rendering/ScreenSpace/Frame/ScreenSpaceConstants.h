@@ -82,8 +82,6 @@ constexpr double MinimumUsedMargin = 0.5;
 
 // --- Light shafts (`./penumbra benchmark light-shafts`) ---
 
-/// Default scattering times the diagonal of the scene, as in the ray caster.
-constexpr double DefaultOpticalDepth = 0.25;
 /// Minimum extinction times the diagonal, for a medium that scatters nothing: shaders divide by
 /// extinction.
 constexpr double MinimumOpticalDepth = 1e-12;
