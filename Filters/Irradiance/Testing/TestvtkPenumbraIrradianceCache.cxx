@@ -2,104 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compares the cache with closed forms over all pixels of an image.
-#include "vtkPenumbraIrradianceCache.h"
+#include "CacheView.h"
 
 #include "ClosedForms/FalloffOcclusion.h"
 #include "Embree/RayScene.h"
-#include "Records/PixelCandidates.h"
-#include "Records/RecordOctree.h"
 #include "Scenes/Solids.h"
 
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
-using namespace penumbra;
-
-namespace
-{
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr int Size = 256;
-
-/// Returns the visible points of all levels of candidates.
-std::vector<RecordCandidate> FindVisiblePoints(const RayScene& rays)
-{
-  std::vector<RecordCandidate> all;
-  for (int level = 0; level < ImageLevels; ++level)
-  {
-    const std::vector<RecordCandidate> sites = CandidatesInImage(rays, level);
-    all.insert(all.end(), sites.begin(), sites.end());
-  }
-  return all;
-}
-
-/// Visible points and their scene.
-struct View
-{
-  const Scene& SceneData;
-  std::vector<RecordCandidate> Sites;
-
-  glm::dvec3 World(const RecordCandidate& site) const
-  {
-    return glm::dvec3(site.Position) / this->SceneData.Scale + this->SceneData.Origin;
-  }
-};
-
-double QueryOcclusion(const vtkPenumbraIrradianceCache* cache, glm::dvec3 position,
-  glm::dvec3 normal = { 0.0, 0.0, 1.0 })
-{
-  return cache->Occlusion(&position.x, &normal.x).Value;
-}
-
-using Reference = std::function<double(glm::dvec3 position, glm::dvec3 normal)>;
-
-double ComputeRmse(
-  const vtkPenumbraIrradianceCache* cache, const View& view, const Reference& reference)
-{
-  double square = 0.0;
-  for (const RecordCandidate& site : view.Sites)
-  {
-    const glm::dvec3 world = view.World(site);
-    square +=
-      std::pow(QueryOcclusion(cache, world, site.Normal) - reference(world, site.Normal), 2.0);
-  }
-  return std::sqrt(square / static_cast<double>(view.Sites.size()));
-}
-
-double GetStatistic(const vtkPenumbraIrradianceCache* cache, const char* name)
-{
-  vtkNew<vtkFieldData> statistics;
-  cache->Report(statistics);
-  return statistics->GetArray(name)->GetComponent(0, 0);
-}
-
-/// Makes a unit sphere with its center at height h above a floor, seen as in the benchmark.
-void MakeSphereScene(Scene& scene, double h)
-{
-  AddFloor(scene, 1000.f);
-  AddSphere(scene, { 0.0, 0.0, h }, 1.0, 400);
-  LookAt(scene, { 0.0, -7.0, 4.0 }, { 0.0, 0.0, .6 }, 45.0, Size, Size);
-}
-
-Reference SphereReference(double h)
-{
-  return [h](glm::dvec3 position, glm::dvec3 normal) {
-    const double square = position.x * position.x + position.y * position.y;
-    return normal.z > .999999 && position.z < 1e-3 ? h / std::pow(h * h + square, 1.5)
-                                                   : .5 * (1.0 - normal.z);
-  };
-}
-
-}
+using namespace penumbra_testing;
 
 TEST(vtkPenumbraIrradianceCache, MeetsToleranceUnderSphere)
 {
@@ -108,7 +23,7 @@ TEST(vtkPenumbraIrradianceCache, MeetsToleranceUnderSphere)
     Scene scene;
     MakeSphereScene(scene, h);
     const RayScene rays(scene, 0);
-    const View view{ scene, FindVisiblePoints(rays) };
+    const CacheView view{ scene, FindVisiblePoints(rays) };
     for (const double tolerance : { .02, .005 })
     {
       vtkNew<vtkPenumbraIrradianceCache> cache;
@@ -128,7 +43,7 @@ TEST(vtkPenumbraIrradianceCache, MeetsToleranceInScreenSpace)
     Scene scene;
     MakeSphereScene(scene, h);
     const RayScene rays(scene, 0);
-    const View view{ scene, FindVisiblePoints(rays) };
+    const CacheView view{ scene, FindVisiblePoints(rays) };
     for (const double tolerance : { .02, .005 })
     {
       vtkNew<vtkPenumbraIrradianceCache> cache;
@@ -167,7 +82,7 @@ TEST(vtkPenumbraIrradianceCache, BoundsErrorWithSplitSphereRadii)
   Scene scene;
   MakeSphereScene(scene, 1.5);
   const RayScene rays(scene, 0);
-  const View view{ scene, FindVisiblePoints(rays) };
+  const CacheView view{ scene, FindVisiblePoints(rays) };
   for (const int rule :
     { vtkPenumbraIrradianceCache::NEAREST_HIT, vtkPenumbraIrradianceCache::HARMONIC_MEAN })
   {
@@ -194,7 +109,7 @@ TEST(vtkPenumbraIrradianceCache, MeetsToleranceNextToWallAndInCorner)
   for (const Scene* scene : { &wall, &corner })
   {
     const RayScene rays(*scene, 0);
-    View view{ *scene, {} };
+    CacheView view{ *scene, {} };
     for (const RecordCandidate& site : CandidatesInImage(rays, ImageLevels - 3))
     {
       if (site.Normal.z > .9f)
@@ -252,7 +167,7 @@ TEST(vtkPenumbraIrradianceCache, IsExactWithoutOccludersAndInClosedBox)
   for (const Scene* scene : { &open, &box })
   {
     const RayScene rays(*scene, 0);
-    const View view{ *scene, FindVisiblePoints(rays) };
+    const CacheView view{ *scene, FindVisiblePoints(rays) };
     for (const int space :
       { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
     {
@@ -272,7 +187,7 @@ TEST(vtkPenumbraIrradianceCache, IsIndependentOfThreadCountAndQueryOrder)
   Scene scene;
   MakeSphereScene(scene, 1.0);
   const RayScene rays(scene, 0);
-  const View view{ scene, FindVisiblePoints(rays) };
+  const CacheView view{ scene, FindVisiblePoints(rays) };
   for (const int space : { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
   {
     std::vector<double> values[2];
@@ -316,60 +231,6 @@ TEST(vtkPenumbraIrradianceCache, DoesNotInterpolateThroughThinWall)
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, RecordsRoundTripThroughPolyData)
-{
-  Scene scene;
-  MakeSphereScene(scene, 1.0);
-  scene.Scale = 4.0;
-  const RayScene rays(scene, 0);
-  vtkNew<vtkPenumbraIrradianceCache> first;
-  first->Begin(rays, 1.0, .02);
-  vtkNew<vtkPolyData> records;
-  first->GetRecords(records);
-  ASSERT_GT(records->GetNumberOfPoints(), 100);
-  EXPECT_TRUE(records->GetPointData()->GetArray("AmbientOcclusion"));
-  EXPECT_EQ(records->GetNumberOfVerts(), records->GetNumberOfPoints());
-
-  vtkNew<vtkPenumbraIrradianceCache> second;
-  second->SetInitialRecords(records);
-  second->Begin(rays, 1.0, .02);
-  EXPECT_EQ(GetStatistic(second, "Cache/Records"), GetStatistic(first, "Cache/Records"));
-  EXPECT_EQ(GetStatistic(second, "Rays/Gather"), 0);
-  vtkNew<vtkPolyData> again;
-  second->GetRecords(again);
-  for (vtkIdType i = 0; i < records->GetNumberOfPoints(); ++i)
-  {
-    EXPECT_EQ(again->GetPointData()->GetArray("Serves")->GetComponent(i, 0),
-      records->GetPointData()->GetArray("Serves")->GetComponent(i, 0));
-  }
-  const View view{ scene, CandidatesInImage(rays, 6) };
-  for (const RecordCandidate& site : view.Sites)
-  {
-    EXPECT_NEAR(QueryOcclusion(second, view.World(site), site.Normal),
-      QueryOcclusion(first, view.World(site), site.Normal), 1e-3);
-  }
-}
-
-TEST(vtkPenumbraIrradianceCache, ReloadsModifiedInitialRecords)
-{
-  Scene scene;
-  MakeSphereScene(scene, 1.0);
-  const RayScene rays(scene, 0);
-  vtkNew<vtkPenumbraIrradianceCache> first;
-  first->Begin(rays, 1.0, .02);
-  vtkNew<vtkPolyData> records;
-  first->GetRecords(records);
-  vtkNew<vtkPenumbraIrradianceCache> second;
-  second->SetInitialRecords(records);
-  second->Begin(rays, 1.0, .02);
-  records->GetPointData()->GetArray("AmbientOcclusion")->Fill(.25);
-  records->GetPointData()->GetArray("AmbientOcclusion")->Modified();
-  second->Begin(rays, 1.0, .02);
-  vtkNew<vtkPolyData> again;
-  second->GetRecords(again);
-  EXPECT_NEAR(again->GetPointData()->GetArray("AmbientOcclusion")->GetComponent(7, 0), .25, 1e-6);
-}
-
 TEST(vtkPenumbraIrradianceCache, MeetsToleranceInLazyOrder)
 {
   Scene scene;
@@ -384,40 +245,6 @@ TEST(vtkPenumbraIrradianceCache, MeetsToleranceInLazyOrder)
   EXPECT_GT(GetStatistic(cache, "Cache/Records"), 50);
 }
 
-TEST(vtkPenumbraIrradianceCache, ReusesRecordsForSameScene)
-{
-  Scene scene;
-  MakeSphereScene(scene, 1.0);
-  const RayScene rays(scene, 0);
-  vtkNew<vtkPenumbraIrradianceCache> cache;
-  int calls = 0;
-  const auto count = [&calls](double) {
-    ++calls;
-    return false;
-  };
-  ASSERT_TRUE(cache->Begin(rays, 1.0, .02, count));
-  const int firstCalls = calls;
-  EXPECT_GT(firstCalls, 0);
-  ASSERT_TRUE(cache->Begin(rays, 1.0, .02, count));
-  EXPECT_EQ(calls, firstCalls);
-  const RayScene another(scene, 0);
-  ASSERT_TRUE(cache->Begin(another, 1.0, .02, count));
-  EXPECT_EQ(calls, 2 * firstCalls);
-}
-
-TEST(vtkPenumbraIrradianceCache, RestartsAfterStop)
-{
-  Scene scene;
-  MakeSphereScene(scene, 1.0);
-  const RayScene rays(scene, 0);
-  vtkNew<vtkPenumbraIrradianceCache> cache;
-  EXPECT_FALSE(cache->Begin(rays, 1.0, .02, [](double fraction) { return fraction > .3; }));
-  vtkNew<vtkPenumbraIrradianceCache> fresh;
-  ASSERT_TRUE(cache->Begin(rays, 1.0, .02));
-  ASSERT_TRUE(fresh->Begin(rays, 1.0, .02));
-  EXPECT_EQ(GetStatistic(cache, "Cache/Records"), GetStatistic(fresh, "Cache/Records"));
-}
-
 TEST(vtkPenumbraIrradianceCache, MeetsToleranceNextToWallWithFalloff)
 {
   Scene scene;
@@ -425,7 +252,7 @@ TEST(vtkPenumbraIrradianceCache, MeetsToleranceNextToWallWithFalloff)
   AddRectangle(scene, { -1000.f, 0, 0 }, { 2000.f, 0, 0 }, { 0, 0, 1000.f });
   LookAt(scene, { 0, -4, 3 }, { 0, -.5, 0 }, 45.0, Size, Size);
   const RayScene rays(scene, 0);
-  View view{ scene, {} };
+  CacheView view{ scene, {} };
   for (const RecordCandidate& site : CandidatesInImage(rays, ImageLevels - 3))
   {
     if (site.Normal.z > .9f)
@@ -450,21 +277,6 @@ TEST(vtkPenumbraIrradianceCache, MeetsToleranceNextToWallWithFalloff)
   }
 }
 
-TEST(vtkPenumbraIrradianceCache, RebuildsRecordsForNewFalloff)
-{
-  Scene scene;
-  MakeSphereScene(scene, 1.0);
-  const RayScene rays(scene, 0);
-  vtkNew<vtkPenumbraIrradianceCache> cache;
-  const glm::dvec3 point(1.2, 0.0, 0.0);
-  cache->Begin(rays, 2.0, .02);
-  const double whole = QueryOcclusion(cache, point);
-  cache->Begin(rays, { 2.0, vtkPenumbraIrradianceProvider::LINEAR }, .02);
-  EXPECT_LT(QueryOcclusion(cache, point), .8 * whole);
-  cache->Begin(rays, 2.0, .02);
-  EXPECT_EQ(QueryOcclusion(cache, point), whole);
-}
-
 TEST(vtkPenumbraIrradianceCache, DoesNotInterpolateFromPlateIntoShallowPocket)
 {
   constexpr float Far = 1000.f;
@@ -481,7 +293,7 @@ TEST(vtkPenumbraIrradianceCache, DoesNotInterpolateFromPlateIntoShallowPocket)
   }
   LookAt(scene, { 0, -2.4, 4 }, { 0, 0, 0 }, 45.0, Size, Size);
   const RayScene rays(scene, 0);
-  View view{ scene, {} };
+  CacheView view{ scene, {} };
   for (const RecordCandidate& site : FindVisiblePoints(rays))
   {
     const glm::dvec3 world = glm::dvec3(site.Position) + scene.Origin;
@@ -512,38 +324,6 @@ TEST(vtkPenumbraIrradianceCache, DoesNotInterpolateFromPlateIntoShallowPocket)
   EXPECT_LE(ComputeRmse(cache, view, reference), .025);
 }
 
-TEST(vtkPenumbraIrradianceCache, PlacesNoRecordOnLineOfCorner)
-{
-  // The center row of pixels hits the line of the corner between floor and wall.
-  Scene scene;
-  AddRectangle(scene, { -500, -500, 0 }, { 1000, 0, 0 }, { 0, 501, 0 });
-  AddRectangle(scene, { -500, 0, 0 }, { 1000, 0, 0 }, { 0, 0, 500 });
-  AddRectangle(scene, { -500, .01f, 0 }, { 1000, 0, 0 }, { 0, 0, 500 });
-  LookAt(scene, { 0, -4, 3 }, { 0, 0, 0 }, 30.0, 65, 65);
-  const RayScene rays(scene, 0);
-  const View view{ scene, FindVisiblePoints(rays) };
-  for (const int space : { vtkPenumbraIrradianceCache::WORLD, vtkPenumbraIrradianceCache::SCREEN })
-  {
-    vtkNew<vtkPenumbraIrradianceCache> cache;
-    cache->SetSpace(space);
-    cache->SetTolerance(.01);
-    cache->Begin(rays, 1.0, .02);
-    double maximum = 0.0;
-    for (const RecordCandidate& site : view.Sites)
-    {
-      const glm::dvec3 world = view.World(site);
-      const double a = site.Normal.z > .5f ? -world.y : world.z;
-      if (a > .01 && a < .4)
-      {
-        const double reference = (std::acos(a) - a * std::sqrt(1.0 - a * a)) / std::acos(-1.0);
-        maximum =
-          std::max(maximum, std::abs(QueryOcclusion(cache, world, site.Normal) - reference));
-      }
-    }
-    EXPECT_LT(maximum, .04) << space;
-  }
-}
-
 TEST(vtkPenumbraIrradianceCache, RejectsNaNSettings)
 {
   Scene scene;
@@ -558,50 +338,6 @@ TEST(vtkPenumbraIrradianceCache, RejectsNaNSettings)
     (cache.Get()->*set)(std::numeric_limits<double>::quiet_NaN());
     EXPECT_THROW(cache->Begin(rays, Infinity, .02), std::runtime_error);
   }
-}
-
-TEST(RecordOctree, ClampsRadiiOfRecordsThatContainNewRecord)
-{
-  constexpr float MinimumPixels = 2.f;
-  Record wide;
-  wide.Radius = 10.f;
-  wide.MaximumPlaneDistance = .05f;
-  wide.Gathered.Clearance.fill(100.f);
-  Record narrow = wide;
-  narrow.Position.x = 2.f;
-  narrow.Radius = 1.f;
-  Record invalid = narrow;
-  invalid.Position.x = -1.f;
-  invalid.IsValid = false;
-  for (const bool wideFirst : { true, false })
-  {
-    RecordOctree tree;
-    tree.Initialize(glm::vec3(0.f), 20.f);
-    tree.InsertClamped(wideFirst ? wide : narrow, MinimumPixels);
-    tree.InsertClamped(wideFirst ? narrow : wide, MinimumPixels);
-    tree.InsertClamped(invalid, MinimumPixels);
-    // The narrow record clamps the wide one only if the wide one contains it on insertion.
-    EXPECT_EQ(tree.FindAt(wide)->Radius, wideFirst ? 3.f : 10.f);
-    EXPECT_EQ(tree.FindAt(narrow)->Radius, 1.f);
-  }
-}
-
-TEST(RecordOctree, KeepsMinimumRadiusWhenClamping)
-{
-  Record coarse;
-  coarse.Radius = 10.f;
-  coarse.MaximumPlaneDistance = 2.f;
-  coarse.Gathered.Clearance.fill(100.f);
-  Record fine = coarse;
-  fine.Position.x = 1.f;
-  fine.Radius = .5f;
-  fine.MaximumPlaneDistance = .01f;
-  RecordOctree tree;
-  tree.Initialize(glm::vec3(0.f), 20.f);
-  tree.InsertClamped(coarse, 3.f);
-  tree.InsertClamped(fine, 3.f);
-  EXPECT_EQ(tree.FindAt(coarse)->Radius, 6.f);
-  EXPECT_EQ(tree.FindAt(fine)->Radius, .5f);
 }
 
 TEST(vtkPenumbraIrradianceCache, MultipliesOcclusionByOpacity)

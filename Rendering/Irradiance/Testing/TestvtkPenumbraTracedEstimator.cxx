@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compares ray-traced occlusion with closed forms and with brute force over the same meshes.
-#include "../../ScreenSpace/Testing/OcclusionScene.h"
-#include "vtkPenumbraKernels.h"
+#include "TracedScene.h"
 #include "vtkPenumbraTracedEstimator.h"
 
 #include "BruteForceOcclusion.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCubeAxesActor.h"
 #include "vtkDataArray.h"
@@ -18,31 +16,17 @@
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
 #include "vtkScalarBarActor.h"
-#include "vtkStringArray.h"
 #include "vtkTexture.h"
-
-#include "vtkVersion.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+using namespace penumbra_testing;
+
 namespace
 {
-
-/// Adds spheres at several heights over a floor.
-void AddSpheres(OcclusionScene& scene)
-{
-  scene.AddFloor();
-  for (int i = 0; i < 25; ++i)
-  {
-    const int x = i % 5;
-    const int y = i / 5;
-    scene.AddSphere({ x - 2.0, y - 2.0, .4 + .3 * ((7 * x + 3 * y) % 5) }, .6);
-  }
-  scene.SetCamera({ 0, -7, 6 }, { 0, 0, 0 });
-}
 
 /// Adds an occlusion pass that traces rays.
 vtkPenumbraTemporalSSAOPass* AddTracedPass(OcclusionScene& scene, double radius)
@@ -57,17 +41,6 @@ vtkPenumbraTemporalSSAOPass* AddTracedPass(OcclusionScene& scene, double radius)
 vtkPenumbraTracedEstimator* GetEstimator(OcclusionScene& scene)
 {
   return vtkPenumbraTracedEstimator::SafeDownCast(scene.Pass->GetEstimator());
-}
-
-double Rmse(const std::vector<float>& a, const std::vector<float>& b)
-{
-  EXPECT_EQ(a.size(), b.size());
-  double squares = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    squares += std::pow(a[i] - b[i], 2.0);
-  }
-  return std::sqrt(squares / static_cast<double>(a.size()));
 }
 
 double MaximumDifference(const std::vector<float>& a, const std::vector<float>& b)
@@ -411,126 +384,6 @@ TEST(TracedEstimator, MatchesTheClosedFormInParallelProjection)
     const std::array<int, 2> pixel = scene.Pixel({ 0, -y, 0 });
     const Vector point = scene.FloorPointAt(pixel[0] + .5, pixel[1] + .5);
     EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -y, 0 }), reference(-point[1]), .015) << y;
-  }
-}
-
-TEST(TracedEstimator, IsAvailableAsKernelAfterRegistration)
-{
-  vtkPenumbraTracedEstimator::Register();
-  OcclusionScene scene(96, 72);
-  AddSpheres(scene);
-  scene.AddOcclusionPass(1.0)->SetKernelName("traced");
-  EXPECT_STREQ(scene.Pass->GetKernelName(), "traced");
-  scene.Window->Render();
-  EXPECT_STREQ(scene.Pass->GetActiveKernelName(), "traced");
-  const std::vector<float> reference = ComputeBruteForceOcclusion(scene.Renderer, 96, 72, 1.0, 16);
-  EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), reference), .02);
-}
-
-TEST(TracedEstimator, IsSelectedAutomaticallyIfNeededAndPossible)
-{
-  vtkPenumbraTracedEstimator::Register();
-  OcclusionScene scene;
-  scene.AddFloor();
-  vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
-  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
-  const auto choice = [&]() {
-    scene.Window->Render();
-    auto* kernel =
-      vtkStringArray::SafeDownCast(pass->GetStatistics()->GetAbstractArray("Occlusion/Kernel"));
-    EXPECT_EQ(kernel->GetValue(0), pass->GetActiveKernelName());
-    return std::string(pass->GetActiveKernelName());
-  };
-  EXPECT_EQ(choice(), "traced");
-  // A depth-based kernel meets this tolerance and is cheaper.
-  const double bias = vtkPenumbraKernels::GetBias(vtkPenumbraKernels::Find("march"));
-  pass->SetTolerance(1.01 * bias);
-  EXPECT_EQ(choice(), "march");
-  pass->SetTolerance(.99 * bias);
-  EXPECT_EQ(choice(), "traced");
-  // No BVH is built between the frames of a moving object.
-  pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::NEVER);
-  sphere->SetPosition(.1, 0, .5);
-  EXPECT_NE(choice(), "traced");
-  EXPECT_EQ(choice(), "traced");
-}
-
-TEST(TracedEstimator, IsNotSelectedForImpostorSpheresAndTubes)
-{
-  if (vtkVersion::GetVTKMajorVersion() == 9 && vtkVersion::GetVTKMinorVersion() < 4)
-  {
-    GTEST_SKIP() << "This version of VTK has no shader for tubes on meshes with normals.";
-  }
-  vtkPenumbraTracedEstimator::Register();
-  OcclusionScene scene;
-  scene.AddFloor();
-  const vtkSmartPointer<vtkActor> sphere = scene.AddSphere({ 0, 0, .5 }, .5);
-  vtkProperty* property = sphere->GetProperty();
-  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
-  int warnings = 0;
-  std::string last;
-  vtkNew<vtkCallbackCommand> count;
-  std::pair<int*, std::string*> client(&warnings, &last);
-  count->SetClientData(&client);
-  count->SetCallback([](vtkObject*, unsigned long, void* data, void* text) {
-    auto* result = static_cast<std::pair<int*, std::string*>*>(data);
-    ++*result->first;
-    *result->second = static_cast<const char*>(text);
-  });
-  const auto choice = [&]() {
-    scene.Window->Render();
-    return std::string(pass->GetActiveKernelName());
-  };
-  property->RenderPointsAsSpheresOn(); // no effect: the surface has no vertices
-  property->RenderLinesAsTubesOn();
-  EXPECT_EQ(choice(), "traced");
-  property->SetRepresentationToPoints();
-  property->SetPointSize(8);
-  EXPECT_EQ(choice(), "march");
-  property->SetRepresentationToWireframe();
-  EXPECT_EQ(choice(), "march");
-  property->SetRepresentationToSurface();
-  EXPECT_EQ(choice(), "traced");
-  property->EdgeVisibilityOn();
-  EXPECT_EQ(choice(), "march");
-
-  vtkNew<vtkPenumbraTracedEstimator> estimator;
-  estimator->AddObserver(vtkCommand::WarningEvent, count);
-  pass->SetEstimator(estimator);
-  for (const double x : { 0.0, .1, .2 })
-  {
-    scene.SetCamera({ x, -4, 3 }, { 0, 0, 0 });
-    scene.Window->Render();
-  }
-  EXPECT_EQ(warnings, 1);
-  EXPECT_NE(last.find("prop 1 of the renderer"), std::string::npos) << last;
-  EXPECT_NE(last.find("lines as tubes"), std::string::npos) << last;
-}
-
-TEST(TracedEstimator, InterpolatesStaticViewsWithinTheTolerance)
-{
-  vtkPenumbraTracedEstimator::Register();
-  for (const bool parallel : { false, true })
-  {
-    OcclusionScene scene(64, 48);
-    AddSpheres(scene);
-    scene.UseParallelProjection(parallel, 3.0);
-    const std::vector<float> reference =
-      ComputeBruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
-    vtkPenumbraTemporalSSAOPass* pass = scene.AddOcclusionPass(1.0);
-    pass->SetTolerance(.02);
-    pass->SetConvergeInOneRender(vtkPenumbraTemporalSSAOPass::ALWAYS);
-    scene.Window->Render();
-    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), reference), .02) << parallel;
-    EXPECT_TRUE(pass->IsConverged());
-    EXPECT_EQ(pass->GetEstimatedError(), .02);
-    // Another camera position must not reuse the previous estimate.
-    scene.SetCamera({ 1, -7, 6 }, { 0, 0, 0 });
-    const std::vector<float> moved = ComputeBruteForceOcclusion(scene.Renderer, 64, 48, 1.0, 16);
-    scene.Window->Render();
-    EXPECT_LT(Rmse(scene.Array("AmbientOcclusion"), moved), .02) << parallel;
   }
 }
 

@@ -33,20 +33,12 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace penumbra
 {
 
 namespace
 {
-
-auto AsTuple(const ShaftSettings& s)
-{
-  return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial,
-    s.RadialBlur, s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.Prepass, s.Emitters,
-    s.AutomaticTone, s.Unit, s.Range);
-}
 
 void SetSize(vtkShaderProgram* program, const char* name, double width, double height)
 {
@@ -73,11 +65,6 @@ std::string AssembleFor(bool positional, bool bounded, const char* source,
   return Assemble(source, pieces);
 }
 
-}
-
-bool ShaftSettings::operator==(const ShaftSettings& other) const
-{
-  return AsTuple(*this) == AsTuple(other);
 }
 
 bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate,
@@ -236,47 +223,6 @@ bool ShaftViewState::FillCoarseDepths()
   return true;
 }
 
-void ShaftViewState::SetBox(vtkShaderProgram* program) const
-{
-  const ScreenTransform& view = this->Depth.GetView();
-  const Matrix& toEye = view.WorldToEye;
-  float rotation[16] = {};
-  float boxMinimum[3];
-  float boxMaximum[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double eye = 0.0;
-    for (int row = 0; row < 3; ++row)
-    {
-      const double entry = toEye[4 * row + axis];
-      eye -= entry * toEye[4 * row + 3];
-      rotation[4 * row + axis] = static_cast<float>(row == 2 ? -entry : entry);
-    }
-    const auto fromEye = [&](double bound) {
-      return static_cast<float>(std::clamp((bound - eye) / view.Unit, -1e30, 1e30));
-    };
-    boxMinimum[axis] = fromEye(this->Settings.Bounds[2 * axis]);
-    boxMaximum[axis] = fromEye(this->Settings.Bounds[2 * axis + 1]);
-  }
-  rotation[15] = 1.f;
-  program->SetUniformMatrix4x4("eyeToWorld", rotation);
-  program->SetUniform3f("boxMinimum", boxMinimum);
-  program->SetUniform3f("boxMaximum", boxMaximum);
-}
-
-void ShaftViewState::SetMedium(vtkShaderProgram* program) const
-{
-  const ShaftSettings& settings = this->Settings;
-  SetNumber(program, "scattering", settings.Scattering * settings.Unit);
-  SetNumber(program, "extinction", settings.Extinction * settings.Unit);
-  program->SetUniformi("phase", settings.Phase);
-  SetNumber(program, "asymmetry", settings.Asymmetry);
-  if (settings.Bounded)
-  {
-    this->SetBox(program);
-  }
-}
-
 bool ShaftViewState::ComputeLitFractions(std::size_t number)
 {
   const ShaftSettings& settings = this->Settings;
@@ -302,7 +248,7 @@ bool ShaftViewState::ComputeLitFractions(std::size_t number)
     return false;
   }
   this->Coarse.SetUniforms(program);
-  this->SetMedium(program);
+  settings.SetMedium(program, this->Depth.GetView());
   lights.SetUniforms(program);
   program->SetUniformi("steps", settings.Steps);
   SetNumber(program, "thickness", settings.Thickness / settings.Unit);
@@ -349,7 +295,7 @@ bool ShaftViewState::Scatter(
     return false;
   }
   this->Depth.GetView().SetUniforms(program);
-  this->SetMedium(program);
+  this->Settings.SetMedium(program, this->Depth.GetView());
   lights.SetUniforms(program);
   lights.SetColors(program, this->Settings.Exposure);
   program->SetUniform2f("alpha", alpha.data());

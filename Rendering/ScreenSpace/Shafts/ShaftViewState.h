@@ -13,6 +13,7 @@
 #include "ShaftAutoExposure.h"
 #include "ShaftLights.h"
 #include "ShaftRadialBlur.h"
+#include "ShaftSettings.h"
 
 #include <array>
 #include <vector>
@@ -21,33 +22,6 @@ class vtkImageData;
 
 namespace penumbra
 {
-
-/// Settings of a frame; vtkPenumbraLightShaftPass describes them. Lengths are in world units.
-struct ShaftSettings
-{
-  double Scattering = 0.0;
-  double Extinction = 0.0;
-  int Phase = 0;
-  double Asymmetry = 0.0;
-  double Exposure = 1.0;
-  bool Radial = false;
-  RadialBlurSettings RadialBlur; ///< used if Radial is on
-  double Thickness = 1.0;
-  int Steps = 64;
-  int Block = 1; ///< pixels per side of a block that shares a lit fraction
-  bool Bounded = false;
-  std::array<double, 6> Bounds{}; ///< used if Bounded is on: xmin, xmax, ymin, ...
-  bool AutomaticTone = false;
-  std::array<double, 3> Background{};
-  double Unit = 1.0;              ///< length of one shader unit
-  double Range = 1.0;             ///< upper bound of the distance of surfaces from the eye
-  bool Prepass = false;           ///< Radial: occluders are rendered black before the emitters
-  std::vector<vtkProp*> Emitters; ///< Radial: props that emit
-  bool DelegateDrawsBackground = true;
-  int Margin[2] = { 0, 0 };
-
-  bool operator==(const ShaftSettings& other) const;
-};
 
 class ShaftViewState
 {
@@ -88,8 +62,6 @@ private:
   bool Composite();
   bool BlendOverTarget();
   std::array<float, 2> GetOffset() const;
-  void SetBox(vtkShaderProgram* program) const;
-  void SetMedium(vtkShaderProgram* program) const;
 
   vtkOpenGLRenderWindow* Window = nullptr;
   ShaftSettings Settings;
