@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // CLI11 options whose values are numbers, lists of numbers, colors or choices. Messages name the
-// option. CLI11's validators Range and IsMember (2.1) are not used: they reject invalid values that a
-// later one replaces, accept NaN, and read 010 as 8.
+// option. CLI11's validators Range and IsMember (2.1) are not used: they reject invalid values that
+// a later one replaces, accept NaN, and read 010 as 8.
 #ifndef penumbra_Arguments_h
 #define penumbra_Arguments_h
 

@@ -23,8 +23,8 @@ struct MediumCoefficients
 };
 
 /// Returns the coefficients for the settings of vtkPenumbraMedium and vtkPenumbraLightShaftPass.
-/// Negative scattering is replaced by DefaultOpticalDepth / `diagonal`, where `diagonal` > 0 is that
-/// of the scene, and extinction below scattering by scattering.
+/// Negative scattering is replaced by DefaultOpticalDepth / `diagonal`, where `diagonal` > 0 is
+/// that of the scene, and extinction below scattering by scattering.
 inline MediumCoefficients ResolveMediumCoefficients(
   double scattering, double extinction, double diagonal)
 {

@@ -5,10 +5,10 @@
  * @brief   Bakes data distributed over ranks; the data of all ranks act as occluders.
  *
  * Before a rank bakes its piece, it receives the polygons of other ranks that can occlude the
- * piece: for ambient occlusion, those within Radius of the piece's bounds; for irradiance and direct
- * light, all. These polygons block and reflect light, but no values are computed on them. The
- * default of Radius is 0.1 times the diagonal of the bounds of all pieces. On a single rank, the
- * filter is equivalent to its superclass.
+ * piece: for ambient occlusion, those within Radius of the piece's bounds; for irradiance and
+ * direct light, all. These polygons block and reflect light, but no values are computed on them.
+ * The default of Radius is 0.1 times the diagonal of the bounds of all pieces. On a single rank,
+ * the filter is equivalent to its superclass.
  *
  * Every rank must execute the filter, including ranks without data.
  */

@@ -248,18 +248,20 @@ constexpr double MaximumRadiusPixels = 16.0;
 constexpr double RecordNoiseFactor = 1.4;
 
 /// Estimated error of brute force over the tolerance. Above 1 because the estimate exceeds the true
-/// error (measured, `./penumbra benchmark fit-baking`: 1.6 misses the tolerance on a held-out mesh).
+/// error (measured, `./penumbra benchmark fit-baking`: 1.6 misses the tolerance on a held-out
+/// mesh).
 constexpr double BruteForceErrorFactor = 1.3;
 
-/// Noise of low-sample estimates over the tolerance (measured, `fit-baking`: 1.8 costs 9 to 27 % more
-/// rays at equal error, 4.4 up to 37 %; 2.2 and 2.75 are the same 64 rays at a tolerance of 0.01).
+/// Noise of low-sample estimates over the tolerance (measured, `fit-baking`: 1.8 costs 9 to 27 %
+/// more rays at equal error, 4.4 up to 37 %; 2.2 and 2.75 are the same 64 rays at a tolerance of
+/// 0.01).
 constexpr double LowSampleNoiseFactor = 2.2;
 
 /// Maximum noise of low-sample estimates; that of 32 rays.
 constexpr double MaximumLowSampleNoise = 0.032;
 
-/// Estimated error of denoised values over the tolerance (measured, `fit-baking`: 0.7 costs 3 to 7 %
-/// more rays at equal error, 1.1 up to 12 %).
+/// Estimated error of denoised values over the tolerance (measured, `fit-baking`: 0.7 costs 3 to
+/// 7 % more rays at equal error, 1.1 up to 12 %).
 constexpr double DenoisedErrorFactor = 0.88;
 
 /// Minimum number of rays per point by brute force. More than for pixels, whose errors average out
