@@ -44,6 +44,23 @@ int ComputeBlockSize(double tolerance)
     static_cast<int>(std::clamp(halvings, 0.0, penumbra::LargestBlock - 1.0));
 }
 
+/// Computes the number of depth fetches per ray. `blocks`: number along the larger image side.
+int ComputeSteps(double tolerance, int blocks)
+{
+  const int steps = static_cast<int>(std::ceil(penumbra::StepsTimesTolerance / tolerance));
+  return std::max(
+    std::min({ steps, blocks / penumbra::BlocksPerStep, penumbra::MaximumShaftSteps }),
+    penumbra::MinimumShaftSteps);
+}
+
+/// Computes the number of comparisons with the shadow map per ray.
+int ComputeMapSteps(double tolerance)
+{
+  const double steps = std::ceil(penumbra::MapStepsTimesRoot / std::sqrt(tolerance));
+  return static_cast<int>(
+    std::clamp<double>(steps, penumbra::MinimumShaftSteps, penumbra::MaximumShaftSteps));
+}
+
 /// Computes the mean of the smallest extents of props that are not flat.
 double ComputeMeanThickness(const vtkRenderState* state, double diagonal)
 {
@@ -76,6 +93,7 @@ struct vtkPenumbraLightShaftPass::Internals
   std::vector<vtkSmartPointer<vtkProp>> Emitters;
   vtkNew<vtkFieldData> Statistics;
   int Steps = 0;
+  int MapSize = 0;
   /// Returns a warning if the settings do not describe a medium, else null.
   static const char* FindInvalidSetting(const Pass* self);
 
@@ -195,15 +213,13 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   settings.Asymmetry = self->Asymmetry;
   settings.Exposure = self->Exposure;
   settings.Radial = self->Estimator == RADIAL;
+  settings.MapSize = self->Estimator == SHADOW_MAP ? penumbra::ShadowMapSize : 0;
   settings.Thickness =
     self->Thickness > 0.0 ? self->Thickness : ComputeMeanThickness(state, diagonal);
   settings.Block = ComputeBlockSize(self->Tolerance);
-  const int maximum = std::max(size[0], size[1]) / (penumbra::BlocksPerStep * settings.Block);
-  const int steps = static_cast<int>(std::ceil(penumbra::StepsTimesTolerance / self->Tolerance));
-  settings.Steps = self->Steps > 0
-    ? self->Steps
-    : std::max(
-        std::min({ steps, maximum, penumbra::MaximumShaftSteps }), penumbra::MinimumShaftSteps);
+  const int blocks = std::max(size[0], size[1]) / settings.Block;
+  settings.Steps = self->Steps > 0 ? self->Steps : ComputeSteps(self->Tolerance, blocks);
+  settings.MapSteps = self->Steps > 0 ? self->Steps : ComputeMapSteps(self->Tolerance);
   settings.DelegateDrawsBackground = !self->OpaqueOnly;
   settings.Prepass = self->Occlusion == PREPASS;
   settings.Emitters.assign(this->Emitters.begin(), this->Emitters.end());
@@ -250,8 +266,7 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
     penumbra::ScreenTransform::FromRenderer(renderer, size, noMargin);
   view.Unit = settings.Unit;
   const std::vector<vtkLight*> chosen(internals.Lights.begin(), internals.Lights.end());
-  const std::vector<penumbra::ShaftLight> lights =
-    penumbra::FindShaftLights(renderer, chosen, view);
+  std::vector<penumbra::ShaftLight> lights = penumbra::FindShaftLights(renderer, chosen, view);
   if (lights.empty())
   {
     this->WarnOnce(
@@ -259,10 +274,16 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
       "renderer, or pass one to AddLight().");
     return false;
   }
+  if (settings.MapSize > 0 && !penumbra::AssignShadowMaps(lights, bounds))
+  {
+    this->WarnOnce("A positional light inside the bounds of the scene or close to them has no "
+                   "shadow map; its light shafts are estimated from depth. Set a cone angle of at "
+                   "most 80 degrees, or move the light away from the props.");
+  }
   if (this->OpaqueOnly)
   {
     const bool outside = std::any_of(lights.begin(), lights.end(),
-      [](const penumbra::ShaftLight& light) { return !light.InImage; });
+      [](const penumbra::ShaftLight& light) { return !light.InImage && !light.HasShadowMap; });
     const double percent = this->Margin >= 0.0 ? this->Margin
       : outside                                ? penumbra::DefaultShaftMargin
                                                : 0.0;
@@ -270,7 +291,10 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
       static_cast<int>(std::ceil(percent / 100.0 * std::max(size[0], size[1])));
   }
   internals.Last = &internals.Views[renderer];
-  internals.Steps = settings.Steps;
+  const bool mapped = std::any_of(lights.begin(), lights.end(),
+    [](const penumbra::ShaftLight& light) { return light.HasShadowMap; });
+  internals.Steps = mapped ? settings.MapSteps : settings.Steps;
+  internals.MapSize = settings.MapSize;
   if (!internals.Last->Render(state, this->DelegatePass, lights, settings))
   {
     this->WarnOnce(
@@ -304,6 +328,9 @@ vtkFieldData* vtkPenumbraLightShaftPass::GetStatistics()
     penumbra::AddStatistic(internals.Statistics, "LitFractions/Computed",
       static_cast<double>(internals.Last->GetNewLitFractions()));
     penumbra::AddStatistic(internals.Statistics, "Samples/PerLitFraction", internals.Steps);
+    penumbra::AddStatistic(internals.Statistics, "ShadowMaps/Size", internals.MapSize);
+    penumbra::AddStatistic(
+      internals.Statistics, "ShadowMaps/Rendered", internals.Last->GetNewShadowMaps());
     penumbra::AddStatistic(internals.Statistics, "Light/Gain", internals.Last->GetGain());
   }
   return internals.Statistics;
@@ -324,6 +351,12 @@ void vtkPenumbraLightShaftPass::CopyShafts(vtkImageData* image)
   }
 }
 
+const char* vtkPenumbraLightShaftPass::GetEstimatorAsString() const
+{
+  static const char* const names[] = { "Depth", "Radial", "ShadowMap" };
+  return names[this->Estimator];
+}
+
 void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -340,7 +373,7 @@ void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << bound;
   }
-  os << "\n" << indent << "Estimator: " << this->Estimator << "\n";
+  os << "\n" << indent << "Estimator: " << this->GetEstimatorAsString() << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
   os << indent << "Weight: " << this->Weight << "\n";
   os << indent << "Decay: " << this->Decay << "\n";

@@ -7,7 +7,8 @@
  * The medium attenuates light along every view ray and adds the light that it scatters. The
  * in-scattering of a fully lit ray has a closed form [Shafts eq. 1], which is multiplied by the lit
  * fraction of the ray (eq. 2). By default, one march through the depth buffer toward the light
- * finds the shadowed intervals of the ray; the radial blur of the paper can be selected instead.
+ * finds the shadowed intervals of the ray; the radial blur of the paper or a shadow map of each
+ * light can be selected instead.
  * The parameters of the medium are those of vtkPenumbraMedium, so that the ray caster renders the
  * same image.
  *
@@ -64,7 +65,8 @@ public:
   ///@{
   /**
    * Number of depth fetches per light and lit fraction. 0: 0.375 / Tolerance, at least 16 and at
-   * most one per two blocks of the larger image side. Range: [0, 1024]. Default: 0.
+   * most one per two blocks of the larger image side; with SHADOW_MAP 1.5 / sqrt(Tolerance), at
+   * least 16. Range: [0, 1024]. Default: 0.
    */
   vtkSetClampMacro(Steps, int, 0, 1024);
   vtkGetMacro(Steps, int);
@@ -129,13 +131,23 @@ public:
   /** Estimators of the lit fraction of a view ray. */
   enum Estimators
   {
-    DEPTH, ///< shadowed intervals, from the depth buffer along the path to the light
-    RADIAL ///< radial blur: mean emission along the path to the light [Shafts eq. 3 and 4]
+    DEPTH,     ///< shadowed intervals, from the depth buffer along the path to the light
+    RADIAL,    ///< radial blur: mean emission along the path to the light [Shafts eq. 3 and 4]
+    SHADOW_MAP ///< comparisons with a shadow map of each light
   };
   ///@{
-  /** Estimator of the lit fraction. Default: DEPTH. */
-  vtkSetClampMacro(Estimator, int, DEPTH, RADIAL);
+  /**
+   * Estimator of the lit fraction. With SHADOW_MAP, hidden and off-screen occluders cast shafts and
+   * the error follows Tolerance. A positional light without a cone of at most 80 degrees, inside
+   * the bounds of the scene or close to them, is estimated by DEPTH, with one warning. Default:
+   * DEPTH.
+   */
+  vtkSetClampMacro(Estimator, int, DEPTH, SHADOW_MAP);
   vtkGetMacro(Estimator, int);
+  void SetEstimatorToDepth() { this->SetEstimator(DEPTH); }
+  void SetEstimatorToRadial() { this->SetEstimator(RADIAL); }
+  void SetEstimatorToShadowMap() { this->SetEstimator(SHADOW_MAP); }
+  const char* GetEstimatorAsString() const;
   ///@}
 
   ///@{
@@ -227,8 +239,8 @@ public:
   ///@{
   /**
    * Margin around the image, in which occluders have an effect, in percent of the larger image
-   * side. Negative: 20 while a light is outside of the image, else 0. Requires OpaqueOnly. Range:
-   * up to 100. Default: -1.
+   * side. Negative: 20 while a light without a shadow map is outside of the image, else 0. Requires
+   * OpaqueOnly. Range: up to 100. Default: -1.
    */
   vtkPenumbraSetClampedNumberMacro(Margin, -1.0, 100.0);
   vtkGetMacro(Margin, double);
@@ -239,7 +251,9 @@ public:
   /**
    * Statistics of the last frame, one value per array: `Lights/Shaft` (number of lights),
    * `LitFractions/Computed` (number of lit fractions; 0 in a static scene),
-   * `Samples/PerLitFraction` (depth fetches for each), `Light/Gain` (1 without AutomaticTone).
+   * `Samples/PerLitFraction` (depth fetches for each), `ShadowMaps/Size` (texels per side; 0
+   * without SHADOW_MAP), `ShadowMaps/Rendered` (number of maps; 0 if neither props nor lights
+   * changed), `Light/Gain` (1 without AutomaticTone).
    */
   vtkFieldData* GetStatistics();
 

@@ -228,8 +228,8 @@ TEST_F(LightShaftPass, AttenuatesTheImageBehind)
 TEST_F(LightShaftPass, IsFiniteForAnyLightPosition)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.0, 1.0, 0.0 });
-  for (const int estimator :
-    { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL })
+  for (const int estimator : { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL,
+         vtkPenumbraLightShaftPass::SHADOW_MAP })
   {
     this->Scene.Pass->SetEstimator(estimator);
     for (int angle = 0; angle < 360; angle += 30)
@@ -397,8 +397,8 @@ TEST_F(LightShaftPass, AddsNoMoreLightToAForegroundThanItsAirScatters)
   // far behind it.
   this->Scene.AddBox({ 1.7, -8.5, 2.5 }, { 2.0, 3.0, 6.0 });
   this->Scene.AddSun({ 0.1, 1.0, 0.1 });
-  for (const int estimator :
-    { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL })
+  for (const int estimator : { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL,
+         vtkPenumbraLightShaftPass::SHADOW_MAP })
   {
     this->Scene.Pass->SetEstimator(estimator);
     const std::vector<double> light = this->Scene.RenderWithPass();
@@ -414,8 +414,8 @@ TEST_F(LightShaftPass, AddsNoMoreLightToAForegroundThanItsAirScatters)
 TEST_F(LightShaftPass, ChangesContinuouslyWhenALightCrossesTheCameraPlane)
 {
   const vtkSmartPointer<vtkLight> sun = this->Scene.AddSun({ 0.0, 1.0, 0.2 });
-  for (const int estimator :
-    { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL })
+  for (const int estimator : { vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL,
+         vtkPenumbraLightShaftPass::SHADOW_MAP })
   {
     this->Scene.Pass->SetEstimator(estimator);
     std::vector<double> before;

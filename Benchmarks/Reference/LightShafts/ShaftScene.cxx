@@ -5,6 +5,7 @@
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
@@ -86,6 +87,22 @@ vtkSmartPointer<vtkActor> ShaftScene::AddFloor(double size)
   plane->SetPoint1(size, -size, 0.0);
   plane->SetPoint2(-size, size, 0.0);
   return AddActor(this->Renderer, plane);
+}
+
+vtkSmartPointer<vtkActor> ShaftScene::AddComb(int posts)
+{
+  const double pitch = 8.0 / posts;
+  vtkNew<vtkAppendPolyData> comb;
+  for (int i = 0; i <= posts; ++i)
+  {
+    vtkNew<vtkCubeSource> part;
+    part->SetCenter(i == posts ? 0.0 : pitch * (i + 0.5) - 4.0, 0.0, i == posts ? -0.1 : 2.0);
+    part->SetXLength(i == posts ? 10.0 : 0.4 * pitch);
+    part->SetYLength(i == posts ? 10.0 : 0.3);
+    part->SetZLength(i == posts ? 0.2 : 4.0);
+    comb->AddInputConnection(part->GetOutputPort());
+  }
+  return AddActor(this->Renderer, comb);
 }
 
 void ShaftScene::AddSolids(int count, unsigned int seed)

@@ -29,6 +29,8 @@ public:
   vtkSmartPointer<vtkActor> AddSphere(const Vector& center, double radius);
   /// Adds the square of half side `size` in the plane z = 0.
   vtkSmartPointer<vtkActor> AddFloor(double size);
+  /// Adds one actor with a row of posts in the plane y = 0 on a slab.
+  vtkSmartPointer<vtkActor> AddComb(int posts);
   /// Adds boxes and spheres above a floor, at positions of a pseudorandom sequence with the given
   /// seed.
   void AddSolids(int count, unsigned int seed);

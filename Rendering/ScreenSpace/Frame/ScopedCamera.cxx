@@ -31,6 +31,26 @@ ScopedCamera::ScopedCamera(vtkRenderer* renderer, const ScreenTransform& view)
   renderer->SetActiveCamera(wide);
 }
 
+ScopedCamera::ScopedCamera(vtkRenderer* renderer, const Matrix& view, const Matrix& projection)
+  : Renderer(renderer),
+    Saved(renderer->GetActiveCamera())
+{
+  vtkSmartPointer<vtkCamera> camera = vtkSmartPointer<vtkCamera>::Take(this->Saved->NewInstance());
+  vtkNew<vtkMatrix4x4> toWorld;
+  vtkMatrix4x4::Invert(view.data(), toWorld->GetData());
+  const auto entry = [&](int row, int column) { return toWorld->GetElement(row, column); };
+  camera->SetPosition(entry(0, 3), entry(1, 3), entry(2, 3));
+  camera->SetFocalPoint(
+    entry(0, 3) - entry(0, 2), entry(1, 3) - entry(1, 2), entry(2, 3) - entry(2, 2));
+  camera->SetViewUp(entry(0, 1), entry(1, 1), entry(2, 1));
+  camera->SetParallelProjection(projection[15] == 1.0);
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(projection.data());
+  camera->SetExplicitProjectionTransformMatrix(matrix);
+  camera->UseExplicitProjectionTransformMatrixOn();
+  renderer->SetActiveCamera(camera);
+}
+
 ScopedCamera::~ScopedCamera()
 {
   this->Renderer->SetActiveCamera(this->Saved);

@@ -18,13 +18,17 @@ class vtkRenderer;
 namespace penumbra
 {
 
-/// Replaces the camera of the renderer, for the lifetime of this object, by a copy with another
-/// projection. The original camera is not modified, and lights that follow the camera do not
+/// Replaces the camera of the renderer, for the lifetime of this object, by default by a copy with
+/// another projection. The original camera is not modified, and lights that follow the camera do not
 /// change.
 class ScopedCamera
 {
 public:
   ScopedCamera(vtkRenderer* renderer, const ScreenTransform& view);
+
+  /// Replaces the camera by one that is independent of it. `view`: a rigid transform from world
+  /// coordinates; the camera looks along -z.
+  ScopedCamera(vtkRenderer* renderer, const Matrix& view, const Matrix& projection);
   ~ScopedCamera();
   ScopedCamera(const ScopedCamera&) = delete;
   void operator=(const ScopedCamera&) = delete;

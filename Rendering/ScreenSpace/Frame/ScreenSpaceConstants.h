@@ -103,6 +103,29 @@ constexpr double DefaultShaftMargin = 20.0;
 constexpr double FlatPropFraction = 0.002;
 constexpr double DefaultThicknessFraction = 0.02;
 
+/// Shadow maps: automatic steps times the square root of the tolerance, and texels per side.
+/// Measured. Smaller blocks contribute the other half of the accuracy.
+constexpr double MapStepsTimesRoot = 1.5;
+constexpr int ShadowMapSize = 512;
+
+/// Maximum tangent of the angle between the axis of a shadow map and its sides, 83 degrees: beyond
+/// it, texels are coarse and unequal.
+constexpr double MaximumMapTangent = 8.0;
+
+/// Largest cone angle of a spotlight that has a shadow map, in degrees, for the same reason.
+constexpr double MaximumMapConeAngle = 80.0;
+
+/// Distance of the near plane of a spotlight among the props, as a fraction of the farthest depth.
+constexpr double MapNearFraction = 1e-3;
+
+/// Part of the range of depths that a shadow map adds before and behind the props, so that their
+/// depths differ from that of an empty texel.
+constexpr double MapDepthMargin = 1e-3;
+
+/// The part of a directional light's shadow map that the view needs is enlarged to cells, this
+/// number per side of the props' extent. So texels stay in place while the camera moves little.
+constexpr double MapCellsPerSide = 8.0;
+
 /// Fraction of the logarithmic distance to the target gain that each image covers.
 constexpr double ExposureAdaptationRate = 0.1;
 

@@ -70,6 +70,8 @@ ShaftLight Convert(vtkLight* light, const ScreenTransform& view)
   {
     result.Position[i] = static_cast<float>(-eye[i]);
     result.Cone[i] = static_cast<float>(eye[i]);
+    result.World[i] = positional ? position[i] : -direction[i];
+    result.Axis[i] = direction[i];
     result.Color[i] = static_cast<float>(light->GetDiffuseColor()[i] * light->GetIntensity());
   }
   if (positional)
@@ -169,7 +171,8 @@ bool ShaftLight::operator==(const ShaftLight& other) const
   return std::equal(this->Position, this->Position + 4, other.Position) &&
     std::equal(this->Color, this->Color + 3, other.Color) &&
     std::equal(this->Attenuation, this->Attenuation + 3, other.Attenuation) &&
-    std::equal(this->Cone, this->Cone + 4, other.Cone) && this->Exponent == other.Exponent;
+    std::equal(this->Cone, this->Cone + 4, other.Cone) && this->Exponent == other.Exponent &&
+    this->HasShadowMap == other.HasShadowMap;
 }
 
 std::vector<ShaftLight> FindShaftLights(

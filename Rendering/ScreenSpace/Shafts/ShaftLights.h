@@ -8,6 +8,7 @@
 
 #include "Frame/ScreenTransform.h"
 
+#include <array>
 #include <vector>
 
 class vtkLight;
@@ -25,6 +26,10 @@ struct ShaftLight
   float Cone[4] = { 0.f, 0.f, 1.f,
     -2.f }; ///< direction of a spotlight, cosine of its cone; -2: no cone
   float Exponent = 1.f;
+
+  std::array<double, 3> World{}; ///< position, or unit direction to the light, in world coordinates
+  std::array<double, 3> Axis{};  ///< unit direction in which the light shines, in world coordinates
+  bool HasShadowMap = false;     ///< lit fractions come from a shadow map
 
   /// The light projects into the image. Then nothing outside of the image can shadow what is
   /// inside.

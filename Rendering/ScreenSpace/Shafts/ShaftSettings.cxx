@@ -16,8 +16,8 @@ namespace
 auto AsTuple(const ShaftSettings& s)
 {
   return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial,
-    s.RadialBlur, s.Thickness, s.Steps, s.Block, s.Bounded, s.Bounds, s.Prepass, s.Emitters,
-    s.AutomaticTone, s.Unit, s.Range);
+    s.RadialBlur, s.Thickness, s.MapSize, s.MapSteps, s.Steps, s.Block, s.Bounded, s.Bounds,
+    s.Prepass, s.Emitters, s.AutomaticTone, s.Unit, s.Range);
 }
 
 void SetNumber(vtkShaderProgram* program, const char* name, double value)

@@ -28,6 +28,8 @@ struct ShaftSettings
   bool Radial = false;
   RadialBlurSettings RadialBlur; ///< used if Radial is on
   double Thickness = 1.0;
+  int MapSize = 0;   ///< texels per side of shadow maps; 0: none
+  int MapSteps = 64; ///< comparisons with a shadow map
   int Steps = 64;
   int Block = 1; ///< pixels per side of a block that shares a lit fraction
   bool Bounded = false;

@@ -18,6 +18,7 @@
 #include "vtkPenumbraShaftLib.h"
 #include "vtkPenumbraShaftLitColorLib.h"
 #include "vtkPenumbraShaftLitFractionLib.h"
+#include "vtkPenumbraShaftMapLib.h"
 #include "vtkPenumbraShaftPositionalLib.h"
 #include "vtkPenumbraShaftReuseFS.h"
 #include "vtkPenumbraShaftScatterFS.h"
@@ -83,9 +84,13 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
     settings.Radial && (settings.RadialBlur.DependsOnColor() || !settings.Emitters.empty());
   this->HasLitFractions = this->HasLitFractions && !colored && settings == this->Settings &&
     lights == this->Lights && this->Depth.GetView().HasSameView(view);
+  // Neither does it reveal changes outside of the image.
+  const bool moved = settings.MapSize > 0 && this->Casters.Update(state->GetRenderer());
+  this->HasLitFractions = this->HasLitFractions && !moved;
+  this->NewShadowMaps = 0;
   this->Settings = settings;
   this->Lights = lights;
-  this->Groups = GroupLights(lights, settings.Radial);
+  this->Groups = GroupLights(lights, settings.Radial || settings.MapSize > 0);
   const bool reuse = this->HasLitFractions && this->HasTargetDepth;
   if (reuse && this->ReuseShafts(state, delegate))
   {
@@ -174,6 +179,10 @@ bool ShaftViewState::Compute(const vtkRenderState* state)
   {
     return false;
   }
+  if (this->Settings.MapSize > 0 && !this->UpdateShadowMaps(state))
+  {
+    return false;
+  }
   this->LitFractions.resize(std::max(this->LitFractions.size(), this->Groups.size()));
   for (std::size_t i = 0; i < this->Groups.size(); ++i)
   {
@@ -223,6 +232,26 @@ bool ShaftViewState::FillCoarseDepths()
   return true;
 }
 
+bool ShaftViewState::UpdateShadowMaps(const vtkRenderState* state)
+{
+  this->ShadowMaps.resize(std::max(this->ShadowMaps.size(), this->Groups.size()));
+  for (std::size_t i = 0; i < this->Groups.size(); ++i)
+  {
+    const ShaftLight& light = this->Groups[i].GetLights().front();
+    ShadowMap& map = this->ShadowMaps[i];
+    if (light.HasShadowMap)
+    {
+      if (!map.Update(state->GetRenderer(), this->Casters, light, this->Image.GetView(),
+            this->Settings.MapSize))
+      {
+        return false;
+      }
+      this->NewShadowMaps += map.IsNew();
+    }
+  }
+  return true;
+}
+
 bool ShaftViewState::ComputeLitFractions(std::size_t number)
 {
   const ShaftSettings& settings = this->Settings;
@@ -238,21 +267,30 @@ bool ShaftViewState::ComputeLitFractions(std::size_t number)
     return this->RadialBlur.ComputeLitFractions(this->Window, this->Image, this->Coarse, depths,
       lights.GetLights().front(), settings.RadialBlur, fractions);
   }
-  Stage& stage = this->Visibility[lights.IsPositional()];
+  const bool mapped = lights.GetLights().front().HasShadowMap;
+  Stage& stage = (mapped ? this->MapVisibility : this->Visibility)[lights.IsPositional()];
   vtkShaderProgram* program = stage.Ready(this->Window,
     AssembleFor(lights.IsPositional(), settings.Bounded, vtkPenumbraShaftVisibilityFS,
-      { { "Estimator", vtkPenumbraShaftDepthLib } }));
+      { { "Estimator", mapped ? vtkPenumbraShaftMapLib : vtkPenumbraShaftDepthLib } }));
   const ScopedRenderTarget target(this->Window, this->Image.GetFramebuffer(), { fractions });
   if (!program || !target.IsComplete())
   {
     return false;
   }
   this->Coarse.SetUniforms(program);
-  settings.SetMedium(program, this->Depth.GetView());
+  this->Settings.SetMedium(program, this->Depth.GetView());
   lights.SetUniforms(program);
-  program->SetUniformi("steps", settings.Steps);
-  SetNumber(program, "thickness", settings.Thickness / settings.Unit);
-  SetNumber(program, "range", settings.Range / settings.Unit);
+  program->SetUniformi("steps", mapped ? settings.MapSteps : settings.Steps);
+  if (mapped)
+  {
+    this->ShadowMaps[number].SetUniforms(program, this->Coarse);
+    stage.BindTexture("shadowMap", this->ShadowMaps[number].GetDepths());
+  }
+  else
+  {
+    SetNumber(program, "thickness", settings.Thickness / settings.Unit);
+    SetNumber(program, "range", settings.Range / settings.Unit);
+  }
   stage.BindTexture("eyeDepths", depths);
   stage.Draw();
   return true;
@@ -423,9 +461,13 @@ void ShaftViewState::ReleaseGraphicsResources(vtkWindow* window)
   this->RadialBlur.ReleaseGraphicsResources(window);
   this->AutoExposure.ReleaseGraphicsResources(window);
   this->Emitters.ReleaseGraphicsResources(window);
-  for (Stage* stage :
-    { &this->Downsample, &this->Visibility[0], &this->Visibility[1], &this->InScatter[0],
-      &this->InScatter[1], &this->Composition, &this->MediumBlend, &this->Reuse })
+  for (ShadowMap& map : this->ShadowMaps)
+  {
+    map.ReleaseGraphicsResources(window);
+  }
+  for (Stage* stage : { &this->Downsample, &this->Visibility[0], &this->Visibility[1],
+         &this->MapVisibility[0], &this->MapVisibility[1], &this->InScatter[0], &this->InScatter[1],
+         &this->Composition, &this->MediumBlend, &this->Reuse })
   {
     stage->ReleaseGraphicsResources(window);
   }

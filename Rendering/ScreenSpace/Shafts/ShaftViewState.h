@@ -10,6 +10,9 @@
 #include "EmitterImage.h"
 #include "Frame/DelegateImage.h"
 #include "Frame/EyeDepth.h"
+
+#include "ShadowCasters.h"
+#include "ShadowMap.h"
 #include "ShaftAutoExposure.h"
 #include "ShaftLights.h"
 #include "ShaftRadialBlur.h"
@@ -37,6 +40,9 @@ public:
   long long GetNewLitFractions() const { return this->NewLitFractions; }
   int GetNumberOfLights() const { return static_cast<int>(this->Lights.size()); }
 
+  /// Number of shadow maps that the last frame rendered.
+  int GetNewShadowMaps() const { return this->NewShadowMaps; }
+
   /// Factor on the in-scattered light.
   double GetGain() const
   {
@@ -55,6 +61,7 @@ private:
   bool Compute(const vtkRenderState* state);
   bool DrawEmission(const vtkRenderState* state);
   bool FillCoarseDepths();
+  bool UpdateShadowMaps(const vtkRenderState* state);
   bool ComputeLitFractions(std::size_t number);
   bool FillShafts();
   bool Scatter(
@@ -75,8 +82,11 @@ private:
   Stage Downsample;
   ShaftRadialBlur RadialBlur;
   EmitterImage Emitters;
+  ShadowCasters Casters;
+  std::vector<ShadowMap> ShadowMaps; ///< per group
   ShaftAutoExposure AutoExposure;
-  Stage Visibility[2]; ///< of directional lights, of a positional light
+  Stage Visibility[2];    ///< of directional lights, of a positional light
+  Stage MapVisibility[2]; ///< the same with shadow maps
   Stage InScatter[2];
   Stage Composition;
   Stage MediumBlend;
@@ -86,6 +96,7 @@ private:
     LitFractions;                           ///< per group; rgb: lit fractions, a: eye depth
   vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: in-scattered light, a: transmittance
   long long NewLitFractions = 0;
+  int NewShadowMaps = 0;
   int Props = 0;
   bool HasLitFractions = false; ///< LitFractions are valid for Settings and Lights
   bool HasShafts = false;       ///< Shafts is valid, too

@@ -23,15 +23,36 @@ float cdfOfLength(ViewRay ray, float span)
   return clamp(extinguishedFraction(max(span - ray.begin, 0.0)) / total, 0.0, 1.0);
 }
 
-// Transmittance between the light and the point at the coordinate `cdf` of the ray.
-float transmittanceToLight(ViewRay ray, float cdf)
+// Length along the ray of the point at the coordinate `cdf`.
+float lengthOfCdf(ViewRay ray, float cdf)
 {
   float total = extinguishedFraction(ray.end - ray.begin);
   float lost = cdf * total;
-  float span =
-    ray.begin + (total < thinOpticalDepth ? lost : -log(max(1.0 - lost, 1e-8))) / extinction;
-  vec3 point = ray.start + span * ray.direction;
+  return ray.begin + (total < thinOpticalDepth ? lost : -log(max(1.0 - lost, 1e-8))) / extinction;
+}
+
+// Transmittance between the light and the point at the coordinate `cdf` of the ray.
+float transmittanceToLight(ViewRay ray, float cdf)
+{
+  vec3 point = ray.start + lengthOfCdf(ray, cdf) * ray.direction;
   return exp(-extinction * lengthInMedium(point, light.xyz, 1e18));
+}
+
+// In-scattering of a lit ray per unit of the coordinate `cdf`, and its mean over the ray.
+float inScatteringWeight(ViewRay ray, float cdf)
+{
+  return transmittanceToLight(ray, cdf);
+}
+
+float meanInScatteringWeight(ViewRay ray)
+{
+  const int intervals = 32;
+  float sum = 0.0;
+  for (int i = 0; i < intervals; ++i)
+  {
+    sum += transmittanceToLight(ray, (float(i) + 0.5) / float(intervals));
+  }
+  return sum / float(intervals);
 }
 
 // In-scattering of a fully lit ray for a light of color 1.

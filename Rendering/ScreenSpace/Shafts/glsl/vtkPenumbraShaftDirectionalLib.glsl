@@ -22,6 +22,25 @@ float cdfOfLength(ViewRay ray, float span)
   return clamp(extinguishedFraction(span) / max(extinguishedFraction(ray.end), 1e-20), 0.0, 1.0);
 }
 
+// Length along the ray of the point at the coordinate `cdf`.
+float lengthOfCdf(ViewRay ray, float cdf)
+{
+  float total = extinguishedFraction(ray.end);
+  float lost = cdf * total;
+  return (total < thinOpticalDepth ? lost : -log(max(1.0 - lost, 1e-8))) / extinction;
+}
+
+// In-scattering of a lit ray per unit of the coordinate `cdf`, and its mean over the ray.
+float inScatteringWeight(ViewRay ray, float cdf)
+{
+  return 1.0;
+}
+
+float meanInScatteringWeight(ViewRay ray)
+{
+  return 1.0;
+}
+
 // In-scattering of a fully lit ray for a light of color 1.
 float inScattering(ViewRay ray)
 {

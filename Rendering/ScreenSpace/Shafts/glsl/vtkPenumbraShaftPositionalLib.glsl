@@ -27,6 +27,12 @@ float cdfOfLength(ViewRay ray, float span)
   return clamp(angle / max(ray.angles.y - ray.angles.x, 1e-9), 0.0, 1.0);
 }
 
+// Length along the ray of the point at the coordinate `cdf`.
+float lengthOfCdf(ViewRay ray, float cdf)
+{
+  return ray.closestApproach + ray.lightDistance * tan(mix(ray.angles.x, ray.angles.y, cdf));
+}
+
 // In-scattering of a lit ray per unit of the coordinate `cdf`.
 float inScatteringDensity(ViewRay ray, float cdf)
 {
@@ -57,6 +63,17 @@ float inScattering(ViewRay ray)
     sum += inScatteringDensity(ray, (float(i) + 0.5) / float(intervals));
   }
   return sum / float(intervals);
+}
+
+// In-scattering of a lit ray per unit of the coordinate `cdf`, and its mean over the ray.
+float inScatteringWeight(ViewRay ray, float cdf)
+{
+  return inScatteringDensity(ray, cdf);
+}
+
+float meanInScatteringWeight(ViewRay ray)
+{
+  return inScattering(ray);
 }
 
 // Lit fraction of the in-scattering; each bit marks one of 64 bins as shadowed.
