@@ -28,6 +28,9 @@ constexpr double EdgeDensity = 0.12; // scattering and extinction per world unit
 /// history of many jittered frames could attain an error between both.
 constexpr int Steps[2] = { 16, 1024 };
 
+/// Steps of the reference of the shadow maps.
+constexpr int ReferenceSteps = 512;
+
 /// Returns the RMS difference of two images over the pixels that are not excluded; all
 /// pixels if `excluded` is empty.
 double Rms(
@@ -125,8 +128,48 @@ void WriteImage(const std::string& path, const std::vector<std::vector<double>>&
   writer->Write();
 }
 
+/// Posts in one actor, for which the pass by depth has an error of 0.13 at any tolerance.
+void MeasureShadowMaps(ShaftBenchmark& benchmark)
+{
+  ShaftScene scene(256, 192);
+  scene.AddComb(12);
+  scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+  scene.AddSun({ 0.2, 1.0, 0.32 });
+  scene.SetMedium(EdgeDensity, EdgeDensity);
+  const std::vector<double> truth = scene.RenderWithRayCaster(ReferenceSteps);
+  const double size = Rms(truth, std::vector<double>(truth.size(), 0.0), {});
+  const int inverses[3] = { 64, 256, 1024 };
+  const double targets[3] = { 0.03, 0.015, 0.005 };
+  std::vector<std::vector<double>> images;
+  for (const bool mapped : { false, true })
+  {
+    scene.Pass->SetEstimator(
+      mapped ? vtkPenumbraLightShaftPass::SHADOW_MAP : vtkPenumbraLightShaftPass::DEPTH);
+    for (int i = 0; i < 3; ++i)
+    {
+      scene.Pass->SetTolerance(1.0 / inverses[i]);
+      const std::vector<double> ours = scene.RenderWithPass();
+      const std::string name = std::string(mapped ? "shadow map" : "depth") + " at tolerance 1/" +
+        std::to_string(inverses[i]);
+      benchmark.Results.Add("posts in one actor, sun in view", "relative RMSE, " + name,
+        Rms(ours, truth, {}) / size, mapped ? TargetKind::AtMost : TargetKind::None,
+        mapped ? targets[i] : 0.0);
+      if (inverses[i] == 256)
+      {
+        images.push_back(ours);
+      }
+    }
+  }
+  if (benchmark.Diagnose)
+  {
+    images.push_back(truth);
+    WriteImage(benchmark.Output + "/posts.png", images, scene.Width);
+  }
+}
+
 void MeasureAccuracy(ShaftBenchmark& benchmark)
 {
+  MeasureShadowMaps(benchmark);
   ResultTable& table = benchmark.Results;
   Accuracy worst[2];
   double radial = 0.0;

@@ -9,6 +9,7 @@
 #include "Processes/MallocSettings.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -94,6 +95,10 @@ struct SphereScene
 
   double Frame(double azimuth)
   {
+    if (this->PropsChange)
+    {
+      this->Renderer->GetActors()->GetLastActor()->Modified();
+    }
     this->Renderer->GetActiveCamera()->Azimuth(azimuth);
     const double start = ThreadSeconds();
     this->Window->Render();
@@ -101,6 +106,7 @@ struct SphereScene
     return ThreadSeconds() - start;
   }
 
+  bool PropsChange = false; ///< modify an actor before each frame
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
 };
@@ -131,8 +137,18 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
   auto* pass = vtkPenumbraLightShaftPass::AddTo(more.Renderer);
   pass->SetTolerance(1.0 / 64.0);
   pass->SetSteps(64);
-  constexpr int Scenes = 6;
-  SphereScene* const scenes[Scenes] = { &plain, &plainOfTwo, &one, &two, &full, &more };
+  SphereScene mapped[4]; // shadow maps at three tolerances; the middle one with changing props
+  const double tolerances[4] = { 1.0 / 64.0, 1.0 / 256.0, 1.0 / 1024.0, 1.0 / 256.0 };
+  for (int i = 0; i < 4; ++i)
+  {
+    auto* estimator = vtkPenumbraLightShaftPass::AddTo(mapped[i].Renderer);
+    estimator->SetTolerance(tolerances[i]);
+    estimator->SetEstimatorToShadowMap();
+  }
+  mapped[3].PropsChange = true;
+  constexpr int Scenes = 10;
+  SphereScene* const scenes[Scenes] = { &plain, &plainOfTwo, &one, &two, &full, &more, &mapped[0],
+    &mapped[1], &mapped[2], &mapped[3] };
   std::vector<double> moving[Scenes];
   std::vector<double> stopped[Scenes]; // the first static image
   std::vector<double> still[Scenes];
@@ -177,6 +193,15 @@ void MeasureFrames(ShaftBenchmark& benchmark, const std::string& memory)
     MedianOverhead(moving[4], moving[0]) / base, TargetKind::None);
   table.Add(scene, "overhead at tolerance 1/64 with 64 steps, plain frames",
     MedianOverhead(moving[5], moving[0]) / base, TargetKind::None);
+  const double mapTargets[3] = { 0.35, 0.6, 1.5 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const int inverse = static_cast<int>(1.0 / tolerances[i]);
+    table.Add(scene, "shadow map at tolerance 1/" + std::to_string(inverse) + ", plain frames",
+      MedianOverhead(moving[6 + i], moving[0]) / base, TargetKind::AtMost, mapTargets[i]);
+  }
+  table.Add(scene, "shadow map at tolerance 1/256 while props change, plain frames",
+    MedianOverhead(moving[9], moving[0]) / base, TargetKind::None);
   table.Add(scene, "the first image that stays, plain frames",
     MedianQuotient(stopped[2], stopped[0]), TargetKind::None);
   table.Add(scene, "still, plain frames", MedianQuotient(still[2], still[0]), TargetKind::AtMost,
