@@ -187,9 +187,9 @@ void AddPeer(
 
 void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& subject, bool quick)
 {
-  const auto add = [&](const std::string& method, const std::string& setting, double asked,
+  const auto add = [&](const std::string& method, const std::string& setting, double tolerance,
                      const std::function<Measurement()>& measure) {
-    family.Steps.push_back({ scene, method, setting, asked, measure });
+    family.Steps.push_back({ scene, method, setting, tolerance, measure });
   };
   for (const int samples : quick ? std::vector<int>{ 0, 4 } : std::vector<int>{ 0, 4, 8 })
   {

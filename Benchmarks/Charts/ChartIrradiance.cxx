@@ -155,7 +155,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   for (const int rays :
     quick ? std::vector<int>{ 8, 32 } : std::vector<int>{ 8, 32, 128, 512, 2048 })
   {
-    family.Steps.push_back({ scene, "rays alone", std::to_string(rays) + " rays", 0.0, [=] {
+    family.Steps.push_back({ scene, "rays only", std::to_string(rays) + " rays", 0.0, [=] {
                               vtkNew<vtkPenumbraBruteForceIrradiance> source;
                               source->SetMinimumRays(rays);
                               source->SetMaximumRays(std::max(rays, 32));
@@ -328,7 +328,7 @@ void AddRoom(ChartFamily& family, const std::string& scene, const Rooms& room)
   }
   for (const int paths : { 128, 512, 2048, 8192 })
   {
-    family.Steps.push_back({ scene, "paths alone", std::to_string(paths) + " paths", 0.0, [=] {
+    family.Steps.push_back({ scene, "path tracing", std::to_string(paths) + " paths", 0.0, [=] {
                               vtkNew<vtkPenumbraBruteForceIrradiance> source;
                               source->SetMinimumRays(paths / PathsPerRay);
                               source->SetMaximumRays(paths);

@@ -179,9 +179,9 @@ Measurement Ask(const Subject& subject, vtkPenumbraIrradianceProvider* source, d
 
 void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& subject, bool quick)
 {
-  const auto add = [&](const std::string& method, const std::string& setting, double asked,
+  const auto add = [&](const std::string& method, const std::string& setting, double tolerance,
                      const std::function<Measurement()>& measure) {
-    family.Steps.push_back({ scene, method, setting, asked, measure });
+    family.Steps.push_back({ scene, method, setting, tolerance, measure });
   };
   for (const int samples :
     quick ? std::vector<int>{ 8, 32 } : std::vector<int>{ 8, 16, 32, 64, 128, 256 })
@@ -206,7 +206,7 @@ void AddSteps(ChartFamily& family, const std::string& scene, const Subjects& sub
   }
   for (const int rays : quick ? std::vector<int>{ 8, 32 } : std::vector<int>{ 8, 32, 128, 512 })
   {
-    add("rays alone", std::to_string(rays) + " rays", 0.0, [=] {
+    add("rays only", std::to_string(rays) + " rays", 0.0, [=] {
       vtkNew<vtkPenumbraBruteForceIrradiance> source;
       source->SetMinimumRays(rays);
       source->SetMaximumRays(std::max(rays, 32));

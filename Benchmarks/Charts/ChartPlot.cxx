@@ -123,9 +123,9 @@ vtkSmartPointer<vtkChartXY> ChartOf(const ChartFamily& family, const ChartPanel&
     curve->SetMarkerSize(each.IsOurs ? 9.f : 7.f);
     if (each.HasTolerances())
     {
-      const auto asked =
-        TableOf("  tolerance asked", each.Steps, cost, &ChartRow::RequestedTolerance);
-      vtkPlotPoints* marks = AddCurve(chart, asked, false, each.Color, 1.5f);
+      const auto requested =
+        TableOf("  requested tolerance", each.Steps, cost, &ChartRow::RequestedTolerance);
+      vtkPlotPoints* marks = AddCurve(chart, requested, false, each.Color, 1.5f);
       marks->SetMarkerStyle(vtkPlotPoints::CROSS);
       marks->SetMarkerSize(8.f);
     }

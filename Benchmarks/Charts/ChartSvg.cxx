@@ -200,7 +200,7 @@ void DrawLegend(Drawing& drawing, const ChartPanel& panel, double left, double t
     {
       y += 20.0;
       drawing.Cross(left + 13, y, color);
-      drawing.Text(left + 44, y + 4, "tolerance asked");
+      drawing.Text(left + 44, y + 4, "requested tolerance");
     }
   }
 }

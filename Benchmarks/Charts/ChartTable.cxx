@@ -17,7 +17,7 @@ namespace penumbra
 namespace
 {
 
-constexpr const char* Heading = "scene,method,setting,asked,error,seconds,count";
+constexpr const char* Heading = "scene,method,setting,tolerance,error,seconds,count";
 
 std::string TitleOf(const std::string& subject)
 {
