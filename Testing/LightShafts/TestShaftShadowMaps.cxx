@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -223,6 +224,42 @@ TEST_F(ShaftShadowMaps, RestoreTheCamera)
   EXPECT_EQ(this->Scene->Renderer->GetActiveCamera(), camera);
   EXPECT_EQ(camera->GetMTime(), time);
   EXPECT_FALSE(camera->GetUseExplicitProjectionTransformMatrix());
+}
+
+TEST_F(ShaftShadowMaps, LeaveTheShadingOfPropsUnchanged)
+{
+  // Practically without a medium; a lit box in front, and a translucent one.
+  this->Scene->SetMedium(1e-9, 1e-9);
+  this->Scene->AddSun({ 0.2, -1.0, 0.6 });
+  const vtkSmartPointer<vtkActor> box = this->Scene->AddBox({ -1.0, -3.0, 1.0 }, { 1.0, 1.0, 1.0 });
+  const vtkSmartPointer<vtkActor> pane = this->Scene->AddBox({ 1.0, -3.0, 1.0 }, { 1.0, 1.0, 1.0 });
+  for (vtkActor* actor : { box.Get(), pane.Get() })
+  {
+    actor->GetProperty()->SetColor(1.0, 0.6, 0.2);
+    actor->GetProperty()->LightingOn();
+  }
+  pane->GetProperty()->SetOpacity(0.5);
+  const auto render = [this]() {
+    vtkNew<vtkUnsignedCharArray> bytes;
+    this->Scene->Window->Render();
+    this->Scene->Window->GetRGBACharPixelData(
+      0, 0, this->Scene->Width - 1, this->Scene->Height - 1, 0, bytes);
+    return std::vector<unsigned char>(
+      bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  };
+  this->Scene->Pass->SetEstimatorToDepth();
+  this->Scene->Pass->SetMargin(0.0);
+  const std::vector<unsigned char> expected = render();
+  this->Scene->Pass->SetEstimatorToShadowMap();
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    EXPECT_EQ(render(), expected) << frame;
+    EXPECT_EQ(this->Statistic("ShadowMaps/Rendered"), frame % 3 == 0 ? 1.0 : 0.0);
+    if (frame == 2)
+    {
+      box->Modified(); // the map is rendered again
+    }
+  }
 }
 
 TEST_F(ShaftShadowMaps, LeaveTheDepthEstimatorUnchanged)

@@ -8,11 +8,13 @@
 #include "Frame/ScreenSpaceConstants.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -340,13 +342,22 @@ void ShadowMap::DrawCasters(vtkRenderer* renderer, const ShadowCasters& casters)
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* gl = window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
-  const ScopedCamera camera(renderer, this->WorldToLight, this->Projection);
-  gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  for (vtkProp* prop : casters.GetProps())
   {
-    prop->RenderOpaqueGeometry(renderer);
+    const ScopedCamera camera(renderer, this->WorldToLight, this->Projection);
+    gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (vtkProp* prop : casters.GetProps())
+    {
+      prop->RenderOpaqueGeometry(renderer);
+    }
+    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
-  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  // Shaders now have light directions for the camera of the map. VTK replaces them only if the
+  // lights are newer than these, because the modification time of its own camera is older.
+  renderer->GetLights()->Modified();
+  if (auto* openGL = vtkOpenGLRenderer::SafeDownCast(renderer))
+  {
+    openGL->UpdateLights();
+  }
 }
 
 void ShadowMap::SetUniforms(vtkShaderProgram* program, const ScreenTransform& view) const
