@@ -39,8 +39,19 @@ Sample PixelIntegrator::Trace(glm::dvec2 local, double area)
 {
   ++this->Rays.Refinement;
   const glm::dvec2 p = glm::dvec2(this->X, this->Y) + local;
+  const std::uint32_t penumbrae = this->Grid.GetPenumbrae(p);
   return this->Tracer.TraceSample(
-    p, this->Rays, ComputeToleranceScale(area), this->Grid.GetPenumbrae(p));
+    p, this->Rays, ComputeToleranceScale(area), penumbrae, this->GetNeighbors(penumbrae));
+}
+
+std::vector<PenumbraNeighbors>* PixelIntegrator::GetNeighbors(std::uint32_t penumbrae)
+{
+  if (penumbrae == 0)
+  {
+    return nullptr;
+  }
+  this->Neighbors.resize(this->Tracer.GetScene().Lights.size());
+  return &this->Neighbors;
 }
 
 void PixelIntegrator::LoadCorners(int x, int y)
@@ -48,6 +59,7 @@ void PixelIntegrator::LoadCorners(int x, int y)
   this->X = x;
   this->Y = y;
   this->MediumError = 0.f;
+  this->Neighbors.clear();
   float penumbraNoise = 0.f;
   for (int i = 0; i < 4; ++i)
   {

@@ -161,6 +161,8 @@ private:
     const Sample& center, glm::vec4& color, float& squaredError);
   const Sample& GetGridSample(glm::ivec2 fine);
   Sample Trace(glm::dvec2 local, double area = 1.0);
+  /// Returns the penumbrae in this pixel, which predict each other, or null if there are none.
+  std::vector<PenumbraNeighbors>* GetNeighbors(std::uint32_t penumbrae);
 
   /// Combines an error of coverage and shading with the noise of sampled colors. About four colors
   /// are averaged per pixel, which halves the noise.
@@ -182,6 +184,7 @@ private:
   int Y = 0;
   Sample Corners[4];
   float MediumError = 0.f;
+  std::vector<PenumbraNeighbors> Neighbors;   ///< one for each light
   const std::uint32_t* ListedEdges = nullptr; ///< edges that cross the pixel
   std::size_t NumberOfListedEdges = 0;
   double Noise; ///< standard error of sampled colors: Settings.Noise and penumbrae

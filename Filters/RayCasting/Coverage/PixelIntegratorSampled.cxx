@@ -212,6 +212,7 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
     this->BuildFaces();
   }
   this->Noise = pixel.Noise;
+  this->Neighbors.clear();
   const OwenSobolSequence sequence(static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u);
   const double toleranceScale = ComputeToleranceScale(1.0 / static_cast<double>(total));
@@ -226,8 +227,9 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
       point = glm::dvec2(pixel.X, pixel.Y) + SampleInset +
         (1.0 - 2.0 * SampleInset) * glm::dvec2(sequence.At(index));
     }
-    this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale,
-      this->Grid.GetPenumbrae(glm::dvec2(pixel.X, pixel.Y)));
+    const std::uint32_t penumbrae = this->Grid.GetPenumbrae(glm::dvec2(pixel.X, pixel.Y));
+    this->Tracer.TracePacket(points, 0xffffu, samples, this->Rays, toleranceScale, penumbrae,
+      this->GetNeighbors(penumbrae));
     for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
     {
       const glm::vec4 expected = hasFaces

@@ -140,8 +140,16 @@ void CameraRayTracer::AddMedium(
 }
 
 void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample,
-  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae) const
+  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae,
+  std::vector<PenumbraNeighbors>* neighbors) const
 {
+  if (neighbors)
+  {
+    for (PenumbraNeighbors& light : *neighbors)
+    {
+      light.MoveTo(glm::vec2(p));
+    }
+  }
   glm::vec4& color = sample.Color;
   const bool hasPenumbrae = this->SurfaceShading.HasPenumbrae();
   float squaredNoise = 0.f;
@@ -161,6 +169,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       lights.Estimated = penumbrae;
       lights.Index = FindLightSample(p);
       lights.Tolerance = static_cast<float>(toleranceScale * this->PenumbraTolerance);
+      lights.Neighbors = neighbors && layer == 0 ? neighbors->data() : nullptr;
     }
     const ShadedHit shaded =
       this->SurfaceShading.Shade(ray, hit, counts.Shadow, hasPenumbrae ? &lights : nullptr);
@@ -204,18 +213,19 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   }
 }
 
-Sample CameraRayTracer::TraceSample(
-  glm::dvec2 p, RayCounts& counts, double toleranceScale, std::uint32_t penumbrae) const
+Sample CameraRayTracer::TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale,
+  std::uint32_t penumbrae, std::vector<PenumbraNeighbors>* neighbors) const
 {
   const Ray ray = this->MakeRay(p);
   Sample sample;
   sample.FirstHit = this->Rays.Intersect(ray);
-  this->CompositeLayers(p, ray, sample, counts, toleranceScale, penumbrae);
+  this->CompositeLayers(p, ray, sample, counts, toleranceScale, penumbrae, neighbors);
   return sample;
 }
 
 void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
-  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae) const
+  RayCounts& counts, double toleranceScale, std::uint32_t penumbrae,
+  std::vector<PenumbraNeighbors>* neighbors) const
 {
   Ray rays[PacketSize];
   Hit hits[PacketSize];
@@ -238,7 +248,8 @@ void CameraRayTracer::TracePacket(const glm::dvec2* points, unsigned int active,
     {
       samples[i] = Sample();
       samples[i].FirstHit = hits[i];
-      this->CompositeLayers(points[i], rays[i], samples[i], counts, toleranceScale, penumbrae);
+      this->CompositeLayers(
+        points[i], rays[i], samples[i], counts, toleranceScale, penumbrae, neighbors);
     }
   }
 }

@@ -55,13 +55,14 @@ public:
   /// itself. `toleranceScale` multiplies the tolerances of occlusion and irradiance; it is larger
   /// than 1 for a sample that is averaged with others. `penumbrae` are the lights with a size whose
   /// visible fraction is estimated, see PenumbraSampling; one ray is traced toward each other
-  /// light.
+  /// light. `neighbors`, one for each light, predict the penumbrae; null: independent estimates.
   Sample TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale = 1.0,
-    std::uint32_t penumbrae = 0) const;
+    std::uint32_t penumbrae = 0, std::vector<PenumbraNeighbors>* neighbors = nullptr) const;
 
   /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.
   void TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,
-    RayCounts& counts, double toleranceScale = 1.0, std::uint32_t penumbrae = 0) const;
+    RayCounts& counts, double toleranceScale = 1.0, std::uint32_t penumbrae = 0,
+    std::vector<PenumbraNeighbors>* neighbors = nullptr) const;
 
   /// Returns the first hit without shading it.
   Hit TraceFirstHit(glm::dvec2 p) const { return this->Rays.Intersect(this->MakeRay(p)); }
@@ -116,7 +117,8 @@ private:
   glm::vec3 ComputeIndirectLight(const Ray& ray, const Hit& hit, const ShadedHit& shaded,
     RayCounts& counts, double toleranceScale) const;
   void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,
-    double toleranceScale, std::uint32_t penumbrae) const;
+    double toleranceScale, std::uint32_t penumbrae,
+    std::vector<PenumbraNeighbors>* neighbors) const;
 
   const RayScene& Rays;
   const Shading& SurfaceShading;

@@ -43,6 +43,8 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
   glm::dvec2 points[CameraRayTracer::PacketSize];
   Sample samples[CameraRayTracer::PacketSize];
   unsigned int active = 0;
+  std::vector<PenumbraNeighbors> neighbors(penumbrae != 0 ? tracer.GetScene().Lights.size() : 0);
+  std::vector<PenumbraNeighbors>* predictions = penumbrae != 0 ? &neighbors : nullptr;
   // Trace all corners of the block that lie in the whole image: packets must not depend on the
   // region.
   for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
@@ -53,7 +55,7 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
   }
   if (packets && active != 0)
   {
-    tracer.TracePacket(points, active, samples, counts, 1.0, penumbrae);
+    tracer.TracePacket(points, active, samples, counts, 1.0, penumbrae, predictions);
   }
   for (int i = 0; i < CameraRayTracer::PacketSize; ++i)
   {
@@ -64,7 +66,7 @@ void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, boo
     }
     if (!packets)
     {
-      samples[i] = tracer.TraceSample(points[i], counts, 1.0, penumbrae);
+      samples[i] = tracer.TraceSample(points[i], counts, 1.0, penumbrae, predictions);
     }
     if (penumbrae == 0)
     {

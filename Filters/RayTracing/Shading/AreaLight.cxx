@@ -4,6 +4,7 @@
 
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
+#include "PenumbraBoundary.h"
 #include "RayTracingConstants.h"
 
 #include <glm/gtc/constants.hpp>
@@ -19,22 +20,6 @@ namespace
 {
 
 constexpr float Pi = glm::pi<float>();
-
-/// Area of a cap of the unit disk with half the central angle `half`, as a fraction of the disk.
-float CapArea(float half)
-{
-  return (half - std::sin(half) * std::cos(half)) / Pi;
-}
-
-glm::vec2 OnCircle(float angle)
-{
-  return { std::cos(angle), std::sin(angle) };
-}
-
-bool IsBinary(float value)
-{
-  return value == 0.f || value == 1.f;
-}
 
 VisibleFraction SampleSequence(
   const std::function<float(glm::vec2)>& visibility, std::uint32_t seed, float tolerance)
@@ -63,193 +48,140 @@ VisibleFraction SampleSequence(
   }
 }
 
-/// Smooth boundary between the visible and the hidden part of the disk: a circular arc between two
-/// points on the circumference. All positions are brackets that visibility tests make narrower.
-class Boundary
+/// Samples a light that more than one boundary divides.
+VisibleFraction SampleComplex(const DiskVisibility& visibility, std::uint32_t seed, float tolerance,
+  PenumbraNeighbors* neighbors)
 {
-public:
-  /// `begin` and `end` are angles; the circumference is visible from `begin` counterclockwise to
-  /// `end`. Each bracket contains a hidden and a visible end.
-  Boundary(glm::vec2 begin, glm::vec2 end)
-    : Begin(begin),
-      End(end)
+  if (neighbors)
   {
+    neighbors->SetComplex();
   }
+  return SampleSequence(visibility, seed, tolerance);
+}
 
-  /// Narrows the brackets until the estimated error is at most `tolerance`. Returns false if the
-  /// boundary is not a smooth curve, or if `visibility` is neither 0 nor 1.
-  bool Refine(
-    const std::function<float(glm::vec2)>& visibility, std::uint32_t seed, float tolerance)
+/// Number of points inside the disk that must have the visibility `value` of the circumference.
+std::uint32_t GetInteriorPoints(const PenumbraNeighbors* neighbors, float value)
+{
+  if (!neighbors || neighbors->IsComplex())
   {
-    while (this->EstimateEndError() > EndErrorFraction * tolerance || this->IsWide())
+    return InteriorPoints;
+  }
+  return neighbors->HasUniform(value) ? SupportedInteriorPoints : BlockInteriorPoints;
+}
+
+/// Number of points inside the disk that check a boundary.
+int GetCheckPoints(const PenumbraNeighbors* neighbors)
+{
+  if (neighbors && neighbors->IsComplex())
+  {
+    return ComplexCheckPoints;
+  }
+  return neighbors && neighbors->HasBoundary() ? BlockCheckPoints : CheckPoints;
+}
+
+/// Returns true if the first `count` points of the sequence have the visibility `value`.
+bool AgreesInside(
+  const DiskVisibility& visibility, std::uint32_t seed, float value, std::uint32_t count)
+{
+  const OwenSobolSequence sequence(seed);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const glm::vec2 at = sequence.At(i);
+    if (visibility(SampleUniformDiskConcentric(at.x, at.y)) != value)
     {
-      const bool first = this->Begin.y - this->Begin.x >= this->End.y - this->End.x;
-      glm::vec2& bracket = first ? this->Begin : this->End;
-      const float middle = 0.5f * (bracket.x + bracket.y);
-      if (middle <= bracket.x || middle >= bracket.y)
-      {
-        break;
-      }
-      const float value = visibility(CircleRadius * OnCircle(middle));
-      if (!IsBinary(value))
-      {
-        return false;
-      }
-      ((value == 1.f) == first ? bracket.y : bracket.x) = middle;
+      return false;
     }
-    return this->FindSagitta(visibility, tolerance) && this->Check(visibility, seed);
   }
+  return true;
+}
 
-  float Area() const
+/// Returns true if the light is as visible as `arc` predicts, which is outside the disk.
+bool IsUniform(const DiskVisibility& visibility, const PenumbraArc& arc, std::uint32_t seed)
+{
+  const float value = arc.Distance < 0.f ? 1.f : 0.f;
+  const float nearest = arc.Distance < 0.f ? arc.Axis + Pi : arc.Axis;
+  for (const float offset : { 0.f, -OutsideProbeAngle, OutsideProbeAngle })
   {
-    const float chord = this->HalfLength();
-    float area = CapArea(this->HalfAngle());
-    const float sagitta = this->Sagitta();
-    if (std::abs(sagitta) > 1e-4f && chord > 1e-4f)
+    if (visibility(CircleRadius * OnCircle(nearest + offset)) != value)
     {
-      const float h = std::abs(sagitta);
-      const float radius = (chord * chord + h * h) / (2.f * h);
-      const float half = 2.f * std::atan2(h, chord);
-      area += std::copysign(radius * radius * CapArea(half), sagitta);
+      return false;
     }
-    return std::clamp(area, 0.f, 1.f);
+  }
+  return AgreesInside(visibility, seed, value, SupportedInteriorPoints);
+}
+
+/// Visibility of points on the circumference of the disk.
+struct Circle
+{
+  // The points are rotated by the seed, so that errors of neighbors are independent.
+  Circle(const DiskVisibility& visibility, std::uint32_t seed)
+    : Visibility(visibility),
+      Offset(0.5f * Pi * NextFloat(seed))
+  {
   }
 
-  float Error() const { return std::hypot(this->EstimateEndError(), this->EstimateSagittaError()); }
-
-private:
-  float HalfAngle() const
+  /// Traces points until two of them differ, or the cap between two points is too small to matter.
+  void Trace(float tolerance)
   {
-    return 0.25f * (this->End.x + this->End.y - this->Begin.x - this->Begin.y);
-  }
-  float HalfLength() const { return std::abs(std::sin(this->HalfAngle())); }
-  bool IsWide() const
-  {
-    return this->HalfLength() > 0.3f &&
-      std::max(this->Begin.y - this->Begin.x, this->End.y - this->End.x) > NarrowBracket;
-  }
-  float SagittaWidth() const { return this->Middle.y - this->Middle.x; }
-  float Sagitta() const { return 0.5f * (this->Middle.x + this->Middle.y); }
-
-  float EstimateEndError() const
-  {
-    const float slope = this->HalfLength() * this->HalfLength() / Pi;
-    const float width = std::hypot(this->Begin.y - this->Begin.x, this->End.y - this->End.x);
-    return 0.2887f * slope * width;
-  }
-
-  float EstimateSagittaError() const
-  {
-    const bool isStraight = this->Middle.x < 0.f && this->Middle.y > 0.f;
-    return (isStraight ? StraightError : CurvedError) * this->SagittaWidth() * this->HalfLength() /
-      Pi;
-  }
-
-  /// Point at `along` times the direction of the chord and `across` times the direction from its
-  /// middle to the visible side.
-  glm::vec2 At(float along, float across) const
-  {
-    const float middle = 0.25f * (this->Begin.x + this->Begin.y + this->End.x + this->End.y);
-    const glm::vec2 axis = OnCircle(middle);
-    return (std::cos(this->HalfAngle()) + across) * axis + along * glm::vec2(-axis.y, axis.x);
-  }
-
-  /// Brackets the distance of the boundary from the chord at its middle, positive to the hidden
-  /// side.
-  bool FindSagitta(const std::function<float(glm::vec2)>& visibility, float tolerance)
-  {
-    const float chord = std::cos(this->HalfAngle());
-    const float low = chord - 1.f;
-    const float high = chord + 1.f;
-    this->Middle = { std::max(-ProbeDistance, low), std::min(ProbeDistance, high) };
-    if (this->HalfLength() * ProbeDistance / Pi * 4.f < tolerance * 0.5f)
+    int next = FirstCirclePoints;
+    do
     {
-      return true; // a cap too small to matter
-    }
-    for (const int side : { -1, 1 })
-    {
-      float& bound = side < 0 ? this->Middle.x : this->Middle.y;
-      float& other = side < 0 ? this->Middle.y : this->Middle.x;
-      const float limit = side < 0 ? low : high;
-      bool isKnown = bound == limit || (side > 0 && bound < ProbeDistance);
-      while (!isKnown)
+      const int step = MaximumCirclePoints / next;
+      for (int i = 0; i < next; ++i)
       {
-        const float value = visibility(this->At(0.f, -bound));
-        if (!IsBinary(value))
+        if (this->Count == 0 || i % 2 == 1)
         {
-          return false;
+          this->Values[i * step] = this->Visibility(
+            CircleRadius * OnCircle(this->Offset + 2.f * Pi * static_cast<float>(i) / next));
         }
-        if (value == (side < 0 ? 1.f : 0.f))
-        {
-          break;
-        }
-        other = bound;
-        bound = side * std::min(std::abs(limit), 3.f * std::abs(bound));
-        isKnown = bound == limit;
       }
-    }
-    while (this->Middle.y - this->Middle.x > 2.f * ProbeDistance + 1e-3f ||
-      this->EstimateSagittaError() > SagittaErrorFraction * tolerance)
-    {
-      const float middle = this->Sagitta();
-      const float value = visibility(this->At(0.f, -middle));
-      if (!IsBinary(value))
+      this->Count = next;
+      this->Changes = 0;
+      for (int i = 0; i < this->Count; ++i)
       {
-        return false;
+        this->Changes += this->Get(i) != this->Get(i + 1) ? 1 : 0;
+        this->Changes += IsBinary(this->Get(i)) ? 0 : MaximumCirclePoints;
       }
-      (value == 1.f ? this->Middle.x : this->Middle.y) = middle;
-      if (this->SagittaWidth() < 1e-3f)
-      {
-        break;
-      }
+      next *= 2;
     }
-    return true;
+    while (this->Changes == 0 && this->Count < MaximumCirclePoints &&
+      (this->Count < MinimumCirclePoints || this->EstimateMissedCap() > tolerance));
   }
 
-  /// Returns the distance of a point from the boundary along the axis, positive on the visible
-  /// side.
-  float SignedDistance(glm::vec2 point) const
+  float Get(int i) const
   {
-    const float middle = 0.25f * (this->Begin.x + this->Begin.y + this->End.x + this->End.y);
-    const glm::vec2 axis = OnCircle(middle);
-    const float along = glm::dot(point, glm::vec2(-axis.y, axis.x));
-    const float chord = this->HalfLength();
-    const float h = std::abs(this->Sagitta());
-    float rise = 0.f;
-    if (h > 1e-4f && chord > 1e-4f)
-    {
-      const float radius = (chord * chord + h * h) / (2.f * h);
-      rise = std::sqrt(std::max(radius * radius - along * along, 0.f)) - (radius - h);
-    }
-    return glm::dot(point, axis) - std::cos(this->HalfAngle()) +
-      std::copysign(rise, this->Sagitta());
+    return this->Values[i % this->Count * (MaximumCirclePoints / this->Count)];
   }
 
-  /// Tests both sides of the boundary at one quarter of its length, and points of the sequence.
-  bool Check(const std::function<float(glm::vec2)>& visibility, std::uint32_t seed) const
+  float EstimateMissedCap() const
   {
-    const float along = (seed & 0x10000u ? 0.5f : -0.5f) * this->HalfLength();
-    const float offset = this->SignedDistance(this->At(along, 0.f));
-    const OwenSobolSequence sequence(seed);
-    for (int i = 0; i < 2 + CheckPoints; ++i)
-    {
-      const glm::vec2 at = sequence.At(static_cast<std::uint32_t>(i));
-      const glm::vec2 point = i < 2
-        ? this->At(along, (i == 0 ? CheckDistance : -CheckDistance) - offset)
-        : SampleUniformDiskConcentric(at.x, at.y);
-      const float distance = this->SignedDistance(point);
-      if (glm::dot(point, point) < 1.f && std::abs(distance) > 0.8f * CheckDistance &&
-        visibility(point) != (distance > 0.f ? 1.f : 0.f))
-      {
-        return false;
-      }
-    }
-    return true;
+    return MissedCapError * CapArea(Pi / static_cast<float>(this->Count));
   }
 
-  glm::vec2 Begin;
-  glm::vec2 End;
-  glm::vec2 Middle{ 0.f }; ///< bracket of the sagitta: hidden side of x, visible side of y
+  /// Sets the ends of a boundary between two pairs of points.
+  void SetEnds(PenumbraBoundary& boundary) const
+  {
+    glm::vec2 begin(0.f);
+    glm::vec2 end(0.f);
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const glm::vec2 bracket =
+        this->Offset + 2.f * Pi / static_cast<float>(this->Count) * glm::vec2(i, i + 1);
+      begin = this->Get(i) < this->Get(i + 1) ? bracket : begin;
+      end = this->Get(i) > this->Get(i + 1) ? bracket : end;
+    }
+    if (end.x < begin.x)
+    {
+      end += 2.f * Pi;
+    }
+    boundary.SetEnds(begin, end);
+  }
+
+  const DiskVisibility& Visibility;
+  float Offset;
+  int Count = 0;
+  int Changes = 0; ///< between neighbors; large if a value is neither 0 nor 1
+  std::array<float, MaximumCirclePoints> Values;
 };
 
 }
@@ -308,78 +240,52 @@ Ray AreaLight::MakeRay(glm::vec2 disk) const
   return ray;
 }
 
-VisibleFraction EstimateVisibleFraction(
-  const std::function<float(glm::vec2)>& visibility, std::uint32_t seed, float tolerance)
+VisibleFraction EstimateVisibleFraction(const std::function<float(glm::vec2)>& visibility,
+  std::uint32_t seed, float tolerance, PenumbraNeighbors* neighbors)
 {
-  // The points on the circumference are rotated by the seed, so that errors of neighbors are
-  // independent.
-  std::uint32_t random = seed;
-  const float offset = 0.5f * Pi * NextFloat(random);
-  std::array<float, MaximumCirclePoints> circle;
-  int count = 0;
-  int changes = 0;
-  int next = FirstCirclePoints;
-  do
+  PenumbraArc arc;
+  if (neighbors && neighbors->Predict(arc))
   {
-    const int step = MaximumCirclePoints / next;
-    for (int i = 0; i < next; ++i)
+    PenumbraBoundary boundary(visibility, seed, tolerance);
+    if (boundary.FindEnds(arc) && boundary.Refine(GetCheckPoints(neighbors)))
     {
-      if (count == 0 || i % 2 == 1)
+      neighbors->Add(boundary.GetArc());
+      return { boundary.GetArea(), boundary.GetError() };
+    }
+    if (std::abs(arc.Distance) >= MinimumOutsideDistance && IsUniform(visibility, arc, seed))
+    {
+      return { arc.Distance < 0.f ? 1.f : 0.f, MissedCapError * CapArea(0.5f * OutsideProbeAngle) };
+    }
+  }
+  Circle circle(visibility, seed);
+  circle.Trace(tolerance);
+  if (circle.Changes == 0)
+  {
+    const float value = circle.Values[0];
+    if (!AgreesInside(visibility, seed, value, GetInteriorPoints(neighbors, value)))
+    {
+      return SampleComplex(visibility, seed, tolerance, neighbors);
+    }
+    if (neighbors)
+    {
+      neighbors->AddUniform(circle.Values[0]);
+    }
+    return { circle.Values[0], circle.EstimateMissedCap() };
+  }
+  if (circle.Changes == 2)
+  {
+    PenumbraBoundary boundary(visibility, seed, tolerance);
+    circle.SetEnds(boundary);
+    if (boundary.Refine(GetCheckPoints(neighbors)))
+    {
+      if (neighbors)
       {
-        circle[i * step] =
-          visibility(CircleRadius * OnCircle(offset + 2.f * Pi * static_cast<float>(i) / next));
+        neighbors->Add(boundary.GetArc());
       }
-    }
-    count = next;
-    changes = 0;
-    for (int i = 0; i < count; ++i)
-    {
-      changes += circle[i * step] != circle[(i + 1) % count * step] ? 1 : 0;
-      changes += IsBinary(circle[i * step]) ? 0 : MaximumCirclePoints;
-    }
-    next *= 2;
-  }
-  while (changes == 0 && count < MaximumCirclePoints &&
-    (count < MinimumCirclePoints || MissedCapError * CapArea(Pi / count) > tolerance));
-
-  const float missed = MissedCapError * CapArea(Pi / static_cast<float>(count));
-  if (changes == 0)
-  {
-    const OwenSobolSequence sequence(seed);
-    for (std::uint32_t i = 0; i < InteriorPoints; ++i)
-    {
-      const glm::vec2 at = sequence.At(i);
-      if (visibility(SampleUniformDiskConcentric(at.x, at.y)) != circle[0])
-      {
-        return SampleSequence(visibility, seed, tolerance);
-      }
-    }
-    return { circle[0], missed };
-  }
-  if (changes == 2)
-  {
-    const int step = MaximumCirclePoints / count;
-    glm::vec2 begin(0.f);
-    glm::vec2 end(0.f);
-    for (int i = 0; i < count; ++i)
-    {
-      const float before = circle[i * step];
-      const float after = circle[(i + 1) % count * step];
-      const glm::vec2 bracket = offset + 2.f * Pi / static_cast<float>(count) * glm::vec2(i, i + 1);
-      begin = before < after ? bracket : begin;
-      end = before > after ? bracket : end;
-    }
-    if (end.x < begin.x)
-    {
-      end += 2.f * Pi;
-    }
-    Boundary boundary(begin, end);
-    if (boundary.Refine(visibility, seed, tolerance))
-    {
-      return { boundary.Area(), boundary.Error() };
+      return { boundary.GetArea(), boundary.GetError() };
     }
   }
-  return SampleSequence(visibility, seed, tolerance);
+  return SampleComplex(visibility, seed, tolerance, neighbors);
 }
 
 }

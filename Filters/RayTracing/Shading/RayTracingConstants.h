@@ -42,16 +42,27 @@ constexpr int MinimumCirclePoints = 8; ///< if all agree
 constexpr int MaximumCirclePoints = 32;
 /// Radius of the circumference, slightly inside the light.
 constexpr float CircleRadius = 0.999f;
-/// Number of points inside the disk that are traced if all points on the circumference agree.
-constexpr std::uint32_t InteriorPoints = 4;
+/// Number of points inside the disk that are traced if all points on the circumference agree: for a
+/// single point, in a block of neighbors, and if all of the light is as visible from a neighbor. The
+/// neighbors of a block detect what one of them misses.
+constexpr std::uint32_t InteriorPoints = 8;
+constexpr std::uint32_t BlockInteriorPoints = 4;
+constexpr std::uint32_t SupportedInteriorPoints = 1;
+/// Smallest distance of a predicted boundary outside the disk from its center, in radii, and angle
+/// of the probes on both sides of the nearest point of the circumference, in radians.
+constexpr float MinimumOutsideDistance = 1.0f;
+constexpr float OutsideProbeAngle = 0.5f;
 /// Standard error of a cap that the points on the circumference miss, as a fraction of its area.
 constexpr float MissedCapError = 0.4f;
 /// Distance of the probes on both sides of the predicted boundary, in radii.
 constexpr float ProbeDistance = 0.05f;
 /// Distance of the points that check the shape of the boundary, in radii.
 constexpr float CheckDistance = 0.12f;
-/// Number of further points that check it.
-constexpr int CheckPoints = 2;
+/// Number of further points that check it: at the first point, at neighbors of a point with one
+/// boundary, and at neighbors of a point with more than one.
+constexpr int CheckPoints = 6;
+constexpr int BlockCheckPoints = 2;
+constexpr int ComplexCheckPoints = 12;
 /// Bracket of an end of the boundary, in radians, that is narrow enough for a prediction.
 constexpr float NarrowBracket = 0.35f;
 /// Standard error of the area as a fraction of the chord times the bracket of the sagitta, times
@@ -61,6 +72,17 @@ constexpr float StraightError = 0.12f;
 /// Errors of the ends and of the sagitta as fractions of the tolerance.
 constexpr float EndErrorFraction = 0.8f;
 constexpr float SagittaErrorFraction = 0.6f;
+/// Smallest half angle of a cap whose ends are predicted from neighbors.
+constexpr float MinimumPredictedAngle = 0.2f;
+/// Bracket of a predicted end relative to the one that meets the tolerance.
+constexpr float PredictedBracket = 0.85f;
+/// Largest number of brackets next to the predicted one that are tried.
+constexpr int MaximumPredictedBrackets = 4;
+/// Largest sagitta of a boundary that is predicted to be straight.
+constexpr float StraightSagitta = 0.02f;
+/// Second moment, in squared pixels, that is added to those of the positions of neighbors: without
+/// neighbors in a direction, the predicted gradient in this direction is 0.
+constexpr float GradientRegularization = 0.05f;
 /// Number of samples of the sequence: first round and maximum.
 constexpr std::uint32_t FirstLightSamples = 32;
 constexpr std::uint32_t MaximumLightSamples = 1024;

@@ -356,7 +356,7 @@ float Shading::Transmittance(glm::vec3 point, glm::vec3 direction, float distanc
 }
 
 VisibleFraction Shading::ComputeVisibleFraction(const Light& light, glm::vec3 point,
-  glm::vec3 normal, float tolerance, long long& shadowRays) const
+  glm::vec3 normal, float tolerance, long long& shadowRays, PenumbraNeighbors* neighbors) const
 {
   const glm::vec3 up = glm::normalize(normal);
   const AreaLight source(light, point + RayOriginOffset(point) * up);
@@ -368,7 +368,7 @@ VisibleFraction Shading::ComputeVisibleFraction(const Light& light, glm::vec3 po
     const Ray ray = source.MakeRay(disk);
     return glm::dot(ray.Direction, up) > 0.f ? this->TraceTransmittance(ray, shadowRays) : 0.f;
   };
-  return EstimateVisibleFraction(visibility, HashPoint(point, up), tolerance);
+  return EstimateVisibleFraction(visibility, HashPoint(point, up), tolerance, neighbors);
 }
 
 // One ray per light suffices where all rays of a neighborhood agree, see CornerGrid.
@@ -380,8 +380,8 @@ float Shading::SampleVisibleFraction(std::size_t light, glm::vec3 point, glm::ve
   if (penumbrae && (penumbrae->Estimated & bit) != 0)
   {
     const float tolerance = penumbrae->Tolerance / std::max(brightness, 1e-6f);
-    const VisibleFraction fraction =
-      this->ComputeVisibleFraction(source, point, normal, tolerance, shadowRays);
+    const VisibleFraction fraction = this->ComputeVisibleFraction(source, point, normal, tolerance,
+      shadowRays, penumbrae->Neighbors ? penumbrae->Neighbors + light : nullptr);
     penumbrae->SquaredError += brightness * fraction.Error * brightness * fraction.Error;
     return fraction.Value;
   }

@@ -31,6 +31,7 @@ struct PenumbraSampling
   std::uint32_t Estimated = 0; ///< lights whose visible fraction is estimated; others get one ray
   std::uint32_t Index = 0;     ///< index of the sample of this ray
   float Tolerance = 0.f;       ///< accepted standard error of the color
+  PenumbraNeighbors* Neighbors = nullptr; ///< of each light, or null
 
   // Result.
   std::uint32_t Lit = 0;      ///< lights that a ray reached
@@ -63,7 +64,7 @@ public:
   /// Returns the fraction of a light with a size that is visible from a point on a surface with
   /// the geometric normal `normal`, with a standard error of at most `tolerance`.
   VisibleFraction ComputeVisibleFraction(const Light& light, glm::vec3 point, glm::vec3 normal,
-    float tolerance, long long& shadowRays) const;
+    float tolerance, long long& shadowRays, PenumbraNeighbors* neighbors = nullptr) const;
 
   /// Returns true if a light casts penumbrae.
   bool HasPenumbrae() const { return this->Penumbrae; }
