@@ -97,6 +97,9 @@ void AddShafts(
       : shafts.Phase == "hg"                ? vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN
                                             : vtkPenumbraLightShaftPass::ISOTROPIC);
   pass->SetAsymmetry(shafts.Asymmetry);
+  pass->SetTolerance(options.Tolerance);
+  pass->SetEstimator(shafts.Estimator == "shadow-map" ? vtkPenumbraLightShaftPass::SHADOW_MAP
+                                                      : vtkPenumbraLightShaftPass::DEPTH);
 }
 
 /// Adds the statistics of the last frame of `pass` to `result`, and its arrays if `arrays` is on.

@@ -20,7 +20,8 @@ namespace
 
 void RequireShafts(const CLI::App& app, const ShaftOptions& shafts)
 {
-  for (const char* name : { "--shafts-scattering", "--shafts-extinction", "--shafts-phase" })
+  for (const char* name :
+    { "--shafts-scattering", "--shafts-extinction", "--shafts-phase", "--shafts-estimator" })
   {
     if (!shafts.Enabled && app.count(name) > 0)
     {
@@ -131,8 +132,9 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
     bool IsIgnored;
     const char* Reason;
   } rows[] = {
-    { "--tolerance", !ray && !options.AmbientOcclusion,
-      "with --engine raster without --ambient-occlusion" },
+    { "--tolerance", !ray && !options.AmbientOcclusion && !options.Shafts.Enabled,
+      "with --engine raster without --ambient-occlusion or --light-shafts" },
+    { "--shafts-estimator", ray, "with --engine ray" },
     { "--max-level", !ray, "with --engine raster" },
     { "--no-small-objects", !ray, "with --engine raster" },
     { "--point-size", options.PointRadius > 0.0, "with --point-radius" },

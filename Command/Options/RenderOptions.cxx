@@ -243,6 +243,10 @@ void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
     ->default_str("isotropic")
     ->take_last()
     ->group(group);
+  AddChoice(app, "--shafts-estimator", shafts.Estimator, { "depth", "shadow-map" },
+    "Shadows of the shafts: from the depth of the image, or from a shadow map of each light, whose "
+    "error follows --tolerance (raster)")
+    ->group(group);
 }
 
 void DeclareLight(CLI::App& app, LightOptions& light)

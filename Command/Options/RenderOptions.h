@@ -52,6 +52,7 @@ struct ShaftOptions
   double Extinction = Unset; ///< unset: as Scattering
   std::string Phase = "isotropic";
   double Asymmetry = 0.0; ///< Henyey-Greenstein asymmetry g
+  std::string Estimator = "depth"; ///< raster: "depth" or "shadow-map"
 };
 
 /// Indirect light and environment.

@@ -491,6 +491,10 @@ class LightShafts(unittest.TestCase):
         plotter.penumbra.enable_light_shafts()
         hazy = plotter.screenshot(return_img=True).astype(int)
         self.assertGreater(numpy.abs(hazy - plain).max(), 8)
+        shafts = plotter.penumbra.enable_light_shafts(estimator="shadow-map")
+        self.assertEqual(shafts.GetEstimatorAsString(), "ShadowMap")
+        mapped = plotter.screenshot(return_img=True).astype(int)
+        self.assertLess(numpy.abs(mapped - hazy).mean(), 2)
         plotter.penumbra.enable_temporal_ssao()
         plotter.enable_anti_aliasing("ssaa")
         plotter.render()
@@ -500,7 +504,7 @@ class LightShafts(unittest.TestCase):
     def test_reject_invalid_arguments(self):
         plotter = scene()
         for arguments in ({"phase": "mie"}, {"scattering": -1.0}, {"extinction": math.nan},
-                      {"asymmetry": 1.5}, {"tolerance": 0.0}):
+                      {"asymmetry": 1.5}, {"tolerance": 0.0}, {"estimator": "radial"}):
             with self.assertRaisesRegex(ValueError, next(iter(arguments))):
                 plotter.penumbra.enable_light_shafts(**arguments)
 

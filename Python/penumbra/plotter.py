@@ -19,6 +19,7 @@ from .passes import add, passes_of, remove
 from .rendering import Image, Settings, cast_renderers, finish, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
+ESTIMATORS = {"depth": "DEPTH", "shadow-map": "SHADOW_MAP"}
 
 
 def _write(image: Image, filename: str | pathlib.Path | io.BytesIO) -> None:
@@ -103,7 +104,7 @@ class PlotterAccessor:
 
     def enable_light_shafts(
         self, *, scattering: float | None = None, extinction: float | None = None, phase: str = "isotropic",
-        asymmetry: float = 0.6, tolerance: float = 1.0 / 256.0,
+        asymmetry: float = 0.6, tolerance: float = 1.0 / 256.0, estimator: str = "depth",
     ) -> Any:
         """Add light shafts of all lights except headlights in a homogeneous medium.
 
@@ -117,6 +118,9 @@ class PlotterAccessor:
             [-0.999, 0.999].
         tolerance : float
             Accepted error of a color. Range: [1e-4, 1].
+        estimator : {"depth", "shadow-map"}
+            Shadows from the depth of the image, or from a shadow map of each light, which costs more
+            and whose error follows ``tolerance``.
 
         Returns the pass, a ``vtkPenumbraLightShaftPass``.
         """
@@ -126,6 +130,7 @@ class PlotterAccessor:
         check_choice("phase", phase, PHASES)
         check_range("asymmetry", asymmetry, -0.999, 0.999)
         check_range("tolerance", tolerance, 1e-4, 1.0)
+        check_choice("estimator", estimator, tuple(ESTIMATORS))
         self._require_window()
         require_opengl(self._plotter.render_window)
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
@@ -136,6 +141,7 @@ class PlotterAccessor:
         shafts.SetPhase(PHASES.index(phase))
         shafts.SetAsymmetry(asymmetry)
         shafts.SetTolerance(tolerance)
+        shafts.SetEstimator(getattr(vtkPenumbraLightShaftPass, ESTIMATORS[estimator]))
         self._plotter.render()
         return shafts
 

@@ -341,6 +341,29 @@ TEST(Render, EnginesRenderSimilarLightShafts)
   EXPECT_LT(Compare(folder / "raster.png", folder / "ray.png")["metrics"]["rmse"], 0.02);
 }
 
+TEST(Render, RendersLightShaftsFromShadowMaps)
+{
+  const Folder folder("shadow-maps");
+  const auto render = [&](const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> all = { "render", PENUMBRA_SOURCE_DIR "/Data/bracket.stl",
+      "--resolution", "120,90", "--output", folder / name, "--light-shafts",
+      "--light-position=-0.5,0.5,-1,0" };
+    all.insert(all.end(), options.begin(), options.end());
+    const ProgramResult outcome = RunProgram(all);
+    EXPECT_EQ(outcome.Status, 0) << outcome.Errors;
+    return outcome.Errors;
+  };
+  render("ray.png", { "--engine", "ray", "--tolerance", "0.001" });
+  render("depth.png", { "--engine", "raster" });
+  render("map.png", { "--engine", "raster", "--shafts-estimator", "shadow-map" });
+  const auto error = [&](const std::string& name) -> double {
+    return Compare(folder / name, folder / "ray.png")["metrics"]["rmse"];
+  };
+  EXPECT_LT(error("map.png"), error("depth.png"));
+  EXPECT_NE(render("unused.png", { "--shafts-estimator", "shadow-map" }).find("--shafts-estimator"),
+    std::string::npos);
+}
+
 TEST(Render, WarnsThatHeadlightsCastNoShafts)
 {
   const Folder folder("headlight");

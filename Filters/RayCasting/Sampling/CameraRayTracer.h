@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 class vtkPenumbraIrradianceProvider;
 

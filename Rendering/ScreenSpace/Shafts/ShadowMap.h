@@ -11,6 +11,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <vector>
+
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
