@@ -10,6 +10,8 @@ set(PENUMBRA_PYTHON_VTK cvista CACHE STRING
   "Python package whose VTK the modules use: cvista (stable ABI) or vtkmodules (one CPython, old C++ ABI).")
 option(PENUMBRA_WARNINGS_AS_ERRORS "Fail on compiler warnings." OFF)
 option(PENUMBRA_SANITIZERS "Build with AddressSanitizer and UBSan." OFF)
+option(PENUMBRA_INSTALL_VTK_PATH
+  "Store the folder of VTK in the installed package and libraries. OFF: for another machine." ON)
 set(PENUMBRA_WINDOW vtkOSOpenGLRenderWindow CACHE STRING
   "Class of vtkRenderWindow that the tests use.")
 
@@ -20,6 +22,10 @@ endif ()
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+if (DEFINED BUILD_SHARED_LIBS AND NOT BUILD_SHARED_LIBS)
+  message(FATAL_ERROR "Penumbra is built as shared libraries only, because its classes replace classes of "
+    "VTK at run time and VTK's Python modules load them. Remove BUILD_SHARED_LIBS=OFF.")
+endif ()
 set(BUILD_SHARED_LIBS ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
@@ -27,7 +33,7 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
-set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH "${PENUMBRA_INSTALL_VTK_PATH}")
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # In a wheel, libraries find each other and VTK relative to their own folder.

@@ -51,7 +51,7 @@ struct ShaftOptions
   double Scattering = Unset; ///< per world unit; unset: 0.25 / the bounds' diagonal
   double Extinction = Unset; ///< unset: as Scattering
   std::string Phase = "isotropic";
-  double Asymmetry = 0.0; ///< Henyey-Greenstein asymmetry g
+  double Asymmetry = 0.0;          ///< Henyey-Greenstein asymmetry g
   std::string Estimator = "depth"; ///< raster: "depth" or "shadow-map"
 };
 
