@@ -15,6 +15,7 @@
 #include "vtkPolyDataReader.h"
 #include "vtkSphereSource.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridReader.h"
@@ -424,24 +425,30 @@ TEST(Bake, RejectsInvalidOpacityArrays)
   const std::string triangle = "# vtk DataFile Version 3.0\ntriangle\nASCII\nDATASET POLYDATA\n"
                                "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n";
   const std::string points = "POINT_DATA 3\nFIELD arrays 1\n";
+  const std::string invalid = "--opacity-array: alpha must be a point array";
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  const std::string notFinite = "damaged"; // the reader of this VTK rejects such numbers
+#else
+  const std::string& notFinite = invalid;
+#endif
   const struct
   {
     std::string Arrays;
     int Status;
-    std::string Message = "--opacity-array: alpha must be a point array";
+    std::string Message;
   } rows[] = {
-    { "", 2 }, // no such array
-    { "CELL_DATA 1\nFIELD arrays 1\nalpha 1 1 float\n0.5\n", 2 },
+    { "", 2, invalid }, // no such array
+    { "CELL_DATA 1\nFIELD arrays 1\nalpha 1 1 float\n0.5\n", 2, invalid },
     { points + "alpha 1 2 float\n0.5 0.5\n", 2, "the array 'alpha' is too short" },
-    { points + "alpha 1 4 float\n0.5 0.5 0.5 0.5\n", 2 }, // too long
-    { points + "alpha 2 3 float\n0 0 0 0 0 0\n", 2 },     // two components
-    { points + "alpha 1 3 string\na\nb\nc\n", 2 },
-    { points + "alpha 1 3 float\n0.5 nan 0.5\n", 2 },
-    { points + "alpha 1 3 float\n0.5 inf 0.5\n", 2 },
-    { points + "alpha 1 3 float\n0.5 -0.01 0.5\n", 2 },
-    { points + "alpha 1 3 float\n0.5 1.01 0.5\n", 2 },
-    { points + "alpha 1 3 float\n0 0.5 1\n", 0 },
-    { points + "alpha 1 3 unsigned_char\n0 1 1\n", 0 },
+    { points + "alpha 1 4 float\n0.5 0.5 0.5 0.5\n", 2, invalid }, // too long
+    { points + "alpha 2 3 float\n0 0 0 0 0 0\n", 2, invalid },     // two components
+    { points + "alpha 1 3 string\na\nb\nc\n", 2, invalid },
+    { points + "alpha 1 3 float\n0.5 nan 0.5\n", 2, notFinite },
+    { points + "alpha 1 3 float\n0.5 inf 0.5\n", 2, notFinite },
+    { points + "alpha 1 3 float\n0.5 -0.01 0.5\n", 2, invalid },
+    { points + "alpha 1 3 float\n0.5 1.01 0.5\n", 2, invalid },
+    { points + "alpha 1 3 float\n0 0.5 1\n", 0, "" },
+    { points + "alpha 1 3 unsigned_char\n0 1 1\n", 0, "" },
   };
   for (const char* quantity : { "ambient-occlusion", "direct-light" })
   {
