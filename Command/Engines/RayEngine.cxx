@@ -162,6 +162,7 @@ RenderResult RenderWithRays(
   caster->SetPointRadius(options.PointRadius);
   caster->SetLineRadius(options.LineRadius);
   caster->SetGeometryArrays(HoldsArrays(options.Output));
+  caster->SetOcclusionArray(options.AmbientOcclusion);
 
   AlgorithmObserver state{ progress, Clock::now() };
   vtkNew<vtkCallbackCommand> observer;

@@ -3,6 +3,7 @@
 #include "RayCasterInternals.h"
 
 #include "Conventions/Statistics.h"
+#include "Features/SceneFeatures.h"
 #include "Image/GeometryArrays.h"
 #include "Image/LayerCompositing.h"
 #include "Import/SceneExtraction.h"
@@ -101,6 +102,21 @@ void AddLayerRays(vtkFieldData* layer, vtkFieldData* statistics)
 
 }
 
+vtkPenumbraRayCaster::Internals::OcclusionSettings vtkPenumbraRayCaster::Internals::FindOcclusion(
+  vtkPenumbraRayCaster* self) const
+{
+  OcclusionSettings settings{ self->GetAmbientOcclusion(), self->AmbientOcclusionRadius,
+    self->AmbientOcclusionStrength, false };
+  settings.OfRenderer = settings.On && !this->AmbientOcclusion.has_value();
+  if (settings.OfRenderer)
+  {
+    // VTK's pass ignores how surfaces are colored.
+    settings.Strength = settings.Strength < 0.0 ? 1.0 : settings.Strength;
+    settings.Radius = settings.Radius > 0.0 ? settings.Radius : this->Renderer->GetSSAORadius();
+  }
+  return settings;
+}
+
 void vtkPenumbraRayCaster::Internals::ResetResults()
 {
   this->Statistics->Initialize();
@@ -135,7 +151,7 @@ void vtkPenumbraRayCaster::Internals::Prepare(
     self->Background && !(self->Layers && !penumbra::FindLayersBelow(this->Renderer).empty());
   // What the camera clips still blocks light.
   options.ClipToRange =
-    !self->Shadows && !self->AmbientOcclusion && !self->IndirectLight && !this->Medium;
+    !self->GetShadows() && !self->GetAmbientOcclusion() && !self->IndirectLight && !this->Medium;
   options.PointRadius = self->PointRadius;
   options.LineRadius = self->LineRadius;
   options.GetLightSize = [self](vtkLight* light) {
@@ -153,7 +169,11 @@ void vtkPenumbraRayCaster::Internals::Prepare(
       "The camera is not usable: position, focal point, view up, view angle and "
       "parallel scale must be finite.");
   }
-  if (self->Shadows)
+  if (this->FindOcclusion(self).OfRenderer)
+  {
+    penumbra::WarnFeature(penumbra::Feature::RendererOcclusion, "", scene.Warnings);
+  }
+  if (self->GetShadows())
   {
     const std::vector<std::string> overlaps = penumbra::DescribeLightOverlaps(scene);
     scene.Warnings.insert(scene.Warnings.end(), overlaps.begin(), overlaps.end());
@@ -181,10 +201,11 @@ penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumb
   settings.Integration.Tolerance = self->Tolerance;
   settings.Integration.MaximumLevel = self->MaximumLevel;
   settings.Integration.FindSmallObjects = self->FindSmallObjects;
-  settings.Integration.Shadows = self->Shadows;
+  settings.Integration.Shadows = self->GetShadows();
   settings.Integration.UniformSamples = self->UniformSamples;
-  settings.Integration.Noise =
-    self->AmbientOcclusion || self->IndirectLight ? ProviderToleranceFactor * self->Tolerance : 0.0;
+  settings.Integration.Noise = self->GetAmbientOcclusion() || self->IndirectLight
+    ? ProviderToleranceFactor * self->Tolerance
+    : 0.0;
   return settings;
 }
 
@@ -192,7 +213,8 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
   vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer)
 {
   const double noise = ProviderToleranceFactor * self->Tolerance;
-  const bool occlusion = self->AmbientOcclusion || self->GeometryArrays;
+  const OcclusionSettings settings = this->FindOcclusion(self);
+  const bool occlusion = settings.On || (self->GeometryArrays && self->OcclusionArray);
   const double phaseFraction = occlusion && self->IndirectLight ? 0.5 : 1.0;
   double done = 0.0;
   const auto progress = [&](double fraction) {
@@ -200,8 +222,8 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
   };
   if (occlusion)
   {
-    const double radius = self->AmbientOcclusionRadius > 0.0
-      ? self->AmbientOcclusionRadius
+    const double radius = settings.Radius > 0.0
+      ? settings.Radius
       : penumbra::DefaultRadiusFraction * penumbra::ComputeSceneDiagonal(this->Prepared->SceneData);
     if (!this->IrradianceProvider->Begin(
           *this->Prepared->Rays, { radius, self->AmbientOcclusionFalloff }, noise, progress))
@@ -210,24 +232,24 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
     }
     done = phaseFraction;
   }
-  if (self->AmbientOcclusion)
+  if (settings.On)
   {
-    tracer.SetOcclusion(this->IrradianceProvider, self->AmbientOcclusionStrength, noise);
+    tracer.SetOcclusion(this->IrradianceProvider, settings.Strength, noise);
   }
   if (self->IndirectLight && self->Albedo > 0.0)
   {
     const double* color = self->EnvironmentColor;
-    penumbra::IlluminationSettings settings;
-    settings.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
-    settings.Map = this->Environment ? this->Environment->GetMap() : nullptr;
-    settings.Albedo = static_cast<float>(self->Albedo);
-    settings.Bounces = self->Bounces;
-    settings.Shadows = self->Shadows;
-    const penumbra::Illumination light(*this->Prepared->Rays, settings);
+    penumbra::IlluminationSettings light;
+    light.Environment = glm::max(glm::dvec3(color[0], color[1], color[2]), glm::dvec3(0.0));
+    light.Map = this->Environment ? this->Environment->GetMap() : nullptr;
+    light.Albedo = static_cast<float>(self->Albedo);
+    light.Bounces = self->Bounces;
+    light.Shadows = self->GetShadows();
+    const penumbra::Illumination illumination(*this->Prepared->Rays, light);
     // The image contains Albedo / pi of the irradiance.
     const double tolerance = noise * vtkMath::Pi() / self->Albedo;
-    tracer.SetIndirectLight(this->IrradianceProvider, settings.Albedo, tolerance);
-    return this->IrradianceProvider->BeginIrradiance(light, tolerance, progress);
+    tracer.SetIndirectLight(this->IrradianceProvider, light.Albedo, tolerance);
+    return this->IrradianceProvider->BeginIrradiance(illumination, tolerance, progress);
   }
   return true;
 }
@@ -239,11 +261,12 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     return false;
   }
-  const penumbra::Shading shading(*this->Prepared->Rays, self->Shadows);
+  const penumbra::Shading shading(*this->Prepared->Rays, self->GetShadows());
   penumbra::CameraRayTracer tracer(*this->Prepared->Rays, shading, scene.ViewCamera);
   tracer.SetPenumbraTolerance(ProviderToleranceFactor * self->Tolerance);
   const penumbra::RenderSettings settings = MakeSettings(self);
-  const bool usesProvider = self->AmbientOcclusion || self->IndirectLight || self->GeometryArrays;
+  const bool usesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
+    (self->GeometryArrays && self->OcclusionArray);
   if (usesProvider && !this->BeginProvider(self, tracer))
   {
     return false;
@@ -278,8 +301,8 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   if (self->GeometryArrays)
   {
-    tracer.SetOcclusion(this->IrradianceProvider, self->AmbientOcclusionStrength,
-      ProviderToleranceFactor * self->Tolerance);
+    tracer.SetOcclusion(self->OcclusionArray ? this->IrradianceProvider.Get() : nullptr,
+      self->AmbientOcclusionStrength, ProviderToleranceFactor * self->Tolerance);
     const auto geometry = [self, progressEnd](double done) {
       return ReportProgress(self, progressEnd + (1.0 - progressEnd) * done);
     };

@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -35,7 +36,18 @@ struct vtkPenumbraRayCaster::Internals
     penumbra::SceneEdges Edges;
   };
 
+  /// Ambient occlusion that multiplies the colors.
+  struct OcclusionSettings
+  {
+    bool On = false;
+    double Radius = 0.0;     ///< world units; 0: from the bounds
+    double Strength = -1.0;  ///< negative: depends on the surface
+    bool OfRenderer = false; ///< replaces the screen-space ambient occlusion of the renderer
+  };
+
   vtkSmartPointer<vtkRenderer> Renderer;
+  std::optional<bool> Shadows;          ///< if not set, as Renderer
+  std::optional<bool> AmbientOcclusion; ///< if not set, as Renderer
   vtkSmartPointer<vtkPenumbraIrradianceProvider> IrradianceProvider =
     vtkSmartPointer<vtkPenumbraBruteForceIrradiance>::New();
   vtkSmartPointer<vtkPenumbraMedium> Medium;
@@ -48,6 +60,7 @@ struct vtkPenumbraRayCaster::Internals
   std::set<std::string> Warned; ///< warnings of the scene that were reported
   bool IsComputingMTime = false;
 
+  OcclusionSettings FindOcclusion(vtkPenumbraRayCaster* self) const;
   void ResetResults();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);

@@ -45,6 +45,36 @@ vtkRenderer* vtkPenumbraRayCaster::GetRenderer()
   return this->Implementation->Renderer;
 }
 
+void vtkPenumbraRayCaster::SetShadows(bool on)
+{
+  if (this->Implementation->Shadows != on)
+  {
+    this->Implementation->Shadows = on;
+    this->Modified();
+  }
+}
+
+bool vtkPenumbraRayCaster::GetShadows()
+{
+  vtkRenderer* renderer = this->Implementation->Renderer;
+  return this->Implementation->Shadows.value_or(renderer && renderer->GetUseShadows());
+}
+
+void vtkPenumbraRayCaster::SetAmbientOcclusion(bool on)
+{
+  if (this->Implementation->AmbientOcclusion != on)
+  {
+    this->Implementation->AmbientOcclusion = on;
+    this->Modified();
+  }
+}
+
+bool vtkPenumbraRayCaster::GetAmbientOcclusion()
+{
+  vtkRenderer* renderer = this->Implementation->Renderer;
+  return this->Implementation->AmbientOcclusion.value_or(renderer && renderer->GetUseSSAO());
+}
+
 void vtkPenumbraRayCaster::SetIrradianceProvider(vtkPenumbraIrradianceProvider* provider)
 {
   if (this->Implementation->IrradianceProvider != provider)
@@ -296,14 +326,14 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UniformSamples: " << this->UniformSamples << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "FindSmallObjects: " << this->FindSmallObjects << "\n";
-  os << indent << "Shadows: " << this->Shadows << "\n";
+  os << indent << "Shadows: " << this->GetShadows() << "\n";
   os << indent << "LightRadius: " << this->LightRadius << "\n";
   os << indent << "LightAngle: " << this->LightAngle << "\n";
   os << indent << "SizedLights: " << this->Implementation->SizedLights.GetCount() << "\n";
   os << indent << "Environment: " << this->Implementation->Environment.Get() << "\n";
   os << indent << "Medium: " << this->Implementation->Medium.Get() << "\n";
   os << indent << "LightShaftSteps: " << this->LightShaftSteps << "\n";
-  os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << "\n";
+  os << indent << "AmbientOcclusion: " << this->GetAmbientOcclusion() << "\n";
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << "\n";
   os << indent << "AmbientOcclusionFalloff: " << this->AmbientOcclusionFalloff << "\n";
   os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << "\n";
@@ -313,6 +343,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Albedo: " << this->Albedo << "\n";
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "GeometryArrays: " << this->GeometryArrays << "\n";
+  os << indent << "OcclusionArray: " << this->OcclusionArray << "\n";
   os << indent << "Background: " << this->Background << "\n";
   os << indent << "UsePackets: " << this->UsePackets << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";

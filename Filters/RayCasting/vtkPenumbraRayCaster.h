@@ -109,9 +109,12 @@ public:
   ///@}
 
   ///@{
-  /** If on, lights cast shadows: hard ones, unless they have a size. Default: off. */
-  vtkSetMacro(Shadows, bool);
-  vtkGetMacro(Shadows, bool);
+  /**
+   * If on, lights cast shadows: hard ones, unless they have a size. Default: as
+   * vtkRenderer::UseShadows of Renderer, which is ignored once this option has been set.
+   */
+  virtual void SetShadows(bool on);
+  bool GetShadows();
   vtkBooleanMacro(Shadows, bool);
   ///@}
 
@@ -168,16 +171,20 @@ public:
   ///@}
 
   ///@{
-  /** If on, multiply colors by 1 - AmbientOcclusionStrength * ambient occlusion. Default: off. */
-  vtkSetMacro(AmbientOcclusion, bool);
-  vtkGetMacro(AmbientOcclusion, bool);
+  /**
+   * If on, multiply colors by 1 - AmbientOcclusionStrength * ambient occlusion. Default: as
+   * vtkRenderer::UseSSAO of Renderer, which is ignored once this option has been set. While UseSSAO
+   * applies, the default radius is vtkRenderer::SSAORadius, and the default strength is 1.
+   */
+  virtual void SetAmbientOcclusion(bool on);
+  bool GetAmbientOcclusion();
   vtkBooleanMacro(AmbientOcclusion, bool);
   ///@}
 
   ///@{
   /**
    * Maximum distance of an occluder in world units. 0: a tenth of the diagonal of the visible
-   * bounds. Default: 0.
+   * bounds, see also AmbientOcclusion. Default: 0.
    */
   vtkSetClampMacro(AmbientOcclusionRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionRadius, double);
@@ -194,8 +201,8 @@ public:
 
   ///@{
   /**
-   * Strength of ambient occlusion in [0, 1]. Negative: 1, and 0.6 on surfaces colored by scalars.
-   * Default: -1.
+   * Strength of ambient occlusion in [0, 1]. Negative: 1, and 0.6 on surfaces colored by scalars,
+   * see also AmbientOcclusion. Default: -1.
    */
   vtkSetClampMacro(AmbientOcclusionStrength, double, -1.0, 1.0);
   vtkGetMacro(AmbientOcclusionStrength, double);
@@ -262,6 +269,16 @@ public:
 
   ///@{
   /**
+   * If off, GeometryArrays does not compute ambient occlusion: the array `AmbientOcclusion` then
+   * holds NaN at pixels that show a surface. Default: on.
+   */
+  vtkSetMacro(OcclusionArray, bool);
+  vtkGetMacro(OcclusionArray, bool);
+  vtkBooleanMacro(OcclusionArray, bool);
+  ///@}
+
+  ///@{
+  /**
    * If on, render the background. If off, alpha is the covered fraction of the pixel. Default: on.
    */
   vtkSetMacro(Background, bool);
@@ -290,7 +307,8 @@ public:
    * image where their viewports overlap, such as the one of an orientation widget. Those in layers
    * below are composited under it instead of the background, unless Renderer erases them
    * (vtkRenderer::PreserveColorBuffer is off). They are ray cast with the same Tolerance, without
-   * ambient occlusion, indirect light and shadows. Default: true.
+   * indirect light, and with shadows and ambient occlusion only as their own renderers require.
+   * Default: true.
    */
   vtkSetMacro(Layers, bool);
   vtkGetMacro(Layers, bool);
@@ -367,11 +385,9 @@ private:
   int UniformSamples = 8;
   int MaximumLevel = 3;
   bool FindSmallObjects = true;
-  bool Shadows = false;
   double LightRadius = 0.0;
   double LightAngle = 0.0;
   int LightShaftSteps = 0;
-  bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;
   int AmbientOcclusionFalloff = 0;
   double AmbientOcclusionStrength = -1.0;
@@ -380,6 +396,7 @@ private:
   double Albedo = 0.5;
   int Bounces = 3;
   bool GeometryArrays = false;
+  bool OcclusionArray = true;
   bool Background = true;
   bool UsePackets = true;
   int NumberOfThreads = 0;

@@ -34,8 +34,7 @@ ANTIALIASING = ("vtkSSAAPass", "vtkOpenGLFXAAPass")
 
 # What the ray caster says of the settings of a renderer that _follow_renderer and _follow_passes follow.
 PASS_IGNORED = "The render pass of the renderer is ignored."
-SETTINGS_IGNORED = (
-    "Screen-space ambient occlusion of the renderer is ignored.", "Shadows of the renderer are ignored.")
+SETTINGS_IGNORED = ("Screen-space ambient occlusion of the renderer is replaced by ray-cast ambient occlusion",)
 
 
 @dataclasses.dataclass
@@ -98,17 +97,6 @@ def _follow_occlusion(caster: Any, renderer: Any, render_pass: Any, settings: Se
     caster.SetAmbientOcclusionStrength(strength if settings.strength is None else settings.strength)
 
 
-def _follow_renderer(caster: Any, renderer: Any, settings: Settings) -> None:
-    """Draw the effects that are switched on by methods of vtkRenderer."""
-    if renderer.GetUseSSAO() and settings.ambient_occlusion is None:
-        caster.SetAmbientOcclusion(True)
-        if settings.radius is None:
-            caster.SetAmbientOcclusionRadius(renderer.GetSSAORadius())
-        caster.SetAmbientOcclusionStrength(1.0 if settings.strength is None else settings.strength)
-    if renderer.GetUseShadows() and settings.shadows is None:
-        caster.SetShadows(True)
-
-
 def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
     """Draw what the render passes draw, or warn. Return True if there are passes other than VTK's plain ones."""
     found = 0
@@ -145,10 +133,12 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetRenderer(renderer)
     caster.SetResolution(*size)
     caster.SetTolerance(settings.tolerance)
-    caster.SetShadows(bool(settings.shadows))
+    if settings.shadows is not None:
+        caster.SetShadows(bool(settings.shadows))
     caster.SetLightRadius(settings.light_radius)
     caster.SetLightAngle(settings.light_angle)
-    caster.SetAmbientOcclusion(bool(settings.ambient_occlusion))
+    if settings.ambient_occlusion is not None:
+        caster.SetAmbientOcclusion(bool(settings.ambient_occlusion))
     caster.SetAmbientOcclusionRadius(check_radius(settings.radius))
     caster.SetAmbientOcclusionFalloff(FALLOFFS.index(settings.falloff))
     caster.SetAmbientOcclusionStrength(-1.0 if settings.strength is None else settings.strength)
@@ -162,7 +152,6 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetLayers(False)  # cast_renderers draws all renderers, with the effects of each
     caster.SetPointRadius(settings.point_radius)
     caster.SetLineRadius(settings.line_radius)
-    _follow_renderer(caster, renderer, settings)
     follows = _follow_passes(caster, renderer, settings)
     return caster, (PASS_IGNORED, *SETTINGS_IGNORED) if follows else SETTINGS_IGNORED
 

@@ -96,6 +96,10 @@ TEST(Render, WritesDocumentedArrays)
   EXPECT_EQ(arrays->GetArray("CellId")->GetComponent(corner, 0), -1.0);
   ASSERT_TRUE(arrays->GetArray("AmbientOcclusion"));
   EXPECT_EQ(arrays->GetArray("AmbientOcclusion")->GetComponent(corner, 0), 0.0);
+  EXPECT_TRUE(std::isnan(arrays->GetArray("AmbientOcclusion")->GetComponent(center, 0)));
+  const auto occluded = RenderSquare(folder, "occluded.vti", { "--ambient-occlusion" });
+  EXPECT_NEAR(
+    occluded->GetPointData()->GetArray("AmbientOcclusion")->GetComponent(center, 0), 0.0, 0.02);
   EXPECT_EQ(image->GetFieldData()->GetArray("DotsPerInch")->GetComponent(0, 0), 150.0);
 }
 

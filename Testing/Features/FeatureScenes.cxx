@@ -458,6 +458,10 @@ void AddViews(SceneList& add)
     r->GetActiveCamera()->Zoom(0.4);
   });
 #endif
+  for (const bool spot : { true, false })
+  {
+    add(Feature::RendererShadows, [spot](Renderer r, Window) { AddShadows(r, spot); });
+  }
   add(Feature::HiddenLineRemoval, [](Renderer r, Window) {
     r->SetUseHiddenLineRemoval(true);
     Add(r, MakeCube())->GetProperty()->SetRepresentationToWireframe();

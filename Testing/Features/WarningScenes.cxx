@@ -162,7 +162,6 @@ void AddRendererScenes(std::vector<WarningScene>& scenes)
     Feature::HiddenLineRemoval, [](vtkRenderer* renderer) { renderer->UseHiddenLineRemovalOn(); });
   add(Feature::RenderPass, [](vtkRenderer* renderer) { renderer->SetPass(vtkNew<EmptyPass>()); });
   add(Feature::RendererOcclusion, [](vtkRenderer* renderer) { renderer->UseSSAOOn(); });
-  add(Feature::RendererShadows, [](vtkRenderer* renderer) { renderer->UseShadowsOn(); });
   add(Feature::ImageBasedLighting,
     [](vtkRenderer* renderer) { renderer->UseImageBasedLightingOn(); });
 }

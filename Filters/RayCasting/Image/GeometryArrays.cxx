@@ -76,7 +76,9 @@ bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& pr
       }
       objects->SetValue(id, surface.ObjectId);
       cells->SetValue(id, surface.CellIds.empty() ? hit.Primitive : surface.CellIds[hit.Primitive]);
-      occlusions->SetValue(id, tracer.ComputeOcclusion(ray, hit, shaded, rowCounts));
+      occlusions->SetValue(id,
+        tracer.HasOcclusion() ? tracer.ComputeOcclusion(ray, hit, shaded, rowCounts)
+                              : std::numeric_limits<float>::quiet_NaN());
     }
     const std::lock_guard<std::mutex> lock(totalsMutex);
     counts.Auxiliary += rowCounts.Auxiliary + rowCounts.Shadow + rowCounts.Occlusion;

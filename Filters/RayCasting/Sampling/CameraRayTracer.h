@@ -94,6 +94,9 @@ public:
   void SetShafts(const LightShafts* shafts) { this->Shafts = shafts; }
   bool HasShafts() const { return this->Shafts != nullptr; }
 
+  /// Returns true if SetOcclusion() has set a provider.
+  bool HasOcclusion() const { return this->OcclusionProvider != nullptr; }
+
   /// Returns the ambient occlusion at a hit, in [0, 1]. SetOcclusion() must have set a provider.
   float ComputeOcclusion(const Ray& ray, const Hit& hit, const ShadedHit& shaded, RayCounts& counts,
     double toleranceScale = 1.0) const;

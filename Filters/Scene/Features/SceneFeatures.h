@@ -110,7 +110,8 @@ struct FeatureRow
 VTKPENUMBRAFILTERSSCENE_EXPORT const std::vector<FeatureRow>& GetFeatureTable();
 
 /// Adds the warning of a feature to `warnings`. `prop` names what uses it; empty for the renderer.
-void WarnFeature(Feature feature, const std::string& prop, std::vector<std::string>& warnings);
+VTKPENUMBRAFILTERSSCENE_EXPORT void WarnFeature(
+  Feature feature, const std::string& prop, std::vector<std::string>& warnings);
 
 /// Merges warnings that differ only in the name of the prop, so that each cause has one warning.
 std::vector<std::string> MergeWarnings(const std::vector<std::string>& warnings);

@@ -117,8 +117,6 @@ void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& wa
     }
   };
   warn(renderer->GetPass() != nullptr, Feature::RenderPass);
-  warn(renderer->GetUseSSAO(), Feature::RendererOcclusion);
-  warn(renderer->GetUseShadows(), Feature::RendererShadows);
   warn(renderer->GetUseImageBasedLighting(), Feature::ImageBasedLighting);
   warn(renderer->GetUseHiddenLineRemoval(), Feature::HiddenLineRemoval);
 }
