@@ -35,6 +35,16 @@ struct Material
   float Roughness = 0.5f;
   float BaseReflectance = 0.04f; ///< at normal incidence, of the dielectric part
   glm::vec3 EdgeTint{ 1.f };     ///< reflectance at grazing incidence, of the metallic part
+  float Anisotropy = 0.f;
+  float AnisotropyRotation = 0.f; ///< of the tangent, in full turns
+  float NormalScale = 1.f;        ///< factor of the slopes in MaterialTextures::Normal
+  float OcclusionStrength = 1.f;  ///< of the occlusion in MaterialTextures
+  glm::vec3 EmissiveFactor{ 1.f };
+  float CoatStrength = 0.f; ///< 0: no clear coat
+  float CoatRoughness = 0.f;
+  float CoatReflectance = 0.04f; ///< at normal incidence
+  glm::vec3 CoatColor{ 1.f };
+  float CoatNormalScale = 1.f; ///< factor of the slopes in MaterialTextures::CoatNormal
 };
 
 /// Texture image: bottom row first, 8-bit RGBA with straight alpha.
@@ -54,6 +64,16 @@ struct Texture
   };
   WrapModes Wrap = WrapModes::Repeat;
   glm::vec4 BorderColor{ 0.f }; ///< used by ClampToBorder
+};
+
+/// Textures of a physically based material besides its base color. Each may be null.
+struct MaterialTextures
+{
+  std::shared_ptr<const Texture> Normal; ///< in the frame of the tangent
+  std::shared_ptr<const Texture> OcclusionRoughnessMetallic;
+  std::shared_ptr<const Texture> Emission;
+  std::shared_ptr<const Texture> Anisotropy; ///< anisotropy and rotation
+  std::shared_ptr<const Texture> CoatNormal;
 };
 
 /// A sphere if A and B are equal, otherwise a tube: the convex hull of two spheres.
@@ -111,6 +131,9 @@ struct Surface
   std::shared_ptr<const Texture> LitTexture;
   /// Texture of a physically based material. It multiplies DiffuseColor and the opacity.
   std::shared_ptr<const Texture> BaseColorTexture;
+  /// Other textures of a physically based material; null if there are none.
+  std::shared_ptr<const MaterialTextures> DetailTextures;
+  std::vector<glm::vec3> Tangents;           ///< per position, not unit; empty if not used
   std::vector<glm::vec2> TextureCoordinates; ///< per position, if one of these textures is set
   bool TextureOnBackfaces = true;
 

@@ -358,26 +358,6 @@ void AddAxesLayer(vtkRenderWindow* window, vtkProp* prop)
   window->AddRenderer(layer);
 }
 
-void AddShadows(vtkRenderer* renderer, bool spot)
-{
-  vtkActor* sphere = Add(renderer, MakeSphere(48));
-  sphere->SetScale(0.4);
-  sphere->SetPosition(0.05, 0.0, 0.35);
-  Add(renderer, MakePlane())->GetProperty()->SetColor(0.8, 0.9, 1.0);
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(spot);
-  light->SetConeAngle(spot ? 30.0 : 180.0);
-  light->SetExponent(0.0);
-  light->SetPosition(0.7, 0.4, 2.0);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  renderer->AddLight(light);
-  renderer->UseShadowsOn();
-  renderer->GetActiveCamera()->SetPosition(0.3, -1.2, 2.0);
-  renderer->GetActiveCamera()->SetViewUp(0.0, 1.0, 0.0);
-  renderer->ResetCamera();
-}
-
 void StyleText(vtkTextProperty* property)
 {
   property->SetFontSize(24);

@@ -71,9 +71,6 @@ void AddSlice(vtkRenderer* renderer, bool cropped);
 /// Adds a second layer in the lower left corner of the window that shows `prop`.
 void AddAxesLayer(vtkRenderWindow* window, vtkProp* prop);
 
-/// Adds a sphere above a plane, and a spotlight or a directional light that casts shadows.
-void AddShadows(vtkRenderer* renderer, bool spot);
-
 /// Sets the size and color of text.
 void StyleText(vtkTextProperty* property);
 

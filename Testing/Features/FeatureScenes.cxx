@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureScenes.h"
 
+#include "FeatureMaterials.h"
 #include "FeatureProps.h"
+#include "FeatureRenderers.h"
 
 #include "vtkActor.h"
 #include "vtkAnnotatedCubeActor.h"
@@ -458,26 +460,6 @@ void AddViews(SceneList& add)
     r->GetActiveCamera()->Zoom(0.4);
   });
 #endif
-  for (const bool spot : { true, false })
-  {
-    add(Feature::RendererShadows, [spot](Renderer r, Window) { AddShadows(r, spot); });
-  }
-  add(Feature::HiddenLineRemoval, [](Renderer r, Window) {
-    r->SetUseHiddenLineRemoval(true);
-    Add(r, MakeCube())->GetProperty()->SetRepresentationToWireframe();
-    Look(r);
-  });
-  add(Feature::ForceOpaque, [](Renderer r, Window) {
-    vtkActor* actor = Add(r, MakeCube());
-    actor->GetProperty()->SetOpacity(0.4);
-    actor->ForceOpaqueOn();
-    Look(r);
-  });
-  add(Feature::PhysicallyBasedDetails, [](Renderer r, Window) {
-    vtkActor* actor = Add(r, MakeSphere(48));
-    actor->GetProperty()->SetInterpolationToPBR();
-    actor->GetProperty()->SetCoatStrength(1.0);
-  });
 }
 
 }
@@ -489,5 +471,7 @@ std::vector<FeatureScene> MakeFeatureScenes()
   AddMaterials(list);
   AddImagesAndAnnotations(list);
   AddViews(list);
+  AddMaterialScenes(list.Scenes);
+  AddRendererScenes(list.Scenes);
   return list.Scenes;
 }

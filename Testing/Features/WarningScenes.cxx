@@ -76,9 +76,10 @@ void AddActorScenes(std::vector<WarningScene>& scenes)
   const auto add = [&](Feature key, auto&& change, const char* prop = "Object 0") {
     scenes.push_back({ key, prop, [change](vtkRenderer* renderer) { change(AddCube(renderer)); } });
   };
-  add(Feature::PhysicallyBasedDetails, [](vtkActor* actor) {
-    actor->GetProperty()->SetInterpolationToPBR();
-    actor->GetProperty()->SetCoatStrength(1.0);
+  add(Feature::MultiTexturing, [](vtkActor* actor) {
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(MakeImage(8, 8));
+    actor->GetProperty()->SetTexture("second", texture);
   });
   add(Feature::TextureCubeMap, [](vtkActor* actor) {
     vtkTexture* texture = AddTexture(actor, MakeImage(8, 8));

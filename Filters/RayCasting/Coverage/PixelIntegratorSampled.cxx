@@ -62,19 +62,24 @@ bool IsInDifferentTexels(const Surface& surface, const Hit& a, const Hit& b)
   {
     return false;
   }
-  const Texture* const textures[2] = { surface.ColorTexture.get(), surface.LitTexture.get() };
-  const std::vector<glm::vec2>* const coordinates[2] = { &surface.ColorCoordinates,
-    &surface.TextureCoordinates };
-  for (int i = 0; i < 2; ++i)
+  const MaterialTextures* details = surface.DetailTextures.get();
+  const Texture* const textures[] = { surface.ColorTexture.get(), surface.LitTexture.get(),
+    surface.BaseColorTexture.get(), details ? details->Normal.get() : nullptr,
+    details ? details->OcclusionRoughnessMetallic.get() : nullptr,
+    details ? details->Emission.get() : nullptr, details ? details->Anisotropy.get() : nullptr,
+    details ? details->CoatNormal.get() : nullptr };
+  for (const Texture* texture : textures)
   {
-    if (!textures[i] || coordinates[i]->empty())
+    const std::vector<glm::vec2>& coordinates =
+      texture == surface.ColorTexture.get() ? surface.ColorCoordinates : surface.TextureCoordinates;
+    if (!texture || coordinates.empty())
     {
       continue;
     }
-    const glm::dvec2 p = ComputeTexel(surface, *textures[i], *coordinates[i], a);
-    const glm::dvec2 q = ComputeTexel(surface, *textures[i], *coordinates[i], b);
+    const glm::dvec2 p = ComputeTexel(surface, *texture, coordinates, a);
+    const glm::dvec2 q = ComputeTexel(surface, *texture, coordinates, b);
     const glm::dvec2 d =
-      textures[i]->Interpolate ? glm::floor(glm::abs(p - q)) : glm::floor(p) - glm::floor(q);
+      texture->Interpolate ? glm::floor(glm::abs(p - q)) : glm::floor(p) - glm::floor(q);
     if (d != glm::dvec2(0.0))
     {
       return true;

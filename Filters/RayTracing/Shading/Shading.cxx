@@ -8,6 +8,7 @@
 
 #include "HemisphereSampling.h"
 #include "OwenSobolSequence.h"
+#include "PhysicallyBased.h"
 #include "RayTracingConstants.h"
 #include "SurfaceColor.h"
 
@@ -191,7 +192,7 @@ ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, lo
     modified.Specular = glm::vec3(0.f);
     coefficients = &modified;
   }
-  if (coefficients->PhysicallyBased && surface.BaseColorTexture)
+  if (coefficients->PbrMaterial && surface.BaseColorTexture)
   {
     const glm::vec4 texel = SampleTexture(
       *surface.BaseColorTexture, Interpolate(surface.TextureCoordinates, corners, weights));
@@ -209,12 +210,15 @@ ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, lo
     rgb = diffuseOnly ? phong.Ambient + phong.Diffuse - shaded.Reflectance
                       : phong.Ambient + phong.Diffuse;
   }
-  else if (phong.PhysicallyBased)
+  else if (phong.PbrMaterial)
   {
     const glm::vec3 point = pointOfHit();
+    const PhysicallyBased model(surface, *phong.PbrMaterial, hit, weights, phong.Diffuse,
+      shaded.Normal, this->DirectionToCamera(point));
+    shaded.Normal = model.GetNormal();
     rgb =
-      this->ApplyLightsPhysicallyBased(phong, shaded, point, diffuseOnly, shadowRays, penumbrae);
-    shaded.Reflectance *= 1.f - phong.PhysicallyBased->Metallic;
+      this->ApplyLightsPhysicallyBased(model, shaded, point, diffuseOnly, shadowRays, penumbrae);
+    shaded.Reflectance *= 1.f - model.GetMetallic();
   }
   else if (this->OneHeadlight)
   {
@@ -286,23 +290,10 @@ glm::vec3 Shading::DirectionToCamera(glm::vec3 point) const
   return glm::normalize(glm::vec3(view.Position - advance * view.Forward) - point);
 }
 
-// VTK's shader for VTK_PBR: Lambert's diffuse term and an isotropic GGX lobe with Schlick's Fresnel
-// term. The result is converted to display colors by an exponent of 1/2.2.
-glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhongCoefficients& material,
+glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
   const ShadedHit& shaded, glm::vec3 point, bool diffuseOnly, long long& shadowRays,
   PenumbraSampling* penumbrae) const
 {
-  const penumbra::Material& settings = *material.PhysicallyBased;
-  const auto clampCosine = [](float cosine) { return glm::clamp(cosine, 1e-5f, 1.f); };
-  const float pi = 3.14159265f;
-  const glm::vec3 view = this->DirectionToCamera(point);
-  const glm::vec3 normal = shaded.Normal;
-  const float nv = clampCosine(glm::dot(normal, view));
-  const float alpha = settings.Roughness * settings.Roughness;
-  const glm::vec3 f0 =
-    glm::mix(glm::vec3(settings.BaseReflectance), material.Diffuse, settings.Metallic);
-  const float grazing = glm::clamp(glm::dot(f0, glm::vec3(50.f * .33f)), 0.f, 1.f);
-  const glm::vec3 f90 = glm::mix(glm::vec3(grazing), settings.EdgeTint, settings.Metallic);
   glm::vec3 radiance(0.f);
   const std::vector<Light>& lights = this->Rays.GetScene().Lights;
   for (std::size_t i = 0; i < lights.size(); ++i)
@@ -311,36 +302,22 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhongCoefficients& material,
     glm::vec3 direction;
     float distance;
     float strength = ComputeLightStrength(light, point, direction, distance);
-    const float nl = clampCosine(-glm::dot(normal, direction));
     if (strength > 0.f && this->Shadows && light.CastsShadow)
     {
       strength *= light.HasSize()
         ? this->SampleVisibleFraction(i, point, shaded.GeometricNormal,
-            strength * ComputeBrightness(light, material.Diffuse, material.Specular), shadowRays,
+            strength * ComputeBrightness(light, shaded.Reflectance, glm::vec3(0.f)), shadowRays,
             penumbrae)
         : this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
     }
-    if (!(strength > 0.f))
+    if (strength > 0.f)
     {
-      continue;
+      // VTK's shader assumes that a single headlight is at the camera.
+      const glm::vec3 toward = this->OneHeadlight ? this->DirectionToCamera(point) : -direction;
+      radiance += strength * light.DiffuseColor * material.Reflect(toward, diffuseOnly);
     }
-    const glm::vec3 half = glm::normalize(view - direction);
-    const float nh = clampCosine(glm::dot(normal, half));
-    const float hl = clampCosine(-glm::dot(half, direction));
-    const float a2 = alpha * alpha;
-    const float d = (nh * a2 - nh) * nh + 1.f;
-    const float distribution = a2 / (pi * d * d);
-    // VTK uses the second power of the roughness in the visibility term, not the fourth.
-    const float visibility = 0.5f /
-      (nl * std::sqrt(alpha + nv * (nv - alpha * nv)) +
-        nv * std::sqrt(alpha + nl * (nl - alpha * nl)));
-    const glm::vec3 fresnel = f0 + (f90 - f0) * std::pow(1.f - hl, 5.f);
-    const glm::vec3 diffuse =
-      (1.f - settings.Metallic) / pi * (glm::vec3(1.f) - fresnel) * material.Diffuse;
-    const glm::vec3 specular = diffuseOnly ? glm::vec3(0.f) : distribution * visibility * fresnel;
-    radiance += strength * nl * light.DiffuseColor * (diffuse + specular);
   }
-  return glm::pow(glm::max(radiance, glm::vec3(0.f)), glm::vec3(1.f / 2.2f));
+  return material.ToDisplayColor(radiance);
 }
 
 float Shading::Transmittance(glm::vec3 point, glm::vec3 direction, float distance, glm::vec3 normal,

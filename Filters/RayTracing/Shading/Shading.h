@@ -15,6 +15,8 @@
 namespace penumbra
 {
 
+class PhysicallyBased;
+
 /// Color and surface properties at a hit.
 struct ShadedHit
 {
@@ -94,7 +96,7 @@ private:
     glm::vec3 Specular;
     float SpecularPower;
     float Opacity;
-    const Material* PhysicallyBased; ///< null for Phong materials; Diffuse is the albedo
+    const Material* PbrMaterial; ///< null for Phong materials; Diffuse is the albedo
   };
   /// Shading data of a surface that do not depend on the hit.
   struct SurfaceMaterial
@@ -114,7 +116,7 @@ private:
   bool IsConstant(const Surface& surface, const SurfaceMaterial& material) const;
   glm::vec3 ApplyLights(const PhongCoefficients& phong, const ShadedHit& shaded, glm::vec3 point,
     long long& shadowRays, PenumbraSampling* penumbrae) const;
-  glm::vec3 ApplyLightsPhysicallyBased(const PhongCoefficients& material, const ShadedHit& shaded,
+  glm::vec3 ApplyLightsPhysicallyBased(const PhysicallyBased& material, const ShadedHit& shaded,
     glm::vec3 point, bool diffuseOnly, long long& shadowRays, PenumbraSampling* penumbrae) const;
   glm::vec3 DirectionToCamera(glm::vec3 point) const;
   float SampleVisibleFraction(std::size_t light, glm::vec3 point, glm::vec3 normal,

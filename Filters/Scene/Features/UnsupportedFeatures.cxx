@@ -70,17 +70,22 @@ bool IsTranslucent(vtkActor* actor)
     (actor->GetBackfaceProperty() && actor->GetBackfaceProperty()->GetOpacity() < 1.0);
 }
 
-// Properties of physically based materials that are newer than VTK 9.0.
-bool HasOtherMaterialDetails(vtkProperty* property)
+/// Returns true if the property has a texture that is not part of a physically based material.
+bool HasOtherTextures(vtkProperty* property)
 {
+  static const char* const names[] = { "albedoTex", "normalTex", "materialTex", "emissiveTex",
+    "anisotropyTex", "coatNormalTex" };
+  const bool isPhysicallyBased = property->GetInterpolation() == VTK_PBR;
   for (const auto& [name, texture] : property->GetAllTextures())
   {
-    if (texture && name != "albedoTex")
+    const bool isKnown = std::any_of(
+      std::begin(names), std::end(names), [&name = name](const char* key) { return name == key; });
+    if (texture && !(isKnown && isPhysicallyBased))
     {
       return true;
     }
   }
-  return property->GetCoatStrength() > 0.0 || property->GetAnisotropy() != 0.0;
+  return false;
 }
 
 }
@@ -96,8 +101,7 @@ void WarnUnsupportedActor(
   };
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
-  const bool isPhysicallyBased = property->GetInterpolation() == VTK_PBR;
-  warn(isPhysicallyBased && HasOtherMaterialDetails(property), Feature::PhysicallyBasedDetails);
+  warn(HasOtherTextures(property), Feature::MultiTexturing);
   warn(HasCustomShaders(actor), Feature::CustomShaders);
   warn(UsesOtherCoordinates(actor, 0), Feature::CoordinateSystems);
   warn(actor->GetForceOpaque() && IsTranslucent(actor), Feature::ForceOpaque);

@@ -199,6 +199,8 @@ private:
     {
       prototype.BaseColorTexture =
         MakeTexture(actor->GetProperty()->GetTexture("albedoTex"), prototype.Name, this->Warnings);
+      prototype.DetailTextures =
+        MakeMaterialTextures(actor->GetProperty(), prototype.Name, this->Warnings);
     }
     prototype.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
     WarnUnsupportedActor(actor, prototype.Name, this->Warnings);

@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
@@ -292,6 +293,24 @@ std::shared_ptr<const Texture> MakeTexture(
     ConvertFromSRGB(result->Texels);
   }
   return result;
+}
+
+std::shared_ptr<const MaterialTextures> MakeMaterialTextures(
+  vtkProperty* property, const std::string& name, std::vector<std::string>& warnings)
+{
+  auto textures = std::make_shared<MaterialTextures>();
+  bool isAnySet = false;
+  const auto make = [&](const char* key) {
+    std::shared_ptr<const Texture> texture = MakeTexture(property->GetTexture(key), name, warnings);
+    isAnySet |= texture != nullptr;
+    return texture;
+  };
+  textures->Normal = make("normalTex");
+  textures->OcclusionRoughnessMetallic = make("materialTex");
+  textures->Emission = make("emissiveTex");
+  textures->Anisotropy = make("anisotropyTex");
+  textures->CoatNormal = make("coatNormalTex");
+  return isAnySet ? textures : nullptr;
 }
 
 vtkSmartPointer<vtkPolyData> TransformTextureCoordinates(vtkPolyData* data, vtkProp* prop)

@@ -16,6 +16,7 @@
 
 class vtkDataSet;
 class vtkProp;
+class vtkProperty;
 class vtkTexture;
 
 namespace penumbra
@@ -48,6 +49,10 @@ std::shared_ptr<const Texture> MakeTexture(
 /// Converts texels with 1 to 4 components (luminance, luminance and alpha, RGB, RGBA), bottom row
 /// first. Returns null if there are too few.
 std::shared_ptr<Texture> MakeTexture(vtkUnsignedCharArray* colors, int width, int height);
+
+/// Returns the textures of a physically based material besides its base color; null if it has none.
+std::shared_ptr<const MaterialTextures> MakeMaterialTextures(
+  vtkProperty* property, const std::string& name, std::vector<std::string>& warnings);
 
 /// Returns `data` with texture coordinates that are transformed by the texture transform of `prop`,
 /// or `data` if there is none.

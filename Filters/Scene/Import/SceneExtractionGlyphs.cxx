@@ -172,8 +172,9 @@ bool AreMergeable(const Surface& a, const Surface& b)
     a.IsLineOrPoint == b.IsLineOrPoint && a.NormalRule == b.NormalRule &&
     a.Normals.empty() == b.Normals.empty() &&
     a.TriangleNormals.empty() == b.TriangleNormals.empty() && a.LitTexture == b.LitTexture &&
-    a.Front.Lighting == b.Front.Lighting && a.Front.Ambient == b.Front.Ambient &&
-    a.Front.Diffuse == b.Front.Diffuse;
+    a.BaseColorTexture == b.BaseColorTexture && a.DetailTextures == b.DetailTextures &&
+    a.Tangents.empty() == b.Tangents.empty() && a.Front.Lighting == b.Front.Lighting &&
+    a.Front.Ambient == b.Front.Ambient && a.Front.Diffuse == b.Front.Diffuse;
 }
 
 /// Appends one instance to `into`, with the color of its material and the cell id `id`.
@@ -207,6 +208,7 @@ void MergeInstance(Surface&& instance, std::uint32_t id, Surface& into)
   Append(into.CellIds, instance.CellIds);
   Append(into.CellColors, instance.CellColors);
   Append(into.Normals, instance.Normals);
+  Append(into.Tangents, instance.Tangents);
   Append(into.TriangleNormals, instance.TriangleNormals);
   Append(into.TextureCoordinates, instance.TextureCoordinates);
 }

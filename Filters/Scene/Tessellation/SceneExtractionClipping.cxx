@@ -98,6 +98,7 @@ private:
     };
     interpolate(this->Target.Positions);
     interpolate(this->Target.Normals);
+    interpolate(this->Target.Tangents);
     interpolate(this->Target.PointColors);
     interpolate(this->Target.ColorCoordinates);
     interpolate(this->Target.TextureCoordinates);

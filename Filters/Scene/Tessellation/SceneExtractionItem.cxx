@@ -48,6 +48,17 @@ Material MakeMaterial(vtkProperty* property)
     material.BaseReflectance =
       static_cast<float>(vtkProperty::ComputeReflectanceFromIOR(property->GetBaseIOR(), 1.0));
     material.EdgeTint = color(property->GetEdgeTint());
+    material.Anisotropy = static_cast<float>(property->GetAnisotropy());
+    material.AnisotropyRotation = static_cast<float>(property->GetAnisotropyRotation());
+    material.NormalScale = static_cast<float>(property->GetNormalScale());
+    material.OcclusionStrength = static_cast<float>(property->GetOcclusionStrength());
+    material.EmissiveFactor = color(property->GetEmissiveFactor());
+    material.CoatStrength = static_cast<float>(property->GetCoatStrength());
+    material.CoatRoughness = static_cast<float>(property->GetCoatRoughness());
+    material.CoatReflectance =
+      static_cast<float>(vtkProperty::ComputeReflectanceFromIOR(property->GetCoatIOR(), 1.0));
+    material.CoatColor = color(property->GetCoatColor());
+    material.CoatNormalScale = static_cast<float>(property->GetCoatNormalScale());
   }
   return material;
 }

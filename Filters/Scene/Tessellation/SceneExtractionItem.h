@@ -63,6 +63,7 @@ struct DrawItem
   Coloring Colors;
   std::shared_ptr<const Texture> LitTexture;
   std::shared_ptr<const Texture> BaseColorTexture;
+  std::shared_ptr<const MaterialTextures> DetailTextures;
   std::vector<glm::dvec4>
     ClippingPlanes; ///< in world coordinates; points with dot(plane, (x, 1)) < 0 are clipped
   vtkSmartPointer<vtkDataArray>

@@ -237,6 +237,24 @@ void SetNormals(const DrawItem& item, const SceneTransform& transform,
   }
 }
 
+/// Sets the tangents if the material uses them. As VTK's shaders do, they are transformed like
+/// normals.
+void SetTangents(const DrawItem& item, const SceneTransform& transform, Surface& surface)
+{
+  vtkDataArray* from = item.Data->GetPointData()->GetTangents();
+  if (!surface.Front.PhysicallyBased || !from || from->GetNumberOfComponents() != 3)
+  {
+    return;
+  }
+  surface.Tangents.reserve(surface.Positions.size());
+  for (std::size_t i = 0; i < surface.Positions.size(); ++i)
+  {
+    double tangent[3];
+    from->GetTuple(static_cast<vtkIdType>(i), tangent);
+    surface.Tangents.push_back(transform.Normal(tangent));
+  }
+}
+
 glm::u8vec4 GetColor(vtkUnsignedCharArray* colors, vtkIdType i)
 {
   const unsigned char* c = colors->GetPointer(4 * i);
@@ -305,10 +323,11 @@ void SetColors(const DrawItem& item, const std::vector<std::uint32_t>& cells, Su
       break;
   }
   vtkDataArray* coordinates = item.Data->GetPointData()->GetTCoords();
-  if ((item.LitTexture || item.BaseColorTexture) && coordinates)
+  if ((item.LitTexture || item.BaseColorTexture || item.DetailTextures) && coordinates)
   {
     surface.LitTexture = item.LitTexture;
     surface.BaseColorTexture = item.BaseColorTexture;
+    surface.DetailTextures = item.DetailTextures;
     surface.TextureCoordinates = MakeTextureCoordinates(coordinates);
     surface.TextureOnBackfaces = item.Property->GetShowTexturesOnBackface();
   }
@@ -359,6 +378,7 @@ void AddSurface(const DrawItem& item, Scene& scene)
   surface.Frontfaces = !item.Property->GetFrontfaceCulling();
   const std::vector<std::uint32_t>& cells = triangles.GetCells();
   SetNormals(item, SceneTransform(item.ToWorld, scene), cells, surface);
+  SetTangents(item, SceneTransform(item.ToWorld, scene), surface);
   SetColors(item, cells, surface);
   SetCellIds(item, cells, surface);
   ClipSurface(item.ClippingPlanes, scene, surface);
