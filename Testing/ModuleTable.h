@@ -36,9 +36,10 @@ inline const std::vector<Row> Table = {
   { "Filters/Scene/Execution", {}, {} },
   { "Filters/Scene/Features", { "Filters/Scene" }, {} },
   { "Filters/Scene/Tessellation", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
+  { "Filters/Scene/Annotation", { "Filters/Scene", "Filters/Scene/Features" }, { "GLM" } },
   { "Filters/Scene/Import",
     { "Filters/Scene", "Filters/Scene/Execution", "Filters/Scene/Features",
-      "Filters/Scene/Tessellation" },
+      "Filters/Scene/Tessellation", "Filters/Scene/Annotation" },
     { "GLM" } },
 
   { "Filters/RayTracing/Embree", { "Filters/Scene", "Filters/Scene/Execution" },

@@ -146,6 +146,9 @@ struct Surface
   bool ScalarColoring = false; ///< colored by scalars; the default ambient occlusion is weaker
   /// If true, the triangles are expanded lines or points, which neither cast nor receive shadows.
   bool IsLineOrPoint = false;
+  /// If true, the surface emits light and hides nothing: its color, multiplied by its opacity, is
+  /// added to what is behind it.
+  bool IsAdditive = false;
 
   bool IsTranslucent() const;
 

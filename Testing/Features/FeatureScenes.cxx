@@ -5,6 +5,7 @@
 #include "FeatureMaterials.h"
 #include "FeatureProps.h"
 #include "FeatureRenderers.h"
+#include "SceneList.h"
 
 #include "vtkActor.h"
 #include "vtkAnnotatedCubeActor.h"
@@ -41,21 +42,6 @@ using penumbra::Feature;
 
 namespace
 {
-
-using Renderer = vtkRenderer*;
-using Window = vtkRenderWindow*;
-
-/// Collects scenes.
-struct SceneList
-{
-  std::vector<FeatureScene> Scenes;
-
-  template <typename Function>
-  void operator()(Feature key, Function&& build, double different = 0.002)
-  {
-    this->Scenes.push_back({ key, build, different });
-  }
-};
 
 /// Scenes of surfaces, lines and points, and of how their actors place, color and cut them.
 void AddGeometry(SceneList& add)
@@ -473,5 +459,6 @@ std::vector<FeatureScene> MakeFeatureScenes()
   AddViews(list);
   AddMaterialScenes(list.Scenes);
   AddRendererScenes(list.Scenes);
+  AddOtherProps(list);
   return list.Scenes;
 }

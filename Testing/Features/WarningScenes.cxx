@@ -43,6 +43,15 @@ public:
 };
 vtkStandardNewMacro(DerivedMapper);
 
+/// Stands for the class of VTK, which not all builds have.
+class vtkOpenGLSphereMapper : public vtkPolyDataMapper
+{
+public:
+  static vtkOpenGLSphereMapper* New();
+  vtkTypeMacro(vtkOpenGLSphereMapper, vtkPolyDataMapper);
+};
+vtkStandardNewMacro(vtkOpenGLSphereMapper);
+
 /// Mapper of images other than vtkImageSliceMapper.
 class OtherImageMapper : public vtkImageMapper3D
 {
@@ -107,14 +116,20 @@ void AddActorScenes(std::vector<WarningScene>& scenes)
       actor->SetMapper(mapper);
     },
     "Object 0 (DerivedMapper)");
+  add(Feature::SplatShaders, [](vtkActor* actor) {
+    vtkNew<vtkPointGaussianMapper> mapper;
+    mapper->SetInputData(MakeCube());
+    mapper->SetSplatShaderCode("//VTK::Color::Impl\nopacity = 0.5;");
+    actor->SetMapper(mapper);
+  });
   add(
     Feature::ShaderMappers,
     [](vtkActor* actor) {
-      vtkNew<vtkPointGaussianMapper> mapper;
+      vtkNew<vtkOpenGLSphereMapper> mapper;
       mapper->SetInputData(MakeCube());
       actor->SetMapper(mapper);
     },
-    "Object 0 (vtkOpenGLPointGaussianMapper)");
+    "Object 0 (vtkOpenGLSphereMapper)");
 }
 
 void AddPropScenes(std::vector<WarningScene>& scenes)

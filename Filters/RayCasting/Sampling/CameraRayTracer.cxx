@@ -189,11 +189,11 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       c += glm::vec4(this->ComputeIndirectLight(ray, hit, shaded, counts, toleranceScale), 0.f);
     }
     const float weight = (1.f - color.a) * c.a;
-    color += glm::vec4(weight * c.r, weight * c.g, weight * c.b, weight);
+    color += glm::vec4(weight * c.r, weight * c.g, weight * c.b, surface.IsAdditive ? 0.f : weight);
     squaredNoise += weight * weight * lights.SquaredError;
     sample.LitBy |= lights.Lit;
     sample.ShadowedFrom |= lights.Shadowed;
-    if (c.a >= 1.f || color.a > OpaqueAlpha)
+    if ((c.a >= 1.f && !surface.IsAdditive) || color.a > OpaqueAlpha)
     {
       sample.OpaqueDepth = hit.Distance;
       break;

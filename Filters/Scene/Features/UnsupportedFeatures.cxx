@@ -59,7 +59,8 @@ bool IsKnownMapper(vtkMapper* mapper)
     "vtkWebGPUPolyDataMapper", "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2",
     "vtkOpenGLCompositePolyDataMapper", "vtkOpenGLBatchedPolyDataMapper",
     "vtkWebGPUCompositePolyDataMapper", "vtkDataSetMapper", "vtkGlyph3DMapper",
-    "vtkOpenGLGlyph3DMapper", "vtkLabeledContourMapper" };
+    "vtkOpenGLGlyph3DMapper", "vtkLabeledContourMapper", "vtkPointGaussianMapper",
+    "vtkOpenGLPointGaussianMapper" };
   return std::any_of(std::begin(names), std::end(names),
     [&](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
 }

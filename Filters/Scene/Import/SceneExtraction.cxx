@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtraction.h"
 
+#include "Annotation/SceneExtractionOverlay.h"
 #include "Features/SceneFeatures.h"
 #include "SceneExtractionActors.h"
 #include "SceneExtractionAxes.h"
 #include "SceneExtractionGlyphs.h"
-#include "SceneExtractionOverlay.h"
 #include "SceneExtractionProps.h"
+#include "SceneExtractionSplats.h"
 #include "SceneExtractionView.h"
 
 #include "vtkBoundingBox.h"
@@ -131,7 +132,7 @@ void AddDrawItems(
   for (const DrawItem& item : items)
   {
     ThrowIfStopped(options.Progress, 0.0);
-    AddDrawItem(item, options.DPI / 72.0, scene);
+    AddDrawItem(FaceCamera(item, scene), options.DPI / 72.0, scene);
   }
 }
 
@@ -178,7 +179,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   next += static_cast<int>(texts.size());
   AddDrawItems(texts, options, scene);
   AddDrawItems(MakeCubeAxes(renderer, options.DPI, next, scene), options, scene);
-  ExtractOverlay(renderer, options, scene);
+  ExtractOverlay(renderer, options.DPI, scene);
   scene.Warnings = MergeWarnings(scene.Warnings);
   return scene;
 }

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionActors.h"
 
+#include "Annotation/SceneExtractionOverlay.h"
 #include "Features/SceneFeatures.h"
 #include "Features/UnsupportedFeatures.h"
 #include "SceneExtractionAxes.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
-#include "SceneExtractionOverlay.h"
 #include "SceneExtractionProps.h"
+#include "SceneExtractionSplats.h"
 #include "SurfaceGeometry.h"
 
 #include "vtkActor.h"
@@ -23,6 +24,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -185,7 +187,7 @@ private:
     {
       return;
     }
-    if (DrawsByShadersAlone(mapper))
+    if (DrawsByShadersAlone(mapper) && !vtkPointGaussianMapper::SafeDownCast(mapper))
     {
       WarnFeature(Feature::ShaderMappers, prototype.Name + " (" + mapper->GetClassName() + ")",
         this->Warnings);
@@ -228,6 +230,14 @@ private:
   void AddMapped(
     vtkMapper* mapper, vtkDataSet* data, const DrawItem& prototype, ScalarMapper* scalars)
   {
+    if (auto* splats = vtkPointGaussianMapper::SafeDownCast(mapper))
+    {
+      if (auto* points = vtkPolyData::SafeDownCast(data))
+      {
+        AddSplats(splats, points, prototype, scalars, this->Items, this->Warnings);
+      }
+      return;
+    }
     auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
     if (!glyphs)
     {

@@ -9,29 +9,40 @@
 #include "vtkActor2D.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkAxisActor2D.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkCamera.h"
+#include "vtkCaptionActor2D.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkCoordinate.h"
+#include "vtkCornerAnnotation.h"
 #include "vtkCubeAxesActor.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkFollower.h"
 #include "vtkHomogeneousTransform.h"
+#include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
+#include "vtkLegendBoxActor.h"
+#include "vtkLegendScaleActor.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkMapper2D.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPolyData.h"
 #include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkProperty2D.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
@@ -39,6 +50,7 @@
 #include "vtkTextActor3D.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
+#include "vtkTexturedActor2D.h"
 
 #include <algorithm>
 
@@ -174,6 +186,11 @@ private:
     }
     this->Add(mapper);
     this->AddInputs(mapper);
+    if (auto* splats = vtkPointGaussianMapper::SafeDownCast(mapper))
+    {
+      this->Add(splats->GetScaleFunction());
+      this->Add(splats->GetScalarOpacityFunction());
+    }
     if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
     {
       this->Add(planes);
@@ -278,6 +295,68 @@ private:
       this->Add(bar->GetLabelTextProperty());
       this->Add(bar->GetAnnotationTextProperty());
     }
+    else if (auto* actor = vtkActor2D::SafeDownCast(prop))
+    {
+      this->AddAnnotation(actor);
+    }
+    else if (auto* scale = vtkLegendScaleActor::SafeDownCast(prop))
+    {
+      this->Add(scale->GetLegendTitleProperty());
+      this->Add(scale->GetLegendLabelProperty());
+      for (vtkAxisActor2D* side : { scale->GetRightAxis(), scale->GetTopAxis(),
+             scale->GetLeftAxis(), scale->GetBottomAxis() })
+      {
+        this->AddAxis(side);
+      }
+    }
+  }
+
+  void AddAnnotation(vtkActor2D* actor)
+  {
+    this->AddRectangle(actor);
+    this->Add(actor->GetProperty());
+    if (vtkMapper2D* mapper = actor->GetMapper())
+    {
+      this->Add(mapper);
+      this->AddInputs(mapper);
+    }
+    if (auto* textured = vtkTexturedActor2D::SafeDownCast(actor))
+    {
+      if (textured->GetTexture())
+      {
+        this->AddTexture(textured->GetTexture());
+      }
+    }
+    else if (auto* caption = vtkCaptionActor2D::SafeDownCast(actor))
+    {
+      this->Add(caption->GetCaptionTextProperty());
+      this->Add(caption->GetAttachmentPointCoordinate());
+    }
+    else if (auto* legend = vtkLegendBoxActor::SafeDownCast(actor))
+    {
+      this->Add(legend->GetEntryTextProperty());
+      for (int i = 0; i < legend->GetNumberOfEntries(); ++i)
+      {
+        this->Add(legend->GetEntrySymbol(i));
+        this->Add(legend->GetEntryIcon(i));
+      }
+    }
+    else if (auto* axis = vtkAxisActor2D::SafeDownCast(actor))
+    {
+      this->AddAxis(axis);
+    }
+    else if (auto* corner = vtkCornerAnnotation::SafeDownCast(actor))
+    {
+      this->Add(corner->GetTextProperty());
+    }
+  }
+
+  void AddAxis(vtkAxisActor2D* axis)
+  {
+    this->Add(axis);
+    this->Add(axis->GetProperty());
+    this->Add(axis->GetTitleTextProperty());
+    this->Add(axis->GetLabelTextProperty());
   }
 
   void AddRectangle(vtkActor2D* actor)

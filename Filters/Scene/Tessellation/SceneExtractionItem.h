@@ -51,6 +51,14 @@ struct Instances
   bool ByScalars = false;
 };
 
+/// Images around points that face the camera, see vtkPointGaussianMapper.
+struct Splats
+{
+  std::vector<float> Radii; ///< per point, in the coordinates of the data
+  double Extent = 1.0;      ///< half the width of the image, in radii
+  bool IsAdditive = false;  ///< see Surface::IsAdditive
+};
+
 /// One vtkPolyData with its transform and appearance.
 struct DrawItem
 {
@@ -74,8 +82,9 @@ struct DrawItem
   double LineRadius = 0.0;
   /// Radius of each point of Data in world units. Replaces PointRadius and LineRadius; null: none.
   vtkSmartPointer<vtkDataArray> Radii;
-  std::shared_ptr<Instances> GlyphInstances; ///< null: drawn once, with ToWorld
-  ProgressCallback Progress;                 ///< on a stop request, reading the item throws Stopped
+  std::shared_ptr<Instances> GlyphInstances;  ///< null: drawn once, with ToWorld
+  std::shared_ptr<const Splats> FacingSplats; ///< if set, each vertex is a splat of LitTexture
+  ProgressCallback Progress; ///< on a stop request, reading the item throws Stopped
 };
 
 /// Transform from the coordinates of a data set to scene coordinates.

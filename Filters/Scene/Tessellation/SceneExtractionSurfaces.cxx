@@ -376,6 +376,8 @@ void AddSurface(const DrawItem& item, Scene& scene)
   }
   surface.Backfaces = !item.Property->GetBackfaceCulling();
   surface.Frontfaces = !item.Property->GetFrontfaceCulling();
+  surface.IsLineOrPoint = item.FacingSplats != nullptr;
+  surface.IsAdditive = item.FacingSplats && item.FacingSplats->IsAdditive;
   const std::vector<std::uint32_t>& cells = triangles.GetCells();
   SetNormals(item, SceneTransform(item.ToWorld, scene), cells, surface);
   SetTangents(item, SceneTransform(item.ToWorld, scene), surface);

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionOverlay.h"
 
+#include "AnnotationCopies.h"
+#include "Features/SceneFeatures.h"
+#include "OverlayRecorder.h"
 #include "SceneExtractionScalarBar.h"
 
+#include "vtkActor2D.h"
 #include "vtkAxesActor.h"
 #include "vtkCaptionActor2D.h"
 #include "vtkCoordinate.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty2D.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextActor.h"
@@ -79,11 +84,25 @@ bool DrawAxesLabels(vtkAxesActor* axes, int dpi, Scene& scene)
   return drawn;
 }
 
+/// Draws other 2-D props: a copy renders into the overlay.
+void DrawAnnotation(vtkProp* prop, vtkRenderer* renderer, int dpi, Scene& scene)
+{
+  OverlayRecorder recorder(renderer, dpi, scene);
+  vtkSmartPointer<vtkProp> copy = CopyAnnotation(prop);
+  auto* actor = vtkActor2D::SafeDownCast(copy);
+  if (!copy || (actor && actor->GetProperty()->GetDisplayLocation() == VTK_BACKGROUND_LOCATION))
+  {
+    WarnFeature(Feature::OtherProps, prop->GetClassName(), scene.Warnings);
+    return;
+  }
+  recorder.Render(copy);
+}
+
 }
 
 bool IsOverlay(vtkProp* prop)
 {
-  return prop->IsA("vtkTextActor") || prop->IsA("vtkScalarBarActor");
+  return vtkActor2D::SafeDownCast(prop) || prop->IsA("vtkLegendScaleActor");
 }
 
 glm::dvec2 ComputePixelPosition(vtkCoordinate* coordinate, const Scene& scene)
@@ -127,7 +146,7 @@ bool DrawText(
   return true;
 }
 
-void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
+void ExtractOverlay(vtkRenderer* renderer, int dpi, Scene& scene)
 {
   scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
   vtkPropCollection* props = renderer->GetViewProps();
@@ -142,15 +161,19 @@ void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Sce
     }
     if (auto* text = vtkTextActor::SafeDownCast(prop))
     {
-      drawn = DrawTextActor(text, options.DPI, scene) && drawn;
+      drawn = DrawTextActor(text, dpi, scene) && drawn;
     }
     else if (auto* axes = vtkAxesActor::SafeDownCast(prop))
     {
-      drawn = DrawAxesLabels(axes, options.DPI, scene) && drawn;
+      drawn = DrawAxesLabels(axes, dpi, scene) && drawn;
     }
     else if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
     {
-      drawn = DrawScalarBar(bar, renderer, options.DPI, scene) && drawn;
+      drawn = DrawScalarBar(bar, renderer, dpi, scene) && drawn;
+    }
+    else if (IsOverlay(prop))
+    {
+      DrawAnnotation(prop, renderer, dpi, scene);
     }
   }
   if (!drawn)

@@ -1,27 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Draws 2-D props into the overlay: text actors and scalar bars.
+// Draws 2-D props into the overlay: text, scalar bars, legends, axes and other annotations.
 #ifndef penumbra_SceneExtractionOverlay_h
 #define penumbra_SceneExtractionOverlay_h
 
-#include "SceneExtraction.h"
+#include "Scene.h"
 
 #include <string>
 
 class vtkCoordinate;
 class vtkProp;
+class vtkRenderer;
 class vtkScalarBarActor;
 class vtkTextProperty;
 
 namespace penumbra
 {
 
-/// Draws the text actors and scalar bars of `renderer` into scene.OverlayImage. The camera of
-/// `scene` must be set.
-void ExtractOverlay(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene);
+/// Draws the 2-D props of `renderer` into scene.OverlayImage, with a warning for each that is not
+/// supported. The camera of `scene` must be set.
+void ExtractOverlay(vtkRenderer* renderer, int dpi, Scene& scene);
 
-/// Returns true if ExtractOverlay() draws this prop.
+/// Returns true if ExtractOverlay() draws this prop or warns about it.
 bool IsOverlay(vtkProp* prop);
 
 /// Returns the position of a coordinate in pixels.

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fills polygons, lines and textured triangles in an overlay. A pixel is filled if its center is
+// inside, as OpenGL does without antialiasing.
+#ifndef penumbra_OverlayPainter_h
+#define penumbra_OverlayPainter_h
+
+#include "Overlay.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace penumbra
+{
+
+/// RGBA image that is mapped to triangles, bottom row first.
+struct OverlayTexels
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<glm::u8vec4> Texels;
+  bool Interpolate = false;
+
+  /// Returns the color at texture coordinates in [0, 1]; others are clamped.
+  glm::vec4 Sample(glm::dvec2 coordinates) const;
+};
+
+/// Corner of a triangle.
+struct OverlayVertex
+{
+  glm::dvec2 Position;
+  glm::vec4 Color{ 1.f };
+  glm::dvec2 Coordinates{ 0.0 }; ///< in the texture
+};
+
+/// Fills a polygon with straight edges, which may be concave.
+void FillPolygon(const std::vector<glm::dvec2>& corners, glm::vec4 color, Overlay& overlay);
+
+/// Fills a line as a rectangle that exceeds the ends by half the width.
+void FillLine(glm::dvec2 from, glm::dvec2 to, double width, glm::vec4 color, Overlay& overlay);
+
+/// Fills a convex polygon with interpolated colors, multiplied by `texels` unless that is null.
+void FillShadedPolygon(
+  const std::vector<OverlayVertex>& corners, const OverlayTexels* texels, Overlay& overlay);
+
+}
+#endif
