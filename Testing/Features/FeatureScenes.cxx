@@ -393,8 +393,7 @@ void AddViews(SceneList& add)
 #endif
   add(Feature::BackgroundImage, [](Renderer r, Window) {
     vtkNew<vtkTexture> texture;
-    texture->SetInputData(MakeImage(50, 40));
-    texture->InterpolateOn();
+    texture->SetInputData(MakeImage(50, 40)); // VTK interpolates it although Interpolate is off
     r->SetBackgroundTexture(texture);
     r->TexturedBackgroundOn();
     Add(r, MakeSphere());

@@ -115,9 +115,6 @@ void Render(const FeatureScene& scene, Images& images)
   renderer->SetBackground(0.2, 0.3, 0.4);
   window->AddRenderer(renderer);
   scene.Build(renderer, window);
-  window->Render();
-  window->GetPixelData(0, 0, Size - 1, Size - 1, 0, images.Raster);
-
   vtkNew<vtkPenumbraRayCaster> caster;
   caster->SetRenderer(renderer);
   caster->SetResolution(Size, Size);
@@ -148,6 +145,9 @@ void Render(const FeatureScene& scene, Images& images)
       images.Rays.push_back(255.0 * std::clamp(color->GetComponent(p, k), 0.0, 1.0));
     }
   }
+  // Last, because VTK changes objects of the scene when it renders.
+  window->Render();
+  window->GetPixelData(0, 0, Size - 1, Size - 1, 0, images.Raster);
   Compare(images);
 }
 

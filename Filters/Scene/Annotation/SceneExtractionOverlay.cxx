@@ -51,6 +51,9 @@ bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
   return DrawText(text, property, anchor, dpi, scene.OverlayImage);
 }
 
+/// Pixels that vtkTextActor::MinimumSize grants to scaled text.
+constexpr double MinimumTextSize = 10.0;
+
 /// Draws the labels of axes: text next to a point of the scene, scaled to a part of the image.
 bool DrawAxesLabels(vtkAxesActor* axes, int dpi, Scene& scene)
 {
@@ -72,7 +75,8 @@ bool DrawAxesLabels(vtkAxesActor* axes, int dpi, Scene& scene)
     // The box of the caption, inset by its padding.
     const glm::dvec2 low = ComputePixelPosition(caption->GetPositionCoordinate(), scene);
     const glm::dvec2 high = ComputePixelPosition(caption->GetPosition2Coordinate(), scene);
-    const glm::dvec2 size = high - low - 2.0 * caption->GetPadding();
+    const glm::dvec2 size =
+      glm::max(high - low - 2.0 * caption->GetPadding(), glm::dvec2(MinimumTextSize));
     vtkNew<vtkTextProperty> property;
     property->ShallowCopy(caption->GetCaptionTextProperty());
     renderer->GetConstrainedFontSize(

@@ -54,7 +54,7 @@ const std::vector<FeatureRow>& GetFeatureTable()
     { Feature::Representations, Drawn, "vtkProperty: Representation, LineWidth, PointSize", "",
       "" },
     { Feature::VertexAndEdgeVisibility, Drawn, "vtkProperty: EdgeVisibility, VertexVisibility",
-      "Edges have their full width at silhouettes.", "" },
+      "Edges have their full width at silhouettes and no highlights.", "" },
     { Feature::ScalarColoring, Drawn, "vtkMapper: scalars, lookup tables, texture maps", "", "" },
     { Feature::CellScalars, Drawn, "vtkMapper: scalars of cells", "", "" },
     { Feature::DirectScalars, Drawn, "vtkMapper: colors in unsigned char arrays", "", "" },

@@ -348,7 +348,15 @@ void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, 
   }
   if (renderer->GetTexturedBackground())
   {
-    background.Image = MakeTexture(renderer->GetBackgroundTexture(), "Background", scene.Warnings);
+    const std::shared_ptr<const Texture> texture =
+      MakeTexture(renderer->GetBackgroundTexture(), "Background", scene.Warnings);
+    if (texture)
+    {
+      // vtkOpenGLRenderer::Clear() turns interpolation on.
+      const auto image = std::make_shared<Texture>(*texture);
+      image->Interpolate = true;
+      background.Image = image;
+    }
   }
 }
 

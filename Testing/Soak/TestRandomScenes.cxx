@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A few of the random scenes that `penumbra-random-scenes` draws by the hour.
+#include "Random/SceneChecks.h"
+
+#include "vtkLogger.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkStringOutputWindow.h"
+
+#include <gtest/gtest.h>
+
+using namespace penumbra_soak;
+
+namespace
+{
+
+class RandomScenes : public testing::TestWithParam<std::uint64_t>
+{
+};
+
+}
+
+TEST_P(RandomScenes, AreDrawnWithinTheToleranceAndLikeVTK)
+{
+  vtkNew<vtkStringOutputWindow> messages;
+  vtkOutputWindow::SetInstance(messages);
+  const RandomScene scene = MakeRandomScene(GetParam());
+  SCOPED_TRACE(scene.Description);
+  const CastImage image = CastScene(scene, false);
+  EXPECT_TRUE(image.Finite);
+  EXPECT_EQ(image.Values.Colors, CastScene(scene, false, 2).Values.Colors);
+  int misjudged = 0;
+  const penumbra::StratifiedReference reference = DrawReference(scene, 1);
+  for (const auto& tile : penumbra::CompareTiles(image.Values, reference, ImageSide))
+  {
+    misjudged +=
+      scene.ComparesTiles && tile.Error > 2.0 * TileLimit(scene) && tile.Estimate < tile.Error;
+  }
+  EXPECT_EQ(misjudged, 0);
+  const CastImage plain = CastScene(scene, true);
+  if (scene.ComparesWithVTK && plain.Warnings.empty())
+  {
+    EXPECT_LT(CountDifferentBlocks(plain.Values.Colors, DrawWithVTK(scene)), 2);
+  }
+  vtkOutputWindow::SetInstance(nullptr);
+}
+
+// Seeds whose references take less than a second.
+INSTANTIATE_TEST_SUITE_P(
+  Seeds, RandomScenes, testing::Values(3, 4, 5, 6, 10, 11, 13, 14, 15, 16, 19, 20));
