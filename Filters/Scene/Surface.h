@@ -149,6 +149,12 @@ struct Surface
   /// If true, the surface emits light and hides nothing: its color, multiplied by its opacity, is
   /// added to what is behind it.
   bool IsAdditive = false;
+  /// If true, the surface is drawn among the opaque ones in the order of the scene, although it is
+  /// translucent: it is blended over what was drawn before, and hides what follows behind it.
+  bool ForceOpaque = false;
+  /// If true, the surface is invisible and hides the surfaces with HasHiddenLines behind it.
+  bool HidesLines = false;
+  bool HasHiddenLines = false; ///< wireframe of which hidden lines are removed
 
   bool IsTranslucent() const;
 

@@ -53,13 +53,54 @@ void AddRendererScenes(std::vector<FeatureScene>& scenes)
   }
   add(Feature::HiddenLineRemoval, [](Renderer r, Window) {
     r->SetUseHiddenLineRemoval(true);
-    Add(r, MakeCube())->GetProperty()->SetRepresentationToWireframe();
+    vtkActor* cube = Add(r, MakeCube());
+    cube->GetProperty()->SetRepresentationToWireframe();
+    cube->GetProperty()->LightingOff();
     Look(r);
   });
+  // The surface is drawn before the wireframe, which hides only the wireframe behind.
+  add(
+    Feature::HiddenLineRemoval,
+    [](Renderer r, Window) {
+      r->SetUseHiddenLineRemoval(true);
+      for (int i = 0; i < 3; ++i)
+      {
+        vtkActor* actor = Add(r, i == 1 ? MakeCube() : MakeSphere(12));
+        actor->SetPosition(0.5 * i, 0.1 * i, -0.9 * i);
+        if (i != 1)
+        {
+          actor->GetProperty()->SetRepresentationToWireframe();
+          actor->GetProperty()->LightingOff();
+          actor->GetProperty()->SetLineWidth(2.f);
+        }
+      }
+      Look(r);
+    },
+    0.01);
   add(Feature::ForceOpaque, [](Renderer r, Window) {
     vtkActor* actor = Add(r, MakeCube());
     actor->GetProperty()->SetOpacity(0.4);
     actor->ForceOpaqueOn();
+    Look(r);
+  });
+  // Actors behind show through only if they are drawn before.
+  add(Feature::ForceOpaque, [](Renderer r, Window) {
+    r->SetUseDepthPeeling(true);
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkActor* actor = Add(r, i == 1 ? MakeCube() : MakeSphere());
+      actor->SetPosition(0.7 * (i - 1), 0.0, -0.6);
+      actor->GetProperty()->SetColor(0.2 + 0.3 * i, 0.9 - 0.3 * i, 0.5);
+      if (i == 1)
+      {
+        actor->SetPosition(0.0, 0.0, 0.6);
+        actor->GetProperty()->SetOpacity(0.5);
+        actor->ForceOpaqueOn();
+      }
+    }
+    vtkActor* translucent = Add(r, MakeSphere());
+    translucent->SetPosition(0.3, 0.6, 0.9);
+    translucent->GetProperty()->SetOpacity(0.5);
     Look(r);
   });
 }

@@ -98,10 +98,6 @@ void AddActorScenes(std::vector<WarningScene>& scenes)
       texture->SetInputDataObject(side, MakeImage(8, 8));
     }
   });
-  add(Feature::ForceOpaque, [](vtkActor* actor) {
-    actor->GetProperty()->SetOpacity(0.5);
-    actor->ForceOpaqueOn();
-  });
   add(Feature::CustomShaders, [](vtkActor* actor) {
     actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, "", false);
   });
@@ -174,8 +170,6 @@ void AddRendererScenes(std::vector<WarningScene>& scenes)
     window->StereoRenderOn();
     window->Render(); // sets the camera's Stereo
   });
-  add(
-    Feature::HiddenLineRemoval, [](vtkRenderer* renderer) { renderer->UseHiddenLineRemovalOn(); });
   add(Feature::RenderPass, [](vtkRenderer* renderer) { renderer->SetPass(vtkNew<EmptyPass>()); });
   add(Feature::RendererOcclusion, [](vtkRenderer* renderer) { renderer->UseSSAOOn(); });
   add(Feature::ImageBasedLighting,

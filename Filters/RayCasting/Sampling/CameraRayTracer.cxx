@@ -68,6 +68,7 @@ CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, c
   const std::vector<Surface>& surfaces = rays.GetScene().Surfaces;
   this->Translucent = std::any_of(surfaces.begin(), surfaces.end(),
     [](const Surface& surface) { return surface.IsTranslucent(); });
+  this->Kinds = LayerOrder::FindKinds(rays.GetScene());
 }
 
 Ray CameraRayTracer::MakeRay(glm::dvec2 p) const
@@ -156,8 +157,15 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   Hit hit = sample.FirstHit;
   Ray continuation = ray;
   double distance = -this->ViewCamera.Advance;
+  LayerOrder order;
   for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
   {
+    if (!this->Kinds.empty() && !order.IsDrawn(this->Kinds[hit.Surface], hit))
+    {
+      continuation.Near = hit.NextNear;
+      hit = this->Rays.Intersect(continuation);
+      continue;
+    }
     if (this->Shafts)
     {
       this->AddMedium(ray, distance, hit.Distance, sample, counts);

@@ -5,6 +5,7 @@
 #ifndef penumbra_CameraRayTracer_h
 #define penumbra_CameraRayTracer_h
 
+#include "LayerOrder.h"
 #include "Media/LightShafts.h"
 
 #include <cstdint>
@@ -128,6 +129,8 @@ private:
   const Shading& SurfaceShading;
   const Camera& ViewCamera;
   bool Translucent = false; ///< at least one surface is translucent
+  /// Order in which VTK draws each surface; empty if the distance alone decides.
+  std::vector<LayerOrder::Kinds> Kinds;
   const vtkPenumbraIrradianceProvider* OcclusionProvider = nullptr;
   float OcclusionStrength = 1.f;
   double OcclusionTolerance = 0.0;

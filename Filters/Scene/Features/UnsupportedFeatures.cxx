@@ -65,12 +65,6 @@ bool IsKnownMapper(vtkMapper* mapper)
     [&](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
 }
 
-bool IsTranslucent(vtkActor* actor)
-{
-  return actor->GetProperty()->GetOpacity() < 1.0 ||
-    (actor->GetBackfaceProperty() && actor->GetBackfaceProperty()->GetOpacity() < 1.0);
-}
-
 /// Returns true if the property has a texture that is not part of a physically based material.
 bool HasOtherTextures(vtkProperty* property)
 {
@@ -105,7 +99,6 @@ void WarnUnsupportedActor(
   warn(HasOtherTextures(property), Feature::MultiTexturing);
   warn(HasCustomShaders(actor), Feature::CustomShaders);
   warn(UsesOtherCoordinates(actor, 0), Feature::CoordinateSystems);
-  warn(actor->GetForceOpaque() && IsTranslucent(actor), Feature::ForceOpaque);
   warn(mapper->GetSelection() != nullptr, Feature::Selection);
   if (!IsKnownMapper(mapper))
   {
@@ -123,7 +116,6 @@ void WarnUnsupportedRenderer(vtkRenderer* renderer, std::vector<std::string>& wa
   };
   warn(renderer->GetPass() != nullptr, Feature::RenderPass);
   warn(renderer->GetUseImageBasedLighting(), Feature::ImageBasedLighting);
-  warn(renderer->GetUseHiddenLineRemoval(), Feature::HiddenLineRemoval);
 }
 
 }

@@ -154,6 +154,7 @@ public:
   }
 
   int NextObject = 0;
+  bool RemoveHiddenLines = false; ///< of actors with wireframe representation
 
 private:
   void AddLeaf(vtkProp* prop, vtkMatrix4x4* matrix)
@@ -204,6 +205,9 @@ private:
       prototype.DetailTextures =
         MakeMaterialTextures(actor->GetProperty(), prototype.Name, this->Warnings);
     }
+    prototype.ForceOpaque = actor->GetForceOpaque();
+    prototype.RemoveHiddenLines =
+      this->RemoveHiddenLines && actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
     prototype.ClippingPlanes = ToPlanes(mapper->GetClippingPlanes());
     WarnUnsupportedActor(actor, prototype.Name, this->Warnings);
     mapper->Update();
@@ -295,6 +299,7 @@ std::vector<DrawItem> CollectDrawItems(
 {
   WarnUnsupportedRenderer(renderer, warnings);
   DrawItemCollector collector(warnings, progress);
+  collector.RemoveHiddenLines = renderer->GetUseHiddenLineRemoval();
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   props->InitTraversal(position);

@@ -169,8 +169,8 @@ void Append(std::vector<T>& to, const std::vector<T>& from)
 bool AreMergeable(const Surface& a, const Surface& b)
 {
   return a.IsRound() == b.IsRound() && a.Segments.empty() == b.Segments.empty() &&
-    a.IsLineOrPoint == b.IsLineOrPoint && a.NormalRule == b.NormalRule &&
-    a.Normals.empty() == b.Normals.empty() &&
+    a.IsLineOrPoint == b.IsLineOrPoint && a.HidesLines == b.HidesLines &&
+    a.NormalRule == b.NormalRule && a.Normals.empty() == b.Normals.empty() &&
     a.TriangleNormals.empty() == b.TriangleNormals.empty() && a.LitTexture == b.LitTexture &&
     a.BaseColorTexture == b.BaseColorTexture && a.DetailTextures == b.DetailTextures &&
     a.Tangents.empty() == b.Tangents.empty() && a.Front.Lighting == b.Front.Lighting &&
@@ -213,13 +213,49 @@ void MergeInstance(Surface&& instance, std::uint32_t id, Surface& into)
   Append(into.TextureCoordinates, instance.TextureCoordinates);
 }
 
+/// Adds the polygons of a wireframe as an invisible surface that hides lines. As in VTK,
+/// translucent wireframes keep their hidden lines. Returns true if a surface was added.
+bool AddLineMask(const DrawItem& item, Scene& scene)
+{
+  const std::size_t before = scene.Surfaces.size();
+  AddSurface(item, scene);
+  if (scene.Surfaces.size() == before)
+  {
+    return false;
+  }
+  Surface& mask = scene.Surfaces.back();
+  if (mask.IsTranslucent())
+  {
+    scene.Surfaces.pop_back();
+    return false;
+  }
+  mask.HidesLines = true;
+  mask.IsLineOrPoint = true; // casts no shadow
+  mask.HasBackMaterial = false;
+  mask.Front.Lighting = false;
+  mask.Front.Opacity = 0.f;
+  mask.PointColors.clear();
+  mask.CellColors.clear();
+  mask.ColorTexture = mask.LitTexture = mask.BaseColorTexture = nullptr;
+  mask.DetailTextures = nullptr;
+  return true;
+}
+
 void AddSurfaceAndLines(const DrawItem& item, double pixelsPerPoint, Scene& scene)
 {
+  const std::size_t before = scene.Surfaces.size();
   if (item.Property->GetRepresentation() == VTK_SURFACE)
   {
     AddSurface(item, scene);
   }
+  const bool hidesLines = item.RemoveHiddenLines && AddLineMask(item, scene);
   AddLinesAndPoints(item, pixelsPerPoint, scene);
+  for (std::size_t i = before; i < scene.Surfaces.size(); ++i)
+  {
+    Surface& surface = scene.Surfaces[i];
+    surface.ForceOpaque = item.ForceOpaque;
+    surface.HasHiddenLines = hidesLines && !surface.HidesLines;
+  }
 }
 
 }
