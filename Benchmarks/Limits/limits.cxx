@@ -1,109 +1,208 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cost of worst-case scenes: CPU seconds at n, 2 n and 4 n primitives, the exponent of their
-// growth, rays per pixel, and the estimated remaining error.
-#include "Scenes/Adversaries.h"
-#include "vtkPenumbraBruteForceIrradiance.h"
-#include "vtkPenumbraIrradianceFilter.h"
-#include "vtkPenumbraRayCaster.h"
+// Cost of worst-case scenes: CPU time and peak memory relative to a smooth mesh with as many
+// primitives that fills the image, at 1,000 to 1,000,000 primitives, and the exponent of growth.
+#include "LimitScenes.h"
+#include "Measurement.h"
+#include "Program.h"
 
-#include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <ctime>
-#include <string>
+#include <map>
+#include <thread>
+#include <tuple>
 
 namespace
 {
 
+using namespace penumbra;
+
+constexpr double MaximumTime = 10.0;    // times that of the plain mesh
+constexpr double MaximumMemory = 3.0;   // times that of the plain mesh
+constexpr double MaximumExponent = 1.2; // of time as a function of the number of primitives
+
 struct Options
 {
-  std::string Only;
-  int Primitives = 1000;
-  int Side = 256;
-  bool Occlusion = false;
-  bool Bake = false;
+  std::string Output;
+  std::string Only; ///< name of a family; empty: all
+  std::string Limit = "120";
+  std::string Jobs;
+  bool Quick = false;
 };
 
-struct Cost
+std::string Describe(int n)
 {
-  double Seconds = 0.0;
-  double RaysPerPixel = 0.0;
-  double Error = 0.0;
-};
-
-double CpuSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  return n >= 1000000 ? std::to_string(n / 1000000) + " M"
+    : n >= 1000       ? std::to_string(n / 1000) + " k"
+                      : std::to_string(n);
 }
 
-Cost Draw(vtkPolyData* mesh, const Options& options)
+std::string Format(double value, bool isBound)
 {
-  vtkNew<vtkPenumbraRayCaster> caster;
-  caster->SetRenderer(penumbra::NewAdversaryRenderer(mesh, 1.0));
-  caster->SetResolution(options.Side, options.Side);
-  caster->SetNumberOfThreads(1);
-  if (options.Occlusion)
+  char text[32];
+  std::snprintf(text, sizeof text, "%s%.3g", isBound ? "> " : "", value);
+  return text;
+}
+
+/// Scenes whose costs are measured at once, each with its plain mesh. Equal plain meshes are
+/// measured once.
+class Measurements
+{
+public:
+  void Add(const LimitScene& scene)
   {
-    caster->AmbientOcclusionOn();
-    caster->SetIrradianceProvider(vtkNew<vtkPenumbraBruteForceIrradiance>());
+    const LimitScene plain = MakePlainScene(scene);
+    const auto key =
+      std::make_tuple(static_cast<int>(plain.Task), plain.Primitives, plain.Width, plain.Height);
+    const auto added = this->IndicesOfPlain.emplace(key, this->Tasks.size());
+    if (added.second)
+    {
+      this->AddTask(plain);
+    }
+    this->Pairs.emplace_back(this->Tasks.size(), added.first->second);
+    this->AddTask(scene);
   }
-  const double start = CpuSeconds();
-  caster->Update();
-  return { CpuSeconds() - start, caster->GetStatistics()->GetArray("Rays/PerPixel")->GetTuple1(0),
-    caster->GetEstimatedError() };
-}
 
-Cost Bake(vtkPolyData* mesh)
+  void Run(const Options& options)
+  {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    const int jobs = options.Jobs.empty() ? std::clamp(cores, 1, 2) : std::stoi(options.Jobs);
+    this->Costs = MeasureInProcesses(this->Tasks, jobs, std::stoi(options.Limit));
+  }
+
+  /// Cost of the i-th scene and of its plain mesh.
+  const Cost& GetCost(std::size_t i) const { return this->Costs[this->Pairs[i].first]; }
+  const Cost& GetPlainCost(std::size_t i) const { return this->Costs[this->Pairs[i].second]; }
+
+private:
+  void AddTask(const LimitScene& scene)
+  {
+    this->Tasks.push_back({ scene.Name + ", " + Describe(scene.Primitives), [scene] {
+                             const vtkSmartPointer<vtkPolyData> mesh = scene.MakeMesh();
+                             return [scene, mesh] { RunScene(scene, mesh); };
+                           } });
+  }
+
+  std::vector<NamedTask> Tasks;
+  std::vector<std::pair<std::size_t, std::size_t>> Pairs; ///< of indices of scene and plain mesh
+  std::map<std::tuple<int, int, int, int>, std::size_t> IndicesOfPlain;
+  std::vector<Cost> Costs;
+};
+
+/// Adds the three rows of a family: time and memory relative to the plain mesh, and exponent.
+void AddFamily(const std::string& name, const std::vector<int>& sizes,
+  const Measurements& measurements, std::size_t first, ResultTable& results)
 {
-  vtkNew<vtkPenumbraIrradianceFilter> filter;
-  filter->SetInputData(mesh);
-  filter->SetNumberOfThreads(1);
-  const double start = CpuSeconds();
-  filter->Update();
-  return { CpuSeconds() - start, 0.0, 0.0 };
+  double worstTime = 0.0;
+  double worstMemory = 0.0;
+  double worstExponent = -1.0;
+  std::string times;
+  std::string memories;
+  std::string seconds;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const Cost& cost = measurements.GetCost(first + i);
+    const Cost& plain = measurements.GetPlainCost(first + i);
+    const double time = cost.Seconds / plain.Seconds;
+    const double memory = cost.Megabytes / plain.Megabytes;
+    const std::string separator = i > 0 ? "; " : "";
+    times += separator + Describe(sizes[i]) + ": " + Format(time, cost.IsBound);
+    memories += separator + Describe(sizes[i]) + ": " + Format(memory, cost.IsBound);
+    seconds += separator + Describe(sizes[i]) + ": " + Format(cost.Seconds, cost.IsBound) + " s, " +
+      Format(cost.Megabytes, cost.IsBound) + " MB";
+    worstTime = std::max(worstTime, time);
+    worstMemory = std::max(worstMemory, memory);
+    if (i > 0)
+    {
+      const double before = measurements.GetCost(first + i - 1).Seconds;
+      worstExponent = std::max(
+        worstExponent, std::log(cost.Seconds / before) / std::log(double(sizes[i]) / sizes[i - 1]));
+    }
+  }
+  results.Add(name, "time / plain mesh, worst", worstTime, TargetKind::AtMost, MaximumTime, times);
+  results.Add(
+    name, "memory / plain mesh, worst", worstMemory, TargetKind::AtMost, MaximumMemory, memories);
+  results.Add(
+    name, "exponent of time, worst", worstExponent, TargetKind::AtMost, MaximumExponent, seconds);
+}
+
+void AddSingle(const LimitScene& scene, const Cost& cost, const Cost& plain, ResultTable& results)
+{
+  const std::string remark = Format(cost.Seconds, cost.IsBound) + " s, " +
+    Format(cost.Megabytes, cost.IsBound) +
+    " MB; plain mesh: " + Format(plain.Seconds, plain.IsBound) + " s, " +
+    Format(plain.Megabytes, plain.IsBound) + " MB";
+  results.Add(scene.Name, "time / plain mesh", cost.Seconds / plain.Seconds, TargetKind::AtMost,
+    MaximumTime, remark);
+  results.Add(scene.Name, "memory / plain mesh", cost.Megabytes / plain.Megabytes,
+    TargetKind::AtMost, MaximumMemory);
+}
+
+void Measure(const Options& options, ResultTable& results)
+{
+  const std::vector<int> sizes = options.Quick ? std::vector<int>{ 1000, 10000, 100000 }
+                                               : std::vector<int>{ 1000, 10000, 100000, 1000000 };
+  Measurements measurements;
+  std::vector<LimitFamily> families;
+  for (const LimitFamily& family : GetLimitFamilies())
+  {
+    if (options.Only.empty() || options.Only == family.Name)
+    {
+      families.push_back(family);
+      for (const int n : sizes)
+      {
+        measurements.Add(MakeScene(family, n));
+      }
+    }
+  }
+  std::vector<LimitScene> singles;
+  if (options.Only.empty() || options.Only == "single")
+  {
+    singles = MakeSingleScenes(PENUMBRA_SOURCE_DIR "/Data");
+  }
+  for (const LimitScene& scene : singles)
+  {
+    measurements.Add(scene);
+  }
+  measurements.Run(options);
+  std::size_t first = 0;
+  for (const LimitFamily& family : families)
+  {
+    AddFamily(family.Name, sizes, measurements, first, results);
+    first += sizes.size();
+  }
+  for (const LimitScene& scene : singles)
+  {
+    AddSingle(scene, measurements.GetCost(first), measurements.GetPlainCost(first), results);
+    ++first;
+  }
 }
 
 }
 
-int main(int count, char** arguments)
+int main(int argc, char** argv)
 {
   Options options;
-  for (int i = 1; i < count; ++i)
-  {
-    const std::string name = arguments[i];
-    const char* value = i + 1 < count ? arguments[i + 1] : "";
-    options.Occlusion = options.Occlusion || name == "--occlusion";
-    options.Bake = options.Bake || name == "--bake";
-    options.Only = name == "--only" ? value : options.Only;
-    options.Primitives = name == "--primitives" ? std::atoi(value) : options.Primitives;
-    options.Side = name == "--side" ? std::atoi(value) : options.Side;
-  }
-  for (const penumbra::Adversary& adversary : penumbra::Adversaries())
-  {
-    if (!options.Only.empty() && adversary.Name != options.Only)
-    {
-      continue;
-    }
-    double before = 0.0;
-    for (int factor = 1; factor <= 4; factor *= 2)
-    {
-      const int n = factor * options.Primitives;
-      const auto mesh = adversary.Make(n);
-      const Cost cost = options.Bake ? Bake(mesh) : Draw(mesh, options);
-      std::printf("%-16s %8d  %8.3f s  n^%5.2f  %8.2f rays/pixel  error %.5f\n",
-        adversary.Name.c_str(), n, cost.Seconds,
-        before > 0.0 ? std::log2(cost.Seconds / before) : 0.0, cost.RaysPerPixel, cost.Error);
-      std::fflush(stdout);
-      before = cost.Seconds;
-    }
-  }
-  return 0;
+  ResultTable results;
+  Program program;
+  program.Name = "limits";
+  program.Title = "Limits: cost of worst-case scenes";
+  program.Usage = "--output FOLDER [--quick] [--scene NAME|single] [--limit SECONDS] [--jobs N]";
+  program.Values = { { "--output", &options.Output, true }, { "--scene", &options.Only },
+    { "--limit", &options.Limit }, { "--jobs", &options.Jobs } };
+  program.Switches = { { "--quick", &options.Quick } };
+  program.Parts = { { "", [&] { Measure(options, results); } } };
+  return program.Run(argc, argv, results, options.Output, [&] {
+    return std::vector<std::string>{ "one thread per measurement; " + DateLine(), VersionLine(),
+      "plain mesh: smooth height field of as many triangles that fills the image, drawn or baked "
+      "in the same run; images of families: 256x256",
+      "CPU seconds; peak resident memory of a process per measurement, which includes the mesh and "
+      "the libraries; a measurement ends after " +
+        options.Limit + " CPU s, \">\"" };
+  });
 }

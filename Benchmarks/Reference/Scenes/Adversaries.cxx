@@ -5,7 +5,9 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -248,6 +250,36 @@ vtkSmartPointer<vtkPolyData> Comb(int n)
   return builder.Take();
 }
 
+/// Builds a polygon of n random corners, whose sides intersect each other.
+vtkSmartPointer<vtkPolyData> RandomPolygon(int n)
+{
+  Builder builder;
+  std::vector<vtkIdType> corners;
+  for (int i = 0; i < n; ++i)
+  {
+    const glm::dvec3 p = builder.Random(0.9);
+    corners.push_back(builder.Point({ p.x, p.y, 0.0 }));
+  }
+  builder.Polygon(corners);
+  return builder.Take();
+}
+
+/// Builds a flat disc of n triangles around its center.
+vtkSmartPointer<vtkPolyData> Disc(int n)
+{
+  Builder builder;
+  const vtkIdType center = builder.Point({ 0.01, 0.02, 0.3 });
+  for (int i = 0; i < n; ++i)
+  {
+    builder.Point(OnCircle(i, n, 0.9, 0.0));
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    builder.Polygon({ center, 1 + i, 1 + (i + 1) % n });
+  }
+  return builder.Take();
+}
+
 vtkSmartPointer<vtkPolyData> Copies(int n)
 {
   Builder builder;
@@ -258,6 +290,56 @@ vtkSmartPointer<vtkPolyData> Copies(int n)
   return builder.Take();
 }
 
+vtkSmartPointer<vtkPolyData> SmoothSheet(int n)
+{
+  return MakePlainMesh(n, 1.0);
+}
+
+void ShowWireframe(vtkProperty* property)
+{
+  property->SetRepresentationToWireframe();
+}
+
+void ShowEdges(vtkProperty* property)
+{
+  property->EdgeVisibilityOn();
+}
+
+}
+
+vtkSmartPointer<vtkPolyData> MakePlainMesh(int n, double aspect)
+{
+  Builder builder;
+  const int side = std::max(static_cast<int>(std::sqrt(0.5 * n)), 1);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (int i = 0; i <= side; ++i)
+  {
+    for (int j = 0; j <= side; ++j)
+    {
+      const double x = 1.05 * aspect * (2.0 * j / side - 1.0);
+      const double y = 1.05 * (2.0 * i / side - 1.0);
+      builder.Point({ x, y, 0.1 * std::sin(5.0 * x) * std::cos(4.0 * y) });
+      const glm::dvec3 normal =
+        glm::normalize(glm::dvec3(-0.5 * std::cos(5.0 * x) * std::cos(4.0 * y),
+          0.4 * std::sin(5.0 * x) * std::sin(4.0 * y), 1.0));
+      normals->InsertNextTuple3(normal.x, normal.y, normal.z);
+    }
+  }
+  for (vtkIdType i = 0; i < side; ++i)
+  {
+    for (vtkIdType j = 0; j < side; ++j)
+    {
+      const vtkIdType low = i * (side + 1) + j;
+      const vtkIdType high = low + side + 1;
+      builder.Polygon({ low, low + 1, high + 1 });
+      builder.Polygon({ low, high + 1, high });
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> mesh = builder.Take();
+  mesh->GetPointData()->SetNormals(normals);
+  return mesh;
 }
 
 const std::vector<Adversary>& Adversaries()
@@ -265,7 +347,8 @@ const std::vector<Adversary>& Adversaries()
   static const std::vector<Adversary> all{ { "Slivers", Slivers }, { "Clusters", Clusters },
     { "Hair", Hair }, { "Streamlines", Streamlines }, { "Soup", Soup }, { "Fan", Fan },
     { "UnsharedFan", UnsharedFan }, { "Pole", Pole }, { "SuperEllipsoid", SuperEllipsoid },
-    { "Comb", Comb }, { "Copies", Copies } };
+    { "Disc", Disc }, { "Comb", Comb }, { "RandomPolygon", RandomPolygon }, { "Copies", Copies },
+    { "Wireframe", SmoothSheet, ShowWireframe }, { "Edges", SmoothSheet, ShowEdges } };
   return all;
 }
 
@@ -282,7 +365,10 @@ vtkSmartPointer<vtkRenderer> NewAdversaryRenderer(vtkPolyData* mesh, double scal
   mapper->SetInputData(mesh);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetInterpolationToFlat();
+  if (!mesh->GetPointData()->GetNormals())
+  {
+    actor->GetProperty()->SetInterpolationToFlat();
+  }
   actor->GetProperty()->SetLineWidth(2.f);
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->AddActor(actor);

@@ -11,6 +11,7 @@
 #include <vector>
 
 class vtkPolyData;
+class vtkProperty;
 class vtkRenderer;
 
 namespace penumbra
@@ -20,17 +21,24 @@ struct Adversary
 {
   std::string Name;
   vtkSmartPointer<vtkPolyData> (*Make)(int n);
+  /// Changes the property of the actor, for lines instead of surfaces. May be null.
+  void (*Prepare)(vtkProperty*) = nullptr;
 };
 
 /// All scenes: coincident slivers, clusters of subpixel triangles, hair, streamlines, soup, fans
-/// with and without shared corners, poles, a comb-shaped polygon, coincident copies.
+/// with and without shared corners, poles, discs, comb-shaped and random polygons, coincident
+/// copies, and a smooth mesh in wireframe and with edges.
 const std::vector<Adversary>& Adversaries();
 
 /// Returns the scene of the given name, or null if there is none.
 const Adversary* FindAdversary(const std::string& name);
 
-/// Returns a renderer that shows `mesh` flat, with lines of 2 pixels, in parallel projection with
-/// half the height `scale`.
+/// Builds a wavy height field of about n triangles with point normals, which fills an image of the
+/// given ratio of width and height: the scene whose cost the others are compared with.
+vtkSmartPointer<vtkPolyData> MakePlainMesh(int n, double aspect);
+
+/// Returns a renderer that shows `mesh` flat unless it has point normals, with lines of 2 pixels,
+/// in parallel projection with half the height `scale`.
 vtkSmartPointer<vtkRenderer> NewAdversaryRenderer(vtkPolyData* mesh, double scale);
 
 }
