@@ -94,13 +94,35 @@ private:
   std::vector<Cost> Costs;
 };
 
+/// A ratio or exponent, which may be only a lower bound.
+struct Value
+{
+  double Number = 0.0;
+  bool IsBound = false;
+
+  void Include(double number, bool isBound)
+  {
+    this->Number = std::max(this->Number, number);
+    this->IsBound = this->IsBound || isBound;
+  }
+};
+
+/// Adds a row. A lower bound that does not exceed the target is not judged.
+void AddRow(const std::string& name, const std::string& quantity, const Value& value, double target,
+  const std::string& remark, ResultTable& results)
+{
+  const bool isOpen = value.IsBound && value.Number <= target;
+  results.Add(name, quantity, value.Number, isOpen ? TargetKind::None : TargetKind::AtMost, target,
+    remark + (isOpen ? "; a measurement was ended, not judged" : ""));
+}
+
 /// Adds the three rows of a family: time and memory relative to the plain mesh, and exponent.
 void AddFamily(const std::string& name, const std::vector<int>& sizes,
   const Measurements& measurements, std::size_t first, ResultTable& results)
 {
-  double worstTime = 0.0;
-  double worstMemory = 0.0;
-  double worstExponent = -1.0;
+  Value worstTime;
+  Value worstMemory;
+  Value worstExponent;
   std::string times;
   std::string memories;
   std::string seconds;
@@ -115,20 +137,19 @@ void AddFamily(const std::string& name, const std::vector<int>& sizes,
     memories += separator + Describe(sizes[i]) + ": " + Format(memory, cost.IsBound);
     seconds += separator + Describe(sizes[i]) + ": " + Format(cost.Seconds, cost.IsBound) + " s, " +
       Format(cost.Megabytes, cost.IsBound) + " MB";
-    worstTime = std::max(worstTime, time);
-    worstMemory = std::max(worstMemory, memory);
+    const bool isBound = cost.IsBound || plain.IsBound;
+    worstTime.Include(time, isBound);
+    worstMemory.Include(memory, isBound);
     if (i > 0)
     {
       const double before = measurements.GetCost(first + i - 1).Seconds;
-      worstExponent = std::max(
-        worstExponent, std::log(cost.Seconds / before) / std::log(double(sizes[i]) / sizes[i - 1]));
+      worstExponent.Include(
+        std::log(cost.Seconds / before) / std::log(double(sizes[i]) / sizes[i - 1]), cost.IsBound);
     }
   }
-  results.Add(name, "time / plain mesh, worst", worstTime, TargetKind::AtMost, MaximumTime, times);
-  results.Add(
-    name, "memory / plain mesh, worst", worstMemory, TargetKind::AtMost, MaximumMemory, memories);
-  results.Add(
-    name, "exponent of time, worst", worstExponent, TargetKind::AtMost, MaximumExponent, seconds);
+  AddRow(name, "time / plain mesh, worst", worstTime, MaximumTime, times, results);
+  AddRow(name, "memory / plain mesh, worst", worstMemory, MaximumMemory, memories, results);
+  AddRow(name, "exponent of time, worst", worstExponent, MaximumExponent, seconds, results);
 }
 
 void AddSingle(const LimitScene& scene, const Cost& cost, const Cost& plain, ResultTable& results)
@@ -137,10 +158,11 @@ void AddSingle(const LimitScene& scene, const Cost& cost, const Cost& plain, Res
     Format(cost.Megabytes, cost.IsBound) +
     " MB; plain mesh: " + Format(plain.Seconds, plain.IsBound) + " s, " +
     Format(plain.Megabytes, plain.IsBound) + " MB";
-  results.Add(scene.Name, "time / plain mesh", cost.Seconds / plain.Seconds, TargetKind::AtMost,
-    MaximumTime, remark);
-  results.Add(scene.Name, "memory / plain mesh", cost.Megabytes / plain.Megabytes,
-    TargetKind::AtMost, MaximumMemory);
+  const bool isBound = cost.IsBound || plain.IsBound;
+  AddRow(scene.Name, "time / plain mesh", { cost.Seconds / plain.Seconds, isBound }, MaximumTime,
+    remark, results);
+  AddRow(scene.Name, "memory / plain mesh", { cost.Megabytes / plain.Megabytes, isBound },
+    MaximumMemory, "", results);
 }
 
 void Measure(const Options& options, ResultTable& results)

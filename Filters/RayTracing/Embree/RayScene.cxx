@@ -7,6 +7,8 @@
 #include "RayTriangle.h"
 #include "RoundGeometry.h"
 #include "RoundIntersection.h"
+#include "SliverGeometry.h"
+#include "SliverTree.h"
 #include "TriangleGeometry.h"
 
 #include <algorithm>
@@ -137,8 +139,8 @@ void Fill(RTCRay& to, const Ray& from)
   to.flags = 0;
 }
 
-/// Embree point query for the triangle of a surface with the lowest index among those that share a
-/// hit at an edge or vertex.
+/// Query for the triangle of a surface with the lowest index among those that share a hit at an
+/// edge or vertex.
 struct EdgeHitQuery
 {
   const Scene& TracedScene;
@@ -146,28 +148,60 @@ struct EdgeHitQuery
   const RayTriangle& Intersection; ///< the hit
   Hit Lowest;                      ///< surface and lowest primitive so far
 
+  /// Tests a triangle near the hit.
+  void Test(std::uint32_t triangle);
+
   /// Called by Embree for each triangle near the hit.
   static bool Callback(RTCPointQueryFunctionArguments* args);
 };
 
+void EdgeHitQuery::Test(std::uint32_t triangle)
+{
+  if (triangle >= this->Lowest.Primitive)
+  {
+    return;
+  }
+  const Surface& surface = this->TracedScene.Surfaces[this->Lowest.Surface];
+  const RayTriangle other(surface, triangle, this->TracedRay);
+  const bool isHit = other.IsValid && other.EdgeDistance > -other.EdgeTolerance &&
+    (other.IsFront ? surface.Frontfaces : surface.Backfaces);
+  if (isHit && other.Distance >= this->TracedRay.Near && other.Distance <= this->TracedRay.Far &&
+    std::abs(other.Distance - this->Intersection.Distance) *
+        glm::length(this->TracedRay.Direction) <=
+      EdgeHitTolerance * this->Intersection.EdgeTolerance)
+  {
+    this->Lowest.Primitive = triangle;
+  }
+}
+
 bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
 {
   EdgeHitQuery& self = *static_cast<EdgeHitQuery*>(args->userPtr);
-  if (args->geomID != self.Lowest.Surface || args->primID >= self.Lowest.Primitive)
+  if (args->geomID == self.Lowest.Surface)
   {
-    return false;
-  }
-  const Surface& surface = self.TracedScene.Surfaces[args->geomID];
-  const RayTriangle other(surface, args->primID, self.TracedRay);
-  const bool isHit = other.IsValid && other.EdgeDistance > -other.EdgeTolerance &&
-    (other.IsFront ? surface.Frontfaces : surface.Backfaces);
-  if (isHit && other.Distance >= self.TracedRay.Near && other.Distance <= self.TracedRay.Far &&
-    std::abs(other.Distance - self.Intersection.Distance) * glm::length(self.TracedRay.Direction) <=
-      EdgeHitTolerance * self.Intersection.EdgeTolerance)
-  {
-    self.Lowest.Primitive = args->primID;
+    self.Test(args->primID);
   }
   return false;
+}
+
+/// Returns the lowest triangle that shares the hit `exact` at an edge or vertex.
+std::uint32_t FindLowestTriangle(
+  const RayScene& rays, RTCScene tree, const Ray& ray, const RayTriangle& exact, const Hit& hit)
+{
+  EdgeHitQuery edge{ rays.GetScene(), ray, exact, hit };
+  const glm::vec3 point(glm::dvec3(ray.Origin) + exact.Distance * glm::dvec3(ray.Direction));
+  const double radius = 4.0 * exact.EdgeTolerance;
+  if (const SliverTree* slivers = rays.GetSlivers(hit.Surface))
+  {
+    slivers->VisitNear(
+      glm::dvec3(point), radius, [&](std::uint32_t triangle) { edge.Test(triangle); });
+    return edge.Lowest.Primitive;
+  }
+  RTCPointQuery query{ point.x, point.y, point.z, 0.f, static_cast<float>(radius) };
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(tree, &query, &context, EdgeHitQuery::Callback, &edge);
+  return edge.Lowest.Primitive;
 }
 
 /// Returns a distance a few units in the last place behind both arguments.
@@ -203,14 +237,7 @@ Hit MakeHit(const RayScene& rays, RTCScene tree, const Ray& ray, const Hit& embr
   {
     if (exact.IsOnEdge())
     {
-      EdgeHitQuery edge{ scene, ray, exact, hit };
-      const glm::vec3 point(glm::dvec3(ray.Origin) + exact.Distance * glm::dvec3(ray.Direction));
-      RTCPointQuery query{ point.x, point.y, point.z, 0.f,
-        static_cast<float>(4.0 * exact.EdgeTolerance) };
-      RTCPointQueryContext context;
-      rtcInitPointQueryContext(&context);
-      rtcPointQuery(tree, &query, &context, EdgeHitQuery::Callback, &edge);
-      hit.Primitive = edge.Lowest.Primitive;
+      hit.Primitive = FindLowestTriangle(rays, tree, ray, exact, hit);
       exact = RayTriangle(scene.Surfaces[hit.Surface], hit.Primitive, ray);
     }
     const double u = std::clamp(exact.U, 0.0, 1.0);
@@ -308,7 +335,7 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   {
     const Surface& surface = scene.Surfaces[i];
     this->Traced.push_back({ &surface, this->Coincident->DepthTolerance(i),
-      surface.IsRound() && surface.IsTranslucent() });
+      surface.IsRound() && surface.IsTranslucent(), SliverTree::MakeIfUseful(surface) });
   }
   this->Device = rtcNewDevice(MakeDeviceConfiguration(threads).c_str());
   CheckDevice(this->Device);
@@ -327,7 +354,8 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
       {
         RTCGeometry geometry = scene.Surfaces[i].IsRound()
           ? MakeRoundGeometry(this->Device, this->Traced[i])
-          : MakeTriangleGeometry(this->Device, this->Traced[i]);
+          : this->Traced[i].Slivers ? MakeSliverGeometry(this->Device, this->Traced[i])
+                                    : MakeTriangleGeometry(this->Device, this->Traced[i]);
         rtcAttachGeometryByID(this->EmbreeScene, geometry, static_cast<unsigned int>(i));
         rtcReleaseGeometry(geometry);
       }
@@ -418,6 +446,11 @@ bool RayScene::Occluded(const Ray& ray) const
   Fill(query, ray);
   Query(false).Occluded(this->EmbreeScene, query);
   return query.tfar < 0.f;
+}
+
+const SliverTree* RayScene::GetSlivers(std::uint32_t surface) const
+{
+  return this->Traced[surface].Slivers.get();
 }
 
 glm::vec3 RayScene::GetNormal(const Ray& ray, const Hit& hit) const

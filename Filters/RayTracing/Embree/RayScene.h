@@ -22,6 +22,7 @@ namespace penumbra
 {
 
 class CoincidentSurfaces;
+class SliverTree;
 struct TracedSurface;
 
 /// A ray. If the direction is from Camera::RayDirection(), distances are measured along the view
@@ -86,6 +87,9 @@ public:
   /// Returns the geometric normal at a hit of `ray`, not normalized. It points to the front side of
   /// triangles and to the outside of spheres and tubes.
   glm::vec3 GetNormal(const Ray& ray, const Hit& hit) const;
+
+  /// Returns the oriented boxes that replace Embree's BVH of a surface of slivers, or null.
+  const SliverTree* GetSlivers(std::uint32_t surface) const;
 
   const Scene& GetScene() const { return this->TracedScene; }
   const CoincidentSurfaces& GetCoincidentSurfaces() const { return *this->Coincident; }

@@ -7,15 +7,20 @@
 
 #include "Surface.h"
 
+#include <memory>
+
 namespace penumbra
 {
+
+class SliverTree;
 
 /// Data of a surface that the callbacks of Embree use.
 struct TracedSurface
 {
   const Surface* Data;
   float DepthTolerance;
-  bool IsTranslucent; ///< of spheres and tubes only
+  bool IsTranslucent;                        ///< of spheres and tubes only
+  std::shared_ptr<const SliverTree> Slivers; ///< replaces Embree's BVH of the triangles if not null
 };
 
 }

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SliverGeometry.h"
+
+#include "CoincidentSurfaces.h"
+#include "RayTriangle.h"
+#include "SliverTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+const TracedSurface& GetTraced(const void* userData)
+{
+  return *static_cast<const TracedSurface*>(userData);
+}
+
+/// Embree callback: bounds of the surface, rounded outwards.
+void ComputeBounds(const RTCBoundsFunctionArguments* args)
+{
+  constexpr float Infinity = std::numeric_limits<float>::infinity();
+  glm::vec3 low(Infinity);
+  glm::vec3 high(-Infinity);
+  const Surface& surface = *GetTraced(args->geometryUserPtr).Data;
+  for (const glm::uvec3& triangle : surface.Triangles)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      low = glm::min(low, surface.Positions[triangle[corner]]);
+      high = glm::max(high, surface.Positions[triangle[corner]]);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    (&args->bounds_o->lower_x)[axis] = std::nextafter(low[axis], -Infinity);
+    (&args->bounds_o->upper_x)[axis] = std::nextafter(high[axis], Infinity);
+  }
+}
+
+Ray GetRay(RTCRayN* rays, unsigned int size, unsigned int i)
+{
+  Ray ray;
+  ray.Origin = { RTCRayN_org_x(rays, size, i), RTCRayN_org_y(rays, size, i),
+    RTCRayN_org_z(rays, size, i) };
+  ray.Direction = { RTCRayN_dir_x(rays, size, i), RTCRayN_dir_y(rays, size, i),
+    RTCRayN_dir_z(rays, size, i) };
+  ray.Near = RTCRayN_tnear(rays, size, i);
+  ray.Far = RTCRayN_tfar(rays, size, i);
+  return ray;
+}
+
+/// Calls hit(triangle, distance) for the hits of a ray; `hit` returns the distance up to which
+/// further hits matter.
+template <typename OnHit>
+void ForEachHit(const SliverTree& tree, const Ray& ray, OnHit hit)
+{
+  const glm::dvec3 origin(ray.Origin);
+  const glm::dvec3 direction(ray.Direction);
+  double farthest = ray.Far;
+  tree.VisitRay(origin, direction, ray.Near, farthest, [&](std::uint32_t triangle) {
+    const double distance = tree.ComputeDistance(triangle, origin, direction);
+    const auto rounded = static_cast<float>(distance);
+    if (rounded > ray.Near && rounded <= farthest) // false for NaN
+    {
+      farthest = hit(triangle, rounded);
+    }
+  });
+}
+
+/// Embree callback: nearest hit. Rejects hits on culled sides, and collects candidates for
+/// CoincidentSurfaces.
+void Intersect(const RTCIntersectFunctionNArguments* args)
+{
+  const TracedSurface& traced = GetTraced(args->geometryUserPtr);
+  const Surface& surface = *traced.Data;
+  RTCRayN* const rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  RTCHitN* const hits = RTCRayHitN_HitN(args->rayhit, args->N);
+  for (unsigned int i = 0; i < args->N; ++i)
+  {
+    if (args->valid[i] == 0)
+    {
+      continue;
+    }
+    const Ray ray = GetRay(rays, args->N, i);
+    const unsigned int id = RTCRayN_id(rays, args->N, i);
+    ForEachHit(*traced.Slivers, ray, [&](std::uint32_t triangle, float distance) -> double {
+      float& farthest = RTCRayN_tfar(rays, args->N, i);
+      const RayTriangle exact(surface, triangle, ray);
+      if (!exact.IsValid || !(exact.IsFront ? surface.Frontfaces : surface.Backfaces))
+      {
+        return farthest;
+      }
+      const auto u = static_cast<float>(exact.U);
+      const auto v = static_cast<float>(exact.V);
+      farthest = distance;
+      if (traced.DepthTolerance > 0.f)
+      {
+        const float tolerance = traced.DepthTolerance / glm::length(ray.Direction);
+        CandidateHits& candidates = static_cast<QueryContext*>(args->context)->Candidates[id];
+        farthest = std::min(
+          candidates.Add({ args->geomID, triangle, u, v, distance }, tolerance) + tolerance,
+          candidates.Far);
+      }
+      RTCHitN_u(hits, args->N, i) = u;
+      RTCHitN_v(hits, args->N, i) = v;
+      RTCHitN_geomID(hits, args->N, i) = args->geomID;
+      RTCHitN_primID(hits, args->N, i) = triangle;
+      RTCHitN_instID(hits, args->N, i, 0) = RTC_INVALID_GEOMETRY_ID;
+      return farthest;
+    });
+  }
+}
+
+/// Embree callback: occlusion. Lines and points cast no shadows.
+void Occlude(const RTCOccludedFunctionNArguments* args)
+{
+  const TracedSurface& traced = GetTraced(args->geometryUserPtr);
+  for (unsigned int i = 0; i < args->N && !traced.Data->IsLineOrPoint; ++i)
+  {
+    if (args->valid[i] != 0)
+    {
+      ForEachHit(
+        *traced.Slivers, GetRay(args->ray, args->N, i), [&](std::uint32_t, float) -> double {
+          RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
+          return -1.0;
+        });
+    }
+  }
+}
+
+}
+
+RTCGeometry MakeSliverGeometry(RTCDevice device, TracedSurface& traced)
+{
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, 1);
+  rtcSetGeometryUserData(geometry, &traced);
+  rtcSetGeometryBoundsFunction(geometry, ComputeBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, Intersect);
+  rtcSetGeometryOccludedFunction(geometry, Occlude);
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+}
