@@ -44,7 +44,9 @@ inline const std::vector<Row> Table = {
 
   { "Filters/RayTracing/Embree", { "Filters/Scene", "Filters/Scene/Execution" },
     { "Embree", "GLM" } },
-  { "Filters/RayTracing/Shading", { "Filters/Scene", "Filters/RayTracing/Embree" }, { "GLM" } },
+  { "Filters/RayTracing/Lights", { "Filters/Scene" }, { "GLM" } },
+  { "Filters/RayTracing/Shading",
+    { "Filters/Scene", "Filters/RayTracing/Embree", "Filters/RayTracing/Lights" }, { "GLM" } },
   { "Filters/RayTracing/Media",
     { "Filters/Scene", "Filters/RayTracing/Embree", "Filters/RayTracing/Shading",
       "Filters/Conventions", "vtkPenumbraMedium.h" },

@@ -344,12 +344,12 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraIrradianceCache::Irradiance(
       std::max(tolerance / vtkMath::Pi(), MinimumTolerance), light.Rays);
   }
   const ShadingPoint shadingPoint = self.Irradiance.ToShadingPoint(point, normal);
-  const auto suns = self.Light->GetLight().EstimateSunlight(
+  const auto sampled = self.Light->GetLight().EstimateSampledLight(
     shadingPoint.Position, shadingPoint.Normal, tolerance / vtkMath::Pi(), light.Rays);
-  light.Error = vtkMath::Pi() * std::hypot(found.Error, suns.Error);
+  light.Error = vtkMath::Pi() * std::hypot(found.Error, sampled.Error);
   for (int c = 0; c < 3; ++c)
   {
-    light.Value[c] = vtkMath::Pi() * (found.Mean[c] + suns.Mean[c]);
+    light.Value[c] = vtkMath::Pi() * (found.Mean[c] + sampled.Mean[c]);
   }
   return light;
 }

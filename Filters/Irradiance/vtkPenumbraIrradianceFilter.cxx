@@ -45,18 +45,24 @@ namespace
 
 using namespace penumbra;
 
-/// Adds the light of suns, which records do not include. Returns false if stopped.
-bool AddSuns(const Illumination& light, const std::vector<RecordCandidate>& sites, double tolerance,
-  const ProgressCallback& progress, BakedValues& baked)
+/// Adds the light of suns and sampled emitters, which records do not include, to the values that are not
+/// `complete`. Returns false if stopped.
+bool AddSampledLight(const Illumination& light, const std::vector<RecordCandidate>& sites,
+  const std::vector<char>& complete, double tolerance, const ProgressCallback& progress,
+  BakedValues& baked)
 {
   std::atomic<long long> rays(0);
   const bool done =
     ParallelForBatches(static_cast<int>(sites.size()), 1.0, 1.0, progress, [&](int i) {
+      if (complete[i])
+      {
+        return;
+      }
       long long count = 0;
-      const auto suns =
-        light.EstimateSunlight(sites[i].Position, sites[i].Normal, tolerance, count);
-      baked.Values[i].Mean += suns.Mean;
-      baked.Values[i].Error = std::hypot(baked.Values[i].Error, suns.Error);
+      const auto sampled =
+        light.EstimateSampledLight(sites[i].Position, sites[i].Normal, tolerance, count);
+      baked.Values[i].Mean += sampled.Mean;
+      baked.Values[i].Error = std::hypot(baked.Values[i].Error, sampled.Error);
       rays += count;
     });
   baked.BruteForceRays += rays;
@@ -364,11 +370,13 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   vtkNew<vtkPenumbraBruteForceIrradiance> provider;
   provider->SetMinimumRays(MinimumRays);
   provider->BeginIrradiance(light, this->Tolerance);
+  std::vector<char> complete(work.Mesh.Sites.size(), records ? 0 : 1);
   const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
     if (const auto made = records ? placement.Gather(site, count) : std::nullopt)
     {
       return BakedValue{ made->Gathered.Mean, made->Gathered.Error };
     }
+    complete[&site - work.Mesh.Sites.data()] = 1;
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto estimate =
@@ -383,7 +391,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
     estimators, after, work.Baked);
   work.Baked.GatherRays = placement.GetRays() + work.Reflections->GetRays();
   return done &&
-    (!records || AddSuns(light, work.Mesh.Sites, tolerance, work.Progress, work.Baked));
+    AddSampledLight(light, work.Mesh.Sites, complete, tolerance, work.Progress, work.Baked);
 }
 
 void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)

@@ -231,7 +231,7 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
       const glm::vec2 at = directions.At(static_cast<std::uint32_t>(grays.size()));
       const Ray ray = penumbra::Illumination::SpawnRay(position, up,
         frame * penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
-      const glm::vec3 light = lighting.IncidentRadiance(ray, lighting.GetRays().Intersect(ray),
+      const glm::vec3 light = lighting.IncidentRadiance(ray, lighting.GetRays().Intersect(ray), up,
         bounces > 1 ? irradiance : penumbra::Illumination::IrradianceFunction(), result.Rays);
       ++result.Rays;
       sum += light;
@@ -243,11 +243,11 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
       break;
     }
   }
-  const auto suns = lighting.EstimateSunlight(position, up, tolerance / Pi, result.Rays);
-  result.Error = std::hypot(result.Error, Pi * suns.Error);
+  const auto sampled = lighting.EstimateSampledLight(position, up, tolerance / Pi, result.Rays);
+  result.Error = std::hypot(result.Error, Pi * sampled.Error);
   for (int c = 0; c < 3; ++c)
   {
-    result.Value[c] = Pi * (sum[c] / static_cast<double>(grays.size()) + suns.Mean[c]);
+    result.Value[c] = Pi * (sum[c] / static_cast<double>(grays.size()) + sampled.Mean[c]);
   }
   return result;
 }

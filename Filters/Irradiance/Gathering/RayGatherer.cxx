@@ -141,7 +141,7 @@ long long LightGatherer::ShadeHits(glm::vec3 point, glm::vec3 normal, const std:
   {
     arriving = [&](glm::vec3 at, glm::vec3 about) {
       const std::optional<glm::vec3> cached = this->IncidentLight(at, about);
-      return cached ? *cached + this->Light.SampleSuns(at, about, random, additionalRays)
+      return cached ? *cached + this->Light.SampleLights(at, about, random, additionalRays)
                     : this->Light.TracePath(at, about, this->Bounces, random, additionalRays);
     };
   }
@@ -152,7 +152,8 @@ long long LightGatherer::ShadeHits(glm::vec3 point, glm::vec3 normal, const std:
       samples[i].Distance = hits[i].Distance;
       samples[i].Normal = NormalAt(this->GetRays(), rays[i], hits[i]);
     }
-    samples[i].Radiance = this->Light.IncidentRadiance(rays[i], hits[i], arriving, additionalRays);
+    samples[i].Radiance =
+      this->Light.IncidentRadiance(rays[i], hits[i], normal, arriving, additionalRays);
   }
   return additionalRays;
 }

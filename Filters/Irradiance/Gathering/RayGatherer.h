@@ -66,11 +66,11 @@ private:
 
 /// Gatherer of light. Radiance of a hit is emitted light, reflected light of the lights, and
 /// reflected indirect light if `arriving` is set. Radiance of a miss is the environment without its
-/// suns, which are sampled separately. Rays pass through lines and points.
+/// suns. Suns and small emitters are sampled separately. Rays pass through lines and points.
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 {
 public:
-  /// Looks up the mean radiance over the hemisphere at a point, without suns. Returns nothing if no
+  /// Looks up the mean radiance over the hemisphere at a point, without suns and sampled emitters. Returns nothing if no
   /// value is cached for the point.
   using LightLookup = std::function<std::optional<glm::vec3>(glm::vec3 point, glm::vec3 normal)>;
 

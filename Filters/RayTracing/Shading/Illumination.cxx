@@ -3,10 +3,15 @@
 #include "Illumination.h"
 
 #include "HemisphereSampling.h"
+#include "Lights/EmissiveSurfaces.h"
 #include "OwenSobolSequence.h"
 #include "RayTracingConstants.h"
 
 #include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace penumbra
 {
@@ -15,13 +20,51 @@ namespace
 
 constexpr float Pi = glm::pi<float>();
 
-/// Returns the largest channel of the radiance that `surface` emits.
-float ComputeEmission(const Surface& surface)
+/// Lower bound of the cosine between a ray and the normal: rounding may make it 0.
+constexpr float MinimumCosine = 1e-6f;
+
+/// Returns the weight of a sample of density `own` if the same direction could have been sampled
+/// with density `other`.
+float PowerHeuristic(float own, float other)
 {
-  const Material& material = surface.Front;
-  const glm::vec3 radiance = material.Ambient * material.AmbientColor +
-    (material.Lighting ? 0.f : material.Diffuse) * material.DiffuseColor;
-  return std::max({ radiance.x, radiance.y, radiance.z });
+  const float ratio = other / own;
+  return 1.f / (1.f + ratio * ratio);
+}
+
+/// Estimates the mean of `contribution` at points of the unit square. The number of points is
+/// doubled from `first` to `maximum` until the error of every channel is at most `tolerance`.
+template <typename Contribution>
+Illumination::SampledLight EstimateMean(const Contribution& contribution, std::uint32_t seed,
+  std::uint32_t first, std::uint32_t maximum, double tolerance)
+{
+  Illumination::SampledLight result;
+  const OwenSobolSequence samples(seed);
+  glm::dvec3 sum(0.0);
+  std::array<std::vector<float>, 3> channels;
+  for (std::uint32_t count = first;; count *= 2)
+  {
+    while (channels[0].size() < count)
+    {
+      const glm::vec3 light =
+        contribution(samples.At(static_cast<std::uint32_t>(channels[0].size())));
+      sum += light;
+      for (int c = 0; c < 3; ++c)
+      {
+        channels[c].push_back(light[c]);
+      }
+    }
+    double largest = 0.0;
+    for (const std::vector<float>& values : channels)
+    {
+      largest = std::max(largest, OwenSobolSequence::SumPairDifferences(values));
+    }
+    result.Error = static_cast<float>(std::sqrt(largest) / count);
+    if (result.Error <= tolerance || count >= maximum)
+    {
+      result.Mean = sum / static_cast<double>(count);
+      return result;
+    }
+  }
 }
 
 }
@@ -31,24 +74,29 @@ Illumination::Illumination(const RayScene& rays, const IlluminationSettings& set
     SurfaceShading(rays, settings.Shadows),
     Settings(settings)
 {
-  for (const Surface& surface : rays.GetScene().Surfaces)
+  this->FindEmitters();
+}
+
+void Illumination::FindEmitters()
+{
+  EmissiveSurfaces found = FindEmissiveSurfaces(this->Rays.GetScene());
+  const auto isSampled = [&](const Emitter& emitter) {
+    return emitter.Strength > EmitterThreshold * found.MeanRadiance;
+  };
+  const auto sampled = std::stable_partition(found.Emitters.begin(), found.Emitters.end(),
+    [&](const Emitter& emitter) { return !isSampled(emitter); });
+  if (sampled != found.Emitters.end())
   {
-    const float strength = ComputeEmission(surface);
-    if (!(strength > 0.f) || surface.IsLineOrPoint)
-    {
-      continue;
-    }
-    if (surface.IsRound() || this->Emitters.size() + surface.Triangles.size() > MaximumEmitters)
-    {
-      this->Emitters.clear();
-      return;
-    }
-    for (const glm::uvec3 corners : surface.Triangles)
-    {
-      this->Emitters.push_back({ { surface.Positions[corners.x], surface.Positions[corners.y],
-                                   surface.Positions[corners.z] },
-        strength });
-    }
+    this->SampledEmitters =
+      std::make_shared<const EmitterTree>(std::vector<Emitter>(sampled, found.Emitters.end()));
+  }
+  found.Emitters.erase(sampled, found.Emitters.end());
+  const bool round = found.HasTubes ||
+    std::any_of(found.Emitters.begin(), found.Emitters.end(),
+      [](const Emitter& emitter) { return emitter.Radius > 0.f; });
+  if (!round && found.Emitters.size() <= MaximumEmitters)
+  {
+    this->Emitters = std::move(found.Emitters);
   }
 }
 
@@ -61,7 +109,7 @@ Ray Illumination::SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 directio
 }
 
 glm::vec3 Illumination::IncidentRadiance(
-  Ray ray, Hit hit, const IrradianceFunction& irradiance, long long& rays) const
+  Ray ray, Hit hit, glm::vec3 normal, const IrradianceFunction& irradiance, long long& rays) const
 {
   glm::vec3 sum(0.f);
   float transmittance = 1.f;
@@ -77,6 +125,15 @@ glm::vec3 Illumination::IncidentRadiance(
     {
       const ShadedHit shaded = this->SurfaceShading.ShadeDiffuse(ray, hit, rays);
       glm::vec3 radiance(shaded.Color);
+      const float emitterDensity = this->HasSampledEmitters()
+        ? this->SampledEmitters->ComputeDensity(
+            ray.Origin, normal, ray.Direction, hit.Distance, hit.Surface, hit.Primitive)
+        : 0.f;
+      if (emitterDensity > 0.f)
+      {
+        const float density = std::max(glm::dot(normal, ray.Direction), MinimumCosine) / Pi;
+        radiance -= (1.f - PowerHeuristic(density, emitterDensity)) * shaded.Emission;
+      }
       const glm::vec3 reflectance = this->Settings.Albedo * shaded.Reflectance;
       if (irradiance && reflectance != glm::vec3(0.f))
       {
@@ -110,47 +167,85 @@ glm::vec3 Illumination::SunContribution(
     : glm::vec3(0.f);
 }
 
-Illumination::Sunlight Illumination::EstimateSunlight(
-  glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const
+// Rays are traced to the nearest hit: coincident surfaces may hide the emitter.
+glm::vec3 Illumination::EmitterContribution(
+  glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const
 {
-  Sunlight result;
-  if (!this->HasSuns())
-  {
-    return result;
-  }
-  const OwenSobolSequence samples(MixBits(HashPoint(point, normal)));
-  glm::dvec3 sum(0.0);
-  std::vector<float> grays;
-  for (std::uint32_t count = FirstSunRays;; count *= 2)
-  {
-    while (grays.size() < count)
-    {
-      const glm::vec3 light = this->SunContribution(
-        point, normal, samples.At(static_cast<std::uint32_t>(grays.size())), rays);
-      sum += light;
-      grays.push_back((light.x + light.y + light.z) / 3.f);
-    }
-    result.Error =
-      static_cast<float>(std::sqrt(OwenSobolSequence::SumPairDifferences(grays)) / count);
-    if (result.Error <= tolerance || count >= MaximumSunRays)
-    {
-      break;
-    }
-  }
-  result.Mean = sum / static_cast<double>(grays.size());
-  return result;
-}
-
-glm::vec3 Illumination::SampleSuns(
-  glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const
-{
-  if (!this->HasSuns())
+  Ray ray = SpawnRay(point, normal, normal);
+  const EmitterTree::Sample emitter =
+    this->SampledEmitters->SampleDirection(ray.Origin, normal, sample);
+  if (!(emitter.Density > 0.f))
   {
     return glm::vec3(0.f);
   }
-  const float u = NextFloat(random);
-  const float v = NextFloat(random);
-  return this->SunContribution(point, normal, { u, v }, rays);
+  ray.Direction = emitter.Direction;
+  const float cosine = glm::dot(normal, emitter.Direction);
+  const float end = (1.f + EmitterDistanceTolerance) * emitter.Distance;
+  float transmittance = 1.f;
+  for (int layer = 0; layer < MaximumLayers && transmittance >= MinimumTransmittance; ++layer)
+  {
+    ++rays;
+    const Hit hit = this->Rays.Intersect(ray);
+    if (!hit.IsHit() || hit.Distance > end)
+    {
+      break;
+    }
+    if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
+    {
+      const bool reached = hit.Surface == emitter.Target->Surface &&
+        hit.Distance >= (1.f - EmitterDistanceTolerance) * emitter.Distance;
+      if (reached)
+      {
+        const ShadedHit shaded = this->SurfaceShading.ShadeEmission(ray, hit);
+        return transmittance * std::min(shaded.Color.a, 1.f) * cosine / Pi *
+          PowerHeuristic(emitter.Density, cosine / Pi) / emitter.Density * shaded.Emission;
+      }
+      transmittance *= 1.f - Shading::ComputeOpacity(this->Rays, hit, ray);
+    }
+    ray.Near = hit.NextNear;
+  }
+  return glm::vec3(0.f);
+}
+
+Illumination::SampledLight Illumination::EstimateSampledLight(
+  glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const
+{
+  SampledLight result;
+  const std::uint32_t seed = MixBits(HashPoint(point, normal));
+  if (this->HasSuns())
+  {
+    result =
+      EstimateMean([&](glm::vec2 at) { return this->SunContribution(point, normal, at, rays); },
+        seed, FirstSunRays, MaximumSunRays, tolerance);
+  }
+  if (this->HasSampledEmitters())
+  {
+    const SampledLight emitters =
+      EstimateMean([&](glm::vec2 at) { return this->EmitterContribution(point, normal, at, rays); },
+        MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance);
+    result.Mean += emitters.Mean;
+    result.Error = std::hypot(result.Error, emitters.Error);
+  }
+  return result;
+}
+
+glm::vec3 Illumination::SampleLights(
+  glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const
+{
+  glm::vec3 sum(0.f);
+  if (this->HasSuns())
+  {
+    const float u = NextFloat(random);
+    const float v = NextFloat(random);
+    sum += this->SunContribution(point, normal, { u, v }, rays);
+  }
+  if (this->HasSampledEmitters())
+  {
+    const float u = NextFloat(random);
+    const float v = NextFloat(random);
+    sum += this->EmitterContribution(point, normal, { u, v }, rays);
+  }
+  return sum;
 }
 
 glm::vec3 Illumination::TracePath(
@@ -168,8 +263,8 @@ glm::vec3 Illumination::TracePath(
       return this->TracePath(next, nextNormal, bounces - 1, random, rays);
     };
   }
-  const glm::vec3 suns = this->SampleSuns(point, normal, random, rays);
-  return suns + this->IncidentRadiance(ray, this->Rays.Intersect(ray), irradiance, rays);
+  const glm::vec3 sampled = this->SampleLights(point, normal, random, rays);
+  return sampled + this->IncidentRadiance(ray, this->Rays.Intersect(ray), normal, irradiance, rays);
 }
 
 }

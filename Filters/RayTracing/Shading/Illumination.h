@@ -7,9 +7,9 @@
 #define penumbra_Illumination_h
 
 #include "EnvironmentMap.h"
+#include "Lights/EmitterTree.h"
 #include "Shading.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -34,13 +34,6 @@ struct IlluminationSettings
   }
 };
 
-/// An emissive triangle.
-struct Emitter
-{
-  std::array<glm::vec3, 3> Corners;
-  float Strength; ///< largest channel of its radiance
-};
-
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT Illumination
 {
 public:
@@ -52,36 +45,43 @@ public:
 
   /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`:
   /// emission, reflected direct light and, if `irradiance` is not empty, reflected indirect light.
-  /// Translucent surfaces are composited. Adds the number of rays traced to `rays`.
-  glm::vec3 IncidentRadiance(
-    Ray ray, Hit hit, const IrradianceFunction& irradiance, long long& rays) const;
+  /// Translucent surfaces are composited. `normal` (unit) is the axis of the cosine-distributed
+  /// rays. The emission of sampled emitters is multiplied by the weight of these rays, see
+  /// EstimateSampledLight(). Adds the number of rays traced to `rays`.
+  glm::vec3 IncidentRadiance(Ray ray, Hit hit, glm::vec3 normal,
+    const IrradianceFunction& irradiance, long long& rays) const;
 
-  /// Contribution of the suns of the environment map to the mean over the hemisphere, which
-  /// IncidentRadiance() excludes, and its standard error.
-  struct Sunlight
+  /// Contribution to the mean over the hemisphere that IncidentRadiance() excludes, and its standard
+  /// error.
+  struct SampledLight
   {
     glm::vec3 Mean{ 0.f };
-    float Error = 0.f;
+    float Error = 0.f; ///< of the channel with the largest error
   };
-  /// Estimates the contribution of the suns; stops when the estimated error is at most `tolerance`.
-  Sunlight EstimateSunlight(
+  /// Estimates the light of the suns of the environment map and of emitters by rays toward them. Stops
+  /// when the estimated error is at most `tolerance`. Emitters are sampled if they are small and bright,
+  /// see EmitterThreshold. Their light is split between these rays and those of IncidentRadiance() by
+  /// multiple importance sampling with the power heuristic (Veach, Robust Monte Carlo Methods for
+  /// Light Transport Simulation, 1997, section 9.2), as if both were equally many.
+  SampledLight EstimateSampledLight(
     glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const;
 
-  /// Returns an unbiased estimate of the contribution of the suns from one sample.
-  glm::vec3 SampleSuns(
+  /// Returns an unbiased estimate of the same light from one sample of the suns and one of the
+  /// emitters.
+  glm::vec3 SampleLights(
     glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const;
 
   /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most
-  /// `bounces` - 1 reflections, including the suns.
+  /// `bounces` - 1 reflections, including suns and sampled emitters.
   glm::vec3 TracePath(
     glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const;
 
   /// Returns a ray that starts at `point` on a surface, offset along the normal.
   static Ray SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
 
-  /// Returns the emissive triangles. Returns none if there are more than MaximumEmitters, because
-  /// only few triangles are likely to be small light sources that random rays miss, or if a sphere
-  /// or tube is emissive.
+  /// Returns the emissive triangles that are not sampled. Returns none if there are more than
+  /// MaximumEmitters, because only few triangles are likely to be missed by random rays, or if a
+  /// sphere or tube is among them.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
 
   const RayScene& GetRays() const { return this->Rays; }
@@ -89,13 +89,21 @@ public:
 
 private:
   bool HasSuns() const { return this->Settings.Map && this->Settings.Map->HasSuns(); }
+  bool HasSampledEmitters() const
+  {
+    return this->SampledEmitters && !this->SampledEmitters->IsEmpty();
+  }
   glm::vec3 SunContribution(
     glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const;
+  glm::vec3 EmitterContribution(
+    glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const;
+  void FindEmitters();
 
   const RayScene& Rays;
   Shading SurfaceShading;
   IlluminationSettings Settings;
   std::vector<Emitter> Emitters;
+  std::shared_ptr<const EmitterTree> SampledEmitters; ///< null if there are none
 };
 
 }

@@ -100,7 +100,20 @@ constexpr double SunThreshold = 8.0;
 constexpr std::uint32_t FirstSunRays = 16;
 constexpr std::uint32_t MaximumSunRays = 4096;
 
-/// With more emissive triangles than this, none is treated as a small light source.
+/// Radiance of emitters from which rays are traced toward them, as a multiple of the mean radiance of
+/// the surfaces of the scene or, if these are smaller, of their bounding box. At least one of this
+/// number of gathered rays would hit a dimmer emitter, in a room that it lights alone.
+constexpr double EmitterThreshold = 8.0;
+
+/// Number of rays toward emitters per point: first round, and maximum of all rounds.
+constexpr std::uint32_t FirstEmitterRays = 16;
+constexpr std::uint32_t MaximumEmitterRays = 4096;
+
+/// Tolerance of the distance at which a ray reaches the sampled point of an emitter.
+constexpr float EmitterDistanceTolerance = 1e-3f;
+
+/// With more emissive triangles than this that are not sampled, records treat none of them as a small
+/// light source.
 constexpr std::size_t MaximumEmitters = 8;
 
 // --- Translucent layers: bounds of the work of one ray ---

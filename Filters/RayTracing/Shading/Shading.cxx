@@ -141,17 +141,24 @@ bool Shading::IsConstant(const Surface& surface, const SurfaceMaterial& material
 ShadedHit Shading::Shade(
   const Ray& ray, const Hit& hit, long long& shadowRays, PenumbraSampling* penumbrae) const
 {
-  return this->ShadeHit(false, ray, hit, shadowRays, penumbrae);
+  return this->ShadeHit(Terms::All, ray, hit, shadowRays, penumbrae);
 }
 
 ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const
 {
-  return this->ShadeHit(true, ray, hit, shadowRays, nullptr);
+  return this->ShadeHit(Terms::Diffuse, ray, hit, shadowRays, nullptr);
 }
 
-ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays,
+ShadedHit Shading::ShadeEmission(const Ray& ray, const Hit& hit) const
+{
+  long long shadowRays = 0;
+  return this->ShadeHit(Terms::Emission, ray, hit, shadowRays, nullptr);
+}
+
+ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long long& shadowRays,
   PenumbraSampling* penumbrae) const
 {
+  const bool diffuseOnly = terms != Terms::All;
   const Scene& scene = this->Rays.GetScene();
   const Surface& surface = scene.Surfaces[hit.Surface];
   const SurfaceMaterial& material = this->Materials[hit.Surface];
@@ -205,10 +212,15 @@ ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, lo
   shaded.Reflectance = surface.Front.Lighting ? phong.Diffuse : glm::vec3(0.f);
 
   glm::vec3 rgb;
+  shaded.Emission =
+    material.Lit ? phong.Ambient : phong.Ambient + phong.Diffuse - shaded.Reflectance;
   if (!material.Lit)
   {
-    rgb = diffuseOnly ? phong.Ambient + phong.Diffuse - shaded.Reflectance
-                      : phong.Ambient + phong.Diffuse;
+    rgb = diffuseOnly ? shaded.Emission : phong.Ambient + phong.Diffuse;
+  }
+  else if (terms == Terms::Emission)
+  {
+    rgb = shaded.Emission;
   }
   else if (phong.PbrMaterial)
   {
@@ -216,6 +228,7 @@ ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, lo
     const PhysicallyBased model(surface, *phong.PbrMaterial, hit, weights, phong.Diffuse,
       shaded.Normal, this->DirectionToCamera(point));
     shaded.Normal = model.GetNormal();
+    shaded.Emission = glm::vec3(0.f); // only textures emit, which are not sampled
     rgb =
       this->ApplyLightsPhysicallyBased(model, shaded, point, diffuseOnly, shadowRays, penumbrae);
     shaded.Reflectance *= 1.f - model.GetMetallic();
@@ -241,6 +254,7 @@ ShadedHit Shading::ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, lo
     const glm::vec4 texel =
       SampleTexture(*surface.LitTexture, Interpolate(surface.TextureCoordinates, corners, weights));
     shaded.Color *= texel;
+    shaded.Emission *= glm::vec3(texel);
     shaded.Reflectance *= glm::vec3(texel);
   }
   return shaded;

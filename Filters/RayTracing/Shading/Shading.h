@@ -24,6 +24,7 @@ struct ShadedHit
   glm::vec3 Normal{ 0.f };          ///< shading normal (unit), as in VTK's lighting
   glm::vec3 GeometricNormal{ 0.f }; ///< triangle normal, not unit, facing the ray origin
   glm::vec3 Reflectance{ 0.f };     ///< diffuse reflectance; 0 on surfaces without lighting
+  glm::vec3 Emission{ 0.f };        ///< part of Color that does not depend on lights
 };
 
 /// Sampling of lights with a size at one point, and its result.
@@ -59,6 +60,9 @@ public:
   /// Shades a hit without specular highlights. Surfaces without lighting count as emitters, not as
   /// reflectors.
   ShadedHit ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const;
+
+  /// Shades a hit without lights: Color is Emission.
+  ShadedHit ShadeEmission(const Ray& ray, const Hit& hit) const;
 
   /// Returns the transmittance of the scene along `ray`: 1 if unoccluded, 0 behind opaque surfaces.
   float TraceTransmittance(Ray ray, long long& shadowRays) const;
@@ -110,7 +114,14 @@ private:
     bool Constant;            ///< see IsConstantPerTriangle()
   };
 
-  ShadedHit ShadeHit(bool diffuseOnly, const Ray& ray, const Hit& hit, long long& shadowRays,
+  /// Terms of the color that ShadeHit() computes.
+  enum class Terms
+  {
+    All,
+    Diffuse, ///< no specular highlights; unlit surfaces emit only
+    Emission ///< no lights
+  };
+  ShadedHit ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long long& shadowRays,
     PenumbraSampling* penumbrae) const;
   static PhongCoefficients MakePhongCoefficients(const Material& material);
   bool IsConstant(const Surface& surface, const SurfaceMaterial& material) const;

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EmitterTree.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr float Pi = glm::pi<float>();
+constexpr std::uint32_t NoEmitter = std::numeric_limits<std::uint32_t>::max();
+constexpr float BelowOne = 0x1.fffffep-1f;
+
+/// Returns the probability per solid angle of a point that is uniform on a triangle.
+float TriangleDensity(const Emitter& emitter, glm::vec3 direction, float distance)
+{
+  const glm::vec3 normal =
+    glm::cross(emitter.Corners[1] - emitter.Corners[0], emitter.Corners[2] - emitter.Corners[0]);
+  const float projected = .5f * std::abs(glm::dot(normal, direction));
+  return projected > 0.f ? distance * distance / projected : 0.f;
+}
+
+/// Returns 1 minus the cosine of half the angle of the cone of a sphere; 0 from inside.
+float ConeHeight(const Emitter& emitter, glm::vec3 point)
+{
+  const glm::vec3 to = emitter.Corners[0] - point;
+  const float sine2 = emitter.Radius * emitter.Radius / glm::dot(to, to);
+  return sine2 < 1.f ? sine2 / (1.f + std::sqrt(1.f - sine2)) : 0.f;
+}
+
+glm::vec3 SampleTriangle(const Emitter& emitter, glm::vec2 u)
+{
+  const float root = std::sqrt(u.x);
+  return (1.f - root) * emitter.Corners[0] + root * (1.f - u.y) * emitter.Corners[1] +
+    root * u.y * emitter.Corners[2];
+}
+
+/// Returns a direction in the cone of a sphere, of which 1 - cosine is `height`.
+glm::vec3 SampleCone(glm::vec3 axis, float height, glm::vec2 u)
+{
+  const float below = u.x * height;
+  const float sine = std::sqrt(below * (2.f - below));
+  const glm::vec3 other =
+    std::abs(axis.x) < .5f ? glm::vec3(1.f, 0.f, 0.f) : glm::vec3(0.f, 1.f, 0.f);
+  const glm::vec3 tangent = glm::normalize(glm::cross(axis, other));
+  const float angle = 2.f * Pi * u.y;
+  return glm::normalize((1.f - below) * axis +
+    sine * (std::cos(angle) * tangent + std::sin(angle) * glm::cross(axis, tangent)));
+}
+
+}
+
+float Emitter::ComputeArea() const
+{
+  return this->Radius > 0.f ? 4.f * Pi * this->Radius * this->Radius
+                            : .5f *
+      glm::length(
+        glm::cross(this->Corners[1] - this->Corners[0], this->Corners[2] - this->Corners[0]));
+}
+
+EmitterTree::EmitterTree(std::vector<Emitter> emitters)
+  : Emitters(std::move(emitters))
+{
+  const auto end =
+    std::remove_if(this->Emitters.begin(), this->Emitters.end(), [](const Emitter& emitter) {
+      const float power = emitter.Strength * emitter.ComputeArea();
+      return !(power > 0.f && power <= std::numeric_limits<float>::max());
+    });
+  this->Emitters.erase(end, this->Emitters.end());
+  if (this->Emitters.empty())
+  {
+    return;
+  }
+  this->Nodes.reserve(2 * this->Emitters.size());
+  this->Leaves.resize(this->Emitters.size());
+  this->Build(0, this->Emitters.size(), 0);
+  for (std::uint32_t i = 0; i < this->Emitters.size(); ++i)
+  {
+    const Emitter& emitter = this->Emitters[i];
+    if (this->Index.size() <= emitter.Surface)
+    {
+      this->Index.resize(emitter.Surface + std::size_t(1));
+    }
+    std::vector<std::uint32_t>& primitives = this->Index[emitter.Surface];
+    if (primitives.size() <= emitter.Primitive)
+    {
+      primitives.resize(emitter.Primitive + std::size_t(1), NoEmitter);
+    }
+    primitives[emitter.Primitive] = i;
+  }
+}
+
+// Splits at the median of the longest axis of the bounds.
+std::uint32_t EmitterTree::Build(std::size_t begin, std::size_t end, std::uint32_t parent)
+{
+  const auto index = static_cast<std::uint32_t>(this->Nodes.size());
+  this->Nodes.emplace_back();
+  glm::vec3 low(std::numeric_limits<float>::max());
+  glm::vec3 high(-std::numeric_limits<float>::max());
+  Node node;
+  node.Parent = parent;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Emitter& emitter = this->Emitters[i];
+    for (const glm::vec3 corner : emitter.Corners)
+    {
+      low = glm::min(low, corner - emitter.Radius);
+      high = glm::max(high, corner + emitter.Radius);
+    }
+  }
+  node.Center = .5f * (low + high);
+  node.Radius = .5f * glm::length(high - low);
+  if (end - begin == 1)
+  {
+    node.EmitterIndex = static_cast<std::uint32_t>(begin);
+    node.Power = this->Emitters[begin].Strength * this->Emitters[begin].ComputeArea();
+    this->Leaves[begin] = index;
+  }
+  else
+  {
+    const glm::vec3 size = high - low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto key = [axis](const Emitter& emitter) {
+      return std::make_pair(
+        emitter.Corners[0][axis] + emitter.Corners[1][axis] + emitter.Corners[2][axis],
+        std::make_pair(emitter.Surface, emitter.Primitive));
+    };
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [this](std::size_t i) {
+      return this->Emitters.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::nth_element(at(begin), at(middle), at(end),
+      [&key](const Emitter& a, const Emitter& b) { return key(a) < key(b); });
+    const std::uint32_t first = this->Build(begin, middle, index);
+    node.Second = this->Build(middle, end, index);
+    node.Power = this->Nodes[first].Power + this->Nodes[node.Second].Power;
+  }
+  this->Nodes[index] = node;
+  return index;
+}
+
+float EmitterTree::ComputeImportance(const Node& node, glm::vec3 point, glm::vec3 normal)
+{
+  const glm::vec3 to = node.Center - point;
+  if (glm::dot(to, normal) + node.Radius <= 0.f)
+  {
+    return 0.f; // below the hemisphere
+  }
+  return node.Power / std::max(glm::dot(to, to), node.Radius * node.Radius);
+}
+
+float EmitterTree::ComputeFirstProbability(
+  std::uint32_t node, glm::vec3 point, glm::vec3 normal) const
+{
+  const float first = ComputeImportance(this->Nodes[node + 1], point, normal);
+  const float second = ComputeImportance(this->Nodes[this->Nodes[node].Second], point, normal);
+  return first + second > 0.f ? first / (first + second) : -1.f;
+}
+
+EmitterTree::Sample EmitterTree::SampleDirection(
+  glm::vec3 point, glm::vec3 normal, glm::vec2 u) const
+{
+  Sample sample;
+  if (this->IsEmpty())
+  {
+    return sample;
+  }
+  std::uint32_t node = 0;
+  float probability = 1.f;
+  while (!this->Nodes[node].IsLeaf())
+  {
+    const float first = this->ComputeFirstProbability(node, point, normal);
+    if (first < 0.f)
+    {
+      return sample;
+    }
+    const bool isFirst = u.x < first;
+    u.x = std::min(isFirst ? u.x / first : (u.x - first) / (1.f - first), BelowOne);
+    probability *= isFirst ? first : 1.f - first;
+    node = isFirst ? node + 1 : this->Nodes[node].Second;
+  }
+  const Emitter& emitter = this->Emitters[this->Nodes[node].EmitterIndex];
+  float density = 0.f;
+  if (emitter.Radius > 0.f)
+  {
+    const float height = ConeHeight(emitter, point);
+    const glm::vec3 to = emitter.Corners[0] - point;
+    if (height > 0.f)
+    {
+      sample.Direction = SampleCone(glm::normalize(to), height, u);
+      const float along = glm::dot(to, sample.Direction);
+      const float chord2 = emitter.Radius * emitter.Radius - (glm::dot(to, to) - along * along);
+      sample.Distance = along - std::sqrt(std::max(chord2, 0.f));
+      density = 1.f / (2.f * Pi * height);
+    }
+  }
+  else
+  {
+    const glm::vec3 to = SampleTriangle(emitter, u) - point;
+    sample.Distance = glm::length(to);
+    if (sample.Distance > 0.f)
+    {
+      sample.Direction = to / sample.Distance;
+      density = TriangleDensity(emitter, sample.Direction, sample.Distance);
+    }
+  }
+  if (density > 0.f && glm::dot(sample.Direction, normal) > 0.f)
+  {
+    sample.Target = &emitter;
+    sample.Density = probability * density;
+  }
+  return sample;
+}
+
+float EmitterTree::ComputeDensity(glm::vec3 point, glm::vec3 normal, glm::vec3 direction,
+  float distance, std::uint32_t surface, std::uint32_t primitive) const
+{
+  if (surface >= this->Index.size() || primitive >= this->Index[surface].size() ||
+    this->Index[surface][primitive] == NoEmitter)
+  {
+    return 0.f;
+  }
+  const std::uint32_t index = this->Index[surface][primitive];
+  const Emitter& emitter = this->Emitters[index];
+  float density = 0.f;
+  if (emitter.Radius > 0.f)
+  {
+    const float height = ConeHeight(emitter, point);
+    density = height > 0.f ? 1.f / (2.f * Pi * height) : 0.f;
+  }
+  else
+  {
+    density = TriangleDensity(emitter, direction, distance);
+  }
+  for (std::uint32_t node = this->Leaves[index]; node != 0 && density > 0.f;)
+  {
+    const std::uint32_t parent = this->Nodes[node].Parent;
+    const float first = this->ComputeFirstProbability(parent, point, normal);
+    density *= first < 0.f ? 0.f : node == parent + 1 ? first : 1.f - first;
+    node = parent;
+  }
+  return density;
+}
+
+}

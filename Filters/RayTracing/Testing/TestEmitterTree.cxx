@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Sampled emitters against form factors, against solid angles, and against gathering by chance.
+#include "Embree/RayScene.h"
+#include "Lights/EmissiveSurfaces.h"
+#include "Lights/EmitterTree.h"
+#include "Scenes/Solids.h"
+#include "Shading/HemisphereSampling.h"
+#include "Shading/Illumination.h"
+#include "Shading/OwenSobolSequence.h"
+
+#include "vtkNew.h"
+#include "vtkPenumbraBruteForceIrradiance.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace penumbra;
+
+namespace
+{
+
+constexpr double Pi = glm::pi<double>();
+const glm::vec3 Up(0.f, 0.f, 1.f);
+
+void MakeBlack(Scene& scene)
+{
+  for (Surface& surface : scene.Surfaces)
+  {
+    surface.Front.DiffuseColor = glm::vec3(0.f);
+  }
+}
+
+/// Turns the last surface into an emitter.
+void MakeEmitter(Scene& scene, glm::vec3 radiance)
+{
+  Material& material = scene.Surfaces.back().Front;
+  material.Ambient = std::max({ radiance.x, radiance.y, radiance.z });
+  material.AmbientColor = radiance / material.Ambient;
+  material.DiffuseColor = glm::vec3(0.f);
+}
+
+/// Adds a rectangle of 2 n^2 triangles.
+void AddGrid(Scene& scene, glm::vec3 corner, glm::vec3 side, glm::vec3 other, int n)
+{
+  Surface surface;
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      surface.Positions.push_back(
+        corner + float(i) / float(n) * side + float(j) / float(n) * other);
+    }
+  }
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const auto at = static_cast<unsigned int>(j * (n + 1) + i);
+      const auto width = static_cast<unsigned int>(n + 1);
+      surface.Triangles.emplace_back(at, at + 1, at + width + 1);
+      surface.Triangles.emplace_back(at, at + width + 1, at + width);
+    }
+  }
+  scene.Surfaces.push_back(surface);
+}
+
+vtkPenumbraIrradianceProvider::Light ComputeIrradiance(
+  const Scene& scene, glm::dvec3 point, double tolerance, glm::dvec3 normal = { 0.0, 0.0, 1.0 })
+{
+  const RayScene rays(scene, 1);
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  provider->BeginIrradiance(Illumination(rays, {}), tolerance);
+  return provider->Irradiance(&point.x, &normal.x, tolerance);
+}
+
+/// Irradiance at the origin, facing +z, from a rectangle of radiance 1 at height h that spans x in
+/// [0, a] and y in [0, b] (form factor of a differential element and a parallel rectangle).
+double BelowRectangleCorner(double a, double b, double h)
+{
+  const double x = std::hypot(a, h);
+  const double y = std::hypot(b, h);
+  return .5 * (a / x * std::atan(b / x) + b / y * std::atan(a / y));
+}
+
+double BelowRectangle(double x0, double x1, double y0, double y1, double h)
+{
+  const auto corner = [&](double x, double y) {
+    return std::copysign(1.0, x * y) * BelowRectangleCorner(std::abs(x), std::abs(y), h);
+  };
+  return corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0);
+}
+
+}
+
+TEST(EmitterTree, ReturnsTheDensityOfItsSamples)
+{
+  std::vector<Emitter> emitters;
+  std::uint32_t random = 1;
+  for (std::uint32_t i = 0; i < 37; ++i)
+  {
+    const auto next = [&random]() { return 2.f * NextFloat(random) - 1.f; };
+    Emitter emitter;
+    const glm::vec3 center(3.f * next(), 3.f * next(), 3.f * next());
+    emitter.Corners.fill(center);
+    if (i % 3 == 0)
+    {
+      emitter.Radius = .1f;
+    }
+    else
+    {
+      emitter.Corners[1] += .3f * glm::vec3(next(), next(), next());
+      emitter.Corners[2] += .3f * glm::vec3(next(), next(), next());
+    }
+    emitter.Strength = 1.5f + next();
+    emitter.Primitive = i;
+    emitters.push_back(emitter);
+  }
+  const EmitterTree tree(emitters);
+  const glm::vec3 point(.1f, -.2f, -1.f);
+  const OwenSobolSequence samples(7);
+  // Each sample divided by its density: the mean is the solid angle of all emitters above the plane.
+  double angle = 0.0;
+  constexpr int Count = 1 << 16;
+  for (std::uint32_t i = 0; i < Count; ++i)
+  {
+    const EmitterTree::Sample sample = tree.SampleDirection(point, Up, samples.At(i));
+    if (sample.Density > 0.f)
+    {
+      EXPECT_GT(sample.Direction.z, 0.f);
+      EXPECT_NEAR(tree.ComputeDensity(point, Up, sample.Direction, sample.Distance,
+                    sample.Target->Surface, sample.Target->Primitive) /
+          sample.Density,
+        1.f, 1e-3f);
+      angle += 1.0 / sample.Density;
+    }
+  }
+  angle /= Count;
+  // The same by uniform directions.
+  Scene scene;
+  for (const Emitter& emitter : emitters)
+  {
+    Surface surface;
+    surface.Positions.assign(emitter.Corners.begin(), emitter.Corners.end());
+    if (emitter.Radius > 0.f)
+    {
+      surface.Positions.resize(1);
+      surface.Radii = { emitter.Radius };
+    }
+    else
+    {
+      surface.Triangles = { { 0, 1, 2 } };
+    }
+    scene.Surfaces.push_back(surface);
+  }
+  double reference = 0.0;
+  for (const Surface& surface : scene.Surfaces)
+  {
+    Scene one;
+    one.Surfaces = { surface };
+    const RayScene rays(one, 1);
+    int hits = 0;
+    for (std::uint32_t i = 0; i < Count / 4; ++i)
+    {
+      const glm::vec2 u = samples.At(i);
+      const float sine = std::sqrt(1.f - u.x * u.x);
+      const float turn = 2.f * static_cast<float>(Pi) * u.y;
+      Ray ray;
+      ray.Origin = point;
+      ray.Direction = { sine * std::cos(turn), sine * std::sin(turn), u.x };
+      hits += rays.Occluded(ray) ? 1 : 0;
+    }
+    reference += 2.0 * Pi * hits / (Count / 4);
+  }
+  EXPECT_NEAR(angle / reference, 1.0, .01);
+}
+
+TEST(EmitterTree, IgnoresEmittersWithoutLight)
+{
+  Emitter emitter;
+  emitter.Corners = { glm::vec3(0.f, 0.f, 1.f), glm::vec3(1.f, 0.f, 1.f),
+    glm::vec3(0.f, 1.f, 1.f) };
+  for (const float strength :
+    { 0.f, -1.f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() })
+  {
+    emitter.Strength = strength;
+    EXPECT_TRUE(EmitterTree({ emitter }).IsEmpty());
+  }
+  emitter.Strength = 1.f;
+  emitter.Corners[2] = emitter.Corners[1]; // without area
+  EXPECT_TRUE(EmitterTree({ emitter }).IsEmpty());
+  EXPECT_EQ(EmitterTree().SampleDirection(glm::vec3(0.f), Up, glm::vec2(.5f)).Density, 0.f);
+}
+
+TEST(SampledLight, MatchesFormFactorOfRectangle)
+{
+  for (const int n : { 1, 32 })
+  {
+    Scene scene;
+    AddFloor(scene, 10.f);
+    MakeBlack(scene);
+    AddGrid(scene, { -.3f, -.2f, 1.f }, { .6f, 0.f, 0.f }, { 0.f, .4f, 0.f }, n);
+    MakeEmitter(scene, { 10.f, 5.f, 1.f });
+    for (int i = 0; i < 10; ++i)
+    {
+      const double x = .3 * i;
+      const double reference = 10.0 * BelowRectangle(-.3 - x, .3 - x, -.2 - .1, .2 - .1, 1.0);
+      const auto light = ComputeIrradiance(scene, { x, .1, 0.0 }, .005);
+      EXPECT_NEAR(light.Value[0], reference, .02) << n << " at " << x;
+      EXPECT_NEAR(light.Value[1], .5 * light.Value[0], 1e-4);
+      EXPECT_NEAR(light.Value[2], .1 * light.Value[0], 1e-4);
+    }
+  }
+}
+
+TEST(SampledLight, MatchesFormFactorOfDiskAndSphere)
+{
+  for (const bool round : { false, true })
+  {
+    Scene scene;
+    AddFloor(scene, 10.f);
+    MakeBlack(scene);
+    if (round)
+    {
+      Surface sphere;
+      sphere.Positions = { { 0.f, 0.f, 1.f } };
+      sphere.Radii = { .25f };
+      scene.Surfaces.push_back(sphere);
+    }
+    else
+    {
+      AddDisc(scene, .25f, 1.f);
+    }
+    MakeEmitter(scene, glm::vec3(20.f));
+    for (int i = 0; i < 8; ++i)
+    {
+      const double d = .25 * i;
+      const double r2 = .25 * .25;
+      const double v = 1.0 + d * d + r2;
+      const double disk = .5 * (1.0 - (1.0 + d * d - r2) / std::sqrt(v * v - 4.0 * d * d * r2));
+      const double sphere = r2 / std::pow(1.0 + d * d, 1.5);
+      EXPECT_NEAR(ComputeIrradiance(scene, { d, 0.0, 0.0 }, .005).Value[0],
+        20.0 * Pi * (round ? sphere : disk), .03)
+        << d;
+    }
+  }
+}
+
+TEST(SampledLight, MatchesGatheringByChanceBehindAnOccluder)
+{
+  Scene scene;
+  AddFloor(scene, 10.f);
+  AddRectangle(scene, { -1.f, -1.f, .5f }, { 1.1f, 0.f, 0.f }, { 0.f, 2.f, 0.f });
+  MakeBlack(scene);
+  AddRectangle(scene, { -.5f, -.4f, 1.f }, { 1.f, 0.f, 0.f }, { 0.f, .8f, .2f });
+  MakeEmitter(scene, glm::vec3(4.f));
+  const RayScene rays(scene, 1);
+  const OwenSobolSequence directions(3);
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::vec3 point(.1f * static_cast<float>(i) - .1f, .05f, 0.f);
+    double sum = 0.0;
+    constexpr int Count = 1 << 16;
+    for (std::uint32_t k = 0; k < Count; ++k)
+    {
+      const glm::vec2 u = directions.At(k);
+      const Ray ray =
+        Illumination::SpawnRay(point, Up, DiskToHemisphere(SampleUniformDiskConcentric(u.x, u.y)));
+      sum += rays.Intersect(ray).Surface == 2 ? 4.0 : 0.0;
+    }
+    EXPECT_NEAR(ComputeIrradiance(scene, point, .004).Value[0], Pi * sum / Count, .015) << i;
+  }
+}
+
+TEST(SampledLight, IsExactNextToAnEmitterThatStandsOnTheFloor)
+{
+  // The emitter touches the receiver: sampling by area alone would have an infinite variance there.
+  Scene scene;
+  AddFloor(scene, 100.f);
+  MakeBlack(scene);
+  AddRectangle(scene, { 0.f, -.5f, 0.f }, { 0.f, 1.f, 0.f }, { 0.f, 0.f, 1.f });
+  MakeEmitter(scene, glm::vec3(1.f));
+  for (const double d : { .002, .02, .2 })
+  {
+    // Integral over the parallel edges (Lambert): floor edge and top edge of the emitter.
+    const double c = std::hypot(1.0, d);
+    const double reference = std::atan(.5 / d) - d / c * std::atan(.5 / c);
+    EXPECT_NEAR(ComputeIrradiance(scene, { d, 0.0, 0.0 }, .005).Value[0], reference, .02) << d;
+  }
+}
+
+TEST(SampledLight, DoesNotPassThroughCoincidentSurfaces)
+{
+  // An emitter in the plane of a ceiling that is drawn over it, and one that is below.
+  Scene scene;
+  AddFloor(scene, 10.f);
+  AddRectangle(scene, { -2.f, -2.f, .9f }, { 4.f, 0.f, 0.f }, { 0.f, 4.f, 0.f });
+  MakeBlack(scene);
+  AddRectangle(scene, { -.5f, -.5f, 1.f }, { 1.f, 0.f, 0.f }, { 0.f, 1.f, 0.f });
+  MakeEmitter(scene, glm::vec3(10.f));
+  EXPECT_EQ(ComputeIrradiance(scene, { 0.0, 0.0, 0.0 }, .01).Value[0], 0.0);
+}
+
+TEST(SampledLight, IsMultipliedByTheTransmittanceOfPanes)
+{
+  Scene scene;
+  AddFloor(scene, 10.f);
+  AddRectangle(scene, { -9.f, -9.f, .5f }, { 18.f, 0.f, 0.f }, { 0.f, 18.f, 0.f });
+  scene.Surfaces.back().Front.Opacity = .4f;
+  MakeBlack(scene);
+  AddRectangle(scene, { -.5f, -.5f, 1.f }, { 1.f, 0.f, 0.f }, { 0.f, 1.f, 0.f });
+  MakeEmitter(scene, glm::vec3(10.f));
+  const double reference = 6.0 * BelowRectangle(-.5, .5, -.5, .5, 1.0);
+  EXPECT_NEAR(ComputeIrradiance(scene, { 0.0, 0.0, 0.0 }, .005).Value[0], reference, .02);
+}
+
+TEST(SampledLight, FindsAnEmitterOfOneTenThousandthOfTheWalls)
+{
+  Scene scene;
+  AddBox(scene, glm::vec3(-1.f), glm::vec3(1.f));
+  MakeBlack(scene);
+  AddRectangle(scene, { -.01f, -.01f, .99f }, { .02f, 0.f, 0.f }, { 0.f, .02f, 0.f });
+  MakeEmitter(scene, glm::vec3(1e4f));
+  for (int i = 0; i < 10; ++i)
+  {
+    const double x = .09 * i;
+    const double reference = 1e4 * BelowRectangle(-.01 - x, .01 - x, -.01, .01, 1.99);
+    const auto light = ComputeIrradiance(scene, { x, 0.0, -1.0 }, .005);
+    EXPECT_NEAR(light.Value[0], reference, .02) << x;
+    EXPECT_LE(light.Rays, 2000);
+  }
+}
