@@ -62,11 +62,44 @@ double GetStatistic(const vtkPenumbraIrradianceCache* cache, const char* name)
 /// The Cornell-like box of the benchmark.
 struct Room
 {
-  explicit Room(int size)
+  /// `emitterSide`: length of the sides of the emitting panel, whose power is the same for all.
+  /// `divisions`: number of squares along each of them.
+  explicit Room(int size, double emitterSide = .3, int divisions = 1)
     : Reference{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) }
   {
-    AddSurfaces(this->SceneData, this->Reference.Panels);
+    for (Panel& panel : this->Reference.Panels)
+    {
+      if (panel.Emission != glm::dvec3(0.0))
+      {
+        const double scale = emitterSide / .3;
+        panel.Corner += .5 * (1.0 - scale) * (panel.Side + panel.Other);
+        panel.Side *= scale;
+        panel.Other *= scale;
+        panel.Emission /= scale * scale;
+      }
+    }
+    AddSurfaces(this->SceneData, Divide(this->Reference.Panels, divisions));
     LookAt(this->SceneData, { .51, -1.3, .47 }, { .5, 0.0, .5 }, 41.0, size, size);
+  }
+
+  /// Divides emitting panels into squares.
+  static std::vector<Panel> Divide(const std::vector<Panel>& panels, int divisions)
+  {
+    std::vector<Panel> all;
+    for (const Panel& panel : panels)
+    {
+      const int n = panel.Emission == glm::dvec3(0.0) ? 1 : divisions;
+      for (int k = 0; k < n * n; ++k)
+      {
+        Panel part = panel;
+        part.Side /= n;
+        part.Other /= n;
+        part.Corner += static_cast<double>(k % n) * part.Side;
+        part.Corner += static_cast<double>(k / n) * part.Other;
+        all.push_back(part);
+      }
+    }
+    return all;
   }
 
   IlluminationSettings Light() const
@@ -193,6 +226,44 @@ TEST(Irradiance, FromBruteForceMatchesPathTracing)
   vtkNew<vtkPenumbraBruteForceIrradiance> provider;
   ASSERT_TRUE(provider->BeginIrradiance(light, .02));
   EXPECT_LE(room.RelativeError(provider, FindVisiblePoints(rays, 7), 1500), .05);
+}
+
+TEST(Irradiance, HasTheErrorOfOnePanelWithThousandsOfTriangles)
+{
+  for (const bool cached : { false, true })
+  {
+    double errors[2];
+    for (const int divisions : { 1, 32 })
+    {
+      const Room room(Size, .3, divisions);
+      const RayScene rays(room.SceneData, 0);
+      const Illumination light(rays, room.Light());
+      vtkNew<vtkPenumbraIrradianceCache> cache;
+      vtkNew<vtkPenumbraBruteForceIrradiance> brute;
+      vtkPenumbraIrradianceProvider* provider = cache;
+      if (!cached)
+      {
+        provider = brute;
+      }
+      ASSERT_TRUE(provider->BeginIrradiance(light, .02 * Pi));
+      errors[divisions == 1 ? 0 : 1] =
+        room.RelativeError(provider, FindVisiblePoints(rays, 7), 1500);
+    }
+    EXPECT_NEAR(errors[1] / errors[0], 1.0, .2) << cached;
+  }
+}
+
+TEST(Irradiance, MatchesPathTracingWithATinyEmitter)
+{
+  const Room room(Size, .01); // 1e-4 of the area of a wall
+  const RayScene rays(room.SceneData, 0);
+  const Illumination light(rays, room.Light());
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  ASSERT_TRUE(cache->BeginIrradiance(light, .02 * Pi));
+  EXPECT_LE(room.RelativeError(cache, FindVisiblePoints(rays, 7), 1500), .06);
+  vtkNew<vtkPenumbraBruteForceIrradiance> brute;
+  ASSERT_TRUE(brute->BeginIrradiance(light, .02));
+  EXPECT_LE(room.RelativeError(brute, FindVisiblePoints(rays, 7), 1500), .06);
 }
 
 TEST(Irradiance, IsIndependentOfThreadCount)
