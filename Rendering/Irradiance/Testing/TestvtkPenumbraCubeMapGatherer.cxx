@@ -283,7 +283,8 @@ TEST(CubeMapGatherer, MatchesTheLightOfRays)
 {
   Scene scene;
   AddBox(scene, { -1.f, -1.f, -1.f }, { 1.f, 1.f, 1.f });
-  AddRectangle(scene, { -.3f, -.3f, .9f }, { .6f, 0.f, 0.f }, { 0.f, .6f, 0.f });
+  // So large that rays are not traced toward it but hit it.
+  AddRectangle(scene, { -.98f, -.98f, .9f }, { 1.96f, 0.f, 0.f }, { 0.f, 1.96f, 0.f });
   Material& emitter = scene.Surfaces.back().Front;
   emitter.Ambient = 1.f;
   emitter.AmbientColor = { 1.f, .5f, .25f };
