@@ -7,9 +7,12 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkTransform.h"
 
 using penumbra::Feature;
 
@@ -38,6 +41,53 @@ void AddShadows(vtkRenderer* renderer, bool spot)
   renderer->GetActiveCamera()->SetPosition(0.3, -1.2, 2.0);
   renderer->GetActiveCamera()->SetViewUp(0.0, 1.0, 0.0);
   renderer->ResetCamera();
+}
+
+/// Adds scenes of cameras with unusual view transforms and of the eyes of stereo views.
+void AddCameraScenes(std::vector<FeatureScene>& scenes)
+{
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    scenes.push_back({ Feature::CameraTransforms, [kind](Renderer r, Window) {
+                        Add(r, MakeSphere(48))->SetPosition(-0.6, 0.0, 0.0);
+                        vtkActor* cube = Add(r, MakeCube());
+                        cube->SetPosition(0.7, 0.0, 0.0);
+                        vtkNew<vtkPlane> plane;
+                        plane->SetNormal(0.0, 1.0, 0.0);
+                        plane->SetOrigin(0.0, -0.3, 0.0);
+                        cube->GetMapper()->AddClippingPlane(plane);
+                        vtkNew<vtkLight> light;
+                        light->SetLightTypeToSceneLight();
+                        light->SetPosition(1.0, 3.0, 4.0);
+                        r->AddLight(light);
+                        Look(r);
+                        const double elements[3][16] = { { 0.8, 0.5, 0, 0, 0, 1, 0, 0, 0.2, 0, 1, 0,
+                                                           0, 0, 0, 1 },       // shear
+                          { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, // mirroring
+                          { 0.6, 0, 0, 0.2, 0, 1.4, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } };
+                        vtkNew<vtkTransform> transform;
+                        transform->SetMatrix(elements[kind]);
+                        r->GetActiveCamera()->SetUserViewTransform(transform);
+                        r->ResetCameraClippingRange();
+                      } });
+  }
+  scenes.push_back({ Feature::Cameras, [](Renderer r, Window) {
+                      Add(r, MakeCube());
+                      Look(r);
+                      r->GetActiveCamera()->SetViewShear(0.3, -0.2, 1.0);
+                    } });
+  for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
+  {
+    scenes.push_back({ Feature::StereoEyes, [type](Renderer r, Window w) {
+                        w->SetStereoType(type);
+                        w->StereoRenderOn();
+                        Add(r, MakeCube());
+                        Add(r, MakeSphere(48))->SetPosition(0.4, 0.3, 1.0);
+                        Look(r);
+                        r->GetActiveCamera()->SetEyeAngle(8.0);
+                        w->Render(); // passes the eye to the camera
+                      } });
+  }
 }
 
 }
@@ -103,4 +153,5 @@ void AddRendererScenes(std::vector<FeatureScene>& scenes)
     translucent->GetProperty()->SetOpacity(0.5);
     Look(r);
   });
+  AddCameraScenes(scenes);
 }

@@ -162,7 +162,7 @@ void AddRendererScenes(std::vector<WarningScene>& scenes)
   add(Feature::CameraShear, [](vtkRenderer* renderer) {
     vtkNew<vtkTransform> transform;
     transform->Scale(1.0, 2.0, 1.0);
-    renderer->GetActiveCamera()->SetUserViewTransform(transform);
+    renderer->GetActiveCamera()->SetUserTransform(transform);
   });
   add(Feature::Stereo, [](vtkRenderer* renderer) {
     vtkRenderWindow* window = renderer->GetRenderWindow();

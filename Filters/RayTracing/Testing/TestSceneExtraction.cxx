@@ -21,7 +21,9 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSelection.h"
 #include "vtkTable.h"
+#include "vtkTexture.h"
 #include "vtkVolume.h"
 
 #include <gtest/gtest.h>
@@ -256,14 +258,13 @@ TEST(SceneExtraction, WarnsAboutUnsupportedProperties)
   vtkNew<vtkRenderer> renderer;
   vtkActor* actor = AddCube(renderer);
   EXPECT_TRUE(ExtractScene(renderer, Square()).Warnings.empty());
-  actor->GetProperty()->SetInterpolationToPBR();
-  actor->GetProperty()->SetCoatStrength(1.0);
-  renderer->UseSSAOOn();
-  renderer->UseHiddenLineRemovalOn();
+  actor->GetProperty()->SetTexture("second", vtkNew<vtkTexture>());
+  actor->GetMapper()->SetSelection(vtkNew<vtkSelection>());
+  renderer->UseImageBasedLightingOn();
   const Scene scene = ExtractScene(renderer, Square());
-  EXPECT_TRUE(Warns(scene, "clear coat"));
-  EXPECT_TRUE(Warns(scene, "Screen-space ambient occlusion"));
-  EXPECT_TRUE(Warns(scene, "Hidden lines"));
+  EXPECT_TRUE(Warns(scene, "textures of the property"));
+  EXPECT_TRUE(Warns(scene, "selected cells"));
+  EXPECT_TRUE(Warns(scene, "Image-based lighting"));
   EXPECT_EQ(scene.Warnings.size(), 3u);
 }
 
@@ -272,9 +273,7 @@ TEST(SceneExtraction, WarnsOncePerCause)
   vtkNew<vtkRenderer> renderer;
   for (int i = 0; i < 5; ++i)
   {
-    vtkProperty* property = AddCube(renderer)->GetProperty();
-    property->SetInterpolationToPBR();
-    property->SetCoatStrength(1.0);
+    AddCube(renderer)->GetProperty()->SetTexture("second", vtkNew<vtkTexture>());
   }
   const Scene scene = ExtractScene(renderer, Square());
   ASSERT_EQ(scene.Warnings.size(), 1u);

@@ -155,13 +155,15 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
     const double width = FindPixelWidth(renderer->GetActiveCamera(), bounds, options);
     AddRadii(items, width * options.DPI / 72.0, bounds);
   }
-  ExtractCamera(renderer, bounds, options, scene);
-  ExtractLights(renderer, options, scene);
+  const glm::dmat4 distortion = FindViewDistortion(renderer);
+  ApplyViewDistortion(distortion, items, bounds, scene.Warnings);
+  ExtractCamera(renderer, bounds, options, distortion, scene);
+  ExtractLights(renderer, options, distortion, scene);
   ExtractBackground(renderer, options, scene);
   std::vector<glm::dvec4> range;
   if (options.ClipToRange)
   {
-    range = FindClippingRange(renderer, bounds);
+    range = FindClippingRange(renderer, bounds, distortion);
   }
   for (DrawItem& item : items)
   {
@@ -178,7 +180,14 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   const std::vector<DrawItem> texts = MakeBillboards(renderer, options.DPI, next, scene);
   next += static_cast<int>(texts.size());
   AddDrawItems(texts, options, scene);
-  AddDrawItems(MakeCubeAxes(renderer, options.DPI, next, scene), options, scene);
+  const std::vector<DrawItem> axes = MakeCubeAxes(renderer, options.DPI, next, scene);
+  AddDrawItems(axes, options, scene);
+  if (distortion != glm::dmat4(1.0) && (!texts.empty() || !axes.empty() || !options.ClipToRange))
+  {
+    scene.Warnings.emplace_back(
+      "The transform of the camera does not distort billboards, cube axes, "
+      "shadows and ambient occlusion. Use a rigid transform.");
+  }
   ExtractOverlay(renderer, options.DPI, scene);
   scene.Warnings = MergeWarnings(scene.Warnings);
   return scene;

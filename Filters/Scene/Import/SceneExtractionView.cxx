@@ -5,12 +5,15 @@
 #include "Features/SceneFeatures.h"
 #include "SceneExtractionColors.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCollection.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -59,17 +62,27 @@ double ChooseScale(glm::dvec3 origin, const double bounds[6], double fallback)
   return std::exp2(-std::round(std::log2(std::clamp(extent, 1e-290, 1e290))));
 }
 
-/// Sets the axes of `camera` and its world `position` from the view transform. Returns false if the
-/// transform is not a rigid motion with uniform scaling.
-bool SetPose(vtkMatrix4x4* view, Camera& camera, glm::dvec3& position)
+glm::dmat4 ToMatrix(vtkMatrix4x4* from)
+{
+  glm::dmat4 result(1.0);
+  for (int i = 0; i < 16; ++i)
+  {
+    result[i % 4][i / 4] = from->GetElement(i / 4, i % 4);
+  }
+  return result;
+}
+
+/// Sets the axes of `camera` and its world `position` from the view transform. `offset` is the
+/// position in view coordinates. Returns false if the transform is not a rigid motion with uniform
+/// scaling.
+bool SetPose(const glm::dmat4& view, glm::dvec2 offset, Camera& camera, glm::dvec3& position)
 {
   glm::dvec3 rows[3];
-  glm::dvec3 shift;
   for (int i = 0; i < 3; ++i)
   {
-    rows[i] = { view->GetElement(i, 0), view->GetElement(i, 1), view->GetElement(i, 2) };
-    shift[i] = view->GetElement(i, 3);
+    rows[i] = { view[0][i], view[1][i], view[2][i] };
   }
+  const glm::dvec3 shift = glm::dvec3(view[3]) - glm::dvec3(offset, 0.0);
   const double length = glm::length(rows[0]);
   camera.Right = rows[0] / length;
   camera.Up = rows[1] / length;
@@ -82,9 +95,11 @@ bool SetPose(vtkMatrix4x4* view, Camera& camera, glm::dvec3& position)
     glm::length(glm::cross(camera.Right, camera.Up) + camera.Forward) < tolerance;
 }
 
-/// Sets the pixel size and the center from VTK's projection matrix, which may be off-axis. Returns
-/// false if the matrix is neither a perspective nor a parallel projection with square pixels.
-bool SetProjection(vtkMatrix4x4* projection, Camera& camera)
+/// Sets the pixel size and the center from VTK's projection matrix, which may be off-axis. `offset`
+/// receives the center of projection in view coordinates: eyes and sheared views have one beside
+/// the camera. Returns false if the matrix is neither a perspective nor a parallel projection with
+/// square pixels.
+bool SetProjection(vtkMatrix4x4* projection, Camera& camera, glm::dvec2& offset)
 {
   const auto p = [&](int i, int j) { return projection->GetElement(i, j); };
   camera.Parallel = p(3, 3) != 0.0;
@@ -95,8 +110,12 @@ bool SetProjection(vtkMatrix4x4* projection, Camera& camera)
   const glm::dvec2 shift =
     camera.Parallel ? glm::dvec2(p(0, 3), p(1, 3)) / w : -glm::dvec2(p(0, 2), p(1, 2)) / w;
   camera.Center = 0.5 * glm::dvec2(camera.Width, camera.Height) * (1.0 + shift);
+  if (!camera.Parallel)
+  {
+    offset = -glm::dvec2(p(0, 3) / p(0, 0), p(1, 3) / p(1, 1));
+  }
   return p(0, 1) == 0.0 && p(1, 0) == 0.0 && p(3, 0) == 0.0 && p(3, 1) == 0.0 &&
-    (camera.Parallel ? p(0, 2) == 0.0 && p(1, 2) == 0.0 : p(0, 3) == 0.0 && p(1, 3) == 0.0) &&
+    (!camera.Parallel || (p(0, 2) == 0.0 && p(1, 2) == 0.0)) &&
     std::abs(horizontal - vertical) < 1e-6 * std::abs(vertical);
 }
 
@@ -185,8 +204,8 @@ void ComputeLightPosition(
   }
 }
 
-Light ConvertLight(
-  vtkRenderer* renderer, vtkLight* light, const LightSize& size, const Scene& scene)
+Light ConvertLight(vtkRenderer* renderer, vtkLight* light, const LightSize& size,
+  const glm::dmat4& distortion, const Scene& scene)
 {
   double position[3];
   double focalPoint[3];
@@ -207,8 +226,14 @@ Light ConvertLight(
   {
     result.AngularRadius = static_cast<float>(vtkMath::RadiansFromDegrees(0.5 * size.Angle));
   }
-  result.Position = (ToVector(position) - scene.Origin) * scene.Scale;
-  const glm::dvec3 direction = ToVector(focalPoint) - ToVector(position);
+  const glm::dvec3 distorted = distortion * glm::dvec4(ToVector(position), 1.0);
+  result.Position = (distorted - scene.Origin) * scene.Scale;
+  glm::dvec3 direction = ToVector(focalPoint) - ToVector(position);
+  if (distortion != glm::dmat4(1.0))
+  {
+    // VTK transforms the directions of lights like normals.
+    direction = glm::transpose(glm::inverse(glm::dmat3(distortion))) * direction;
+  }
   const double length = glm::length(direction);
   result.Direction = glm::vec3(length > 0.0 ? direction / length : scene.ViewCamera.Forward);
   const glm::dvec3 color = ToVector(light->GetDiffuseColor()) * light->GetIntensity();
@@ -223,8 +248,70 @@ Light ConvertLight(
 
 }
 
-void ExtractCamera(
-  vtkRenderer* renderer, const double bounds[6], const ExtractionOptions& options, Scene& scene)
+glm::dmat4 FindViewDistortion(vtkRenderer* renderer)
+{
+  if (!renderer->IsActiveCameraCreated())
+  {
+    return glm::dmat4(1.0);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::dmat4 view = ToMatrix(camera->GetModelViewTransformMatrix());
+  Camera pose;
+  glm::dvec3 position;
+  const double determinant = glm::determinant(view);
+  if (SetPose(view, glm::dvec2(0.0), pose, position) || !std::isfinite(determinant) ||
+    determinant == 0.0)
+  {
+    return glm::dmat4(1.0);
+  }
+  vtkNew<vtkCamera> plain;
+  plain->SetPosition(camera->GetPosition());
+  plain->SetFocalPoint(camera->GetFocalPoint());
+  plain->SetViewUp(camera->GetViewUp());
+  return glm::inverse(ToMatrix(plain->GetModelViewTransformMatrix())) * view;
+}
+
+void ApplyViewDistortion(const glm::dmat4& distortion, std::vector<DrawItem>& items,
+  double bounds[6], std::vector<std::string>& warnings)
+{
+  if (distortion == glm::dmat4(1.0))
+  {
+    return;
+  }
+  for (DrawItem& item : items)
+  {
+    item.ToWorld = distortion * item.ToWorld;
+    for (glm::dvec4& plane : item.ClippingPlanes)
+    {
+      plane = plane * glm::inverse(distortion);
+    }
+    if (item.GlyphInstances)
+    {
+      item.GlyphInstances = std::make_shared<Instances>(*item.GlyphInstances);
+      for (glm::dmat4& transform : item.GlyphInstances->Transforms)
+      {
+        transform = distortion * transform;
+      }
+    }
+    if (item.Radii || item.FacingSplats)
+    {
+      warnings.push_back(item.Name +
+        ": the transform of the camera does not distort spheres, tubes "
+        "and splats. Use a rigid transform.");
+    }
+  }
+  vtkBoundingBox distorted;
+  for (int i = 0; IsFinite(bounds) && i < 8; ++i)
+  {
+    glm::dvec3 corner =
+      distortion * glm::dvec4(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0);
+    distorted.AddPoint(&corner.x);
+  }
+  distorted.GetBounds(bounds);
+}
+
+void ExtractCamera(vtkRenderer* renderer, const double bounds[6], const ExtractionOptions& options,
+  const glm::dmat4& distortion, Scene& scene)
 {
   if (!renderer->IsActiveCameraCreated())
   {
@@ -232,7 +319,9 @@ void ExtractCamera(
     return;
   }
   vtkCamera* camera = renderer->GetActiveCamera();
-  if (camera->GetStereo())
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  const int stereo = window ? window->GetStereoType() : 0;
+  if (camera->GetStereo() && stereo != VTK_STEREO_LEFT && stereo != VTK_STEREO_RIGHT)
   {
     WarnFeature(Feature::Stereo, "", scene.Warnings);
   }
@@ -240,17 +329,21 @@ void ExtractCamera(
   scene.ViewCamera.Height = options.Resolution[1];
   glm::dvec3 position;
   const double aspect = static_cast<double>(scene.ViewCamera.Width) / scene.ViewCamera.Height;
-  const bool isRigid = SetPose(camera->GetModelViewTransformMatrix(), scene.ViewCamera, position);
-  const bool isSupported =
-    SetProjection(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera);
-  if (!camera->GetStereo() && (!isRigid || !isSupported)) // VTK shears the views of both eyes
+  glm::dvec2 offset(0.0);
+  const bool isSupported = SetProjection(
+    camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), scene.ViewCamera, offset);
+  const glm::dmat4 view =
+    ToMatrix(camera->GetModelViewTransformMatrix()) * glm::inverse(distortion);
+  const bool isRigid = SetPose(view, offset, scene.ViewCamera, position);
+  if (!isRigid || !isSupported)
   {
     WarnFeature(Feature::CameraShear, "", scene.Warnings);
   }
   SetSceneCoordinates(position, bounds, camera->GetDistance(), scene);
 }
 
-std::vector<glm::dvec4> FindClippingRange(vtkRenderer* renderer, const double bounds[6])
+std::vector<glm::dvec4> FindClippingRange(
+  vtkRenderer* renderer, const double bounds[6], const glm::dmat4& distortion)
 {
   if (!renderer->IsActiveCameraCreated() || !IsFinite(bounds))
   {
@@ -258,9 +351,9 @@ std::vector<glm::dvec4> FindClippingRange(vtkRenderer* renderer, const double bo
   }
   vtkCamera* camera = renderer->GetActiveCamera();
   const double* range = camera->GetClippingRange();
-  vtkMatrix4x4* view = camera->GetModelViewTransformMatrix();
-  const glm::dvec4 depth(-view->GetElement(2, 0), -view->GetElement(2, 1), -view->GetElement(2, 2),
-    -view->GetElement(2, 3));
+  const glm::dmat4 view =
+    ToMatrix(camera->GetModelViewTransformMatrix()) * glm::inverse(distortion);
+  const glm::dvec4 depth(-view[0][2], -view[1][2], -view[2][2], -view[3][2]);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (int i = 0; i < 8; ++i)
@@ -311,7 +404,8 @@ Light MakeHeadlight(const Scene& scene)
   return light;
 }
 
-void ExtractLights(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
+void ExtractLights(vtkRenderer* renderer, const ExtractionOptions& options,
+  const glm::dmat4& distortion, Scene& scene)
 {
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator position;
@@ -321,7 +415,7 @@ void ExtractLights(vtkRenderer* renderer, const ExtractionOptions& options, Scen
     if (light->GetSwitch())
     {
       const LightSize size = options.GetLightSize ? options.GetLightSize(light) : LightSize();
-      scene.Lights.push_back(ConvertLight(renderer, light, size, scene));
+      scene.Lights.push_back(ConvertLight(renderer, light, size, distortion, scene));
     }
   }
   if (scene.Lights.empty() && renderer->GetAutomaticLightCreation())
