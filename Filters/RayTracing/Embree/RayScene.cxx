@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayScene.h"
 
+#include "BoxOverlap.h"
 #include "CoincidentSurfaces.h"
 #include "EmbreeQuery.h"
 #include "RayTriangle.h"
@@ -334,8 +335,10 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
   {
     const Surface& surface = scene.Surfaces[i];
-    this->Traced.push_back({ &surface, this->Coincident->DepthTolerance(i),
-      surface.IsRound() && surface.IsTranslucent(), SliverTree::MakeIfUseful(surface) });
+    const BoxOverlap overlap(surface);
+    this->Traced.push_back(
+      { &surface, this->Coincident->DepthTolerance(i), surface.IsRound() && surface.IsTranslucent(),
+        overlap.IsLarge(), SliverTree::MakeIfUseful(surface, overlap) });
   }
   this->Device = rtcNewDevice(MakeDeviceConfiguration(threads).c_str());
   CheckDevice(this->Device);

@@ -3,6 +3,7 @@
 #include "SliverTree.h"
 
 #include "AxisAlignedBox.h"
+#include "BoxOverlap.h"
 
 #include "vtkMath.h"
 
@@ -15,8 +16,6 @@ namespace penumbra
 namespace
 {
 
-/// Number of boxes, on average over the bounds of the surface, from which oriented boxes are tried.
-constexpr double MinimumOverlap = 500.0;
 /// Area of boxes relative to that of triangles from which oriented boxes are tried; 2 to 5 for
 /// equilateral triangles.
 constexpr double MinimumThinness = 15.0;
@@ -94,27 +93,6 @@ glm::dvec3 ComputeCentroid(const Surface& surface, std::uint32_t triangle)
     3.0;
 }
 
-/// Returns true if the boxes of many thin triangles overlap.
-bool HasOverlappingSlivers(const Surface& surface)
-{
-  AxisAlignedBox bounds;
-  double boxes = 0.0;
-  double triangles = 0.0;
-  for (const glm::uvec3& t : surface.Triangles)
-  {
-    AxisAlignedBox box;
-    for (int i = 0; i < 3; ++i)
-    {
-      box.Add(surface.Positions[t[i]]);
-    }
-    const glm::vec3 a = surface.Positions[t.x];
-    boxes += ComputeArea(box);
-    triangles += glm::length(glm::cross(surface.Positions[t.y] - a, surface.Positions[t.z] - a));
-    bounds.Add(box);
-  }
-  return boxes > MinimumOverlap * ComputeArea(bounds) && boxes > MinimumThinness * triangles;
-}
-
 }
 
 SliverTree::SliverTree(const Surface& surface, std::size_t stride)
@@ -138,9 +116,10 @@ SliverTree::SliverTree(const Surface& surface, std::size_t stride)
   }
 }
 
-std::shared_ptr<const SliverTree> SliverTree::MakeIfUseful(const Surface& surface)
+std::shared_ptr<const SliverTree> SliverTree::MakeIfUseful(
+  const Surface& surface, const BoxOverlap& overlap)
 {
-  if (!HasOverlappingSlivers(surface))
+  if (!overlap.IsLarge() || !(overlap.Thinness > MinimumThinness))
   {
     return nullptr;
   }

@@ -23,6 +23,8 @@
 namespace penumbra
 {
 
+struct BoxOverlap;
+
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT SliverTree
 {
 public:
@@ -30,8 +32,9 @@ public:
   explicit SliverTree(const Surface& surface, std::size_t stride = 1);
 
   /// Returns the tree if the surface is better traced with it than with axis-aligned boxes,
-  /// otherwise null. Takes linear time for surfaces without slivers.
-  static std::shared_ptr<const SliverTree> MakeIfUseful(const Surface& surface);
+  /// otherwise null. `overlap` is that of the surface.
+  static std::shared_ptr<const SliverTree> MakeIfUseful(
+    const Surface& surface, const BoxOverlap& overlap);
 
   /// Calls visit(triangle) for the triangles whose leaves the ray crosses at distances between
   /// `nearest` and `farthest`, nearer leaves first. `visit` may reduce `farthest`.

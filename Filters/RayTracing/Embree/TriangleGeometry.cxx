@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleGeometry.h"
 
+#include "BoxOverlap.h"
 #include "CoincidentSurfaces.h"
 
 #include <algorithm>
@@ -53,12 +54,12 @@ void RejectAllFilter(const RTCFilterFunctionNArguments* args)
 }
 
 /// Shares `data` with Embree if there is spare capacity behind the last element, since Embree reads
-/// elements as 16 bytes; copies it otherwise.
+/// elements as 16 bytes; copies it otherwise, or if it is temporary.
 template <typename T>
-void SetBuffer(
-  RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& data)
+void SetBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+  const std::vector<T>& data, bool isTemporary = false)
 {
-  if (data.capacity() > data.size())
+  if (data.capacity() > data.size() && !isTemporary)
   {
     rtcSetSharedGeometryBuffer(geometry, type, 0, format, data.data(), 0, sizeof(T), data.size());
     return;
@@ -78,7 +79,13 @@ RTCGeometry MakeTriangleGeometry(RTCDevice device, TracedSurface& traced)
   const Surface& surface = *traced.Data;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   SetBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, surface.Positions);
-  SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.Triangles);
+  std::vector<glm::uvec3> unique;
+  if (traced.MayHaveCopies)
+  {
+    unique = RemoveCopies(surface);
+  }
+  SetBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
+    unique.empty() ? surface.Triangles : unique, !unique.empty());
   rtcSetGeometryUserData(geometry, &traced);
   if (!surface.Frontfaces || !surface.Backfaces || traced.DepthTolerance > 0.f)
   {

@@ -4,6 +4,7 @@
 // Trees of oriented boxes: their hits against all triangles, and the number of triangles they test.
 #include "Embree/SliverTree.h"
 
+#include "Embree/BoxOverlap.h"
 #include "Embree/RayScene.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,11 @@ std::vector<Ray> SpiralRays(int count)
     rays.push_back(ray);
   }
   return rays;
+}
+
+std::shared_ptr<const SliverTree> MakeIfUseful(const Surface& surface)
+{
+  return SliverTree::MakeIfUseful(surface, BoxOverlap(surface));
 }
 
 double MeanNumberOfTests(const SliverTree& tree, const std::vector<Ray>& rays)
@@ -123,13 +129,14 @@ TEST(SliverTree, FindsTrianglesNearAPoint)
 
 TEST(SliverTree, IsUsedOnlyForSlivers)
 {
-  EXPECT_NE(SliverTree::MakeIfUseful(Disc(20000)), nullptr);
-  EXPECT_EQ(SliverTree::MakeIfUseful(Disc(100)), nullptr);
-  EXPECT_EQ(SliverTree::MakeIfUseful(Surface()), nullptr);
+  const Surface disc = Disc(20000);
+  EXPECT_NE(MakeIfUseful(disc), nullptr);
+  EXPECT_EQ(MakeIfUseful(Disc(100)), nullptr);
+  EXPECT_EQ(MakeIfUseful(Surface()), nullptr);
   // Copies of one triangle overlap, but are not thin.
   Surface copies = Disc(3);
   copies.Triangles.assign(20000, copies.Triangles[0]);
-  EXPECT_EQ(SliverTree::MakeIfUseful(copies), nullptr);
+  EXPECT_EQ(MakeIfUseful(copies), nullptr);
 }
 
 TEST(RayScene, HitsTheTrianglesOfALargeDisc)
@@ -183,4 +190,41 @@ TEST(RayScene, CullsTheTrianglesOfALargeDisc)
   EXPECT_TRUE(rays.Intersect(up).IsHit());
   up.Far = 0.5f;
   EXPECT_FALSE(rays.Intersect(up).IsHit());
+}
+
+TEST(BoxOverlap, GrowsWithCopiesAndNotWithTriangles)
+{
+  EXPECT_FALSE(BoxOverlap(Surface()).IsLarge());
+  EXPECT_FALSE(BoxOverlap(Disc(100)).IsLarge());
+  EXPECT_GT(BoxOverlap(Disc(4000)).Number, 30.0 * BoxOverlap(Disc(100)).Number);
+}
+
+TEST(RemoveCopies, KeepsTheFirstOfEachOrientation)
+{
+  Surface surface = Disc(4);
+  EXPECT_TRUE(RemoveCopies(surface).empty());
+  surface.Positions.push_back(surface.Positions[1]); // vertex 5, at the position of vertex 1
+  surface.Triangles = { { 0, 1, 2 }, { 2, 0, 1 }, { 0, 2, 1 }, { 0, 5, 2 }, { 0, 2, 3 },
+    { 2, 1, 0 } };
+  constexpr std::uint32_t None = 0xffffffffu;
+  const std::vector<glm::uvec3> expected = { { 0, 1, 2 }, glm::uvec3(None), { 0, 2, 1 },
+    glm::uvec3(None), { 0, 2, 3 }, glm::uvec3(None) };
+  EXPECT_EQ(RemoveCopies(surface), expected);
+}
+
+TEST(RayScene, HitsTheFirstOfManyCopies)
+{
+  Scene scene;
+  scene.Surfaces = { Disc(3) };
+  scene.Surfaces[0].Triangles.assign(5000, scene.Surfaces[0].Triangles[0]);
+  scene.Surfaces[0].Triangles[0] = { 0, 2, 3 };
+  const RayScene rays(scene, 1);
+  Ray ray;
+  ray.Direction = { 0.3f, 0.3f, -1.f };
+  const Hit hit = rays.Intersect(ray);
+  ASSERT_TRUE(hit.IsHit());
+  EXPECT_EQ(hit.Primitive, 1u);
+  EXPECT_TRUE(rays.Occluded(ray));
+  ray.Near = hit.NextNear;
+  EXPECT_FALSE(rays.Intersect(ray).IsHit());
 }
