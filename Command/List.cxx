@@ -29,7 +29,8 @@ int List()
     std::cout << "  " << std::setw(26) << CLI::detail::join(row.Extensions, " ") << std::setw(38)
               << row.Format << row.ReaderClass << "\n";
   }
-  std::cout << "\nImages\n  " << ImageExtensions() << "\n\nColormaps\n ";
+  std::cout << "\nImages\n  " << ImageExtensions() << "\n\nVector graphics\n  .svg .pdf"
+            << "\n\nColormaps\n ";
   for (const std::string& name : ColormapNames())
   {
     std::cout << " " << name;

@@ -31,6 +31,7 @@ struct RenderResult
   };
   Coverages Coverage = Coverages::Unknown;
   vtkSmartPointer<vtkImageData> Image; ///< `Color`: 4 floats, straight alpha
+  std::string VectorGraphics;          ///< contents of the file if the output is .svg or .pdf
   nlohmann::json Statistics = nlohmann::json::object();
   double Tolerance = 0.0;      ///< accepted error
   double EstimatedError = 0.0; ///< NaN if the engine makes no estimate

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Engine.h"
 
+#include "Files/FileExtension.h"
 #include "Files/ImageFiles.h"
 #include "Files/Report.h"
 #include "Input/EnvironmentFile.h"
@@ -26,6 +27,7 @@
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkPenumbraRayCaster.h"
+#include "vtkPenumbraVectorExporter.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -110,6 +112,12 @@ vtkSmartPointer<vtkPenumbraMedium> MakeMedium(const ShaftOptions& shafts)
   return medium;
 }
 
+int FindVectorFormat(const std::string& path)
+{
+  return LowerExtension(path) == ".pdf" ? vtkPenumbraVectorExporter::PDF
+                                        : vtkPenumbraVectorExporter::SVG;
+}
+
 }
 
 RenderResult RenderWithRays(
@@ -178,7 +186,17 @@ RenderResult RenderWithRays(
 
   TakeErrors();
   const Clock::time_point start = Clock::now();
-  caster->Update();
+  vtkNew<vtkPenumbraVectorExporter> exporter;
+  if (IsVectorGraphic(options.Output))
+  {
+    exporter->SetRayCaster(caster);
+    exporter->SetOutlineWidth(options.OutlineWidth);
+    result.VectorGraphics = exporter->Encode(FindVectorFormat(options.Output));
+  }
+  else
+  {
+    caster->Update();
+  }
   const Clock::time_point end = Clock::now();
   const std::vector<std::string> errors = TakeErrors();
   if (IndicatesOutOfMemory(errors))
@@ -193,7 +211,15 @@ RenderResult RenderWithRays(
   result.Image = caster->GetOutput();
   RestoreCellIds(result.Image, renderer);
   result.Statistics = ToJson(caster->GetStatistics());
-  const bool empty = result.Statistics["Pixels/Empty"] == result.Statistics["Pixels/Total"];
+  const nlohmann::json figure = ToJson(exporter->GetStatistics());
+  result.Statistics.update(figure);
+  const bool empty = result.Statistics["Pixels/Empty"] == result.Statistics["Pixels/Total"] &&
+    figure.value("Vector/Lines", 0.0) == 0.0;
+  if (figure.value("Vector/ReplacedCharacters", 0.0) > 0.0)
+  {
+    result.Warnings.emplace_back(
+      "characters that the fonts of .pdf lack were replaced by question marks; use .svg");
+  }
   result.Coverage = empty ? RenderResult::Coverages::Empty : RenderResult::Coverages::Some;
   result.Tolerance = options.Tolerance;
   result.EstimatedError = caster->GetEstimatedError();

@@ -51,6 +51,11 @@ std::string DescribeEmptyImage(
   const RenderResult& result, vtkRenderer* renderer, const RenderOptions& options)
 {
   const bool empty = result.Coverage == RenderResult::Coverages::Empty;
+  // The image of a figure lacks its lines.
+  if (!empty && !result.VectorGraphics.empty())
+  {
+    return std::string();
+  }
   if (!empty && !ShowsOnlyBackground(result.Image, renderer, options.Background))
   {
     return std::string();
@@ -121,8 +126,15 @@ std::vector<std::string> OutputFiles::Save(const RenderResult& result, vtkRender
   }
   EnterPhase("writing " + options.Output, Unavailable);
   const Clock::time_point lap = Clock::now();
-  WriteImage(
-    result.Image, this->Output, options.Output, !options.Background, options.DotsPerInch, note);
+  if (IsVectorGraphic(options.Output))
+  {
+    this->Output.Write(result.VectorGraphics);
+  }
+  else
+  {
+    WriteImage(
+      result.Image, this->Output, options.Output, !options.Background, options.DotsPerInch, note);
+  }
   const double writeSeconds = SecondsSince(lap);
   if (this->Statistics)
   {

@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 namespace penumbra
 {
@@ -162,6 +163,20 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
   return reader->GetOutput();
 }
 
+bool IsImage(const std::string& path)
+{
+  const std::string extension = Extension(path);
+  const char* const known[] = { ".png", ".jpg", ".tif", ".bmp", ".vti" };
+  return std::find(std::begin(known), std::end(known), extension) != std::end(known);
+}
+
+[[noreturn]] void RefuseFormat(
+  const std::string& path, const std::string& option, const std::string& extensions)
+{
+  throw CommandError(BadInput,
+    option + " " + path + ": unknown image format; the path must end in one of " + extensions);
+}
+
 }
 
 std::string ImageExtensions()
@@ -171,17 +186,24 @@ std::string ImageExtensions()
 
 void CheckImageExtension(const std::string& path, const std::string& option)
 {
-  const std::string extension = Extension(path);
-  for (const char* known : { ".png", ".jpg", ".tif", ".bmp", ".vti" })
+  if (!IsImage(path))
   {
-    if (extension == known)
-    {
-      return;
-    }
+    RefuseFormat(path, option, ImageExtensions());
   }
-  throw CommandError(BadInput,
-    option + " " + path + ": unknown image format; the path must end in one of " +
-      ImageExtensions());
+}
+
+bool IsVectorGraphic(const std::string& path)
+{
+  const std::string extension = Extension(path);
+  return extension == ".svg" || extension == ".pdf";
+}
+
+void CheckOutputExtension(const std::string& path, const std::string& option)
+{
+  if (!IsImage(path) && !IsVectorGraphic(path))
+  {
+    RefuseFormat(path, option, ImageExtensions() + " .svg .pdf");
+  }
 }
 
 bool SupportsAlpha(const std::string& path)

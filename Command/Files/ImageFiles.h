@@ -23,6 +23,13 @@ std::string ImageExtensions();
 /// for messages.
 void CheckImageExtension(const std::string& path, const std::string& option);
 
+/// Returns whether `path` has the extension of a format of vector graphics: .svg or .pdf.
+bool IsVectorGraphic(const std::string& path);
+
+/// Throws CommandError unless `path` has the extension of an image format or of vector graphics.
+/// `option`: its option, for messages.
+void CheckOutputExtension(const std::string& path, const std::string& option);
+
 /// Returns whether the format of `path` has an alpha channel.
 bool SupportsAlpha(const std::string& path);
 

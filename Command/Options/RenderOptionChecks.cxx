@@ -63,6 +63,12 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
       throw CommandError(BadInput, name + " is not supported by --engine raster; use --engine ray");
     }
   }
+  if (IsVectorGraphic(options.Output))
+  {
+    throw CommandError(BadInput,
+      "--output " + options.Output +
+        ": vector graphics are not supported by --engine raster; use --engine ray");
+  }
   if (std::isinf(options.AmbientOcclusionRadius))
   {
     throw CommandError(BadInput,
@@ -74,14 +80,15 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
 
 void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
 {
-  CheckImageExtension(options.Output, "--output");
+  CheckOutputExtension(options.Output, "--output");
   RequireEngine(app, options);
   RequireColoring(app, options);
   RequireShafts(app, options.Shafts);
   if (!options.Background && !SupportsAlpha(options.Output))
   {
     throw CommandError(BadInput,
-      "--no-background: " + options.Output + " cannot hold transparency; use .png, .tif or .vti");
+      "--no-background: " + options.Output +
+        " cannot hold transparency; use .png, .tif, .vti, .svg or .pdf");
   }
   const double needed = BytesPerPixel * options.Resolution[0] * options.Resolution[1];
   if (needed > static_cast<double>(MachineMemory()))
@@ -139,6 +146,7 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
     { "--no-small-objects", !ray, "with --engine raster" },
     { "--point-size", options.PointRadius > 0.0, "with --point-radius" },
     { "--line-width", options.LineRadius > 0.0 && !options.ShowEdges, "with --line-radius" },
+    { "--outline-width", !IsVectorGraphic(options.Output), "without .svg or .pdf in --output" },
     { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
       "without --ambient-occlusion" },
     { "--ambient-occlusion-falloff", !options.AmbientOcclusion && !HoldsArrays(options.Output),

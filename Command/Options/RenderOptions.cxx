@@ -39,8 +39,8 @@ void DeclareOutput(CLI::App& app, RenderOptions& options)
     ->type_name("");
   app
     .add_option("--output", options.Output,
-      "Image: .png .jpg .jpeg .tif .tiff .bmp (8 bits per channel) or .vti (floats, depth, "
-      "normals, ids); {name} renders one image per file")
+      "Image: .png .jpg .jpeg .tif .tiff .bmp (8 bits per channel), .vti (floats, depth, "
+      "normals, ids), or vector graphics: .svg .pdf (ray); {name} renders one image per file")
     ->required()
     ->type_name("PATH")
     ->take_last()
@@ -157,6 +157,9 @@ void DeclareAppearance(CLI::App& app, RenderOptions& options)
     app, "--line-width", options.LineWidth, "PT", "Width of lines and edges", { 0.0, 1000.0, true })
     ->group(group);
   AddNumber(app, "--point-size", options.PointSize, "PT", "Size of points", { 0.0, 1000.0, true })
+    ->group(group);
+  AddNumber(app, "--outline-width", options.OutlineWidth, "PT",
+    "Draw visible silhouettes, boundaries and creases in .svg and .pdf, 0: none", { 0.0, 1000.0 })
     ->group(group);
   AddNumber(app, "--point-radius", options.PointRadius, "R",
     "Draw points as spheres of this radius in world units (ray)", { 0.0, 1e30, true })

@@ -98,6 +98,7 @@ struct RenderOptions
   double PointRadius = 0.0; ///< ray, world units; 0: squares of PointSize
   double LineRadius = 0.0;  ///< ray, world units; 0: flat lines of LineWidth
   int DotsPerInch = 72;
+  double OutlineWidth = 0.0; ///< vector graphics, points of 1/72 inch; 0: no outlines
 
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;          ///< 0: a tenth of the bounds' diagonal

@@ -169,6 +169,10 @@ void vtkPenumbraRayCaster::Internals::Prepare(
       "The camera is not usable: position, focal point, view up, view angle and "
       "parallel scale must be finite.");
   }
+  if (this->ChangeScene)
+  {
+    this->ChangeScene(scene);
+  }
   if (this->FindOcclusion(self).OfRenderer)
   {
     penumbra::WarnFeature(penumbra::Feature::RendererOcclusion, "", scene.Warnings);
@@ -293,6 +297,10 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
         tracer, this->Prepared->Edges, settings, progress, image, totals, squaredError))
   {
     return false;
+  }
+  if (this->InspectImage)
+  {
+    this->InspectImage(tracer, this->Prepared->Edges);
   }
   if (self->CoverageMethod != UNIFORM)
   {

@@ -18,6 +18,7 @@
 #include "vtkRenderer.h"
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -59,6 +60,10 @@ struct vtkPenumbraRayCaster::Internals
   vtkMTimeType PreparedTime = 0;
   std::set<std::string> Warned; ///< warnings of the scene that were reported
   bool IsComputingMTime = false;
+  /// If set, called with the extracted scene before its edges and its BVH are built.
+  std::function<void(penumbra::Scene&)> ChangeScene;
+  /// If set, called with the tracer of the image when the image is complete.
+  std::function<void(const penumbra::CameraRayTracer&, const penumbra::SceneEdges&)> InspectImage;
 
   OcclusionSettings FindOcclusion(vtkPenumbraRayCaster* self) const;
   void ResetResults();

@@ -376,6 +376,7 @@ private:
   vtkPenumbraRayCaster(const vtkPenumbraRayCaster&) = delete;
   void operator=(const vtkPenumbraRayCaster&) = delete;
 
+  friend class vtkPenumbraVectorExporter; // changes the scene and inspects the image
   struct Internals;
   std::unique_ptr<Internals> Implementation;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Image of 2-D props, such as text and scalar bars, which is composited over the rendered image.
-// Rectangles are drawn with exact pixel coverage.
+// Rectangles are drawn with exact pixel coverage. The shapes are also kept, for vector graphics.
 #ifndef penumbra_Overlay_h
 #define penumbra_Overlay_h
 
@@ -10,12 +10,29 @@
 
 #include <glm/glm.hpp>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 class vtkImageData;
 
 namespace penumbra
 {
+
+/// A line of text, or a filled polygon if Text is empty. Coordinates are in pixels with (0, 0) at
+/// the lower left corner of the image.
+struct OverlayShape
+{
+  std::vector<glm::dvec2> Corners; ///< of a polygon
+  glm::vec4 Color{ 0.f };          ///< straight alpha
+  std::string Text;                ///< UTF-8, one line
+  glm::dvec2 Baseline{ 0.0 };      ///< left end of the base line of the text
+  double Angle = 0.0;              ///< of the base line, in degrees, counterclockwise
+  double FontSize = 0.0;           ///< height of the font in pixels
+  std::string FontFamily;          ///< Arial, Courier, Times, or the name of another font
+  bool Bold = false;
+  bool Italic = false;
+};
 
 /// RGBA image that is composited over the rendered image.
 class VTKPENUMBRAFILTERSSCENE_EXPORT Overlay
@@ -36,6 +53,18 @@ public:
   /// ignored.
   void DrawImage(vtkImageData* image, int x, int y);
 
+  /// Keeps a shape, whose pixels are drawn by the other methods.
+  void AddShape(OverlayShape shape) { this->Shapes.push_back(std::move(shape)); }
+
+  /// Marks that pixels are drawn which no shape describes, such as those of a texture.
+  void AddPixelsWithoutShape() { this->HasOnlyShapes = false; }
+
+  /// Returns true if the shapes describe all pixels.
+  bool IsDescribedByShapes() const { return this->HasOnlyShapes; }
+
+  /// Returns the text and the polygons in the order of drawing.
+  const std::vector<OverlayShape>& GetShapes() const { return this->Shapes; }
+
   /// Composites the overlay's pixels (x, y) to (x + count - 1, y) over `colors` (straight alpha).
   void CompositeOver(int x, int y, int count, glm::vec4* colors) const;
 
@@ -45,6 +74,8 @@ private:
   int Width = 0;
   int Height = 0;
   std::vector<glm::vec4> Pixels; ///< premultiplied alpha; empty until something is drawn
+  std::vector<OverlayShape> Shapes;
+  bool HasOnlyShapes = true;
 };
 
 }

@@ -115,6 +115,7 @@ public:
 
   const Shading& GetShading() const { return this->SurfaceShading; }
   const Scene& GetScene() const { return this->Rays.GetScene(); }
+  const RayScene& GetRays() const { return this->Rays; }
   bool HasTranslucentSurfaces() const { return this->Translucent; }
 
 private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace penumbra
 {
@@ -78,6 +79,10 @@ glm::vec4 OverlayTexels::Sample(glm::dvec2 coordinates) const
 
 void FillPolygon(const std::vector<glm::dvec2>& corners, glm::vec4 color, Overlay& overlay)
 {
+  OverlayShape shape;
+  shape.Corners = corners;
+  shape.Color = color;
+  overlay.AddShape(std::move(shape));
   ForEachPixel(
     corners, overlay, [&](glm::dvec2 pixel) { overlay.FillRectangle(pixel, pixel + 1.0, color); });
 }
@@ -98,6 +103,7 @@ void FillLine(glm::dvec2 from, glm::dvec2 to, double width, glm::vec4 color, Ove
 void FillShadedPolygon(
   const std::vector<OverlayVertex>& corners, const OverlayTexels* texels, Overlay& overlay)
 {
+  overlay.AddPixelsWithoutShape();
   for (std::size_t i = 2; i < corners.size(); ++i)
   {
     const OverlayVertex& a = corners[0];

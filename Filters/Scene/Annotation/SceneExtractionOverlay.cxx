@@ -12,6 +12,7 @@
 #include "vtkCaptionActor2D.h"
 #include "vtkCoordinate.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty2D.h"
@@ -20,13 +21,95 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
+#include "vtkVector.h"
 
 #include <cmath>
+#include <vector>
 
 namespace penumbra
 {
 namespace
 {
+
+// Space between the start of a line and its first letter, which VTK leaves out, in font sizes: that of
+// a typical letter of Arial.
+constexpr double LeftBearing = 0.05;
+
+glm::dvec2 ToVector(const vtkVector2i& x)
+{
+  return { x[0], x[1] };
+}
+
+std::vector<std::string> SplitLines(const std::string& text)
+{
+  std::vector<std::string> lines(1);
+  for (const char c : text)
+  {
+    if (c == '\n')
+    {
+      lines.emplace_back();
+    }
+    else
+    {
+      lines.back() += c;
+    }
+  }
+  return lines;
+}
+
+/// Adds the background of text and its lines as shapes.
+void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec2 anchor, int dpi,
+  vtkTextRenderer* renderer, Overlay& overlay)
+{
+  vtkTextRenderer::Metrics metrics;
+  if (!renderer->GetMetrics(property, text, metrics, dpi))
+  {
+    return;
+  }
+  const double angle = property->GetOrientation() * vtkMath::Pi() / 180.0;
+  const glm::dvec2 along(std::cos(angle), std::sin(angle));
+  const glm::dvec2 up(-along.y, along.x);
+  // The corners of the metrics are pixels of the text.
+  const auto size = [](const vtkTextRenderer::Metrics& m) {
+    return glm::dvec2(glm::length(ToVector(m.TopRight) - ToVector(m.TopLeft)) + 1.0,
+      glm::length(ToVector(m.TopLeft) - ToVector(m.BottomLeft)) + 1.0);
+  };
+  const glm::dvec2 whole = size(metrics);
+  const glm::dvec2 low = anchor + ToVector(metrics.BottomLeft) + 0.5 - 0.5 * (along + up);
+  OverlayShape shape;
+  if (property->GetBackgroundOpacity() > 0.0)
+  {
+    const double* color = property->GetBackgroundColor();
+    shape.Corners = { low, low + whole.x * along, low + whole.x * along + whole.y * up,
+      low + whole.y * up };
+    shape.Color = glm::vec4(color[0], color[1], color[2], property->GetBackgroundOpacity());
+    overlay.AddShape(shape);
+  }
+  const double* color = property->GetColor();
+  shape.Corners.clear();
+  shape.Color = glm::vec4(color[0], color[1], color[2], property->GetOpacity());
+  shape.Angle = property->GetOrientation();
+  shape.FontSize = property->GetFontSize() * dpi / 72.0;
+  shape.FontFamily = property->GetFontFamilyAsString();
+  shape.Bold = property->GetBold() != 0;
+  shape.Italic = property->GetItalic() != 0;
+  const std::vector<std::string> lines = SplitLines(text);
+  const double lineHeight = whole.y / static_cast<double>(lines.size());
+  const double descent = glm::length(ToVector(metrics.Descent)) + 1.0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    vtkTextRenderer::Metrics line;
+    if (lines[i].empty() || !renderer->GetMetrics(property, lines[i], line, dpi))
+    {
+      continue;
+    }
+    const double indent = 0.5 * property->GetJustification() * (whole.x - size(line).x);
+    const double height = static_cast<double>(lines.size() - 1 - i) * lineHeight + descent;
+    shape.Text = lines[i];
+    shape.Baseline = low + (indent - LeftBearing * shape.FontSize) * along + height * up;
+    overlay.AddShape(shape);
+  }
+}
 
 bool DrawTextActor(vtkTextActor* actor, int dpi, Scene& scene)
 {
@@ -147,6 +230,7 @@ bool DrawText(
   }
   overlay.DrawImage(image, static_cast<int>(std::lround(anchor.x)) + box[0],
     static_cast<int>(std::lround(anchor.y)) + box[2]);
+  AddTextShapes(text, property, glm::round(anchor), dpi, renderer, overlay);
   return true;
 }
 

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EdgeVisibility.h"
+
+#include "Coverage/Silhouettes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+
+// Distance between tests of the visibility, in pixels.
+constexpr double TestDistance = 0.5;
+// Precision of the ends of visible parts, in pixels.
+constexpr double EndPrecision = 1e-3;
+// Most tests of a segment, before bisection.
+constexpr double MaximumTests = 1e5;
+// Depth by which edges are in front of the surfaces that they belong to, in pixel sizes.
+constexpr double EdgeOffset = 2.0;
+// Length in pixels of the pieces of a line, which have one color each.
+constexpr double PieceLength = 16.0;
+// Largest difference of the colors of pieces that are drawn as one.
+constexpr float ColorPrecision = 0.5f / 255.f;
+
+double ComputePixelSize(const Camera& camera, double depth)
+{
+  return camera.Parallel ? camera.PixelSize : camera.PixelSize * depth;
+}
+
+/// A line or point, which the scene contains as a quad of two triangles.
+struct Stroke
+{
+  std::uint32_t Surface;
+  glm::dvec2 From;
+  glm::dvec2 To;
+  double DepthFrom;
+  double DepthTo;
+  double Width;
+
+  glm::dvec2 At(double t) const { return glm::mix(this->From, this->To, t); }
+  double DepthAt(const Camera& camera, double t) const
+  {
+    return camera.Parallel ? glm::mix(this->DepthFrom, this->DepthTo, t)
+                           : 1.0 / glm::mix(1.0 / this->DepthFrom, 1.0 / this->DepthTo, t);
+  }
+};
+
+/// Returns the lines and points, the farthest first.
+std::vector<Stroke> FindStrokes(const Scene& scene)
+{
+  const Camera& camera = scene.ViewCamera;
+  std::vector<Stroke> strokes;
+  for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
+  {
+    const Surface& surface = scene.Surfaces[i];
+    for (std::size_t j = 0; HasStrokes(surface) && j + 1 < surface.Triangles.size(); j += 2)
+    {
+      const glm::uvec3 corners = surface.Triangles[j];
+      const glm::dvec3 a(surface.Positions[corners.x]);
+      const glm::dvec3 b(surface.Positions[corners.y]);
+      const glm::dvec3 c(surface.Positions[corners.z]);
+      const glm::dvec3 d(surface.Positions[surface.Triangles[j + 1].z]);
+      Stroke stroke{ static_cast<std::uint32_t>(i), 0.5 * (camera.Project(a) + camera.Project(d)),
+        0.5 * (camera.Project(b) + camera.Project(c)), 0.5 * (camera.Depth(a) + camera.Depth(d)),
+        0.5 * (camera.Depth(b) + camera.Depth(c)),
+        glm::length(camera.Project(a) - camera.Project(d)) };
+      strokes.push_back(stroke);
+    }
+  }
+  std::stable_sort(strokes.begin(), strokes.end(), [](const Stroke& x, const Stroke& y) {
+    return x.DepthFrom + x.DepthTo > y.DepthFrom + y.DepthTo;
+  });
+  return strokes;
+}
+
+/// Narrows [low, high] to the part of the segment from a to b in the image, enlarged by `margin`.
+bool ClipToImage(
+  const Camera& camera, glm::dvec2 a, glm::dvec2 b, double margin, double& low, double& high)
+{
+  const glm::dvec2 size(camera.Width + margin, camera.Height + margin);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double step = b[axis] - a[axis];
+    const double first = (-margin - a[axis]) / step;
+    const double last = (size[axis] - a[axis]) / step;
+    if (step != 0.0)
+    {
+      low = std::max(low, std::min(first, last));
+      high = std::min(high, std::max(first, last));
+    }
+    else if (a[axis] < -margin || a[axis] > size[axis])
+    {
+      return false;
+    }
+  }
+  return low < high;
+}
+
+glm::vec4 ToStraight(glm::vec4 color)
+{
+  return color.a > 0.f ? glm::vec4(glm::vec3(color) / color.a, color.a) : color;
+}
+
+/// Adds a visible part of a stroke in pieces, whose colors are sampled.
+void AddPieces(const CameraRayTracer& tracer, const Stroke& stroke, double from, double to,
+  std::vector<FigurePath>& paths)
+{
+  const double length = (to - from) * glm::length(stroke.To - stroke.From);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(length / PieceLength)));
+  RayCounts counts;
+  for (int i = 0; i < pieces; ++i)
+  {
+    const double begin = glm::mix(from, to, static_cast<double>(i) / pieces);
+    const double end = glm::mix(from, to, static_cast<double>(i + 1) / pieces);
+    FigurePath path;
+    path.Width = stroke.Width;
+    path.Color = ToStraight(tracer.TraceSample(stroke.At(0.5 * (begin + end)), counts).Color);
+    const glm::vec4 change = i > 0 ? glm::abs(path.Color - paths.back().Color) : glm::vec4(1.f);
+    if (std::max({ change.r, change.g, change.b, change.a }) <= ColorPrecision)
+    {
+      paths.back().Points.back() = stroke.At(end);
+      continue;
+    }
+    path.Points = { stroke.At(begin), stroke.At(end) };
+    paths.push_back(path);
+  }
+}
+
+}
+
+std::vector<std::pair<double, double>> FindVisibleIntervals(
+  double length, const std::function<bool(double)>& isVisible)
+{
+  std::vector<std::pair<double, double>> intervals;
+  if (!(length > 0.0))
+  {
+    return intervals;
+  }
+  const int tests =
+    static_cast<int>(std::clamp(std::ceil(length / TestDistance), 1.0, MaximumTests));
+  double last = 0.0;
+  bool wasVisible = false;
+  for (int i = 0; i < tests; ++i)
+  {
+    const double t = (i + 0.5) / tests;
+    const bool visible = isVisible(t);
+    if (visible != wasVisible || (visible && i == 0))
+    {
+      double low = last;
+      double high = i == 0 ? 0.0 : t;
+      while (i > 0 && (high - low) * length > EndPrecision)
+      {
+        const double middle = 0.5 * (low + high);
+        (isVisible(middle) == visible ? high : low) = middle;
+      }
+      if (visible)
+      {
+        intervals.emplace_back(high, 1.0);
+      }
+      else
+      {
+        intervals.back().second = low;
+      }
+    }
+    wasVisible = visible;
+    last = t;
+  }
+  return intervals;
+}
+
+bool HasStrokes(const Surface& surface)
+{
+  return surface.IsLineOrPoint && !surface.IsAdditive && !surface.HidesLines &&
+    !surface.HasHiddenLines && !surface.LitTexture && !surface.IsRound() &&
+    2 * surface.Triangles.size() == surface.Positions.size();
+}
+
+void AddVisibleLines(const CameraRayTracer& tracer, std::vector<FigurePath>& paths)
+{
+  const Scene& scene = tracer.GetScene();
+  const Camera& camera = scene.ViewCamera;
+  for (const Stroke& stroke : FindStrokes(scene))
+  {
+    double low = 0.0;
+    double high = 1.0;
+    if (!ClipToImage(camera, stroke.From, stroke.To, stroke.Width, low, high))
+    {
+      continue;
+    }
+    const auto isVisible = [&](double s) {
+      const double t = glm::mix(low, high, s);
+      const Hit hit = tracer.TraceFirstHit(stroke.At(t));
+      if (!hit.IsHit())
+      {
+        return false;
+      }
+      // Lines of a surface that meet are drawn over each other.
+      const double depth = stroke.DepthAt(camera, t);
+      const double front = camera.DepthOfRayOrigins() + hit.Distance;
+      return hit.Surface == stroke.Surface &&
+        depth - front <= (stroke.Width + EdgeOffset) * ComputePixelSize(camera, depth);
+    };
+    const double length = (high - low) * glm::length(stroke.To - stroke.From);
+    for (const auto& [from, to] : FindVisibleIntervals(length, isVisible))
+    {
+      AddPieces(tracer, stroke, glm::mix(low, high, from), glm::mix(low, high, to), paths);
+    }
+  }
+}
+
+void AddVisibleOutlines(const CameraRayTracer& tracer,
+  const std::vector<std::vector<MeshEdge>>& edges, const FigurePath& pen,
+  std::vector<FigurePath>& paths)
+{
+  const Scene& scene = tracer.GetScene();
+  const Camera& camera = scene.ViewCamera;
+  const RayScene& rays = tracer.GetRays();
+  std::vector<ProjectedEdge> projected;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (!scene.Surfaces[i].IsLineOrPoint)
+    {
+      ProjectEdges(scene.Surfaces[i], edges[i], camera, glm::dvec2(0.0),
+        glm::dvec2(camera.Width, camera.Height), projected);
+    }
+  }
+  for (const ProjectedEdge& edge : projected)
+  {
+    const auto isVisible = [&](double t) {
+      const double value = glm::mix(edge.DepthA, edge.DepthB, t);
+      const double depth = camera.Parallel ? value : 1.0 / value;
+      Ray ray = tracer.MakeRay(glm::mix(edge.A, edge.B, t));
+      const double far =
+        depth - EdgeOffset * ComputePixelSize(camera, depth) - camera.DepthOfRayOrigins();
+      ray.Far = static_cast<float>(far);
+      return !(far > ray.Near) || !rays.Occluded(ray);
+    };
+    for (const auto& [from, to] : FindVisibleIntervals(glm::length(edge.B - edge.A), isVisible))
+    {
+      FigurePath path = pen;
+      path.Points = { glm::mix(edge.A, edge.B, from), glm::mix(edge.A, edge.B, to) };
+      paths.push_back(path);
+    }
+  }
+}
+
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPenumbraVectorExporter
+ * @brief   Writes the image of a vtkPenumbraRayCaster as a figure in vector graphics (SVG or PDF).
+ *
+ * The figure consists of the ray-cast image of the surfaces and, over it, the visible parts of
+ * lines and points as strokes, optional outlines, and text and scalar bars as text and polygons.
+ * Visibility is computed by rays; its changes along a line are located to 0.001 pixels.
+ *
+ * The page measures Resolution * 72 / DPI points of the ray caster. Text can be selected: SVG names
+ * the font (Arial, Courier or Times with substitutes), PDF uses the standard fonts Helvetica,
+ * Courier and Times, whose characters are those of Windows code page 1252. Spheres, tubes,
+ * splats, lines with textures, wireframes without hidden lines, and renderers in other layers with
+ * their text are part of the image, and so are all text and scalar bars if a 2-D actor has a
+ * texture or interpolated colors. A line is hidden where its axis is.
+ *
+ * The output of the ray caster is rendered without lines and text, and is rendered again by its
+ * next update. Failures are reported as errors of this object.
+ */
+#ifndef vtkPenumbraVectorExporter_h
+#define vtkPenumbraVectorExporter_h
+
+#include "vtkObject.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkFieldData;
+class vtkPenumbraRayCaster;
+
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT vtkPenumbraVectorExporter : public vtkObject
+{
+public:
+  static vtkPenumbraVectorExporter* New();
+  vtkTypeMacro(vtkPenumbraVectorExporter, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// File formats.
+  enum Formats
+  {
+    SVG, ///< SVG 1.1, with an embedded PNG image
+    PDF  ///< PDF 1.4, one page
+  };
+
+  ///@{
+  /**
+   * Ray caster that provides the scene and renders the image. Default: null.
+   */
+  void SetRayCaster(vtkPenumbraRayCaster* caster);
+  vtkPenumbraRayCaster* GetRayCaster();
+  ///@}
+
+  ///@{
+  /**
+   * Path of the file. Its extension, .svg or .pdf, selects the format. Default: null.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Width of outlines in points: visible silhouettes, boundaries, creases and color seams of
+   * surfaces, except those of spheres and tubes. 0: none. Range: [0, 1000]. Default: 0.
+   */
+  vtkSetClampMacro(OutlineWidth, double, 0.0, 1000.0);
+  vtkGetMacro(OutlineWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Color of outlines, in [0, 1]. Default: black.
+   */
+  vtkSetVector3Macro(OutlineColor, double);
+  vtkGetVector3Macro(OutlineColor, double);
+  ///@}
+
+  /**
+   * Writes the file: a temporary file beside it, which replaces it when it is complete. Returns
+   * false and reports an error if there is no ray caster, it fails, or the file cannot be written.
+   */
+  bool Write();
+
+  /**
+   * Returns the contents of a file of format SVG or PDF; empty after an error, as for Write().
+   */
+  std::string Encode(int format);
+
+  /**
+   * Counts of the last figure, one array with one value each: `Vector/Lines` (strokes of lines and
+   * points), `Vector/Outlines`, `Vector/Polygons` (of scalar bars and backgrounds of text),
+   * `Vector/Texts`, `Vector/Images` and `Vector/ReplacedCharacters` (characters that the fonts of
+   * PDF lack, written as question marks). Empty after an error.
+   */
+  vtkFieldData* GetStatistics();
+
+protected:
+  vtkPenumbraVectorExporter();
+  ~vtkPenumbraVectorExporter() override;
+
+private:
+  vtkPenumbraVectorExporter(const vtkPenumbraVectorExporter&) = delete;
+  void operator=(const vtkPenumbraVectorExporter&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+
+  char* FileName = nullptr;
+  double OutlineWidth = 0.0;
+  double OutlineColor[3] = { 0.0, 0.0, 0.0 };
+};
+
+#endif
