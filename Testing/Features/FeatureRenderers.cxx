@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkTransform.h"
+#include "vtkVersionMacros.h"
 
 using penumbra::Feature;
 
@@ -153,5 +154,17 @@ void AddRendererScenes(std::vector<FeatureScene>& scenes)
     translucent->GetProperty()->SetOpacity(0.5);
     Look(r);
   });
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+  add(Feature::CoordinateSystems, [](Renderer r, Window w) {
+    w->SetPhysicalTranslation(-0.5, 0.2, 0.0);
+    w->SetPhysicalScale(2.0);
+    Add(r, MakeSphere());
+    vtkActor* actor = Add(r, MakeCube());
+    actor->SetCoordinateSystemRenderer(r);
+    actor->SetCoordinateSystemToDevice();
+    actor->SetPosition(0.7, 0.1, 0.0);
+    Look(r);
+  });
+#endif
   AddCameraScenes(scenes);
 }

@@ -215,6 +215,7 @@ TEST(FeatureRows, HaveASceneIfTheyAreDrawn)
 #endif
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 7, 0)
   features.insert(Feature::PhysicalCoordinates);
+  features.insert(Feature::CoordinateSystems);
 #endif
   for (const FeatureScene& scene : MakeFeatureScenes())
   {

@@ -101,7 +101,6 @@ void AddActorScenes(std::vector<WarningScene>& scenes)
   add(Feature::CustomShaders, [](vtkActor* actor) {
     actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, "", false);
   });
-  add(Feature::CoordinateSystems, [](vtkActor* actor) { actor->SetCoordinateSystemToDevice(); });
   add(Feature::Selection,
     [](vtkActor* actor) { actor->GetMapper()->SetSelection(vtkNew<vtkSelection>()); });
   add(

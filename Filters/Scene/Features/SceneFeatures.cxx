@@ -112,9 +112,10 @@ const std::vector<FeatureRow>& GetFeatureTable()
       "Render with OpenGL, or use vtkProperty." },
     { Feature::PhysicalCoordinates, Drawn, "vtkProp3D: CoordinateSystem PHYSICAL",
       "Requires VTK 9.7; treated as world coordinates with older versions, with a warning.", "" },
-    { Feature::CoordinateSystems, Refused, "vtkProp3D: CoordinateSystem DEVICE",
-      "the coordinate system is treated as world coordinates.",
-      "Set the coordinate system to WORLD." },
+    { Feature::CoordinateSystems, Drawn, "vtkProp3D: CoordinateSystem DEVICE",
+      "As in VTK, world coordinates in windows without devices. Requires VTK 9.7; treated as world "
+      "coordinates with older versions, with a warning.",
+      "" },
     { Feature::Selection, Refused, "vtkMapper: Selection", "selected cells are not highlighted.",
       "Show the output of vtkExtractSelection with a second actor." },
     { Feature::DerivedMappers, Approximated, "other mappers derived from vtkPolyDataMapper",

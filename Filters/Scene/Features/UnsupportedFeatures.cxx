@@ -23,22 +23,20 @@ namespace penumbra
 namespace
 {
 
-// Features that are newer than VTK 9.1.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 7, 0)
+// Coordinate systems are newer than VTK 9.1. Matrices of assembly paths include them; tested with
+// VTK 9.7 only.
 template <typename Prop>
-auto UsesOtherCoordinates(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() == Prop::DEVICE)
+auto UsesOtherCoordinates(Prop* prop, int) -> decltype(prop->GetCoordinateSystem() != Prop::WORLD)
 {
-  // Matrices of assembly paths include the physical coordinate system; tested with VTK 9.7 only.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
-  return prop->GetCoordinateSystem() == Prop::DEVICE;
-#else
   return prop->GetCoordinateSystem() != Prop::WORLD;
-#endif
 }
 template <typename Prop>
 bool UsesOtherCoordinates(Prop*, long)
 {
   return false;
 }
+#endif
 
 bool HasCustomShaders(vtkActor* actor)
 {
@@ -98,7 +96,14 @@ void WarnUnsupportedActor(
   vtkMapper* mapper = actor->GetMapper();
   warn(HasOtherTextures(property), Feature::MultiTexturing);
   warn(HasCustomShaders(actor), Feature::CustomShaders);
-  warn(UsesOtherCoordinates(actor, 0), Feature::CoordinateSystems);
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 7, 0)
+  if (UsesOtherCoordinates(actor, 0))
+  {
+    warnings.push_back(name +
+      ": the coordinate system is treated as world coordinates. Set the "
+      "coordinate system to WORLD.");
+  }
+#endif
   warn(mapper->GetSelection() != nullptr, Feature::Selection);
   if (!IsKnownMapper(mapper))
   {
