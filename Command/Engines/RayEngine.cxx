@@ -190,6 +190,7 @@ RenderResult RenderWithRays(
   if (IsVectorGraphic(options.Output))
   {
     exporter->SetRayCaster(caster);
+    exporter->SetMaximumPaths(options.MaximumPaths);
     exporter->SetOutlineWidth(options.OutlineWidth);
     result.VectorGraphics = exporter->Encode(FindVectorFormat(options.Output));
   }
@@ -213,6 +214,10 @@ RenderResult RenderWithRays(
   result.Statistics = ToJson(caster->GetStatistics());
   const nlohmann::json figure = ToJson(exporter->GetStatistics());
   result.Statistics.update(figure);
+  if (!exporter->GetImageReason().empty())
+  {
+    result.Statistics["Vector/ImageReason"] = exporter->GetImageReason();
+  }
   const bool empty = result.Statistics["Pixels/Empty"] == result.Statistics["Pixels/Total"] &&
     figure.value("Vector/Lines", 0.0) == 0.0;
   if (figure.value("Vector/ReplacedCharacters", 0.0) > 0.0)

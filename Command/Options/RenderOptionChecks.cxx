@@ -146,6 +146,7 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
     { "--no-small-objects", !ray, "with --engine raster" },
     { "--point-size", options.PointRadius > 0.0, "with --point-radius" },
     { "--line-width", options.LineRadius > 0.0 && !options.ShowEdges, "with --line-radius" },
+    { "--maximum-paths", !IsVectorGraphic(options.Output), "without .svg or .pdf in --output" },
     { "--outline-width", !IsVectorGraphic(options.Output), "without .svg or .pdf in --output" },
     { "--ambient-occlusion-radius", !options.AmbientOcclusion && !HoldsArrays(options.Output),
       "without --ambient-occlusion" },

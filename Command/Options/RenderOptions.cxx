@@ -158,6 +158,11 @@ void DeclareAppearance(CLI::App& app, RenderOptions& options)
     ->group(group);
   AddNumber(app, "--point-size", options.PointSize, "PT", "Size of points", { 0.0, 1000.0, true })
     ->group(group);
+  AddInteger(app, "--maximum-paths", options.MaximumPaths,
+    "Most paths of surfaces in .svg and .pdf; above, and if triangles cannot show the scene, they "
+    "are an image; 0: always an image",
+    0, 1000000)
+    ->group(group);
   AddNumber(app, "--outline-width", options.OutlineWidth, "PT",
     "Draw visible silhouettes, boundaries and creases in .svg and .pdf, 0: none", { 0.0, 1000.0 })
     ->group(group);

@@ -98,6 +98,7 @@ struct RenderOptions
   double PointRadius = 0.0; ///< ray, world units; 0: squares of PointSize
   double LineRadius = 0.0;  ///< ray, world units; 0: flat lines of LineWidth
   int DotsPerInch = 72;
+  int MaximumPaths = 50000;  ///< of surfaces in vector graphics; 0: always an image
   double OutlineWidth = 0.0; ///< vector graphics, points of 1/72 inch; 0: no outlines
 
   bool AmbientOcclusion = false;

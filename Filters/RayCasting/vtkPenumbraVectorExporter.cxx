@@ -5,10 +5,12 @@
 #include "RayCasterInternals.h"
 
 #include "Conventions/Statistics.h"
+#include "Image/LayerCompositing.h"
 #include "Shading/Shading.h"
 #include "Vector/EdgeVisibility.h"
 #include "Vector/PdfEncoder.h"
 #include "Vector/SvgEncoder.h"
+#include "Vector/VectorFaces.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -30,8 +32,11 @@ struct vtkPenumbraVectorExporter::Internals
 {
   vtkSmartPointer<vtkPenumbraRayCaster> Caster;
   vtkNew<vtkFieldData> Statistics;
+  std::string ImageReason;
 
   penumbra::VectorFigure MakeFigure(vtkPenumbraVectorExporter* self);
+  void AddFaces(vtkPenumbraVectorExporter* self, const penumbra::CameraRayTracer& tracer,
+    penumbra::VectorFigure& figure);
   void AddLines(const penumbra::Scene& scene, penumbra::VectorFigure& figure);
   void Report(const penumbra::VectorFigure& figure, std::size_t outlines);
 };
@@ -142,6 +147,31 @@ vtkFieldData* vtkPenumbraVectorExporter::GetStatistics()
   return this->Implementation->Statistics;
 }
 
+std::string vtkPenumbraVectorExporter::GetImageReason()
+{
+  return this->Implementation->ImageReason;
+}
+
+void vtkPenumbraVectorExporter::Internals::AddFaces(vtkPenumbraVectorExporter* self,
+  const penumbra::CameraRayTracer& tracer, penumbra::VectorFigure& figure)
+{
+  vtkRenderer* renderer = this->Caster->GetRenderer();
+  if (self->MaximumPaths == 0)
+  {
+    this->ImageReason = "MaximumPaths is 0";
+  }
+  else if (this->Caster->GetLayers() &&
+    !(penumbra::FindLayersAbove(renderer).empty() && penumbra::FindLayersBelow(renderer).empty()))
+  {
+    this->ImageReason = "the window has renderers in other layers";
+  }
+  else
+  {
+    this->ImageReason = penumbra::AddVisibleFaces(tracer,
+      static_cast<std::size_t>(self->MaximumPaths), this->Caster->GetTolerance(), figure.Faces);
+  }
+}
+
 void vtkPenumbraVectorExporter::Internals::AddLines(
   const penumbra::Scene& scene, penumbra::VectorFigure& figure)
 {
@@ -168,6 +198,7 @@ penumbra::VectorFigure vtkPenumbraVectorExporter::Internals::MakeFigure(
   internals.ChangeScene = [&](penumbra::Scene& scene) { TakeAnnotations(scene, all, figure); };
   internals.InspectImage = [&](const penumbra::CameraRayTracer& tracer,
                              const penumbra::SceneEdges& edges) {
+    this->AddFaces(self, tracer, figure);
     penumbra::FigurePath pen;
     pen.Width = self->OutlineWidth / figure.PointsPerPixel;
     const double* color = self->OutlineColor;
@@ -184,6 +215,10 @@ penumbra::VectorFigure vtkPenumbraVectorExporter::Internals::MakeFigure(
   internals.InspectImage = nullptr;
   this->Caster->Modified();
   CopyImage(this->Caster->GetOutput(), figure);
+  if (this->ImageReason.empty())
+  {
+    figure.Image.clear();
+  }
   figure.Lines = outlines;
   if (!all.Surfaces.empty())
   {
@@ -202,6 +237,7 @@ void vtkPenumbraVectorExporter::Internals::Report(
   const auto add = [s](const char* name, std::size_t value) {
     penumbra::AddStatistic(s, name, static_cast<double>(value));
   };
+  add("Vector/Faces", figure.Faces.size());
   add("Vector/Lines", figure.Lines.size() - outlines);
   add("Vector/Outlines", outlines);
   add("Vector/Polygons", figure.Shapes.size() - static_cast<std::size_t>(texts));
@@ -213,6 +249,7 @@ std::string vtkPenumbraVectorExporter::Encode(int format)
 {
   Internals& internals = *this->Implementation;
   internals.Statistics->Initialize();
+  internals.ImageReason.clear();
   try
   {
     if (format != SVG && format != PDF)
@@ -270,6 +307,7 @@ void vtkPenumbraVectorExporter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RayCaster: " << this->Implementation->Caster.Get() << "\n";
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "MaximumPaths: " << this->MaximumPaths << "\n";
   os << indent << "OutlineWidth: " << this->OutlineWidth << "\n";
   os << indent << "OutlineColor: " << this->OutlineColor[0] << " " << this->OutlineColor[1] << " "
      << this->OutlineColor[2] << "\n";

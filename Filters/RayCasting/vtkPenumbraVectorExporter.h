@@ -4,9 +4,11 @@
  * @class   vtkPenumbraVectorExporter
  * @brief   Writes the image of a vtkPenumbraRayCaster as a figure in vector graphics (SVG or PDF).
  *
- * The figure consists of the ray-cast image of the surfaces and, over it, the visible parts of
- * lines and points as strokes, optional outlines, and text and scalar bars as text and polygons.
- * Visibility is computed by rays; its changes along a line are located to 0.001 pixels.
+ * The figure consists of the surfaces and, over them, the visible parts of lines and points as
+ * strokes, optional outlines, and text and scalar bars as text and polygons. The surfaces are
+ * visible triangles, filled with one color or a linear gradient, or else the ray-cast image, see
+ * MaximumPaths. Visibility is computed by rays; its changes along a line are located to 0.001
+ * pixels.
  *
  * The page measures Resolution * 72 / DPI points of the ray caster. Text can be selected: SVG names
  * the font (Arial, Courier or Times with substitutes), PDF uses the standard fonts Helvetica,
@@ -62,6 +64,23 @@ public:
 
   ///@{
   /**
+   * Maximum number of paths for surfaces. They are the ray-cast image instead if they need more, if
+   * their colors would differ from the image by an RMSE of more than Tolerance of the ray caster
+   * (shadows, textures, large triangles), if triangles overlap in a cycle, and in scenes with
+   * spheres, tubes, translucent surfaces, light shafts, or renderers in other layers. 0: always the
+   * image. Range: [0, 1000000]. Default: 50000.
+   */
+  vtkSetClampMacro(MaximumPaths, int, 0, 1000000);
+  vtkGetMacro(MaximumPaths, int);
+  ///@}
+
+  /**
+   * Reason why the last figure shows the surfaces as an image; empty if it shows triangles.
+   */
+  std::string GetImageReason();
+
+  ///@{
+  /**
    * Width of outlines in points: visible silhouettes, boundaries, creases and color seams of
    * surfaces, except those of spheres and tubes. 0: none. Range: [0, 1000]. Default: 0.
    */
@@ -89,8 +108,8 @@ public:
   std::string Encode(int format);
 
   /**
-   * Counts of the last figure, one array with one value each: `Vector/Lines` (strokes of lines and
-   * points), `Vector/Outlines`, `Vector/Polygons` (of scalar bars and backgrounds of text),
+   * Counts of the last figure, one array with one value each: `Vector/Faces`, `Vector/Lines`
+   * (strokes of lines and points), `Vector/Outlines`, `Vector/Polygons` (of scalar bars and backgrounds of text),
    * `Vector/Texts`, `Vector/Images` and `Vector/ReplacedCharacters` (characters that the fonts of
    * PDF lack, written as question marks). Empty after an error.
    */
@@ -108,6 +127,7 @@ private:
   std::unique_ptr<Internals> Implementation;
 
   char* FileName = nullptr;
+  int MaximumPaths = 50000;
   double OutlineWidth = 0.0;
   double OutlineColor[3] = { 0.0, 0.0, 0.0 };
 };

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces as triangles in figures of vtkPenumbraVectorExporter, against the ray-cast image.
+#include "RasterizedFigure.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFieldData.h"
+#include "vtkLight.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+
+namespace
+{
+using namespace penumbra_testing;
+
+constexpr double Precision = 1.0 / 255.0;
+// Where triangles are as small as pixels, several share a pixel and its colors are blended in turn.
+constexpr double PrecisionOfSmallTriangles = 2.0 / 255.0;
+
+class VectorFaces : public testing::Test
+{
+protected:
+  VectorFaces()
+  {
+    this->Renderer->SetBackground(0.1, 0.2, 0.5);
+    this->Renderer->GetActiveCamera()->SetPosition(2.0, -9.0, 5.0);
+    this->Renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+    this->Renderer->GetActiveCamera()->SetClippingRange(0.1, 100.0);
+    this->Caster->SetRenderer(this->Renderer);
+    this->Caster->SetResolution(300, 220);
+    this->Exporter->SetRayCaster(this->Caster);
+  }
+
+  vtkSmartPointer<vtkActor> Add(vtkPolyDataAlgorithm* source)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+
+  vtkSmartPointer<vtkActor> AddSphere(double x, double y, double z, double radius, int resolution)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(x, y, z);
+    sphere->SetRadius(radius);
+    sphere->SetThetaResolution(2 * resolution);
+    sphere->SetPhiResolution(resolution);
+    vtkSmartPointer<vtkActor> actor = this->Add(sphere);
+    actor->GetProperty()->SetColor(0.9, 0.8, 0.4);
+    return actor;
+  }
+
+  /// Adds a square of side 6 around (0, 0, z) whose plane is turned around the y axis.
+  vtkSmartPointer<vtkActor> AddSquare(double z, double turn)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    vtkSmartPointer<vtkActor> actor = this->Add(plane);
+    actor->SetScale(6.0);
+    actor->RotateY(turn);
+    actor->SetPosition(0.0, 0.0, z);
+    actor->GetProperty()->LightingOff();
+    return actor;
+  }
+
+  double GetStatistic(const char* name)
+  {
+    vtkDataArray* array = this->Exporter->GetStatistics()->GetArray(name);
+    return array ? array->GetComponent(0, 0) : -1.0;
+  }
+
+  void ExpectFaces(double precision = Precision)
+  {
+    for (const char* format : { "svg", "pdf" })
+    {
+      const auto figure = Rasterize(this->Exporter, this->Folder, format);
+      EXPECT_LE(ComputeError(figure, this->Caster), precision) << format;
+      EXPECT_EQ(this->Exporter->GetImageReason(), "");
+      EXPECT_EQ(this->GetStatistic("Vector/Images"), 0.0);
+      EXPECT_GT(this->GetStatistic("Vector/Faces"), 1.0);
+    }
+  }
+
+  void ExpectImage(const std::string& reason)
+  {
+    const auto figure = Rasterize(this->Exporter, this->Folder, "svg");
+    EXPECT_LE(ComputeError(figure, this->Caster), Precision) << reason;
+    EXPECT_NE(this->Exporter->GetImageReason().find(reason), std::string::npos)
+      << this->Exporter->GetImageReason();
+    EXPECT_EQ(this->GetStatistic("Vector/Images"), 1.0);
+    EXPECT_EQ(this->GetStatistic("Vector/Faces"), 0.0);
+  }
+
+  TemporaryFolder Folder;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkPenumbraRayCaster> Caster;
+  vtkNew<vtkPenumbraVectorExporter> Exporter;
+};
+
+TEST_F(VectorFaces, EqualTheImageOfAFlatShadedSphere)
+{
+  this->AddSphere(0.0, 0.0, 0.0, 2.0, 12)->GetProperty()->SetInterpolationToFlat();
+  this->ExpectFaces();
+  // Half of the 480 triangles is hidden.
+  EXPECT_LT(this->GetStatistic("Vector/Faces"), 300.0);
+}
+
+TEST_F(VectorFaces, EqualTheImageOfASmoothSphere)
+{
+  this->AddSphere(0.0, 0.0, 0.0, 2.0, 24);
+  this->ExpectFaces();
+}
+
+TEST_F(VectorFaces, OfTwelveThousandTrianglesAreASmallFile)
+{
+  this->Caster->SetResolution(1000, 600);
+  this->AddSphere(0.0, 0.0, 0.0, 2.2, 56)->GetProperty()->SetColor(0.5, 0.7, 1.0);
+  const auto figure = Rasterize(this->Exporter, this->Folder, "svg");
+  EXPECT_LE(ComputeError(figure, this->Caster), Precision);
+  EXPECT_EQ(this->Exporter->GetImageReason(), "");
+  EXPECT_GT(this->GetStatistic("Vector/Faces"), 4000.0);
+  EXPECT_LE(std::filesystem::file_size(this->Folder.File("figure.svg")), 2000000u);
+}
+
+TEST_F(VectorFaces, EqualTheImageInParallelProjection)
+{
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Renderer->GetActiveCamera()->SetParallelScale(3.0);
+  this->AddSphere(0.5, 0.0, 0.0, 1.5, 24);
+  this->AddSquare(-1.0, 20.0)->GetProperty()->SetColor(0.2, 0.9, 0.3);
+  this->ExpectFaces(PrecisionOfSmallTriangles);
+}
+
+TEST_F(VectorFaces, CoverFartherFaces)
+{
+  this->AddSquare(-1.0, 0.0)->GetProperty()->SetColor(0.2, 0.9, 0.3);
+  this->AddSphere(0.0, 0.0, 0.0, 0.8, 16)->GetProperty()->SetInterpolationToFlat();
+  this->AddSphere(0.8, -1.5, 0.5, 0.6, 12)->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  this->ExpectFaces(PrecisionOfSmallTriangles);
+}
+
+TEST_F(VectorFaces, AreSplitWhereTheyIntersect)
+{
+  this->AddSquare(0.0, 30.0)->GetProperty()->SetColor(0.2, 0.9, 0.3);
+  this->AddSquare(0.0, -30.0)->GetProperty()->SetColor(0.9, 0.2, 0.3);
+  this->AddSphere(0.0, 0.0, 0.0, 1.0, 10)->GetProperty()->SetInterpolationToFlat();
+  this->ExpectFaces(PrecisionOfSmallTriangles);
+  EXPECT_GT(this->GetStatistic("Vector/Faces"), 1.0 + 4.0);
+}
+
+TEST_F(VectorFaces, EqualTheImageNextToTheCamera)
+{
+  this->Renderer->GetActiveCamera()->SetPosition(0.0, -1.0, 0.3);
+  this->AddSquare(0.0, 0.0)->GetProperty()->SetColor(0.2, 0.9, 0.3);
+  this->ExpectFaces(PrecisionOfSmallTriangles);
+}
+
+TEST_F(VectorFaces, AreReplacedByAnImageIfTheyCannotShowTheScene)
+{
+  vtkSmartPointer<vtkActor> sphere = this->AddSphere(0.0, 0.0, 0.5, 1.0, 8);
+  this->Exporter->SetMaximumPaths(20);
+  this->ExpectImage("maximum number of paths");
+  this->Exporter->SetMaximumPaths(0);
+  this->ExpectImage("MaximumPaths is 0");
+  this->Exporter->SetMaximumPaths(50000);
+  sphere->GetProperty()->SetOpacity(0.5);
+  this->ExpectImage("translucent");
+  sphere->GetProperty()->SetOpacity(1.0);
+  sphere->GetProperty()->SetRepresentationToPoints();
+  sphere->GetProperty()->RenderPointsAsSpheresOn();
+  sphere->GetProperty()->SetPointSize(9.0);
+  this->ExpectImage("spheres");
+  sphere->GetProperty()->SetRepresentationToSurface();
+  this->Renderer->SetGradientBackground(true);
+  this->ExpectFaces();
+
+  this->AddSquare(-1.0, 0.0)->GetProperty()->LightingOn();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(1.0, 1.0, 9.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Renderer->AddLight(light);
+  this->Caster->ShadowsOn();
+  this->ExpectImage("colors change inside triangles");
+}
+
+}
