@@ -92,6 +92,17 @@ void AddGeometry(SceneList& add)
       Look(r);
     },
     0.02);
+  add(
+    Feature::VertexAndEdgeVisibility,
+    [](Renderer r, Window) {
+      vtkActor* actor = Add(r, MakeSphere(12));
+      actor->GetProperty()->EdgeVisibilityOn();
+      actor->GetProperty()->SetLineWidth(6.f); // edges hide no vertices, which are smaller
+      actor->GetProperty()->VertexVisibilityOn();
+      actor->GetProperty()->SetPointSize(4.f);
+      Look(r);
+    },
+    0.04);
   add(Feature::ScalarColoring, [](Renderer r, Window) {
     vtkSmartPointer<vtkPolyData> data = MakeSphere();
     AddElevation(data);

@@ -56,7 +56,7 @@ bool ExpandLine(const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, 
   return true;
 }
 
-bool ExpandPoint(const Camera& camera, glm::dvec3 x, double size, Quad& quad)
+bool ExpandPoint(const Camera& camera, glm::dvec3 x, double size, double offset, Quad& quad)
 {
   if (camera.Depth(x) <= camera.Near)
   {
@@ -65,10 +65,10 @@ bool ExpandPoint(const Camera& camera, glm::dvec3 x, double size, Quad& quad)
   const double half = 0.5 * size * ComputePixelSize(camera, x);
   const glm::dvec3 right = half * camera.Right;
   const glm::dvec3 up = half * camera.Up;
-  quad.Corners[0] = OffsetTowardEye(camera, x - right - up, size);
-  quad.Corners[1] = OffsetTowardEye(camera, x + right - up, size);
-  quad.Corners[2] = OffsetTowardEye(camera, x + right + up, size);
-  quad.Corners[3] = OffsetTowardEye(camera, x - right + up, size);
+  quad.Corners[0] = OffsetTowardEye(camera, x - right - up, offset);
+  quad.Corners[1] = OffsetTowardEye(camera, x + right - up, offset);
+  quad.Corners[2] = OffsetTowardEye(camera, x + right + up, offset);
+  quad.Corners[3] = OffsetTowardEye(camera, x - right + up, offset);
   return true;
 }
 

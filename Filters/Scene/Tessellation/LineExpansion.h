@@ -27,10 +27,10 @@ struct Quad
 VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandLine(
   const Camera& camera, glm::dvec3 a, glm::dvec3 b, double width, Quad& quad);
 
-/// Expands the point x to an axis-aligned square of `size` pixels, offset toward the camera as
-/// lines are. Returns false if the point is behind the camera.
+/// Expands the point x to an axis-aligned square of `size` pixels, moved by `offset` pixels toward
+/// the camera as lines are. Returns false if the point is behind the camera.
 VTKPENUMBRAFILTERSSCENE_EXPORT bool ExpandPoint(
-  const Camera& camera, glm::dvec3 x, double size, Quad& quad);
+  const Camera& camera, glm::dvec3 x, double size, double offset, Quad& quad);
 
 }
 #endif

@@ -96,8 +96,9 @@ public:
     double Width = 1.0;
     bool Lit = false;
     const Material* Single = nullptr;
-    bool IsRound = false; ///< spheres and tubes instead of squares and strips
-    double Radius = 0.0;  ///< of spheres and tubes, in world units; 0: half of Width
+    bool IsRound = false;       ///< spheres and tubes instead of squares and strips
+    double Radius = 0.0;        ///< of spheres and tubes, in world units; 0: half of Width
+    double MinimumOffset = 0.0; ///< of squares toward the camera; else Width
   };
 
   void Add(const std::vector<LineSegment>& segments, const LineStyle& style)
@@ -286,7 +287,8 @@ private:
     const glm::dvec3 direction = b - a;
     b = a + end * direction;
     a = a + start * direction;
-    if (isPoint ? ExpandPoint(this->Target.ViewCamera, a, width, quad)
+    const double offset = std::max(style.Width, style.MinimumOffset) * this->PixelsPerPoint;
+    if (isPoint ? ExpandPoint(this->Target.ViewCamera, a, width, offset, quad)
                 : ExpandLine(this->Target.ViewCamera, a, b, width, quad))
     {
       this->AddQuad(segment, style, quad, start + quad.Start * (end - start),
@@ -432,10 +434,14 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   }
   if (vertices)
   {
+    // VTK draws vertices over edges, however wide these are.
+    constexpr double VertexOffset = 1.5;
+    const double edgeWidth = edges ? FindEdgeWidth(property, 0) : lineWidth;
     const Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
     const Material round = MakeRoundMaterial(property, material);
     expander.Add(CollectPoints(item, true),
-      { pointSize, false, roundVertices ? &round : &material, roundVertices });
+      { pointSize, false, roundVertices ? &round : &material, roundVertices, 0.0,
+        edges || representation == VTK_WIREFRAME ? VertexOffset * edgeWidth : 0.0 });
   }
   if (expander.GetNumberOfInvalidRadii() > 0)
   {

@@ -100,11 +100,11 @@ TEST(LineExpansion, MakesSquaresOfThePointSize)
   for (const Camera& camera : { MakePerspectiveCamera(), MakeParallelCamera() })
   {
     Quad quad;
-    ASSERT_TRUE(ExpandPoint(camera, { 0.1, 0.2, -3.0 }, 4.0, quad));
+    ASSERT_TRUE(ExpandPoint(camera, { 0.1, 0.2, -3.0 }, 4.0, 4.0, quad));
     EXPECT_NEAR(ComputeArea(camera, quad), 16.0, 1e-9);
     const glm::dvec2 center =
       0.5 * (camera.Project(quad.Corners[0]) + camera.Project(quad.Corners[2]));
     EXPECT_NEAR(glm::length(center - camera.Project({ 0.1, 0.2, -3.0 })), 0.0, 1e-9);
-    EXPECT_FALSE(ExpandPoint(camera, { 0.1, 0.2, 3.0 }, 4.0, quad));
+    EXPECT_FALSE(ExpandPoint(camera, { 0.1, 0.2, 3.0 }, 4.0, 4.0, quad));
   }
 }
