@@ -56,8 +56,8 @@ public:
     double rows[3][3];
     double values[3];
     double vectors[3][3];
-    double* const matrix[3] = { rows[0], rows[1], rows[2] };
-    double* const axes[3] = { vectors[0], vectors[1], vectors[2] };
+    double* matrix[3] = { rows[0], rows[1], rows[2] };
+    double* axes[3] = { vectors[0], vectors[1], vectors[2] };
     for (int i = 0; i < 3; ++i)
     {
       for (int j = 0; j < 3; ++j)
@@ -65,7 +65,7 @@ public:
         rows[i][j] = this->Squares[i][j] / this->Count - products[i][j];
       }
     }
-    vtkMath::JacobiN(const_cast<double**>(matrix), 3, values, const_cast<double**>(axes));
+    vtkMath::JacobiN(matrix, 3, values, axes);
     glm::dmat3 result;
     for (int i = 0; i < 3; ++i)
     {
