@@ -58,7 +58,18 @@ struct Light
   }
 };
 
-/// Color of rays that miss the scene: constant, a gradient, or an image that fills the view.
+/// Images of the surroundings, infinitely far away, as in vtkSkybox.
+struct Sky
+{
+  /// Faces of a cube (+x, -x, +y, -y, +z, -z, oriented as in OpenGL), or one image of all
+  /// directions, whose coordinates are longitude and latitude.
+  std::vector<std::shared_ptr<const Texture>> Faces;
+  glm::dmat3 FromScene{ 1.0 };   ///< converts directions to the coordinates of the images
+  double Depth = 1.0;            ///< parallel projection: distance at which VTK samples the images
+  bool IsGammaCorrected = false; ///< if true, colors are raised to the power 1 / 2.2
+};
+
+/// Color of rays that miss the scene: constant, a gradient, an image that fills the view, or a sky.
 struct Background
 {
   /// Direction of the gradient from First to Second, as vtkViewport::GradientModes.
@@ -70,9 +81,10 @@ struct Background
     RadialToCorner ///< ellipse around the center that touches the corners
   };
   Gradients Gradient = Gradients::Vertical;
-  glm::vec4 First{ 0.f, 0.f, 0.f, 0.f };  ///< at the bottom, the left or the center
-  glm::vec4 Second{ 0.f, 0.f, 0.f, 0.f }; ///< at the top, the right or the ellipse
-  std::shared_ptr<const Texture> Image;   ///< if set, replaces the gradient
+  glm::vec4 First{ 0.f, 0.f, 0.f, 0.f };   ///< at the bottom, the left or the center
+  glm::vec4 Second{ 0.f, 0.f, 0.f, 0.f };  ///< at the top, the right or the ellipse
+  std::shared_ptr<const Texture> Image;    ///< if set, replaces the gradient
+  std::shared_ptr<const Sky> Surroundings; ///< if set, replaces the image
 };
 
 /// Default radius of ambient occlusion, as a fraction of the diagonal of the scene's bounds.

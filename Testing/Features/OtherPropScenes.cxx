@@ -13,9 +13,11 @@
 #include "vtkCellArray.h"
 #include "vtkCoordinate.h"
 #include "vtkCornerAnnotation.h"
+#include "vtkCubeAxesActor.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkImageMapper.h"
+#include "vtkLODProp3D.h"
 #include "vtkLegendBoxActor.h"
 #include "vtkLegendScaleActor.h"
 #include "vtkNew.h"
@@ -23,11 +25,15 @@
 #include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPolyDataMapper2D.h"
+#include "vtkProp3DFollower.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
+#include "vtkSkybox.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
+#include "vtkTexture.h"
 
 #include <cmath>
 
@@ -253,10 +259,126 @@ void AddActors2D(SceneList& add)
     0.01);
 }
 
+/// Adds a skybox. Each face of the cube has another size, so that their order matters.
+vtkSkybox* AddSkybox(Renderer renderer, bool cube)
+{
+  Add(renderer, MakeSphere());
+  vtkNew<vtkTexture> texture;
+  texture->InterpolateOn();
+  texture->SetCubeMap(cube);
+  for (int face = 0; face < (cube ? 6 : 1); ++face)
+  {
+    const int size = cube ? 16 + 8 * face : 64;
+    vtkSmartPointer<vtkImageData> image = MakeImage(cube ? 64 : 128, 64);
+    for (int j = 0; cube && j < size; ++j)
+    {
+      for (int i = 0; i < size; ++i)
+      {
+        *static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0)) =
+          static_cast<unsigned char>(40 * face);
+      }
+    }
+    texture->SetInputDataObject(face, image);
+  }
+  vtkNew<vtkSkybox> skybox;
+  skybox->SetTexture(texture);
+  skybox->SetProjection(cube ? vtkSkybox::Cube : vtkSkybox::Sphere);
+  renderer->AddActor(skybox);
+  renderer->GetActiveCamera()->SetPosition(1.0, 0.8, 2.0);
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->SetViewAngle(90.0);
+  return skybox;
+}
+
+void AddSkyboxes(SceneList& add)
+{
+  for (const bool cube : { false, true })
+  {
+    for (int view = 0; view < 6; ++view)
+    {
+      add(
+        Feature::Skyboxes,
+        [cube, view](Renderer r, Window) {
+          vtkSkybox* skybox = AddSkybox(r, cube);
+          skybox->SetGammaCorrect(view % 2 == 1);
+          r->GetActiveCamera()->Azimuth(60.0 * view);
+          r->GetActiveCamera()->Elevation(60.0 - 24.0 * view);
+          if (view == 2)
+          {
+            r->SetEnvironmentUp(0.0, 0.0, 1.0);
+            r->SetEnvironmentRight(0.0, 1.0, 0.0);
+          }
+          if (view == 3)
+          {
+            r->GetActiveCamera()->ParallelProjectionOn();
+          }
+          r->ResetCameraClippingRange();
+        },
+        0.01);
+    }
+  }
+}
+
+void AddCompoundProps(SceneList& add)
+{
+  for (const bool automatic : { false, true })
+  {
+    add(Feature::LevelsOfDetail, [automatic](Renderer r, Window) {
+      vtkNew<vtkLODProp3D> details;
+      int ids[2];
+      for (int i = 0; i < 2; ++i)
+      {
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputData(i == 0 ? MakeSphere(6) : MakeSphere());
+        vtkNew<vtkProperty> property;
+        property->SetColor(0.9, 0.6, 0.3 * i);
+        ids[i] = details->AddLOD(mapper, property, 0.01 + 0.01 * i);
+        details->SetLODLevel(ids[i], 1.0 - i);
+      }
+      details->SetAutomaticLODSelection(automatic);
+      details->SetSelectedLODID(ids[0]);
+      details->SetScale(1.0, 0.7, 1.0);
+      details->RotateZ(30.0);
+      r->AddViewProp(details);
+      Look(r);
+    });
+  }
+  add(Feature::PropFollowers, [](Renderer r, Window) {
+    vtkSmartPointer<vtkActor> plane = Add(r, MakePlane());
+    r->RemoveActor(plane);
+    vtkNew<vtkProp3DFollower> follower;
+    follower->SetProp3D(plane);
+    follower->SetCamera(r->GetActiveCamera());
+    follower->SetPosition(0.5, 0.2, 0.0);
+    r->AddViewProp(follower);
+    Add(r, MakeCube());
+    Look(r);
+  });
+  add(
+    Feature::CubeAxes2D,
+    [](Renderer r, Window) {
+      vtkNew<vtkCubeAxesActor> axes;
+      Add(r, MakePlane());
+      axes->SetBounds(-0.5, 0.5, -0.5, 0.5, 0.0, 0.0);
+      axes->SetXTitle("Width");
+      axes->SetYTitle("Height");
+      axes->SetUse2DMode(true);
+      axes->ZAxisVisibilityOff();
+      axes->SetCamera(r->GetActiveCamera());
+      r->AddActor(axes);
+      r->GetActiveCamera()->ParallelProjectionOn();
+      r->ResetCamera();
+      r->GetActiveCamera()->Zoom(0.7);
+    },
+    0.02);
+}
+
 }
 
 void AddOtherProps(SceneList& add)
 {
+  AddSkyboxes(add);
+  AddCompoundProps(add);
   AddActors2D(add);
   AddMappers(add);
 }

@@ -110,7 +110,8 @@ public:
   /// Returns true if the background is an image, which is not linear inside a pixel.
   bool HasBackgroundImage() const
   {
-    return this->SurfaceShading.GetScene().BackgroundColors.Image != nullptr;
+    const penumbra::Background& background = this->SurfaceShading.GetScene().BackgroundColors;
+    return background.Image != nullptr || background.Surroundings != nullptr;
   }
 
   const Shading& GetShading() const { return this->SurfaceShading; }

@@ -460,9 +460,21 @@ glm::vec4 Shading::Background(glm::dvec2 p) const
   const Scene& scene = this->Rays.GetScene();
   const penumbra::Background& background = scene.BackgroundColors;
   const glm::vec2 position(p / glm::dvec2(scene.ViewCamera.Width, scene.ViewCamera.Height));
-  if (background.Image)
+  if (background.Image || background.Surroundings)
   {
-    const glm::vec4 texel = SampleTexture(*background.Image, position);
+    glm::vec4 texel;
+    if (background.Surroundings)
+    {
+      const Camera& camera = scene.ViewCamera;
+      texel = SampleSky(*background.Surroundings,
+        camera.Parallel
+          ? camera.RayOrigin(p) - camera.Position + background.Surroundings->Depth * camera.Forward
+          : camera.RayDirection(p));
+    }
+    else
+    {
+      texel = SampleTexture(*background.Image, position);
+    }
     const float alpha = texel.a + (1.f - texel.a) * background.First.a;
     const glm::vec3 color =
       glm::mix(background.First.a * glm::vec3(background.First), glm::vec3(texel), texel.a);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceColor.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,6 +90,34 @@ glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners
 bool HasMappedColor(const Surface& surface)
 {
   return !surface.PointColors.empty() || !surface.CellColors.empty() || surface.ColorTexture;
+}
+
+// The selection of the face and its coordinates follow the OpenGL specification, section 8.13.
+glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction)
+{
+  glm::dvec3 d = glm::normalize(sky.FromScene * direction);
+  glm::vec4 color;
+  if (sky.Faces.size() < 6)
+  {
+    const glm::dvec2 coordinates(0.5 * std::atan2(d.z, d.x), std::atan2(d.y, std::hypot(d.x, d.z)));
+    color =
+      SampleTexture(*sky.Faces[0], glm::vec2(coordinates / glm::pi<double>() + glm::dvec2(0.5)));
+  }
+  else
+  {
+    d.z = -d.z; // VTK's cube maps are left-handed
+    const glm::dvec3 size = glm::abs(d);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const double sign = d[axis] < 0.0 ? -1.0 : 1.0;
+    const glm::dvec2 st = axis == 0 ? glm::dvec2(-sign * d.z, -d.y)
+      : axis == 1                   ? glm::dvec2(d.x, sign * d.z)
+                                    : glm::dvec2(sign * d.x, -d.y);
+    const std::size_t face = 2 * static_cast<std::size_t>(axis) + (sign < 0.0 ? 1 : 0);
+    color = SampleTexture(*sky.Faces[face], glm::vec2(0.5 * (st / size[axis] + 1.0)));
+  }
+  return sky.IsGammaCorrected
+    ? glm::vec4(glm::pow(glm::vec3(color), glm::vec3(1.f / 2.2f)), color.a)
+    : color;
 }
 
 }

@@ -24,6 +24,9 @@ T Interpolate(const std::vector<T>& values, glm::uvec3 corners, glm::vec3 weight
 /// span the image from (0, 0) to (1, 1).
 glm::vec4 SampleTexture(const Texture& texture, glm::vec2 coordinates);
 
+/// Returns the color of a sky in a direction, which need not have unit length.
+glm::vec4 SampleSky(const Sky& sky, glm::dvec3 direction);
+
 /// Returns true if the color of the surface is mapped from its data.
 bool HasMappedColor(const Surface& surface);
 

@@ -236,7 +236,6 @@ bool DrawText(
 
 void ExtractOverlay(vtkRenderer* renderer, int dpi, Scene& scene)
 {
-  scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator position;
   bool drawn = true;

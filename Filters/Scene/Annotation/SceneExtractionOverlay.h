@@ -19,7 +19,7 @@ namespace penumbra
 {
 
 /// Draws the 2-D props of `renderer` into scene.OverlayImage, with a warning for each that is not
-/// supported. The camera of `scene` must be set.
+/// supported. The camera and the overlay of `scene` must be set.
 void ExtractOverlay(vtkRenderer* renderer, int dpi, Scene& scene);
 
 /// Returns true if ExtractOverlay() draws this prop or warns about it.

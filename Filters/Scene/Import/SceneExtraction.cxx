@@ -158,6 +158,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   const glm::dmat4 distortion = FindViewDistortion(renderer);
   ApplyViewDistortion(distortion, items, bounds, scene.Warnings);
   ExtractCamera(renderer, bounds, options, distortion, scene);
+  scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
   ExtractLights(renderer, options, distortion, scene);
   ExtractBackground(renderer, options, scene);
   std::vector<glm::dvec4> range;

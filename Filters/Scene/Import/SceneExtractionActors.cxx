@@ -10,6 +10,7 @@
 #include "SceneExtractionColors.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionProps.h"
+#include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
 #include "SurfaceGeometry.h"
 
@@ -20,12 +21,14 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkLODProp3D.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
+#include "vtkProp3DFollower.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
@@ -54,8 +57,7 @@ Feature FindRefusedFeature(vtkProp* prop)
   {
     return Feature::Volumes;
   }
-  return IsAnyOf(prop, { "vtkAxisActor", "vtkCubeAxesActor" }) ? Feature::AxisActors
-                                                               : Feature::OtherProps;
+  return prop->IsA("vtkAxisActor") ? Feature::AxisActors : Feature::OtherProps;
 }
 
 glm::dmat4 ToMatrix(vtkMatrix4x4* from)
@@ -109,6 +111,10 @@ public:
       }
       return;
     }
+    if (vtkProp3DFollower::SafeDownCast(prop))
+    {
+      prop->GetBounds(); // turns the followed prop toward the camera
+    }
     prop->InitPathTraversal();
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
@@ -160,7 +166,7 @@ private:
   void AddLeaf(vtkProp* prop, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (!prop->GetVisibility() || IsBillboard(prop) || IsCubeAxes(prop))
+    if (!prop->GetVisibility() || IsBillboard(prop) || IsCubeAxes(prop) || IsSky(prop))
     {
       return;
     }
@@ -174,7 +180,15 @@ private:
       }
       return;
     }
-    if (!actor || IsAnyOf(actor, { "vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox" }))
+    if (auto* details = vtkLODProp3D::SafeDownCast(prop))
+    {
+      if (vtkProp3D* best = FindBestLevel(details))
+      {
+        this->AddLeaf(best, matrix);
+      }
+      return;
+    }
+    if (!actor || IsAnyOf(actor, { "vtkAxisActor", "vtkSkybox" }))
     {
       WarnFeature(FindRefusedFeature(prop), prop->GetClassName(), this->Warnings);
       return;

@@ -5,6 +5,7 @@
 // graphics context, with actors that record their parts.
 #include "SceneExtractionAxes.h"
 
+#include "Annotation/OverlayRecorder.h"
 #include "ClassReplacement.h"
 #include "SizeOnlyWindow.h"
 
@@ -21,6 +22,7 @@
 #include "vtkStringArray.h"
 #include "vtkTextProperty.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -205,6 +207,7 @@ void CopySettings(vtkCubeAxesActor* from, vtkCubeAxesActor* to)
   to->SetAxisOrigin(from->GetAxisOrigin());
   to->SetUseAxisOrigin(from->GetUseAxisOrigin());
   to->SetGridLineLocation(from->GetGridLineLocation());
+  to->SetUse2DMode(from->GetUse2DMode());
   to->SetStickyAxes(from->GetStickyAxes());
   to->SetCenterStickyAxes(from->GetCenterStickyAxes());
 }
@@ -213,12 +216,10 @@ void CopySettings(vtkCubeAxesActor* from, vtkCubeAxesActor* to)
 
 bool IsCubeAxes(vtkProp* prop)
 {
-  auto* axes = vtkCubeAxesActor::SafeDownCast(prop);
-  return axes && !axes->GetUse2DMode();
+  return vtkCubeAxesActor::SafeDownCast(prop) != nullptr;
 }
 
-std::vector<DrawItem> MakeCubeAxes(
-  vtkRenderer* renderer, int dpi, int firstObject, const Scene& scene)
+std::vector<DrawItem> MakeCubeAxes(vtkRenderer* renderer, int dpi, int firstObject, Scene& scene)
 {
   std::vector<DrawItem> items;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -239,12 +240,23 @@ std::vector<DrawItem> MakeCubeAxes(
     layoutRenderer->SetActiveCamera(renderer->GetActiveCamera());
     std::vector<DrawItem> parts;
     RecordedParts = &parts;
+    auto* axes = vtkCubeAxesActor::SafeDownCast(prop);
     {
+      // In 2-D mode, titles and labels are text in the overlay.
+      std::unique_ptr<OverlayRecorder> overlay;
+      if (axes->GetUse2DMode())
+      {
+        overlay = std::make_unique<OverlayRecorder>(renderer, dpi, scene);
+      }
       vtkNew<vtkCubeAxesActor> copy;
-      CopySettings(vtkCubeAxesActor::SafeDownCast(prop), copy);
+      CopySettings(axes, copy);
       copy->SetCamera(renderer->GetActiveCamera());
       copy->RenderOpaqueGeometry(layoutRenderer);
       copy->RenderTranslucentPolygonalGeometry(layoutRenderer);
+      if (overlay)
+      {
+        copy->RenderOverlay(layoutRenderer);
+      }
     }
     RecordedParts = nullptr;
     window->RemoveRenderer(layoutRenderer);

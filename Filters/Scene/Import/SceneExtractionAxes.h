@@ -21,8 +21,7 @@ bool IsCubeAxes(vtkProp* prop);
 
 /// Returns the parts of the visible cube axes of `renderer` for an image of the size of
 /// scene.ViewCamera. The first has the ObjectId `firstObject`.
-std::vector<DrawItem> MakeCubeAxes(
-  vtkRenderer* renderer, int dpi, int firstObject, const Scene& scene);
+std::vector<DrawItem> MakeCubeAxes(vtkRenderer* renderer, int dpi, int firstObject, Scene& scene);
 
 }
 #endif

@@ -250,17 +250,16 @@ vtkDataArray* ScalarMapper::FindArray(vtkAlgorithm* algorithm, int which, vtkDat
   return this->GetInputArrayToProcess(which, data);
 }
 
-std::shared_ptr<const Texture> MakeTexture(
-  vtkTexture* texture, const std::string& name, std::vector<std::string>& warnings)
+std::shared_ptr<Texture> MakeTextureFace(
+  vtkTexture* texture, int port, const std::string& name, std::vector<std::string>& warnings)
 {
-  if (!texture || !texture->GetInputAlgorithm())
+  if (texture->GetNumberOfInputConnections(port) > 0)
   {
-    return nullptr;
+    texture->GetInputAlgorithm(port, 0)->Update();
   }
-  texture->GetInputAlgorithm()->Update();
-  vtkImageData* image = texture->GetInput();
+  auto* image = vtkImageData::SafeDownCast(texture->GetInputDataObject(port, 0));
   vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
-  if (!scalars || texture->GetCubeMap())
+  if (!scalars)
   {
     WarnFeature(Feature::TextureCubeMap, name, warnings);
     return nullptr;
@@ -293,6 +292,21 @@ std::shared_ptr<const Texture> MakeTexture(
     ConvertFromSRGB(result->Texels);
   }
   return result;
+}
+
+std::shared_ptr<const Texture> MakeTexture(
+  vtkTexture* texture, const std::string& name, std::vector<std::string>& warnings)
+{
+  if (!texture || !texture->GetInputAlgorithm())
+  {
+    return nullptr;
+  }
+  if (texture->GetCubeMap())
+  {
+    WarnFeature(Feature::TextureCubeMap, name, warnings);
+    return nullptr;
+  }
+  return MakeTextureFace(texture, 0, name, warnings);
 }
 
 std::shared_ptr<const MaterialTextures> MakeMaterialTextures(

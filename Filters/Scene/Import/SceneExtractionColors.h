@@ -46,6 +46,11 @@ protected:
 std::shared_ptr<const Texture> MakeTexture(
   vtkTexture* texture, const std::string& name, std::vector<std::string>& warnings);
 
+/// Converts the image of a texture at one of its input ports, such as a face of a cube map. Returns
+/// null, with a warning, if it is missing or empty.
+std::shared_ptr<Texture> MakeTextureFace(
+  vtkTexture* texture, int port, const std::string& name, std::vector<std::string>& warnings);
+
 /// Converts texels with 1 to 4 components (luminance, luminance and alpha, RGB, RGBA), bottom row
 /// first. Returns null if there are too few.
 std::shared_ptr<Texture> MakeTexture(vtkUnsignedCharArray* colors, int width, int height);

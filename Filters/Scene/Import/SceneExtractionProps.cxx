@@ -16,6 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSliceMapper.h"
+#include "vtkLODProp3D.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -51,6 +52,33 @@ struct SliceRectangle
 struct AxesAccess : public vtkAxesActor
 {
   static void Update(vtkAxesActor* axes) { (axes->*(&AxesAccess::UpdateProps))(); }
+};
+
+/// Reads the levels of a vtkLODProp3D, which have no public accessor by index.
+struct LevelAccess : public vtkLODProp3D
+{
+  static vtkProp3D* FindBest(vtkLODProp3D* prop)
+  {
+    const vtkLODProp3DEntry* levels = prop->*(&LevelAccess::LODs);
+    const int count = prop->*(&LevelAccess::NumberOfEntries);
+    const vtkLODProp3DEntry* best = nullptr;
+    for (int i = 0; i < count; ++i)
+    {
+      const vtkLODProp3DEntry& level = levels[i];
+      if (!level.Prop3D || level.ID < 0)
+      {
+        continue;
+      }
+      if (!prop->GetAutomaticLODSelection())
+      {
+        best = level.ID == prop->GetSelectedLODID() ? &level : best;
+        continue;
+      }
+      // VTK chooses between equal levels by measured times, which vary.
+      best = level.State && (!best || level.Level < best->Level) ? &level : best;
+    }
+    return best ? best->Prop3D : nullptr;
+  }
 };
 
 vtkSmartPointer<vtkPolyData> MakeRectangle(
@@ -324,6 +352,11 @@ bool CollectParts(vtkProp* prop, vtkPropCollection* parts)
     return true;
   }
   return false;
+}
+
+vtkProp3D* FindBestLevel(vtkLODProp3D* prop)
+{
+  return LevelAccess::FindBest(prop);
 }
 
 bool MakeTexturedProp(

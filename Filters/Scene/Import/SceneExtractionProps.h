@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+class vtkLODProp3D;
 class vtkProp;
+class vtkProp3D;
 class vtkPropCollection;
 class vtkRenderer;
 
@@ -21,6 +23,10 @@ namespace penumbra
 
 /// Adds the props that `prop` consists of to `parts`. Returns false if it is not a compound prop.
 bool CollectParts(vtkProp* prop, vtkPropCollection* parts);
+
+/// Returns the part of `prop` that the application selected, or else the first enabled one of the
+/// lowest level; null if there is none.
+vtkProp3D* FindBestLevel(vtkLODProp3D* prop);
 
 /// Converts a vtkTextActor3D or a vtkImageSlice with vtkImageSliceMapper to a textured rectangle.
 /// `item` has no data if there is nothing to draw. Returns false for other props.

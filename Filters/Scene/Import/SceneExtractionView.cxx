@@ -4,6 +4,7 @@
 
 #include "Features/SceneFeatures.h"
 #include "SceneExtractionColors.h"
+#include "SceneExtractionSky.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -452,6 +453,7 @@ void ExtractBackground(vtkRenderer* renderer, const ExtractionOptions& options, 
       background.Image = image;
     }
   }
+  ExtractSky(renderer, scene);
 }
 
 }

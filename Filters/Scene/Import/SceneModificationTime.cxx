@@ -27,6 +27,7 @@
 #include "vtkImageMapper3D.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
+#include "vtkLODProp3D.h"
 #include "vtkLegendBoxActor.h"
 #include "vtkLegendScaleActor.h"
 #include "vtkLight.h"
@@ -40,6 +41,7 @@
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkProp3D.h"
+#include "vtkProp3DFollower.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
@@ -113,6 +115,17 @@ public:
         this->AddProp(next);
       }
       return;
+    }
+    if (auto* follower = vtkProp3DFollower::SafeDownCast(prop))
+    {
+      this->AddCamera(follower->GetCamera());
+    }
+    if (auto* details = vtkLODProp3D::SafeDownCast(prop))
+    {
+      if (vtkProp3D* best = FindBestLevel(details))
+      {
+        this->AddProp(best);
+      }
     }
     prop->InitPathTraversal();
     while (vtkAssemblyPath* path = prop->GetNextPath())
