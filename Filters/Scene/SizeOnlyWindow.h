@@ -23,6 +23,9 @@ public:
     window->InitializeObjectBase();
     return window;
   }
+
+  /// Makes the window report that it has rendered. VTK places labels only in such windows.
+  void SetHasRendered() { this->NeverRendered = 0; }
 };
 
 /// A renderer for SizeOnlyWindow.

@@ -18,11 +18,14 @@
 #include "vtkImageData.h"
 #include "vtkImageMapper.h"
 #include "vtkLODProp3D.h"
+#include "vtkLabelPlacementMapper.h"
+#include "vtkLabeledDataMapper.h"
 #include "vtkLegendBoxActor.h"
 #include "vtkLegendScaleActor.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
+#include "vtkPointSetToLabelHierarchy.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -31,11 +34,13 @@
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
 #include "vtkSkybox.h"
+#include "vtkStringArray.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
 
 #include <cmath>
+#include <string>
 
 using penumbra::Feature;
 
@@ -182,6 +187,37 @@ void AddActors2D(SceneList& add)
     StyleText(mapper->GetTextProperty());
     Add2D(r, mapper, 10, 60);
   });
+  add(Feature::Labels, [](Renderer r, Window) {
+    Add(r, MakePointGrid());
+    vtkNew<vtkLabeledDataMapper> mapper;
+    mapper->SetInputData(MakePointGrid());
+    Add2D(r, mapper, 0, 0);
+    r->ResetCamera();
+  });
+  for (const int shape : { vtkLabelPlacementMapper::NONE, vtkLabelPlacementMapper::ROUNDED_RECT })
+  {
+    add(Feature::Labels, [shape](Renderer r, Window w) {
+      vtkSmartPointer<vtkPolyData> data = MakePointGrid();
+      vtkNew<vtkStringArray> names;
+      names->SetName("Names");
+      for (int i = 0; i < 16; ++i)
+      {
+        names->InsertNextValue("Point " + std::to_string(i));
+      }
+      data->GetPointData()->AddArray(names);
+      Add(r, data);
+      vtkNew<vtkPointSetToLabelHierarchy> hierarchy;
+      hierarchy->SetInputData(data);
+      hierarchy->SetLabelArrayName("Names");
+      vtkNew<vtkLabelPlacementMapper> mapper;
+      mapper->SetInputConnection(hierarchy->GetOutputPort());
+      mapper->SetShape(shape);
+      mapper->SetBackgroundColor(0.2, 0.5, 0.2);
+      Add2D(r, mapper, 0, 0);
+      r->ResetCamera();
+      w->Render(); // VTK places labels only in windows that have rendered
+    });
+  }
   for (const bool stretched : { false, true })
   {
     add(Feature::Actors2D, [stretched](Renderer r, Window) {

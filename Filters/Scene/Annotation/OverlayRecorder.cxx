@@ -3,10 +3,12 @@
 #include "OverlayRecorder.h"
 
 #include "ClassReplacement.h"
+#include "LabelCopies.h"
 #include "SceneExtractionOverlay.h"
 
 #include "vtkActor2D.h"
 #include "vtkAlgorithm.h"
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCoordinate.h"
 #include "vtkIdList.h"
@@ -40,6 +42,20 @@ glm::dvec2 ComputeViewportPosition(vtkActor2D* actor, vtkViewport* viewport)
 {
   const int* at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(viewport);
   return { at[0], at[1] };
+}
+
+/// Returns the perspective camera of a scene, for renderers whose camera VTK has not created yet.
+vtkSmartPointer<vtkCamera> MakeCamera(const Scene& scene)
+{
+  const Camera& from = scene.ViewCamera;
+  const glm::dvec3 position = scene.ToWorld(from.Position);
+  const glm::dvec3 focus = scene.ToWorld(from.Position + from.Forward);
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetPosition(&position.x);
+  camera->SetFocalPoint(&focus.x);
+  camera->SetViewUp(&from.Up.x);
+  camera->SetViewAngle(glm::degrees(2.0 * std::atan(0.5 * from.PixelSize * from.Height)));
+  return camera;
 }
 
 void CopyInput(vtkAlgorithm* from, vtkAlgorithm* to)
@@ -395,6 +411,10 @@ OverlayRecorder::OverlayRecorder(vtkRenderer* renderer, int dpi, Scene& scene, b
   {
     this->Layout->SetActiveCamera(renderer->GetActiveCamera());
   }
+  else
+  {
+    this->Layout->SetActiveCamera(MakeCamera(scene));
+  }
   Current = this;
 }
 
@@ -411,6 +431,11 @@ OverlayRecorder* OverlayRecorder::GetCurrent()
 
 void OverlayRecorder::Render(vtkProp* prop)
 {
+  auto* actor = vtkActor2D::SafeDownCast(prop);
+  if (actor && actor->GetMapper() && actor->GetMapper()->IsA("vtkLabelPlacementMapper"))
+  {
+    this->Window->SetHasRendered();
+  }
   prop->RenderOpaqueGeometry(this->Layout);
   prop->RenderOverlay(this->Layout);
 }
@@ -442,7 +467,7 @@ vtkSmartPointer<vtkMapper2D> OverlayRecorder::CopyMapper(vtkMapper2D* mapper)
     copy->SetCustomDisplayExtents(image->GetCustomDisplayExtents());
     return copy;
   }
-  return nullptr;
+  return CopyLabelMapper(mapper);
 }
 
 }

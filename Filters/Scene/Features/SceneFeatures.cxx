@@ -152,6 +152,8 @@ const std::vector<FeatureRow>& GetFeatureTable()
     { Feature::Actors2D, Drawn,
       "vtkActor2D, vtkTexturedActor2D with vtkPolyDataMapper2D, vtkTextMapper, vtkImageMapper",
       "In front of the scene, without line stipples.", "" },
+    { Feature::Labels, Drawn, "vtkActor2D with vtkLabeledDataMapper, vtkLabelPlacementMapper",
+      "Labels are in front of the scene.", "" },
     { Feature::Captions, Drawn, "vtkCaptionActor2D", "Leaders are in front of the scene.", "" },
     { Feature::Legends, Drawn, "vtkLegendBoxActor", "", "" },
     { Feature::Axes2D, Drawn, "vtkAxisActor2D, vtkLegendScaleActor", "", "" },

@@ -79,6 +79,7 @@ enum class Feature
   LevelsOfDetail,
   PropFollowers,
   Actors2D,
+  Labels,
   Captions,
   Legends,
   Axes2D,

@@ -50,6 +50,7 @@
 #include "vtkScalarsToColors.h"
 #include "vtkTextActor.h"
 #include "vtkTextActor3D.h"
+#include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
 #include "vtkTexturedActor2D.h"
@@ -332,6 +333,8 @@ private:
     {
       this->Add(mapper);
       this->AddInputs(mapper);
+      auto* text = vtkTextMapper::SafeDownCast(mapper);
+      this->Add(text ? text->GetTextProperty() : nullptr);
     }
     if (auto* textured = vtkTexturedActor2D::SafeDownCast(actor))
     {
