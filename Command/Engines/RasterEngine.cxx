@@ -3,6 +3,7 @@
 #include "Engine.h"
 
 #include "Files/ImageFiles.h"
+#include "MediumSetup.h"
 #include "Options/RenderOptions.h"
 #include "Processes/Clock.h"
 #include "Processes/CommandConstants.h"
@@ -91,12 +92,7 @@ void AddShafts(
   }
   const ShaftOptions& shafts = options.Shafts;
   vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(renderer);
-  pass->SetScattering(std::isnan(shafts.Scattering) ? -1.0 : shafts.Scattering);
-  pass->SetExtinction(std::isnan(shafts.Extinction) ? -1.0 : shafts.Extinction);
-  pass->SetPhase(shafts.Phase == "rayleigh" ? vtkPenumbraLightShaftPass::RAYLEIGH
-      : shafts.Phase == "hg"                ? vtkPenumbraLightShaftPass::HENYEY_GREENSTEIN
-                                            : vtkPenumbraLightShaftPass::ISOTROPIC);
-  pass->SetAsymmetry(shafts.Asymmetry);
+  SetUpMedium(shafts, renderer, pass);
   pass->SetTolerance(options.Tolerance);
   pass->SetEstimator(shafts.Estimator == "shadow-map" ? vtkPenumbraLightShaftPass::SHADOW_MAP
                                                       : vtkPenumbraLightShaftPass::DEPTH);

@@ -6,7 +6,9 @@
 #include "Files/ImageFiles.h"
 #include "Files/Report.h"
 #include "Input/EnvironmentFile.h"
+#include "Input/Readers.h"
 #include "Input/Surfaces.h"
+#include "MediumSetup.h"
 #include "Options/Falloffs.h"
 #include "Options/RenderOptions.h"
 #include "Processes/Clock.h"
@@ -100,15 +102,29 @@ void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
   }
 }
 
-vtkSmartPointer<vtkPenumbraMedium> MakeMedium(const ShaftOptions& shafts)
+vtkSmartPointer<vtkImageData> ReadDensity(const std::string& path)
+{
+  const vtkSmartPointer<vtkDataObject> data = ReadFile(path);
+  const std::string invalid = vtkPenumbraMedium::FindInvalidDensity(data);
+  if (!invalid.empty())
+  {
+    throw CommandError(BadInput, "--shafts-density: " + path + " " + invalid);
+  }
+  return vtkImageData::SafeDownCast(data);
+}
+
+vtkSmartPointer<vtkPenumbraMedium> MakeMedium(const ShaftOptions& shafts, vtkRenderer* renderer)
 {
   vtkNew<vtkPenumbraMedium> medium;
-  medium->SetScattering(std::isnan(shafts.Scattering) ? -1.0 : shafts.Scattering);
-  medium->SetExtinction(std::isnan(shafts.Extinction) ? -1.0 : shafts.Extinction);
-  medium->SetPhase(shafts.Phase == "rayleigh" ? vtkPenumbraMedium::RAYLEIGH
-      : shafts.Phase == "hg"                  ? vtkPenumbraMedium::HENYEY_GREENSTEIN
-                                              : vtkPenumbraMedium::ISOTROPIC);
-  medium->SetAsymmetry(shafts.Asymmetry);
+  SetUpMedium(shafts, renderer, medium.Get());
+  if (!shafts.Density.empty())
+  {
+    medium->SetDensity(ReadDensity(shafts.Density));
+  }
+  medium->SetSurfaceLight(shafts.SurfaceLight == "attenuated" ? vtkPenumbraMedium::ATTENUATED
+      : shafts.SurfaceLight == "unattenuated"                 ? vtkPenumbraMedium::UNATTENUATED
+                                                              : vtkPenumbraMedium::AUTOMATIC);
+  medium->SetTranslucentSurfaces(!shafts.BehindTranslucent);
   return medium;
 }
 
@@ -135,7 +151,7 @@ RenderResult RenderWithRays(
   caster->SetLightAngle(options.LightAngle);
   if (options.Shafts.Enabled)
   {
-    caster->SetMedium(MakeMedium(options.Shafts));
+    caster->SetMedium(MakeMedium(options.Shafts, renderer));
   }
   caster->SetAmbientOcclusion(options.AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(

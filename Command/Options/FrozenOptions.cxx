@@ -67,9 +67,14 @@ void FreezeOptions(vtkRenderer* renderer, double diagonal, RenderOptions& option
   {
     options.AmbientOcclusionRadius = DefaultRadiusFraction * diagonal;
   }
-  if (std::isnan(options.Shafts.Scattering))
+  ShaftOptions& shafts = options.Shafts;
+  if (shafts.Scattering.empty())
   {
-    options.Shafts.Scattering = DefaultOpticalDepth / diagonal;
+    shafts.Scattering = { DefaultOpticalDepth / diagonal };
+  }
+  if (std::isnan(shafts.BaseHeight) && shafts.ScaleHeight > 0.0)
+  {
+    shafts.BaseHeight = FindLowestHeight(renderer, shafts.Up.value_or(Vector3{ 0, 1, 0 }));
   }
 }
 

@@ -18,23 +18,6 @@ namespace penumbra
 namespace
 {
 
-void RequireShafts(const CLI::App& app, const ShaftOptions& shafts)
-{
-  for (const char* name :
-    { "--shafts-scattering", "--shafts-extinction", "--shafts-phase", "--shafts-estimator" })
-  {
-    if (!shafts.Enabled && app.count(name) > 0)
-    {
-      throw CommandError(BadInput, std::string(name) + " needs --light-shafts; give both");
-    }
-  }
-  if (shafts.Extinction < shafts.Scattering)
-  {
-    throw CommandError(
-      BadInput, "--shafts-extinction must not be less than --shafts-scattering, which it includes");
-  }
-}
-
 void RequireColoring(const CLI::App& app, const RenderOptions& options)
 {
   for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
@@ -56,7 +39,7 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
     return;
   }
   for (const std::string name : { "--shadows", "--light-radius", "--light-angle", "--indirect",
-         "--ambient-occlusion-falloff", "--point-radius", "--line-radius" })
+         "--ambient-occlusion-falloff", "--point-radius", "--line-radius", "--shafts-density" })
   {
     if (app.count(name) > 0)
     {
@@ -83,7 +66,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
   CheckOutputExtension(options.Output, "--output");
   RequireEngine(app, options);
   RequireColoring(app, options);
-  RequireShafts(app, options.Shafts);
+  CheckShaftOptions(app, options.Shafts);
   if (!options.Background && !SupportsAlpha(options.Output))
   {
     throw CommandError(BadInput,
@@ -142,6 +125,8 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
     { "--tolerance", !ray && !options.AmbientOcclusion && !options.Shafts.Enabled,
       "with --engine raster without --ambient-occlusion or --light-shafts" },
     { "--shafts-estimator", ray, "with --engine ray" },
+    { "--shafts-surface-light", !ray, "with --engine raster" },
+    { "--shafts-behind-translucent", !ray, "with --engine raster, which always does so" },
     { "--max-level", !ray, "with --engine raster" },
     { "--no-small-objects", !ray, "with --engine raster" },
     { "--point-size", options.PointRadius > 0.0, "with --point-radius" },

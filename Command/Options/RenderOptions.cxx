@@ -215,48 +215,6 @@ void DeclareColoring(CLI::App& app, ColoringOptions& coloring)
   app.add_flag("-b,--coloring-scalar-bar", coloring.ScalarBar, "Draw the scalar bar")->group(group);
 }
 
-void DeclareShafts(CLI::App& app, ShaftOptions& shafts)
-{
-  const std::string group = "Effects";
-  app
-    .add_flag("--light-shafts", shafts.Enabled,
-      "Homogeneous medium in which lights (--light-position) cast visible shafts")
-    ->group(group);
-  AddNumber(app, "--shafts-scattering", shafts.Scattering, "S",
-    "Scattering coefficient per world unit; default: 0.25 divided by the diagonal of the bounds",
-    { 0.0, Infinity })
-    ->default_str("")
-    ->group(group);
-  AddNumber(app, "--shafts-extinction", shafts.Extinction, "S",
-    "Extinction coefficient per world unit, scattering included; default: the scattering",
-    { 0.0, Infinity })
-    ->default_str("")
-    ->group(group);
-  const auto storePhase = [&shafts](const std::string& text) {
-    shafts.Phase = text.substr(0, 3) == "hg:" ? "hg" : text;
-    if (shafts.Phase == "hg")
-    {
-      shafts.Asymmetry = ParseNumbers("--shafts-phase", text.substr(3), 1, 1, { -0.999, 0.999 })[0];
-    }
-    else if (text != "isotropic" && text != "rayleigh")
-    {
-      throw CLI::ValidationError(
-        "--shafts-phase", "'" + text + "' is not one of isotropic, rayleigh, hg:G");
-    }
-  };
-  app
-    .add_option_function<std::string>("--shafts-phase", storePhase,
-      "Phase function; hg: Henyey-Greenstein, G from -0.999 (backward) to 0.999 (forward)")
-    ->type_name("isotropic|rayleigh|hg:G")
-    ->default_str("isotropic")
-    ->take_last()
-    ->group(group);
-  AddChoice(app, "--shafts-estimator", shafts.Estimator, { "depth", "shadow-map" },
-    "Shadows of the shafts: from the depth of the image, or from a shadow map of each light, whose "
-    "error follows --tolerance (raster)")
-    ->group(group);
-}
-
 void DeclareLight(CLI::App& app, LightOptions& light)
 {
   const std::string group = "Effects";
@@ -330,7 +288,7 @@ void DeclareRenderOptions(CLI::App& app, RenderOptions& options)
   DeclareColoring(app, options.Coloring);
   DeclareEffects(app, options);
   DeclareLight(app, options.Light);
-  DeclareShafts(app, options.Shafts);
+  DeclareShaftOptions(app, options.Shafts);
 }
 
 }

@@ -6,6 +6,7 @@
 #define penumbra_RenderOptions_h
 
 #include "Parsing/Arguments.h"
+#include "ShaftOptions.h"
 #include "SharedOptions.h"
 
 #include <array>
@@ -16,8 +17,6 @@
 
 namespace penumbra
 {
-
-constexpr double Unset = std::numeric_limits<double>::quiet_NaN();
 
 struct CameraOptions
 {
@@ -42,17 +41,6 @@ struct ColoringOptions
   bool ByCells = false;
   std::string Colormap = "viridis";
   bool ScalarBar = false;
-};
-
-/// Homogeneous medium of the light shafts.
-struct ShaftOptions
-{
-  bool Enabled = false;
-  double Scattering = Unset; ///< per world unit; unset: 0.25 / the bounds' diagonal
-  double Extinction = Unset; ///< unset: as Scattering
-  std::string Phase = "isotropic";
-  double Asymmetry = 0.0;          ///< Henyey-Greenstein asymmetry g
-  std::string Estimator = "depth"; ///< raster: "depth" or "shadow-map"
 };
 
 /// Indirect light and environment.

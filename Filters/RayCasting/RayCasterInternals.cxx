@@ -265,7 +265,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   {
     return false;
   }
-  const penumbra::Shading shading(*this->Prepared->Rays, self->GetShadows());
+  penumbra::Shading shading(*this->Prepared->Rays, self->GetShadows());
   penumbra::CameraRayTracer tracer(*this->Prepared->Rays, shading, scene.ViewCamera);
   tracer.SetPenumbraTolerance(ProviderToleranceFactor * self->Tolerance);
   const penumbra::RenderSettings settings = MakeSettings(self);
@@ -281,6 +281,10 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     penumbra::MakeLightShafts(this->Medium, shading, penumbra::ComputeSceneDiagonal(scene),
       { self->Tolerance, self->LightShaftSteps }, warning);
   tracer.SetShafts(shafts ? &*shafts : nullptr);
+  if (shafts && shafts->GetMedium().AttenuatesSurfaceLight)
+  {
+    shading.SetAttenuation(&shafts->GetMedium());
+  }
   if (!warning.empty())
   {
     vtkWarningWithObjectMacro(self, << warning);

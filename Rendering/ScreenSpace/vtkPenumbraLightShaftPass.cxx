@@ -94,8 +94,9 @@ struct vtkPenumbraLightShaftPass::Internals
   vtkNew<vtkFieldData> Statistics;
   int Steps = 0;
   int MapSize = 0;
-  /// Returns a warning if the settings do not describe a medium, else null.
-  static const char* FindInvalidSetting(const Pass* self);
+  static penumbra::MediumSettings GetMedium(const Pass* self);
+  /// Returns a warning if the settings do not describe a medium, else nothing.
+  static std::string FindInvalidSetting(const Pass* self);
 
   penumbra::ShaftSettings MakeSettings(
     const Pass* self, const vtkRenderState* state, const vtkBoundingBox& box) const;
@@ -167,7 +168,21 @@ void vtkPenumbraLightShaftPass::RemoveAllEmitters()
   this->Modified();
 }
 
-const char* vtkPenumbraLightShaftPass::Internals::FindInvalidSetting(const Pass* self)
+penumbra::MediumSettings vtkPenumbraLightShaftPass::Internals::GetMedium(const Pass* self)
+{
+  penumbra::MediumSettings medium;
+  medium.Scattering = self->Scattering;
+  medium.Extinction = self->Extinction;
+  std::copy_n(self->ScatteringColor, 3, medium.ScatteringColor.begin());
+  std::copy_n(self->ExtinctionColor, 3, medium.ExtinctionColor.begin());
+  medium.Rayleigh = self->RayleighScattering;
+  medium.ScaleHeight = self->ScaleHeight;
+  medium.BaseHeight = self->BaseHeight;
+  std::copy_n(self->Up, 3, medium.Up.begin());
+  return medium;
+}
+
+std::string vtkPenumbraLightShaftPass::Internals::FindInvalidSetting(const Pass* self)
 {
   const double values[] = { self->Scattering, self->Extinction, self->Asymmetry, self->Exposure,
     self->Thickness, self->Tolerance };
@@ -175,6 +190,10 @@ const char* vtkPenumbraLightShaftPass::Internals::FindInvalidSetting(const Pass*
   {
     return "Scattering, Extinction, Asymmetry, Exposure, Thickness and Tolerance must be finite; "
            "light shafts are not rendered.";
+  }
+  if (const char* reason = penumbra::FindInvalidMediumSetting(GetMedium(self)))
+  {
+    return std::string(reason) + "; light shafts are not rendered.";
   }
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -184,7 +203,7 @@ const char* vtkPenumbraLightShaftPass::Internals::FindInvalidSetting(const Pass*
              "rendered.";
     }
   }
-  return nullptr;
+  return std::string();
 }
 
 penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
@@ -201,14 +220,21 @@ penumbra::ShaftSettings vtkPenumbraLightShaftPass::Internals::MakeSettings(
   penumbra::ShaftSettings settings;
   settings.Unit = diagonal;
   settings.Range = std::sqrt(vtkMath::Distance2BetweenPoints(eye, center)) + diagonal;
-  const penumbra::MediumCoefficients coefficients =
-    penumbra::ResolveMediumCoefficients(self->Scattering, self->Extinction, diagonal);
-  settings.Scattering = coefficients.Scattering;
-  settings.Extinction = coefficients.Extinction;
-  if (!(settings.Scattering > 0.0))
+  const penumbra::MediumSettings medium = GetMedium(self);
+  settings.Channels = penumbra::ResolveMediumCoefficients(medium, diagonal);
+  for (penumbra::MediumCoefficients& channel : settings.Channels)
   {
-    settings.Extinction = std::max(settings.Extinction, penumbra::MinimumOpticalDepth / diagonal);
+    if (!(channel.Scattering + channel.Rayleigh > 0.0) || medium.HasFalloff() ||
+      !penumbra::AreEqual(settings.Channels))
+    {
+      channel.Extinction = std::max(channel.Extinction, penumbra::MinimumOpticalDepth / diagonal);
+    }
   }
+  settings.Falloff = medium.HasFalloff();
+  settings.ScaleHeight = medium.ScaleHeight;
+  settings.BaseHeight = medium.BaseHeight;
+  settings.Up = medium.Up;
+  vtkMath::Normalize(settings.Up.data());
   settings.Phase = self->Phase;
   settings.Asymmetry = self->Asymmetry;
   settings.Exposure = self->Exposure;
@@ -255,7 +281,8 @@ bool vtkPenumbraLightShaftPass::RenderEffect(const vtkRenderState* state)
   {
     return false;
   }
-  if (const char* warning = Internals::FindInvalidSetting(this))
+  const std::string warning = Internals::FindInvalidSetting(this);
+  if (!warning.empty())
   {
     this->WarnOnce(warning);
     return false;
@@ -364,6 +391,15 @@ void vtkPenumbraLightShaftPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Steps: " << this->Steps << "\n";
   os << indent << "Scattering: " << this->Scattering << "\n";
   os << indent << "Extinction: " << this->Extinction << "\n";
+  const auto print = [&os, indent](const char* name, const double* numbers) {
+    os << indent << name << ": " << numbers[0] << " " << numbers[1] << " " << numbers[2] << "\n";
+  };
+  print("ScatteringColor", this->ScatteringColor);
+  print("ExtinctionColor", this->ExtinctionColor);
+  os << indent << "RayleighScattering: " << this->RayleighScattering << "\n";
+  os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
+  os << indent << "BaseHeight: " << this->BaseHeight << "\n";
+  print("Up", this->Up);
   os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "Asymmetry: " << this->Asymmetry << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPenumbraLightShaftPass
- * @brief   Light shafts in a homogeneous medium, computed from color and depth [Shafts].
+ * @brief   Light shafts in a medium, computed from color and depth [Shafts].
  *
  * The medium attenuates light along every view ray and adds the light that it scatters. The
  * in-scattering of a fully lit ray has a closed form [Shafts eq. 1], which is multiplied by the lit
@@ -10,7 +10,8 @@
  * finds the shadowed intervals of the ray; the radial blur of the paper or a shadow map of each
  * light can be selected instead.
  * The parameters of the medium are those of vtkPenumbraMedium, so that the ray caster renders the
- * same image.
+ * same image. The pass has no density image, does not attenuate light on its way to surfaces, and
+ * translucent surfaces stand in front of the medium.
  *
  * AddTo() sets up everything on a renderer in one call, RemoveFrom() restores it. All lights of the
  * renderer except headlights cast shafts, or only those given to AddLight(). A static scene is
@@ -82,6 +83,33 @@ public:
   vtkGetMacro(Scattering, double);
   vtkPenumbraSetNumberMacro(Extinction);
   vtkGetMacro(Extinction, double);
+  ///@}
+
+  ///@{
+  /**
+   * As in vtkPenumbraMedium: factors on the coefficients in the red, green and blue channel, and
+   * Rayleigh scattering in addition, per world unit in green. If the channels differ, the lit
+   * fractions are those of the most transparent one. Ranges: >= 0. Defaults: (1, 1, 1) and 0.
+   */
+  vtkSetVector3Macro(ScatteringColor, double);
+  vtkGetVector3Macro(ScatteringColor, double);
+  vtkSetVector3Macro(ExtinctionColor, double);
+  vtkGetVector3Macro(ExtinctionColor, double);
+  vtkPenumbraSetNumberMacro(RayleighScattering);
+  vtkGetMacro(RayleighScattering, double);
+  ///@}
+
+  ///@{
+  /**
+   * As in vtkPenumbraMedium: relative density exp(-(h - BaseHeight) / ScaleHeight) at height h
+   * along Up; ScaleHeight 0: 1 everywhere. Defaults: 0, 0, (0, 1, 0).
+   */
+  vtkPenumbraSetNumberMacro(ScaleHeight);
+  vtkGetMacro(ScaleHeight, double);
+  vtkPenumbraSetNumberMacro(BaseHeight);
+  vtkGetMacro(BaseHeight, double);
+  vtkSetVector3Macro(Up, double);
+  vtkGetVector3Macro(Up, double);
   ///@}
 
   /** Phase functions, as vtkPenumbraMedium::Phases. */
@@ -281,6 +309,12 @@ private:
   int Steps = 0;
   double Scattering = -1.0;
   double Extinction = -1.0;
+  double ScatteringColor[3] = { 1.0, 1.0, 1.0 };
+  double ExtinctionColor[3] = { 1.0, 1.0, 1.0 };
+  double RayleighScattering = 0.0;
+  double ScaleHeight = 0.0;
+  double BaseHeight = 0.0;
+  double Up[3] = { 0.0, 1.0, 0.0 };
   int Phase = ISOTROPIC;
   double Asymmetry = 0.6;
   double Exposure = 1.0;

@@ -22,6 +22,15 @@ void ExpectTheSame(First* first, Second* second)
   EXPECT_EQ(first->GetScattering(), second->GetScattering());
   EXPECT_EQ(first->GetExtinction(), second->GetExtinction());
   EXPECT_EQ(first->GetPhase(), second->GetPhase());
+  EXPECT_EQ(first->GetRayleighScattering(), second->GetRayleighScattering());
+  EXPECT_EQ(first->GetScaleHeight(), second->GetScaleHeight());
+  EXPECT_EQ(first->GetBaseHeight(), second->GetBaseHeight());
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(first->GetScatteringColor()[i], second->GetScatteringColor()[i]);
+    EXPECT_EQ(first->GetExtinctionColor()[i], second->GetExtinctionColor()[i]);
+    EXPECT_EQ(first->GetUp()[i], second->GetUp()[i]);
+  }
   EXPECT_EQ(first->GetAsymmetry(), second->GetAsymmetry());
   for (int i = 0; i < 6; ++i)
   {
@@ -44,6 +53,12 @@ TEST(LightShaftPass, DescribesTheSameMediumAsTheRayCaster)
       object->SetExtinction(number);
       object->SetAsymmetry(number);
       object->SetPhase(number < 0.0 ? -7 : 7);
+      object->SetRayleighScattering(number);
+      object->SetScaleHeight(number);
+      object->SetBaseHeight(number);
+      object->SetScatteringColor(number, 1.0, 2.0);
+      object->SetExtinctionColor(1.0, number, 2.0);
+      object->SetUp(0.0, number, 1.0);
       object->SetBounds(0.0, number, 0.0, 1.0, 0.0, 1.0);
     };
     set(medium.Get());

@@ -130,14 +130,19 @@ glm::vec3 CameraRayTracer::ComputeIndirectLight(const Ray& ray, const Hit& hit,
   return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / glm::pi<float>();
 }
 
+// The alpha of the medium is that of its most transparent channel; `tint` is the transmittance of the
+// other channels relative to it.
 void CameraRayTracer::AddMedium(
-  const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const
+  const Ray& ray, double from, double to, Sample& sample, glm::vec3& tint, RayCounts& counts) const
 {
   const float weight = 1.f - sample.Color.a;
   const LightShafts::InScattering scattered =
     this->Shafts->Along(ray, from, to, weight, counts.Shaft);
-  sample.Color += weight * glm::vec4(scattered.Light, 1.f - scattered.Transmittance);
+  const glm::vec3& through = scattered.Transmittance;
+  const float most = std::max(through.r, std::max(through.g, through.b));
+  sample.Color += weight * glm::vec4(tint * scattered.Light, 1.f - most);
   sample.Error += weight * scattered.Error;
+  tint *= most > 0.f ? through / most : glm::vec3(1.f);
 }
 
 void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample,
@@ -154,6 +159,7 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   glm::vec4& color = sample.Color;
   const bool hasPenumbrae = this->SurfaceShading.HasPenumbrae();
   float squaredNoise = 0.f;
+  glm::vec3 tint(1.f);
   Hit hit = sample.FirstHit;
   Ray continuation = ray;
   double distance = -this->ViewCamera.Advance;
@@ -166,9 +172,11 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       hit = this->Rays.Intersect(continuation);
       continue;
     }
-    if (this->Shafts)
+    const Surface& surface = this->GetScene().Surfaces[hit.Surface];
+    if (this->Shafts &&
+      (this->Shafts->GetMedium().IncludesTranslucentSurfaces || !surface.IsTranslucent()))
     {
-      this->AddMedium(ray, distance, hit.Distance, sample, counts);
+      this->AddMedium(ray, distance, hit.Distance, sample, tint, counts);
       distance = hit.Distance;
     }
     PenumbraSampling lights;
@@ -182,7 +190,6 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
     const ShadedHit shaded =
       this->SurfaceShading.Shade(ray, hit, counts.Shadow, hasPenumbrae ? &lights : nullptr);
     glm::vec4 c = shaded.Color;
-    const Surface& surface = this->GetScene().Surfaces[hit.Surface];
     if (this->OcclusionProvider && !surface.IsLineOrPoint)
     {
       const float strength = this->OcclusionStrength >= 0.f ? this->OcclusionStrength
@@ -197,7 +204,8 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       c += glm::vec4(this->ComputeIndirectLight(ray, hit, shaded, counts, toleranceScale), 0.f);
     }
     const float weight = (1.f - color.a) * c.a;
-    color += glm::vec4(weight * c.r, weight * c.g, weight * c.b, surface.IsAdditive ? 0.f : weight);
+    color += glm::vec4(tint * glm::vec3(weight * c.r, weight * c.g, weight * c.b),
+      surface.IsAdditive ? 0.f : weight);
     squaredNoise += weight * weight * lights.SquaredError;
     sample.LitBy |= lights.Lit;
     sample.ShadowedFrom |= lights.Shadowed;
@@ -212,12 +220,12 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   }
   if (this->Shafts && !hit.IsHit())
   {
-    this->AddMedium(ray, distance, std::numeric_limits<double>::infinity(), sample, counts);
+    this->AddMedium(ray, distance, std::numeric_limits<double>::infinity(), sample, tint, counts);
   }
   sample.Noise = std::sqrt(squaredNoise);
   if (color.a < 1.f)
   {
-    color += (1.f - color.a) * this->GetBackground(p);
+    color += glm::vec4(tint, 1.f) * ((1.f - color.a) * this->GetBackground(p));
   }
 }
 

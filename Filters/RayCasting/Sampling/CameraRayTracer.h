@@ -120,7 +120,8 @@ public:
   bool HasTranslucentSurfaces() const { return this->Translucent; }
 
 private:
-  void AddMedium(const Ray& ray, double from, double to, Sample& sample, RayCounts& counts) const;
+  void AddMedium(const Ray& ray, double from, double to, Sample& sample, glm::vec3& tint,
+    RayCounts& counts) const;
   glm::vec3 ComputeIndirectLight(const Ray& ray, const Hit& hit, const ShadedHit& shaded,
     RayCounts& counts, double toleranceScale) const;
   void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,

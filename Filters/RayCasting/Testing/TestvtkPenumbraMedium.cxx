@@ -5,14 +5,20 @@
 #include "ClosedForms/HalfPlaneScattering.h"
 #include "vtkPenumbraRayCaster.h"
 
+#include "vtkActor.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <gtest/gtest.h>
@@ -27,6 +33,7 @@ namespace
 
 constexpr int Width = 48;
 constexpr int Height = 36;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 void CountWarning(vtkObject*, unsigned long, void* clientData, void*)
 {
@@ -119,6 +126,116 @@ TEST_F(MediumTest, AttenuatesTheBackground)
   EXPECT_NEAR(image[center], std::exp(-0.5 * 6.3), 2e-3);
   EXPECT_NEAR(image[center + 1], 0.5 * image[center], 1e-6);
   EXPECT_NEAR(image[center + 3], 1.0, 1e-6);
+}
+
+TEST_F(MediumTest, AttenuatesEachChannelOfTheBackground)
+{
+  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+  this->Light->SetIntensity(1e-30);
+  this->Medium->SetScattering(0.1);
+  this->Medium->SetExtinction(0.3);
+  this->Medium->SetExtinctionColor(1.0, 0.5, 2.0);
+  this->Medium->SetRayleighScattering(0.05);
+  this->Medium->SetBounds(-2.0, 5.0, -1000.0, 1000.0, -1000.0, 1000.0);
+  const std::vector<float> image = this->Render();
+  const float* center = &image[4 * (Height / 2 * Width + Width / 2) - 4 * Width];
+  const double factors[] = { std::pow(550.0 / 680.0, 4.0), 1.0, std::pow(550.0 / 440.0, 4.0) };
+  const double extinctions[] = { 0.3, 0.15, 0.6 };
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(center[i], std::exp(-(extinctions[i] + 0.05 * factors[i]) * 6.3), 2e-3);
+  }
+  EXPECT_NEAR(center[3], 1.0, 1e-6);
+}
+
+TEST_F(MediumTest, AttenuatesLightOnItsWayToSurfaces)
+{
+  // A white floor, z = -1, that the sun reaches through a fall-off: optical depth 1.5 in green.
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-50.0, -50.0, -1.0);
+  plane->SetPoint1(50.0, -50.0, -1.0);
+  plane->SetPoint2(-50.0, 50.0, -1.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->RemoveAllViewProps();
+  this->Renderer->AddActor(actor);
+  this->Light->SetIntensity(1.0);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, -0.99);
+  camera->SetFocalPoint(0.0, 0.0, -1.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  this->Medium->SetBounds(-Infinity, Infinity, -Infinity, Infinity, -Infinity, Infinity);
+  this->Medium->SetScattering(0.0);
+  this->Medium->SetExtinction(0.5);
+  this->Medium->SetExtinctionColor(0.5, 1.0, 1.5);
+  this->Medium->SetScaleHeight(3.0);
+  this->Medium->SetBaseHeight(-1.0);
+  this->Medium->SetUp(0.0, 0.0, 2.0);
+  const std::vector<float> image = this->Render();
+  const float* center = &image[4 * (Height / 2 * Width + Width / 2)];
+  for (int i = 0; i < 3; ++i)
+  {
+    const double depth = 0.75 * (i + 1);
+    EXPECT_NEAR(center[i], std::exp(-depth - depth / 3.0 * 0.01), 2e-3);
+  }
+  this->Medium->SetSurfaceLight(vtkPenumbraMedium::UNATTENUATED);
+  EXPECT_NEAR(this->Render()[4 * (Height / 2 * Width + Width / 2) + 1], 1.0, 1e-2);
+}
+
+TEST_F(MediumTest, KeepsTranslucentSurfacesInFrontIfAsked)
+{
+  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+  this->Light->SetIntensity(1e-30);
+  this->Medium->SetBounds(-1.0, 5.0, -1000.0, 1000.0, -1000.0, 1000.0);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.7, -50.0, -50.0);
+  plane->SetPoint1(0.7, 50.0, -50.0);
+  plane->SetPoint2(0.7, -50.0, 50.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetOpacity(0.5);
+  this->Renderer->AddActor(actor);
+  const int center = 4 * (Height / 2 * Width + Width / 2) - 4 * Width;
+  const double toPane = std::exp(-0.5 * 1.7);
+  const double through = std::exp(-0.5 * 6.0);
+  EXPECT_NEAR(this->Render()[center], 0.5 * toPane + 0.5 * through, 2e-3);
+  this->Medium->TranslucentSurfacesOff();
+  EXPECT_NEAR(this->Render()[center], 0.5 + 0.5 * through, 2e-3);
+}
+
+TEST_F(MediumTest, IsIgnoredWithOneWarningIfTheDensityIsInvalid)
+{
+  EXPECT_EQ(vtkPenumbraMedium::FindInvalidDensity(vtkNew<vtkPolyData>()),
+    "is a vtkPolyData, not a vtkImageData");
+  vtkNew<vtkImageData> density;
+  density->SetDimensions(2, 2, 2);
+  EXPECT_EQ(vtkPenumbraMedium::FindInvalidDensity(density), "has no point scalars");
+  density->AllocateScalars(VTK_FLOAT, 2);
+  EXPECT_NE(vtkPenumbraMedium::FindInvalidDensity(density).find("2 components"), std::string::npos);
+  density->AllocateScalars(VTK_FLOAT, 1);
+  density->GetPointData()->GetScalars()->Fill(1.0);
+  EXPECT_EQ(vtkPenumbraMedium::FindInvalidDensity(density), "");
+  density->GetPointData()->GetScalars()->SetComponent(3, 0, -1.0);
+  this->Medium->SetDensity(density);
+  this->Render();
+  EXPECT_EQ(this->Warnings, 1);
+  this->Medium->SetDensity(nullptr);
+  for (const auto set : { +[](vtkPenumbraMedium* medium) { medium->SetScatteringColor(1, -1, 1); },
+         +[](vtkPenumbraMedium* medium) { medium->SetRayleighScattering(-1.0); },
+         +[](vtkPenumbraMedium* medium) { medium->SetScaleHeight(std::nan("")); } })
+  {
+    vtkNew<vtkPenumbraMedium> medium;
+    set(medium);
+    this->Warnings = 0;
+    this->Caster->SetMedium(medium);
+    this->Render();
+    EXPECT_EQ(this->Warnings, 1);
+  }
 }
 
 TEST_F(MediumTest, IsIndependentOfThreadCountAndExtent)

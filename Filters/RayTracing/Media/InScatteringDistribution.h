@@ -3,7 +3,8 @@
 //
 // Distribution along a ray of the light that a medium scatters from one unshadowed light toward
 // the camera: the cumulative distribution of [Shafts eq. 1] and its inverse. For directional lights
-// it is a closed form, for other lights a table with exponential segments.
+// in a homogeneous medium or one that falls off with height it is a closed form, otherwise a table
+// with exponential segments.
 #ifndef penumbra_InScatteringDistribution_h
 #define penumbra_InScatteringDistribution_h
 
@@ -45,7 +46,8 @@ public:
   double InvertCDF(double fraction) const;
 
 private:
-  /// Segment of the ray in which the in-scattered light decreases as exp(-Slope (t - Begin)).
+  /// Segment of the ray in which the in-scattered light decreases as exp(-Slope (x - Begin)). The
+  /// position x is t, or with a fall-off in closed form the column from `from` to t.
   struct Segment
   {
     double Begin;
@@ -55,9 +57,25 @@ private:
     double Weight; ///< in-scattered light of the segment
   };
 
+  /// Position along the ray and the light scattered there per unit of length.
+  struct Node
+  {
+    double Position;
+    double Density;
+  };
+
   double Density(double t) const;
+  double ToPosition(double t) const;
+  double FromPosition(double position) const;
+  double ColumnFromCamera(double t) const;
+  double FindEnd(double to) const;
+  std::vector<double> FindTabulatedEnds() const;
+  double Quadrature(double begin, double end) const;
   void AddExactSegments();
+  void AddFalloffSegments();
   void AddTabulatedSegments();
+  void AddAdaptiveSegments();
+  void Refine(Node first, Node last, double weight, double tolerance, int levels);
   void AddSegment(double begin, double end, double slope, double weight);
 
   const Medium& ScatteringMedium;
@@ -65,7 +83,9 @@ private:
   const glm::dvec3 Origin;
   const glm::dvec3 Direction;
   const double From;
+  const RayColumn Columns;
   const double To;
+  bool IsInColumns = false; ///< positions are columns
   double Sum = 0.0;
   std::vector<Segment> Segments;
 };

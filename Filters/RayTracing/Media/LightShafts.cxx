@@ -27,7 +27,7 @@ double EstimateMissedLight(const std::vector<float>& visibility)
 
 }
 
-LightShafts::LightShafts(const Shading& shading, const Medium& medium, MarchQuality quality)
+LightShafts::LightShafts(const Shading& shading, const SpectralMedium& medium, MarchQuality quality)
   : SurfaceShading(shading),
     ScatteringMedium(medium),
     Quality(quality)
@@ -53,27 +53,31 @@ LightShafts::InScattering LightShafts::Along(
   const glm::dvec3 direction = glm::dvec3(ray.Direction) / length;
   double near = from * length;
   double far = to * length;
-  if (!this->ScatteringMedium.Clip(origin, direction, near, far))
+  const std::array<Medium, 3>& channels = this->ScatteringMedium.Channels;
+  if (!channels[0].Clip(origin, direction, near, far))
   {
     return result;
   }
-  result.Transmittance =
-    static_cast<float>(std::exp(-this->ScatteringMedium.Extinction * (far - near)));
+  const double column =
+    channels[0].Density.Column(origin + near * direction, direction, far - near);
+  for (int i = 0; i < 3; ++i)
+  {
+    result.Transmittance[i] = static_cast<float>(Attenuate(channels[i].Extinction, column));
+  }
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     const Light& light = this->Lights[i];
-    const InScatteringDistribution profile(
-      this->ScatteringMedium, light, origin, direction, near, far);
-    const glm::vec3 color = light.DiffuseColor;
-    const double brightest = std::max(color.r, std::max(color.g, color.b));
-    const double importance = weight * brightest * profile.Integral() / this->Quality.Tolerance;
+    const SpectralDistribution profile(this->ScatteringMedium, light, origin, direction, near, far);
+    const double importance =
+      weight * profile.GetBrightness() * profile.GetScatteredSum() / this->Quality.Tolerance;
     if (importance > 0.0)
     {
-      RayMarch march{ profile, light, origin, direction, importance, {}, 0.0, 1.0, 0.0, 0.0, 0.0,
-        0 };
+      RayMarch march{ profile, light, origin, direction, importance, {}, 0.0, 1.0, 0.0,
+        glm::dvec3(0.0), 0.0, 0 };
       this->MarchIntervals(march, this->Shadows[i].Along(origin, direction, near, far));
-      result.Light += static_cast<float>(march.Lit * profile.Integral()) * color;
-      result.Error += static_cast<float>(brightest * profile.Integral() * march.LitError);
+      result.Light += profile.ComputeLight(march.Lit);
+      result.Error +=
+        static_cast<float>(profile.GetBrightness() * profile.GetScatteredSum() * march.LitError);
       shadowRays += march.Rays;
     }
   }
@@ -89,12 +93,14 @@ void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> inter
     intervals = { { -std::numeric_limits<double>::infinity(), march.Profile.InvertCDF(1.0) } };
   }
   double possible = 0.0;
+  glm::dvec3 shadowed(0.0);
   for (RayInterval& interval : intervals)
   {
     interval = { march.Profile.CDF(interval.From), march.Profile.CDF(interval.To) };
     possible += interval.To - interval.From;
+    shadowed += march.Profile.Between(interval.From, interval.To);
   }
-  march.Lit = 1.0 - possible;
+  march.Lit = 1.0 - shadowed;
   for (const RayInterval& interval : intervals)
   {
     const double size = interval.To - interval.From;
@@ -153,11 +159,16 @@ void LightShafts::BisectSamples(RayMarch& march) const
 }
 
 /// Returns the unshadowed fraction of the in-scattered light in the current interval.
-double LightShafts::IntegrateVisibility(RayMarch& march) const
+glm::dvec3 LightShafts::IntegrateVisibility(RayMarch& march) const
 {
   const int steps = static_cast<int>(march.Visibility.size());
-  double sum = MarchEndMargin * (march.High - march.Low) *
-    (march.Visibility.front() + march.Visibility.back());
+  const double margin = MarchEndMargin * (march.High - march.Low);
+  const float front = march.Visibility.front();
+  const float back = march.Visibility.back();
+  glm::dvec3 sum = march.Profile.IsGray()
+    ? glm::dvec3(margin * (front + back))
+    : march.Profile.Between(march.Low, march.Low + margin) * static_cast<double>(front) +
+      march.Profile.Between(march.High - margin, march.High) * static_cast<double>(back);
   for (int i = 1; i < steps; ++i)
   {
     sum += this->IntegrateInterval(march, ComputeStepPosition(march, i - 1, steps),
@@ -181,22 +192,23 @@ float LightShafts::TraceVisibility(RayMarch& march, double position) const
   return this->SurfaceShading.TraceTransmittance(ray, march.Rays);
 }
 
-double LightShafts::IntegrateInterval(
+glm::dvec3 LightShafts::IntegrateInterval(
   RayMarch& march, double low, float atLow, double high, float atHigh) const
 {
   if (atLow == atHigh)
   {
-    return (high - low) * atLow;
+    return atLow > 0.f ? march.Profile.Between(low, high) * static_cast<double>(atLow)
+                       : glm::dvec3(0.0);
   }
   if (high - low <= march.BoundaryTolerance)
   {
-    return (high - low) * 0.5 * (atLow + atHigh);
+    return march.Profile.Between(low, high) * (0.5 * (atLow + atHigh));
   }
   const double middle = 0.5 * (low + high);
   // BoundaryTolerance may be below the resolution of a double.
   if (middle <= low || middle >= high)
   {
-    return (high - low) * 0.5 * (atLow + atHigh);
+    return march.Profile.Between(low, high) * (0.5 * (atLow + atHigh));
   }
   const float atMiddle = this->TraceVisibility(march, middle);
   return this->IntegrateInterval(march, low, atLow, middle, atMiddle) +

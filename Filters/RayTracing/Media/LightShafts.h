@@ -8,10 +8,10 @@
 #ifndef penumbra_LightShafts_h
 #define penumbra_LightShafts_h
 
-#include "InScatteringDistribution.h"
 #include "Medium.h"
 #include "Shading/Shading.h"
 #include "ShadowVolumes.h"
+#include "SpectralDistribution.h"
 
 #include <vector>
 
@@ -29,13 +29,13 @@ public:
 
   /// Lights that cast no shadows, such as headlights, are ignored. `shading` must outlive this
   /// object.
-  LightShafts(const Shading& shading, const Medium& medium, MarchQuality quality);
+  LightShafts(const Shading& shading, const SpectralMedium& medium, MarchQuality quality);
 
   /// In-scattered light along a ray segment, and the transmittance of the segment.
   struct InScattering
   {
     glm::vec3 Light{ 0.f };
-    float Transmittance = 1.f;
+    glm::vec3 Transmittance{ 1.f };
     float Error = 0.f; ///< estimated error of Light
   };
 
@@ -48,12 +48,14 @@ public:
   /// Returns true if no light of the scene casts light shafts.
   bool IsEmpty() const { return this->Lights.empty(); }
 
+  const SpectralMedium& GetMedium() const { return this->ScatteringMedium; }
+
 private:
   /// Ray march for one light. Positions are values of the CDF of the in-scattered light of the
   /// whole ray, in [0, 1].
   struct RayMarch
   {
-    const InScatteringDistribution& Profile;
+    const SpectralDistribution& Profile;
     const Light& Source;
     glm::dvec3 Origin;
     glm::dvec3 Direction;
@@ -62,7 +64,7 @@ private:
     double Low;                    ///< position of the first step
     double High;                   ///< position of the last step
     double BoundaryTolerance;      ///< shadow boundaries are bisected down to this interval
-    double Lit;                    ///< lit fraction of the ray so far
+    glm::dvec3 Lit;                ///< lit fraction of the ray so far, per channel
     double LitError;               ///< estimated error of Lit
     long long Rays;
   };
@@ -70,14 +72,14 @@ private:
   void MarchIntervals(RayMarch& march, std::vector<RayInterval> intervals) const;
   void SampleVisibility(RayMarch& march, int steps) const;
   void BisectSamples(RayMarch& march) const;
-  double IntegrateVisibility(RayMarch& march) const;
+  glm::dvec3 IntegrateVisibility(RayMarch& march) const;
   static double ComputeStepPosition(const RayMarch& march, int i, int steps);
   float TraceVisibility(RayMarch& march, double position) const;
-  double IntegrateInterval(
+  glm::dvec3 IntegrateInterval(
     RayMarch& march, double low, float atLow, double high, float atHigh) const;
 
   const Shading& SurfaceShading;
-  const Medium ScatteringMedium;
+  const SpectralMedium ScatteringMedium;
   const MarchQuality Quality;
   std::vector<Light> Lights;
   std::vector<ShadowVolumes> Shadows; ///< per light

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Medium.h"
 
-#include <glm/gtc/constants.hpp>
+#include "Conventions/PhaseFunctions.h"
+#include "InScatteringDistribution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,21 +13,7 @@ namespace penumbra
 
 double Medium::PhaseFunction(double cosine) const
 {
-  constexpr double sphere = 4.0 * glm::pi<double>();
-  switch (this->Phase)
-  {
-    case Phases::Rayleigh:
-      return 0.75 * (1.0 + cosine * cosine) / sphere;
-    case Phases::HenyeyGreenstein:
-    {
-      const double g = this->Asymmetry;
-      const double root = std::sqrt(std::max(1.0 + g * g - 2.0 * g * cosine, 1e-12));
-      return (1.0 - g * g) / (sphere * root * root * root);
-    }
-    case Phases::Isotropic:
-      break;
-  }
-  return 1.0 / sphere;
+  return phaseFunctionOf(static_cast<int>(this->Phase), cosine, this->Asymmetry);
 }
 
 bool Medium::Clip(glm::dvec3 origin, glm::dvec3 direction, double& near, double& far) const
@@ -61,6 +48,42 @@ double Medium::DistanceToExit(glm::dvec3 point, glm::dvec3 direction) const
     }
   }
   return std::max(distance, 0.0);
+}
+
+double Medium::ColumnToLight(glm::dvec3 point, glm::dvec3 direction, double distance) const
+{
+  const double inside = std::min(this->DistanceToExit(point, direction), distance);
+  if (this->Density.IsUniform())
+  {
+    return std::isfinite(inside) ? inside : 0.0;
+  }
+  return this->Density.Column(point, direction, inside);
+}
+
+bool SpectralMedium::IsGray() const
+{
+  return std::all_of(this->Channels.begin(), this->Channels.end(), [this](const Medium& channel) {
+    const Medium& first = this->Channels.front();
+    return channel.Scattering == first.Scattering && channel.Rayleigh == first.Rayleigh &&
+      channel.Extinction == first.Extinction;
+  });
+}
+
+glm::vec3 SpectralMedium::TransmittanceToLight(const Light& light, glm::vec3 point) const
+{
+  const glm::dvec3 start(point);
+  const LightDirection toLight = DirectionToLight(light, start);
+  const Medium& medium = this->Channels.front();
+  double near = 0.0;
+  double far = toLight.Distance;
+  if (!medium.Clip(start, toLight.Direction, near, far))
+  {
+    return glm::vec3(1.f);
+  }
+  const double column =
+    medium.ColumnToLight(start + near * toLight.Direction, toLight.Direction, far - near);
+  return { Attenuate(medium.Extinction, column), Attenuate(this->Channels[1].Extinction, column),
+    Attenuate(this->Channels[2].Extinction, column) };
 }
 
 }

@@ -5,36 +5,123 @@
 #include "Conventions/MediumCoefficients.h"
 #include "vtkPenumbraMedium.h"
 
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace penumbra
 {
 
-std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal)
+namespace
 {
-  if (!std::isfinite(source->GetScattering()) || !std::isfinite(source->GetExtinction()) ||
-    !std::isfinite(source->GetAsymmetry()))
-  {
-    return {};
-  }
-  const MediumCoefficients coefficients =
-    ResolveMediumCoefficients(source->GetScattering(), source->GetExtinction(), diagonal);
 
-  Medium medium;
-  medium.Scattering = coefficients.Scattering / scene.Scale;
-  medium.Extinction = coefficients.Extinction / scene.Scale;
-  medium.Phase = static_cast<Medium::Phases>(source->GetPhase());
-  medium.Asymmetry = source->GetAsymmetry();
+MediumSettings GetSettings(vtkPenumbraMedium* source)
+{
+  MediumSettings settings;
+  settings.Scattering = source->GetScattering();
+  settings.Extinction = source->GetExtinction();
+  settings.Rayleigh = source->GetRayleighScattering();
+  settings.ScaleHeight = source->GetScaleHeight();
+  settings.BaseHeight = source->GetBaseHeight();
+  std::copy_n(source->GetScatteringColor(), 3, settings.ScatteringColor.begin());
+  std::copy_n(source->GetExtinctionColor(), 3, settings.ExtinctionColor.begin());
+  std::copy_n(source->GetUp(), 3, settings.Up.begin());
+  return settings;
+}
+
+/// Converts a valid image to scene coordinates.
+std::shared_ptr<const DensityImage> ConvertDensity(vtkImageData* source, const Scene& scene)
+{
+  vtkDataArray* scalars = source->GetPointData()->GetScalars();
+  auto image = std::make_shared<DensityImage>();
   const double* bounds = source->GetBounds();
   for (int axis = 0; axis < 3; ++axis)
   {
-    medium.Low[axis] = (bounds[2 * axis] - scene.Origin[axis]) * scene.Scale;
-    medium.High[axis] = (bounds[2 * axis + 1] - scene.Origin[axis]) * scene.Scale;
-    if (!(medium.Low[axis] < medium.High[axis]))
+    image->Size[axis] = source->GetDimensions()[axis];
+    image->Spacing[axis] = source->GetSpacing()[axis] * scene.Scale;
+    image->Low[axis] = (bounds[2 * axis] - scene.Origin[axis]) * scene.Scale;
+  }
+  image->Values.resize(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    image->Values[static_cast<std::size_t>(i)] = static_cast<float>(scalars->GetComponent(i, 0));
+  }
+  return image;
+}
+
+MediumDensity ConvertDensity(
+  vtkPenumbraMedium* source, const MediumSettings& settings, const Scene& scene)
+{
+  MediumDensity density;
+  if (settings.HasFalloff())
+  {
+    const glm::dvec3 up =
+      glm::normalize(glm::dvec3(settings.Up[0], settings.Up[1], settings.Up[2]));
+    density.Up = up;
+    density.ScaleHeight = settings.ScaleHeight * scene.Scale;
+    density.BaseHeight = (settings.BaseHeight - glm::dot(up, scene.Origin)) * scene.Scale;
+  }
+  if (source->GetDensity())
+  {
+    const std::string invalid = vtkPenumbraMedium::FindInvalidDensity(source->GetDensity());
+    if (!invalid.empty())
     {
-      return {};
+      throw std::runtime_error("the density image " + invalid);
+    }
+    density.Image = ConvertDensity(source->GetDensity(), scene);
+  }
+  return density;
+}
+
+}
+
+SpectralMedium ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal)
+{
+  const MediumSettings settings = GetSettings(source);
+  if (const char* reason = FindInvalidMediumSetting(settings))
+  {
+    throw std::runtime_error(reason);
+  }
+  if (!std::isfinite(source->GetAsymmetry()))
+  {
+    throw std::runtime_error("Asymmetry must be finite");
+  }
+  Medium channel;
+  channel.Phase = static_cast<Medium::Phases>(source->GetPhase());
+  channel.Asymmetry = source->GetAsymmetry();
+  channel.Density = ConvertDensity(source, settings, scene);
+  const double* bounds = source->GetBounds();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    channel.Low[axis] = (bounds[2 * axis] - scene.Origin[axis]) * scene.Scale;
+    channel.High[axis] = (bounds[2 * axis + 1] - scene.Origin[axis]) * scene.Scale;
+    if (!(channel.Low[axis] < channel.High[axis]))
+    {
+      throw std::runtime_error("Bounds must not be empty");
+    }
+    if (channel.Density.Image)
+    {
+      channel.Low[axis] = std::max(channel.Low[axis], channel.Density.Image->Low[axis]);
+      channel.High[axis] = std::min(channel.High[axis], channel.Density.Image->High()[axis]);
     }
   }
+  SpectralMedium medium(channel);
+  const std::array<MediumCoefficients, 3> coefficients =
+    ResolveMediumCoefficients(settings, diagonal);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    medium.Channels[i].Scattering = coefficients[i].Scattering / scene.Scale;
+    medium.Channels[i].Rayleigh = coefficients[i].Rayleigh / scene.Scale;
+    medium.Channels[i].Extinction = coefficients[i].Extinction / scene.Scale;
+  }
+  const bool plain = medium.IsGray() && channel.Density.IsUniform() && settings.Rayleigh == 0.0;
+  medium.AttenuatesSurfaceLight = source->GetSurfaceLight() == vtkPenumbraMedium::ATTENUATED ||
+    (source->GetSurfaceLight() == vtkPenumbraMedium::AUTOMATIC && !plain);
+  medium.IncludesTranslucentSurfaces = source->GetTranslucentSurfaces();
   return medium;
 }
 
@@ -45,14 +132,18 @@ std::optional<LightShafts> MakeLightShafts(vtkPenumbraMedium* source, const Shad
   {
     return {};
   }
-  const std::optional<Medium> medium = ConvertMedium(source, shading.GetScene(), diagonal);
-  if (!medium)
+  SpectralMedium medium;
+  try
   {
-    warning = "vtkPenumbraMedium: coefficients must be finite and the bounds must not be empty. "
-              "Light shafts are not rendered.";
+    medium = ConvertMedium(source, shading.GetScene(), diagonal);
+  }
+  catch (const std::runtime_error& error)
+  {
+    warning =
+      std::string("vtkPenumbraMedium: ") + error.what() + ". Light shafts are not rendered.";
     return {};
   }
-  std::optional<LightShafts> shafts(std::in_place, shading, *medium, quality);
+  std::optional<LightShafts> shafts(std::in_place, shading, medium, quality);
   if (shafts->IsEmpty())
   {
     warning =

@@ -17,8 +17,9 @@ namespace penumbra
 {
 
 /// Converts `source` to scene coordinates. `diagonal` is the diagonal of the scene in world units.
-/// Returns nothing if a coefficient is not finite or if the bounds are empty.
-std::optional<Medium> ConvertMedium(vtkPenumbraMedium* source, const Scene& scene, double diagonal);
+/// Throws std::runtime_error, with a sentence without period, if a setting is invalid.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT SpectralMedium ConvertMedium(
+  vtkPenumbraMedium* source, const Scene& scene, double diagonal);
 
 /// Creates the light shafts of a scene in the medium `source`. Returns nothing if `source` is null,
 /// or if there are no light shafts; then `warning` gives the reason.

@@ -153,6 +153,13 @@ constexpr float ShadowVolumeMargin = 1e-5f;
 constexpr int AngularSegments = 16;
 /// Number of segments of a table with equal extinction, seen from the camera.
 constexpr int ExtinctionSegments = 8;
+/// Tables of inhomogeneous media: segments are divided until two quadratures of each differ by less
+/// than this fraction of the light of the ray, but at most this number of times.
+constexpr double SegmentTolerance = 2e-5;
+constexpr int MaximumSegmentLevels = 12;
+/// Accuracy of positions in the distribution of all channels, and bound of the steps to find one.
+constexpr double InversionTolerance = 1e-7;
+constexpr int MaximumInversionSteps = 60;
 /// Rays end at this optical depth; the remaining transmittance is e^-18 = 1.5e-8.
 constexpr double MaximumOpticalDepth = 18.0;
 /// Lower bound of the distance between the ray and a light, as a fraction of the length of the ray.

@@ -286,15 +286,24 @@ glm::vec3 Shading::ApplyLights(const PhongCoefficients& phong, const ShadedHit& 
             penumbrae)
         : this->Transmittance(point, -direction, distance, shaded.GeometricNormal, shadowRays);
     }
-    diffuse += strength * -glm::dot(shaded.Normal, direction) * light.DiffuseColor;
+    const glm::vec3 attenuation = this->ComputeAttenuation(light, point);
+    diffuse += strength * -glm::dot(shaded.Normal, direction) * light.DiffuseColor * attenuation;
     if (phong.Specular != glm::vec3(0.f))
     {
       const float cosine = glm::dot(glm::reflect(direction, shaded.Normal), towardCamera);
-      specular +=
-        strength * std::pow(std::max(1e-5f, cosine), phong.SpecularPower) * light.SpecularColor;
+      specular += strength * std::pow(std::max(1e-5f, cosine), phong.SpecularPower) *
+        light.SpecularColor * attenuation;
     }
   }
   return phong.Ambient + diffuse * phong.Diffuse + specular * phong.Specular;
+}
+
+/// Returns a factor on the color of a light at a point on a surface.
+glm::vec3 Shading::ComputeAttenuation(const Light& light, glm::vec3 point) const
+{
+  return this->Attenuation && light.CastsShadow
+    ? this->Attenuation->TransmittanceToLight(light, point)
+    : glm::vec3(1.f);
 }
 
 glm::vec3 Shading::DirectionToCamera(glm::vec3 point) const
@@ -328,7 +337,8 @@ glm::vec3 Shading::ApplyLightsPhysicallyBased(const PhysicallyBased& material,
     {
       // VTK's shader assumes that a single headlight is at the camera.
       const glm::vec3 toward = this->OneHeadlight ? this->DirectionToCamera(point) : -direction;
-      radiance += strength * light.DiffuseColor * material.Reflect(toward, diffuseOnly);
+      radiance += strength * light.DiffuseColor * this->ComputeAttenuation(light, point) *
+        material.Reflect(toward, diffuseOnly);
     }
   }
   return material.ToDisplayColor(radiance);

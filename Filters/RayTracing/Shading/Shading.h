@@ -7,6 +7,7 @@
 
 #include "AreaLight.h"
 #include "Embree/RayScene.h"
+#include "Lights/LightAttenuation.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <cstdint>
@@ -52,6 +53,10 @@ public:
   /// outlive this object.
   Shading(const RayScene& scene, bool shadows);
 
+  /// Sets the attenuation of lights that cast shadows on their way to surfaces, which must outlive
+  /// this object. Null: none.
+  void SetAttenuation(const LightAttenuation* attenuation) { this->Attenuation = attenuation; }
+
   /// Shades a hit of `ray`. Adds the number of shadow rays traced to `shadowRays`. If `penumbrae`
   /// is null, one ray is traced toward each light.
   ShadedHit Shade(const Ray& ray, const Hit& hit, long long& shadowRays,
@@ -88,7 +93,7 @@ public:
   /// highlight, no texture, no shadow), so that one sample per triangle suffices.
   bool IsConstantPerTriangle(std::uint32_t surface) const
   {
-    return this->Materials[surface].Constant;
+    return this->Materials[surface].Constant && !this->Attenuation;
   }
 
 private:
@@ -129,6 +134,7 @@ private:
     long long& shadowRays, PenumbraSampling* penumbrae) const;
   glm::vec3 ApplyLightsPhysicallyBased(const PhysicallyBased& material, const ShadedHit& shaded,
     glm::vec3 point, bool diffuseOnly, long long& shadowRays, PenumbraSampling* penumbrae) const;
+  glm::vec3 ComputeAttenuation(const Light& light, glm::vec3 point) const;
   glm::vec3 DirectionToCamera(glm::vec3 point) const;
   float SampleVisibleFraction(std::size_t light, glm::vec3 point, glm::vec3 normal,
     float brightness, long long& shadowRays, PenumbraSampling* penumbrae) const;
@@ -142,6 +148,7 @@ private:
   bool Shadows;
   bool Penumbrae = false;
   bool OneHeadlight;
+  const LightAttenuation* Attenuation = nullptr;
   bool Translucent = false; ///< at least one surface is translucent
   std::vector<SurfaceMaterial> Materials;
 };

@@ -155,7 +155,7 @@ TEST(LightShafts, MatchesEquationOneWithoutShadows)
       const double exact = 0.2 * phaseValue * (1.0 - std::exp(-0.7 * s)) / 0.7;
       const LightShafts::InScattering result = query.Along({ 0.1, 0.2, 0.3 }, v, s);
       EXPECT_NEAR(result.Light.g, exact, 1e-6 * exact);
-      EXPECT_NEAR(result.Transmittance, std::exp(-0.7 * s), 1e-6);
+      EXPECT_NEAR(result.Transmittance.r, std::exp(-0.7 * s), 1e-6);
     }
   }
 }

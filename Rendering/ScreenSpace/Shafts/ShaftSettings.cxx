@@ -15,9 +15,9 @@ namespace
 
 auto AsTuple(const ShaftSettings& s)
 {
-  return std::tie(s.Scattering, s.Extinction, s.Phase, s.Asymmetry, s.Exposure, s.Radial,
-    s.RadialBlur, s.Thickness, s.MapSize, s.MapSteps, s.Steps, s.Block, s.Bounded, s.Bounds,
-    s.Prepass, s.Emitters, s.AutomaticTone, s.Unit, s.Range);
+  return std::tie(s.Channels, s.Falloff, s.ScaleHeight, s.BaseHeight, s.Up, s.Phase, s.Asymmetry,
+    s.Exposure, s.Radial, s.RadialBlur, s.Thickness, s.MapSize, s.MapSteps, s.Steps, s.Block,
+    s.Bounded, s.Bounds, s.Prepass, s.Emitters, s.AutomaticTone, s.Unit, s.Range);
 }
 
 void SetNumber(vtkShaderProgram* program, const char* name, double value)
@@ -53,6 +53,36 @@ void SetBox(
   program->SetUniform3f("boxMaximum", boxMaximum);
 }
 
+/// Sets the height of a point as a linear function of its eye coordinates.
+void SetHeight(
+  vtkShaderProgram* program, const ShaftSettings& settings, const ScreenTransform& view)
+{
+  const Matrix& toEye = view.WorldToEye;
+  float height[4];
+  double constant = -settings.BaseHeight;
+  for (int row = 0; row < 3; ++row)
+  {
+    double up = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      up += toEye[4 * row + axis] * settings.Up[axis];
+    }
+    constant -= up * toEye[4 * row + 3];
+    height[row] = static_cast<float>((row == 2 ? -up : up) * view.Unit / settings.ScaleHeight);
+  }
+  height[3] = static_cast<float>(constant / settings.ScaleHeight);
+  program->SetUniform4f("heightOfPoint", height);
+}
+
+}
+
+int ShaftSettings::GetReferenceChannel() const
+{
+  return static_cast<int>(std::min_element(this->Channels.begin(), this->Channels.end(),
+                            [](const MediumCoefficients& a, const MediumCoefficients& b) {
+                              return a.Extinction < b.Extinction;
+                            }) -
+    this->Channels.begin());
 }
 
 bool ShaftSettings::operator==(const ShaftSettings& other) const
@@ -62,13 +92,25 @@ bool ShaftSettings::operator==(const ShaftSettings& other) const
 
 void ShaftSettings::SetMedium(vtkShaderProgram* program, const ScreenTransform& view) const
 {
-  SetNumber(program, "scattering", this->Scattering * this->Unit);
-  SetNumber(program, "extinction", this->Extinction * this->Unit);
+  float coefficients[3][3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const MediumCoefficients& channel = this->Channels[i];
+    coefficients[i][0] = static_cast<float>(channel.Scattering * this->Unit);
+    coefficients[i][1] = static_cast<float>(channel.Extinction * this->Unit);
+    coefficients[i][2] = static_cast<float>(channel.Rayleigh * this->Unit);
+  }
+  program->SetUniform3fv("coefficients", 3, coefficients);
+  program->SetUniformi("referenceChannel", this->GetReferenceChannel());
   program->SetUniformi("phase", this->Phase);
   SetNumber(program, "asymmetry", this->Asymmetry);
   if (this->Bounded)
   {
     SetBox(program, this->Bounds, view);
+  }
+  if (this->Falloff)
+  {
+    SetHeight(program, *this, view);
   }
 }
 

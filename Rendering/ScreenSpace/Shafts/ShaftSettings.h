@@ -5,6 +5,7 @@
 #ifndef penumbra_ShaftSettings_h
 #define penumbra_ShaftSettings_h
 
+#include "Conventions/MediumCoefficients.h"
 #include "Frame/ScreenTransform.h"
 #include "ShaftRadialBlur.h"
 
@@ -20,8 +21,11 @@ namespace penumbra
 /// Settings of a frame; vtkPenumbraLightShaftPass describes them. Lengths are in world units.
 struct ShaftSettings
 {
-  double Scattering = 0.0;
-  double Extinction = 0.0;
+  std::array<MediumCoefficients, 3> Channels; ///< red, green, blue
+  bool Falloff = false;                       ///< the density falls off with height
+  double ScaleHeight = 0.0;                   ///< used if Falloff is on, as are the following
+  double BaseHeight = 0.0;
+  std::array<double, 3> Up{}; ///< unit
   int Phase = 0;
   double Asymmetry = 0.0;
   double Exposure = 1.0;
@@ -44,6 +48,12 @@ struct ShaftSettings
   int Margin[2] = { 0, 0 };
 
   bool operator==(const ShaftSettings& other) const;
+
+  /// Returns true if the channels have different coefficients.
+  bool IsColored() const { return !AreEqual(this->Channels); }
+
+  /// Returns the most transparent channel.
+  int GetReferenceChannel() const;
 
   /// Sets the uniforms of the medium for the camera of `view`.
   void SetMedium(vtkShaderProgram* program, const ScreenTransform& view) const;

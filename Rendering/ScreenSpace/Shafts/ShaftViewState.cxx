@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPenumbraPhaseFunctions.h"
 #include "vtkPenumbraShaftBlendFS.h"
 #include "vtkPenumbraShaftBoundedLib.h"
 #include "vtkPenumbraShaftCompositeFS.h"
@@ -15,6 +16,7 @@
 #include "vtkPenumbraShaftDirectionalBoxLib.h"
 #include "vtkPenumbraShaftDirectionalLib.h"
 #include "vtkPenumbraShaftDownsampleDepthFS.h"
+#include "vtkPenumbraShaftFalloffLib.h"
 #include "vtkPenumbraShaftLib.h"
 #include "vtkPenumbraShaftLitColorLib.h"
 #include "vtkPenumbraShaftLitFractionLib.h"
@@ -25,6 +27,7 @@
 #include "vtkPenumbraShaftSceneColorLib.h"
 #include "vtkPenumbraShaftSceneColorMSLib.h"
 #include "vtkPenumbraShaftUnboundedLib.h"
+#include "vtkPenumbraShaftUniformLib.h"
 #include "vtkPenumbraShaftVisibilityFS.h"
 #include "vtkPenumbraViewLib.h"
 #include "vtkPointData.h"
@@ -53,16 +56,19 @@ void SetNumber(vtkShaderProgram* program, const char* name, double value)
 }
 
 /// Assembles a shader with the libraries for a type of light and of medium.
-std::string AssembleFor(bool positional, bool bounded, const char* source,
+std::string AssembleFor(bool positional, const ShaftSettings& settings, const char* source,
   std::vector<std::pair<std::string, std::string>> pieces)
 {
+  const bool bounded = settings.Bounded;
   pieces.insert(pieces.begin(),
     { { "ViewLib", vtkPenumbraViewLib }, { "ShaftLib", vtkPenumbraShaftLib },
+      { "PhaseFunctions", vtkPenumbraPhaseFunctions },
       { "Medium", bounded ? vtkPenumbraShaftBoundedLib : vtkPenumbraShaftUnboundedLib },
+      { "Density", settings.Falloff ? vtkPenumbraShaftFalloffLib : vtkPenumbraShaftUniformLib },
       { "Light",
-        positional  ? vtkPenumbraShaftPositionalLib
-          : bounded ? vtkPenumbraShaftDirectionalBoxLib
-                    : vtkPenumbraShaftDirectionalLib } });
+        positional                      ? vtkPenumbraShaftPositionalLib
+          : bounded || settings.Falloff ? vtkPenumbraShaftDirectionalBoxLib
+                                        : vtkPenumbraShaftDirectionalLib } });
   return Assemble(source, pieces);
 }
 
@@ -100,7 +106,7 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
   // After a failed reuse, part of the target already contains light: the new frame has to replace
   // it.
   const bool simple = !reuse && !settings.DelegateDrawsBackground && settings.Margin[0] == 0 &&
-    settings.Margin[1] == 0 && !settings.Radial && !settings.AutomaticTone;
+    settings.Margin[1] == 0 && !settings.Radial && !settings.AutomaticTone && !settings.IsColored();
   this->Props = simple ? this->Image.DrawToTarget(state, delegate) : -1;
   const bool drawnToTarget = this->Props >= 0;
   if (!drawnToTarget)
@@ -117,8 +123,8 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
     return false;
   }
   this->HasLitFractions = this->HasLitFractions && change == EyeDepth::Change::None;
-  const bool isStatic =
-    this->HasLitFractions && !settings.DelegateDrawsBackground && !settings.Bounded;
+  const bool isStatic = this->HasLitFractions && !settings.DelegateDrawsBackground &&
+    !settings.Bounded && !settings.IsColored();
   if (isStatic && (drawnToTarget || this->Target.DrawToTarget(state, delegate) >= 0))
   {
     // From this frame on, the delegate renders directly into the target.
@@ -270,7 +276,7 @@ bool ShaftViewState::ComputeLitFractions(std::size_t number)
   const bool mapped = lights.GetLights().front().HasShadowMap;
   Stage& stage = (mapped ? this->MapVisibility : this->Visibility)[lights.IsPositional()];
   vtkShaderProgram* program = stage.Ready(this->Window,
-    AssembleFor(lights.IsPositional(), settings.Bounded, vtkPenumbraShaftVisibilityFS,
+    AssembleFor(lights.IsPositional(), settings, vtkPenumbraShaftVisibilityFS,
       { { "Estimator", mapped ? vtkPenumbraShaftMapLib : vtkPenumbraShaftDepthLib } }));
   const ScopedRenderTarget target(this->Window, this->Image.GetFramebuffer(), { fractions });
   if (!program || !target.IsComplete())
@@ -326,7 +332,7 @@ bool ShaftViewState::Scatter(
   const char* library =
     this->Settings.Radial ? vtkPenumbraShaftLitColorLib : vtkPenumbraShaftLitFractionLib;
   vtkShaderProgram* program = stage.Ready(this->Window,
-    AssembleFor(lights.IsPositional(), this->Settings.Bounded, vtkPenumbraShaftScatterFS,
+    AssembleFor(lights.IsPositional(), this->Settings, vtkPenumbraShaftScatterFS,
       { { "LitFraction", library } }));
   if (!program)
   {
@@ -340,6 +346,7 @@ bool ShaftViewState::Scatter(
   program->SetUniform2f("offset", offset.data());
   SetNumber(program, "blockSize", this->Settings.Block);
   const bool exact = this->Settings.Radial && this->Settings.Block == 1;
+  program->SetUniformi("isColored", this->Settings.IsColored());
   SetNumber(program, "interleaved", exact ? 0.0 : 1.0);
   SetSize(program, "texelSize", fractions->GetWidth(), fractions->GetHeight());
   stage.BindTexture("eyeDepths", this->Depth.GetCurrent());
@@ -385,6 +392,28 @@ bool ShaftViewState::Composite()
     program->SetUniformi("sampleCount", this->Image.GetSamples());
     this->Composition.BindTexture("depthSamples", this->Image.GetSampleDepth());
   }
+  if (!this->Settings.IsColored())
+  {
+    program->SetUniformi("part", 0);
+    this->Composition.Draw();
+    return true;
+  }
+  // Each channel of the target has its own transmittance: it is multiplied first.
+  const std::array<MediumCoefficients, 3>& channels = this->Settings.Channels;
+  const double reference =
+    std::max(channels[this->Settings.GetReferenceChannel()].Extinction, 1e-300);
+  float ratios[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    ratios[i] = static_cast<float>(channels[i].Extinction / reference);
+  }
+  program->SetUniform3f("extinctionRatios", ratios);
+  vtkOpenGLState* gl = this->Window->GetState();
+  gl->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_SRC_ALPHA);
+  program->SetUniformi("part", 1);
+  this->Composition.Draw();
+  gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  program->SetUniformi("part", 2);
   this->Composition.Draw();
   return true;
 }

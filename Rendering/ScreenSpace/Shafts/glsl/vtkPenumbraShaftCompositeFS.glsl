@@ -11,6 +11,8 @@ uniform vec2 pixelSize;    // 1 / size of the scene image
 uniform float gain;        // factor on the in-scattered light
 uniform vec2 offset;       // from pixels of the target to those of the scene image
 uniform float background;  // 1: empty pixels belong to the scene image; 0: the target shows through
+uniform vec3 extinctionRatios; // of the channels to the one whose transmittance is stored
+uniform int part;              // 0: gray; colored: 1: factor on the target, 2: what is added to it
 //VTK::Penumbra::SceneColor
 
 void main()
@@ -18,6 +20,9 @@ void main()
   vec2 pixel = gl_FragCoord.xy + offset;
   vec4 scene = sceneColorAt(pixel);
   vec4 medium = texture(shafts, pixel * pixelSize);
-  gl_FragData[0] = vec4(scene.rgb * medium.a + gain * medium.rgb, 1.0 - (1.0 - scene.a) * medium.a);
+  vec3 transmittance = part > 0 ? pow(vec3(medium.a), extinctionRatios) : vec3(medium.a);
+  vec3 color = scene.rgb * transmittance + gain * medium.rgb;
+  vec4 behind = (1.0 - scene.a) * vec4(transmittance, medium.a);
+  gl_FragData[0] = part == 1 ? behind : vec4(color, 1.0 - behind.a);
   gl_FragDepth = texture(depthBuffer, pixel * pixelSize).r;
 }

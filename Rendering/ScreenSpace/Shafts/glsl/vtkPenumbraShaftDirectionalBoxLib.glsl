@@ -1,41 +1,43 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Directional light in a bounded medium, where the path of the light through the medium differs
-// from point to point. Bins along the view ray have equal extinction.
+// Directional light in a medium with bounds or a fall-off, where the path of the light through the
+// medium differs from point to point. Bins along the view ray have equal extinction.
 
 ViewRay makeViewRay(vec2 pixel, float eyeDepth)
 {
   return clipViewRay(pixel, eyeDepth);
 }
 
-// Fraction of the light that a path of this length in the medium extinguishes.
-float extinguishedFraction(float span)
+// Fraction of the light that a path with this column in the medium extinguishes.
+float extinguishedFraction(float column)
 {
-  float depth = extinction * span;
+  float depth = extinction * column;
   return depth < thinOpticalDepth ? depth : 1.0 - exp(-depth);
 }
 
 // Coordinate in [0, 1] of the point at a length along the ray.
 float cdfOfLength(ViewRay ray, float span)
 {
-  float total = max(extinguishedFraction(ray.end - ray.begin), 1e-20);
-  return clamp(extinguishedFraction(max(span - ray.begin, 0.0)) / total, 0.0, 1.0);
+  float total = max(extinguishedFraction(ray.column), 1e-20);
+  float column = columnOfRay(ray, max(span - ray.begin, 0.0));
+  return clamp(extinguishedFraction(column) / total, 0.0, 1.0);
 }
 
 // Length along the ray of the point at the coordinate `cdf`.
 float lengthOfCdf(ViewRay ray, float cdf)
 {
-  float total = extinguishedFraction(ray.end - ray.begin);
+  float total = extinguishedFraction(ray.column);
   float lost = cdf * total;
-  return ray.begin + (total < thinOpticalDepth ? lost : -log(max(1.0 - lost, 1e-8))) / extinction;
+  float column = (total < thinOpticalDepth ? lost : -log(max(1.0 - lost, 1e-8))) / extinction;
+  return ray.begin + lengthOfColumn(ray, column);
 }
 
 // Transmittance between the light and the point at the coordinate `cdf` of the ray.
 float transmittanceToLight(ViewRay ray, float cdf)
 {
   vec3 point = ray.start + lengthOfCdf(ray, cdf) * ray.direction;
-  return exp(-extinction * lengthInMedium(point, light.xyz, 1e18));
+  return exp(-extinction * columnToLight(point, light.xyz, 1e18));
 }
 
 // In-scattering of a lit ray per unit of the coordinate `cdf`, and its mean over the ray.
@@ -64,8 +66,8 @@ float inScattering(ViewRay ray)
   {
     sum += transmittanceToLight(ray, (float(i) + 0.5) / float(intervals));
   }
-  float path = extinguishedFraction(ray.end - ray.begin) / extinction;
-  return path * scattering * phaseFunction(dot(light.xyz, ray.direction)) * sum / float(intervals);
+  float path = extinguishedFraction(ray.column) / extinction;
+  return scatteredLight(path, dot(light.xyz, ray.direction)) * sum / float(intervals);
 }
 
 // Lit fraction of the in-scattering; each bit marks one of 64 bins as shadowed.

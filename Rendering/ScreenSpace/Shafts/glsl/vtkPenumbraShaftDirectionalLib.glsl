@@ -45,7 +45,7 @@ float meanInScatteringWeight(ViewRay ray)
 float inScattering(ViewRay ray)
 {
   float path = extinguishedFraction(ray.end) / extinction;
-  return path * scattering * phaseFunction(dot(light.xyz, ray.direction));
+  return scatteredLight(path, dot(light.xyz, ray.direction));
 }
 
 float countBits(uvec2 bits)

@@ -1,21 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A homogeneous medium and its lights: single scattering along view rays toward the eye [Shafts
+// A medium and its lights: single scattering along view rays toward the eye [Shafts
 // eq. 1]. Coordinates are eye coordinates with z along the view axis. The library of the light type
 // follows at the end. Its CDF maps lengths along a view ray to [0, 1] so that equal intervals
 // scatter equal (directional light) or similar (positional light) amounts of light while the ray is
 // lit.
 uniform vec4 lights[3];     // positions (w = 1), or unit directions toward the lights (w = 0)
 uniform int lightCount;
-uniform float scattering;   // coefficients per unit of length
-uniform float extinction;
+uniform vec3 coefficients[3]; // per color channel and unit of length: scattering, extinction, Rayleigh
 uniform int phase;          // vtkPenumbraLightShaftPass::Phases
 uniform float asymmetry;    // mean cosine of HENYEY_GREENSTEIN
 
 vec4 light;                 // the current one
+float scattering;           // coefficients of the current channel
+float extinction;
+float rayleigh;
 
-const float sphereSolidAngle = 12.5663706;
 const float thinOpticalDepth = 1e-3; // below it exp(-x) is replaced by 1 - x
 
 // A view ray clipped to the medium. Lengths are along the ray.
@@ -28,27 +29,47 @@ struct ViewRay
   float begin;           // length at which the ray enters the medium
   float end;             // length at which the ray ends or leaves the medium
   float pathLength;      // in the medium: end - begin
+  float column;          // integral of the relative density over that path
+  float density;         // relative density at begin
+  float decay;           // of the density along the ray, per unit of length
   float closestApproach; // positional lights: length of the point closest to the light
   float lightDistance;   // positional lights: distance of the light from that point
   vec2 angles;           // positional lights: angles of begin and end, seen from the light
 };
 
-float phaseFunction(float cosine)
+#define NUMBER float
+#define FUNCTION float
+//VTK::Penumbra::PhaseFunctions
+
+void selectChannel(int channel)
 {
-  float value = 1.0;
-  if (phase == 1)
-  {
-    value = 0.75 * (1.0 + cosine * cosine);
-  }
-  else if (phase == 2)
-  {
-    float base = max(1.0 + asymmetry * (asymmetry - 2.0 * cosine), 1e-6);
-    value = (1.0 - asymmetry * asymmetry) / (base * sqrt(base));
-  }
-  return value / sphereSolidAngle;
+  scattering = coefficients[channel].x;
+  extinction = coefficients[channel].y;
+  rayleigh = coefficients[channel].z;
+}
+
+// Light that is scattered toward the eye, per unit of length, of the amount `arriving`.
+float scatteredLight(float arriving, float cosine)
+{
+  float mie = arriving * scattering * phaseFunctionOf(phase, cosine, asymmetry);
+  return rayleigh > 0.0 ? mie + arriving * rayleigh * rayleighPhase(cosine) : mie;
 }
 
 //VTK::Penumbra::Medium
+
+//VTK::Penumbra::Density
+
+float columnOfRay(ViewRay ray, float span)
+{
+  return columnAlong(ray.density, ray.decay, span);
+}
+
+// Column of the path from a point in the medium to a light at distance `lightDistance`.
+float columnToLight(vec3 point, vec3 toLight, float lightDistance)
+{
+  return columnAlong(
+    densityAt(point), decayAlong(toLight), lengthInMedium(point, toLight, lightDistance));
+}
 
 ViewRay clipViewRay(vec2 pixel, float eyeDepth)
 {
@@ -62,6 +83,9 @@ ViewRay clipViewRay(vec2 pixel, float eyeDepth)
   ray.begin = span.x;
   ray.end = span.y;
   ray.pathLength = span.y - span.x;
+  ray.density = densityAt(ray.start + ray.begin * ray.direction);
+  ray.decay = decayAlong(ray.direction);
+  ray.column = columnOfRay(ray, ray.pathLength);
   return ray;
 }
 

@@ -12,7 +12,7 @@ const float maximumOpticalDepth = 18.0; // exp(-18) is below 2e-8: the rest of t
 ViewRay makeViewRay(vec2 pixel, float eyeDepth)
 {
   ViewRay ray = clipViewRay(pixel, eyeDepth);
-  ray.end = min(ray.end, ray.begin + maximumOpticalDepth / extinction);
+  ray.end = min(ray.end, ray.begin + lengthOfColumn(ray, maximumOpticalDepth / extinction));
   vec3 toLight = light.xyz - ray.start;
   ray.closestApproach = dot(toLight, ray.direction);
   ray.lightDistance = max(length(toLight - ray.closestApproach * ray.direction), 1e-5 * ray.end);
@@ -49,8 +49,10 @@ float inScatteringDensity(ViewRay ray, float cdf)
     spot / max(dot(attenuation, vec3(1.0, distanceToLight, distanceToLight * distanceToLight)), 1e-20);
   float lengthPerCdf =
     (ray.lightDistance + offset * offset / ray.lightDistance) * (ray.angles.y - ray.angles.x);
-  return lengthPerCdf * strength * scattering * phaseFunction(dot(direction, ray.direction)) *
-    exp(-extinction * (span - ray.begin + lengthInMedium(point, direction, distanceToLight)));
+  return scatteredLight(lengthPerCdf * strength, dot(direction, ray.direction)) *
+    densityAt(point) *
+    exp(-extinction *
+      (columnOfRay(ray, span - ray.begin) + columnToLight(point, direction, distanceToLight)));
 }
 
 // In-scattering of a fully lit ray for a light of color 1.

@@ -14,6 +14,8 @@ uniform vec2 texelSize;       // 1 / size of litFractions
 uniform float blockSize;      // pixels per side of a texel
 uniform float interleaved;    // 1: interpolate four texels per pixel
 uniform vec3 colors[3];       // of the lights, exposure included
+uniform int isColored;        // 1: each channel has its own coefficients
+uniform int referenceChannel; // the most transparent one: alpha is its transmittance
 uniform vec2 alpha;           // the output's alpha is x + y * transmittance
 uniform vec2 offset;          // from pixels of the target to those of the scene image
 
@@ -53,9 +55,17 @@ void main()
   for (int i = 0; i < lightCount; ++i)
   {
     light = lights[i];
+    selectChannel(referenceChannel);
     ViewRay ray = makeViewRay(pixel, eyeDepth);
-    sum += colors[i] * litFraction(i, lit) * inScattering(ray);
-    transmittance = exp(-min(extinction * ray.pathLength, 80.0));
+    transmittance = exp(-min(extinction * ray.column, 80.0));
+    vec3 scattered = vec3(inScattering(ray));
+    for (int channel = 0; channel < 3 && isColored > 0; ++channel)
+    {
+      selectChannel(channel);
+      vec3 component = vec3(equal(ivec3(0, 1, 2), ivec3(channel)));
+      scattered = mix(scattered, vec3(inScattering(makeViewRay(pixel, eyeDepth))), component);
+    }
+    sum += colors[i] * litFraction(i, lit) * scattered;
   }
   gl_FragData[0] = vec4(sum, alpha.x + alpha.y * transmittance);
 }

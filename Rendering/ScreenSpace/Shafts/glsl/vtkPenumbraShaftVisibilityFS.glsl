@@ -8,6 +8,7 @@
 //VTK::Penumbra::ViewLib
 //VTK::Penumbra::ShaftLib
 uniform sampler2D eyeDepths;
+uniform int referenceChannel; // its lit fractions stand for those of the other channels
 
 //VTK::Penumbra::Estimator
 
@@ -15,6 +16,7 @@ void main()
 {
   vec2 pixel = gl_FragCoord.xy;
   float eyeDepth = texture(eyeDepths, pixel * pixelSize).r;
+  selectChannel(referenceChannel);
   vec3 lit = vec3(0.0);
   for (int i = 0; i < lightCount; ++i)
   {
