@@ -75,18 +75,22 @@ struct vtkPenumbraIrradianceCache::Internals
     std::unique_ptr<ViewRecords> Records;
 
     /// Converts a point in world coordinates.
-    ShadingPoint ToShadingPoint(const double point[3], const double normal[3]) const
+    ShadingPoint ToShadingPoint(
+      const double point[3], const double normal[3], const double geometricNormal[3]) const
     {
       ShadingPoint shadingPoint;
       shadingPoint.Position = this->Units.FromWorld(point);
       shadingPoint.Normal = glm::vec3(normal[0], normal[1], normal[2]);
+      if (geometricNormal)
+      {
+        shadingPoint.GeometricNormal =
+          glm::vec3(geometricNormal[0], geometricNormal[1], geometricNormal[2]);
+      }
       return shadingPoint;
     }
 
-    InterpolationResult LookUp(
-      const double point[3], const double normal[3], bool gatherIfMissing) const
+    InterpolationResult LookUp(const ShadingPoint& shadingPoint, bool gatherIfMissing) const
     {
-      const ShadingPoint shadingPoint = this->ToShadingPoint(point, normal);
       return gatherIfMissing ? this->Records->LookUpOrGather(shadingPoint)
                              : this->Records->LookUp(shadingPoint);
     }
@@ -268,19 +272,22 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
 }
 
 vtkPenumbraIrradianceProvider::Estimate vtkPenumbraIrradianceCache::Occlusion(
-  const double point[3], const double normal[3]) const
+  const double point[3], const double normal[3], const double geometricNormal[3]) const
 {
-  return this->OcclusionWithin(point, normal, this->Implementation->QueryTolerance);
+  return this->OcclusionWithin(
+    point, normal, this->Implementation->QueryTolerance, geometricNormal);
 }
 
 vtkPenumbraIrradianceProvider::Estimate vtkPenumbraIrradianceCache::OcclusionWithin(
-  const double point[3], const double normal[3], double tolerance) const
+  const double point[3], const double normal[3], double tolerance,
+  const double geometricNormal[3]) const
 {
   const Internals& self = *this->Implementation;
-  const InterpolationResult found = self.Occlusion.LookUp(point, normal, this->IsLazy());
+  const InterpolationResult found = self.Occlusion.LookUp(
+    self.Occlusion.ToShadingPoint(point, normal, geometricNormal), this->IsLazy());
   if (!found.Found())
   {
-    return self.BruteForce->OcclusionWithin(point, normal, tolerance);
+    return self.BruteForce->OcclusionWithin(point, normal, tolerance, geometricNormal);
   }
   Estimate estimate;
   estimate.Value = std::min(found.Mean.x, 1.f);
@@ -332,20 +339,20 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
   return true;
 }
 
-vtkPenumbraIrradianceProvider::Light vtkPenumbraIrradianceCache::Irradiance(
-  const double point[3], const double normal[3], double tolerance) const
+vtkPenumbraIrradianceProvider::Light vtkPenumbraIrradianceCache::Irradiance(const double point[3],
+  const double normal[3], double tolerance, const double geometricNormal[3]) const
 {
   const Internals& self = *this->Implementation;
   Light light;
-  InterpolationResult found = self.Irradiance.LookUp(point, normal, this->IsLazy());
+  const ShadingPoint shadingPoint = self.Irradiance.ToShadingPoint(point, normal, geometricNormal);
+  InterpolationResult found = self.Irradiance.LookUp(shadingPoint, this->IsLazy());
   if (!found.Found())
   {
-    found = self.Irradiance.Records->Gather(self.Irradiance.ToShadingPoint(point, normal),
-      std::max(tolerance / vtkMath::Pi(), MinimumTolerance), light.Rays);
+    found = self.Irradiance.Records->Gather(
+      shadingPoint, std::max(tolerance / vtkMath::Pi(), MinimumTolerance), light.Rays);
   }
-  const ShadingPoint shadingPoint = self.Irradiance.ToShadingPoint(point, normal);
   const auto sampled = self.Light->GetLight().EstimateSampledLight(
-    shadingPoint.Position, shadingPoint.Normal, tolerance / vtkMath::Pi(), light.Rays);
+    shadingPoint.Position, shadingPoint.GetNormals(), tolerance / vtkMath::Pi(), light.Rays);
   light.Error = vtkMath::Pi() * std::hypot(found.Error, sampled.Error);
   for (int c = 0; c < 3; ++c)
   {

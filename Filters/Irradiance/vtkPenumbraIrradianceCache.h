@@ -148,15 +148,17 @@ public:
 
   bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) override;
-  Estimate Occlusion(const double point[3], const double normal[3]) const override;
+  Estimate Occlusion(const double point[3], const double normal[3],
+    const double geometricNormal[3] = nullptr) const override;
   /** `tolerance` applies to brute force, which is used for points without a valid record. */
-  Estimate OcclusionWithin(
-    const double point[3], const double normal[3], double tolerance) const override;
+  Estimate OcclusionWithin(const double point[3], const double normal[3], double tolerance,
+    const double geometricNormal[3] = nullptr) const override;
 
   bool BeginIrradiance(
     const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) override;
   /** Gathers at the point itself if it has no valid record. */
-  Light Irradiance(const double point[3], const double normal[3], double tolerance) const override;
+  Light Irradiance(const double point[3], const double normal[3], double tolerance,
+    const double geometricNormal[3] = nullptr) const override;
 
   /** Adds `Cache/Records`, `Cache/Bytes`, `Rays/Gather`, and the statistics of the gatherer. */
   void Report(vtkFieldData* statistics) const override;

@@ -29,6 +29,7 @@ namespace
 using penumbra::DistanceFalloff;
 using penumbra::Ray;
 using penumbra::RayScene;
+using penumbra::SurfaceNormals;
 using Estimate = vtkPenumbraIrradianceProvider::Estimate;
 
 constexpr double Pi = glm::pi<double>();
@@ -44,19 +45,28 @@ std::uint32_t ComputeFirstRound(std::uint32_t minimum, std::uint32_t limit)
   return count;
 }
 
+SurfaceNormals ToSurfaceNormals(const double normal[3], const double geometricNormal[3])
+{
+  const glm::vec3 shading(normal[0], normal[1], normal[2]);
+  return geometricNormal
+    ? SurfaceNormals(shading, { geometricNormal[0], geometricNormal[1], geometricNormal[2] })
+    : shading;
+}
+
 /// Occlusion estimate of the hemisphere above one point.
 class Hemisphere
 {
 public:
-  Hemisphere(const RayScene& rays, glm::vec3 point, glm::vec3 normal,
+  Hemisphere(const RayScene& rays, glm::vec3 point, const SurfaceNormals& normals,
     const DistanceFalloff& falloff, bool translucent)
     : Rays(rays),
       Falloff(falloff),
       Translucent(translucent),
-      Frame(penumbra::FrameFromNormal(normal)),
-      Directions(penumbra::HashPoint(point, normal))
+      Normals(normals),
+      Frame(penumbra::FrameFromNormal(normals.Shading)),
+      Directions(penumbra::HashPoint(point, normals.Shading))
   {
-    this->RayTemplate.Origin = point + penumbra::RayOriginOffset(point) * normal;
+    this->RayTemplate.Origin = point + penumbra::RayOriginOffset(point) * normals.Geometric;
     this->RayTemplate.Far = falloff.Radius;
   }
 
@@ -94,8 +104,8 @@ private:
       rays[i] = this->RayTemplate;
       rays[i].Far = i < size ? this->RayTemplate.Far : -1.f;
       const glm::vec2 at = this->Directions.At(first + i);
-      rays[i].Direction =
-        this->Frame * penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y));
+      rays[i].Direction = this->Normals.ReflectAbove(this->Frame *
+        penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
     }
     this->ComputeOcclusion(rays, occlusion);
     for (std::uint32_t i = 0; i < size; ++i)
@@ -132,6 +142,7 @@ private:
   DistanceFalloff Falloff;
   bool Translucent;
   long long AdditionalRays = 0;
+  SurfaceNormals Normals;
   glm::mat3 Frame;
   penumbra::OwenSobolSequence Directions;
   Ray RayTemplate;
@@ -141,11 +152,11 @@ private:
 
 Hemisphere MakeHemisphere(const RayScene& rays,
   const vtkPenumbraIrradianceProvider::Occluders& occluders, const double point[3],
-  const double normal[3], bool translucent)
+  const double normal[3], const double geometricNormal[3], bool translucent)
 {
   const penumbra::Scene& scene = rays.GetScene();
   const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
-  return Hemisphere(rays, position, glm::vec3(normal[0], normal[1], normal[2]),
+  return Hemisphere(rays, position, ToSurfaceNormals(normal, geometricNormal),
     DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, scene.Scale), translucent);
 }
 
@@ -162,16 +173,17 @@ bool vtkPenumbraBruteForceIrradiance::Begin(
 }
 
 vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusion(
-  const double point[3], const double normal[3]) const
+  const double point[3], const double normal[3], const double geometricNormal[3]) const
 {
-  return this->OcclusionWithin(point, normal, this->Tolerance);
+  return this->OcclusionWithin(point, normal, this->Tolerance, geometricNormal);
 }
 
 vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::OcclusionWithin(
-  const double point[3], const double normal[3], double tolerance) const
+  const double point[3], const double normal[3], double tolerance,
+  const double geometricNormal[3]) const
 {
-  Hemisphere hemisphere =
-    MakeHemisphere(*this->Rays, this->OccluderSettings, point, normal, this->Translucent);
+  Hemisphere hemisphere = MakeHemisphere(
+    *this->Rays, this->OccluderSettings, point, normal, geometricNormal, this->Translucent);
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
   if (tolerance > this->Tolerance)
   {
@@ -204,21 +216,23 @@ bool vtkPenumbraBruteForceIrradiance::BeginIrradiance(
 }
 
 vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance(
-  const double point[3], const double normal[3], double tolerance) const
+  const double point[3], const double normal[3], double tolerance,
+  const double geometricNormal[3]) const
 {
   const penumbra::Illumination& lighting = *this->Lighting;
   const glm::vec3 position(lighting.GetRays().GetScene().FromWorld(point));
-  const glm::vec3 up(normal[0], normal[1], normal[2]);
+  const SurfaceNormals normals = ToSurfaceNormals(normal, geometricNormal);
+  const glm::vec3 up = normals.Shading;
   const glm::mat3 frame = penumbra::FrameFromNormal(up);
   const std::uint32_t seed = penumbra::HashPoint(position, up);
   const penumbra::OwenSobolSequence directions(seed);
   const int bounces = lighting.GetSettings().Bounces;
   std::uint32_t random = penumbra::MixBits(seed);
   Light result;
-  const penumbra::Illumination::IrradianceFunction irradiance = [&](glm::vec3 next,
-                                                                  glm::vec3 nextNormal) {
-    return lighting.TracePath(next, nextNormal, bounces - 1, random, result.Rays);
-  };
+  const penumbra::Illumination::IrradianceFunction irradiance =
+    [&](glm::vec3 next, const SurfaceNormals& nextNormal) {
+      return lighting.TracePath(next, nextNormal, bounces - 1, random, result.Rays);
+    };
 
   glm::dvec3 sum(0.0);
   std::vector<float> grays;
@@ -229,7 +243,7 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
     while (grays.size() < count)
     {
       const glm::vec2 at = directions.At(static_cast<std::uint32_t>(grays.size()));
-      const Ray ray = penumbra::Illumination::SpawnRay(position, up,
+      const Ray ray = penumbra::Illumination::SpawnRay(position, normals,
         frame * penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
       const glm::vec3 light = lighting.IncidentRadiance(ray, lighting.GetRays().Intersect(ray), up,
         bounces > 1 ? irradiance : penumbra::Illumination::IrradianceFunction(), result.Rays);
@@ -243,7 +257,8 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
       break;
     }
   }
-  const auto sampled = lighting.EstimateSampledLight(position, up, tolerance / Pi, result.Rays);
+  const auto sampled =
+    lighting.EstimateSampledLight(position, normals, tolerance / Pi, result.Rays);
   result.Error = std::hypot(result.Error, Pi * sampled.Error);
   for (int c = 0; c < 3; ++c)
   {

@@ -43,13 +43,15 @@ public:
 
   bool Begin(const penumbra::RayScene& scene, const Occluders& occluders, double tolerance,
     const Progress& progress = {}) override;
-  Estimate Occlusion(const double point[3], const double normal[3]) const override;
-  Estimate OcclusionWithin(
-    const double point[3], const double normal[3], double tolerance) const override;
+  Estimate Occlusion(const double point[3], const double normal[3],
+    const double geometricNormal[3] = nullptr) const override;
+  Estimate OcclusionWithin(const double point[3], const double normal[3], double tolerance,
+    const double geometricNormal[3] = nullptr) const override;
 
   bool BeginIrradiance(
     const penumbra::Illumination& light, double tolerance, const Progress& progress = {}) override;
-  Light Irradiance(const double point[3], const double normal[3], double tolerance) const override;
+  Light Irradiance(const double point[3], const double normal[3], double tolerance,
+    const double geometricNormal[3] = nullptr) const override;
 
 protected:
   vtkPenumbraBruteForceIrradiance();

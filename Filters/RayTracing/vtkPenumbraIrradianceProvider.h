@@ -87,19 +87,22 @@ public:
 
   /**
    * Returns the occlusion at `point` (world coordinates) in the hemisphere about `normal` (unit).
-   * The caller chooses the side: images use the geometric normal that faces the camera.
+   * The caller chooses the side: images use the interpolated normal, on the side that faces the
+   * camera. `geometricNormal` (unit) is the normal of the polygon; null if it equals `normal`.
+   * Directions below the polygon are reflected by its plane.
    */
-  virtual Estimate Occlusion(const double point[3], const double normal[3]) const = 0;
+  virtual Estimate Occlusion(const double point[3], const double normal[3],
+    const double geometricNormal[3] = nullptr) const = 0;
 
   /**
    * Returns the occlusion with a standard error of at most `tolerance` instead, for one of several
    * points whose results are averaged. The errors must be unbiased and independent between points.
    * The default implementation calls Occlusion().
    */
-  virtual Estimate OcclusionWithin(
-    const double point[3], const double normal[3], double vtkNotUsed(tolerance)) const
+  virtual Estimate OcclusionWithin(const double point[3], const double normal[3],
+    double vtkNotUsed(tolerance), const double geometricNormal[3] = nullptr) const
   {
-    return this->Occlusion(point, normal);
+    return this->Occlusion(point, normal, geometricNormal);
   }
 
   /**
@@ -123,10 +126,10 @@ public:
 
   /**
    * Returns the irradiance at `point` (world coordinates) in the hemisphere about `normal` (unit),
-   * with a standard error of at most `tolerance`.
+   * with a standard error of at most `tolerance`. `geometricNormal` as for Occlusion().
    */
-  virtual Light Irradiance(
-    const double point[3], const double normal[3], double tolerance) const = 0;
+  virtual Light Irradiance(const double point[3], const double normal[3], double tolerance,
+    const double geometricNormal[3] = nullptr) const = 0;
 
   /** Adds counts since Begin() to `statistics`, as arrays of one value. The default adds none. */
   virtual void Report(vtkFieldData* vtkNotUsed(statistics)) const {}

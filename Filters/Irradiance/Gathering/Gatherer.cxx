@@ -9,7 +9,7 @@ namespace penumbra
 
 Gatherer::~Gatherer() = default;
 
-long long Gatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
+long long Gatherer::SampleHemisphere(glm::vec3 point, const TangentFrame& frame,
   const HemisphereGrid& grid, std::uint32_t seed, std::vector<glm::vec3>& directions,
   std::vector<HemisphereSample>& samples) const
 {
@@ -18,9 +18,9 @@ long long Gatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
   inScene.reserve(directions.size());
   for (const glm::vec3& direction : directions)
   {
-    inScene.push_back(frame * direction);
+    inScene.push_back(frame.Axes * direction);
   }
-  return this->Gather(point, frame[2], inScene, samples);
+  return this->Gather(point, frame.GetNormals(), inScene, samples);
 }
 
 }

@@ -8,6 +8,7 @@
 #define penumbra_Gatherer_h
 
 #include "Shading/DistanceFalloff.h"
+#include "Shading/HemisphereSampling.h"
 #include "vtkPenumbraFiltersIrradianceModule.h" // for export macro, which other modules need
 
 #include <glm/glm.hpp>
@@ -49,6 +50,25 @@ struct EmitterSample
   int EmitterIndex; ///< samples of one emitter are consecutive
 };
 
+/// Orientation of a hemisphere.
+struct TangentFrame
+{
+  TangentFrame(const glm::mat3& axes) // NOLINT(google-explicit-constructor): flat surfaces
+    : Axes(axes),
+      GeometricNormal(axes[2])
+  {
+  }
+  TangentFrame(const glm::mat3& axes, glm::vec3 geometricNormal)
+    : Axes(axes),
+      GeometricNormal(geometricNormal)
+  {
+  }
+  glm::mat3 Axes; ///< local to scene coordinates; the third axis is the shading normal
+  glm::vec3 GeometricNormal;
+
+  SurfaceNormals GetNormals() const { return { this->Axes[2], this->GeometricNormal }; }
+};
+
 class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT Gatherer
 {
 public:
@@ -61,16 +81,15 @@ public:
   {
   }
 
-  /// Samples `directions` (unit vectors, scene coordinates) from `point` on a surface with
-  /// `normal`. Fills `samples` with one sample per direction and returns the number of rays traced.
+  /// Samples `directions` (unit vectors, scene coordinates) from `point` on a surface. Directions
+  /// below the surface are reflected. Fills `samples` with one sample per direction and returns the number of rays traced.
   /// Thread-safe; the result depends only on the arguments.
-  virtual long long Gather(glm::vec3 point, glm::vec3 normal,
+  virtual long long Gather(glm::vec3 point, const SurfaceNormals& normals,
     const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const = 0;
 
-  /// Samples the cells of `grid`, oriented by `frame` (local to scene coordinates; its third axis
-  /// is the normal). Fills `directions` (local coordinates) and `samples`, one per cell. The
+  /// Samples the cells of `grid`, oriented by `frame`. Fills `directions` (local coordinates) and `samples`, one per cell. The
   /// default implementation calls Gather() with one direction per cell, jittered by `seed`.
-  virtual long long SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
+  virtual long long SampleHemisphere(glm::vec3 point, const TangentFrame& frame,
     const HemisphereGrid& grid, std::uint32_t seed, std::vector<glm::vec3>& directions,
     std::vector<HemisphereSample>& samples) const;
 

@@ -27,17 +27,17 @@ glm::vec3 NormalAt(const RayScene& rays, const Ray& ray, const Hit& hit)
   return length > 0.f ? n / length : glm::vec3(0.f);
 }
 
-long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
+long long RayGatherer::Gather(glm::vec3 point, const SurfaceNormals& normals,
   const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const
 {
-  const glm::vec3 origin = point + RayOriginOffset(point) * normal;
+  const glm::vec3 origin = point + RayOriginOffset(point) * normals.Geometric;
   const std::size_t count = directions.size();
   const std::size_t paddedCount = (count + PacketSize - 1) / PacketSize * PacketSize;
-  std::vector<Ray> rays(paddedCount, Ray{ origin, normal, 1.f, 0.f });
+  std::vector<Ray> rays(paddedCount, Ray{ origin, normals.Geometric, 1.f, 0.f });
   std::vector<Hit> hits(paddedCount);
   for (std::size_t i = 0; i < count; ++i)
   {
-    rays[i] = Ray{ origin, directions[i], 0.f, this->GetRadius() };
+    rays[i] = Ray{ origin, normals.ReflectAbove(directions[i]), 0.f, this->GetRadius() };
   }
   for (std::size_t first = 0; first < count; first += PacketSize)
   {
@@ -49,7 +49,7 @@ long long RayGatherer::Gather(glm::vec3 point, glm::vec3 normal,
   {
     hits[i] = SkipLinesAndPoints(this->Rays, rays[i], hits[i]);
   }
-  const long long additionalRays = this->ShadeHits(point, normal, rays, hits, samples);
+  const long long additionalRays = this->ShadeHits(point, normals, rays, hits, samples);
   const DistanceFalloff falloff = this->GetFalloff();
   for (HemisphereSample& sample : samples)
   {
@@ -65,7 +65,7 @@ OcclusionGatherer::OcclusionGatherer(const RayScene& scene, const DistanceFallof
 {
 }
 
-long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, glm::vec3 /*normal*/,
+long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, const SurfaceNormals& /*normals*/,
   const std::vector<Ray>& rays, const std::vector<Hit>& hits,
   std::vector<HemisphereSample>& samples) const
 {
@@ -129,17 +129,18 @@ void LightGatherer::SampleEmitters(
   }
 }
 
-long long LightGatherer::ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-  const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const
+long long LightGatherer::ShadeHits(glm::vec3 point, const SurfaceNormals& normals,
+  const std::vector<Ray>& rays, const std::vector<Hit>& hits,
+  std::vector<HemisphereSample>& samples) const
 {
   samples.assign(rays.size(), HemisphereSample());
   long long additionalRays = 0;
   std::uint32_t random =
-    MixBits(HashPoint(point, normal) + static_cast<std::uint32_t>(rays.size()));
+    MixBits(HashPoint(point, normals.Shading) + static_cast<std::uint32_t>(rays.size()));
   Illumination::IrradianceFunction arriving;
   if (this->IncidentLight)
   {
-    arriving = [&](glm::vec3 at, glm::vec3 about) {
+    arriving = [&](glm::vec3 at, const SurfaceNormals& about) {
       const std::optional<glm::vec3> cached = this->IncidentLight(at, about);
       return cached ? *cached + this->Light.SampleLights(at, about, random, additionalRays)
                     : this->Light.TracePath(at, about, this->Bounces, random, additionalRays);
@@ -153,7 +154,7 @@ long long LightGatherer::ShadeHits(glm::vec3 point, glm::vec3 normal, const std:
       samples[i].Normal = NormalAt(this->GetRays(), rays[i], hits[i]);
     }
     samples[i].Radiance =
-      this->Light.IncidentRadiance(rays[i], hits[i], normal, arriving, additionalRays);
+      this->Light.IncidentRadiance(rays[i], hits[i], normals.Shading, arriving, additionalRays);
   }
   return additionalRays;
 }

@@ -32,14 +32,16 @@ public:
   {
   }
 
-  long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
+  long long Gather(glm::vec3 point, const SurfaceNormals& normals,
+    const std::vector<glm::vec3>& directions,
     std::vector<HemisphereSample>& samples) const override;
 
   /// Shades `hits`, the first hits of `rays` from `point` without lines and points. Fills
   /// `samples`, with radiance before the distance falloff, and returns the number of additional
   /// rays traced.
-  virtual long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
-    const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const = 0;
+  virtual long long ShadeHits(glm::vec3 point, const SurfaceNormals& normals,
+    const std::vector<Ray>& rays, const std::vector<Hit>& hits,
+    std::vector<HemisphereSample>& samples) const = 0;
 
   const RayScene& GetRays() const { return this->Rays; }
 
@@ -55,7 +57,7 @@ public:
   /// `falloff` in scene units.
   OcclusionGatherer(const RayScene& scene, const DistanceFalloff& falloff);
 
-  long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+  long long ShadeHits(glm::vec3 point, const SurfaceNormals& normals, const std::vector<Ray>& rays,
     const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const override;
   DistanceFalloff GetFalloff() const override { return this->Falloff; }
 
@@ -72,7 +74,8 @@ class VTKPENUMBRAFILTERSIRRADIANCE_EXPORT LightGatherer : public RayGatherer
 public:
   /// Looks up the mean radiance over the hemisphere at a point, without suns and sampled emitters. Returns nothing if no
   /// value is cached for the point.
-  using LightLookup = std::function<std::optional<glm::vec3>(glm::vec3 point, glm::vec3 normal)>;
+  using LightLookup =
+    std::function<std::optional<glm::vec3>(glm::vec3 point, const SurfaceNormals& normals)>;
 
   /// `arriving` looks up the incident light at surfaces after at most `bounces` - 1 reflections. If
   /// it returns nothing, a single path is traced. If it is empty, surfaces reflect no indirect
@@ -80,7 +83,7 @@ public:
   LightGatherer(const Illumination& light, LightLookup arriving, int bounces);
 
   void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& emitterSamples) const override;
-  long long ShadeHits(glm::vec3 point, glm::vec3 normal, const std::vector<Ray>& rays,
+  long long ShadeHits(glm::vec3 point, const SurfaceNormals& normals, const std::vector<Ray>& rays,
     const std::vector<Hit>& hits, std::vector<HemisphereSample>& samples) const override;
   DistanceFalloff GetFalloff() const override { return {}; }
 

@@ -14,10 +14,10 @@ namespace
 /// Returns a function that looks up the records of `tree`, which must outlive it.
 LightGatherer::LightLookup LookUpRecords(const RecordOctree& tree)
 {
-  return [&tree](glm::vec3 point, glm::vec3 normal) -> std::optional<glm::vec3> {
+  return [&tree](glm::vec3 point, const SurfaceNormals& normals) -> std::optional<glm::vec3> {
     ShadingPoint shadingPoint;
     shadingPoint.Position = point;
-    shadingPoint.Normal = normal;
+    shadingPoint.Normal = normals.Shading;
     const InterpolationResult found = tree.LookUp(shadingPoint);
     return found.Found() ? std::optional<glm::vec3>(found.Mean) : std::nullopt;
   };
@@ -54,7 +54,8 @@ std::vector<RecordCandidate> Interreflection::FindSites(
     grid.JitterDirections(HashPoint(from.Position, from.Normal), directions);
     for (int k = 0; k < grid.Cells(); ++k)
     {
-      const Ray ray = Illumination::SpawnRay(from.Position, from.Normal, frame * directions[k]);
+      const Ray ray =
+        Illumination::SpawnRay(from.Position, from.GetNormals(), frame * directions[k]);
       const Hit hit = rays.Intersect(ray);
       ++this->Rays;
       if (!hit.IsHit() || rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
@@ -65,8 +66,10 @@ std::vector<RecordCandidate> Interreflection::FindSites(
       site.Position = ray.Origin + hit.Distance * ray.Direction;
       site.Normal = NormalAt(rays, ray, hit);
       site.Normal = glm::dot(site.Normal, ray.Direction) > 0.f ? -site.Normal : site.Normal;
+      site.GeometricNormal = site.Normal;
+      site.Normal = rays.GetSmoothNormal(hit, site.Normal);
       site.Pixel = PixelPerDistance * hit.Distance;
-      if (site.Normal != glm::vec3(0.f) && site.Pixel > 0.f)
+      if (site.GeometricNormal != glm::vec3(0.f) && site.Pixel > 0.f)
       {
         found[(k * 37) % grid.Cells()].push_back(site);
       }

@@ -61,7 +61,9 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
   }
   const double facing = glm::dot(normal, glm::dvec3(ray.Direction));
   site.Position = ray.Origin + hit.Distance * ray.Direction;
-  site.Normal = (facing > 0.0 ? -1.0 : 1.0) / length * normal;
+  const glm::dvec3 geometric = (facing > 0.0 ? -1.0 : 1.0) / length * normal;
+  site.GeometricNormal = geometric;
+  site.Normal = rays.GetSmoothNormal(hit, geometric);
   const double cosine = std::abs(facing) / (length * glm::length(glm::dvec3(ray.Direction)));
   const double depth = hit.Distance + camera.DepthOfRayOrigins();
   const double pixel = camera.PixelSize * (camera.Parallel ? 1.0 : depth);

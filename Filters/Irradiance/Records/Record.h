@@ -18,11 +18,19 @@ namespace penumbra
 struct ShadingPoint
 {
   glm::vec3 Position{ 0.f };
-  glm::vec3 Normal{ 0.f, 0.f, 1.f }; ///< unit
+  glm::vec3 Normal{ 0.f, 0.f, 1.f }; ///< unit, axis of the hemisphere
+  glm::vec3 GeometricNormal{ 0.f };  ///< unit, of the polygon; 0 if it equals Normal
 
   /// Maximum distance of a record and a point from their common tangent plane, along the normals:
   /// the size of a pixel at each, of which the smaller one applies.
   float MaximumPlaneDistance = std::numeric_limits<float>::infinity();
+
+  SurfaceNormals GetNormals() const
+  {
+    return this->GeometricNormal == glm::vec3(0.f)
+      ? SurfaceNormals(this->Normal)
+      : SurfaceNormals(this->Normal, this->GeometricNormal);
+  }
 
   /// Returns true if `other` is not on the surface of this point but, for example, on a parallel
   /// one. On a smooth surface, a chord is perpendicular to the mean of both normals up to third

@@ -245,6 +245,7 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   Record record;
   record.Position = site.Position;
   record.Normal = site.Normal;
+  record.GeometricNormal = site.GeometricNormal;
   const glm::mat3 frame = FrameFromNormal(site.Normal);
   record.Tangent = frame[0];
   const std::uint32_t seed = HashPoint(site.Position, site.Normal);
@@ -261,8 +262,9 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   for (int side = first;; side = this->Settings.Side)
   {
     const HemisphereGrid& grid = HemisphereGrid::Get(side);
-    rays += this->Source.SampleHemisphere(
-      site.Position, frame, grid, MixBits(seed + static_cast<std::uint32_t>(side)), local, samples);
+    rays +=
+      this->Source.SampleHemisphere(site.Position, TangentFrame(frame, site.GetNormals().Geometric),
+        grid, MixBits(seed + static_cast<std::uint32_t>(side)), local, samples);
     if (IsInCorner(site.Position, samples))
     {
       return std::nullopt;
@@ -350,7 +352,7 @@ long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const g
     direction = frame * direction;
   }
   std::vector<HemisphereSample> refined;
-  const long long rays = this->Source.Gather(site.Position, site.Normal, directions, refined);
+  const long long rays = this->Source.Gather(site.Position, site.GetNormals(), directions, refined);
   std::vector<HemisphereSample>::const_iterator next = refined.begin();
   for (int cell = 0; cell < grid.Cells(); ++cell)
   {
@@ -390,7 +392,7 @@ long long RecordPlacement::FindOccluderEdges(const RecordCandidate& site,
     {
       break;
     }
-    rays += this->Source.Gather(site.Position, site.Normal, refined, hits);
+    rays += this->Source.Gather(site.Position, site.GetNormals(), refined, hits);
     std::vector<int> left;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {

@@ -66,6 +66,7 @@ InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& point)
     RecordCandidate site;
     site.Position = point.Position;
     site.Normal = point.Normal;
+    site.GeometricNormal = point.GeometricNormal;
     site.Pixel = this->PixelAt(point.Position);
     if (const std::optional<Record> made = this->Placement.Gather(site, this->LazyRays))
     {
@@ -94,7 +95,7 @@ InterpolationResult ViewRecords::Gather(
     directions.push_back(frame * DiskToHemisphere(SampleUniformDiskConcentric(at.x, at.y)));
   }
   std::vector<HemisphereSample> samples;
-  rays += this->Source.Gather(point.Position, point.Normal, directions, samples);
+  rays += this->Source.Gather(point.Position, point.GetNormals(), directions, samples);
   InterpolationResult result;
   const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
   float squares = 0.f;

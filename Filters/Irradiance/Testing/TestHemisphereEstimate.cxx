@@ -29,7 +29,7 @@ public:
   {
   }
 
-  long long Gather(glm::vec3 point, glm::vec3, const std::vector<glm::vec3>& directions,
+  long long Gather(glm::vec3 point, const SurfaceNormals&, const std::vector<glm::vec3>& directions,
     std::vector<HemisphereSample>& samples) const override
   {
     samples.clear();

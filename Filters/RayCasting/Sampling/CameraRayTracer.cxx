@@ -107,9 +107,10 @@ float CameraRayTracer::ComputeOcclusion(const Ray& ray, const Hit& hit, const Sh
   RayCounts& counts, double toleranceScale) const
 {
   const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(shaded.GeometricNormal));
+  const glm::dvec3 geometric = glm::normalize(glm::dvec3(shaded.GeometricNormal));
+  const glm::dvec3 normal = this->Rays.GetSmoothNormal(hit, geometric);
   const vtkPenumbraIrradianceProvider::Estimate estimate = this->OcclusionProvider->OcclusionWithin(
-    &point.x, &normal.x, toleranceScale * this->OcclusionTolerance);
+    &point.x, &normal.x, toleranceScale * this->OcclusionTolerance, &geometric.x);
   counts.Occlusion += estimate.Rays;
   return static_cast<float>(estimate.Value);
 }
@@ -123,9 +124,10 @@ glm::vec3 CameraRayTracer::ComputeIndirectLight(const Ray& ray, const Hit& hit,
     return reflectance;
   }
   const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(shaded.GeometricNormal));
+  const glm::dvec3 geometric = glm::normalize(glm::dvec3(shaded.GeometricNormal));
+  const glm::dvec3 normal = this->Rays.GetSmoothNormal(hit, geometric);
   const vtkPenumbraIrradianceProvider::Light light = this->IrradianceProvider->Irradiance(
-    &point.x, &normal.x, toleranceScale * this->IrradianceTolerance);
+    &point.x, &normal.x, toleranceScale * this->IrradianceTolerance, &geometric.x);
   counts.Indirect += light.Rays;
   return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / glm::pi<float>();
 }

@@ -263,12 +263,12 @@ public:
   static FailingProvider* New();
   vtkTypeMacro(FailingProvider, vtkPenumbraBruteForceIrradiance);
 
-  Estimate Occlusion(const double[3], const double[3]) const override
+  Estimate Occlusion(const double[3], const double[3], const double*) const override
   {
     throw std::runtime_error("test failure");
   }
 
-  Estimate OcclusionWithin(const double[3], const double[3], double) const override
+  Estimate OcclusionWithin(const double[3], const double[3], double, const double*) const override
   {
     throw std::runtime_error("test failure");
   }

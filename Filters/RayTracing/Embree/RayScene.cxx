@@ -38,6 +38,11 @@ constexpr double SliverError = 1e-3;
 /// RayTriangle::EdgeTolerance; large for triangles at grazing incidence.
 constexpr double EdgeHitTolerance = 64.0;
 
+/// Interpolated normals with a smaller cosine to the geometric normal are ignored.
+constexpr double MinimumSmoothCosine = 0.1;
+/// Interpolated normals with a larger one are equal to it up to rounding.
+constexpr double FlatSmoothCosine = 1.0 - 1e-6;
+
 static_assert(
   RTC_INVALID_GEOMETRY_ID == Hit::None, "Hit::None must be Embree's invalid geometry id");
 
@@ -469,6 +474,25 @@ glm::vec3 RayScene::GetNormal(const Ray& ray, const Hit& hit) const
   const glm::dvec3 normal = point - sphere.Center;
   const double length = glm::length(normal);
   return length > 0.0 ? glm::vec3(normal / length) : -ray.Direction;
+}
+
+glm::dvec3 RayScene::GetSmoothNormal(const Hit& hit, glm::dvec3 geometric) const
+{
+  const Surface& surface = this->TracedScene.Surfaces[hit.Surface];
+  if (surface.Normals.empty() || surface.IsRound())
+  {
+    return geometric;
+  }
+  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
+  const glm::dvec3 sum = (1.0 - hit.U - hit.V) * glm::dvec3(surface.Normals[corners.x]) +
+    double(hit.U) * glm::dvec3(surface.Normals[corners.y]) +
+    double(hit.V) * glm::dvec3(surface.Normals[corners.z]);
+  const double length = glm::length(sum);
+  const double cosine = glm::dot(sum, geometric) / length;
+  const bool isTangential = !(std::abs(cosine) > MinimumSmoothCosine);
+  return isTangential || std::abs(cosine) > FlatSmoothCosine
+    ? geometric
+    : std::copysign(1.0 / length, cosine) * sum;
 }
 
 Hit SkipLinesAndPoints(const RayScene& rays, Ray ray, Hit hit)

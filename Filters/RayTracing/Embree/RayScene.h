@@ -91,6 +91,11 @@ public:
   /// Returns the oriented boxes that replace Embree's BVH of a surface of slivers, or null.
   const SliverTree* GetSlivers(std::uint32_t surface) const;
 
+  /// Returns the interpolated normal at `hit`, on the side of the unit vector `geometric`, the
+  /// normal of the triangle. Returns `geometric` if the surface has no point normals, or if they are
+  /// almost tangential to the triangle.
+  glm::dvec3 GetSmoothNormal(const Hit& hit, glm::dvec3 geometric) const;
+
   const Scene& GetScene() const { return this->TracedScene; }
   const CoincidentSurfaces& GetCoincidentSurfaces() const { return *this->Coincident; }
 

@@ -16,6 +16,33 @@
 namespace penumbra
 {
 
+/// Unit normals of a point on a surface. The hemisphere of a gather is about the shading normal,
+/// which is interpolated on smooth surfaces. Ray origins are offset along the geometric normal.
+struct SurfaceNormals
+{
+  SurfaceNormals(glm::vec3 normal) // NOLINT(google-explicit-constructor): flat surfaces
+    : Shading(normal),
+      Geometric(normal)
+  {
+  }
+  SurfaceNormals(glm::vec3 shading, glm::vec3 geometric)
+    : Shading(shading),
+      Geometric(geometric)
+  {
+  }
+  glm::vec3 Shading;
+  glm::vec3 Geometric;
+
+  /// Returns a direction of the hemisphere about Shading that does not point into the surface:
+  /// directions below the plane of the triangle are reflected by it. They would hit the triangle
+  /// itself or the inside of its neighbors.
+  glm::vec3 ReflectAbove(glm::vec3 direction) const
+  {
+    const float height = glm::dot(direction, this->Geometric);
+    return height < -1e-6f ? direction - 2.f * height * this->Geometric : direction;
+  }
+};
+
 /// Mixes the bits of a 32-bit integer; the result is the same on every platform.
 inline std::uint32_t MixBits(std::uint32_t x)
 {

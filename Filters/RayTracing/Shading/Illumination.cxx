@@ -100,11 +100,11 @@ void Illumination::FindEmitters()
   }
 }
 
-Ray Illumination::SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction)
+Ray Illumination::SpawnRay(glm::vec3 point, const SurfaceNormals& normals, glm::vec3 direction)
 {
   Ray ray;
-  ray.Origin = point + RayOriginOffset(point) * normal;
-  ray.Direction = direction;
+  ray.Origin = point + RayOriginOffset(point) * normals.Geometric;
+  ray.Direction = normals.ReflectAbove(direction);
   return ray;
 }
 
@@ -137,9 +137,10 @@ glm::vec3 Illumination::IncidentRadiance(
       const glm::vec3 reflectance = this->Settings.Albedo * shaded.Reflectance;
       if (irradiance && reflectance != glm::vec3(0.f))
       {
+        const glm::vec3 geometric = glm::normalize(shaded.GeometricNormal);
         radiance += reflectance *
-          irradiance(
-            ray.Origin + hit.Distance * ray.Direction, glm::normalize(shaded.GeometricNormal));
+          irradiance(ray.Origin + hit.Distance * ray.Direction,
+            { this->Rays.GetSmoothNormal(hit, geometric), geometric });
       }
       const float opacity = std::min(shaded.Color.a, 1.f);
       sum += transmittance * opacity * radiance;
@@ -157,24 +158,25 @@ glm::vec3 Illumination::IncidentRadiance(
 }
 
 glm::vec3 Illumination::SunContribution(
-  glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const
+  glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const
 {
   const EnvironmentMap::Sun sun = this->Settings.Map->SampleSun(sample);
-  const float cosine = glm::dot(normal, sun.Direction);
-  return cosine > 0.f
-    ? this->SurfaceShading.TraceTransmittance(SpawnRay(point, normal, sun.Direction), rays) *
+  const float cosine = glm::dot(normals.Shading, sun.Direction);
+  return cosine > 0.f && glm::dot(normals.Geometric, sun.Direction) > 0.f
+    ? this->SurfaceShading.TraceTransmittance(SpawnRay(point, normals, sun.Direction), rays) *
       cosine / Pi * sun.Weight
     : glm::vec3(0.f);
 }
 
 // Rays are traced to the nearest hit: coincident surfaces may hide the emitter.
 glm::vec3 Illumination::EmitterContribution(
-  glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const
+  glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const
 {
-  Ray ray = SpawnRay(point, normal, normal);
+  const glm::vec3 normal = normals.Shading;
+  Ray ray = SpawnRay(point, normals, normals.Geometric);
   const EmitterTree::Sample emitter =
     this->SampledEmitters->SampleDirection(ray.Origin, normal, sample);
-  if (!(emitter.Density > 0.f))
+  if (!(emitter.Density > 0.f && glm::dot(emitter.Direction, normals.Geometric) > 0.f))
   {
     return glm::vec3(0.f);
   }
@@ -208,21 +210,21 @@ glm::vec3 Illumination::EmitterContribution(
 }
 
 Illumination::SampledLight Illumination::EstimateSampledLight(
-  glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const
+  glm::vec3 point, const SurfaceNormals& normals, double tolerance, long long& rays) const
 {
   SampledLight result;
-  const std::uint32_t seed = MixBits(HashPoint(point, normal));
+  const std::uint32_t seed = MixBits(HashPoint(point, normals.Shading));
   if (this->HasSuns())
   {
     result =
-      EstimateMean([&](glm::vec2 at) { return this->SunContribution(point, normal, at, rays); },
+      EstimateMean([&](glm::vec2 at) { return this->SunContribution(point, normals, at, rays); },
         seed, FirstSunRays, MaximumSunRays, tolerance);
   }
   if (this->HasSampledEmitters())
   {
-    const SampledLight emitters =
-      EstimateMean([&](glm::vec2 at) { return this->EmitterContribution(point, normal, at, rays); },
-        MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance);
+    const SampledLight emitters = EstimateMean(
+      [&](glm::vec2 at) { return this->EmitterContribution(point, normals, at, rays); },
+      MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance);
     result.Mean += emitters.Mean;
     result.Error = std::hypot(result.Error, emitters.Error);
   }
@@ -230,41 +232,42 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
 }
 
 glm::vec3 Illumination::SampleLights(
-  glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const
+  glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const
 {
   glm::vec3 sum(0.f);
   if (this->HasSuns())
   {
     const float u = NextFloat(random);
     const float v = NextFloat(random);
-    sum += this->SunContribution(point, normal, { u, v }, rays);
+    sum += this->SunContribution(point, normals, { u, v }, rays);
   }
   if (this->HasSampledEmitters())
   {
     const float u = NextFloat(random);
     const float v = NextFloat(random);
-    sum += this->EmitterContribution(point, normal, { u, v }, rays);
+    sum += this->EmitterContribution(point, normals, { u, v }, rays);
   }
   return sum;
 }
 
-glm::vec3 Illumination::TracePath(
-  glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const
+glm::vec3 Illumination::TracePath(glm::vec3 point, const SurfaceNormals& normals, int bounces,
+  std::uint32_t& random, long long& rays) const
 {
   const float u = NextFloat(random);
   const float v = NextFloat(random);
-  const Ray ray = SpawnRay(
-    point, normal, FrameFromNormal(normal) * DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
+  const Ray ray = SpawnRay(point, normals,
+    FrameFromNormal(normals.Shading) * DiskToHemisphere(SampleUniformDiskConcentric(u, v)));
   ++rays;
   IrradianceFunction irradiance;
   if (bounces > 1)
   {
-    irradiance = [&](glm::vec3 next, glm::vec3 nextNormal) {
+    irradiance = [&](glm::vec3 next, const SurfaceNormals& nextNormal) {
       return this->TracePath(next, nextNormal, bounces - 1, random, rays);
     };
   }
-  const glm::vec3 sampled = this->SampleLights(point, normal, random, rays);
-  return sampled + this->IncidentRadiance(ray, this->Rays.Intersect(ray), normal, irradiance, rays);
+  const glm::vec3 sampled = this->SampleLights(point, normals, random, rays);
+  return sampled +
+    this->IncidentRadiance(ray, this->Rays.Intersect(ray), normals.Shading, irradiance, rays);
 }
 
 }

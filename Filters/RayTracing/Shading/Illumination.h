@@ -7,6 +7,7 @@
 #define penumbra_Illumination_h
 
 #include "EnvironmentMap.h"
+#include "HemisphereSampling.h"
 #include "Lights/EmitterTree.h"
 #include "Shading.h"
 
@@ -40,8 +41,9 @@ public:
   /// `rays` must outlive this object.
   Illumination(const RayScene& rays, const IlluminationSettings& settings);
 
-  /// Returns the mean incident radiance at a point, over the hemisphere about a normal (unit).
-  using IrradianceFunction = std::function<glm::vec3(glm::vec3 point, glm::vec3 normal)>;
+  /// Returns the mean incident radiance at a point, over the hemisphere about its shading normal.
+  using IrradianceFunction =
+    std::function<glm::vec3(glm::vec3 point, const SurfaceNormals& normals)>;
 
   /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`:
   /// emission, reflected direct light and, if `irradiance` is not empty, reflected indirect light.
@@ -64,20 +66,21 @@ public:
   /// multiple importance sampling with the power heuristic (Veach, Robust Monte Carlo Methods for
   /// Light Transport Simulation, 1997, section 9.2), as if both were equally many.
   SampledLight EstimateSampledLight(
-    glm::vec3 point, glm::vec3 normal, double tolerance, long long& rays) const;
+    glm::vec3 point, const SurfaceNormals& normals, double tolerance, long long& rays) const;
 
   /// Returns an unbiased estimate of the same light from one sample of the suns and one of the
   /// emitters.
   glm::vec3 SampleLights(
-    glm::vec3 point, glm::vec3 normal, std::uint32_t& random, long long& rays) const;
+    glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const;
 
   /// Returns an unbiased estimate, from one path, of the mean incident radiance with at most
   /// `bounces` - 1 reflections, including suns and sampled emitters.
-  glm::vec3 TracePath(
-    glm::vec3 point, glm::vec3 normal, int bounces, std::uint32_t& random, long long& rays) const;
+  glm::vec3 TracePath(glm::vec3 point, const SurfaceNormals& normals, int bounces,
+    std::uint32_t& random, long long& rays) const;
 
-  /// Returns a ray that starts at `point` on a surface, offset along the normal.
-  static Ray SpawnRay(glm::vec3 point, glm::vec3 normal, glm::vec3 direction);
+  /// Returns a ray that starts at `point` on a surface, offset along the geometric normal. A
+  /// direction below the surface is reflected.
+  static Ray SpawnRay(glm::vec3 point, const SurfaceNormals& normals, glm::vec3 direction);
 
   /// Returns the emissive triangles that are not sampled. Returns none if there are more than
   /// MaximumEmitters, because only few triangles are likely to be missed by random rays, or if a
@@ -94,9 +97,9 @@ private:
     return this->SampledEmitters && !this->SampledEmitters->IsEmpty();
   }
   glm::vec3 SunContribution(
-    glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const;
+    glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const;
   glm::vec3 EmitterContribution(
-    glm::vec3 point, glm::vec3 normal, glm::vec2 sample, long long& rays) const;
+    glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const;
   void FindEmitters();
 
   const RayScene& Rays;

@@ -134,10 +134,10 @@ void CubeMapGatherer::SampleEmitters(glm::vec3 point, std::vector<EmitterSample>
   this->Rays.SampleEmitters(point, emitters);
 }
 
-long long CubeMapGatherer::Gather(glm::vec3 point, glm::vec3 normal,
+long long CubeMapGatherer::Gather(glm::vec3 point, const SurfaceNormals& normals,
   const std::vector<glm::vec3>& directions, std::vector<HemisphereSample>& samples) const
 {
-  return this->Rays.Gather(point, normal, directions, samples);
+  return this->Rays.Gather(point, normals, directions, samples);
 }
 
 const Hemicube::Cells& CubeMapGatherer::FindCells(const HemisphereGrid& grid) const
@@ -149,12 +149,13 @@ const Hemicube::Cells& CubeMapGatherer::FindCells(const HemisphereGrid& grid) co
     : this->Cells.emplace(grid.Side, this->Cube.MapToGrid(grid)).first->second;
 }
 
-long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& frame,
+long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const TangentFrame& tangentFrame,
   const HemisphereGrid& grid, std::uint32_t /*seed*/, std::vector<glm::vec3>& directions,
   std::vector<HemisphereSample>& samples) const
 {
+  const glm::mat3& frame = tangentFrame.Axes;
   const float offset = RayOriginOffset(point);
-  const glm::vec3 origin = point + offset * frame[2];
+  const glm::vec3 origin = point + offset * tangentFrame.GeometricNormal;
   std::vector<HemicubeTexel> texels;
   this->Counts->Triangles +=
     this->Renderer->Draw(origin, frame, NearFraction * offset, this->GetRadius(), texels);
@@ -181,7 +182,8 @@ long long CubeMapGatherer::SampleHemisphere(glm::vec3 point, const glm::mat3& fr
     hits.push_back(hit);
   }
   std::vector<HemisphereSample> shaded;
-  const long long traced = this->Rays.ShadeHits(point, frame[2], rays, hits, shaded);
+  const long long traced =
+    this->Rays.ShadeHits(point, tangentFrame.GetNormals(), rays, hits, shaded);
 
   directions.clear();
   samples.clear();

@@ -38,10 +38,11 @@ public:
   void SampleEmitters(glm::vec3 point, std::vector<EmitterSample>& emitters) const override;
 
   /// Traces rays in the given directions.
-  long long Gather(glm::vec3 point, glm::vec3 normal, const std::vector<glm::vec3>& directions,
+  long long Gather(glm::vec3 point, const SurfaceNormals& normals,
+    const std::vector<glm::vec3>& directions,
     std::vector<HemisphereSample>& samples) const override;
 
-  long long SampleHemisphere(glm::vec3 point, const glm::mat3& frame, const HemisphereGrid& grid,
+  long long SampleHemisphere(glm::vec3 point, const TangentFrame& frame, const HemisphereGrid& grid,
     std::uint32_t seed, std::vector<glm::vec3>& directions,
     std::vector<HemisphereSample>& samples) const override;
   bool SamplesGridAtOnce() const override { return true; }
