@@ -149,6 +149,8 @@ void Split(std::size_t index, glm::dvec3 plane, std::vector<FacePolygon>& polygo
   if (rest.size() > 2 && other.Corners.size() > 2)
   {
     polygons[index].Corners = std::move(rest);
+    polygons[index].Planes.push_back(plane);
+    other.Planes.push_back(-plane);
     polygons.push_back(std::move(other));
   }
 }

@@ -19,6 +19,7 @@ struct FacePolygon
   std::uint32_t Face = 0;          ///< index of the triangle
   std::vector<glm::dvec2> Corners; ///< convex, counterclockwise, in pixels
   glm::dvec3 Nearness{ 0.0 };      ///< (a, b, c): a + b x + c y grows toward the camera
+  std::vector<glm::dvec3> Planes;  ///< the polygon is the part of the triangle where they are >= 0
 
   double NearnessAt(glm::dvec2 p) const
   {

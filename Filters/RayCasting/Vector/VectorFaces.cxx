@@ -186,6 +186,15 @@ private:
     return std::max(this->ViewCamera.Near, this->ViewCamera.Parallel ? 0.0 : 1e-9);
   }
 
+  std::vector<glm::dvec2> ClipToImage(std::vector<glm::dvec2> corners) const
+  {
+    const glm::dvec2 size(this->ViewCamera.Width, this->ViewCamera.Height);
+    corners = ClipPolygon(corners, { Margin, 1.0, 0.0 });
+    corners = ClipPolygon(corners, { Margin, 0.0, 1.0 });
+    corners = ClipPolygon(corners, { size.x + Margin, -1.0, 0.0 });
+    return ClipPolygon(corners, { size.y + Margin, 0.0, -1.0 });
+  }
+
   /// Adds the part of a triangle in front of the camera and in the image.
   void AddPolygon(std::uint32_t index)
   {
@@ -211,14 +220,10 @@ private:
     {
       std::reverse(corners.begin(), corners.end());
     }
-    const glm::dvec2 size(camera.Width, camera.Height);
-    corners = ClipPolygon(corners, { Margin, 1.0, 0.0 });
-    corners = ClipPolygon(corners, { Margin, 0.0, 1.0 });
-    corners = ClipPolygon(corners, { size.x + Margin, -1.0, 0.0 });
-    corners = ClipPolygon(corners, { size.y + Margin, 0.0, -1.0 });
+    corners = this->ClipToImage(corners);
     if (corners.size() > 2)
     {
-      this->Polygons.push_back({ index, corners, this->ComputeNearness(face) });
+      this->Polygons.push_back({ index, corners, this->ComputeNearness(face), {} });
     }
   }
 
@@ -323,38 +328,30 @@ private:
     FigurePath path;
     path.Points = polygon.Corners;
     const double error = this->Colors[polygon.Face].Paint(path);
-    if (face.Order != i)
+    squaredError += face.Order == i ? error : 0.0;
+    if (face.IsWhole)
     {
-      return path;
-    }
-    squaredError += error;
-    if (face.IsWhole && polygon.Corners.size() == 3 && this->IsUnclipped(polygon, face))
-    {
-      this->Extend(face, polygon.Face, path);
+      this->Extend(polygon, i, path);
     }
     return path;
-  }
-
-  bool IsUnclipped(const FacePolygon& polygon, const Face& face) const
-  {
-    return polygon.Corners[0] == face.Corners[0] && polygon.Corners[1] == face.Corners[1] &&
-      polygon.Corners[2] == face.Corners[2];
   }
 
   /// Returns true if all triangles around a vertex are drawn.
   bool IsSurrounded(std::uint32_t vertex) const { return this->Fans.at(vertex).IsComplete; }
 
   /// Extends the outline of a triangle into neighbors that are drawn later.
-  void Extend(const Face& face, std::uint32_t index, FigurePath& path) const
+  void Extend(const FacePolygon& polygon, std::uint32_t order, FigurePath& path) const
   {
-    path.Points.clear();
+    const std::uint32_t index = polygon.Face;
+    const Face& face = this->Faces[index];
+    std::vector<glm::dvec2> outline;
     for (int i = 0; i < 3; ++i)
     {
       const glm::dvec2 a = face.Corners[i];
       const glm::dvec2 b = face.Corners[(i + 1) % 3];
-      path.Points.push_back(a);
+      outline.push_back(a);
       const std::uint32_t other = this->Neighbors[index][i];
-      if (other != None && this->Faces[other].Order > face.Order)
+      if (other != None && this->Faces[other].Order > order)
       {
         const Face& neighbor = this->Faces[other];
         const int edge = this->FindEdge(neighbor, face.Vertices[(i + 1) % 3], face.Vertices[i]);
@@ -367,21 +364,27 @@ private:
         const bool atB = this->IsSurrounded(face.Vertices[(i + 1) % 3]);
         if (atA)
         {
-          path.Points.push_back(glm::mix(a, apex, t));
+          outline.push_back(glm::mix(a, apex, t));
         }
         if (atB || !atA)
         {
-          path.Points.push_back(glm::mix(atB ? b : 0.5 * (a + b), apex, t));
+          outline.push_back(glm::mix(atB ? b : 0.5 * (a + b), apex, t));
         }
       }
       const Fan& fan = this->Fans.at(face.Vertices[i]);
-      if (fan.IsComplete && fan.First == face.Order)
+      if (fan.IsComplete && fan.First == order)
       {
         // The square is inside the triangles around the vertex.
         const double r = std::min(SquareRadius, std::sqrt(0.5) * fan.Radius);
         path.Squares.push_back({ a - glm::dvec2(r), glm::dvec2(2.0 * r) });
       }
     }
+    outline = this->ClipToImage(outline);
+    for (const glm::dvec3 plane : polygon.Planes)
+    {
+      outline = ClipPolygon(outline, plane);
+    }
+    path.Points = outline.size() > 2 ? outline : path.Points;
   }
 
   const CameraRayTracer& Tracer;

@@ -3,7 +3,7 @@
 //
 // The visible triangles of a scene as filled polygons, drawn from back to front. Hidden triangles are
 // left out. Of two neighbors in the mesh, the first one extends below the second one, so that
-// antialiasing leaves no seam between them, unless one is split or clipped.
+// antialiasing leaves no seam between them, unless the camera cuts one.
 #ifndef penumbra_VectorFaces_h
 #define penumbra_VectorFaces_h
 
