@@ -501,9 +501,21 @@ class LightShafts(unittest.TestCase):
         names = [each.GetClassName() for each in passes_of(plotter.renderer)]
         self.assertEqual(names[:3], ["vtkSSAAPass", "vtkPenumbraLightShaftPass", "vtkPenumbraTemporalSSAOPass"])
 
+    def test_passes_colored_media_to_ray_caster(self):
+        plotter = scene()
+        plotter.add_light(pyvista.Light(position=(2, 2, 4), light_type="scene light"))
+        shafts = plotter.penumbra.enable_light_shafts(scattering=(0.1, 0.2, 0.4), rayleigh=0.1, scale_height=2.0)
+        self.assertAlmostEqual(shafts.GetScattering(), 0.4)
+        numpy.testing.assert_allclose(shafts.GetScatteringColor(), (0.25, 0.5, 1.0))
+        self.assertAlmostEqual(shafts.GetBaseHeight(), plotter.bounds[4])
+        colored = plotter.penumbra.ray_cast().astype(int)
+        self.assertGreater(numpy.abs(colored[..., 2] - colored[..., 0]).max(), 8)
+
     def test_reject_invalid_arguments(self):
         plotter = scene()
         for arguments in ({"phase": "mie"}, {"scattering": -1.0}, {"extinction": math.nan},
+                      {"scattering": (1.0, 2.0)}, {"extinction": (1.0, math.inf, 1.0)}, {"rayleigh": -1.0},
+                      {"scale_height": math.nan}, {"up": (0.0, 0.0, 0.0)},
                       {"asymmetry": 1.5}, {"tolerance": 0.0}, {"estimator": "radial"}):
             with self.assertRaisesRegex(ValueError, next(iter(arguments))):
                 plotter.penumbra.enable_light_shafts(**arguments)

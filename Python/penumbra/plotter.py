@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import io
 import pathlib
+from collections.abc import Sequence
 from typing import Any
 
+import numpy
 import pyvista
 
 from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
@@ -20,6 +22,28 @@ from .rendering import Image, Settings, cast_renderers, finish, prepare_plotter
 
 PHASES = ("isotropic", "rayleigh", "henyey-greenstein")
 ESTIMATORS = {"depth": "DEPTH", "shadow-map": "SHADOW_MAP"}
+
+
+def _split_coefficient(name: str, coefficient: float | Sequence[float] | None) -> tuple[float, list[float]]:
+    """Return the largest channel of a coefficient, -1 for the default, and the factors of the channels."""
+    if coefficient is None:
+        return -1.0, [1.0, 1.0, 1.0]
+    values = numpy.atleast_1d(numpy.asarray(coefficient, dtype=float)).tolist()
+    if len(values) not in (1, 3):
+        raise ValueError(f"{name} must be one number or three; it has {len(values)}")
+    for value in values:
+        check_range(name, value, 0.0, 1e299)
+    largest = max(values)
+    return largest, [value / largest if largest > 0.0 else 1.0 for value in values * (3 // len(values))]
+
+
+def _lowest_height(renderer: Any, up: Sequence[float]) -> float:
+    """Return the lowest height of the visible bounds along a direction, 0 without props."""
+    bounds = renderer.ComputeVisiblePropBounds()
+    if bounds[0] > bounds[1]:
+        return 0.0
+    corner = [bounds[2 * axis + (up[axis] < 0.0)] for axis in range(3)]
+    return float(numpy.dot(up, corner) / numpy.linalg.norm(up))
 
 
 def _write(image: Image, filename: str | pathlib.Path | io.BytesIO) -> None:
@@ -103,16 +127,24 @@ class PlotterAccessor:
         self._plotter.render()
 
     def enable_light_shafts(
-        self, *, scattering: float | None = None, extinction: float | None = None, phase: str = "isotropic",
-        asymmetry: float = 0.6, tolerance: float = 1.0 / 256.0, estimator: str = "depth",
+        self, *, scattering: float | Sequence[float] | None = None, extinction: float | Sequence[float] | None = None,
+        rayleigh: float = 0.0, scale_height: float = 0.0, base_height: float | None = None,
+        up: Sequence[float] = (0.0, 0.0, 1.0), phase: str = "isotropic", asymmetry: float = 0.6,
+        tolerance: float = 1.0 / 256.0, estimator: str = "depth",
     ) -> Any:
-        """Add light shafts of all lights except headlights in a homogeneous medium.
+        """Add light shafts of all lights except headlights in a medium.
 
         Parameters
         ----------
-        scattering, extinction : float, optional
-            Coefficients per world unit, >= 0. Default: a scattering optical depth of 0.25 over the
-            diagonal of the bounds, without absorption.
+        scattering, extinction : float or 3 floats, optional
+            Coefficients per world unit, of all colors or of red, green and blue, >= 0. Default: a
+            scattering optical depth of 0.25 over the diagonal of the bounds, without absorption.
+        rayleigh : float
+            Scattering coefficient of small particles in green, in addition; 0.43 of it in red, 2.44
+            in blue: blue haze, red suns. Range: >= 0.
+        scale_height, base_height, up
+            The density falls off as ``exp(-(h - base_height) / scale_height)`` with the height h
+            along ``up``; 0: uniform. Default of ``base_height``: the lowest point of the bounds.
         phase : {"isotropic", "rayleigh", "henyey-greenstein"}
             Phase function. ``asymmetry`` is the mean cosine of "henyey-greenstein"; range:
             [-0.999, 0.999].
@@ -124,9 +156,12 @@ class PlotterAccessor:
 
         Returns the pass, a ``vtkPenumbraLightShaftPass``.
         """
-        for name, coefficient in (("scattering", scattering), ("extinction", extinction)):
-            if coefficient is not None:
-                check_range(name, coefficient, 0.0, 1e299)
+        scattering_value, scattering_color = _split_coefficient("scattering", scattering)
+        extinction_value, extinction_color = _split_coefficient("extinction", extinction)
+        check_range("rayleigh", rayleigh, 0.0, 1e299)
+        check_range("scale_height", scale_height, 0.0, 1e299)
+        if len(up) != 3 or not numpy.linalg.norm(up) > 0.0:
+            raise ValueError(f"up must be a vector that is not zero; it is {up}")
         check_choice("phase", phase, PHASES)
         check_range("asymmetry", asymmetry, -0.999, 0.999)
         check_range("tolerance", tolerance, 1e-4, 1.0)
@@ -136,8 +171,14 @@ class PlotterAccessor:
         shafts = vtkPenumbraLightShaftPass.AddTo(self._renderer)
         observe_warnings(shafts)
         add(self._renderer, "shafts", shafts)
-        shafts.SetScattering(-1.0 if scattering is None else scattering)
-        shafts.SetExtinction(-1.0 if extinction is None else extinction)
+        shafts.SetScattering(scattering_value)
+        shafts.SetScatteringColor(scattering_color)
+        shafts.SetExtinction(extinction_value)
+        shafts.SetExtinctionColor(extinction_color)
+        shafts.SetRayleighScattering(rayleigh)
+        shafts.SetScaleHeight(scale_height)
+        shafts.SetUp(up)
+        shafts.SetBaseHeight(_lowest_height(self._renderer, up) if base_height is None else base_height)
         shafts.SetPhase(PHASES.index(phase))
         shafts.SetAsymmetry(asymmetry)
         shafts.SetTolerance(tolerance)

@@ -111,9 +111,9 @@ def _follow_passes(caster: Any, renderer: Any, settings: Settings) -> bool:
                 medium = vtkPenumbraMedium()
                 medium.SetScattering(render_pass.GetScattering())
                 medium.SetExtinction(render_pass.GetExtinction())
-                medium.SetPhase(render_pass.GetPhase())
-                medium.SetAsymmetry(render_pass.GetAsymmetry())
-                medium.SetBounds(render_pass.GetBounds())
+                for name in ("ScatteringColor", "ExtinctionColor", "RayleighScattering", "ScaleHeight", "BaseHeight",
+                             "Up", "Phase", "Asymmetry", "Bounds"):
+                    getattr(medium, "Set" + name)(getattr(render_pass, "Get" + name)())
                 caster.SetMedium(medium)
         elif render_pass.IsA("vtkShadowMapPass"):
             if settings.shadows is None:
