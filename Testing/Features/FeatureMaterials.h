@@ -7,6 +7,8 @@
 
 #include "FeatureScenes.h"
 
+#include <vector>
+
 /// Adds scenes with the textures, the anisotropy and the clear coat of physically based materials.
 void AddMaterialScenes(std::vector<FeatureScene>& scenes);
 

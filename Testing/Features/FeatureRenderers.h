@@ -7,6 +7,8 @@
 
 #include "FeatureScenes.h"
 
+#include <vector>
+
 /// Adds scenes with shadows, hidden lines and forced opacity.
 void AddRendererScenes(std::vector<FeatureScene>& scenes);
 

@@ -8,6 +8,7 @@
 #include "SceneExtraction.h"
 #include "Tessellation/SceneExtractionItem.h"
 
+#include <string>
 #include <vector>
 
 class vtkRenderer;
