@@ -186,7 +186,7 @@ RenderResult RenderWithRays(
   caster->SetPointRadius(options.PointRadius);
   caster->SetLineRadius(options.LineRadius);
   caster->SetGeometryArrays(HoldsArrays(options.Output));
-  caster->SetOcclusionArray(options.AmbientOcclusion);
+  caster->SetOcclusionArray(options.AmbientOcclusion || options.OcclusionArray);
 
   AlgorithmObserver state{ progress, Clock::now() };
   vtkNew<vtkCallbackCommand> observer;

@@ -251,10 +251,13 @@ void DeclareEffects(CLI::App& app, RenderOptions& options)
     .add_flag("-q,--ambient-occlusion", options.AmbientOcclusion,
       "Ambient occlusion: rgb * (1 - strength * occlusion)")
     ->group(group);
+  const auto requestArray = [&options](const std::string&) { options.OcclusionArray = true; };
   AddOcclusionRadiusOption(
     app, "--ambient-occlusion-radius", options.AmbientOcclusionRadius, "inf (ray)")
+    ->each(requestArray)
     ->group(group);
   AddFalloffOption(app, "--ambient-occlusion-falloff", options.AmbientOcclusionFalloff, " (ray)")
+    ->each(requestArray)
     ->group(group);
   AddNumber(app, "--ambient-occlusion-strength", options.AmbientOcclusionStrength, "S",
     "Strength of the darkening; default: 1, on surfaces colored by data 0.6", Unit)

@@ -92,6 +92,7 @@ struct RenderOptions
   bool AmbientOcclusion = false;
   double AmbientOcclusionRadius = 0.0;          ///< 0: a tenth of the bounds' diagonal
   std::string AmbientOcclusionFalloff = "none"; ///< ray
+  bool OcclusionArray = false; ///< ray, .vti: compute occlusion even if colors do not show it
   double AmbientOcclusionStrength = Unset;
   double AmbientOcclusionLightAwareness = 0.0;      ///< raster
   std::string AmbientOcclusionKernel = "automatic"; ///< raster
