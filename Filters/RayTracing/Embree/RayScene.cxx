@@ -5,6 +5,7 @@
 #include "BoxOverlap.h"
 #include "CoincidentSurfaces.h"
 #include "EmbreeQuery.h"
+#include "PlanarCells.h"
 #include "RayTriangle.h"
 #include "RoundGeometry.h"
 #include "RoundIntersection.h"
@@ -151,6 +152,7 @@ struct EdgeHitQuery
 {
   const Scene& TracedScene;
   const Ray& TracedRay;
+  const PlanarCells* Cells;        ///< of the surface, or null
   const RayTriangle& Intersection; ///< the hit
   Hit Lowest;                      ///< surface and lowest primitive so far
 
@@ -183,7 +185,14 @@ void EdgeHitQuery::Test(std::uint32_t triangle)
 bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
 {
   EdgeHitQuery& self = *static_cast<EdgeHitQuery*>(args->userPtr);
-  if (args->geomID == self.Lowest.Surface)
+  if (args->geomID == self.Lowest.Surface && self.Cells)
+  {
+    self.Cells->VisitTriangles(args->primID, [&](std::uint32_t triangle) {
+      self.Test(triangle);
+      return false;
+    });
+  }
+  else if (args->geomID == self.Lowest.Surface)
   {
     self.Test(args->primID);
   }
@@ -194,7 +203,7 @@ bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
 std::uint32_t FindLowestTriangle(
   const RayScene& rays, RTCScene tree, const Ray& ray, const RayTriangle& exact, const Hit& hit)
 {
-  EdgeHitQuery edge{ rays.GetScene(), ray, exact, hit };
+  EdgeHitQuery edge{ rays.GetScene(), ray, rays.GetCells(hit.Surface), exact, hit };
   const glm::vec3 point(glm::dvec3(ray.Origin) + exact.Distance * glm::dvec3(ray.Direction));
   const double radius = 4.0 * exact.EdgeTolerance;
   if (const SliverTree* slivers = rays.GetSlivers(hit.Surface))
@@ -343,7 +352,9 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
     const BoxOverlap overlap(surface);
     this->Traced.push_back(
       { &surface, this->Coincident->DepthTolerance(i), surface.IsRound() && surface.IsTranslucent(),
-        overlap.IsLarge(), SliverTree::MakeIfUseful(surface, overlap) });
+        overlap.IsLarge(), SliverTree::MakeIfUseful(surface, overlap), nullptr });
+    TracedSurface& traced = this->Traced.back();
+    traced.Cells = traced.Slivers ? nullptr : PlanarCells::MakeIfUseful(surface, overlap);
   }
   this->Device = rtcNewDevice(MakeDeviceConfiguration(threads).c_str());
   CheckDevice(this->Device);
@@ -362,8 +373,9 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
       {
         RTCGeometry geometry = scene.Surfaces[i].IsRound()
           ? MakeRoundGeometry(this->Device, this->Traced[i])
-          : this->Traced[i].Slivers ? MakeSliverGeometry(this->Device, this->Traced[i])
-                                    : MakeTriangleGeometry(this->Device, this->Traced[i]);
+          : this->Traced[i].Slivers || this->Traced[i].Cells
+          ? MakeSliverGeometry(this->Device, this->Traced[i])
+          : MakeTriangleGeometry(this->Device, this->Traced[i]);
         rtcAttachGeometryByID(this->EmbreeScene, geometry, static_cast<unsigned int>(i));
         rtcReleaseGeometry(geometry);
       }
@@ -459,6 +471,11 @@ bool RayScene::Occluded(const Ray& ray) const
 const SliverTree* RayScene::GetSlivers(std::uint32_t surface) const
 {
   return this->Traced[surface].Slivers.get();
+}
+
+const PlanarCells* RayScene::GetCells(std::uint32_t surface) const
+{
+  return this->Traced[surface].Cells.get();
 }
 
 glm::vec3 RayScene::GetNormal(const Ray& ray, const Hit& hit) const

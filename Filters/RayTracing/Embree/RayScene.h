@@ -22,6 +22,7 @@ namespace penumbra
 {
 
 class CoincidentSurfaces;
+class PlanarCells;
 class SliverTree;
 struct TracedSurface;
 
@@ -90,6 +91,10 @@ public:
 
   /// Returns the oriented boxes that replace Embree's BVH of a surface of slivers, or null.
   const SliverTree* GetSlivers(std::uint32_t surface) const;
+
+  /// Returns the cells that are Embree's primitives of a surface of overlapping triangles in one
+  /// plane, or null.
+  const PlanarCells* GetCells(std::uint32_t surface) const;
 
   /// Returns the interpolated normal at `hit`, on the side of the unit vector `geometric`, the
   /// normal of the triangle. Returns `geometric` if the surface has no point normals, or if they are

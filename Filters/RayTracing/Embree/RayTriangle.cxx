@@ -51,4 +51,26 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
   this->EdgeTolerance = MaximumRoundings * HalfUlp * std::max({ extent.x, extent.y, extent.z });
 }
 
+double ComputeDistance(const Surface& surface, std::uint32_t triangle, const glm::dvec3& origin,
+  const glm::dvec3& direction)
+{
+  const glm::uvec3 corners = surface.Triangles[triangle];
+  const glm::dvec3 a = glm::dvec3(surface.Positions[corners.x]) - origin;
+  const glm::dvec3 b = glm::dvec3(surface.Positions[corners.y]) - origin;
+  const glm::dvec3 c = glm::dvec3(surface.Positions[corners.z]) - origin;
+  // The sign changes exactly if the ends of an edge are exchanged, as in an adjacent triangle.
+  const double ab = glm::dot(direction, glm::cross(a, b));
+  const double bc = glm::dot(direction, glm::cross(b, c));
+  const double ca = glm::dot(direction, glm::cross(c, a));
+  const bool isInside =
+    (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double facing = glm::dot(normal, direction);
+  if (!isInside || facing == 0.0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return glm::dot(normal, a) / facing;
+}
+
 }

@@ -38,5 +38,10 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayTriangle
   }
 };
 
+/// Returns the distance, in units of |direction|, at which a ray hits a triangle, or NaN. The test is
+/// watertight: a ray through an edge hits at least one of its triangles.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT double ComputeDistance(const Surface& surface,
+  std::uint32_t triangle, const glm::dvec3& origin, const glm::dvec3& direction);
+
 }
 #endif

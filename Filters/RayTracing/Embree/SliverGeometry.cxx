@@ -3,6 +3,7 @@
 #include "SliverGeometry.h"
 
 #include "CoincidentSurfaces.h"
+#include "PlanarCells.h"
 #include "RayTriangle.h"
 #include "SliverTree.h"
 
@@ -21,10 +22,20 @@ const TracedSurface& GetTraced(const void* userData)
   return *static_cast<const TracedSurface*>(userData);
 }
 
-/// Embree callback: bounds of the surface, rounded outwards.
+/// Embree callback: bounds of the surface or of a cell, rounded outwards.
 void ComputeBounds(const RTCBoundsFunctionArguments* args)
 {
   constexpr float Infinity = std::numeric_limits<float>::infinity();
+  if (const PlanarCells* cells = GetTraced(args->geometryUserPtr).Cells.get())
+  {
+    const AxisAlignedBox& box = cells->GetBox(args->primID);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      (&args->bounds_o->lower_x)[axis] = box.Low[axis];
+      (&args->bounds_o->upper_x)[axis] = box.High[axis];
+    }
+    return;
+  }
   glm::vec3 low(Infinity);
   glm::vec3 high(-Infinity);
   const Surface& surface = *GetTraced(args->geometryUserPtr).Data;
@@ -55,21 +66,48 @@ Ray GetRay(RTCRayN* rays, unsigned int size, unsigned int i)
   return ray;
 }
 
-/// Calls hit(triangle, distance) for the hits of a ray; `hit` returns the distance up to which
-/// further hits matter.
+bool IsInside(const glm::dvec3& point, const AxisAlignedBox& box)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(point[axis] >= box.Low[axis] && point[axis] <= box.High[axis]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Calls hit(triangle, distance) for the hits of a ray on a primitive; `hit` returns the distance up
+/// to which further hits matter.
 template <typename OnHit>
-void ForEachHit(const SliverTree& tree, const Ray& ray, OnHit hit)
+void ForEachHit(const TracedSurface& traced, std::uint32_t primitive, const Ray& ray, OnHit hit)
 {
   const glm::dvec3 origin(ray.Origin);
   const glm::dvec3 direction(ray.Direction);
   double farthest = ray.Far;
-  tree.VisitRay(origin, direction, ray.Near, farthest, [&](std::uint32_t triangle) {
-    const double distance = tree.ComputeDistance(triangle, origin, direction);
+  // Calls accept(distance) for a hit between the ends of the ray. Returns true if there is one.
+  const auto test = [&](std::uint32_t triangle, const auto& accept) {
+    const double distance = ComputeDistance(*traced.Data, triangle, origin, direction);
     const auto rounded = static_cast<float>(distance);
-    if (rounded > ray.Near && rounded <= farthest) // false for NaN
+    const bool isHit = rounded > ray.Near && rounded <= farthest; // false for NaN
+    if (isHit && accept(distance))
     {
       farthest = hit(triangle, rounded);
     }
+    return isHit;
+  };
+  if (!traced.Cells)
+  {
+    traced.Slivers->VisitRay(origin, direction, ray.Near, farthest,
+      [&](std::uint32_t triangle) { test(triangle, [](double) { return true; }); });
+    return;
+  }
+  // Embree also passes rays of a packet that miss the box.
+  const AxisAlignedBox& box = traced.Cells->GetBox(primitive);
+  traced.Cells->VisitTriangles(primitive, [&](std::uint32_t triangle) {
+    return test(
+      triangle, [&](double distance) { return IsInside(origin + distance * direction, box); });
   });
 }
 
@@ -89,7 +127,7 @@ void Intersect(const RTCIntersectFunctionNArguments* args)
     }
     const Ray ray = GetRay(rays, args->N, i);
     const unsigned int id = RTCRayN_id(rays, args->N, i);
-    ForEachHit(*traced.Slivers, ray, [&](std::uint32_t triangle, float distance) -> double {
+    ForEachHit(traced, args->primID, ray, [&](std::uint32_t triangle, float distance) -> double {
       float& farthest = RTCRayN_tfar(rays, args->N, i);
       const RayTriangle exact(surface, triangle, ray);
       if (!exact.IsValid || !(exact.IsFront ? surface.Frontfaces : surface.Backfaces))
@@ -126,7 +164,7 @@ void Occlude(const RTCOccludedFunctionNArguments* args)
     if (args->valid[i] != 0)
     {
       ForEachHit(
-        *traced.Slivers, GetRay(args->ray, args->N, i), [&](std::uint32_t, float) -> double {
+        traced, args->primID, GetRay(args->ray, args->N, i), [&](std::uint32_t, float) -> double {
           RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
           return -1.0;
         });
@@ -139,7 +177,8 @@ void Occlude(const RTCOccludedFunctionNArguments* args)
 RTCGeometry MakeSliverGeometry(RTCDevice device, TracedSurface& traced)
 {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, 1);
+  rtcSetGeometryUserPrimitiveCount(
+    geometry, traced.Cells ? static_cast<unsigned int>(traced.Cells->GetNumberOfCells()) : 1);
   rtcSetGeometryUserData(geometry, &traced);
   rtcSetGeometryBoundsFunction(geometry, ComputeBounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, Intersect);

@@ -233,25 +233,4 @@ double SliverTree::ComputeGain() const
   return oriented > 0.0 ? aligned / oriented : 0.0;
 }
 
-double SliverTree::ComputeDistance(
-  std::uint32_t triangle, const glm::dvec3& origin, const glm::dvec3& direction) const
-{
-  const glm::dvec3 a = GetCorner(this->Mesh, triangle, 0) - origin;
-  const glm::dvec3 b = GetCorner(this->Mesh, triangle, 1) - origin;
-  const glm::dvec3 c = GetCorner(this->Mesh, triangle, 2) - origin;
-  // The sign changes exactly if the ends of an edge are exchanged, as in an adjacent triangle.
-  const double ab = glm::dot(direction, glm::cross(a, b));
-  const double bc = glm::dot(direction, glm::cross(b, c));
-  const double ca = glm::dot(direction, glm::cross(c, a));
-  const bool isInside =
-    (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  const double facing = glm::dot(normal, direction);
-  if (!isInside || facing == 0.0)
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return glm::dot(normal, a) / facing;
-}
-
 }

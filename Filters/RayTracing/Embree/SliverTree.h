@@ -46,11 +46,6 @@ public:
   template <typename Visit>
   void VisitNear(const glm::dvec3& point, double radius, Visit visit) const;
 
-  /// Returns the distance, in units of |direction|, at which a ray hits a triangle, or NaN. The
-  /// test is watertight: a ray through an edge hits at least one of its triangles.
-  double ComputeDistance(
-    std::uint32_t triangle, const glm::dvec3& origin, const glm::dvec3& direction) const;
-
   const Surface& GetSurface() const { return this->Mesh; }
 
 private:

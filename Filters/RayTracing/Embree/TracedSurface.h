@@ -12,6 +12,7 @@
 namespace penumbra
 {
 
+class PlanarCells;
 class SliverTree;
 
 /// Data of a surface that the callbacks of Embree use.
@@ -22,6 +23,8 @@ struct TracedSurface
   bool IsTranslucent;                        ///< of spheres and tubes only
   bool MayHaveCopies;                        ///< the boxes of many triangles overlap
   std::shared_ptr<const SliverTree> Slivers; ///< replaces Embree's BVH of the triangles if not null
+  std::shared_ptr<const PlanarCells>
+    Cells; ///< Embree's primitives instead of triangles if not null
 };
 
 }

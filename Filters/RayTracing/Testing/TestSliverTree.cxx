@@ -6,6 +6,7 @@
 
 #include "Embree/BoxOverlap.h"
 #include "Embree/RayScene.h"
+#include "Embree/RayTriangle.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +64,7 @@ double MeanNumberOfTests(const SliverTree& tree, const std::vector<Ray>& rays)
     double farthest = std::numeric_limits<double>::infinity();
     tree.VisitRay(origin, direction, 0.0, farthest, [&](std::uint32_t triangle) {
       ++tests;
-      const double distance = tree.ComputeDistance(triangle, origin, direction);
+      const double distance = ComputeDistance(tree.GetSurface(), triangle, origin, direction);
       farthest = distance < farthest ? distance : farthest;
     });
   }
@@ -101,12 +102,12 @@ TEST(SliverTree, FindsTheHitsOfAllTriangles)
     double expected = std::numeric_limits<double>::infinity();
     for (std::uint32_t triangle = 0; triangle < cone.Triangles.size(); ++triangle)
     {
-      const double distance = tree.ComputeDistance(triangle, origin, direction);
+      const double distance = ComputeDistance(tree.GetSurface(), triangle, origin, direction);
       expected = distance < expected ? distance : expected;
     }
     double actual = std::numeric_limits<double>::infinity();
     tree.VisitRay(origin, direction, 0.0, actual, [&](std::uint32_t triangle) {
-      const double distance = tree.ComputeDistance(triangle, origin, direction);
+      const double distance = ComputeDistance(tree.GetSurface(), triangle, origin, direction);
       actual = distance < actual ? distance : actual;
     });
     EXPECT_EQ(actual, expected);
