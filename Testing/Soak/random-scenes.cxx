@@ -61,7 +61,7 @@ void LimitProcessorTime(double seconds)
   setrlimit(RLIMIT_CPU, &limit);
 }
 
-void LimitMemory(double gigabytes)
+void LimitMemory([[maybe_unused]] double gigabytes)
 {
 #ifndef __SANITIZE_ADDRESS__
   rlimit limit;
