@@ -147,39 +147,71 @@ void SliverTree::Build(std::uint32_t first, std::uint32_t last)
   this->Build(middle, last);
 }
 
+template <typename Function>
+void SliverTree::ForEachCorner(std::uint32_t first, std::uint32_t last, Function function) const
+{
+  for (std::uint32_t i = first; i < last; ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      function(GetCorner(this->Mesh, this->Order[i], corner));
+    }
+  }
+}
+
 // The axes are the principal axes of the corners. Sizes are computed with the rounded axes.
 void SliverTree::Fit(Node& node, std::uint32_t first, std::uint32_t last) const
 {
   const glm::dvec3 origin = GetCorner(this->Mesh, this->Order[first], 0);
-  const auto forEachCorner = [&](const auto& function) {
-    for (std::uint32_t i = first; i < last; ++i)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        function(GetCorner(this->Mesh, this->Order[i], corner));
-      }
-    }
-  };
   Moments moments(origin);
-  forEachCorner([&](const glm::dvec3& p) { moments.Add(p); });
+  this->ForEachCorner(first, last, [&](const glm::dvec3& p) { moments.Add(p); });
   const glm::dmat3 axes = moments.ComputeAxes();
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-low);
   const glm::dmat3 inverse = glm::transpose(axes);
-  forEachCorner([&](const glm::dvec3& p) {
+  this->ForEachCorner(first, last, [&](const glm::dvec3& p) {
     const glm::dvec3 q = inverse * (p - origin);
     low = glm::min(low, q);
     high = glm::max(high, q);
   });
   node.Center = glm::vec3(origin + axes * (0.5 * (low + high)));
   glm::dvec3 half(0.0);
-  forEachCorner([&](const glm::dvec3& p) {
+  this->ForEachCorner(first, last, [&](const glm::dvec3& p) {
     half = glm::max(half, glm::abs(inverse * (p - glm::dvec3(node.Center))));
   });
   half = 1.00001 * half + this->Slack;
   for (int i = 0; i < 3; ++i)
   {
     node.Axes[i] = glm::vec3(axes[i] / half[i]);
+  }
+  this->FitSlabs(node, first, last, axes[0]);
+}
+
+// The end of an oriented box is not parallel to the rim of slivers that are inclined to it: without
+// slabs, rays along the rim cross the ends of a number of boxes proportional to that of the slivers.
+// The slack also contains the rounding of slabs and shifts.
+void SliverTree::FitSlabs(
+  Node& node, std::uint32_t first, std::uint32_t last, const glm::dvec3& fallback) const
+{
+  const std::uint32_t middle = this->Order[first + (last - first) / 2];
+  const glm::dvec3 corners[3] = { GetCorner(this->Mesh, middle, 0),
+    GetCorner(this->Mesh, middle, 1), GetCorner(this->Mesh, middle, 2) };
+  const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  for (int i = 0; i < Node::NumberOfSlabs; ++i)
+  {
+    const glm::dvec3 across = glm::cross(normal, corners[(i + 1) % 3] - corners[i]);
+    const double length = glm::length(across);
+    const glm::dvec3 axis = length > 0.0 ? across / length : fallback;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    this->ForEachCorner(first, last, [&](const glm::dvec3& p) {
+      const double q = glm::dot(axis, p - glm::dvec3(node.Center));
+      low = std::min(low, q);
+      high = std::max(high, q);
+    });
+    const double thickness = 0.5 * 1.00001 * (high - low) + 4.0 * this->Slack;
+    node.Slabs[i] = glm::vec3(axis / thickness);
+    node.Shifts[i] = static_cast<float>(0.5 * (low + high) / thickness);
   }
 }
 

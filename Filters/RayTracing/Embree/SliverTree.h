@@ -3,7 +3,8 @@
 //
 // BVH of oriented boxes for surfaces of slivers, such as large fans. The axis-aligned boxes of n
 // slivers side by side overlap, so that a ray through Embree's BVH tests a number of them that is
-// proportional to n. Oriented boxes around adjacent slivers are thin [OBBTree].
+// proportional to n. Oriented boxes around adjacent slivers are thin [OBBTree]. Slabs parallel to the edges
+// of one sliver cut the ends of the boxes.
 //
 // [OBBTree] S. Gottschalk, M. C. Lin, D. Manocha: OBBTree: A Hierarchical Structure for Rapid
 // Interference Detection, SIGGRAPH 1996.
@@ -49,11 +50,17 @@ public:
   const Surface& GetSurface() const { return this->Mesh; }
 
 private:
-  /// An oriented box: the points p with |dot(Axes[i], p - Center)| <= 1.
+  /// An oriented box, the points p with |dot(Axes[i], p - Center)| <= 1, cut by slabs, the points
+  /// with |dot(Slabs[i], p - Center) - Shifts[i]| <= 1. The slabs are perpendicular to a
+  /// triangle and parallel to its edges.
   struct Node
   {
+    static constexpr int NumberOfSlabs = 3;
+
     glm::vec3 Center{ 0.f };
     glm::vec3 Axes[3];
+    glm::vec3 Slabs[NumberOfSlabs];
+    float Shifts[NumberOfSlabs];
     std::uint32_t First = 0; ///< of the triangles of a leaf, or the second child of another node
     std::uint32_t Count = 0; ///< number of triangles; 0: not a leaf, whose first child is next
   };
@@ -63,6 +70,10 @@ private:
 
   void Build(std::uint32_t first, std::uint32_t last);
   void Fit(Node& node, std::uint32_t first, std::uint32_t last) const;
+  template <typename Function>
+  void ForEachCorner(std::uint32_t first, std::uint32_t last, Function function) const;
+  void FitSlabs(
+    Node& node, std::uint32_t first, std::uint32_t last, const glm::dvec3& fallback) const;
   std::uint32_t Split(std::uint32_t first, std::uint32_t last);
   /// Returns the ratio of the areas of the axis-aligned and the oriented boxes of the leaves.
   double ComputeGain() const;
@@ -75,20 +86,27 @@ private:
     const glm::dvec3 offset = origin - glm::dvec3(node.Center);
     double enter = nearest;
     double leave = farthest;
-    for (const glm::vec3& axis : node.Axes)
-    {
-      const double position = glm::dot(glm::dvec3(axis), offset);
+    const auto clip = [&](const glm::vec3& axis, double shift) {
+      const double position = glm::dot(glm::dvec3(axis), offset) - shift;
       const double speed = glm::dot(glm::dvec3(axis), direction);
       if (speed == 0.0)
       {
         leave = std::abs(position) <= 1.0 ? leave : -1.0;
-        continue;
+        return;
       }
       const double inverse = 1.0 / speed;
       const double middle = -position * inverse;
       const double half = std::abs(inverse);
       enter = enter < middle - half ? middle - half : enter;
       leave = leave > middle + half ? middle + half : leave;
+    };
+    for (const glm::vec3& axis : node.Axes)
+    {
+      clip(axis, 0.0);
+    }
+    for (int i = 0; i < Node::NumberOfSlabs && enter <= leave; ++i)
+    {
+      clip(node.Slabs[i], node.Shifts[i]);
     }
     return enter <= leave ? enter : -1.0;
   }

@@ -86,6 +86,34 @@ TEST(SliverTree, TestsFewTrianglesOfLargeDiscs)
   }
 }
 
+// The rim of the cone is not perpendicular to its slivers.
+TEST(SliverTree, TestsFewTrianglesAlongTheRimOfACone)
+{
+  for (const unsigned int n : { 2000u, 16000u, 128000u })
+  {
+    Surface cone = Disc(n);
+    cone.Positions[0].z = -0.7f;
+    for (std::size_t i = 2; i < cone.Positions.size(); i += 2)
+    {
+      cone.Positions[i].z += 0.05f;
+    }
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i)
+    {
+      const double height = (i + 0.5) / 2000; // of a point of the upper hemisphere
+      const double radius = std::sqrt(1.0 - height * height);
+      const double angle = 2.399963 * i;
+      Ray ray;
+      ray.Origin = cone.Positions[1 + static_cast<std::size_t>(i) * 61 % n];
+      ray.Direction = { radius * std::cos(angle), radius * std::sin(angle), height };
+      rays.push_back(ray);
+    }
+    const double tests = MeanNumberOfTests(SliverTree(cone), rays);
+    RecordProperty("Tests" + std::to_string(n), std::to_string(tests));
+    EXPECT_LE(tests, 8.0) << n;
+  }
+}
+
 TEST(SliverTree, FindsTheHitsOfAllTriangles)
 {
   Surface cone = Disc(1000);
