@@ -183,11 +183,12 @@ std::vector<double> ErrorsBeforeAWall(OcclusionScene& scene, double (*reference)
   scene.Window->Render();
   const std::vector<float> occlusion = scene.Array("AmbientOcclusion");
   const int footRow = scene.Pixel({ 0, 0, 0 })[1];
+  const int column = scene.Width / 2;
   std::vector<double> errors;
   for (int row = 0; row < footRow; ++row)
   {
-    const Vector floor = scene.FloorPointAt(80.5, row + 0.5);
-    errors.push_back(occlusion[row * scene.Width + 80] - reference(-floor[1]));
+    const Vector floor = scene.FloorPointAt(column + 0.5, row + 0.5);
+    errors.push_back(occlusion[row * scene.Width + column] - reference(-floor[1]));
   }
   return errors;
 }

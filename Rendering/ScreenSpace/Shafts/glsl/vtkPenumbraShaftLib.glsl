@@ -12,7 +12,7 @@ uniform vec3 coefficients[3]; // per color channel and unit of length: scatterin
 uniform int phase;          // vtkPenumbraLightShaftPass::Phases
 uniform float asymmetry;    // mean cosine of HENYEY_GREENSTEIN
 
-vec4 light;                 // the current one
+vec4 light = vec4(0.0);     // the current one
 float scattering;           // coefficients of the current channel
 float extinction;
 float rayleigh;
