@@ -17,6 +17,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
+#include "vtkTextProperty.h"
 
 #include <algorithm>
 
@@ -159,9 +160,18 @@ void SetRange(vtkLookupTable* table, const Mappers& mappers, const std::string& 
   table->SetTableRange(range);
 }
 
-void AddScalarBar(vtkRenderer* renderer, vtkLookupTable* table, const std::string& title)
+void AddScalarBar(
+  vtkRenderer* renderer, vtkLookupTable* table, const std::string& title, bool darkText)
 {
   vtkNew<vtkScalarBarActor> bar;
+  for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
+  {
+    if (darkText)
+    {
+      text->SetColor(0.0, 0.0, 0.0);
+      text->ShadowOff();
+    }
+  }
   bar->SetLookupTable(table);
   bar->SetTitle(title.c_str());
   bar->SetLabelFormat("%.4g");
@@ -170,7 +180,8 @@ void AddScalarBar(vtkRenderer* renderer, vtkLookupTable* table, const std::strin
 
 }
 
-void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOptions& options)
+void ColorByData(
+  vtkRenderer* renderer, const Mappers& all, const ColoringOptions& options, bool darkText)
 {
   const std::string name = ChooseArray(all, options);
   const Mappers mappers = FindMappersWith(all, name, options.ByCells);
@@ -212,7 +223,7 @@ void ColorByData(vtkRenderer* renderer, const Mappers& all, const ColoringOption
   }
   if (options.ScalarBar)
   {
-    AddScalarBar(renderer, table, name);
+    AddScalarBar(renderer, table, name, darkText);
   }
 }
 

@@ -15,10 +15,10 @@ namespace penumbra
 
 struct ColoringOptions;
 
-/// Colors every mapper whose data have the array and adds the scalar bar if requested.
-/// Throws CommandError, which lists the available arrays, if no mapper has it.
+/// Colors every mapper whose data have the array and adds the scalar bar if requested,
+/// with black text if `darkText` is true, otherwise white text. Throws CommandError, which lists the available arrays, if no mapper has it.
 void ColorByData(vtkRenderer* renderer, const std::vector<vtkPolyDataMapper*>& mappers,
-  const ColoringOptions& options);
+  const ColoringOptions& options, bool darkText);
 
 }
 #endif

@@ -3,6 +3,7 @@
 #include "SceneBuilder.h"
 
 #include "Coloring.h"
+#include "Files/ImageFiles.h"
 #include "Options/RenderOptions.h"
 
 #include "vtkActor.h"
@@ -100,6 +101,17 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   }
 }
 
+/// Returns true if text must be dark: on a light background, and on the paper of a figure.
+bool NeedsDarkText(const RenderOptions& options, const Vector3& background)
+{
+  if (!options.Background)
+  {
+    return IsVectorGraphic(options.Output);
+  }
+  // Luma of [ITU-R BT.601].
+  return 0.299 * background[0] + 0.587 * background[1] + 0.114 * background[2] > 0.5;
+}
+
 }
 
 vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
@@ -125,12 +137,12 @@ vtkSmartPointer<vtkRenderer> BuildScene(const std::vector<vtkSmartPointer<vtkPol
     SetAppearance(actor->GetProperty(), options, unitsPerPoint);
     renderer->AddActor(actor);
   }
+  const Vector3 background = options.BackgroundColor.value_or(Vector3{ 0, 0, 0 });
   if (options.Coloring.Enabled)
   {
-    ColorByData(renderer, mappers, options.Coloring);
+    ColorByData(renderer, mappers, options.Coloring, NeedsDarkText(options, background));
   }
   AddLights(renderer, options);
-  const Vector3 background = options.BackgroundColor.value_or(Vector3{ 0, 0, 0 });
   renderer->SetBackground(background[0], background[1], background[2]);
   renderer->SetBackgroundAlpha(options.Background ? 1.0 : 0.0);
   PlaceCamera(renderer, options);
