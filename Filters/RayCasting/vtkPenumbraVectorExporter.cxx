@@ -9,6 +9,7 @@
 #include "Shading/Shading.h"
 #include "Vector/EdgeVisibility.h"
 #include "Vector/PdfEncoder.h"
+#include "Vector/PolygonRows.h"
 #include "Vector/SvgEncoder.h"
 #include "Vector/VectorFaces.h"
 
@@ -51,6 +52,7 @@ void TakeAnnotations(penumbra::Scene& scene, penumbra::Scene& all, penumbra::Vec
   if (scene.OverlayImage.IsDescribedByShapes())
   {
     figure.Shapes = scene.OverlayImage.GetShapes();
+    penumbra::ExtendRows(figure.Shapes);
     scene.OverlayImage = penumbra::Overlay();
   }
   const auto first = std::stable_partition(scene.Surfaces.begin(), scene.Surfaces.end(),

@@ -82,7 +82,7 @@ public:
   ///@{
   /**
    * Width of outlines in points: visible silhouettes, boundaries, creases and color seams of
-   * surfaces, except those of spheres and tubes. 0: none. Range: [0, 1000]. Default: 0.
+   * surfaces, spheres and tubes, without the curves where they intersect. 0: none. Range: [0, 1000]. Default: 0.
    */
   vtkSetClampMacro(OutlineWidth, double, 0.0, 1000.0);
   vtkGetMacro(OutlineWidth, double);

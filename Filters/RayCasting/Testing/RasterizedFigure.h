@@ -90,9 +90,10 @@ inline vtkSmartPointer<vtkImageData> Rasterize(
   return reader->GetOutput();
 }
 
-/// Returns the RMSE of the colors, multiplied by their opacity, between a figure with 8 bits per
-/// channel and the image of the ray caster, which is rendered with its lines and text.
-inline double ComputeError(vtkImageData* figure, vtkPenumbraRayCaster* caster)
+/// Calls `add` with the difference of each color, multiplied by its opacity, between a figure with 8
+/// bits per channel and the image of the ray caster, which is rendered with its lines and text.
+template <typename Function>
+void ForEachDifference(vtkImageData* figure, vtkPenumbraRayCaster* caster, Function&& add)
 {
   caster->UpdateWholeExtent();
   vtkDataArray* expected = caster->GetOutput()->GetPointData()->GetArray("Color");
@@ -100,22 +101,38 @@ inline double ComputeError(vtkImageData* figure, vtkPenumbraRayCaster* caster)
   if (!expected || !actual || expected->GetNumberOfTuples() != actual->GetNumberOfTuples())
   {
     ADD_FAILURE() << "the figure has another size than the image";
-    return 1.0;
+    add(1.0);
+    return;
   }
   const int channels = actual->GetNumberOfComponents();
-  double sum = 0.0;
   for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i)
   {
     const double alpha = channels == 4 ? actual->GetComponent(i, 3) / 255.0 : 1.0;
     for (int c = 0; c < 3; ++c)
     {
       const double color = std::clamp(expected->GetComponent(i, c), 0.0, 1.0);
-      const double difference =
-        alpha * actual->GetComponent(i, c) / 255.0 - expected->GetComponent(i, 3) * color;
-      sum += difference * difference;
+      add(alpha * actual->GetComponent(i, c) / 255.0 - expected->GetComponent(i, 3) * color);
     }
   }
-  return std::sqrt(sum / (3.0 * expected->GetNumberOfTuples()));
+}
+
+inline double ComputeError(vtkImageData* figure, vtkPenumbraRayCaster* caster)
+{
+  double sum = 0.0;
+  double count = 0.0;
+  ForEachDifference(figure, caster, [&](double difference) {
+    sum += difference * difference;
+    count += 1.0;
+  });
+  return std::sqrt(sum / count);
+}
+
+inline double ComputeLargestDifference(vtkImageData* figure, vtkPenumbraRayCaster* caster)
+{
+  double largest = 0.0;
+  ForEachDifference(
+    figure, caster, [&](double difference) { largest = std::max(largest, std::abs(difference)); });
+  return largest;
 }
 
 }

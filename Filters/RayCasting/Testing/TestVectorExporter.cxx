@@ -295,6 +295,34 @@ TEST_F(VectorExporter, WritesScalarBarsAsPolygonsAndText)
   EXPECT_GE(this->GetStatistic("Vector/Polygons"), 8.0);
 }
 
+// Swatches end between pixels, and are narrower than pixels. Their colors differ by less than 8.
+TEST_F(VectorExporter, DrawsNoSeamsBetweenSwatches)
+{
+  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+  for (const int colors : { 64, 256 })
+  {
+    vtkNew<vtkLookupTable> table;
+    table->SetNumberOfTableValues(colors);
+    for (int i = 0; i < colors; ++i)
+    {
+      table->SetTableValue(i, 0.0, 0.5 * i / colors, 0.5);
+    }
+    vtkNew<vtkScalarBarActor> bar;
+    bar->SetLookupTable(table);
+    bar->SetMaximumNumberOfColors(colors);
+    bar->SetNumberOfLabels(0);
+    this->Renderer->AddViewProp(bar);
+    for (const char* format : { "svg", "pdf" })
+    {
+      const auto figure = Rasterize(this->Exporter, this->Folder, format);
+      EXPECT_LE(ComputeError(figure, this->Caster), Precision) << format;
+      EXPECT_LE(ComputeLargestDifference(figure, this->Caster), 2.0 * Precision) << format;
+    }
+    EXPECT_GE(this->GetStatistic("Vector/Polygons"), 50.0);
+    this->Renderer->RemoveViewProp(bar);
+  }
+}
+
 TEST_F(VectorExporter, WritesAnEmptyScene)
 {
   for (const char* format : { "svg", "pdf" })

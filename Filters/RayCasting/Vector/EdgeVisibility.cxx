@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeVisibility.h"
 
+#include "Coverage/RoundOutlines.h"
 #include "Coverage/Silhouettes.h"
+#include "FigureText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +131,34 @@ void AddPieces(const CameraRayTracer& tracer, const Stroke& stroke, double from,
   }
 }
 
+double ComputeDepth(const Camera& camera, const ProjectedEdge& edge, double t)
+{
+  const double value = glm::mix(edge.DepthA, edge.DepthB, t);
+  return camera.Parallel ? value : 1.0 / value;
+}
+
+/// Appends the visible parts of an edge, and joins the first one to the last of `paths` if it is not
+/// before `first` and ends there.
+template <typename Function>
+void AddVisibleParts(const ProjectedEdge& edge, const Function& isVisible, const FigurePath& pen,
+  std::size_t first, std::vector<FigurePath>& paths)
+{
+  for (const auto& [from, to] : FindVisibleIntervals(glm::length(edge.B - edge.A), isVisible))
+  {
+    const glm::dvec2 begin = glm::mix(edge.A, edge.B, from);
+    const glm::dvec2 end = glm::mix(edge.A, edge.B, to);
+    if (paths.size() > first &&
+      glm::length(paths.back().Points.back() - begin) <= 1.0 / UnitsPerPixel)
+    {
+      paths.back().Points.push_back(end);
+      continue;
+    }
+    FigurePath path = pen;
+    path.Points = { begin, end };
+    paths.push_back(path);
+  }
+}
+
 }
 
 std::vector<std::pair<double, double>> FindVisibleIntervals(
@@ -218,31 +248,47 @@ void AddVisibleOutlines(const CameraRayTracer& tracer,
   const Scene& scene = tracer.GetScene();
   const Camera& camera = scene.ViewCamera;
   const RayScene& rays = tracer.GetRays();
+  const glm::dvec2 size(camera.Width, camera.Height);
   std::vector<ProjectedEdge> projected;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
     if (!scene.Surfaces[i].IsLineOrPoint)
     {
-      ProjectEdges(scene.Surfaces[i], edges[i], camera, glm::dvec2(0.0),
-        glm::dvec2(camera.Width, camera.Height), projected);
+      ProjectEdges(scene.Surfaces[i], edges[i], camera, glm::dvec2(0.0), size, projected);
     }
   }
   for (const ProjectedEdge& edge : projected)
   {
     const auto isVisible = [&](double t) {
-      const double value = glm::mix(edge.DepthA, edge.DepthB, t);
-      const double depth = camera.Parallel ? value : 1.0 / value;
+      const double depth = ComputeDepth(camera, edge, t);
       Ray ray = tracer.MakeRay(glm::mix(edge.A, edge.B, t));
       const double far =
         depth - EdgeOffset * ComputePixelSize(camera, depth) - camera.DepthOfRayOrigins();
       ray.Far = static_cast<float>(far);
       return !(far > ray.Near) || !rays.Occluded(ray);
     };
-    for (const auto& [from, to] : FindVisibleIntervals(glm::length(edge.B - edge.A), isVisible))
+    AddVisibleParts(edge, isVisible, pen, paths.size(), paths);
+  }
+  for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
+  {
+    const Surface& surface = scene.Surfaces[i];
+    for (std::uint32_t j = 0; surface.IsRound() && j < surface.GetNumberOfPrimitives(); ++j)
     {
-      FigurePath path = pen;
-      path.Points = { glm::mix(edge.A, edge.B, from), glm::mix(edge.A, edge.B, to) };
-      paths.push_back(path);
+      projected.clear();
+      ProjectOutline(surface, j, camera, glm::dvec2(0.0), size, projected);
+      const std::size_t first = paths.size();
+      for (const ProjectedEdge& edge : projected)
+      {
+        // A chord is partly in front of its own shape, which is convex and does not hide it.
+        const auto isVisible = [&](double t) {
+          const Hit hit = tracer.TraceFirstHit(glm::mix(edge.A, edge.B, t));
+          const double depth = ComputeDepth(camera, edge, t);
+          return !hit.IsHit() || (hit.Surface == i && hit.Primitive == j) ||
+            camera.DepthOfRayOrigins() + hit.Distance >
+            depth - EdgeOffset * ComputePixelSize(camera, depth);
+        };
+        AddVisibleParts(edge, isVisible, pen, first, paths);
+      }
     }
   }
 }

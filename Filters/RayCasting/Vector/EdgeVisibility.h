@@ -30,8 +30,8 @@ bool HasStrokes(const Surface& surface);
 /// the scene with its lines and points. Lines are strokes along their axis, as wide as they are.
 void AddVisibleLines(const CameraRayTracer& tracer, std::vector<FigurePath>& paths);
 
-/// Appends the visible parts of silhouettes, boundaries and creases with the width and color of
-/// `pen`. `edges`: the edges of each surface.
+/// Appends the visible parts of silhouettes, boundaries and creases, and of the outlines of spheres
+/// and tubes as polylines, with the width and color of `pen`. `edges`: the edges of each surface.
 void AddVisibleOutlines(const CameraRayTracer& tracer,
   const std::vector<std::vector<MeshEdge>>& edges, const FigurePath& pen,
   std::vector<FigurePath>& paths);

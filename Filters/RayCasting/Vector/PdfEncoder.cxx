@@ -187,7 +187,7 @@ public:
     {
       this->Commands += ToColor(path.Color) + (stroke ? "RG " : "rg ");
       this->Commands += stroke ? ToText(path.Width * UnitsPerPixel) + " w " : "";
-      this->Commands += stroke ? (path.RoundCaps ? "1 J\n" : "0 J\n") : "\n";
+      this->Commands += stroke ? (path.RoundCaps ? "1 J 1 j\n" : "0 J 0 j\n") : "\n";
     }
     this->Last = &path;
     this->AddCommands(path);

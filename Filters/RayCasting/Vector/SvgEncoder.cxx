@@ -139,7 +139,7 @@ void AppendPaths(const std::vector<FigurePath>& paths, const std::string& prefix
       if (path.Width > 0.0)
       {
         svg += " fill=\"none\" stroke-width=\"" + ToText(path.Width * UnitsPerPixel) + "\"";
-        svg += path.RoundCaps ? " stroke-linecap=\"round\"" : "";
+        svg += path.RoundCaps ? " stroke-linecap=\"round\" stroke-linejoin=\"round\"" : "";
       }
       svg += " d=\"";
       // Translucent paths in one element would not be drawn over each other.
