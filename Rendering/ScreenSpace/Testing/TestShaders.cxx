@@ -2,106 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // GLSL functions with known values: each expression is rendered into a texture and read back.
-#include "Frame/Stage.h"
-
-#include "vtkNew.h"
-#include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
-
-#include <gtest/gtest.h>
+#include "ShaderEvaluation.h"
 
 #include <cmath>
-#include <fstream>
-#include <memory>
 #include <sstream>
 
 namespace
 {
 
-std::string ReadShader(const std::string& name)
-{
-  std::stringstream text;
-  text << std::ifstream(PENUMBRA_SHADERS "/" + name).rdbuf();
-  return text.str();
-}
-
-/// Assembles the libraries of the estimation stage without its main function.
-std::string AssembleEstimate(const std::string& kernel)
-{
-  std::string text = penumbra::Assemble(ReadShader("glsl/vtkPenumbraEstimateFS.glsl"),
-    { { "ViewLib", ReadShader("Frame/glsl/vtkPenumbraViewLib.glsl") },
-      { "SurfaceLib", ReadShader("Occlusion/glsl/vtkPenumbraSurfaceLib.glsl") },
-      { "EstimateLib", ReadShader("glsl/vtkPenumbraEstimateLib.glsl") },
-      { "Kernel", ReadShader("glsl/vtkPenumbraEstimate" + kernel + "FS.glsl") },
-      { "HemisphereLib", ReadShader("glsl/vtkPenumbraHemisphereLib.glsl") } });
-  return text.substr(0, text.rfind("void main()")) +
-    ReadShader("Frame/glsl/vtkPenumbraApplyOcclusionLib.glsl") +
-    ReadShader("Occlusion/glsl/vtkPenumbraBilateralLib.glsl");
-}
-
-class Shaders : public testing::Test
+class Shaders : public ShaderEvaluation
 {
 protected:
   void SetUp() override
   {
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetSize(8, 8);
-    this->Window->AddRenderer(this->Renderer);
-    this->Window->Render();
-    this->Context = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
-    ASSERT_TRUE(this->Context);
-    this->Framebuffer->SetContext(this->Context);
-    penumbra::Allocate(this->Target, this->Context, 4, 4, 1);
-    penumbra::Allocate(this->Depths, this->Context, 4, 4, 1);
+    ShaderEvaluation::SetUp();
+    this->Depths = this->MakeTexture(4, 4, 1, [](int, int) { return std::array<float, 4>{}; });
   }
-  void TearDown() override { this->Parallel = false; }
 
   /// Evaluates a GLSL expression after the declarations of the estimation stage.
   double Evaluate(const std::string& expression, const std::string& kernel = "Horizon")
   {
-    const std::string source = AssembleEstimate(kernel) +
+    const std::string declarations = AssembleEstimate(kernel) +
+      ReadShader("Frame/glsl/vtkPenumbraApplyOcclusionLib.glsl") +
+      ReadShader("Occlusion/glsl/vtkPenumbraBilateralLib.glsl") +
       "vec2 phase(vec2 s) { return vec2(cos(6.2831853 * (s.x - s.y)), sin(6.2831853 * (s.x - "
-      "s.y))); "
-      "}\n"
-      "void main() { gl_FragData[0] = vec4(float(" +
-      expression + ")); }\n";
-    penumbra::Stage stage;
-    vtkShaderProgram* program = stage.Ready(this->Context, source);
-    if (!program)
-    {
-      ADD_FAILURE() << "The expression does not compile: " << expression;
-      return 0.0;
-    }
-    const float pixelToEye[4] = { 0.5f, 0.5f, -1.f, -1.f };
-    const float pixelSize[2] = { 0.25f, 0.25f };
-    const float depthToEye[2] = { 0.1f, 0.9f };
-    program->SetUniform4f("pixelToEye", pixelToEye);
-    program->SetUniform2f("pixelSize", pixelSize);
-    program->SetUniform2f("depthToEye", depthToEye);
-    program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
-    program->SetUniformf("thickness", 1.f);
-    program->SetUniformf("strength", 0.8f);
-    program->SetUniformf("lightAwareness", 0.5f);
-    program->SetUniformf("pixelRotation", 1.f);
-    program->SetUniformf("distanceInPixels", 4.f);
-    {
-      const penumbra::ScopedRenderTarget target(this->Context, this->Framebuffer, { this->Target });
+      "s.y))); }\n";
+    const auto setInputs = [this](vtkShaderProgram* program, penumbra::Stage& stage) {
+      const float pixelToEye[4] = { 0.5f, 0.5f, -1.f, -1.f };
+      const float pixelSize[2] = { 0.25f, 0.25f };
+      const float depthToEye[2] = { 0.1f, 0.9f };
+      program->SetUniform4f("pixelToEye", pixelToEye);
+      program->SetUniform2f("pixelSize", pixelSize);
+      program->SetUniform2f("depthToEye", depthToEye);
+      program->SetUniformf("perspective", this->Parallel ? 0.f : 1.f);
+      program->SetUniformf("thickness", 1.f);
+      program->SetUniformf("strength", 0.8f);
+      program->SetUniformf("lightAwareness", 0.5f);
+      program->SetUniformf("pixelRotation", 1.f);
+      program->SetUniformf("distanceInPixels", 4.f);
       stage.BindTexture("eyeDepths", this->Depths);
-      stage.Draw();
-    }
-    stage.ReleaseGraphicsResources(this->Window);
-    return penumbra::ReadBack(this->Target).front();
+    };
+    return this->Run(
+      declarations, "gl_FragData[0] = vec4(float(" + expression + "));", setInputs)[0];
   }
 
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
-  vtkOpenGLRenderWindow* Context = nullptr;
-  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkSmartPointer<vtkTextureObject> Target;
   vtkSmartPointer<vtkTextureObject> Depths;
   bool Parallel = false;
 };
