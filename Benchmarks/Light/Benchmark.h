@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parts of the light benchmark. Each adds its results to the table.
+#ifndef penumbra_light_Benchmark_h
+#define penumbra_light_Benchmark_h
+
+#include "ResultTable.h"
+
+#include <ctime>
+#include <string>
+
+namespace penumbra
+{
+
+struct LightBenchmark
+{
+  std::string Data;   ///< folder with head.ply
+  std::string Output; ///< folder for results
+  ResultTable Results;
+};
+
+/// Irradiance of the cache under skies of one color and under a colored environment map, in scenes with
+/// colored walls.
+void MeasureSkies(LightBenchmark& benchmark);
+
+/// Baked irradiance under the same skies, and under dark and bright ones.
+void MeasureBakedSkies(LightBenchmark& benchmark);
+
+/// A panel of 2 and of 2,000 triangles, and an emitter of 1e-4 of a wall, in a room.
+void MeasureEmitters(LightBenchmark& benchmark);
+
+/// Penumbrae behind a half-plane and a disk against closed forms.
+void MeasurePenumbrae(LightBenchmark& benchmark);
+
+/// CPU seconds of this process.
+inline double Seconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Formats a number for a remark.
+std::string Brief(double value);
+
+}
+#endif

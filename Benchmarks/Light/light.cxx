@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Measures light from colored skies, emitters and lights with a size, and compares each result with its
+// target. Run it with `./penumbra benchmark light`.
+#include "Benchmark.h"
+#include "Program.h"
+
+#include "vtkSMPTools.h"
+
+#include <cstdio>
+
+namespace penumbra
+{
+
+std::string Brief(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  using namespace penumbra;
+  LightBenchmark benchmark;
+  Program program;
+  program.Name = "light";
+  program.Title = "Light: measurements and targets";
+  program.Usage = "--data FOLDER --output FOLDER [--only skies|baking|emitters|penumbrae]";
+  program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true } };
+  program.Parts = {
+    { "skies", [&] { MeasureSkies(benchmark); } },
+    { "baking", [&] { MeasureBakedSkies(benchmark); } },
+    { "emitters", [&] { MeasureEmitters(benchmark); } },
+    { "penumbrae", [&] { MeasurePenumbrae(benchmark); } },
+  };
+  vtkSMPTools::Initialize(1);
+  return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {
+    return std::vector<std::string>{ "one thread, CPU seconds; " + DateLine(), VersionLine(),
+      "references: brute force with 16,384 rays per point; independent paths for emitters; closed "
+      "forms "
+      "for penumbrae",
+      "skies: irradiance over pi times the albedo, as in an image; errors are RMSE over tiles of "
+      "16 x 16 "
+      "pixels, with 4 reference points each, per channel; a tile fails if one channel fails",
+      "baked: RMSE per channel over 512 points, relative to the radiance of the sky; for the "
+      "colored "
+      "environment map and the sun, to its mean over the sphere" };
+  });
+}
