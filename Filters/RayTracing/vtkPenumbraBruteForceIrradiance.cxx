@@ -225,7 +225,6 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
   const glm::vec3 up = normals.Shading;
   const glm::mat3 frame = penumbra::FrameFromNormal(up);
   const std::uint32_t seed = penumbra::HashPoint(position, up);
-  const penumbra::OwenSobolSequence directions(seed);
   const int bounces = lighting.GetSettings().Bounces;
   std::uint32_t random = penumbra::MixBits(seed);
   Light result;
@@ -233,36 +232,22 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
     [&](glm::vec3 next, const SurfaceNormals& nextNormal) {
       return lighting.TracePath(next, nextNormal, bounces - 1, random, result.Rays);
     };
-
-  glm::dvec3 sum(0.0);
-  std::vector<float> grays;
+  const auto trace = [&](glm::vec2 at) {
+    const Ray ray = penumbra::Illumination::SpawnRay(position, normals,
+      frame * penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
+    ++result.Rays;
+    return lighting.IncidentRadiance(ray, lighting.GetRays().Intersect(ray), up,
+      bounces > 1 ? irradiance : penumbra::Illumination::IrradianceFunction(), result.Rays);
+  };
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
-  for (std::uint32_t count = ComputeFirstRound(penumbra::PathsPerRay * this->MinimumRays, limit);;
-       count *= 2)
-  {
-    while (grays.size() < count)
-    {
-      const glm::vec2 at = directions.At(static_cast<std::uint32_t>(grays.size()));
-      const Ray ray = penumbra::Illumination::SpawnRay(position, normals,
-        frame * penumbra::DiskToHemisphere(penumbra::SampleUniformDiskConcentric(at.x, at.y)));
-      const glm::vec3 light = lighting.IncidentRadiance(ray, lighting.GetRays().Intersect(ray), up,
-        bounces > 1 ? irradiance : penumbra::Illumination::IrradianceFunction(), result.Rays);
-      ++result.Rays;
-      sum += light;
-      grays.push_back((light.x + light.y + light.z) / 3.f);
-    }
-    result.Error = Pi * std::sqrt(penumbra::OwenSobolSequence::SumPairDifferences(grays)) / count;
-    if (result.Error <= tolerance || count > limit / 2)
-    {
-      break;
-    }
-  }
+  const auto gathered = penumbra::EstimateStratifiedMean(trace, seed,
+    ComputeFirstRound(penumbra::PathsPerRay * this->MinimumRays, limit), limit, tolerance / Pi);
   const auto sampled =
     lighting.EstimateSampledLight(position, normals, tolerance / Pi, result.Rays);
-  result.Error = std::hypot(result.Error, Pi * sampled.Error);
+  result.Error = Pi * std::hypot(gathered.Error, sampled.Error);
   for (int c = 0; c < 3; ++c)
   {
-    result.Value[c] = Pi * (sum[c] / static_cast<double>(grays.size()) + sampled.Mean[c]);
+    result.Value[c] = Pi * (gathered.Mean[c] + sampled.Mean[c]);
   }
   return result;
 }

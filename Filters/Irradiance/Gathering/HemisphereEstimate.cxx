@@ -35,8 +35,10 @@ namespace penumbra
 namespace
 {
 
-/// Luminance weights (ITU-R BT.709). One Hessian is used for all channels.
-const glm::vec3 Luminance(.2126f, .7152f, .0722f);
+float LargestChannel(glm::vec3 color)
+{
+  return std::max({ color.x, color.y, color.z });
+}
 
 /// Sums derivatives over the boundaries between cells.
 class Boundaries
@@ -95,17 +97,21 @@ public:
     {
       this->Gradient[c] += step[c] * change;
     }
-    const float luminanceStep = glm::dot(step, Luminance);
-    this->GradientSum += std::abs(luminanceStep) * cosine * length / edgeDistance;
-    this->GradientSumOverDistance +=
-      std::abs(luminanceStep) * cosine * length / (edgeDistance * edgeDistance);
-    const float curvature =
-      -4.f * cosine * luminanceStep / (glm::pi<float>() * edgeDistance * edgeDistance);
-    this->HessianSums += curvature * Symmetric(glm::vec2(w), glm::vec2(edgeNormal));
+    const float largestStep = LargestChannel(glm::abs(step));
+    this->GradientSum += largestStep * cosine * length / edgeDistance;
+    this->GradientSumOverDistance += largestStep * cosine * length / (edgeDistance * edgeDistance);
+    const glm::vec3 shape = Symmetric(glm::vec2(w), glm::vec2(edgeNormal));
     // At the maximum distance the falloff is 0 everywhere, so that only one mixed derivative
     // remains.
-    this->HessianSums += (endsAtMaximumDistance ? 1.f : 2.f) *
+    const glm::vec3 mixed = (endsAtMaximumDistance ? 1.f : 2.f) *
       Symmetric(this->ComputeFalloffGradient(near) - this->ComputeFalloffGradient(far), change);
+    for (int c = 0; c < 3; ++c)
+    {
+      const float curvature =
+        -4.f * cosine * step[c] / (glm::pi<float>() * edgeDistance * edgeDistance);
+      this->HessianSums[c] += curvature * shape;
+      this->HessianSums[c] += mixed;
+    }
   }
 
   /// Adds the derivatives of the falloff within `cell`, which covers the fraction `fraction` of the
@@ -125,16 +131,26 @@ public:
     const glm::vec2 w(this->Directions[cell]);
     const float slope = this->Falloff.Derivative(distance) / distance;
     const float curvature = this->Falloff.SecondDerivative(distance) - slope;
-    this->HessianSums += fraction * (curvature * Symmetric(w, w) + glm::vec3(slope, slope, 0.f));
+    const glm::vec3 sum = fraction * (curvature * Symmetric(w, w) + glm::vec3(slope, slope, 0.f));
+    for (glm::vec3& hessian : this->HessianSums)
+    {
+      hessian += sum;
+    }
   }
 
-  /// Returns the maximum absolute eigenvalue of the Hessian.
+  /// Returns the maximum absolute eigenvalue of the Hessians of the channels.
   float ComputeHessianNorm() const
   {
-    const float difference = this->HessianSums.x - this->HessianSums.y;
-    return .5f *
-      (std::abs(this->HessianSums.x + this->HessianSums.y) +
-        std::sqrt(difference * difference + 4.f * this->HessianSums.z * this->HessianSums.z));
+    float largest = 0.f;
+    for (const glm::vec3& hessian : this->HessianSums)
+    {
+      const float difference = hessian.x - hessian.y;
+      const float norm = .5f *
+        (std::abs(hessian.x + hessian.y) +
+          std::sqrt(difference * difference + 4.f * hessian.z * hessian.z));
+      largest = std::max(largest, norm);
+    }
+    return largest;
   }
 
   float OccluderEdgeDistance() const
@@ -205,8 +221,9 @@ private:
   const std::vector<glm::vec3>& Directions;
   const std::vector<HemisphereSample>& Samples;
   DistanceFalloff Falloff;
-  glm::vec3 HessianSums{ 0.f }; ///< xx, yy, xy
-  float GradientSum = 0.f;      ///< sum of absolute gradients
+  std::array<glm::vec3, 3> HessianSums{}; ///< xx, yy, xy of each channel
+  float GradientSum = 0.f;                ///< sum of absolute gradients, of the channel that
+                                          ///< changes most at each boundary
   float GradientSumOverDistance =
     0.f; ///< sum of absolute gradients, each over the distance of its edge
 };
@@ -291,7 +308,7 @@ HemisphereEstimate EstimateHemisphere(const HemisphereGrid& grid, const glm::mat
   {
     boundaries.AddFalloff(cell, fraction);
   }
-  result.Error = std::sqrt(glm::dot(boundaries.Variance, Luminance)) * fraction;
+  result.Error = std::sqrt(LargestChannel(boundaries.Variance)) * fraction;
   result.HessianNorm = boundaries.ComputeHessianNorm();
   result.OccluderEdgeDistance = boundaries.OccluderEdgeDistance();
   for (int c = 0; c < 3; ++c)

@@ -24,7 +24,7 @@ namespace penumbra
 struct HemisphereEstimate
 {
   glm::vec3 Mean{ 0.f };
-  float Error = 0.f; ///< standard error of the luminance of the mean
+  float Error = 0.f; ///< standard error of the mean, of the channel with the largest error
 
   ///@{
   /// Gradients of the mean per channel, in the tangent plane, with respect to the position and to
@@ -33,7 +33,8 @@ struct HemisphereEstimate
   std::array<glm::vec3, 3> Rotation{};
   ///@}
 
-  float HessianNorm = 0.f; ///< maximum second derivative along a line in the tangent plane
+  /// Maximum second derivative along a line in the tangent plane, of all channels.
+  float HessianNorm = 0.f;
 
   /// Mean distance of the occluder edges that contribute to the gradient, with more weight on near
   /// edges. The derivatives are valid up to about half of this distance.

@@ -8,6 +8,9 @@
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace penumbra
 {
 ViewRecords::ViewRecords(const RayScene& rays, const Gatherer& gatherer,
@@ -80,14 +83,29 @@ InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& point)
 InterpolationResult ViewRecords::Gather(
   const ShadingPoint& point, double tolerance, long long& rays) const
 {
-  const double needed = std::pow(ReferenceRayError / tolerance, 4.0 / 3.0);
   std::uint32_t count = 4;
-  while (count < needed && count < MaximumRays)
+  const auto increase = [&count](double needed) {
+    while (count < needed && count < MaximumRays)
+    {
+      count *= 2;
+    }
+  };
+  increase(std::pow(ReferenceRayError / tolerance, 4.0 / 3.0));
+  InterpolationResult result = this->GatherWithRays(point, count, rays);
+  if (result.Error > tolerance && count < MaximumRays)
   {
-    count *= 2;
+    // The second estimate does not use the rays of the first, so that it has no bias.
+    increase(count * std::pow(result.Error / tolerance, 4.0 / 3.0));
+    result = this->GatherWithRays(point, count, rays);
   }
+  return result;
+}
+
+InterpolationResult ViewRecords::GatherWithRays(
+  const ShadingPoint& point, std::uint32_t count, long long& rays) const
+{
   const glm::mat3 frame = FrameFromNormal(point.Normal);
-  const OwenSobolSequence sequence(HashPoint(point.Position, point.Normal));
+  const OwenSobolSequence sequence(HashPoint(point.Position, point.Normal) + count);
   std::vector<glm::vec3> directions;
   for (std::uint32_t i = 0; i < count; ++i)
   {
@@ -98,14 +116,15 @@ InterpolationResult ViewRecords::Gather(
   rays += this->Source.Gather(point.Position, point.GetNormals(), directions, samples);
   InterpolationResult result;
   const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
-  float squares = 0.f;
+  glm::vec3 squares(0.f);
   for (std::uint32_t i = 0; i < count; ++i)
   {
     result.Mean += samples[i].Radiance / static_cast<float>(count);
     const glm::vec3 difference = samples[i].Radiance - samples[i ^ partner].Radiance;
-    squares += glm::dot(difference, difference) / 6.f;
+    squares += .5f * difference * difference;
   }
-  result.Error = std::sqrt(squares) / static_cast<float>(count);
+  result.Error =
+    std::sqrt(std::max({ squares.x, squares.y, squares.z })) / static_cast<float>(count);
   return result;
 }
 

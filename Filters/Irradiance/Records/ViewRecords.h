@@ -37,8 +37,8 @@ public:
   /// Looks up `point` in world space and makes a record there if none is valid [IC].
   InterpolationResult LookUpOrGather(const ShadingPoint& point);
 
-  /// Gathers at `point` without records, to an error of about `tolerance`. Adds the number of rays
-  /// to `rays`.
+  /// Gathers at `point` without records, to an error of about `tolerance` in every channel. Adds the
+  /// number of rays to `rays`.
   InterpolationResult Gather(const ShadingPoint& point, double tolerance, long long& rays) const;
 
   const std::vector<Record>& GetRecords() const
@@ -57,6 +57,8 @@ public:
 
 private:
   float PixelAt(glm::vec3 position) const;
+  InterpolationResult GatherWithRays(
+    const ShadingPoint& point, std::uint32_t count, long long& rays) const;
 
   const RayScene& Rays;
   const Gatherer& Source;

@@ -10,7 +10,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace penumbra
@@ -29,42 +28,6 @@ float PowerHeuristic(float own, float other)
 {
   const float ratio = other / own;
   return 1.f / (1.f + ratio * ratio);
-}
-
-/// Estimates the mean of `contribution` at points of the unit square. The number of points is
-/// doubled from `first` to `maximum` until the error of every channel is at most `tolerance`.
-template <typename Contribution>
-Illumination::SampledLight EstimateMean(const Contribution& contribution, std::uint32_t seed,
-  std::uint32_t first, std::uint32_t maximum, double tolerance)
-{
-  Illumination::SampledLight result;
-  const OwenSobolSequence samples(seed);
-  glm::dvec3 sum(0.0);
-  std::array<std::vector<float>, 3> channels;
-  for (std::uint32_t count = first;; count *= 2)
-  {
-    while (channels[0].size() < count)
-    {
-      const glm::vec3 light =
-        contribution(samples.At(static_cast<std::uint32_t>(channels[0].size())));
-      sum += light;
-      for (int c = 0; c < 3; ++c)
-      {
-        channels[c].push_back(light[c]);
-      }
-    }
-    double largest = 0.0;
-    for (const std::vector<float>& values : channels)
-    {
-      largest = std::max(largest, OwenSobolSequence::SumPairDifferences(values));
-    }
-    result.Error = static_cast<float>(std::sqrt(largest) / count);
-    if (result.Error <= tolerance || count >= maximum)
-    {
-      result.Mean = sum / static_cast<double>(count);
-      return result;
-    }
-  }
 }
 
 }
@@ -216,17 +179,18 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
   const std::uint32_t seed = MixBits(HashPoint(point, normals.Shading));
   if (this->HasSuns())
   {
-    result =
-      EstimateMean([&](glm::vec2 at) { return this->SunContribution(point, normals, at, rays); },
-        seed, FirstSunRays, MaximumSunRays, tolerance);
+    const StratifiedMean suns = EstimateStratifiedMean(
+      [&](glm::vec2 at) { return this->SunContribution(point, normals, at, rays); }, seed,
+      FirstSunRays, MaximumSunRays, tolerance);
+    result = { suns.Mean, static_cast<float>(suns.Error) };
   }
   if (this->HasSampledEmitters())
   {
-    const SampledLight emitters = EstimateMean(
+    const StratifiedMean emitters = EstimateStratifiedMean(
       [&](glm::vec2 at) { return this->EmitterContribution(point, normals, at, rays); },
       MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance);
-    result.Mean += emitters.Mean;
-    result.Error = std::hypot(result.Error, emitters.Error);
+    result.Mean += glm::vec3(emitters.Mean);
+    result.Error = std::hypot(result.Error, static_cast<float>(emitters.Error));
   }
   return result;
 }

@@ -12,6 +12,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -109,6 +112,50 @@ private:
   std::uint32_t SeedX;
   std::uint32_t SeedY;
 };
+
+/// Mean of a color over the unit square, and its standard error.
+struct StratifiedMean
+{
+  glm::dvec3 Mean{ 0.0 };
+  double Error = 0.0; ///< of the channel with the largest error
+};
+
+/// Estimates the mean of `contribution` at points of the unit square. The number of points, a power
+/// of two, is doubled from `first` to at most `maximum` until the error of every channel is at most
+/// `tolerance`.
+template <typename Contribution>
+StratifiedMean EstimateStratifiedMean(const Contribution& contribution, std::uint32_t seed,
+  std::uint32_t first, std::uint32_t maximum, double tolerance)
+{
+  StratifiedMean result;
+  const OwenSobolSequence samples(seed);
+  glm::dvec3 sum(0.0);
+  std::array<std::vector<float>, 3> channels;
+  for (std::uint32_t count = first;; count *= 2)
+  {
+    while (channels[0].size() < count)
+    {
+      const glm::vec3 light =
+        contribution(samples.At(static_cast<std::uint32_t>(channels[0].size())));
+      sum += light;
+      for (int c = 0; c < 3; ++c)
+      {
+        channels[c].push_back(light[c]);
+      }
+    }
+    double largest = 0.0;
+    for (const std::vector<float>& values : channels)
+    {
+      largest = std::max(largest, OwenSobolSequence::SumPairDifferences(values));
+    }
+    result.Error = std::sqrt(largest) / count;
+    if (result.Error <= tolerance || count > maximum / 2)
+    {
+      result.Mean = sum / static_cast<double>(count);
+      return result;
+    }
+  }
+}
 
 }
 #endif
