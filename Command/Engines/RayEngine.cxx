@@ -236,11 +236,6 @@ RenderResult RenderWithRays(
   }
   const bool empty = result.Statistics["Pixels/Empty"] == result.Statistics["Pixels/Total"] &&
     figure.value("Vector/Lines", 0.0) == 0.0;
-  if (figure.value("Vector/ReplacedCharacters", 0.0) > 0.0)
-  {
-    result.Warnings.emplace_back(
-      "characters that the fonts of .pdf lack were replaced by question marks; use .svg");
-  }
   result.Coverage = empty ? RenderResult::Coverages::Empty : RenderResult::Coverages::Some;
   result.Tolerance = options.Tolerance;
   result.EstimatedError = caster->GetEstimatedError();

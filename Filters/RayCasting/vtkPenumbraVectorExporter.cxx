@@ -259,10 +259,10 @@ std::string vtkPenumbraVectorExporter::Encode(int format)
       throw std::runtime_error("The format must be SVG or PDF.");
     }
     const penumbra::VectorFigure figure = internals.MakeFigure(this);
-    int replaced = 0;
+    int outlinedTexts = 0;
     std::string contents =
-      format == SVG ? penumbra::EncodeSvg(figure) : penumbra::EncodePdf(figure, replaced);
-    penumbra::AddStatistic(internals.Statistics, "Vector/ReplacedCharacters", replaced);
+      format == SVG ? penumbra::EncodeSvg(figure) : penumbra::EncodePdf(figure, outlinedTexts);
+    penumbra::AddStatistic(internals.Statistics, "Vector/OutlinedTexts", outlinedTexts);
     return contents;
   }
   catch (const std::bad_alloc&)

@@ -12,7 +12,8 @@
  *
  * The page measures Resolution * 72 / DPI points of the ray caster. Text can be selected: SVG names
  * the font (Arial, Courier or Times with substitutes), PDF uses the standard fonts Helvetica,
- * Courier and Times, whose characters are those of Windows code page 1252. Spheres, tubes,
+ * Courier and Times, and outlines under invisible text where their characters, those of Windows code
+ * page 1252, do not suffice, or the font is from a file. Spheres, tubes,
  * splats, lines with textures, wireframes without hidden lines, and renderers in other layers with
  * their text are part of the image, and so are all text and scalar bars if a 2-D actor has a
  * texture or interpolated colors. A line is hidden where its axis is.
@@ -98,7 +99,8 @@ public:
 
   /**
    * Writes the file: a temporary file beside it, which replaces it when it is complete. Returns
-   * false and reports an error if there is no ray caster, it fails, or the file cannot be written.
+   * false and reports an error if there is no ray caster, it fails, the font of a text in PDF lacks
+   * a character, or the file cannot be written.
    */
   bool Write();
 
@@ -110,8 +112,8 @@ public:
   /**
    * Counts of the last figure, one array with one value each: `Vector/Faces`, `Vector/Lines`
    * (strokes of lines and points), `Vector/Outlines`, `Vector/Polygons` (of scalar bars and backgrounds of text),
-   * `Vector/Texts`, `Vector/Images` and `Vector/ReplacedCharacters` (characters that the fonts of
-   * PDF lack, written as question marks). Empty after an error.
+   * `Vector/Texts`, `Vector/Images` and `Vector/OutlinedTexts` (lines of text in PDF that
+   * are outlines). Empty after an error.
    */
   vtkFieldData* GetStatistics();
 

@@ -30,6 +30,7 @@ struct OverlayShape
   double Angle = 0.0;              ///< of the base line, in degrees, counterclockwise
   double FontSize = 0.0;           ///< height of the font in pixels
   std::string FontFamily;          ///< Arial, Courier, Times, or the name of another font
+  std::string FontFile;            ///< path of the font; may be empty
   bool Bold = false;
   bool Italic = false;
 };

@@ -37,4 +37,22 @@ TEST(Figure, HasDarkTextOnLightBackgrounds)
   EXPECT_NE(RenderBar(folder, { "--no-background" }).find("fill=\"#000\""), std::string::npos);
 }
 
+TEST(Figure, NamesCharactersThatNoFontHas)
+{
+  const Folder folder("bar-characters");
+  WriteText(folder / "square.vtk",
+    "# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+    "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\n"
+    "SCALARS \xe6\xb8\xa9 float 1\nLOOKUP_TABLE default\n0 1 2\n");
+  const auto render = [&](const std::string& name) {
+    return RunProgram({ "render", folder / "square.vtk", "--coloring-scalar-bar",
+      "--coloring-array", "\xe6\xb8\xa9", "--output", folder / name });
+  };
+  const ProgramResult refused = render("figure.pdf");
+  EXPECT_EQ(refused.Status, 2);
+  EXPECT_NE(refused.Errors.find("U+6E29"), std::string::npos) << refused.Errors;
+  EXPECT_EQ(CountLines(refused.Errors), 1) << refused.Errors;
+  EXPECT_EQ(render("figure.svg").Status, 0);
+}
+
 }

@@ -213,7 +213,8 @@ TEST_F(VectorExporter, WritesLengthsInPoints)
 TEST_F(VectorExporter, WritesTextThatCanBeSelected)
 {
   this->AddText("left < right & up\nsecond line", 10, 20);
-  vtkSmartPointer<vtkTextActor> turned = this->AddText("caf\xc3\xa9 \xce\xb1", 150, 20);
+  vtkSmartPointer<vtkTextActor> turned =
+    this->AddText("caf\xc3\xa9 \xe2\x88\x92 5 \xce\xbcm", 150, 20);
   turned->GetTextProperty()->SetOrientation(90.0);
   turned->GetTextProperty()->SetFontFamilyToTimes();
   turned->GetTextProperty()->BoldOn();
@@ -227,16 +228,17 @@ TEST_F(VectorExporter, WritesTextThatCanBeSelected)
   const std::string path = this->Folder.File("text.pdf");
   this->Exporter->SetFileName(path.c_str());
   ASSERT_TRUE(this->Exporter->Write());
-  EXPECT_EQ(this->GetStatistic("Vector/ReplacedCharacters"), 1.0);
+  EXPECT_EQ(this->GetStatistic("Vector/OutlinedTexts"), 1.0);
   RunCommand("pdftotext " + path + " " + path + ".txt", "poppler-utils");
   const std::string text = ReadText(path + ".txt");
   EXPECT_NE(text.find("left < right & up"), std::string::npos) << text;
   EXPECT_NE(text.find("second line"), std::string::npos) << text;
-  EXPECT_NE(text.find("caf\xc3\xa9 ?"), std::string::npos) << text;
+  EXPECT_NE(text.find("caf\xc3\xa9 \xe2\x88\x92 5 \xce\xbcm"), std::string::npos) << text;
   EXPECT_NE(ReadText(path).find("/BaseFont /Times-Bold"), std::string::npos);
 }
 
-// The fonts of the machine differ from VTK's in the shapes of letters, not in their places.
+// The fonts of the machine differ from VTK's in the shapes of letters. VTK rounds the distances of letters
+// to pixels, so that its lines are up to half a pixel per letter shorter or longer.
 TEST_F(VectorExporter, PlacesTextAsTheRayCaster)
 {
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
@@ -272,10 +274,46 @@ TEST_F(VectorExporter, PlacesTextAsTheRayCaster)
         centers[side][0] = sums[1] / sums[0];
         centers[side][1] = sums[2] / sums[0];
       }
-      EXPECT_NEAR(centers[0][0], centers[1][0], 1.0) << format << " row " << row;
+      EXPECT_NEAR(centers[0][0], centers[1][0], 2.0) << format << " row " << row;
       EXPECT_NEAR(centers[0][1], centers[1][1], 1.0) << format << " row " << row;
     }
   }
+}
+
+// The minus sign is not in the standard fonts of PDF; its outlines are those of the font of the ray caster.
+TEST_F(VectorExporter, DrawsCharactersThatStandardFontsLack)
+{
+  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+  vtkSmartPointer<vtkTextActor> text = this->AddText("\xe2\x88\x92"
+                                                     "5 \xce\xbcm",
+    20, 30);
+  text->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
+  text->GetTextProperty()->SetFontSize(40);
+  text->GetTextProperty()->SetOrientation(20.0);
+  const auto figure = Rasterize(this->Exporter, this->Folder, "pdf");
+  EXPECT_EQ(this->GetStatistic("Vector/OutlinedTexts"), 1.0);
+  // Letters differ by hinting, and the pen by a typical space before the first letter.
+  EXPECT_LE(ComputeError(figure, this->Caster), 0.1);
+  double dark = 0.0;
+  double expected = 0.0;
+  vtkDataArray* colors = this->Caster->GetOutput()->GetPointData()->GetArray("Color");
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    dark += 1.0 - figure->GetPointData()->GetScalars()->GetComponent(i, 0) / 255.0;
+    expected += 1.0 - colors->GetComponent(i, 0);
+  }
+  EXPECT_NEAR(dark, expected, 0.1 * expected);
+}
+
+TEST_F(VectorExporter, NamesCharactersThatNoFontHas)
+{
+  this->AddText("5 \xe4\xb8\xad", 10, 20);
+  EXPECT_TRUE(this->Exporter->Encode(vtkPenumbraVectorExporter::PDF).empty());
+  EXPECT_NE(this->Errors.find("Arial lacks the character U+4E2D"), std::string::npos)
+    << this->Errors;
+  this->Errors.clear();
+  EXPECT_FALSE(this->Exporter->Encode(vtkPenumbraVectorExporter::SVG).empty());
+  EXPECT_EQ(this->Errors, "");
 }
 
 TEST_F(VectorExporter, WritesScalarBarsAsPolygonsAndText)

@@ -3,6 +3,7 @@
 #include "PdfEncoder.h"
 
 #include "FigureText.h"
+#include "TextOutlines.h"
 
 #include "vtkNew.h"
 #include "vtkZLibDataCompressor.h"
@@ -22,52 +23,76 @@ constexpr std::uint32_t Windows1252[32] = { 0x20ac, 0, 0x201a, 0x192, 0x201e, 0x
   0x2021, 0x2c6, 0x2030, 0x160, 0x2039, 0x152, 0, 0x17d, 0, 0, 0x2018, 0x2019, 0x201c, 0x201d,
   0x2022, 0x2013, 0x2014, 0x2dc, 0x2122, 0x161, 0x203a, 0x153, 0, 0x17e, 0x178 };
 
-/// Removes the first character of UTF-8 text and returns it; invalid bytes are returned as 0xfffd.
-std::uint32_t TakeCharacter(const std::string& text, std::size_t& i)
+constexpr char Digits[] = "0123456789abcdef";
+
+/// Returns the code of a character in code page 1252; 0 if there is none.
+std::uint32_t ToWindows1252(std::uint32_t character)
 {
-  const auto lead = static_cast<unsigned char>(text[i++]);
-  const int more = lead < 0x80 ? 0 : lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : lead >= 0xc0 ? 1 : -1;
-  if (more <= 0)
+  if (character < 32)
   {
-    return more == 0 ? lead : 0xfffd;
+    return ' ';
   }
-  std::uint32_t character = lead & (0x3fu >> more);
-  for (int j = 0; j < more; ++j)
+  if (character < 0x7f || (character >= 0xa0 && character <= 0xff))
   {
-    if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xc0u) != 0x80u)
+    return character;
+  }
+  for (std::uint32_t i = 0; i < 32; ++i)
+  {
+    if (Windows1252[i] == character)
     {
-      return 0xfffd;
+      return 128 + i;
     }
-    character = character << 6 | (static_cast<unsigned char>(text[i++]) & 0x3fu);
   }
-  return character;
+  return 0;
 }
 
-/// Returns UTF-8 text as a hexadecimal string of code page 1252.
-std::string EncodeText(const std::string& text, int& replaced)
+/// Returns true if the standard fonts can show a text.
+bool HasStandardFont(const OverlayShape& text)
 {
-  static const char digits[] = "0123456789abcdef";
+  for (std::size_t i = 0; i < text.Text.size();)
+  {
+    if (ToWindows1252(TakeCharacter(text.Text, i)) == 0)
+    {
+      return false;
+    }
+  }
+  return text.FontFile.empty();
+}
+
+/// Returns UTF-8 text as a hexadecimal string of code page 1252, with question marks for others.
+std::string EncodeText(const std::string& text)
+{
   std::string hexadecimal = "<";
   for (std::size_t i = 0; i < text.size();)
   {
+    const std::uint32_t found = ToWindows1252(TakeCharacter(text, i));
+    const std::uint32_t byte = found == 0 ? '?' : found;
+    hexadecimal += Digits[byte >> 4];
+    hexadecimal += Digits[byte & 15];
+  }
+  return hexadecimal + ">";
+}
+
+/// Returns UTF-8 text as a hexadecimal string of UTF-16.
+std::string EncodeUtf16(const std::string& text)
+{
+  std::string hexadecimal = "<feff";
+  const auto add = [&](std::uint32_t unit) {
+    for (int shift = 12; shift >= 0; shift -= 4)
+    {
+      hexadecimal += Digits[unit >> shift & 15u];
+    }
+  };
+  for (std::size_t i = 0; i < text.size();)
+  {
     const std::uint32_t character = TakeCharacter(text, i);
-    std::uint32_t byte = character;
-    if (character < 32)
+    if (character < 0x10000)
     {
-      byte = ' ';
+      add(character);
+      continue;
     }
-    else if (character >= 0x7f && (character < 0xa0 || character > 0xff))
-    {
-      byte = 0;
-      for (std::uint32_t j = 0; j < 32; ++j)
-      {
-        byte = Windows1252[j] == character ? 128 + j : byte;
-      }
-      replaced += byte == 0 ? 1 : 0;
-      byte = byte == 0 ? '?' : byte;
-    }
-    hexadecimal += digits[byte >> 4];
-    hexadecimal += digits[byte & 15];
+    add(0xd800 + ((character - 0x10000) >> 10));
+    add(0xdc00 + ((character - 0x10000) & 0x3ffu));
   }
   return hexadecimal + ">";
 }
@@ -161,7 +186,7 @@ public:
   std::string Shadings;
   std::map<int, std::string> Opacities;     ///< by opacity in 1/255
   std::map<std::string, std::string> Fonts; ///< by the name of the font
-  int Replaced = 0;
+  int OutlinedTexts = 0;
 
   void SetOpacity(float opacity)
   {
@@ -197,15 +222,19 @@ public:
   void AddText(const OverlayShape& text)
   {
     this->SetOpacity(text.Color.a);
+    this->Commands += ToColor(text.Color) + "rg ";
+    const bool outlined = !HasStandardFont(text);
+    if (outlined)
+    {
+      this->AddOutlines(text);
+      // Invisible text in a standard font marks the place of the text that is read and selected.
+      this->Commands += "/Span << /ActualText " + EncodeUtf16(text.Text) + " >> BDC ";
+    }
     std::string& name = this->Fonts[FindFont(text)];
     name = name.empty() ? "F" + std::to_string(this->Fonts.size()) : name;
-    const double angle = glm::radians(text.Angle);
-    const std::string c = ToText(std::cos(angle));
-    const double s = std::sin(angle);
-    const glm::dvec2 at = text.Baseline;
-    this->Commands += ToColor(text.Color) + "rg BT /" + name + " " + ToText(text.FontSize) +
-      " Tf " + c + " " + ToText(s) + " " + ToText(-s) + " " + c + " " + ToText(at.x) + " " +
-      ToText(at.y) + " Tm " + EncodeText(text.Text, this->Replaced) + " Tj ET\n";
+    this->Commands += "BT /" + name + " " + ToText(text.FontSize) + " Tf " +
+      (outlined ? "3 Tr " : "") + ToMatrix(text) + "Tm " + EncodeText(text.Text) + " Tj " +
+      (outlined ? "0 Tr ET EMC\n" : "ET\n");
     this->Last = nullptr;
   }
 
@@ -218,6 +247,33 @@ public:
   }
 
 private:
+  /// Returns the matrix of the base line.
+  static std::string ToMatrix(const OverlayShape& text)
+  {
+    const double angle = glm::radians(text.Angle);
+    const std::string c = ToText(std::cos(angle));
+    const double s = std::sin(angle);
+    return c + " " + ToText(s) + " " + ToText(-s) + " " + c + " " + ToText(text.Baseline.x) + " " +
+      ToText(text.Baseline.y) + " ";
+  }
+
+  void AddOutlines(const OverlayShape& text)
+  {
+    this->Commands += "q " + ToMatrix(text) + "cm ";
+    for (const OutlineCommand& command : MakeTextOutlines(text))
+    {
+      const bool curve = command.Kind == OutlineCommand::Cubic;
+      for (int i = 0; i < (curve ? 3 : 1); ++i)
+      {
+        const glm::dvec2 point = text.FontSize * command.Points[i];
+        this->Commands += ToText(point.x) + " " + ToText(point.y) + " ";
+      }
+      this->Commands += curve ? "c " : command.Kind == OutlineCommand::Line ? "l " : "m ";
+    }
+    this->Commands += "f Q\n";
+    ++this->OutlinedTexts;
+  }
+
   void AddCommands(const FigurePath& path)
   {
     for (std::size_t i = 0; i < path.Points.size(); ++i)
@@ -320,14 +376,14 @@ PageContents MakeContents(const VectorFigure& figure)
 
 }
 
-std::string EncodePdf(const VectorFigure& figure, int& replaced)
+std::string EncodePdf(const VectorFigure& figure, int& outlinedTexts)
 {
   PdfFile file;
   const int root = file.Reserve();
   const int pages = file.Reserve();
   const int leaf = file.Reserve();
   const PageContents page = MakeContents(figure);
-  replaced = page.Replaced;
+  outlinedTexts = page.OutlinedTexts;
   std::string resources = "<< ";
   if (!figure.Image.empty())
   {

@@ -13,9 +13,10 @@ namespace penumbra
 {
 
 /// Returns the contents of a .pdf file of one page. Text is in one of the standard fonts Helvetica,
-/// Courier and Times; characters outside Windows code page 1252 become question marks and are
-/// counted in `replaced`.
-std::string EncodePdf(const VectorFigure& figure, int& replaced);
+/// Courier and Times. Text with characters outside Windows code page 1252, or in a font from a file,
+/// is outlines, under invisible text that can be selected; such texts are counted in
+/// `outlinedTexts`. Throws std::runtime_error if VTK's font lacks a character, too.
+std::string EncodePdf(const VectorFigure& figure, int& outlinedTexts);
 
 }
 #endif

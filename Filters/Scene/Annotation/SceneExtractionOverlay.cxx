@@ -31,10 +31,6 @@ namespace penumbra
 namespace
 {
 
-// Space between the start of a line and its first letter, which VTK leaves out, in font sizes: that of
-// a typical letter of Arial.
-constexpr double LeftBearing = 0.05;
-
 glm::dvec2 ToVector(const vtkVector2i& x)
 {
   return { x[0], x[1] };
@@ -91,6 +87,8 @@ void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec
   shape.Angle = property->GetOrientation();
   shape.FontSize = property->GetFontSize() * dpi / 72.0;
   shape.FontFamily = property->GetFontFamilyAsString();
+  const bool file = property->GetFontFamily() == VTK_FONT_FILE && property->GetFontFile();
+  shape.FontFile = file ? property->GetFontFile() : "";
   shape.Bold = property->GetBold() != 0;
   shape.Italic = property->GetItalic() != 0;
   const std::vector<std::string> lines = SplitLines(text);
@@ -106,7 +104,7 @@ void AddTextShapes(const std::string& text, vtkTextProperty* property, glm::dvec
     const double indent = 0.5 * property->GetJustification() * (whole.x - size(line).x);
     const double height = static_cast<double>(lines.size() - 1 - i) * lineHeight + descent;
     shape.Text = lines[i];
-    shape.Baseline = low + (indent - LeftBearing * shape.FontSize) * along + height * up;
+    shape.Baseline = low + indent * along + height * up;
     overlay.AddShape(shape);
   }
 }
