@@ -14,6 +14,8 @@ from paraview.modules import vtkRemotingServerManager
 SETTINGS = {
     "Tolerance": 0.02, "AmbientOcclusion": 0, "OcclusionRadius": 0.2, "OcclusionStrength": 0.5,
     "OcclusionKernel": "horizon", "LightShafts": 1, "ShaftDensity": 0.5, "ShaftExposure": 3.0,
+    "ShaftRayleigh": 0.25, "ShaftAsymmetry": 0.5, "ShaftScaleHeight": 2.0, "ShaftUp": [0.0, 0.0, 1.0],
+    "ShaftEstimator": "Shadow Map",
     "ShaftThickness": 0.3, "SunDirection": [1.0, 2.0, 3.0], "SunIntensity": 2.0, "SunAngle": 0.5, "StillByRays": 1}
 
 
@@ -138,6 +140,26 @@ class RenderViewPenumbra(unittest.TestCase):
         self.assertLess(rmse(dimmed[..., 0][mask] / 255, reference), 0.003)
         self.view.SunIntensity = 5
         self.assertGreater((self.image()[mask] / 255 - dimmed[mask] / 255).max(), 0.02)
+
+    def test_extinction_of_small_particles_matches_the_closed_form(self):
+        self.view.AmbientOcclusion = 0
+        self.view.LightShafts = 1
+        self.view.SunIntensity = 1e-6
+        self.view.ShaftDensity = 0.1
+        self.view.ShaftRayleigh = 0.3
+        self.view.ShaftAsymmetry = 0.7
+        mask, points = plane_mask(self.view)
+        distances = numpy.linalg.norm(points - self.view.CameraPosition, axis=1)
+        diagonal = numpy.linalg.norm([6, 6, SPHERE_HEIGHT + SPHERE_RADIUS])
+        extinction = 0.1 + 0.3 * numpy.array([0.42797, 1, 2.44141])
+        reference = numpy.exp(-numpy.outer(distances, extinction) / diagonal)
+        for estimator in "Depth", "Shadow Map":
+            self.view.ShaftEstimator = estimator
+            self.assertLess(rmse(self.image()[mask] / 255, reference), 0.003)
+        self.view.ShaftScaleHeight = 0.01
+        self.view.ShaftUp = [0, 0, 1]
+        # Seen from above, the optical depth is at most 0.01 (0.1 + 0.3 * 2.44) / 0.8.
+        self.assertGreater(self.image()[mask].min(), 250)
 
     def test_memory_is_constant_over_500_frames(self):
         self.view.ViewSize = [64, 64]

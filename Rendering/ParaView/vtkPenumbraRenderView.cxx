@@ -19,6 +19,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
+#include <algorithm>
 #include <set>
 
 vtkStandardNewMacro(vtkPenumbraRenderView);
@@ -113,6 +114,30 @@ void vtkPenumbraRenderView::UpdateSunLight()
   sun->SetIntensity(this->SunIntensity);
 }
 
+/// `medium`: a vtkPenumbraMedium or a vtkPenumbraLightShaftPass.
+template <typename MediumT>
+void vtkPenumbraRenderView::ConfigureMedium(MediumT* medium)
+{
+  const double diagonal = this->GeometryBounds.GetDiagonalLength();
+  medium->SetScattering(this->ShaftDensity / diagonal);
+  medium->SetRayleighScattering(this->ShaftRayleigh / diagonal);
+  medium->SetPhase(this->ShaftAsymmetry != 0.0 ? MediumT::HENYEY_GREENSTEIN : MediumT::ISOTROPIC);
+  medium->SetAsymmetry(this->ShaftAsymmetry);
+  medium->SetScaleHeight(this->ShaftScaleHeight * diagonal);
+  double up[3] = { this->ShaftUp[0], this->ShaftUp[1], this->ShaftUp[2] };
+  if (vtkMath::Normalize(up) > 0.0)
+  {
+    double lowest = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lowest += std::min(up[axis] * this->GeometryBounds.GetBound(2 * axis),
+        up[axis] * this->GeometryBounds.GetBound(2 * axis + 1));
+    }
+    medium->SetUp(up);
+    medium->SetBaseHeight(lowest);
+  }
+}
+
 void vtkPenumbraRenderView::Configure(bool interactive)
 {
   penumbra::RenderViewPass* pass = this->Implementation->Pass;
@@ -153,7 +178,10 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   vtkPenumbraLightShaftPass* shafts = pass->Shafts;
   shafts->SetTolerance(this->PenumbraTolerance);
   shafts->SetMargin(0.0);
-  shafts->SetScattering(this->ShaftDensity / diagonal);
+  this->ConfigureMedium(shafts);
+  // A shadow map contains the data of its process only.
+  shafts->SetEstimator(this->SynchronizedRenderers->GetEnabled() ? vtkPenumbraLightShaftPass::DEPTH
+                                                                 : this->ShaftEstimator);
   shafts->SetExposure(this->ShaftExposure);
   shafts->SetThickness(this->ShaftThickness * diagonal);
   shafts->RemoveAllLights();
@@ -171,7 +199,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   caster->SetAmbientOcclusion(this->AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(this->OcclusionRadius * diagonal);
   caster->SetAmbientOcclusionStrength(this->OcclusionStrength);
-  this->Implementation->Medium->SetScattering(this->ShaftDensity / diagonal);
+  this->ConfigureMedium(this->Implementation->Medium.Get());
   caster->SetMedium(this->LightShafts ? this->Implementation->Medium.Get() : nullptr);
   caster->SetShadows(this->LightShafts);
   caster->SetLightAngle(this->SunAngle);
@@ -239,6 +267,12 @@ void vtkPenumbraRenderView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OcclusionKernel: " << this->OcclusionKernel << "\n";
   os << indent << "LightShafts: " << this->LightShafts << "\n";
   os << indent << "ShaftDensity: " << this->ShaftDensity << "\n";
+  os << indent << "ShaftRayleigh: " << this->ShaftRayleigh << "\n";
+  os << indent << "ShaftAsymmetry: " << this->ShaftAsymmetry << "\n";
+  os << indent << "ShaftScaleHeight: " << this->ShaftScaleHeight << "\n";
+  os << indent << "ShaftUp: " << this->ShaftUp[0] << ", " << this->ShaftUp[1] << ", "
+     << this->ShaftUp[2] << "\n";
+  os << indent << "ShaftEstimator: " << this->ShaftEstimator << "\n";
   os << indent << "ShaftExposure: " << this->ShaftExposure << "\n";
   os << indent << "ShaftThickness: " << this->ShaftThickness << "\n";
   os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", "

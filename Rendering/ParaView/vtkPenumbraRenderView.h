@@ -80,6 +80,49 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Optical depth over the diagonal of the scene bounds that small particles add in green; 0.43 of it
+   * in red, 2.44 in blue: blue haze, red suns. Range: [0, 100]. Default: 0.
+   */
+  vtkSetClampMacro(ShaftRayleigh, double, 0.0, 100.0);
+  vtkGetMacro(ShaftRayleigh, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mean cosine of the scattering angle of the haze, without its small particles: 0 in all directions
+   * alike, 0.7 a bright glow around the sun. Range: [-0.999, 0.999]. Default: 0.
+   */
+  vtkSetClampMacro(ShaftAsymmetry, double, -0.999, 0.999);
+  vtkGetMacro(ShaftAsymmetry, double);
+  ///@}
+
+  ///@{
+  /**
+   * Height over which the density falls to 1/e, as a fraction of the diagonal of the scene bounds,
+   * whose lowest point along ShaftUp has the densities above; 0: the same density everywhere.
+   * Range: [0, 1000]. Default: 0.
+   */
+  vtkSetClampMacro(ShaftScaleHeight, double, 0.0, 1000.0);
+  vtkGetMacro(ShaftScaleHeight, double);
+  ///@}
+
+  ///@{
+  /** Direction in which heights are measured. Default: (0, 1, 0). */
+  vtkSetVector3Macro(ShaftUp, double);
+  vtkGetVector3Macro(ShaftUp, double);
+  ///@}
+
+  ///@{
+  /**
+   * Source of the shadows of rasterized light shafts, vtkPenumbraLightShaftPass::DEPTH or SHADOW_MAP.
+   * If the data are distributed, DEPTH is used. Default: DEPTH.
+   */
+  vtkSetClampMacro(ShaftEstimator, int, 0, 2);
+  vtkGetMacro(ShaftEstimator, int);
+  ///@}
+
+  ///@{
   /** Factor of the scattered light; 1 is physically correct. Range: [0, 1000]. Default: 1. */
   vtkSetClampMacro(ShaftExposure, double, 0.0, 1000.0);
   vtkGetMacro(ShaftExposure, double);
@@ -139,6 +182,8 @@ private:
 
   void UpdateSunLight();
   void Configure(bool interactive);
+  template <typename MediumT>
+  void ConfigureMedium(MediumT* medium);
   bool UsesOrderedCompositing();
   void WarnOnce(const char* text);
 
@@ -152,6 +197,11 @@ private:
   std::string OcclusionKernel = "march";
   bool LightShafts = false;
   double ShaftDensity = 0.25;
+  double ShaftRayleigh = 0.0;
+  double ShaftAsymmetry = 0.0;
+  double ShaftScaleHeight = 0.0;
+  double ShaftUp[3] = { 0.0, 1.0, 0.0 };
+  int ShaftEstimator = 0;
   double ShaftExposure = 1.0;
   double ShaftThickness = 0.1;
   double SunDirection[3] = { 1.0, 1.0, 1.0 };

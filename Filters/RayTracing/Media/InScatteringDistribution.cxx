@@ -153,7 +153,8 @@ double InScatteringDistribution::FromPosition(double position) const
 
 void InScatteringDistribution::AddSegment(double begin, double end, double slope, double weight)
 {
-  this->Segments.push_back({ begin, end - begin, slope, this->Sum, weight });
+  this->Segments.push_back(
+    { begin, end - begin, slope, IntegrateExponential(slope, end - begin), this->Sum, weight });
   this->Sum += weight;
 }
 
@@ -372,8 +373,7 @@ double InScatteringDistribution::CDF(double t) const
   }
   const Segment& segment = *(after - 1);
   const double offset = std::clamp(position - segment.Begin, 0.0, segment.Length);
-  const double part = segment.Weight * IntegrateExponential(segment.Slope, offset) /
-    IntegrateExponential(segment.Slope, segment.Length);
+  const double part = segment.Weight * IntegrateExponential(segment.Slope, offset) / segment.Extent;
   return (segment.Before + part) / this->Sum;
 }
 

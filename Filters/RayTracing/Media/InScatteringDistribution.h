@@ -53,6 +53,7 @@ private:
     double Begin;
     double Length;
     double Slope;
+    double Extent; ///< integral of exp(-Slope (x - Begin))
     double Before; ///< in-scattered light before the segment
     double Weight; ///< in-scattered light of the segment
   };

@@ -10,23 +10,6 @@
 namespace penumbra
 {
 
-namespace
-{
-
-/// Returns the estimated fraction of light that steps with these visibilities miss.
-double EstimateMissedLight(const std::vector<float>& visibility)
-{
-  int boundaries = 0;
-  for (std::size_t i = 1; i < visibility.size(); ++i)
-  {
-    boundaries += visibility[i] != visibility[i - 1];
-  }
-  return (MissedPerBoundary * boundaries + MissedPerInterval) /
-    static_cast<double>(visibility.size());
-}
-
-}
-
 LightShafts::LightShafts(const Shading& shading, const SpectralMedium& medium, MarchQuality quality)
   : SurfaceShading(shading),
     ScatteringMedium(medium),
@@ -72,7 +55,7 @@ LightShafts::InScattering LightShafts::Along(
       weight * profile.GetBrightness() * profile.GetScatteredSum() / this->Quality.Tolerance;
     if (importance > 0.0)
     {
-      RayMarch march{ profile, light, origin, direction, importance, {}, 0.0, 1.0, 0.0,
+      RayMarch march{ profile, light, origin, direction, importance, {}, {}, {}, 0.0,
         glm::dvec3(0.0), 0.0, 0 };
       this->MarchIntervals(march, this->Shadows[i].Along(origin, direction, near, far));
       result.Light += profile.ComputeLight(march.Lit);
@@ -86,133 +69,158 @@ LightShafts::InScattering LightShafts::Along(
 
 /// Marches through the intervals that may be in shadow; the rest of the ray is lit. For spotlights
 /// the whole ray is marched, since points outside the cone are unlit.
-void LightShafts::MarchIntervals(RayMarch& march, std::vector<RayInterval> intervals) const
+void LightShafts::MarchIntervals(RayMarch& march, const std::vector<RayInterval>& intervals) const
 {
+  const SpectralDistribution& profile = march.Profile;
+  std::vector<std::pair<Point, Point>> ends;
   if (march.Source.Kind == Light::Kinds::Spot)
   {
-    intervals = { { -std::numeric_limits<double>::infinity(), march.Profile.InvertCDF(1.0) } };
+    ends.emplace_back(profile.PointAt(-std::numeric_limits<double>::infinity()), profile.End());
+  }
+  else
+  {
+    for (const RayInterval& interval : intervals)
+    {
+      ends.emplace_back(profile.PointAt(interval.From), profile.PointAt(interval.To));
+    }
   }
   double possible = 0.0;
   glm::dvec3 shadowed(0.0);
-  for (RayInterval& interval : intervals)
+  for (const auto& [low, high] : ends)
   {
-    interval = { march.Profile.CDF(interval.From), march.Profile.CDF(interval.To) };
-    possible += interval.To - interval.From;
-    shadowed += march.Profile.Between(interval.From, interval.To);
+    possible += high.CDF - low.CDF;
+    shadowed += profile.Between(low, high);
   }
   march.Lit = 1.0 - shadowed;
-  for (const RayInterval& interval : intervals)
+  for (const auto& [low, high] : ends)
   {
-    const double size = interval.To - interval.From;
-    if (!(size > 0.0))
+    march.Low = low;
+    march.High = high;
+    const double size = march.Size();
+    if (size > 0.0)
     {
-      continue;
+      this->MarchInterval(march,
+        this->Quality.Steps == 0 ? march.Importance * size / LightPerStep
+                                 : this->Quality.Steps * size / possible);
     }
-    march.Low = interval.From;
-    march.High = interval.To;
-    const bool isAdaptive = this->Quality.Steps == 0;
-    const double wanted =
-      isAdaptive ? march.Importance * size / LightPerStep : this->Quality.Steps * size / possible;
-    this->SampleVisibility(
-      march, static_cast<int>(std::clamp(std::ceil(wanted), MinimumMarchSteps, MaximumMarchSteps)));
-    while (isAdaptive &&
-      march.Importance * size * EstimateMissedLight(march.Visibility) > MissedLightTolerance &&
-      static_cast<double>(march.Visibility.size()) < MaximumMarchSteps)
-    {
-      this->BisectSamples(march);
-    }
-    march.BoundaryTolerance = isAdaptive
-      ? BoundaryFractionOfTolerance / std::max(march.Importance, 1.0)
-      : BoundaryFractionOfStep * size / wanted;
-    march.Lit += this->IntegrateVisibility(march);
-    march.LitError += size * EstimateMissedLight(march.Visibility) + 0.5 * march.BoundaryTolerance;
   }
 }
 
-double LightShafts::ComputeStepPosition(const RayMarch& march, int i, int steps)
+void LightShafts::MarchInterval(RayMarch& march, double wantedSteps) const
 {
-  const double fraction = MarchEndMargin + (1.0 - 2.0 * MarchEndMargin) * i / (steps - 1);
-  return march.Low + (march.High - march.Low) * fraction;
+  const bool isAdaptive = this->Quality.Steps == 0;
+  const double size = march.Size();
+  this->SampleVisibility(march,
+    static_cast<int>(std::clamp(std::ceil(wantedSteps), MinimumMarchSteps, MaximumMarchSteps)));
+  while (isAdaptive &&
+    march.Importance * size * EstimateMissedLight(march.Steps) > MissedLightTolerance &&
+    static_cast<double>(march.Steps.size()) < MaximumMarchSteps)
+  {
+    this->BisectSamples(march);
+  }
+  march.BoundaryTolerance = isAdaptive
+    ? BoundaryFractionOfTolerance / std::max(march.Importance, 1.0)
+    : BoundaryFractionOfStep * size / wantedSteps;
+  march.Lit += this->IntegrateVisibility(march);
+  march.LitError += size * EstimateMissedLight(march.Steps) + 0.5 * march.BoundaryTolerance;
 }
 
 /// Computes the visibility at `steps` positions that divide the in-scattered light equally.
 void LightShafts::SampleVisibility(RayMarch& march, int steps) const
 {
-  march.Visibility.resize(steps);
+  const double spacing = march.Size() / (steps - 1);
+  march.Steps.clear();
   for (int i = 0; i < steps; ++i)
   {
-    march.Visibility[i] = this->TraceVisibility(march, ComputeStepPosition(march, i, steps));
+    const double fraction = MarchEndMargin + (1.0 - 2.0 * MarchEndMargin) * i / (steps - 1);
+    const double cdf = march.Low.CDF + march.Size() * fraction;
+    const double accuracy = i == 0 || i == steps - 1 ? MarchEndMargin : StepAccuracy;
+    march.Steps.push_back(this->TraceVisibility(march,
+      march.Profile.Find(
+        i == 0 ? march.Low : march.Steps.back().At, march.High, cdf, accuracy * spacing)));
   }
 }
 
 /// Adds a visibility sample between each pair of neighboring samples.
 void LightShafts::BisectSamples(RayMarch& march) const
 {
-  const int steps = 2 * static_cast<int>(march.Visibility.size()) - 1;
-  std::vector<float> visibility(steps);
-  for (int i = 0; i < steps; ++i)
+  std::vector<Step> steps;
+  steps.reserve(2 * march.Steps.size());
+  for (const Step& next : march.Steps)
   {
-    visibility[i] = i % 2 ? this->TraceVisibility(march, ComputeStepPosition(march, i, steps))
-                          : march.Visibility[i / 2];
+    if (!steps.empty())
+    {
+      const Point& low = steps.back().At;
+      const double size = next.At.CDF - low.CDF;
+      steps.push_back(this->TraceVisibility(
+        march, march.Profile.Find(low, next.At, low.CDF + 0.5 * size, StepAccuracy * size)));
+    }
+    steps.push_back(next);
   }
-  march.Visibility.swap(visibility);
+  march.Steps.swap(steps);
 }
 
 /// Returns the unshadowed fraction of the in-scattered light in the current interval.
 glm::dvec3 LightShafts::IntegrateVisibility(RayMarch& march) const
 {
-  const int steps = static_cast<int>(march.Visibility.size());
-  const double margin = MarchEndMargin * (march.High - march.Low);
-  const float front = march.Visibility.front();
-  const float back = march.Visibility.back();
-  glm::dvec3 sum = march.Profile.IsGray()
-    ? glm::dvec3(margin * (front + back))
-    : march.Profile.Between(march.Low, march.Low + margin) * static_cast<double>(front) +
-      march.Profile.Between(march.High - margin, march.High) * static_cast<double>(back);
-  for (int i = 1; i < steps; ++i)
+  const Step& front = march.Steps.front();
+  const Step& back = march.Steps.back();
+  glm::dvec3 sum =
+    march.Profile.Between(march.Low, front.At) * static_cast<double>(front.Visibility) +
+    march.Profile.Between(back.At, march.High) * static_cast<double>(back.Visibility);
+  for (std::size_t i = 1; i < march.Steps.size(); ++i)
   {
-    sum += this->IntegrateInterval(march, ComputeStepPosition(march, i - 1, steps),
-      march.Visibility[i - 1], ComputeStepPosition(march, i, steps), march.Visibility[i]);
+    sum += this->IntegrateBetween(march, march.Steps[i - 1], march.Steps[i]);
   }
   return sum;
 }
 
-float LightShafts::TraceVisibility(RayMarch& march, double position) const
+/// Returns the estimated fraction of light that these steps miss.
+double LightShafts::EstimateMissedLight(const std::vector<Step>& steps)
 {
-  const glm::dvec3 point = march.Origin + march.Profile.InvertCDF(position) * march.Direction;
-  const LightDirection toLight = DirectionToLight(march.Source, point);
-  if (!toLight.InCone)
+  int boundaries = 0;
+  for (std::size_t i = 1; i < steps.size(); ++i)
   {
-    return 0.f;
+    boundaries += steps[i].Visibility != steps[i - 1].Visibility;
   }
-  Ray ray;
-  ray.Origin = glm::vec3(point);
-  ray.Direction = glm::vec3(toLight.Direction);
-  ray.Far = static_cast<float>(toLight.Distance);
-  return this->SurfaceShading.TraceTransmittance(ray, march.Rays);
+  return (MissedPerBoundary * boundaries + MissedPerInterval) / static_cast<double>(steps.size());
 }
 
-glm::dvec3 LightShafts::IntegrateInterval(
-  RayMarch& march, double low, float atLow, double high, float atHigh) const
+LightShafts::Step LightShafts::TraceVisibility(RayMarch& march, const Point& point) const
 {
-  if (atLow == atHigh)
+  const glm::dvec3 position = march.Origin + point.Parameter * march.Direction;
+  const LightDirection toLight = DirectionToLight(march.Source, position);
+  if (!toLight.InCone)
   {
-    return atLow > 0.f ? march.Profile.Between(low, high) * static_cast<double>(atLow)
-                       : glm::dvec3(0.0);
+    return { point, 0.f };
   }
-  if (high - low <= march.BoundaryTolerance)
+  Ray ray;
+  ray.Origin = glm::vec3(position);
+  ray.Direction = glm::vec3(toLight.Direction);
+  ray.Far = static_cast<float>(toLight.Distance);
+  return { point, this->SurfaceShading.TraceTransmittance(ray, march.Rays) };
+}
+
+/// Returns the unshadowed fraction of the in-scattered light between two neighboring steps.
+glm::dvec3 LightShafts::IntegrateBetween(RayMarch& march, const Step& low, const Step& high) const
+{
+  const glm::dvec3 light = march.Profile.Between(low.At, high.At);
+  if (low.Visibility == high.Visibility)
   {
-    return march.Profile.Between(low, high) * (0.5 * (atLow + atHigh));
+    return light * static_cast<double>(low.Visibility);
   }
-  const double middle = 0.5 * (low + high);
-  // BoundaryTolerance may be below the resolution of a double.
-  if (middle <= low || middle >= high)
+  if (!(high.At.CDF - low.At.CDF <= march.BoundaryTolerance))
   {
-    return march.Profile.Between(low, high) * (0.5 * (atLow + atHigh));
+    const Point middle = march.Profile.Middle(low.At, high.At);
+    // BoundaryTolerance may be below the resolution of a double.
+    if (middle.CDF > low.At.CDF && middle.CDF < high.At.CDF)
+    {
+      const Step atMiddle = this->TraceVisibility(march, middle);
+      return this->IntegrateBetween(march, low, atMiddle) +
+        this->IntegrateBetween(march, atMiddle, high);
+    }
   }
-  const float atMiddle = this->TraceVisibility(march, middle);
-  return this->IntegrateInterval(march, low, atLow, middle, atMiddle) +
-    this->IntegrateInterval(march, middle, atMiddle, high, atHigh);
+  return light * (0.5 * (low.Visibility + high.Visibility));
 }
 
 }

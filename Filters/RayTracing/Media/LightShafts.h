@@ -51,8 +51,16 @@ public:
   const SpectralMedium& GetMedium() const { return this->ScatteringMedium; }
 
 private:
-  /// Ray march for one light. Positions are values of the CDF of the in-scattered light of the
-  /// whole ray, in [0, 1].
+  using Point = SpectralDistribution::Point;
+
+  /// Point of a march, and the visibility of the light there.
+  struct Step
+  {
+    Point At;
+    float Visibility;
+  };
+
+  /// Ray march for one light, through one interval after the other.
   struct RayMarch
   {
     const SpectralDistribution& Profile;
@@ -60,23 +68,25 @@ private:
     glm::dvec3 Origin;
     glm::dvec3 Direction;
     double Importance; ///< in-scattered light of the whole unshadowed ray, in tolerances
-    std::vector<float> Visibility; ///< of the light at each step
-    double Low;                    ///< position of the first step
-    double High;                   ///< position of the last step
-    double BoundaryTolerance;      ///< shadow boundaries are bisected down to this interval
-    glm::dvec3 Lit;                ///< lit fraction of the ray so far, per channel
-    double LitError;               ///< estimated error of Lit
+    Point Low;         ///< begin of the interval
+    Point High;        ///< end of the interval
+    std::vector<Step> Steps;
+    double BoundaryTolerance; ///< shadow boundaries are bisected down to this interval of the CDF
+    glm::dvec3 Lit;           ///< lit fraction of the ray so far, per channel
+    double LitError;          ///< estimated error of Lit
     long long Rays;
+
+    double Size() const { return this->High.CDF - this->Low.CDF; }
   };
 
-  void MarchIntervals(RayMarch& march, std::vector<RayInterval> intervals) const;
+  void MarchIntervals(RayMarch& march, const std::vector<RayInterval>& intervals) const;
+  void MarchInterval(RayMarch& march, double wantedSteps) const;
   void SampleVisibility(RayMarch& march, int steps) const;
   void BisectSamples(RayMarch& march) const;
   glm::dvec3 IntegrateVisibility(RayMarch& march) const;
-  static double ComputeStepPosition(const RayMarch& march, int i, int steps);
-  float TraceVisibility(RayMarch& march, double position) const;
-  glm::dvec3 IntegrateInterval(
-    RayMarch& march, double low, float atLow, double high, float atHigh) const;
+  static double EstimateMissedLight(const std::vector<Step>& steps);
+  Step TraceVisibility(RayMarch& march, const Point& point) const;
+  glm::dvec3 IntegrateBetween(RayMarch& march, const Step& low, const Step& high) const;
 
   const Shading& SurfaceShading;
   const SpectralMedium ScatteringMedium;

@@ -41,78 +41,93 @@ glm::vec3 SpectralDistribution::ComputeLight(glm::dvec3 lit) const
                     : glm::vec3(lit * this->Integrals);
 }
 
-glm::dvec3 SpectralDistribution::ChannelCDF(double t) const
+SpectralDistribution::Point SpectralDistribution::PointAt(double t) const
 {
-  glm::dvec3 fractions(0.0);
+  Point point{ t, 0.0 };
+  if (this->Gray)
+  {
+    point.CDF = this->Channels[0]->CDF(t);
+    return point;
+  }
   for (int i = 0; i < 3; ++i)
   {
-    fractions[i] = this->Channels[i] ? this->Channels[i]->CDF(t) : 0.0;
+    point.Fractions[i] = this->Channels[i] ? this->Channels[i]->CDF(t) : 0.0;
   }
-  return fractions;
+  point.CDF = this->Sum > 0.0 ? glm::dot(this->Integrals, point.Fractions) / this->Sum : 0.0;
+  return point;
 }
 
-double SpectralDistribution::CDF(double t) const
+SpectralDistribution::Point SpectralDistribution::End() const
+{
+  double end = -std::numeric_limits<double>::infinity();
+  for (const std::optional<InScatteringDistribution>& channel : this->Channels)
+  {
+    end = channel ? std::max(end, channel->InvertCDF(1.0)) : end;
+  }
+  return this->PointAt(end);
+}
+
+// In a gray medium the inverse is a closed form. Otherwise the quantiles of the channels bracket
+// that of their mean, and regula falsi with the Illinois rule narrows the bracket.
+SpectralDistribution::Point SpectralDistribution::Find(
+  const Point& low, const Point& high, double cdf, double accuracy) const
 {
   if (this->Gray)
   {
-    return this->Channels[0]->CDF(t);
+    return { this->Channels[0]->InvertCDF(cdf), cdf };
   }
-  return this->Sum > 0.0 ? glm::dot(this->Integrals, this->ChannelCDF(t)) / this->Sum : 0.0;
-}
-
-// The quantiles of the channels bracket that of their mean. Regula falsi with the Illinois rule.
-double SpectralDistribution::InvertCDF(double fraction) const
-{
-  if (this->Gray)
-  {
-    return this->Channels[0]->InvertCDF(fraction);
-  }
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  double begin = std::numeric_limits<double>::infinity();
+  double end = -std::numeric_limits<double>::infinity();
   for (const std::optional<InScatteringDistribution>& channel : this->Channels)
   {
     if (channel)
     {
-      const double quantile = channel->InvertCDF(fraction);
-      low = std::min(low, quantile);
-      high = std::max(high, quantile);
+      const double quantile = channel->InvertCDF(cdf);
+      begin = std::min(begin, quantile);
+      end = std::max(end, quantile);
     }
   }
-  if (!(low < high))
+  begin = std::max(begin, low.Parameter);
+  end = std::min(end, high.Parameter);
+  Point first = begin > low.Parameter ? this->PointAt(begin) : low;
+  Point last = end < high.Parameter ? this->PointAt(end) : high;
+  double atFirst = first.CDF - cdf;
+  double atLast = last.CDF - cdf;
+  for (int i = 0; i < MaximumInversionSteps && atFirst < -accuracy && atLast > accuracy; ++i)
   {
-    return low;
-  }
-  double atLow = this->CDF(low) - fraction;
-  double atHigh = this->CDF(high) - fraction;
-  for (int i = 0; i < MaximumInversionSteps && atLow < 0.0 && atHigh > 0.0; ++i)
-  {
-    const double middle = low + (high - low) * (atLow / (atLow - atHigh));
-    const double atMiddle = this->CDF(middle) - fraction;
-    if (std::abs(atMiddle) < InversionTolerance)
+    const double t =
+      first.Parameter + (last.Parameter - first.Parameter) * (atFirst / (atFirst - atLast));
+    const Point point = this->PointAt(t);
+    const double difference = point.CDF - cdf;
+    if (difference < 0.0)
     {
-      return middle;
-    }
-    if (atMiddle < 0.0)
-    {
-      low = middle;
-      atLow = atMiddle;
-      atHigh *= 0.5;
+      first = point;
+      atFirst = difference;
+      atLast *= 0.5;
     }
     else
     {
-      high = middle;
-      atHigh = atMiddle;
-      atLow *= 0.5;
+      last = point;
+      atLast = difference;
+      atFirst *= 0.5;
     }
   }
-  return atLow >= 0.0 ? low : atHigh <= 0.0 ? high : 0.5 * (low + high);
+  return std::abs(first.CDF - cdf) < std::abs(last.CDF - cdf) ? first : last;
 }
 
-glm::dvec3 SpectralDistribution::Between(double low, double high) const
+SpectralDistribution::Point SpectralDistribution::Middle(const Point& low, const Point& high) const
 {
-  return this->Gray
-    ? glm::dvec3(high - low)
-    : this->ChannelCDF(this->InvertCDF(high)) - this->ChannelCDF(this->InvertCDF(low));
+  if (this->Gray)
+  {
+    const double cdf = 0.5 * (low.CDF + high.CDF);
+    return this->Find(low, high, cdf, 0.0);
+  }
+  return this->PointAt(0.5 * (low.Parameter + high.Parameter));
+}
+
+glm::dvec3 SpectralDistribution::Between(const Point& low, const Point& high) const
+{
+  return this->Gray ? glm::dvec3(high.CDF - low.CDF) : high.Fractions - low.Fractions;
 }
 
 }

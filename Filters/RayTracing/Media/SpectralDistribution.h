@@ -34,16 +34,31 @@ public:
 
   bool IsGray() const { return this->Gray; }
 
-  double CDF(double t) const;
-  double InvertCDF(double fraction) const;
+  /// Point of the ray, with the in-scattered light up to it as a fraction of that of the ray.
+  struct Point
+  {
+    double Parameter;            ///< t
+    double CDF;                  ///< of all channels
+    glm::dvec3 Fractions{ 0.0 }; ///< of each channel, if the medium is not gray
+  };
 
-  /// Returns the in-scattered light between two values of CDF(), as a fraction of that
-  /// of the ray in each channel.
-  glm::dvec3 Between(double low, double high) const;
+  Point PointAt(double t) const;
+
+  /// Returns the end of the ray, behind which light is neglected.
+  Point End() const;
+
+  /// Returns the point between `low` and `high` with this CDF: exact in a gray medium, otherwise
+  /// within `accuracy`.
+  Point Find(const Point& low, const Point& high, double cdf, double accuracy) const;
+
+  /// Returns the point halfway between two points; if the medium is not gray, approximately.
+  Point Middle(const Point& low, const Point& high) const;
+
+  /// Returns the in-scattered light between two points, as a fraction of that of the ray in each
+  /// channel.
+  glm::dvec3 Between(const Point& low, const Point& high) const;
 
 private:
-  glm::dvec3 ChannelCDF(double t) const;
-
   bool Gray;
   glm::vec3 Color;
   std::optional<InScatteringDistribution> Channels[3]; ///< empty: no light

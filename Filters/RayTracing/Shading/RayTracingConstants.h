@@ -157,8 +157,9 @@ constexpr int ExtinctionSegments = 8;
 /// than this fraction of the light of the ray, but at most this number of times.
 constexpr double SegmentTolerance = 2e-5;
 constexpr int MaximumSegmentLevels = 12;
-/// Accuracy of positions in the distribution of all channels, and bound of the steps to find one.
-constexpr double InversionTolerance = 1e-7;
+/// Accuracy of the positions of steps in a medium that is not gray, as a fraction of a step, and
+/// bound of the iterations to find one.
+constexpr double StepAccuracy = 0.1;
 constexpr int MaximumInversionSteps = 60;
 /// Rays end at this optical depth; the remaining transmittance is e^-18 = 1.5e-8.
 constexpr double MaximumOpticalDepth = 18.0;
