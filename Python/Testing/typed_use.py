@@ -6,7 +6,10 @@ from typing import Any, assert_type
 import numpy as np
 import numpy.typing as npt
 
+import pyvista as pv
+
 import penumbra
+from penumbra.plotter import PlotterAccessor
 from penumbra.regression import Regression
 
 points = np.zeros((3, 3))
@@ -27,6 +30,11 @@ assert_type(penumbra.render((points, None, [(0, 1)]), point_radius=0.1, line_rad
 comparison = penumbra.compare(image, image, tolerance=0.0)
 assert_type(comparison, penumbra.Comparison)
 assert_type(comparison.worst[0].x, int)
+
+
+def write_figure(plotter: pv.Plotter) -> None:
+    # Type checkers do not know the attribute of the plotter, but its class.
+    assert_type(PlotterAccessor(plotter).save_graphic("figure.svg", outline_width=0.5, scale=2), dict[str, Any] | None)
 
 
 def test_image(penumbra_regression: Regression) -> None:

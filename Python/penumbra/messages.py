@@ -167,10 +167,18 @@ def _in_python(text: str) -> str:
     return text
 
 
-def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2, ignored: Sequence[str] = ()) -> None:
-    """Update a filter; raise its errors, and warn its warnings except those that begin with an ignored sentence."""
+def run(
+    work: Callable[[], object], algorithm: Any, progress: Progress | None = None, stacklevel: int = 2,
+    ignored: Sequence[str] = (),
+) -> None:
+    """Call a function that updates a filter; raise errors, and warn warnings that begin with no ignored sentence."""
     with _collected() as text, _Interruption(algorithm, progress) as interruption:
-        algorithm.Update()
+        work()
     if interruption.error is not None:
         raise interruption.error
     _report(_in_python(text[0]), stacklevel + 2, ignored)
+
+
+def update(algorithm: Any, progress: Progress | None = None, stacklevel: int = 2, ignored: Sequence[str] = ()) -> None:
+    """Update a filter; raise its errors, and warn its warnings except those that begin with an ignored sentence."""
+    run(algorithm.Update, algorithm, progress, stacklevel + 1, ignored)

@@ -14,6 +14,7 @@ import pyvista
 from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
 from .baking import ColorLike, Falloff
 from .conversion import check_choice, check_radius, check_range, check_size
+from .graphics import check_options, check_path, write_graphic
 from .mesh import parse_radiance
 from .messages import Progress, observe_warnings
 from .opengl import require_opengl
@@ -46,6 +47,13 @@ def _lowest_height(renderer: Any, up: Sequence[float]) -> float:
     return float(numpy.dot(up, corner) / numpy.linalg.norm(up))
 
 
+def _in_figure_path(filename: str | pathlib.Path) -> pathlib.Path:
+    path = pathlib.Path(filename)
+    if pyvista.FIGURE_PATH and not path.is_absolute():
+        path = pathlib.Path(pyvista.FIGURE_PATH) / path
+    return path.expanduser()
+
+
 def _write(image: Image, filename: str | pathlib.Path | io.BytesIO) -> None:
     """Write an image as the method screenshot of a plotter does."""
     import PIL.Image
@@ -54,10 +62,8 @@ def _write(image: Image, filename: str | pathlib.Path | io.BytesIO) -> None:
     if isinstance(filename, io.BytesIO):
         pixels.save(filename, format="PNG")
         return
-    path = pathlib.Path(filename)
-    if pyvista.FIGURE_PATH and not path.is_absolute():
-        path = pathlib.Path(pyvista.FIGURE_PATH) / path
-    pixels.save(path.expanduser() if path.suffix else path.expanduser().with_suffix(".png"))
+    path = _in_figure_path(filename)
+    pixels.save(path if path.suffix else path.with_suffix(".png"))
 
 
 @pyvista.register_plotter_component("penumbra")
@@ -310,3 +316,72 @@ class PlotterAccessor:
         if filename is not None:
             _write(image, filename)
         return image if return_img else None
+
+    def save_graphic(
+        self, filename: str | pathlib.Path, *, outline_width: float = 0.0, outline_color: ColorLike = "black",
+        maximum_paths: int = 50000, transparent_background: bool | None = None,
+        window_size: tuple[int, int] | None = None, scale: int | None = None, return_statistics: bool = False,
+        progress: Progress | None = None, **options: Any,
+    ) -> dict[str, Any] | None:
+        """Write a figure in vector graphics: SVG or PDF, with exact visibility and text that can be selected.
+
+        A replacement of ``plotter.save_graphic``. Surfaces are visible triangles, or the ray-cast image if triangles
+        cannot show them, as with shadows, textures, spheres or opacity. Text of ``add_text`` is text if its position
+        is a point, and part of the image in a corner. One pixel of the window is one point, 1/72 inch. Does not need a
+        window or OpenGL.
+
+        Parameters
+        ----------
+        filename : str or pathlib.Path
+            Where to write the figure; ends in ``.svg`` or ``.pdf``. A relative path is relative to
+            ``pyvista.FIGURE_PATH`` if that is set.
+        outline_width : float
+            Width of the visible silhouettes, boundaries and creases in points. Range: [0, 1000]. Default: 0, none.
+        outline_color : str or array_like of three floats in [0, 1]
+            Color of the outlines.
+        maximum_paths : int
+            Surfaces that need more paths are an image. 0: always an image. Range: [0, 1000000].
+        transparent_background : bool, optional
+            If True, the figure has no background. Default: that of the theme of the plotter.
+        window_size : tuple of int, optional
+            Width and height in points. Default: the size of the plotter's window.
+        scale : int, optional
+            Pixels per point of the ray-cast image. Range: 1 to 64. Default: ``plotter.image_scale``.
+        return_statistics : bool
+            If True, return a dictionary of counts such as ``Vector/Faces``; ``Vector/ImageReason`` is the reason why
+            the surfaces are an image, or empty.
+        progress : callable, optional
+            Called with the completed fraction, from 0 to 1. An exception that it raises stops the rendering.
+        **options
+            Options of ``ray_cast``, such as ``tolerance`` and ``shadows``.
+
+        Raises
+        ------
+        TypeError
+            If an option does not exist.
+        ValueError
+            If the suffix of the file is another one, or an option is out of range.
+        NotImplementedError
+            If the plotter has several subplots.
+        RuntimeError
+            If the plotter is closed, if the rendering fails, or if a font lacks a character of a text in PDF.
+        OSError
+            If the file cannot be written.
+        """
+        path = check_path(_in_figure_path(filename))
+        check_options(options)
+        window = self._plotter.render_window
+        if window is None:
+            raise RuntimeError("the plotter is closed: call save_graphic() before close() or show()")
+        if transparent_background is None:
+            transparent_background = bool(self._plotter.theme.transparent_background)
+        scale = int(check_range("scale", scale or self._plotter.image_scale, 1, 64))
+        if "environment_color" in options:
+            options["environment_color"] = parse_radiance(options["environment_color"])
+        settings = Settings(transparent_background=transparent_background, dpi=72 * scale, **options)
+        width, height = check_size("window_size", window_size or self._plotter.window_size)
+        prepare_plotter(self._plotter)
+        statistics = write_graphic(
+            window, path, (scale * width, scale * height), settings, outline_width, outline_color, maximum_paths,
+            progress)
+        return statistics if return_statistics else None
