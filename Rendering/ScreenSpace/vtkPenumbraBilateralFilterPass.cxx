@@ -69,8 +69,10 @@ bool vtkPenumbraBilateralFilterPass::RenderEffect(const vtkRenderState* state)
   const int margin[2] = { 0, 0 };
   const int props = window ? internals.Image.Draw(state, this->DelegatePass, margin, true) : -1;
   const penumbra::ScreenTransform& view = internals.Image.GetView();
+  // The image is filtered whether the depths have changed or not.
   if (props < 0 ||
-    internals.Depth.Update(window, internals.Image, view) == penumbra::EyeDepth::Change::Failed)
+    internals.Depth.Update(window, internals.Image, view, penumbra::EyeDepth::Comparison::Skip) ==
+      penumbra::EyeDepth::Change::Failed)
   {
     return false;
   }

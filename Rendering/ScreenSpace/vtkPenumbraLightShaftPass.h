@@ -140,7 +140,8 @@ public:
   /**
    * If on, the in-scattered light is also multiplied by an automatic gain [Shafts 13.8], with which
    * its maximum added to the mean brightness of the scene reaches 1. The first frame determines the
-   * gain, later ones adapt it gradually. The result is then not physical. Default: off.
+   * gain, later ones adapt it gradually; in motion, with a delay of two frames. The result is then
+   * not physical. Default: off.
    */
   vtkSetMacro(AutomaticTone, bool);
   vtkGetMacro(AutomaticTone, bool);

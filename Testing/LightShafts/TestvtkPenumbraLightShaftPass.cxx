@@ -160,6 +160,26 @@ TEST_F(LightShaftPass, ComputesAStaticSceneOnce)
   EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
 }
 
+TEST_F(LightShaftPass, ComputesASceneOnceWhoseColorsChange)
+{
+  this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  const vtkSmartPointer<vtkActor> ball = this->Scene.AddSphere({ 0.0, -3.0, 2.0 }, 0.5);
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    ball->AddPosition(0.05, 0.0, 0.0);
+    this->Image();
+    EXPECT_GT(this->Statistic("LitFractions/Computed"), 0.0);
+  }
+  // While actors move, the depths are compared in one of eight frames, and the result is known four
+  // frames later.
+  for (int frame = 0; frame < 14; ++frame)
+  {
+    ball->GetProperty()->SetColor(0.0, 0.05 * frame, 0.0);
+    this->Image();
+  }
+  EXPECT_EQ(this->Statistic("LitFractions/Computed"), 0.0);
+}
+
 TEST_F(LightShaftPass, RendersAStaticSceneWithMarginDirectlyIntoItsTarget)
 {
   this->Scene.Renderer->SetBackground(0.2, 0.4, 0.6);

@@ -3,6 +3,7 @@
 #include "EyeDepth.h"
 
 #include "OpenGLFunctions.h"
+#include "ScreenSpaceConstants.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPenumbraDepthChangeFS.h"
@@ -28,8 +29,34 @@ long long NextVersion()
 
 }
 
+EyeDepth::Comparison EyeDepth::ChooseComparison(bool moving)
+{
+  if (!moving)
+  {
+    this->UncomparedFrames = 0;
+    return Comparison::Wait;
+  }
+  ++this->UncomparedFrames;
+  if (this->UncomparedFrames < FramesPerDepthComparison)
+  {
+    return Comparison::Skip;
+  }
+  if (this->UncomparedFrames == FramesPerDepthComparison)
+  {
+    this->HasDifferences = false;
+    return Comparison::Later;
+  }
+  if (this->UncomparedFrames < FramesPerDepthComparison + FramesUntilComparison)
+  {
+    return Comparison::Skip;
+  }
+  this->UncomparedFrames = 0;
+  const bool changed = !this->HasDifferences || this->Differences.Take() > 0;
+  return changed ? Comparison::Skip : Comparison::Wait;
+}
+
 EyeDepth::Change EyeDepth::Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  const ScreenTransform& view, bool moved)
+  const ScreenTransform& view, Comparison comparison)
 {
   // The current texture keeps its size, because it becomes the previous one of an image of another
   // size.
@@ -38,11 +65,12 @@ EyeDepth::Change EyeDepth::Update(vtkOpenGLRenderWindow* window, const DelegateI
   vtkTextureObject* current = this->GetCurrent();
   const bool comparable =
     this->Filled && current && current->GetContext() == window && last.Parallel == view.Parallel;
-  if (comparable && !moved && last.HasSameView(view))
+  if (comparable && comparison != Comparison::Skip && last.HasSameView(view))
   {
-    this->Views[this->Current] = view; // the clipping planes may have changed
-    if (this->IsUnchanged(window, image))
+    this->HasDifferences = this->CountDifferences(window, image, view);
+    if (comparison == Comparison::Wait && this->HasDifferences && this->Differences.Take() == 0)
     {
+      this->Views[this->Current] = view; // the clipping planes may have changed
       return Change::None;
     }
   }
@@ -57,7 +85,8 @@ EyeDepth::Change EyeDepth::Update(vtkOpenGLRenderWindow* window, const DelegateI
   return comparable ? Change::Moved : Change::Reset;
 }
 
-bool EyeDepth::IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& image)
+bool EyeDepth::CountDifferences(
+  vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenTransform& view)
 {
   static const std::string source =
     Assemble(vtkPenumbraDepthChangeFS, { { "ViewLib", vtkPenumbraViewLib } });
@@ -68,13 +97,13 @@ bool EyeDepth::IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& i
   }
   // Nothing is written; the target only needs the right size.
   const ScopedRenderTarget target(window, image.GetFramebuffer(), { this->GetPrevious() });
-  this->GetView().SetUniforms(program);
+  view.SetUniforms(program);
   this->Compare.BindTexture("depthBuffer", image.GetDepth());
   this->Compare.BindTexture("eyeDepths", this->GetCurrent());
   window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  const unsigned int changed = this->Compare.DrawAndCount();
+  this->Compare.DrawAndCount(this->Differences);
   window->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  return changed == 0;
+  return true;
 }
 
 bool EyeDepth::Fill(vtkOpenGLRenderWindow* window, const DelegateImage& image)
@@ -103,6 +132,8 @@ void EyeDepth::ReleaseGraphicsResources(vtkWindow* window)
       texture = nullptr;
     }
   }
+  this->Differences.ReleaseGraphicsResources();
+  this->HasDifferences = false;
   this->Linearize.ReleaseGraphicsResources(window);
   this->Compare.ReleaseGraphicsResources(window);
   this->Filled = false;

@@ -24,10 +24,24 @@ public:
     Failed ///< OpenGL reports an error
   };
 
+  /// How Update() finds out whether the depths of an unchanged view have changed.
+  enum class Comparison
+  {
+    Wait,  ///< compares them and waits for the graphics card
+    Later, ///< treats them as changed and compares them for ChooseComparison() in a later frame
+    Skip   ///< treats them as changed
+  };
+
+  /// Returns the comparison of the next Update(), which is called once per frame. `moving`: the scene
+  /// was modified and the last image differed, so that this one most likely differs, too. While that
+  /// holds, no frame waits: in one of FramesPerDepthComparison frames the depths are compared, and the
+  /// result is read FramesUntilComparison frames later. If they did not change, the next image is
+  /// compared with Comparison::Wait.
+  Comparison ChooseComparison(bool moving);
+
   /// Computes the depths of `image`. `view` is the view of the image with the unit of the depths.
-  /// If `moved` is on, the scene is treated as changed even if its depths are the same.
   Change Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-    const ScreenTransform& view, bool moved = false);
+    const ScreenTransform& view, Comparison comparison = Comparison::Wait);
 
   vtkTextureObject* GetCurrent() const { return this->Textures[this->Current]; }
   vtkTextureObject* GetPrevious() const { return this->Textures[1 - this->Current]; }
@@ -43,7 +57,10 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool IsUnchanged(vtkOpenGLRenderWindow* window, const DelegateImage& image);
+  /// Counts the pixels whose depths differ, in this->Differences. Returns false if OpenGL reports an
+  /// error.
+  bool CountDifferences(
+    vtkOpenGLRenderWindow* window, const DelegateImage& image, const ScreenTransform& view);
   bool Fill(vtkOpenGLRenderWindow* window, const DelegateImage& image);
 
   vtkSmartPointer<vtkTextureObject> Textures[2];
@@ -51,6 +68,9 @@ private:
   int Current = 0;
   long long Version = 0;
   bool Filled = false;
+  PendingCount Differences;
+  bool HasDifferences = false; ///< Differences are of a comparison for a later frame
+  int UncomparedFrames = 0;
   Stage Linearize;
   Stage Compare;
 };

@@ -7,6 +7,8 @@
 #ifndef penumbra_ScreenSpaceConstants_h
 #define penumbra_ScreenSpaceConstants_h
 
+#include <cstddef>
+
 namespace penumbra
 {
 
@@ -69,6 +71,10 @@ constexpr int MaximumSamplesPerStep = 128;
 /// depths.
 constexpr int FramesPerDepthComparison = 8;
 
+/// Number of frames after which the result of such a comparison is read. By then it has arrived, so
+/// that no frame waits for it.
+constexpr int FramesUntilComparison = 4;
+
 // --- Automatic margin (TestOcclusionHistory for zooms) ---
 
 /// Maximum automatic margin as a fraction of the larger image side.
@@ -128,6 +134,10 @@ constexpr double MapCellsPerSide = 8.0;
 
 /// Fraction of the logarithmic distance to the target gain that each image covers.
 constexpr double ExposureAdaptationRate = 0.1;
+
+/// Number of images after which the brightness of one is used. By then it has arrived from the
+/// graphics card, so that no frame waits for it.
+constexpr std::size_t FramesUntilExposure = 2;
 
 /// Upper bound of the gain; its inverse is the lower bound.
 constexpr double MaximumExposureGain = 64.0;

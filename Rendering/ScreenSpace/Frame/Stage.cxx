@@ -27,6 +27,36 @@ std::string Assemble(
   return source;
 }
 
+void PendingCount::Begin()
+{
+  if (this->Query == 0)
+  {
+    glGenQueries(1, &this->Query);
+  }
+  glBeginQuery(GL_SAMPLES_PASSED, this->Query);
+}
+
+void PendingCount::End()
+{
+  glEndQuery(GL_SAMPLES_PASSED);
+}
+
+unsigned int PendingCount::Take()
+{
+  GLuint count = 0;
+  glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT, &count);
+  return count;
+}
+
+void PendingCount::ReleaseGraphicsResources()
+{
+  if (this->Query > 0)
+  {
+    glDeleteQueries(1, &this->Query);
+    this->Query = 0;
+  }
+}
+
 Stage::Stage() = default;
 Stage::~Stage() = default;
 
@@ -77,15 +107,18 @@ void Stage::Draw(const std::vector<Rectangle>& parts)
 
 unsigned int Stage::DrawAndCount()
 {
-  GLuint query = 0;
-  GLuint count = 0;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_SAMPLES_PASSED, query);
-  this->Draw();
-  glEndQuery(GL_SAMPLES_PASSED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-  glDeleteQueries(1, &query);
+  PendingCount pending;
+  this->DrawAndCount(pending);
+  const unsigned int count = pending.Take();
+  pending.ReleaseGraphicsResources();
   return count;
+}
+
+void Stage::DrawAndCount(PendingCount& count)
+{
+  count.Begin();
+  this->Draw();
+  count.End();
 }
 
 void Stage::Unbind()

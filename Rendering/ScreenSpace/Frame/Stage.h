@@ -28,6 +28,28 @@ namespace penumbra
 VTKPENUMBRARENDERINGSCREENSPACE_EXPORT std::string Assemble(
   std::string source, const std::vector<std::pair<std::string, std::string>>& pieces);
 
+/// Number of pixels that a stage drew, which the graphics card computes while the CPU goes on.
+class PendingCount
+{
+public:
+  PendingCount() = default;
+  PendingCount(const PendingCount&) = delete;
+  void operator=(const PendingCount&) = delete;
+
+  /// Starts to count. A number that was not taken is discarded.
+  void Begin();
+  void End();
+
+  /// Returns the number. Waits for the graphics card if it has not arrived.
+  unsigned int Take();
+
+  /// Deletes the query. The context of the window is current.
+  void ReleaseGraphicsResources();
+
+private:
+  unsigned int Query = 0;
+};
+
 /// Rectangle of an image, in pixels.
 struct Rectangle
 {
@@ -54,8 +76,10 @@ public:
   void Draw();
   void Draw(const std::vector<Rectangle>& parts);
 
-  /// Draws and counts the pixels that were not discarded.
+  /// Draws and counts the pixels that were not discarded. Waits for the graphics card.
   unsigned int DrawAndCount();
+  /// The same without waiting; the number is taken from `count` some frames later.
+  void DrawAndCount(PendingCount& count);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -89,12 +89,13 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   {
     this->Depth.Invalidate();
   }
-  // Comparing depths waits for the graphics card. While actors move, it is done in some frames only.
-  const bool moves = settings.UseActorMotion && settings.SceneChanged && this->Changed &&
-    !settings.InOneRender && this->UncheckedFrames < FramesPerDepthComparison;
-  this->UncheckedFrames = moves ? this->UncheckedFrames + 1 : 0;
-  EyeDepth::Change change =
-    this->Depth.Update(this->Window, this->Image, view, settings.HiddenChanged || moves);
+  EyeDepth::Comparison comparison = this->Depth.ChooseComparison(
+    settings.UseActorMotion && settings.SceneChanged && this->Changed && !settings.InOneRender);
+  if (settings.HiddenChanged && comparison == EyeDepth::Comparison::Wait)
+  {
+    comparison = EyeDepth::Comparison::Skip;
+  }
+  EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view, comparison);
   if (change == EyeDepth::Change::Failed)
   {
     return false;

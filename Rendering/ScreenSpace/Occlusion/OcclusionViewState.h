@@ -125,7 +125,6 @@ private:
   bool StoredFrameValid = false; ///< StoredFrame was composited with the current settings
   bool Converged = false;
   bool Changed = true;
-  int UncheckedFrames = 0; ///< number of frames since the depths were compared
 };
 
 }

@@ -8,6 +8,7 @@
 #include "vtkPenumbraShaftBrightnessFS.h"
 #include "vtkPenumbraShaftSceneColorLib.h"
 #include "vtkPenumbraShaftSceneColorMSLib.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -22,6 +23,13 @@ namespace
 
 /// Pixels per side of a cell, as cellSize in vtkPenumbraShaftBrightnessFS.glsl.
 constexpr int CellSize = 16;
+
+std::vector<float> ReadBuffer(vtkPixelBufferObject* buffer)
+{
+  std::vector<float> values(buffer->GetSize());
+  buffer->Download1D(VTK_FLOAT, values.data(), buffer->GetSize(), 1, 0);
+  return values;
+}
 
 /// Gain with which the mean scene plus the brightest in-scattered light reaches brightness 1. A
 /// gain above 1 is reduced if the in-scattered light has little contrast, that is, no visible
@@ -53,7 +61,7 @@ double ComputeTargetGain(const std::vector<float>& cells)
 }
 
 bool ShaftAutoExposure::Update(vtkOpenGLRenderWindow* window, const DelegateImage& image,
-  vtkTextureObject* shafts, const double* background)
+  vtkTextureObject* shafts, const double* background, bool moving)
 {
   static const std::string oneSample =
     Assemble(vtkPenumbraShaftBrightnessFS, { { "SceneColor", vtkPenumbraShaftSceneColorLib } });
@@ -90,11 +98,33 @@ bool ShaftAutoExposure::Update(vtkOpenGLRenderWindow* window, const DelegateImag
     }
     this->Brightness.Draw();
   }
-  const double targetGain = ComputeTargetGain(ReadBack(this->Cells));
+  if (!moving || !(this->Gain > 0.0))
+  {
+    this->Pending.clear();
+    this->AdaptTo(ReadBack(this->Cells));
+    return true;
+  }
+  this->Pending.emplace_back().TakeReference(this->Cells->Download());
+  if (this->Pending.size() > FramesUntilExposure)
+  {
+    this->AdaptTo(ReadBuffer(this->Pending.front()));
+    this->Pending.pop_front();
+  }
+  return true;
+}
+
+void ShaftAutoExposure::AdaptTo(const std::vector<float>& cells)
+{
+  const double targetGain = ComputeTargetGain(cells);
   this->Gain = this->Gain > 0.0
     ? this->Gain * std::pow(targetGain / this->Gain, ExposureAdaptationRate)
     : targetGain;
-  return true;
+}
+
+void ShaftAutoExposure::Reset()
+{
+  this->Gain = 0.0;
+  this->Pending.clear();
 }
 
 void ShaftAutoExposure::ReleaseGraphicsResources(vtkWindow* window)
@@ -105,7 +135,7 @@ void ShaftAutoExposure::ReleaseGraphicsResources(vtkWindow* window)
     this->Cells->ReleaseGraphicsResources(window);
     this->Cells = nullptr;
   }
-  this->Gain = 0.0;
+  this->Reset();
 }
 
 }

@@ -78,6 +78,7 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
   const std::vector<ShaftLight>& lights, const ShaftSettings& settings)
 {
   this->Window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+  this->ComputedBefore = this->NewLitFractions > 0;
   this->NewLitFractions = 0;
   if (!this->Image.SetUpView(state, settings.Margin))
   {
@@ -91,8 +92,11 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
   this->HasLitFractions = this->HasLitFractions && !colored && settings == this->Settings &&
     lights == this->Lights && this->Depth.GetView().HasSameView(view);
   // Neither does it reveal changes outside of the image.
-  const bool moved = settings.MapSize > 0 && this->Casters.Update(state->GetRenderer());
-  this->HasLitFractions = this->HasLitFractions && !moved;
+  const bool wasModified = this->IsModified;
+  // After compositing of several ranks it is unknown which props moved.
+  this->IsModified = (settings.MapSize > 0 || !settings.DelegateDrawsBackground) &&
+    this->Casters.Update(state->GetRenderer());
+  this->HasLitFractions = this->HasLitFractions && !(settings.MapSize > 0 && this->IsModified);
   this->NewShadowMaps = 0;
   this->Settings = settings;
   this->Lights = lights;
@@ -117,11 +121,18 @@ bool ShaftViewState::Render(const vtkRenderState* state, vtkRenderPass* delegate
   {
     return false;
   }
-  const EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view);
+  EyeDepth::Comparison comparison =
+    this->Depth.ChooseComparison(this->IsModified && wasModified && this->Changed);
+  if (!this->HasLitFractions && comparison == EyeDepth::Comparison::Wait)
+  {
+    comparison = EyeDepth::Comparison::Skip; // They are computed anyway.
+  }
+  const EyeDepth::Change change = this->Depth.Update(this->Window, this->Image, view, comparison);
   if (change == EyeDepth::Change::Failed)
   {
     return false;
   }
+  this->Changed = change != EyeDepth::Change::None;
   this->HasLitFractions = this->HasLitFractions && change == EyeDepth::Change::None;
   const bool isStatic = this->HasLitFractions && !settings.DelegateDrawsBackground &&
     !settings.Bounded && !settings.IsColored();
@@ -204,7 +215,8 @@ bool ShaftViewState::Compute(const vtkRenderState* state)
   }
   return this->FillShafts() &&
     this->AutoExposure.Update(this->Window, this->Image, this->Shafts,
-      this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data());
+      this->Settings.DelegateDrawsBackground ? nullptr : this->Settings.Background.data(),
+      this->ComputedBefore);
 }
 
 bool ShaftViewState::DrawEmission(const vtkRenderState* state)

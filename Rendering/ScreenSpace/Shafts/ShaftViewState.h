@@ -96,10 +96,13 @@ private:
     LitFractions;                           ///< per group; rgb: lit fractions, a: eye depth
   vtkSmartPointer<vtkTextureObject> Shafts; ///< rgb: in-scattered light, a: transmittance
   long long NewLitFractions = 0;
+  bool ComputedBefore = false; ///< NewLitFractions of the frame before was not 0
   int NewShadowMaps = 0;
   int Props = 0;
   bool HasLitFractions = false; ///< LitFractions are valid for Settings and Lights
   bool HasShafts = false;       ///< Shafts is valid, too
+  bool IsModified = false;      ///< props were modified since the frame before the last one
+  bool Changed = false;         ///< the depths of the last frame differed from those before
   bool HasTargetDepth = false;  ///< TargetDepth holds the depths of an unchanged target
 };
 

@@ -4,10 +4,14 @@
 // OpenGL calls of a moving frame that make the CPU wait for the graphics card, or allocate. VTK calls
 // OpenGL through function pointers, which this test replaces; VTK before 9.4 has none for OpenGL 1.1.
 #include "OcclusionScene.h"
+#include "ShaftScene.h"
 
 #include "vtkCamera.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
 
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
@@ -17,22 +21,112 @@ namespace
 
 using Pass = vtkPenumbraTemporalSSAOPass;
 
+/// Results that the graphics card computed at least this many frames ago are available without
+/// waiting.
+constexpr int FramesUntilAvailable = 2;
+
 /// Calls since the last reset.
 struct CallCounts
 {
-  int Waits = 0;       ///< glFinish, results of queries, reading into memory
+  int Waits = 0;       ///< for all commands, or for a result of the last frames
+  int Results = 0;     ///< of queries that are older
   int Readbacks = 0;   ///< of textures into buffers
-  int Maps = 0;        ///< of buffers into memory
   int Allocations = 0; ///< of textures
 };
 CallCounts Calls;
+int Frame = 0;
+GLuint ActiveQuery = 0;
+std::map<GLuint, int> QueryFrames;  ///< in which queries ended
+std::map<GLuint, int> BufferFrames; ///< in which buffers received pixels
 
-/// Replaces an OpenGL function, for the lifetime of this object, by one that increments a counter
+void CountWait(int since)
+{
+  Frame - since < FramesUntilAvailable ? ++Calls.Waits : ++Calls.Results;
+}
+
+GLuint GetPixelBuffer()
+{
+  GLint buffer = 0;
+  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &buffer);
+  return static_cast<GLuint>(buffer);
+}
+
+void Read()
+{
+  const GLuint buffer = GetPixelBuffer();
+  buffer > 0 ? ++Calls.Readbacks : ++Calls.Waits;
+  BufferFrames[buffer] = Frame;
+}
+
+void OnFinish()
+{
+  ++Calls.Waits;
+}
+
+void OnBeginQuery(GLenum, GLuint query)
+{
+  ActiveQuery = query;
+}
+
+void OnEndQuery(GLenum)
+{
+  QueryFrames[ActiveQuery] = Frame;
+}
+
+void OnQueryResult(GLuint query, GLenum name, GLuint*)
+{
+  if (name == GL_QUERY_RESULT)
+  {
+    CountWait(QueryFrames[query]);
+  }
+}
+
+void OnReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*)
+{
+  Read();
+}
+
+void OnGetTexImage(GLenum, GLint, GLenum, GLenum, void*)
+{
+  Read();
+}
+
+void OnGetBufferSubData(GLenum, GLintptr, GLsizeiptr, void*)
+{
+  ++Calls.Waits;
+}
+
+void OnClientWaitSync(GLsync, GLbitfield, GLuint64)
+{
+  ++Calls.Waits;
+}
+
+void OnMapBuffer(GLenum target, GLenum)
+{
+  const auto filled = BufferFrames.find(GetPixelBuffer());
+  if (target == GL_PIXEL_PACK_BUFFER && filled != BufferFrames.end() &&
+    Frame - filled->second < FramesUntilAvailable)
+  {
+    ++Calls.Waits;
+  }
+}
+
+void OnTexImage(GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*)
+{
+  ++Calls.Allocations;
+}
+
+void OnTexImageMultisample(GLenum, GLsizei, GLenum, GLsizei, GLsizei, GLboolean)
+{
+  ++Calls.Allocations;
+}
+
+/// Replaces an OpenGL function, for the lifetime of this object, by one that calls an observer
 /// first.
-template <auto& Function, int CallCounts::*Counter, typename Pointer>
+template <auto& Function, auto Observe, typename Pointer>
 class Hook;
-template <auto& Function, int CallCounts::*Counter, typename Result, typename... Arguments>
-class Hook<Function, Counter, Result(GLAD_API_PTR*)(Arguments...)>
+template <auto& Function, auto Observe, typename Result, typename... Arguments>
+class Hook<Function, Observe, Result(GLAD_API_PTR*)(Arguments...)>
 {
 public:
   Hook()
@@ -47,7 +141,7 @@ public:
 private:
   static Result GLAD_API_PTR Call(Arguments... arguments)
   {
-    ++(Calls.*Counter);
+    Observe(arguments...);
     return Original(arguments...);
   }
   static inline Result(GLAD_API_PTR* Original)(Arguments...) = nullptr;
@@ -55,80 +149,173 @@ private:
 
 struct Hooks
 {
-  Hook<glFinish, &CallCounts::Waits, decltype(glFinish)> Finish;
-  Hook<glReadPixels, &CallCounts::Waits, decltype(glReadPixels)> ReadPixels;
-  Hook<glGetQueryObjectuiv, &CallCounts::Waits, decltype(glGetQueryObjectuiv)> Query;
-  Hook<glGetTexImage, &CallCounts::Readbacks, decltype(glGetTexImage)> GetTexImage;
-  Hook<glMapBuffer, &CallCounts::Maps, decltype(glMapBuffer)> MapBuffer;
-  Hook<glTexImage2D, &CallCounts::Allocations, decltype(glTexImage2D)> TexImage;
-  Hook<glTexImage2DMultisample, &CallCounts::Allocations, decltype(glTexImage2DMultisample)>
+  Hook<glFinish, OnFinish, decltype(glFinish)> Finish;
+  Hook<glReadPixels, OnReadPixels, decltype(glReadPixels)> ReadPixels;
+  Hook<glBeginQuery, OnBeginQuery, decltype(glBeginQuery)> BeginQuery;
+  Hook<glEndQuery, OnEndQuery, decltype(glEndQuery)> EndQuery;
+  Hook<glGetQueryObjectuiv, OnQueryResult, decltype(glGetQueryObjectuiv)> QueryResult;
+  Hook<glGetTexImage, OnGetTexImage, decltype(glGetTexImage)> GetTexImage;
+  Hook<glGetBufferSubData, OnGetBufferSubData, decltype(glGetBufferSubData)> GetBufferSubData;
+  Hook<glClientWaitSync, OnClientWaitSync, decltype(glClientWaitSync)> ClientWaitSync;
+  Hook<glMapBuffer, OnMapBuffer, decltype(glMapBuffer)> MapBuffer;
+  Hook<glTexImage2D, OnTexImage, decltype(glTexImage2D)> TexImage;
+  Hook<glTexImage2DMultisample, OnTexImageMultisample, decltype(glTexImage2DMultisample)>
     TexImageMultisample;
 };
 
-/// Calls of a frame without the pass: those of VTK itself.
-CallCounts CountPlainFrame(OcclusionScene& scene)
+/// Renders a frame and counts its calls.
+CallCounts CountFrame(vtkRenderWindow* window)
 {
-  scene.Window->Render(); // loads the functions of OpenGL
   const Hooks hooks;
+  ++Frame;
   Calls = CallCounts();
-  scene.Window->Render();
+  window->Render();
   return Calls;
 }
 
-/// Renders 40 frames after 20 others. Expects at most `queries` calls that wait, and at most
-/// `allocations` per frame, in addition to those of VTK.
-template <typename Motion>
-void ExpectNoWaits(OcclusionScene& scene, const Motion& move, int queries, int allocations)
+/// Calls of 40 frames after 20 others, in addition to those of VTK.
+struct MotionCounts
 {
-  const CallCounts plain = CountPlainFrame(scene);
-  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
-  scene.Pass->SetKernelName("march");
-  int waits = 0;
-  int readbacks = 0;
+  int Waits = 0;
+  int Results = 0;
+  int Readbacks = 0;
+  int MostAllocations = 0; ///< in one frame
+};
+
+/// Counts the calls of VTK in a frame without passes first; `addPass` adds the pass.
+template <typename AddPass, typename Motion>
+MotionCounts CountCalls(vtkRenderWindow* window, const AddPass& addPass, const Motion& move)
+{
+  window->Render(); // loads the functions of OpenGL
+  const CallCounts plain = CountFrame(window);
+  addPass();
+  MotionCounts counts;
   for (int frame = 0; frame < 60; ++frame)
   {
-    const Hooks hooks;
-    Calls = CallCounts();
     move();
-    scene.Window->Render();
+    const CallCounts calls = CountFrame(window);
     if (frame >= 20)
     {
-      waits += Calls.Waits - plain.Waits;
-      readbacks += Calls.Readbacks;
-      EXPECT_LE(Calls.Allocations, plain.Allocations + allocations) << frame;
-      // Depths that are read back arrive before they are used.
-      EXPECT_EQ(Calls.Readbacks * Calls.Maps, 0) << frame;
+      counts.Waits += calls.Waits - plain.Waits;
+      counts.Results += calls.Results;
+      counts.Readbacks += calls.Readbacks;
+      counts.MostAllocations =
+        std::max(counts.MostAllocations, calls.Allocations - plain.Allocations);
     }
   }
-  EXPECT_LE(waits, queries);
-  EXPECT_LE(readbacks, 5); // one in eight frames
-  EXPECT_GT(readbacks, 1); // the calls are counted
+  return counts;
 }
 
-void Build(OcclusionScene& scene)
+/// A sphere on a floor, with ambient occlusion by the march kernel.
+class MovingFrame : public testing::Test
 {
-  scene.AddFloor();
-  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0.4 });
+protected:
+  MovingFrame()
+  {
+    this->Scene.AddFloor();
+    this->Scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0.4 });
+    this->Sphere = this->Scene.AddSphere({ -0.5, 0, 0.5 }, 0.5);
+  }
+
+  template <typename Motion>
+  MotionCounts Count(const Motion& move)
+  {
+    return CountCalls(
+      this->Scene.Window,
+      [this]() {
+        this->Scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
+        this->Scene.Pass->SetKernelName("march");
+      },
+      move);
+  }
+
+  OcclusionScene Scene;
+  vtkSmartPointer<vtkActor> Sphere;
+};
+
+TEST_F(MovingFrame, DoesNotWaitOrAllocateWhileTheCameraMoves)
+{
+  const MotionCounts counts =
+    this->Count([this]() { this->Scene.Renderer->GetActiveCamera()->Azimuth(0.25); });
+  EXPECT_EQ(counts.Waits, 0);
+  EXPECT_EQ(counts.MostAllocations, 0);
+  // Depths, for the thickness, in one of eight frames.
+  EXPECT_LE(counts.Readbacks, 5);
+  EXPECT_GT(counts.Readbacks, 1); // the calls are counted
 }
 
-TEST(MovingFrame, DoesNotWaitOrAllocateWhileTheCameraMoves)
+TEST_F(MovingFrame, DoesNotWaitWhileActorsMove)
 {
-  OcclusionScene scene;
-  Build(scene);
-  scene.AddSphere({ 0, 0, 0.5 }, 0.5);
-  ExpectNoWaits(
-    scene, [&]() { scene.Renderer->GetActiveCamera()->Azimuth(0.25); }, 0, 0);
+  const MotionCounts counts = this->Count([this]() { this->Sphere->AddPosition(0.02, 0.0, 0.0); });
+  EXPECT_EQ(counts.Waits, 0);
+  EXPECT_GT(counts.Results, 1); // of comparisons of depths
+  EXPECT_LE(counts.Results, 4);
+  EXPECT_LE(counts.MostAllocations, 1); // one matrix per moved actor
+  EXPECT_LE(counts.Readbacks, 5);
 }
 
-TEST(MovingFrame, WaitsInOneOfNineFramesWhileActorsMove)
+/// Solids in haze, with light shafts.
+class MovingShafts : public testing::TestWithParam<int>
 {
-  OcclusionScene scene;
-  Build(scene);
-  const auto sphere = scene.AddSphere({ -0.5, 0, 0.5 }, 0.5);
-  // The allocated texture holds one matrix per moved actor.
-  ExpectNoWaits(
-    scene, [&]() { sphere->AddPosition(0.02, 0.0, 0.0); }, 5, 1);
+protected:
+  MovingShafts()
+    : Scene(96, 72)
+  {
+    this->Scene.AddFloor(12.0);
+    this->Scene.AddSolids(4, 2);
+    this->Sphere = this->Scene.AddSphere({ 0.0, 0.0, 2.0 }, 0.5);
+    this->Scene.Look({ 0.5, -11.0, 2.5 }, { 0.0, 0.0, 2.0 });
+    this->Scene.AddSun({ 0.2, 1.0, 0.32 });
+  }
+
+  /// The automatic tone reads the brightness of every frame back.
+  template <typename Motion>
+  MotionCounts Count(bool tone, const Motion& move)
+  {
+    const int estimator = this->GetParam();
+    vtkPenumbraLightShaftPass::RemoveFrom(this->Scene.Renderer);
+    return CountCalls(
+      this->Scene.Window,
+      [&]() {
+        this->Scene.Pass = vtkPenumbraLightShaftPass::AddTo(this->Scene.Renderer);
+        this->Scene.SetMedium(0.12, 0.12);
+        this->Scene.Pass->SetEstimator(estimator);
+        this->Scene.Pass->SetAutomaticTone(tone);
+      },
+      move);
+  }
+
+  ShaftScene Scene;
+  vtkSmartPointer<vtkActor> Sphere;
+};
+
+TEST_P(MovingShafts, DoNotWaitWhileTheCameraMoves)
+{
+  for (const bool tone : { false, true })
+  {
+    const MotionCounts counts =
+      this->Count(tone, [this]() { this->Scene.Renderer->GetActiveCamera()->Azimuth(0.25); });
+    EXPECT_EQ(counts.Waits, 0) << tone;
+    EXPECT_EQ(counts.Readbacks, tone ? 40 : 0);
+    EXPECT_EQ(counts.MostAllocations, 0) << tone;
+  }
 }
+
+TEST_P(MovingShafts, DoNotWaitWhileActorsMove)
+{
+  for (const bool tone : { false, true })
+  {
+    const MotionCounts counts =
+      this->Count(tone, [this]() { this->Sphere->AddPosition(0.02, 0.0, 0.0); });
+    EXPECT_EQ(counts.Waits, 0) << tone;
+    EXPECT_EQ(counts.Readbacks, tone ? 40 : 0);
+    EXPECT_EQ(counts.MostAllocations, 0) << tone;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Estimators, MovingShafts,
+  testing::Values(vtkPenumbraLightShaftPass::DEPTH, vtkPenumbraLightShaftPass::RADIAL,
+    vtkPenumbraLightShaftPass::SHADOW_MAP));
 
 }
 #endif

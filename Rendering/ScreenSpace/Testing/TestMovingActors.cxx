@@ -11,6 +11,7 @@
 #include "vtkMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -98,6 +99,28 @@ TEST(MovingActors, KeepTheirHistory)
     EXPECT_LT(kept[false], 0.5) << multiSamples;
     EXPECT_LT(errors[true], 0.5 * errors[false]) << multiSamples;
   }
+}
+
+TEST(MovingActors, AreStaticIfOnlyTheirColorChanges)
+{
+  OcclusionScene scene;
+  scene.AddFloor();
+  const auto sphere = scene.AddSphere({ 0, 0, 0.5 }, 0.5);
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+  scene.AddOcclusionPass(1.0)->SetConvergeInOneRender(Pass::NEVER);
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    sphere->AddPosition(0.02, 0, 0);
+    scene.Window->Render();
+  }
+  EXPECT_EQ(Statistic(scene, "Samples/Static"), 0.0);
+  // The depths are compared in one of eight frames, and the result is known four frames later.
+  for (int frame = 0; frame < 14; ++frame)
+  {
+    sphere->GetProperty()->SetColor(1.0, 0.05 * frame, 0.0);
+    scene.Window->Render();
+  }
+  EXPECT_GT(Statistic(scene, "Samples/Static"), 0.0);
 }
 
 TEST(MovingActors, HaveNoMotionIfOnlyTheCameraMoves)
