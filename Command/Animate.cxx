@@ -197,9 +197,11 @@ int RenderGroup(const AnimationOptions& options, int first, int last)
   }
   preparation.ReadSeconds = SecondsSince(preparation.Start);
   std::function<RenderResult(const ProgressListener&)> draw;
-  if (!rays)
+  // Light shafts depend on the bounds, which moving parts change.
+  const bool isOrbit = options.Movements.empty() && !options.TimeSeries && options.Frames > 1;
+  if (!rays || isOrbit)
   {
-    draw = PrepareRaster(scene.Renderer, fixed);
+    draw = rays ? PrepareRays(scene.Renderer, fixed) : PrepareRaster(scene.Renderer, fixed);
   }
   for (int frame = first; frame < last; ++frame)
   {
@@ -215,7 +217,7 @@ int RenderGroup(const AnimationOptions& options, int first, int last)
     OutputFiles output(fixed);
     EnterPhase("rendering " + fixed.Output, Unavailable);
     const ProgressListener silent = [](double) {};
-    const RenderResult result = rays ? RenderWithRays(scene.Renderer, fixed, silent) : draw(silent);
+    const RenderResult result = draw ? draw(silent) : RenderWithRays(scene.Renderer, fixed, silent);
     if (!made)
     {
       for (const std::string& warning :

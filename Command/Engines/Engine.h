@@ -47,6 +47,11 @@ using ProgressListener = std::function<void(double fraction)>;
 RenderResult RenderWithRays(
   vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress);
 
+/// Creates a ray caster that keeps the scene while only the camera moves. Each call of the returned
+/// function renders the current state of `renderer`. The images do not depend on earlier calls.
+std::function<RenderResult(const ProgressListener& progress)> PrepareRays(
+  vtkRenderer* renderer, const RenderOptions& options);
+
 /// Creates an offscreen window with `renderer` and the requested passes. Each call of the returned
 /// function renders the current state of `renderer`; occlusion is accumulated across calls.
 std::function<RenderResult(const ProgressListener& progress)> PrepareRaster(

@@ -74,15 +74,18 @@ void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
   }
 }
 
-// Replaces `CellId` of extracted surfaces by the cell id in the data set of the file.
+// Replaces `CellId` of extracted surfaces by the cell id in the data set of the file. The former array
+// is not changed.
 void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
 {
   vtkDataArray* objects = image->GetPointData()->GetArray("ObjectId");
-  vtkDataArray* cells = image->GetPointData()->GetArray("CellId");
-  if (!objects || !cells)
+  vtkDataArray* extracted = image->GetPointData()->GetArray("CellId");
+  if (!objects || !extracted)
   {
     return;
   }
+  const auto cells = vtkSmartPointer<vtkDataArray>::Take(extracted->NewInstance());
+  cells->DeepCopy(extracted);
   std::vector<vtkDataArray*> originals;
   vtkCollectionSimpleIterator cookie;
   renderer->GetActors()->InitTraversal(cookie);
@@ -100,6 +103,7 @@ void RestoreCellIds(vtkImageData* image, vtkRenderer* renderer)
       cells->SetComponent(i, 0, originals[object]->GetComponent(cell, 0));
     }
   }
+  image->GetPointData()->AddArray(cells);
 }
 
 vtkSmartPointer<vtkImageData> ReadDensity(const std::string& path)
@@ -134,12 +138,10 @@ int FindVectorFormat(const std::string& path)
                                         : vtkPenumbraVectorExporter::SVG;
 }
 
-}
-
-RenderResult RenderWithRays(
-  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress)
+vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
+  vtkRenderer* renderer, const RenderOptions& options)
 {
-  vtkNew<vtkPenumbraRayCaster> caster;
+  auto caster = vtkSmartPointer<vtkPenumbraRayCaster>::New();
   caster->SetRenderer(renderer);
   caster->SetResolution(options.Resolution[0], options.Resolution[1]);
   caster->SetTolerance(options.Tolerance);
@@ -187,7 +189,12 @@ RenderResult RenderWithRays(
   caster->SetLineRadius(options.LineRadius);
   caster->SetGeometryArrays(HoldsArrays(options.Output));
   caster->SetOcclusionArray(options.AmbientOcclusion || options.OcclusionArray);
+  return caster;
+}
 
+RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const RenderOptions& options,
+  const ProgressListener& progress)
+{
   AlgorithmObserver state{ progress, Clock::now() };
   vtkNew<vtkCallbackCommand> observer;
   observer->SetCallback(OnProgress);
@@ -215,6 +222,8 @@ RenderResult RenderWithRays(
     caster->Update();
   }
   const Clock::time_point end = Clock::now();
+  caster->RemoveObserver(observer);
+  caster->RemoveObserver(warningObserver);
   const std::vector<std::string> errors = TakeErrors();
   if (IndicatesOutOfMemory(errors))
   {
@@ -225,7 +234,8 @@ RenderResult RenderWithRays(
     throw CommandError(BadInput, "--engine ray: " + errors.front());
   }
 
-  result.Image = caster->GetOutput();
+  result.Image = vtkSmartPointer<vtkImageData>::New();
+  result.Image->ShallowCopy(caster->GetOutput());
   RestoreCellIds(result.Image, renderer);
   result.Statistics = ToJson(caster->GetStatistics());
   const nlohmann::json figure = ToJson(exporter->GetStatistics());
@@ -245,6 +255,23 @@ RenderResult RenderWithRays(
   result.BuildSeconds = std::chrono::duration<double>(firstRay - start).count();
   result.RenderSeconds = std::chrono::duration<double>(end - firstRay).count();
   return result;
+}
+
+}
+
+RenderResult RenderWithRays(
+  vtkRenderer* renderer, const RenderOptions& options, const ProgressListener& progress)
+{
+  return Draw(MakeCaster(renderer, options), renderer, options, progress);
+}
+
+std::function<RenderResult(const ProgressListener&)> PrepareRays(
+  vtkRenderer* renderer, const RenderOptions& options)
+{
+  const vtkSmartPointer<vtkPenumbraRayCaster> caster = MakeCaster(renderer, options);
+  caster->KeepSceneOn();
+  return [caster, options, scene = vtkSmartPointer<vtkRenderer>(renderer)](
+           const ProgressListener& progress) { return Draw(caster, scene, options, progress); };
 }
 
 }

@@ -7,7 +7,9 @@
 #include "Image/GeometryArrays.h"
 #include "Image/LayerCompositing.h"
 #include "Import/SceneExtraction.h"
+#include "Import/SceneModificationTime.h"
 #include "Media/MediumExtraction.h"
+#include "PhaseTimer.h"
 #include "SceneBounds.h"
 #include "Shading/Illumination.h"
 #include "Shading/LightOverlap.h"
@@ -38,6 +40,16 @@ constexpr double RoundingError = 1e-6;
 constexpr double GeometryProgress = 0.25;
 
 using penumbra::AddStatistic;
+
+void RequireUsable(const penumbra::Scene& scene)
+{
+  if (!scene.ViewCamera.IsUsable())
+  {
+    throw std::runtime_error(
+      "The camera is not usable: position, focal point, view up, view angle and "
+      "parallel scale must be finite.");
+  }
+}
 
 /// Reports progress unless an abort was requested. Returns true if the execution must stop.
 bool ReportProgress(vtkAlgorithm* self, double fraction)
@@ -121,6 +133,8 @@ void vtkPenumbraRayCaster::Internals::ResetResults()
 {
   this->Statistics->Initialize();
   this->EstimatedError = std::nan("");
+  this->PhaseSeconds.fill(0.0);
+  this->Extractions = 0;
 }
 
 void vtkPenumbraRayCaster::Internals::Prepare(
@@ -143,6 +157,70 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   {
     return;
   }
+  const penumbra::ExtractionOptions options = this->MakeExtractionOptions(self);
+  if (this->UpdatePrepared(self, options))
+  {
+    this->PreparedTime = computeTime();
+    return;
+  }
+  this->Prepared.reset(); // frees the memory before the next scene is built
+  auto prepared = std::make_unique<PreparedScene>();
+  penumbra::Scene& scene = prepared->SceneData;
+  penumbra::PhaseTimer timer(this->PhaseSeconds);
+  scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
+                         : penumbra::ExtractScene(data, options);
+  timer.End(EXTRACTION);
+  ++this->Extractions;
+  RequireUsable(scene);
+  if (this->ChangeScene)
+  {
+    this->ChangeScene(scene);
+  }
+  this->WarnOfScene(self, scene);
+  prepared->Rays =
+    std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
+  timer.End(BUILD);
+  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
+  timer.End(EDGES);
+  this->Prepared = std::move(prepared);
+  this->PreparedTime = computeTime(); // extraction may have updated the mappers
+  this->PreparedRenderer = this->Renderer;
+  this->SettingsTime = self->vtkAlgorithm::GetMTime();
+  this->GeometryTime = this->Renderer ? penumbra::GetGeometryMTime(this->Renderer) : 0;
+}
+
+bool vtkPenumbraRayCaster::Internals::KeepsScene(vtkPenumbraRayCaster* self) const
+{
+  return self->KeepScene && this->Renderer && !this->ChangeScene;
+}
+
+bool vtkPenumbraRayCaster::Internals::UpdatePrepared(
+  vtkPenumbraRayCaster* self, const penumbra::ExtractionOptions& options)
+{
+  penumbra::PhaseTimer timer(this->PhaseSeconds);
+  // UpdateView() computes the visible bounds, which updates the pipelines of the mappers.
+  if (!this->Prepared || !this->KeepsScene(self) ||
+    this->PreparedRenderer.Get() != this->Renderer.Get() ||
+    self->vtkAlgorithm::GetMTime() != this->SettingsTime ||
+    penumbra::GetGeometryMTime(this->Renderer) != this->GeometryTime ||
+    !penumbra::UpdateView(this->Renderer, options, this->Prepared->SceneData) ||
+    penumbra::GetGeometryMTime(this->Renderer) != this->GeometryTime)
+  {
+    return false;
+  }
+  RequireUsable(this->Prepared->SceneData);
+  this->Prepared->Rays->RenewId();
+  this->WarnOfScene(self, this->Prepared->SceneData);
+  timer.End(EXTRACTION);
+  penumbra::UpdateSceneEdges(
+    this->Prepared->SceneData, MakeSettings(self), options.Progress, this->Prepared->Edges);
+  timer.End(EDGES);
+  return true;
+}
+
+penumbra::ExtractionOptions vtkPenumbraRayCaster::Internals::MakeExtractionOptions(
+  vtkPenumbraRayCaster* self)
+{
   penumbra::ExtractionOptions options;
   options.Resolution[0] = self->Resolution[0];
   options.Resolution[1] = self->Resolution[1];
@@ -152,27 +230,19 @@ void vtkPenumbraRayCaster::Internals::Prepare(
   // What the camera clips still blocks light.
   options.ClipToRange =
     !self->GetShadows() && !self->GetAmbientOcclusion() && !self->IndirectLight && !this->Medium;
+  options.KeepOrigin = this->KeepsScene(self);
   options.PointRadius = self->PointRadius;
   options.LineRadius = self->LineRadius;
   options.GetLightSize = [self](vtkLight* light) {
     return penumbra::LightSize{ self->GetLightRadius(light), self->GetLightAngle(light) };
   };
   options.Progress = [self](double) { return ReportProgress(self, 0.0); };
-  this->Prepared.reset(); // frees the memory before the next scene is built
-  auto prepared = std::make_unique<PreparedScene>();
-  penumbra::Scene& scene = prepared->SceneData;
-  scene = this->Renderer ? penumbra::ExtractScene(this->Renderer, options)
-                         : penumbra::ExtractScene(data, options);
-  if (!scene.ViewCamera.IsUsable())
-  {
-    throw std::runtime_error(
-      "The camera is not usable: position, focal point, view up, view angle and "
-      "parallel scale must be finite.");
-  }
-  if (this->ChangeScene)
-  {
-    this->ChangeScene(scene);
-  }
+  return options;
+}
+
+void vtkPenumbraRayCaster::Internals::WarnOfScene(
+  vtkPenumbraRayCaster* self, penumbra::Scene& scene)
+{
   if (this->FindOcclusion(self).OfRenderer)
   {
     penumbra::WarnFeature(penumbra::Feature::RendererOcclusion, "", scene.Warnings);
@@ -189,11 +259,6 @@ void vtkPenumbraRayCaster::Internals::Prepare(
       vtkWarningWithObjectMacro(self, << warning);
     }
   }
-  prepared->Rays =
-    std::make_unique<penumbra::RayScene>(scene, self->NumberOfThreads, options.Progress);
-  prepared->Edges = penumbra::FindSceneEdges(scene, MakeSettings(self), options.Progress);
-  this->Prepared = std::move(prepared);
-  this->PreparedTime = computeTime(); // extraction may have updated the mappers
 }
 
 penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumbraRayCaster* self)
@@ -261,6 +326,7 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
 bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkImageData* image)
 {
   const penumbra::Scene& scene = this->Prepared->SceneData;
+  penumbra::PhaseTimer timer(this->PhaseSeconds);
   if (ReportProgress(self, SceneProgress))
   {
     return false;
@@ -339,6 +405,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
     }
   }
   image->GetFieldData()->ShallowCopy(this->Statistics);
+  timer.End(TRACING);
   return true;
 }
 
@@ -407,5 +474,6 @@ void vtkPenumbraRayCaster::Internals::Report(
   AddStatistic(s, "Pixels/Refined", totals.Pixels.Refined);
   AddStatistic(s, "Pixels/Uniform", totals.Pixels.Uniform);
   AddStatistic(s, "Edges/Projected", totals.Edges);
+  AddStatistic(s, "Scene/Extractions", this->Extractions);
   this->EstimatedError = std::sqrt(squaredError / pixels);
 }

@@ -8,7 +8,9 @@
 #include "vtkPenumbraRayCaster.h"
 
 #include "Image/ImageRenderer.h"
+#include "Import/SceneExtraction.h"
 #include "LightSizes.h"
+#include "PhaseTimer.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -16,6 +18,7 @@
 #include "vtkPenumbraEnvironment.h"
 #include "vtkPenumbraMedium.h"
 #include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
 
 #include <cmath>
 #include <functional>
@@ -58,6 +61,11 @@ struct vtkPenumbraRayCaster::Internals
   double EstimatedError = std::nan("");
   std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
   vtkMTimeType PreparedTime = 0;
+  vtkWeakPointer<vtkRenderer> PreparedRenderer; ///< renderer of Prepared; null: data sets
+  vtkMTimeType SettingsTime = 0;                ///< of the ray caster's own settings, for Prepared
+  vtkMTimeType GeometryTime = 0;                ///< of the renderer's props, for Prepared
+  penumbra::PhaseTimes PhaseSeconds{};
+  int Extractions = 0;          ///< number of scenes extracted by the last execution
   std::set<std::string> Warned; ///< warnings of the scene that were reported
   bool IsComputingMTime = false;
   /// If set, called with the extracted scene before its edges and its BVH are built.
@@ -68,6 +76,10 @@ struct vtkPenumbraRayCaster::Internals
   OcclusionSettings FindOcclusion(vtkPenumbraRayCaster* self) const;
   void ResetResults();
   void Prepare(vtkPenumbraRayCaster* self, vtkInformationVector* inputs);
+  bool KeepsScene(vtkPenumbraRayCaster* self) const;
+  bool UpdatePrepared(vtkPenumbraRayCaster* self, const penumbra::ExtractionOptions& options);
+  penumbra::ExtractionOptions MakeExtractionOptions(vtkPenumbraRayCaster* self);
+  void WarnOfScene(vtkPenumbraRayCaster* self, penumbra::Scene& scene);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);

@@ -35,8 +35,14 @@ void vtkPenumbraRayCaster::SetRenderer(vtkRenderer* renderer)
 {
   if (this->Implementation->Renderer != renderer)
   {
+    // A kept scene is compared with the renderer that it was extracted from.
+    const bool isPrepared = this->Implementation->SettingsTime == this->vtkAlgorithm::GetMTime();
     this->Implementation->Renderer = renderer;
     this->Modified();
+    if (isPrepared)
+    {
+      this->Implementation->SettingsTime = this->vtkAlgorithm::GetMTime();
+    }
   }
 }
 
@@ -167,6 +173,11 @@ double vtkPenumbraRayCaster::GetEstimatedError()
   return this->Implementation->EstimatedError;
 }
 
+double vtkPenumbraRayCaster::GetPhaseSeconds(int phase)
+{
+  return phase < EXTRACTION || phase > TRACING ? 0.0 : this->Implementation->PhaseSeconds[phase];
+}
+
 vtkMTimeType vtkPenumbraRayCaster::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -290,7 +301,7 @@ int vtkPenumbraRayCaster::RequestData(
       image->Initialize();
     }
     const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-    if (!finished || std::equal(extent, extent + 6, whole))
+    if (!finished || (std::equal(extent, extent + 6, whole) && !internals.KeepsScene(this)))
     {
       internals.Prepared.reset();
     }
@@ -303,12 +314,14 @@ int vtkPenumbraRayCaster::RequestData(
   catch (const std::bad_alloc&)
   {
     image->Initialize();
+    internals.Prepared.reset();
     vtkErrorMacro("Out of memory. Reduce Resolution or simplify the scene.");
     return 0;
   }
   catch (const std::exception& error)
   {
     image->Initialize();
+    internals.Prepared.reset();
     vtkErrorMacro(<< error.what());
     return 0;
   }
@@ -351,5 +364,6 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LineRadius: " << this->LineRadius << "\n";
   os << indent << "DPI: " << this->DPI << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "KeepScene: " << this->KeepScene << "\n";
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";
 }

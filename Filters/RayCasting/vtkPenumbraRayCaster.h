@@ -317,6 +317,21 @@ public:
 
   ///@{
   /**
+   * If on, keep the triangles of Renderer and their BVH for the next images, as long as nothing but
+   * the camera, the lights, the background, annotations and their settings changes. This takes
+   * memory between the images. The coordinates of the scene are then relative to a point beside its
+   * bounds, not to the camera, which changes the rounding of colors. Every image is the same as that
+   * of a new ray caster with this option. Scenes with lines, points, images or text whose size or
+   * direction depends on the camera are not kept, nor if the camera is inside the bounds of the
+   * scene, at less than 0.4 or more than 8 of their radii, or has a high zoom. Default: off.
+   */
+  vtkSetMacro(KeepScene, bool);
+  vtkGetMacro(KeepScene, bool);
+  vtkBooleanMacro(KeepScene, bool);
+  ///@}
+
+  ///@{
+  /**
    * Screen resolution in dots per inch. Line widths and point sizes are in points of 1/72 inch.
    * Range: [1, 9600]. Default: 72.
    */
@@ -357,6 +372,19 @@ public:
    * error, within `Tolerance`, adds to that of the image. Images with the method `UNIFORM` do not
    * warn. */
   double GetEstimatedError();
+
+  /** Phases of an execution. */
+  enum Phases
+  {
+    EXTRACTION, ///< from the renderer or the data sets to triangles
+    BUILD,      ///< of the BVH
+    EDGES,      ///< of the meshes
+    TRACING     ///< all that follows
+  };
+
+  /** Elapsed time of one of the Phases of the last execution in seconds; 0 if it did not run. The
+   * statistics do not contain times, so that they are the same in every execution. */
+  double GetPhaseSeconds(int phase);
 
   vtkMTimeType GetMTime() override;
 
@@ -403,6 +431,7 @@ private:
   int NumberOfThreads = 0;
   int DPI = 72;
   bool Layers = true;
+  bool KeepScene = false;
   double PointRadius = 0.0;
   double LineRadius = 0.0;
 };

@@ -6,7 +6,8 @@
 //
 // Scene coordinates are (world - Origin) * Scale in single precision. Origin is the camera
 // position, or a point in front of the scene if the projection is parallel or the scene is far
-// away. Scenes at a distance of 1e7 from the world's origin and scenes of size 1e-6 therefore keep
+// away, or, for scenes that are kept while the camera moves, a point beside the bounds
+// (FixedOrigin.h). Scenes at a distance of 1e7 from the world's origin and scenes of size 1e-6 therefore keep
 // their precision. All positions and directions below are in scene coordinates. Projections are
 // computed in double precision from the rounded positions, so that projected edges match the traced
 // triangles.
@@ -19,6 +20,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -95,6 +97,11 @@ struct Scene
 {
   glm::dvec3 Origin{ 0.0 };
   double Scale = 1.0;
+  /// If true, Origin, Scale and Surfaces do not depend on the camera, see UpdateView().
+  bool HasFixedOrigin = false;
+  std::array<double, 6> VisibleBounds{}; ///< world bounds of the visible props, if HasFixedOrigin
+  std::array<double, 6>
+    OriginBounds{};  ///< those that determine Origin and Scale, if HasFixedOrigin
   Camera ViewCamera; ///< in scene coordinates
   std::vector<Surface> Surfaces;
   std::vector<Light> Lights;

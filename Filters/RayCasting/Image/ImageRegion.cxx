@@ -90,6 +90,15 @@ void RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, I
   }
 }
 
+std::vector<MeshEdge> FindEdges(const Surface& surface, bool isDense,
+  const IntegrationSettings& integration, const Camera& camera)
+{
+  const double contrast = EdgeContrastFraction * integration.Tolerance;
+  return surface.IsRound() ? std::vector<MeshEdge>()
+    : isDense              ? FindEdgesOfDenseMesh(surface, contrast, camera)
+                           : FindMeshEdges(surface, contrast);
+}
+
 /// Edges of one tile.
 struct TileEdges
 {
@@ -159,13 +168,28 @@ SceneEdges FindSceneEdges(
   for (const Surface& surface : scene.Surfaces)
   {
     ThrowIfStopped(progress, 0.0);
-    const double contrast = EdgeContrastFraction * integration.Tolerance;
     edges.Dense.push_back(HasSubpixelTriangles(surface, scene.ViewCamera));
-    edges.EdgesBySurface.push_back(surface.IsRound() ? std::vector<MeshEdge>()
-        : edges.Dense.back() ? FindEdgesOfDenseMesh(surface, contrast, scene.ViewCamera)
-                             : FindMeshEdges(surface, contrast));
+    edges.EdgesBySurface.push_back(
+      FindEdges(surface, edges.Dense.back(), integration, scene.ViewCamera));
   }
   return edges;
+}
+
+void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
+  const ProgressCallback& progress, SceneEdges& edges)
+{
+  for (std::size_t i = 0; i < edges.EdgesBySurface.size(); ++i)
+  {
+    ThrowIfStopped(progress, 0.0);
+    const Surface& surface = scene.Surfaces[i];
+    const char wasDense = edges.Dense[i];
+    edges.Dense[i] = HasSubpixelTriangles(surface, scene.ViewCamera);
+    if (edges.Dense[i] || wasDense)
+    {
+      edges.EdgesBySurface[i] =
+        FindEdges(surface, edges.Dense[i], settings.Integration, scene.ViewCamera);
+    }
+  }
 }
 
 bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,

@@ -34,6 +34,11 @@ struct SceneEdges
 SceneEdges FindSceneEdges(
   const Scene& scene, const RenderSettings& settings, const ProgressCallback& progress = {});
 
+/// Finds the edges again that depend on the camera of `scene`, after it has moved. `edges` are those
+/// of the same surfaces with the same settings. Throws Stopped if `progress` requests a stop.
+void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
+  const ProgressCallback& progress, SceneEdges& edges);
+
 /// The pixels [Low, High) of the image with their results, row by row from the bottom.
 struct ImageRegion
 {

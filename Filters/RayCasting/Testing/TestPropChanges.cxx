@@ -208,11 +208,13 @@ protected:
     this->Caster->AddObserver(vtkCommand::EndEvent, count);
   }
 
-  std::vector<float> Render()
+  std::vector<float> Render() { return Render(this->Caster); }
+
+  static std::vector<float> Render(vtkPenumbraRayCaster* caster)
   {
-    this->Caster->Update();
+    caster->Update();
     auto* color =
-      vtkFloatArray::SafeDownCast(this->Caster->GetOutput()->GetPointData()->GetArray("Color"));
+      vtkFloatArray::SafeDownCast(caster->GetOutput()->GetPointData()->GetArray("Color"));
     return { color->GetPointer(0), color->GetPointer(0) + color->GetNumberOfValues() };
   }
 
@@ -232,6 +234,24 @@ TEST_P(PropChange, AppearsInTheNextImage)
   change();
   EXPECT_NE(this->Render(), before);
   EXPECT_EQ(this->Executions, 2);
+}
+
+// With KeepScene, too, and after a camera motion in between, during which the scene is kept.
+TEST_P(PropChange, AppearsInTheNextImageOfAKeptScene)
+{
+  this->Caster->KeepSceneOn();
+  const Change change = GetParam().Build(this->Renderer);
+  this->Render();
+  this->Renderer->GetActiveCamera()->Azimuth(3.0);
+  const std::vector<float> before = this->Render();
+  change();
+  const std::vector<float> after = this->Render();
+  EXPECT_NE(after, before);
+  vtkNew<vtkPenumbraRayCaster> fresh;
+  fresh->SetRenderer(this->Renderer);
+  fresh->SetResolution(60, 60);
+  fresh->KeepSceneOn();
+  EXPECT_EQ(after, Render(fresh));
 }
 
 INSTANTIATE_TEST_SUITE_P(Props, PropChange, testing::ValuesIn(Rows),

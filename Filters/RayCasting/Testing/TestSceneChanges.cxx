@@ -438,6 +438,24 @@ TEST_P(SceneChange, AppearsInTheNextImage)
   EXPECT_EQ(after, Render(fresh));
 }
 
+// With KeepScene, too, and after a camera motion in between, during which the scene is kept.
+TEST_P(SceneChange, AppearsInTheNextImageOfAKeptScene)
+{
+  this->Caster->KeepSceneOn();
+  const Change change = GetParam().Build(this->Renderer);
+  Render(this->Caster);
+  this->Renderer->GetActiveCamera()->Azimuth(3.0);
+  const std::vector<float> before = Render(this->Caster);
+  change();
+  const std::vector<float> after = Render(this->Caster);
+  EXPECT_NE(after, before);
+  vtkNew<vtkPenumbraRayCaster> fresh;
+  fresh->SetRenderer(this->Renderer);
+  fresh->SetResolution(40, 40);
+  fresh->KeepSceneOn();
+  EXPECT_EQ(after, Render(fresh));
+}
+
 std::string MakeName(const testing::TestParamInfo<Row>& row)
 {
   return row.param.Name;

@@ -389,6 +389,11 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   }
 }
 
+void RayScene::RenewId()
+{
+  this->Id = NextId();
+}
+
 RayScene::~RayScene()
 {
   this->Release();

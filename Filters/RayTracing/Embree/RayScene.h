@@ -107,6 +107,10 @@ public:
   /// Returns an id that is unique in this process.
   std::uint64_t GetId() const { return this->Id; }
 
+  /// Changes the id, after parts of the scene other than its surfaces have changed. Results that
+  /// were computed from the scene with the former id are then not used again.
+  void RenewId();
+
 private:
   void Release();
 

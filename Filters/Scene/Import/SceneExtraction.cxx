@@ -13,10 +13,12 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
@@ -25,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace penumbra
 {
@@ -126,6 +129,46 @@ void AddRadii(const std::vector<DrawItem>& items, double pointWidth, double boun
   }
 }
 
+/// Returns true if the surfaces of `item` may depend on the camera: lines and points with a size in
+/// pixels, images that face the camera, normals of wireframes.
+bool DependsOnCamera(const DrawItem& item)
+{
+  vtkProperty* property = item.Property;
+  const bool hasPoints = item.Data->GetVerts()->GetNumberOfCells() > 0;
+  const bool hasLines = item.Data->GetLines()->GetNumberOfCells() > 0;
+  return item.FacingSplats || property->GetRepresentation() != VTK_SURFACE ||
+    property->GetEdgeVisibility() || property->GetVertexVisibility() ||
+    property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes() ||
+    (hasPoints && !item.Radii && !(item.PointRadius > 0.0)) ||
+    (hasLines && !(item.LineRadius > 0.0));
+}
+
+/// Returns true if `renderer` shows a prop whose shape depends on the camera.
+bool HasPropsOfView(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (prop->GetVisibility() && (IsBillboard(prop) || IsCubeAxes(prop)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Extracts camera, lights and background.
+void ExtractView(vtkRenderer* renderer, const double bounds[6], const ExtractionOptions& options,
+  const glm::dmat4& distortion, Scene& scene)
+{
+  ExtractCamera(renderer, bounds, options, distortion, scene);
+  scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
+  ExtractLights(renderer, options, distortion, scene);
+  ExtractBackground(renderer, options, scene);
+}
+
 void AddDrawItems(
   const std::vector<DrawItem>& items, const ExtractionOptions& options, Scene& scene)
 {
@@ -145,6 +188,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   SetRadii(options, items);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
+  std::copy_n(bounds, 6, scene.VisibleBounds.begin());
   if (!std::all_of(bounds, bounds + 6, [](double x) { return std::isfinite(x); }))
   {
     ComputeBounds(items, bounds);
@@ -157,15 +201,16 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   }
   const glm::dmat4 distortion = FindViewDistortion(renderer);
   ApplyViewDistortion(distortion, items, bounds, scene.Warnings);
-  ExtractCamera(renderer, bounds, options, distortion, scene);
-  scene.OverlayImage = Overlay(scene.ViewCamera.Width, scene.ViewCamera.Height);
-  ExtractLights(renderer, options, distortion, scene);
-  ExtractBackground(renderer, options, scene);
   std::vector<glm::dvec4> range;
   if (options.ClipToRange)
   {
     range = FindClippingRange(renderer, bounds, distortion);
   }
+  ExtractionOptions viewOptions = options;
+  viewOptions.KeepOrigin = options.KeepOrigin && distortion == glm::dmat4(1.0) && range.empty() &&
+    !HasPropsOfView(renderer) && std::none_of(items.begin(), items.end(), DependsOnCamera);
+  ExtractView(renderer, bounds, viewOptions, distortion, scene);
+  std::copy_n(bounds, 6, scene.OriginBounds.begin());
   for (DrawItem& item : items)
   {
     item.ClippingPlanes.insert(item.ClippingPlanes.end(), range.begin(), range.end());
@@ -192,6 +237,37 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   ExtractOverlay(renderer, options.DPI, scene);
   scene.Warnings = MergeWarnings(scene.Warnings);
   return scene;
+}
+
+bool UpdateView(vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene)
+{
+  if (!scene.HasFixedOrigin || !options.KeepOrigin || !renderer->IsActiveCameraCreated())
+  {
+    return false;
+  }
+  double visible[6];
+  renderer->ComputeVisiblePropBounds(visible);
+  const double* bounds = scene.OriginBounds.data();
+  const glm::dmat4 distortion = FindViewDistortion(renderer);
+  if (!std::equal(visible, visible + 6, scene.VisibleBounds.begin()) ||
+    distortion != glm::dmat4(1.0) ||
+    (options.ClipToRange && !FindClippingRange(renderer, bounds, distortion).empty()))
+  {
+    return false;
+  }
+  Scene next;
+  ExtractView(renderer, bounds, options, distortion, next);
+  if (!next.HasFixedOrigin || next.Origin != scene.Origin || next.Scale != scene.Scale)
+  {
+    return false;
+  }
+  ExtractOverlay(renderer, options.DPI, next);
+  scene.ViewCamera = next.ViewCamera;
+  scene.Lights = std::move(next.Lights);
+  scene.BackgroundColors = std::move(next.BackgroundColors);
+  scene.OverlayImage = std::move(next.OverlayImage);
+  scene.Warnings = MergeWarnings(next.Warnings);
+  return true;
 }
 
 Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOptions& options)

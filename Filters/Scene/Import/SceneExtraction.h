@@ -34,6 +34,7 @@ struct ExtractionOptions
   int DPI = 72;                 ///< scales text, line widths and point sizes
   bool Background = true;       ///< if false, the background is transparent black
   bool ClipToRange = true;      ///< if true, surfaces end at the clipping range of the camera
+  bool KeepOrigin = false;      ///< if true, the origin does not follow the camera, if possible
   double PointRadius = 0.0;     ///< world units: points are spheres; 0: as their property requests
   double LineRadius = 0.0;      ///< world units: lines are tubes; 0: as their property requests
   std::function<LightSize(vtkLight*)> GetLightSize; ///< if empty, lights have no size
@@ -44,6 +45,13 @@ struct ExtractionOptions
 /// a window.
 VTKPENUMBRAFILTERSSCENE_EXPORT Scene ExtractScene(
   vtkRenderer* renderer, const ExtractionOptions& options);
+
+/// Replaces camera, lights, background and overlay of `scene`, which was extracted from `renderer`
+/// with the same options. Its warnings become those of these parts. Returns false, with `scene`
+/// unchanged, unless its origin is fixed and also the one that ExtractScene() would choose now.
+/// The scene then equals a newly extracted one if GetGeometryMTime() has not changed.
+VTKPENUMBRAFILTERSSCENE_EXPORT bool UpdateView(
+  vtkRenderer* renderer, const ExtractionOptions& options, Scene& scene);
 
 /// Extracts a scene of data sets with white surfaces, one headlight and the camera reset to their
 /// bounds.

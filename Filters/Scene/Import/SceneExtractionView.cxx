@@ -3,6 +3,7 @@
 #include "SceneExtractionView.h"
 
 #include "Features/SceneFeatures.h"
+#include "FixedOrigin.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionSky.h"
 
@@ -142,7 +143,10 @@ double ComputeAdvance(
   return parallel || distance > FarSceneRatio * glm::length(size) ? distance : 0.0;
 }
 
-void SetSceneCoordinates(glm::dvec3 position, const double bounds[6], double fallback, Scene& scene)
+/// Sets Origin, Scale and the camera's coordinates. If `keepOrigin` is true, the origin depends only
+/// on `bounds`, if that is precise enough.
+void SetSceneCoordinates(
+  glm::dvec3 position, const double bounds[6], double fallback, bool keepOrigin, Scene& scene)
 {
   Camera& camera = scene.ViewCamera;
   double advance = 0.0;
@@ -151,10 +155,17 @@ void SetSceneCoordinates(glm::dvec3 position, const double bounds[6], double fal
     advance = ComputeAdvance(position, camera.Forward, camera.Parallel, bounds);
     position += advance * camera.Forward;
   }
-  scene.Origin = position;
-  scene.Scale = ChooseScale(position, bounds, fallback);
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+  scene.HasFixedOrigin = keepOrigin && IsFinite(bounds) && (camera.Parallel || advance == 0.0) &&
+    IsFixedOriginPrecise(camera, position, low, high);
+  scene.Origin = scene.HasFixedOrigin ? BoundingSphere(low, high).FindFixedOrigin() : position;
+  scene.Scale = ChooseScale(scene.Origin, bounds, fallback);
   camera.Advance = advance * scene.Scale;
-  camera.Position = -camera.DepthOfRayOrigins() * camera.Forward;
+  // Ray origins are in single precision. The projection uses the same position.
+  camera.Position = scene.HasFixedOrigin
+    ? glm::dvec3(glm::vec3((position - scene.Origin) * scene.Scale))
+    : -camera.DepthOfRayOrigins() * camera.Forward;
   camera.Near = camera.Parallel ? 0.0 : NearDistance;
   if (camera.Parallel)
   {
@@ -340,7 +351,7 @@ void ExtractCamera(vtkRenderer* renderer, const double bounds[6], const Extracti
   {
     WarnFeature(Feature::CameraShear, "", scene.Warnings);
   }
-  SetSceneCoordinates(position, bounds, camera->GetDistance(), scene);
+  SetSceneCoordinates(position, bounds, camera->GetDistance(), options.KeepOrigin, scene);
 }
 
 std::vector<glm::dvec4> FindClippingRange(
@@ -393,7 +404,7 @@ void ResetCamera(const double bounds[6], const ExtractionOptions& options, Scene
   const double aspect = static_cast<double>(camera.Width) / camera.Height;
   const double distance = radius / std::sin(std::atan(half * std::min(aspect, 1.0)));
   const glm::dvec3 position = 0.5 * (low + high) + glm::dvec3(0.0, 0.0, distance);
-  SetSceneCoordinates(position, bounds, distance, scene);
+  SetSceneCoordinates(position, bounds, distance, false, scene);
 }
 
 Light MakeHeadlight(const Scene& scene)
