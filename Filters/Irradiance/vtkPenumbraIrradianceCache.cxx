@@ -107,7 +107,8 @@ struct vtkPenumbraIrradianceCache::Internals
   vtkSmartPointer<vtkPenumbraGatherer> CustomGatherer;
   vtkSmartPointer<vtkPolyData> InitialRecords;
 
-  static RecordPlacementSettings MakeSettings(vtkPenumbraIrradianceCache* self, double accepted);
+  static RecordPlacementSettings MakeSettings(
+    vtkPenumbraIrradianceCache* self, double accepted, double radiance);
   static float NormalAngle(
     vtkPenumbraIrradianceCache* self, const RecordPlacementSettings& settings);
   bool MakeRecords(vtkPenumbraIrradianceCache* self, penumbra::Quantities quantity,
@@ -185,14 +186,17 @@ void vtkPenumbraIrradianceCache::GetIrradianceRecords(vtkPolyData* records) cons
 }
 
 RecordPlacementSettings vtkPenumbraIrradianceCache::Internals::MakeSettings(
-  vtkPenumbraIrradianceCache* self, double accepted)
+  vtkPenumbraIrradianceCache* self, double accepted, double radiance)
 {
   RequireNotNaN("Tolerance, MinimumRadius, MaximumRadius and NormalAngle",
     { self->Tolerance, self->MinimumRadius, self->MaximumRadius, self->NormalAngle });
   RecordPlacementSettings settings;
-  settings.Tolerance =
-    std::max(self->Tolerance > 0.0 ? self->Tolerance : InterpolationErrorFraction * accepted,
-      MinimumTolerance);
+  const double absolute =
+    self->Tolerance > 0.0 ? self->Tolerance : InterpolationErrorFraction * accepted;
+  const double relative =
+    std::max({ absolute / radiance, std::min(absolute, BrightTolerance), MinimumTolerance });
+  settings.Tolerance = relative;
+  settings.Radiance = std::max(absolute, MinimumTolerance * radiance) / relative;
   settings.Rule = static_cast<penumbra::RadiusRules>(self->RadiusRule);
   settings.MinimumRadiusPixels = self->MinimumRadius;
   settings.MaximumRadiusPixels = std::max(self->MinimumRadius, self->MaximumRadius);
@@ -258,7 +262,7 @@ bool vtkPenumbraIrradianceCache::Begin(const penumbra::RayScene& rays, const Occ
   try
   {
     if (!self.MakeRecords(this, Quantities::Occlusion, *self.Occluders,
-          Internals::MakeSettings(this, tolerance), progress))
+          Internals::MakeSettings(this, tolerance, 1.0), progress))
     {
       return false;
     }
@@ -307,7 +311,8 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
     return true;
   }
   self.Irradiance.Key = Internals::BuildKey();
-  RecordPlacementSettings settings = Internals::MakeSettings(this, tolerance / vtkMath::Pi());
+  RecordPlacementSettings settings =
+    Internals::MakeSettings(this, tolerance / vtkMath::Pi(), light.GetSourceRadiance().Largest);
   settings.Refine = true;
   settings.KeepAllValid = true;
   self.Light =
@@ -348,8 +353,7 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraIrradianceCache::Irradiance(cons
   InterpolationResult found = self.Irradiance.LookUp(shadingPoint, this->IsLazy());
   if (!found.Found())
   {
-    found = self.Irradiance.Records->Gather(
-      shadingPoint, std::max(tolerance / vtkMath::Pi(), MinimumTolerance), light.Rays);
+    found = self.Irradiance.Records->Gather(shadingPoint, tolerance / vtkMath::Pi(), light.Rays);
   }
   const auto sampled = self.Light->GetLight().EstimateSampledLight(
     shadingPoint.Position, shadingPoint.GetNormals(), tolerance / vtkMath::Pi(), light.Rays);

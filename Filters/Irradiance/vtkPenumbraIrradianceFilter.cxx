@@ -335,7 +335,9 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
   settings.Albedo = static_cast<float>(this->Albedo);
   settings.Bounces = this->Bounces;
   const Illumination light(*work.Rays, settings);
+  const double radiance = light.GetSourceRadiance().Mean;
   const double tolerance = this->Tolerance / vtkMath::Pi(); // for the mean over the hemisphere
+  work.Settings.Radiance = radiance;
   work.Settings.Tolerance = HessianErrorFraction * tolerance;
   work.Settings.Side = RecordPlacement::ComputeSide(RecordNoiseFactor * tolerance);
   const float angle = RecordPlacement::ComputeNormalAngle(RotationErrorFraction * tolerance);
@@ -369,7 +371,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
     work.Settings, work.Tree);
   vtkNew<vtkPenumbraBruteForceIrradiance> provider;
   provider->SetMinimumRays(MinimumRays);
-  provider->BeginIrradiance(light, this->Tolerance);
+  provider->BeginIrradiance(light, radiance * this->Tolerance);
   std::vector<char> complete(work.Mesh.Sites.size(), records ? 0 : 1);
   const auto bruteForce = [&](const RecordCandidate& site, long long& count) {
     if (const auto made = records ? placement.Gather(site, count) : std::nullopt)
@@ -380,7 +382,7 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
     const glm::dvec3 world = scene.ToWorld(site.Position);
     const glm::dvec3 normal(site.Normal);
     const auto estimate =
-      provider->Irradiance(&world.x, &normal.x, BruteForceErrorFactor * this->Tolerance);
+      provider->Irradiance(&world.x, &normal.x, BruteForceErrorFactor * radiance * this->Tolerance);
     count += estimate.Rays;
     return BakedValue{ glm::vec3(estimate.Value[0], estimate.Value[1], estimate.Value[2]) /
         static_cast<float>(vtkMath::Pi()),
@@ -391,7 +393,8 @@ bool vtkPenumbraIrradianceFilter::BakeIrradiance(Work& work)
     estimators, after, work.Baked);
   work.Baked.GatherRays = placement.GetRays() + work.Reflections->GetRays();
   return done &&
-    AddSampledLight(light, work.Mesh.Sites, complete, tolerance, work.Progress, work.Baked);
+    AddSampledLight(
+      light, work.Mesh.Sites, complete, radiance * tolerance, work.Progress, work.Baked);
 }
 
 void vtkPenumbraIrradianceFilter::Report(const Work& work, vtkIdType size)

@@ -59,8 +59,9 @@ public:
 
   ///@{
   /**
-   * Accepted RMSE over all points, in the unit of the output array. Range: [1e-4, 1].
-   * Default: 0.01.
+   * Accepted RMSE over all points, in the unit of the output array. For irradiance, it holds in every
+   * channel and is relative to the radiance of the environment, averaged over the sphere: bright and
+   * dark environments cost the same. Range: [1e-4, 1]. Default: 0.01.
    */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
   vtkGetMacro(Tolerance, double);

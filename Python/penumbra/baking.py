@@ -226,7 +226,8 @@ def irradiance(
     Parameters
     ----------
     points, faces, normals, lines, tolerance, on, point_radius, line_radius, progress, return_statistics
-        As in `ambient_occlusion`. The tolerance is in the unit of the values.
+        As in `ambient_occlusion`. The tolerance is in the unit of the values, for an environment of
+        radiance 1; in others it is multiplied by their radiance (largest channel).
     environment_color : str or array_like of three floats
         Radiance of the environment: a color name, '#rrggbb', or three numbers >= 0, which may exceed 1.
     albedo : float

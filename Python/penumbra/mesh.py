@@ -101,7 +101,8 @@ class MeshAccessor:
         Parameters
         ----------
         tolerance : float
-            Accepted RMSE over all points, in the unit of the array. Range: [1e-4, 1].
+            Accepted RMSE over all points, in the unit of the array, for an environment of radiance 1; it is
+            multiplied by the radiance of others. Range: [1e-4, 1].
         environment_color : color or sequence of float
             Radiance of the environment; three floats may exceed 1.
         albedo : float

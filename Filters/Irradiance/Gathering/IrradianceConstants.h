@@ -132,7 +132,12 @@ constexpr double GridNoise = 2.5;
 /// of neighboring pixels are correlated and do not average out.
 constexpr double InterpolationErrorFraction = 0.5;
 
-/// Minimum tolerance of the mean over the hemisphere.
+/// Relative tolerance up to which the tolerance of an image is not divided by the radiance of the
+/// scene if that is above 1: that of the default image. Smaller ones would trace up to 65,536 rays
+/// per record under a sky that is much brighter than the image shows.
+constexpr double BrightTolerance = 1.0 / 128.0;
+
+/// Minimum tolerance of the mean over the hemisphere, relative to the radiance of the scene.
 constexpr double MinimumTolerance = 1e-4;
 
 // --- Records of a view (`... --only spheres`) ---

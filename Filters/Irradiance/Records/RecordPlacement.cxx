@@ -300,7 +300,7 @@ std::optional<Record> RecordPlacement::Gather(const RecordCandidate& site, long 
   record.IsValid = this->Settings.KeepAllValid || radius >= MinimumRadiusFraction * minimum;
   const double shadow = ShadowRadiusFraction *
     ShadowDistance(HemisphereGrid::Get(this->Settings.Side), frame, directions, samples,
-      emitterSamples, this->Settings.Tolerance);
+      emitterSamples, this->GetAbsoluteTolerance());
   record.Radius = static_cast<float>(record.IsValid
       ? std::clamp(std::min(radius, shadow), minimum,
           std::max(minimum, this->Settings.MaximumRadiusPixels * site.Pixel))
@@ -332,7 +332,7 @@ long long RecordPlacement::SupersampleCells(const RecordCandidate& site, const g
     RaiseVarianceNearEmitter(
       grid, glm::transpose(frame) * emitterSample.Direction, emitterSample.Strength, variances);
   }
-  const double allowed = std::pow(NoiseFraction * this->Settings.Tolerance * grid.Cells(), 2.0);
+  const double allowed = std::pow(NoiseFraction * this->GetAbsoluteTolerance() * grid.Cells(), 2.0);
   const std::vector<int> subdivisions = AllocateSubsamples(variances, allowed);
   std::uint32_t random = HashPoint(site.Position, -site.Normal);
   std::vector<glm::vec3> directions;
@@ -425,7 +425,7 @@ double RecordPlacement::ComputeRadius(const HemisphereEstimate& estimate) const
       return accuracy * estimate.HarmonicMean;
     default:
       return std::min(OverlapFactor *
-          std::sqrt(2.0 * this->Settings.Tolerance / std::max(estimate.HessianNorm, 1e-30f)),
+          std::sqrt(2.0 * this->GetAbsoluteTolerance() / std::max(estimate.HessianNorm, 1e-30f)),
         static_cast<double>(OccluderEdgeFraction * estimate.OccluderEdgeDistance));
   }
 }

@@ -28,7 +28,8 @@ enum class RadiusRules
 
 struct RecordPlacementSettings
 {
-  double Tolerance = .01; ///< accepted error of the mean over the hemisphere
+  double Tolerance = .01; ///< accepted error of the mean over the hemisphere, relative to Radiance
+  double Radiance = 1.0;  ///< of the light sources; 1 for occlusion
   RadiusRules Rule = RadiusRules::Hessian;
   double MinimumRadiusPixels = 3.0;  ///< [IC]: 2 to 4
   double MaximumRadiusPixels = 64.0; ///< [IC]: 20 to 64
@@ -89,6 +90,7 @@ private:
   /// Returns the accuracy of split-sphere radii, as a fraction of the distance.
   double ComputeAccuracy() const;
   double ComputeRadius(const HemisphereEstimate& estimate) const;
+  double GetAbsoluteTolerance() const { return this->Settings.Tolerance * this->Settings.Radiance; }
 
   const Gatherer& Source;
   RecordPlacementSettings Settings;

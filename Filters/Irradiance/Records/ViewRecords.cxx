@@ -18,6 +18,7 @@ ViewRecords::ViewRecords(const RayScene& rays, const Gatherer& gatherer,
   const std::vector<Record>& initial)
   : Rays(rays),
     Source(gatherer),
+    Radiance(settings.Radiance),
     Placement(gatherer, settings, this->Tree)
 {
   this->Tree.InitializeFromScene(rays.GetScene());
@@ -83,6 +84,7 @@ InterpolationResult ViewRecords::LookUpOrGather(const ShadingPoint& point)
 InterpolationResult ViewRecords::Gather(
   const ShadingPoint& point, double tolerance, long long& rays) const
 {
+  const double accepted = std::max(tolerance, MinimumTolerance * this->Radiance);
   std::uint32_t count = 4;
   const auto increase = [&count](double needed) {
     while (count < needed && count < MaximumRays)
@@ -90,12 +92,12 @@ InterpolationResult ViewRecords::Gather(
       count *= 2;
     }
   };
-  increase(std::pow(ReferenceRayError / tolerance, 4.0 / 3.0));
+  increase(std::pow(ReferenceRayError * this->Radiance / accepted, 4.0 / 3.0));
   InterpolationResult result = this->GatherWithRays(point, count, rays);
-  if (result.Error > tolerance && count < MaximumRays)
+  if (result.Error > accepted && count < MaximumRays)
   {
     // The second estimate does not use the rays of the first, so that it has no bias.
-    increase(count * std::pow(result.Error / tolerance, 4.0 / 3.0));
+    increase(count * std::pow(result.Error / accepted, 4.0 / 3.0));
     result = this->GatherWithRays(point, count, rays);
   }
   return result;

@@ -62,6 +62,7 @@ private:
 
   const RayScene& Rays;
   const Gatherer& Source;
+  double Radiance; ///< of the light sources
   RecordOctree Tree;
   RecordPlacement Placement;
   std::unique_ptr<ScreenSpaceRecords> Screen; ///< null in world space

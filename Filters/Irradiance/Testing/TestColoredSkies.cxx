@@ -6,11 +6,13 @@
 #include "Gathering/HemisphereEstimate.h"
 #include "Records/PixelCandidates.h"
 #include "Scenes/Solids.h"
+#include "Shading/EnvironmentMap.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"
 #include "SphereOnFloor.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceCache.h"
@@ -23,6 +25,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 using namespace penumbra_testing;
@@ -161,6 +164,87 @@ TEST(ColoredSky, GivesBakingTheChannelsOfAWhiteSky)
       EXPECT_EQ(blue[i], glm::dvec3(0.0, 0.0, white[i].z)) << i;
     }
   }
+}
+
+TEST(BrightSky, ScalesTheCacheWithItsTolerance)
+{
+  const Boxes boxes;
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  const auto count = [&](const char* name) {
+    vtkNew<vtkFieldData> statistics;
+    cache->Report(statistics);
+    return statistics->GetArray(name)->GetComponent(0, 0);
+  };
+  const std::vector<glm::dvec3> white = boxes.Query(cache, glm::vec3(1.f), .06);
+  const double rays = count("Rays/Gather");
+  const double records = count("Cache/Records");
+  for (const float factor : { 8.f, 1.f / 128.f }) // powers of two: rounding does not change
+  {
+    const std::vector<glm::dvec3> scaled = boxes.Query(cache, glm::vec3(factor), .06 * factor);
+    EXPECT_EQ(count("Rays/Gather"), rays);
+    EXPECT_EQ(count("Cache/Records"), records);
+    for (std::size_t i = 0; i < white.size(); ++i)
+    {
+      EXPECT_NEAR(scaled[i].x, factor * white[i].x, 1e-6 * factor) << i;
+    }
+  }
+}
+
+TEST(BrightSky, KeepsTheTolerance)
+{
+  // The tolerance of the cache is that of the image: it does not increase with the radiance.
+  const Boxes boxes;
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  vtkNew<vtkPenumbraBruteForceIrradiance> provider;
+  provider->SetMinimumRays(2048);
+  const std::vector<glm::dvec3> values = boxes.Query(cache, glm::vec3(8.f), .2);
+  const std::vector<glm::dvec3> exact = boxes.Query(provider, glm::vec3(8.f), .2);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    squares += std::pow(values[i].x - exact[i].x, 2.0) / static_cast<double>(values.size());
+  }
+  EXPECT_LE(std::sqrt(squares), .2);
+}
+
+TEST(BrightSky, ScalesBakedIrradiance)
+{
+  const auto mesh = MakeSmallMesh();
+  for (const int method :
+    { vtkPenumbraIrradianceFilter::AUTOMATIC, vtkPenumbraIrradianceFilter::BRUTE_FORCE })
+  {
+    const std::vector<glm::dvec3> white = Bake(mesh, glm::dvec3(1.0), method);
+    for (const double factor : { 8.0, 1.0 / 128.0 })
+    {
+      const std::vector<glm::dvec3> scaled = Bake(mesh, glm::dvec3(factor), method);
+      for (std::size_t i = 0; i < white.size(); ++i)
+      {
+        EXPECT_NEAR(scaled[i].x, factor * white[i].x, 1e-6 * factor) << i;
+      }
+    }
+  }
+}
+
+TEST(SourceRadiance, IsThatOfSkiesAndLights)
+{
+  const Boxes boxes;
+  EXPECT_EQ(boxes.MakeLight(glm::vec3(0.f)).GetSourceRadiance().Mean, 1.0);
+  EXPECT_EQ(boxes.MakeLight(glm::vec3(0.f)).GetSourceRadiance().Largest, 1.0);
+  EXPECT_FLOAT_EQ(boxes.MakeLight({ .1f, .3f, .2f }).GetSourceRadiance().Mean, .3f);
+  EXPECT_FLOAT_EQ(boxes.MakeLight({ .1f, .3f, .2f }).GetSourceRadiance().Largest, .3f);
+  Scene lit = boxes.SceneData;
+  lit.Lights.emplace_back();
+  lit.Lights.back().DiffuseColor = { 2.f, 1.f, 1.f };
+  const RayScene rays(lit, 0);
+  EXPECT_EQ(Illumination(rays, IlluminationSettings()).GetSourceRadiance().Largest, 2.0);
+  // A map of two rows, of which the upper one has radiance 2.
+  IlluminationSettings settings;
+  settings.Map = std::make_shared<EnvironmentMap>(1, 2,
+    std::vector<glm::vec3>{ glm::vec3(0.f), { 0.f, 0.f, 2.f } }, glm::dvec3(0.0, 0.0, 1.0),
+    glm::dvec3(1.0, 0.0, 0.0));
+  const auto found = Illumination(*boxes.Rays, settings).GetSourceRadiance();
+  EXPECT_NEAR(found.Mean, 1.0, 1e-6);
+  EXPECT_NEAR(found.Largest, 2.0, 1e-6);
 }
 
 TEST(HemisphereEstimate, HasTheDerivativesOfTheWorstChannel)

@@ -32,18 +32,17 @@ EnvironmentMap::EnvironmentMap(
     Right(right),
     Forward(glm::cross(right, up))
 {
-  double sum = 0.0;
   for (int row = 0; row < height; ++row)
   {
     const double weight =
       .5 * (this->ComputeSineOfLatitude(row + 1) - this->ComputeSineOfLatitude(row)) / width;
     for (int i = 0; i < width; ++i)
     {
-      sum +=
+      this->MeanRadiance +=
         weight * LargestChannel(this->ClampedRadiances[static_cast<std::size_t>(row) * width + i]);
     }
   }
-  const auto threshold = static_cast<float>(SunThreshold * sum);
+  const auto threshold = static_cast<float>(SunThreshold * this->MeanRadiance);
   for (int row = 0; row < height; ++row)
   {
     const double solidAngle =
@@ -59,6 +58,7 @@ EnvironmentMap::EnvironmentMap(
         this->Total += solidAngle * (largest - threshold);
         radiance *= threshold / largest;
       }
+      this->LargestRadiance = std::max(this->LargestRadiance, double(LargestChannel(radiance)));
     }
   }
 }

@@ -29,6 +29,12 @@ public:
   /// Returns the radiance from `direction` (unit) without the suns.
   glm::vec3 ClampedRadiance(glm::vec3 direction) const;
 
+  /// Returns the mean radiance over the sphere, with the suns, of the largest channel of each texel.
+  double GetMeanRadiance() const { return this->MeanRadiance; }
+
+  /// Returns the largest radiance of ClampedRadiance() in any channel.
+  double GetLargestRadiance() const { return this->LargestRadiance; }
+
   bool HasSuns() const { return !this->Suns.empty(); }
 
   /// Sample of the suns: a direction, distributed in proportion to their excess radiance.
@@ -63,6 +69,8 @@ private:
   };
   std::vector<SunTexel> Suns;
   double Total = 0.0;
+  double MeanRadiance = 0.0;
+  double LargestRadiance = 0.0;
 };
 
 }

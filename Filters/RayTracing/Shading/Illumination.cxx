@@ -22,6 +22,11 @@ constexpr float Pi = glm::pi<float>();
 /// Lower bound of the cosine between a ray and the normal: rounding may make it 0.
 constexpr float MinimumCosine = 1e-6f;
 
+double LargestChannel(glm::vec3 color)
+{
+  return std::max({ color.x, color.y, color.z });
+}
+
 /// Returns the weight of a sample of density `own` if the same direction could have been sampled
 /// with density `other`.
 float PowerHeuristic(float own, float other)
@@ -43,6 +48,7 @@ Illumination::Illumination(const RayScene& rays, const IlluminationSettings& set
 void Illumination::FindEmitters()
 {
   EmissiveSurfaces found = FindEmissiveSurfaces(this->Rays.GetScene());
+  this->FindSourceRadiance(found.MeanRadiance);
   const auto isSampled = [&](const Emitter& emitter) {
     return emitter.Strength > EmitterThreshold * found.MeanRadiance;
   };
@@ -61,6 +67,20 @@ void Illumination::FindEmitters()
   {
     this->Emitters = std::move(found.Emitters);
   }
+}
+
+void Illumination::FindSourceRadiance(double emitted)
+{
+  const EnvironmentMap* map = this->Settings.Map.get();
+  const double color = LargestChannel(this->Settings.Environment);
+  const double mean = std::max(emitted, map ? map->GetMeanRadiance() : color);
+  double largest = std::max(EmitterThreshold * emitted, map ? map->GetLargestRadiance() : color);
+  for (const Light& light : this->Rays.GetScene().Lights)
+  {
+    largest = std::max(largest, double(LargestChannel(light.DiffuseColor)));
+  }
+  const auto orOne = [](double value) { return value > 0.0 && std::isfinite(value) ? value : 1.0; };
+  this->Sources = { orOne(mean), orOne(largest) };
 }
 
 Ray Illumination::SpawnRay(glm::vec3 point, const SurfaceNormals& normals, glm::vec3 direction)

@@ -87,6 +87,19 @@ public:
   /// sphere or tube is among them.
   const std::vector<Emitter>& GetEmitters() const { return this->Emitters; }
 
+  /// Radiances of the light sources of a scene, of the largest channel; 1 if all are 0.
+  struct SourceRadiance
+  {
+    /// Mean, to which tolerances can be relative: the larger of the environment, averaged over the
+    /// sphere, and the emission, averaged over all surfaces (see EmissiveSurfaces::MeanRadiance).
+    double Mean = 1.0;
+
+    /// Largest that random rays meet: of the environment without its suns, of emitters that are not
+    /// sampled, and of surfaces under the lights. The noise of gathered light is proportional to it.
+    double Largest = 1.0;
+  };
+  const SourceRadiance& GetSourceRadiance() const { return this->Sources; }
+
   const RayScene& GetRays() const { return this->Rays; }
   const IlluminationSettings& GetSettings() const { return this->Settings; }
 
@@ -101,12 +114,14 @@ private:
   glm::vec3 EmitterContribution(
     glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const;
   void FindEmitters();
+  void FindSourceRadiance(double emitted);
 
   const RayScene& Rays;
   Shading SurfaceShading;
   IlluminationSettings Settings;
   std::vector<Emitter> Emitters;
   std::shared_ptr<const EmitterTree> SampledEmitters; ///< null if there are none
+  SourceRadiance Sources;
 };
 
 }
