@@ -8,6 +8,7 @@
 
 #include "ScreenSpaceRecords.h"
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
