@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ambient occlusion in a browser: the server renders with a pass and refines while nobody moves the view.
+"""Ambient occlusion in a browser: the server renders with a pass and refines while the view is still.
 
     pip install pyvista trame trame-vtk trame-vuetify vtk-penumbra
     python view_in_browser.py [MESH] [--port 8080] [--server]
