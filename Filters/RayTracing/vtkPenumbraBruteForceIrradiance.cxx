@@ -58,10 +58,11 @@ class Hemisphere
 {
 public:
   Hemisphere(const RayScene& rays, glm::vec3 point, const SurfaceNormals& normals,
-    const DistanceFalloff& falloff, bool translucent)
+    const DistanceFalloff& falloff, bool translucent, double tolerance)
     : Rays(rays),
       Falloff(falloff),
       Translucent(translucent),
+      Cut(penumbra::ComputeOcclusionCut(tolerance)),
       Normals(normals),
       Frame(penumbra::FrameFromNormal(normals.Shading)),
       Directions(penumbra::HashPoint(point, normals.Shading))
@@ -132,7 +133,7 @@ private:
     {
       const penumbra::Hit hit = penumbra::SkipLinesAndPoints(this->Rays, rays[i], hits[i]);
       occlusion[i] = this->Translucent ? penumbra::TraceTranslucentOcclusion(this->Rays, rays[i],
-                                           hit, this->Falloff, this->AdditionalRays)
+                                           hit, this->Falloff, this->Cut, this->AdditionalRays)
         : hit.IsHit()                  ? this->Falloff.Evaluate(hit.Distance)
                                        : 0.f;
     }
@@ -141,6 +142,7 @@ private:
   const RayScene& Rays;
   DistanceFalloff Falloff;
   bool Translucent;
+  float Cut; ///< transmittance at which rays end
   long long AdditionalRays = 0;
   SurfaceNormals Normals;
   glm::mat3 Frame;
@@ -152,12 +154,31 @@ private:
 
 Hemisphere MakeHemisphere(const RayScene& rays,
   const vtkPenumbraIrradianceProvider::Occluders& occluders, const double point[3],
-  const double normal[3], const double geometricNormal[3], bool translucent)
+  const double normal[3], const double geometricNormal[3], bool translucent, double tolerance)
 {
   const penumbra::Scene& scene = rays.GetScene();
   const glm::vec3 position((glm::dvec3(point[0], point[1], point[2]) - scene.Origin) * scene.Scale);
   return Hemisphere(rays, position, ToSurfaceNormals(normal, geometricNormal),
-    DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, scene.Scale), translucent);
+    DistanceFalloff::InScene(occluders.Radius, occluders.Falloff, scene.Scale), translucent,
+    tolerance);
+}
+
+/// Traces at most `maximum` rays. A ray that many layers continue costs as much as many rays, but its
+/// occlusion is a mean over these layers and varies less: fewer rays are traced first.
+Estimate TraceWithin(Hemisphere& hemisphere, double tolerance, std::uint32_t maximum)
+{
+  constexpr std::uint32_t First = 4;
+  Estimate estimate = hemisphere.TraceRays(First);
+  const double work = static_cast<double>(maximum) * First / static_cast<double>(estimate.Rays);
+  for (std::uint32_t count = 2 * First; count <= maximum; count *= 2)
+  {
+    if (count > work && estimate.Error <= tolerance)
+    {
+      break;
+    }
+    estimate = hemisphere.TraceRays(count);
+  }
+  return estimate;
 }
 
 }
@@ -182,8 +203,8 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusi
   const double point[3], const double normal[3], double tolerance,
   const double geometricNormal[3]) const
 {
-  Hemisphere hemisphere = MakeHemisphere(
-    *this->Rays, this->OccluderSettings, point, normal, geometricNormal, this->Translucent);
+  Hemisphere hemisphere = MakeHemisphere(*this->Rays, this->OccluderSettings, point, normal,
+    geometricNormal, this->Translucent, tolerance);
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
   if (tolerance > this->Tolerance)
   {
@@ -196,12 +217,13 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusi
     {
       count *= 2;
     }
-    return hemisphere.TraceRays(count);
+    return this->Translucent ? TraceWithin(hemisphere, tolerance, count)
+                             : hemisphere.TraceRays(count);
   }
   for (std::uint32_t count = ComputeFirstRound(this->MinimumRays, limit);; count *= 2)
   {
     const Estimate estimate = hemisphere.TraceRays(count);
-    if (estimate.Error <= tolerance || count > limit / 2)
+    if (estimate.Error <= tolerance || count > limit / 2 || estimate.Rays > limit)
     {
       return estimate;
     }
@@ -209,8 +231,10 @@ vtkPenumbraIrradianceProvider::Estimate vtkPenumbraBruteForceIrradiance::Occlusi
 }
 
 bool vtkPenumbraBruteForceIrradiance::BeginIrradiance(
-  const penumbra::Illumination& light, double, const Progress&)
+  const penumbra::Illumination& light, double tolerance, const Progress&)
 {
+  this->IrradianceTolerance = tolerance;
+  this->Translucent = penumbra::HasTranslucentOccluders(light.GetRays().GetScene());
   this->Lighting = std::make_unique<penumbra::Illumination>(light);
   return true;
 }
@@ -240,8 +264,14 @@ vtkPenumbraIrradianceProvider::Light vtkPenumbraBruteForceIrradiance::Irradiance
       bounces > 1 ? irradiance : penumbra::Illumination::IrradianceFunction(), result.Rays);
   };
   const auto limit = static_cast<std::uint32_t>(this->MaximumRays);
-  const auto gathered = penumbra::EstimateStratifiedMean(trace, seed,
-    ComputeFirstRound(penumbra::PathsPerRay * this->MinimumRays, limit), limit, tolerance / Pi);
+  // One of many translucent layers needs fewer paths.
+  const double fraction = this->Translucent && tolerance > this->IrradianceTolerance
+    ? std::pow(this->IrradianceTolerance / tolerance, 4.0 / 3.0)
+    : 1.0;
+  const auto first =
+    static_cast<std::uint32_t>(fraction * (penumbra::PathsPerRay * this->MinimumRays));
+  const auto gathered = penumbra::EstimateStratifiedMean(
+    trace, seed, ComputeFirstRound(first, limit), limit, tolerance / Pi);
   const auto sampled =
     lighting.EstimateSampledLight(position, normals, tolerance / Pi, result.Rays);
   result.Error = Pi * std::hypot(gathered.Error, sampled.Error);

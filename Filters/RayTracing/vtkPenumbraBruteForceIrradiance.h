@@ -63,7 +63,8 @@ private:
 
   const penumbra::RayScene* Rays = nullptr;
   Occluders OccluderSettings = 0.0;
-  double Tolerance = 0.01;
+  double Tolerance = 0.01;           ///< of occlusion, passed to Begin()
+  double IrradianceTolerance = 0.01; ///< passed to BeginIrradiance()
   bool Translucent = false; ///< the scene has translucent occluders
   int MaximumRays = 16384;
   int MinimumRays = 32;

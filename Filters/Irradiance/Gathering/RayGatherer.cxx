@@ -5,6 +5,7 @@
 #include "Embree/RayScene.h"
 #include "IrradianceConstants.h"
 #include "Shading/HemisphereSampling.h"
+#include "Shading/RayTracingConstants.h"
 #include "Shading/TranslucentOcclusion.h"
 
 #include <glm/gtc/constants.hpp>
@@ -83,7 +84,7 @@ long long OcclusionGatherer::ShadeHits(glm::vec3 /*point*/, const SurfaceNormals
       if (falloff > 0.f)
       {
         samples[i].Radiance = glm::vec3(TraceTranslucentOcclusion(this->GetRays(), rays[i], hits[i],
-                                          this->Falloff, additionalRays) /
+                                          this->Falloff, MinimumTransmittance, additionalRays) /
           falloff);
       }
     }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraRayTracer.h"
 
+#include "LayerLighting.h"
 #include "Shading/HemisphereSampling.h"
+#include "Shading/RayTracingConstants.h"
 #include "vtkPenumbraIrradianceProvider.h"
 
 #include <glm/gtc/constants.hpp>
@@ -15,15 +17,13 @@ namespace penumbra
 
 namespace
 {
-// Maximum number of layers composited along one ray. Bounds the cost of stacked translucent
-// surfaces.
-constexpr int MaximumLayers = 256;
-// Accumulated alpha above which layers behind are ignored. They would change the color by 1/4096 at
-// most, which is below half a step of 8-bit colors.
-constexpr float OpaqueAlpha = 1.f - 1.f / 4096.f;
-// Default strength of occlusion on surfaces colored by scalars. Below 1, so that the colors still
-// represent the data.
-constexpr float StrengthOnScalars = 0.6f;
+// Accumulated alpha above which layers behind are ignored.
+constexpr float OpaqueAlpha = 1.f - OpaqueTransmittance;
+
+// Number of shadow rays of one camera ray after which lights with a size get one ray per layer.
+constexpr long long LightSampleBudget = LightSampleBudgetFactor * MaximumLightSamples;
+// Largest variance of the fraction of a light that one ray estimates.
+constexpr float UnsampledPenumbraVariance = 0.25f;
 
 /// Returns the index of the sample of a light for the ray at image point p. The 4 x 4 pixel corners
 /// of a block have the indices of one stratified set, which differs from that of other blocks.
@@ -40,24 +40,6 @@ std::uint32_t FindLightSample(glm::dvec2 p)
   return block << 4 | (y % 4 * 4 + x % 4);
 }
 
-glm::dvec3 WorldPoint(const Scene& scene, const Ray& ray, const Hit& hit)
-{
-  return scene.ToWorld(
-    glm::dvec3(ray.Origin) + static_cast<double>(hit.Distance) * glm::dvec3(ray.Direction));
-}
-
-}
-
-RayCounts& RayCounts::operator+=(const RayCounts& other)
-{
-  this->Primary += other.Primary;
-  this->Refinement += other.Refinement;
-  this->Auxiliary += other.Auxiliary;
-  this->Shadow += other.Shadow;
-  this->Shaft += other.Shaft;
-  this->Occlusion += other.Occlusion;
-  this->Indirect += other.Indirect;
-  return *this;
 }
 
 CameraRayTracer::CameraRayTracer(const RayScene& rays, const Shading& shading, const Camera& camera)
@@ -90,46 +72,24 @@ glm::vec4 CameraRayTracer::GetBackground(glm::dvec2 p) const
 void CameraRayTracer::SetOcclusion(
   const vtkPenumbraIrradianceProvider* provider, double strength, double tolerance)
 {
-  this->OcclusionTolerance = tolerance;
-  this->OcclusionProvider = provider;
-  this->OcclusionStrength = static_cast<float>(strength);
+  this->Lighting.OcclusionTolerance = tolerance;
+  this->Lighting.OcclusionProvider = provider;
+  this->Lighting.OcclusionStrength = static_cast<float>(strength);
 }
 
 void CameraRayTracer::SetIndirectLight(
   const vtkPenumbraIrradianceProvider* provider, float albedo, double tolerance)
 {
-  this->IrradianceProvider = provider;
-  this->Albedo = albedo;
-  this->IrradianceTolerance = tolerance;
+  this->Lighting.IrradianceProvider = provider;
+  this->Lighting.Albedo = albedo;
+  this->Lighting.IrradianceTolerance = tolerance;
 }
 
-float CameraRayTracer::ComputeOcclusion(const Ray& ray, const Hit& hit, const ShadedHit& shaded,
-  RayCounts& counts, double toleranceScale) const
+float CameraRayTracer::ComputeOcclusion(
+  const Ray& ray, const Hit& hit, const ShadedHit& shaded, RayCounts& counts) const
 {
-  const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
-  const glm::dvec3 geometric = glm::normalize(glm::dvec3(shaded.GeometricNormal));
-  const glm::dvec3 normal = this->Rays.GetSmoothNormal(hit, geometric);
-  const vtkPenumbraIrradianceProvider::Estimate estimate = this->OcclusionProvider->OcclusionWithin(
-    &point.x, &normal.x, toleranceScale * this->OcclusionTolerance, &geometric.x);
-  counts.Occlusion += estimate.Rays;
-  return static_cast<float>(estimate.Value);
-}
-
-glm::vec3 CameraRayTracer::ComputeIndirectLight(const Ray& ray, const Hit& hit,
-  const ShadedHit& shaded, RayCounts& counts, double toleranceScale) const
-{
-  const glm::vec3 reflectance = this->Albedo * shaded.Reflectance;
-  if (reflectance == glm::vec3(0.f))
-  {
-    return reflectance;
-  }
-  const glm::dvec3 point = WorldPoint(this->GetScene(), ray, hit);
-  const glm::dvec3 geometric = glm::normalize(glm::dvec3(shaded.GeometricNormal));
-  const glm::dvec3 normal = this->Rays.GetSmoothNormal(hit, geometric);
-  const vtkPenumbraIrradianceProvider::Light light = this->IrradianceProvider->Irradiance(
-    &point.x, &normal.x, toleranceScale * this->IrradianceTolerance, &geometric.x);
-  counts.Indirect += light.Rays;
-  return reflectance * glm::vec3(light.Value[0], light.Value[1], light.Value[2]) / glm::pi<float>();
+  LayerLighting lighting(this->Lighting, this->Rays, 1.0);
+  return lighting.EstimateOcclusion(ray, hit, shaded, counts, 1.0);
 }
 
 // The alpha of the medium is that of its most transparent channel; `tint` is the transmittance of the
@@ -166,6 +126,8 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   Ray continuation = ray;
   double distance = -this->ViewCamera.Advance;
   LayerOrder order;
+  LayerLighting lighting(this->Lighting, this->Rays, toleranceScale);
+  const long long shadowRays = counts.Shadow;
   for (int layer = 0; hit.IsHit() && layer < MaximumLayers; ++layer)
   {
     if (!this->Kinds.empty() && !order.IsDrawn(this->Kinds[hit.Surface], hit))
@@ -181,31 +143,27 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
       this->AddMedium(ray, distance, hit.Distance, sample, tint, counts);
       distance = hit.Distance;
     }
+    const float remaining = 1.f - color.a;
     PenumbraSampling lights;
     if (hasPenumbrae)
     {
-      lights.Estimated = penumbrae;
+      // The squared errors of all layers add up to the tolerance, because their weights add up to 1.
+      const double scale = toleranceScale / std::sqrt(remaining);
+      const bool overBudget = counts.Shadow - shadowRays > LightSampleBudget;
+      lights.Estimated = overBudget ? 0u : penumbrae;
       lights.Index = FindLightSample(p);
-      lights.Tolerance = static_cast<float>(toleranceScale * this->PenumbraTolerance);
+      lights.Tolerance = static_cast<float>(scale * this->PenumbraTolerance);
       lights.Neighbors = neighbors && layer == 0 ? neighbors->data() : nullptr;
+      lights.SquaredError = overBudget && penumbrae != 0 ? UnsampledPenumbraVariance : 0.f;
     }
     const ShadedHit shaded =
       this->SurfaceShading.Shade(ray, hit, counts.Shadow, hasPenumbrae ? &lights : nullptr);
     glm::vec4 c = shaded.Color;
-    if (this->OcclusionProvider && !surface.IsLineOrPoint)
+    if (this->UsesIrradianceProvider() && !surface.IsLineOrPoint)
     {
-      const float strength = this->OcclusionStrength >= 0.f ? this->OcclusionStrength
-        : surface.ScalarColoring                            ? StrengthOnScalars
-                                                            : 1.f;
-      const float unoccluded =
-        1.f - strength * this->ComputeOcclusion(ray, hit, shaded, counts, toleranceScale);
-      c = glm::vec4(unoccluded * glm::vec3(c), c.a);
+      lighting.Apply(ray, hit, shaded, remaining * c.a, tint, c, sample.Color, counts);
     }
-    if (this->IrradianceProvider && !surface.IsLineOrPoint)
-    {
-      c += glm::vec4(this->ComputeIndirectLight(ray, hit, shaded, counts, toleranceScale), 0.f);
-    }
-    const float weight = (1.f - color.a) * c.a;
+    const float weight = remaining * c.a;
     color += glm::vec4(tint * glm::vec3(weight * c.r, weight * c.g, weight * c.b),
       surface.IsAdditive ? 0.f : weight);
     squaredNoise += weight * weight * lights.SquaredError;
@@ -223,6 +181,11 @@ void CameraRayTracer::CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& samp
   if (this->Shafts && !hit.IsHit())
   {
     this->AddMedium(ray, distance, std::numeric_limits<double>::infinity(), sample, tint, counts);
+  }
+  sample.Error += lighting.Finish(ray, sample.Color, counts);
+  if (hit.IsHit() && sample.OpaqueDepth == std::numeric_limits<float>::infinity())
+  {
+    sample.Error += 1.f - color.a; // of layers beyond the maximum
   }
   sample.Noise = std::sqrt(squaredNoise);
   if (color.a < 1.f)

@@ -5,6 +5,7 @@
 #ifndef penumbra_CameraRayTracer_h
 #define penumbra_CameraRayTracer_h
 
+#include "LayerLighting.h"
 #include "LayerOrder.h"
 #include "Media/LightShafts.h"
 
@@ -12,25 +13,8 @@
 #include <limits>
 #include <vector>
 
-class vtkPenumbraIrradianceProvider;
-
 namespace penumbra
 {
-
-/// Number of rays by purpose.
-struct RayCounts
-{
-  long long Primary = 0;    ///< through pixel corners; with uniform sampling, all samples
-  long long Refinement = 0; ///< inside pixels
-  long long Auxiliary = 0;  ///< through pixel centers, for the geometry arrays
-  long long Shadow = 0;
-  long long Shaft = 0;     ///< shadow rays from points in the medium
-  long long Occlusion = 0; ///< traced by the irradiance provider for ambient occlusion
-  long long Indirect = 0;  ///< traced by the irradiance provider for irradiance
-
-  long long GetImageRays() const { return this->Primary + this->Refinement; }
-  RayCounts& operator+=(const RayCounts& other);
-};
 
 /// Color and first hit of one camera ray.
 struct Sample
@@ -39,7 +23,7 @@ struct Sample
   Hit FirstHit;
   float OpaqueDepth =
     std::numeric_limits<float>::infinity(); ///< distance of the first opaque surface
-  float Error = 0.f;                        ///< estimated error of the in-scattered light
+  float Error = 0.f;                        ///< estimated error of in-scattered light and layers
   float Noise = 0.f;                        ///< standard error of the color in penumbrae
   std::uint32_t LitBy = 0;                  ///< lights with a size that single rays reached
   std::uint32_t ShadowedFrom = 0;           ///< lights with a size that single rays did not reach
@@ -84,7 +68,7 @@ public:
   /// Returns true if every sample queries an irradiance provider, which makes samples expensive.
   bool UsesIrradianceProvider() const
   {
-    return this->OcclusionProvider || this->IrradianceProvider;
+    return this->Lighting.OcclusionProvider || this->Lighting.IrradianceProvider;
   }
 
   /// Sets the accepted standard error of a color in the penumbra of a light with a size.
@@ -96,11 +80,11 @@ public:
   bool HasShafts() const { return this->Shafts != nullptr; }
 
   /// Returns true if SetOcclusion() has set a provider.
-  bool HasOcclusion() const { return this->OcclusionProvider != nullptr; }
+  bool HasOcclusion() const { return this->Lighting.OcclusionProvider != nullptr; }
 
   /// Returns the ambient occlusion at a hit, in [0, 1]. SetOcclusion() must have set a provider.
-  float ComputeOcclusion(const Ray& ray, const Hit& hit, const ShadedHit& shaded, RayCounts& counts,
-    double toleranceScale = 1.0) const;
+  float ComputeOcclusion(
+    const Ray& ray, const Hit& hit, const ShadedHit& shaded, RayCounts& counts) const;
 
   Ray MakeRay(glm::dvec2 p) const;
 
@@ -122,8 +106,6 @@ public:
 private:
   void AddMedium(const Ray& ray, double from, double to, Sample& sample, glm::vec3& tint,
     RayCounts& counts) const;
-  glm::vec3 ComputeIndirectLight(const Ray& ray, const Hit& hit, const ShadedHit& shaded,
-    RayCounts& counts, double toleranceScale) const;
   void CompositeLayers(glm::dvec2 p, const Ray& ray, Sample& sample, RayCounts& counts,
     double toleranceScale, std::uint32_t penumbrae,
     std::vector<PenumbraNeighbors>* neighbors) const;
@@ -134,12 +116,7 @@ private:
   bool Translucent = false; ///< at least one surface is translucent
   /// Order in which VTK draws each surface; empty if the distance alone decides.
   std::vector<LayerOrder::Kinds> Kinds;
-  const vtkPenumbraIrradianceProvider* OcclusionProvider = nullptr;
-  float OcclusionStrength = 1.f;
-  double OcclusionTolerance = 0.0;
-  const vtkPenumbraIrradianceProvider* IrradianceProvider = nullptr;
-  float Albedo = 0.f;
-  double IrradianceTolerance = 0.0;
+  LayerLightingSettings Lighting;
   const LightShafts* Shafts = nullptr;
   double PenumbraTolerance = 0.0;
 };

@@ -96,6 +96,8 @@ glm::vec3 Illumination::IncidentRadiance(
 {
   glm::vec3 sum(0.f);
   float transmittance = 1.f;
+  std::uint32_t seed = HashPoint(ray.Origin, ray.Direction);
+  const float chosen = NextFloat(seed); // in [0, 1): where the ray ends for reflected light
   for (int layer = 0; layer < MaximumLayers; ++layer)
   {
     if (!hit.IsHit())
@@ -118,15 +120,18 @@ glm::vec3 Illumination::IncidentRadiance(
         radiance -= (1.f - PowerHeuristic(density, emitterDensity)) * shaded.Emission;
       }
       const glm::vec3 reflectance = this->Settings.Albedo * shaded.Reflectance;
-      if (irradiance && reflectance != glm::vec3(0.f))
+      const float opacity = std::min(shaded.Color.a, 1.f);
+      const float weight = transmittance * opacity;
+      // One layer is chosen by its weight: a path would branch at every layer otherwise.
+      if (irradiance && reflectance != glm::vec3(0.f) && chosen >= 1.f - transmittance &&
+        chosen < 1.f - transmittance + weight)
       {
         const glm::vec3 geometric = glm::normalize(shaded.GeometricNormal);
-        radiance += reflectance *
+        radiance += reflectance / weight *
           irradiance(ray.Origin + hit.Distance * ray.Direction,
             { this->Rays.GetSmoothNormal(hit, geometric), geometric });
       }
-      const float opacity = std::min(shaded.Color.a, 1.f);
-      sum += transmittance * opacity * radiance;
+      sum += weight * radiance;
       transmittance *= 1.f - opacity;
       if (transmittance < MinimumTransmittance)
       {

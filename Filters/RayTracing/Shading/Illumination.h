@@ -47,7 +47,8 @@ public:
 
   /// Returns the radiance that arrives along `ray` (unit direction), whose first hit is `hit`:
   /// emission, reflected direct light and, if `irradiance` is not empty, reflected indirect light.
-  /// Translucent surfaces are composited. `normal` (unit) is the axis of the cosine-distributed
+  /// Translucent surfaces are composited; the reflected indirect light of several layers is that of
+  /// one of them, chosen with the probability of its weight. `normal` (unit) is the axis of the cosine-distributed
   /// rays. The emission of sampled emitters is multiplied by the weight of these rays, see
   /// EstimateSampledLight(). Adds the number of rays traced to `rays`.
   glm::vec3 IncidentRadiance(Ray ray, Hit hit, glm::vec3 normal,

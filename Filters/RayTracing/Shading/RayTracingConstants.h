@@ -116,13 +116,31 @@ constexpr float EmitterDistanceTolerance = 1e-3f;
 /// light source.
 constexpr std::size_t MaximumEmitters = 8;
 
-// --- Translucent layers: bounds of the work of one ray ---
+// --- Translucent layers: bounds of the work of one ray (TestLayerCeilings) ---
 
-/// Maximum number of translucent layers along one ray.
-constexpr int MaximumLayers = 64;
-/// A ray ends when the transmittance of the layers in front falls below this, a quarter of a step
-/// of an image with 8 bits per channel.
+/// Maximum number of layers along one ray: camera rays, shadow rays and rays of a hemisphere.
+constexpr int MaximumLayers = 256;
+/// A shadow ray, or a camera ray, ends when the transmittance of the layers in front falls below this,
+/// less than half a step of an image with 8 bits per channel.
+constexpr float OpaqueTransmittance = 1.f / 4096.f;
+/// A ray of a hemisphere that gathers light ends when the transmittance of the layers in front falls
+/// below this, a quarter of a step of an image with 8 bits per channel.
 constexpr float MinimumTransmittance = 1.f / 1024.f;
+/// The same for rays that gather occlusion, as a fraction of the tolerance of the mean of all rays,
+/// and its largest value.
+constexpr double OcclusionCutFraction = 0.125;
+constexpr double MaximumOcclusionCut = 0.125;
+/// Weight, as a fraction of the tolerance, of the layers of a camera ray without an estimate of
+/// their own. They share those of the layers in front and behind.
+constexpr double SharedWeightFraction = 0.5;
+/// Number of estimates of a camera ray from which on this weight grows, its growth per estimate, and
+/// its maximum: a stack of any number of layers gets about 20 estimates.
+constexpr int FullEstimates = 8;
+constexpr double SharedWeightGrowth = 1.0 / 64.0;
+constexpr double MaximumSharedWeight = 1.0 / 12.0;
+/// Number of shadow rays of a camera ray after which lights with a size get one ray per layer, as a
+/// multiple of MaximumLightSamples.
+constexpr long long LightSampleBudgetFactor = 4;
 
 // --- Single scattering (`./penumbra benchmark light-shafts`) ---
 

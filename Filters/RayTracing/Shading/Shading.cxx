@@ -411,7 +411,7 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
   }
   const float offset = RayOriginOffset(ray.Origin);
   float transmittance = 1.f;
-  for (int i = 0; i < MaximumLayers && transmittance > 0.f; ++i)
+  for (int i = 0; i < MaximumLayers && transmittance > OpaqueTransmittance; ++i)
   {
     ++shadowRays;
     const Hit hit = this->Rays.Intersect(ray);
@@ -422,7 +422,7 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
     transmittance *= this->SurfaceTransmittance(hit, ray);
     ray.Near = hit.NextNear + offset;
   }
-  return transmittance;
+  return transmittance > OpaqueTransmittance ? transmittance : 0.f;
 }
 
 float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const

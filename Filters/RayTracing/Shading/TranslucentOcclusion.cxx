@@ -9,19 +9,19 @@
 
 namespace penumbra
 {
-namespace
-{
-
-}
-
 bool HasTranslucentOccluders(const Scene& scene)
 {
   return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(),
     [](const Surface& surface) { return !surface.IsLineOrPoint && surface.IsTranslucent(); });
 }
 
-float TraceTranslucentOcclusion(
-  const RayScene& rays, Ray ray, Hit hit, const DistanceFalloff& falloff, long long& count)
+float ComputeOcclusionCut(double tolerance)
+{
+  return static_cast<float>(std::min(OcclusionCutFraction * tolerance, MaximumOcclusionCut));
+}
+
+float TraceTranslucentOcclusion(const RayScene& rays, Ray ray, Hit hit,
+  const DistanceFalloff& falloff, float cut, long long& count)
 {
   float occlusion = 0.f;
   float transmittance = 1.f;
@@ -30,7 +30,7 @@ float TraceTranslucentOcclusion(
     const float opacity = Shading::ComputeOpacity(rays, hit, ray);
     occlusion += transmittance * opacity * falloff.Evaluate(hit.Distance);
     transmittance *= 1.f - opacity;
-    if (transmittance < MinimumTransmittance)
+    if (transmittance < cut)
     {
       break;
     }

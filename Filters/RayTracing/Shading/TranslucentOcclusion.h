@@ -17,10 +17,14 @@ namespace penumbra
 /// occludes completely.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT bool HasTranslucentOccluders(const Scene& scene);
 
+/// Returns the transmittance below which a ray ends, if the mean of many is estimated to `tolerance`.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT float ComputeOcclusionCut(double tolerance);
+
 /// Returns the occlusion along `ray`, in [0, 1], whose first hit, without lines and points, is
-/// `hit`. `falloff` is in scene units. Adds the number of further rays traced to `count`.
-VTKPENUMBRAFILTERSRAYTRACING_EXPORT float TraceTranslucentOcclusion(
-  const RayScene& rays, Ray ray, Hit hit, const DistanceFalloff& falloff, long long& count);
+/// `hit`. `falloff` is in scene units. Layers behind a transmittance of less than `cut` are ignored.
+/// Adds the number of further rays traced to `count`.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT float TraceTranslucentOcclusion(const RayScene& rays, Ray ray,
+  Hit hit, const DistanceFalloff& falloff, float cut, long long& count);
 
 }
 #endif
