@@ -317,6 +317,10 @@ void AddImagesAndAnnotations(SceneList& add)
       text->SetPosition(-0.4, 0.1, 0.6);
       StyleText(text->GetTextProperty());
       r->AddViewProp(text);
+      vtkNew<vtkLight> light; // lights the text as well
+      light->SetColor(1.0, 0.8, 0.2);
+      light->SetPosition(2.0, 1.0, 5.0);
+      r->AddLight(light);
     },
     0.01);
   add(

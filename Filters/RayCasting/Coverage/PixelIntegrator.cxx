@@ -75,6 +75,7 @@ void PixelIntegrator::LoadCorners(int x, int y)
   this->VisibleTriangles.clear();
   this->PairsTested = 0;
   this->HasIntersections = false;
+  this->IsTubeIntersected = false;
 }
 
 bool PixelIntegrator::CornersAgree() const
@@ -268,12 +269,50 @@ bool PixelIntegrator::IsNearShadowBoundary() const
   });
 }
 
+// A sphere or tube whose outline is hidden may emerge from the surface in front of it.
+void PixelIntegrator::AddHiddenShape(const ProjectedEdge& edge, double depth, double limit)
+{
+  if (!edge.IsRound())
+  {
+    return;
+  }
+  const RoundShape shape =
+    this->Tracer.GetScene().Surfaces[edge.RoundSurface].GetRoundShape(edge.RoundPrimitive);
+  if (depth - 2.0 * std::max(shape.RadiusA, shape.RadiusB) <= limit)
+  {
+    this->AddPrimitive({ edge.RoundSurface, edge.RoundPrimitive });
+  }
+}
+
+void PixelIntegrator::AddTriangle(const Sample& sample)
+{
+  if (sample.FirstHit.IsHit())
+  {
+    this->AddPrimitive({ sample.FirstHit.Surface, sample.FirstHit.Primitive });
+  }
+}
+
+void PixelIntegrator::AddPrimitive(PrimitiveId id)
+{
+  if (this->VisibleTriangles.size() < MaximumTriangles &&
+    std::find(this->VisibleTriangles.begin(), this->VisibleTriangles.end(), id) ==
+      this->VisibleTriangles.end())
+  {
+    this->VisibleTriangles.push_back(id);
+  }
+}
+
 PixelResult PixelIntegrator::IntegrateInterior()
 {
   this->RetraceCornersOnEdges();
   const bool agree = this->CornersAgree() || this->RetraceIsolatedMiss();
+  const bool hasHiddenShapes = !this->VisibleTriangles.empty();
+  if (hasHiddenShapes)
+  {
+    this->FindNearbyIntersections();
+  }
   PixelResult result;
-  if (agree)
+  if (agree && (!hasHiddenShapes || (this->Segments.empty() && !this->IsTubeIntersected)))
   {
     const float error = this->EstimateCurvatureError();
     const bool empty = !this->Corners[0].FirstHit.IsHit() && !this->Tracer.HasShafts();
@@ -288,8 +327,11 @@ PixelResult PixelIntegrator::IntegrateInterior()
       return result;
     }
   }
-  this->FindNearbyIntersections();
-  if (!this->Segments.empty())
+  if (!hasHiddenShapes)
+  {
+    this->FindNearbyIntersections();
+  }
+  if (!this->Segments.empty() || this->IsTubeIntersected)
   {
     return this->IntegrateExact(nullptr, 0);
   }

@@ -135,12 +135,15 @@ private:
   PixelResult IntegrateUniform(int side);
   bool HitsDenseSurface() const;
   bool IsTextureDiscontinuous() const;
+  bool IsTextureDiscontinuousInPlane() const;
   PixelResult IntegrateDense(bool unknown);
   PixelResult IntegrateSampled();
   SampledPixel& AddSampledPixel();
   bool BuildFaces();
   void ComputeFaceColors(SampledPixel& pixel);
   void AddTriangle(const Sample& sample);
+  void AddPrimitive(PrimitiveId id);
+  void AddHiddenShape(const ProjectedEdge& edge, double depth, double limit);
   void FindNearbyIntersections();
   bool AreDisconnected(const Hit& a, const Hit& b) const;
   void ProbeLargeTrapezoids();
@@ -197,6 +200,7 @@ private:
   bool SearchAllPixels = false;
   std::vector<PrimitiveId> VisibleTriangles; ///< triangles hit by samples
   bool HasIntersections = false;             ///< some of them intersect, or may
+  bool IsTubeIntersected = false;            ///< a visible tube may intersect another surface here
   std::size_t PairsTested = 0;               ///< number of triangles whose pairs were intersected
   PixelArrangement Arrangement;
   std::vector<glm::vec4> Colors;     ///< colors of uniform samples

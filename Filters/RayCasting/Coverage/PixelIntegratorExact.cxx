@@ -100,6 +100,7 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
       if (depth > limit)
       {
         this->NearestCulledDepth = std::min(this->NearestCulledDepth, depth);
+        this->AddHiddenShape(edge, depth, limit);
         continue;
       }
     }
@@ -114,17 +115,6 @@ void PixelIntegrator::LoadSegments(const std::uint32_t* edgeIndices, std::size_t
     {
       this->Segments.push_back(segment);
     }
-  }
-}
-
-void PixelIntegrator::AddTriangle(const Sample& sample)
-{
-  const PrimitiveId id{ sample.FirstHit.Surface, sample.FirstHit.Primitive };
-  if (sample.FirstHit.IsHit() && this->VisibleTriangles.size() < MaximumTriangles &&
-    std::find(this->VisibleTriangles.begin(), this->VisibleTriangles.end(), id) ==
-      this->VisibleTriangles.end())
-  {
-    this->VisibleTriangles.push_back(id);
   }
 }
 
@@ -146,6 +136,7 @@ bool PixelIntegrator::AddIntersectionSegments()
       if (scene.Surfaces[a.Surface].IsRound() || scene.Surfaces[b.Surface].IsRound())
       {
         IntersectSphere(scene, a, b, origin, this->Segments);
+        this->IsTubeIntersected = this->IsTubeIntersected || MayIntersectTube(scene, a, b, origin);
       }
       else if (IntersectTriangles(scene, a, b, origin, segment))
       {
@@ -434,8 +425,10 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
     static_cast<std::size_t>(sampleBudget) * TrapezoidsPerRay };
   for (;;)
   {
-    if (!this->Arrangement.Build(
-          this->Segments.data(), static_cast<int>(this->Segments.size()), limits))
+    // Intersections of tubes are not computed.
+    if (this->IsTubeIntersected ||
+      !this->Arrangement.Build(
+        this->Segments.data(), static_cast<int>(this->Segments.size()), limits))
     {
       --pixelCount;
       return this->IntegrateSampled();
@@ -481,7 +474,7 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
       this->AddIntersectionSegments();
       continue;
     }
-    if (this->AddIntersectionSegments())
+    if (this->AddIntersectionSegments() || this->IsTubeIntersected)
     {
       continue;
     }

@@ -45,6 +45,24 @@ glm::dvec2 ComputeTexel(const Surface& surface, const Texture& texture,
   return p * glm::dvec2(texture.Width, texture.Height);
 }
 
+/// Sets the coordinates of a hit in its triangle to those at which a ray meets the plane of the
+/// triangle, which may lie outside. Returns false if it does not.
+bool IntersectPlane(const Surface& surface, const Ray& ray, Hit& hit)
+{
+  const glm::uvec3 corners = surface.Triangles[hit.Primitive];
+  const glm::dvec3 a(surface.Positions[corners.x]);
+  const glm::dvec3 u = glm::dvec3(surface.Positions[corners.y]) - a;
+  const glm::dvec3 v = glm::dvec3(surface.Positions[corners.z]) - a;
+  const glm::dvec3 direction(ray.Direction);
+  const glm::dvec3 p = glm::cross(direction, v);
+  const double determinant = glm::dot(u, p);
+  const glm::dvec3 offset = glm::dvec3(ray.Origin) - a;
+  const glm::dvec3 q = glm::cross(offset, u);
+  hit.U = static_cast<float>(glm::dot(offset, p) / determinant);
+  hit.V = static_cast<float>(glm::dot(direction, q) / determinant);
+  return std::isfinite(hit.U) && std::isfinite(hit.V);
+}
+
 /// Returns true if the colors of a surface change between two hits only at an outline: those of a
 /// sphere are constant, and only consecutive tubes may be joined.
 bool ChangesAtOutlineOnly(const Surface& surface, const Hit& a, const Hit& b)
@@ -110,6 +128,32 @@ bool PixelIntegrator::IsTextureDiscontinuous() const
     if (a.Surface == b.Surface && a.IsHit() && IsInDifferentTexels(surfaces[a.Surface], a, b))
     {
       return true;
+    }
+  }
+  return !this->Segments.empty() && !this->CornersAgree() && this->IsTextureDiscontinuousInPlane();
+}
+
+// The same at an outline, where a single corner may be on the surface: compares it with the points at
+// which the other corners see the plane of its triangle.
+bool PixelIntegrator::IsTextureDiscontinuousInPlane() const
+{
+  const std::vector<Surface>& surfaces = this->Tracer.GetScene().Surfaces;
+  for (int i = 0; i < 4; ++i)
+  {
+    const Hit& hit = this->Corners[i].FirstHit;
+    if (!hit.IsHit() || surfaces[hit.Surface].IsRound())
+    {
+      continue;
+    }
+    for (int j = 0; j < 4; ++j)
+    {
+      Hit other = hit;
+      const glm::dvec2 at = glm::dvec2(this->X, this->Y) + GetCornerOffset(j);
+      if (j != i && IntersectPlane(surfaces[hit.Surface], this->Tracer.MakeRay(at), other) &&
+        IsInDifferentTexels(surfaces[hit.Surface], hit, other))
+      {
+        return true;
+      }
     }
   }
   return false;

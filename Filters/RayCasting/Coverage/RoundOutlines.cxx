@@ -450,8 +450,15 @@ void RoundOutlines::Project(
     const std::size_t k =
       std::upper_bound(this->FirstShape.begin(), this->FirstShape.end(), this->Shapes[i]) -
       this->FirstShape.begin() - 1;
-    ProjectOutline(this->OutlinedScene.Surfaces[this->Surfaces[k]],
-      this->Shapes[i] - this->FirstShape[k], this->OutlinedScene.ViewCamera, low, high, edges);
+    const std::uint32_t primitive = this->Shapes[i] - this->FirstShape[k];
+    std::size_t first = edges.size();
+    ProjectOutline(this->OutlinedScene.Surfaces[this->Surfaces[k]], primitive,
+      this->OutlinedScene.ViewCamera, low, high, edges);
+    for (; first < edges.size(); ++first)
+    {
+      edges[first].RoundSurface = this->Surfaces[k];
+      edges[first].RoundPrimitive = primitive;
+    }
   }
 }
 

@@ -24,6 +24,12 @@ struct ProjectedEdge
   /// depth in parallel projection.
   double DepthA;
   double DepthB;
+  /// Surface and primitive whose outline it is, if that is a sphere or a tube.
+  std::uint32_t RoundSurface = NoSurface;
+  std::uint32_t RoundPrimitive = 0;
+
+  static constexpr std::uint32_t NoSurface = 0xffffffffu;
+  bool IsRound() const { return this->RoundSurface != NoSurface; }
 };
 
 /// Edges binned into the cells of a regular grid, in one array.

@@ -17,6 +17,66 @@ namespace penumbra
 namespace
 {
 
+/// A point of the axis of a tube, the radius there, and its distance from a line.
+struct AxisPoint
+{
+  glm::dvec3 Position;
+  double Radius;
+  double Distance;
+};
+
+/// Returns the point of the axis that is nearest to a line.
+AxisPoint FindNearestOnAxis(const RoundShape& tube, glm::dvec3 origin, glm::dvec3 direction)
+{
+  const glm::dvec3 a(tube.A);
+  const glm::dvec3 axis = glm::dvec3(tube.B) - a;
+  // Components perpendicular to the line.
+  const auto reject = [&](const glm::dvec3& v) {
+    return v - glm::dot(v, direction) / glm::dot(direction, direction) * direction;
+  };
+  const glm::dvec3 across = reject(axis);
+  const double square = glm::dot(across, across);
+  const double u =
+    square > 0.0 ? glm::clamp(-glm::dot(reject(a - origin), across) / square, 0.0, 1.0) : 0.0;
+  return { a + u * axis, glm::mix<double>(tube.RadiusA, tube.RadiusB, u),
+    glm::length(reject(a + u * axis - origin)) };
+}
+
+/// The axis of a tube next to a pixel, and the size of the pixel there.
+struct PixelTube
+{
+  AxisPoint Nearest;
+  double Footprint;
+
+  PixelTube(const RoundShape& tube, const Camera& camera, glm::dvec2 origin)
+    : Nearest(
+        FindNearestOnAxis(tube, camera.RayOrigin(origin + 0.5), camera.RayDirection(origin + 0.5))),
+      Footprint(camera.PixelSize *
+        (camera.Parallel ? 1.0 : std::max(camera.Depth(this->Nearest.Position), 0.0)))
+  {
+  }
+};
+
+/// Returns true if the tubes of one surface belong to one polyline and are so close along it that
+/// their overlap is the joint.
+bool AreJoined(const Surface& surface, std::uint32_t a, std::uint32_t b)
+{
+  const std::uint32_t last = std::max(a, b);
+  double length = 0.0;
+  double limit = 0.0;
+  for (std::uint32_t i = std::min(a, b); i < last && length <= limit; ++i)
+  {
+    if (surface.Segments[i].y != surface.Segments[i + 1].x)
+    {
+      return false;
+    }
+    const RoundShape shape = surface.GetRoundShape(i);
+    limit = std::max(limit, 4.0 * std::max(shape.RadiusA, shape.RadiusB));
+    length += i == std::min(a, b) ? 0.0 : glm::distance(shape.A, shape.B);
+  }
+  return length <= limit;
+}
+
 double Cross(glm::dvec2 a, glm::dvec2 b)
 {
   return a.x * b.y - a.y * b.x;
@@ -250,6 +310,57 @@ void IntersectSphere(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec
       segments.push_back(segment);
     }
   }
+}
+
+bool IsTubeInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin)
+{
+  const RoundShape tube = scene.Surfaces[id.Surface].GetRoundShape(id.Primitive);
+  const PixelTube inPixel(tube, scene.ViewCamera, origin);
+  return inPixel.Nearest.Distance <= inPixel.Nearest.Radius + inPixel.Footprint;
+}
+
+bool MayIntersectTube(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin)
+{
+  const auto isTube = [&](PrimitiveId id) {
+    const Surface& surface = scene.Surfaces[id.Surface];
+    return surface.IsRound() && !surface.Segments.empty();
+  };
+  if (!isTube(a))
+  {
+    std::swap(a, b);
+  }
+  if (!isTube(a) || !IsTubeInPixel(scene, a, origin))
+  {
+    return false;
+  }
+  const RoundShape tube = scene.Surfaces[a.Surface].GetRoundShape(a.Primitive);
+  const PixelTube inPixel(tube, scene.ViewCamera, origin);
+  const AxisPoint& point = inPixel.Nearest;
+  const double footprint = inPixel.Footprint;
+  const Surface& other = scene.Surfaces[b.Surface];
+  if (other.IsRound())
+  {
+    if (a.Surface == b.Surface && AreJoined(other, a.Primitive, b.Primitive))
+    {
+      return false;
+    }
+    const RoundShape shape = other.GetRoundShape(b.Primitive);
+    const bool joined =
+      shape.A == tube.A || shape.A == tube.B || shape.B == tube.A || shape.B == tube.B;
+    const double reach = point.Radius + std::max(shape.RadiusA, shape.RadiusB) + footprint;
+    const glm::dvec3 d(shape.B - shape.A);
+    const double square = glm::dot(d, d);
+    const glm::dvec3 offset = point.Position - glm::dvec3(shape.A);
+    const double u = square > 0.0 ? glm::clamp(glm::dot(offset, d) / square, 0.0, 1.0) : 0.0;
+    return !joined && glm::length(offset - u * d) < reach;
+  }
+  const glm::uvec3 corners = other.Triangles[b.Primitive];
+  const glm::dvec3 p(other.Positions[corners.x]);
+  const glm::dvec3 normal = glm::cross(
+    glm::dvec3(other.Positions[corners.y]) - p, glm::dvec3(other.Positions[corners.z]) - p);
+  const double length = glm::length(normal);
+  return length > 0.0 &&
+    std::abs(glm::dot(point.Position - p, normal)) < length * (point.Radius + footprint);
 }
 
 }

@@ -49,5 +49,12 @@ bool IntersectTriangles(
 void IntersectSphere(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin,
   std::vector<PixelSegment>& segments);
 
+/// Returns true if a tube may be visible in the pixel with the lower left corner `origin`.
+bool IsTubeInPixel(const Scene& scene, PrimitiveId id, glm::dvec2 origin);
+
+/// Returns true if one of `a` and `b` is a tube whose surface may intersect the other in the pixel with
+/// the lower left corner `origin`. False for tubes with a common end and for those of a joint.
+bool MayIntersectTube(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec2 origin);
+
 }
 #endif

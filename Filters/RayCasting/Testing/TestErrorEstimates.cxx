@@ -13,10 +13,13 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
+#include "vtkTexture.h"
 
 #include <gtest/gtest.h>
 
@@ -134,4 +137,53 @@ TEST(ErrorWarnings, AgreeWithTheEstimatedError)
   }
   EXPECT_GT(cases[0], 0);
   EXPECT_GT(cases[1], 0);
+}
+
+TEST(TextureOutlines, HaveReliableErrorEstimates)
+{
+  constexpr int Texels = 12;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(Texels, Texels, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < Texels * Texels; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      image->SetScalarComponentFromDouble(
+        i % Texels, i / Texels, 0, c, (i % Texels + i / Texels) % 2 ? 250.0 : 30.0);
+    }
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOff();
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.3, 0.8, 0.3);
+  for (int i = 0; i < 12; ++i)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(plane->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetTexture(texture);
+    actor->GetProperty()->LightingOff();
+    actor->RotateZ(10.0 + 7.0 * i);
+    actor->RotateX(5.0 * i);
+    actor->SetPosition(1.4 * (i % 4), 1.4 * (i / 4), 0.0);
+    renderer->AddActor(actor);
+  }
+  renderer->ResetCamera();
+  constexpr int Side = 160;
+  double tolerance = 0.0;
+  const Answer answer = Cast(renderer, Side, Side, [&](vtkPenumbraRayCaster* caster) {
+    caster->SetTolerance(1.0 / 512.0);
+    tolerance = caster->GetTolerance();
+  });
+  const StratifiedReference reference = DrawStratified(renderer, Side, Side, 16, false);
+  double worst = 0.0;
+  for (const TileAccuracy& tile : CompareTiles(answer, reference, Side))
+  {
+    worst = std::max(worst, tile.Error > tile.Estimate ? tile.Error : 0.0);
+  }
+  EXPECT_LE(worst, 1.5 * tolerance);
 }

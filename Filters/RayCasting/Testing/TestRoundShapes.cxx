@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace penumbra_testing;
@@ -228,5 +229,52 @@ TEST(RoundShapes, GivesTheSameBitsForAnyTiling)
       const vtkIdType id = image->ComputePointId(at);
       ASSERT_EQ(colors->GetComponent(id, 0) * colors->GetComponent(id, 3), whole[y * Side + x]);
     }
+  }
+}
+
+TEST(RoundShapes, AreSampledWhereTubesIntersectASurface)
+{
+  // Tubes, about one pixel wide, that emerge gradually from a plane of another color.
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<vtkIdType>> lines;
+  for (int i = 0; i < 24; ++i)
+  {
+    const double y = -1.5 + 0.13 * i;
+    const auto first = static_cast<vtkIdType>(points.size());
+    points.emplace_back(-1.8, y, -6.015);
+    points.emplace_back(1.8, y + 0.3, -5.995);
+    lines.push_back({ first, first + 1 });
+  }
+  RoundScene scene(MakeCells(points, lines));
+  vtkActor* plane = scene.Add(MakeFloor(), false);
+  plane->SetPosition(0.0, 0.0, -6.0);
+  plane->GetProperty()->SetColor(0.1, 0.1, 0.1);
+  scene.Caster->SetLineRadius(0.015);
+  constexpr int Size = 128;
+  constexpr int Tile = 16;
+  scene.Caster->SetResolution(Size, Size);
+  const std::vector<double> image = scene.RenderRed();
+  std::vector<double> estimates;
+  vtkDataArray* errors = scene.Caster->GetOutput()->GetPointData()->GetArray("EstimatedError");
+  for (vtkIdType i = 0; i < errors->GetNumberOfTuples(); ++i)
+  {
+    estimates.push_back(errors->GetTuple1(i));
+  }
+  scene.Caster->SetCoverageMethod(vtkPenumbraRayCaster::UNIFORM);
+  scene.Caster->SetUniformSamples(16);
+  const std::vector<double> reference = scene.RenderRed();
+  for (int tile = 0; tile < Size / Tile * (Size / Tile); ++tile)
+  {
+    double squares = 0.0;
+    double estimated = 0.0;
+    for (int i = 0; i < Tile * Tile; ++i)
+    {
+      const int x = tile % (Size / Tile) * Tile + i % Tile;
+      const int y = tile / (Size / Tile) * Tile + i / Tile;
+      const double difference = image[y * Size + x] - reference[y * Size + x];
+      squares += difference * difference / (Tile * Tile);
+      estimated += estimates[y * Size + x] * estimates[y * Size + x] / (Tile * Tile);
+    }
+    EXPECT_LE(std::sqrt(squares), std::max(1.5 / 256.0, std::sqrt(estimated))) << tile;
   }
 }

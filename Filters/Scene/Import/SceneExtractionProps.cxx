@@ -421,7 +421,7 @@ std::vector<DrawItem> MakeBillboards(
     const glm::dvec2 size(item.LitTexture->Width, item.LitTexture->Height);
     item.Data = MakeRectangle(UnprojectRectangle(scene, low, low + size, depth),
       { glm::dvec2(0.0, 0.0), { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } });
-    item.Property = MakeUnlitProperty();
+    item.Property = vtkSmartPointer<vtkProperty>::New(); // lit: VTK's rectangle is an actor
     items.push_back(std::move(item));
   }
   return items;
