@@ -234,6 +234,12 @@ void AddMaterials(SceneList& add)
   add(Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, true, false); });
   add(Feature::Textures,
     [](Renderer r, Window) { AddTexture(Add(r, MakePlane()), MakeImage(32, 32)); });
+  add(Feature::Textures, [](Renderer r, Window) { // ignored by physically based materials
+    vtkActor* actor = Add(r, MakePlane());
+    AddTexture(actor, MakeImage(32, 32));
+    actor->GetProperty()->SetInterpolationToPBR();
+    actor->GetProperty()->SetColor(0.3, 0.7, 0.2);
+  });
   for (int wrap :
     { vtkTexture::MirroredRepeat, vtkTexture::ClampToBorder, vtkTexture::ClampToEdge })
   {

@@ -211,8 +211,11 @@ private:
     prototype.ToWorld = ToMatrix(matrix ? matrix : actor->GetMatrix());
     prototype.Property = actor->GetProperty();
     prototype.BackProperty = actor->GetBackfaceProperty();
-    prototype.LitTexture = MakeTexture(actor->GetTexture(), prototype.Name, this->Warnings);
-    if (actor->GetProperty()->GetInterpolation() == VTK_PBR)
+    if (actor->GetProperty()->GetInterpolation() != VTK_PBR)
+    {
+      prototype.LitTexture = MakeTexture(actor->GetTexture(), prototype.Name, this->Warnings);
+    }
+    else // VTK uses the textures of the material only
     {
       prototype.BaseColorTexture =
         MakeTexture(actor->GetProperty()->GetTexture("albedoTex"), prototype.Name, this->Warnings);
