@@ -232,6 +232,17 @@ void AddMaterials(SceneList& add)
     Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, false, true); },
     0.004);
   add(Feature::PhysicallyBased, [](Renderer r, Window) { AddPhysicallyBased(r, true, false); });
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  add(Feature::PhysicallyBased, [](Renderer r, Window) { // VTK 9.2 draws linear colors
+    vtkProperty* property = Add(r, MakePlane())->GetProperty();
+    property->SetInterpolationToPBR();
+    property->SetColor(0.6, 0.3, 0.1);
+    property->LightingOff();
+    property->VertexVisibilityOn();
+    property->SetVertexColor(0.2, 0.5, 0.8);
+    property->SetPointSize(12.f);
+  });
+#endif
   add(Feature::Textures,
     [](Renderer r, Window) { AddTexture(Add(r, MakePlane()), MakeImage(32, 32)); });
   add(Feature::Textures, [](Renderer r, Window) { // ignored by physically based materials

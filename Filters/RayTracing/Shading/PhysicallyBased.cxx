@@ -203,8 +203,12 @@ glm::vec3 PhysicallyBased::Reflect(glm::vec3 towardLight, bool diffuseOnly) cons
 
 glm::vec3 PhysicallyBased::ToDisplayColor(glm::vec3 radiance) const
 {
-  const glm::vec3 color = this->Occlusion * radiance + this->Emission;
-  return glm::pow(glm::max(color, glm::vec3(0.f)), glm::vec3(1.f / 2.2f));
+  return EncodeColor(this->Occlusion * radiance + this->Emission);
+}
+
+glm::vec3 PhysicallyBased::EncodeColor(glm::vec3 linear)
+{
+  return glm::pow(glm::max(linear, glm::vec3(0.f)), glm::vec3(1.f / 2.2f));
 }
 
 }

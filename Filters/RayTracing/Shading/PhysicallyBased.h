@@ -29,6 +29,9 @@ public:
   /// Returns the display color of the radiance that all lights reflect.
   glm::vec3 ToDisplayColor(glm::vec3 radiance) const;
 
+  /// Returns the color that VTK 9.7 displays for a linear one.
+  static glm::vec3 EncodeColor(glm::vec3 linear);
+
   /// Returns the normal after the normal texture was applied.
   glm::vec3 GetNormal() const { return this->Normal; }
   float GetMetallic() const { return this->Metallic; }

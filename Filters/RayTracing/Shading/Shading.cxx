@@ -217,6 +217,10 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
   if (!material.Lit)
   {
     rgb = diffuseOnly ? shaded.Emission : phong.Ambient + phong.Diffuse;
+    if (phong.PbrMaterial && !diffuseOnly)
+    {
+      rgb = PhysicallyBased::EncodeColor(rgb);
+    }
   }
   else if (terms == Terms::Emission)
   {

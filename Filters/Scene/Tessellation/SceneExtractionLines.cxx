@@ -57,6 +57,11 @@ Material MakeUnlitMaterial(const double color[3], double opacity)
   return material;
 }
 
+bool IsPhysicallyBased(vtkProperty* property)
+{
+  return property->GetInterpolation() == VTK_PBR;
+}
+
 /// Returns the lit material of edges and vertices that are drawn as tubes and spheres.
 Material MakeRoundMaterial(vtkProperty* property, const Material& unlit)
 {
@@ -426,8 +431,9 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
   }
   if (edges)
   {
-    const Material material = MakeUnlitMaterial(
+    Material material = MakeUnlitMaterial(
       property->GetEdgeColor(), property->GetOpacity() * FindEdgeOpacity(property, 0));
+    material.PhysicallyBased = IsPhysicallyBased(property) && !property->GetLighting();
     const Material round = MakeRoundMaterial(property, material);
     expander.Add(CollectEdges(item),
       { FindEdgeWidth(property, 0), false, roundEdges ? &round : &material, roundEdges });
@@ -437,7 +443,8 @@ void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene
     // VTK draws vertices over edges, however wide these are.
     constexpr double VertexOffset = 1.5;
     const double edgeWidth = edges ? FindEdgeWidth(property, 0) : lineWidth;
-    const Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
+    Material material = MakeUnlitMaterial(property->GetVertexColor(), property->GetOpacity());
+    material.PhysicallyBased = IsPhysicallyBased(property);
     const Material round = MakeRoundMaterial(property, material);
     expander.Add(CollectPoints(item, true),
       { pointSize, false, roundVertices ? &round : &material, roundVertices, 0.0,
