@@ -191,7 +191,6 @@ void SetBackground(Random& random, RandomScene& scene)
     texture->SetInterpolate(random.Chance(0.5));
     scene.Renderer->SetBackgroundTexture(texture);
     scene.Renderer->TexturedBackgroundOn();
-    scene.ComparesTiles = false; // the image is sampled at the centers of pixels, as by VTK
     scene.ComparesTiles = false; // sampled at the centers of pixels, as VTK does
     scene.Description += "textured background; ";
   }
