@@ -30,6 +30,9 @@ void MeasureBakedSkies(LightBenchmark& benchmark);
 /// A panel of 2 and of 2,000 triangles, and an emitter of 1e-4 of a wall, in a room.
 void MeasureEmitters(LightBenchmark& benchmark);
 
+/// Images of a room of 512 x 512 pixels: largest errors of tiles.
+void MeasureBox(LightBenchmark& benchmark);
+
 /// Penumbrae behind a half-plane and a disk against closed forms.
 void MeasurePenumbrae(LightBenchmark& benchmark);
 

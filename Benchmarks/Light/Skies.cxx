@@ -127,6 +127,7 @@ void MeasureScene(ResultTable& table, const std::string& name, const Scene& scen
   const std::vector<ImagePoint> queried = FindImagePoints(rays, ReferenceStep);
   std::vector<MeasuredSky> skies = MakeSkies();
   skies.push_back(MakeColoredSky());
+  skies.push_back(MakeSunSky());
   std::vector<glm::dvec3> white;
   CacheCost whiteCost;
   for (const MeasuredSky& sky : skies)

@@ -315,6 +315,8 @@ bool vtkPenumbraIrradianceCache::BeginIrradiance(
     Internals::MakeSettings(this, tolerance / vtkMath::Pi(), light.GetSourceRadiance().Largest);
   settings.Refine = true;
   settings.KeepAllValid = true;
+  settings.CoverageWeight = MinimumLightWeight;
+  settings.ClampReached = true;
   self.Light =
     std::make_unique<Interreflection>(light, settings, Internals::NormalAngle(this, settings));
   if (settings.Side == 0)

@@ -58,6 +58,12 @@ constexpr float SamplesPerEmitter = 0.5f * SamplesPerSide * (SamplesPerSide + 1)
 /// transitions smooth; more overlap costs records and gains less than the tolerance (measured).
 constexpr float MinimumWeight = 0.05f;
 
+/// The same for the irradiance of images, which changes faster toward edges than occlusion does.
+/// Records of less weight would show as blotches where they disagree (measured,
+/// `./penumbra benchmark light --only box` and `--only skies`: with 0.05, single tiles are off by 2
+/// tolerances and fewer tiles meet it).
+constexpr float MinimumLightWeight = 0.2f;
+
 /// Factor on the radius at which the error of a single record, half its Hessian norm times the
 /// squared distance, equals the tolerance. Larger than 1 because weights decrease toward the radius
 /// and errors of neighboring records cancel (measured).

@@ -27,7 +27,8 @@ int LevelStride(int level);
 
 /// Finds the first surface hit through pixel position `at`, ignoring lines and points. Returns
 /// false for the background.
-bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site);
+VTKPENUMBRAFILTERSIRRADIANCE_EXPORT bool FindCandidate(
+  const RayScene& rays, glm::dvec2 at, RecordCandidate& site);
 
 /// Returns the visible points of the pixels that `level` adds to the previous levels.
 VTKPENUMBRAFILTERSIRRADIANCE_EXPORT std::vector<RecordCandidate> CandidatesInImage(

@@ -106,11 +106,40 @@ void RecordOctree::Insert(const Record& record)
     Reference{ record.Position, record.Radius * record.Radius, index });
 }
 
-void RecordOctree::InsertClamped(Record record, float minimumPixels)
+void RecordOctree::FindWithin(glm::vec3 center, float radius, std::size_t node,
+  glm::vec3 cubeCenter, float half, std::vector<std::uint32_t>& found) const
+{
+  if (this->Nodes[node].FirstChild >= 0)
+  {
+    const auto children = static_cast<std::size_t>(this->Nodes[node].FirstChild);
+    for (int octant = 0; octant < 8; ++octant)
+    {
+      if (OverlapsOctant(center, radius, octant, cubeCenter))
+      {
+        this->FindWithin(center, radius, children + octant,
+          ComputeChildCenter(octant, cubeCenter, half), .5f * half, found);
+      }
+    }
+    return;
+  }
+  for (const Reference& reference : this->Nodes[node].References)
+  {
+    const glm::vec3 d = reference.Position - center;
+    if (glm::dot(d, d) < radius * radius)
+    {
+      found.push_back(reference.Index);
+    }
+  }
+}
+
+void RecordOctree::InsertClamped(Record record, float minimumPixels, bool clampReached)
 {
   std::vector<Record*> neighbors;
+  const auto isNeighbor = [&record](const Record& other) {
+    return other.IsValid && glm::dot(other.Normal, record.Normal) > .5f;
+  };
   this->ForEachAround(record.Position, [&](const Record& other) {
-    if (other.IsValid && glm::dot(other.Normal, record.Normal) > .5f)
+    if (isNeighbor(other))
     {
       neighbors.push_back(&this->Records[&other - this->Records.data()]);
     }
@@ -123,6 +152,18 @@ void RecordOctree::InsertClamped(Record record, float minimumPixels)
   for (const Record* other : neighbors)
   {
     clamp(record, *other);
+  }
+  if (clampReached)
+  {
+    std::vector<std::uint32_t> reached; // may contain a record several times
+    this->FindWithin(record.Position, record.Radius, 0, this->Center, this->Half, reached);
+    for (const std::uint32_t index : reached)
+    {
+      if (isNeighbor(this->Records[index]))
+      {
+        clamp(record, this->Records[index]);
+      }
+    }
   }
   for (Record* other : neighbors)
   {

@@ -36,9 +36,10 @@ public:
   void Insert(const Record& record);
 
   /// Inserts a record with neighbor clamping [Krivanek et al.]: among the records whose spheres
-  /// contain it, no radius exceeds another by more than the distance of the two. Radii are not
-  /// reduced below `minimumPixels` times MaximumPlaneDistance, the size of a pixel at the record.
-  void InsertClamped(Record record, float minimumPixels);
+  /// contain it, no radius exceeds another by more than the distance of the two. If `clampReached`
+  /// is true, the records within its own sphere limit its radius, too. Radii are not reduced below
+  /// `minimumPixels` times MaximumPlaneDistance, the size of a pixel at the record.
+  void InsertClamped(Record record, float minimumPixels, bool clampReached = false);
 
   /// Interpolates between the valid records around `point`.
   InterpolationResult LookUp(const ShadingPoint& point) const;
@@ -71,6 +72,11 @@ private:
   void InsertInto(std::size_t node, glm::vec3 center, float half, const Reference& reference);
   void Split(std::size_t node, glm::vec3 center, float half);
   const Node& LeafAt(glm::vec3 position) const;
+
+  /// Appends the records whose positions are within `radius` of `center` and in the node of the cube
+  /// around `cubeCenter`.
+  void FindWithin(glm::vec3 center, float radius, std::size_t node, glm::vec3 cubeCenter,
+    float half, std::vector<std::uint32_t>& found) const;
 
   /// Calls `work` with each record whose sphere contains `position`.
   template <typename Work>

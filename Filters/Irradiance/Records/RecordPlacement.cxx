@@ -430,9 +430,10 @@ double RecordPlacement::ComputeRadius(const HemisphereEstimate& estimate) const
   }
 }
 
-bool RecordPlacement::IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint)
+bool RecordPlacement::IsCovered(
+  const RecordOctree& tree, const ShadingPoint& shadingPoint, float minimumWeight)
 {
-  return tree.MaximumWeightAt(shadingPoint) > MinimumWeight;
+  return tree.MaximumWeightAt(shadingPoint) > minimumWeight;
 }
 
 bool RecordPlacement::AddLevel(
@@ -446,7 +447,7 @@ bool RecordPlacement::AddLevel(
   };
   std::vector<Outcome> outcomes(sites.size());
   if (!ParallelForBatches(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
-        if (!IsCovered(this->Tree, sites[i]))
+        if (!IsCovered(this->Tree, sites[i], this->Settings.CoverageWeight))
         {
           outcomes[i].Made = this->Gather(sites[i], outcomes[i].Rays);
         }
@@ -464,7 +465,8 @@ bool RecordPlacement::AddLevel(
     if (outcomes[i].Made)
     {
       const Record& made = *outcomes[i].Made;
-      this->Tree.InsertClamped(made, static_cast<float>(this->Settings.MinimumRadiusPixels));
+      this->Tree.InsertClamped(
+        made, static_cast<float>(this->Settings.MinimumRadiusPixels), this->Settings.ClampReached);
       this->InvalidRecords += made.IsValid ? 0 : 1;
     }
   }

@@ -9,6 +9,7 @@
 
 #include "Execution/ParallelFor.h"
 #include "Gathering/Gatherer.h"
+#include "Gathering/IrradianceConstants.h"
 #include "RecordOctree.h"
 
 #include <limits>
@@ -36,6 +37,8 @@ struct RecordPlacementSettings
   int Side = 0;                      ///< cells along the hemisphere grid; 0: from Tolerance
   bool Refine = false; ///< supersample cells that differ from their neighbors (small bright lights)
   bool KeepAllValid = false; ///< keep records valid that would need less than the minimum radius
+  float CoverageWeight = MinimumWeight; ///< see IsCovered()
+  bool ClampReached = false;            ///< see RecordOctree::InsertClamped()
 };
 
 /// Point at which a record may be placed.
@@ -56,9 +59,10 @@ public:
   /// requested a stop.
   bool AddLevel(const std::vector<RecordCandidate>& sites, const ProgressCallback& progress = {});
 
-  /// Returns true if the records at `shadingPoint` have enough weight, so that no further record is
-  /// needed.
-  static bool IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint);
+  /// Returns true if a record at `shadingPoint` has more than the given weight, so that no further
+  /// record is needed.
+  static bool IsCovered(const RecordOctree& tree, const ShadingPoint& shadingPoint,
+    float minimumWeight = MinimumWeight);
 
   /// Returns a record at `site`, or nothing if that lies in a concave edge, where two surfaces
   /// meet. Adds the number of rays traced to `rays`.

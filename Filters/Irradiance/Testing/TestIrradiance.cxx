@@ -266,6 +266,45 @@ TEST(Irradiance, MatchesPathTracingWithATinyEmitter)
   EXPECT_LE(room.RelativeError(brute, FindVisiblePoints(rays, 7), 1500), .06);
 }
 
+// Next to the walls, the light on the ceiling and on the front of the block decreases by half within a few
+// pixels.
+TEST(Irradiance, HasNoBlotchesInCornersOfARoom)
+{
+  constexpr int ImageSize = 512;
+  constexpr int TileSize = 16;
+  constexpr double ImageTolerance = 1.0 / 256.0;
+  const PathTracer reference{ CornellLikeBox(), .5, 5, glm::dvec3(0.0) };
+  Scene scene;
+  AddSurfaces(scene, reference.Panels);
+  LookAt(scene, { .51, -1.3, .47 }, { .5, 0.0, .5 }, 41.0, ImageSize, ImageSize);
+  const RayScene rays(scene, 0);
+  IlluminationSettings settings;
+  settings.Albedo = static_cast<float>(reference.Albedo);
+  settings.Bounces = reference.Bounces;
+  const double tolerance = 2.0 * Pi * ImageTolerance / reference.Albedo; // as the ray caster asks
+  vtkNew<vtkPenumbraIrradianceCache> cache;
+  cache->BeginIrradiance(Illumination(rays, settings), tolerance);
+  for (const glm::ivec2 tile : { glm::ivec2(432, 432), glm::ivec2(432, 448), glm::ivec2(448, 448),
+         glm::ivec2(64, 448), glm::ivec2(288, 32), glm::ivec2(336, 32) })
+  {
+    glm::dvec3 sum(0.0);
+    double count = 0.0;
+    for (int k = 0; k < TileSize * TileSize; k += 7)
+    {
+      RecordCandidate site;
+      const glm::dvec2 pixel = glm::dvec2(tile) + glm::dvec2(k % TileSize, k / TileSize) + .5;
+      ASSERT_TRUE(FindCandidate(rays, pixel, site));
+      constexpr int Paths = 300;
+      const glm::dvec3 exact = reference.Irradiance(glm::dvec3(site.Position) + scene.Origin,
+        site.Normal, Paths, static_cast<std::uint64_t>(k));
+      sum += QueryIrradiance(cache, scene, site, tolerance) - exact;
+      count += 1.0;
+    }
+    const glm::dvec3 error = glm::abs(reference.Albedo / Pi / count * sum) / ImageTolerance;
+    EXPECT_LE(std::max({ error.x, error.y, error.z }), 1.5) << tile.x << ", " << tile.y;
+  }
+}
+
 TEST(Irradiance, IsIndependentOfThreadCount)
 {
   const Room room(Size);

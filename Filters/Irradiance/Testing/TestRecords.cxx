@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace penumbra_testing;
 
 TEST(vtkPenumbraIrradianceCache, RecordsRoundTripThroughPolyData)
@@ -171,6 +173,39 @@ TEST(RecordOctree, ClampsRadiiOfRecordsThatContainNewRecord)
     tree.InsertClamped(invalid, MinimumPixels);
     // The narrow record clamps the wide one only if the wide one contains it on insertion.
     EXPECT_EQ(tree.FindAt(wide)->Radius, wideFirst ? 3.f : 10.f);
+    EXPECT_EQ(tree.FindAt(narrow)->Radius, 1.f);
+  }
+}
+
+TEST(RecordOctree, ClampsNewRecordByRecordsWithinItsRadius)
+{
+  Record wide;
+  wide.Radius = 10.f;
+  wide.MaximumPlaneDistance = .05f;
+  wide.Gathered.Clearance.fill(100.f);
+  for (const float distance : { 4.f, 7.f, 12.f })
+  {
+    RecordOctree tree;
+    tree.Initialize(glm::vec3(0.f), 20.f);
+    // Others subdivide the octree.
+    for (int i = 0; i < 100; ++i)
+    {
+      Record other = wide;
+      other.Position = { -15.f, .1f * static_cast<float>(i), 0.f };
+      other.Radius = .3f;
+      tree.InsertClamped(other, 0.f, true);
+    }
+    Record narrow = wide;
+    narrow.Position.y = distance;
+    narrow.Radius = 1.f;
+    tree.InsertClamped(narrow, 0.f, true);
+    Record wall = narrow; // on another surface
+    wall.Position.y = .5f;
+    wall.Normal = { 1.f, 0.f, 0.f };
+    wall.Radius = .1f;
+    tree.InsertClamped(wall, 0.f, true);
+    tree.InsertClamped(wide, 0.f, true);
+    EXPECT_EQ(tree.FindAt(wide)->Radius, std::min(distance + 1.f, 10.f));
     EXPECT_EQ(tree.FindAt(narrow)->Radius, 1.f);
   }
 }

@@ -213,7 +213,7 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
   {
     const StratifiedMean emitters = EstimateStratifiedMean(
       [&](glm::vec2 at) { return this->EmitterContribution(point, normals, at, rays); },
-      MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance);
+      MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance, FirstEmitterErrorFraction);
     result.Mean += glm::vec3(emitters.Mean);
     result.Error = std::hypot(result.Error, static_cast<float>(emitters.Error));
   }

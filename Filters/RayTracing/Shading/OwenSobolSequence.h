@@ -122,10 +122,10 @@ struct StratifiedMean
 
 /// Estimates the mean of `contribution` at points of the unit square. The number of points, a power
 /// of two, is doubled from `first` to at most `maximum` until the error of every channel is at most
-/// `tolerance`.
+/// `tolerance`, or this times `firstErrorFraction` after the first round.
 template <typename Contribution>
 StratifiedMean EstimateStratifiedMean(const Contribution& contribution, std::uint32_t seed,
-  std::uint32_t first, std::uint32_t maximum, double tolerance)
+  std::uint32_t first, std::uint32_t maximum, double tolerance, double firstErrorFraction = 1.0)
 {
   StratifiedMean result;
   const OwenSobolSequence samples(seed);
@@ -149,7 +149,8 @@ StratifiedMean EstimateStratifiedMean(const Contribution& contribution, std::uin
       largest = std::max(largest, OwenSobolSequence::SumPairDifferences(values));
     }
     result.Error = std::sqrt(largest) / count;
-    if (result.Error <= tolerance || count > maximum / 2)
+    const double accepted = (count == first ? firstErrorFraction : 1.0) * tolerance;
+    if (result.Error <= accepted || count > maximum / 2)
     {
       result.Mean = sum / static_cast<double>(count);
       return result;
