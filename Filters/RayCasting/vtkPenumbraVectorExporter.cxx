@@ -6,6 +6,7 @@
 
 #include "Conventions/Statistics.h"
 #include "Image/LayerCompositing.h"
+#include "InstanceCopies.h"
 #include "Shading/Shading.h"
 #include "Vector/EdgeVisibility.h"
 #include "Vector/PdfEncoder.h"
@@ -55,6 +56,7 @@ void TakeAnnotations(penumbra::Scene& scene, penumbra::Scene& all, penumbra::Vec
     penumbra::ExtendRows(figure.Shapes);
     scene.OverlayImage = penumbra::Overlay();
   }
+  penumbra::CopyInstances(scene); // each visible triangle becomes a polygon of its own
   const auto first = std::stable_partition(scene.Surfaces.begin(), scene.Surfaces.end(),
     [](const penumbra::Surface& surface) { return !penumbra::HasStrokes(surface); });
   if (first != scene.Surfaces.end())

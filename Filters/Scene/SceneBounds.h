@@ -3,15 +3,20 @@
 #ifndef penumbra_SceneBounds_h
 #define penumbra_SceneBounds_h
 
+#include "AxisAlignedBox.h"
 #include "vtkPenumbraFiltersSceneModule.h"
 
 namespace penumbra
 {
 
 struct Scene;
+struct Surface;
 
 /// Returns the diagonal of the bounds of all surfaces, in world units; 1 for an empty scene.
 VTKPENUMBRAFILTERSSCENE_EXPORT double ComputeSceneDiagonal(const Scene& scene);
+
+/// Returns the bounds, in scene coordinates, of a surface with Instances.
+VTKPENUMBRAFILTERSSCENE_EXPORT AxisAlignedBox ComputeInstanceBounds(const Surface& surface);
 
 }
 #endif

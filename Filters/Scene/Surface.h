@@ -5,9 +5,12 @@
 #ifndef penumbra_Surface_h
 #define penumbra_Surface_h
 
+#include "SurfaceInstances.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -94,6 +97,12 @@ struct Surface
   std::vector<glm::vec3> Positions;
   std::vector<glm::uvec3> Triangles; ///< indices into Positions, each in range
 
+  /// If set, the surface consists of instances of its triangles, whose positions, normals and
+  /// tangents are in coordinates of their own. "Triangle" then means triangle i % n of instance
+  /// i / n in the names of other members, n being the size of Triangles, which is not 0.
+  /// CellIds, CellColors and PointColors are empty. There are less than 2^32 - 1 triangles.
+  std::shared_ptr<const SurfaceInstances> Instances;
+
   /// Radius of each position, or one radius for all of them. If not empty, the surface consists of
   /// spheres or tubes, Triangles is empty, and "triangle" means sphere or tube in the names of
   /// other members.
@@ -161,9 +170,26 @@ struct Surface
   /// Returns true if the surface consists of spheres or tubes.
   bool IsRound() const { return !this->Radii.empty(); }
   std::size_t GetNumberOfPrimitives() const;
-  /// Returns the positions of a triangle. Those of a sphere or tube are its ends; the second and
-  /// third are equal.
+  /// Returns the indices of the positions of a triangle and of their attributes. Those of a sphere
+  /// or tube are its ends; the second and third are equal.
   glm::uvec3 GetCorners(std::uint32_t primitive) const;
+  /// Returns the positions of a triangle in scene coordinates.
+  std::array<glm::vec3, 3> GetPoints(std::uint32_t primitive) const;
+  /// Returns the normals or tangents of the corners of a triangle, not normalized. `stored` is
+  /// Normals or Tangents.
+  std::array<glm::vec3, 3> GetNormals(
+    std::uint32_t primitive, const std::vector<glm::vec3>& stored) const;
+  /// Returns the element of TriangleNormals of a triangle, in scene coordinates.
+  glm::vec3 GetTriangleNormal(std::uint32_t primitive) const;
+  /// Returns the index of a triangle in Triangles and TriangleNormals.
+  std::size_t GetStoredTriangle(std::uint32_t primitive) const;
+  /// Returns the index of the instance of a triangle; 0 without Instances.
+  std::size_t GetInstance(std::uint32_t primitive) const;
+  /// Returns the cell of the input of a triangle.
+  std::uint32_t GetCellId(std::uint32_t primitive) const;
+  /// Returns true if each triangle has a color.
+  bool HasTriangleColors() const { return this->Instances || !this->CellColors.empty(); }
+  glm::u8vec4 GetTriangleColor(std::uint32_t primitive) const;
   /// Returns the radius around a position; 0 if the surface consists of triangles.
   float GetRadius(std::size_t position) const;
   RoundShape GetRoundShape(std::uint32_t primitive) const;
@@ -175,20 +201,85 @@ struct Surface
 
 inline std::size_t Surface::GetNumberOfPrimitives() const
 {
-  return !this->IsRound()    ? this->Triangles.size()
+  return this->Instances     ? this->Triangles.size() * this->Instances->GetCount()
+    : !this->IsRound()       ? this->Triangles.size()
     : this->Segments.empty() ? this->Positions.size()
                              : this->Segments.size();
+}
+
+inline std::size_t Surface::GetStoredTriangle(std::uint32_t primitive) const
+{
+  return this->Instances ? primitive % static_cast<std::uint32_t>(this->Triangles.size())
+                         : primitive;
+}
+
+inline std::size_t Surface::GetInstance(std::uint32_t primitive) const
+{
+  return this->Instances ? primitive / static_cast<std::uint32_t>(this->Triangles.size()) : 0;
+}
+
+inline std::uint32_t Surface::GetCellId(std::uint32_t primitive) const
+{
+  return this->Instances    ? this->Instances->Ids[this->GetInstance(primitive)]
+    : this->CellIds.empty() ? primitive
+                            : this->CellIds[primitive];
+}
+
+inline glm::u8vec4 Surface::GetTriangleColor(std::uint32_t primitive) const
+{
+  return this->Instances ? this->Instances->Colors[this->GetInstance(primitive)]
+                         : this->CellColors[primitive];
 }
 
 inline glm::uvec3 Surface::GetCorners(std::uint32_t primitive) const
 {
   if (!this->IsRound())
   {
-    return this->Triangles[primitive];
+    return this->Triangles[this->GetStoredTriangle(primitive)];
   }
   return this->Segments.empty()
     ? glm::uvec3(primitive)
     : glm::uvec3(this->Segments[primitive], this->Segments[primitive].y);
+}
+
+inline std::array<glm::vec3, 3> Surface::GetPoints(std::uint32_t primitive) const
+{
+  const glm::uvec3 corners = this->GetCorners(primitive);
+  std::array<glm::vec3, 3> points = { this->Positions[corners.x], this->Positions[corners.y],
+    this->Positions[corners.z] };
+  if (this->Instances)
+  {
+    const std::size_t instance = this->GetInstance(primitive);
+    for (glm::vec3& point : points)
+    {
+      point = this->Instances->TransformPoint(instance, point);
+    }
+  }
+  return points;
+}
+
+inline std::array<glm::vec3, 3> Surface::GetNormals(
+  std::uint32_t primitive, const std::vector<glm::vec3>& stored) const
+{
+  const glm::uvec3 corners = this->GetCorners(primitive);
+  std::array<glm::vec3, 3> normals = { stored[corners.x], stored[corners.y], stored[corners.z] };
+  if (this->Instances)
+  {
+    const glm::dmat3 matrix = this->Instances->GetNormalMatrix(this->GetInstance(primitive));
+    for (glm::vec3& normal : normals)
+    {
+      normal = glm::vec3(matrix * glm::dvec3(normal));
+    }
+  }
+  return normals;
+}
+
+inline glm::vec3 Surface::GetTriangleNormal(std::uint32_t primitive) const
+{
+  const glm::vec3 normal = this->TriangleNormals[this->GetStoredTriangle(primitive)];
+  return this->Instances
+    ? glm::vec3(this->Instances->GetNormalMatrix(this->GetInstance(primitive)) * glm::dvec3(normal))
+    : normal;
 }
 
 inline float Surface::GetRadius(std::size_t position) const
@@ -207,10 +298,7 @@ inline RoundShape Surface::GetRoundShape(std::uint32_t primitive) const
 // normal is computed in double precision and normalized.
 inline glm::vec3 Surface::ComputeNormal(std::uint32_t triangle) const
 {
-  const glm::uvec3 corners = this->Triangles[triangle];
-  const glm::vec3 a = this->Positions[corners.x];
-  const glm::vec3 b = this->Positions[corners.y];
-  const glm::vec3 c = this->Positions[corners.z];
+  const auto [a, b, c] = this->GetPoints(triangle);
   const glm::vec3 normal = glm::cross(b - a, c - a);
   if (glm::dot(normal, normal) >= std::numeric_limits<float>::min())
   {
@@ -229,6 +317,7 @@ inline bool Surface::IsTranslucent() const
   };
   return this->Front.Opacity < 1.f || (this->HasBackMaterial && this->Back.Opacity < 1.f) ||
     translucent(this->PointColors) || translucent(this->CellColors) ||
+    (this->Instances && translucent(this->Instances->Colors)) ||
     (this->ColorTexture && translucent(this->ColorTexture->Texels)) ||
     (this->LitTexture && translucent(this->LitTexture->Texels)) ||
     (this->BaseColorTexture && translucent(this->BaseColorTexture->Texels));

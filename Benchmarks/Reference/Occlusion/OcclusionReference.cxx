@@ -17,10 +17,9 @@ namespace
 glm::vec3 NormalTowardCamera(const Scene& scene, const Hit& hit, glm::vec3 direction)
 {
   const Surface& surface = scene.Surfaces[hit.Surface];
-  const glm::uvec3 triangle = surface.Triangles[hit.Primitive];
-  const glm::vec3 a = surface.Positions[triangle.x];
-  const glm::vec3 normal = glm::normalize(
-    glm::cross(surface.Positions[triangle.y] - a, surface.Positions[triangle.z] - a));
+  const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
+  const glm::vec3 a = points[0];
+  const glm::vec3 normal = glm::normalize(glm::cross(points[1] - a, points[2] - a));
   return glm::dot(normal, direction) > 0.f ? -normal : normal;
 }
 

@@ -48,12 +48,11 @@ bool FindCandidate(const RayScene& rays, glm::dvec2 at, RecordCandidate& site)
     return false;
   }
   const Surface& surface = scene.Surfaces[hit.Surface];
-  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
-  const glm::dvec3 a(surface.Positions[corners.x]);
+  const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
+  const glm::dvec3 a(points[0]);
   const glm::dvec3 normal = surface.IsRound()
     ? glm::dvec3(rays.GetNormal(ray, hit))
-    : glm::cross(
-        glm::dvec3(surface.Positions[corners.y]) - a, glm::dvec3(surface.Positions[corners.z]) - a);
+    : glm::cross(glm::dvec3(points[1]) - a, glm::dvec3(points[2]) - a);
   const double length = glm::length(normal);
   if (!(length > 0.0))
   {

@@ -5,6 +5,7 @@
 #include "AxisAlignedBox.h"
 #include "Gathering/IrradianceConstants.h"
 #include "Scene.h"
+#include "SceneBounds.h"
 
 #include <algorithm>
 
@@ -70,6 +71,11 @@ void RecordOctree::InitializeFromScene(const Scene& scene)
   AxisAlignedBox box;
   for (const Surface& surface : scene.Surfaces)
   {
+    if (surface.Instances)
+    {
+      box.Add(ComputeInstanceBounds(surface));
+      continue;
+    }
     for (std::size_t i = 0; i < surface.Positions.size(); ++i)
     {
       box.Add(surface.Positions[i] - surface.GetRadius(i));

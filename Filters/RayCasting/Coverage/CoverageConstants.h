@@ -49,7 +49,7 @@ constexpr std::size_t CrowdedEdgesPerPixel = 6;
 constexpr std::size_t MaximumEdges = 512;
 /// The same for pixels of crowded tiles, in which the cost of arrangements adds up.
 constexpr std::size_t MaximumEdgesInCrowdedTile = 32;
-/// Number of spheres and tubes in a tile of 32x32 pixels above which their outlines are not cut,
+/// Number of spheres, tubes and instances in a tile of 32x32 pixels above which their outlines are not cut,
 /// but the tile is sampled.
 constexpr std::size_t MaximumOutlinesInTile = 4096;
 /// Number of trapezoids of an arrangement that cost about as much as one ray.

@@ -49,10 +49,10 @@ glm::dvec2 ComputeTexel(const Surface& surface, const Texture& texture,
 /// triangle, which may lie outside. Returns false if it does not.
 bool IntersectPlane(const Surface& surface, const Ray& ray, Hit& hit)
 {
-  const glm::uvec3 corners = surface.Triangles[hit.Primitive];
-  const glm::dvec3 a(surface.Positions[corners.x]);
-  const glm::dvec3 u = glm::dvec3(surface.Positions[corners.y]) - a;
-  const glm::dvec3 v = glm::dvec3(surface.Positions[corners.z]) - a;
+  const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
+  const glm::dvec3 a(points[0]);
+  const glm::dvec3 u = glm::dvec3(points[1]) - a;
+  const glm::dvec3 v = glm::dvec3(points[2]) - a;
   const glm::dvec3 direction(ray.Direction);
   const glm::dvec3 p = glm::cross(direction, v);
   const double determinant = glm::dot(u, p);

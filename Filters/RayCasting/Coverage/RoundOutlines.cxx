@@ -149,8 +149,8 @@ private:
   std::vector<ProjectedEdge>& Edges;
 };
 
-/// Bounds of a sphere in the image. Returns false if they are unknown, because the sphere reaches
-/// the camera plane.
+}
+
 bool BoundSphere(
   glm::dvec3 center, double radius, const Camera& camera, glm::dvec2& low, glm::dvec2& high)
 {
@@ -176,6 +176,9 @@ bool BoundSphere(
   }
   return true;
 }
+
+namespace
+{
 
 bool BoundShape(const RoundShape& shape, const Camera& camera, glm::dvec2& low, glm::dvec2& high)
 {
@@ -443,6 +446,10 @@ RoundOutlines::RoundOutlines(const Scene& scene, glm::dvec2 origin, double size,
 void RoundOutlines::Project(
   int tile, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges) const
 {
+  if (this->Begin.empty())
+  {
+    return;
+  }
   low -= 2.0 * EdgeMargin;
   high += 2.0 * EdgeMargin;
   for (std::uint32_t i = this->Begin[tile]; i < this->Begin[tile + 1]; ++i)

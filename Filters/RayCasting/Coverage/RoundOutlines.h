@@ -40,6 +40,11 @@ private:
   std::vector<std::uint32_t> Shapes;
 };
 
+/// Bounds of a sphere in the image. Returns false if they are unknown, because the sphere reaches
+/// the camera plane.
+bool BoundSphere(
+  glm::dvec3 center, double radius, const Camera& camera, glm::dvec2& low, glm::dvec2& high);
+
 /// Appends the outline of one sphere or tube, without the caps inside a joined tube, clipped to the
 /// rectangle [low, high].
 void ProjectOutline(const Surface& surface, std::uint32_t primitive, const Camera& camera,

@@ -125,39 +125,43 @@ void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subs
   }
 }
 
+void ProjectEdge(glm::dvec3 a, glm::dvec3 b, const Camera& camera, glm::dvec2 low, glm::dvec2 high,
+  std::vector<ProjectedEdge>& edges)
+{
+  // Points nearer than this are clipped. In perspective projection, points at depth 0 cannot be
+  // projected.
+  const double near = std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
+  double depthA = camera.Depth(a);
+  double depthB = camera.Depth(b);
+  if (depthA < near && depthB < near)
+  {
+    return;
+  }
+  if (depthA < near || depthB < near)
+  {
+    const glm::dvec3 cut = a + (b - a) * ((near - depthA) / (depthB - depthA));
+    (depthA < near ? a : b) = cut;
+    (depthA < near ? depthA : depthB) = near;
+  }
+  ProjectedEdge projected{ camera.Project(a), camera.Project(b),
+    camera.Parallel ? depthA : 1.0 / depthA, camera.Parallel ? depthB : 1.0 / depthB };
+  if (ClipToRectangle(projected, low, high))
+  {
+    edges.push_back(projected);
+  }
+}
+
 void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, const Camera& camera,
   glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges)
 {
   low -= 2.0 * EdgeMargin;
   high += 2.0 * EdgeMargin;
-  // Points nearer than this are clipped. In perspective projection, points at depth 0 cannot be
-  // projected.
-  const double near = std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
   for (const MeshEdge& e : mesh)
   {
-    if (!e.IsFeatureEdge && !IsSilhouette(surface, e, camera))
+    if (e.IsFeatureEdge || IsSilhouette(surface, e, camera))
     {
-      continue;
-    }
-    glm::dvec3 a(surface.Positions[e.A]);
-    glm::dvec3 b(surface.Positions[e.B]);
-    double depthA = camera.Depth(a);
-    double depthB = camera.Depth(b);
-    if (depthA < near && depthB < near)
-    {
-      continue;
-    }
-    if (depthA < near || depthB < near)
-    {
-      const glm::dvec3 cut = a + (b - a) * ((near - depthA) / (depthB - depthA));
-      (depthA < near ? a : b) = cut;
-      (depthA < near ? depthA : depthB) = near;
-    }
-    ProjectedEdge projected{ camera.Project(a), camera.Project(b),
-      camera.Parallel ? depthA : 1.0 / depthA, camera.Parallel ? depthB : 1.0 / depthB };
-    if (ClipToRectangle(projected, low, high))
-    {
-      edges.push_back(projected);
+      ProjectEdge(glm::dvec3(surface.Positions[e.A]), glm::dvec3(surface.Positions[e.B]), camera,
+        low, high, edges);
     }
   }
 }

@@ -54,6 +54,11 @@ void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subs
 /// Clips an edge to the rectangle [low, high] of the image. Returns false if nothing is left.
 bool ClipToRectangle(ProjectedEdge& edge, glm::dvec2 low, glm::dvec2 high);
 
+/// Appends the projection of the edge from `a` to `b`, clipped to the near plane and to the
+/// rectangle [low, high].
+void ProjectEdge(glm::dvec3 a, glm::dvec3 b, const Camera& camera, glm::dvec2 low, glm::dvec2 high,
+  std::vector<ProjectedEdge>& edges);
+
 /**
  * Appends the feature edges and silhouettes of `surface` as seen from `camera`. They are clipped to
  * the near plane and to the rectangle [low, high] of the image, enlarged by twice EdgeMargin.

@@ -17,11 +17,12 @@ namespace
 /// Computes the corners of the triangle in the image. Returns false if a corner is behind the
 /// camera.
 bool ProjectTriangle(
-  const Surface& surface, std::size_t triangle, const Camera& camera, glm::dvec2 (&corners)[3])
+  const Surface& surface, std::uint32_t triangle, const Camera& camera, glm::dvec2 (&corners)[3])
 {
+  const std::array<glm::vec3, 3> points = surface.GetPoints(triangle);
   for (int i = 0; i < 3; ++i)
   {
-    const glm::dvec3 p(surface.Positions[surface.Triangles[triangle][i]]);
+    const glm::dvec3 p(points[i]);
     if (!camera.Parallel && camera.Depth(p) <= 0.0)
     {
       return false;
@@ -35,16 +36,17 @@ bool ProjectTriangle(
 
 bool HasSubpixelTriangles(const Surface& surface, const Camera& camera)
 {
-  const std::size_t stride = surface.Triangles.size() / MaximumTrianglesSampled + 1;
+  const std::size_t count = surface.IsRound() ? 0 : surface.GetNumberOfPrimitives();
+  const std::size_t stride = count / MaximumTrianglesSampled + 1;
   const glm::dvec2 size(camera.Width, camera.Height);
   glm::dvec2 minimum = size;
   glm::dvec2 maximum(0.0);
   double area = 0.0;
   double visible = 0.0;
-  for (std::size_t t = 0; t < surface.Triangles.size(); t += stride)
+  for (std::size_t t = 0; t < count; t += stride)
   {
     glm::dvec2 p[3];
-    if (!ProjectTriangle(surface, t, camera, p))
+    if (!ProjectTriangle(surface, static_cast<std::uint32_t>(t), camera, p))
     {
       continue;
     }

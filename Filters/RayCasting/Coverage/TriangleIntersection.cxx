@@ -96,11 +96,11 @@ bool ProjectTriangle(
   const Scene& scene, PrimitiveId id, glm::dvec2 origin, ProjectedTriangle& projected)
 {
   const Surface& surface = scene.Surfaces[id.Surface];
-  const glm::uvec3 triangle = surface.Triangles[id.Primitive];
+  const std::array<glm::vec3, 3> points = surface.GetPoints(id.Primitive);
   double linear[3];
   for (int i = 0; i < 3; ++i)
   {
-    const glm::dvec3 p(surface.Positions[triangle[i]]);
+    const glm::dvec3 p(points[i]);
     const double depth = scene.ViewCamera.Depth(p);
     if (!scene.ViewCamera.Parallel && depth <= scene.ViewCamera.Near)
     {
@@ -181,13 +181,14 @@ bool HaveCommonEdge(const Scene& scene, PrimitiveId a, PrimitiveId b)
   {
     return false;
   }
+  const std::array<glm::vec3, 3> p = s.GetPoints(a.Primitive);
+  const std::array<glm::vec3, 3> q = t.GetPoints(b.Primitive);
   int shared = 0;
   for (int i = 0; i < 3; ++i)
   {
     for (int j = 0; j < 3; ++j)
     {
-      shared +=
-        s.Positions[s.Triangles[a.Primitive][i]] == t.Positions[t.Triangles[b.Primitive][j]];
+      shared += p[i] == q[j];
     }
   }
   return shared >= 2;
@@ -282,10 +283,9 @@ void IntersectSphere(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dvec
   }
   else
   {
-    const glm::uvec3 corners = other.Triangles[b.Primitive];
-    const glm::dvec3 p(other.Positions[corners.x]);
-    const glm::dvec3 n = glm::cross(
-      glm::dvec3(other.Positions[corners.y]) - p, glm::dvec3(other.Positions[corners.z]) - p);
+    const std::array<glm::vec3, 3> points = other.GetPoints(b.Primitive);
+    const glm::dvec3 p(points[0]);
+    const glm::dvec3 n = glm::cross(glm::dvec3(points[1]) - p, glm::dvec3(points[2]) - p);
     const double length = glm::length(n);
     if (!(length > 0.0))
     {
@@ -354,10 +354,9 @@ bool MayIntersectTube(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dve
     const double u = square > 0.0 ? glm::clamp(glm::dot(offset, d) / square, 0.0, 1.0) : 0.0;
     return !joined && glm::length(offset - u * d) < reach;
   }
-  const glm::uvec3 corners = other.Triangles[b.Primitive];
-  const glm::dvec3 p(other.Positions[corners.x]);
-  const glm::dvec3 normal = glm::cross(
-    glm::dvec3(other.Positions[corners.y]) - p, glm::dvec3(other.Positions[corners.z]) - p);
+  const std::array<glm::vec3, 3> points = other.GetPoints(b.Primitive);
+  const glm::dvec3 p(points[0]);
+  const glm::dvec3 normal = glm::cross(glm::dvec3(points[1]) - p, glm::dvec3(points[2]) - p);
   const double length = glm::length(normal);
   return length > 0.0 &&
     std::abs(glm::dot(point.Position - p, normal)) < length * (point.Radius + footprint);

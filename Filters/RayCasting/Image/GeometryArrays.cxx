@@ -75,7 +75,7 @@ bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& pr
         normals->SetTypedComponent(id, axis, shaded.Normal[axis]);
       }
       objects->SetValue(id, surface.ObjectId);
-      cells->SetValue(id, surface.CellIds.empty() ? hit.Primitive : surface.CellIds[hit.Primitive]);
+      cells->SetValue(id, surface.GetCellId(hit.Primitive));
       occlusions->SetValue(id,
         tracer.HasOcclusion() ? tracer.ComputeOcclusion(ray, hit, shaded, rowCounts)
                               : std::numeric_limits<float>::quiet_NaN());

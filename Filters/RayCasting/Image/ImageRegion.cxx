@@ -7,6 +7,7 @@
 #include "Coverage/SubpixelTriangles.h"
 #include "Coverage/TileRefinement.h"
 #include "Execution/ParallelFor.h"
+#include "InstanceEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,9 +95,9 @@ std::vector<MeshEdge> FindEdges(const Surface& surface, bool isDense,
   const IntegrationSettings& integration, const Camera& camera)
 {
   const double contrast = EdgeContrastFraction * integration.Tolerance;
-  return surface.IsRound() ? std::vector<MeshEdge>()
-    : isDense              ? FindEdgesOfDenseMesh(surface, contrast, camera)
-                           : FindMeshEdges(surface, contrast);
+  return surface.IsRound()          ? std::vector<MeshEdge>()
+    : isDense && !surface.Instances ? FindEdgesOfDenseMesh(surface, contrast, camera)
+                                    : FindMeshEdges(surface, contrast);
 }
 
 /// Edges of one tile.
@@ -184,7 +185,7 @@ void UpdateSceneEdges(const Scene& scene, const RenderSettings& settings,
     const Surface& surface = scene.Surfaces[i];
     const char wasDense = edges.Dense[i];
     edges.Dense[i] = HasSubpixelTriangles(surface, scene.ViewCamera);
-    if (edges.Dense[i] || wasDense)
+    if ((edges.Dense[i] || wasDense) && !surface.Instances)
     {
       edges.EdgesBySurface[i] =
         FindEdges(surface, edges.Dense[i], settings.Integration, scene.ViewCamera);
@@ -239,12 +240,18 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     {
       return false;
     }
-    ProjectEdges(surface, sceneEdges.EdgesBySurface[i], scene.ViewCamera, glm::dvec2(region.Low),
-      glm::dvec2(region.High), edges);
+    if (!surface.Instances)
+    {
+      ProjectEdges(surface, sceneEdges.EdgesBySurface[i], scene.ViewCamera, glm::dvec2(region.Low),
+        glm::dvec2(region.High), edges);
+    }
   }
+  const Tiles tiles(region.Low, region.High);
+  const InstanceEdges instances(
+    scene, sceneEdges.EdgesBySurface, glm::dvec2(tiles.First * TileSide), TileSide, tiles.Count);
+  instances.ProjectLarge(glm::dvec2(region.Low), glm::dvec2(region.High), edges);
   region.Edges = static_cast<long long>(edges.size());
 
-  const Tiles tiles(region.Low, region.High);
   EdgeBins tileEdges;
   BinEdges(edges, nullptr, edges.size(), glm::dvec2(tiles.First * TileSide), TileSide, tiles.Count,
     tileEdges);
@@ -256,7 +263,7 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
         (tiles.First + glm::ivec2(tile % tiles.Count.x, tile / tiles.Count.x)) * TileSide;
       const std::uint32_t* const indices = tileEdges.Edges.data() + tileEdges.Begin[tile];
       const std::size_t count = tileEdges.Begin[tile + 1] - tileEdges.Begin[tile];
-      const std::size_t shapes = outlines.GetCount(tile);
+      const std::size_t shapes = outlines.GetCount(tile) + instances.GetCount(tile);
       std::vector<ProjectedEdge> withOutlines;
       if (shapes > 0 && shapes <= MaximumOutlinesInTile)
       {
@@ -264,6 +271,7 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
         std::transform(indices, indices + count, std::back_inserter(withOutlines),
           [&](std::uint32_t i) { return edges[i]; });
         outlines.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);
+        instances.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);
       }
       else if (shapes > 0)
       {

@@ -8,6 +8,7 @@
 #include "Coverage/MeshEdges.h"
 #include "Coverage/PixelIntegrator.h"
 #include "Execution/ParallelFor.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <vector>
 
@@ -31,7 +32,7 @@ struct SceneEdges
 };
 
 /// Finds the edges of all surfaces. Throws Stopped if `progress` requests a stop.
-SceneEdges FindSceneEdges(
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT SceneEdges FindSceneEdges(
   const Scene& scene, const RenderSettings& settings, const ProgressCallback& progress = {});
 
 /// Finds the edges again that depend on the camera of `scene`, after it has moved. `edges` are those
@@ -63,8 +64,9 @@ struct ImageRegion
  * colors do not depend on the region or on the number of threads. Returns false if `progress`
  * requested a stop.
  */
-bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
-  const RenderSettings& settings, const ProgressCallback& progress, ImageRegion& region);
+VTKPENUMBRAFILTERSRAYCASTING_EXPORT bool RenderRegion(const CameraRayTracer& tracer,
+  const SceneEdges& sceneEdges, const RenderSettings& settings, const ProgressCallback& progress,
+  ImageRegion& region);
 
 }
 #endif

@@ -8,6 +8,7 @@
 #include "LayerLighting.h"
 #include "LayerOrder.h"
 #include "Media/LightShafts.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <cstdint>
 #include <limits>
@@ -30,7 +31,7 @@ struct Sample
 };
 
 /// Computes the color of image points. All methods but the setters may be called from any thread.
-class CameraRayTracer
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT CameraRayTracer
 {
 public:
   static constexpr int PacketSize = 16;

@@ -4,6 +4,7 @@
 
 #include "AxisAlignedBox.h"
 #include "RayTriangle.h"
+#include "SceneBounds.h"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,10 @@ constexpr double GrazingFactor = 64.0;
 
 AxisAlignedBox ComputeBounds(const Surface& surface)
 {
+  if (surface.Instances)
+  {
+    return ComputeInstanceBounds(surface);
+  }
   AxisAlignedBox box;
   if (!surface.Triangles.empty())
   {
@@ -95,16 +100,19 @@ bool IsDrawnInFront(const Surface& a, const Surface& b)
     return keyOfA < keyOfB;
   }
   const int byPoints = CompareColors(a.PointColors, b.PointColors);
-  return byPoints != 0 ? byPoints < 0 : CompareColors(a.CellColors, b.CellColors) < 0;
+  const auto cells = [](const Surface& surface) -> const std::vector<glm::u8vec4>& {
+    return surface.Instances ? surface.Instances->Colors : surface.CellColors;
+  };
+  return byPoints != 0 ? byPoints < 0 : CompareColors(cells(a), cells(b)) < 0;
 }
 
 /// Returns the error of the hit distance that results from the rounded vertices of the triangle.
 double ComputeRoundingError(const Ray& ray, const Surface& surface, std::uint32_t triangle)
 {
-  const glm::uvec3 corners = surface.Triangles[triangle];
-  const glm::dvec3 a(surface.Positions[corners.x]);
-  const glm::dvec3 b(surface.Positions[corners.y]);
-  const glm::dvec3 c(surface.Positions[corners.z]);
+  const std::array<glm::vec3, 3> points = surface.GetPoints(triangle);
+  const glm::dvec3 a(points[0]);
+  const glm::dvec3 b(points[1]);
+  const glm::dvec3 c(points[2]);
   const glm::dvec3 farthest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double facing = std::abs(glm::dot(normal, glm::dvec3(ray.Direction)));

@@ -12,16 +12,29 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <cstdint>
+
 namespace penumbra
 {
 
 struct CandidateHits;
 
+/// The instance in whose coordinates a query of the BVH of a shape is, and its ray.
+struct InstanceQuery
+{
+  std::uint32_t Surface = 0; ///< index into Scene::Surfaces
+  std::uint32_t First = 0;   ///< index of the first triangle of the instance
+  bool IsMirrored = false;   ///< triangles have their front sides on the other side
+  double Start = 0.0;        ///< distance along the ray in the scene of the origin of the query
+  float Length = 0.f;        ///< of the direction of the ray in scene coordinates
+};
+
 #if RTC_VERSION_MAJOR >= 4
 /// Query context that is passed to filter functions.
 struct QueryContext : RTCRayQueryContext
 {
-  CandidateHits* Candidates; ///< indexed by the id of the ray
+  CandidateHits* Candidates;               ///< indexed by the id of the ray
+  const InstanceQuery* Instance = nullptr; ///< null: the query is in scene coordinates
 };
 
 struct Query
@@ -62,7 +75,8 @@ struct Query
 #else
 struct QueryContext : RTCIntersectContext
 {
-  CandidateHits* Candidates; ///< indexed by the id of the ray
+  CandidateHits* Candidates;               ///< indexed by the id of the ray
+  const InstanceQuery* Instance = nullptr; ///< null: the query is in scene coordinates
 };
 
 struct Query

@@ -5,6 +5,7 @@
 #include "BoxOverlap.h"
 #include "CoincidentSurfaces.h"
 #include "EmbreeQuery.h"
+#include "InstanceGeometry.h"
 #include "PlanarCells.h"
 #include "RayTriangle.h"
 #include "RoundGeometry.h"
@@ -106,7 +107,8 @@ std::size_t CountPrimitives(const Scene& scene)
   std::size_t count = 0;
   for (const Surface& surface : scene.Surfaces)
   {
-    count += surface.GetNumberOfPrimitives();
+    count += surface.Instances ? surface.Triangles.size() + surface.Instances->GetCount()
+                               : surface.GetNumberOfPrimitives();
   }
   return count;
 }
@@ -155,6 +157,7 @@ struct EdgeHitQuery
   const PlanarCells* Cells;        ///< of the surface, or null
   const RayTriangle& Intersection; ///< the hit
   Hit Lowest;                      ///< surface and lowest primitive so far
+  std::uint32_t First = 0;         ///< triangle of the surface that is the first one of the BVH
 
   /// Tests a triangle near the hit.
   void Test(std::uint32_t triangle);
@@ -185,7 +188,11 @@ void EdgeHitQuery::Test(std::uint32_t triangle)
 bool EdgeHitQuery::Callback(RTCPointQueryFunctionArguments* args)
 {
   EdgeHitQuery& self = *static_cast<EdgeHitQuery*>(args->userPtr);
-  if (args->geomID == self.Lowest.Surface && self.Cells)
+  if (self.TracedScene.Surfaces[self.Lowest.Surface].Instances)
+  {
+    self.Test(self.First + args->primID);
+  }
+  else if (args->geomID == self.Lowest.Surface && self.Cells)
   {
     self.Cells->VisitTriangles(args->primID, [&](std::uint32_t triangle) {
       self.Test(triangle);
@@ -213,6 +220,16 @@ std::uint32_t FindLowestTriangle(
     return edge.Lowest.Primitive;
   }
   RTCPointQuery query{ point.x, point.y, point.z, 0.f, static_cast<float>(radius) };
+  const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
+  if (surface.Instances)
+  {
+    const std::size_t instance = surface.GetInstance(hit.Primitive);
+    const InstanceFrame frame(*surface.Instances, instance);
+    const glm::vec3 local(frame.ConvertPoint(glm::dvec3(point)));
+    query = { local.x, local.y, local.z, 0.f, static_cast<float>(radius * frame.GetScale()) };
+    edge.First = static_cast<std::uint32_t>(instance * surface.Triangles.size());
+    tree = rays.GetShape(hit.Surface);
+  }
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(tree, &query, &context, EdgeHitQuery::Callback, &edge);
@@ -350,11 +367,14 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
   {
     const Surface& surface = scene.Surfaces[i];
     const BoxOverlap overlap(surface);
-    this->Traced.push_back(
-      { &surface, this->Coincident->DepthTolerance(i), surface.IsRound() && surface.IsTranslucent(),
-        overlap.IsLarge(), SliverTree::MakeIfUseful(surface, overlap), nullptr });
+    this->Traced.push_back({ &surface, this->Coincident->DepthTolerance(i),
+      surface.IsRound() && surface.IsTranslucent(), overlap.IsLarge(), nullptr, nullptr });
     TracedSurface& traced = this->Traced.back();
-    traced.Cells = traced.Slivers ? nullptr : PlanarCells::MakeIfUseful(surface, overlap);
+    if (!surface.Instances)
+    {
+      traced.Slivers = SliverTree::MakeIfUseful(surface, overlap);
+      traced.Cells = traced.Slivers ? nullptr : PlanarCells::MakeIfUseful(surface, overlap);
+    }
   }
   this->Device = rtcNewDevice(MakeDeviceConfiguration(threads).c_str());
   CheckDevice(this->Device);
@@ -371,8 +391,13 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
     {
       if (scene.Surfaces[i].GetNumberOfPrimitives() > 0)
       {
+        if (scene.Surfaces[i].Instances)
+        {
+          this->BuildShape(this->Traced[i], progress);
+        }
         RTCGeometry geometry = scene.Surfaces[i].IsRound()
           ? MakeRoundGeometry(this->Device, this->Traced[i])
+          : this->Traced[i].Shape ? MakeInstanceGeometry(this->Device, this->Traced[i])
           : this->Traced[i].Slivers || this->Traced[i].Cells
           ? MakeSliverGeometry(this->Device, this->Traced[i])
           : MakeTriangleGeometry(this->Device, this->Traced[i]);
@@ -387,6 +412,16 @@ RayScene::RayScene(const Scene& scene, int threads, const ProgressCallback& prog
     this->Release();
     throw;
   }
+}
+
+void RayScene::BuildShape(TracedSurface& traced, const ProgressCallback& progress)
+{
+  traced.Shape = rtcNewScene(this->Device);
+  rtcSetSceneFlags(traced.Shape, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = MakeTriangleGeometry(this->Device, traced);
+  rtcAttachGeometryByID(traced.Shape, geometry, 0);
+  rtcReleaseGeometry(geometry);
+  Commit(traced.Shape, this->Device, progress);
 }
 
 void RayScene::RenewId()
@@ -404,6 +439,13 @@ void RayScene::Release()
   if (this->EmbreeScene)
   {
     rtcReleaseScene(this->EmbreeScene);
+  }
+  for (const TracedSurface& traced : this->Traced)
+  {
+    if (traced.Shape)
+    {
+      rtcReleaseScene(traced.Shape);
+    }
   }
   if (this->Device)
   {
@@ -478,6 +520,11 @@ const SliverTree* RayScene::GetSlivers(std::uint32_t surface) const
   return this->Traced[surface].Slivers.get();
 }
 
+RTCSceneTy* RayScene::GetShape(std::uint32_t surface) const
+{
+  return this->Traced[surface].Shape;
+}
+
 const PlanarCells* RayScene::GetCells(std::uint32_t surface) const
 {
   return this->Traced[surface].Cells.get();
@@ -505,10 +552,9 @@ glm::dvec3 RayScene::GetSmoothNormal(const Hit& hit, glm::dvec3 geometric) const
   {
     return geometric;
   }
-  const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
-  const glm::dvec3 sum = (1.0 - hit.U - hit.V) * glm::dvec3(surface.Normals[corners.x]) +
-    double(hit.U) * glm::dvec3(surface.Normals[corners.y]) +
-    double(hit.V) * glm::dvec3(surface.Normals[corners.z]);
+  const std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
+  const glm::dvec3 sum = (1.0 - hit.U - hit.V) * glm::dvec3(normals[0]) +
+    double(hit.U) * glm::dvec3(normals[1]) + double(hit.V) * glm::dvec3(normals[2]);
   const double length = glm::length(sum);
   const double cosine = glm::dot(sum, geometric) / length;
   const bool isTangential = !(std::abs(cosine) > MinimumSmoothCosine);

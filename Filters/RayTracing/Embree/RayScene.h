@@ -96,6 +96,10 @@ public:
   /// plane, or null.
   const PlanarCells* GetCells(std::uint32_t surface) const;
 
+  /// Returns the BVH of the triangles of a surface with Instances, in their own coordinates, or
+  /// null.
+  RTCSceneTy* GetShape(std::uint32_t surface) const;
+
   /// Returns the interpolated normal at `hit`, on the side of the unit vector `geometric`, the
   /// normal of the triangle. Returns `geometric` if the surface has no point normals, or if they are
   /// almost tangential to the triangle.
@@ -112,6 +116,7 @@ public:
   void RenewId();
 
 private:
+  void BuildShape(TracedSurface& traced, const ProgressCallback& progress);
   void Release();
 
   const Scene& TracedScene;

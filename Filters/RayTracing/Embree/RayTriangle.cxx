@@ -23,10 +23,10 @@ double LineDistance(double volume, const glm::dvec3& normal)
 
 RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const Ray& ray)
 {
-  const glm::uvec3 corners = surface.Triangles[triangle];
-  const glm::dvec3 a(surface.Positions[corners.x]);
-  const glm::dvec3 ab = glm::dvec3(surface.Positions[corners.y]) - a;
-  const glm::dvec3 ac = glm::dvec3(surface.Positions[corners.z]) - a;
+  const std::array<glm::vec3, 3> points = surface.GetPoints(triangle);
+  const glm::dvec3 a(points[0]);
+  const glm::dvec3 ab = glm::dvec3(points[1]) - a;
+  const glm::dvec3 ac = glm::dvec3(points[2]) - a;
   const glm::dvec3 direction(ray.Direction);
   const glm::dvec3 fromA = glm::dvec3(ray.Origin) - a;
   const glm::dvec3 p = glm::cross(direction, ac);
@@ -54,10 +54,10 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
 double ComputeDistance(const Surface& surface, std::uint32_t triangle, const glm::dvec3& origin,
   const glm::dvec3& direction)
 {
-  const glm::uvec3 corners = surface.Triangles[triangle];
-  const glm::dvec3 a = glm::dvec3(surface.Positions[corners.x]) - origin;
-  const glm::dvec3 b = glm::dvec3(surface.Positions[corners.y]) - origin;
-  const glm::dvec3 c = glm::dvec3(surface.Positions[corners.z]) - origin;
+  const std::array<glm::vec3, 3> points = surface.GetPoints(triangle);
+  const glm::dvec3 a = glm::dvec3(points[0]) - origin;
+  const glm::dvec3 b = glm::dvec3(points[1]) - origin;
+  const glm::dvec3 c = glm::dvec3(points[2]) - origin;
   // The sign changes exactly if the ends of an edge are exchanged, as in an adjacent triangle.
   const double ab = glm::dot(direction, glm::cross(a, b));
   const double bc = glm::dot(direction, glm::cross(b, c));

@@ -9,6 +9,8 @@
 
 #include <memory>
 
+struct RTCSceneTy;
+
 namespace penumbra
 {
 
@@ -24,7 +26,8 @@ struct TracedSurface
   bool MayHaveCopies;                        ///< the boxes of many triangles overlap
   std::shared_ptr<const SliverTree> Slivers; ///< replaces Embree's BVH of the triangles if not null
   std::shared_ptr<const PlanarCells>
-    Cells; ///< Embree's primitives instead of triangles if not null
+    Cells;                     ///< Embree's primitives instead of triangles if not null
+  RTCSceneTy* Shape = nullptr; ///< BVH of the triangles that have instances, or null
 };
 
 }

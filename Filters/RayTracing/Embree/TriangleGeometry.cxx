@@ -21,27 +21,39 @@ static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "Embree expec
 void IntersectFilter(const RTCFilterFunctionNArguments* args)
 {
   const auto& traced = *static_cast<const TracedSurface*>(args->geometryUserPtr);
-  CandidateHits* candidatesOfRays = static_cast<QueryContext*>(args->context)->Candidates;
+  const QueryContext& context = *static_cast<QueryContext*>(args->context);
+  const InstanceQuery* instance = context.Instance;
   for (unsigned int i = 0; i < args->N; ++i)
   {
     const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
       RTCRayN_dir_y(args->ray, args->N, i), RTCRayN_dir_z(args->ray, args->N, i));
     const glm::vec3 normal(RTCHitN_Ng_x(args->hit, args->N, i), RTCHitN_Ng_y(args->hit, args->N, i),
       RTCHitN_Ng_z(args->hit, args->N, i));
-    const float facing = glm::dot(normal, direction);
+    const float facing =
+      instance && instance->IsMirrored ? -glm::dot(normal, direction) : glm::dot(normal, direction);
     if (facing < 0.f ? !traced.Data->Frontfaces : !traced.Data->Backfaces)
     {
       args->valid[i] = 0;
     }
     else if (args->valid[i] != 0 && traced.DepthTolerance > 0.f)
     {
-      const CandidateHit hit{ RTCHitN_geomID(args->hit, args->N, i),
+      CandidateHit hit{ RTCHitN_geomID(args->hit, args->N, i),
         RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
         RTCHitN_v(args->hit, args->N, i), RTCRayN_tfar(args->ray, args->N, i) };
-      const float tolerance = traced.DepthTolerance / glm::length(direction);
-      CandidateHits& candidates = candidatesOfRays[RTCRayN_id(args->ray, args->N, i)];
-      RTCRayN_tfar(args->ray, args->N, i) =
-        std::min(candidates.Add(hit, tolerance) + tolerance, candidates.Far);
+      CandidateHits& candidates = context.Candidates[RTCRayN_id(args->ray, args->N, i)];
+      if (!instance)
+      {
+        const float tolerance = traced.DepthTolerance / glm::length(direction);
+        RTCRayN_tfar(args->ray, args->N, i) =
+          std::min(candidates.Add(hit, tolerance) + tolerance, candidates.Far);
+        continue;
+      }
+      hit.Surface = instance->Surface;
+      hit.Primitive += instance->First;
+      hit.Distance = static_cast<float>(instance->Start + static_cast<double>(hit.Distance));
+      const float tolerance = traced.DepthTolerance / instance->Length;
+      const float far = std::min(candidates.Add(hit, tolerance) + tolerance, candidates.Far);
+      RTCRayN_tfar(args->ray, args->N, i) = static_cast<float>(far - instance->Start);
     }
   }
 }

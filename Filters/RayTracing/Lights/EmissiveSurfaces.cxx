@@ -44,7 +44,7 @@ public:
   SurfaceRadiance(const Surface& surface, bool hasLights)
     : Data(surface)
   {
-    const bool mapped = !surface.PointColors.empty() || !surface.CellColors.empty() ||
+    const bool mapped = !surface.PointColors.empty() || surface.HasTriangleColors() ||
       (surface.ColorTexture != nullptr);
     const bool lit = surface.Front.Lighting && hasLights;
     this->Factor = ComputeRadiance(surface.Front, lit, mapped);
@@ -63,9 +63,9 @@ public:
   float ComputeStrength(std::uint32_t primitive) const
   {
     glm::vec3 color(1.f);
-    if (!this->Data.CellColors.empty())
+    if (this->Data.HasTriangleColors())
     {
-      color = glm::vec3(this->Data.CellColors[primitive]) / 255.f;
+      color = glm::vec3(this->Data.GetTriangleColor(primitive)) / 255.f;
     }
     else if (!this->Data.PointColors.empty())
     {
@@ -87,8 +87,7 @@ Emitter MakeEmitter(const Surface& surface, std::uint32_t primitive)
 {
   const glm::uvec3 corners = surface.GetCorners(primitive);
   Emitter emitter;
-  emitter.Corners = { surface.Positions[corners.x], surface.Positions[corners.y],
-    surface.Positions[corners.z] };
+  emitter.Corners = surface.GetPoints(primitive);
   emitter.Radius = surface.GetRadius(corners.x);
   emitter.Primitive = primitive;
   return emitter;

@@ -58,8 +58,13 @@ std::vector<AxisAlignedBox> BoundOccluders(const Scene& scene)
       triangles.push_back({ glm::min(shape.A - shape.RadiusA, shape.B - shape.RadiusB),
         glm::max(shape.A + shape.RadiusA, shape.B + shape.RadiusB) });
     }
-    for (const glm::uvec3& corners : surface.Triangles)
+    for (std::size_t i = 0; surface.Instances && i < surface.Instances->GetCount(); ++i)
     {
+      triangles.push_back(surface.Instances->GetBox(i));
+    }
+    for (std::size_t i = 0; !surface.Instances && i < surface.Triangles.size(); ++i)
+    {
+      const glm::uvec3 corners = surface.Triangles[i];
       const glm::vec3& a = surface.Positions[corners.x];
       const glm::vec3& b = surface.Positions[corners.y];
       const glm::vec3& c = surface.Positions[corners.z];

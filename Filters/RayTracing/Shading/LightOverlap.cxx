@@ -66,10 +66,17 @@ bool Overlaps(const Surface& surface, const Light& light)
   vtkNew<vtkTriangle> triangle;
   for (std::size_t i = 0; i < surface.GetNumberOfPrimitives(); ++i)
   {
+    if (surface.Instances && i % surface.Triangles.size() == 0)
+    {
+      const AxisAlignedBox box = surface.Instances->GetBox(i / surface.Triangles.size());
+      if (!IsNearBox(box.Low, box.High, box.High, light.Position, light.Radius))
+      {
+        i += surface.Triangles.size() - 1;
+        continue;
+      }
+    }
     const glm::uvec3 corners = surface.GetCorners(static_cast<std::uint32_t>(i));
-    const glm::vec3 a = surface.Positions[corners.x];
-    const glm::vec3 b = surface.Positions[corners.y];
-    const glm::vec3 c = surface.Positions[corners.z];
+    const auto [a, b, c] = surface.GetPoints(static_cast<std::uint32_t>(i));
     const float thickness = std::max(surface.GetRadius(corners.x), surface.GetRadius(corners.y));
     const float radius = light.Radius + thickness;
     if (!IsNearBox(a, b, c, light.Position, radius))

@@ -108,7 +108,8 @@ void PhysicallyBased::SetFrame(const Surface& surface, const Material& material,
 {
   const MaterialTextures* textures = surface.DetailTextures.get();
   const glm::vec3 normal = this->Normal;
-  glm::vec3 tangent = Interpolate(surface.Tangents, surface.GetCorners(hit.Primitive), weights);
+  const std::array<glm::vec3, 3> tangents = surface.GetNormals(hit.Primitive, surface.Tangents);
+  glm::vec3 tangent = weights.x * tangents[0] + weights.y * tangents[1] + weights.z * tangents[2];
   float anisotropy = material.Anisotropy;
   if (anisotropy != 0.f)
   {

@@ -22,17 +22,18 @@ namespace
 {
 
 /// Returns the normal used for lighting (unit).
-glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::uvec3 corners,
-  glm::vec3 weights, bool front, glm::vec3 geometricNormal, glm::vec3 forward)
+glm::vec3 LightingNormal(const Surface& surface, const Hit& hit, glm::vec3 weights, bool front,
+  glm::vec3 geometricNormal, glm::vec3 forward)
 {
   glm::vec3 normal(0.f);
   if (!surface.Normals.empty())
   {
-    normal = Interpolate(surface.Normals, corners, weights);
+    const std::array<glm::vec3, 3> normals = surface.GetNormals(hit.Primitive, surface.Normals);
+    normal = weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2];
   }
   else if (!surface.TriangleNormals.empty())
   {
-    normal = surface.TriangleNormals[hit.Primitive];
+    normal = surface.GetTriangleNormal(hit.Primitive);
   }
   const float squaredLength = glm::dot(normal, normal);
   if (!(squaredLength > 0.f && squaredLength <= std::numeric_limits<float>::max()))
@@ -163,9 +164,7 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
   const Surface& surface = scene.Surfaces[hit.Surface];
   const SurfaceMaterial& material = this->Materials[hit.Surface];
   const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
-  const glm::vec3 a = surface.Positions[corners.x];
-  const glm::vec3 b = surface.Positions[corners.y];
-  const glm::vec3 c = surface.Positions[corners.z];
+  const auto [a, b, c] = surface.GetPoints(hit.Primitive);
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
 
   const auto pointOfHit = [&]() {
@@ -181,8 +180,7 @@ ShadedHit Shading::ShadeHit(Terms terms, const Ray& ray, const Hit& hit, long lo
     shaded.GeometricNormal = -shaded.GeometricNormal;
   }
   const glm::vec3 forward(scene.ViewCamera.Forward);
-  shaded.Normal =
-    LightingNormal(surface, hit, corners, weights, front, shaded.GeometricNormal, forward);
+  shaded.Normal = LightingNormal(surface, hit, weights, front, shaded.GeometricNormal, forward);
 
   const PhongCoefficients* coefficients = front ? &material.Front : &material.Back;
   PhongCoefficients modified = *coefficients;
@@ -444,10 +442,10 @@ float Shading::ComputeOpacity(const RayScene& rays, const Hit& hit, const Ray& r
   const Surface& surface = rays.GetScene().Surfaces[hit.Surface];
   const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
   const glm::vec3 weights(1.f - hit.U - hit.V, hit.U, hit.V);
-  const glm::vec3 a = surface.Positions[corners.x];
+  const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
   const glm::vec3 normal = surface.IsRound()
     ? rays.GetNormal(ray, hit)
-    : glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
+    : glm::cross(points[1] - points[0], points[2] - points[0]);
   const bool isFront = glm::dot(normal, ray.Direction) < 0.f || !surface.HasBackMaterial;
   float opacity = isFront ? surface.Front.Opacity : surface.Back.Opacity;
   if (HasMappedColor(surface))

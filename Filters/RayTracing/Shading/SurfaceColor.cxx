@@ -79,9 +79,9 @@ glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners
       weights.y * ToFloatColor(surface.PointColors[corners.y]) +
       weights.z * ToFloatColor(surface.PointColors[corners.z]);
   }
-  if (!surface.CellColors.empty())
+  if (surface.HasTriangleColors())
   {
-    return ToFloatColor(surface.CellColors[hit.Primitive]);
+    return ToFloatColor(surface.GetTriangleColor(hit.Primitive));
   }
   return SampleTexture(
     *surface.ColorTexture, Interpolate(surface.ColorCoordinates, corners, weights));
@@ -89,7 +89,7 @@ glm::vec4 MappedColor(const Surface& surface, const Hit& hit, glm::uvec3 corners
 
 bool HasMappedColor(const Surface& surface)
 {
-  return !surface.PointColors.empty() || !surface.CellColors.empty() || surface.ColorTexture;
+  return !surface.PointColors.empty() || surface.HasTriangleColors() || surface.ColorTexture;
 }
 
 // The selection of the face and its coordinates follow the OpenGL specification, section 8.13.

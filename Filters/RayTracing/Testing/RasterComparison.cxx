@@ -42,9 +42,8 @@ Pixel Trace(const Scene& scene, const RayScene& rays, const Shading& shading, in
     }
     const Surface& surface = scene.Surfaces[hit.Surface];
     // A cell may consist of several lines; each is a layer.
-    const std::uint32_t cell = surface.IsLineOrPoint ? hit.Primitive / 2
-      : surface.CellIds.empty()                      ? hit.Primitive
-                                                     : surface.CellIds[hit.Primitive];
+    const std::uint32_t cell =
+      surface.IsLineOrPoint ? hit.Primitive / 2 : surface.GetCellId(hit.Primitive);
     pixel.Layers.push_back((std::uint64_t(hit.Surface) << 32) + cell);
     const ShadedHit at = shading.Shade(ray, hit, shadowRays);
     const glm::vec3 color = glm::clamp(glm::vec3(at.Color), 0.f, 1.f);

@@ -228,6 +228,43 @@ TEST_F(ActorShadingTest, MatchesVTKForGlyphs)
   }
 }
 
+TEST_F(ActorShadingTest, MatchesVTKForInstancedGlyphs)
+{
+  vtkNew<vtkPlaneSource> points;
+  points->SetResolution(11, 11);
+  points->SetOrigin(-1.0, -1.0, 0.0);
+  points->SetPoint1(1.0, -1.0, 0.0);
+  points->SetPoint2(-1.0, 1.0, 0.0);
+  vtkNew<vtkElevationFilter> values;
+  values->SetInputConnection(points->GetOutputPort());
+  values->SetLowPoint(-1.0, -1.0, 0.0);
+  values->SetHighPoint(1.0, 1.2, 0.0);
+  values->Update();
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("directions");
+  directions->SetNumberOfComponents(3);
+  for (int i = 0; i < 144; ++i)
+  {
+    directions->InsertNextTuple3(1.01 - .005 * i, .6 + .01 * (i % 12), -.505 + .01 * i);
+  }
+  values->GetOutput()->GetPointData()->AddArray(directions);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(values->GetOutput());
+  mapper->SetSourceData(Sphere(30)); // 1,680 triangles
+  mapper->SetOrientationArray("directions");
+  mapper->SetScaleArray("directions");
+  mapper->SetScaleModeToScaleByVectorComponents();
+  mapper->SetScaleFactor(.3);
+  this->Actor->SetScale(1.0, 1.2, .9);
+  this->SetMapper(mapper);
+  this->Property()->SetSpecular(.4);
+  this->Property()->SetSpecularPower(10.0);
+  this->ExpectSameImage(200);
+  const RasterComparison::Result result = this->Comparison.Compare();
+  ASSERT_EQ(result.Scene.Surfaces.size(), 1u);
+  EXPECT_TRUE(result.Scene.Surfaces[0].Instances);
+}
+
 namespace
 {
 

@@ -64,9 +64,9 @@ void ComputeBounds(const std::vector<DrawItem>& items, double bounds[6])
       AddBounds(item, item.ToWorld, bounds);
       continue;
     }
-    for (const glm::dmat4& transform : item.GlyphInstances->Transforms)
+    for (const glm::dmat4x3& transform : item.GlyphInstances->Transforms)
     {
-      AddBounds(item, transform, bounds);
+      AddBounds(item, glm::dmat4(transform), bounds);
     }
   }
 }

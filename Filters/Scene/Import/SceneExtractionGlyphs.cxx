@@ -3,6 +3,7 @@
 #include "SceneExtractionGlyphs.h"
 
 #include "SceneExtractionColors.h"
+#include "Tessellation/SceneExtractionInstances.h"
 #include "Tessellation/SceneExtractionLines.h"
 #include "Tessellation/SceneExtractionSurfaces.h"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace penumbra
 {
@@ -258,6 +260,18 @@ void AddSurfaceAndLines(const DrawItem& item, double pixelsPerPoint, Scene& scen
   }
 }
 
+/// Returns the surfaces of the shape of a glyph in coordinates of its own, or none if its parts are
+/// not only triangles.
+std::vector<Surface> MakeShape(const DrawItem& item, double pixelsPerPoint, Scene& shape)
+{
+  DrawItem single = item;
+  single.ToWorld = glm::dmat4(1.0);
+  single.Colors.Mode = Coloring::Modes::Single;
+  single.ClippingPlanes.clear();
+  AddSurfaceAndLines(single, pixelsPerPoint, shape);
+  return shape.Surfaces.size() == 1 ? std::move(shape.Surfaces) : std::vector<Surface>();
+}
+
 }
 
 std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
@@ -293,6 +307,13 @@ std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
       255.0 +
     0.5);
   const GlyphPlacement placement(mapper, data, scalars);
+  if (sources == 1)
+  {
+    Instances& instances = *shapes[0].GlyphInstances;
+    instances.Transforms.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
+    instances.Ids.reserve(instances.Transforms.capacity());
+    instances.Colors.reserve(instances.Transforms.capacity());
+  }
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     if (!placement.IsShown(i))
@@ -301,7 +322,7 @@ std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
     }
     Instances& instances = *shapes[placement.SelectShape(i, sources)].GlyphInstances;
     instances.ByScalars = colored;
-    instances.Transforms.push_back(prototype.ToWorld * placement.ComputeTransform(i));
+    instances.Transforms.emplace_back(prototype.ToWorld * placement.ComputeTransform(i));
     instances.Ids.push_back(static_cast<std::uint32_t>(i));
     glm::u8vec4 mapped = color;
     if (colored)
@@ -331,9 +352,20 @@ void AddDrawItem(const DrawItem& item, double pixelsPerPoint, Scene& scene)
   instanceScene.ViewCamera = scene.ViewCamera;
   DrawItem instance = item;
   instance.Colors.Mode = Coloring::Modes::Single;
-  for (std::size_t i = 0; i < item.GlyphInstances->Transforms.size(); ++i)
+  std::vector<std::size_t> copied(item.GlyphInstances->Transforms.size());
+  std::iota(copied.begin(), copied.end(), std::size_t(0));
+  if (MayHaveInstances(item))
   {
-    instance.ToWorld = item.GlyphInstances->Transforms[i];
+    Scene shape;
+    for (Surface& surface : MakeShape(item, pixelsPerPoint, shape))
+    {
+      copied = AddInstances(item, std::move(surface), scene);
+    }
+    instanceScene.Warnings = std::move(shape.Warnings);
+  }
+  for (const std::size_t i : copied)
+  {
+    instance.ToWorld = glm::dmat4(item.GlyphInstances->Transforms[i]);
     instance.Colors.SingleColor = item.GlyphInstances->Colors[i];
     AddSurfaceAndLines(instance, pixelsPerPoint, instanceScene);
     for (Surface& surface : instanceScene.Surfaces)

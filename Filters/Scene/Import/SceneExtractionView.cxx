@@ -300,9 +300,9 @@ void ApplyViewDistortion(const glm::dmat4& distortion, std::vector<DrawItem>& it
     if (item.GlyphInstances)
     {
       item.GlyphInstances = std::make_shared<Instances>(*item.GlyphInstances);
-      for (glm::dmat4& transform : item.GlyphInstances->Transforms)
+      for (glm::dmat4x3& transform : item.GlyphInstances->Transforms)
       {
-        transform = distortion * transform;
+        transform = glm::dmat4x3(distortion * glm::dmat4(transform));
       }
     }
     if (item.Radii || item.FacingSplats)

@@ -45,7 +45,7 @@ struct Coloring
 /// Instances of one glyph shape of a glyph mapper.
 struct Instances
 {
-  std::vector<glm::dmat4> Transforms; ///< shape to world
+  std::vector<glm::dmat4x3> Transforms; ///< shape to world
   std::vector<glm::u8vec4> Colors;
   std::vector<std::uint32_t> Ids; ///< indices of the glyphs' points
   bool ByScalars = false;
@@ -98,6 +98,10 @@ public:
   /// Transforms a normal by the inverse transpose, as VTK's shaders do. The result is not
   /// normalized.
   glm::vec3 Normal(const double n[3]) const;
+  glm::dmat4x3 GetMatrix() const
+  {
+    return { this->Linear[0], this->Linear[1], this->Linear[2], this->Shift };
+  }
 
 private:
   glm::dmat3 Linear;

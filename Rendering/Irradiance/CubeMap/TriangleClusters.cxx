@@ -21,7 +21,7 @@ constexpr std::size_t MaximumTriangles = (std::size_t(1) << 24) - 1;
 glm::vec3 GetVertex(const Scene& scene, const TriangleClusters::Triangle& triangle, int vertex)
 {
   const Surface& surface = scene.Surfaces[triangle.Surface];
-  return surface.Positions[surface.Triangles[triangle.Triangle][vertex]];
+  return surface.GetPoints(triangle.Triangle)[static_cast<std::size_t>(vertex)];
 }
 
 /// Inserts two zero bits after each of the lowest 21 bits.
@@ -44,6 +44,15 @@ std::uint64_t ComputeMortonCode(glm::vec3 point)
     key |= SpreadBits(static_cast<std::uint64_t>(scaled)) << axis;
   }
   return key;
+}
+
+void CheckCount(std::size_t triangles)
+{
+  if (triangles > MaximumTriangles)
+  {
+    throw std::runtime_error("Gathering by cube maps supports at most " +
+      std::to_string(MaximumTriangles) + " triangles: simplify the scene or gather by rays.");
+  }
 }
 
 struct SortedTriangle
@@ -72,8 +81,9 @@ TriangleClusters::TriangleClusters(const Scene& scene)
       throw std::runtime_error(
         "Gathering by cube maps does not support spheres and tubes: gather by rays.");
     }
+    CheckCount(sorted.size() + surface.GetNumberOfPrimitives());
     const Sides sides = !surface.Backfaces ? FrontOnly : !surface.Frontfaces ? BackOnly : Both;
-    for (std::uint32_t t = 0; t < surface.Triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < surface.GetNumberOfPrimitives(); ++t)
     {
       sorted.push_back({ sides, 0, { s, t } });
       for (int c = 0; c < 3; ++c)
@@ -83,11 +93,6 @@ TriangleClusters::TriangleClusters(const Scene& scene)
         high = glm::max(high, vertex);
       }
     }
-  }
-  if (sorted.size() > MaximumTriangles)
-  {
-    throw std::runtime_error("Gathering by cube maps supports at most " +
-      std::to_string(MaximumTriangles) + " triangles: simplify the scene or gather by rays.");
   }
   const glm::vec3 size = glm::max(high - low, glm::vec3(1e-30f));
   for (SortedTriangle& item : sorted)

@@ -29,10 +29,9 @@ std::vector<float> ComputeBruteForceOcclusion(
       continue;
     }
     const penumbra::Surface& surface = scene.Surfaces[hit.Surface];
-    const glm::uvec3 corners = surface.Triangles[hit.Primitive];
-    const glm::vec3 a = surface.Positions[corners.x];
-    glm::vec3 normal = glm::normalize(
-      glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a));
+    const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
+    const glm::vec3 a = points[0];
+    glm::vec3 normal = glm::normalize(glm::cross(points[1] - a, points[2] - a));
     normal = glm::dot(normal, cameraRay.Direction) > 0.f ? -normal : normal;
     const glm::vec3 point = cameraRay.Origin + hit.Distance * cameraRay.Direction;
     const glm::mat3 frame = penumbra::FrameFromNormal(normal);

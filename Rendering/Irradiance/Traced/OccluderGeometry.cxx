@@ -132,6 +132,7 @@ void RemoveShadingData(Scene& scene)
       Surface geometry;
       geometry.Positions = std::move(surface.Positions);
       geometry.Triangles = std::move(surface.Triangles);
+      geometry.Instances = std::move(surface.Instances);
       geometry.Frontfaces = surface.Frontfaces;
       geometry.Backfaces = surface.Backfaces;
       surfaces.push_back(std::move(geometry));

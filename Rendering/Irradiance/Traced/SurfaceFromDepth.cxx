@@ -195,11 +195,10 @@ private:
   SurfacePoint ReconstructFromHit(const Ray& ray, const Hit& hit) const
   {
     const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
-    const glm::uvec3 corners = surface.GetCorners(hit.Primitive);
-    const glm::vec3 a = surface.Positions[corners.x];
+    const std::array<glm::vec3, 3> points = surface.GetPoints(hit.Primitive);
     const glm::vec3 normal = surface.IsRound()
       ? this->Rays.GetNormal(ray, hit)
-      : glm::cross(surface.Positions[corners.y] - a, surface.Positions[corners.z] - a);
+      : glm::cross(points[1] - points[0], points[2] - points[0]);
     return this->OffsetFromSurface(ray, ray.Origin + hit.Distance * ray.Direction, normal, 0.f);
   }
 

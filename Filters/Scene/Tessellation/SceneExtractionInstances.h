@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Converts glyphs to one surface with instances, so that memory does not grow with the product of
+// glyphs and triangles.
+#ifndef penumbra_SceneExtractionInstances_h
+#define penumbra_SceneExtractionInstances_h
+
+#include "SceneExtractionItem.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace penumbra
+{
+
+/// Returns true if the glyphs of `item` have so many triangles that instances save memory.
+bool MayHaveInstances(const DrawItem& item);
+
+/// Adds surfaces with instances of `shape`, the surface of the glyphs of `item` in coordinates of
+/// its own. Returns the indices of the glyphs that must be copied as triangles: those that are cut
+/// by a clipping plane, not finite or almost flat, or all if instances of this shape are not
+/// supported.
+std::vector<std::size_t> AddInstances(const DrawItem& item, Surface&& shape, Scene& scene);
+
+}
+#endif
