@@ -110,7 +110,7 @@ constexpr std::uint32_t FirstEmitterRays = 8;
 constexpr std::uint32_t MaximumEmitterRays = 4096;
 
 /// Accepted error of the first round as a fraction of the tolerance. With 1, penumbrae and surfaces at
-/// grazing angles look grainy; 16 rays in the first round cost 20 % more (measured, `./penumbra
+/// grazing angles look grainy; 16 rays in the first round cost 11 to 28 % more (measured, `./penumbra
 /// benchmark light --only box`).
 constexpr double FirstEmitterErrorFraction = 0.4;
 
