@@ -267,7 +267,7 @@ TEST(Irradiance, MatchesPathTracingWithATinyEmitter)
 }
 
 // Next to the walls, the light on the ceiling and on the front of the block decreases by half within a few
-// pixels.
+// pixels. With the coverage and the clamping of occlusion, the corner of the ceiling is off by 1.2.
 TEST(Irradiance, HasNoBlotchesInCornersOfARoom)
 {
   constexpr int ImageSize = 512;
@@ -301,7 +301,7 @@ TEST(Irradiance, HasNoBlotchesInCornersOfARoom)
       count += 1.0;
     }
     const glm::dvec3 error = glm::abs(reference.Albedo / Pi / count * sum) / ImageTolerance;
-    EXPECT_LE(std::max({ error.x, error.y, error.z }), 1.5) << tile.x << ", " << tile.y;
+    EXPECT_LE(std::max({ error.x, error.y, error.z }), 0.6) << tile.x << ", " << tile.y;
   }
 }
 
