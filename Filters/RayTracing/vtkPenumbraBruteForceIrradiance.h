@@ -65,7 +65,7 @@ private:
   Occluders OccluderSettings = 0.0;
   double Tolerance = 0.01;           ///< of occlusion, passed to Begin()
   double IrradianceTolerance = 0.01; ///< passed to BeginIrradiance()
-  bool Translucent = false; ///< the scene has translucent occluders
+  bool Translucent = false;          ///< the scene has translucent occluders
   int MaximumRays = 16384;
   int MinimumRays = 32;
   std::unique_ptr<penumbra::Illumination> Lighting;
