@@ -32,7 +32,8 @@ inline const std::vector<Row> Table = {
 
   { "Filters/Comparison", {}, {} },
 
-  { "Filters/Scene", {}, { "GLM" } },
+  // OpenGL: the classes of two mappers that have no other base class.
+  { "Filters/Scene", {}, { "GLM", "OpenGL" } },
   { "Filters/Scene/Execution", {}, {} },
   { "Filters/Scene/Features", { "Filters/Scene" }, {} },
   { "Filters/Scene/Tessellation", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },

@@ -79,13 +79,15 @@ struct MaterialTextures
   std::shared_ptr<const Texture> CoatNormal;
 };
 
-/// A sphere if A and B are equal, otherwise a tube: the convex hull of two spheres.
+/// A sphere if A and B are equal, otherwise a tube: the convex hull of two spheres. With flat ends,
+/// a cylinder of the radius RadiusA between A and B, which does not exist if they are equal.
 struct RoundShape
 {
   glm::vec3 A;
   glm::vec3 B;
   float RadiusA;
   float RadiusB;
+  bool HasFlatEnds = false;
 };
 
 /// Triangle mesh, spheres or tubes with their material. Positions and Triangles reserve capacity
@@ -110,6 +112,8 @@ struct Surface
   /// Axes of tubes: indices into Positions. Consecutive tubes whose axes have a common index are
   /// joined. If empty, each position is the center of a sphere.
   std::vector<glm::uvec2> Segments;
+  /// If true, the tubes are cylinders with flat ends, and none are joined.
+  bool HasFlatEnds = false;
 
   /// Cell of the input for each triangle. If empty, it is the index of the triangle.
   std::vector<std::uint32_t> CellIds;
@@ -291,7 +295,7 @@ inline RoundShape Surface::GetRoundShape(std::uint32_t primitive) const
 {
   const glm::uvec3 ends = this->GetCorners(primitive);
   return { this->Positions[ends.x], this->Positions[ends.y], this->GetRadius(ends.x),
-    this->GetRadius(ends.y) };
+    this->GetRadius(ends.y), this->HasFlatEnds };
 }
 
 // The cross product underflows in single precision for triangles of about 1e-20 in size. Their

@@ -39,6 +39,14 @@
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
 
+// Some distributions of VTK omit these classes.
+#if __has_include("vtkOpenGLSphereMapper.h") && __has_include("vtkOpenGLStickMapper.h")
+#include "vtkFloatArray.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
+#define PENUMBRA_HAS_IMPOSTERS
+#endif
+
 #include <cmath>
 #include <string>
 
@@ -97,8 +105,79 @@ vtkPointGaussianMapper* AddSplats(Renderer renderer, const char* code, bool emis
   return mapper;
 }
 
+#ifdef PENUMBRA_HAS_IMPOSTERS
+/// Adds the points of a grid with the arrays Radius, Size and Axis, drawn by `mapper`.
+void AddImposters(Renderer renderer, vtkPolyDataMapper* mapper, bool scalars)
+{
+  vtkSmartPointer<vtkPolyData> data = MakePointGrid();
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("Radius");
+  vtkNew<vtkFloatArray> sizes;
+  sizes->SetName("Size");
+  sizes->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> axes;
+  axes->SetName("Axis");
+  axes->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> color;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double angle = 0.7 * static_cast<double>(i);
+    radii->InsertNextValue(0.2f + 0.015f * static_cast<float>(i));
+    sizes->InsertNextTuple3(0.5 + 0.03 * static_cast<double>(i), 0.15, 0.0);
+    axes->InsertNextTuple3(0.8 * std::cos(angle), 0.8 * std::sin(angle), i % 2 == 0 ? 0.6 : -0.6);
+    color->InsertNextValue(static_cast<double>(i % 5));
+  }
+  data->GetPointData()->AddArray(radii);
+  data->GetPointData()->AddArray(sizes);
+  data->GetPointData()->AddArray(axes);
+  if (scalars)
+  {
+    data->GetPointData()->SetScalars(color);
+    mapper->SetScalarRange(0.0, 4.0);
+  }
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.9, 0.6, 0.3);
+  actor->GetProperty()->SetSpecular(0.4);
+  actor->GetProperty()->SetSpecularPower(20.0);
+  actor->RotateX(25.0);
+  renderer->AddActor(actor);
+  renderer->ResetCamera();
+}
+#endif
+
+/// Adds spheres and sticks, which VTK draws as imposters.
+void AddImposterScenes([[maybe_unused]] SceneList& add)
+{
+#ifdef PENUMBRA_HAS_IMPOSTERS
+  for (const bool arrays : { false, true })
+  {
+    add(Feature::Imposters, [arrays](Renderer r, Window) {
+      vtkNew<vtkOpenGLSphereMapper> mapper;
+      if (arrays)
+      {
+        mapper->SetScaleArray("Radius");
+      }
+      AddImposters(r, mapper, arrays);
+    });
+  }
+  for (const bool parallel : { false, true })
+  {
+    add(Feature::Imposters, [parallel](Renderer r, Window) {
+      vtkNew<vtkOpenGLStickMapper> mapper;
+      mapper->SetScaleArray("Size");
+      mapper->SetOrientationArray("Axis");
+      AddImposters(r, mapper, true); // VTK needs colors
+      r->GetActiveCamera()->SetParallelProjection(parallel);
+    });
+  }
+#endif
+}
+
 void AddMappers(SceneList& add)
 {
+  AddImposterScenes(add);
   for (const bool arrays : { false, true })
   {
     add(Feature::PointSplats,

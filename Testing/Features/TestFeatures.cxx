@@ -238,6 +238,9 @@ TEST(FeatureRows, HaveASceneIfTheyAreDrawn)
   features.insert(Feature::PhysicalCoordinates);
   features.insert(Feature::CoordinateSystems);
 #endif
+#if !__has_include("vtkOpenGLSphereMapper.h") || !__has_include("vtkOpenGLStickMapper.h")
+  features.insert(Feature::Imposters); // see TestImposters
+#endif
   for (const FeatureScene& scene : MakeFeatureScenes())
   {
     features.insert(scene.Key);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RoundOutlines.h"
 
-#include <glm/gtc/constants.hpp>
+#include "OutlineProjector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,146 +10,6 @@
 
 namespace penumbra
 {
-
-namespace
-{
-
-constexpr double FullAngle = glm::two_pi<double>();
-/// Number of chords that are skipped together if they are outside the rectangle.
-constexpr int ChordsPerBlock = 16;
-/// Range of the number of chords of a full circle.
-constexpr double MinimumChords = 12.0;
-constexpr double MaximumChords = 16384.0;
-
-/// Returns half the length of the chords, in pixels, of a circle of the given radius in pixels. The
-/// area between an arc and its chord is proportional to h^3 / radius. It is below 5e-5 for short
-/// chords; chords longer than half a pixel have a sagitta below 1e-4. The sagitta stays below
-/// EdgePrecision.
-double ComputeHalfChord(double radius)
-{
-  const double byArea = std::cbrt(3.9e-4 * radius);
-  const double byHeight = std::max(0.35, std::sqrt(1.5e-4 * radius));
-  return std::min({ byArea, byHeight, std::sqrt(2e-3 * radius) });
-}
-
-/// Minimum depth that is projected.
-double ComputeNear(const Camera& camera)
-{
-  return std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
-}
-
-/// An arc of a circle in space: Center + cos(angle) * U + sin(angle) * V.
-struct Arc
-{
-  glm::dvec3 Center;
-  glm::dvec3 U;
-  glm::dvec3 V;
-  double Begin = 0.0;
-  double Size = FullAngle;
-
-  glm::dvec3 At(double angle, double scale = 1.0) const
-  {
-    return this->Center + scale * (std::cos(angle) * this->U + std::sin(angle) * this->V);
-  }
-};
-
-/// Projects arcs and lines to edges within a rectangle of the image.
-class OutlineProjector
-{
-public:
-  OutlineProjector(
-    const Camera& camera, glm::dvec2 low, glm::dvec2 high, std::vector<ProjectedEdge>& edges)
-    : View(camera),
-      Low(low),
-      High(high),
-      Near(ComputeNear(camera)),
-      Edges(edges)
-  {
-  }
-
-  void AddLine(glm::dvec3 a, glm::dvec3 b)
-  {
-    double depthA = this->View.Depth(a);
-    double depthB = this->View.Depth(b);
-    if (depthA < this->Near && depthB < this->Near)
-    {
-      return;
-    }
-    if (depthA < this->Near || depthB < this->Near)
-    {
-      const glm::dvec3 cut = a + (b - a) * ((this->Near - depthA) / (depthB - depthA));
-      (depthA < this->Near ? a : b) = cut;
-      (depthA < this->Near ? depthA : depthB) = this->Near;
-    }
-    const bool parallel = this->View.Parallel;
-    ProjectedEdge edge{ this->View.Project(a), this->View.Project(b),
-      parallel ? depthA : 1.0 / depthA, parallel ? depthB : 1.0 / depthB };
-    if (ClipToRectangle(edge, this->Low, this->High))
-    {
-      this->Edges.push_back(edge);
-    }
-  }
-
-  /// Adds an arc whose full circle has about the given radius in the image, in pixels.
-  void AddArc(const Arc& arc, double radius)
-  {
-    const double chords = glm::pi<double>() * radius / std::max(ComputeHalfChord(radius), 1e-9);
-    const bool closed = arc.Size >= FullAngle;
-    const int count = std::max(
-      static_cast<int>(
-        std::ceil(std::clamp(chords, MinimumChords, MaximumChords) * arc.Size / FullAngle)),
-      1);
-    const double step = arc.Size / count;
-    // The polygon has the area of the circle. The ends of an open arc stay in place.
-    const double scale = std::sqrt(step / std::sin(step));
-    const auto at = [&](int i) {
-      const bool end = !closed && (i == 0 || i == count);
-      return arc.At(arc.Begin + step * (closed && i == count ? 0 : i), end ? 1.0 : scale);
-    };
-    for (int first = 0; first < count; first += ChordsPerBlock)
-    {
-      const int last = std::min(first + ChordsPerBlock, count);
-      glm::dvec3 from = at(first);
-      if (count > ChordsPerBlock && this->IsOutside(from, at(last), step * (last - first), radius))
-      {
-        continue;
-      }
-      for (int i = first; i < last; ++i)
-      {
-        const glm::dvec3 to = at(i + 1);
-        this->AddLine(from, to);
-        from = to;
-      }
-    }
-  }
-
-private:
-  /// Returns true if an arc of `angle` between two points does not reach the rectangle.
-  bool IsOutside(glm::dvec3 a, glm::dvec3 b, double angle, double radius) const
-  {
-    if (this->View.Depth(a) < this->Near || this->View.Depth(b) < this->Near)
-    {
-      return false;
-    }
-    const glm::dvec2 p = this->View.Project(a);
-    const glm::dvec2 q = this->View.Project(b);
-    // Twice the sagitta of the arc.
-    const double margin = 4.0 *
-      (glm::distance(p, q) + radius * (1.0 - std::cos(std::min(0.5 * angle, glm::pi<double>()))));
-    const glm::dvec2 low = glm::min(p, q) - margin;
-    const glm::dvec2 high = glm::max(p, q) + margin;
-    return high.x < this->Low.x || high.y < this->Low.y || low.x > this->High.x ||
-      low.y > this->High.y;
-  }
-
-  const Camera& View;
-  glm::dvec2 Low;
-  glm::dvec2 High;
-  double Near;
-  std::vector<ProjectedEdge>& Edges;
-};
-
-}
 
 bool BoundSphere(
   glm::dvec3 center, double radius, const Camera& camera, glm::dvec2& low, glm::dvec2& high)
@@ -356,6 +216,62 @@ void AddTube(const Surface& surface, std::uint32_t primitive, const RoundShape& 
   }
 }
 
+/// Adds the silhouettes of the side of a cylinder with flat ends, the circles of the ends that face
+/// the camera, and the visible parts of the other circles.
+void AddFlatTube(const RoundShape& shape, const Camera& camera, OutlineProjector& projector)
+{
+  const glm::dvec3 ends[2] = { glm::dvec3(shape.A), glm::dvec3(shape.B) };
+  const double length = glm::distance(ends[0], ends[1]);
+  const double radius = shape.RadiusA;
+  if (!(length > 0.0))
+  {
+    return;
+  }
+  const glm::dvec3 axis = (ends[1] - ends[0]) / length;
+  const glm::dvec3 helper =
+    std::abs(axis.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 u = glm::normalize(glm::cross(axis, helper));
+  const glm::dvec3 v = glm::cross(axis, u);
+  const auto towardCamera = [&](int end) {
+    return camera.Parallel ? -camera.Forward : camera.Position - ends[end];
+  };
+  // The side faces the camera at the angles at which its normal . towardCamera > limit.
+  const double limit = camera.Parallel ? 0.0 : radius;
+  const double x = glm::dot(towardCamera(0), u);
+  const double y = glm::dot(towardCamera(0), v);
+  const double amplitude = std::hypot(x, y);
+  const bool hasSide = amplitude > limit;
+  const double half = hasSide ? std::acos(limit / amplitude) : 0.0;
+  const double begin = std::atan2(y, x) - half;
+  Arc arcs[2];
+  for (int end = 0; end < 2; ++end)
+  {
+    arcs[end] = { ends[end], radius * u, radius * v, begin, hasSide ? 2.0 * half : FullAngle };
+    const bool isFacing = (end == 0 ? -1.0 : 1.0) * glm::dot(towardCamera(end), axis) > 0.0;
+    glm::dvec2 low;
+    glm::dvec2 high;
+    const double imageRadius = BoundSphere(ends[end], radius, camera, low, high)
+      ? 0.5 * glm::distance(low, high)
+      : static_cast<double>(camera.Width + camera.Height);
+    if (hasSide || isFacing)
+    {
+      projector.AddArc(arcs[end], imageRadius);
+    }
+    if (hasSide && isFacing)
+    {
+      Arc rest = arcs[end];
+      rest.Begin = begin + 2.0 * half;
+      rest.Size = FullAngle - 2.0 * half;
+      projector.AddArc(rest, imageRadius);
+    }
+  }
+  for (int side = 0; hasSide && side < 2; ++side)
+  {
+    const double angle = begin + 2.0 * half * side;
+    projector.AddLine(arcs[0].At(angle), arcs[1].At(angle));
+  }
+}
+
 }
 
 void ProjectOutline(const Surface& surface, std::uint32_t primitive, const Camera& camera,
@@ -363,6 +279,11 @@ void ProjectOutline(const Surface& surface, std::uint32_t primitive, const Camer
 {
   OutlineProjector projector(camera, low, high, edges);
   const RoundShape shape = surface.GetRoundShape(primitive);
+  if (shape.HasFlatEnds)
+  {
+    AddFlatTube(shape, camera, projector);
+    return;
+  }
   const Tube tube(shape);
   if (tube.IsTube)
   {

@@ -345,8 +345,8 @@ bool MayIntersectTube(const Scene& scene, PrimitiveId a, PrimitiveId b, glm::dve
       return false;
     }
     const RoundShape shape = other.GetRoundShape(b.Primitive);
-    const bool joined =
-      shape.A == tube.A || shape.A == tube.B || shape.B == tube.A || shape.B == tube.B;
+    const bool joined = !shape.HasFlatEnds && !tube.HasFlatEnds &&
+      (shape.A == tube.A || shape.A == tube.B || shape.B == tube.A || shape.B == tube.B);
     const double reach = point.Radius + std::max(shape.RadiusA, shape.RadiusB) + footprint;
     const glm::dvec3 d(shape.B - shape.A);
     const double square = glm::dot(d, d);

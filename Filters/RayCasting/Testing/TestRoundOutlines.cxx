@@ -22,13 +22,6 @@ using namespace penumbra_testing;
 namespace
 {
 
-/// Returns the direction through image point (x, y).
-glm::dvec3 Direction(double x, double y)
-{
-  const double pixel = 2.0 * std::tan(0.5 * ViewAngle * std::acos(-1.0) / 180.0) / Side;
-  return glm::normalize(glm::dvec3((x - 0.5 * Side) * pixel, (y - 0.5 * Side) * pixel, -1.0));
-}
-
 /// Returns true if the ray from the origin passes a segment at a distance below the radius: the
 /// distance of two lines, and of the end points, written without the ray caster's formulas.
 bool HitsTube(glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b, double radius)
@@ -43,72 +36,6 @@ bool HitsTube(glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b, double radius)
   const glm::dvec3 p = a + u * d;
   const double t = glm::dot(p, direction);
   return t > 0.0 && glm::distance(p, t * direction) < radius;
-}
-
-using Inside = std::function<bool(glm::dvec3)>;
-
-/// Returns the coverage of a pixel: the length of the covered part of `lines` horizontal lines,
-/// whose ends are found by bisection.
-double ComputeCoverage(int x, int y, const Inside& isInside, int lines)
-{
-  constexpr int Steps = 16;
-  double sum = 0.0;
-  for (int line = 0; line < lines; ++line)
-  {
-    const double at = y + (line + 0.5) / lines;
-    bool before = isInside(Direction(x, at));
-    for (int i = 0; i < Steps; ++i)
-    {
-      double low = x + static_cast<double>(i) / Steps;
-      double high = x + static_cast<double>(i + 1) / Steps;
-      const bool after = isInside(Direction(high, at));
-      if (before == after)
-      {
-        sum += before ? 1.0 / Steps : 0.0;
-      }
-      else
-      {
-        const double from = low;
-        const double to = high;
-        for (int k = 0; k < 30; ++k)
-        {
-          const double middle = 0.5 * (low + high);
-          (isInside(Direction(middle, at)) == before ? low : high) = middle;
-        }
-        sum += before ? low - from : to - low;
-      }
-      before = after;
-    }
-  }
-  return sum / lines;
-}
-
-/// Returns the RMSE of the pixels that an outline crosses.
-double ComputeEdgeError(const std::vector<double>& image, const Inside& isInside, int stride = 5)
-{
-  double squares = 0.0;
-  int count = 0;
-  for (int y = 0; y < Side; ++y)
-  {
-    for (int x = 0; x < Side; ++x)
-    {
-      int corners = 0;
-      for (int i = 0; i < 9; ++i)
-      {
-        corners += isInside(Direction(x + 0.5 * (i % 3), y + 0.5 * (i / 3))) ? 1 : 0;
-      }
-      if (corners == 0 || corners == 9)
-      {
-        EXPECT_NEAR(image[y * Side + x], corners / 9.0, 0.2) << x << " " << y;
-      }
-      else if (++count % stride == 0)
-      {
-        const double error = image[y * Side + x] - ComputeCoverage(x, y, isInside, 512);
-        squares += error * error;
-      }
-    }
-  }
-  return std::sqrt(squares / (count / stride));
 }
 
 }

@@ -51,6 +51,73 @@ bool IsFar(const RoundShape& shape, glm::dvec3 origin, glm::dvec3 direction)
   return volume * volume > radius * radius * glm::dot(normal, normal);
 }
 
+/// Axis of a cylinder with flat ends.
+struct FlatAxis
+{
+  glm::dvec3 Direction{ 0.0 }; ///< unit vector from A to B
+  double Length = 0.0;
+
+  explicit FlatAxis(const RoundShape& shape)
+  {
+    const glm::dvec3 d = glm::dvec3(shape.B) - glm::dvec3(shape.A);
+    this->Length = glm::length(d);
+    this->Direction = this->Length > 0.0 ? d / this->Length : d;
+  }
+};
+
+/// Intersects a line with a cylinder with flat ends: the common part of the ranges in the infinite
+/// cylinder and between the planes of its ends.
+void IntersectFlat(
+  const RoundShape& shape, glm::dvec3 origin, glm::dvec3 direction, RoundIntersection& result)
+{
+  const FlatAxis axis(shape);
+  if (!(axis.Length > 0.0))
+  {
+    return;
+  }
+  const glm::dvec3 end(shape.A);
+  const double shift = glm::dot(end - origin, direction) / glm::dot(direction, direction);
+  const glm::dvec3 x = origin + shift * direction - end;
+  const double height = glm::dot(x, axis.Direction);
+  const double rise = glm::dot(direction, axis.Direction);
+  const glm::dvec3 across = x - height * axis.Direction;
+  const glm::dvec3 slope = direction - rise * axis.Direction;
+  const double a = glm::dot(slope, slope);
+  const double b = glm::dot(across, slope);
+  const double c = glm::dot(across, across) - static_cast<double>(shape.RadiusA) * shape.RadiusA;
+  const double discriminant = b * b - a * c;
+  const bool isAlongAxis = a == 0.0;
+  if (isAlongAxis ? c > 0.0 : !(discriminant >= 0.0))
+  {
+    return;
+  }
+  double enter = -std::numeric_limits<double>::infinity();
+  double leave = std::numeric_limits<double>::infinity();
+  if (!isAlongAxis)
+  {
+    // The stable form of the two solutions of a t^2 + 2 b t + c = 0.
+    const double q = b >= 0.0 ? -b - std::sqrt(discriminant) : -b + std::sqrt(discriminant);
+    const double first = q / a;
+    const double second = q != 0.0 ? c / q : first;
+    enter = std::min(first, second);
+    leave = std::max(first, second);
+  }
+  if (rise != 0.0)
+  {
+    const double bottom = -height / rise;
+    const double top = (axis.Length - height) / rise;
+    enter = std::max(enter, std::min(bottom, top));
+    leave = std::min(leave, std::max(bottom, top));
+  }
+  else if (height < 0.0 || height > axis.Length)
+  {
+    return;
+  }
+  result.IsHit = enter <= leave;
+  result.Enter = shift + enter;
+  result.Leave = shift + leave;
+}
+
 /// Extends the range of `result` by the parameter t.
 void Extend(RoundIntersection& result, double t)
 {
@@ -66,6 +133,14 @@ void Extend(RoundIntersection& result, double t)
 RoundIntersection::RoundIntersection(
   const RoundShape& shape, glm::dvec3 origin, glm::dvec3 direction)
 {
+  if (shape.HasFlatEnds)
+  {
+    if (!IsFar(shape, origin, direction))
+    {
+      IntersectFlat(shape, origin, direction, *this);
+    }
+    return;
+  }
   const double square = glm::dot(direction, direction);
   if (shape.A == shape.B && shape.RadiusA == shape.RadiusB)
   {
@@ -153,9 +228,23 @@ RoundIntersection::RoundIntersection(
 
 TouchingSphere::TouchingSphere(const RoundShape& shape, glm::dvec3 point)
 {
-  const TubeAxis axis(shape);
   const glm::dvec3 a(shape.A);
   const glm::dvec3 b(shape.B);
+  if (shape.HasFlatEnds)
+  {
+    const FlatAxis flat(shape);
+    const glm::dvec3 x = point - a;
+    const double height = glm::dot(x, flat.Direction);
+    const double side = glm::length(x - height * flat.Direction) - shape.RadiusA;
+    const bool isAtB = 2.0 * height > flat.Length;
+    this->Radius = shape.RadiusA;
+    this->U = flat.Length > 0.0 ? std::clamp(height / flat.Length, 0.0, 1.0) : 0.0;
+    const bool isOnEnd = std::abs(isAtB ? height - flat.Length : height) < std::abs(side);
+    this->Center = isOnEnd ? point + (isAtB ? -this->Radius : this->Radius) * flat.Direction
+                           : a + this->U * (b - a);
+    return;
+  }
+  const TubeAxis axis(shape);
   if (axis.IsTube)
   {
     const glm::dvec3 x = point - a;

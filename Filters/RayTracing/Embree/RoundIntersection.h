@@ -24,7 +24,8 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RoundIntersection
   RoundIntersection(const RoundShape& shape, glm::dvec3 origin, glm::dvec3 direction);
 };
 
-/// The sphere that touches the surface of a shape from the inside near a point.
+/// The sphere that touches the surface of a shape from the inside near a point. That of a flat end
+/// has the radius of the cylinder and may protrude.
 struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT TouchingSphere
 {
   double U = 0.0; ///< position of the center between the ends of the shape, in [0, 1]

@@ -128,7 +128,14 @@ const std::vector<FeatureRow>& GetFeatureTable()
       "vtkPointGaussianMapper: other SplatShaderCode, Anisotropic",
       "the splats are drawn as round discs or Gaussians.",
       "Use the default splats, or the shader code of ParaView's spheres or discs." },
-    { Feature::ShaderMappers, Refused, "vtkOpenGLSphereMapper, vtkOpenGLStickMapper",
+    { Feature::Imposters, Drawn, "vtkOpenGLSphereMapper, vtkOpenGLStickMapper",
+      "Spheres and sticks are solid; translucent ones have one layer, where VTK blends both sides "
+      "of "
+      "spheres.",
+      "" },
+    { Feature::ShaderMappers, Refused,
+      "vtkOpenGLSphereMapper, vtkOpenGLStickMapper, if the VTK that Penumbra was compiled with has "
+      "no headers of them",
       "the prop is not supported and was skipped.", "Use vtkGlyph3DMapper." },
     { Feature::ImageSlices, Drawn, "vtkImageActor, vtkImageSlice with vtkImageSliceMapper", "",
       "" },

@@ -64,6 +64,7 @@ enum class Feature
   DerivedMappers,
   PointSplats,
   SplatShaders,
+  Imposters,
   ShaderMappers,
   ImageSlices,
   ObliqueImageSlices,

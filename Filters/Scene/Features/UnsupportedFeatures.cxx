@@ -58,7 +58,7 @@ bool IsKnownMapper(vtkMapper* mapper)
     "vtkOpenGLCompositePolyDataMapper", "vtkOpenGLBatchedPolyDataMapper",
     "vtkWebGPUCompositePolyDataMapper", "vtkDataSetMapper", "vtkGlyph3DMapper",
     "vtkOpenGLGlyph3DMapper", "vtkLabeledContourMapper", "vtkPointGaussianMapper",
-    "vtkOpenGLPointGaussianMapper" };
+    "vtkOpenGLPointGaussianMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper" };
   return std::any_of(std::begin(names), std::end(names),
     [&](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
 }

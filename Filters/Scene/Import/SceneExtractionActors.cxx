@@ -13,6 +13,7 @@
 #include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
 #include "SurfaceGeometry.h"
+#include "Tessellation/SceneExtractionImposters.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
@@ -202,7 +203,8 @@ private:
     {
       return;
     }
-    if (DrawsByShadersAlone(mapper) && !vtkPointGaussianMapper::SafeDownCast(mapper))
+    if (ImposterSettings imposters; DrawsByShadersAlone(mapper) &&
+        !vtkPointGaussianMapper::SafeDownCast(mapper) && !ReadImposterSettings(mapper, imposters))
     {
       WarnFeature(Feature::ShaderMappers, prototype.Name + " (" + mapper->GetClassName() + ")",
         this->Warnings);
@@ -256,6 +258,20 @@ private:
       if (auto* points = vtkPolyData::SafeDownCast(data))
       {
         AddSplats(splats, points, prototype, scalars, this->Items, this->Warnings);
+      }
+      return;
+    }
+    if (ImposterSettings imposters; ReadImposterSettings(mapper, imposters))
+    {
+      if (auto* points = vtkPolyData::SafeDownCast(data); points && points->GetPoints())
+      {
+        scalars->SetInterpolateScalarsBeforeMapping(false);
+        DrawItem item =
+          MakeImposters(imposters, points, prototype, scalars->Map(points), this->Warnings);
+        if (item.Data->GetNumberOfCells() > 0)
+        {
+          this->Items.push_back(std::move(item));
+        }
       }
       return;
     }

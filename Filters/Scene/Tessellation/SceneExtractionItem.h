@@ -80,6 +80,7 @@ struct DrawItem
   /// units. 0: as the property requests.
   double PointRadius = 0.0;
   double LineRadius = 0.0;
+  bool HasFlatTubes = false;      ///< lines that are drawn as tubes are cylinders with flat ends
   bool ForceOpaque = false;       ///< see Surface
   bool RemoveHiddenLines = false; ///< its polygons hide the lines of this and other items
   /// Radius of each point of Data in world units. Replaces PointRadius and LineRadius; null: none.

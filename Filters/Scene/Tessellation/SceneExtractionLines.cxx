@@ -150,6 +150,7 @@ private:
   {
     this->Begin(style);
     this->LastEnd = None;
+    this->Result.HasFlatEnds = this->Item.HasFlatTubes;
     const bool isUniform = style.Radius > 0.0 && !this->Item.Radii;
     if (isUniform)
     {

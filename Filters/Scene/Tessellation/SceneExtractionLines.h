@@ -7,13 +7,15 @@
 #define penumbra_SceneExtractionLines_h
 
 #include "SceneExtractionItem.h"
+#include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 namespace penumbra
 {
 
 /// Adds the parts of `item` that are drawn as lines and points to `scene`. `pixelsPerPoint` is the
 /// width in pixels of a line of width 1.
-void AddLinesAndPoints(const DrawItem& item, double pixelsPerPoint, Scene& scene);
+VTKPENUMBRAFILTERSSCENE_EXPORT void AddLinesAndPoints(
+  const DrawItem& item, double pixelsPerPoint, Scene& scene);
 
 }
 #endif
