@@ -348,6 +348,10 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
   TakeErrors();
   filter->Update();
   const std::vector<std::string> errors = TakeErrors();
+  if (const std::string refusal = FindMemoryRefusal(errors); !refusal.empty())
+  {
+    throw CommandError(Unavailable, options.File + ": " + refusal);
+  }
   if (IndicatesOutOfMemory(errors))
   {
     throw std::bad_alloc();

@@ -225,6 +225,10 @@ RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const Ren
   caster->RemoveObserver(observer);
   caster->RemoveObserver(warningObserver);
   const std::vector<std::string> errors = TakeErrors();
+  if (const std::string refusal = FindMemoryRefusal(errors); !refusal.empty())
+  {
+    throw CommandError(Unavailable, "--engine ray: " + refusal);
+  }
   if (IndicatesOutOfMemory(errors))
   {
     throw std::bad_alloc();

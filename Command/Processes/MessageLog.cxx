@@ -131,6 +131,19 @@ std::vector<std::string> TakeErrors()
   return errors;
 }
 
+std::string FindMemoryRefusal(const std::vector<std::string>& errors)
+{
+  for (const std::string& error : errors)
+  {
+    const std::size_t begin = error.find("Not enough memory: ");
+    if (begin != std::string::npos)
+    {
+      return error.substr(begin);
+    }
+  }
+  return {};
+}
+
 bool IndicatesOutOfMemory(const std::vector<std::string>& errors)
 {
   return std::any_of(errors.begin(), errors.end(), [](const std::string& error) {

@@ -288,6 +288,32 @@ TEST(SetUpScript, ListsBenchmarks)
   }
 }
 
+TEST(OutOfMemory, RefusesScenesThatDoNotFit)
+{
+  const Folder folder("refusal");
+  WriteText(folder / "square.stl", SquareStl());
+  const std::vector<std::string> before = folder.List();
+  const std::string file = folder / "square.stl";
+  const std::vector<std::vector<std::string>> commands = { { "render", file, "--output",
+                                                             folder / "p.png" },
+    { "bake", file, "--output", folder / "p.vtp" },
+    { "animate", file, "--output", folder / "p{frame}.png", "--frames", "2", "--orbit", "360" } };
+  for (const std::vector<std::string>& command : commands)
+  {
+    const ProgramResult outcome = RunProgram(command, "PENUMBRA_AVAILABLE_MEMORY=1e-5");
+    EXPECT_EQ(outcome.Status, 3) << outcome.Errors;
+    EXPECT_NE(
+      outcome.Errors.find("Not enough memory: 2 triangles need at least"), std::string::npos)
+      << outcome.Errors;
+    EXPECT_EQ(folder.List(), before) << command[0];
+    const ProgramResult wrong = RunProgram(command, "PENUMBRA_AVAILABLE_MEMORY=much");
+    EXPECT_NE(wrong.Status, 0) << command[0];
+    EXPECT_NE(wrong.Errors.find("must be a positive number of MiB"), std::string::npos)
+      << wrong.Errors;
+  }
+  EXPECT_EQ(RunProgram(commands[0], "PENUMBRA_AVAILABLE_MEMORY=1").Status, 0);
+}
+
 TEST(OutOfMemory, ReportsError)
 {
 #if defined(__SANITIZE_ADDRESS__)

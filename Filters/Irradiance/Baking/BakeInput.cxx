@@ -6,6 +6,7 @@
 #include "Import/SurfaceGeometry.h"
 #include "PointNormals.h"
 #include "Shading/HemisphereSampling.h"
+#include "Tessellation/MemoryEstimate.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"
@@ -164,6 +165,7 @@ public:
 
   BakeInput Build()
   {
+    RequireMemoryForOccluders(this->Mesh, this->Options.PointRadius, this->Options.LineRadius);
     this->Center();
     this->AddTriangles();
     if (this->Triangles.empty() && this->Options.PointRadius > 0.0)

@@ -10,6 +10,7 @@
 #include "SceneExtractionProps.h"
 #include "SceneExtractionSplats.h"
 #include "SceneExtractionView.h"
+#include "Tessellation/MemoryEstimate.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -186,6 +187,7 @@ Scene ExtractScene(vtkRenderer* renderer, const ExtractionOptions& options)
   Scene scene;
   std::vector<DrawItem> items = CollectDrawItems(renderer, scene.Warnings, options.Progress);
   SetRadii(options, items);
+  RequireMemoryForItems(items);
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   std::copy_n(bounds, 6, scene.VisibleBounds.begin());
@@ -275,6 +277,7 @@ Scene ExtractScene(const std::vector<vtkDataObject*>& data, const ExtractionOpti
   Scene scene;
   std::vector<DrawItem> items = CollectDrawItems(data, scene.Warnings, options.Progress);
   SetRadii(options, items);
+  RequireMemoryForItems(items);
   double bounds[6];
   ComputeBounds(items, bounds);
   ResetCamera(bounds, options, scene);

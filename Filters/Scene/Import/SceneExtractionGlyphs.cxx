@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionGlyphs.h"
 
+#include "Execution/AvailableMemory.h"
 #include "SceneExtractionColors.h"
 #include "Tessellation/SceneExtractionInstances.h"
 #include "Tessellation/SceneExtractionLines.h"
@@ -306,6 +307,9 @@ std::vector<DrawItem> MakeGlyphs(vtkGlyph3DMapper* mapper, vtkDataSet* data,
                             prototype.Property->GetOpacity()) *
       255.0 +
     0.5);
+  RequireMemory(static_cast<double>(data->GetNumberOfPoints()) *
+      (sizeof(glm::dmat4x3) + 2 * sizeof(glm::u8vec4)),
+    std::to_string(data->GetNumberOfPoints()) + " glyphs");
   const GlyphPlacement placement(mapper, data, scalars);
   if (sources == 1)
   {
