@@ -20,8 +20,8 @@ struct LightBenchmark
   ResultTable Results;
 };
 
-/// Irradiance of the cache under skies of one color and under a colored environment map, in scenes with
-/// colored walls.
+/// Irradiance of the cache under skies of one color and under environment maps, one with a sun, in scenes
+/// with colored walls, and images of these.
 void MeasureSkies(LightBenchmark& benchmark);
 
 /// Baked irradiance under the same skies, and under dark and bright ones.

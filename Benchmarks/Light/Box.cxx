@@ -6,21 +6,13 @@
 #include "Room.h"
 #include "Scenes/Solids.h"
 
-#include "vtkActor.h"
-#include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <glm/gtc/constants.hpp>
@@ -37,7 +29,6 @@ constexpr int Size = 512;
 constexpr int TileSize = 16;
 constexpr int ReferenceStep = 4; ///< pixels between reference points in both directions
 constexpr int Paths = 1024;
-constexpr int Border = 1; ///< pixels next to edges of the image of a surface that are left out
 constexpr double Albedo = .5;
 constexpr int Bounces = 5;
 
@@ -45,71 +36,12 @@ const glm::dvec3 Eye(.51, -1.3, .47);
 const glm::dvec3 Target(.5, 0.0, .5);
 constexpr double ViewAngle = 41.0;
 
-vtkSmartPointer<vtkRenderer> MakeRenderer(const std::vector<Panel>& panels)
-{
-  auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  vtkNew<vtkLight> dark; // without a light, surfaces would be drawn without lighting
-  dark->SetIntensity(0.0);
-  renderer->AddLight(dark);
-  for (const Panel& panel : panels)
-  {
-    vtkNew<vtkPoints> points;
-    for (const glm::dvec3& corner : { panel.Corner, panel.Corner + panel.Side,
-           panel.Corner + panel.Side + panel.Other, panel.Corner + panel.Other })
-    {
-      points->InsertNextPoint(&corner.x);
-    }
-    vtkNew<vtkCellArray> cells;
-    const vtkIdType corners[] = { 0, 1, 2, 3 };
-    cells->InsertNextCell(4, corners);
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(cells);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(mesh);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    vtkProperty* property = actor->GetProperty();
-    property->SetInterpolationToFlat();
-    property->SetAmbient(1.0);
-    property->SetAmbientColor(panel.Emission.x, panel.Emission.y, panel.Emission.z);
-    property->SetDiffuseColor(panel.Reflectance.x, panel.Reflectance.y, panel.Reflectance.z);
-    renderer->AddActor(actor);
-  }
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(Eye.x, Eye.y, Eye.z);
-  camera->SetFocalPoint(Target.x, Target.y, Target.z);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  camera->SetViewAngle(ViewAngle);
-  return renderer;
-}
-
 /// Reference colors of pixels that a single surface fills.
 struct BoxReference
 {
   std::vector<glm::ivec2> Pixels;
   std::vector<glm::dvec3> Colors;
 };
-
-/// Returns true if the pixels around `at` show the same panel.
-bool ShowsOnePanel(const RayScene& rays, glm::ivec2 at)
-{
-  const Camera& camera = rays.GetScene().ViewCamera;
-  std::uint32_t first = 0;
-  for (int k = 0; k < 9; ++k)
-  {
-    Ray ray;
-    const glm::dvec2 offset(Border * (k % 3 - 1), Border * (k / 3 - 1));
-    ray.Direction = camera.RayDirection(glm::dvec2(at) + .5 + offset);
-    const Hit hit = rays.Intersect(ray);
-    first = k == 0 ? hit.Surface : first;
-    if (!hit.IsHit() || hit.Surface != first)
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 BoxReference FindBoxReference(const std::vector<Panel>& panels)
 {
@@ -122,14 +54,11 @@ BoxReference FindBoxReference(const std::vector<Panel>& panels)
   std::uint64_t seed = 0;
   for (const ImagePoint& point : FindImagePoints(rays, ReferenceStep))
   {
-    if (!ShowsOnePanel(rays, point.Pixel))
+    if (!ShowsOneSurface(rays, point.Pixel))
     {
       continue;
     }
-    Ray ray;
-    ray.Direction = scene.ViewCamera.RayDirection(glm::dvec2(point.Pixel) + .5);
-    const Hit hit = rays.Intersect(ray);
-    const glm::dvec3 reflectance(scene.Surfaces[hit.Surface].Front.DiffuseColor);
+    const glm::dvec3 reflectance(scene.Surfaces[point.Surface].Front.DiffuseColor);
     reference.Pixels.push_back(point.Pixel);
     reference.Colors.push_back(Albedo / glm::pi<double>() * reflectance *
       truth.Irradiance(point.Position, point.Normal, Paths, ++seed));
@@ -212,7 +141,7 @@ void MeasureBox(LightBenchmark& benchmark)
 {
   const std::vector<Panel> panels = CornellLikeBox();
   const BoxReference reference = FindBoxReference(panels);
-  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(panels);
+  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(panels, Eye, Target, ViewAngle);
   for (const double tolerance : { .01, 1.0 / 256.0 })
   {
     vtkNew<vtkPenumbraRayCaster> caster;

@@ -4,11 +4,20 @@
 
 #include "Benchmark.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceIrradiance.h"
 #include "vtkPenumbraIrradianceCache.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -20,6 +29,46 @@ namespace
 constexpr double Pi = glm::pi<double>();
 constexpr int ReferenceRays = 16384;
 
+}
+
+vtkSmartPointer<vtkRenderer> MakeRenderer(
+  const std::vector<Panel>& panels, glm::dvec3 eye, glm::dvec3 target, double viewAngle)
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  vtkNew<vtkLight> dark; // without a light, surfaces would be drawn without lighting
+  dark->SetIntensity(0.0);
+  renderer->AddLight(dark);
+  for (const Panel& panel : panels)
+  {
+    vtkNew<vtkPoints> points;
+    for (const glm::dvec3& corner : { panel.Corner, panel.Corner + panel.Side,
+           panel.Corner + panel.Side + panel.Other, panel.Corner + panel.Other })
+    {
+      points->InsertNextPoint(&corner.x);
+    }
+    vtkNew<vtkCellArray> cells;
+    const vtkIdType corners[] = { 0, 1, 2, 3 };
+    cells->InsertNextCell(4, corners);
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    vtkProperty* property = actor->GetProperty();
+    property->SetInterpolationToFlat();
+    property->SetAmbient(1.0);
+    property->SetAmbientColor(panel.Emission.x, panel.Emission.y, panel.Emission.z);
+    property->SetDiffuseColor(panel.Reflectance.x, panel.Reflectance.y, panel.Reflectance.z);
+    renderer->AddActor(actor);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(eye.x, eye.y, eye.z);
+  camera->SetFocalPoint(target.x, target.y, target.z);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(viewAngle);
+  return renderer;
 }
 
 std::vector<ImagePoint> FindImagePoints(const RayScene& rays, int step)
@@ -42,10 +91,29 @@ std::vector<ImagePoint> FindImagePoints(const RayScene& rays, int step)
       glm::dvec3 geometric = glm::normalize(glm::dvec3(rays.GetNormal(ray, hit)));
       geometric = glm::dot(geometric, direction) > 0.0 ? -geometric : geometric;
       points.push_back({ { x, y }, double(hit.Distance) * direction / scene.Scale + scene.Origin,
-        rays.GetSmoothNormal(hit, geometric), geometric });
+        rays.GetSmoothNormal(hit, geometric), geometric, hit.Surface });
     }
   }
   return points;
+}
+
+bool ShowsOneSurface(const RayScene& rays, glm::ivec2 pixel)
+{
+  const Camera& camera = rays.GetScene().ViewCamera;
+  std::uint32_t first = 0;
+  for (int k = 0; k < 9; ++k)
+  {
+    Ray ray;
+    const glm::dvec2 offset(k % 3 - 1, k / 3 - 1);
+    ray.Direction = camera.RayDirection(glm::dvec2(pixel) + .5 + offset);
+    const Hit hit = rays.Intersect(ray);
+    first = k == 0 ? hit.Surface : first;
+    if (!hit.IsHit() || hit.Surface != first)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 glm::dvec3 AskForMean(const vtkPenumbraIrradianceProvider* provider, const ImagePoint& point,

@@ -1,18 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surface points of an image of a scene, and the irradiance of a cache there.
+// Renderers of panels, surface points of an image of a scene, and the irradiance of a cache there.
 #ifndef penumbra_light_Room_h
 #define penumbra_light_Room_h
 
+#include "BruteForce/PathTracer.h"
 #include "Embree/RayScene.h"
 #include "Shading/Illumination.h"
+
+#include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
 #include <vector>
 
 class vtkPenumbraIrradianceProvider;
+class vtkRenderer;
 
 namespace penumbra
 {
@@ -24,10 +28,18 @@ struct ImagePoint
   glm::dvec3 Position;
   glm::dvec3 Normal;    ///< interpolated
   glm::dvec3 Geometric; ///< normal of the triangle
+  std::uint32_t Surface = 0;
 };
+
+/// Makes a renderer of panels, with up = z and a dark light.
+vtkSmartPointer<vtkRenderer> MakeRenderer(
+  const std::vector<Panel>& panels, glm::dvec3 eye, glm::dvec3 target, double viewAngle);
 
 /// Finds the points at the centers of every `step`-th pixel, without emitting surfaces.
 std::vector<ImagePoint> FindImagePoints(const RayScene& rays, int step);
+
+/// Returns true if a pixel and its eight neighbors show the same surface at their centers.
+bool ShowsOneSurface(const RayScene& rays, glm::ivec2 pixel);
 
 /// Irradiance over pi. `tolerance` has the same unit. Adds the number of rays to `rays`.
 glm::dvec3 AskForMean(const vtkPenumbraIrradianceProvider* provider, const ImagePoint& point,

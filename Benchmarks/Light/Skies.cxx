@@ -7,17 +7,19 @@
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPLYReader.h"
+#include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceFilter.h"
+#include "vtkPenumbraRayCaster.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 
 #include <glm/gtc/constants.hpp>
 
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 namespace penumbra
 {
@@ -36,19 +38,6 @@ constexpr int ReferenceStep = 8; ///< pixels between reference points in both di
 /// Points to bake, at which there are references.
 constexpr std::size_t BakedReferences = 512;
 constexpr double BakedTolerance = .02;
-
-vtkSmartPointer<vtkPolyData> ReadHead(const LightBenchmark& benchmark)
-{
-  const std::string file = benchmark.Data + "/head.ply";
-  vtkNew<vtkPLYReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetOutput()->GetNumberOfPoints() == 0)
-  {
-    throw std::runtime_error(file + ": cannot be read.");
-  }
-  return reader->GetOutput();
-}
 
 /// Errors of irradiance over pi.
 struct SkyErrors
@@ -120,9 +109,61 @@ std::vector<glm::dvec3> Multiply(const std::vector<glm::dvec3>& white, glm::dvec
   return values;
 }
 
-void MeasureScene(ResultTable& table, const std::string& name, const Scene& scene)
+/// Casts an image with indirect light from the cache and compares the pixels that show a single surface
+/// with `exact`, irradiance over pi at `queried`. The sky is scaled to a mean radiance of 1.
+void MeasureImage(ResultTable& table, const std::string& row, vtkRenderer* renderer,
+  const RayScene& rays, const MeasuredSky& sky, const std::vector<ImagePoint>& queried,
+  const std::vector<glm::dvec3>& exact, double& whiteSeconds)
+{
+  const IlluminationSettings settings = MakeIlluminationSettings(sky);
+  vtkNew<vtkPenumbraRayCaster> caster;
+  caster->SetRenderer(renderer);
+  caster->SetResolution(SkyImageSize, SkyImageSize);
+  caster->SetTolerance(ImageTolerance);
+  caster->IndirectLightOn();
+  caster->SetEnvironmentColor(sky.Color.x, sky.Color.y, sky.Color.z);
+  caster->SetEnvironment(sky.Environment);
+  if (sky.Environment)
+  {
+    sky.Environment->SetIntensity(1.0 / sky.MeanRadiance);
+  }
+  caster->SetAlbedo(settings.Albedo);
+  caster->SetBounces(settings.Bounces);
+  caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
+  caster->SetNumberOfThreads(1);
+  const double start = Seconds();
+  caster->Update();
+  const double seconds = Seconds() - start;
+  whiteSeconds = whiteSeconds > 0.0 ? whiteSeconds : seconds;
+  vtkDataArray* colors = caster->GetOutput()->GetPointData()->GetArray("Color");
+  std::vector<ImagePoint> points;
+  std::vector<glm::dvec3> found;
+  std::vector<glm::dvec3> truth;
+  for (std::size_t i = 0; i < queried.size(); ++i)
+  {
+    const ImagePoint& point = queried[i];
+    if (ShowsOneSurface(rays, point.Pixel))
+    {
+      const vtkIdType pixel = point.Pixel.y * SkyImageSize + point.Pixel.x;
+      points.push_back(point);
+      found.emplace_back(colors->GetComponent(pixel, 0), colors->GetComponent(pixel, 1),
+        colors->GetComponent(pixel, 2));
+      truth.push_back(double(settings.Albedo) / sky.MeanRadiance *
+        glm::dvec3(rays.GetScene().Surfaces[point.Surface].Front.DiffuseColor) * exact[i]);
+    }
+  }
+  const SkyErrors errors = FindErrors(points, found, truth, ImageTolerance);
+  table.Add(row, "image: share of tiles within the tolerance", errors.WithinShare,
+    TargetKind::AtLeast, .95, Describe(errors.Rmse, ImageTolerance));
+  table.Add(row, "image: time over that under the white sky", seconds / whiteSeconds,
+    TargetKind::AtMost, 1.5, Brief(seconds) + " s");
+}
+
+void MeasureScene(
+  ResultTable& table, const std::string& name, const Scene& scene, vtkRenderer* renderer)
 {
   const RayScene rays(scene, 1);
+  double whiteImageSeconds = 0.0;
   const std::vector<ImagePoint> points = FindImagePoints(rays, 1);
   const std::vector<ImagePoint> queried = FindImagePoints(rays, ReferenceStep);
   std::vector<MeasuredSky> skies = MakeSkies();
@@ -152,6 +193,10 @@ void MeasureScene(ResultTable& table, const std::string& name, const Scene& scen
     table.Add(row, "share of tiles within the tolerance", errors.WithinShare, TargetKind::AtLeast,
       .95, Describe(errors.Rmse, tolerance));
     AddCosts(table, row, cost, whiteCost);
+    if (sky.Environment || sky.Name == "white sky")
+    {
+      MeasureImage(table, row, renderer, rays, sky, queried, exact, whiteImageSeconds);
+    }
   }
 }
 
@@ -216,8 +261,9 @@ std::vector<glm::dvec3> BakeSky(
 
 void MeasureSkies(LightBenchmark& benchmark)
 {
-  MeasureScene(benchmark.Results, "boxes", MakeBoxScene());
-  MeasureScene(benchmark.Results, "head", MakeHeadScene(ReadHead(benchmark)));
+  const vtkSmartPointer<vtkPolyData> head = ReadHead(benchmark);
+  MeasureScene(benchmark.Results, "boxes", MakeBoxScene(), MakeBoxRenderer());
+  MeasureScene(benchmark.Results, "head", MakeHeadScene(head), MakeHeadRenderer(head));
 }
 
 void MeasureBakedSkies(LightBenchmark& benchmark)

@@ -2,24 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SkyScenes.h"
 
+#include "Benchmark.h"
 #include "BruteForce/PathTracer.h"
+#include "Room.h"
 #include "Scenes/Solids.h"
+#include "Scenes/TestScene.h"
 
+#include "vtkActor.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCell.h"
 #include "vtkCubeSource.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPLYReader.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkTriangleFilter.h"
 
 #include <glm/gtc/constants.hpp>
 
 #include <functional>
+#include <stdexcept>
 
 namespace penumbra
 {
@@ -42,9 +50,24 @@ std::vector<Panel> MakeCorner()
     { { -1, 1, 0 }, { 2, 0, 0 }, { 0, 0, 1 }, { .1, .2, 1.0 }, dark } };
 }
 
+/// The corner with boxes.
+std::vector<Panel> MakeBoxes()
+{
+  std::vector<Panel> panels = MakeCorner();
+  AddPanels(panels, { -.7, .1, 0.0 }, { -.1, .6, .6 }, glm::dvec3(1.0));
+  AddPanels(panels, { .1, -.5, 0.0 }, { .6, .0, .25 }, { .2, .9, .3 });
+  AddPanels(panels, { .3, .3, 0.0 }, { .6, .7, .4 }, { 1.0, .9, .2 });
+  return panels;
+}
+
+const glm::dvec3 Eye(1.6, -2.6, 1.6);
+const glm::dvec3 Target(-.1, .1, .3);
+constexpr double ViewAngle = 38.0;
+const glm::dvec3 HeadColor(1.0, .8, .6);
+
 void Look(Scene& scene)
 {
-  LookAt(scene, { 1.6, -2.6, 1.6 }, { -.1, .1, .3 }, 38.0, SkyImageSize, SkyImageSize);
+  LookAt(scene, Eye, Target, ViewAngle, SkyImageSize, SkyImageSize);
 }
 
 /// Moves and scales y up to z up: bottom at z = 0, height `height`, centered at (x, y).
@@ -71,6 +94,16 @@ vtkSmartPointer<vtkPolyData> PlaceMesh(vtkPolyData* mesh, double height, glm::dv
   }
   placed->GetPoints()->Modified();
   return placed;
+}
+
+/// The head on the plane, with point normals.
+vtkSmartPointer<vtkPolyData> PlaceHead(vtkPolyData* head)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(PlaceMesh(head, HeadHeight, { 0.0, 0.0 }));
+  normals->SplittingOff();
+  normals->Update();
+  return normals->GetOutput();
 }
 
 MeasuredSky MakeMapSky(const std::string& name,
@@ -107,14 +140,23 @@ MeasuredSky MakeMapSky(const std::string& name,
 
 }
 
+vtkSmartPointer<vtkPolyData> ReadHead(const LightBenchmark& benchmark)
+{
+  const std::string file = benchmark.Data + "/head.ply";
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error(file + ": cannot be read.");
+  }
+  return reader->GetOutput();
+}
+
 Scene MakeBoxScene()
 {
-  std::vector<Panel> panels = MakeCorner();
-  AddPanels(panels, { -.7, .1, 0.0 }, { -.1, .6, .6 }, glm::dvec3(1.0));
-  AddPanels(panels, { .1, -.5, 0.0 }, { .6, .0, .25 }, { .2, .9, .3 });
-  AddPanels(panels, { .3, .3, 0.0 }, { .6, .7, .4 }, { 1.0, .9, .2 });
   Scene scene;
-  AddSurfaces(scene, panels);
+  AddSurfaces(scene, MakeBoxes());
   Look(scene);
   return scene;
 }
@@ -123,11 +165,7 @@ Scene MakeHeadScene(vtkPolyData* head)
 {
   Scene scene;
   AddSurfaces(scene, MakeCorner());
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(PlaceMesh(head, HeadHeight, { 0.0, 0.0 }));
-  normals->SplittingOff();
-  normals->Update();
-  vtkPolyData* mesh = normals->GetOutput();
+  const vtkSmartPointer<vtkPolyData> mesh = PlaceHead(head);
   Surface surface;
   vtkDataArray* vectors = mesh->GetPointData()->GetNormals();
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -144,10 +182,24 @@ Scene MakeHeadScene(vtkPolyData* head)
     vtkCell* cell = mesh->GetCell(i);
     surface.Triangles.emplace_back(cell->GetPointId(0), cell->GetPointId(1), cell->GetPointId(2));
   }
-  surface.Front.DiffuseColor = { 1.f, .8f, .6f };
+  surface.Front.DiffuseColor = HeadColor;
   scene.Surfaces.push_back(surface);
   Look(scene);
   return scene;
+}
+
+vtkSmartPointer<vtkRenderer> MakeBoxRenderer()
+{
+  return MakeRenderer(MakeBoxes(), Eye, Target, ViewAngle);
+}
+
+vtkSmartPointer<vtkRenderer> MakeHeadRenderer(vtkPolyData* head)
+{
+  vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(MakeCorner(), Eye, Target, ViewAngle);
+  vtkProperty* property = AddMesh(renderer, PlaceHead(head), true)->GetProperty();
+  property->SetInterpolationToPhong();
+  property->SetDiffuseColor(HeadColor.x, HeadColor.y, HeadColor.z);
+  return renderer;
 }
 
 vtkSmartPointer<vtkPolyData> MakeBakedMesh(vtkPolyData* head)

@@ -15,18 +15,28 @@
 #include <vector>
 
 class vtkPolyData;
+class vtkRenderer;
 
 namespace penumbra
 {
 
+struct LightBenchmark;
+
 /// Side of the image of the scenes, in pixels.
 constexpr int SkyImageSize = 192;
+
+/// Reads head.ply. Throws std::runtime_error if that fails.
+vtkSmartPointer<vtkPolyData> ReadHead(const LightBenchmark& benchmark);
 
 /// Boxes of several colors on a plane, with a blue and a red wall.
 Scene MakeBoxScene();
 
 /// The mesh `head` upright on a plane between a blue and a red wall.
 Scene MakeHeadScene(vtkPolyData* head);
+
+/// Renderers of the same scenes.
+vtkSmartPointer<vtkRenderer> MakeBoxRenderer();
+vtkSmartPointer<vtkRenderer> MakeHeadRenderer(vtkPolyData* head);
 
 /// Boxes and the mesh `head` on a plane of many points, to bake.
 vtkSmartPointer<vtkPolyData> MakeBakedMesh(vtkPolyData* head);

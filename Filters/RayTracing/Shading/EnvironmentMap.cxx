@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace penumbra
 {
@@ -32,34 +33,69 @@ EnvironmentMap::EnvironmentMap(
     Right(right),
     Forward(glm::cross(right, up))
 {
+  this->MeanRadiance = this->ComputeClampedMean(std::numeric_limits<double>::infinity());
+  const auto threshold = static_cast<float>(this->FindSunThreshold());
   for (int row = 0; row < height; ++row)
   {
-    const double weight =
-      .5 * (this->ComputeSineOfLatitude(row + 1) - this->ComputeSineOfLatitude(row)) / width;
+    const double solidAngle = 4.0 * Pi * this->ComputeTexelWeight(row);
+    SunRow sunRow{ row, this->Suns.size(), this->SunIrradiance };
+    double sum = 0.0;
     for (int i = 0; i < width; ++i)
     {
-      this->MeanRadiance +=
-        weight * LargestChannel(this->ClampedRadiances[static_cast<std::size_t>(row) * width + i]);
-    }
-  }
-  const auto threshold = static_cast<float>(SunThreshold * this->MeanRadiance);
-  for (int row = 0; row < height; ++row)
-  {
-    const double solidAngle =
-      2.0 * Pi * (this->ComputeSineOfLatitude(row + 1) - this->ComputeSineOfLatitude(row)) / width;
-    for (int i = 0; i < width; ++i)
-    {
-      const int texel = row * width + i;
-      glm::vec3& radiance = this->ClampedRadiances[texel];
+      glm::vec3& radiance = this->ClampedRadiances[static_cast<std::size_t>(row) * width + i];
       const float largest = LargestChannel(radiance);
       if (largest > threshold)
       {
-        this->Suns.push_back({ texel, radiance / largest, this->Total });
-        this->Total += solidAngle * (largest - threshold);
+        this->Suns.push_back({ i, radiance / largest, sum });
+        sum += solidAngle * (largest - threshold);
         radiance *= threshold / largest;
       }
       this->LargestRadiance = std::max(this->LargestRadiance, double(LargestChannel(radiance)));
     }
+    if (sum > 0.0)
+    {
+      this->SunRows.push_back(sunRow);
+      this->SunIrradiance += sum;
+    }
+  }
+}
+
+double EnvironmentMap::ComputeTexelWeight(int row) const
+{
+  return .5 * (this->ComputeSineOfLatitude(row + 1) - this->ComputeSineOfLatitude(row)) /
+    this->Width;
+}
+
+double EnvironmentMap::ComputeClampedMean(double limit) const
+{
+  double mean = 0.0;
+  for (int row = 0; row < this->Height; ++row)
+  {
+    const double weight = this->ComputeTexelWeight(row);
+    for (int i = 0; i < this->Width; ++i)
+    {
+      const glm::vec3 radiance =
+        this->ClampedRadiances[static_cast<std::size_t>(row) * this->Width + i];
+      mean += weight * std::min(limit, double(LargestChannel(radiance)));
+    }
+  }
+  return mean;
+}
+
+// The mean decreases with the threshold: a sun of 1e5 would otherwise raise the threshold to a
+// multiple of what the whole sky emits. Where bright texels are all there is, it approaches 0.
+double EnvironmentMap::FindSunThreshold() const
+{
+  double threshold = SunThreshold * this->MeanRadiance;
+  for (;;)
+  {
+    const double next = SunThreshold * this->ComputeClampedMean(threshold);
+    if (!(next < (1.0 - SunThresholdAccuracy) * threshold) ||
+      next < SunThresholdAccuracy * this->MeanRadiance)
+    {
+      return threshold;
+    }
+    threshold = next;
   }
 }
 
@@ -89,18 +125,31 @@ glm::vec3 EnvironmentMap::ClampedRadiance(glm::vec3 direction) const
 
 EnvironmentMap::Sun EnvironmentMap::SampleSun(glm::vec2 sample) const
 {
-  const double target = sample.x * this->Total;
-  const auto after = std::upper_bound(this->Suns.begin(), this->Suns.end(), target,
-    [](double value, const SunTexel& texel) { return value < texel.Cumulative; });
-  const auto sun = std::prev(after);
-  const double end = after == this->Suns.end() ? this->Total : after->Cumulative;
-  const double fraction =
-    std::clamp((target - sun->Cumulative) / (end - sun->Cumulative), 0.0, 1.0);
-  const int row = sun->Texel / this->Width;
-  const double low = this->ComputeSineOfLatitude(row);
-  const double sine = low + fraction * (this->ComputeSineOfLatitude(row + 1) - low);
-  const double u = (sun->Texel % this->Width + static_cast<double>(sample.y)) / this->Width;
-  return { this->ComputeDirection(u, sine), static_cast<float>(this->Total) * sun->Color };
+  // Of two sorted cumulative sums, finds the last that is at most `target`, and the fraction of the
+  // interval up to the next one.
+  const auto find = [](auto begin, auto end, double total, double target, double& fraction) {
+    const auto after = std::upper_bound(begin + 1, end, target,
+      [](double value, const auto& element) { return value < element.Cumulative; });
+    const auto found = std::prev(after);
+    const double next = after == end ? total : after->Cumulative;
+    fraction = std::clamp((target - found->Cumulative) / (next - found->Cumulative), 0.0, 1.0);
+    return found;
+  };
+  double fraction = 0.0;
+  const auto row = find(this->SunRows.begin(), this->SunRows.end(), this->SunIrradiance,
+    sample.x * this->SunIrradiance, fraction);
+  const bool isLast = std::next(row) == this->SunRows.end();
+  const double rowTotal =
+    (isLast ? this->SunIrradiance : std::next(row)->Cumulative) - row->Cumulative;
+  const auto begin = this->Suns.begin() + static_cast<std::ptrdiff_t>(row->First);
+  const auto end = isLast ? this->Suns.end()
+                          : this->Suns.begin() + static_cast<std::ptrdiff_t>(std::next(row)->First);
+  double across = 0.0;
+  const auto sun = find(begin, end, rowTotal, sample.y * rowTotal, across);
+  const double low = this->ComputeSineOfLatitude(row->Row);
+  const double sine = low + fraction * (this->ComputeSineOfLatitude(row->Row + 1) - low);
+  return { this->ComputeDirection((sun->Column + across) / this->Width, sine),
+    static_cast<float>(this->SunIrradiance) * sun->Color };
 }
 
 }

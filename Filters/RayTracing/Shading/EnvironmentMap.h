@@ -3,7 +3,11 @@
 //
 // Environment map in latitude-longitude projection with constant texels. It is the sum of two
 // parts: radiance clamped to a threshold, which rays in all directions sample with little noise,
-// and the suns, the excess of bright texels over the threshold, which are sampled by importance.
+// and the suns, the excess of bright texels over the threshold. These are sampled in proportion to
+// their radiance and solid angle, with the piecewise constant 2-D distribution of Pharr, Jakob and
+// Humphreys, Physically Based Rendering, 4th ed., section A.5. As the parts are disjoint, their
+// estimates add without weights; Karlik et al., MIS Compensation, 2019, subtract from the sampled
+// distribution what other samples already find.
 #ifndef penumbra_EnvironmentMap_h
 #define penumbra_EnvironmentMap_h
 
@@ -35,6 +39,9 @@ public:
   /// Returns the largest radiance of ClampedRadiance() in any channel.
   double GetLargestRadiance() const { return this->LargestRadiance; }
 
+  /// Returns the irradiance of the suns on a plane that faces them, of the largest channel.
+  double GetSunIrradiance() const { return this->SunIrradiance; }
+
   bool HasSuns() const { return !this->Suns.empty(); }
 
   /// Sample of the suns: a direction, distributed in proportion to their excess radiance.
@@ -52,6 +59,13 @@ private:
   glm::vec3 ComputeDirection(double u, double sine) const;
   /// Returns the sine of the latitude of the lower edge of a row.
   double ComputeSineOfLatitude(int row) const;
+  /// Returns the fraction of the sphere that a texel of a row covers.
+  double ComputeTexelWeight(int row) const;
+  /// Returns the mean over the sphere of the smaller of `limit` and the largest channel.
+  double ComputeClampedMean(double limit) const;
+  /// Returns the radiance above which texels are suns: SunThreshold times the mean radiance without
+  /// what exceeds it.
+  double FindSunThreshold() const;
 
   int Width;
   int Height;
@@ -60,15 +74,24 @@ private:
   glm::dvec3 Right;
   glm::dvec3 Forward; ///< Right x Up
 
-  /// A texel brighter than the threshold.
+  /// A texel brighter than the threshold. Cumulative sums are of the excess (largest channel) times
+  /// solid angle.
   struct SunTexel
   {
-    int Texel;
+    int Column;
     glm::vec3 Color;   ///< normalized to a largest channel of 1
-    double Cumulative; ///< CDF: sum over earlier suns of excess (largest channel) times solid angle
+    double Cumulative; ///< of earlier texels in the same row
+  };
+  /// A row with such texels.
+  struct SunRow
+  {
+    int Row;
+    std::size_t First; ///< index into Suns
+    double Cumulative; ///< of earlier rows
   };
   std::vector<SunTexel> Suns;
-  double Total = 0.0;
+  std::vector<SunRow> SunRows;
+  double SunIrradiance = 0.0;
   double MeanRadiance = 0.0;
   double LargestRadiance = 0.0;
 };

@@ -10,6 +10,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace penumbra
@@ -21,6 +22,16 @@ constexpr float Pi = glm::pi<float>();
 
 /// Lower bound of the cosine between a ray and the normal: rounding may make it 0.
 constexpr float MinimumCosine = 1e-6f;
+
+/// Number of rays that are traced together.
+constexpr std::size_t PacketSize = 16;
+
+Ray MakeInactiveRay()
+{
+  Ray ray;
+  ray.Far = -1.f;
+  return ray;
+}
 
 double LargestChannel(glm::vec3 color)
 {
@@ -75,6 +86,10 @@ void Illumination::FindSourceRadiance(double emitted)
   const double color = LargestChannel(this->Settings.Environment);
   const double mean = std::max(emitted, map ? map->GetMeanRadiance() : color);
   double largest = std::max(EmitterThreshold * emitted, map ? map->GetLargestRadiance() : color);
+  if (map && this->Settings.Bounces > 1)
+  {
+    largest = std::max(largest, this->Settings.Albedo * map->GetSunIrradiance() / Pi);
+  }
   for (const Light& light : this->Rays.GetScene().Lights)
   {
     largest = std::max(largest, double(LargestChannel(light.DiffuseColor)));
@@ -145,41 +160,83 @@ glm::vec3 Illumination::IncidentRadiance(
   return sum;
 }
 
-glm::vec3 Illumination::SunContribution(
-  glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const
+void Illumination::SunContributions(glm::vec3 point, const SurfaceNormals& normals,
+  const glm::vec2* samples, std::uint32_t count, glm::vec3* contributions, long long& rays) const
 {
-  const EnvironmentMap::Sun sun = this->Settings.Map->SampleSun(sample);
-  const float cosine = glm::dot(normals.Shading, sun.Direction);
-  return cosine > 0.f && glm::dot(normals.Geometric, sun.Direction) > 0.f
-    ? this->SurfaceShading.TraceTransmittance(SpawnRay(point, normals, sun.Direction), rays) *
-      cosine / Pi * sun.Weight
-    : glm::vec3(0.f);
+  std::array<Ray, PacketSize> packet;
+  packet.fill(MakeInactiveRay());
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const EnvironmentMap::Sun sun = this->Settings.Map->SampleSun(samples[i]);
+    const float cosine = glm::dot(normals.Shading, sun.Direction);
+    contributions[i] = glm::vec3(0.f);
+    if (cosine > 0.f && glm::dot(normals.Geometric, sun.Direction) > 0.f)
+    {
+      contributions[i] = cosine / Pi * sun.Weight;
+      packet[i] = SpawnRay(point, normals, sun.Direction);
+    }
+  }
+  std::array<float, PacketSize> transmittances{};
+  if (count == 1)
+  {
+    transmittances[0] = packet[0].Near <= packet[0].Far
+      ? this->SurfaceShading.TraceTransmittance(packet[0], rays)
+      : 0.f;
+  }
+  else
+  {
+    this->SurfaceShading.TraceTransmittance16(packet.data(), transmittances.data(), rays);
+  }
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    contributions[i] *= transmittances[i];
+  }
 }
 
 // Rays are traced to the nearest hit: coincident surfaces may hide the emitter.
-glm::vec3 Illumination::EmitterContribution(
-  glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const
+void Illumination::EmitterContributions(glm::vec3 point, const SurfaceNormals& normals,
+  const glm::vec2* samples, std::uint32_t count, glm::vec3* contributions, long long& rays) const
 {
-  const glm::vec3 normal = normals.Shading;
-  Ray ray = SpawnRay(point, normals, normals.Geometric);
-  const EmitterTree::Sample emitter =
-    this->SampledEmitters->SampleDirection(ray.Origin, normal, sample);
-  if (!(emitter.Density > 0.f && glm::dot(emitter.Direction, normals.Geometric) > 0.f))
+  const Ray origin = SpawnRay(point, normals, normals.Geometric);
+  std::array<EmitterTree::Sample, PacketSize> emitters;
+  std::array<Ray, PacketSize> packet;
+  std::array<Hit, PacketSize> hits;
+  packet.fill(MakeInactiveRay());
+  for (std::uint32_t i = 0; i < count; ++i)
   {
-    return glm::vec3(0.f);
+    emitters[i] =
+      this->SampledEmitters->SampleDirection(origin.Origin, normals.Shading, samples[i]);
+    if (emitters[i].Density > 0.f && glm::dot(emitters[i].Direction, normals.Geometric) > 0.f)
+    {
+      packet[i] = origin;
+      packet[i].Direction = emitters[i].Direction;
+    }
   }
-  ray.Direction = emitter.Direction;
+  if (count == 1)
+  {
+    hits[0] = this->Rays.Intersect(packet[0]);
+  }
+  else
+  {
+    this->Rays.Intersect16(packet.data(), hits.data());
+  }
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    contributions[i] = packet[i].Near <= packet[i].Far
+      ? this->EmitterContribution(normals.Shading, packet[i], hits[i], emitters[i], rays)
+      : glm::vec3(0.f);
+  }
+}
+
+glm::vec3 Illumination::EmitterContribution(
+  glm::vec3 normal, Ray ray, Hit hit, const EmitterTree::Sample& emitter, long long& rays) const
+{
   const float cosine = glm::dot(normal, emitter.Direction);
   const float end = (1.f + EmitterDistanceTolerance) * emitter.Distance;
   float transmittance = 1.f;
-  for (int layer = 0; layer < MaximumLayers && transmittance >= MinimumTransmittance; ++layer)
+  ++rays;
+  for (int layer = 1; hit.IsHit() && hit.Distance <= end; ++layer)
   {
-    ++rays;
-    const Hit hit = this->Rays.Intersect(ray);
-    if (!hit.IsHit() || hit.Distance > end)
-    {
-      break;
-    }
     if (!this->Rays.GetScene().Surfaces[hit.Surface].IsLineOrPoint)
     {
       const bool reached = hit.Surface == emitter.Target->Surface &&
@@ -192,7 +249,13 @@ glm::vec3 Illumination::EmitterContribution(
       }
       transmittance *= 1.f - Shading::ComputeOpacity(this->Rays, hit, ray);
     }
+    if (layer == MaximumLayers || transmittance < MinimumTransmittance)
+    {
+      break;
+    }
     ray.Near = hit.NextNear;
+    hit = this->Rays.Intersect(ray);
+    ++rays;
   }
   return glm::vec3(0.f);
 }
@@ -204,15 +267,19 @@ Illumination::SampledLight Illumination::EstimateSampledLight(
   const std::uint32_t seed = MixBits(HashPoint(point, normals.Shading));
   if (this->HasSuns())
   {
-    const StratifiedMean suns = EstimateStratifiedMean(
-      [&](glm::vec2 at) { return this->SunContribution(point, normals, at, rays); }, seed,
-      FirstSunRays, MaximumSunRays, tolerance);
+    const StratifiedMean suns = EstimateMeanOfBatches(
+      [&](const glm::vec2* at, std::uint32_t count, glm::vec3* values) {
+        this->SunContributions(point, normals, at, count, values, rays);
+      },
+      seed, FirstSunRays, MaximumSunRays, tolerance);
     result = { suns.Mean, static_cast<float>(suns.Error) };
   }
   if (this->HasSampledEmitters())
   {
-    const StratifiedMean emitters = EstimateStratifiedMean(
-      [&](glm::vec2 at) { return this->EmitterContribution(point, normals, at, rays); },
+    const StratifiedMean emitters = EstimateMeanOfBatches(
+      [&](const glm::vec2* at, std::uint32_t count, glm::vec3* values) {
+        this->EmitterContributions(point, normals, at, count, values, rays);
+      },
       MixBits(seed), FirstEmitterRays, MaximumEmitterRays, tolerance, FirstEmitterErrorFraction);
     result.Mean += glm::vec3(emitters.Mean);
     result.Error = std::hypot(result.Error, static_cast<float>(emitters.Error));
@@ -224,17 +291,21 @@ glm::vec3 Illumination::SampleLights(
   glm::vec3 point, const SurfaceNormals& normals, std::uint32_t& random, long long& rays) const
 {
   glm::vec3 sum(0.f);
-  if (this->HasSuns())
-  {
+  const auto add = [&](auto contributions) {
     const float u = NextFloat(random);
     const float v = NextFloat(random);
-    sum += this->SunContribution(point, normals, { u, v }, rays);
+    const glm::vec2 sample(u, v);
+    glm::vec3 contribution;
+    (this->*contributions)(point, normals, &sample, 1, &contribution, rays);
+    sum += contribution;
+  };
+  if (this->HasSuns())
+  {
+    add(&Illumination::SunContributions);
   }
   if (this->HasSampledEmitters())
   {
-    const float u = NextFloat(random);
-    const float v = NextFloat(random);
-    sum += this->EmitterContribution(point, normals, { u, v }, rays);
+    add(&Illumination::EmitterContributions);
   }
   return sum;
 }

@@ -96,7 +96,7 @@ public:
     double Mean = 1.0;
 
     /// Largest that random rays meet: of the environment without its suns, of emitters that are not
-    /// sampled, and of surfaces under the lights. The noise of gathered light is proportional to it.
+    /// sampled, and of surfaces under the lights and suns. The noise of gathered light is proportional to it.
     double Largest = 1.0;
   };
   const SourceRadiance& GetSourceRadiance() const { return this->Sources; }
@@ -110,10 +110,17 @@ private:
   {
     return this->SampledEmitters && !this->SampledEmitters->IsEmpty();
   }
-  glm::vec3 SunContribution(
-    glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const;
+  /// Computes the contributions of samples of the suns, and of the emitters, to the mean over the
+  /// hemisphere: `count` in [1, 16] points of the unit square. Their rays are traced as one packet.
+  void SunContributions(glm::vec3 point, const SurfaceNormals& normals, const glm::vec2* samples,
+    std::uint32_t count, glm::vec3* contributions, long long& rays) const;
+  void EmitterContributions(glm::vec3 point, const SurfaceNormals& normals,
+    const glm::vec2* samples, std::uint32_t count, glm::vec3* contributions, long long& rays) const;
+
+  /// Returns the contribution of a sample whose ray first hits `hit`; follows it through translucent
+  /// layers.
   glm::vec3 EmitterContribution(
-    glm::vec3 point, const SurfaceNormals& normals, glm::vec2 sample, long long& rays) const;
+    glm::vec3 normal, Ray ray, Hit hit, const EmitterTree::Sample& emitter, long long& rays) const;
   void FindEmitters();
   void FindSourceRadiance(double emitted);
 

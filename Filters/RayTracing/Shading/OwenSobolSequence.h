@@ -120,28 +120,40 @@ struct StratifiedMean
   double Error = 0.0; ///< of the channel with the largest error
 };
 
-/// Estimates the mean of `contribution` at points of the unit square. The number of points, a power
-/// of two, is doubled from `first` to at most `maximum` until the error of every channel is at most
-/// `tolerance`, or this times `firstErrorFraction` after the first round.
-template <typename Contribution>
-StratifiedMean EstimateStratifiedMean(const Contribution& contribution, std::uint32_t seed,
+/// Estimates the mean of a color at points of the unit square. `evaluate` computes the values at
+/// the points `at`, up to 16: evaluate(const glm::vec2* at, std::uint32_t count, glm::vec3* values).
+/// The number of points, a power of two, is doubled from `first` to at most `maximum` until the error
+/// of every channel is at most `tolerance`, or this times `firstErrorFraction` after the first round.
+template <typename Evaluate>
+StratifiedMean EstimateMeanOfBatches(const Evaluate& evaluate, std::uint32_t seed,
   std::uint32_t first, std::uint32_t maximum, double tolerance, double firstErrorFraction = 1.0)
 {
+  constexpr std::uint32_t BatchSize = 16;
   StratifiedMean result;
   const OwenSobolSequence samples(seed);
   glm::dvec3 sum(0.0);
   std::array<std::vector<float>, 3> channels;
   for (std::uint32_t count = first;; count *= 2)
   {
-    while (channels[0].size() < count)
+    for (auto begin = static_cast<std::uint32_t>(channels[0].size()); begin < count;)
     {
-      const glm::vec3 light =
-        contribution(samples.At(static_cast<std::uint32_t>(channels[0].size())));
-      sum += light;
-      for (int c = 0; c < 3; ++c)
+      const std::uint32_t size = std::min(count - begin, BatchSize);
+      glm::vec2 at[BatchSize];
+      glm::vec3 values[BatchSize];
+      for (std::uint32_t i = 0; i < size; ++i)
       {
-        channels[c].push_back(light[c]);
+        at[i] = samples.At(begin + i);
       }
+      evaluate(at, size, values);
+      for (std::uint32_t i = 0; i < size; ++i)
+      {
+        sum += values[i];
+        for (int c = 0; c < 3; ++c)
+        {
+          channels[c].push_back(values[i][c]);
+        }
+      }
+      begin += size;
     }
     double largest = 0.0;
     for (const std::vector<float>& values : channels)
@@ -156,6 +168,17 @@ StratifiedMean EstimateStratifiedMean(const Contribution& contribution, std::uin
       return result;
     }
   }
+}
+
+/// The same with a function that computes one value: glm::vec3 evaluate(glm::vec2 at).
+template <typename Evaluate>
+StratifiedMean EstimateStratifiedMean(const Evaluate& evaluate, std::uint32_t seed,
+  std::uint32_t first, std::uint32_t maximum, double tolerance)
+{
+  const auto evaluateEach = [&](const glm::vec2* at, std::uint32_t count, glm::vec3* values) {
+    std::transform(at, at + count, values, evaluate);
+  };
+  return EstimateMeanOfBatches(evaluateEach, seed, first, maximum, tolerance);
 }
 
 }

@@ -91,9 +91,13 @@ constexpr double LightVarianceFloorPairs = 1.0;
 
 // --- Environment maps and emissive triangles (TestvtkPenumbraEnvironment) ---
 
-/// Threshold of suns, as a multiple of the mean of the largest channel over the sphere. Skies are
-/// below it: if the radiance is the sine of the elevation above the horizon, the zenith is at 4.
+/// Threshold of suns, as a multiple of the mean over the sphere of the largest channel, clamped to
+/// the threshold. Skies are below it: if the radiance is the sine of the elevation above the horizon,
+/// the zenith is at 4.
 constexpr double SunThreshold = 8.0;
+/// Relative accuracy of the threshold, and the fraction of the mean radiance with suns that it is
+/// worth to compute it for.
+constexpr double SunThresholdAccuracy = 1e-3;
 
 /// Number of rays to the suns of the environment map per point: first round, and maximum of all
 /// rounds.

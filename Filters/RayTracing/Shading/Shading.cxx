@@ -427,6 +427,25 @@ float Shading::TraceTransmittance(Ray ray, long long& shadowRays) const
   return transmittance > OpaqueTransmittance ? transmittance : 0.f;
 }
 
+void Shading::TraceTransmittance16(
+  const Ray* rays, float* transmittance, long long& shadowRays) const
+{
+  constexpr int Size = 16;
+  const auto isActive = [](const Ray& ray) { return ray.Near <= ray.Far; };
+  if (this->Translucent)
+  {
+    std::transform(rays, rays + Size, transmittance, [&](const Ray& ray) {
+      return isActive(ray) ? this->TraceTransmittance(ray, shadowRays) : 0.f;
+    });
+    return;
+  }
+  bool occluded[Size];
+  this->Rays.Occluded16(rays, occluded);
+  shadowRays += std::count_if(rays, rays + Size, isActive);
+  std::transform(occluded, occluded + Size, transmittance,
+    [](bool isOccluded) { return isOccluded ? 0.f : 1.f; });
+}
+
 float Shading::SurfaceTransmittance(const Hit& hit, const Ray& ray) const
 {
   const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];

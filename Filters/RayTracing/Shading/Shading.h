@@ -72,6 +72,9 @@ public:
   /// Returns the transmittance of the scene along `ray`: 1 if unoccluded, 0 behind opaque surfaces.
   float TraceTransmittance(Ray ray, long long& shadowRays) const;
 
+  /// Computes the transmittance along 16 rays. Rays with Near > Far are inactive.
+  void TraceTransmittance16(const Ray* rays, float* transmittance, long long& shadowRays) const;
+
   /// Returns the fraction of a light with a size that is visible from a point on a surface with
   /// the geometric normal `normal`, with a standard error of at most `tolerance`.
   VisibleFraction ComputeVisibleFraction(const Light& light, glm::vec3 point, glm::vec3 normal,

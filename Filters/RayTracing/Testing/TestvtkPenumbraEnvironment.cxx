@@ -166,6 +166,85 @@ TEST(vtkPenumbraEnvironment, IncludesSmallSun)
     ComputeSunIrradiance() * std::cos(SunLatitude) + .25 * Pi, .002 * sun);
 }
 
+TEST(EnvironmentMap, LeavesLittleOfABrightSunToRaysInAllDirections)
+{
+  vtkNew<vtkPenumbraEnvironment> environment;
+  environment->SetImage(MakeImage(64, 32, [](double longitude, double latitude) {
+    return glm::dvec3(std::abs(longitude) < .06 && std::abs(latitude - .8) < .05 ? 1e5 : .5);
+  }));
+  const std::shared_ptr<const EnvironmentMap> map = environment->GetMap();
+  EXPECT_GT(map->GetMeanRadiance(), 20.0);
+  EXPECT_NEAR(map->GetLargestRadiance(), 8.0 * .5, .2);
+}
+
+TEST(EnvironmentMap, SamplesSunsByRadianceAndSolidAngle)
+{
+  // Bright texels in three rows, of different brightness and color, above a dim sky.
+  const auto sky = [](double longitude, double latitude) {
+    const int column = static_cast<int>(std::floor((longitude / (2.0 * Pi) + .5) * 32.0));
+    const int row = static_cast<int>(std::floor((latitude / Pi + .5) * 16.0));
+    const bool isBright = row >= 11 && row <= 13 && (column * 7 + row * 3) % 5 == 0;
+    return isBright ? glm::dvec3(40.0 + column, 90.0 - row, 20.0 * (row - 10)) : glm::dvec3(.1);
+  };
+  vtkNew<vtkPenumbraEnvironment> environment;
+  environment->SetImage(MakeImage(32, 16, sky));
+  environment->SetUp(0.0, 0.0, 1.0);
+  const std::shared_ptr<const EnvironmentMap> map = environment->GetMap();
+  ASSERT_TRUE(map->HasSuns());
+  // Irradiance of both parts on planes against a sum over directions.
+  for (const glm::vec3 normal :
+    { glm::vec3(0.f, 0.f, 1.f), glm::vec3(.6f, 0.f, .8f), glm::vec3(0.f, -1.f, 0.f) })
+  {
+    glm::dvec3 exact(0.0);
+    glm::dvec3 clamped(0.0);
+    constexpr int Steps = 512;
+    for (int j = 0; j < Steps; ++j)
+    {
+      const double latitude = std::asin(2.0 * (j + .5) / Steps - 1.0);
+      for (int i = 0; i < 2 * Steps; ++i)
+      {
+        const double longitude = Pi * (i + .5) / Steps - Pi;
+        const glm::dvec3 direction(std::cos(latitude) * std::cos(longitude),
+          -std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+        const double weight =
+          std::max(glm::dot(direction, glm::dvec3(normal)), 0.0) * 2.0 * Pi / (Steps * Steps);
+        clamped += weight * glm::dvec3(map->ClampedRadiance(direction));
+        exact += weight * sky(longitude, latitude);
+      }
+    }
+    glm::dvec3 sampled(0.0);
+    constexpr int Side = 128;
+    for (int k = 0; k < Side * Side; ++k)
+    {
+      const EnvironmentMap::Sun sun =
+        map->SampleSun((glm::vec2(k % Side, k / Side) + .5f) / static_cast<float>(Side));
+      EXPECT_GT(
+        sky(std::atan2(-sun.Direction.y, sun.Direction.x), std::asin(sun.Direction.z)).x, 1.0);
+      sampled += glm::dvec3(sun.Weight) * double(std::max(glm::dot(sun.Direction, normal), 0.f)) /
+        double(Side * Side);
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(clamped[c] + sampled[c], exact[c], .01 * exact[c]);
+    }
+  }
+}
+
+TEST(EnvironmentMap, SamplesAllLightOfABlackSkyWithASun)
+{
+  vtkNew<vtkPenumbraEnvironment> environment;
+  environment->SetImage(MakeImage(64, 32, [](double longitude, double latitude) {
+    return glm::dvec3(std::abs(longitude) < .06 && std::abs(latitude - .8) < .05 ? 100.0 : 0.0);
+  }));
+  const std::shared_ptr<const EnvironmentMap> map = environment->GetMap();
+  ASSERT_TRUE(map->HasSuns());
+  EXPECT_LT(map->GetLargestRadiance(), 1.0);
+  environment->SetUp(0.0, 0.0, 1.0);
+  const double total = 4.0 * Pi * map->GetMeanRadiance();
+  EXPECT_NEAR(ComputeIrradiance(environment, { 0, 0, 1 }, Scene(), .001).Value.x,
+    std::sin(.8) * total, .05 * total);
+}
+
 TEST(vtkPenumbraEnvironment, CastsShadowsFromSun)
 {
   vtkNew<vtkPenumbraEnvironment> environment;
