@@ -36,6 +36,9 @@ void MeasureBox(LightBenchmark& benchmark);
 /// Penumbrae behind a half-plane and a disk against closed forms.
 void MeasurePenumbrae(LightBenchmark& benchmark);
 
+/// Occlusion of a floor by translucent panes, by rays, cache, baking and the traced estimator.
+void MeasurePanes(LightBenchmark& benchmark);
+
 /// CPU seconds of this process.
 inline double Seconds()
 {

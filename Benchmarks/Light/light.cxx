@@ -29,13 +29,15 @@ int main(int argc, char** argv)
   Program program;
   program.Name = "light";
   program.Title = "Light: measurements and targets";
-  program.Usage = "--data FOLDER --output FOLDER [--only skies|baking|emitters|box|penumbrae]";
+  program.Usage =
+    "--data FOLDER --output FOLDER [--only skies|baking|emitters|box|panes|penumbrae]";
   program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true } };
   program.Parts = {
     { "skies", [&] { MeasureSkies(benchmark); } },
     { "baking", [&] { MeasureBakedSkies(benchmark); } },
     { "emitters", [&] { MeasureEmitters(benchmark); } },
     { "box", [&] { MeasureBox(benchmark); } },
+    { "panes", [&] { MeasurePanes(benchmark); } },
     { "penumbrae", [&] { MeasurePenumbrae(benchmark); } },
   };
   vtkSMPTools::Initialize(1);

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace penumbra_testing;
@@ -310,32 +311,82 @@ TEST(TracedEstimator, UpdatesWhenAnOffscreenOccluderMoves)
   EXPECT_LT(Rmse(render(true), always), .01); // the accepted error
 }
 
-TEST(TracedEstimator, IgnoresTranslucentActors)
-{
-  OcclusionScene scene;
-  scene.AddFloor();
-  scene.AddSphere({ 0, 0, .5 }, .5)->GetProperty()->SetOpacity(.5);
-  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  AddTracedPass(scene, 1.0);
-  scene.Window->Render();
-  EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.6, 0 }), 0.0);
-}
-
-TEST(TracedEstimator, IgnoresActorsWithTranslucentTextures)
+/// Occlusion of the floor at several distances from a wall of some opacity.
+std::array<double, 3> OcclusionBeforePane(double opacity, bool byTexture = false)
 {
   vtkNew<vtkImageData> veil;
   veil->SetDimensions(2, 2, 1);
   veil->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  std::fill_n(static_cast<unsigned char*>(veil->GetScalarPointer()), 16, 128);
+  std::fill_n(static_cast<unsigned char*>(veil->GetScalarPointer()), 16,
+    static_cast<unsigned char>(std::lround(255.0 * opacity)));
   vtkNew<vtkTexture> texture;
   texture->SetInputData(veil);
   OcclusionScene scene;
   scene.AddFloor();
-  scene.AddWall({ -2, 0, 0 }, { 4, 0, 0 }, { 0, 0, 2 })->SetTexture(texture);
+  const vtkSmartPointer<vtkActor> pane = scene.AddWall({ -9, 0, 0 }, { 18, 0, 0 }, { 0, 0, 9 });
+  if (byTexture)
+  {
+    pane->SetTexture(texture);
+  }
+  else
+  {
+    pane->GetProperty()->SetOpacity(opacity);
+  }
   scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
-  AddTracedPass(scene, 1.0);
+  AddTracedPass(scene, 1.0)->SetTolerance(.004);
   scene.Window->Render();
-  EXPECT_EQ(scene.At("AmbientOcclusion", { 0, -.3, 0 }), 0.0);
+  return { scene.At("AmbientOcclusion", { 0, -.3, 0 }),
+    scene.At("AmbientOcclusion", { 0, -.45, 0 }), scene.At("AmbientOcclusion", { 0, -.6, 0 }) };
+}
+
+TEST(TracedEstimator, MultipliesOcclusionByOpacity)
+{
+  const double exact[] = { BehindWall(.3), BehindWall(.45), BehindWall(.6) };
+  for (const double opacity : { .1, .5, .9, 1.0 })
+  {
+    const std::array<double, 3> found = OcclusionBeforePane(opacity);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(found[k], opacity * exact[k], .01) << "opacity " << opacity << ", point " << k;
+    }
+  }
+  EXPECT_EQ(OcclusionBeforePane(0.0)[0], 0.0);
+}
+
+TEST(TracedEstimator, MultipliesOcclusionByTheAlphaOfTextures)
+{
+  EXPECT_NEAR(OcclusionBeforePane(.5, true)[0], .5 * BehindWall(.3), .01);
+}
+
+TEST(TracedEstimator, UpdatesTheOpacityOfAMovedSlider)
+{
+  OcclusionScene scene;
+  scene.AddFloor();
+  const vtkSmartPointer<vtkActor> pane = scene.AddWall({ -9, 0, 0 }, { 18, 0, 0 }, { 0, 0, 9 });
+  pane->GetProperty()->SetOpacity(.9);
+  scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+  AddTracedPass(scene, 1.0)->SetTolerance(.004);
+  scene.Window->Render();
+  pane->GetProperty()->SetOpacity(.2);
+  scene.Window->Render();
+  EXPECT_NEAR(scene.At("AmbientOcclusion", { 0, -.3, 0 }), .2 * BehindWall(.3), .01);
+}
+
+TEST(TracedEstimator, SeesOpaqueSurfacesBehindPanes)
+{
+  // The pane in front of the floor changes only its occlusion, not where the floor is.
+  const auto render = [](double opacity) {
+    OcclusionScene scene;
+    scene.AddFloor();
+    scene.AddSphere({ 0, 0, .5 }, .5);
+    scene.AddWall({ -9, -2.5, -1 }, { 18, 0, 0 }, { 0, 0, 9 })->GetProperty()->SetOpacity(opacity);
+    scene.SetCamera({ 0, -4, 3 }, { 0, 0, 0 });
+    AddTracedPass(scene, .5)->SetTolerance(.004);
+    scene.Window->Render();
+    return scene.At("AmbientOcclusion", { 0, -.6, 0 });
+  };
+  EXPECT_NEAR(render(.5), render(0.0), .004);
+  EXPECT_GT(render(.5), .1);
 }
 
 TEST(TracedEstimator, IsIndependentOfAnnotations)

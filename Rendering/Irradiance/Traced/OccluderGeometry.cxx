@@ -120,14 +120,22 @@ std::string FindMissing(vtkRenderer* renderer)
   return {};
 }
 
-/// Removes all attributes except the geometry. Also removes translucent surfaces, which are not in
-/// the depth buffer either, and spheres and tubes, whose size depends on the camera.
+/// Removes all attributes except the geometry, and those of translucent surfaces that their opacity may
+/// depend on. Also removes spheres and tubes, whose size depends on the camera.
 void RemoveShadingData(Scene& scene)
 {
   std::vector<Surface> surfaces;
   for (Surface& surface : scene.Surfaces)
   {
-    if (!surface.IsTranslucent() && !surface.IsLineOrPoint && !surface.IsRound())
+    if (surface.IsLineOrPoint || surface.IsRound())
+    {
+      continue;
+    }
+    if (surface.IsTranslucent())
+    {
+      surfaces.push_back(std::move(surface));
+    }
+    else
     {
       Surface geometry;
       geometry.Positions = std::move(surface.Positions);

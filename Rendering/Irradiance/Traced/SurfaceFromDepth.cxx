@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace penumbra
 {
@@ -51,6 +52,9 @@ public:
     Matrix eyeToWorld;
     vtkMatrix4x4::Invert(view.WorldToEye.data(), eyeToWorld.data());
     const Scene& scene = rays.GetScene();
+    std::transform(scene.Surfaces.begin(), scene.Surfaces.end(),
+      std::back_inserter(this->IsTranslucent),
+      [](const Surface& surface) { return surface.IsTranslucent(); });
     for (int row = 0; row < 3; ++row)
     {
       for (int column = 0; column < 3; ++column)
@@ -111,8 +115,19 @@ private:
     this->Rays.Intersect16(rays, hits);
     for (int k = 0; k < count; ++k)
     {
+      this->SkipTranslucent(rays[k], hits[k]);
       *targets[k] = hits[k].IsHit() ? this->ReconstructFromHit(rays[k], hits[k])
                                     : this->ReconstructFromDepths(rays[k], pixels[k], row);
+    }
+  }
+
+  /// Moves a hit to the first opaque surface: the depth buffer has no others.
+  void SkipTranslucent(Ray ray, Hit& hit) const
+  {
+    while (hit.IsHit() && this->IsTranslucent[hit.Surface])
+    {
+      ray.Near = hit.NextNear;
+      hit = this->Rays.Intersect(ray);
     }
   }
 
@@ -246,9 +261,10 @@ private:
   bool AtCenters;
   const ScreenTransform& View;
   const RayScene& Rays;
-  glm::mat3 EyeToScene{ 1.f }; ///< rotation and scale
-  glm::vec3 Eye{ 0.f };        ///< camera position in scene coordinates
-  float UnitLength = 1.f;      ///< unit of the view in scene coordinates
+  std::vector<char> IsTranslucent; ///< by surface
+  glm::mat3 EyeToScene{ 1.f };     ///< rotation and scale
+  glm::vec3 Eye{ 0.f };            ///< camera position in scene coordinates
+  float UnitLength = 1.f;          ///< unit of the view in scene coordinates
   /// Change of eye depth (of its inverse in perspective) per unit of the depth buffer.
   double DepthSlope = 0.0;
 };

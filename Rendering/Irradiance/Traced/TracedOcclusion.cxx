@@ -4,6 +4,8 @@
 
 #include "Execution/ParallelFor.h"
 #include "Shading/HemisphereSampling.h"
+#include "Shading/RayTracingConstants.h"
+#include "Shading/TranslucentOcclusion.h"
 
 #include <algorithm>
 #include <atomic>
@@ -55,7 +57,8 @@ public:
       Width(width),
       Rays(rays),
       Samples(samples),
-      Means(means)
+      Means(means),
+      Translucent(HasTranslucentOccluders(rays.GetScene()))
   {
   }
 
@@ -96,7 +99,8 @@ private:
     {
       return 0;
     }
-    int blocked[PacketSize] = {};
+    float blocked[PacketSize] = {};
+    long long layers = 0;
     for (int sample = 0; sample < this->Samples.Count; ++sample)
     {
       const InterleavedPixels& lattice = this->Samples.Lattice;
@@ -105,20 +109,21 @@ private:
           (lattice.Row + (block.Y + j) * lattice.Step) % Period);
       const glm::vec3 direction = DiskToHemisphere(SampleUniformDiskConcentric(
         static_cast<float>(Fraction(shifted.x)), static_cast<float>(Fraction(shifted.y))));
-      this->TracePacket(pixels, size, direction, blocked);
+      this->TracePacket(pixels, size, direction, blocked, layers);
     }
     for (int k = 0; k < size; ++k)
     {
-      this->Means[pixels[k]] =
-        static_cast<float>(blocked[k]) / static_cast<float>(this->Samples.Count);
+      this->Means[pixels[k]] = blocked[k] / static_cast<float>(this->Samples.Count);
     }
-    return static_cast<long long>(size) * this->Samples.Count;
+    return static_cast<long long>(size) * this->Samples.Count + layers;
   }
 
-  void TracePacket(const std::size_t* pixels, int size, glm::vec3 direction, int* blocked) const
+  /// Adds the occlusion of one ray of each pixel to `blocked`, and the number of rays that continue
+  /// behind translucent surfaces to `layers`.
+  void TracePacket(const std::size_t* pixels, int size, glm::vec3 direction, float* blocked,
+    long long& layers) const
   {
     Ray rays[PacketSize];
-    bool isHit[PacketSize];
     for (int k = 0; k < PacketSize; ++k)
     {
       rays[k].Far = -1.f;
@@ -130,10 +135,23 @@ private:
         rays[k].Far = this->Samples.Radius;
       }
     }
+    if (this->Translucent)
+    {
+      Hit hits[PacketSize];
+      this->Rays.Intersect16(rays, hits);
+      const DistanceFalloff falloff(this->Samples.Radius);
+      for (int k = 0; k < size; ++k)
+      {
+        blocked[k] += TraceTranslucentOcclusion(
+          this->Rays, rays[k], hits[k], falloff, MinimumTransmittance, layers);
+      }
+      return;
+    }
+    bool isHit[PacketSize];
     this->Rays.Occluded16(rays, isHit);
     for (int k = 0; k < size; ++k)
     {
-      blocked[k] += isHit[k];
+      blocked[k] += isHit[k] ? 1.f : 0.f;
     }
   }
 
@@ -142,6 +160,7 @@ private:
   const RayScene& Rays;
   const TracedSamples& Samples;
   std::vector<float>& Means;
+  bool Translucent;
 };
 
 /// Clips the rectangles to the image and splits them into blocks.
