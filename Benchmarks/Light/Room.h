@@ -13,6 +13,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <vector>
 
 class vtkPenumbraIrradianceProvider;

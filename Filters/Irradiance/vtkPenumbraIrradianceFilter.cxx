@@ -14,7 +14,7 @@
 #include "Gathering/IrradianceConstants.h"
 #include "Gathering/RayGatherer.h"
 #include "Records/Interreflection.h"
-#include "Shading/LightOverlap.h"
+#include "Shading/LightWarnings.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -295,6 +295,13 @@ void vtkPenumbraIrradianceFilter::BakeOnto(
   vtkDataSetAttributes* attributes = this->OnCells
     ? static_cast<vtkDataSetAttributes*>(output->GetCellData())
     : static_cast<vtkDataSetAttributes*>(output->GetPointData());
+  if (this->Quantity == IRRADIANCE && IsBlack(work.Baked))
+  {
+    vtkWarningMacro(
+      "No light of the environment reaches the points: the irradiance is 0. Set "
+      "EnvironmentColor or Environment if it is black, reverse polygons and normals that "
+      "face inward, for example with vtkReverseSense, or open closed surfaces.");
+  }
   if (this->Quantity == AMBIENT_OCCLUSION && IsBlocked(work.Baked))
   {
     vtkWarningMacro("All points are occluded. Polygons and normals may face inward: reverse them, "

@@ -12,7 +12,7 @@
 #include "PhaseTimer.h"
 #include "SceneBounds.h"
 #include "Shading/Illumination.h"
-#include "Shading/LightOverlap.h"
+#include "Shading/LightWarnings.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -254,10 +254,16 @@ void vtkPenumbraRayCaster::Internals::WarnOfScene(
   }
   for (const std::string& warning : scene.Warnings)
   {
-    if (this->Warned.insert(warning).second)
-    {
-      vtkWarningWithObjectMacro(self, << warning);
-    }
+    this->WarnOnce(self, warning);
+  }
+}
+
+void vtkPenumbraRayCaster::Internals::WarnOnce(
+  vtkPenumbraRayCaster* self, const std::string& warning)
+{
+  if (!warning.empty() && this->Warned.insert(warning).second)
+  {
+    vtkWarningWithObjectMacro(self, << warning);
   }
 }
 
@@ -315,6 +321,8 @@ bool vtkPenumbraRayCaster::Internals::BeginProvider(
     light.Bounces = self->Bounces;
     light.Shadows = self->GetShadows();
     const penumbra::Illumination illumination(*this->Prepared->Rays, light);
+    this->WarnOnce(self,
+      penumbra::DescribeMissingLight(*this->Prepared->Rays, self->GetShadows(), &illumination));
     // The image contains Albedo / pi of the irradiance.
     const double tolerance = noise * vtkMath::Pi() / self->Albedo;
     tracer.SetIndirectLight(this->IrradianceProvider, light.Albedo, tolerance);
@@ -340,6 +348,10 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   if (usesProvider && !this->BeginProvider(self, tracer))
   {
     return false;
+  }
+  if (self->GetShadows() && !self->IndirectLight)
+  {
+    this->WarnOnce(self, penumbra::DescribeMissingLight(*this->Prepared->Rays, true, nullptr));
   }
 
   std::string warning;

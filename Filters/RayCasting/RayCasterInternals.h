@@ -80,6 +80,8 @@ struct vtkPenumbraRayCaster::Internals
   bool UpdatePrepared(vtkPenumbraRayCaster* self, const penumbra::ExtractionOptions& options);
   penumbra::ExtractionOptions MakeExtractionOptions(vtkPenumbraRayCaster* self);
   void WarnOfScene(vtkPenumbraRayCaster* self, penumbra::Scene& scene);
+  /// Emits a warning, unless it is empty or was emitted before.
+  void WarnOnce(vtkPenumbraRayCaster* self, const std::string& warning);
   bool Execute(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);

@@ -34,13 +34,30 @@ vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedVal
   return array;
 }
 
+namespace
+{
+
+/// Returns true if a condition holds for nearly all values.
+template <typename Condition>
+bool HoldsForMost(const BakedValues& baked, const Condition& condition)
+{
+  const auto count = std::count_if(baked.Values.begin(), baked.Values.end(), condition);
+  return count > 0 &&
+    static_cast<double>(count) >=
+    MinimumOccludedFraction * static_cast<double>(baked.Values.size());
+}
+
+}
+
 bool IsBlocked(const BakedValues& baked)
 {
-  const auto blocked = std::count_if(baked.Values.begin(), baked.Values.end(),
-    [](const BakedValue& value) { return value.Mean.x >= OccludedThreshold; });
-  return blocked > 0 &&
-    static_cast<double>(blocked) >=
-    MinimumOccludedFraction * static_cast<double>(baked.Values.size());
+  return HoldsForMost(
+    baked, [](const BakedValue& value) { return value.Mean.x >= OccludedThreshold; });
+}
+
+bool IsBlack(const BakedValues& baked)
+{
+  return HoldsForMost(baked, [](const BakedValue& value) { return value.Mean == glm::vec3(0.f); });
 }
 
 }

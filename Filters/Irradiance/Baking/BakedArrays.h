@@ -23,5 +23,8 @@ vtkSmartPointer<vtkFloatArray> CreateArray(const BakeInput& mesh, const BakedVal
 /// cave.
 bool IsBlocked(const BakedValues& baked);
 
+/// Returns true if nearly all values are 0.
+bool IsBlack(const BakedValues& baked);
+
 }
 #endif

@@ -145,9 +145,9 @@ TEST(vtkPenumbraIrradianceFilter, IsExactOnPlaneAndInsideClosedSphere)
   EXPECT_EQ(range[0], 1.0);
 }
 
-TEST(vtkPenumbraIrradianceFilter, WarnsIfAllPointsAreOccluded)
+TEST(vtkPenumbraIrradianceFilter, WarnsIfAllPointsAreOccludedOrBlack)
 {
-  const auto warningOf = [](bool inwards) {
+  const auto warningOf = [](bool inwards, int quantity) {
     vtkNew<vtkReverseSense> reversed;
     reversed->SetInputData(MakeSphere()->GetOutput());
     reversed->SetReverseNormals(inwards);
@@ -155,6 +155,7 @@ TEST(vtkPenumbraIrradianceFilter, WarnsIfAllPointsAreOccluded)
     vtkNew<vtkPenumbraIrradianceFilter> filter;
     filter->SetInputConnection(reversed->GetOutputPort());
     filter->SetRadius(VTK_DOUBLE_MAX);
+    filter->SetQuantity(quantity);
     std::string message;
     vtkNew<vtkCallbackCommand> observer;
     observer->SetClientData(&message);
@@ -165,8 +166,13 @@ TEST(vtkPenumbraIrradianceFilter, WarnsIfAllPointsAreOccluded)
     filter->Update();
     return message;
   };
-  EXPECT_EQ(warningOf(false), "");
-  EXPECT_NE(warningOf(true).find("vtkReverseSense"), std::string::npos);
+  const int occlusion = vtkPenumbraIrradianceFilter::AMBIENT_OCCLUSION;
+  EXPECT_EQ(warningOf(false, occlusion), "");
+  EXPECT_NE(warningOf(true, occlusion).find("All points are occluded"), std::string::npos);
+  EXPECT_NE(warningOf(true, occlusion).find("vtkReverseSense"), std::string::npos);
+  const int irradiance = vtkPenumbraIrradianceFilter::IRRADIANCE;
+  EXPECT_EQ(warningOf(false, irradiance), "");
+  EXPECT_NE(warningOf(true, irradiance).find("the irradiance is 0"), std::string::npos);
 }
 
 TEST(vtkPenumbraIrradianceFilter, VerticesOccludeAsSpheres)

@@ -125,6 +125,13 @@ constexpr float EmitterDistanceTolerance = 1e-3f;
 /// light source.
 constexpr std::size_t MaximumEmitters = 8;
 
+// --- Views without light (TestLightWarnings) ---
+
+/// Side of the grid of pixels that are tested for light, and number of paths at each. Light that reaches
+/// a hemisphere through a thousandth of it is found with a probability above 98 %.
+constexpr int MissingLightGridSide = 8;
+constexpr int MissingLightPaths = 64;
+
 // --- Translucent layers: bounds of the work of one ray (TestLayerCeilings) ---
 
 /// Maximum number of layers along one ray: camera rays, shadow rays and rays of a hemisphere.

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LightOverlap.h"
+#include "LightWarnings.h"
+
+#include "RayTracingConstants.h"
 
 #include "vtkLine.h"
 #include "vtkNew.h"
@@ -94,6 +96,52 @@ bool Overlaps(const Surface& surface, const Light& light)
   return false;
 }
 
+bool IsPositive(glm::vec3 color)
+{
+  return color.x > 0.f || color.y > 0.f || color.z > 0.f;
+}
+
+/// What the search found at one pixel.
+enum class Finding
+{
+  NoReflector, ///< no hit, or a black surface
+  Dark,
+  Lit
+};
+
+Finding SearchLight(
+  const RayScene& rays, const Shading& shading, const Illumination* indirect, const Ray& ray)
+{
+  const Hit hit = SkipLinesAndPoints(rays, ray, rays.Intersect(ray));
+  if (!hit.IsHit())
+  {
+    return Finding::NoReflector;
+  }
+  long long count = 0;
+  const ShadedHit shaded = shading.ShadeDiffuse(ray, hit, count);
+  if (IsPositive(glm::vec3(shaded.Color)))
+  {
+    return Finding::Lit;
+  }
+  if (!IsPositive(shaded.Reflectance) || shaded.Color.a < 1.f)
+  {
+    return Finding::NoReflector;
+  }
+  const glm::vec3 point = ray.Origin + hit.Distance * ray.Direction;
+  const glm::vec3 geometric = glm::normalize(shaded.GeometricNormal);
+  const SurfaceNormals normals(glm::vec3(rays.GetSmoothNormal(hit, geometric)), geometric);
+  std::uint32_t random = HashPoint(point, geometric);
+  for (int path = 0; path < MissingLightPaths && indirect; ++path)
+  {
+    if (IsPositive(
+          indirect->TracePath(point, normals, indirect->GetSettings().Bounces, random, count)))
+    {
+      return Finding::Lit;
+    }
+  }
+  return Finding::Dark;
+}
+
 }
 
 std::vector<std::string> DescribeLightOverlaps(const Scene& scene)
@@ -115,6 +163,34 @@ std::vector<std::string> DescribeLightOverlaps(const Scene& scene)
     }
   }
   return sentences;
+}
+
+std::string DescribeMissingLight(const RayScene& rays, bool shadows, const Illumination* indirect)
+{
+  const Camera& camera = rays.GetScene().ViewCamera;
+  const Shading shading(rays, shadows);
+  bool isDark = false;
+  for (int k = 0; k < MissingLightGridSide * MissingLightGridSide; ++k)
+  {
+    const glm::dvec2 cell(k % MissingLightGridSide, k / MissingLightGridSide);
+    const glm::dvec2 at =
+      (cell + .5) / double(MissingLightGridSide) * glm::dvec2(camera.Width, camera.Height);
+    Ray ray;
+    ray.Origin = glm::vec3(camera.RayOrigin(at));
+    ray.Direction = glm::vec3(camera.RayDirection(at));
+    const Finding finding = SearchLight(rays, shading, indirect, ray);
+    if (finding == Finding::Lit)
+    {
+      return {};
+    }
+    isDark = isDark || finding == Finding::Dark;
+  }
+  return isDark ? "The visible surfaces are black, because no light reaches them. Move lights "
+                  "out of closed "
+                  "surfaces, add a light or a surface with ambient color where the camera looks, "
+                  "or open closed "
+                  "spaces to EnvironmentColor or Environment."
+                : std::string();
 }
 
 }
