@@ -17,6 +17,7 @@ struct LightBenchmark
 {
   std::string Data;   ///< folder with head.ply
   std::string Output; ///< folder for results
+  std::string PovRay; ///< program; empty: no comparison with it
   ResultTable Results;
 };
 
@@ -35,6 +36,9 @@ void MeasureBox(LightBenchmark& benchmark);
 
 /// Penumbrae behind a half-plane and a disk against closed forms.
 void MeasurePenumbrae(LightBenchmark& benchmark);
+
+/// Time of the same penumbrae relative to that of POV-Ray's area light at equal error.
+void ComparePenumbrae(LightBenchmark& benchmark);
 
 /// Occlusion of a floor by translucent panes, by rays, cache, baking and the traced estimator.
 void MeasurePanes(LightBenchmark& benchmark);

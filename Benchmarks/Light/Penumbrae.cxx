@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 #include "ClosedForms/VisibleLight.h"
+#include "PovRay.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
@@ -20,7 +21,11 @@
 #include "vtkRenderer.h"
 #include "vtkReverseSense.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
 
 namespace penumbra
 {
@@ -81,7 +86,8 @@ double FractionBeyondDisk(glm::dvec2 p)
 }
 
 /// A floor under a disk-shaped light and an occluder, which the camera above does not see.
-vtkSmartPointer<vtkPenumbraRayCaster> CastFloor(vtkPolyData* occluder, glm::dvec2 center)
+vtkSmartPointer<vtkPenumbraRayCaster> CastFloor(
+  vtkPolyData* occluder, glm::dvec2 center, double tolerance = Tolerance)
 {
   vtkSmartPointer<vtkRenderer> renderer = NewRenderer();
   vtkNew<vtkPlaneSource> floor;
@@ -112,7 +118,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> CastFloor(vtkPolyData* occluder, glm::dvec
   caster->SetNumberOfThreads(1);
   caster->ShadowsOn();
   caster->SetLightRadius(LightRadius);
-  caster->SetTolerance(Tolerance);
+  caster->SetTolerance(tolerance);
   caster->Update();
   return caster;
 }
@@ -122,15 +128,16 @@ double CountShadowRays(vtkPenumbraRayCaster* caster)
   return caster->GetStatistics()->GetArray("Rays/Shadow")->GetComponent(0, 0) / (Size * Size);
 }
 
-void MeasureOccluder(ResultTable& table, const std::string& name, vtkPolyData* occluder,
-  double (*fraction)(glm::dvec2), glm::dvec2 lit)
+/// Exact image of the floor, and the pixels in the penumbra.
+struct ExactFloor
 {
-  const double start = Seconds();
-  const vtkSmartPointer<vtkPenumbraRayCaster> caster = CastFloor(occluder, glm::dvec2(0.0));
-  const double seconds = Seconds() - start;
-  vtkDataArray* colors = caster->GetOutput()->GetPointData()->GetArray("Color");
-  double squares = 0.0;
-  double pixels = 0.0;
+  std::vector<double> Values;
+  std::vector<int> Penumbra;
+};
+
+ExactFloor ComputeFloor(double (*fraction)(glm::dvec2))
+{
+  ExactFloor floor;
   for (int i = 0; i < Size * Size; ++i)
   {
     double exact = 0.0;
@@ -145,19 +152,189 @@ void MeasureOccluder(ResultTable& table, const std::string& name, vtkPolyData* o
       high = std::max(high, visible);
       exact += .25 * visible * LightHeight / std::sqrt(LightHeight * LightHeight + glm::dot(p, p));
     }
+    floor.Values.push_back(exact);
     if (high > 0.0 && low < 1.0)
     {
-      squares += std::pow(colors->GetComponent(i, 0) - exact, 2.0);
-      pixels += 1.0;
+      floor.Penumbra.push_back(i);
     }
   }
-  table.Add(name, "RMSE in the penumbra", std::sqrt(squares / pixels), TargetKind::AtMost, .005,
+  return floor;
+}
+
+template <typename ValueAt>
+double ComputeRmse(const ExactFloor& floor, const ValueAt& valueAt)
+{
+  double squares = 0.0;
+  for (const int i : floor.Penumbra)
+  {
+    squares += std::pow(valueAt(i) - floor.Values[i], 2.0);
+  }
+  return std::sqrt(squares / static_cast<double>(floor.Penumbra.size()));
+}
+
+void MeasureOccluder(ResultTable& table, const std::string& name, vtkPolyData* occluder,
+  double (*fraction)(glm::dvec2), glm::dvec2 lit)
+{
+  const double start = Seconds();
+  const vtkSmartPointer<vtkPenumbraRayCaster> caster = CastFloor(occluder, glm::dvec2(0.0));
+  const double seconds = Seconds() - start;
+  vtkDataArray* colors = caster->GetOutput()->GetPointData()->GetArray("Color");
+  const ExactFloor floor = ComputeFloor(fraction);
+  table.Add(name, "RMSE in the penumbra",
+    ComputeRmse(floor, [=](int i) { return colors->GetComponent(i, 0); }), TargetKind::AtMost, .005,
     "tolerance " + Brief(Tolerance) + ", " + Brief(seconds) + " s");
   const double elsewhere = CountShadowRays(CastFloor(occluder, lit));
-  const double share = pixels / (Size * Size);
+  const double share = static_cast<double>(floor.Penumbra.size()) / (Size * Size);
   table.Add(name, "shadow rays per pixel in the penumbra",
     (CountShadowRays(caster) - elsewhere * (1.0 - share)) / share, TargetKind::AtMost, 16.0);
   table.Add(name, "shadow rays per pixel elsewhere", elsewhere, TargetKind::AtMost, 1.1);
+}
+
+/// Grid of point lights of POV-Ray's area_light.
+struct LightGrid
+{
+  int Side;
+  int Adaptive; ///< first subdivision of the adaptive sampling
+  bool Jitter;
+};
+
+void WritePovRayFloor(const std::string& path, const std::string& occluder, const LightGrid& grid)
+{
+  std::ofstream file(path);
+  const double width = ImageWidth / CameraHeight;
+  file
+    << "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\ncamera { perspective location <0,0,"
+    << CameraHeight << "> right <" << width << ",0,0> up <0," << width
+    << ",0> direction <0,0,-1> }\nlight_source { <0,0," << LightHeight << "> rgb 1 area_light <"
+    << 2.0 * LightRadius << ",0,0>, <0," << 2.0 * LightRadius << ",0>, " << grid.Side << ", "
+    << grid.Side << " adaptive " << grid.Adaptive << " circular" << (grid.Jitter ? " jitter" : "")
+    << " }\npolygon { 5, <-20,-20,0>, <20,-20,0>, <20,20,0>, <-20,20,0>, <-20,-20,0> pigment { rgb "
+       "1 } "
+       "finish { ambient 0 diffuse 1 } }\n"
+    << occluder << '\n';
+}
+
+/// CPU seconds and RMSE in the penumbra against the closed form.
+struct CostOfFloor
+{
+  double Seconds = 0.0;
+  double Rmse = 0.0;
+};
+
+/// Returns ours for several tolerances, from coarse to fine: the fastest of three runs each, including
+/// the BVH.
+std::vector<CostOfFloor> MeasureOurs(vtkPolyData* mesh, const ExactFloor& floor)
+{
+  constexpr int Repetitions = 3;
+  std::vector<CostOfFloor> costs;
+  for (const double tolerance : { .05, .035, .025, .017, .012, .0085, Tolerance })
+  {
+    CostOfFloor cost;
+    cost.Seconds = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < Repetitions; ++i)
+    {
+      const double start = Seconds();
+      const vtkSmartPointer<vtkPenumbraRayCaster> caster =
+        CastFloor(mesh, glm::dvec2(0.0), tolerance);
+      cost.Seconds = std::min(cost.Seconds, Seconds() - start);
+      vtkDataArray* colors = caster->GetOutput()->GetPointData()->GetArray("Color");
+      cost.Rmse = ComputeRmse(floor, [=](int pixel) { return colors->GetComponent(pixel, 0); });
+    }
+    costs.push_back(cost);
+  }
+  return costs;
+}
+
+/// One run of POV-Ray: its time is that of tracing only.
+struct PovRayFloor
+{
+  std::string Setting;
+  CostOfFloor Cost;
+  double Noise = 0.0; ///< RMSE against the image of its finest grid
+};
+
+std::vector<PovRayFloor> MeasurePovRay(
+  const LightBenchmark& benchmark, const std::string& occluder, const ExactFloor& floor)
+{
+  const std::string file = benchmark.Output + "/penumbra.pov";
+  const auto run = [&](const LightGrid& grid) {
+    WritePovRayFloor(file, occluder, grid);
+    return RunPovRay(benchmark.PovRay, file, Size, Size, { 0.0, 0 });
+  };
+  const PovRayAnswer finest = run({ 129, 2, false });
+  ExactFloor limit = floor;
+  std::transform(finest.Colors.begin(), finest.Colors.end(), limit.Values.begin(),
+    [](const glm::dvec3& color) { return color.x; });
+  std::vector<PovRayFloor> runs;
+  for (const int side : { 9, 17, 33, 65 })
+  {
+    for (const LightGrid& grid : { LightGrid{ side, 1, false }, LightGrid{ side, 1, true },
+           LightGrid{ side, 2, false }, LightGrid{ side, 2, true } })
+    {
+      const PovRayAnswer answer = run(grid);
+      const auto valueAt = [&](int i) { return answer.Colors[i].x; };
+      PovRayFloor found;
+      found.Setting = std::to_string(side) + " x " + std::to_string(side) + " adaptive " +
+        std::to_string(grid.Adaptive) + (grid.Jitter ? " jitter" : "");
+      found.Cost = { answer.TraceSeconds, ComputeRmse(floor, valueAt) };
+      found.Noise = ComputeRmse(limit, valueAt);
+      std::printf("  POV-Ray %s: RMSE %.5f, from its finest grid %.5f, %.3f s\n",
+        found.Setting.c_str(), found.Cost.Rmse, found.Noise, found.Cost.Seconds);
+      runs.push_back(found);
+    }
+  }
+  return runs;
+}
+
+/// Returns the fastest run that meets a condition.
+template <typename Condition>
+const PovRayFloor* FindFastest(const std::vector<PovRayFloor>& runs, const Condition& condition)
+{
+  const PovRayFloor* fastest = nullptr;
+  for (const PovRayFloor& run : runs)
+  {
+    if (condition(run) && (!fastest || run.Cost.Seconds < fastest->Cost.Seconds))
+    {
+      fastest = &run;
+    }
+  }
+  return fastest;
+}
+
+/// POV-Ray's circular lights are not uniform, so that their error ends at a limit. Both programs are
+/// compared at 1.05 times this limit, and at our error with POV-Ray's error against its own limit.
+void CompareWithPovRay(const LightBenchmark& benchmark, ResultTable& table, const std::string& name,
+  vtkPolyData* mesh, const std::string& occluder, double (*fraction)(glm::dvec2))
+{
+  const ExactFloor floor = ComputeFloor(fraction);
+  const std::vector<CostOfFloor> ours = MeasureOurs(mesh, floor);
+  const std::vector<PovRayFloor> runs = MeasurePovRay(benchmark, occluder, floor);
+  const auto best = std::min_element(runs.begin(), runs.end(),
+    [](const PovRayFloor& a, const PovRayFloor& b) { return a.Cost.Rmse < b.Cost.Rmse; });
+  const double error = 1.05 * best->Cost.Rmse;
+  const PovRayFloor* equal =
+    FindFastest(runs, [=](const PovRayFloor& run) { return run.Cost.Rmse <= error; });
+  const auto own = std::find_if(
+    ours.begin(), ours.end(), [=](const CostOfFloor& cost) { return cost.Rmse <= error; });
+  const auto describe = [](const CostOfFloor& cost, const PovRayFloor& run, double runError) {
+    return Brief(cost.Seconds) + " s, RMSE " + Brief(cost.Rmse) + "; POV-Ray " +
+      Brief(run.Cost.Seconds) + " s, RMSE " + Brief(runError) + ", " + run.Setting;
+  };
+  if (own != ours.end())
+  {
+    table.Add(name, "times faster than POV-Ray's area light at equal error",
+      equal->Cost.Seconds / own->Seconds, TargetKind::AtLeast, 10.0,
+      describe(*own, *equal, equal->Cost.Rmse));
+  }
+  const CostOfFloor& fine = ours.back();
+  const PovRayFloor* quiet =
+    FindFastest(runs, [&](const PovRayFloor& run) { return run.Noise <= fine.Rmse; });
+  if (quiet)
+  {
+    table.Add(name, "the same, POV-Ray's error against its own limit",
+      quiet->Cost.Seconds / fine.Seconds, TargetKind::None, 0.0,
+      describe(fine, *quiet, quiet->Noise));
+  }
 }
 
 }
@@ -168,6 +345,19 @@ void MeasurePenumbrae(LightBenchmark& benchmark)
     FractionBeyondHalfPlane, { 5.0, 0.0 });
   MeasureOccluder(
     benchmark.Results, "disk, disk-shaped light", MakeDisk(), FractionBeyondDisk, { 0.0, 5.0 });
+}
+
+void ComparePenumbrae(LightBenchmark& benchmark)
+{
+  if (benchmark.PovRay.empty())
+  {
+    return;
+  }
+  CompareWithPovRay(benchmark, benchmark.Results, "half-plane, disk-shaped light", MakeHalfPlane(),
+    "polygon { 5, <-100,-100,2>, <0,-100,2>, <0,100,2>, <-100,100,2>, <-100,-100,2> no_image }",
+    FractionBeyondHalfPlane);
+  CompareWithPovRay(benchmark, benchmark.Results, "disk, disk-shaped light", MakeDisk(),
+    "disc { <0,0,2>, z, " + Brief(DiskRadius) + " no_image }", FractionBeyondDisk);
 }
 
 }

@@ -29,9 +29,10 @@ int main(int argc, char** argv)
   Program program;
   program.Name = "light";
   program.Title = "Light: measurements and targets";
-  program.Usage =
-    "--data FOLDER --output FOLDER [--only skies|baking|emitters|box|panes|penumbrae]";
-  program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true } };
+  program.Usage = "--data FOLDER --output FOLDER [--povray PROGRAM] [--only "
+                  "skies|baking|emitters|box|panes|penumbrae|povray]";
+  program.Values = { { "--data", &benchmark.Data, true }, { "--output", &benchmark.Output, true },
+    { "--povray", &benchmark.PovRay } };
   program.Parts = {
     { "skies", [&] { MeasureSkies(benchmark); } },
     { "baking", [&] { MeasureBakedSkies(benchmark); } },
@@ -39,6 +40,7 @@ int main(int argc, char** argv)
     { "box", [&] { MeasureBox(benchmark); } },
     { "panes", [&] { MeasurePanes(benchmark); } },
     { "penumbrae", [&] { MeasurePenumbrae(benchmark); } },
+    { "povray", [&] { ComparePenumbrae(benchmark); } },
   };
   vtkSMPTools::Initialize(1);
   return program.Run(argc, argv, benchmark.Results, benchmark.Output, [] {

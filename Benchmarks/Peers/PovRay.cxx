@@ -103,8 +103,16 @@ PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int
   const std::string log = scene + ".log";
   std::ostringstream command;
   command << "'" << program << "' '+I" << scene << "' '+O" << image << "' +W" << width << " +H"
-          << height << " +FN16 File_Gamma=1.0 +AM2 +A" << step.Threshold << " +R" << step.Depth
-          << " -J -D -V +WT1 >'" << log << "' 2>&1";
+          << height << " +FN16 File_Gamma=1.0 ";
+  if (step.Depth > 0)
+  {
+    command << "+AM2 +A" << step.Threshold << " +R" << step.Depth << " -J";
+  }
+  else
+  {
+    command << "-A";
+  }
+  command << " -D -V +WT1 >'" << log << "' 2>&1";
   PovRayAnswer answer;
   const double before = ChildSeconds();
   if (std::system(command.str().c_str()) != 0)

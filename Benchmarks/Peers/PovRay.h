@@ -17,7 +17,7 @@ namespace penumbra
 {
 
 /// Adaptive antialiasing: a pixel that differs from its neighbors by more than Threshold is
-/// subdivided Depth times.
+/// subdivided Depth times. With a depth of 0, one ray is traced through the center of each pixel.
 struct PovRayStep
 {
   double Threshold;
@@ -39,7 +39,7 @@ struct PovRayAnswer
 void WritePovRayScene(const std::string& path, vtkRenderer* renderer, const BruteForceScene& scene,
   int width, int height);
 
-/// Renders on one thread with adaptive antialiasing (+AM2). Throws std::runtime_error if the
+/// Renders on one thread with adaptive antialiasing (+AM2), without jitter of the rays. Throws std::runtime_error if the
 /// program fails.
 PovRayAnswer RunPovRay(const std::string& program, const std::string& scene, int width, int height,
   const PovRayStep& step);
