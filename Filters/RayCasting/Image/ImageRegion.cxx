@@ -22,6 +22,8 @@ namespace
 
 // Side of a tile in pixels. A tile is the unit of work of a thread.
 constexpr int TileSide = 32;
+/// Number of edges for which memory is reserved for each outline in a tile.
+constexpr std::size_t EdgesPerOutline = 80;
 // Side of the tiles in pixels whose RMSE the tolerance bounds.
 constexpr int ErrorTileSide = 16;
 
@@ -267,7 +269,8 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
       std::vector<ProjectedEdge> withOutlines;
       if (shapes > 0 && shapes <= MaximumOutlinesInTile)
       {
-        withOutlines.reserve(count);
+        // Pages of memory are used only if they are written; growing would write twice as many.
+        withOutlines.reserve(count + shapes * EdgesPerOutline);
         std::transform(indices, indices + count, std::back_inserter(withOutlines),
           [&](std::uint32_t i) { return edges[i]; });
         outlines.Project(tile, glm::dvec2(origin), glm::dvec2(origin + TileSide), withOutlines);

@@ -7,7 +7,9 @@
 
 #include "Surface.h"
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 struct RTCSceneTy;
 
@@ -28,6 +30,8 @@ struct TracedSurface
   std::shared_ptr<const PlanarCells>
     Cells;                     ///< Embree's primitives instead of triangles if not null
   RTCSceneTy* Shape = nullptr; ///< BVH of the triangles that have instances, or null
+  /// Spheres in the order in which Embree's primitives group them; empty: a primitive for each.
+  std::vector<std::uint32_t> Order = {};
 };
 
 }

@@ -441,3 +441,61 @@ TEST(RayScene, FindsEveryRoundShapeThatARayTouches)
     }
   }
 }
+
+TEST(RayScene, FindsTheNearestOfManySpheres)
+{
+  // So many that their BVH groups them; some are equal, of which the first is hit.
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> uniform(-1.f, 1.f);
+  const auto draw = [&] { return glm::vec3(uniform(random), uniform(random), uniform(random)); };
+  Surface surface;
+  for (int i = 0; i < 500001; ++i)
+  {
+    surface.Positions.push_back(i % 10 == 9 ? surface.Positions.back() : draw());
+    surface.Radii.push_back(i % 10 == 9 ? surface.Radii.back() : 0.004f + 0.002f * uniform(random));
+  }
+  Scene scene;
+  scene.Surfaces = { surface };
+  const RayScene rays(scene, 1);
+  int hits = 0;
+  for (int repetition = 0; repetition < 2; ++repetition)
+  {
+    Ray packet[16];
+    for (Ray& ray : packet)
+    {
+      ray.Origin = draw();
+      ray.Direction = glm::normalize(draw());
+    }
+    Hit found[16];
+    bool occluded[16];
+    rays.Intersect16(packet, found);
+    rays.Occluded16(packet, occluded);
+    for (int i = 0; i < 16; ++i)
+    {
+      float nearest = std::numeric_limits<float>::infinity();
+      std::uint32_t first = 0;
+      for (std::uint32_t k = 0; k < surface.Positions.size(); ++k)
+      {
+        const RoundIntersection range(
+          surface.GetRoundShape(k), packet[i].Origin, packet[i].Direction);
+        const auto distance = static_cast<float>(range.Enter >= 0.0 ? range.Enter : range.Leave);
+        if (range.IsHit && distance >= packet[i].Near && distance < nearest)
+        {
+          nearest = distance;
+          first = k;
+        }
+      }
+      ASSERT_EQ(found[i].IsHit(), std::isfinite(nearest));
+      ASSERT_EQ(occluded[i], std::isfinite(nearest));
+      if (found[i].IsHit())
+      {
+        ++hits;
+        ASSERT_EQ(found[i].Distance, nearest);
+        ASSERT_EQ(found[i].Primitive, first);
+        const Hit single = rays.Intersect(packet[i]);
+        ASSERT_EQ(single.Primitive, first);
+      }
+    }
+  }
+  EXPECT_GT(hits, 20);
+}

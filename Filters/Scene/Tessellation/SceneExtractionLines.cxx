@@ -72,6 +72,19 @@ Material MakeRoundMaterial(vtkProperty* property, const Material& unlit)
   return material;
 }
 
+/// Frees ids that are 0, 1, 2, ..., see Surface::CellIds.
+void DropIdentity(std::vector<std::uint32_t>& ids)
+{
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    if (ids[i] != i)
+    {
+      return;
+    }
+  }
+  std::vector<std::uint32_t>().swap(ids);
+}
+
 /// Expands the line segments and points of one draw item to surfaces.
 class LineExpander
 {
@@ -191,6 +204,7 @@ private:
     }
     if (!this->Result.Positions.empty())
     {
+      DropIdentity(this->Result.CellIds);
       this->Target.Surfaces.push_back(std::move(this->Result));
     }
   }

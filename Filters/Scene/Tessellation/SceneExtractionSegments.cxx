@@ -59,6 +59,10 @@ std::vector<LineSegment> CollectPoints(const DrawItem& item, bool all)
   vtkPolyData* data = item.Data;
   vtkCellArray* arrays[] = { data->GetVerts(), data->GetLines(), data->GetPolys(),
     data->GetStrips() };
+  if (!all)
+  {
+    segments.reserve(static_cast<std::size_t>(data->GetVerts()->GetNumberOfConnectivityIds()));
+  }
   vtkIdType first = 0;
   for (vtkCellArray* cells : arrays)
   {

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parts of the benchmark of large scenes.
+#ifndef Benchmark_h
+#define Benchmark_h
+
+#include "Program.h"
+
+#include <string>
+
+struct Options
+{
+  std::string Meshes;
+  std::string Output;
+  std::string Python; ///< interpreter with PyVista; empty: no comparison
+  penumbra::ResultTable Results;
+};
+
+/// Measures memory, occlusion and time of a million points that are rendered as spheres.
+void MeasureSpheres(Options& options);
+
+#endif
