@@ -492,6 +492,11 @@ void RayScene::Intersect16(const Ray* rays, Hit* hits) const
   IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays + 8, hits + 8);
 }
 
+void RayScene::Intersect8(const Ray* rays, Hit* hits) const
+{
+  IntersectPacket<RTCRayHit8, 8>(*this, this->EmbreeScene, rays, hits);
+}
+
 void RayScene::Occluded16(const Ray* rays, bool* occluded) const
 {
   if (this->TracesPackets16)

@@ -79,6 +79,9 @@ public:
   /// Computes the nearest hits of 16 rays. Rays with Near > Far are inactive and miss.
   void Intersect16(const Ray* rays, Hit* hits) const;
 
+  /// Computes the nearest hits of 8 rays in the same way.
+  void Intersect8(const Ray* rays, Hit* hits) const;
+
   /// Returns true if the ray hits a surface. Surfaces with IsLineOrPoint do not occlude.
   bool Occluded(const Ray& ray) const;
 

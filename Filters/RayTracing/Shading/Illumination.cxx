@@ -216,6 +216,10 @@ void Illumination::EmitterContributions(glm::vec3 point, const SurfaceNormals& n
   {
     hits[0] = this->Rays.Intersect(packet[0]);
   }
+  else if (count <= PacketSize / 2)
+  {
+    this->Rays.Intersect8(packet.data(), hits.data());
+  }
   else
   {
     this->Rays.Intersect16(packet.data(), hits.data());

@@ -133,6 +133,10 @@ StratifiedMean EstimateMeanOfBatches(const Evaluate& evaluate, std::uint32_t see
   const OwenSobolSequence samples(seed);
   glm::dvec3 sum(0.0);
   std::array<std::vector<float>, 3> channels;
+  for (std::vector<float>& values : channels)
+  {
+    values.reserve(first);
+  }
   for (std::uint32_t count = first;; count *= 2)
   {
     for (auto begin = static_cast<std::uint32_t>(channels[0].size()); begin < count;)

@@ -107,6 +107,8 @@ Shading::Shading(const RayScene& scene, bool shadows)
     material.Lit = surface.Front.Lighting && !lights.empty();
     material.Colored = HasMappedColor(surface);
     material.Constant = this->IsConstant(surface, material);
+    material.UniformEmission = !material.Colored && !surface.HasBackMaterial &&
+      !surface.BaseColorTexture && !surface.LitTexture && !material.Front.PbrMaterial;
     this->Materials.push_back(material);
     this->Translucent |= surface.IsTranslucent();
   }
@@ -152,6 +154,18 @@ ShadedHit Shading::ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shado
 
 ShadedHit Shading::ShadeEmission(const Ray& ray, const Hit& hit) const
 {
+  const SurfaceMaterial& material = this->Materials[hit.Surface];
+  if (material.UniformEmission)
+  {
+    const PhongCoefficients& phong = material.Front;
+    const Surface& surface = this->Rays.GetScene().Surfaces[hit.Surface];
+    ShadedHit shaded;
+    shaded.Reflectance = surface.Front.Lighting ? phong.Diffuse : glm::vec3(0.f);
+    shaded.Emission =
+      material.Lit ? phong.Ambient : phong.Ambient + phong.Diffuse - shaded.Reflectance;
+    shaded.Color = glm::vec4(shaded.Emission, phong.Opacity);
+    return shaded;
+  }
   long long shadowRays = 0;
   return this->ShadeHit(Terms::Emission, ray, hit, shadowRays, nullptr);
 }

@@ -66,7 +66,7 @@ public:
   /// reflectors.
   ShadedHit ShadeDiffuse(const Ray& ray, const Hit& hit, long long& shadowRays) const;
 
-  /// Shades a hit without lights: Color is Emission.
+  /// Shades a hit without lights: Color is Emission. Normals may be left out.
   ShadedHit ShadeEmission(const Ray& ray, const Hit& hit) const;
 
   /// Returns the transmittance of the scene along `ray`: 1 if unoccluded, 0 behind opaque surfaces.
@@ -120,6 +120,7 @@ private:
     bool Lit;                 ///< lighting is on and there is a light
     bool Colored;             ///< the color is mapped from data
     bool Constant;            ///< see IsConstantPerTriangle()
+    bool UniformEmission;     ///< ShadeEmission() depends only on the material
   };
 
   /// Terms of the color that ShadeHit() computes.
