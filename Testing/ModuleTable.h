@@ -45,7 +45,7 @@ inline const std::vector<Row> Table = {
 
   { "Filters/RayTracing/Embree", { "Filters/Scene", "Filters/Scene/Execution" },
     { "Embree", "GLM" } },
-  { "Filters/RayTracing/Lights", { "Filters/Scene" }, { "GLM" } },
+  { "Filters/RayTracing/Lights", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/RayTracing/Shading",
     { "Filters/Scene", "Filters/RayTracing/Embree", "Filters/RayTracing/Lights" }, { "GLM" } },
   { "Filters/RayTracing/Media",

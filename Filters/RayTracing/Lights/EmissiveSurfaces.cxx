@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EmissiveSurfaces.h"
 
+#include "Execution/AvailableMemory.h"
+
 #include <algorithm>
+#include <string>
 
 namespace penumbra
 {
 namespace
 {
+
+/// Bytes of a bright emitter here and in an EmitterTree, at least.
+constexpr double BytesPerEmitter = 2.0 * sizeof(Emitter);
 
 float LargestChannel(glm::vec3 color)
 {
@@ -118,12 +124,11 @@ double ComputeReferenceArea(const Scene& scene)
   return std::max(area, 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x));
 }
 
-}
-
-EmissiveSurfaces FindEmissiveSurfaces(const Scene& scene)
+/// Calls `function` with each emitter in the order of the scene. Sets `hasTubes` if there are
+/// emissive tubes, which are left out.
+template <typename Function>
+void ForEachEmitter(const Scene& scene, bool& hasTubes, const Function& function)
 {
-  EmissiveSurfaces found;
-  double power = 0.0;
   for (std::size_t i = 0; i < scene.Surfaces.size(); ++i)
   {
     const Surface& surface = scene.Surfaces[i];
@@ -134,26 +139,61 @@ EmissiveSurfaces FindEmissiveSurfaces(const Scene& scene)
     }
     if (!surface.Segments.empty())
     {
-      found.HasTubes = true;
+      hasTubes = true;
       continue;
     }
     for (std::size_t k = 0; k < surface.GetNumberOfPrimitives(); ++k)
     {
-      Emitter emitter = MakeEmitter(surface, static_cast<std::uint32_t>(k));
-      emitter.Strength = radiance.ComputeStrength(emitter.Primitive);
-      emitter.Surface = static_cast<std::uint32_t>(i);
-      if (emitter.Strength > 0.f)
+      const float strength = radiance.ComputeStrength(static_cast<std::uint32_t>(k));
+      if (strength > 0.f)
       {
-        power += static_cast<double>(emitter.Strength) * emitter.ComputeArea();
-        found.Emitters.push_back(emitter);
+        Emitter emitter = MakeEmitter(surface, static_cast<std::uint32_t>(k));
+        emitter.Strength = strength;
+        emitter.Surface = static_cast<std::uint32_t>(i);
+        function(emitter);
       }
     }
   }
-  if (!found.Emitters.empty())
+}
+
+}
+
+EmissiveSurfaces FindEmissiveSurfaces(const Scene& scene, double threshold, std::size_t maximumDim)
+{
+  EmissiveSurfaces found;
+  double power = 0.0;
+  bool isEmissive = false;
+  ForEachEmitter(scene, found.HasTubes, [&](const Emitter& emitter) {
+    power += static_cast<double>(emitter.Strength) * emitter.ComputeArea();
+    isEmissive = true;
+  });
+  if (!isEmissive)
   {
-    const double area = ComputeReferenceArea(scene);
-    found.MeanRadiance = area > 0.0 ? power / area : 0.0;
+    return found;
   }
+  const double area = ComputeReferenceArea(scene);
+  found.MeanRadiance = area > 0.0 ? power / area : 0.0;
+  const auto isBright = [&](const Emitter& emitter) {
+    return emitter.Strength > threshold * found.MeanRadiance;
+  };
+  std::size_t bright = 0;
+  std::size_t dim = 0;
+  ForEachEmitter(
+    scene, found.HasTubes, [&](const Emitter& emitter) { ++(isBright(emitter) ? bright : dim); });
+  RequireMemory(BytesPerEmitter * static_cast<double>(bright),
+    std::to_string(bright) + " emissive triangles and spheres");
+  found.Bright.reserve(bright);
+  ForEachEmitter(scene, found.HasTubes, [&](const Emitter& emitter) {
+    if (isBright(emitter))
+    {
+      found.Bright.push_back(emitter);
+    }
+    else if (dim <= maximumDim)
+    {
+      found.Dim.push_back(emitter);
+    }
+  });
+  found.HasMoreDim = dim > maximumDim;
   return found;
 }
 

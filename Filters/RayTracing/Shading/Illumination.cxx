@@ -58,25 +58,19 @@ Illumination::Illumination(const RayScene& rays, const IlluminationSettings& set
 
 void Illumination::FindEmitters()
 {
-  EmissiveSurfaces found = FindEmissiveSurfaces(this->Rays.GetScene());
+  EmissiveSurfaces found =
+    FindEmissiveSurfaces(this->Rays.GetScene(), EmitterThreshold, MaximumEmitters);
   this->FindSourceRadiance(found.MeanRadiance);
-  const auto isSampled = [&](const Emitter& emitter) {
-    return emitter.Strength > EmitterThreshold * found.MeanRadiance;
-  };
-  const auto sampled = std::stable_partition(found.Emitters.begin(), found.Emitters.end(),
-    [&](const Emitter& emitter) { return !isSampled(emitter); });
-  if (sampled != found.Emitters.end())
+  if (!found.Bright.empty())
   {
-    this->SampledEmitters =
-      std::make_shared<const EmitterTree>(std::vector<Emitter>(sampled, found.Emitters.end()));
+    this->SampledEmitters = std::make_shared<const EmitterTree>(std::move(found.Bright));
   }
-  found.Emitters.erase(sampled, found.Emitters.end());
   const bool round = found.HasTubes ||
-    std::any_of(found.Emitters.begin(), found.Emitters.end(),
+    std::any_of(found.Dim.begin(), found.Dim.end(),
       [](const Emitter& emitter) { return emitter.Radius > 0.f; });
-  if (!round && found.Emitters.size() <= MaximumEmitters)
+  if (!round && !found.HasMoreDim)
   {
-    this->Emitters = std::move(found.Emitters);
+    this->Emitters = std::move(found.Dim);
   }
 }
 

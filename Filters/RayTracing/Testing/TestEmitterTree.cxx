@@ -3,6 +3,7 @@
 //
 // Sampled emitters against form factors, against solid angles, and against gathering by chance.
 #include "Embree/RayScene.h"
+#include "Execution/AvailableMemory.h"
 #include "Lights/EmissiveSurfaces.h"
 #include "Lights/EmitterTree.h"
 #include "Scenes/Solids.h"
@@ -18,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 using namespace penumbra;
@@ -322,4 +324,31 @@ TEST(SampledLight, FindsAnEmitterOfOneTenThousandthOfTheWalls)
     EXPECT_NEAR(light.Value[0], reference, .02) << x;
     EXPECT_LE(light.Rays, 2000);
   }
+}
+
+TEST(EmissiveSurfaces, StoreOnlyEmittersThatAreUsed)
+{
+  Scene scene;
+  AddGrid(scene, glm::vec3(0.f), glm::vec3(1.f, 0.f, 0.f), glm::vec3(0.f, 1.f, 0.f), 10);
+  MakeEmitter(scene, glm::vec3(1.f));
+  AddGrid(scene, glm::vec3(0.f, 0.f, 1.f), glm::vec3(0.1f, 0.f, 0.f), glm::vec3(0.f, 0.1f, 0.f), 3);
+  MakeEmitter(scene, glm::vec3(100.f));
+  // 200 triangles of area 1 and radiance 1 and 18 of area 0.01 and radiance 100, in a box whose sides
+  // have an area of 6.
+  const EmissiveSurfaces few = FindEmissiveSurfaces(scene, 2.0, 200);
+  EXPECT_NEAR(few.MeanRadiance, (1.0 + 0.01 * 100.0) / 6.0, 1e-5);
+  EXPECT_EQ(few.Bright.size() + few.Dim.size(), 218u);
+  const EmissiveSurfaces bright = FindEmissiveSurfaces(scene, 10.0, 199);
+  ASSERT_EQ(bright.Bright.size(), 18u);
+  EXPECT_EQ(bright.Bright[0].Surface, 1u);
+  EXPECT_EQ(bright.Bright[17].Primitive, 17u);
+  EXPECT_TRUE(bright.Dim.empty());
+  EXPECT_TRUE(bright.HasMoreDim);
+  const EmissiveSurfaces all = FindEmissiveSurfaces(scene, 10.0, 200);
+  EXPECT_EQ(all.Dim.size(), 200u);
+  EXPECT_FALSE(all.HasMoreDim);
+  setenv("PENUMBRA_AVAILABLE_MEMORY", "1e-3", 1);
+  EXPECT_THROW(FindEmissiveSurfaces(scene, 10.0, 8), InsufficientMemory);
+  EXPECT_NO_THROW(FindEmissiveSurfaces(scene, 1e6, 8));
+  unsetenv("PENUMBRA_AVAILABLE_MEMORY");
 }
