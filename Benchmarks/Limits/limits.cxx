@@ -183,13 +183,13 @@ void Measure(const Options& options, ResultTable& results)
     }
   }
   std::vector<LimitScene> singles;
-  if (options.Only.empty() || options.Only == "single")
+  for (LimitScene& scene : MakeSingleScenes(PENUMBRA_SOURCE_DIR "/Data"))
   {
-    singles = MakeSingleScenes(PENUMBRA_SOURCE_DIR "/Data");
-  }
-  for (const LimitScene& scene : singles)
-  {
-    measurements.Add(scene);
+    if (options.Only.empty() || options.Only == "single" || options.Only == scene.Name)
+    {
+      measurements.Add(scene);
+      singles.push_back(std::move(scene));
+    }
   }
   measurements.Run(options);
   std::size_t first = 0;

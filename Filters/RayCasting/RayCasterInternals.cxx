@@ -477,6 +477,7 @@ void vtkPenumbraRayCaster::Internals::Report(
   AddStatistic(s, "Rays/Total",
     rays.Primary + rays.Refinement + rays.Shadow + rays.Shaft + rays.Occlusion + rays.Indirect +
       rays.Auxiliary);
+  AddStatistic(s, "Samples/Rasterized", rays.Rasterized);
   AddStatistic(s, "Rays/PerPixel", static_cast<double>(rays.GetImageRays()) / pixels);
   AddStatistic(s, "Pixels/Total", pixels);
   AddStatistic(s, "Pixels/Empty", totals.Pixels.Empty);

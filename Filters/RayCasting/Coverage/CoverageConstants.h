@@ -59,6 +59,20 @@ constexpr double MinimumFaceArea = 1e-6;
 /// Relative difference of distances along rays below which they are treated as equal.
 constexpr double RelativeDepthTolerance = 1e-5;
 
+// --- Rasterization ---
+
+/// Number of edges per pixel, on average over a tile, above which pixels with many edges are
+/// rasterized. Few small objects are covered exactly.
+constexpr std::size_t RasterizedEdgesPerPixel = 2;
+/// Number of edges of such a tile of 32x32 pixels at least.
+constexpr std::size_t MinimumEdgesOfRasterizedTile = 256;
+/// Number of edges in a pixel from which its samples are rasterized instead of covering it exactly.
+constexpr std::size_t MinimumRasterizedEdges = 8;
+/// Maximum number of the first samples of a rasterized pixel.
+constexpr int MaximumFirstRasterizedSamples = 256;
+/// Number of rasterized samples that cost about as much as one ray.
+constexpr double RasterizedSamplesPerRay = 4.0;
+
 // --- Intersections of triangles ---
 
 /// Surfaces in one pixel may intersect if their depths differ by less than this number of pixels.

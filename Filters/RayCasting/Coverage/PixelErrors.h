@@ -35,6 +35,12 @@ inline int ComputeMaximumSamples(double tolerance)
   return samples;
 }
 
+/// Returns the number of the first samples of a rasterized pixel, a power of two.
+inline int ComputeFirstRasterizedSamples(double tolerance)
+{
+  return std::clamp(ComputeMaximumSamples(tolerance) / 4, 64, MaximumFirstRasterizedSamples);
+}
+
 /// Returns the maximum number of samples of a tile, per pixel.
 inline double ComputeSampleBudget(double tolerance)
 {

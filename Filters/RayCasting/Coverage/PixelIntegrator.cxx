@@ -112,7 +112,7 @@ PixelResult PixelIntegrator::Integrate(
   this->ListedEdges = edgeIndices;
   this->NumberOfListedEdges = count;
   // The pole of a sphere or the center of a fan: too many edges to arrange.
-  if (count > MaximumEdges)
+  if (count > MaximumEdges || this->MayRasterize(count))
   {
     return this->IntegrateSampled();
   }

@@ -7,6 +7,7 @@
 #define penumbra_PixelIntegrator_h
 
 #include "PixelArrangement.h"
+#include "Rasterization/TileRasterizer.h"
 #include "SampledPixel.h"
 #include "Sampling/CornerGrid.h"
 #include "Sampling/SampleCache.h"
@@ -36,6 +37,7 @@ struct IntegrationSettings
   int MaximumLevel = 3;
   bool FindSmallObjects = true;
   int UniformSamples = 8;
+  bool Rasterize = true; ///< if off, samples are always traced
   bool Shadows = false;
   double Noise = 0.0; ///< standard error of sampled colors, which refinement cannot reduce
 };
@@ -62,6 +64,9 @@ public:
   PixelIntegrator(const CameraRayTracer& tracer, const CornerGrid& corners,
     const std::vector<ProjectedEdge>& edges, const std::vector<char>& dense,
     const IntegrationSettings& settings);
+
+  /// Sets the triangles of the tile, with which pixels full of edges are sampled; null: by rays.
+  void SetRasterizer(TileRasterizer* rasterizer) { this->Rasterizer = rasterizer; }
 
   /// Resets the state of a tile. Call it before the first pixel of a tile.
   void BeginTile()
@@ -107,6 +112,14 @@ private:
     Sample Corners[4]; ///< (0, 0), (1, 0), (0, 1), (1, 1)
   };
 
+  /// Samples of a rasterized pixel at which one triangle, or the background, is visible.
+  struct VisibleTriangle
+  {
+    std::uint32_t Index; ///< see TileRasterizer::GetTriangle()
+    std::uint32_t First; ///< of its samples in Grouped
+    std::uint32_t Count; ///< number of its samples
+  };
+
   /// Positions at which a face is probed by rays, and the result.
   struct FaceProbe
   {
@@ -138,6 +151,13 @@ private:
   bool IsTextureDiscontinuousInPlane() const;
   PixelResult IntegrateDense(bool unknown);
   PixelResult IntegrateSampled();
+  bool MayRasterize(std::size_t edges) const;
+  void TraceSamples(SampledPixel& pixel, std::size_t total);
+  void RasterizeSamples(SampledPixel& pixel, std::size_t total);
+  void GroupSamples();
+  std::uint32_t FindTriangleColor(
+    SampledPixel& pixel, std::size_t knownColors, const VisibleTriangle& triangle);
+  std::uint32_t FindCentralSample(const VisibleTriangle& triangle) const;
   SampledPixel& AddSampledPixel();
   bool BuildFaces();
   void ComputeFaceColors(SampledPixel& pixel);
@@ -179,6 +199,7 @@ private:
   const std::vector<ProjectedEdge>& Edges;
   const std::vector<char>& Dense;
   const IntegrationSettings Settings;
+  TileRasterizer* Rasterizer = nullptr;
   SampleCache Cache;
   std::vector<SampledPixel> Sampled; ///< of the current tile
 
@@ -203,8 +224,13 @@ private:
   bool IsTubeIntersected = false;            ///< a visible tube may intersect another surface here
   std::size_t PairsTested = 0;               ///< number of triangles whose pairs were intersected
   PixelArrangement Arrangement;
-  std::vector<glm::vec4> Colors;     ///< colors of uniform samples
-  std::vector<FaceProbe> FaceProbes; ///< per face; empty if the faces were not probed
+  std::vector<glm::vec4> Colors;      ///< colors of uniform samples
+  SamplePoints Points;                ///< of a rasterized pixel
+  std::vector<std::uint32_t> Visible; ///< triangle at each of these points
+  std::vector<VisibleTriangle> RasterizedTriangles;
+  std::vector<std::uint32_t> Grouped; ///< indices of points, by triangle
+  std::vector<std::uint32_t> Groups;  ///< scratch memory of GroupSamples()
+  std::vector<FaceProbe> FaceProbes;  ///< per face; empty if the faces were not probed
 };
 
 }

@@ -17,21 +17,55 @@ namespace penumbra
 namespace
 {
 
+/// Calls visit(difference) with the differences between samples that share congruent cells of the
+/// pixel, unless they are 0.
+template <typename Visit>
+void VisitPairDifferences(const SampledPixel& pixel, const Visit& visit)
+{
+  const auto count = static_cast<std::uint32_t>(pixel.GetNumberOfSamples());
+  const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    if (!pixel.IsRasterized)
+    {
+      visit(glm::dvec3(pixel.Samples[i]) - glm::dvec3(pixel.Samples[i ^ partner]));
+    }
+    else if (pixel.SampleColors[i] != pixel.SampleColors[i ^ partner])
+    {
+      visit(glm::dvec3(pixel.TriangleColors[pixel.SampleColors[i]].second) -
+        glm::dvec3(pixel.TriangleColors[pixel.SampleColors[i ^ partner]].second));
+    }
+  }
+}
+
 /// Returns the estimated variance of the mean of the samples, averaged over the color components.
 /// The samples are the first 2^k points of a (0, 2)-sequence. Pairs of samples share congruent
 /// cells of the pixel, and their differences estimate the variance that stratification leaves.
-double EstimateVariance(const std::vector<glm::vec4>& samples)
+double EstimateVariance(const SampledPixel& pixel)
 {
-  const auto count = static_cast<std::uint32_t>(samples.size());
-  const std::uint32_t partner = OwenSobolSequence::FindPartner(count);
   double sum = 0.0;
-  for (std::uint32_t i = 0; i < count; ++i)
-  {
-    const glm::dvec3 d = glm::dvec3(samples[i]) - glm::dvec3(samples[i ^ partner]);
-    sum += glm::dot(d, d);
-  }
-  const double n = count;
+  VisitPairDifferences(pixel, [&](const glm::dvec3& d) { sum += glm::dot(d, d); });
+  const auto n = static_cast<double>(pixel.GetNumberOfSamples());
   return 0.5 * sum / (3.0 * n * n);
+}
+
+glm::dvec4 ComputeMeanOfSamples(const SampledPixel& pixel)
+{
+  glm::dvec4 sum(0.0);
+  for (const glm::vec4& sample : pixel.Samples)
+  {
+    sum += glm::dvec4(sample);
+  }
+  std::vector<int> counts(pixel.TriangleColors.size(), 0);
+  for (const std::uint32_t color : pixel.SampleColors)
+  {
+    ++counts[color];
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    sum += static_cast<double>(counts[i]) * glm::dvec4(pixel.TriangleColors[i].second);
+  }
+  return sum / static_cast<double>(pixel.GetNumberOfSamples());
 }
 
 /// Returns the position of a hit in a texture, in texels.
@@ -177,6 +211,7 @@ PixelResult PixelIntegrator::IntegrateSampled()
 {
   SampledPixel& pixel = this->AddSampledPixel();
   pixel.Floor = HiddenError;
+  pixel.IsRasterized = this->Rasterizer && this->Rasterizer->SelectPixel({ this->X, this->Y });
   this->Refine(pixel);
   return pixel.Result;
 }
@@ -251,8 +286,30 @@ void PixelIntegrator::ComputeFaceColors(SampledPixel& pixel)
 
 void PixelIntegrator::Refine(SampledPixel& pixel)
 {
+  const std::size_t before = pixel.GetNumberOfSamples();
+  const std::size_t first =
+    pixel.IsRasterized ? ComputeFirstRasterizedSamples(this->Settings.Tolerance) : MinimumSamples;
+  const std::size_t total = std::max<std::size_t>(2 * before, first);
+  if (pixel.IsRasterized)
+  {
+    this->Rasterizer->SelectPixel({ pixel.X, pixel.Y });
+    this->RasterizeSamples(pixel, total);
+  }
+  else
+  {
+    this->TraceSamples(pixel, total);
+  }
+  this->Noise = pixel.Noise;
+
+  pixel.Result.Color = pixel.MeanOfFaces + glm::vec4(ComputeMeanOfSamples(pixel));
+  pixel.Result.Error =
+    this->CombineErrors(ConfidenceFactor * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
+      std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)));
+}
+
+void PixelIntegrator::TraceSamples(SampledPixel& pixel, std::size_t total)
+{
   const std::size_t before = pixel.Samples.size();
-  const std::size_t total = std::max<std::size_t>(2 * before, MinimumSamples);
   const bool hasFaces = !pixel.FaceColors.empty();
   if (hasFaces)
   {
@@ -260,7 +317,6 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
     this->LoadSegments(pixel.Edges, pixel.NumberOfEdges, true);
     this->BuildFaces();
   }
-  this->Noise = pixel.Noise;
   this->Neighbors.clear();
   const OwenSobolSequence sequence(static_cast<std::uint32_t>(pixel.X) * 0x9e3779b1u ^
     static_cast<std::uint32_t>(pixel.Y) * 0x85ebca77u);
@@ -288,16 +344,7 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
     }
   }
   this->Rays.Refinement += static_cast<long long>(total - before);
-
-  glm::dvec4 sum(0.0);
-  for (const glm::vec4& sample : pixel.Samples)
-  {
-    sum += glm::dvec4(sample);
-  }
-  pixel.Result.Color = pixel.MeanOfFaces + glm::vec4(sum / static_cast<double>(total));
-  pixel.Result.Error = this->CombineErrors(
-    ConfidenceFactor * static_cast<float>(std::sqrt(EstimateVariance(pixel.Samples))),
-    std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)));
+  pixel.Rays += static_cast<long long>(total - before);
 }
 
 }

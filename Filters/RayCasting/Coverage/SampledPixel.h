@@ -5,10 +5,13 @@
 #ifndef penumbra_SampledPixel_h
 #define penumbra_SampledPixel_h
 
+#include "Sampling/PrimitiveId.h"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace penumbra
@@ -32,11 +35,22 @@ struct SampledPixel
   std::vector<glm::vec4> FaceColors; ///< per face of the arrangement; empty: no faces
   glm::vec4 MeanOfFaces{ 0.f };      ///< sum of areas times FaceColors
   std::vector<glm::vec4> Samples;    ///< differences to the colors of the faces
-  float Floor = 0.f;                 ///< minimum estimated error of a single sample, over samples
-  float MinimumError = 0.f;          ///< minimum estimated error of any number of samples
-  float MediumError = 0.f;           ///< estimated error of in-scattered light
-  double Noise = 0.0;                ///< standard error of the colors of its samples
+  bool IsRasterized = false;         ///< the hits of the samples are found without rays
+  /// Colors of the visible triangles of a rasterized pixel.
+  std::vector<std::pair<PrimitiveId, glm::vec4>> TriangleColors;
+  /// Index in TriangleColors of each sample of a rasterized pixel, which has no Samples.
+  std::vector<std::uint32_t> SampleColors;
+  long long Rays = 0;       ///< number of rays of Samples
+  float Floor = 0.f;        ///< minimum estimated error of a single sample, over samples
+  float MinimumError = 0.f; ///< minimum estimated error of any number of samples
+  float MediumError = 0.f;  ///< estimated error of in-scattered light
+  double Noise = 0.0;       ///< standard error of the colors of its samples
   PixelResult Result;
+
+  std::size_t GetNumberOfSamples() const
+  {
+    return this->IsRasterized ? this->SampleColors.size() : this->Samples.size();
+  }
 };
 
 }

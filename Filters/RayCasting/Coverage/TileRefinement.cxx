@@ -32,7 +32,7 @@ public:
     double count = 0.0;
     for (const SampledPixel* pixel : pixels)
     {
-      if (!pixel->Samples.empty())
+      if (pixel->GetNumberOfSamples() > 0)
       {
         sum += Square(pixel->Result.Error) * ComputeDecay(*pixel);
         count += 1.0;
@@ -44,11 +44,11 @@ public:
   double ComputeSquaredError(const SampledPixel& pixel) const
   {
     const double own = Square(pixel.Result.Error);
-    if (pixel.Samples.empty())
+    if (pixel.GetNumberOfSamples() == 0)
     {
       return own;
     }
-    const double weight = PooledSamples / static_cast<double>(pixel.Samples.size());
+    const double weight = PooledSamples / static_cast<double>(pixel.GetNumberOfSamples());
     return (own + weight * this->Mean / ComputeDecay(pixel)) / (1.0 + weight);
   }
 
@@ -56,11 +56,18 @@ private:
   /// Returns the factor by which samples reduce the squared error.
   static double ComputeDecay(const SampledPixel& pixel)
   {
-    return std::pow(static_cast<double>(pixel.Samples.size()), SampledErrorDecay);
+    return std::pow(static_cast<double>(pixel.GetNumberOfSamples()), SampledErrorDecay);
   }
 
   double Mean = 0.0;
 };
+
+/// Returns the cost of the next samples of a pixel, in rays.
+double ComputeCost(const SampledPixel& pixel)
+{
+  const double samples = std::max<double>(pixel.GetNumberOfSamples(), MinimumSamples);
+  return pixel.IsRasterized ? samples / RasterizedSamplesPerRay : samples;
+}
 
 struct Candidate
 {
@@ -92,10 +99,9 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
     {
       const double square = pooled.ComputeSquaredError(*pixel);
       sum += square;
-      if (static_cast<int>(pixel->Samples.size()) < maximumSamples)
+      if (static_cast<int>(pixel->GetNumberOfSamples()) < maximumSamples)
       {
-        const double rays = std::max<double>(pixel->Samples.size(), MinimumSamples);
-        candidates.push_back({ pixel, square, square / rays });
+        candidates.push_back({ pixel, square, square / ComputeCost(*pixel) });
       }
     }
     std::stable_sort(candidates.begin(), candidates.end(),
@@ -103,7 +109,7 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
     bool refined = false;
     for (const Candidate& candidate : candidates)
     {
-      const double rays = std::max<double>(candidate.Pixel->Samples.size(), MinimumSamples);
+      const double rays = ComputeCost(*candidate.Pixel);
       if ((sum > tileLimit || candidate.SquaredError > pixelLimit) && rays <= budget)
       {
         integrator.Refine(*candidate.Pixel);

@@ -6,26 +6,13 @@
 #define penumbra_TriangleIntersection_h
 
 #include "PixelArrangement.h"
+#include "Sampling/PrimitiveId.h"
 #include "Scene.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace penumbra
 {
-
-/// Identifies a triangle, sphere or tube: the index of its surface in Scene::Surfaces and its index
-/// in the surface.
-struct PrimitiveId
-{
-  std::uint32_t Surface;
-  std::uint32_t Primitive;
-
-  bool operator==(const PrimitiveId& other) const
-  {
-    return this->Surface == other.Surface && this->Primitive == other.Primitive;
-  }
-};
 
 /**
  * Returns the largest depth in the pixel with the lower left corner `origin` of the plane of a

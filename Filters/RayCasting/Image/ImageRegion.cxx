@@ -77,8 +77,7 @@ void RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, I
       {
         const double error = region.Errors[region.Index(pixel.X, pixel.Y)];
         squares -= error * error;
-        region.RaysPerPixel[region.Index(pixel.X, pixel.Y)] -=
-          static_cast<float>(pixel.Samples.size());
+        region.RaysPerPixel[region.Index(pixel.X, pixel.Y)] -= static_cast<float>(pixel.Rays);
         pixels.push_back(&pixel);
       }
     }
@@ -87,8 +86,8 @@ void RefineTiles(glm::ivec2 low, glm::ivec2 high, PixelIntegrator& integrator, I
     {
       const std::size_t index = region.Index(pixel->X, pixel->Y);
       StorePixel(pixel->Result, pixel->MediumError, index, region);
-      region.RaysPerPixel[index] += static_cast<float>(pixel->Samples.size());
-      pixel->Samples.empty() ? ++integrator.Pixels.Interior : ++integrator.Pixels.Uniform;
+      region.RaysPerPixel[index] += static_cast<float>(pixel->Rays);
+      pixel->GetNumberOfSamples() == 0 ? ++integrator.Pixels.Interior : ++integrator.Pixels.Uniform;
     }
   }
 }
@@ -111,8 +110,26 @@ struct TileEdges
   bool IsDense = false; ///< the edges are too many and have been left out
 };
 
-void RenderTile(
-  glm::ivec2 origin, const TileEdges& edges, PixelIntegrator& integrator, ImageRegion& region)
+/// Returns a flag for each tile: the samples of its pixels may be rasterized.
+std::vector<char> SelectRasterizedTiles(
+  const Scene& scene, const IntegrationSettings& integration, const EdgeBins& tileEdges)
+{
+  std::vector<char> selected(tileEdges.Begin.size() - 1, 0);
+  if (integration.Rasterize && !integration.Shadows &&
+    integration.Method == IntegrationSettings::Methods::Silhouettes &&
+    !TileRasterizer::RequiresRays(scene))
+  {
+    for (std::size_t tile = 0; tile < selected.size(); ++tile)
+    {
+      selected[tile] =
+        tileEdges.Begin[tile + 1] - tileEdges.Begin[tile] >= MinimumEdgesOfRasterizedTile;
+    }
+  }
+  return selected;
+}
+
+void RenderTile(glm::ivec2 origin, const TileEdges& edges, TileRasterizer* rasterizer,
+  PixelIntegrator& integrator, ImageRegion& region)
 {
   const glm::ivec2 low = glm::max(origin, region.Low);
   const glm::ivec2 high = glm::min(origin + TileSide, region.High);
@@ -120,7 +137,12 @@ void RenderTile(
   EdgeBins pixelEdges;
   BinEdges(edges.All, edges.Indices, edges.Count, glm::dvec2(origin), 1.0, glm::ivec2(TileSide),
     pixelEdges);
-  const bool crowded = pixelEdges.Edges.size() > CrowdedEdgesPerPixel * TileSide * TileSide;
+  const std::size_t pixels = static_cast<std::size_t>(TileSide) * TileSide;
+  const bool crowded = pixelEdges.Edges.size() > CrowdedEdgesPerPixel * pixels;
+  if (pixelEdges.Edges.size() > RasterizedEdgesPerPixel * pixels)
+  {
+    integrator.SetRasterizer(rasterizer);
+  }
 
   // The integrator samples a pixel whose list of edges is longer than MaximumEdges.
   const std::vector<std::uint32_t> tooMany(edges.IsDense ? MaximumEdges + 1 : 0, 0u);
@@ -257,6 +279,9 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   EdgeBins tileEdges;
   BinEdges(edges, nullptr, edges.size(), glm::dvec2(tiles.First * TileSide), TileSide, tiles.Count,
     tileEdges);
+  const TileGrid tileGrid{ glm::dvec2(tiles.First * TileSide), TileSide, tiles.Count };
+  const TriangleBins triangles(
+    scene, tileGrid, SelectRasterizedTiles(scene, settings.Integration, tileEdges));
   const RoundOutlines outlines(scene, glm::dvec2(tiles.First * TileSide), TileSide,
     sceneEdges.EdgesBySurface.empty() ? glm::ivec2(0) : tiles.Count);
   return ParallelForBatches(
@@ -284,7 +309,9 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
       const TileEdges inTile{ shapes > 0 ? withOutlines : edges, shapes > 0 ? nullptr : indices,
         shapes > 0 ? withOutlines.size() : count, shapes > MaximumOutlinesInTile };
       PixelIntegrator integrator(tracer, grid, inTile.All, sceneEdges.Dense, settings.Integration);
-      RenderTile(origin, inTile, integrator, region);
+      TileRasterizer rasterizer(tracer.GetRays(), tileGrid, triangles, tile);
+      const bool mayRasterize = triangles.GetCount(tile) > 0 && shapes == 0;
+      RenderTile(origin, inTile, mayRasterize ? &rasterizer : nullptr, integrator, region);
       const std::lock_guard<std::mutex> lock(totals);
       region.Edges +=
         inTile.IsDense || shapes == 0 ? 0 : static_cast<long long>(inTile.Count - count);

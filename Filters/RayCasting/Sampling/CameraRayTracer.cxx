@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraRayTracer.h"
 
+#include "Embree/RayTriangle.h"
 #include "LayerLighting.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/RayTracingConstants.h"
@@ -201,6 +202,19 @@ Sample CameraRayTracer::TraceSample(glm::dvec2 p, RayCounts& counts, double tole
   Sample sample;
   sample.FirstHit = this->Rays.Intersect(ray);
   this->CompositeLayers(p, ray, sample, counts, toleranceScale, penumbrae, neighbors);
+  return sample;
+}
+
+Sample CameraRayTracer::ShadeSample(
+  glm::dvec2 p, const PrimitiveId* triangle, RayCounts& counts, double toleranceScale) const
+{
+  const Ray ray = this->MakeRay(p);
+  Sample sample;
+  if (triangle)
+  {
+    sample.FirstHit = ComputeHit(this->GetScene(), triangle->Surface, triangle->Primitive, ray);
+  }
+  this->CompositeLayers(p, ray, sample, counts, toleranceScale, 0, nullptr);
   return sample;
 }
 

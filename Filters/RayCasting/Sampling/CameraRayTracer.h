@@ -8,6 +8,7 @@
 #include "LayerLighting.h"
 #include "LayerOrder.h"
 #include "Media/LightShafts.h"
+#include "PrimitiveId.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 
 #include <cstdint>
@@ -45,6 +46,10 @@ public:
   /// light. `neighbors`, one for each light, predict the penumbrae; null: independent estimates.
   Sample TraceSample(glm::dvec2 p, RayCounts& counts, double toleranceScale = 1.0,
     std::uint32_t penumbrae = 0, std::vector<PenumbraNeighbors>* neighbors = nullptr) const;
+
+  /// TraceSample() for a point at which `triangle` is known to be visible; null: the background.
+  Sample ShadeSample(glm::dvec2 p, const PrimitiveId* triangle, RayCounts& counts,
+    double toleranceScale = 1.0) const;
 
   /// TraceSample() for PacketSize points. Points whose bit in `active` is not set are skipped.
   void TracePacket(const glm::dvec2* points, unsigned int active, Sample* samples,

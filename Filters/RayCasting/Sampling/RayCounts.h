@@ -15,9 +15,10 @@ struct RayCounts
   long long Refinement = 0; ///< inside pixels
   long long Auxiliary = 0;  ///< through pixel centers, for the geometry arrays
   long long Shadow = 0;
-  long long Shaft = 0;     ///< shadow rays from points in the medium
-  long long Occlusion = 0; ///< traced by the irradiance provider for ambient occlusion
-  long long Indirect = 0;  ///< traced by the irradiance provider for irradiance
+  long long Shaft = 0;      ///< shadow rays from points in the medium
+  long long Occlusion = 0;  ///< traced by the irradiance provider for ambient occlusion
+  long long Indirect = 0;   ///< traced by the irradiance provider for irradiance
+  long long Rasterized = 0; ///< samples whose hits were found by rasterization, not by rays
 
   long long GetImageRays() const { return this->Primary + this->Refinement; }
   RayCounts& operator+=(const RayCounts& other)
@@ -29,6 +30,7 @@ struct RayCounts
     this->Shaft += other.Shaft;
     this->Occlusion += other.Occlusion;
     this->Indirect += other.Indirect;
+    this->Rasterized += other.Rasterized;
     return *this;
   }
 };

@@ -84,6 +84,7 @@ penumbra::ImageRegion Render(const Scene& scene, bool shadows = false, int sampl
   const penumbra::CameraRayTracer tracer(rays, shading, scene.ViewCamera);
   penumbra::RenderSettings settings;
   settings.Integration.Shadows = shadows;
+  settings.Integration.Rasterize = false; // copies would be rasterized, instances are traced
   if (samples > 0)
   {
     settings.Integration.Method = penumbra::IntegrationSettings::Methods::Uniform;

@@ -52,6 +52,10 @@ public:
   /// separate this surface from another one; 0 if no other surface is near.
   float DepthTolerance(std::uint32_t surface) const { return this->DepthTolerances[surface]; }
 
+  /// Returns the position of this surface in the order of coplanar surfaces, 0 in front. It is
+  /// meaningful if DepthTolerance() is positive.
+  int GetDrawOrder(std::uint32_t surface) const { return this->DrawOrder[surface]; }
+
   /// Returns true if no two surfaces are near each other.
   bool IsEmpty() const { return this->Empty; }
 

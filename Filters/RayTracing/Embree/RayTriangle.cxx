@@ -51,6 +51,19 @@ RayTriangle::RayTriangle(const Surface& surface, std::uint32_t triangle, const R
   this->EdgeTolerance = MaximumRoundings * HalfUlp * std::max({ extent.x, extent.y, extent.z });
 }
 
+Hit ComputeHit(const Scene& scene, std::uint32_t surface, std::uint32_t triangle, const Ray& ray)
+{
+  const RayTriangle exact(scene.Surfaces[surface], triangle, ray);
+  if (!exact.IsValid)
+  {
+    return {};
+  }
+  const double u = std::clamp(exact.U, 0.0, 1.0);
+  const double v = std::clamp(exact.V, 0.0, 1.0 - u);
+  const auto distance = static_cast<float>(exact.Distance);
+  return { surface, triangle, static_cast<float>(u), static_cast<float>(v), distance, distance };
+}
+
 double ComputeDistance(const Surface& surface, std::uint32_t triangle, const glm::dvec3& origin,
   const glm::dvec3& direction)
 {

@@ -38,6 +38,11 @@ struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT RayTriangle
   }
 };
 
+/// Returns the hit of a ray on a triangle that it is known to meet: U and V are clamped to the
+/// triangle. It is no hit if the ray is parallel to the triangle.
+VTKPENUMBRAFILTERSRAYTRACING_EXPORT Hit ComputeHit(
+  const Scene& scene, std::uint32_t surface, std::uint32_t triangle, const Ray& ray);
+
 /// Returns the distance, in units of |direction|, at which a ray hits a triangle, or NaN. The test is
 /// watertight: a ray through an edge hits at least one of its triangles.
 VTKPENUMBRAFILTERSRAYTRACING_EXPORT double ComputeDistance(const Surface& surface,

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Projection of a triangle to the image, and the cells of a grid that it overlaps.
+#ifndef penumbra_ProjectedTriangle_h
+#define penumbra_ProjectedTriangle_h
+
+#include "Scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+
+/// The part of a triangle behind the near plane, in image coordinates (pixels).
+struct ProjectedTriangle
+{
+  std::array<glm::dvec2, 4> Points;
+  /// Values at the points that are linear in the image: 1 / depth in perspective projection, -depth
+  /// in parallel projection. The nearer of two points has the larger value.
+  std::array<double, 4> Keys;
+  int Count = 0;          ///< 0: nothing is visible
+  bool IsClipped = false; ///< the near plane intersects the triangle
+
+  ProjectedTriangle(const std::array<glm::vec3, 3>& points, const Camera& camera);
+};
+
+inline ProjectedTriangle::ProjectedTriangle(
+  const std::array<glm::vec3, 3>& points, const Camera& camera)
+{
+  const double near = std::max(camera.Near, camera.Parallel ? -1e300 : 1e-9);
+  const auto add = [&](glm::dvec3 x, double depth) {
+    this->Points[this->Count] = camera.Project(x);
+    this->Keys[this->Count++] = camera.Parallel ? -depth : 1.0 / depth;
+  };
+  double depths[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    depths[i] = camera.Depth(glm::dvec3(points[i]));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const glm::dvec3 a(points[i]);
+    if (depths[i] >= near)
+    {
+      add(a, depths[i]);
+    }
+    if ((depths[i] < near) != (depths[j] < near))
+    {
+      this->IsClipped = true;
+      add(a + (glm::dvec3(points[j]) - a) * ((near - depths[i]) / (depths[j] - depths[i])), near);
+    }
+  }
+}
+
+/**
+ * Calls visit(cell) for the cells of a grid that a convex polygon overlaps, enlarged by `margin`
+ * pixels. The grid has `cells.x` by `cells.y` squares of side `size` and the lower left corner
+ * `origin`.
+ */
+template <typename Visit>
+void VisitCells(const ProjectedTriangle& triangle, double margin, glm::dvec2 origin, double size,
+  glm::ivec2 cells, const Visit& visit)
+{
+  if (triangle.Count == 0)
+  {
+    return;
+  }
+  margin /= size;
+  std::array<glm::dvec2, 4> points;
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high = -low;
+  for (int i = 0; i < triangle.Count; ++i)
+  {
+    points[i] = (triangle.Points[i] - origin) / size;
+    low = glm::min(low, points[i]);
+    high = glm::max(high, points[i]);
+  }
+  // The comparison is false for NaN.
+  if (!(low.x - margin < cells.x && low.y - margin < cells.y && high.x + margin >= 0.0 &&
+        high.y + margin >= 0.0))
+  {
+    return;
+  }
+  const glm::ivec2 first(glm::floor(glm::max(low - margin, 0.0)));
+  const glm::ivec2 last(glm::floor(glm::min(high + margin, glm::dvec2(cells) - 0.5)));
+  for (int row = first.y; row <= last.y; ++row)
+  {
+    int begin = first.x;
+    int end = last.x;
+    if (first.x < last.x && first.y < last.y)
+    {
+      // The part of the polygon between the lower and the upper side of the row.
+      const double bottom = row - margin;
+      const double top = row + 1 + margin;
+      double left = std::numeric_limits<double>::infinity();
+      double right = -left;
+      for (int i = 0; i < triangle.Count; ++i)
+      {
+        const glm::dvec2 a = points[i];
+        const glm::dvec2 d = points[i + 1 < triangle.Count ? i + 1 : 0] - a;
+        double enter = 0.0;
+        double leave = 1.0;
+        if (d.y != 0.0)
+        {
+          const double t0 = (bottom - a.y) / d.y;
+          const double t1 = (top - a.y) / d.y;
+          enter = std::max(enter, std::min(t0, t1));
+          leave = std::min(leave, std::max(t0, t1));
+        }
+        else if (a.y < bottom || a.y > top)
+        {
+          continue;
+        }
+        if (enter <= leave)
+        {
+          const double x0 = a.x + enter * d.x;
+          const double x1 = a.x + leave * d.x;
+          left = std::min({ left, x0, x1 });
+          right = std::max({ right, x0, x1 });
+        }
+      }
+      if (!(left <= right))
+      {
+        continue;
+      }
+      begin = std::max(begin, static_cast<int>(std::floor(std::max(left - margin, 0.0))));
+      end = std::min(end, static_cast<int>(std::floor(std::min(right + margin, cells.x - 0.5))));
+    }
+    for (int column = begin; column <= end; ++column)
+    {
+      visit(row * cells.x + column);
+    }
+  }
+}
+
+}
+#endif

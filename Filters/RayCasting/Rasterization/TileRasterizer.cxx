@@ -1,0 +1,490 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TileRasterizer.h"
+
+#include "Embree/CoincidentSurfaces.h"
+#include "Embree/RayTriangle.h"
+#include "ProjectedTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+// The loops over samples have a version for AVX2. Without fused multiplications, both compute the
+// same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define PENUMBRA_VECTORIZED __attribute__((target_clones("avx2", "default")))
+#else
+#define PENUMBRA_VECTORIZED
+#endif
+
+namespace penumbra
+{
+
+namespace
+{
+
+/// Distance in pixels up to which a triangle outside a pixel is also compared with its samples.
+constexpr double Margin = 1e-3;
+/// Projected coordinates above this value have lost too much precision.
+constexpr double LargestCoordinate = 1e7;
+
+double Evaluate(const LinearValue<double>& f, glm::dvec2 p)
+{
+  return f.Value + f.SlopeX * p.x + f.SlopeY * p.y;
+}
+
+/// Returns the value relative to the origin `p`.
+LinearValue<float> MoveTo(const LinearValue<double>& f, glm::dvec2 p, double offset)
+{
+  return { static_cast<float>(Evaluate(f, p) - offset), static_cast<float>(f.SlopeX),
+    static_cast<float>(f.SlopeY) };
+}
+
+float FindMinimum(const LinearValue<float>& f)
+{
+  return f.Value + std::min(f.SlopeX, 0.f) + std::min(f.SlopeY, 0.f);
+}
+
+float FindMaximum(const LinearValue<float>& f)
+{
+  return f.Value + std::max(f.SlopeX, 0.f) + std::max(f.SlopeY, 0.f);
+}
+
+/// Returns twice the signed area of the triangle (a, b, p) as a function of p. The value of (b, a)
+/// is exactly the negative one, so that adjacent triangles leave no gap.
+LinearValue<double> MakeSide(glm::dvec2 a, glm::dvec2 b)
+{
+  const bool isReversed = std::tie(b.x, b.y) < std::tie(a.x, a.y);
+  if (isReversed)
+  {
+    std::swap(a, b);
+  }
+  const glm::dvec2 d = b - a;
+  const LinearValue<double> f{ d.y * a.x - d.x * a.y, -d.y, d.x };
+  return isReversed ? LinearValue<double>{ -f.Value, -f.SlopeX, -f.SlopeY } : f;
+}
+
+struct SampleRange
+{
+  const float* X;
+  const float* Y;
+  int Count;
+};
+
+/// Stores `index` and the key of a triangle at the samples that it covers and where it is nearest.
+PENUMBRA_VECTORIZED
+void CoverSamples(SampleRange samples, const LinearValue<float>* sides,
+  const LinearValue<float>& keys, std::int32_t index, float* __restrict nearest,
+  std::int32_t* __restrict found)
+{
+  const LinearValue<float> a = sides[0];
+  const LinearValue<float> b = sides[1];
+  const LinearValue<float> c = sides[2];
+  const LinearValue<float> k = keys;
+  for (int i = 0; i < samples.Count; ++i)
+  {
+    const float x = samples.X[i];
+    const float y = samples.Y[i];
+    const float p = a.Value + a.SlopeX * x + a.SlopeY * y;
+    const float q = b.Value + b.SlopeX * x + b.SlopeY * y;
+    const float r = c.Value + c.SlopeX * x + c.SlopeY * y;
+    const float key = k.Value + k.SlopeX * x + k.SlopeY * y;
+    const bool isNearest = (p >= 0.f) & (q >= 0.f) & (r >= 0.f) & (key > nearest[i]);
+    nearest[i] = isNearest ? key : nearest[i];
+    found[i] = isNearest ? index : found[i];
+  }
+}
+
+/// The same for a triangle that covers all samples.
+PENUMBRA_VECTORIZED
+void CoverAllSamples(SampleRange samples, const LinearValue<float>& keys, std::int32_t index,
+  float* __restrict nearest, std::int32_t* __restrict found)
+{
+  const LinearValue<float> k = keys;
+  for (int i = 0; i < samples.Count; ++i)
+  {
+    const float key = k.Value + k.SlopeX * samples.X[i] + k.SlopeY * samples.Y[i];
+    const bool isNearest = key > nearest[i];
+    nearest[i] = isNearest ? key : nearest[i];
+    found[i] = isNearest ? index : found[i];
+  }
+}
+
+/// Stores `rank` at the samples that a triangle covers, if it coincides with the nearest one and its
+/// rank is lower.
+PENUMBRA_VECTORIZED
+void RankSamples(SampleRange samples, const LinearValue<float>* sides,
+  const LinearValue<float>& keys, float error, std::int32_t rank, const float* __restrict nearest,
+  const float* __restrict errors, std::int32_t* __restrict ranks)
+{
+  const LinearValue<float> a = sides[0];
+  const LinearValue<float> b = sides[1];
+  const LinearValue<float> c = sides[2];
+  const LinearValue<float> k = keys;
+  for (int i = 0; i < samples.Count; ++i)
+  {
+    const float x = samples.X[i];
+    const float y = samples.Y[i];
+    const float p = a.Value + a.SlopeX * x + a.SlopeY * y;
+    const float q = b.Value + b.SlopeX * x + b.SlopeY * y;
+    const float r = c.Value + c.SlopeX * x + c.SlopeY * y;
+    const float key = k.Value + k.SlopeX * x + k.SlopeY * y;
+    const bool isInFront = (p >= 0.f) & (q >= 0.f) & (r >= 0.f) &
+      (nearest[i] - key <= error + errors[i]) & (rank < ranks[i]);
+    ranks[i] = isInFront ? rank : ranks[i];
+  }
+}
+
+}
+
+TileRasterizer::TileRasterizer(
+  const RayScene& rays, const TileGrid& tiles, const TriangleBins& bins, int tile)
+  : Rays(rays),
+    Bins(bins),
+    Tile(tile),
+    Origin(tiles.Origin +
+      static_cast<double>(tiles.Side) * glm::dvec2(tile % tiles.Count.x, tile / tiles.Count.x)),
+    Side(tiles.Side)
+{
+}
+
+bool TileRasterizer::RequiresRays(const Scene& scene)
+{
+  return std::any_of(scene.Surfaces.begin(), scene.Surfaces.end(), [](const Surface& surface) {
+    return surface.Instances != nullptr || surface.HidesLines || surface.HasHiddenLines ||
+      surface.ForceOpaque;
+  });
+}
+
+// Adds a triangle of the tile unless its visible side is culled. Returns its projection.
+ProjectedTriangle TileRasterizer::AddTriangle(PrimitiveId id)
+{
+  const Scene& scene = this->Rays.GetScene();
+  const Camera& camera = scene.ViewCamera;
+  const Surface& surface = scene.Surfaces[id.Surface];
+  const std::array<glm::vec3, 3> corners = surface.GetPoints(id.Primitive);
+  ProjectedTriangle projected(corners, camera);
+  TileTriangle triangle{};
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high = -low;
+  for (int i = 0; i < projected.Count; ++i)
+  {
+    projected.Points[i] -= this->Origin;
+    low = glm::min(low, projected.Points[i]);
+    high = glm::max(high, projected.Points[i]);
+  }
+  triangle.Low = glm::vec2(low);
+  triangle.High = glm::vec2(high);
+  const bool isPrecise = std::max({ -low.x, -low.y, high.x, high.y }) < LargestCoordinate;
+  if (projected.IsClipped || !isPrecise)
+  {
+    triangle.IsComplex = true;
+    triangle.Key.Value = std::numeric_limits<double>::infinity();
+  }
+  else
+  {
+    const auto& [a, b, c, unused] = projected.Points;
+    const glm::dvec2 ab = b - a;
+    const glm::dvec2 ac = c - a;
+    const double area = ab.x * ac.y - ab.y * ac.x;
+    if (area == 0.0 || !(area > 0.0 ? surface.Frontfaces : surface.Backfaces))
+    {
+      return projected;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec2 from = projected.Points[area > 0.0 ? i : (i + 1) % 3];
+      const glm::dvec2 to = projected.Points[area > 0.0 ? (i + 1) % 3 : i];
+      triangle.Sides[i] = MakeSide(from, to);
+    }
+    const double u = projected.Keys[1] - projected.Keys[0];
+    const double v = projected.Keys[2] - projected.Keys[0];
+    triangle.Key.SlopeX = (u * ac.y - v * ab.y) / area;
+    triangle.Key.SlopeY = (v * ab.x - u * ac.x) / area;
+    triangle.Key.Value = projected.Keys[0] - triangle.Key.SlopeX * a.x - triangle.Key.SlopeY * a.y;
+    triangle.IsComplex = this->Bins.IsComplex(id.Surface);
+    triangle.IsPlanar = this->Rays.GetCells(id.Surface) != nullptr;
+    triangle.Area = std::abs(area);
+    if (this->Rays.GetCoincidentSurfaces().DepthTolerance(id.Surface) > 0.f)
+    {
+      // In perspective, an error e of the depth d changes 1 / d by e / d^2.
+      const glm::dvec3 p(corners[0]);
+      const glm::dvec3 q(corners[1]);
+      const glm::dvec3 r(corners[2]);
+      const glm::dvec3 farthest = glm::max(glm::abs(p), glm::max(glm::abs(q), glm::abs(r)));
+      const glm::dvec3 normal = glm::cross(q - p, r - p);
+      const double facing =
+        std::abs(glm::dot(normal, camera.Parallel ? camera.Forward : p - camera.Position));
+      triangle.KeyError =
+        facing > 0.0 ? HalfUlp * glm::length(farthest) * glm::length(normal) / facing : 0.0;
+    }
+  }
+  this->Ids.push_back(id);
+  this->Triangles.push_back(triangle);
+  return projected;
+}
+
+// Sorts the triangles by pixels.
+void TileRasterizer::BinTriangles(
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps)
+{
+  this->Begin.assign(static_cast<std::size_t>(this->Side) * this->Side + 1, 0);
+  for (const auto& [cell, triangle] : overlaps)
+  {
+    ++this->Begin[cell + 1];
+  }
+  for (std::size_t cell = 1; cell < this->Begin.size(); ++cell)
+  {
+    this->Begin[cell] += this->Begin[cell - 1];
+  }
+  this->Listed.resize(overlaps.size());
+  std::vector<std::uint32_t> next(this->Begin.begin(), this->Begin.end() - 1);
+  for (const auto& [cell, triangle] : overlaps)
+  {
+    this->Listed[next[cell]++] = triangle;
+  }
+}
+
+void TileRasterizer::Prepare()
+{
+  const PrimitiveId* const ids = this->Bins.GetTriangles(this->Tile);
+  const std::size_t count = this->Bins.GetCount(this->Tile);
+  this->Ids.reserve(count);
+  this->Triangles.reserve(count);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps; // pixel and triangle
+  overlaps.reserve(2 * count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto index = static_cast<std::uint32_t>(this->Ids.size());
+    const ProjectedTriangle projected = this->AddTriangle(ids[i]);
+    if (this->Ids.size() > index)
+    {
+      VisitCells(projected, Margin, glm::dvec2(0.0), 1.0, glm::ivec2(this->Side),
+        [&](int cell) { overlaps.emplace_back(cell, index); });
+    }
+  }
+  this->AlignPlanarTriangles();
+  this->BinTriangles(overlaps);
+  this->IsPrepared = true;
+}
+
+// Moves the triangles of a surface that has all triangles in one plane to the plane of its largest
+// triangle. Of those that overlap, the first one is visible, as with rays.
+void TileRasterizer::AlignPlanarTriangles()
+{
+  std::size_t end = 0;
+  for (std::size_t first = 0; first < this->Ids.size(); first = end)
+  {
+    std::size_t largest = first;
+    for (end = first; end < this->Ids.size() && this->Ids[end].Surface == this->Ids[first].Surface;
+         ++end)
+    {
+      largest = this->Triangles[end].Area > this->Triangles[largest].Area ? end : largest;
+    }
+    const LinearValue<double> key = this->Triangles[largest].Key;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      if (this->Triangles[i].IsPlanar)
+      {
+        this->Triangles[i].Key = key;
+      }
+    }
+  }
+}
+
+// Adds a triangle to the selected pixel. Returns false if it does not overlap the pixel.
+bool TileRasterizer::AddToPixel(std::uint32_t index, glm::dvec2 corner)
+{
+  const TileTriangle& triangle = this->Triangles[index];
+  PixelTriangle added{};
+  added.Index = index;
+  added.IsComplex = triangle.IsComplex;
+  const bool isBounded = std::isfinite(triangle.Key.Value);
+  added.IsFull = isBounded;
+  for (int i = 0; i < 3 && isBounded; ++i)
+  {
+    added.Sides[i] = MoveTo(triangle.Sides[i], corner, 0.0);
+    if (FindMaximum(added.Sides[i]) < 0.f)
+    {
+      return false;
+    }
+    added.IsFull = added.IsFull && FindMinimum(added.Sides[i]) >= 0.f;
+  }
+  const auto findCell = [](double x) {
+    return static_cast<std::uint8_t>(
+      std::clamp(x * SamplePoints::CellsPerSide, 0.0, SamplePoints::CellsPerSide - 1.0));
+  };
+  added.FirstColumn = findCell(triangle.Low.x - corner.x - Margin);
+  added.LastColumn = findCell(triangle.High.x - corner.x + Margin);
+  added.FirstRow = findCell(triangle.Low.y - corner.y - Margin);
+  added.LastRow = findCell(triangle.High.y - corner.y + Margin);
+  this->Keys.push_back(
+    isBounded ? Evaluate(triangle.Key, corner + 0.5) : std::numeric_limits<double>::infinity());
+  const bool isParallel = this->Rays.GetScene().ViewCamera.Parallel;
+  added.KeyError =
+    static_cast<float>(triangle.KeyError * (isParallel ? 1.0 : std::abs(this->Keys.back())));
+  this->Selected.push_back(added);
+  return true;
+}
+
+bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
+{
+  if (!this->IsPrepared)
+  {
+    this->Prepare();
+  }
+  if (pixel == this->SelectedPixel)
+  {
+    return !this->IsComplex;
+  }
+  this->SelectedPixel = pixel;
+  const glm::ivec2 local = pixel - glm::ivec2(this->Origin);
+  const std::size_t cell = static_cast<std::size_t>(local.y) * this->Side + local.x;
+  const glm::dvec2 corner(local);
+  this->Selected.clear();
+  this->Keys.clear();
+  double reference = -std::numeric_limits<double>::infinity();
+  std::uint32_t covered = None; // surface in one plane of which a triangle covers the pixel
+  for (std::uint32_t i = this->Begin[cell]; i < this->Begin[cell + 1]; ++i)
+  {
+    const std::uint32_t index = this->Listed[i];
+    const std::uint32_t surface = this->Ids[index].Surface;
+    if (surface != covered && this->AddToPixel(index, corner) && std::isfinite(this->Keys.back()))
+    {
+      reference = std::max(reference, this->Keys.back());
+      covered = this->Triangles[index].IsPlanar && this->Selected.back().IsFull ? surface : covered;
+    }
+  }
+  // Keys relative to the nearest one are precise where surfaces are close to each other.
+  float nearestFull = -std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < this->Selected.size(); ++i)
+  {
+    PixelTriangle& selected = this->Selected[i];
+    selected.LargestKey = std::numeric_limits<float>::infinity();
+    if (std::isfinite(this->Keys[i]))
+    {
+      selected.Key = MoveTo(this->Triangles[selected.Index].Key, corner, reference);
+      selected.LargestKey = FindMaximum(selected.Key);
+      if (selected.IsFull)
+      {
+        nearestFull = std::max(nearestFull, FindMinimum(selected.Key) - selected.KeyError);
+      }
+    }
+  }
+  this->Selected.erase(std::remove_if(this->Selected.begin(), this->Selected.end(),
+                         [=](const PixelTriangle& triangle) {
+                           return triangle.LargestKey + triangle.KeyError < nearestFull;
+                         }),
+    this->Selected.end());
+  this->IsComplex = false;
+  this->MayCoincide = false;
+  std::uint32_t coincident = None;
+  for (const PixelTriangle& triangle : this->Selected)
+  {
+    this->IsComplex = this->IsComplex || triangle.IsComplex;
+    if (triangle.KeyError > 0.f)
+    {
+      const std::uint32_t surface = this->Ids[triangle.Index].Surface;
+      this->MayCoincide = this->MayCoincide || (coincident != None && coincident != surface);
+      coincident = surface;
+    }
+  }
+  return !this->IsComplex;
+}
+
+void TileRasterizer::Rasterize(const SamplePoints& points, std::vector<std::uint32_t>& visible)
+{
+  const int count = points.GetCount();
+  const int perCell = points.GetCountPerCell();
+  this->Nearest.assign(count, -std::numeric_limits<float>::infinity());
+  this->Found.assign(count, -1);
+  for (std::size_t i = 0; i < this->Selected.size(); ++i)
+  {
+    const PixelTriangle& triangle = this->Selected[i];
+    const auto index = static_cast<std::int32_t>(i);
+    if (triangle.IsFull)
+    {
+      CoverAllSamples({ points.X.data(), points.Y.data(), count }, triangle.Key, index,
+        this->Nearest.data(), this->Found.data());
+      continue;
+    }
+    const int width = (triangle.LastColumn - triangle.FirstColumn + 1) * perCell;
+    for (int row = triangle.FirstRow; row <= triangle.LastRow; ++row)
+    {
+      const int first = (row * SamplePoints::CellsPerSide + triangle.FirstColumn) * perCell;
+      CoverSamples({ points.X.data() + first, points.Y.data() + first, width }, triangle.Sides,
+        triangle.Key, index, this->Nearest.data() + first, this->Found.data() + first);
+    }
+  }
+  visible.resize(count);
+  for (int i = 0; i < count; ++i)
+  {
+    visible[i] = this->Found[i] < 0 ? None : this->Selected[this->Found[i]].Index;
+  }
+  if (this->MayCoincide)
+  {
+    this->FindCoincident(points, visible);
+  }
+}
+
+// Of the triangles that single precision cannot separate from the nearest one, the first in the
+// order of CoincidentSurfaces is visible.
+void TileRasterizer::FindCoincident(const SamplePoints& points, std::vector<std::uint32_t>& visible)
+{
+  const int count = points.GetCount();
+  const int perCell = points.GetCountPerCell();
+  std::vector<std::int32_t> order;
+  for (std::size_t i = 0; i < this->Selected.size(); ++i)
+  {
+    if (this->Selected[i].KeyError > 0.f)
+    {
+      order.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  const CoincidentSurfaces& surfaces = this->Rays.GetCoincidentSurfaces();
+  const auto key = [&](std::int32_t i) {
+    const PrimitiveId id = this->Ids[this->Selected[i].Index];
+    return std::make_tuple(surfaces.GetDrawOrder(id.Surface), id.Primitive);
+  };
+  std::sort(
+    order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+  std::vector<std::int32_t> ranks(this->Selected.size(), std::numeric_limits<std::int32_t>::max());
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+  {
+    ranks[order[rank]] = static_cast<std::int32_t>(rank);
+  }
+  this->Errors.resize(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const std::int32_t found = this->Found[i];
+    const bool coincides = found >= 0 && this->Selected[found].KeyError > 0.f;
+    this->Errors[i] =
+      coincides ? this->Selected[found].KeyError : -std::numeric_limits<float>::infinity();
+    this->Found[i] = coincides ? ranks[found] : std::numeric_limits<std::int32_t>::max();
+  }
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+  {
+    const PixelTriangle& triangle = this->Selected[order[rank]];
+    const int width = (triangle.LastColumn - triangle.FirstColumn + 1) * perCell;
+    for (int row = triangle.FirstRow; row <= triangle.LastRow; ++row)
+    {
+      const int first = (row * SamplePoints::CellsPerSide + triangle.FirstColumn) * perCell;
+      RankSamples({ points.X.data() + first, points.Y.data() + first, width }, triangle.Sides,
+        triangle.Key, triangle.KeyError, static_cast<std::int32_t>(rank),
+        this->Nearest.data() + first, this->Errors.data() + first, this->Found.data() + first);
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    if (this->Found[i] < static_cast<std::int32_t>(order.size()))
+    {
+      visible[i] = this->Selected[order[this->Found[i]]].Index;
+    }
+  }
+}
+
+}

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Finds the triangle that is visible at each sample of a pixel: compares all samples with each
+// triangle that overlaps the pixel. In pixels full of edges this takes a small fraction of the time
+// of rays.
+#ifndef penumbra_TileRasterizer_h
+#define penumbra_TileRasterizer_h
+
+#include "Embree/RayScene.h"
+#include "ProjectedTriangle.h"
+#include "SamplePoints.h"
+#include "TriangleBins.h"
+#include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace penumbra
+{
+
+/// A value that is linear in the image.
+template <typename Scalar>
+struct LinearValue
+{
+  Scalar Value; ///< at the origin
+  Scalar SlopeX;
+  Scalar SlopeY;
+};
+
+/// Triangles of one tile. Each thread needs its own object.
+class VTKPENUMBRAFILTERSRAYCASTING_EXPORT TileRasterizer
+{
+public:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  TileRasterizer(const RayScene& rays, const TileGrid& tiles, const TriangleBins& bins, int tile);
+
+  /// Returns true if only rays can decide what is visible in scenes of this kind.
+  static bool RequiresRays(const Scene& scene);
+
+  /// Selects a pixel of the tile. Returns false if a ray must decide what is visible: at
+  /// translucent and textured surfaces and in front of the near plane.
+  bool SelectPixel(glm::ivec2 pixel);
+
+  /// Finds the triangles at points of the selected pixel. `visible` receives an index for
+  /// GetTriangle(), or None, for each point.
+  void Rasterize(const SamplePoints& points, std::vector<std::uint32_t>& visible);
+
+  PrimitiveId GetTriangle(std::uint32_t index) const { return this->Ids[index]; }
+  std::size_t GetNumberOfTriangles() const { return this->Ids.size(); }
+
+private:
+  /// A triangle of the tile, relative to the origin of the tile.
+  struct TileTriangle
+  {
+    LinearValue<double> Sides[3]; ///< positive inside
+    LinearValue<double> Key;      ///< see ProjectedTriangle::Keys
+    double KeyError; ///< of a coincident triangle: rounding error of Key, or of Key / Key
+    glm::vec2 Low;   ///< bounds, in pixels relative to the tile
+    glm::vec2 High;
+    bool IsComplex; ///< only rays can decide what is visible
+    bool IsPlanar;  ///< of a surface with PlanarCells: all triangles in one plane
+    double Area;    ///< of the projected triangle
+  };
+
+  /// A triangle of the selected pixel, relative to the origin of the pixel.
+  struct PixelTriangle
+  {
+    LinearValue<float> Sides[3];
+    LinearValue<float> Key; ///< minus that of the nearest triangle
+    float LargestKey;
+    float KeyError; ///< 0 if no surface can coincide with this one
+    std::uint8_t FirstColumn, LastColumn, FirstRow, LastRow; ///< cells of SamplePoints
+    bool IsFull;                                             ///< covers the pixel
+    bool IsComplex;
+    std::uint32_t Index; ///< in Triangles and Ids
+  };
+
+  void Prepare();
+  ProjectedTriangle AddTriangle(PrimitiveId id);
+  void BinTriangles(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps);
+  void AlignPlanarTriangles();
+  bool AddToPixel(std::uint32_t index, glm::dvec2 corner);
+  void FindCoincident(const SamplePoints& points, std::vector<std::uint32_t>& visible);
+
+  const RayScene& Rays;
+  const TriangleBins& Bins;
+  const int Tile;
+  const glm::dvec2 Origin; ///< lower left corner of the tile
+  const int Side;
+
+  bool IsPrepared = false;
+  std::vector<PrimitiveId> Ids; ///< of the triangles of the tile
+  std::vector<TileTriangle> Triangles;
+  std::vector<std::uint32_t> Begin;  ///< first element of each pixel in Listed, and the end
+  std::vector<std::uint32_t> Listed; ///< indices in Triangles
+  std::vector<PixelTriangle> Selected;
+  std::vector<double> Keys; ///< of Selected at the center of the pixel
+  glm::ivec2 SelectedPixel{ -1 };
+  bool IsComplex = false;   ///< rays must decide what is visible in the selected pixel
+  bool MayCoincide = false; ///< two surfaces of the selected pixel may coincide
+  std::vector<float> Nearest;
+  std::vector<float> Errors;
+  std::vector<std::int32_t> Found;
+};
+
+}
+#endif
