@@ -9,6 +9,7 @@
 #include "vtkPenumbraEstimateFS.h"
 #include "vtkPenumbraEstimateLib.h"
 #include "vtkPenumbraHemisphereLib.h"
+#include "vtkPenumbraHistoryLengthLib.h"
 #include "vtkPenumbraKernels.h"
 #include "vtkPenumbraSurfaceLib.h"
 #include "vtkPenumbraViewLib.h"
@@ -32,9 +33,11 @@ namespace
 /// vtkPenumbraEstimateFS.glsl.
 constexpr int MaximumPoints = 64;
 
-/// Index at which the points for pixels with a short history start; other indices are below it (see
-/// SequenceLength in OcclusionViewState.cxx).
+/// Indices at which the additional points for pixels with a short history and the points for pixels
+/// with a settled one start; other indices are smaller (see SequenceLength in
+/// OcclusionViewState.cxx).
 constexpr long long ExtraSection = 1LL << 20;
+constexpr long long SettledSection = 1LL << 28;
 
 /// Mirrors the digits of a number at the radix point (Halton sequence) [TSSAO].
 double RadicalInverse(int base, long long number)
@@ -48,25 +51,40 @@ double RadicalInverse(int base, long long number)
   return inverse;
 }
 
-/// Sets `count` points of the sequence from `first` on, and more for pixels with a short history, up
-/// to `shortHistoryCount`. These are taken from another section, so that the next frame does not
-/// repeat them.
-void SetPoints(vtkShaderProgram* program, long long first, int count, int shortHistoryCount)
+/// Points of the sequence for a frame.
+struct Points
+{
+  long long First;        ///< number of points of earlier frames
+  int Count;              ///< per pixel
+  int ShortHistoryCount;  ///< the same at pixels with a short history, at least Count
+  long long SettledFirst; ///< number of earlier points of a pixel with a settled history
+  int SettledCount;       ///< number of points for such pixels; 0: they use the same as others
+};
+
+/// Sets the points. Additional points for a short history are taken from another section, so that
+/// the next frame does not repeat them. Points for a settled history follow in the array.
+void SetPoints(vtkShaderProgram* program, const Points& points)
 {
   constexpr int bases[4] = { 2, 3, 5, 7 };
-  const long long firstExtra = ExtraSection + first / count * (shortHistoryCount - count);
-  float points[MaximumPoints][4] = {};
-  for (int i = 0; i < shortHistoryCount; ++i)
+  const long long firstExtra =
+    ExtraSection + points.First / points.Count * (points.ShortHistoryCount - points.Count);
+  float values[MaximumPoints][4] = {};
+  for (int i = 0; i < points.ShortHistoryCount + points.SettledCount; ++i)
   {
-    const long long index = i < count ? first + i : firstExtra + i - count;
+    long long index = i < points.Count ? points.First + i : firstExtra + i - points.Count;
+    if (i >= points.ShortHistoryCount)
+    {
+      index = SettledSection + points.SettledFirst + i - points.ShortHistoryCount;
+    }
     for (int axis = 0; axis < 4; ++axis)
     {
-      points[i][axis] = static_cast<float>(RadicalInverse(bases[axis], index + 1));
+      values[i][axis] = static_cast<float>(RadicalInverse(bases[axis], index + 1));
     }
   }
-  program->SetUniform4fv("samples", MaximumPoints, points);
-  program->SetUniformi("sampleCount", count);
-  program->SetUniformi("shortHistoryPointCount", shortHistoryCount);
+  program->SetUniform4fv("samples", MaximumPoints, values);
+  program->SetUniformi("sampleCount", points.Count);
+  program->SetUniformi("shortHistoryPointCount", points.ShortHistoryCount);
+  program->SetUniformi("settledFirstPoint", points.SettledCount > 0 ? points.ShortHistoryCount : 0);
 }
 
 }
@@ -166,16 +184,24 @@ std::string vtkPenumbraKernelEstimator::GetShader()
 {
   return penumbra::Assemble(vtkPenumbraEstimateLib,
     { { "Kernel", vtkPenumbraKernels::GetShader(this->Kernel) },
-      { "HemisphereLib", vtkPenumbraHemisphereLib } });
+      { "HemisphereLib", vtkPenumbraHemisphereLib },
+      { "HistoryLengthLib", vtkPenumbraHistoryLengthLib } });
 }
 
 int vtkPenumbraKernelEstimator::SetUniforms(const Request& request, vtkShaderProgram* program)
 {
   const int fetches = vtkPenumbraKernels::GetFetchesPerPoint(this->Kernel);
-  const int points = std::clamp(request.Samples / fetches, 1, MaximumPoints);
+  const bool takesTurns = request.Turns > 1;
+  const int maximum = takesTurns ? MaximumPoints / 2 : MaximumPoints;
+  const int points = std::clamp(request.Samples / fetches, 1, maximum);
+  const int settledPoints = takesTurns ? points : 0;
   const int shortHistoryPoints =
-    std::clamp(request.ShortHistorySamples / fetches, points, MaximumPoints);
-  SetPoints(program, request.FirstSample / fetches, points, shortHistoryPoints);
+    std::clamp(request.ShortHistorySamples / fetches, points, MaximumPoints - settledPoints);
+  SetPoints(program,
+    { request.FirstSample / fetches, points, shortHistoryPoints,
+      request.SettledFirstSample / fetches, settledPoints });
+  program->SetUniformf("turns", static_cast<float>(request.Turns));
+  program->SetUniformf("turn", static_cast<float>(request.Turn));
   program->SetUniformf("samplesPerPoint", static_cast<float>(fetches));
   program->SetUniformf("pixelRotation", request.RotatePerPixel ? 1.f : 0.f);
   if (program->IsUniformUsed("thickness"))

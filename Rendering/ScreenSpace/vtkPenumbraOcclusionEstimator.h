@@ -58,6 +58,12 @@ public:
     int Samples = 8;     ///< requested number per pixel
     /// Requested number at pixels with a short history, at least Samples; only for shaders.
     int ShortHistorySamples = 8;
+    ///@{
+    /// Pixels with a settled history get samples in one of several frames; only for shaders.
+    int Turns = 1;              ///< number of frames in which each of these pixels has one turn
+    int Turn = 0;               ///< the turn of this frame, in [0, Turns)
+    int SettledFirstSample = 0; ///< number of samples of these pixels before this call
+    ///@}
     bool Moving = false;        ///< one of a sequence of similar frames
     bool RotatePerPixel = true; ///< samples differ from pixel to pixel
     /// Accepted RMSE if this single estimate is final: the estimator may then interpolate between

@@ -234,6 +234,7 @@ bool vtkPenumbraTemporalSSAOPass::RenderEffect(const vtkRenderState* state)
   settings.Tolerance = this->Tolerance;
   settings.FirstSamples = this->FirstSamples;
   settings.Samples = this->Samples;
+  settings.SettledPeriod = this->SettledPeriod;
   settings.AdaptiveConvergence = this->AdaptiveConvergence;
   settings.SpatialConvergence = this->SpatialConvergence;
   settings.RotationConvergence = this->RotationConvergence;
@@ -423,6 +424,7 @@ void vtkPenumbraTemporalSSAOPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Estimator: " << this->GetEstimator() << "\n";
   os << indent << "FirstSamples: " << this->FirstSamples << "\n";
   os << indent << "Samples: " << this->Samples << "\n";
+  os << indent << "SettledPeriod: " << this->SettledPeriod << "\n";
   os << indent << "MaximumWeight: " << this->MaximumWeight << "\n";
   os << indent << "AdaptiveConvergence: " << this->AdaptiveConvergence << "\n";
   os << indent << "SpatialConvergence: " << this->SpatialConvergence << "\n";

@@ -145,6 +145,17 @@ public:
 
   ///@{
   /**
+   * Number of frames in which a pixel takes Samples once while only the camera moves, if the kernel
+   * reads depth only and the pixel is above AdaptiveConvergence and SpatialConvergence. Blocks of
+   * 4x4 pixels take turns. Above 1, frames are faster and the image is steadier, but it follows
+   * the view more slowly. Range: [1, 16]. Default: 1.
+   */
+  vtkSetClampMacro(SettledPeriod, int, 1, 16);
+  vtkGetMacro(SettledPeriod, int);
+  ///@}
+
+  ///@{
+  /**
    * Number of samples above which older ones fade, w_max in [TSSAO]. The convergence of a pixel is
    * its number of samples divided by this. Range: [8, 1e5]. Default: 500.
    */
@@ -316,6 +327,7 @@ private:
   std::string KernelName = "automatic";
   int FirstSamples = 32;
   int Samples = 8;
+  int SettledPeriod = 1;
   double MaximumWeight = 500.0;
   double AdaptiveConvergence = 0.2;
   double SpatialConvergence = 0.3;

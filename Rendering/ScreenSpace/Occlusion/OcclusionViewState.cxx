@@ -29,6 +29,14 @@ namespace
 /// float.
 constexpr int SequenceLength = 1 << 20;
 
+/// Returns the turn of a frame. The first turn of each period is random, so that a surface that moves
+/// by a block of pixels per frame does not always miss its turn.
+int ChooseTurn(int frame, int turns)
+{
+  const unsigned int random = static_cast<unsigned int>(frame / turns) * 2654435761u; // [Knuth]
+  return static_cast<int>((frame % turns + (random >> 16)) % turns);
+}
+
 vtkFloatArray* AddArray(vtkImageData* image, const char* name)
 {
   vtkNew<vtkFloatArray> array;
@@ -119,6 +127,7 @@ bool OcclusionViewState::Render(const vtkRenderState* state, vtkRenderPass* dele
   if (change == EyeDepth::Change::Reset)
   {
     this->SamplesSinceReset = 0;
+    this->FramesWithTurns = 0;
     this->TotalSamples = 0; // Makes the image independent of earlier frames.
   }
   if (change == EyeDepth::Change::Moved && this->Settings.PropsChanged)
@@ -249,6 +258,13 @@ bool OcclusionViewState::Estimate(EyeDepth::Change change)
   request.Moving = change == EyeDepth::Change::Moved && this->TotalSamples > 0;
   // While the view moves, there are always disoccluded pixels with few samples.
   request.RotatePerPixel = request.Moving || convergence < settings.RotationConvergence;
+  if (byPixel && !settings.SceneChanged)
+  {
+    request.Turns = settings.SettledPeriod;
+    request.Turn = ChooseTurn(this->FramesWithTurns, request.Turns);
+    request.SettledFirstSample = this->FramesWithTurns / request.Turns * request.Samples;
+    this->FramesWithTurns = (this->FramesWithTurns + 1) % SequenceLength;
+  }
   const int samples = this->AccumulateSamples(request, change, refine);
   if (samples < 1)
   {
@@ -275,7 +291,10 @@ int OcclusionViewState::AccumulateSamples(
 {
   TemporalSettings temporal;
   temporal.MaximumWeight = this->Settings.MaximumWeight;
-  temporal.ShortHistory = this->Settings.AdaptiveConvergence * this->Settings.MaximumWeight;
+  temporal.GrowingHistory = this->Settings.AdaptiveConvergence * this->Settings.MaximumWeight;
+  temporal.SettledHistory =
+    std::max(this->Settings.AdaptiveConvergence, this->Settings.SpatialConvergence) *
+    this->Settings.MaximumWeight;
   temporal.DepthTolerance = this->Settings.DepthTolerance;
   temporal.NeighborValidation = this->Settings.SceneChanged;
   temporal.InvalidationWeight = this->Settings.InvalidationWeight;

@@ -32,6 +32,7 @@ struct OcclusionSettings
   double Tolerance = 0.01;
   int FirstSamples = 32;
   int Samples = 8;
+  int SettledPeriod = 1; ///< frames in which pixels with a settled history get samples once
   double AdaptiveConvergence = 0.2;
   double SpatialConvergence = 0.3;
   double RotationConvergence = 0.5;
@@ -116,6 +117,7 @@ private:
   std::vector<Rectangle> InnerRegion;          ///< the image without its margin
   vtkSmartPointer<vtkTextureObject> Estimates; ///< new estimates, then the filtered result
   int TotalSamples = 0;                        ///< position in the sample sequence
+  int FramesWithTurns = 0;                     ///< frames in which settled pixels took turns
   int SamplesSinceReset = 0; ///< number of samples since the history was discarded
   int NewSamples = 0;
   int DisocclusionSamples = 0; ///< number of new samples at pixels without history

@@ -9,6 +9,7 @@
 #include "vtkPenumbraActorMotionLib.h"
 #include "vtkPenumbraCameraMotionLib.h"
 #include "vtkPenumbraFiniteValuesLib.h"
+#include "vtkPenumbraHistoryLengthLib.h"
 #include "vtkPenumbraNoSampleValidationLib.h"
 #include "vtkPenumbraPrecomputedEstimateLib.h"
 #include "vtkPenumbraReprojectFS.h"
@@ -31,7 +32,8 @@ std::string AssembleReprojection(const TemporalSettings& settings, const std::st
 {
   return Assemble(vtkPenumbraReprojectFS,
     { { "ViewLib", vtkPenumbraViewLib }, { "SurfaceLib", vtkPenumbraSurfaceLib },
-      { "EstimateLib", estimate }, { "FiniteValuesLib", vtkPenumbraFiniteValuesLib },
+      { "EstimateLib", estimate }, { "HistoryLengthLib", vtkPenumbraHistoryLengthLib },
+      { "FiniteValuesLib", vtkPenumbraFiniteValuesLib },
       { "ActorMotionLib",
         settings.Motion ? vtkPenumbraActorMotionLib : vtkPenumbraCameraMotionLib },
       { "SampleValidationLib",
@@ -67,7 +69,8 @@ void SetMotion(
   const float pixelSize[2] = { 1.f / static_cast<float>(before.Width),
     1.f / static_cast<float>(before.Height) };
   program->SetUniform2f("previousPixelSize", pixelSize);
-  program->SetUniformf("shortHistory", static_cast<float>(settings.ShortHistory));
+  program->SetUniformf("growingHistoryWeight", static_cast<float>(settings.GrowingHistory));
+  program->SetUniformf("settledHistoryWeight", static_cast<float>(settings.SettledHistory));
   program->SetUniformf("depthTolerance", static_cast<float>(settings.DepthTolerance));
   if (settings.NeighborValidation)
   {

@@ -20,7 +20,8 @@ struct TemporalSettings
 {
   double MaximumWeight = 500.0;     ///< maximum number of samples; older ones fade
   double WeightCap = 1e9;           ///< upper bound of the weight of the history in this frame
-  double ShortHistory = 0.0;        ///< weight below which pixels get Request::ShortHistorySamples
+  double GrowingHistory = 0.0;      ///< weight below which pixels get Request::ShortHistorySamples
+  double SettledHistory = 1e9;      ///< weight from which on pixels get samples in their turn only
   double DepthTolerance = 0.02;     ///< maximum relative difference from the expected depth
   bool NeighborValidation = false;  ///< something besides the camera may have moved
   double InvalidationWeight = 30.0; ///< maximum number of samples kept if a neighbor moved

@@ -32,7 +32,8 @@ std::string ShaderEvaluation::AssembleEstimate(const std::string& kernel)
       { "SurfaceLib", ReadShader("Occlusion/glsl/vtkPenumbraSurfaceLib.glsl") },
       { "EstimateLib", ReadShader("glsl/vtkPenumbraEstimateLib.glsl") },
       { "Kernel", ReadShader("glsl/vtkPenumbraEstimate" + kernel + "FS.glsl") },
-      { "HemisphereLib", ReadShader("glsl/vtkPenumbraHemisphereLib.glsl") } });
+      { "HemisphereLib", ReadShader("glsl/vtkPenumbraHemisphereLib.glsl") },
+      { "HistoryLengthLib", ReadShader("Occlusion/glsl/vtkPenumbraHistoryLengthLib.glsl") } });
   return text.substr(0, text.rfind("void main()"));
 }
 

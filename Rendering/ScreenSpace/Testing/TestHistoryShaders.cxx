@@ -28,9 +28,12 @@ protected:
       { { "ViewLib", ReadShader("Frame/glsl/vtkPenumbraViewLib.glsl") },
         { "SurfaceLib", ReadShader("Occlusion/glsl/vtkPenumbraSurfaceLib.glsl") },
         { "EstimateLib",
-          "uniform float estimate;\n"
-          "float estimateAt(SurfacePoint point, bool isShort) { return estimate; }\n"
-          "float newSamplesAt(bool isShort) { return isShort ? 8.0 : 2.0; }\n" },
+          ReadShader("Occlusion/glsl/vtkPenumbraHistoryLengthLib.glsl") +
+            "uniform float estimate;\n"
+            "float estimateAt(SurfacePoint point, int historyLength) { return estimate; }\n"
+            "float newSamplesAt(SurfacePoint point, int historyLength)\n"
+            "{ return historyLength == shortHistory ? 8.0 : historyLength == growingHistory ? 2.0 "
+            ": 0.0; }\n" },
         { "FiniteValuesLib", ReadShader("Occlusion/glsl/vtkPenumbraFiniteValuesLib.glsl") },
         { "ActorMotionLib",
           ReadShader("Occlusion/glsl/vtkPenumbra" + this->MotionLib + "Lib.glsl") },
@@ -65,7 +68,8 @@ protected:
       program->SetUniform4f("previousPixelToEye", pixelToEye);
       program->SetUniform2f("previousPixelSize", pixelSize);
       program->SetUniformf("estimate", this->Estimate);
-      program->SetUniformf("shortHistory", 4.f);
+      program->SetUniformf("growingHistoryWeight", 4.f);
+      program->SetUniformf("settledHistoryWeight", this->SettledWeight);
       program->SetUniformf("maximumWeight", 16.f);
       program->SetUniformf("weightCap", this->WeightCap);
       program->SetUniformf("depthTolerance", 0.02f);
@@ -104,6 +108,7 @@ protected:
   std::string MotionLib = "CameraMotion";
   float Estimate = 0.25f;
   float WeightCap = 1000.f;
+  float SettledWeight = 1000.f;
   bool PropsChanged = false;
 };
 
@@ -182,6 +187,18 @@ TEST_F(HistoryShaders, AddNewSamplesUpToTheMaximumWeight)
   this->WeightCap = 3.f;
   EXPECT_NEAR(this->Reproject()[0], 3.0 * 0.5 + 8.0 * 0.25, 1e-4);
   EXPECT_NEAR(this->Reproject()[1], 11.0, 1e-4);
+}
+
+TEST_F(HistoryShaders, KeepAllSamplesOfSettledPixelsWithoutNewOnes)
+{
+  this->SettledWeight = 11.f;
+  EXPECT_NEAR(this->Reproject()[1], 8.0, 1e-4); // 6 and 2 new ones
+  this->History = [](int, int) { return std::array<float, 4>{ 6.f, 12.f }; };
+  EXPECT_NEAR(this->Reproject()[0], 6.0, 1e-4);
+  EXPECT_NEAR(this->Reproject()[1], 12.0, 1e-4);
+  this->History = [](int, int) { return std::array<float, 4>{ 10.f, 20.f }; };
+  EXPECT_NEAR(this->Reproject()[0], 8.0, 1e-4);
+  EXPECT_NEAR(this->Reproject()[1], 16.0, 1e-4);
 }
 
 TEST_F(HistoryShaders, GiveSamplesOfNeighborsAHundredthOfTheWeight)

@@ -232,6 +232,35 @@ TEST(OcclusionHistory, TakesMoreSamplesWhereItIsShort)
   EXPECT_EQ(Statistic(scene, "Samples/PerPixel"), scene.Pass->GetSamples());
 }
 
+TEST(OcclusionHistory, TakesTurnsWhereItIsSettled)
+{
+  OcclusionScene scene;
+  BuildSphereOnFloor(scene);
+  const int turns = 4;
+  scene.Pass->SetSettledPeriod(turns);
+  RenderFrames(scene, 1);
+  RenderFrames(scene, 40, 1e-6);
+  const double weight = scene.Pass->GetMaximumWeight();
+  const std::vector<float> before = scene.Array("Convergence");
+  const std::vector<float> depths = scene.Array("Depth");
+  for (int turn = 1; turn <= turns; ++turn)
+  {
+    RenderFrames(scene, 1, 1e-6);
+    const std::vector<float> after = scene.Array("Convergence");
+    int pixels = 0;
+    int withSamples = 0;
+    for (std::size_t i = 0; i < after.size(); ++i)
+    {
+      pixels += std::isfinite(depths[i]);
+      // A quarter of a sample for the interpolation of weights between blocks.
+      withSamples += (after[i] - before[i]) * weight > scene.Pass->GetSamples() - 0.25;
+    }
+    // In each period, each pixel gets samples once.
+    EXPECT_GT(withSamples, (static_cast<double>(turn) / turns - 0.02) * pixels) << turn;
+    EXPECT_LT(withSamples, (static_cast<double>(turn) / turns + 0.02) * pixels) << turn;
+  }
+}
+
 TEST(OcclusionHistory, IsDiscardedAtACut)
 {
   const auto draw = [](int framesBefore) {

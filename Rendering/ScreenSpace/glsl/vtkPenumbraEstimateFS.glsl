@@ -10,5 +10,5 @@
 
 void main()
 {
-  gl_FragData[0] = vec4(estimateAt(surfaceAt(gl_FragCoord.xy), false));
+  gl_FragData[0] = vec4(estimateAt(surfaceAt(gl_FragCoord.xy), growingHistory));
 }

@@ -7,11 +7,23 @@
 uniform vec4 samples[64];           // Halton points in [0, 1)^4
 uniform int sampleCount;            // number of points, at most 64
 uniform int shortHistoryPointCount; // the same at pixels with a short history
+uniform int settledFirstPoint;      // index of the first point at pixels with a settled history
+uniform float turns;                // number of frames in which all of them have one turn
+uniform float turn;                 // the turn of this frame, in [0, turns)
 uniform float samplesPerPoint;      // weight of a point in the history
 uniform float pixelRotation;        // 1: a different shift per pixel; 0: no shift
 uniform float thickness;            // of visible objects, in radii
 
 const float pi = 3.14159265;
+
+//VTK::Penumbra::HistoryLengthLib
+
+// Width and height of a block of pixels that have the same turn. Drivers execute neighboring pixels
+// together, so only whole blocks without samples save time.
+const float turnBlockSide = 4.0;
+
+// Whether the pixel uses the points for a settled history.
+bool usesSettledPoints = false;
 
 // Returns a number in [0, 1) that differs strongly between neighboring pixels
 // [Jimenez 2014, interleaved gradient noise].
@@ -32,7 +44,9 @@ vec4 pixelSample(int index, vec2 pixel)
 {
   vec2 at = floor(pixel);
   vec4 shift = vec4(pixelNoise(at), pixelNoise(at.yx + 17.0), pixelLattice(at), pixelLattice(at.yx));
-  return fract(samples[index] + pixelRotation * shift);
+  // The index is the same for all pixels, so that drivers fetch each point once.
+  vec4 point = usesSettledPoints ? samples[settledFirstPoint + index] : samples[index];
+  return fract(point + pixelRotation * shift);
 }
 
 // Returns the radius at a point projected onto the image, in pixels.
@@ -47,15 +61,33 @@ vec2 radiusInPixels(SurfacePoint point)
 // direction. Estimates are not clamped to 1, because the mean over many slices would be biased.
 const float maximumSliceOcclusion = 0.5 * pi;
 
-// Returns the mean of the new samples. Pixels with a short history have more samples.
-float estimateAt(SurfacePoint point, bool hasShortHistory)
+// Returns whether this frame is the turn of a pixel.
+bool hasTurn(vec2 pixel)
 {
-  int count = hasShortHistory ? shortHistoryPointCount : sampleCount;
-  return clamp(occlusionAt(point, count), 0.0, maximumSliceOcclusion);
+  vec2 block = floor(pixel / turnBlockSide);
+  float index = block.x + floor(0.5 * turns) * block.y;
+  float turnOfBlock = turns * fract((index + 0.5) / turns);
+  return abs(turnOfBlock - (turn + 0.5)) < 0.5;
+}
+
+// Returns the number of points for a pixel.
+int pointCountAt(vec2 pixel, int historyLength)
+{
+  int count = historyLength == shortHistory ? shortHistoryPointCount : sampleCount;
+  return historyLength == settledHistory && !hasTurn(pixel) ? 0 : count;
+}
+
+// Returns the mean of the new samples, or 0 if there are none.
+float estimateAt(SurfacePoint point, int historyLength)
+{
+  int count = pointCountAt(point.pixel, historyLength);
+  usesSettledPoints = historyLength == settledHistory;
+  float estimate = occlusionAt(point, count);
+  return count > 0 ? clamp(estimate, 0.0, maximumSliceOcclusion) : 0.0;
 }
 
 // Returns the number of samples that estimateAt() averages.
-float newSamplesAt(bool hasShortHistory)
+float newSamplesAt(SurfacePoint point, int historyLength)
 {
-  return samplesPerPoint * float(hasShortHistory ? shortHistoryPointCount : sampleCount);
+  return samplesPerPoint * float(pointCountAt(point.pixel, historyLength));
 }

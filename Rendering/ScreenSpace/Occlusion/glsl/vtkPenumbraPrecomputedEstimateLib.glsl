@@ -5,12 +5,14 @@
 uniform sampler2D estimates;
 uniform float newSamples; // in every estimate
 
-float estimateAt(SurfacePoint point, bool hasShortHistory)
+//VTK::Penumbra::HistoryLengthLib
+
+float estimateAt(SurfacePoint point, int historyLength)
 {
   return texture(estimates, point.pixel * pixelSize).r;
 }
 
-float newSamplesAt(bool hasShortHistory)
+float newSamplesAt(SurfacePoint point, int historyLength)
 {
   return newSamples;
 }

@@ -16,7 +16,8 @@ uniform sampler2D previousEyeDepths;
 uniform mat4 toPreviousEye;        // from eye coordinates to those of the previous frame
 uniform vec4 previousPixelToEye;
 uniform vec2 previousPixelSize;    // 1 / size of the previous frame
-uniform float shortHistory;        // weight below which a pixel gets more samples
+uniform float growingHistoryWeight; // weight below which a history is short
+uniform float settledHistoryWeight; // weight from which on a history is settled
 uniform float maximumWeight;       // upper bound of the weight of all samples
 uniform float weightCap;           // upper bound of the weight of the history in this frame
 uniform float depthTolerance;      // maximum relative difference in depth, eq. 8
@@ -99,9 +100,10 @@ void main()
   float weight = min(reprojected.g, weightCap);
   weight = min(weight, historyWeightLimit(point, before));
   // Samples are spent where history is short: at disoccluded pixels and next to moved surfaces.
-  bool hasShortHistory = weight < shortHistory;
-  float newSamples = newSamplesAt(hasShortHistory);
-  float estimate = estimateAt(point, hasShortHistory);
+  int historyLength = weight < settledHistoryWeight ? growingHistory : settledHistory;
+  historyLength = weight < growingHistoryWeight ? shortHistory : historyLength;
+  float newSamples = newSamplesAt(point, historyLength);
+  float estimate = estimateAt(point, historyLength);
   // Values below -0.5 are -1 - mean of a neighbor: see vtkPenumbraOcclusionEstimator::Estimate().
   bool isNeighborSample = estimate < -0.5;
   float samples = isNeighborSample ? neighborSampleWeight * newSamples : newSamples;
