@@ -128,8 +128,10 @@ void VisitCells(const ProjectedTriangle& triangle, double margin, glm::dvec2 ori
       {
         continue;
       }
-      begin = std::max(begin, static_cast<int>(std::floor(std::max(left - margin, 0.0))));
-      end = std::min(end, static_cast<int>(std::floor(std::min(right + margin, cells.x - 0.5))));
+      const double width = cells.x;
+      begin = std::max(begin, static_cast<int>(std::floor(std::clamp(left - margin, 0.0, width))));
+      end =
+        std::min(end, static_cast<int>(std::floor(std::clamp(right + margin, -1.0, width - 0.5))));
     }
     for (int column = begin; column <= end; ++column)
     {

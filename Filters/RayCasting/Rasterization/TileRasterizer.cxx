@@ -206,7 +206,7 @@ ProjectedTriangle TileRasterizer::AddTriangle(PrimitiveId id)
     triangle.Key.SlopeX = (u * ac.y - v * ab.y) / area;
     triangle.Key.SlopeY = (v * ab.x - u * ac.x) / area;
     triangle.Key.Value = projected.Keys[0] - triangle.Key.SlopeX * a.x - triangle.Key.SlopeY * a.y;
-    triangle.IsComplex = this->Bins.IsComplex(id.Surface);
+    triangle.IsComplex = this->Bins.IsComplex(id.Surface) || !std::isfinite(triangle.Key.Value);
     triangle.IsPlanar = this->Rays.GetCells(id.Surface) != nullptr;
     triangle.Area = std::abs(area);
     if (this->Rays.GetCoincidentSurfaces().DepthTolerance(id.Surface) > 0.f)
@@ -288,7 +288,7 @@ void TileRasterizer::AlignPlanarTriangles()
     const LinearValue<double> key = this->Triangles[largest].Key;
     for (std::size_t i = first; i < end; ++i)
     {
-      if (this->Triangles[i].IsPlanar)
+      if (this->Triangles[i].IsPlanar && !this->Triangles[i].IsComplex)
       {
         this->Triangles[i].Key = key;
       }

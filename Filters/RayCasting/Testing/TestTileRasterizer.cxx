@@ -268,3 +268,23 @@ TEST(SamplePoints, AreStratified)
     EXPECT_EQ(indices.size(), static_cast<std::size_t>(count));
   }
 }
+
+TEST(TileRasterizer, AcceptsTrianglesFarOutsideOfTheImage)
+{
+  Scene scene = MakeView(false);
+  scene.Surfaces.resize(1);
+  Surface& surface = scene.Surfaces[0];
+  std::uint32_t seed = 9u;
+  for (int i = 0; i < 300; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const float size = std::pow(10.f, 36.f * Next(seed));
+      const float x = Next(seed) - 0.5f;
+      surface.Positions.push_back(size * glm::vec3(x, Next(seed) - 0.5f, -Next(seed)));
+    }
+    surface.Triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  const Comparison result = CompareWithRays(scene, true);
+  EXPECT_LT(result.RayPixels, Side * Side + 1);
+}
