@@ -8,38 +8,12 @@
 #ifndef penumbra_CoverageConstants_h
 #define penumbra_CoverageConstants_h
 
+#include "Edges/EdgeConstants.h"
+
 #include <cstddef>
 
 namespace penumbra
 {
-
-// --- Edges of the scene ---
-
-/// Edges across which colors change by less than this fraction of the tolerance are not feature
-/// edges.
-constexpr double EdgeContrastFraction = 0.25;
-/// Distance of a corner to an edge below which its ray may hit either side of the edge.
-constexpr double EdgePrecision = 1e-3;
-/// Fraction of the distance to the pixel center by which such a corner is moved before it is
-/// retraced.
-constexpr double CornerInset = 4.0 * EdgePrecision;
-
-// --- Surfaces with subpixel triangles ---
-
-/// Number of triangles, approximately, from which the mean projected area of a surface is
-/// estimated.
-constexpr std::size_t MaximumTrianglesSampled = 10000;
-/// Mean projected area of a triangle below which a surface is sampled. Measured: exact coverage and
-/// 8 x 8 samples take the same time at this area.
-constexpr double SubpixelArea = 1.0;
-/// A surface is sampled only if it has more triangles than this number per pixel of its projected
-/// bounds plus MinimumTriangles. Fewer small triangles are small objects, which are covered
-/// exactly.
-constexpr double TrianglesPerPixel = 0.5;
-constexpr double MinimumTriangles = 4096.0;
-/// Length of a side in pixels from which the feature edges of a triangle of such a surface are
-/// covered exactly.
-constexpr double LargeTriangleSide = 4.0;
 
 // --- Limits of exact coverage ---
 
@@ -49,9 +23,6 @@ constexpr std::size_t CrowdedEdgesPerPixel = 6;
 constexpr std::size_t MaximumEdges = 512;
 /// The same for pixels of crowded tiles, in which the cost of arrangements adds up.
 constexpr std::size_t MaximumEdgesInCrowdedTile = 32;
-/// Number of spheres, tubes and instances in a tile of 32x32 pixels above which their outlines are not cut,
-/// but the tile is sampled.
-constexpr std::size_t MaximumOutlinesInTile = 4096;
 /// Number of trapezoids of an arrangement that cost about as much as one ray.
 constexpr std::size_t TrapezoidsPerRay = 16;
 /// Faces with a smaller area are ignored, because rays cannot be aimed at them reliably.

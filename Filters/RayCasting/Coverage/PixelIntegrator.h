@@ -6,12 +6,12 @@
 #ifndef penumbra_PixelIntegrator_h
 #define penumbra_PixelIntegrator_h
 
+#include "Edges/Silhouettes.h"
 #include "PixelArrangement.h"
 #include "Rasterization/TileRasterizer.h"
 #include "SampledPixel.h"
 #include "Sampling/CornerGrid.h"
 #include "Sampling/SampleCache.h"
-#include "Silhouettes.h"
 #include "TriangleIntersection.h"
 
 #include <algorithm>

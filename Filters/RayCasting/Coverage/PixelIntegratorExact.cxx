@@ -5,8 +5,8 @@
 // into faces, and each face shows one surface.
 #include "PixelIntegrator.h"
 
+#include "Edges/RoundOutlines.h"
 #include "PixelErrors.h"
-#include "RoundOutlines.h"
 
 #include <algorithm>
 #include <cmath>

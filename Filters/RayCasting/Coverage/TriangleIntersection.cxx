@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleIntersection.h"
 
+#include "Edges/RoundOutlines.h"
 #include "Embree/RoundIntersection.h"
-#include "RoundOutlines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "ImageRegion.h"
 
 #include "Coverage/CoverageConstants.h"
-#include "Coverage/RoundOutlines.h"
-#include "Coverage/SubpixelTriangles.h"
 #include "Coverage/TileRefinement.h"
+#include "Edges/RoundOutlines.h"
+#include "Edges/SubpixelTriangles.h"
 #include "Execution/ParallelFor.h"
 #include "InstanceEdges.h"
 

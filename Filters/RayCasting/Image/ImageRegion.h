@@ -5,8 +5,8 @@
 #ifndef penumbra_ImageRegion_h
 #define penumbra_ImageRegion_h
 
-#include "Coverage/MeshEdges.h"
 #include "Coverage/PixelIntegrator.h"
+#include "Edges/MeshEdges.h"
 #include "Execution/ParallelFor.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
 

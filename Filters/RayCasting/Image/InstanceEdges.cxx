@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InstanceEdges.h"
 
-#include "Coverage/RoundOutlines.h"
+#include "Edges/RoundOutlines.h"
 
 #include <algorithm>
 #include <cmath>

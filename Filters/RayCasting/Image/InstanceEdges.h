@@ -6,7 +6,7 @@
 #ifndef penumbra_InstanceEdges_h
 #define penumbra_InstanceEdges_h
 
-#include "Coverage/Silhouettes.h"
+#include "Edges/Silhouettes.h"
 
 #include <cstddef>
 #include <cstdint>

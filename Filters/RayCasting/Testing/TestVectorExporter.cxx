@@ -55,7 +55,7 @@ protected:
     this->Caster->SetRenderer(this->Renderer);
     this->Caster->SetResolution(200, 150);
     this->Exporter->SetRayCaster(this->Caster);
-    this->Exporter->SetMaximumPaths(0); // TestVectorFaces tests surfaces as paths
+    this->Exporter->SetMaximumPaths(0); // TestVectorShapes tests surfaces as paths
     vtkNew<vtkCallbackCommand> observer;
     observer->SetCallback([](vtkObject*, unsigned long, void* errors, void* message) {
       *static_cast<std::string*>(errors) += static_cast<const char*>(message);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeVisibility.h"
 
-#include "Coverage/RoundOutlines.h"
-#include "Coverage/Silhouettes.h"
+#include "Edges/RoundOutlines.h"
+#include "Edges/Silhouettes.h"
 #include "FigureText.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #ifndef penumbra_EdgeVisibility_h
 #define penumbra_EdgeVisibility_h
 
-#include "Coverage/MeshEdges.h"
+#include "Edges/MeshEdges.h"
 #include "Sampling/CameraRayTracer.h"
 #include "VectorFigure.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SubpixelTriangles.h"
 
-#include "CoverageConstants.h"
+#include "EdgeConstants.h"
 
 #include <algorithm>
 #include <cmath>
