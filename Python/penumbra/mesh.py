@@ -28,8 +28,6 @@ def _array_names(mesh: Any) -> set[str]:
     return set(mesh.array_names)
 
 
-@pyvista.register_dataset_accessor("penumbra", pyvista.MultiBlock)
-@pyvista.register_dataset_accessor("penumbra", pyvista.DataSet)
 class MeshAccessor:
     """Accessor ``mesh.penumbra`` of PyVista data sets and multiblocks."""
 
@@ -184,3 +182,8 @@ class MeshAccessor:
                 self._mesh.shallow_copy(baked)
             return self._mesh
         return baked
+
+
+# Not decorators: type checkers would see a class without attributes, because PyVista declares to return any type.
+for _dataset in (pyvista.DataSet, pyvista.MultiBlock):
+    pyvista.register_dataset_accessor("penumbra", _dataset)(MeshAccessor)

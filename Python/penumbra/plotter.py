@@ -66,7 +66,6 @@ def _write(image: Image, filename: str | pathlib.Path | io.BytesIO) -> None:
     pixels.save(path if path.suffix else path.with_suffix(".png"))
 
 
-@pyvista.register_plotter_component("penumbra")
 class PlotterAccessor:
     """Accessor ``plotter.penumbra``, which applies to the active renderer of the plotter."""
 
@@ -385,3 +384,7 @@ class PlotterAccessor:
             window, path, (scale * width, scale * height), settings, outline_width, outline_color, maximum_paths,
             progress)
         return statistics if return_statistics else None
+
+
+# Not a decorator: type checkers would see a class without attributes, because PyVista declares to return any type.
+pyvista.register_plotter_component("penumbra")(PlotterAccessor)

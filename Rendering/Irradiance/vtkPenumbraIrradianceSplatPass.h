@@ -79,7 +79,7 @@ public:
    */
   vtkFieldData* GetStatistics();
 
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
   vtkPenumbraIrradianceSplatPass();

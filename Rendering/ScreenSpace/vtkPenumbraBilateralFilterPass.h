@@ -60,7 +60,7 @@ public:
   vtkImageData* GetWeights();
   ///@}
 
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
   vtkPenumbraBilateralFilterPass();

@@ -275,7 +275,7 @@ public:
   vtkGetMacro(Margin, double);
   ///@}
 
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
 
   /**
    * Statistics of the last frame, one value per array: `Lights/Shaft` (number of lights),

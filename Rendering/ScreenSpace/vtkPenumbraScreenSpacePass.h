@@ -44,7 +44,7 @@ public:
   ///@}
 
   void Render(const vtkRenderState* state) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
 
 protected:
   vtkPenumbraScreenSpacePass();

@@ -280,7 +280,7 @@ public:
   vtkBooleanMacro(RefineStaticView, bool);
   ///@}
 
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ReleaseGraphicsResources(vtkWindow* w) override;
 
   /** Returns whether the last frame met the tolerance, so that the next one will be identical. */
   bool IsConverged();
