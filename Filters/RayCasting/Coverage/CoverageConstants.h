@@ -34,11 +34,11 @@ constexpr double RelativeDepthTolerance = 1e-5;
 
 /// Number of edges per pixel, on average over a tile, above which pixels with many edges are
 /// rasterized. Few small objects are covered exactly.
-constexpr std::size_t RasterizedEdgesPerPixel = 2;
+constexpr std::size_t RasterizedEdgesPerPixel = 1;
 /// Number of edges of such a tile of 32x32 pixels at least.
 constexpr std::size_t MinimumEdgesOfRasterizedTile = 256;
 /// Number of edges in a pixel from which its samples are rasterized instead of covering it exactly.
-constexpr std::size_t MinimumRasterizedEdges = 8;
+constexpr std::size_t MinimumRasterizedEdges = 5;
 /// Maximum number of the first samples of a rasterized pixel.
 constexpr int MaximumFirstRasterizedSamples = 256;
 /// Number of rasterized samples that cost about as much as one ray.

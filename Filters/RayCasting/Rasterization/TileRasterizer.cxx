@@ -29,6 +29,8 @@ namespace
 
 /// Distance in pixels up to which a triangle outside a pixel is also compared with its samples.
 constexpr double Margin = 1e-3;
+/// Number of pairs of a pixel and a triangle in a tile above which its pixels are not rasterized.
+constexpr std::size_t MaximumOverlaps = std::size_t(1) << 22;
 /// Projected coordinates above this value have lost too much precision.
 constexpr double LargestCoordinate = 1e7;
 
@@ -52,6 +54,14 @@ float FindMinimum(const LinearValue<float>& f)
 float FindMaximum(const LinearValue<float>& f)
 {
   return f.Value + std::max(f.SlopeX, 0.f) + std::max(f.SlopeY, 0.f);
+}
+
+/// Returns true if the three sides of a triangle contain the pixel with the lower left corner
+/// `corner`.
+bool CoversPixel(const LinearValue<double>* sides, glm::dvec2 corner)
+{
+  return std::all_of(sides, sides + 3,
+    [=](const LinearValue<double>& side) { return FindMinimum(MoveTo(side, corner, 0.0)) >= 0.f; });
 }
 
 /// Returns twice the signed area of the triangle (a, b, p) as a function of p. The value of (b, a)
@@ -257,15 +267,47 @@ void TileRasterizer::Prepare()
   this->Triangles.reserve(count);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps; // pixel and triangle
   overlaps.reserve(2 * count);
-  for (std::size_t i = 0; i < count; ++i)
+  // Pixels that a triangle of the current surface covers, if all its triangles are in one plane.
+  // Later triangles of this surface are hidden there.
+  const std::size_t pixels = static_cast<std::size_t>(this->Side) * this->Side;
+  std::vector<char> covered(pixels, 0);
+  std::size_t numberCovered = 0;
+  for (std::size_t i = 0; i < count && overlaps.size() <= MaximumOverlaps; ++i)
   {
+    if (i == 0 || ids[i].Surface != ids[i - 1].Surface)
+    {
+      covered.assign(pixels, 0);
+      numberCovered = 0;
+    }
+    if (numberCovered == pixels)
+    {
+      continue;
+    }
     const auto index = static_cast<std::uint32_t>(this->Ids.size());
     const ProjectedTriangle projected = this->AddTriangle(ids[i]);
-    if (this->Ids.size() > index)
+    if (this->Ids.size() == index)
     {
-      VisitCells(projected, Margin, glm::dvec2(0.0), 1.0, glm::ivec2(this->Side),
-        [&](int cell) { overlaps.emplace_back(cell, index); });
+      continue;
     }
+    const TileTriangle& triangle = this->Triangles.back();
+    const bool hides = triangle.IsPlanar && !triangle.IsComplex;
+    VisitCells(projected, Margin, glm::dvec2(0.0), 1.0, glm::ivec2(this->Side), [&](int cell) {
+      if (covered[cell])
+      {
+        return;
+      }
+      overlaps.emplace_back(cell, index);
+      if (hides && CoversPixel(triangle.Sides, glm::dvec2(cell % this->Side, cell / this->Side)))
+      {
+        covered[cell] = 1;
+        ++numberCovered;
+      }
+    });
+  }
+  this->IsOverfull = overlaps.size() > MaximumOverlaps;
+  if (this->IsOverfull)
+  {
+    overlaps.clear();
   }
   this->AlignPlanarTriangles();
   this->BinTriangles(overlaps);
@@ -342,6 +384,11 @@ bool TileRasterizer::SelectPixel(glm::ivec2 pixel)
     return !this->IsComplex;
   }
   this->SelectedPixel = pixel;
+  this->IsComplex = this->IsOverfull;
+  if (this->IsOverfull)
+  {
+    return false;
+  }
   const glm::ivec2 local = pixel - glm::ivec2(this->Origin);
   const std::size_t cell = static_cast<std::size_t>(local.y) * this->Side + local.x;
   const glm::dvec2 corner(local);

@@ -92,6 +92,7 @@ private:
   const int Side;
 
   bool IsPrepared = false;
+  bool IsOverfull = false;      ///< too many triangles overlap the pixels of the tile
   std::vector<PrimitiveId> Ids; ///< of the triangles of the tile
   std::vector<TileTriangle> Triangles;
   std::vector<std::uint32_t> Begin;  ///< first element of each pixel in Listed, and the end
