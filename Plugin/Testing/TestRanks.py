@@ -35,10 +35,10 @@ def leaves(data):
     return found
 
 
-def scene():
-    """Return a contour that is distributed over the ranks, and a floor on one rank."""
+def scene(normals=1):
+    """Return a contour that is distributed over the ranks, with or without normals, and a floor on one rank."""
     contour = Contour(
-        Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[170], ComputeNormals=1)
+        Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[170], ComputeNormals=normals)
     floor = Plane(Origin=[-20, -20, -11], Point1=[20, -20, -11], Point2=[-20, 20, -11],
                   XResolution=40, YResolution=40)
     return contour, floor
@@ -67,7 +67,8 @@ def compute(folder):
             numpy.savez(os.path.join(folder, name + ".npz"), points=points, values=values,
                         normals=normals)
     reader = XMLPolyDataReader(FileName=[os.path.join(folder, "sphere.vtp")])
-    for name, inputs in (("file", [reader]), ("pieces", [contour, floor])):
+    # Without normals: those of the contour are one-sided at the borders of pieces, so they depend on the ranks.
+    for name, inputs in (("file", [reader]), ("pieces", scene(normals=0))):
         cast = AdaptiveRayCast(Input=inputs, Resolution=[150, 90], AmbientOcclusion=1)
         SaveData(os.path.join(folder, name + ".pvti"), proxy=cast)
 
@@ -225,8 +226,9 @@ class Ranks(unittest.TestCase):
             self.assertEqual(numpy.ptp(many["alone"]["values"]), 0)
             numpy.testing.assert_array_equal(many["file"], one["file"])
             difference = numpy.abs(many["pieces"] - one["pieces"]).max(axis=1)
-            print(f"image of pieces: {(difference > 1 / 512).mean():.2%} of pixels differ", flush=True)
-            self.assertLess((difference > 8 / 255).mean(), 0.001)
+            print(f"image of pieces: {(difference > 0).mean():.2%} of pixels differ", flush=True)
+            # The triangles have another order, which affects edges.
+            self.assertLess((difference > 1 / 512).mean(), 0.001)
 
 
 if len(sys.argv) > 1:
