@@ -32,9 +32,9 @@ inline const std::vector<Row> Table = {
 
   { "Filters/Comparison", {}, {} },
 
-  // OpenGL: the classes of two mappers that have no other base class.
-  { "Filters/Scene", {}, { "GLM", "OpenGL" } },
   { "Filters/Scene/Execution", {}, {} },
+  // OpenGL: the classes of two mappers that have no other base class.
+  { "Filters/Scene", { "Filters/Scene/Execution" }, { "GLM", "OpenGL" } },
   { "Filters/Scene/Features", { "Filters/Scene" }, {} },
   { "Filters/Scene/Tessellation", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/Scene/Annotation", { "Filters/Scene", "Filters/Scene/Features" }, { "GLM" } },
@@ -62,8 +62,8 @@ inline const std::vector<Row> Table = {
       "Filters/RayTracing/Shading", "Filters/RayTracing/Media", "Filters/RayTracing" },
     { "GLM" } },
   { "Filters/RayCasting/Rasterization",
-    { "Filters/Scene", "Filters/RayTracing/Embree", "Filters/RayTracing/Shading",
-      "Filters/RayCasting/Sampling" },
+    { "Filters/Scene", "Filters/Scene/Execution", "Filters/RayTracing/Embree",
+      "Filters/RayTracing/Shading", "Filters/RayCasting/Sampling" },
     { "GLM" } },
   { "Filters/RayCasting/Edges", { "Filters/Scene", "Filters/Scene/Execution" }, { "GLM" } },
   { "Filters/RayCasting/Coverage",

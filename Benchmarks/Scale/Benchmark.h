@@ -20,4 +20,7 @@ struct Options
 /// Measures memory, occlusion and time of a million points that are rendered as spheres.
 void MeasureSpheres(Options& options);
 
+/// Measures memory, time and serial share of an image of ten million triangles.
+void MeasureTriangles(Options& options);
+
 #endif

@@ -3,6 +3,7 @@
 //
 // A million points as spheres: memory, ambient occlusion against meshes, and time next to PyVista.
 #include "Benchmark.h"
+#include "Memory.h"
 #include "Scenes/TestScene.h"
 
 #include "vtkActor.h"
@@ -25,8 +26,6 @@
 #include <cstdio>
 #include <fstream>
 #include <random>
-
-#include <malloc.h>
 
 namespace
 {
@@ -73,22 +72,6 @@ void LookAtCube(vtkRenderer* renderer, double side)
   camera->SetPosition(2.4 * side, 2.4 * side, 2.4 * side);
   camera->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange();
-}
-
-/// Reads a value of this process in MB, such as "VmRSS:"; 0 if the system has none.
-double ReadMegabytes(const std::string& key)
-{
-  std::ifstream file("/proc/self/status");
-  std::string word;
-  double kilobytes = 0.0;
-  while (file >> word)
-  {
-    if (word == key && file >> kilobytes)
-    {
-      return kilobytes * 1024.0 / 1e6;
-    }
-  }
-  return 0.0;
 }
 
 void SetUp(vtkPenumbraRayCaster* caster, vtkRenderer* renderer)
@@ -146,14 +129,12 @@ void MeasureMillion(Options& options)
     SetUp(caster, renderer);
     caster->SetPointRadius(Radius);
     caster->SetNumberOfThreads(threads);
-    malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << "5"; // resets the peak
-    const double before = ReadMegabytes("VmRSS:");
+    const double before = ResetPeakMegabytes();
     const auto start = std::chrono::steady_clock::now();
     caster->Update();
     const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double peak = ReadMegabytes("VmHWM:") - before;
+    const double peak = ReadPeakMegabytes() - before;
     const std::string scene =
       "a million spheres, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
     char remark[200];

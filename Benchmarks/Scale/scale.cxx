@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Measures the ray caster on large and moving scenes: the time of extraction and of the BVH while
-// the camera orbits, and a million spheres. Run it with `./penumbra benchmark scale`, which also fetches the mesh.
+// the camera orbits, a million spheres, and ten million triangles. Run it with `./penumbra benchmark scale`, which also fetches the mesh.
 #include "Benchmark.h"
 #include "Meshes.h"
 #include "Program.h"
@@ -115,17 +115,20 @@ int main(int argc, char** argv)
   Program program;
   program.Name = "scale";
   program.Title = "Large and moving scenes: measurements and targets";
-  program.Usage = "--meshes FOLDER --output FOLDER [--python PROGRAM] [--only orbit|spheres]";
+  program.Usage =
+    "--meshes FOLDER --output FOLDER [--python PROGRAM] [--only orbit|spheres|triangles]";
   program.Values = { { "--meshes", &options.Meshes, true }, { "--output", &options.Output, true },
     { "--python", &options.Python, false } };
   program.Parts = { { "orbit", [&] { MeasureOrbits(options); } },
-    { "spheres", [&] { MeasureSpheres(options); } } };
+    { "spheres", [&] { MeasureSpheres(options); } },
+    { "triangles", [&] { MeasureTriangles(options); } } };
   vtkSMPTools::Initialize(2);
   return program.Run(argc, argv, options.Results, options.Output, [] {
     return std::vector<std::string>{ "elapsed time; " + DateLine(), VersionLine(),
       "orbit: 36 frames of 320 x 192 pixels with KeepScene, 10 degrees apart",
       "a million spheres: 1000 x 600 pixels, radius 0.5 in a cube of side 100, ambient occlusion "
       "of radius "
-      "3, tolerance 0.05; PyVista: points of 3 pixels as spheres, no antialiasing, SSAO" };
+      "3, tolerance 0.05; PyVista: points of 3 pixels as spheres, no antialiasing, SSAO",
+      "ten million triangles: 1000 x 600 pixels, normals and scalars per point, no effects" };
   });
 }

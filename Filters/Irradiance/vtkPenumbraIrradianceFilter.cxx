@@ -53,7 +53,7 @@ bool AddSampledLight(const Illumination& light, const std::vector<RecordCandidat
 {
   std::atomic<long long> rays(0);
   const bool done =
-    ParallelForBatches(static_cast<int>(sites.size()), 1.0, 1.0, progress, [&](int i) {
+    ParallelForWithProgress(static_cast<int>(sites.size()), 1.0, 1.0, progress, [&](int i) {
       if (complete[i])
       {
         return;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneBounds.h"
 
+#include "Execution/ParallelFor.h"
 #include "Scene.h"
 
 #include "vtkBoundingBox.h"
@@ -31,26 +32,41 @@ AxisAlignedBox ComputeInstanceBounds(const Surface& surface)
   return bounds;
 }
 
+AxisAlignedBox ComputeTriangleBounds(const Surface& surface)
+{
+  const std::vector<std::size_t> boundaries = SplitIntoParts(surface.Triangles.size(), ArrayGrain);
+  std::vector<AxisAlignedBox> parts(boundaries.size() - 1);
+  ParallelFor<std::size_t>(0, parts.size(), 1, [&](std::size_t part) {
+    AxisAlignedBox box;
+    for (std::size_t i = boundaries[part]; i < boundaries[part + 1]; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        box.Add(surface.Positions[surface.Triangles[i][k]]);
+      }
+    }
+    parts[part] = box;
+  });
+  AxisAlignedBox bounds;
+  for (const AxisAlignedBox& part : parts)
+  {
+    bounds.Add(part);
+  }
+  return bounds;
+}
+
 double ComputeSceneDiagonal(const Scene& scene)
 {
   vtkBoundingBox bounds;
   for (const Surface& surface : scene.Surfaces)
   {
-    if (surface.Instances)
+    // Positions that no triangle uses are not drawn.
+    const AxisAlignedBox box =
+      surface.Instances ? ComputeInstanceBounds(surface) : ComputeTriangleBounds(surface);
+    if (!box.IsEmpty())
     {
-      const AxisAlignedBox box = ComputeInstanceBounds(surface);
       bounds.AddPoint(box.Low.x, box.Low.y, box.Low.z);
       bounds.AddPoint(box.High.x, box.High.y, box.High.z);
-      continue;
-    }
-    // Positions that no triangle uses are not drawn.
-    for (const glm::uvec3& triangle : surface.Triangles)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const glm::vec3& p = surface.Positions[triangle[k]];
-        bounds.AddPoint(p.x, p.y, p.z);
-      }
     }
     for (std::size_t i = 0; surface.IsRound() && i < surface.Positions.size(); ++i)
     {

@@ -15,6 +15,10 @@ struct Surface;
 /// Returns the diagonal of the bounds of all surfaces, in world units; 1 for an empty scene.
 VTKPENUMBRAFILTERSSCENE_EXPORT double ComputeSceneDiagonal(const Scene& scene);
 
+/// Returns the bounds, in scene coordinates, of the triangles of a surface without Instances; empty if
+/// there are none.
+VTKPENUMBRAFILTERSSCENE_EXPORT AxisAlignedBox ComputeTriangleBounds(const Surface& surface);
+
 /// Returns the bounds, in scene coordinates, of a surface with Instances.
 VTKPENUMBRAFILTERSSCENE_EXPORT AxisAlignedBox ComputeInstanceBounds(const Surface& surface);
 

@@ -79,7 +79,7 @@ private:
 template <typename Work>
 void ForEach(std::size_t count, double fraction, const ProgressCallback& progress, const Work& work)
 {
-  if (!ParallelForBatches(static_cast<int>(count), fraction, fraction, progress, work, 0))
+  if (!ParallelForWithProgress(static_cast<int>(count), fraction, fraction, progress, work, 0))
   {
     throw Stopped();
   }
@@ -235,7 +235,7 @@ private:
   {
     std::atomic<long long> rays(0);
     const bool done =
-      ParallelForBatches(static_cast<int>(which.size()), begin, end, progress, [&](int i) {
+      ParallelForWithProgress(static_cast<int>(which.size()), begin, end, progress, [&](int i) {
         long long count = 0;
         this->Result.Values[which[i]] = estimator(this->Sites[which[i]], count);
         rays += count;

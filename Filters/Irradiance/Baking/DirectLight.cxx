@@ -101,7 +101,7 @@ bool BakeDirectLight(const RayScene& rays, const std::vector<RecordCandidate>& s
   result.BruteForce = sites.size();
   std::atomic<long long> total(0);
   const bool done =
-    ParallelForBatches(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
+    ParallelForWithProgress(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
       const RecordCandidate& site = sites[i];
       double sum = 0.0;
       double square = 0.0;

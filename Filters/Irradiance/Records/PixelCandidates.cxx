@@ -82,7 +82,7 @@ std::vector<RecordCandidate> CandidatesInImage(
   const int stride = LevelStride(level);
   const int rows = (camera.Height + stride - 1) / stride;
   std::vector<std::vector<RecordCandidate>> found(rows);
-  const bool done = ParallelForBatches(rows, 0.0, 0.0, progress, [&](int row) {
+  const bool done = ParallelForWithProgress(rows, 0.0, 0.0, progress, [&](int row) {
     for (int x = 0; x < camera.Width; x += stride)
     {
       RecordCandidate site;

@@ -446,7 +446,7 @@ bool RecordPlacement::AddLevel(
     long long Rays = 0;
   };
   std::vector<Outcome> outcomes(sites.size());
-  if (!ParallelForBatches(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
+  if (!ParallelForWithProgress(static_cast<int>(sites.size()), 0.0, 1.0, progress, [&](int i) {
         if (!IsCovered(this->Tree, sites[i], this->Settings.CoverageWeight))
         {
           outcomes[i].Made = this->Gather(sites[i], outcomes[i].Rays);

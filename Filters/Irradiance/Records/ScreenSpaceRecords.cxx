@@ -84,7 +84,7 @@ bool ScreenSpaceRecords::PlaceLevels(const ProgressCallback& progress)
     }
     std::vector<char> fails(squares.size());
     const double fraction = 1.0 - .5 * side / this->Coarsest;
-    if (!ParallelForBatches(static_cast<int>(squares.size()), fraction, fraction, progress,
+    if (!ParallelForWithProgress(static_cast<int>(squares.size()), fraction, fraction, progress,
           [&](int i) { fails[i] = this->NeedsSubdivision(squares[i]); }))
     {
       return false;
@@ -126,7 +126,7 @@ bool ScreenSpaceRecords::MakeRecords(
     long long Rays = 0;
   };
   std::vector<Outcome> outcomes(missing.size());
-  if (!ParallelForBatches(static_cast<int>(missing.size()), 0.0, 1.0, progress, [&](int i) {
+  if (!ParallelForWithProgress(static_cast<int>(missing.size()), 0.0, 1.0, progress, [&](int i) {
         RecordCandidate site;
         if (FindCandidate(this->Seen, this->PixelAt(missing[i]), site))
         {

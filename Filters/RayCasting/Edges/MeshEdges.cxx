@@ -3,10 +3,13 @@
 #include "MeshEdges.h"
 
 #include "EdgeConstants.h"
+#include "Execution/ParallelBins.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
 namespace penumbra
 {
@@ -21,28 +24,40 @@ struct HalfEdge
   Index To;          ///< the canonical position with the larger index
   Index Triangle;    ///< the triangle that contains the half-edge
   std::uint8_t Side; ///< the half-edge runs from corner Side to corner Side + 1
+
+  bool operator<(const HalfEdge& other) const
+  {
+    return std::tie(this->To, this->Triangle, this->Side) <
+      std::tie(other.To, other.Triangle, other.Side);
+  }
 };
 
-/// Returns for every position the index of the first position with equal coordinates.
-std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
+std::uint64_t HashPosition(const glm::vec3& position)
+{
+  const glm::vec3 p = position + glm::vec3(0.f); // turns -0 into 0
+  std::uint32_t bits[3];
+  std::memcpy(bits, &p, sizeof(bits));
+  std::uint64_t hash = bits[0] * 0x9e3779b97f4a7c15ull;
+  hash = (hash ^ (hash >> 29) ^ bits[1]) * 0xbf58476d1ce4e5b9ull;
+  hash = (hash ^ (hash >> 32) ^ bits[2]) * 0x94d049bb133111ebull;
+  return hash ^ (hash >> 31);
+}
+
+/// Sets canonical[i] to the first of `count` ascending indices whose position is that of i.
+void MergeGroup(const std::vector<glm::vec3>& positions, const Index* indices, std::size_t count,
+  std::vector<Index>& canonical)
 {
   std::size_t size = 16;
-  while (size < 2 * positions.size())
+  while (size < 2 * count)
   {
     size *= 2;
   }
   constexpr Index Free = 0xffffffffu;
   std::vector<Index> table(size, Free);
-  std::vector<Index> canonical(positions.size());
-  for (Index i = 0; i < positions.size(); ++i)
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const glm::vec3 p = positions[i] + glm::vec3(0.f); // turns -0 into 0
-    std::uint32_t bits[3];
-    std::memcpy(bits, &p, sizeof(bits));
-    std::uint64_t hash = bits[0] * 0x9e3779b97f4a7c15ull;
-    hash = (hash ^ (hash >> 29) ^ bits[1]) * 0xbf58476d1ce4e5b9ull;
-    hash = (hash ^ (hash >> 32) ^ bits[2]) * 0x94d049bb133111ebull;
-    std::size_t slot = (hash ^ (hash >> 31)) & (size - 1);
+    const Index i = indices[k];
+    std::size_t slot = HashPosition(positions[i]) & (size - 1);
     while (table[slot] != Free && positions[table[slot]] != positions[i])
     {
       slot = (slot + 1) & (size - 1);
@@ -53,7 +68,52 @@ std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
     }
     canonical[i] = table[slot];
   }
+}
+
+/// Returns for every position the index of the first position with equal coordinates.
+std::vector<Index> MergePositions(const std::vector<glm::vec3>& positions)
+{
+  // Groups of positions with equal hashes, modulo their number, are merged in parallel.
+  constexpr std::size_t MaximumGroups = 1024;
+  const std::size_t groups =
+    std::clamp<std::size_t>(positions.size() / ArrayGrain, 1, MaximumGroups);
+  std::vector<std::size_t> begin;
+  std::vector<Index> indices;
+  FillBins(
+    positions.size(), groups,
+    [&](std::size_t first, std::size_t last, const auto& add) {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        // The lower digits select the slot in the group.
+        add((HashPosition(positions[i]) >> 40) % groups, static_cast<Index>(i));
+      }
+    },
+    begin, indices);
+  std::vector<Index> canonical(positions.size());
+  ParallelFor<std::size_t>(0, groups, 1, [&](std::size_t group) {
+    MergeGroup(
+      positions, indices.data() + begin[group], begin[group + 1] - begin[group], canonical);
+  });
   return canonical;
+}
+
+/// Calls visit(t) for the indices of all triangles in parallel.
+template <typename Visit>
+void VisitTriangles(const Surface& surface, const Visit& visit)
+{
+  const std::vector<std::size_t> boundaries = SplitIntoParts(surface.Triangles.size(), ArrayGrain);
+  ParallelFor<std::size_t>(0, boundaries.size() - 1, 1, [&](std::size_t part) {
+    for (std::size_t t = boundaries[part]; t < boundaries[part + 1]; ++t)
+    {
+      visit(static_cast<Index>(t));
+    }
+  });
+}
+
+/// Adds to a counter that several threads change. Returns its value before.
+Index Add(std::atomic<Index>& counter, Index summand)
+{
+  return counter.fetch_add(summand, std::memory_order_relaxed);
 }
 
 /// Half-edges between two positions that are kept, grouped by their smaller position; those of
@@ -65,43 +125,34 @@ struct HalfEdges
 
   template <typename IsKept>
   HalfEdges(const Surface& surface, const std::vector<Index>& canonical, IsKept isKept)
-    : Begin(surface.Positions.size() + 1, 0)
   {
-    const auto corner = [&](Index triangle, int side) {
-      return canonical[surface.Triangles[triangle][side % 3]];
+    // Calls visit(from, half-edge) for the half-edges of all triangles in parallel.
+    const auto visitAll = [&](const auto& visit) {
+      VisitTriangles(surface, [&](Index t) {
+        const glm::uvec3 corners = surface.Triangles[t];
+        for (int side = 0; side < 3; ++side)
+        {
+          const Index a = canonical[corners[side]];
+          const Index b = canonical[corners[(side + 1) % 3]];
+          if (isKept(a) && isKept(b))
+          {
+            visit(std::min(a, b), HalfEdge{ std::max(a, b), t, static_cast<std::uint8_t>(side) });
+          }
+        }
+      });
     };
-    const Index count = static_cast<Index>(surface.Triangles.size());
-    for (Index t = 0; t < count; ++t)
+    std::vector<std::atomic<Index>> next(surface.Positions.size() + 1);
+    visitAll([&](Index from, const HalfEdge&) { Add(next[from], 1); });
+    this->Begin.resize(next.size());
+    Index sum = 0;
+    for (std::size_t v = 0; v < next.size(); ++v)
     {
-      for (int side = 0; side < 3; ++side)
-      {
-        const Index a = corner(t, side);
-        const Index b = corner(t, side + 1);
-        if (isKept(a) && isKept(b))
-        {
-          ++this->Begin[std::min(a, b) + 1];
-        }
-      }
+      this->Begin[v] = sum;
+      sum += next[v].exchange(sum, std::memory_order_relaxed);
     }
-    for (std::size_t v = 1; v < this->Begin.size(); ++v)
-    {
-      this->Begin[v] += this->Begin[v - 1];
-    }
-    this->Edges.resize(this->Begin.back());
-    std::vector<Index> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (Index t = 0; t < count; ++t)
-    {
-      for (int side = 0; side < 3; ++side)
-      {
-        const Index a = corner(t, side);
-        const Index b = corner(t, side + 1);
-        if (isKept(a) && isKept(b))
-        {
-          this->Edges[next[std::min(a, b)]++] = { std::max(a, b), t,
-            static_cast<std::uint8_t>(side) };
-        }
-      }
-    }
+    this->Edges.resize(sum);
+    // The order around a position depends on the threads. VisitEdges() sorts them.
+    visitAll([&](Index from, const HalfEdge& edge) { this->Edges[Add(next[from], 1)] = edge; });
   }
 };
 
@@ -180,31 +231,59 @@ private:
   int ColorLimit;
 };
 
-/// Calls visit(first, count) for the half-edges of every edge that is not of zero length.
+/// Calls visit(first, count) for the half-edges of every edge from `v` that is not of zero length.
 template <typename Visit>
-void VisitEdges(HalfEdges& half, Visit visit)
+void VisitEdgesFrom(Index v, HalfEdges& half, Visit visit)
 {
-  for (Index v = 0; v + 1 < half.Begin.size(); ++v)
+  HalfEdge* begin = half.Edges.data() + half.Begin[v];
+  HalfEdge* end = half.Edges.data() + half.Begin[v + 1];
+  while (begin != end)
   {
-    HalfEdge* begin = half.Edges.data() + half.Begin[v];
-    HalfEdge* end = half.Edges.data() + half.Begin[v + 1];
-    std::sort(begin, end, [](const HalfEdge& a, const HalfEdge& b) {
-      return a.To != b.To ? a.To < b.To : a.Triangle < b.Triangle;
-    });
-    while (begin != end)
+    HalfEdge* next = begin;
+    while (next != end && next->To == begin->To)
     {
-      HalfEdge* next = begin;
-      while (next != end && next->To == begin->To)
-      {
-        ++next;
-      }
-      if (begin->To != v)
-      {
-        visit(v, begin, next - begin);
-      }
-      begin = next;
+      ++next;
     }
+    if (begin->To != v)
+    {
+      visit(begin, next - begin);
+    }
+    begin = next;
   }
+}
+
+/// Returns make(v, first, count) for the half-edges of every edge that is not of zero length.
+template <typename Make>
+std::vector<MeshEdge> MakeEdges(HalfEdges& half, Make make)
+{
+  const std::vector<std::size_t> boundaries = SplitIntoParts(half.Begin.size() - 1, ArrayGrain);
+  const std::size_t parts = boundaries.size() - 1;
+  std::vector<std::size_t> next(parts + 1, 0);
+  ParallelFor<std::size_t>(0, parts, 1, [&](std::size_t part) {
+    std::size_t count = 0;
+    for (std::size_t v = boundaries[part]; v < boundaries[part + 1]; ++v)
+    {
+      std::sort(half.Edges.data() + half.Begin[v], half.Edges.data() + half.Begin[v + 1]);
+      VisitEdgesFrom(
+        static_cast<Index>(v), half, [&](const HalfEdge*, std::ptrdiff_t) { ++count; });
+    }
+    next[part + 1] = count;
+  });
+  for (std::size_t part = 0; part < parts; ++part)
+  {
+    next[part + 1] += next[part];
+  }
+  std::vector<MeshEdge> edges(next[parts]);
+  ParallelFor<std::size_t>(0, parts, 1, [&](std::size_t part) {
+    std::size_t at = next[part];
+    for (std::size_t v = boundaries[part]; v < boundaries[part + 1]; ++v)
+    {
+      VisitEdgesFrom(static_cast<Index>(v), half, [&](const HalfEdge* first, std::ptrdiff_t count) {
+        edges[at++] = make(static_cast<Index>(v), first, count);
+      });
+    }
+  });
+  return edges;
 }
 
 MeshEdge MakeEdge(const Surface& surface, Index v, const HalfEdge* half, bool pair, bool isFeature)
@@ -227,14 +306,13 @@ public:
       Forward(camera.Forward),
       LargeSquare(static_cast<float>(
         LargeTriangleSide * camera.PixelSize * LargeTriangleSide * camera.PixelSize)),
-      Flags(surface.Positions.size(), 0),
-      Cycles(surface.Positions.size(), 0)
+      Flags(surface.Positions.size())
   {
     // The triangles around an inner position form a cycle: every neighbor is the next of one
     // triangle and the previous of another, so the differences of their hashes cancel. Seams have
     // neighbors with different normals or colors, so they do not cancel.
-    for (Index t = 0; t < surface.Triangles.size(); ++t)
-    {
+    std::vector<std::atomic<Index>> cycles(surface.Positions.size());
+    VisitTriangles(surface, [&](Index t) {
       const glm::uvec3 corners = surface.Triangles[t];
       const std::uint8_t flags = this->Classify(t);
       std::uint32_t hashes[3];
@@ -245,21 +323,24 @@ public:
       for (int i = 0; i < 3; ++i)
       {
         const Index v = canonical[corners[i]];
-        this->Flags[v] |= flags;
-        this->Cycles[v] += hashes[(i + 1) % 3] - hashes[(i + 2) % 3];
+        // Most positions have the flags already, so this rarely waits for other threads.
+        if ((this->Flags[v].load(std::memory_order_relaxed) & flags) != flags)
+        {
+          this->Flags[v].fetch_or(flags, std::memory_order_relaxed);
+        }
+        Add(cycles[v], hashes[(i + 1) % 3] - hashes[(i + 2) % 3]);
       }
-    }
-    for (Index v = 0; v < this->Flags.size(); ++v)
-    {
-      const std::uint8_t flags = this->Flags[v];
-      this->Flags[v] =
-        (flags & (Front | Back)) == (Front | Back) || (flags & Large) || this->Cycles[v] != 0;
-    }
-    this->Cycles = {};
+    });
+    ParallelFor<std::size_t>(0, this->Flags.size(), ArrayGrain, [&](std::size_t v) {
+      const std::uint8_t flags = this->Flags[v].load(std::memory_order_relaxed);
+      const bool isKept =
+        (flags & (Front | Back)) == (Front | Back) || (flags & Large) || cycles[v] != 0;
+      this->Flags[v].store(isKept ? 1 : 0, std::memory_order_relaxed);
+    });
   }
 
   /// Returns true if the position lies on an edge to be found.
-  bool operator()(Index v) const { return this->Flags[v] != 0; }
+  bool operator()(Index v) const { return this->Flags[v].load(std::memory_order_relaxed) != 0; }
 
   /// Returns true if the triangle has feature edges that are not smaller than pixels.
   bool IsLarge(Index triangle) const
@@ -339,8 +420,7 @@ private:
   const glm::vec3 Eye;
   const glm::vec3 Forward;
   const float LargeSquare; ///< of LargeTriangleSide at depth 1
-  std::vector<std::uint8_t> Flags;
-  std::vector<std::uint32_t> Cycles;
+  std::vector<std::atomic<std::uint8_t>> Flags;
 };
 
 }
@@ -350,13 +430,10 @@ std::vector<MeshEdge> FindMeshEdges(const Surface& surface, double contrast)
   const std::vector<Index> canonical = MergePositions(surface.Positions);
   HalfEdges half(surface, canonical, [](Index) { return true; });
   const CreaseTest crease(surface, contrast);
-  std::vector<MeshEdge> edges;
-  edges.reserve(half.Edges.size() / 2 + 16);
-  VisitEdges(half, [&](Index v, const HalfEdge* e, std::ptrdiff_t count) {
+  return MakeEdges(half, [&](Index v, const HalfEdge* e, std::ptrdiff_t count) {
     const bool pair = count == 2;
-    edges.push_back(MakeEdge(surface, v, e, pair, !pair || crease(e[0], e[1])));
+    return MakeEdge(surface, v, e, pair, !pair || crease(e[0], e[1]));
   });
-  return edges;
 }
 
 std::vector<MeshEdge> FindEdgesOfDenseMesh(
@@ -364,16 +441,14 @@ std::vector<MeshEdge> FindEdgesOfDenseMesh(
 {
   const std::vector<Index> canonical = MergePositions(surface.Positions);
   const PositionFlags flags(surface, canonical, camera);
-  HalfEdges half(surface, canonical, flags);
+  HalfEdges half(surface, canonical, [&](Index v) { return flags(v); });
   const CreaseTest crease(surface, contrast);
-  std::vector<MeshEdge> edges;
-  VisitEdges(half, [&](Index v, const HalfEdge* e, std::ptrdiff_t count) {
+  return MakeEdges(half, [&](Index v, const HalfEdge* e, std::ptrdiff_t count) {
     const bool pair = count == 2;
     const bool keepCreases = pair &&
       (!surface.Normals.empty() || flags.IsLarge(e[0].Triangle) || flags.IsLarge(e[1].Triangle));
-    edges.push_back(MakeEdge(surface, v, e, pair, !pair || (keepCreases && crease(e[0], e[1]))));
+    return MakeEdge(surface, v, e, pair, !pair || (keepCreases && crease(e[0], e[1])));
   });
-  return edges;
 }
 
 }

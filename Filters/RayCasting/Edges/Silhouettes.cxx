@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Silhouettes.h"
 
+#include "Execution/ParallelBins.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -105,24 +107,16 @@ bool ClipToRectangle(ProjectedEdge& e, glm::dvec2 low, glm::dvec2 high)
 void BinEdges(const std::vector<ProjectedEdge>& edges, const std::uint32_t* subset,
   std::size_t count, glm::dvec2 origin, double size, glm::ivec2 cells, EdgeBins& bins)
 {
-  const auto edge = [&](
-                      std::size_t i) { return subset ? subset[i] : static_cast<std::uint32_t>(i); };
-  bins.Begin.assign(static_cast<std::size_t>(cells.x) * cells.y + 1, 0);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    VisitCells(edges[edge(i)], origin, size, cells, [&](int cell) { ++bins.Begin[cell + 1]; });
-  }
-  for (std::size_t cell = 1; cell < bins.Begin.size(); ++cell)
-  {
-    bins.Begin[cell] += bins.Begin[cell - 1];
-  }
-  bins.Edges.resize(bins.Begin.back());
-  std::vector<std::uint32_t> next(bins.Begin.begin(), bins.Begin.end() - 1);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    VisitCells(
-      edges[edge(i)], origin, size, cells, [&](int cell) { bins.Edges[next[cell]++] = edge(i); });
-  }
+  FillBins(
+    count, static_cast<std::size_t>(cells.x) * cells.y,
+    [&](std::size_t first, std::size_t last, const auto& add) {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const std::uint32_t edge = subset ? subset[i] : static_cast<std::uint32_t>(i);
+        VisitCells(edges[edge], origin, size, cells, [&](int cell) { add(cell, edge); });
+      }
+    },
+    bins.Begin, bins.Edges);
 }
 
 void ProjectEdge(glm::dvec3 a, glm::dvec3 b, const Camera& camera, glm::dvec2 low, glm::dvec2 high,
@@ -156,13 +150,23 @@ void ProjectEdges(const Surface& surface, const std::vector<MeshEdge>& mesh, con
 {
   low -= 2.0 * EdgeMargin;
   high += 2.0 * EdgeMargin;
-  for (const MeshEdge& e : mesh)
-  {
-    if (e.IsFeatureEdge || IsSilhouette(surface, e, camera))
+  const std::vector<std::size_t> boundaries = SplitIntoParts(mesh.size(), ArrayGrain);
+  const std::size_t parts = boundaries.size() - 1;
+  std::vector<std::vector<ProjectedEdge>> projected(parts);
+  ParallelFor<std::size_t>(0, parts, 1, [&](std::size_t part) {
+    for (std::size_t i = boundaries[part]; i < boundaries[part + 1]; ++i)
     {
-      ProjectEdge(glm::dvec3(surface.Positions[e.A]), glm::dvec3(surface.Positions[e.B]), camera,
-        low, high, edges);
+      const MeshEdge& e = mesh[i];
+      if (e.IsFeatureEdge || IsSilhouette(surface, e, camera))
+      {
+        ProjectEdge(glm::dvec3(surface.Positions[e.A]), glm::dvec3(surface.Positions[e.B]), camera,
+          low, high, projected[part]);
+      }
     }
+  });
+  for (const std::vector<ProjectedEdge>& inPart : projected)
+  {
+    edges.insert(edges.end(), inPart.begin(), inPart.end());
   }
 }
 

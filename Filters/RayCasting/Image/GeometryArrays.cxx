@@ -46,7 +46,7 @@ bool AddGeometryArrays(const CameraRayTracer& tracer, const ProgressCallback& pr
   image->GetExtent(extent);
   const int width = extent[1] - extent[0] + 1;
   std::mutex totalsMutex;
-  return ParallelForBatches(extent[3] - extent[2] + 1, 0.0, 1.0, progress, [&](int row) {
+  return ParallelForWithProgress(extent[3] - extent[2] + 1, 0.0, 1.0, progress, [&](int row) {
     RayCounts rowCounts;
     for (int column = 0; column < width; ++column)
     {

@@ -234,21 +234,22 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   CornerGrid grid(glm::max(region.Low - 1, 0),
     glm::min(region.High + 1, glm::ivec2(scene.ViewCamera.Width, scene.ViewCamera.Height)), corners,
     tracer.GetShading().HasPenumbrae());
-  if (corners && !ParallelForBatches(grid.GetNumberOfRows(), 0.0, 0.4, progress, [&](int row) {
-        RayCounts counts;
-        grid.TraceRow(tracer, row, settings.UsePackets, counts);
-        const std::lock_guard<std::mutex> lock(totals);
-        region.Rays += counts;
-      }))
+  if (corners &&
+    !ParallelForWithProgress(grid.GetNumberOfStrips(), 0.0, 0.4, progress, [&](int strip) {
+      RayCounts counts;
+      grid.TraceStrip(tracer, strip, settings.UsePackets, counts);
+      const std::lock_guard<std::mutex> lock(totals);
+      region.Rays += counts;
+    }))
   {
     return false;
   }
 
   grid.FindPenumbrae();
   if (corners && tracer.GetShading().HasPenumbrae() &&
-    !ParallelForBatches(grid.GetNumberOfRows(), 0.4, 0.4, progress, [&](int row) {
+    !ParallelForWithProgress(grid.GetNumberOfStrips(), 0.4, 0.4, progress, [&](int strip) {
       RayCounts counts;
-      grid.ResolvePenumbrae(tracer, row, settings.UsePackets, counts);
+      grid.ResolvePenumbrae(tracer, strip, settings.UsePackets, counts);
       const std::lock_guard<std::mutex> lock(totals);
       region.Rays += counts;
     }))
@@ -284,7 +285,7 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     scene, tileGrid, SelectRasterizedTiles(scene, settings.Integration, tileEdges));
   const RoundOutlines outlines(scene, glm::dvec2(tiles.First * TileSide), TileSide,
     sceneEdges.EdgesBySurface.empty() ? glm::ivec2(0) : tiles.Count);
-  return ParallelForBatches(
+  return ParallelForWithProgress(
     tiles.Count.x * tiles.Count.y, corners ? 0.45 : 0.0, 1.0, progress, [&](int tile) {
       const glm::ivec2 origin =
         (tiles.First + glm::ivec2(tile % tiles.Count.x, tile / tiles.Count.x)) * TileSide;

@@ -7,6 +7,8 @@
 
 #include "ImageRegion.h"
 
+#include "vtkType.h"
+
 class vtkImageData;
 
 namespace penumbra

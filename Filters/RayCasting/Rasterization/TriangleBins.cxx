@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleBins.h"
 
+#include "Execution/ParallelBins.h"
 #include "ProjectedTriangle.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace penumbra
@@ -22,26 +24,42 @@ bool IsComplexSurface(const Surface& surface)
     surface.LitTexture || surface.BaseColorTexture || surface.DetailTextures;
 }
 
-template <typename Visit>
-void VisitTriangles(
-  const Scene& scene, const TileGrid& tiles, const std::vector<char>& selected, const Visit& visit)
+/// The triangles of all surfaces that are binned, one after the other.
+class TriangleSequence
 {
-  for (std::uint32_t i = 0; i < scene.Surfaces.size(); ++i)
+public:
+  explicit TriangleSequence(const std::vector<Surface>& surfaces)
+    : Surfaces(surfaces)
   {
-    const Surface& surface = scene.Surfaces[i];
-    const std::size_t count = surface.IsRound() || surface.Instances ? 0 : surface.Triangles.size();
-    for (std::uint32_t j = 0; j < count; ++j)
+    for (const Surface& surface : surfaces)
     {
-      const ProjectedTriangle triangle(surface.GetPoints(j), scene.ViewCamera);
-      VisitCells(triangle, Margin, tiles.Origin, tiles.Side, tiles.Count, [&](int tile) {
-        if (selected[tile])
-        {
-          visit(tile, PrimitiveId{ i, j });
-        }
-      });
+      const bool isBinned = !surface.IsRound() && !surface.Instances;
+      this->Begin.push_back(this->Begin.back() + (isBinned ? surface.Triangles.size() : 0));
     }
   }
-}
+
+  std::size_t GetCount() const { return this->Begin.back(); }
+
+  /// Calls visit(id, points) for the triangles in [first, last).
+  template <typename Visit>
+  void VisitRange(std::size_t first, std::size_t last, const Visit& visit) const
+  {
+    auto surface = static_cast<std::uint32_t>(
+      std::upper_bound(this->Begin.begin(), this->Begin.end(), first) - this->Begin.begin() - 1);
+    for (std::size_t at = first; at < last; ++surface)
+    {
+      for (; at < std::min(last, this->Begin[surface + 1]); ++at)
+      {
+        const auto triangle = static_cast<std::uint32_t>(at - this->Begin[surface]);
+        visit(PrimitiveId{ surface, triangle }, this->Surfaces[surface].GetPoints(triangle));
+      }
+    }
+  }
+
+private:
+  const std::vector<Surface>& Surfaces;
+  std::vector<std::size_t> Begin{ 0 };
+};
 
 }
 
@@ -56,15 +74,22 @@ TriangleBins::TriangleBins(
   }
   std::transform(scene.Surfaces.begin(), scene.Surfaces.end(), std::back_inserter(this->Complex),
     [](const Surface& surface) { return IsComplexSurface(surface) ? 1 : 0; });
-  VisitTriangles(scene, tiles, selected, [&](int tile, PrimitiveId) { ++this->Begin[tile + 1]; });
-  for (std::size_t tile = 1; tile < this->Begin.size(); ++tile)
-  {
-    this->Begin[tile] += this->Begin[tile - 1];
-  }
-  this->Triangles.resize(this->Begin.back());
-  std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
-  VisitTriangles(
-    scene, tiles, selected, [&](int tile, PrimitiveId id) { this->Triangles[next[tile]++] = id; });
+  const TriangleSequence triangles(scene.Surfaces);
+  FillBins(
+    triangles.GetCount(), selected.size(),
+    [&](std::size_t first, std::size_t last, const auto& add) {
+      triangles.VisitRange(
+        first, last, [&](PrimitiveId id, const std::array<glm::vec3, 3>& points) {
+          VisitCells(ProjectedTriangle(points, scene.ViewCamera), Margin, tiles.Origin, tiles.Side,
+            tiles.Count, [&](int tile) {
+              if (selected[tile])
+              {
+                add(tile, id);
+              }
+            });
+        });
+    },
+    this->Begin, this->Triangles);
 }
 
 }

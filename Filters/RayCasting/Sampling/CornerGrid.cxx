@@ -24,14 +24,25 @@ CornerGrid::CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate, bool penu
     this->ShadowedFrom.resize(count);
     this->Penumbrae.resize(count);
   }
+  this->StripsPerRow = (this->Blocks.x + StripLength - 1) / StripLength;
 }
 
-void CornerGrid::TraceRow(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts)
+template <typename Visit>
+void CornerGrid::VisitStrip(int strip, const Visit& visit) const
 {
-  for (int column = 0; column < this->Blocks.x; ++column)
+  const int row = strip / this->StripsPerRow;
+  const int first = strip % this->StripsPerRow * StripLength;
+  for (int column = first; column < std::min(first + StripLength, this->Blocks.x); ++column)
   {
-    this->TraceBlock(tracer, { column, row }, packets, 0, counts);
+    visit(glm::ivec2(column, row));
   }
+}
+
+void CornerGrid::TraceStrip(
+  const CameraRayTracer& tracer, int strip, bool packets, RayCounts& counts)
+{
+  this->VisitStrip(
+    strip, [&](glm::ivec2 block) { this->TraceBlock(tracer, block, packets, 0, counts); });
 }
 
 void CornerGrid::TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, bool packets,
@@ -108,11 +119,13 @@ void CornerGrid::FindPenumbrae()
 }
 
 void CornerGrid::ResolvePenumbrae(
-  const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts)
+  const CameraRayTracer& tracer, int strip, bool packets, RayCounts& counts)
 {
-  for (int column = 0; column < this->Blocks.x && !this->Penumbrae.empty(); ++column)
+  if (this->Penumbrae.empty())
   {
-    const glm::ivec2 block(column, row);
+    return;
+  }
+  this->VisitStrip(strip, [&](glm::ivec2 block) {
     const std::uint32_t penumbrae = this->FlagsAt(block, this->Penumbrae);
     const glm::ivec2 first = (this->FirstBlock + block) * BlockSide;
     const bool isInside = first.x <= this->High.x && first.y <= this->High.y &&
@@ -121,7 +134,7 @@ void CornerGrid::ResolvePenumbrae(
     {
       this->TraceBlock(tracer, block, packets, penumbrae, counts);
     }
-  }
+  });
 }
 
 std::uint32_t CornerGrid::GetPenumbrae(glm::dvec2 p) const

@@ -24,19 +24,19 @@ public:
   /// With `penumbrae`, a margin of one block is traced as well.
   CornerGrid(glm::ivec2 low, glm::ivec2 high, bool allocate = true, bool penumbrae = false);
 
-  /// Returns the number of rows of blocks.
-  int GetNumberOfRows() const { return this->Blocks.y; }
+  /// Returns the number of strips: StripLength consecutive blocks of a row, or its rest.
+  int GetNumberOfStrips() const { return this->StripsPerRow * this->Blocks.y; }
 
-  /// Traces one row of blocks. Different rows may be traced in parallel.
-  void TraceRow(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts);
+  /// Traces one strip of blocks. Different strips may be traced in parallel.
+  void TraceStrip(const CameraRayTracer& tracer, int strip, bool packets, RayCounts& counts);
 
   /// Finds the blocks in the penumbra of a light with a size: rays to the light disagree in the
-  /// block or in one of its neighbors. Call it when all rows have been traced.
+  /// block or in one of its neighbors. Call it when all strips have been traced.
   void FindPenumbrae();
 
-  /// Traces the blocks of one row that are in a penumbra again and estimates the visible fractions
-  /// of the lights. Different rows may be traced in parallel.
-  void ResolvePenumbrae(const CameraRayTracer& tracer, int row, bool packets, RayCounts& counts);
+  /// Traces the blocks of one strip that are in a penumbra again and estimates the visible fractions
+  /// of the lights. Different strips may be traced in parallel.
+  void ResolvePenumbrae(const CameraRayTracer& tracer, int strip, bool packets, RayCounts& counts);
 
   /// Returns the lights that cast a penumbra on the pixel that contains `p`.
   std::uint32_t GetPenumbrae(glm::dvec2 p) const;
@@ -55,7 +55,12 @@ private:
       (x - this->Low.x);
   }
 
+  static constexpr int StripLength = 32;
+
   glm::ivec2 Low, High;
+  /// Calls visit(block) for the blocks of a strip.
+  template <typename Visit>
+  void VisitStrip(int strip, const Visit& visit) const;
   void TraceBlock(const CameraRayTracer& tracer, glm::ivec2 block, bool packets,
     std::uint32_t penumbrae, RayCounts& counts);
   std::uint32_t& FlagsAt(glm::ivec2 block, std::vector<std::uint32_t>& flags) const
@@ -64,6 +69,7 @@ private:
   }
 
   glm::ivec2 FirstBlock, Blocks;
+  int StripsPerRow;
   std::vector<Sample> Samples;
   /// Per block, if there are lights with a size: lights that rays reached and did not reach, and
   /// lights that cast a penumbra.

@@ -3,6 +3,7 @@
 #include "BoxOverlap.h"
 
 #include "AxisAlignedBox.h"
+#include "Execution/ParallelFor.h"
 
 #include <algorithm>
 #include <array>
@@ -66,24 +67,42 @@ std::vector<std::uint32_t> FindCopies(const Surface& surface, std::size_t stride
 
 BoxOverlap::BoxOverlap(const Surface& surface)
 {
-  AxisAlignedBox bounds;
-  double boxes = 0.0;
-  double triangles = 0.0;
-  for (const glm::uvec3& t : surface.Triangles)
+  struct Sums
   {
-    AxisAlignedBox box;
-    for (int i = 0; i < 3; ++i)
+    AxisAlignedBox Bounds;
+    double Boxes = 0.0;
+    double Triangles = 0.0;
+  };
+  const std::vector<std::size_t> boundaries = SplitIntoParts(surface.Triangles.size(), ArrayGrain);
+  std::vector<Sums> parts(boundaries.size() - 1);
+  ParallelFor<std::size_t>(0, parts.size(), 1, [&](std::size_t part) {
+    Sums sums;
+    for (std::size_t k = boundaries[part]; k < boundaries[part + 1]; ++k)
     {
-      box.Add(surface.Positions[t[i]]);
+      const glm::uvec3 t = surface.Triangles[k];
+      AxisAlignedBox box;
+      for (int i = 0; i < 3; ++i)
+      {
+        box.Add(surface.Positions[t[i]]);
+      }
+      const glm::vec3 a = surface.Positions[t.x];
+      sums.Boxes += ComputeArea(box);
+      sums.Triangles +=
+        glm::length(glm::cross(surface.Positions[t.y] - a, surface.Positions[t.z] - a));
+      sums.Bounds.Add(box);
     }
-    const glm::vec3 a = surface.Positions[t.x];
-    boxes += ComputeArea(box);
-    triangles += glm::length(glm::cross(surface.Positions[t.y] - a, surface.Positions[t.z] - a));
-    bounds.Add(box);
+    parts[part] = sums;
+  });
+  Sums total;
+  for (const Sums& part : parts)
+  {
+    total.Boxes += part.Boxes;
+    total.Triangles += part.Triangles;
+    total.Bounds.Add(part.Bounds);
   }
-  const double area = ComputeArea(bounds);
-  this->Number = area > 0.0 ? boxes / area : 0.0;
-  this->Thinness = boxes > 0.0 ? boxes / std::max(triangles, 1e-300) : 0.0;
+  const double area = ComputeArea(total.Bounds);
+  this->Number = area > 0.0 ? total.Boxes / area : 0.0;
+  this->Thinness = total.Boxes > 0.0 ? total.Boxes / std::max(total.Triangles, 1e-300) : 0.0;
 }
 
 std::vector<glm::uvec3> RemoveCopies(const Surface& surface)

@@ -8,12 +8,16 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
 
 namespace penumbra
 {
@@ -24,6 +28,133 @@ bool IsFinite(glm::vec3 x)
 {
   return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
 }
+
+/// Triangles of consecutive cells.
+struct CollectedTriangles
+{
+  std::vector<glm::uvec3> Triangles;
+  std::vector<std::uint32_t> Cells; ///< of each triangle, unless every cell is one triangle
+  bool AreCellsTriangles = true;
+  std::size_t InvalidCells = 0;
+  std::size_t DegenerateTriangles = 0;
+};
+
+/// Collects the triangles of consecutive polygons or strips. One thread uses it.
+class PartCollector
+{
+public:
+  /// `first`: index of the first cell.
+  PartCollector(const std::vector<glm::vec3>& positions, std::uint32_t first)
+    : Positions(positions),
+      FirstCell(first),
+      NextCell(first)
+  {
+  }
+
+  void AddCell(vtkCellArray* cells, vtkIdType i, bool isStrip)
+  {
+    cells->GetCellAtId(i, this->Cell);
+    const vtkIdType size = this->Cell->GetNumberOfIds();
+    const vtkIdType* ids = this->Cell->GetPointer(0);
+    const std::size_t before = this->Found.Triangles.size();
+    if (!this->AreValid(ids, size))
+    {
+      ++this->Found.InvalidCells;
+    }
+    else if (isStrip)
+    {
+      this->AddStrip(ids, size);
+    }
+    else if (size == 3)
+    {
+      this->Add(ids[0], ids[1], ids[2]);
+    }
+    else
+    {
+      this->AddPolygon(ids, size);
+    }
+    this->RecordCells(this->Found.Triangles.size() - before);
+    ++this->NextCell;
+  }
+
+  CollectedTriangles Take() { return std::move(this->Found); }
+
+private:
+  bool AreValid(const vtkIdType* ids, vtkIdType size) const
+  {
+    const auto count = static_cast<vtkIdType>(this->Positions.size());
+    return std::all_of(ids, ids + size,
+      [&](vtkIdType id) { return id >= 0 && id < count && IsFinite(this->Positions[id]); });
+  }
+
+  void Add(vtkIdType i, vtkIdType j, vtkIdType k)
+  {
+    const glm::dvec3 a = this->Positions[i];
+    const glm::dvec3 b = this->Positions[j];
+    const glm::dvec3 c = this->Positions[k];
+    if (glm::cross(b - a, c - a) == glm::dvec3(0.0))
+    {
+      ++this->Found.DegenerateTriangles;
+      return;
+    }
+    this->Found.Triangles.emplace_back(i, j, k);
+  }
+
+  void AddStrip(const vtkIdType* ids, vtkIdType size)
+  {
+    // Stitched strips repeat points on purpose, so their triangles without area are not counted.
+    const std::size_t flat = this->Found.DegenerateTriangles;
+    for (vtkIdType k = 0; k + 2 < size; ++k)
+    {
+      this->Add(ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2]);
+    }
+    this->Found.DegenerateTriangles = flat;
+  }
+
+  void AddPolygon(const vtkIdType* ids, vtkIdType size)
+  {
+    this->Corners.clear();
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->Corners.emplace_back(this->Positions[ids[i]]);
+    }
+    TriangulatePolygon(this->Corners, this->Triangulation);
+    if (this->Triangulation.empty())
+    {
+      ++this->Found.DegenerateTriangles;
+    }
+    for (const glm::uvec3& triangle : this->Triangulation)
+    {
+      this->Add(ids[triangle.x], ids[triangle.y], ids[triangle.z]);
+    }
+  }
+
+  void RecordCells(std::size_t triangles)
+  {
+    if (this->Found.AreCellsTriangles && triangles == 1)
+    {
+      return;
+    }
+    if (this->Found.AreCellsTriangles)
+    {
+      // This is the first cell that is not a single triangle. From here on, the cells are recorded.
+      this->Found.AreCellsTriangles = false;
+      for (std::uint32_t i = this->FirstCell; i < this->NextCell; ++i)
+      {
+        this->Found.Cells.push_back(i);
+      }
+    }
+    this->Found.Cells.insert(this->Found.Cells.end(), triangles, this->NextCell);
+  }
+
+  const std::vector<glm::vec3>& Positions;
+  const std::uint32_t FirstCell;
+  std::uint32_t NextCell;
+  CollectedTriangles Found;
+  vtkNew<vtkIdList> Cell;
+  std::vector<glm::dvec3> Corners;
+  std::vector<glm::uvec3> Triangulation;
+};
 
 /// Collects the triangles of one poly data and counts the cells and triangles that are skipped.
 class TriangleCollector
@@ -44,62 +175,9 @@ public:
     this->AreCellsTriangles = first == 0;
   }
 
-  void AddPolygons()
-  {
-    vtkCellArray* polygons = this->Data->GetPolys();
-    const vtkIdType count = polygons->GetNumberOfCells();
-    for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
-    {
-      this->CheckProgress(i);
-      polygons->GetCellAtId(i, this->Cell);
-      const vtkIdType size = this->Cell->GetNumberOfIds();
-      const vtkIdType* ids = this->Cell->GetPointer(0);
-      const std::size_t before = this->Target.Triangles.size();
-      if (!this->AreValid(ids, size))
-      {
-        ++this->InvalidCells;
-      }
-      else if (size == 3)
-      {
-        this->Add(ids[0], ids[1], ids[2]);
-      }
-      else
-      {
-        this->AddPolygon(ids, size);
-      }
-      this->RecordCells(this->Target.Triangles.size() - before);
-    }
-  }
+  void AddPolygons() { this->AddCells(this->Data->GetPolys(), false); }
 
-  void AddStrips()
-  {
-    vtkCellArray* strips = this->Data->GetStrips();
-    const vtkIdType count = strips->GetNumberOfCells();
-    for (vtkIdType i = 0; i < count; ++i, ++this->NextCell)
-    {
-      this->CheckProgress(i);
-      strips->GetCellAtId(i, this->Cell);
-      const vtkIdType size = this->Cell->GetNumberOfIds();
-      const vtkIdType* ids = this->Cell->GetPointer(0);
-      const std::size_t before = this->Target.Triangles.size();
-      if (this->AreValid(ids, size))
-      {
-        // Stitched strips repeat points on purpose, so their triangles without area are not
-        // counted.
-        const std::size_t flat = this->DegenerateTriangles;
-        for (vtkIdType k = 0; k + 2 < size; ++k)
-        {
-          this->Add(ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2]);
-        }
-        this->DegenerateTriangles = flat;
-      }
-      else
-      {
-        ++this->InvalidCells;
-      }
-      this->RecordCells(this->Target.Triangles.size() - before);
-    }
-  }
+  void AddStrips() { this->AddCells(this->Data->GetStrips(), true); }
 
   /// Returns the cell of each triangle; empty if it is the triangle's index.
   const std::vector<std::uint32_t>& GetCells() const { return this->Cells; }
@@ -119,77 +197,72 @@ public:
   }
 
 private:
-  void CheckProgress(vtkIdType cell) const
+  void AddCells(vtkCellArray* cells, bool areStrips)
   {
-    if (cell % StoppableCells == 0)
-    {
-      ThrowIfStopped(this->Progress, 0.0);
-    }
-  }
-
-  bool AreValid(const vtkIdType* ids, vtkIdType size) const
-  {
-    const auto count = static_cast<vtkIdType>(this->Target.Positions.size());
-    return std::all_of(ids, ids + size,
-      [&](vtkIdType id) { return id >= 0 && id < count && IsFinite(this->Target.Positions[id]); });
-  }
-
-  void Add(vtkIdType i, vtkIdType j, vtkIdType k)
-  {
-    const glm::dvec3 a = this->Target.Positions[i];
-    const glm::dvec3 b = this->Target.Positions[j];
-    const glm::dvec3 c = this->Target.Positions[k];
-    if (glm::cross(b - a, c - a) == glm::dvec3(0.0))
-    {
-      ++this->DegenerateTriangles;
-      return;
-    }
-    this->Target.Triangles.emplace_back(i, j, k);
-  }
-
-  void AddPolygon(const vtkIdType* ids, vtkIdType size)
-  {
-    this->Corners.clear();
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      this->Corners.emplace_back(this->Target.Positions[ids[i]]);
-    }
-    TriangulatePolygon(this->Corners, this->Triangulation);
-    if (this->Triangulation.empty())
-    {
-      ++this->DegenerateTriangles;
-    }
-    for (const glm::uvec3& triangle : this->Triangulation)
-    {
-      this->Add(ids[triangle.x], ids[triangle.y], ids[triangle.z]);
-    }
-  }
-
-  void RecordCells(std::size_t triangles)
-  {
-    if (this->AreCellsTriangles && triangles == 1)
-    {
-      return;
-    }
-    if (this->AreCellsTriangles)
-    {
-      // This is the first cell that is not a single triangle. From here on, the cells are recorded.
-      this->AreCellsTriangles = false;
-      this->Cells.reserve(this->Target.Triangles.capacity());
-      for (std::uint32_t i = 0; i < this->NextCell; ++i)
+    const auto count = static_cast<std::size_t>(cells->GetNumberOfCells());
+    const std::vector<std::size_t> boundaries = SplitIntoParts(count, StoppableCells);
+    std::vector<CollectedTriangles> parts(boundaries.size() - 1);
+    const auto collect = [&](int part) {
+      const std::size_t first = boundaries[part];
+      PartCollector collector(
+        this->Target.Positions, this->NextCell + static_cast<std::uint32_t>(first));
+      for (std::size_t i = first; i < boundaries[part + 1]; ++i)
       {
-        this->Cells.push_back(i);
+        collector.AddCell(cells, static_cast<vtkIdType>(i), areStrips);
       }
+      parts[part] = collector.Take();
+    };
+    if (!ParallelForWithProgress(static_cast<int>(parts.size()), 0.0, 0.0, this->Progress, collect))
+    {
+      throw Stopped();
     }
-    this->Cells.insert(this->Cells.end(), triangles, this->NextCell);
+    this->Append(parts, boundaries);
+    this->NextCell += static_cast<std::uint32_t>(count);
+  }
+
+  /// Appends the triangles of parts. Part i starts with cell boundaries[i] after NextCell.
+  void Append(std::vector<CollectedTriangles>& parts, const std::vector<std::size_t>& boundaries)
+  {
+    std::vector<glm::uvec3>& triangles = this->Target.Triangles;
+    const std::size_t first = triangles.size();
+    std::vector<std::size_t> begin = { first };
+    bool areCellsTriangles = this->AreCellsTriangles;
+    for (const CollectedTriangles& part : parts)
+    {
+      begin.push_back(begin.back() + part.Triangles.size());
+      areCellsTriangles = areCellsTriangles && part.AreCellsTriangles;
+      this->InvalidCells += part.InvalidCells;
+      this->DegenerateTriangles += part.DegenerateTriangles;
+    }
+    triangles.resize(begin.back());
+    if (!areCellsTriangles)
+    {
+      this->Cells.resize(begin.back());
+    }
+    if (this->AreCellsTriangles && !areCellsTriangles)
+    {
+      std::iota(this->Cells.begin(), this->Cells.begin() + static_cast<std::ptrdiff_t>(first), 0);
+    }
+    this->AreCellsTriangles = areCellsTriangles;
+    ParallelFor<std::size_t>(0, parts.size(), 1, [&](std::size_t i) {
+      CollectedTriangles& part = parts[i];
+      std::copy(part.Triangles.begin(), part.Triangles.end(), triangles.data() + begin[i]);
+      if (!areCellsTriangles && part.AreCellsTriangles)
+      {
+        std::iota(this->Cells.data() + begin[i], this->Cells.data() + begin[i + 1],
+          this->NextCell + static_cast<std::uint32_t>(boundaries[i]));
+      }
+      else if (!areCellsTriangles)
+      {
+        std::copy(part.Cells.begin(), part.Cells.end(), this->Cells.data() + begin[i]);
+      }
+      part = {};
+    });
   }
 
   vtkPolyData* Data;
   const ProgressCallback& Progress;
   Surface& Target;
-  vtkSmartPointer<vtkIdList> Cell = vtkSmartPointer<vtkIdList>::New();
-  std::vector<glm::dvec3> Corners;
-  std::vector<glm::uvec3> Triangulation;
   std::vector<std::uint32_t> Cells;
   std::uint32_t NextCell = 0;
   bool AreCellsTriangles = true; ///< true as long as cell i is triangle i
@@ -221,19 +294,17 @@ void SetNormals(const DrawItem& item, const SceneTransform& transform,
   if (item.Property->GetInterpolation() != VTK_FLAT && pointNormals)
   {
     surface.Normals.resize(surface.Positions.size());
-    for (std::size_t i = 0; i < surface.Normals.size(); ++i)
-    {
+    ParallelFor<std::size_t>(0, surface.Normals.size(), ArrayGrain, [&](std::size_t i) {
       surface.Normals[i] = convert(pointNormals, static_cast<vtkIdType>(i));
-    }
+    });
     return;
   }
   if (vtkDataArray* cellNormals = item.Data->GetCellData()->GetNormals())
   {
     surface.TriangleNormals.resize(surface.Triangles.size());
-    for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
-    {
+    ParallelFor<std::size_t>(0, surface.Triangles.size(), ArrayGrain, [&](std::size_t i) {
       surface.TriangleNormals[i] = convert(cellNormals, FindCell(cells, i));
-    }
+    });
   }
 }
 
@@ -265,11 +336,10 @@ std::vector<glm::vec2> MakeTextureCoordinates(vtkDataArray* from)
 {
   std::vector<glm::vec2> result(static_cast<std::size_t>(from->GetNumberOfTuples()));
   const bool two = from->GetNumberOfComponents() > 1;
-  for (std::size_t i = 0; i < result.size(); ++i)
-  {
+  ParallelFor<std::size_t>(0, result.size(), ArrayGrain, [&](std::size_t i) {
     const auto tuple = static_cast<vtkIdType>(i);
     result[i] = { from->GetComponent(tuple, 0), two ? from->GetComponent(tuple, 1) : 0.0 };
-  }
+  });
   return result;
 }
 
@@ -278,15 +348,15 @@ std::vector<glm::vec2> MakeTextureCoordinates(vtkDataArray* from)
 std::vector<glm::vec3> MakePositions(const DrawItem& item, const Scene& scene)
 {
   const SceneTransform transform(item.ToWorld, scene);
-  const vtkIdType count = item.Data->GetNumberOfPoints();
+  const auto count = static_cast<std::size_t>(item.Data->GetNumberOfPoints());
   std::vector<glm::vec3> positions;
-  positions.reserve(static_cast<std::size_t>(count) + 1);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
+  positions.reserve(count + 1);
+  positions.resize(count);
+  ParallelFor<std::size_t>(0, count, ArrayGrain, [&](std::size_t i) {
     double x[3];
-    item.Data->GetPoints()->GetPoint(i, x);
-    positions.push_back(transform.Point(x));
-  }
+    item.Data->GetPoints()->GetPoint(static_cast<vtkIdType>(i), x);
+    positions[i] = transform.Point(x);
+  });
   return positions;
 }
 
@@ -299,18 +369,16 @@ void SetColors(const DrawItem& item, const std::vector<std::uint32_t>& cells, Su
     case Coloring::Modes::None:
       break;
     case Coloring::Modes::PerPoint:
-      surface.PointColors.reserve(surface.Positions.size());
-      for (vtkIdType i = 0; i < item.Data->GetNumberOfPoints(); ++i)
-      {
-        surface.PointColors.push_back(GetColor(coloring.Colors, i));
-      }
+      surface.PointColors.resize(static_cast<std::size_t>(item.Data->GetNumberOfPoints()));
+      ParallelFor<std::size_t>(0, surface.PointColors.size(), ArrayGrain, [&](std::size_t i) {
+        surface.PointColors[i] = GetColor(coloring.Colors, static_cast<vtkIdType>(i));
+      });
       break;
     case Coloring::Modes::PerCell:
-      surface.CellColors.reserve(CountValues(cells, surface));
-      for (std::size_t i = 0; i < CountValues(cells, surface); ++i)
-      {
-        surface.CellColors.push_back(GetColor(coloring.Colors, FindCell(cells, i)));
-      }
+      surface.CellColors.resize(CountValues(cells, surface));
+      ParallelFor<std::size_t>(0, surface.CellColors.size(), ArrayGrain, [&](std::size_t i) {
+        surface.CellColors[i] = GetColor(coloring.Colors, FindCell(cells, i));
+      });
       break;
     case Coloring::Modes::Single:
       surface.Front.AmbientColor = glm::vec3(coloring.SingleColor) / 255.f;
@@ -339,11 +407,10 @@ void SetCellIds(const DrawItem& item, const std::vector<std::uint32_t>& cells, S
   if (item.CellIds)
   {
     surface.CellIds.resize(CountValues(cells, surface));
-    for (std::size_t i = 0; i < surface.CellIds.size(); ++i)
-    {
+    ParallelFor<std::size_t>(0, surface.CellIds.size(), ArrayGrain, [&](std::size_t i) {
       surface.CellIds[i] =
         static_cast<std::uint32_t>(item.CellIds->GetComponent(FindCell(cells, i), 0));
-    }
+    });
   }
 }
 
@@ -364,10 +431,10 @@ void AddSurface(const DrawItem& item, Scene& scene)
   {
     return;
   }
-  for (glm::vec3& x : surface.Positions)
-  {
+  ParallelFor<std::size_t>(0, surface.Positions.size(), ArrayGrain, [&](std::size_t i) {
+    glm::vec3& x = surface.Positions[i];
     x = IsFinite(x) ? x : glm::vec3(0.f);
-  }
+  });
   surface.Front = MakeMaterial(item.Property);
   surface.HasBackMaterial = item.BackProperty && item.Colors.Mode == Coloring::Modes::None;
   if (surface.HasBackMaterial)
