@@ -95,7 +95,7 @@ struct vtkPenumbraKernelEstimator::Internals
   std::string Source;
   struct Measurement
   {
-    double Thickness = 1.0;
+    penumbra::GradualThickness Thickness;
     long long Version = -1;                        ///< of the depths of the last request
     int Frames = 0;                                ///< since the measurement
     vtkSmartPointer<vtkPixelBufferObject> Pending; ///< depths on their way from the graphics card
@@ -149,15 +149,16 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
   Internals::Measurement& state = this->Implementation->Thicknesses[&depth];
   if (state.Version == depth.GetVersion())
   {
-    return state.Thickness;
+    return state.Thickness.Get();
   }
   const bool isNew = state.Version < 0;
   state.Version = depth.GetVersion();
   ++state.Frames;
+  state.Thickness.Advance();
   if (isNew || !request.Moving)
   {
-    state.Thickness =
-      Internals::ThicknessOf(penumbra::ReadBack(depth.GetCurrent()), depth.GetView());
+    state.Thickness.Set(
+      Internals::ThicknessOf(penumbra::ReadBack(depth.GetCurrent()), depth.GetView()));
     state.Pending = nullptr;
     state.Frames = 0;
   }
@@ -169,7 +170,7 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
     vtkIdType increments[2] = { 0, 0 };
     state.Pending->Download2D(VTK_FLOAT, depths.data(), size, 1, increments);
     state.Pending = nullptr;
-    state.Thickness = Internals::ThicknessOf(depths, state.PendingView);
+    state.Thickness.Approach(Internals::ThicknessOf(depths, state.PendingView));
   }
   else if (!state.Pending && state.Frames >= penumbra::FramesPerThickness)
   {
@@ -177,7 +178,7 @@ double vtkPenumbraKernelEstimator::ComputeThickness(const Request& request)
     state.PendingView = depth.GetView();
     state.Frames = 0;
   }
-  return state.Thickness;
+  return state.Thickness.Get();
 }
 
 std::string vtkPenumbraKernelEstimator::GetShader()

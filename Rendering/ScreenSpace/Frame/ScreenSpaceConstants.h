@@ -45,6 +45,10 @@ constexpr int FramesPerThickness = 8;
 /// arrived, so that no frame waits for them.
 constexpr int FramesUntilThickness = 4;
 
+/// Fraction of the ratio to the measured thickness by which the used one changes in a frame. 90 % are
+/// reached when the next measurement begins.
+constexpr double ThicknessStep = 0.25;
+
 // --- Convergence of static views (`./penumbra benchmark ambient-occlusion --only noise`) ---
 
 /// Minimum number of samples per pixel before the first check: earlier, reading the image costs

@@ -136,4 +136,10 @@ double MedianWidth(const std::vector<float>& eyeDepths, const ScreenTransform& v
   return *median;
 }
 
+void GradualThickness::Advance()
+{
+  // In ratios: a change from thin to thick takes as many frames as one from thick to thin.
+  this->Current *= std::pow(this->Measured / this->Current, ThicknessStep);
+}
+
 }

@@ -18,5 +18,26 @@ namespace penumbra
 /// 0 if there are none. `eyeDepths`: one value per pixel, row by row.
 double MedianWidth(const std::vector<float>& eyeDepths, const ScreenTransform& view);
 
+/// A thickness that approaches new measurements over several frames, so that occlusion does not pop
+/// while the view moves.
+class GradualThickness
+{
+public:
+  double Get() const { return this->Current; }
+
+  /// Sets the thickness at once.
+  void Set(double thickness) { this->Current = this->Measured = thickness; }
+
+  /// Sets the thickness that the following frames approach.
+  void Approach(double thickness) { this->Measured = thickness; }
+
+  /// Advances by a frame.
+  void Advance();
+
+private:
+  double Current = 1.0;
+  double Measured = 1.0;
+};
+
 }
 #endif

@@ -159,3 +159,24 @@ TEST(MedianWidth, EqualsASearchFromEveryPixel)
     EXPECT_EQ(MedianWidth(depths, view), FindMedianWidth(depths, view)) << trial;
   }
 }
+
+TEST(GradualThickness, ApproachesAMeasurement)
+{
+  GradualThickness thickness;
+  thickness.Set(0.1);
+  thickness.Advance();
+  EXPECT_DOUBLE_EQ(thickness.Get(), 0.1);
+  thickness.Approach(1.0);
+  EXPECT_DOUBLE_EQ(thickness.Get(), 0.1);
+  double last = thickness.Get();
+  for (int frame = 0; frame < FramesPerThickness; ++frame)
+  {
+    thickness.Advance();
+    EXPECT_GT(thickness.Get(), last);
+    EXPECT_LE(thickness.Get() / last, std::pow(10.0, ThicknessStep) + 1e-9);
+    last = thickness.Get();
+  }
+  // A tenth of the ratio of 10 is left.
+  EXPECT_NEAR(std::log10(1.0 / last), std::pow(1.0 - ThicknessStep, FramesPerThickness), 1e-9);
+  EXPECT_LT(std::log10(1.0 / last), 0.11);
+}
