@@ -85,10 +85,10 @@ TEST(vtkPenumbraIrradianceCache, ReusesRecordsForSameScene)
   const int firstCalls = calls;
   EXPECT_GT(firstCalls, 0);
   ASSERT_TRUE(cache->Begin(rays, 1.0, .02, count));
-  EXPECT_EQ(calls, firstCalls);
+  EXPECT_EQ(calls, firstCalls) << "gathered again";
   const RayScene another(scene, 0);
   ASSERT_TRUE(cache->Begin(another, 1.0, .02, count));
-  EXPECT_EQ(calls, 2 * firstCalls);
+  EXPECT_GT(calls, firstCalls) << "kept the records of another scene";
 }
 
 TEST(vtkPenumbraIrradianceCache, RestartsAfterStop)

@@ -130,7 +130,9 @@ bool RunParallel(std::int64_t count, std::int64_t grain,
     return true;
   }
   const std::int64_t tasks = (count + grain - 1) / grain;
-  const bool isNested = isInLoop || vtkSMPTools::IsParallelScope();
+  // vtkSMPTools::IsParallelScope() is not asked: it starts the threads of VTK's pool, and VTK can wait
+  // for them forever at exit if they have just started (a wake-up is lost, 1 of 900 short processes).
+  const bool isNested = isInLoop;
   const std::int64_t threads =
     isNested ? 1 : std::min<std::int64_t>(vtkSMPTools::GetEstimatedNumberOfThreads(), tasks);
   if (threads == 1 && !isStopped && (isNested || tasks == 1))

@@ -53,13 +53,21 @@ TEST_P(WithThreadsTest, ProgressIsReportedInTheCallingThread)
   WithThreads(GetParam(), [] {
     const std::thread::id caller = std::this_thread::get_id();
     std::vector<double> reported;
+    std::atomic<bool> isReported{ false };
     const auto progress = [&](double fraction) {
       EXPECT_EQ(std::this_thread::get_id(), caller);
       reported.push_back(fraction);
+      isReported = fraction > 0.25;
       return false;
     };
-    EXPECT_TRUE(ParallelForWithProgress(60, 0.25, 0.75, progress,
-      [](int) { std::this_thread::sleep_for(std::chrono::milliseconds(10)); }));
+    // The other threads wait in their first iteration, so that the calling thread gets enough of them.
+    EXPECT_TRUE(ParallelForWithProgress(60, 0.25, 0.75, progress, [&](int) {
+      do
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      while (!isReported && std::this_thread::get_id() != caller);
+    }));
     ASSERT_GE(reported.size(), 3u);
     EXPECT_EQ(reported.front(), 0.25);
     EXPECT_EQ(reported.back(), 0.75);
