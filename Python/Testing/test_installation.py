@@ -4,13 +4,15 @@
 import importlib.metadata
 import importlib.util
 import os
+import pathlib
+import struct
 import subprocess
 import sys
 
 import pytest
 
 import penumbra
-from penumbra import _backend
+from penumbra import _backend, _layout
 
 
 def run(code, **environment):
@@ -37,6 +39,82 @@ def test_unsupported_vtk_is_named_with_those_that_work(tmp_path, package, versio
     message = result.stderr.strip().splitlines()[-1]
     assert message.startswith(f"ImportError: penumbra does not work with {package} {version} and CPython")
     assert "cvista 9.7.0.5 ('pip install" in message
+
+
+def installed_copy(folder, name):
+    """Return the copy of a library of the VTK in use, in a package of links that claims to be another version."""
+    root = _backend.ROOT
+    package = "vtk" if root == "vtkmodules" else root
+    version = "9.7.9" if package == "vtk" else _backend.CVISTA
+    fake_vtk(folder, version, package)
+    libraries = pathlib.Path(importlib.util.find_spec(root).submodule_search_locations[0])
+    for path in libraries.glob("libvtk*.so"):
+        (folder / root / path.name).symlink_to(path)
+    (folder / root / name).unlink()
+    (folder / root / name).write_bytes((libraries / name).read_bytes())
+    return folder / root / name
+
+
+def library_with(name):
+    layout = _layout.read_layout(_backend.HERE / f"_{_backend.ROOT}")
+    return next((library, classes[name]) for library, classes in layout["libraries"].items() if name in classes)
+
+
+def refusal(folder):
+    package = "vtk" if _backend.ROOT == "vtkmodules" else _backend.ROOT
+    result = run("import penumbra", PYTHONPATH=str(folder), PYVISTA_VTK_BACKEND=package)
+    return result.stderr.strip().splitlines()[-1] if result.returncode else "imported"
+
+
+def test_vtk_with_the_same_classes_is_accepted(tmp_path):
+    library, _ = library_with("vtkActor2D")
+    installed_copy(tmp_path, library)
+    assert refusal(tmp_path) == "imported"
+
+
+def test_vtk_with_another_virtual_function_is_refused(tmp_path):
+    library, (tables, _) = library_with("vtkActor2D")
+    path = installed_copy(tmp_path, library)
+    data = path.read_bytes()
+    address, size = _layout.Library(path).find("_ZTV10vtkActor2D")
+    assert size == tables[0]
+    symbol = struct.pack("<QQ", address, size)
+    assert data.count(symbol) >= 1
+    path.write_bytes(data.replace(symbol, struct.pack("<QQ", address, size + 8)))
+    message = refusal(tmp_path)
+    count = tables[0] // 8 - 2
+    assert message.startswith("ImportError: penumbra was built for the classes of ")
+    assert f"vtkActor2D has {count + 1} virtual functions instead of {count}" in message
+    layout = _layout.read_layout(_backend.HERE / f"_{_backend.ROOT}")
+    installed = "vtk 9.7.9" if _backend.ROOT == "vtkmodules" else f"cvista {_backend.CVISTA}"
+    assert layout["version"] in message and installed in message
+
+
+def test_vtk_with_larger_objects_is_refused(tmp_path):
+    library, (_, size) = library_with("vtkActor2D")
+    path = installed_copy(tmp_path, library)
+    data = path.read_bytes()
+    found = _layout.Library(path)
+    address, length = found.find("_ZN10vtkActor2D3NewEv")
+    start = found.offset(address)
+    code = data[start:start + length]
+    old, new = (b"\xbf" + struct.pack("<I", bytes_) for bytes_ in (size, size + 8))
+    assert code.count(old) == 1
+    path.write_bytes(data[:start] + code.replace(old, new) + data[start + length:])
+    assert f"an object of vtkActor2D has not {size} bytes" in refusal(tmp_path)
+
+
+def test_classes_that_modules_derive_from_are_compared():
+    layout = _layout.read_layout(_backend.HERE / f"_{_backend.ROOT}")
+    classes = {name: row for library in layout["libraries"].values() for name, row in library.items()}
+    for name in ("vtkActor", "vtkImageMapper", "vtkObject", "vtkPolyDataMapper2D", "vtkProperty", "vtkRenderWindow",
+                 "vtkRenderer", "vtkTextActor", "vtkTexture", "vtkTextureObject"):
+        assert classes[name][1], name
+    # Those without objects of their own, by a class that is derived from them.
+    for name, derived in (("vtkImageAlgorithm", "vtkImageCast"), ("vtkMapper", "vtkPolyDataMapper"),
+                          ("vtkImageProcessingPass", "vtkSSAOPass")):
+        assert classes[name][0] and classes[derived][1], name
+    assert len(classes) > 150
 
 
 def test_unknown_vtk_is_named():

@@ -8,6 +8,7 @@ provides, and determines the platform tag.
 import argparse
 import base64
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -17,6 +18,8 @@ import sys
 import sysconfig
 import tempfile
 import zipfile
+
+from make_layout import make_layout
 
 ROOT = pathlib.Path(__file__).parents[2]
 SOURCES = ROOT / "Python" / "penumbra"
@@ -129,6 +132,15 @@ def generate_stubs(modules, libraries, site):
     return complete_stubs(stubs, site)
 
 
+def layout_of(tree, site):
+    """Return the layout of the classes of VTK that the modules of a build tree use, and check the libraries of VTK."""
+    links = tree / "vtk"  # of the package vtk, by make_vtk_sdk.py
+    folder = next(links.iterdir()).resolve().parent if links.exists() else site / "cvista"
+    package = "vtk" if links.exists() else "cvista"
+    info, = folder.parent.glob(f"{package}-*.dist-info")
+    return make_layout(tree, folder, info.name.removeprefix(f"{package}-").removesuffix(".dist-info"))
+
+
 CLASS = re.compile(r"^class (vtk\w+)", re.MULTILINE)
 
 
@@ -155,6 +167,7 @@ def collect(options, scratch):
              if path.suffix in (".py", ".typed")}
     files["pytest_penumbra.py"] = (SOURCES.parent / "pytest_penumbra.py").read_bytes()
     files[f"{PACKAGE}/_version.py"] = f'__version__ = "{options.version}"\n'.encode()
+    site = pathlib.Path(sysconfig.get_path("purelib"))
     for tree in options.trees:
         modules = modules_of(tree)
         if not modules:
@@ -162,11 +175,12 @@ def collect(options, scratch):
         folder = f"{PACKAGE}/{modules[0].parent.name}"
         libraries = libraries_of(tree)
         files[f"{folder}/__init__.py"] = b""
+        files[f"{folder}/layout.json"] = json.dumps(layout_of(tree, site)).encode()
         files |= {f"{folder}/{name}": stripped(path, scratch) for name, path in libraries.items()
                   if f"{folder}/{name}" not in files}
         files |= {f"{folder}/{module.name}": stripped(module, scratch) for module in modules}
         if folder.endswith("_cvista"):
-            stubs = generate_stubs(modules, libraries, pathlib.Path(sysconfig.get_path("purelib")))
+            stubs = generate_stubs(modules, libraries, site)
             files |= {f"{folder}/{name}": text.encode() for name, text in stubs.items()}
     return files
 

@@ -17,6 +17,8 @@ import re
 import sys
 from types import ModuleType
 
+from ._layout import differences, read_layout
+
 CVISTA = "9.7.0.5"
 VTK = ((9, 7), (9, 8))
 HERE = pathlib.Path(__file__).parent
@@ -77,6 +79,24 @@ def _check(root: str) -> None:
         raise ImportError(
             f"penumbra does not work with {'vtk' if root == 'vtkmodules' else root} {version} and CPython {python}, "
             f"which are installed here. These work: {_versions()}.")
+    _check_classes(root, version)
+
+
+def _check_classes(root: str, version: str) -> None:
+    """Raise ImportError if a class of the installed VTK is laid out otherwise than when the modules were compiled."""
+    layout = read_layout(HERE / f"_{root}")
+    spec = importlib.util.find_spec(root)
+    if layout is None or spec is None:
+        return
+    folder = pathlib.Path((spec.submodule_search_locations or ["."])[0])
+    found = list(differences(folder, layout))
+    if found:
+        package = "vtk" if root == "vtkmodules" else root
+        more = f", and {len(found) - 1} more differences" if len(found) > 1 else ""
+        raise ImportError(
+            f"penumbra was built for the classes of {package} {layout['version']}; those of {package} {version}, which is "
+            f"installed here, differ: {found[0]}{more}. Install a newer penumbra, or pip install "
+            f"'{package}=={layout['version']}'.")
 
 
 if sys.version_info < (3, 12):

@@ -84,6 +84,19 @@ void CopyLaterLegendSettings(Legend*, Legend*, long)
 {
 }
 
+/// Copies the settings whose virtual functions VTK 9.7.1 moved in the table of the class, where
+/// programs that were compiled with 9.7.0 call others: the members have not moved.
+struct AxisFontSizes : vtkAxisActor2D
+{
+  static void Copy(vtkAxisActor2D* from, vtkAxisActor2D* to)
+  {
+    constexpr auto relativeToAxis = &AxisFontSizes::SizeFontRelativeToAxis;
+    constexpr auto fromProperty = &AxisFontSizes::UseFontSizeFromProperty;
+    to->*relativeToAxis = from->*relativeToAxis;
+    to->*fromProperty = from->*fromProperty;
+  }
+};
+
 void CopyMore(vtkAxisActor2D* from, vtkAxisActor2D* to)
 {
   to->SetLabelTextProperty(Copy(from->GetLabelTextProperty()));
@@ -93,8 +106,7 @@ void CopyMore(vtkAxisActor2D* from, vtkAxisActor2D* to)
   to->SetRulerMode(from->GetRulerMode());
   to->SetRulerDistance(from->GetRulerDistance());
   to->SetTitlePosition(from->GetTitlePosition());
-  to->SetSizeFontRelativeToAxis(from->GetSizeFontRelativeToAxis());
-  to->SetUseFontSizeFromProperty(from->GetUseFontSizeFromProperty());
+  AxisFontSizes::Copy(from, to);
   CopyLaterAxisSettings(from, to, 0);
 }
 
