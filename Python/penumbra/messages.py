@@ -6,6 +6,7 @@ from __future__ import annotations
 import contextlib
 import re
 import signal
+import threading
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
@@ -43,28 +44,58 @@ def _split(text: str) -> tuple[list[str], list[str]]:
     return notes, errors
 
 
+class _Windows:
+    """The output windows that collect messages of VTK, which has one for all threads: the last one is in use."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.collecting: list[Any] = []
+        self.before: Any = None
+        self.verbosity: int | None = None
+
+    def add(self) -> Any:
+        core = vtk_module("vtkCommonCore")
+        with self.lock:
+            if not self.collecting:
+                self.before = core.vtkOutputWindow.GetInstance()
+                # VTK's log goes to the standard error stream, too. More than its default means that someone wants it.
+                verbosity = core.vtkLogger.GetCurrentVerbosityCutoff()
+                self.verbosity = verbosity if verbosity <= core.vtkLogger.VERBOSITY_INFO else None
+                if self.verbosity is not None:
+                    core.vtkLogger.SetStderrVerbosity(core.vtkLogger.VERBOSITY_OFF)
+            self.collecting.append(core.vtkStringOutputWindow())
+            core.vtkOutputWindow.SetInstance(self.collecting[-1])
+            return self.collecting[-1]
+
+    def remove(self, window: Any) -> str:
+        """Return what a window collected."""
+        core = vtk_module("vtkCommonCore")
+        with self.lock:
+            self.collecting.remove(window)
+            core.vtkOutputWindow.SetInstance(self.collecting[-1] if self.collecting else self.before)
+            if not self.collecting and self.verbosity is not None:
+                core.vtkLogger.SetStderrVerbosity(self.verbosity)
+        return str(window.GetOutput())
+
+
+_WINDOWS = _Windows()
+
+# Held by the call of a filter, so that its messages are its own; filters use all processors anyway.
+_CALL = threading.RLock()
+
+
 @contextlib.contextmanager
 def _collected() -> Iterator[list[str]]:
     """Collect what VTK prints; the list has the text after the block.
 
     No observers written in Python: VTK may call them from threads, which wait forever for the interpreter.
     """
-    core = vtk_module("vtkCommonCore")
-    before = core.vtkOutputWindow.GetInstance()
-    window = core.vtkStringOutputWindow()
     text: list[str] = []
-    core.vtkOutputWindow.SetInstance(window)
-    # VTK's log goes to the standard error stream, too. More than its default means that someone wants to see it.
-    verbosity = core.vtkLogger.GetCurrentVerbosityCutoff()
-    if verbosity <= core.vtkLogger.VERBOSITY_INFO:
-        core.vtkLogger.SetStderrVerbosity(core.vtkLogger.VERBOSITY_OFF)
+    window = _WINDOWS.add()
     try:
         yield text
     finally:
-        if verbosity <= core.vtkLogger.VERBOSITY_INFO:
-            core.vtkLogger.SetStderrVerbosity(verbosity)
-        core.vtkOutputWindow.SetInstance(before)
-        text.append(window.GetOutput())
+        text.append(_WINDOWS.remove(window))
 
 
 def warn(message: str, stacklevel: int = 2) -> None:
@@ -76,7 +107,8 @@ def messages_as_warnings() -> Iterator[None]:
     """Turn what VTK prints to the standard error stream within the block into Python warnings.
 
     Errors raise RuntimeError at the end of the block. The functions and accessors of this package do this
-    themselves; the block serves classes that are used under their VTK names.
+    themselves, also if several threads call them; the block serves classes that are used under their VTK names. It has
+    the messages of VTK from all threads.
 
     Warns
     -----
@@ -172,7 +204,7 @@ def run(
     ignored: Sequence[str] = (),
 ) -> None:
     """Call a function that updates a filter; raise errors, and warn warnings that begin with no ignored sentence."""
-    with _collected() as text, _Interruption(algorithm, progress) as interruption:
+    with _CALL, _collected() as text, _Interruption(algorithm, progress) as interruption:
         work()
     if interruption.error is not None:
         raise interruption.error
