@@ -7,6 +7,7 @@ A module of its own, because pytest imports it in every run: VTK is loaded when 
 from __future__ import annotations
 
 import json
+import os
 import pathlib
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from penumbra.regression import Regression
 
 PROPERTY = "penumbra_regression"
+WRITTEN = pytest.StashKey[dict[pathlib.Path, str]]()  # the tests that wrote the baselines of this run
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -70,8 +72,14 @@ def penumbra_regression(request: pytest.FixtureRequest) -> Regression:
     """Compare an image with its baseline: ``penumbra_regression(plotter)``."""
     from penumbra.regression import Regression
 
-    folder = request.path.parent / request.config.getini("penumbra_baselines")
+    config = request.config
+    stem = request.path.stem.removeprefix("test_")
+    folder = request.path.parent
+    # The folder of the images in the report: that of the test below the root, which other files of its name do not have.
+    images = pathlib.PurePath(os.path.relpath(folder, config.rootpath).replace(os.pardir, "up")) / stem
     return Regression(
-        folder / request.path.stem.removeprefix("test_"), request.node.name, request.node.nodeid,
-        update=bool(request.config.getoption("--penumbra-update")), output=report_folder(request.config),
-        record=lambda row: request.node.user_properties.append((PROPERTY, json.dumps(row))))
+        folder / config.getini("penumbra_baselines") / stem,
+        request.node.nodeid.removeprefix(request.node.nodeid.split("::")[0]).removeprefix("::"), request.node.nodeid,
+        update=bool(config.getoption("--penumbra-update")), output=report_folder(config), images=images,
+        record=lambda row: request.node.user_properties.append((PROPERTY, json.dumps(row))),
+        written=config.stash.setdefault(WRITTEN, {}))

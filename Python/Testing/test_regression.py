@@ -123,6 +123,79 @@ def test_steps(penumbra_regression):
     assert names == {"steps.png", "steps_1.png", "steps_2.png", "named.png"}
 
 
+def test_names_between_images_of_a_test_are_skipped(scene, pytester):
+    scene("""
+import numpy as np
+def test_cone(penumbra_regression):
+    penumbra_regression(np.zeros((8, 8, 3), np.uint8))
+    penumbra_regression(np.zeros((8, 8, 3), np.uint8), name="cone_2")
+    penumbra_regression(np.zeros((8, 8, 3), np.uint8))
+""", "--penumbra-update").assert_outcomes(passed=1)
+    names = {path.name for path in (pytester.path / "image_cache/scene").iterdir()}
+    assert names == {"cone.png", "cone_2.png", "cone_3.png"}
+
+
+MANY = """
+import numpy as np, pytest
+def image(value):
+    return np.full((8, 8, 3), value, np.uint8)
+
+class TestA:
+    def test_m(self, penumbra_regression):
+        penumbra_regression(image(10), tolerance=0)
+
+class TestB:
+    def test_m(self, penumbra_regression):
+        penumbra_regression(image(20), tolerance=0)
+
+    class TestA:
+        def test_m(self, penumbra_regression):
+            penumbra_regression(image(30), tolerance=0)
+
+def test_m(penumbra_regression):
+    penumbra_regression(image(40), tolerance=0)
+
+@pytest.mark.parametrize("name", ["a/b", "a-b", "a b", "-a-b", "a::b", "a[b]", "x" * 300, "x" * 301])
+def test_p(penumbra_regression, name):
+    penumbra_regression(image(len(name) % 256), tolerance=0)
+    penumbra_regression(image(sum(name.encode()) % 256), tolerance=0)
+"""
+
+
+def test_tests_of_similar_names_have_baselines_of_their_own(scene, pytester):
+    scene(MANY, "--penumbra-update").assert_outcomes(passed=12)
+    assert len(list((pytester.path / "image_cache/scene").iterdir())) == 4 + 2 * 8
+    scene(MANY).assert_outcomes(passed=12)
+
+
+def test_files_of_one_name_have_reports_of_their_own(pytester):
+    for folder, value in (("one", 10), ("two", 20)):
+        pytester.mkpydir(folder)
+        (pytester.path / folder / "test_scene.py").write_text(IMAGE.format(value=value))
+    pytester.runpytest("-p", "no:cacheprovider").assert_outcomes(failed=2)
+    for folder, value in (("one", 10), ("two", 20)):
+        image = read_png(pytester.path / "penumbra-report" / folder / "scene/given/image.png")
+        assert image[20, 30, 0] == value
+    page = (pytester.path / "penumbra-report/index.html").read_text()
+    assert 'src="one/scene/given/image.png"' in page and 'src="two/scene/given/image.png"' in page
+
+
+def test_update_never_overwrites_a_baseline_of_the_same_run(scene, pytester):
+    text = """
+import numpy as np
+def test_a(penumbra_regression):
+    penumbra_regression(np.zeros((8, 8, 3), np.uint8), "cone")
+def test_b(penumbra_regression):
+    penumbra_regression(np.zeros((8, 8, 3), np.uint8), "cone")
+def test_c(penumbra_regression):
+    penumbra_regression(np.full((8, 8, 3), 200, np.uint8), "cone")
+"""
+    result = scene(text, "--penumbra-update")
+    result.assert_outcomes(passed=2, failed=1)
+    result.stdout.fnmatch_lines(["*test_scene.py::test_a wrote it in this run: give one of the two images another name.*"])
+    assert (read_png(pytester.path / "image_cache/scene/cone.png") == 0).all()
+
+
 def test_folder_of_baselines_is_a_setting(scene, pytester):
     pytester.makeini("[pytest]\npenumbra_baselines = references")
     scene(IMAGE.format(value=200), "--penumbra-update").assert_outcomes(passed=1)

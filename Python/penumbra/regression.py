@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import html
 import os
 import pathlib
@@ -66,17 +67,32 @@ def _reason(error: OSError) -> str:
     return error.strerror or str(error)
 
 
+def baseline_name(test: str) -> str:
+    """Return a file name for a test, such as ``cone-red`` for ``test_cone[red]``; tests of other names have others."""
+    path, bracket, parameters = test.partition("[")
+    name = ".".join(word.removeprefix("test_") for word in path.split("::"))
+    if bracket:
+        plain = re.sub(r"[^\w.=+-]+", "-", parameters.removesuffix("]")).strip("-")[:80]
+        name += f"-{plain}"
+        if f"{plain}]" != parameters:
+            name += f"-{hashlib.sha256(parameters.encode()).hexdigest()[:8]}"
+    return name
+
+
 class Regression:
     """Compares images with baselines; pytest makes one for each test that asks for ``penumbra_regression``."""
 
     def __init__(self, folder: pathlib.Path, test: str, node: str, *, update: bool, output: pathlib.Path,
-                 record: Callable[[dict[str, Any]], object]) -> None:
+                 images: pathlib.PurePath, record: Callable[[dict[str, Any]], object],
+                 written: dict[pathlib.Path, str]) -> None:
         self._folder = folder
-        self._test = re.sub(r"[^\w.=+-]+", "-", test.removeprefix("test_")).strip("-")
+        self._test = baseline_name(test)
         self._node = node
         self._update = update
         self._output = output
+        self._images = images
         self._record = record
+        self._written = written
         self._names: set[str] = set()
 
     def __repr__(self) -> str:
@@ -142,8 +158,10 @@ class Regression:
             case = name
         else:
             case = self._test
+            number = len(self._names)
             while case in self._names:
-                case = f"{self._test}_{len(self._names)}"
+                case = f"{self._test}_{number}"
+                number += 1
         self._names.add(case)
         return case
 
@@ -168,7 +186,10 @@ class Regression:
         else:
             baseline = None
             problem = f"There is no baseline {shown}."
-        if self._update:
+        other = self._written.get(path, self._node) if self._update else self._node
+        if other != self._node:
+            problem += f"\n{other} wrote it in this run: give one of the two images another name."
+        elif self._update:
             self._write_baseline(path, image)
             self._report(case, "updated", found, None)
             return None
@@ -179,8 +200,10 @@ class Regression:
             problem += f"\nThe image cannot be written to {self._output}: {_reason(error)}. Choose another folder with " \
                        "--penumbra-report."
         self._report(case, "failed", found, output)
-        raise AssertionError(f"{problem.rstrip()}\nIf the image is right, make it the baseline: "
-                             f"pytest --penumbra-update '{self._node}'")
+        if other == self._node:
+            problem = (f"{problem.rstrip()}\nIf the image is right, make it the baseline: "
+                       f"pytest --penumbra-update '{self._node}'")
+        raise AssertionError(problem)
 
     def _write_baseline(self, path: pathlib.Path, image: npt.NDArray[Any]) -> None:
         __tracebackhide__ = True
@@ -190,10 +213,11 @@ class Regression:
             raise AssertionError(
                 f"The baseline {os.path.relpath(path)} cannot be written: {_reason(error)}. Make its folder writable, or "
                 "choose another with the setting penumbra_baselines.") from None
+        self._written[path] = self._node
 
     def _write_failure(self, case: str, image: npt.NDArray[Any], baseline: npt.NDArray[Any] | None,
                        found: Comparison | None) -> pathlib.Path:
-        output = self._output / self._folder.name / case
+        output = self._output / self._images / case
         shutil.rmtree(output, ignore_errors=True)
         write_png(output / "image.png", image)
         if baseline is not None:
