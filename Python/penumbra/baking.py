@@ -3,6 +3,7 @@
 """Ambient occlusion, irradiance and direct light of meshes that are NumPy arrays."""
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, Literal, overload
 
@@ -10,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._classes import vtkPenumbraIrradianceFilter
-from .conversion import (FALLOFFS, check_choice, check_radius, check_range, parse_color, parse_lights, poly_data,
-                         statistics_dict, to_numpy)
+from .conversion import (FALLOFFS, check_choice, check_integer, check_radius, check_range, mesh_arrays, parse_color,
+                         parse_lights, poly_data, statistics_dict, to_numpy)
 from .messages import Progress, update
 
 Floats = npt.NDArray[np.float32]
@@ -29,6 +30,17 @@ def occlusion_filter(tolerance: float, radius: float | None, falloff: str) -> An
     return bake
 
 
+def needed_bounces(bounces: int, albedo: float, tolerance: float) -> int:
+    """Return the number of bounces beyond which all others add less than a hundredth of the tolerance.
+
+    In the worst case, a closed room of radiance 1, the bounces after n of them add pi * albedo^n / (1 - albedo).
+    """
+    if albedo <= 0.0:
+        return 1
+    limit = 0.01 * tolerance * (1.0 - albedo) / math.pi
+    return bounces if limit <= 0.0 else min(bounces, max(1, math.ceil(math.log(limit) / math.log(albedo))))
+
+
 def irradiance_filter(tolerance: float, color: list[float], albedo: float, bounces: int) -> Any:
     """Return a filter that bakes irradiance."""
     bake = vtkPenumbraIrradianceFilter()
@@ -36,7 +48,7 @@ def irradiance_filter(tolerance: float, color: list[float], albedo: float, bounc
     bake.SetTolerance(check_range("tolerance", tolerance, 1e-4, 1.0))
     bake.SetEnvironmentColor(color)
     bake.SetAlbedo(check_range("albedo", albedo, 0.0, 1.0))
-    bake.SetBounces(int(check_range("bounces", bounces, 1, 64)))
+    bake.SetBounces(needed_bounces(check_integer("bounces", bounces, 1, 64), albedo, tolerance))
     return bake
 
 
@@ -69,6 +81,8 @@ def _bake(bake: Any, name: str, points: npt.ArrayLike, faces: npt.ArrayLike | No
           lines: npt.ArrayLike | None, on: str, point_radius: float, line_radius: float,
           progress: Progress | None) -> Floats:
     set_location(bake, on, False, point_radius, line_radius)
+    if faces is None and (mesh := mesh_arrays(points)) is not None:
+        points, faces = mesh
     if faces is None and (normals is None or not point_radius > 0.0 or on == "cells"):
         raise ValueError("points without faces need on='points', normals and point_radius > 0, the radius of the disk "
                          "that represents a point")
@@ -124,7 +138,8 @@ def ambient_occlusion(
     Parameters
     ----------
     points : array_like, shape (n, 3), float
-        Coordinates. float32 and float64 are used without a copy.
+        Coordinates. float32 and float64 are used without a copy. Or, without `faces`, a mesh: a vtkPolyData, such as
+        one of PyVista, a mesh of trimesh, or triangles and quads of meshio.
     faces : array_like, shape (m, k) or flat, int, optional
         Indices of the k >= 3 points of each face, counterclockwise seen from outside. Or one row in which each face is
         preceded by the number of its points, as ``faces`` in PyVista. Default: no faces; then `normals` and
@@ -233,7 +248,8 @@ def irradiance(
     albedo : float
         Fraction of light that surfaces reflect. Range: [0, 1].
     bounces : int
-        Number of reflections, including the one toward the eye; 1 is direct light only. Range: [1, 64].
+        Number of reflections, including the one toward the eye; 1 is direct light only. Range: [1, 64]. Those that
+        together add less than a hundredth of the tolerance are omitted.
 
     Returns
     -------

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 import numbers
+import re
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,6 +15,13 @@ import numpy.typing as npt
 
 from ._backend import vtk_module
 
+# Names of matplotlib and PyVista that VTK does not have.
+COLORS = {
+    "b": "blue", "g": "green", "r": "red", "c": "cyan", "m": "magenta", "y": "yellow", "k": "black", "w": "white",
+    "tab:blue": "#1f77b4", "tab:orange": "#ff7f0e", "tab:green": "#2ca02c", "tab:red": "#d62728",
+    "tab:purple": "#9467bd", "tab:brown": "#8c564b", "tab:pink": "#e377c2", "tab:gray": "#7f7f7f",
+    "tab:olive": "#bcbd22", "tab:cyan": "#17becf",
+}
 FALLOFFS = ("none", "linear", "quadratic", "square-root")  # as vtkPenumbraIrradianceProvider::Falloffs
 
 
@@ -23,6 +32,14 @@ def check_range(name: str, value: Any, low: float, high: float) -> Any:
     if not low <= float(value) <= high:
         raise ValueError(f"{name} must be in [{low:g}, {high:g}], not {value!r}")
     return value
+
+
+def check_integer(name: str, value: Any, low: int, high: int) -> int:
+    """Return an integer in [low, high], also one that is stored as a float; raise TypeError or ValueError otherwise."""
+    number = check_range(name, value, low, high)
+    if number != int(number):
+        raise ValueError(f"{name} must be an integer, not {value!r}")
+    return int(number)
 
 
 def check_radius(radius: Any) -> float:
@@ -46,22 +63,40 @@ def check_choice(name: str, value: Any, choices: Sequence[str]) -> int:
 def check_size(name: str, size: Any) -> tuple[int, int]:
     """Return width and height in pixels."""
     try:
-        width, height = (int(number) for number in size)
-    except (TypeError, ValueError):
+        width, height = size
+        pixels = [int(number) for number in (width, height)]
+    except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{name} must be two integers, width and height, not {size!r}") from None
-    if not (1 <= width <= 65535 and 1 <= height <= 65535):
+    if pixels != [width, height] or isinstance(width, bool) or isinstance(height, bool):
+        raise ValueError(f"{name} must be two integers, width and height, not {size!r}")
+    if not all(1 <= number <= 65535 for number in pixels):
         raise ValueError(f"{name} must be 1 by 1 to 65535 by 65535 pixels, not {size!r}")
-    return width, height
+    return pixels[0], pixels[1]
+
+
+def _named_color(name: str, color: str) -> list[float]:
+    """Return red, green and blue of a color of PyVista if it is loaded, of VTK, of matplotlib, or '#rrggbb'."""
+    colors = vtk_module("vtkCommonColor").vtkNamedColors()
+    found = COLORS.get(color.lower(), color)
+    is_hexadecimal = re.fullmatch("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})", found) is not None
+    if "pyvista" in sys.modules and not found.startswith("#"):
+        try:
+            return list(sys.modules["pyvista"].Color(found).float_rgb)
+        except ValueError:  # not one of PyVista's
+            pass
+    if not is_hexadecimal and not colors.ColorExists(found):
+        raise ValueError(f"{name} must be a color name, '#rrggbb' or three numbers >= 0, not {color!r}")
+    color = found[:7] if is_hexadecimal else found  # without opacity
+    rgb = colors.HTMLColorToRGB(color)
+    return [component / 255.0 for component in (rgb.GetRed(), rgb.GetGreen(), rgb.GetBlue())]
 
 
 def parse_color(name: str, color: Any, high: float = math.inf) -> list[float]:
     """Return red, green and blue from a color name or from three numbers in [0, high]."""
     if isinstance(color, str):
-        colors = vtk_module("vtkCommonColor").vtkNamedColors()
-        if not colors.ColorExists(color) and not color.startswith("#"):
-            raise ValueError(f"{name} must be a color name, '#rrggbb' or three numbers >= 0, not {color!r}")
-        rgb = colors.HTMLColorToRGB(color)
-        return [component / 255.0 for component in (rgb.GetRed(), rgb.GetGreen(), rgb.GetBlue())]
+        return _named_color(name, color)
+    if hasattr(color, "float_rgb"):  # of PyVista
+        color = color.float_rgb
     try:
         values = [float(value) for value in color]
     except (TypeError, ValueError):
@@ -114,6 +149,50 @@ def vectors(name: str, array: npt.ArrayLike, rows: int | None = None) -> npt.NDA
     return np.ascontiguousarray(values)
 
 
+def _starts_of_cells(name: str, values: npt.NDArray[np.int64], minimum: int) -> npt.NDArray[np.int64]:
+    """Return the positions of the numbers of points in flat cells."""
+    step = int(values[0]) + 1
+    if step > minimum and len(values) % step == 0 and (values[::step] == values[0]).all():
+        return np.arange(0, len(values), step)
+    numbers = values.tolist()  # whose elements Python reads faster
+    end = len(numbers)
+    starts = []
+    position = 0
+    while position < end:
+        count = numbers[position]
+        if count < minimum or position + count >= end:
+            raise ValueError(f"{name} is flat and must hold the number of points of each {name[:-1]}, which is at least "
+                             f"{minimum}, followed by its points; {name}[{position}] = {count} is no such number")
+        starts.append(position)
+        position += count + 1
+    return np.array(starts, np.int64)
+
+
+def mesh_arrays(mesh: Any) -> tuple[Any, Any] | None:
+    """Return the points and the faces of a mesh of trimesh, meshio, VTK or PyVista; None for other objects."""
+    if hasattr(mesh, "IsA") and mesh.IsA("vtkDataObject"):
+        if not mesh.IsA("vtkPolyData"):
+            raise TypeError(f"points must be an array or a mesh of polygons, not a {mesh.GetClassName()}")
+        if mesh.GetNumberOfStrips():
+            raise ValueError("points is a mesh with triangle strips: pass its triangulate()")
+        polygons = mesh.GetPolys()
+        if mesh.GetNumberOfPoints() == 0 or polygons.GetNumberOfCells() == 0:
+            raise ValueError("points is a mesh without polygons")
+        connectivity, offsets = (to_numpy(array) for array in (polygons.GetConnectivityArray(),
+                                                               polygons.GetOffsetsArray()))
+        return to_numpy(mesh.GetPoints().GetData()), np.insert(connectivity, offsets[:-1], np.diff(offsets))
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh
+        return np.asarray(mesh.vertices), np.asarray(mesh.faces)
+    if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):  # meshio
+        blocks = [np.asarray(block.data) for block in mesh.cells if block.type in ("triangle", "quad")]
+        if not blocks or len(blocks) != len(mesh.cells):
+            found = ", ".join(sorted({block.type for block in mesh.cells})) or "none"
+            raise TypeError(f"the cells of the mesh must be triangles or quads, not {found}: pass its surface")
+        flat = [np.insert(block, 0, block.shape[1], axis=1).ravel() for block in blocks]
+        return np.asarray(mesh.points), np.concatenate(flat)
+    return None
+
+
 def _cells(
     name: str, cells: npt.ArrayLike, size: int, minimum: int,
 ) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
@@ -133,15 +212,7 @@ def _cells(
         offsets = np.arange(0, values.size + 1, values.shape[1])
         connectivity = values.ravel()
     elif values.ndim == 1:
-        starts = []
-        position = 0
-        while position < len(values):
-            count = int(values[position])
-            if count < minimum or position + count >= len(values):
-                raise ValueError(f"{name} is flat and must hold the number of points of each {one}, which is at least "
-                                 f"{minimum}, followed by its points; {name}[{position}] = {count} is no such number")
-            starts.append(position)
-            position += count + 1
+        starts = _starts_of_cells(name, values, minimum)
         connectivity = np.delete(values, starts)
         offsets = np.concatenate([[0], np.cumsum(values[starts])])
     else:

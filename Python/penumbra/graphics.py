@@ -9,7 +9,7 @@ from typing import Any
 
 from ._classes import vtkPenumbraVectorExporter
 from .baking import ColorLike
-from .conversion import check_range, parse_color, statistics_dict
+from .conversion import check_integer, check_range, parse_color, statistics_dict
 from .messages import Progress, run
 from .rendering import Settings, make_caster
 
@@ -58,7 +58,7 @@ def write_graphic(
     exporter.SetFileName(str(path))
     exporter.SetOutlineWidth(check_range("outline_width", outline_width, 0.0, 1000.0))
     exporter.SetOutlineColor(parse_color("outline_color", outline_color, 1.0))
-    exporter.SetMaximumPaths(int(check_range("maximum_paths", maximum_paths, 0, 1000000)))
+    exporter.SetMaximumPaths(check_integer("maximum_paths", maximum_paths, 0, 1000000))
     try:
         run(exporter.Write, caster, progress, 3, ignored)
     except RuntimeError as error:

@@ -14,13 +14,6 @@ from .conversion import parse_color
 from .messages import Progress, update
 
 
-def parse_radiance(color: Any) -> list[float]:
-    """Return three floats from a color of PyVista or from three numbers >= 0, which may exceed 1."""
-    if isinstance(color, str):
-        return list(pyvista.Color(color).float_rgb)
-    return parse_color("environment_color", color)
-
-
 def _array_names(mesh: Any) -> set[str]:
     """Return the names of the arrays of a mesh or of the blocks of a multiblock."""
     if isinstance(mesh, pyvista.MultiBlock):
@@ -115,7 +108,7 @@ class MeshAccessor:
         -------
         pyvista.DataSet or pyvista.MultiBlock
         """
-        bake = irradiance_filter(tolerance, parse_radiance(environment_color), albedo, bounces)
+        bake = irradiance_filter(tolerance, parse_color("environment_color", environment_color), albedo, bounces)
         return self._bake(bake, on, compute_normals, point_radius, line_radius, inplace, statistics, progress)
 
     def bake_direct_light(

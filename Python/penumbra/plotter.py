@@ -13,9 +13,8 @@ import pyvista
 
 from ._classes import vtkPenumbraLightShaftPass, vtkPenumbraTemporalSSAOPass
 from .baking import ColorLike, Falloff
-from .conversion import check_choice, check_radius, check_range, check_size
+from .conversion import check_choice, check_integer, check_radius, check_range, check_size
 from .graphics import check_options, check_path, write_graphic
-from .mesh import parse_radiance
 from .messages import Progress, observe_warnings
 from .opengl import require_opengl
 from .passes import add, passes_of, remove
@@ -80,6 +79,12 @@ class PlotterAccessor:
         names = {"vtkPenumbraTemporalSSAOPass": "ambient occlusion", "vtkPenumbraLightShaftPass": "light shafts"}
         found = [names[each.GetClassName()] for each in passes_of(self._renderer) if each.GetClassName() in names]
         return f"<penumbra of a plotter: {' and '.join(found) or 'no pass'} enabled in the active renderer>"
+
+    def _size(self, window_size: Any) -> tuple[int, int]:
+        return check_size("window_size", self._plotter.window_size if window_size is None else window_size)
+
+    def _scale(self, scale: Any) -> int:
+        return check_integer("scale", self._plotter.image_scale if scale is None else scale, 1, 64)
 
     def _require_window(self) -> None:
         if self._plotter.render_window is None:
@@ -248,15 +253,15 @@ class PlotterAccessor:
         -------
         numpy.ndarray, shape (height, width, 3) or (height, width, 4), uint8 or float32
         """
-        scale = int(check_range("scale", scale or self._plotter.image_scale, 1, 64))
+        scale = self._scale(scale)
         settings = Settings(
             tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
-            parse_radiance(environment_color), albedo, bounces, transparent_background, 72 * scale,
+            environment_color, albedo, bounces, transparent_background, 72 * scale,
             light_radius, light_angle, point_radius, line_radius)
         window = self._plotter.render_window
         if window is None:
             raise RuntimeError("the plotter is closed: call ray_cast() before close() or show()")
-        width, height = check_size("window_size", window_size or self._plotter.window_size)
+        width, height = self._size(window_size)
         prepare_plotter(self._plotter)
         collection = window.GetRenderers()
         renderers = [collection.GetItemAsObject(i) for i in range(collection.GetNumberOfItems())]
@@ -265,7 +270,7 @@ class PlotterAccessor:
         return (image, statistics) if return_statistics else image
 
     def screenshot(
-        self, filename: str | pathlib.Path | io.BytesIO | None = None, transparent_background: bool | None = None,
+        self, filename: str | pathlib.Path | io.BytesIO | bool | None = None, transparent_background: bool | None = None,
         return_img: bool = True, window_size: tuple[int, int] | None = None, scale: int | None = None,
         **options: Any,
     ) -> Image | None:
@@ -275,7 +280,7 @@ class PlotterAccessor:
         ----------
         filename : str, pathlib.Path or io.BytesIO, optional
             Where to write the image. Its suffix determines the format, default: PNG. A relative path is relative to
-            ``pyvista.FIGURE_PATH`` if that is set. Default: the image is not written.
+            ``pyvista.FIGURE_PATH`` if that is set. Default, and True as in PyVista: the image is not written.
         transparent_background : bool, optional
             If True, the image has a fourth channel, the covered fraction of each pixel. Default: that of the theme of
             the plotter.
@@ -312,7 +317,7 @@ class PlotterAccessor:
             transparent_background = bool(self._plotter.theme.transparent_background)
         image: Image = self.ray_cast(
             window_size=window_size, transparent_background=transparent_background, scale=scale, **options)
-        if filename is not None:
+        if isinstance(filename, (str, pathlib.Path, io.BytesIO)):  # True writes nothing, as in PyVista
             _write(image, filename)
         return image if return_img else None
 
@@ -374,11 +379,9 @@ class PlotterAccessor:
             raise RuntimeError("the plotter is closed: call save_graphic() before close() or show()")
         if transparent_background is None:
             transparent_background = bool(self._plotter.theme.transparent_background)
-        scale = int(check_range("scale", scale or self._plotter.image_scale, 1, 64))
-        if "environment_color" in options:
-            options["environment_color"] = parse_radiance(options["environment_color"])
+        scale = self._scale(scale)
         settings = Settings(transparent_background=transparent_background, dpi=72 * scale, **options)
-        width, height = check_size("window_size", window_size or self._plotter.window_size)
+        width, height = self._size(window_size)
         prepare_plotter(self._plotter)
         statistics = write_graphic(
             window, path, (scale * width, scale * height), settings, outline_width, outline_color, maximum_paths,

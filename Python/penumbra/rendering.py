@@ -12,9 +12,9 @@ import numpy.typing as npt
 
 from ._backend import vtk_module
 from ._classes import vtkPenumbraMedium, vtkPenumbraRayCaster
-from .baking import ColorLike, Falloff
-from .conversion import (FALLOFFS, check_choice, check_radius, check_range, check_size, colors_of, parse_color,
-                         poly_data, statistics_dict, to_bytes)
+from .baking import ColorLike, Falloff, needed_bounces
+from .conversion import (FALLOFFS, check_choice, check_integer, check_radius, check_range, check_size, colors_of,
+                         mesh_arrays, parse_color, poly_data, statistics_dict, to_bytes)
 from .messages import Progress, update, warn
 from .passes import passes_of
 
@@ -67,7 +67,10 @@ class Settings:
             check_range("strength", self.strength, 0.0, 1.0)
         self.environment_color = parse_color("environment_color", self.environment_color)
         check_range("albedo", self.albedo, 0.0, 1.0)
-        check_range("bounces", self.bounces, 1, 64)
+        # Lights may be much brighter than white.
+        brightest = max(1.0, *self.environment_color)
+        self.bounces = needed_bounces(
+            check_integer("bounces", self.bounces, 1, 64), self.albedo, 0.01 * self.tolerance / brightest)
         check_range("light_radius", self.light_radius, 0.0, 1e30)
         check_range("light_angle", self.light_angle, 0.0, 180.0)
         check_range("point_radius", self.point_radius, 0.0, 1e30)
@@ -147,7 +150,7 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetIndirectLight(bool(settings.indirect_light))
     caster.SetEnvironmentColor(settings.environment_color)
     caster.SetAlbedo(settings.albedo)
-    caster.SetBounces(int(settings.bounces))
+    caster.SetBounces(settings.bounces)
     caster.SetDPI(settings.dpi)
     caster.SetLayers(False)  # cast_renderers draws all renderers, with the effects of each
     caster.SetPointRadius(settings.point_radius)
@@ -264,6 +267,9 @@ def _resolve(
     scene: Any, size: Any, color: ColorLike, camera: Camera, point_radius: float, line_radius: float,
 ) -> tuple[list[Any], tuple[int, int]]:
     """Return the renderers of a scene and the size of the image."""
+    pixels = check_size("size", (1024, 768) if size is None else size)
+    if not hasattr(scene, "IsA") and not isinstance(scene, tuple) and (found := mesh_arrays(scene)) is not None:
+        scene = found
     if hasattr(scene, "render_window") and hasattr(scene, "renderers"):  # a PyVista plotter
         prepare_plotter(scene)
         window = scene.render_window
@@ -273,17 +279,17 @@ def _resolve(
         window = scene if scene.IsA("vtkRenderWindow") else None
         if scene.IsA("vtkDataObject"):
             radius = max(point_radius, line_radius)
-            return [renderer_of_mesh(scene, color, camera, radius)], check_size("size", size or (1024, 768))
+            return [renderer_of_mesh(scene, color, camera, radius)], pixels
         if scene.IsA("vtkRenderer"):
             if camera is not None:
                 _set_camera(scene, camera)
-            return [scene], check_size("size", size or (1024, 768))
+            return [scene], pixels
     elif isinstance(scene, tuple) and len(scene) in (2, 3):
         arrays: tuple[Any, ...] = (*scene, None)
         points, faces, lines = arrays[:3]
         mesh = poly_data(points, faces, None, lines, point_radius > 0.0)
         radius = max(point_radius if mesh.GetNumberOfVerts() else 0.0, line_radius if mesh.GetNumberOfLines() else 0.0)
-        return [renderer_of_mesh(mesh, color, camera, radius)], check_size("size", size or (1024, 768))
+        return [renderer_of_mesh(mesh, color, camera, radius)], pixels
     else:
         window = None
     if window is None:
@@ -293,7 +299,7 @@ def _resolve(
         raise ValueError("camera applies to meshes and renderers; set that of the plotter instead")
     collection = window.GetRenderers()
     renderers = [collection.GetItemAsObject(i) for i in range(collection.GetNumberOfItems())]
-    return renderers, check_size("size", size or window.GetSize())
+    return renderers, check_size("size", window.GetSize()) if size is None else pixels
 
 
 def prepare_plotter(plotter: Any) -> None:
@@ -348,7 +354,8 @@ def render(
     Parameters
     ----------
     scene : mesh, (points, faces), (points, faces, lines), vtkRenderer, vtkRenderWindow or pyvista.Plotter
-        What to render. A mesh is any vtkDataSet or composite data set, or arrays as in `ambient_occlusion`, of which
+        What to render. A mesh is any vtkDataSet or composite data set, a mesh of trimesh, triangles and quads of
+        meshio, or arrays as in `ambient_occlusion`, of which
         faces and lines may be None; it gets a headlight, which casts no shadows, and one color. All renderers of a
         window or plotter are drawn in their viewports.
     size : tuple of int, optional
