@@ -148,6 +148,7 @@ void MeasureBox(LightBenchmark& benchmark)
     caster->SetRenderer(renderer);
     caster->SetResolution(Size, Size);
     caster->SetTolerance(tolerance);
+    caster->SetLightTolerance(tolerance);
     caster->SetIndirectLight(true);
     caster->SetAlbedo(Albedo);
     caster->SetBounces(Bounces);

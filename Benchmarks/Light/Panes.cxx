@@ -112,6 +112,7 @@ PaneErrors CastImage(double opacity, vtkPenumbraIrradianceProvider* provider)
   caster->SetRenderer(MakeCorner(opacity));
   caster->SetResolution(Width, Height);
   caster->SetTolerance(Tolerance);
+  caster->SetLightTolerance(Tolerance);
   caster->AmbientOcclusionOn();
   caster->SetAmbientOcclusionRadius(Radius);
   caster->GeometryArraysOn();

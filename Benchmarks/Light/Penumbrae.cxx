@@ -119,6 +119,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> CastFloor(
   caster->ShadowsOn();
   caster->SetLightRadius(LightRadius);
   caster->SetTolerance(tolerance);
+  caster->SetLightTolerance(tolerance);
   caster->Update();
   return caster;
 }

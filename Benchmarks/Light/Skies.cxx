@@ -120,6 +120,7 @@ void MeasureImage(ResultTable& table, const std::string& row, vtkRenderer* rende
   caster->SetRenderer(renderer);
   caster->SetResolution(SkyImageSize, SkyImageSize);
   caster->SetTolerance(ImageTolerance);
+  caster->SetLightTolerance(ImageTolerance);
   caster->IndirectLightOn();
   caster->SetEnvironmentColor(sky.Color.x, sky.Color.y, sky.Color.z);
   caster->SetEnvironment(sky.Environment);

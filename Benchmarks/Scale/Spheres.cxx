@@ -81,6 +81,7 @@ void SetUp(vtkPenumbraRayCaster* caster, vtkRenderer* renderer)
   caster->SetAmbientOcclusion(true);
   caster->SetAmbientOcclusionRadius(OcclusionRadius);
   caster->SetTolerance(Tolerance);
+  caster->SetLightTolerance(Tolerance);
   caster->SetIrradianceProvider(vtkNew<vtkPenumbraIrradianceCache>());
 }
 
@@ -183,6 +184,7 @@ vtkSmartPointer<vtkDataArray> RenderOcclusion(vtkPolyData* data, double side, bo
   SetUp(caster, renderer);
   caster->SetResolution(300, 180);
   caster->SetTolerance(0.005);
+  caster->SetLightTolerance(0.005);
   caster->SetPointRadius(Radius);
   caster->GeometryArraysOn();
   caster->Update();

@@ -33,8 +33,10 @@ struct RenderResult
   vtkSmartPointer<vtkImageData> Image; ///< `Color`: 4 floats, straight alpha
   std::string VectorGraphics;          ///< contents of the file if the output is .svg or .pdf
   nlohmann::json Statistics = nlohmann::json::object();
-  double Tolerance = 0.0;      ///< accepted error
-  double EstimatedError = 0.0; ///< NaN if the engine makes no estimate
+  double Tolerance = 0.0;           ///< accepted error
+  double LightTolerance = 0.0;      ///< accepted error that light effects add
+  double EstimatedError = 0.0;      ///< NaN if the engine makes no estimate
+  double EstimatedLightError = 0.0; ///< part that light effects cause
   int Threads = 1;
   double BuildSeconds = 0.0;  ///< before the first ray
   double RenderSeconds = 0.0; ///< from the first ray

@@ -58,6 +58,12 @@ vtkSmartPointer<vtkImageData> ToFloats(
   return image;
 }
 
+/// The passes add light effects only. The rest of an image has no error that can be chosen.
+double GetPassTolerance(const RenderOptions& options)
+{
+  return options.LightTolerance > 0.0 ? options.LightTolerance : options.Tolerance;
+}
+
 vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOptions& options)
 {
   vtkPenumbraTracedEstimator::Register();
@@ -69,9 +75,9 @@ vtkPenumbraTemporalSSAOPass* AddOcclusion(vtkRenderer* renderer, const RenderOpt
       ? options.AmbientOcclusionStrength
       : (options.Coloring.Enabled ? StrengthOnData : 1.0));
   pass->SetLightAwareness(options.AmbientOcclusionLightAwareness);
-  if (options.HasTolerance)
+  if (options.HasTolerance || options.LightTolerance > 0.0)
   {
-    pass->SetTolerance(options.Tolerance);
+    pass->SetTolerance(GetPassTolerance(options));
   }
   if (options.AmbientOcclusionRadius > 0.0)
   {
@@ -93,7 +99,7 @@ void AddShafts(
   const ShaftOptions& shafts = options.Shafts;
   vtkPenumbraLightShaftPass* pass = vtkPenumbraLightShaftPass::AddTo(renderer);
   SetUpMedium(shafts, renderer, pass);
-  pass->SetTolerance(options.Tolerance);
+  pass->SetTolerance(GetPassTolerance(options));
   pass->SetEstimator(shafts.Estimator == "shadow-map" ? vtkPenumbraLightShaftPass::SHADOW_MAP
                                                       : vtkPenumbraLightShaftPass::DEPTH);
 }
@@ -111,9 +117,11 @@ void AddPassStatistics(vtkPenumbraTemporalSSAOPass* pass, bool arrays, RenderRes
   }
   result.Statistics["Occlusion/Kernel"] = pass->GetActiveKernelName();
   result.Tolerance = pass->GetTolerance();
+  result.LightTolerance = pass->GetTolerance();
   if (pass->GetEstimatedError() <= 1.0)
   {
     result.EstimatedError = pass->GetEstimatedError();
+    result.EstimatedLightError = pass->GetEstimatedError();
   }
   if (arrays)
   {
@@ -208,7 +216,9 @@ RenderResult RasterRenderer::Render(const ProgressListener& progress)
   result.Image = ToFloats(bytes, width, height, this->Options.Background);
   result.Statistics = { { "Samples/PerPixel", this->Window->GetMultiSamples() } };
   result.Tolerance = this->Options.Tolerance;
+  result.LightTolerance = GetPassTolerance(this->Options);
   result.EstimatedError = Unset;
+  result.EstimatedLightError = Unset;
   if (this->Occlusion)
   {
     AddPassStatistics(this->Occlusion, HoldsArrays(this->Options.Output), result);

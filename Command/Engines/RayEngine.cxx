@@ -37,6 +37,7 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <utility>
 
 namespace penumbra
 {
@@ -63,11 +64,31 @@ void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
   observer.Listener(*static_cast<double*>(callData));
 }
 
+/// Replaces the properties in the remedy of a missed tolerance by the options of this program.
+std::string NameOptions(std::string warning)
+{
+  if (warning.find("The tolerance of") != 0)
+  {
+    return warning;
+  }
+  const std::pair<const char*, const char*> names[] = { { " Tolerance", " --tolerance" },
+    { " LightTolerance", " --light-tolerance" }, { " MaximumLevel", " --max-level" } };
+  for (const auto& [property, option] : names)
+  {
+    const std::size_t at = warning.find(property);
+    if (at != std::string::npos)
+    {
+      warning.replace(at, std::string(property).size(), option);
+    }
+  }
+  return warning;
+}
+
 // Collects warnings about geometry that the ray caster skips, except triangles without area, which are
 // invisible.
 void OnWarning(vtkObject*, unsigned long, void* clientData, void* callData)
 {
-  const std::string warning = StripMessagePrefix(static_cast<const char*>(callData));
+  const std::string warning = NameOptions(StripMessagePrefix(static_cast<const char*>(callData)));
   if (warning.find("without area") == std::string::npos)
   {
     static_cast<std::vector<std::string>*>(clientData)->push_back(warning);
@@ -145,6 +166,7 @@ vtkSmartPointer<vtkPenumbraRayCaster> MakeCaster(
   caster->SetRenderer(renderer);
   caster->SetResolution(options.Resolution[0], options.Resolution[1]);
   caster->SetTolerance(options.Tolerance);
+  caster->SetLightTolerance(options.LightTolerance);
   caster->SetMaximumLevel(options.MaximumLevel);
   caster->SetFindSmallObjects(options.FindSmallObjects);
   caster->SetNumberOfThreads(options.Threads);
@@ -252,7 +274,9 @@ RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const Ren
     figure.value("Vector/Lines", 0.0) == 0.0;
   result.Coverage = empty ? RenderResult::Coverages::Empty : RenderResult::Coverages::Some;
   result.Tolerance = options.Tolerance;
+  result.LightTolerance = caster->GetEffectiveLightTolerance();
   result.EstimatedError = caster->GetEstimatedError();
+  result.EstimatedLightError = caster->GetEstimatedLightError();
   result.Threads =
     options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
   const Clock::time_point firstRay = state.Started ? state.FirstRay : start;

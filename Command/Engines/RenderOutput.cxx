@@ -139,8 +139,9 @@ std::vector<std::string> OutputFiles::Save(const RenderResult& result, vtkRender
   if (this->Statistics)
   {
     const nlohmann::json report = { { "statistics", result.Statistics },
-      { "estimated_error", result.EstimatedError }, { "tolerance", result.Tolerance },
-      { "threads", result.Threads },
+      { "estimated_error", result.EstimatedError },
+      { "estimated_light_error", result.EstimatedLightError }, { "tolerance", result.Tolerance },
+      { "light_tolerance", result.LightTolerance }, { "threads", result.Threads },
       { "seconds",
         { { "read", preparation.ReadSeconds },
           { "build", preparation.SceneSeconds + result.BuildSeconds },

@@ -116,6 +116,7 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
         [positional](
           const std::array<double, 4>& light) { return (light[3] > 0.0) == positional; });
   };
+  const bool hasArea = ray && (options.LightRadius > 0.0 || options.LightAngle > 0.0);
   const struct
   {
     const char* Option;
@@ -124,6 +125,12 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
   } rows[] = {
     { "--tolerance", !ray && !options.AmbientOcclusion && !options.Shafts.Enabled,
       "with --engine raster without --ambient-occlusion or --light-shafts" },
+    { "--light-tolerance",
+      !options.AmbientOcclusion && !options.Light.Indirect && !options.Shafts.Enabled && !hasArea &&
+        !HoldsArrays(options.Output),
+      "without --ambient-occlusion, --indirect, --light-radius, --light-angle or --light-shafts" },
+    { "--tolerance", !ray && options.LightTolerance > 0.0,
+      "with --engine raster and --light-tolerance" },
     { "--shafts-estimator", ray, "with --engine ray" },
     { "--shafts-surface-light", !ray, "with --engine raster" },
     { "--shafts-behind-translucent", !ray, "with --engine raster, which always does so" },

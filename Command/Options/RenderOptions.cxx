@@ -83,6 +83,11 @@ void DeclareEngine(CLI::App& app, RenderOptions& options)
     { 1e-6, 1.0 })
     ->each([&options](const std::string&) { options.HasTolerance = true; })
     ->group("Engine");
+  AddNumber(app, "--light-tolerance", options.LightTolerance, "Y",
+    "The same for what occlusion, indirect light, penumbrae and shafts add; 0: 2.56 X; raster: "
+    "instead of --tolerance",
+    { 0.0, 1.0 })
+    ->group("Engine");
   AddInteger(app, "--max-level", options.MaximumLevel,
     "Deepest subdivision of a pixel (ray); subpixels have side 2^-N", 0, 6)
     ->group("Engine");

@@ -61,7 +61,8 @@ struct RenderOptions
   std::string Engine = "ray";
   std::array<int, 2> Resolution{ 1000, 600 };
   double Tolerance = 1.0 / 256.0;
-  bool HasTolerance = false; ///< --tolerance is on the command line
+  bool HasTolerance = false;   ///< --tolerance is on the command line
+  double LightTolerance = 0.0; ///< 0: from Tolerance
   int MaximumLevel = 3;
   bool FindSmallObjects = true;
   int Threads = 0;

@@ -89,7 +89,7 @@ int main(int argc, char* argv[])
   caster->SetAlbedo(0.8);
   caster->SetBounces(4);
   caster->SetIrradianceProvider(cache);
-  caster->SetTolerance(0.01);
+  caster->SetLightTolerance(0.01);
   caster->SetResolution(300, 300);
   caster->Update();
 

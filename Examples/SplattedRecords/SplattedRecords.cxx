@@ -99,7 +99,7 @@ int main(int argc, char* argv[])
   caster->SetAmbientOcclusion(true);
   caster->SetAmbientOcclusionRadius(6.0);
   caster->SetIrradianceProvider(cache);
-  caster->SetTolerance(0.01);
+  caster->SetLightTolerance(0.01);
   caster->SetResolution(450, 400);
   caster->Update();
   vtkNew<vtkPolyData> records;

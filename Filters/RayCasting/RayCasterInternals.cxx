@@ -13,6 +13,7 @@
 #include "SceneBounds.h"
 #include "Shading/Illumination.h"
 #include "Shading/LightWarnings.h"
+#include "ToleranceWarning.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -27,15 +28,13 @@
 namespace
 {
 
-// Tolerance of one result of the irradiance provider, in tolerances of the image. The color of a pixel
-// is the mean of about four results, which halves their error.
-constexpr double ProviderToleranceFactor = 2.0;
+// Tolerance of the light of one sample, in light tolerances of the image. The color of a pixel is the
+// mean of about four samples, which halves their error.
+constexpr double SampleToleranceFactor = 2.0;
 // Progress reported when the scene has been built. It stays 0 until then.
 constexpr double SceneProgress = 1e-6;
 // Fraction of the progress for the preparation of the irradiance provider.
 constexpr double ProviderProgress = 0.25;
-// Relative rounding error of the estimated errors, which are floats.
-constexpr double RoundingError = 1e-6;
 // Fraction of the progress for the geometry arrays.
 constexpr double GeometryProgress = 0.25;
 
@@ -59,35 +58,6 @@ bool ReportProgress(vtkAlgorithm* self, double fraction)
     self->UpdateProgress(fraction);
   }
   return self->GetAbortExecute() != 0;
-}
-
-/// Emits one warning if the estimated error of a tile exceeds its limit, or `error`, that of the image,
-/// exceeds the tolerance.
-void WarnMissedTolerance(vtkPenumbraRayCaster* self, const penumbra::RenderSettings& settings,
-  double error, vtkImageData* image)
-{
-  const double tolerance = self->GetTolerance();
-  // Ambient occlusion and indirect light have an error of their own, within the tolerance, that adds
-  // to that of the image.
-  const double limit = std::hypot(tolerance, 0.5 * settings.Integration.Noise);
-  const penumbra::TileErrors tiles = penumbra::EvaluateTiles(image, limit);
-  if (tiles.AboveTolerance > 0)
-  {
-    vtkWarningWithObjectMacro(self,
-      "The tolerance of " << tolerance << " was not reached in " << tiles.AboveTolerance << " of "
-                          << tiles.Tiles
-                          << " tiles of 16x16 pixels. The largest estimated error of a"
-                          << " tile is " << tiles.MaximumError
-                          << ". Increase Tolerance or MaximumLevel.");
-  }
-  else if (error > (1.0 + RoundingError) * tolerance)
-  {
-    vtkWarningWithObjectMacro(self,
-      "The estimated error of the image, "
-        << error << ", exceeds the tolerance of " << tolerance
-        << ", because that of ambient occlusion and indirect light adds to it. Set Tolerance to "
-        << std::sqrt(0.5) * tolerance << " for an image within " << tolerance << ".");
-  }
 }
 
 /// Adds the rays of a layer to the statistics of the image.
@@ -133,6 +103,7 @@ void vtkPenumbraRayCaster::Internals::ResetResults()
 {
   this->Statistics->Initialize();
   this->EstimatedError = std::nan("");
+  this->EstimatedLightError = std::nan("");
   this->PhaseSeconds.fill(0.0);
   this->Extractions = 0;
 }
@@ -278,16 +249,18 @@ penumbra::RenderSettings vtkPenumbraRayCaster::Internals::MakeSettings(vtkPenumb
   settings.Integration.FindSmallObjects = self->FindSmallObjects;
   settings.Integration.Shadows = self->GetShadows();
   settings.Integration.UniformSamples = self->UniformSamples;
-  settings.Integration.Noise = self->GetAmbientOcclusion() || self->IndirectLight
-    ? ProviderToleranceFactor * self->Tolerance
-    : 0.0;
+  if (self->GetAmbientOcclusion() || self->IndirectLight)
+  {
+    settings.Integration.LightTolerance = self->GetEffectiveLightTolerance();
+    settings.Integration.Noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
+  }
   return settings;
 }
 
 bool vtkPenumbraRayCaster::Internals::BeginProvider(
   vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer)
 {
-  const double noise = ProviderToleranceFactor * self->Tolerance;
+  const double noise = SampleToleranceFactor * self->GetEffectiveLightTolerance();
   const OcclusionSettings settings = this->FindOcclusion(self);
   const bool occlusion = settings.On || (self->GeometryArrays && self->OcclusionArray);
   const double phaseFraction = occlusion && self->IndirectLight ? 0.5 : 1.0;
@@ -341,8 +314,9 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   penumbra::Shading shading(*this->Prepared->Rays, self->GetShadows());
   penumbra::CameraRayTracer tracer(*this->Prepared->Rays, shading, scene.ViewCamera);
-  tracer.SetPenumbraTolerance(ProviderToleranceFactor * self->Tolerance);
-  const penumbra::RenderSettings settings = MakeSettings(self);
+  const double lightTolerance = self->GetEffectiveLightTolerance();
+  tracer.SetPenumbraTolerance(SampleToleranceFactor * lightTolerance);
+  penumbra::RenderSettings settings = MakeSettings(self);
   const bool usesProvider = self->GetAmbientOcclusion() || self->IndirectLight ||
     (self->GeometryArrays && self->OcclusionArray);
   if (usesProvider && !this->BeginProvider(self, tracer))
@@ -357,8 +331,13 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   std::string warning;
   const std::optional<penumbra::LightShafts> shafts =
     penumbra::MakeLightShafts(this->Medium, shading, penumbra::ComputeSceneDiagonal(scene),
-      { self->Tolerance, self->LightShaftSteps }, warning);
+      { lightTolerance, self->LightShaftSteps }, warning);
   tracer.SetShafts(shafts ? &*shafts : nullptr);
+  if (shafts || shading.HasPenumbrae())
+  {
+    settings.Integration.LightTolerance = lightTolerance;
+  }
+  this->TileTolerance = settings.Integration.GetTileTolerance();
   if (shafts && shafts->GetMedium().AttenuatesSurfaceLight)
   {
     shading.SetAttenuation(&shafts->GetMedium());
@@ -373,10 +352,8 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   const auto progress = [self, progressBegin, progressEnd](double done) {
     return ReportProgress(self, progressBegin + (progressEnd - progressBegin) * done);
   };
-  penumbra::ImageRegion totals;
-  double squaredError = 0.0;
-  if (!penumbra::RenderImage(
-        tracer, this->Prepared->Edges, settings, progress, image, totals, squaredError))
+  penumbra::ImageTotals totals;
+  if (!penumbra::RenderImage(tracer, this->Prepared->Edges, settings, progress, image, totals))
   {
     return false;
   }
@@ -386,13 +363,17 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
   }
   if (self->CoverageMethod != UNIFORM)
   {
-    const double error = std::sqrt(squaredError / image->GetNumberOfPoints());
-    WarnMissedTolerance(self, settings, error, image);
+    const std::string missed =
+      penumbra::DescribeMissedTolerance(settings.Integration, totals, image);
+    if (!missed.empty())
+    {
+      vtkWarningWithObjectMacro(self, << missed);
+    }
   }
   if (self->GeometryArrays)
   {
     tracer.SetOcclusion(self->OcclusionArray ? this->IrradianceProvider.Get() : nullptr,
-      self->AmbientOcclusionStrength, ProviderToleranceFactor * self->Tolerance);
+      self->AmbientOcclusionStrength, SampleToleranceFactor * lightTolerance);
     const auto geometry = [self, progressEnd](double done) {
       return ReportProgress(self, progressEnd + (1.0 - progressEnd) * done);
     };
@@ -401,7 +382,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
       return false;
     }
   }
-  this->Report(totals, squaredError, image->GetNumberOfPoints());
+  this->Report(totals, image->GetNumberOfPoints());
   if (self->Layers)
   {
     this->AddLayers(self, image);
@@ -416,7 +397,7 @@ bool vtkPenumbraRayCaster::Internals::Execute(vtkPenumbraRayCaster* self, vtkIma
       total->SetComponent(0, 0, total->GetComponent(0, 0) + gathered->GetComponent(0, 0));
     }
   }
-  image->GetFieldData()->ShallowCopy(this->Statistics);
+  this->AddFieldData(self, image);
   timer.End(TRACING);
   return true;
 }
@@ -436,6 +417,7 @@ void vtkPenumbraRayCaster::Internals::AddLayer(
   caster->SetLayers(false);
   caster->SetResolution(part.Size[0], part.Size[1]);
   caster->SetTolerance(self->Tolerance);
+  caster->SetLightTolerance(self->LightTolerance);
   caster->SetCoverageMethod(self->CoverageMethod);
   caster->SetUniformSamples(self->UniformSamples);
   caster->SetMaximumLevel(self->MaximumLevel);
@@ -461,8 +443,7 @@ void vtkPenumbraRayCaster::Internals::AddLayers(vtkPenumbraRayCaster* self, vtkI
   }
 }
 
-void vtkPenumbraRayCaster::Internals::Report(
-  const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels)
+void vtkPenumbraRayCaster::Internals::Report(const penumbra::ImageTotals& totals, vtkIdType pixels)
 {
   const penumbra::RayCounts& rays = totals.Rays;
   vtkFieldData* s = this->Statistics;
@@ -488,5 +469,16 @@ void vtkPenumbraRayCaster::Internals::Report(
   AddStatistic(s, "Pixels/Uniform", totals.Pixels.Uniform);
   AddStatistic(s, "Edges/Projected", totals.Edges);
   AddStatistic(s, "Scene/Extractions", this->Extractions);
-  this->EstimatedError = std::sqrt(squaredError / pixels);
+  this->EstimatedError = totals.ComputeError(pixels);
+  this->EstimatedLightError = totals.ComputeLightError(pixels);
+}
+
+void vtkPenumbraRayCaster::Internals::AddFieldData(vtkPenumbraRayCaster* self, vtkImageData* image)
+{
+  vtkFieldData* fields = image->GetFieldData();
+  fields->ShallowCopy(this->Statistics);
+  AddStatistic(fields, "Tolerance", self->Tolerance);
+  AddStatistic(fields, "LightTolerance", self->GetEffectiveLightTolerance());
+  AddStatistic(fields, "EstimatedError", this->EstimatedError);
+  AddStatistic(fields, "EstimatedLightError", this->EstimatedLightError);
 }

@@ -31,6 +31,8 @@ struct vtkPenumbraRayCaster::Internals
 {
   /// Maximum width and height of the image, in pixels.
   static constexpr int MaximumResolution = 65535;
+  /// Default of LightTolerance as a multiple of Tolerance: 0.01 at 1/256.
+  static constexpr double LightToleranceFactor = 2.56;
 
   /// An extracted scene with its ray tracing structures.
   struct PreparedScene
@@ -59,6 +61,8 @@ struct vtkPenumbraRayCaster::Internals
   penumbra::LightSizes SizedLights;
   vtkNew<vtkFieldData> Statistics;
   double EstimatedError = std::nan("");
+  double EstimatedLightError = std::nan("");
+  double TileTolerance = 0.0;              ///< accepted error of a tile of the current image
   std::unique_ptr<PreparedScene> Prepared; ///< kept while an update requests only part of the image
   vtkMTimeType PreparedTime = 0;
   vtkWeakPointer<vtkRenderer> PreparedRenderer; ///< renderer of Prepared; null: data sets
@@ -86,7 +90,9 @@ struct vtkPenumbraRayCaster::Internals
   void AddLayers(vtkPenumbraRayCaster* self, vtkImageData* image);
   void AddLayer(vtkPenumbraRayCaster* self, vtkRenderer* layer, bool isAbove, vtkImageData* image);
   bool BeginProvider(vtkPenumbraRayCaster* self, penumbra::CameraRayTracer& tracer);
-  void Report(const penumbra::ImageRegion& totals, double squaredError, vtkIdType pixels);
+  void Report(const penumbra::ImageTotals& totals, vtkIdType pixels);
+  /// Adds the statistics, the tolerances and the estimated errors to the field data of the image.
+  void AddFieldData(vtkPenumbraRayCaster* self, vtkImageData* image);
   static penumbra::RenderSettings MakeSettings(vtkPenumbraRayCaster* self);
 };
 

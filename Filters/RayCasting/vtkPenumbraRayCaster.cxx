@@ -51,6 +51,13 @@ vtkRenderer* vtkPenumbraRayCaster::GetRenderer()
   return this->Implementation->Renderer;
 }
 
+double vtkPenumbraRayCaster::GetEffectiveLightTolerance()
+{
+  return this->LightTolerance == 0.0
+    ? std::min(Internals::LightToleranceFactor * this->Tolerance, 1.0)
+    : std::max(this->LightTolerance, 1e-6);
+}
+
 void vtkPenumbraRayCaster::SetShadows(bool on)
 {
   if (this->Implementation->Shadows != on)
@@ -173,6 +180,11 @@ double vtkPenumbraRayCaster::GetEstimatedError()
   return this->Implementation->EstimatedError;
 }
 
+double vtkPenumbraRayCaster::GetEstimatedLightError()
+{
+  return this->Implementation->EstimatedLightError;
+}
+
 double vtkPenumbraRayCaster::GetPhaseSeconds(int phase)
 {
   return phase < EXTRACTION || phase > TRACING ? 0.0 : this->Implementation->PhaseSeconds[phase];
@@ -270,12 +282,12 @@ int vtkPenumbraRayCaster::RequestData(
   internals.ResetResults();
   try
   {
-    penumbra::RequireNotNaN("Tolerance, PointRadius, LineRadius, AmbientOcclusionRadius, "
-                            "AmbientOcclusionStrength, Albedo "
+    penumbra::RequireNotNaN("Tolerance, LightTolerance, PointRadius, LineRadius, "
+                            "AmbientOcclusionRadius, AmbientOcclusionStrength, Albedo "
                             "and EnvironmentColor",
-      { this->Tolerance, this->PointRadius, this->LineRadius, this->AmbientOcclusionRadius,
-        this->AmbientOcclusionStrength, this->Albedo, this->EnvironmentColor[0],
-        this->EnvironmentColor[1], this->EnvironmentColor[2] });
+      { this->Tolerance, this->LightTolerance, this->PointRadius, this->LineRadius,
+        this->AmbientOcclusionRadius, this->AmbientOcclusionStrength, this->Albedo,
+        this->EnvironmentColor[0], this->EnvironmentColor[1], this->EnvironmentColor[2] });
     penumbra::RequireLightSize(this->LightRadius, this->LightAngle);
     internals.SizedLights.Require();
     bool finished = true;
@@ -335,6 +347,7 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IrradianceProvider: " << this->Implementation->IrradianceProvider.Get() << "\n";
   os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "LightTolerance: " << this->LightTolerance << "\n";
   os << indent << "CoverageMethod: " << this->CoverageMethod << "\n";
   os << indent << "UniformSamples: " << this->UniformSamples << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
@@ -366,4 +379,5 @@ void vtkPenumbraRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "KeepScene: " << this->KeepScene << "\n";
   os << indent << "EstimatedError: " << this->Implementation->EstimatedError << "\n";
+  os << indent << "EstimatedLightError: " << this->Implementation->EstimatedLightError << "\n";
 }

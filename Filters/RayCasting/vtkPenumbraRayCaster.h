@@ -56,13 +56,27 @@ public:
 
   ///@{
   /**
-   * Accepted RMSE of every tile of 16x16 pixels, for colors in [0, 1]. Coverage computed from the
-   * geometry is exact for any tolerance. A warning reports the number of tiles whose estimated
-   * error is larger. UNIFORM ignores the tolerance. Range: [1e-6, 1]. Default: 1/256.
+   * Accepted RMSE of every tile of 16x16 pixels, for colors in [0, 1], that geometry, shading and
+   * textures cause. Coverage computed from the geometry is exact for any tolerance. UNIFORM ignores
+   * the tolerance. Range: [1e-6, 1]. Default: 1/256.
    */
   vtkSetClampMacro(Tolerance, double, 1e-6, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
+
+  ///@{
+  /**
+   * Accepted RMSE of every tile that light effects add: ambient occlusion, indirect light, lights
+   * with a size, and light shafts, for colors in [0, 1]. With at least one of them, the bound of a
+   * tile is sqrt(Tolerance^2 + LightTolerance^2). 0: 2.56 times Tolerance, 0.01 at its default, and
+   * at most 1. Range: 0 or [1e-6, 1]. Default: 0.
+   */
+  vtkSetClampMacro(LightTolerance, double, 0.0, 1.0);
+  vtkGetMacro(LightTolerance, double);
+  ///@}
+
+  /** Accepted RMSE that light effects add: LightTolerance, or, if it is 0, 2.56 times Tolerance. */
+  double GetEffectiveLightTolerance();
 
   /** Methods to compute the fraction of a pixel that a surface covers. */
   enum CoverageMethods
@@ -122,8 +136,8 @@ public:
   /**
    * Radius of positional lights in world units: spheres, and for spotlights (ConeAngle below 90
    * degrees) disks perpendicular to their direction. With Shadows, they cast penumbrae, sampled
-   * until the estimated error is within Tolerance. Surfaces are shaded as by a light at the center,
-   * times the fraction of the light that is visible, in solid angle (disks: in area). The part of a
+   * until the estimated error is within LightTolerance. Surfaces are shaded as by a light at the
+   * center, times the fraction of the light that is visible, in solid angle (disks: in area). The part of a
    * light below the horizon of a surface is not visible. Inside the sphere of a light, surfaces are
    * fully lit and cast no shadow; a warning names the light. Light shafts ignore the size.
    * Range: >= 0, finite. Default: 0, hard shadows.
@@ -164,7 +178,7 @@ public:
   ///@{
   /**
    * Number of shadow rays per light along a camera ray, in addition to those that locate the
-   * boundaries of shafts. 0: the number that Tolerance requires. Range: [0, 4096]. Default: 0.
+   * boundaries of shafts. 0: the number that LightTolerance requires. Range: [0, 4096]. Default: 0.
    */
   vtkSetClampMacro(LightShaftSteps, int, 0, 4096);
   vtkGetMacro(LightShaftSteps, int);
@@ -306,8 +320,8 @@ public:
    * If true, the renderers in layers above that of Renderer in its window are composited over the
    * image where their viewports overlap, such as the one of an orientation widget. Those in layers
    * below are composited under it instead of the background, unless Renderer erases them
-   * (vtkRenderer::PreserveColorBuffer is off). They are ray cast with the same Tolerance, without
-   * indirect light, and with shadows and ambient occlusion only as their own renderers require.
+   * (vtkRenderer::PreserveColorBuffer is off). They are ray cast with the same tolerances,
+   * without indirect light, and with shadows and ambient occlusion only as their own renderers require.
    * Default: true.
    */
   vtkSetMacro(Layers, bool);
@@ -367,11 +381,15 @@ public:
   vtkFieldData* GetStatistics();
 
   /** Estimated RMS error of the image, for colors in [0, 1]; NaN if there is no image. One warning
-   * says so if it exceeds `Tolerance`, or if that of a tile of 16x16 pixels exceeds its limit:
-   * `Tolerance`, or `sqrt(2) * Tolerance` with ambient occlusion or indirect light, whose own
-   * error, within `Tolerance`, adds to that of the image. Images with the method `UNIFORM` do not
-   * warn. */
+   * says so if it exceeds its bound, or if that of 4 tiles of 16x16 pixels or of 1 % of all tiles
+   * does. The bound is `Tolerance`; with light effects, `sqrt(Tolerance^2 + LightTolerance^2)`.
+   * Images with the method `UNIFORM` do not warn. */
   double GetEstimatedError();
+
+  /** Part of the estimated error that light effects cause, see LightTolerance: 0 without them. The
+   * squares of this part and of the rest add up to that of GetEstimatedError(). NaN if there is no
+   * image. */
+  double GetEstimatedLightError();
 
   /** Phases of an execution. */
   enum Phases
@@ -410,6 +428,7 @@ private:
 
   int Resolution[2] = { 1000, 600 };
   double Tolerance = 1.0 / 256.0;
+  double LightTolerance = 0.0;
   int CoverageMethod = SILHOUETTES;
   int UniformSamples = 8;
   int MaximumLevel = 3;

@@ -171,8 +171,9 @@ void vtkPenumbraVectorExporter::Internals::AddFaces(vtkPenumbraVectorExporter* s
   }
   else
   {
-    this->ImageReason = penumbra::AddVisibleFaces(tracer,
-      static_cast<std::size_t>(self->MaximumPaths), this->Caster->GetTolerance(), figure.Faces);
+    this->ImageReason =
+      penumbra::AddVisibleFaces(tracer, static_cast<std::size_t>(self->MaximumPaths),
+        this->Caster->Implementation->TileTolerance, figure.Faces);
   }
 }
 

@@ -18,7 +18,9 @@ Progress = Callable[[float], object]
 # Remedies of the classes, which name their methods, and those that the functions and accessors have for them.
 REMEDIES = {
     "Increase Tolerance or MaximumLevel.": "Pass a larger tolerance.",
-    "Set Tolerance to ": "Pass tolerance=",
+    "Increase Tolerance and LightTolerance.": "Pass a larger tolerance and light_tolerance.",
+    "Increase Tolerance.": "Pass a larger tolerance.",
+    "Increase LightTolerance.": "Pass a larger light_tolerance.",
     "Use IndirectLight and Environment of vtkPenumbraRayCaster.":
         "Pass indirect_light=True and environment_color, or use the class vtkPenumbraRayCaster with SetEnvironment().",
 }

@@ -203,7 +203,8 @@ class PlotterAccessor:
         self._plotter.render()
 
     def ray_cast(
-        self, *, tolerance: float = 1.0 / 256.0, window_size: tuple[int, int] | None = None,
+        self, *, tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0,
+        window_size: tuple[int, int] | None = None,
         ambient_occlusion: bool | None = None, radius: float | None = None, falloff: Falloff = "none",
         strength: float | None = None, shadows: bool | None = None, light_shafts: bool | None = None,
         light_radius: float = 0.0, light_angle: float = 0.0, indirect_light: bool = False,
@@ -222,7 +223,11 @@ class PlotterAccessor:
         Parameters
         ----------
         tolerance : float
-            Accepted RMSE over any 16x16 pixels, for colors in [0, 1]. Range: [1e-6, 1].
+            Accepted RMSE over any 16x16 pixels, for colors in [0, 1], of what geometry and shading decide.
+            Range: [1e-6, 1].
+        light_tolerance : float
+            Accepted RMSE that ambient occlusion, indirect light, penumbrae and light shafts add. Default: 0,
+            2.56 times ``tolerance``. Range: [0, 1].
         window_size : tuple of int, optional
             Width and height in pixels. Default: the size of the plotter's window.
         ambient_occlusion, shadows, light_shafts : bool, optional
@@ -243,7 +248,7 @@ class PlotterAccessor:
             units. Range: [0, 1e30]. Default: 0, as the plotter draws them.
         return_statistics : bool
             If True, return ``(image, statistics)``. The statistics include ``EstimatedError``, the
-            estimated RMSE.
+            estimated RMSE, and ``EstimatedLightError``, the part that light effects cause.
         scale : int, optional
             Factor of both sizes, of line widths and of point sizes. Default: ``plotter.image_scale``.
         progress : callable, optional
@@ -255,8 +260,8 @@ class PlotterAccessor:
         """
         scale = self._scale(scale)
         settings = Settings(
-            tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
-            environment_color, albedo, bounces, transparent_background, 72 * scale,
+            tolerance, light_tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts,
+            indirect_light, environment_color, albedo, bounces, transparent_background, 72 * scale,
             light_radius, light_angle, point_radius, line_radius)
         window = self._plotter.render_window
         if window is None:

@@ -42,6 +42,7 @@ class Settings:
     """What is drawn; None means what the renderer shows."""
 
     tolerance: float = 1.0 / 256.0
+    light_tolerance: float = 0.0
     ambient_occlusion: bool | None = None
     radius: float | None = None
     falloff: str = "none"
@@ -61,6 +62,7 @@ class Settings:
 
     def __post_init__(self) -> None:
         check_range("tolerance", self.tolerance, 1e-6, 1.0)
+        check_range("light_tolerance", self.light_tolerance, 0.0, 1.0)
         check_radius(self.radius)
         check_choice("falloff", self.falloff, FALLOFFS)
         if self.strength is not None:
@@ -136,6 +138,7 @@ def make_caster(renderer: Any, size: tuple[int, int], settings: Settings) -> tup
     caster.SetRenderer(renderer)
     caster.SetResolution(*size)
     caster.SetTolerance(settings.tolerance)
+    caster.SetLightTolerance(settings.light_tolerance)
     if settings.shadows is not None:
         caster.SetShadows(bool(settings.shadows))
     caster.SetLightRadius(settings.light_radius)
@@ -177,7 +180,7 @@ def cast_renderers(
     width, height = size
     canvas = np.zeros((height, width, 4), np.float32)
     total: dict[str, Any] = {}
-    squares = 0.0
+    squares = light_squares = 0.0
     shown = sorted((renderer for renderer in renderers if renderer.GetDraw()), key=lambda item: item.GetLayer())
     for index, renderer in enumerate(shown):
         left, bottom, right, top = renderer.GetViewport()
@@ -205,9 +208,11 @@ def cast_renderers(
         _add(total, statistics_dict(caster))
         if np.isfinite(caster.GetEstimatedError()):
             squares += caster.GetEstimatedError() ** 2 * part[0] * part[1]
+            light_squares += caster.GetEstimatedLightError() ** 2 * part[0] * part[1]
     if "Rays/Total" in total:
         total["Rays/PerPixel"] = total["Rays/Total"] / (width * height)
     total["EstimatedError"] = float(np.sqrt(squares / (width * height)))
+    total["EstimatedLightError"] = float(np.sqrt(light_squares / (width * height)))
     return canvas, total
 
 
@@ -316,7 +321,8 @@ def prepare_plotter(plotter: Any) -> None:
 @overload
 def render(
     scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
-    tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
+    tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0, ambient_occlusion: bool | None = None,
+    radius: float | None = None,
     falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
@@ -328,7 +334,8 @@ def render(
 @overload
 def render(
     scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
-    tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
+    tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0, ambient_occlusion: bool | None = None,
+    radius: float | None = None,
     falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
@@ -339,7 +346,8 @@ def render(
 
 def render(
     scene: Any, *, size: tuple[int, int] | None = None, camera: Camera = None, color: ColorLike = "white",
-    tolerance: float = 1.0 / 256.0, ambient_occlusion: bool | None = None, radius: float | None = None,
+    tolerance: float = 1.0 / 256.0, light_tolerance: float = 0.0, ambient_occlusion: bool | None = None,
+    radius: float | None = None,
     falloff: Falloff = "none", strength: float | None = None, shadows: bool | None = None,
     light_shafts: bool | None = None, light_radius: float = 0.0, light_angle: float = 0.0,
     indirect_light: bool = False, environment_color: ColorLike = "black", albedo: float = 0.5, bounces: int = 3,
@@ -366,7 +374,11 @@ def render(
     color : str or array_like of three floats in [0, 1]
         Color of a mesh.
     tolerance : float
-        Accepted RMSE of any 16 by 16 pixels, for colors in [0, 1]. Range: [1e-6, 1].
+        Accepted RMSE of any 16 by 16 pixels, for colors in [0, 1], of what geometry and shading decide.
+        Range: [1e-6, 1].
+    light_tolerance : float
+        Accepted RMSE that ambient occlusion, indirect light, penumbrae and light shafts add. Default: 0, 2.56 times
+        `tolerance`. Range: [0, 1].
     ambient_occlusion, shadows, light_shafts : bool, optional
         Draw these effects. Default: those that the render passes of the renderer draw.
     radius : float, optional
@@ -401,7 +413,7 @@ def render(
         Called with the completed fraction, from 0 to 1. An exception that it raises stops the rendering.
     return_statistics : bool
         If True, return ``(image, statistics)``. The statistics are a dictionary of counts such as ``Rays/PerPixel``,
-        with ``EstimatedError``, the estimated RMSE.
+        with ``EstimatedError``, the estimated RMSE, and ``EstimatedLightError``, the part that light effects cause.
 
     Returns
     -------
@@ -435,7 +447,7 @@ def render(
     (240, 320, 3)
     """
     settings = Settings(
-        tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
+        tolerance, light_tolerance, ambient_occlusion, radius, falloff, strength, shadows, light_shafts, indirect_light,
         environment_color, albedo, bounces, transparent_background, 72, light_radius, light_angle, point_radius,
         line_radius)
     renderers, pixels = _resolve(scene, size, color, camera, point_radius, line_radius)

@@ -196,6 +196,7 @@ void vtkPenumbraRenderView::Configure(bool interactive)
   }
 
   vtkPenumbraRayCaster* caster = pass->Caster;
+  caster->SetLightTolerance(this->PenumbraTolerance);
   caster->SetAmbientOcclusion(this->AmbientOcclusion);
   caster->SetAmbientOcclusionRadius(this->OcclusionRadius * diagonal);
   caster->SetAmbientOcclusionStrength(this->OcclusionStrength);

@@ -218,7 +218,10 @@ double GetShadowRays(vtkPenumbraRayCaster* caster)
 TEST_P(Penumbra, MatchesClosedFormAtFewRays)
 {
   Scene scene = this->Make();
-  const auto choose = [](vtkPenumbraRayCaster* caster) { caster->SetTolerance(Tolerance); };
+  const auto choose = [](vtkPenumbraRayCaster* caster) {
+    caster->SetTolerance(Tolerance);
+    caster->SetLightTolerance(Tolerance);
+  };
   const vtkSmartPointer<vtkPenumbraRayCaster> caster = scene.Cast(choose);
   vtkDataArray* colors = caster->GetOutput()->GetPointData()->GetArray("Color");
   vtkDataArray* errors = caster->GetOutput()->GetPointData()->GetArray("EstimatedError");

@@ -322,8 +322,14 @@ PixelResult PixelIntegrator::IntegrateInterior()
       result.Color = empty && this->Tracer.HasBackgroundImage()
         ? this->Tracer.GetBackground(glm::dvec2(this->X, this->Y) + 0.5)
         : ComputeMean(this->Corners);
-      result.Error =
-        empty ? EmptyErrorFloor : this->CombineErrors(CurvatureSafetyFactor * error, ErrorFloor);
+      if (empty)
+      {
+        result.Error = EmptyErrorFloor;
+      }
+      else
+      {
+        this->SetErrors(CurvatureSafetyFactor * error, ErrorFloor, result);
+      }
       return result;
     }
   }

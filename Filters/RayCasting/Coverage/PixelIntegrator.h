@@ -39,7 +39,15 @@ struct IntegrationSettings
   int UniformSamples = 8;
   bool Rasterize = true; ///< if off, samples are always traced
   bool Shadows = false;
-  double Noise = 0.0; ///< standard error of sampled colors, which refinement cannot reduce
+  double LightTolerance = 0.0; ///< accepted RMSE that light effects add; 0: there are none
+  double Noise = 0.0;          ///< standard error of sampled colors, which refinement cannot reduce
+
+  /// Returns the accepted RMSE of a tile.
+  double GetTileTolerance() const
+  {
+    return this->LightTolerance > 0.0 ? std::hypot(this->Tolerance, this->LightTolerance)
+                                      : this->Tolerance;
+  }
 };
 
 /// Number of pixels by method.
@@ -187,11 +195,12 @@ private:
   /// Returns the penumbrae in this pixel, which predict each other, or null if there are none.
   std::vector<PenumbraNeighbors>* GetNeighbors(std::uint32_t penumbrae);
 
-  /// Combines an error of coverage and shading with the noise of sampled colors. About four colors
-  /// are averaged per pixel, which halves the noise.
-  float CombineErrors(float error, float floor) const
+  /// Sets the errors of a pixel: an error of coverage and shading, and the noise of sampled colors.
+  /// About four colors are averaged per pixel, which halves the noise.
+  void SetErrors(float error, float floor, PixelResult& result) const
   {
-    return std::max(std::hypot(error, 0.5f * static_cast<float>(this->Noise)), floor);
+    result.LightError = 0.5f * static_cast<float>(this->Noise);
+    result.Error = std::max(std::hypot(error, result.LightError), floor);
   }
 
   const CameraRayTracer& Tracer;

@@ -479,7 +479,7 @@ PixelResult PixelIntegrator::IntegrateExact(const std::uint32_t* edgeIndices, st
       continue;
     }
     result.Color /= static_cast<float>(covered);
-    result.Error = this->CombineErrors(std::sqrt(squares), EdgeErrorFloor);
+    this->SetErrors(std::sqrt(squares), EdgeErrorFloor, result);
     return result;
   }
 }

@@ -229,8 +229,8 @@ PixelResult PixelIntegrator::IntegrateDense(bool unknown)
     if (agree && !unknown)
     {
       pixel.Result.Color = ComputeMean(this->Corners);
-      pixel.Result.Error =
-        this->CombineErrors(CurvatureSafetyFactor * this->EstimateCurvatureError(), ErrorFloor);
+      this->SetErrors(
+        CurvatureSafetyFactor * this->EstimateCurvatureError(), ErrorFloor, pixel.Result);
     }
     else
     {
@@ -281,7 +281,7 @@ void PixelIntegrator::ComputeFaceColors(SampledPixel& pixel)
     squares += error * error;
   }
   pixel.Result.Color = pixel.MeanOfFaces;
-  pixel.Result.Error = this->CombineErrors(std::sqrt(squares), pixel.MinimumError);
+  this->SetErrors(std::sqrt(squares), pixel.MinimumError, pixel.Result);
 }
 
 void PixelIntegrator::Refine(SampledPixel& pixel)
@@ -302,9 +302,8 @@ void PixelIntegrator::Refine(SampledPixel& pixel)
   this->Noise = pixel.Noise;
 
   pixel.Result.Color = pixel.MeanOfFaces + glm::vec4(ComputeMeanOfSamples(pixel));
-  pixel.Result.Error =
-    this->CombineErrors(ConfidenceFactor * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
-      std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)));
+  this->SetErrors(ConfidenceFactor * static_cast<float>(std::sqrt(EstimateVariance(pixel))),
+    std::max(pixel.MinimumError, pixel.Floor / static_cast<float>(total)), pixel.Result);
 }
 
 void PixelIntegrator::TraceSamples(SampledPixel& pixel, std::size_t total)

@@ -136,7 +136,7 @@ PixelResult PixelIntegrator::IntegrateSubdivided(bool byObject)
   PixelResult result;
   float squares = 0.f;
   this->Subdivide(whole, byObject, result.Color, squares);
-  result.Error = this->CombineErrors(std::sqrt(squares), ErrorFloor);
+  this->SetErrors(std::sqrt(squares), ErrorFloor, result);
   return result;
 }
 

@@ -113,7 +113,7 @@ PixelResult PixelIntegrator::IntegrateUniform(int side)
   }
   this->Rays.Primary += total;
   result.Color = glm::vec4(sum / static_cast<double>(total));
-  result.Error = this->CombineErrors(EstimateGridError(this->Colors, side), 0.f);
+  this->SetErrors(EstimateGridError(this->Colors, side), 0.f, result);
   return result;
 }
 

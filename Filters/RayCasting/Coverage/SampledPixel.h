@@ -22,6 +22,7 @@ struct PixelResult
 {
   glm::vec4 Color{ 0.f }; ///< premultiplied by alpha
   float Error = 0.f;      ///< estimated RMS error of the three color components
+  float LightError = 0.f; ///< part of Error that light effects cause
 };
 
 /// A pixel with the samples that were traced so far. If few edges cross the pixel, its faces have

@@ -82,7 +82,7 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
   double squaredError)
 {
   const IntegrationSettings& settings = integrator.GetSettings();
-  const double limit = Square(std::hypot(settings.Tolerance, settings.Noise));
+  const double limit = Square(settings.GetTileTolerance());
   const double tileLimit = limit * count;
   const double pixelLimit = limit * Square(MaximumPixelError);
   const int maximumSamples =
@@ -127,6 +127,7 @@ void RefineTile(PixelIntegrator& integrator, const std::vector<SampledPixel*>& p
   for (SampledPixel* pixel : pixels)
   {
     pixel->Result.Error = static_cast<float>(std::sqrt(pooled.ComputeSquaredError(*pixel)));
+    pixel->Result.LightError = std::min(pixel->Result.LightError, pixel->Result.Error);
   }
 }
 

@@ -47,6 +47,10 @@ void StorePixel(
   region.Colors[index] =
     alpha > 0.f ? glm::vec4(glm::vec3(result.Color) / alpha, alpha) : glm::vec4(0.f);
   region.Errors[index] = std::hypot(result.Error, mediumError);
+  if (!region.LightErrors.empty())
+  {
+    region.LightErrors[index] = std::hypot(result.LightError, mediumError);
+  }
 }
 
 /// Refines the sampled pixels of [low, high), which contains whole tiles of ErrorTileSide pixels.
@@ -225,6 +229,7 @@ bool RenderRegion(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
   region.Colors.resize(pixels);
   region.Errors.resize(pixels);
+  region.LightErrors.resize(settings.Integration.LightTolerance > 0.0 ? pixels : 0);
   region.RaysPerPixel.resize(pixels);
   std::mutex totals;
 

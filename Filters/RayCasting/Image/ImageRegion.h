@@ -47,6 +47,7 @@ struct ImageRegion
   glm::ivec2 High{ 0 };
   std::vector<glm::vec4> Colors;   ///< not premultiplied by alpha
   std::vector<float> Errors;       ///< estimated RMS error per pixel
+  std::vector<float> LightErrors;  ///< part that light effects cause; empty without them
   std::vector<float> RaysPerPixel; ///< refinement rays; uniform sampling: all rays
   RayCounts Rays;
   PixelCounts Pixels;

@@ -8,7 +8,6 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace penumbra
 {
@@ -30,9 +29,21 @@ void AddFloatArray(vtkImageData* image, const char* name, int components)
   image->GetPointData()->AddArray(array);
 }
 
-/// Copies the rows of `region` that lie in `image`, with `overlay` composited over them. Returns
-/// the sum of their squared errors.
-double CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image)
+/// Copies one row of an array of floats and returns the sum of their squares.
+double CopyRow(const float* from, int width, vtkFloatArray* array, vtkIdType to)
+{
+  double squares = 0.0;
+  for (int x = 0; x < width; ++x)
+  {
+    array->SetValue(to + x, from[x]);
+    squares += static_cast<double>(from[x]) * from[x];
+  }
+  return squares;
+}
+
+/// Copies the rows of `region` that lie in `image`, with `overlay` composited over them. Adds their
+/// squared errors to `totals`.
+void CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image, ImageTotals& totals)
 {
   const auto find = [image](const char* name) {
     return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
@@ -40,10 +51,10 @@ double CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image
   vtkFloatArray* color = find("Color");
   vtkFloatArray* rays = find("Rays");
   vtkFloatArray* errors = find("EstimatedError");
+  vtkFloatArray* lightErrors = find("EstimatedLightError");
   int extent[6];
   image->GetExtent(extent);
   const int width = extent[1] - extent[0] + 1;
-  double squaredError = 0.0;
   for (int y = std::max(region.Low.y, extent[2]); y < std::min(region.High.y, extent[3] + 1); ++y)
   {
     const std::size_t from = region.Index(extent[0], y);
@@ -51,58 +62,27 @@ double CopyRows(ImageRegion& region, const Overlay& overlay, vtkImageData* image
     overlay.CompositeOver(extent[0], y, width, &region.Colors[from]);
     std::copy_n(&region.Colors[from].x, 4 * width, color->GetPointer(4 * to));
     std::copy_n(&region.RaysPerPixel[from], width, rays->GetPointer(to));
-    std::copy_n(&region.Errors[from], width, errors->GetPointer(to));
-    for (int x = 0; x < width; ++x)
+    totals.SquaredError += CopyRow(&region.Errors[from], width, errors, to);
+    if (lightErrors)
     {
-      squaredError += static_cast<double>(region.Errors[from + x]) * region.Errors[from + x];
+      totals.SquaredLightError += CopyRow(&region.LightErrors[from], width, lightErrors, to);
     }
   }
-  return squaredError;
 }
 
-}
-
-TileErrors EvaluateTiles(vtkImageData* image, double limit)
-{
-  constexpr int Side = 16;
-  vtkFloatArray* errors =
-    vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("EstimatedError"));
-  int extent[6];
-  image->GetExtent(extent);
-  const int width = extent[1] - extent[0] + 1;
-  TileErrors tiles;
-  for (int y = extent[2] / Side * Side; y <= extent[3]; y += Side)
-  {
-    for (int x = extent[0] / Side * Side; x <= extent[1]; x += Side)
-    {
-      double squares = 0.0;
-      int count = 0;
-      for (int j = std::max(y, extent[2]); j <= std::min(y + Side - 1, extent[3]); ++j)
-      {
-        for (int i = std::max(x, extent[0]); i <= std::min(x + Side - 1, extent[1]); ++i)
-        {
-          const double error =
-            errors->GetValue(static_cast<vtkIdType>(j - extent[2]) * width + i - extent[0]);
-          squares += error * error;
-          ++count;
-        }
-      }
-      const double error = std::sqrt(squares / count);
-      ++tiles.Tiles;
-      tiles.AboveTolerance += error > limit ? 1 : 0;
-      tiles.MaximumError = std::max(tiles.MaximumError, error);
-    }
-  }
-  return tiles;
 }
 
 bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,
-  ImageRegion& totals, double& squaredError)
+  ImageTotals& totals)
 {
   AddFloatArray(image, "Color", 4);
   AddFloatArray(image, "Rays", 1);
   AddFloatArray(image, "EstimatedError", 1);
+  if (settings.Integration.LightTolerance > 0.0)
+  {
+    AddFloatArray(image, "EstimatedLightError", 1);
+  }
   image->GetPointData()->SetActiveScalars("Color");
 
   const Scene& scene = tracer.GetScene();
@@ -128,7 +108,7 @@ bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
     {
       return false;
     }
-    squaredError += CopyRows(region, scene.OverlayImage, image);
+    CopyRows(region, scene.OverlayImage, image, totals);
     totals.Rays += region.Rays;
     totals.Pixels += region.Pixels;
     totals.Edges = std::max(totals.Edges, region.Edges);

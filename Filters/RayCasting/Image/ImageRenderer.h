@@ -9,30 +9,37 @@
 
 #include "vtkType.h"
 
+#include <cmath>
+
 class vtkImageData;
 
 namespace penumbra
 {
 
-/// Estimated errors of the tiles of 16x16 pixels.
-struct TileErrors
+/// Counts and errors of a whole image.
+struct ImageTotals
 {
-  vtkIdType Tiles = 0;          ///< number of tiles
-  vtkIdType AboveTolerance = 0; ///< number of tiles whose estimated RMSE is above the limit
-  double MaximumError = 0.0;    ///< largest estimated RMSE of a tile
+  RayCounts Rays;
+  PixelCounts Pixels;
+  long long Edges = 0;            ///< number of projected edges
+  double SquaredError = 0.0;      ///< sum of the squared estimated errors of the pixels
+  double SquaredLightError = 0.0; ///< part that light effects cause
+
+  double ComputeError(vtkIdType pixels) const { return std::sqrt(this->SquaredError / pixels); }
+  double ComputeLightError(vtkIdType pixels) const
+  {
+    return std::sqrt(this->SquaredLightError / pixels);
+  }
 };
 
-/// Compares the estimated RMSE of the tiles of `image` (array `EstimatedError`) with `limit`.
-TileErrors EvaluateTiles(vtkImageData* image, double limit);
-
 /**
- * Adds the arrays `Color`, `Rays` and `EstimatedError` to `image`, whose extent is set, and
- * composites the overlay of the scene over `Color`. Adds counts to `totals` and the squared errors
- * of all pixels to `squaredError`. Returns false if `progress` requested a stop.
+ * Adds the arrays `Color`, `Rays` and `EstimatedError` to `image`, whose extent is set, with light
+ * effects also `EstimatedLightError`, and composites the overlay of the scene over `Color`. Adds
+ * counts and errors to `totals`. Returns false if `progress` requested a stop.
  */
 bool RenderImage(const CameraRayTracer& tracer, const SceneEdges& sceneEdges,
   const RenderSettings& settings, const ProgressCallback& progress, vtkImageData* image,
-  ImageRegion& totals, double& squaredError);
+  ImageTotals& totals);
 
 }
 #endif

@@ -306,6 +306,7 @@ TEST(RayCasterKeepScene, ExtractsChangedScenesAgain)
     [&] { renderer->RemoveActor(actor); },
     [&] { renderer->AddActor(actor); },
     [&] { caster->SetTolerance(0.01); },
+    [&] { caster->SetLightTolerance(0.02); },
     [&] { caster->ShadowsOn(); },
     [&] { caster->SetResolution(Side, Side - 8); },
   };
@@ -317,6 +318,7 @@ TEST(RayCasterKeepScene, ExtractsChangedScenesAgain)
     EXPECT_EQ(CountExtractions(caster), 1) << i;
     const auto fresh = MakeCaster(renderer, [&](vtkPenumbraRayCaster* other) {
       other->SetTolerance(caster->GetTolerance());
+      other->SetLightTolerance(caster->GetLightTolerance());
       other->SetShadows(caster->GetShadows());
       other->SetResolution(caster->GetResolution());
     });

@@ -135,6 +135,7 @@ protected:
     this->Caster->SetRenderer(renderer);
     this->Caster->SetResolution(Side, Side);
     this->Caster->SetTolerance(Tolerance);
+    this->Caster->SetLightTolerance(Tolerance);
   }
 
   void SetMaterial(double ambient, double diffuse)

@@ -48,6 +48,7 @@ public:
     this->Caster->SetIndirectLight(light);
     this->Caster->SetAmbientOcclusionRadius(2.0);
     this->Caster->SetTolerance(.02);
+    this->Caster->SetLightTolerance(.02);
     this->Caster->SetGeometryArrays(true);
     this->Caster->Update();
     if (light)

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ToleranceWarning.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace penumbra
+{
+namespace
+{
+
+constexpr int TileSide = 16;
+// Number and fraction of tiles above the tolerance from which on there is a warning.
+constexpr vtkIdType ReportedTiles = 4;
+constexpr double ReportedFraction = 0.01;
+// Relative rounding error of the estimated errors, which are floats.
+constexpr double RoundingError = 1e-6;
+
+/// Mean squared errors of a tile.
+struct TileError
+{
+  double Total = 0.0;
+  double Light = 0.0; ///< part that light effects cause
+};
+
+/// Estimated errors of the tiles of an image.
+struct TileErrors
+{
+  vtkIdType Tiles = 0;
+  vtkIdType AboveTolerance = 0;
+  vtkIdType AboveLightTolerance = 0; ///< number of them whose light error exceeds its own tolerance
+  vtkIdType AboveOther = 0;          ///< number of them whose other error exceeds its own tolerance
+  double MaximumError = 0.0;         ///< largest RMSE of a tile
+};
+
+double Square(double x)
+{
+  return x * x;
+}
+
+TileError ComputeTileError(vtkImageData* image, int x, int y)
+{
+  const auto find = [image](const char* name) {
+    return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
+  };
+  vtkFloatArray* errors = find("EstimatedError");
+  vtkFloatArray* lightErrors = find("EstimatedLightError");
+  int extent[6];
+  image->GetExtent(extent);
+  TileError error;
+  int count = 0;
+  for (int j = std::max(y, extent[2]); j <= std::min(y + TileSide - 1, extent[3]); ++j)
+  {
+    for (int i = std::max(x, extent[0]); i <= std::min(x + TileSide - 1, extent[1]); ++i)
+    {
+      const vtkIdType pixel =
+        static_cast<vtkIdType>(j - extent[2]) * (extent[1] - extent[0] + 1) + i - extent[0];
+      error.Total += Square(errors->GetValue(pixel));
+      error.Light += lightErrors ? Square(lightErrors->GetValue(pixel)) : 0.0;
+      ++count;
+    }
+  }
+  error.Total /= count;
+  error.Light /= count;
+  return error;
+}
+
+TileErrors EvaluateTiles(vtkImageData* image, const IntegrationSettings& settings)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  const double limit = (1.0 + RoundingError) * settings.GetTileTolerance();
+  TileErrors tiles;
+  for (int y = extent[2] / TileSide * TileSide; y <= extent[3]; y += TileSide)
+  {
+    for (int x = extent[0] / TileSide * TileSide; x <= extent[1]; x += TileSide)
+    {
+      const TileError error = ComputeTileError(image, x, y);
+      ++tiles.Tiles;
+      tiles.MaximumError = std::max(tiles.MaximumError, std::sqrt(error.Total));
+      if (std::sqrt(error.Total) > limit)
+      {
+        ++tiles.AboveTolerance;
+        tiles.AboveLightTolerance += error.Light > Square(settings.LightTolerance) ? 1 : 0;
+        tiles.AboveOther += error.Total - error.Light > Square(settings.Tolerance) ? 1 : 0;
+      }
+    }
+  }
+  return tiles;
+}
+
+/// Returns the properties whose increase brings most of the tiles within the tolerance.
+const char* FindRemedy(const TileErrors& tiles, const IntegrationSettings& settings)
+{
+  const bool light = tiles.AboveLightTolerance > 0;
+  if (light && tiles.AboveOther > 0)
+  {
+    return "Increase Tolerance and LightTolerance.";
+  }
+  return light ? "Increase LightTolerance."
+    : settings.Method == IntegrationSettings::Methods::Subdivision
+    ? "Increase Tolerance or MaximumLevel."
+    : "Increase Tolerance.";
+}
+
+}
+
+std::string DescribeMissedTolerance(
+  const IntegrationSettings& settings, const ImageTotals& totals, vtkImageData* image)
+{
+  const TileErrors tiles = EvaluateTiles(image, settings);
+  const double limit = settings.GetTileTolerance();
+  const double error = totals.ComputeError(image->GetNumberOfPoints());
+  const bool isReported = tiles.AboveTolerance >= ReportedTiles ||
+    tiles.AboveTolerance >= ReportedFraction * static_cast<double>(tiles.Tiles) ||
+    error > (1.0 + RoundingError) * limit;
+  if (!isReported || tiles.AboveTolerance == 0)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "The tolerance of " << limit << " was not reached in " << tiles.AboveTolerance << " of "
+       << tiles.Tiles << " tiles of 16x16 pixels. The largest estimated error of a tile is "
+       << tiles.MaximumError << ". " << FindRemedy(tiles, settings);
+  return text.str();
+}
+
+}
