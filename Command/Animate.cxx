@@ -273,24 +273,24 @@ int Animate(AnimationOptions& options)
     finished);
 }
 
-void DeclareMotion(CLI::App& app, AnimationOptions& options)
+void DeclareMotion(const CommandLine& app, AnimationOptions& options)
 {
   const std::string group = "Motion";
   AddInteger(app, "--frames", options.Frames, "Number of images; for a time series, one per file",
     1, 1000000)
-    ->group(group);
+    .Group(group);
   AddNumber(app, "--orbit", options.Orbit, "DEG",
     "Rotate the camera around the focal point to the right; default: 360 if nothing else moves",
     { -1e6, 1e6 })
-    ->default_str("")
-    ->group(group);
+    .Default("")
+    .Group(group);
   const auto storeMovements = [&options](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
     {
       const std::size_t colon = text.find(':');
       if (colon == std::string::npos)
       {
-        throw CLI::ValidationError("--move", "'" + text + "' is not of the form N:X,Y,Z");
+        throw InvalidValue("--move", "'" + text + "' is not of the form N:X,Y,Z");
       }
       const double file = ParseNumbers("--move", text.substr(0, colon), 1, 1, { 1.0, 1e6 })[0];
       const std::vector<double> displacement =
@@ -300,22 +300,21 @@ void DeclareMotion(CLI::App& app, AnimationOptions& options)
     }
   };
   app
-    .add_option_function<std::vector<std::string>>("--move", storeMovements,
+    .AddRepeatable("--move", storeMovements,
       "Move file number N (1: the first) by X,Y,Z in world units over the animation; repeatable")
-    ->type_name("N:X,Y,Z")
-    ->allow_extra_args(false)
-    ->group(group);
+    .TypeName("N:X,Y,Z")
+    .Group(group);
   app
-    .add_flag("--time-series", options.TimeSeries,
+    .AddFlag("--time-series", options.TimeSeries,
       "Each file is one time step; camera and colors are those of the first")
-    ->group(group);
+    .Group(group);
   app
-    .add_flag("--resume", options.Resume,
+    .AddFlag("--resume", options.Resume,
       "Keep existing images that were made from the same files with the same options (.png)")
-    ->group("Output");
+    .Group("Output");
 }
 
-void CheckMotion(const CLI::App& app, AnimationOptions& options)
+void CheckMotion(const CommandLine& app, AnimationOptions& options)
 {
   const RenderOptions& render = options.Render;
   if (!HasFrame(render.Output))
@@ -344,7 +343,7 @@ void CheckMotion(const CLI::App& app, AnimationOptions& options)
   }
   if (options.TimeSeries)
   {
-    if (app.count("--frames") > 0 || !options.Movements.empty())
+    if (app.Count("--frames") > 0 || !options.Movements.empty())
     {
       throw CommandError(BadInput,
         "--time-series renders one image per file; it cannot be combined with --frames or --move");
@@ -358,11 +357,11 @@ void CheckMotion(const CLI::App& app, AnimationOptions& options)
 }
 
 /// Returns all options as text, except paths and the options that do not affect an image.
-std::string Describe(const CLI::App& app)
+std::string Describe(const CommandLine& app)
 {
   const std::vector<std::string> others = { "output", "resume", "jobs", "threads", "progress",
     "read-limit", "statistics", "FILE" };
-  std::istringstream lines(app.config_to_str(true, false));
+  std::istringstream lines(app.Describe());
   std::string description;
   for (std::string line; std::getline(lines, line);)
   {
@@ -377,31 +376,31 @@ std::string Describe(const CLI::App& app)
 
 }
 
-Action DeclareAnimate(CLI::App& program)
+Action DeclareAnimate(const CommandLine& program)
 {
   const auto options = std::make_shared<AnimationOptions>();
-  CLI::App* app =
-    program.add_subcommand("animate", "Render an orbit, moving parts or a time series");
-  DeclareRenderOptions(*app, options->Render);
-  app->remove_option(app->get_option("--frames")); // The option of `render` has another meaning.
-  DeclareMotion(*app, *options);
-  app->get_option("--output")
-    ->description("Images: .png .jpg .tif .bmp (8 bits per channel) or .vti; {frame} is replaced "
-                  "by the frame number");
-  app->get_option("--statistics")
-    ->description(
+  const CommandLine app =
+    program.AddSubcommand("animate", "Render an orbit, moving parts or a time series");
+  DeclareRenderOptions(app, options->Render);
+  app.Remove("--frames"); // The option of `render` has another meaning.
+  DeclareMotion(app, *options);
+  app.Get("--output")
+    .Description("Images: .png .jpg .tif .bmp (8 bits per channel) or .vti; {frame} is replaced "
+                 "by the frame number");
+  app.Get("--statistics")
+    .Description(
       "Write ray counts, estimated error, times and memory to these files; {frame} as in --output");
-  app->get_option("--jobs")->description("Number of groups of images rendered at the same time");
+  app.Get("--jobs").Description("Number of groups of images rendered at the same time");
   return [options, app]() {
     RenderOptions& render = options->Render;
     render.Coloring.Enabled = render.Coloring.Enabled || !render.Coloring.Array.empty();
-    CheckRenderOptions(*app, render);
-    CheckMotion(*app, *options);
-    options->Description = Describe(*app);
+    CheckRenderOptions(app, render);
+    CheckMotion(app, *options);
+    options->Description = Describe(app);
     const int status = Animate(*options);
     if (status == Done)
     {
-      for (const std::string& warning : FindIgnoredOptions(*app, render))
+      for (const std::string& warning : FindIgnoredOptions(app, render))
       {
         PrintMessage("warning: " + warning);
       }

@@ -102,7 +102,7 @@ void RequireLights(const BakeOptions& options)
 }
 
 /// Returns one warning for each option on the command line that has no effect.
-std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const BakeOptions& options)
+std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const BakeOptions& options)
 {
   const bool occlusion = options.Quantity == "ambient-occlusion";
   const bool irradiance = options.Quantity == "irradiance";
@@ -143,7 +143,7 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const BakeOptio
   std::set<std::string> found;
   for (const auto& row : rows)
   {
-    if (row.IsIgnored && app.count(row.Option) > 0 && found.insert(row.Option).second)
+    if (row.IsIgnored && app.Count(row.Option) > 0 && found.insert(row.Option).second)
     {
       warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
     }
@@ -374,14 +374,12 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
   {
     const int threads =
       options.Threads > 0 ? options.Threads : vtkSMPTools::GetEstimatedNumberOfThreads();
-    const nlohmann::json report = { { "statistics", ToJson(filter->GetStatistics()) },
+    const ReportTable seconds = { { "read", readSeconds }, { "bake", bakeSeconds },
+      { "write", writeSeconds }, { "total", SecondsSince(start) } };
+    const Report report = { { "statistics", ToTable(filter->GetStatistics()) },
       { "estimated_error", filter->GetEstimatedError() }, { "tolerance", options.Tolerance },
-      { "threads", threads },
-      { "seconds",
-        { { "read", readSeconds }, { "bake", bakeSeconds }, { "write", writeSeconds },
-          { "total", SecondsSince(start) } } },
-      { "peak_memory_bytes", PeakMemory() } };
-    statistics->Write(report.dump(2) + "\n");
+      { "threads", threads }, { "seconds", seconds }, { "peak_memory_bytes", PeakMemory() } };
+    statistics->Write(FormatJson(report));
     statistics->Commit();
   }
   output.Commit();
@@ -390,18 +388,18 @@ int Bake(const BakeOptions& options, std::vector<std::string> warnings, Clock::t
   return Done;
 }
 
-void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
+void DeclareBakeOptions(const CommandLine& app, BakeOptions& options)
 {
-  app.add_option("FILE", options.File, "Mesh; `penumbra list` prints the formats")
-    ->required()
-    ->type_name("");
+  app.AddText("FILE", options.File, "Mesh; `penumbra list` prints the formats")
+    .Required()
+    .TypeName("");
   app
-    .add_option("--output", options.Output,
+    .AddText("--output", options.Output,
       "Mesh with the array: .vtp .vtu .vtk; .ply: vertex colors, 1 - occlusion, E / pi or direct "
       "light, clamped to 1")
-    ->required()
-    ->type_name("MESH")
-    ->take_last();
+    .Required()
+    .TypeName("MESH")
+    .TakeLast();
   AddChoice(app, "--quantity", options.Quantity,
     { "ambient-occlusion", "irradiance", "direct-light" },
     "Array AmbientOcclusion (occluded fraction of the hemisphere), Irradiance (direct and "
@@ -430,15 +428,15 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
     "Radius of the disks that represent points of a mesh without polygons, and of spheres at the "
     "vertices of other meshes, which occlude",
     { 0.0, 1e30, true })
-    ->default_str("");
+    .Default("");
   AddNumber(app, "--line-radius", options.LineRadius, "R",
     "Radius of tubes along the lines of the mesh, which occlude", { 0.0, 1e30, true })
-    ->default_str("");
+    .Default("");
   app
-    .add_option("--opacity-array", options.OpacityArray,
+    .AddText("--opacity-array", options.OpacityArray,
       "Point array with the opacity of the mesh, in [0, 1]; default: opaque")
-    ->type_name("NAME")
-    ->take_last();
+    .TypeName("NAME")
+    .TakeLast();
   AddInteger(app, "--threads", options.Threads,
     "Number of threads, 0: all; the values do not depend on it", 0, 1024);
   AddStatisticsOption(app, options.Statistics,
@@ -449,13 +447,13 @@ void DeclareBakeOptions(CLI::App& app, BakeOptions& options)
 
 }
 
-Action DeclareBake(CLI::App& program)
+Action DeclareBake(const CommandLine& program)
 {
   const Clock::time_point start = Clock::now();
   const auto options = std::make_shared<BakeOptions>();
-  CLI::App* app = program.add_subcommand(
+  const CommandLine app = program.AddSubcommand(
     "bake", "Compute ambient occlusion, irradiance or direct light on the points of a mesh");
-  DeclareBakeOptions(*app, *options);
+  DeclareBakeOptions(app, *options);
   return [options, app, start]() {
     CheckMeshExtension(options->Output);
     RequireLights(*options);
@@ -464,7 +462,7 @@ Action DeclareBake(CLI::App& program)
       throw CommandError(BadInput,
         "--statistics " + options->Statistics + ": the path equals --output; choose another file");
     }
-    const std::vector<std::string> warnings = FindIgnoredOptions(*app, *options);
+    const std::vector<std::string> warnings = FindIgnoredOptions(app, *options);
     return RunWorkers(
       1, 1, [&](int) { return Bake(*options, warnings, start); }, [](int) {});
   };

@@ -3,10 +3,9 @@
 //
 // penumbra chart: starts the program penumbra-chart, as git starts the programs of its subcommands. The
 // charts use the references and scenes of the benchmarks, which the installed program does not contain.
+#include "Parsing/CommandLine.h"
 #include "Processes/CommandError.h"
 #include "Subcommands.h"
-
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <string>
@@ -35,12 +34,11 @@ void ExecuteChartProgram(int argc, char** argv)
   execvp(name, arguments.data());
 }
 
-Action DeclareChart(CLI::App& program)
+Action DeclareChart(const CommandLine& program)
 {
-  CLI::App* app =
-    program.add_subcommand("chart", "Measure and plot speed against accuracy of every method");
-  app->prefix_command();
-  app->set_help_flag();
+  const CommandLine app =
+    program.AddSubcommand("chart", "Measure and plot speed against accuracy of every method");
+  app.AcceptAnything();
   return []() -> int {
     throw CommandError(Unavailable,
       "chart: the program penumbra-chart is neither next to penumbra nor in PATH; it is built with "

@@ -5,6 +5,7 @@
 #include "Files/AtomicFile.h"
 #include "Files/ImageFiles.h"
 #include "Files/InputFiles.h"
+#include "Files/Report.h"
 #include "Input/ReadLimit.h"
 #include "Parsing/Arguments.h"
 #include "Processes/CommandError.h"
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 namespace penumbra
 {
@@ -132,13 +132,13 @@ int Compare(const CompareOptions& options)
   const bool above = value > threshold;
   if (options.Json)
   {
-    nlohmann::json report = { { "metric", name }, { "value", value }, { "baseline", nearest },
-      { "above_threshold", above } };
+    ReportTable metrics;
     for (int each = 0; each < vtkPenumbraImageComparison::NUMBER_OF_METRICS; ++each)
     {
-      report["metrics"][vtkPenumbraImageComparison::GetMetricName(each)] =
-        comparison->GetValue(each);
+      metrics[vtkPenumbraImageComparison::GetMetricName(each)] = comparison->GetValue(each);
     }
+    Report report = { { "metric", name }, { "value", value }, { "baseline", nearest },
+      { "above_threshold", above }, { "metrics", metrics } };
     if (!std::isnan(threshold))
     {
       report["threshold"] = threshold;
@@ -147,7 +147,7 @@ int Compare(const CompareOptions& options)
     {
       report["difference_factor"] = factor;
     }
-    std::cout << report.dump(2) << "\n";
+    std::cout << FormatJson(report);
     return above ? AboveThreshold : Done;
   }
   std::cout << name << " " << value << " from " << nearest;
@@ -165,37 +165,37 @@ int Compare(const CompareOptions& options)
 
 }
 
-Action DeclareCompare(CLI::App& program)
+Action DeclareCompare(const CommandLine& program)
 {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App* app =
-    program.add_subcommand("compare", "Compare an image with the nearest of its baselines");
-  app->add_option("IMAGE", options->Images, "Image, then one or more baselines")
-    ->required()
-    ->type_name("A B...");
-  AddChoice(*app, "--metric", options->Metric,
+  const CommandLine app =
+    program.AddSubcommand("compare", "Compare an image with the nearest of its baselines");
+  app.AddTexts("IMAGE", options->Images, "Image, then one or more baselines")
+    .Required()
+    .TypeName("A B...");
+  AddChoice(app, "--metric", options->Metric,
     { "rmse", "max", "ssim", "pixels", "tile-rmse", "tile-pixels", "excess" },
     "rmse: root mean square; max: largest difference; ssim: 1 - structural similarity; pixels: "
     "fraction that differs by more than 4/255; tile-rmse, tile-pixels: of the worst 16x16 pixels; "
     "excess: ratio to the limits of --tolerance");
-  AddNumber(*app, "--threshold", options->Threshold, "X", "Exit with 1 if the metric is above X",
+  AddNumber(app, "--threshold", options->Threshold, "X", "Exit with 1 if the metric is above X",
     { 0.0, Infinity });
-  AddNumber(*app, "--tolerance", options->Tolerance, "X",
+  AddNumber(app, "--tolerance", options->Tolerance, "X",
     "Instead of a metric and a threshold: exit with 1 unless tile-rmse is at most X, at most 1 % "
     "of the pixels differ by more than 4/255, and at most 1/32 of any 16x16 pixels; 1/16 suits "
     "OpenGL images",
     { 0.0, 1.0 });
-  app->add_option("--mask", options->Mask, "Image of the same size; black pixels are ignored")
-    ->type_name("PATH")
-    ->take_last();
+  app.AddText("--mask", options->Mask, "Image of the same size; black pixels are ignored")
+    .TypeName("PATH")
+    .TakeLast();
   app
-    ->add_option("--difference", options->Difference,
+    .AddText("--difference", options->Difference,
       "Write an image of the differences; 8-bit formats are scaled so that the largest difference "
       "is white")
-    ->type_name("PATH")
-    ->take_last();
-  AddReadLimitOption(*app);
-  app->add_flag("--json", options->Json, "Print all metrics as JSON");
+    .TypeName("PATH")
+    .TakeLast();
+  AddReadLimitOption(app);
+  app.AddFlag("--json", options->Json, "Print all metrics as JSON");
   return [options]() {
     if (options->Images.size() < 2)
     {

@@ -3,6 +3,7 @@
 //
 // penumbra info: prints versions, resources and the OpenGL windows that this machine supports.
 #include "Engines/Engine.h"
+#include "Parsing/CommandLine.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
 #include "Processes/Worker.h"
@@ -10,8 +11,6 @@
 
 #include "vtkSMPTools.h"
 #include "vtkVersion.h"
-
-#include <CLI/CLI.hpp>
 
 #include <iomanip>
 #include <iostream>
@@ -43,9 +42,9 @@ int Info()
 
 }
 
-Action DeclareInfo(CLI::App& program)
+Action DeclareInfo(const CommandLine& program)
 {
-  program.add_subcommand("info", "Print what runs on this machine");
+  program.AddSubcommand("info", "Print what runs on this machine");
   return Info;
 }
 

@@ -5,12 +5,11 @@
 #include "Files/ImageFiles.h"
 #include "Input/Readers.h"
 #include "Options/Colormaps.h"
+#include "Parsing/Arguments.h"
 #include "Processes/CommandError.h"
 #include "Subcommands.h"
 
 #include "vtkPenumbraKernels.h"
-
-#include <CLI/CLI.hpp>
 
 #include <iomanip>
 #include <iostream>
@@ -26,8 +25,8 @@ int List()
   std::cout << "Readers\n" << std::left;
   for (const ReaderRow& row : Readers())
   {
-    std::cout << "  " << std::setw(26) << CLI::detail::join(row.Extensions, " ") << std::setw(38)
-              << row.Format << row.ReaderClass << "\n";
+    std::cout << "  " << std::setw(26) << Join(row.Extensions, " ") << std::setw(38) << row.Format
+              << row.ReaderClass << "\n";
   }
   std::cout << "\nImages\n  " << ImageExtensions() << "\n\nVector graphics\n  .svg .pdf"
             << "\n\nColormaps\n ";
@@ -52,9 +51,9 @@ int List()
 
 }
 
-Action DeclareList(CLI::App& program)
+Action DeclareList(const CommandLine& program)
 {
-  program.add_subcommand("list", "List readers, image formats, colormaps and engines");
+  program.AddSubcommand("list", "List readers, image formats, colormaps and engines");
   return List;
 }
 

@@ -157,25 +157,25 @@ int Render(const RenderOptions& options, Clock::time_point start)
 
 }
 
-Action DeclareRender(CLI::App& program)
+Action DeclareRender(const CommandLine& program)
 {
   const Clock::time_point start = Clock::now();
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* app = program.add_subcommand("render", "Render meshes to an image");
-  DeclareRenderOptions(*app, *options);
+  const CommandLine app = program.AddSubcommand("render", "Render meshes to an image");
+  DeclareRenderOptions(app, *options);
   return [options, app, start]() {
     options->Coloring.Enabled = options->Coloring.Enabled || !options->Coloring.Array.empty();
-    CheckRenderOptions(*app, *options);
+    CheckRenderOptions(app, *options);
     const int status = Render(*options, start);
     if (status == Done)
     {
-      std::vector<std::string> warnings = FindIgnoredOptions(*app, *options);
+      std::vector<std::string> warnings = FindIgnoredOptions(app, *options);
       // `animate` gives these options another meaning, so FindIgnoredOptions() does not check them.
-      if (app->count("--frames") > 0 && options->Engine == "ray")
+      if (app.Count("--frames") > 0 && options->Engine == "ray")
       {
         warnings.emplace_back("--frames has no effect with --engine ray");
       }
-      if (app->count("--jobs") > 0 && !(HasName(options->Output) && options->Files.size() > 1))
+      if (app.Count("--jobs") > 0 && !(HasName(options->Output) && options->Files.size() > 1))
       {
         warnings.emplace_back("--jobs has no effect without several files and {name} in --output");
       }

@@ -11,13 +11,13 @@
 namespace penumbra
 {
 
-Action DeclareRender(CLI::App& program);
-Action DeclareAnimate(CLI::App& program);
-Action DeclareBake(CLI::App& program);
-Action DeclareChart(CLI::App& program);
-Action DeclareCompare(CLI::App& program);
-Action DeclareList(CLI::App& program);
-Action DeclareInfo(CLI::App& program);
+Action DeclareRender(const CommandLine& program);
+Action DeclareAnimate(const CommandLine& program);
+Action DeclareBake(const CommandLine& program);
+Action DeclareChart(const CommandLine& program);
+Action DeclareCompare(const CommandLine& program);
+Action DeclareList(const CommandLine& program);
+Action DeclareInfo(const CommandLine& program);
 
 /// Replaces this process by the program `penumbra-chart` if the subcommand is `chart`. Returns for
 /// other subcommands, and if the program is not found; it is not part of the installed package.

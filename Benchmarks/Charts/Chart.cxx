@@ -222,26 +222,26 @@ double CpuSeconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-Action DeclareChart(CLI::App& program)
+Action DeclareChart(const CommandLine& program)
 {
   const auto options = std::make_shared<ChartOptions>();
-  CLI::App* app =
-    program.add_subcommand("chart", "Measure speed against accuracy of every method, and draw it");
-  app->add_option("FILE", options->Files, "Meshes; default: built-in scenes")->type_name("");
+  const CommandLine app =
+    program.AddSubcommand("chart", "Measure speed against accuracy of every method, and draw it");
+  app.AddTexts("FILE", options->Files, "Meshes; default: built-in scenes").TypeName("");
   app
-    ->add_option("--output", options->Output,
+    .AddText("--output", options->Output,
       "Folder for one .csv, .png and .svg per family; rows that it already contains are not "
       "measured again")
-    ->required()
-    ->type_name("DIR")
-    ->take_last();
-  AddChoice(*app, "--family", options->Family, { "ao", "aa", "irradiance", "shafts", "all" },
+    .Required()
+    .TypeName("DIR")
+    .TakeLast();
+  AddChoice(app, "--family", options->Family, { "ao", "aa", "irradiance", "shafts", "all" },
     "ao: ambient occlusion; aa: antialiasing; irradiance: the cache; shafts: light shafts");
-  app->add_flag("--quick", options->Quick, "Small images and few settings: seconds per family");
-  AddChoice(*app, "--window", options->Window, { "auto", "osmesa", "egl", "x" },
+  app.AddFlag("--quick", options->Quick, "Small images and few settings: seconds per family");
+  AddChoice(app, "--window", options->Window, { "auto", "osmesa", "egl", "x" },
     "Kind of OpenGL window; auto: the first that works on this machine");
-  AddReadLimitOption(*app);
-  AddChoice(*app, "--progress", options->Progress, { "auto", "bar", "plain", "none" },
+  AddReadLimitOption(app);
+  AddChoice(app, "--progress", options->Progress, { "auto", "bar", "plain", "none" },
     "How progress is shown on stderr; auto: a bar on a terminal");
   return [options]() {
     return RunWorkers(

@@ -10,7 +10,7 @@
 namespace penumbra
 {
 
-Action DeclareChart(CLI::App& program);
+Action DeclareChart(const CommandLine& program);
 
 }
 #endif

@@ -5,10 +5,11 @@
 #ifndef penumbra_Engine_h
 #define penumbra_Engine_h
 
+#include "Files/Report.h"
+
 #include "vtkSmartPointer.h"
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct RenderResult
   Coverages Coverage = Coverages::Unknown;
   vtkSmartPointer<vtkImageData> Image; ///< `Color`: 4 floats, straight alpha
   std::string VectorGraphics;          ///< contents of the file if the output is .svg or .pdf
-  nlohmann::json Statistics = nlohmann::json::object();
+  ReportTable Statistics;
   double Tolerance = 0.0;           ///< accepted error
   double LightTolerance = 0.0;      ///< accepted error that light effects add
   double EstimatedError = 0.0;      ///< NaN if the engine makes no estimate

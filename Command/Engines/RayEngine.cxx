@@ -263,15 +263,18 @@ RenderResult Draw(vtkPenumbraRayCaster* caster, vtkRenderer* renderer, const Ren
   result.Image = vtkSmartPointer<vtkImageData>::New();
   result.Image->ShallowCopy(caster->GetOutput());
   RestoreCellIds(result.Image, renderer);
-  result.Statistics = ToJson(caster->GetStatistics());
-  const nlohmann::json figure = ToJson(exporter->GetStatistics());
-  result.Statistics.update(figure);
+  result.Statistics = ToTable(caster->GetStatistics());
+  const ReportTable figure = ToTable(exporter->GetStatistics());
+  for (const auto& [name, value] : figure)
+  {
+    result.Statistics[name] = value;
+  }
   if (!exporter->GetImageReason().empty())
   {
     result.Statistics["Vector/ImageReason"] = exporter->GetImageReason();
   }
   const bool empty = result.Statistics["Pixels/Empty"] == result.Statistics["Pixels/Total"] &&
-    figure.value("Vector/Lines", 0.0) == 0.0;
+    (figure.count("Vector/Lines") == 0 || figure.at("Vector/Lines") == ReportValue(0LL));
   result.Coverage = empty ? RenderResult::Coverages::Empty : RenderResult::Coverages::Some;
   result.Tolerance = options.Tolerance;
   result.LightTolerance = caster->GetEffectiveLightTolerance();

@@ -138,17 +138,16 @@ std::vector<std::string> OutputFiles::Save(const RenderResult& result, vtkRender
   const double writeSeconds = SecondsSince(lap);
   if (this->Statistics)
   {
-    const nlohmann::json report = { { "statistics", result.Statistics },
+    const ReportTable seconds = { { "read", preparation.ReadSeconds },
+      { "build", preparation.SceneSeconds + result.BuildSeconds },
+      { "render", result.RenderSeconds }, { "write", writeSeconds },
+      { "total", SecondsSince(preparation.Start) } };
+    const Report report = { { "statistics", result.Statistics },
       { "estimated_error", result.EstimatedError },
       { "estimated_light_error", result.EstimatedLightError }, { "tolerance", result.Tolerance },
       { "light_tolerance", result.LightTolerance }, { "threads", result.Threads },
-      { "seconds",
-        { { "read", preparation.ReadSeconds },
-          { "build", preparation.SceneSeconds + result.BuildSeconds },
-          { "render", result.RenderSeconds }, { "write", writeSeconds },
-          { "total", SecondsSince(preparation.Start) } } },
-      { "peak_memory_bytes", PeakMemory() } };
-    this->Statistics->Write(report.dump(2) + "\n");
+      { "seconds", seconds }, { "peak_memory_bytes", PeakMemory() } };
+    this->Statistics->Write(FormatJson(report));
     this->Statistics->Commit();
   }
   this->Output.Commit();

@@ -7,6 +7,8 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 #include <sys/resource.h>
@@ -27,9 +29,9 @@ void PrintWarnings(const std::vector<std::string>& warnings)
   }
 }
 
-nlohmann::json ToJson(vtkFieldData* statistics)
+ReportTable ToTable(vtkFieldData* statistics)
 {
-  nlohmann::json json = nlohmann::json::object();
+  ReportTable table;
   for (int i = 0; i < statistics->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = statistics->GetArray(i);
@@ -37,18 +39,42 @@ nlohmann::json ToJson(vtkFieldData* statistics)
     {
       const double value = array->GetComponent(0, 0);
       const bool isCount = value == std::floor(value);
-      json[array->GetName()] =
-        isCount ? nlohmann::json(static_cast<long long>(value)) : nlohmann::json(value);
+      table[array->GetName()] =
+        isCount ? ReportValue(static_cast<long long>(value)) : ReportValue(value);
     }
   }
-  return json;
+  return table;
 }
 
-unsigned long long PeakMemory()
+std::string FormatJson(const Report& report)
+{
+  const auto convert = [](const ReportValue& value) {
+    return std::visit([](const auto& held) { return nlohmann::json(held); }, value);
+  };
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [name, entry] : report)
+  {
+    if (const ReportTable* table = std::get_if<ReportTable>(&entry))
+    {
+      json[name] = nlohmann::json::object();
+      for (const auto& [key, value] : *table)
+      {
+        json[name][key] = convert(value);
+      }
+    }
+    else
+    {
+      json[name] = convert(std::get<ReportValue>(entry));
+    }
+  }
+  return json.dump(2) + "\n";
+}
+
+long long PeakMemory()
 {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<unsigned long long>(usage.ru_maxrss) * 1024;
+  return static_cast<long long>(usage.ru_maxrss) * 1024;
 }
 
 }

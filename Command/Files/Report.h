@@ -5,9 +5,9 @@
 #ifndef penumbra_Report_h
 #define penumbra_Report_h
 
-#include <nlohmann/json.hpp>
-
+#include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 class vtkFieldData;
@@ -18,11 +18,18 @@ namespace penumbra
 /// Prints all warnings in one line; nothing if there are none.
 void PrintWarnings(const std::vector<std::string>& warnings);
 
-/// Converts arrays with one value to JSON, integral values to integers.
-nlohmann::json ToJson(vtkFieldData* statistics);
+using ReportValue = std::variant<bool, long long, double, std::string>;
+using ReportTable = std::map<std::string, ReportValue>;
+using Report = std::map<std::string, std::variant<ReportValue, ReportTable>>;
+
+/// Converts arrays with one value, integral values to integers.
+ReportTable ToTable(vtkFieldData* statistics);
+
+/// Returns the report as JSON.
+std::string FormatJson(const Report& report);
 
 /// Returns the peak memory of the process in bytes.
-unsigned long long PeakMemory();
+long long PeakMemory();
 
 }
 #endif

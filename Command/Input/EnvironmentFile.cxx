@@ -76,20 +76,20 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
 }
 
 void AddEnvironmentOptions(
-  CLI::App& app, std::string& path, std::optional<Vector3>& up, const std::string& group)
+  const CommandLine& app, std::string& path, std::optional<Vector3>& up, const std::string& group)
 {
-  CLI::Option* file = app
-                        .add_option("--hdri-file", path,
-                          "Environment image in latitude-longitude layout: .hdr, or an image "
-                          "format of --output; replaces --environment-color")
-                        ->type_name("FILE")
-                        ->take_last();
-  CLI::Option* direction = AddDirection(
+  Option file = app
+                  .AddText("--hdri-file", path,
+                    "Environment image in latitude-longitude layout: .hdr, or an image "
+                    "format of --output; replaces --environment-color")
+                  .TypeName("FILE")
+                  .TakeLast();
+  Option direction = AddDirection(
     app, "--hdri-up", up, "Direction of the upper edge of the environment image; default: 0,1,0");
   if (!group.empty())
   {
-    file->group(group);
-    direction->group(group);
+    file.Group(group);
+    direction.Group(group);
   }
 }
 

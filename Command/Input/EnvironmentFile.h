@@ -24,7 +24,7 @@ vtkSmartPointer<vtkPenumbraEnvironment> ReadEnvironment(
 
 /// Adds --hdri-file and --hdri-up. `group`: group in the help, or empty.
 void AddEnvironmentOptions(
-  CLI::App& app, std::string& path, std::optional<Vector3>& up, const std::string& group);
+  const CommandLine& app, std::string& path, std::optional<Vector3>& up, const std::string& group);
 
 }
 #endif

@@ -84,12 +84,12 @@ unsigned long long MemoryInUse()
 
 }
 
-CLI::Option* AddReadLimitOption(CLI::App& app)
+Option AddReadLimitOption(const CommandLine& app)
 {
   return AddNumber(app, "--read-limit", RequestedSeconds, "SECONDS",
     "Longest time for reading a file, inf: no limit on time and memory; default: 60 plus 1 per MiB",
     { 0.0, Infinity, true, true })
-    ->default_str("");
+    .Default("");
 }
 
 ReadLimit::ReadLimit(const std::string& path)

@@ -8,17 +8,14 @@
 
 #include <string>
 
-namespace CLI
-{
-class App;
-class Option;
-}
-
 namespace penumbra
 {
 
+class CommandLine;
+class Option;
+
 /// Adds --read-limit.
-CLI::Option* AddReadLimitOption(CLI::App& app);
+Option AddReadLimitOption(const CommandLine& app);
 
 /// Limits time and memory during its lifetime. At the time limit the process removes its temporary
 /// files, prints one line and exits with BadInput; allocations beyond the memory limit throw

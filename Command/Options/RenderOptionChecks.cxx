@@ -18,12 +18,12 @@ namespace penumbra
 namespace
 {
 
-void RequireColoring(const CLI::App& app, const RenderOptions& options)
+void RequireColoring(const CommandLine& app, const RenderOptions& options)
 {
   for (const char* name : { "--coloring-component", "--coloring-range", "--coloring-by-cells",
          "--colormap", "--coloring-scalar-bar" })
   {
-    if (!options.Coloring.Enabled && app.count(name) > 0)
+    if (!options.Coloring.Enabled && app.Count(name) > 0)
     {
       throw CommandError(BadInput, std::string(name) + " needs --scalar-coloring; give both");
     }
@@ -32,7 +32,7 @@ void RequireColoring(const CLI::App& app, const RenderOptions& options)
 
 /// Throws CommandError for options whose effect the selected engine cannot render. Options that only
 /// configure the other engine are ignored with a warning, see FindIgnoredOptions().
-void RequireEngine(const CLI::App& app, const RenderOptions& options)
+void RequireEngine(const CommandLine& app, const RenderOptions& options)
 {
   if (options.Engine == "ray")
   {
@@ -41,7 +41,7 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
   for (const std::string name : { "--shadows", "--light-radius", "--light-angle", "--indirect",
          "--ambient-occlusion-falloff", "--point-radius", "--line-radius", "--shafts-density" })
   {
-    if (app.count(name) > 0)
+    if (app.Count(name) > 0)
     {
       throw CommandError(BadInput, name + " is not supported by --engine raster; use --engine ray");
     }
@@ -61,7 +61,7 @@ void RequireEngine(const CLI::App& app, const RenderOptions& options)
 
 }
 
-void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
+void CheckRenderOptions(const CommandLine& app, const RenderOptions& options)
 {
   CheckOutputExtension(options.Output, "--output");
   RequireEngine(app, options);
@@ -104,7 +104,7 @@ void CheckRenderOptions(const CLI::App& app, const RenderOptions& options)
   RequireLightPositions(options.Lights);
 }
 
-std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOptions& options)
+std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const RenderOptions& options)
 {
   const bool ray = options.Engine == "ray";
   const bool orthographic = options.Camera.Orthographic;
@@ -178,7 +178,7 @@ std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOpt
   std::vector<std::string> warnings;
   for (const auto& row : rows)
   {
-    if (row.IsIgnored && app.count(row.Option) > 0)
+    if (row.IsIgnored && app.Count(row.Option) > 0)
     {
       warnings.push_back(std::string(row.Option) + " has no effect " + row.Reason);
     }

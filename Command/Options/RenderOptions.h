@@ -111,13 +111,13 @@ struct RenderOptions
 };
 
 /// Declares the options of `render` on `app`; parsing fills `options`, which must outlive `app`.
-void DeclareRenderOptions(CLI::App& app, RenderOptions& options);
+void DeclareRenderOptions(const CommandLine& app, RenderOptions& options);
 
 /// Throws CommandError if options contradict each other. Call after parsing.
-void CheckRenderOptions(const CLI::App& app, const RenderOptions& options);
+void CheckRenderOptions(const CommandLine& app, const RenderOptions& options);
 
 /// Returns one warning for each option on the command line that has no effect. Call after parsing.
-std::vector<std::string> FindIgnoredOptions(const CLI::App& app, const RenderOptions& options);
+std::vector<std::string> FindIgnoredOptions(const CommandLine& app, const RenderOptions& options);
 
 }
 #endif

@@ -17,17 +17,17 @@ namespace
 {
 
 /// Adds an option with one coefficient for all channels, or three.
-void AddCoefficients(CLI::App& app, const std::string& name, std::vector<double>& target,
+void AddCoefficients(const CommandLine& app, const std::string& name, std::vector<double>& target,
   const std::string& description)
 {
   const auto store = [name, &target](const std::string& text) {
     const bool one = text.find(',') == std::string::npos;
     target = ParseNumbers(name, text, one ? 1 : 3, one ? 1 : 3, { 0.0, Infinity });
   };
-  app.add_option_function<std::string>(name, store, description)->type_name("S|R,G,B")->take_last();
+  app.AddParsed(name, store, description).TypeName("S|R,G,B");
 }
 
-void AddPhase(CLI::App& app, ShaftOptions& shafts)
+void AddPhase(const CommandLine& app, ShaftOptions& shafts)
 {
   const auto store = [&shafts](const std::string& text) {
     shafts.Phase = text.substr(0, 3) == "hg:" ? "hg" : text;
@@ -37,17 +37,17 @@ void AddPhase(CLI::App& app, ShaftOptions& shafts)
     }
     else if (text != "isotropic" && text != "rayleigh")
     {
-      throw CLI::ValidationError(
+      throw InvalidValue(
         "--shafts-phase", "'" + text + "' is not one of isotropic, rayleigh, hg:G");
     }
   };
   app
-    .add_option_function<std::string>("--shafts-phase", store,
+    .AddParsed("--shafts-phase", store,
       "Phase function of --shafts-scattering; hg: Henyey-Greenstein, G from -0.999 (backward) to "
       "0.999 (forward)")
-    ->type_name("isotropic|rayleigh|hg:G")
-    ->default_str("isotropic")
-    ->take_last();
+    .TypeName("isotropic|rayleigh|hg:G")
+    .Default("isotropic")
+    .TakeLast();
 }
 
 double Of(const std::vector<double>& coefficients, std::size_t channel)
@@ -78,9 +78,9 @@ double FindLowestHeight(vtkRenderer* renderer, const Vector3& up)
   return height / std::hypot(up[0], up[1], up[2]);
 }
 
-void DeclareShaftOptions(CLI::App& app, ShaftOptions& shafts)
+void DeclareShaftOptions(const CommandLine& app, ShaftOptions& shafts)
 {
-  app.add_flag("--light-shafts", shafts.Enabled,
+  app.AddFlag("--light-shafts", shafts.Enabled,
     "Medium (haze) in which lights (--light-position) cast visible shafts");
   AddCoefficients(app, "--shafts-scattering", shafts.Scattering,
     "Scattering coefficient per world unit, of all colors or of red, green and blue; default: 0.25 "
@@ -97,35 +97,35 @@ void DeclareShaftOptions(CLI::App& app, ShaftOptions& shafts)
     { 0.0, Infinity });
   AddNumber(app, "--shafts-base-height", shafts.BaseHeight, "Y",
     "Height at which the coefficients hold; default: the lowest point of the bounds")
-    ->default_str("");
+    .Default("");
   AddDirection(
     app, "--shafts-up", shafts.Up, "Direction in which heights are measured; default: 0,1,0");
   app
-    .add_option("--shafts-density", shafts.Density,
+    .AddText("--shafts-density", shafts.Density,
       "Image data (.vti, .vtk, ...) with the relative density as point scalars; 0 outside (ray)")
-    ->type_name("FILE")
-    ->take_last();
+    .TypeName("FILE")
+    .TakeLast();
   AddChoice(app, "--shafts-surface-light", shafts.SurfaceLight,
     { "automatic", "attenuated", "unattenuated" },
     "Light on its way to surfaces; automatic: attenuated, unless the medium is gray and its "
     "density the same everywhere (ray)");
-  app.add_flag("--shafts-behind-translucent", shafts.BehindTranslucent,
+  app.AddFlag("--shafts-behind-translucent", shafts.BehindTranslucent,
     "Translucent surfaces stand in front of the medium (ray; raster: always)");
   AddChoice(app, "--shafts-estimator", shafts.Estimator, { "depth", "shadow-map" },
     "Shadows of the shafts: from the depth of the image, or from a shadow map of each light, whose "
     "error follows --tolerance (raster)");
-  app.get_option("--light-shafts")->group("Effects");
+  app.Get("--light-shafts").Group("Effects");
   for (const std::string& name : ShaftOptions::GetNames())
   {
-    app.get_option(name)->group("Effects");
+    app.Get(name).Group("Effects");
   }
 }
 
-void CheckShaftOptions(const CLI::App& app, const ShaftOptions& shafts)
+void CheckShaftOptions(const CommandLine& app, const ShaftOptions& shafts)
 {
   for (const std::string& name : ShaftOptions::GetNames())
   {
-    if (!shafts.Enabled && app.count(name) > 0)
+    if (!shafts.Enabled && app.Count(name) > 0)
     {
       throw CommandError(BadInput, name + " needs --light-shafts; give both");
     }
@@ -140,7 +140,7 @@ void CheckShaftOptions(const CLI::App& app, const ShaftOptions& shafts)
   }
   for (const char* name : { "--shafts-base-height", "--shafts-up" })
   {
-    if (app.count(name) > 0 && !(shafts.ScaleHeight > 0.0))
+    if (app.Count(name) > 0 && !(shafts.ScaleHeight > 0.0))
     {
       throw CommandError(BadInput, std::string(name) + " needs --shafts-scale-height; give both");
     }

@@ -44,10 +44,10 @@ struct ShaftOptions
 double FindLowestHeight(vtkRenderer* renderer, const Vector3& up);
 
 /// Declares the options on `app`; parsing fills `shafts`, which must outlive `app`.
-void DeclareShaftOptions(CLI::App& app, ShaftOptions& shafts);
+void DeclareShaftOptions(const CommandLine& app, ShaftOptions& shafts);
 
 /// Throws CommandError if options contradict each other.
-void CheckShaftOptions(const CLI::App& app, const ShaftOptions& shafts);
+void CheckShaftOptions(const CommandLine& app, const ShaftOptions& shafts);
 
 }
 #endif

@@ -11,37 +11,37 @@
 namespace penumbra
 {
 
-CLI::Option* AddProgressOption(CLI::App& app, std::string& progress)
+Option AddProgressOption(const CommandLine& app, std::string& progress)
 {
   return AddChoice(app, "--progress", progress, { "auto", "bar", "plain", "none" },
     "Progress on stderr; auto: a bar on a terminal");
 }
 
-CLI::Option* AddGathererOption(CLI::App& app, std::string& gatherer, const std::string& note)
+Option AddGathererOption(const CommandLine& app, std::string& gatherer, const std::string& note)
 {
   return AddChoice(app, "--gatherer", gatherer, { "rays", "cube-map" },
     "How cache records sample the hemisphere: by rays or with OpenGL" + note);
 }
 
-CLI::Option* AddFalloffOption(
-  CLI::App& app, const std::string& name, std::string& falloff, const std::string& note)
+Option AddFalloffOption(
+  const CommandLine& app, const std::string& name, std::string& falloff, const std::string& note)
 {
   return AddChoice(app, name, falloff, FalloffNames(),
     "Weight of an occluder at distance t: 1, 1 - t/R, 1 - (t/R)^2 or 1 - sqrt(t/R)" + note);
 }
 
-CLI::Option* AddOcclusionRadiusOption(
-  CLI::App& app, const std::string& name, double& radius, const std::string& unlimited)
+Option AddOcclusionRadiusOption(
+  const CommandLine& app, const std::string& name, double& radius, const std::string& unlimited)
 {
   return AddNumber(app, name, radius, "R",
     "Largest distance of an occluder in world units, " + unlimited +
       ": no limit; default: a tenth of the bounds' diagonal",
     { 0.0, Infinity, true, true })
-    ->default_str("");
+    .Default("");
 }
 
-CLI::Option* AddLightPositionOption(
-  CLI::App& app, LightPositions& lights, const std::string& description)
+Option AddLightPositionOption(
+  const CommandLine& app, LightPositions& lights, const std::string& description)
 {
   const auto store = [&lights](const std::vector<std::string>& texts) {
     lights.clear();
@@ -52,9 +52,7 @@ CLI::Option* AddLightPositionOption(
       lights.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
     }
   };
-  return app.add_option_function<std::vector<std::string>>("--light-position", store, description)
-    ->type_name("X,Y,Z[,W]")
-    ->allow_extra_args(false);
+  return app.AddRepeatable("--light-position", store, description).TypeName("X,Y,Z[,W]");
 }
 
 void RequireLightPositions(const LightPositions& lights)
@@ -71,21 +69,22 @@ void RequireLightPositions(const LightPositions& lights)
   }
 }
 
-CLI::Option* AddLightRadiusOption(CLI::App& app, double& radius, const std::string& note)
+Option AddLightRadiusOption(const CommandLine& app, double& radius, const std::string& note)
 {
   return AddNumber(app, "--light-radius", radius, "R",
     "Positional lights are spheres of this radius in world units" + note, { 0.0, 1e30 });
 }
 
-CLI::Option* AddLightAngleOption(CLI::App& app, double& angle, const std::string& note)
+Option AddLightAngleOption(const CommandLine& app, double& angle, const std::string& note)
 {
   return AddNumber(app, "--light-angle", angle, "DEG",
     "Angular diameter of directional lights (0.53 for the sun)" + note, { 0.0, 180.0 });
 }
 
-CLI::Option* AddStatisticsOption(CLI::App& app, std::string& path, const std::string& description)
+Option AddStatisticsOption(
+  const CommandLine& app, std::string& path, const std::string& description)
 {
-  return app.add_option("--statistics", path, description)->type_name("FILE.json")->take_last();
+  return app.AddText("--statistics", path, description).TypeName("FILE.json").TakeLast();
 }
 
 }

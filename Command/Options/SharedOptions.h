@@ -18,37 +18,39 @@ namespace penumbra
 const Range Coordinate{ -1e100, 1e100 };
 
 /// Adds --progress.
-CLI::Option* AddProgressOption(CLI::App& app, std::string& progress);
+Option AddProgressOption(const CommandLine& app, std::string& progress);
 
 /// Adds --gatherer. `note` follows the description.
-CLI::Option* AddGathererOption(CLI::App& app, std::string& gatherer, const std::string& note = {});
+Option AddGathererOption(
+  const CommandLine& app, std::string& gatherer, const std::string& note = {});
 
 /// Adds the option `name` for the falloff of ambient occlusion. `note` follows the description.
-CLI::Option* AddFalloffOption(
-  CLI::App& app, const std::string& name, std::string& falloff, const std::string& note = {});
+Option AddFalloffOption(const CommandLine& app, const std::string& name, std::string& falloff,
+  const std::string& note = {});
 
 /// Adds the option `name` for the radius of ambient occlusion. `unlimited`: what "inf" stands for.
-CLI::Option* AddOcclusionRadiusOption(
-  CLI::App& app, const std::string& name, double& radius, const std::string& unlimited);
+Option AddOcclusionRadiusOption(
+  const CommandLine& app, const std::string& name, double& radius, const std::string& unlimited);
 
 /// Lights as homogeneous positions; w = 0: a direction.
 using LightPositions = std::vector<std::array<double, 4>>;
 
 /// Adds --light-position, which may be repeated.
-CLI::Option* AddLightPositionOption(
-  CLI::App& app, LightPositions& lights, const std::string& description);
+Option AddLightPositionOption(
+  const CommandLine& app, LightPositions& lights, const std::string& description);
 
 /// Throws CommandError unless w is positive, or 0 with a nonzero direction.
 void RequireLightPositions(const LightPositions& lights);
 
 ///@{
 /// Add --light-radius and --light-angle. `note` follows the description.
-CLI::Option* AddLightRadiusOption(CLI::App& app, double& radius, const std::string& note = {});
-CLI::Option* AddLightAngleOption(CLI::App& app, double& angle, const std::string& note = {});
+Option AddLightRadiusOption(const CommandLine& app, double& radius, const std::string& note = {});
+Option AddLightAngleOption(const CommandLine& app, double& angle, const std::string& note = {});
 ///@}
 
 /// Adds --statistics. `description` states what is written.
-CLI::Option* AddStatisticsOption(CLI::App& app, std::string& path, const std::string& description);
+Option AddStatisticsOption(
+  const CommandLine& app, std::string& path, const std::string& description);
 
 }
 #endif

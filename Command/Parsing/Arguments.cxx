@@ -16,12 +16,11 @@ namespace penumbra
 namespace
 {
 
-// Throws CLI::ValidationError. `option`: the name, and others after commas.
+// Throws InvalidValue. `option`: the name, and others after commas.
 [[noreturn]] void ThrowInvalid(
   const std::string& option, const std::string& text, const std::string& expected)
 {
-  throw CLI::ValidationError(
-    option.substr(0, option.find(',')), "'" + text + "' is not " + expected);
+  throw InvalidValue(option.substr(0, option.find(',')), "'" + text + "' is not " + expected);
 }
 
 std::string Describe(const Range& range)
@@ -60,6 +59,16 @@ std::string Print(double value)
 
 }
 
+std::string Join(const std::vector<std::string>& texts, const std::string& separator)
+{
+  std::string joined;
+  for (const std::string& text : texts)
+  {
+    joined += (joined.empty() ? "" : separator) + text;
+  }
+  return joined;
+}
+
 std::vector<double> ParseNumbers(const std::string& option, const std::string& text,
   std::size_t minimum, std::size_t maximum, const Range& range)
 {
@@ -90,19 +99,17 @@ std::vector<double> ParseNumbers(const std::string& option, const std::string& t
   return numbers;
 }
 
-CLI::Option* AddTriple(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
+Option AddTriple(const CommandLine& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description, const Range& range)
 {
   const auto store = [name, range, &target](const std::string& text) {
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, range);
     target = Vector3{ numbers[0], numbers[1], numbers[2] };
   };
-  return app.add_option_function<std::string>(name, store, description)
-    ->type_name("X,Y,Z")
-    ->take_last();
+  return app.AddParsed(name, store, description).TypeName("X,Y,Z");
 }
 
-CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
+Option AddDirection(const CommandLine& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description)
 {
   const auto store = [name, &target](const std::string& text) {
@@ -119,12 +126,10 @@ CLI::Option* AddDirection(CLI::App& app, const std::string& name, std::optional<
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, {});
     std::copy(numbers.begin(), numbers.end(), target->begin());
   };
-  return app.add_option_function<std::string>(name, store, description)
-    ->type_name("X,Y,Z|+X|-X|...")
-    ->take_last();
+  return app.AddParsed(name, store, description).TypeName("X,Y,Z|+X|-X|...");
 }
 
-CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Vector3>& target,
+Option AddColor(const CommandLine& app, const std::string& name, std::optional<Vector3>& target,
   const std::string& description)
 {
   const auto store = [name, &target](const std::string& text) {
@@ -148,24 +153,21 @@ CLI::Option* AddColor(CLI::App& app, const std::string& name, std::optional<Vect
     const std::vector<double> numbers = ParseNumbers(name, text, 3, 3, { 0.0, 1.0 });
     std::copy(numbers.begin(), numbers.end(), target->begin());
   };
-  return app.add_option_function<std::string>(name, store, description)
-    ->type_name("R,G,B|#RRGGBB|NAME")
-    ->take_last();
+  return app.AddParsed(name, store, description).TypeName("R,G,B|#RRGGBB|NAME");
 }
 
-CLI::Option* AddNumber(CLI::App& app, const std::string& name, double& target,
+Option AddNumber(const CommandLine& app, const std::string& name, double& target,
   const std::string& unit, const std::string& description, const Range& range)
 {
   const auto store = [name, range, &target](const std::string& text) {
     target = ParseNumbers(name, text, 1, 1, range)[0];
   };
-  return app.add_option_function<std::string>(name, store, description)
-    ->type_name(unit)
-    ->default_str(std::isnan(target) ? "" : Print(target))
-    ->take_last();
+  return app.AddParsed(name, store, description)
+    .TypeName(unit)
+    .Default(std::isnan(target) ? "" : Print(target));
 }
 
-CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,
+Option AddInteger(const CommandLine& app, const std::string& name, int& target,
   const std::string& description, int minimum, int maximum)
 {
   const auto store = [name, minimum, maximum, &target](const std::string& text) {
@@ -179,26 +181,20 @@ CLI::Option* AddInteger(CLI::App& app, const std::string& name, int& target,
     }
     target = value;
   };
-  return app.add_option_function<std::string>(name, store, description)
-    ->type_name("N")
-    ->default_str(std::to_string(target))
-    ->take_last();
+  return app.AddParsed(name, store, description).TypeName("N").Default(std::to_string(target));
 }
 
-CLI::Option* AddChoice(CLI::App& app, const std::string& name, std::string& target,
+Option AddChoice(const CommandLine& app, const std::string& name, std::string& target,
   const std::vector<std::string>& choices, const std::string& description)
 {
   const auto store = [name, choices, &target](const std::string& text) {
     if (!std::count(choices.begin(), choices.end(), text))
     {
-      ThrowInvalid(name, text, "one of " + CLI::detail::join(choices, ", "));
+      ThrowInvalid(name, text, "one of " + Join(choices, ", "));
     }
     target = text;
   };
-  return app.add_option_function<std::string>(name, store, description)
-    ->type_name(CLI::detail::join(choices, "|"))
-    ->default_str(target)
-    ->take_last();
+  return app.AddParsed(name, store, description).TypeName(Join(choices, "|")).Default(target);
 }
 
 }

@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
+#include "CommandLine.h"
 #include "Processes/CommandError.h"
 #include "Processes/MallocSettings.h"
 #include "Processes/MessageLog.h"
 #include "Processes/Worker.h"
 
-#include <CLI/CLI.hpp>
-
 #include "vtkVersion.h"
 
-#include <algorithm>
 #include <csignal>
-#include <iostream>
 #include <map>
+#include <string>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -23,31 +21,6 @@ namespace
 {
 
 using namespace penumbra;
-
-// Converts an error of CLI11 to one line; unknown options and subcommands are named.
-std::string DescribeError(const CLI::App& program, const CLI::ParseError& error)
-{
-  const std::vector<CLI::App*> chosen = program.get_subcommands();
-  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  const std::string hint = "; see `penumbra" + command + " --help`";
-  const std::vector<std::string> extras = program.remaining(true);
-  const bool noSubcommand = dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (noSubcommand && !extras.empty()))
-  {
-    const std::string first = extras.empty() ? "" : extras.front();
-    const std::string option = first.substr(0, first.find('='));
-    if (chosen.empty() && first.rfind('-', 0) != 0)
-    {
-      return first + ": unknown subcommand" + hint;
-    }
-    return option + ": unknown option" + hint;
-  }
-  if (noSubcommand)
-  {
-    return "no subcommand given" + hint;
-  }
-  return error.what() + hint;
-}
 
 // Opens /dev/null for each closed standard stream. Otherwise the next file opened would get its descriptor
 // and messages would be written to an image. Writing to a closed standard output still fails.
@@ -64,35 +37,19 @@ void OccupyStandardStreams()
 
 int Run(int argc, char** argv, const std::vector<Subcommand>& subcommands)
 {
-  CLI::App program("Penumbra: fractional visibility for VTK: antialiased ray casting, ambient "
-                   "occlusion, indirect light and light shafts",
-    "penumbra");
-  program.get_formatter()->column_width(44);
-  program.set_version_flag("--version",
-    std::string("penumbra ") + PENUMBRA_VERSION + " (VTK " + vtkVersion::GetVTKVersion() + ")");
-  program.footer(
+  const Parser parser("penumbra",
+    "Penumbra: fractional visibility for VTK: antialiased ray casting, ambient occlusion, indirect "
+    "light and light shafts",
+    std::string("penumbra ") + PENUMBRA_VERSION + " (VTK " + vtkVersion::GetVTKVersion() + ")",
     "Exit status: 0 success, 1 comparison above its threshold, 2 invalid usage or input, 3 "
     "resource not available (OpenGL, memory).\nOptions of a subcommand: penumbra COMMAND --help");
   std::map<std::string, Action> actions;
   for (const Subcommand& subcommand : subcommands)
   {
-    actions[subcommand.Name] = subcommand.Declare(program);
+    actions[subcommand.Name] = subcommand.Declare(parser.GetProgram());
   }
-  program.require_subcommand(1);
-  try
-  {
-    program.parse(argc, argv);
-  }
-  catch (const CLI::Success& help)
-  {
-    program.exit(help, std::cout, std::cout);
-    return Done;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    throw CommandError(BadInput, DescribeError(program, error));
-  }
-  return actions.at(program.get_subcommands().front()->get_name())();
+  const std::string chosen = parser.Parse(argc, argv);
+  return chosen.empty() ? Done : actions.at(chosen)();
 }
 
 }

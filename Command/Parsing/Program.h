@@ -9,13 +9,10 @@
 #include <functional>
 #include <vector>
 
-namespace CLI
-{
-class App;
-}
-
 namespace penumbra
 {
+
+class CommandLine;
 
 /// Runs a subcommand; returns an exit status or throws CommandError.
 using Action = std::function<int()>;
@@ -24,7 +21,7 @@ using Action = std::function<int()>;
 struct Subcommand
 {
   const char* Name;
-  Action (*Declare)(CLI::App& program);
+  Action (*Declare)(const CommandLine& program);
 };
 
 /// Runs the program; returns the exit status.

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+#include "Processes/CommandError.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <iostream>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Converts an error of CLI11 to one line; unknown options and subcommands are named.
+std::string DescribeError(const CLI::App& program, const std::exception& error)
+{
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+  const std::string hint = "; see `penumbra" + command + " --help`";
+  const std::vector<std::string> extras = program.remaining(true);
+  const bool noSubcommand = dynamic_cast<const CLI::RequiredError*>(&error) && chosen.empty();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) || (noSubcommand && !extras.empty()))
+  {
+    const std::string first = extras.empty() ? "" : extras.front();
+    const std::string option = first.substr(0, first.find('='));
+    if (chosen.empty() && first.rfind('-', 0) != 0)
+    {
+      return first + ": unknown subcommand" + hint;
+    }
+    return option + ": unknown option" + hint;
+  }
+  if (noSubcommand)
+  {
+    return "no subcommand given" + hint;
+  }
+  return error.what() + hint;
+}
+
+}
+
+Option Option::Group(const std::string& heading) const
+{
+  this->Implementation->group(heading);
+  return *this;
+}
+
+Option Option::TypeName(const std::string& name) const
+{
+  this->Implementation->type_name(name);
+  return *this;
+}
+
+Option Option::Default(const std::string& value) const
+{
+  this->Implementation->default_str(value);
+  return *this;
+}
+
+Option Option::Description(const std::string& text) const
+{
+  this->Implementation->description(text);
+  return *this;
+}
+
+Option Option::Required() const
+{
+  this->Implementation->required();
+  return *this;
+}
+
+Option Option::TakeLast() const
+{
+  this->Implementation->take_last();
+  return *this;
+}
+
+Option Option::Each(const std::function<void(const std::string& value)>& listener) const
+{
+  this->Implementation->each(listener);
+  return *this;
+}
+
+CommandLine CommandLine::AddSubcommand(
+  const std::string& name, const std::string& description) const
+{
+  return CommandLine(this->Implementation->add_subcommand(name, description));
+}
+
+Option CommandLine::AddText(
+  const std::string& name, std::string& target, const std::string& description) const
+{
+  return Option(this->Implementation->add_option(name, target, description));
+}
+
+Option CommandLine::AddTexts(
+  const std::string& name, std::vector<std::string>& target, const std::string& description) const
+{
+  return Option(this->Implementation->add_option(name, target, description));
+}
+
+Option CommandLine::AddParsed(const std::string& name,
+  const std::function<void(const std::string& text)>& store, const std::string& description) const
+{
+  return Option(
+    this->Implementation->add_option_function<std::string>(name, store, description)->take_last());
+}
+
+Option CommandLine::AddRepeatable(const std::string& name,
+  const std::function<void(const std::vector<std::string>& texts)>& store,
+  const std::string& description) const
+{
+  return Option(
+    this->Implementation->add_option_function<std::vector<std::string>>(name, store, description)
+      ->allow_extra_args(false));
+}
+
+Option CommandLine::AddFlag(
+  const std::string& name, bool& target, const std::string& description) const
+{
+  return Option(this->Implementation->add_flag(name, target, description));
+}
+
+Option CommandLine::AddNegation(
+  const std::string& name, bool& target, const std::string& description) const
+{
+  const auto store = [&target](std::int64_t uses) { target = uses <= 0; };
+  return Option(this->Implementation->add_flag_function(name, store, description));
+}
+
+Option CommandLine::Get(const std::string& name) const
+{
+  return Option(this->Implementation->get_option(name));
+}
+
+std::vector<Option> CommandLine::GetAll(const std::string& prefix) const
+{
+  std::vector<Option> options;
+  for (CLI::Option* option : this->Implementation->get_options())
+  {
+    if (option->get_name().rfind(prefix, 0) == 0)
+    {
+      options.emplace_back(option);
+    }
+  }
+  return options;
+}
+
+void CommandLine::Remove(const std::string& name) const
+{
+  this->Implementation->remove_option(this->Implementation->get_option(name));
+}
+
+std::size_t CommandLine::Count(const std::string& name) const
+{
+  return this->Implementation->count(name);
+}
+
+std::string CommandLine::Describe() const
+{
+  return this->Implementation->config_to_str(true, false);
+}
+
+void CommandLine::AcceptAnything() const
+{
+  this->Implementation->prefix_command();
+  this->Implementation->set_help_flag();
+}
+
+Parser::Parser(const std::string& name, const std::string& description, const std::string& version,
+  const std::string& footer)
+  : Implementation(std::make_unique<CLI::App>(description, name))
+{
+  this->Implementation->get_formatter()->column_width(44);
+  this->Implementation->set_version_flag("--version", version);
+  this->Implementation->footer(footer);
+  this->Implementation->require_subcommand(1);
+}
+
+Parser::~Parser() = default;
+
+CommandLine Parser::GetProgram() const
+{
+  return CommandLine(this->Implementation.get());
+}
+
+std::string Parser::Parse(int argc, char** argv) const
+{
+  try
+  {
+    this->Implementation->parse(argc, argv);
+  }
+  catch (const CLI::Success& help)
+  {
+    this->Implementation->exit(help, std::cout, std::cout);
+    return {};
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw CommandError(BadInput, DescribeError(*this->Implementation, error));
+  }
+  catch (const InvalidValue& error)
+  {
+    throw CommandError(BadInput, DescribeError(*this->Implementation, error));
+  }
+  return this->Implementation->get_subcommands().front()->get_name();
+}
+
+}
