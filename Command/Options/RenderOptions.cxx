@@ -201,7 +201,9 @@ void DeclareColoring(const CommandLine& app, ColoringOptions& coloring)
     .Group(group);
   app.AddFlag("--coloring-by-cells", coloring.ByCells, "Use a cell array instead of a point array")
     .Group(group);
-  AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(), "Colormap")
+  AddChoice(app, "--colormap", coloring.Colormap, ColormapNames(),
+    "Colormap; without this option, colors that the file gives to its values are used")
+    .Each([&coloring](const std::string&) { coloring.HasColormap = true; })
     .TypeName("NAME")
     .Group(group);
   app.AddFlag("-b,--coloring-scalar-bar", coloring.ScalarBar, "Draw the scalar bar").Group(group);

@@ -40,6 +40,7 @@ struct ColoringOptions
   std::vector<double> Range;
   bool ByCells = false;
   std::string Colormap = "viridis";
+  bool HasColormap = false; ///< --colormap is on the command line
   bool ScalarBar = false;
 };
 

@@ -160,6 +160,25 @@ void SetRange(vtkLookupTable* table, const Mappers& mappers, const std::string& 
   table->SetTableRange(range);
 }
 
+/// Returns the colors that the file gives to the values of an array (LOOKUP_TABLE of legacy VTK
+/// files), else the colormap.
+vtkSmartPointer<vtkLookupTable> ChooseTable(
+  const Mappers& mappers, const std::string& name, const ColoringOptions& options)
+{
+  for (vtkPolyDataMapper* mapper : mappers)
+  {
+    vtkLookupTable* own =
+      Attributes(mapper, options.ByCells)->GetArray(name.c_str())->GetLookupTable();
+    if (own && own->GetNumberOfTableValues() > 0 && !options.HasColormap)
+    {
+      auto table = vtkSmartPointer<vtkLookupTable>::New();
+      table->DeepCopy(own);
+      return table;
+    }
+  }
+  return MakeColormap(options.Colormap);
+}
+
 void AddScalarBar(
   vtkRenderer* renderer, vtkLookupTable* table, const std::string& title, bool darkText)
 {
@@ -190,7 +209,7 @@ void ColorByData(
     CheckComponent(Attributes(mapper, options.ByCells)->GetArray(name.c_str()), options);
   }
 
-  const vtkSmartPointer<vtkLookupTable> table = MakeColormap(options.Colormap);
+  const vtkSmartPointer<vtkLookupTable> table = ChooseTable(mappers, name, options);
   SetRange(table, mappers, name, options);
   if (options.Component >= 0)
   {
@@ -205,7 +224,9 @@ void ColorByData(
   bool direct = false;
   for (vtkPolyDataMapper* mapper : mappers)
   {
-    direct = AreColors(Attributes(mapper, options.ByCells)->GetArray(name.c_str()), options);
+    vtkDataArray* array = Attributes(mapper, options.ByCells)->GetArray(name.c_str());
+    array->SetLookupTable(nullptr); // It would replace the table of the mapper.
+    direct = AreColors(array, options);
     mapper->ScalarVisibilityOn();
     mapper->SetScalarMode(
       options.ByCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
