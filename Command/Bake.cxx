@@ -6,8 +6,8 @@
 #include "Files/AtomicFile.h"
 #include "Files/FileExtension.h"
 #include "Files/InputFiles.h"
-#include "Files/PlyFile.h"
 #include "Files/Report.h"
+#include "Formats/MeshReaders.h"
 #include "Input/EnvironmentFile.h"
 #include "Input/ReadLimit.h"
 #include "Input/Surfaces.h"
@@ -214,7 +214,19 @@ bool WriteColors(vtkPolyData* mesh, const std::string& path)
 {
   vtkNew<vtkPLYWriter> writer;
   writer->SetArrayName("Baked");
-  return Write(writer.Get(), mesh, path) && WalkPlyFile(path).IsWhole;
+  if (!Write(writer.Get(), mesh, path))
+  {
+    return false;
+  }
+  try
+  {
+    ReadPly(path);
+    return true;
+  }
+  catch (const CommandError&)
+  {
+    return false;
+  }
 }
 
 bool WriteAs(const std::string& extension, vtkPolyData* mesh, const std::string& quantity,

@@ -3,9 +3,15 @@
 #include "Readers.h"
 
 #include "Files/FileExtension.h"
-#include "MeshFileValidation.h"
+#include "Files/GltfCopy.h"
+#include "Formats/MeshArrays.h"
+#include "Formats/MeshReaders.h"
 #include "Processes/CommandError.h"
 #include "Processes/MessageLog.h"
+#include "Processes/Worker.h"
+#include "Truncation/Truncation.h"
+#include "VolumeOrientation.h"
+#include "WindingCorrection.h"
 
 #include "vtkAVSucdReader.h"
 #include "vtkAlgorithm.h"
@@ -21,13 +27,9 @@
 #include "vtkGenericEnSightReader.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
-#include "vtkNrrdReader.h"
-#include "vtkOBJReader.h"
 #include "vtkOpenFOAMReader.h"
-#include "vtkPLYReader.h"
 #include "vtkPTSReader.h"
 #include "vtkSLCReader.h"
-#include "vtkSTLReader.h"
 #include "vtkTecplotReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -43,9 +45,6 @@
 #include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
-#if __has_include("vtkOFFReader.h")
-#include "vtkOFFReader.h"
-#endif
 #ifdef PENUMBRA_HAS_IOCGNSReader
 #include "vtkCGNSReader.h"
 #endif
@@ -105,57 +104,56 @@ Algorithm MakeExodus(const std::string& path)
 
 std::vector<ReaderRow> MakeTable()
 {
-  return
-  {
-    { { ".stl" }, "Stereolithography", PENUMBRA_READER(vtkSTLReader) },
-      { { ".ply" }, "Stanford polygons", PENUMBRA_READER(vtkPLYReader) },
-      { { ".obj" }, "Wavefront", PENUMBRA_READER(vtkOBJReader) },
-#if __has_include("vtkOFFReader.h")
-      { { ".off" }, "Object File Format", PENUMBRA_READER(vtkOFFReader) },
-#endif
-      { { ".gltf", ".glb" }, "glTF 2", PENUMBRA_READER(vtkGLTFReader) },
-      { { ".vtk" }, "VTK legacy", PENUMBRA_READER(vtkGenericDataObjectReader) },
-      { { ".vtp" }, "VTK polygons", PENUMBRA_READER(vtkXMLPolyDataReader) },
-      { { ".vtu" }, "VTK unstructured grid", PENUMBRA_READER(vtkXMLUnstructuredGridReader) },
-      { { ".vti" }, "VTK image", PENUMBRA_READER(vtkXMLImageDataReader) },
-      { { ".vts" }, "VTK structured grid", PENUMBRA_READER(vtkXMLStructuredGridReader) },
-      { { ".vtr" }, "VTK rectilinear grid", PENUMBRA_READER(vtkXMLRectilinearGridReader) },
-      { { ".vtm", ".vtmb" }, "VTK multi-block", PENUMBRA_READER(vtkXMLMultiBlockDataReader) },
-      { { ".vtpd" }, "VTK partitioned", PENUMBRA_READER(vtkXMLPartitionedDataSetReader) },
-      { { ".vtpc" }, "VTK partitioned collection",
-        PENUMBRA_READER(vtkXMLPartitionedDataSetCollectionReader) },
-      { { ".pvtp" }, "VTK polygons in pieces", PENUMBRA_READER(vtkXMLPPolyDataReader) },
-      { { ".pvtu" }, "VTK unstructured grid in pieces",
-        PENUMBRA_READER(vtkXMLPUnstructuredGridReader) },
-      { { ".pvti" }, "VTK image in pieces", PENUMBRA_READER(vtkXMLPImageDataReader) },
-      { { ".pvts" }, "VTK structured grid in pieces",
-        PENUMBRA_READER(vtkXMLPStructuredGridReader) },
-      { { ".pvtr" }, "VTK rectilinear grid in pieces",
-        PENUMBRA_READER(vtkXMLPRectilinearGridReader) },
+  return {
+    { { ".stl" }, "Stereolithography", "Penumbra", nullptr, ReadStl },
+    { { ".ply" }, "Stanford polygons", "Penumbra", nullptr, ReadPly },
+    { { ".obj" }, "Wavefront", "Penumbra", nullptr, ReadObj },
+    { { ".off" }, "Object File Format", "Penumbra", nullptr, ReadOff },
+    { { ".gltf", ".glb" }, "glTF 2", PENUMBRA_READER(vtkGLTFReader), nullptr, CorrectWindings,
+      CopyGltfGeometry },
+    { { ".vtk" }, "VTK legacy", PENUMBRA_READER(vtkGenericDataObjectReader) },
+    { { ".vtp" }, "VTK polygons", PENUMBRA_READER(vtkXMLPolyDataReader) },
+    { { ".vtu" }, "VTK unstructured grid", PENUMBRA_READER(vtkXMLUnstructuredGridReader) },
+    { { ".vti" }, "VTK image", PENUMBRA_READER(vtkXMLImageDataReader) },
+    { { ".vts" }, "VTK structured grid", PENUMBRA_READER(vtkXMLStructuredGridReader) },
+    { { ".vtr" }, "VTK rectilinear grid", PENUMBRA_READER(vtkXMLRectilinearGridReader) },
+    { { ".vtm", ".vtmb" }, "VTK multi-block", PENUMBRA_READER(vtkXMLMultiBlockDataReader) },
+    { { ".vtpd" }, "VTK partitioned", PENUMBRA_READER(vtkXMLPartitionedDataSetReader) },
+    { { ".vtpc" }, "VTK partitioned collection",
+      PENUMBRA_READER(vtkXMLPartitionedDataSetCollectionReader) },
+    { { ".pvtp" }, "VTK polygons in pieces", PENUMBRA_READER(vtkXMLPPolyDataReader) },
+    { { ".pvtu" }, "VTK unstructured grid in pieces",
+      PENUMBRA_READER(vtkXMLPUnstructuredGridReader) },
+    { { ".pvti" }, "VTK image in pieces", PENUMBRA_READER(vtkXMLPImageDataReader) },
+    { { ".pvts" }, "VTK structured grid in pieces", PENUMBRA_READER(vtkXMLPStructuredGridReader) },
+    { { ".pvtr" }, "VTK rectilinear grid in pieces",
+      PENUMBRA_READER(vtkXMLPRectilinearGridReader) },
 #ifdef PENUMBRA_HAS_IOHDF
-      { { ".vtkhdf" }, "VTK HDF", PENUMBRA_READER(vtkHDFReader) },
+    { { ".vtkhdf" }, "VTK HDF", PENUMBRA_READER(vtkHDFReader) },
 #endif
-      { { ".e", ".ex2", ".exo", ".exii", ".g" }, "Exodus II", "vtkExodusIIReader", MakeExodus },
-      { { ".case", ".encas" }, "EnSight", "vtkGenericEnSightReader", MakeEnSight },
-      { { ".foam" }, "OpenFOAM", PENUMBRA_READER(vtkOpenFOAMReader) },
-      { { ".cas" }, "Fluent", PENUMBRA_READER(vtkFLUENTReader) },
+    { { ".e", ".ex2", ".exo", ".exii", ".g" }, "Exodus II", "vtkExodusIIReader", MakeExodus },
+    { { ".case", ".encas" }, "EnSight", "vtkGenericEnSightReader", MakeEnSight },
+    { { ".foam" }, "OpenFOAM", PENUMBRA_READER(vtkOpenFOAMReader) },
+    { { ".cas" }, "Fluent", PENUMBRA_READER(vtkFLUENTReader) },
 #ifdef PENUMBRA_HAS_IOCGNSReader
-      { { ".cgns" }, "CGNS", PENUMBRA_READER(vtkCGNSReader) },
+    { { ".cgns" }, "CGNS", PENUMBRA_READER(vtkCGNSReader) },
 #endif
-      { { ".tec", ".tp" }, "Tecplot ASCII", PENUMBRA_READER(vtkTecplotReader) },
-      { { ".inp" }, "AVS UCD", PENUMBRA_READER(vtkAVSucdReader) },
-      { { ".neu" }, "GAMBIT", PENUMBRA_READER(vtkGAMBITReader) },
+    { { ".tec", ".tp" }, "Tecplot ASCII", PENUMBRA_READER(vtkTecplotReader) },
+    { { ".inp" }, "Abaqus", "Penumbra", nullptr, ReadAbaqus, nullptr, nullptr, IsAbaqus },
+    { { ".inp" }, "AVS UCD", PENUMBRA_READER(vtkAVSucdReader) },
+    { { ".neu" }, "GAMBIT", PENUMBRA_READER(vtkGAMBITReader) },
 #ifdef PENUMBRA_HAS_IOXdmf2
-      { { ".xdmf", ".xmf" }, "XDMF 2", PENUMBRA_READER(vtkXdmfReader) },
+    { { ".xdmf", ".xmf" }, "XDMF 2", PENUMBRA_READER(vtkXdmfReader) },
 #endif
-      { { ".byu" }, "Movie.BYU", "vtkBYUReader", MakeByu },
-      { { ".facet" }, "Facet", PENUMBRA_READER(vtkFacetReader) },
-      { { ".pts" }, "Points", PENUMBRA_READER(vtkPTSReader) },
-      { { ".mha", ".mhd" }, "MetaImage", PENUMBRA_READER(vtkMetaImageReader) },
-      { { ".nrrd", ".nhdr" }, "NRRD", PENUMBRA_READER(vtkNrrdReader) },
-      { { ".nii" }, "NIfTI", PENUMBRA_READER(vtkNIFTIImageReader) },
-      { { ".slc" }, "SLC volume", PENUMBRA_READER(vtkSLCReader) },
-      { { ".dem" }, "USGS digital elevation", PENUMBRA_READER(vtkDEMReader) },
+    { { ".byu" }, "Movie.BYU", "vtkBYUReader", MakeByu },
+    { { ".facet" }, "Facet", PENUMBRA_READER(vtkFacetReader) },
+    { { ".pts" }, "Points", PENUMBRA_READER(vtkPTSReader) },
+    { { ".mha", ".mhd" }, "MetaImage", PENUMBRA_READER(vtkMetaImageReader), nullptr,
+      OrientMetaImage },
+    { { ".nrrd", ".nhdr" }, "NRRD", "vtkNrrdReader", MakeNrrdReader, nullptr, OrientNrrd },
+    { { ".nii", ".nii.gz" }, "NIfTI", PENUMBRA_READER(vtkNIFTIImageReader), nullptr, OrientNifti },
+    { { ".slc" }, "SLC volume", PENUMBRA_READER(vtkSLCReader) },
+    { { ".dem" }, "USGS digital elevation", PENUMBRA_READER(vtkDEMReader) },
   };
 }
 
@@ -163,16 +161,23 @@ std::vector<ReaderRow> MakeTable()
 
 const ReaderRow& FindReader(const std::string& path)
 {
-  const std::string extension = LowerExtension(path);
+  const std::string name = LowerCase(std::filesystem::path(path).filename().string());
   for (const ReaderRow& row : Readers())
   {
-    if (std::count(row.Extensions.begin(), row.Extensions.end(), extension))
+    for (const std::string& extension : row.Extensions)
     {
-      return row;
+      // A name that consists of the extension only has none.
+      if (name.size() > extension.size() &&
+        name.compare(name.size() - extension.size(), extension.size(), extension) == 0 &&
+        (!row.Recognizes || row.Recognizes(path)))
+      {
+        return row;
+      }
     }
   }
   throw CommandError(BadInput,
-    path + ": unknown extension '" + extension + "'; `penumbra list` prints the supported ones");
+    path + ": unknown extension '" + LowerExtension(path) +
+      "'; `penumbra list` prints the supported ones");
 }
 
 void CheckFile(const std::string& path)
@@ -204,6 +209,31 @@ void CheckFile(const std::string& path)
   }
 }
 
+/// A temporary file, removed at the end of its lifetime.
+class TemporaryFile
+{
+public:
+  explicit TemporaryFile(const std::string& path)
+    : Path(path)
+  {
+  }
+
+  ~TemporaryFile()
+  {
+    if (!this->Path.empty())
+    {
+      std::error_code ignored;
+      std::filesystem::remove(this->Path, ignored);
+      KeepOnCrash(this->Path);
+    }
+  }
+
+  TemporaryFile(const TemporaryFile&) = delete;
+  void operator=(const TemporaryFile&) = delete;
+
+  const std::string Path;
+};
+
 [[noreturn]] void FailReading(
   const std::string& path, const ReaderRow& row, const std::string& reason)
 {
@@ -222,9 +252,18 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
 {
   const ReaderRow& row = FindReader(path);
   CheckFile(path);
-  const DeclaredCounts counts = CheckMeshFile(path);
+  const std::string missing = FindTruncation(path);
+  if (!missing.empty())
+  {
+    ThrowTruncated(path, missing);
+  }
+  if (row.Read)
+  {
+    return row.Read(path);
+  }
   TakeErrors();
-  const Algorithm reader = row.Make(path);
+  const TemporaryFile copy(row.Prepare ? row.Prepare(path) : std::string());
+  const Algorithm reader = row.Make(copy.Path.empty() ? path : copy.Path);
   reader->Update();
   vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
   const std::vector<std::string> errors = TakeErrors();
@@ -240,7 +279,10 @@ vtkSmartPointer<vtkDataObject> ReadFile(const std::string& path)
   {
     FailReading(path, row, "the reader reported no reason");
   }
-  CheckDeclaredCounts(path, data, counts);
+  if (row.Complete)
+  {
+    row.Complete(reader, path, data);
+  }
   return data;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The table of input formats: extensions, name, VTK reader.
+// The table of input formats: extensions, name, reader.
 #ifndef penumbra_Readers_h
 #define penumbra_Readers_h
 
@@ -21,7 +21,14 @@ struct ReaderRow
   std::vector<std::string> Extensions; ///< lower case, with the dot
   std::string Format;
   std::string ReaderClass;
-  vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path);
+  vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path); ///< null: Read
+  vtkSmartPointer<vtkDataObject> (*Read)(const std::string& path) = nullptr;
+  /// Corrects what the algorithm of Make read; null: nothing to correct.
+  void (*Complete)(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data) = nullptr;
+  /// Returns a temporary file to read instead, or an empty path; null: reads the file.
+  std::string (*Prepare)(const std::string& path) = nullptr;
+  /// Returns whether the contents are of this format; null: the extension decides.
+  bool (*Recognizes)(const std::string& path) = nullptr;
 };
 
 const std::vector<ReaderRow>& Readers();

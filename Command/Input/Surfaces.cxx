@@ -17,9 +17,12 @@
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkReverseSense.h"
 #include "vtkVertexGlyphFilter.h"
 
 #include <cmath>
@@ -72,6 +75,14 @@ vtkSmartPointer<vtkPolyData> MakeMesh(vtkDataSet* data)
   geometry->PassThroughCellIdsOn();
   geometry->SetOriginalCellIdsName(OriginalCellIds);
   geometry->Update();
+  auto* image = vtkImageData::SafeDownCast(data);
+  if (image && image->GetDirectionMatrix()->Determinant() < 0.0)
+  {
+    vtkNew<vtkReverseSense> outward; // Left-handed axes turn the surface inside out.
+    outward->SetInputConnection(geometry->GetOutputPort());
+    outward->Update();
+    return outward->GetOutput();
+  }
   return geometry->GetOutput();
 }
 

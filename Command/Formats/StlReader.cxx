@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshReaders.h"
+
+#include "Files/MappedFile.h"
+#include "MeshArrays.h"
+#include "PointMerger.h"
+#include "TextScanner.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace penumbra
+{
+
+namespace
+{
+
+constexpr std::size_t BinaryHeaderSize = 84; ///< 80 bytes of text, number of triangles
+constexpr std::size_t BinaryTriangleSize = 50;
+
+class Triangles
+{
+public:
+  void Insert(const double corners[3][3])
+  {
+    vtkIdType ids[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      ids[i] = this->Points.Insert(corners[i]);
+    }
+    if (ids[0] != ids[1] && ids[0] != ids[2] && ids[1] != ids[2])
+    {
+      this->Cells->InsertNextCell(3, ids);
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> MakeMesh(int type) const
+  {
+    auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    mesh->SetPoints(this->Points.MakePoints(type));
+    mesh->SetPolys(this->Cells);
+    return mesh;
+  }
+
+private:
+  PointMerger Points;
+  vtkNew<vtkCellArray> Cells;
+};
+
+std::size_t DeclaredTriangles(const MappedFile& file)
+{
+  std::uint32_t count = 0;
+  if (file.Size() >= BinaryHeaderSize)
+  {
+    std::memcpy(&count, file.Begin() + BinaryHeaderSize - sizeof(count), sizeof(count));
+  }
+  return count;
+}
+
+/// Binary files may start with "solid", too.
+bool IsAscii(const MappedFile& file)
+{
+  const bool isBinary = file.Size() >= BinaryHeaderSize &&
+    file.Size() == BinaryHeaderSize + BinaryTriangleSize * DeclaredTriangles(file);
+  TextScanner text(file.Begin(), file.End());
+  const std::string_view word = text.Word();
+  const std::size_t head = file.Size() < 512 ? file.Size() : 512;
+  return !isBinary && word.size() >= 5 && EqualsIgnoringCase(word.substr(0, 5), "solid") &&
+    !std::memchr(file.Begin(), '\0', head);
+}
+
+vtkSmartPointer<vtkPolyData> ReadBinary(const std::string& path, const MappedFile& file)
+{
+  if (file.Size() < BinaryHeaderSize)
+  {
+    ThrowTruncated(path, "triangle");
+  }
+  const std::size_t held = (file.Size() - BinaryHeaderSize) / BinaryTriangleSize;
+  const std::size_t declared = DeclaredTriangles(file);
+  if (declared > held)
+  {
+    ThrowTruncated(path, "triangle");
+  }
+  // Programs that write while they compute may leave the number at 0.
+  const std::size_t count = declared == 0 ? held : declared;
+  Triangles triangles;
+  const char* at = file.Begin() + BinaryHeaderSize;
+  for (std::size_t i = 0; i < count; ++i, at += BinaryTriangleSize)
+  {
+    float values[12]; // normal, corners
+    std::memcpy(values, at, sizeof(values));
+    double corners[3][3];
+    for (int k = 0; k < 9; ++k)
+    {
+      corners[k / 3][k % 3] = values[3 + k];
+    }
+    triangles.Insert(corners);
+  }
+  return triangles.MakeMesh(VTK_FLOAT);
+}
+
+/// Reads the corners of a loop; returns the number of corners, at most 3, or -1 at a wrong number.
+int ReadLoop(TextScanner& text, double corners[3][3])
+{
+  int count = 0;
+  for (std::string_view word = text.Word(); EqualsIgnoringCase(word, "vertex"); word = text.Word())
+  {
+    double point[3];
+    for (double& coordinate : point)
+    {
+      if (!ParseNumber(text.Word(), coordinate))
+      {
+        return -1;
+      }
+    }
+    if (count < 3)
+    {
+      std::memcpy(corners[count], point, sizeof(point));
+    }
+    ++count;
+  }
+  return count;
+}
+
+/// Skips the name of a solid: the rest of the line, or what is before the first facet.
+void SkipName(TextScanner& text)
+{
+  for (std::string_view word = text.WordInLine(); !word.empty(); word = text.WordInLine())
+  {
+    if (EqualsIgnoringCase(word, "facet") && EqualsIgnoringCase(text.Peek(), "normal"))
+    {
+      return;
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ReadAscii(const std::string& path, const MappedFile& file)
+{
+  TextScanner text(file.Begin(), file.End());
+  Triangles triangles;
+  text.Word();
+  SkipName(text);
+  bool isOpen = true;
+  while (!text.AtEnd())
+  {
+    const std::string_view word = text.Word();
+    if (EqualsIgnoringCase(word, "outer") || EqualsIgnoringCase(word, "loop"))
+    {
+      if (EqualsIgnoringCase(text.Peek(), "loop"))
+      {
+        text.Word();
+      }
+      double corners[3][3];
+      const int count = ReadLoop(text, corners);
+      if (count != 3)
+      {
+        text.AtEnd() ? ThrowTruncated(path, "line, 'endsolid'")
+                     : ThrowDamaged(path, "a facet does not have three vertices");
+      }
+      triangles.Insert(corners);
+    }
+    else if (EqualsIgnoringCase(word, "endsolid"))
+    {
+      isOpen = false;
+      text.Line();
+    }
+    else if (EqualsIgnoringCase(word, "end"))
+    {
+      isOpen = isOpen && !EqualsIgnoringCase(text.WordInLine(), "solid");
+      text.Line();
+    }
+    else if (EqualsIgnoringCase(word, "solid"))
+    {
+      isOpen = true;
+      SkipName(text);
+    }
+  }
+  if (isOpen)
+  {
+    ThrowTruncated(path, "line, 'endsolid'");
+  }
+  return triangles.MakeMesh(VTK_DOUBLE);
+}
+
+}
+
+vtkSmartPointer<vtkDataObject> ReadStl(const std::string& path)
+{
+  const MappedFile file(path);
+  return IsAscii(file) ? ReadAscii(path, file) : ReadBinary(path, file);
+}
+
+}

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Winding of polygons that a mirroring transform has reversed.
+#ifndef penumbra_WindingCorrection_h
+#define penumbra_WindingCorrection_h
+
+#include <string>
+
+class vtkAlgorithm;
+class vtkDataObject;
+
+namespace penumbra
+{
+
+/// Reverses the polygons of each data set in which most of them face away from their point normals.
+/// Lighting negates such normals. vtkGLTFReader leaves them where the transform of a node mirrors.
+void CorrectWindings(vtkAlgorithm* reader, const std::string& path, vtkDataObject* data);
+
+}
+#endif
