@@ -35,6 +35,8 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}"
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH "${PENUMBRA_INSTALL_VTK_PATH}")
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# Programs are not linked again if only the code of a library has changed.
+set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
 
 # In a wheel, libraries find each other and VTK relative to their own folder.
 if (PENUMBRA_BUILD_PYTHON)
