@@ -63,11 +63,35 @@ endif ()
 find_program(PENUMBRA_CCACHE ccache)
 if (PENUMBRA_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER "${PENUMBRA_CCACHE}")
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${PENUMBRA_CCACHE}")
+  # Without these, ccache does not cache sources with precompiled headers.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros "${PENUMBRA_CCACHE}")
 endif ()
+
+# penumbra_precompile(<target> [header...]) precompiles headers of VTK and the standard library, and others, which are half
+# of the time of a source that includes vtkRenderer.h. Only for targets with many sources: it takes ten seconds itself.
+function (penumbra_precompile target)
+  target_precompile_headers(${target} PRIVATE
+    <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <string> <utility> <vector>
+    <vtkActor.h> <vtkCamera.h> <vtkCellArray.h> <vtkCellData.h> <vtkDoubleArray.h> <vtkFloatArray.h> <vtkImageData.h>
+    <vtkMapper.h> <vtkMath.h> <vtkMatrix4x4.h> <vtkNew.h> <vtkObjectFactory.h> <vtkPointData.h> <vtkPoints.h>
+    <vtkPolyData.h> <vtkProperty.h> <vtkRenderer.h> <vtkSmartPointer.h> <vtkUnsignedCharArray.h>
+    ${ARGN})
+endfunction ()
+
+# Refers to the generated headers of VTK's modules by their names instead of their paths, so that all clones share the
+# entries of ccache.
+function (penumbra_relative_definitions target)
+  get_target_property(definitions ${target} COMPILE_DEFINITIONS)
+  if (definitions MATCHES "_AUTOINIT_INCLUDE=")
+    string(REPLACE "${CMAKE_BINARY_DIR}/CMakeFiles/vtkModuleAutoInit" "vtkModuleAutoInit" definitions "${definitions}")
+    set_target_properties(${target} PROPERTIES COMPILE_DEFINITIONS "${definitions}")
+    target_include_directories(${target} PRIVATE "${CMAKE_BINARY_DIR}/CMakeFiles")
+  endif ()
+endfunction ()
 
 # penumbra_warnings(<target>) enables the compiler warnings of the project.
 function (penumbra_warnings target)
+  penumbra_relative_definitions(${target})
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
     $<$<BOOL:${PENUMBRA_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction ()

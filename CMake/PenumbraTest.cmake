@@ -1,5 +1,7 @@
 # penumbra_test(<TestName> [SOURCES more.cxx...] [LABELS label...] MODULES Penumbra::... VTK::...)
-# One GoogleTest executable from <TestName>.cxx; each TEST becomes a CTest test.
+# GoogleTest cases in <TestName>.cxx; each TEST becomes a CTest test. The target <TestName> holds the objects. The
+# tests of a folder with the same labels are one program, <Folder>Tests: it links in seconds, where one for each source
+# takes minutes. `ninja <Folder>Tests` builds it.
 include(GoogleTest)
 
 # The semicolons are escaped because gtest_discover_tests() treats them as argument separators.
@@ -18,19 +20,54 @@ if (BUILD_TESTING)
 endif ()
 set(penumbra_test_launcher "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/penumbra-run-limited" --limit 570)
 
+# Sets <output> to the program of the tests of the current folder with these labels.
+function (penumbra_test_program output labels)
+  file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  string(REGEX REPLACE "^(Testing|Benchmarks)/|/Testing$" "" folder "${folder}")
+  string(REPLACE "/" "" program "${folder}")
+  if (program STREQUAL "Testing")
+    set(program Project)
+  endif ()
+  if (NOT labels STREQUAL "fast")
+    string(REPLACE ";" "" suffix "${labels}")
+    string(APPEND program "-${suffix}")
+  endif ()
+  set(${output} "${program}Tests" PARENT_SCOPE)
+endfunction ()
+
+function (penumbra_add_test_program program labels)
+  add_executable(${program})
+  set_target_properties(${program} PROPERTIES
+    LINKER_LANGUAGE CXX
+    CROSSCOMPILING_EMULATOR "${penumbra_test_launcher}")
+  target_link_libraries(${program} PRIVATE GTest::gtest_main)
+  add_dependencies(${program} penumbra-run-limited)
+  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
+    PROPERTIES
+      LABELS "${labels}"
+      ENVIRONMENT "${penumbra_test_environment}")
+endfunction ()
+
 function (penumbra_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LABELS;MODULES")
-  add_executable(${name} ${name}.cxx ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_MODULES} GTest::gtest GTest::gtest_main)
-  vtk_module_autoinit(TARGETS ${name} MODULES ${arg_MODULES})
-  penumbra_warnings(${name})
-  set_target_properties(${name} PROPERTIES CROSSCOMPILING_EMULATOR "${penumbra_test_launcher}")
-  add_dependencies(${name} penumbra-run-limited)
   if (NOT arg_LABELS)
     set(arg_LABELS fast)
   endif ()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
-    PROPERTIES
-      LABELS "${arg_LABELS}"
-      ENVIRONMENT "${penumbra_test_environment}")
+  penumbra_test_program(program "${arg_LABELS}")
+  if (NOT TARGET ${program})
+    penumbra_add_test_program(${program} "${arg_LABELS}")
+  endif ()
+
+  # Sources that several tests name are compiled with the first of them.
+  get_property(compiled TARGET ${program} PROPERTY PENUMBRA_SOURCES)
+  list(REMOVE_ITEM arg_SOURCES ${compiled})
+  set_property(TARGET ${program} APPEND PROPERTY PENUMBRA_SOURCES ${arg_SOURCES})
+
+  add_library(${name} OBJECT ${name}.cxx ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_MODULES} GTest::gtest)
+  vtk_module_autoinit(TARGETS ${name} MODULES ${arg_MODULES})
+  penumbra_warnings(${name})
+  # Takes half the time of -O3 to compile; the time of tests is spent in the modules and references.
+  target_compile_options(${name} PRIVATE -O1)
+  target_link_libraries(${program} PRIVATE ${name})
 endfunction ()

@@ -38,7 +38,7 @@ void ExpectTheSame(First* first, Second* second)
   }
 }
 
-TEST(LightShaftPass, DescribesTheSameMediumAsTheRayCaster)
+TEST(MediumOfBoth, DescribesTheSameMediumAsTheRayCaster)
 {
   vtkNew<vtkPenumbraMedium> medium;
   vtkNew<vtkPenumbraLightShaftPass> pass;
