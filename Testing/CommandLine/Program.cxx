@@ -163,14 +163,14 @@ std::string ReadText(const std::string& path)
   return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
-nlohmann::json ReadJson(const std::string& path)
+Json ReadJson(const std::string& path)
 {
-  return nlohmann::json::parse(ReadText(path));
+  return Json::Parse(ReadText(path));
 }
 
-nlohmann::json Compare(const std::string& a, const std::string& b)
+Json Compare(const std::string& a, const std::string& b)
 {
-  return nlohmann::json::parse(RunProgram({ "compare", a, b, "--json" }).Output);
+  return Json::Parse(RunProgram({ "compare", a, b, "--json" }).Output);
 }
 
 }

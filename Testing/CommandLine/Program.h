@@ -5,7 +5,7 @@
 #ifndef penumbra_testing_Program_h
 #define penumbra_testing_Program_h
 
-#include <nlohmann/json.hpp>
+#include "Json.h"
 
 #include <string>
 #include <vector>
@@ -56,10 +56,10 @@ std::string WithoutToleranceWarnings(const std::string& errors);
 
 void WriteText(const std::string& path, const std::string& text);
 std::string ReadText(const std::string& path);
-nlohmann::json ReadJson(const std::string& path);
+Json ReadJson(const std::string& path);
 
 /// Returns the report of `penumbra compare A B --json`.
-nlohmann::json Compare(const std::string& a, const std::string& b);
+Json Compare(const std::string& a, const std::string& b);
 
 }
 #endif

@@ -107,17 +107,15 @@ TEST(Bake, WritesStatistics)
   const ProgramResult outcome = RunProgram({ "bake", Head, "--output", folder / "head.vtp",
     "--tolerance", ".05", "--statistics", folder / "report.json" });
   ASSERT_EQ(outcome.Status, 0) << outcome.Errors;
-  const nlohmann::json report = ReadJson(folder / "report.json");
-  const nlohmann::json& s = report["statistics"];
+  const Json report = ReadJson(folder / "report.json");
+  const Json& s = report["statistics"];
   EXPECT_EQ(report["tolerance"], .05);
   EXPECT_GT(report["estimated_error"], 0.0);
   EXPECT_LE(report["estimated_error"], .05);
   EXPECT_GT(s["Points/Total"], 1000);
-  EXPECT_LE(s["Points/Interpolated"].get<double>() + s["Points/BruteForce"].get<double>(),
-    s["Points/Total"].get<double>());
-  EXPECT_EQ(s["Rays/Total"].get<double>(),
-    s["Rays/Gather"].get<double>() + s["Rays/Occlusion"].get<double>());
-  EXPECT_LT(s["Rays/Total"].get<double>(), 700.0 * s["Points/Total"].get<double>());
+  EXPECT_LE(s["Points/Interpolated"] + s["Points/BruteForce"], s["Points/Total"]);
+  EXPECT_EQ(s["Rays/Total"], s["Rays/Gather"] + s["Rays/Occlusion"]);
+  EXPECT_LT(s["Rays/Total"], 700.0 * s["Points/Total"]);
 }
 
 TEST(Bake, RequiresPolygonsOrPointRadius)

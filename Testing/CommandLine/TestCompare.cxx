@@ -48,11 +48,11 @@ TEST(Compare, UsesNearestBaseline)
   Paint(folder, "c.vti", "0.4,0.4,0.4");
   const ProgramResult outcome =
     RunProgram({ "compare", folder / "a.png", folder / "b.png", folder / "c.vti", "--json" });
-  const nlohmann::json report = nlohmann::json::parse(outcome.Output);
+  const Json report = Json::Parse(outcome.Output);
   EXPECT_EQ(report["baseline"], folder / "c.vti");
   EXPECT_EQ(report["metric"], "rmse");
   EXPECT_NEAR(report["value"], 0.0, 1e-6);
-  EXPECT_EQ(report["metrics"].size(), 7u);
+  EXPECT_EQ(report["metrics"].GetSize(), 7u);
   EXPECT_EQ(report["above_threshold"], false);
 }
 

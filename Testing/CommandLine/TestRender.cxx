@@ -144,11 +144,11 @@ TEST(Render, WritesStatistics)
   const Folder folder("statistics");
   RenderSquare(folder, "p.png",
     { "--statistics", folder / "s.json", "--threads", "1", "--tolerance", "0.002" });
-  const nlohmann::json report = ReadJson(folder / "s.json");
-  EXPECT_GE(report["statistics"]["Rays/Primary"].get<long long>(), 41 * 31);
+  const Json report = ReadJson(folder / "s.json");
+  EXPECT_GE(report["statistics"]["Rays/Primary"], 41 * 31);
   EXPECT_GE(report["statistics"]["Rays/Total"], report["statistics"]["Rays/Primary"]);
-  EXPECT_NEAR(report["statistics"]["Rays/PerPixel"].get<double>(),
-    report["statistics"]["Rays/Total"].get<double>() / (40 * 30), 1e-9);
+  EXPECT_NEAR(
+    report["statistics"]["Rays/PerPixel"], report["statistics"]["Rays/Total"] / (40 * 30), 1e-9);
   EXPECT_EQ(report["tolerance"], 0.002);
   EXPECT_EQ(report["threads"], 1);
   EXPECT_LT(report["estimated_error"], 0.1);

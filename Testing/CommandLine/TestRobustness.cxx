@@ -71,7 +71,7 @@ TEST(RasterEngine, MatchesRayEngine)
     EXPECT_EQ(outcome.Errors, "");
   }
   // Only edges differ: multisampling against exact coverage.
-  const nlohmann::json report = Compare(folder / "ray.png", folder / "raster.png");
+  const Json report = Compare(folder / "ray.png", folder / "raster.png");
   EXPECT_LT(report["metrics"]["rmse"], 0.02);
   EXPECT_LT(report["metrics"]["pixels"], 0.02);
 }
