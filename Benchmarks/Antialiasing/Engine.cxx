@@ -4,6 +4,8 @@
 // Measurements of the engine: dense meshes, ray packets, memory.
 #include "Benchmark.h"
 #include "Meshes.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"

@@ -5,6 +5,7 @@
 // sphere on a floor, with a closed form; and the light in a room with five bounces, with
 // independent paths as reference. The acceleration structure is built before the clock starts.
 #include "ChartPointQueries.h"
+#include "Surface.h"
 
 #include "BruteForce/PathTracer.h"
 #include "Embree/RayScene.h"

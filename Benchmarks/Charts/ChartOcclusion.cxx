@@ -6,6 +6,8 @@
 // rays per pixel. Meshes and acceleration structures are built and shaders are compiled before the
 // clock starts.
 #include "ChartFamilies.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"

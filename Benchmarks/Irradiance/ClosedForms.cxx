@@ -3,6 +3,7 @@
 //
 // Scenes with closed-form occlusion, over all pixels that show their floor.
 #include "Benchmark.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 #include "Scenes/Solids.h"

@@ -4,6 +4,7 @@
 // Compares hemisphere sampling by rays and by cube maps, in one room and in a building of which
 // most is hidden from any point.
 #include "Benchmark.h"
+#include "Surface.h"
 
 #include "BruteForce/ImageErrors.h"
 #include "Embree/RayScene.h"

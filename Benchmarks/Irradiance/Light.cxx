@@ -3,6 +3,7 @@
 //
 // Interreflection: a room against independent paths, closed cubes against closed forms.
 #include "Benchmark.h"
+#include "Surface.h"
 
 #include "BruteForce/PathTracer.h"
 #include "Embree/RayScene.h"

@@ -4,6 +4,7 @@
 // The occlusion next to a unit sphere with its center at the height h above a plane is h (h^2 +
 // rho^2)^(-3/2) on the plane and (1 - n_z) / 2 on the sphere.
 #include "Benchmark.h"
+#include "Surface.h"
 
 #include "BruteForce/ImageErrors.h"
 #include "Embree/RayScene.h"

@@ -5,6 +5,7 @@
 #include "Embree/RayScene.h"
 #include "Room.h"
 #include "Scenes/Solids.h"
+#include "Surface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -4,6 +4,7 @@
 #include "BruteForce/PathTracer.h"
 #include "Room.h"
 #include "Scenes/Solids.h"
+#include "Surface.h"
 
 #include <cmath>
 

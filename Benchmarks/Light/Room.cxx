@@ -3,6 +3,7 @@
 #include "Room.h"
 
 #include "Benchmark.h"
+#include "Surface.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -4,6 +4,7 @@
 #include "Benchmark.h"
 #include "Room.h"
 #include "SkyScenes.h"
+#include "Surface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

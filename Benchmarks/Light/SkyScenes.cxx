@@ -7,6 +7,7 @@
 #include "Room.h"
 #include "Scenes/Solids.h"
 #include "Scenes/TestScene.h"
+#include "Surface.h"
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"

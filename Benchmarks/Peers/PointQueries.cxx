@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointQueries.h"
 
+#include "Surface.h"
+
 #include <fstream>
 
 namespace penumbra

@@ -3,6 +3,7 @@
 //
 // Files exchanged with peer programs, tested with a shell script instead of a real one.
 #include "PointQueries.h"
+#include "Surface.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>

@@ -10,6 +10,8 @@
 #include "Records/PixelCandidates.h"
 #include "Records/RecordPolyData.h"
 #include "Records/ViewRecords.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkFieldData.h"
 #include "vtkMath.h"

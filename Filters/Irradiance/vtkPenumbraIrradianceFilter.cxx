@@ -15,6 +15,7 @@
 #include "Gathering/RayGatherer.h"
 #include "Records/Interreflection.h"
 #include "Shading/LightWarnings.h"
+#include "Surface.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"

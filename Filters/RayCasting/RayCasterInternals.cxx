@@ -10,9 +10,11 @@
 #include "Import/SceneModificationTime.h"
 #include "Media/MediumExtraction.h"
 #include "PhaseTimer.h"
+#include "Scene.h"
 #include "SceneBounds.h"
 #include "Shading/Illumination.h"
 #include "Shading/LightWarnings.h"
+#include "Surface.h"
 #include "ToleranceWarning.h"
 
 #include "vtkDataObject.h"

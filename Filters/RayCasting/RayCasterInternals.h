@@ -11,6 +11,8 @@
 #include "Import/SceneExtraction.h"
 #include "LightSizes.h"
 #include "PhaseTimer.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"

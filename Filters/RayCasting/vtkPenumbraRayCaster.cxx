@@ -3,6 +3,7 @@
 #include "vtkPenumbraRayCaster.h"
 
 #include "RayCasterInternals.h"
+#include "Scene.h"
 
 #include "Execution/NaNCheck.h"
 #include "Image/LayerCompositing.h"

@@ -3,6 +3,8 @@
 #include "vtkPenumbraVectorExporter.h"
 
 #include "RayCasterInternals.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Conventions/Statistics.h"
 #include "Image/LayerCompositing.h"

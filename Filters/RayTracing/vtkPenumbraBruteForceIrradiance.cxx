@@ -3,6 +3,7 @@
 #include "vtkPenumbraBruteForceIrradiance.h"
 
 #include "Embree/RayScene.h"
+#include "Scene.h"
 #include "Shading/DistanceFalloff.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"

@@ -3,6 +3,7 @@
 #include "InstanceCopies.h"
 
 #include "Scene.h"
+#include "Surface.h"
 
 #include <utility>
 

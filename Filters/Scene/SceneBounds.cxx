@@ -4,6 +4,7 @@
 
 #include "Execution/ParallelFor.h"
 #include "Scene.h"
+#include "Surface.h"
 
 #include "vtkBoundingBox.h"
 

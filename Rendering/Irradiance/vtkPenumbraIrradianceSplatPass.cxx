@@ -10,6 +10,7 @@
 #include "Records/RecordPolyData.h"
 #include "Scene.h"
 #include "Splats/RecordSplatter.h"
+#include "Surface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

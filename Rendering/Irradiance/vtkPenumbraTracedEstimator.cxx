@@ -5,6 +5,7 @@
 #include "Frame/DelegateImage.h"
 #include "Frame/EyeDepth.h"
 #include "Import/SceneModificationTime.h"
+#include "Scene.h"
 #include "Traced/InterpolatedOcclusion.h"
 #include "Traced/OccluderGeometry.h"
 #include "Traced/TracedOcclusion.h"

@@ -4,6 +4,7 @@
 
 #include "Embree/RayScene.h"
 #include "Scenes/Solids.h"
+#include "Surface.h"
 
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceIrradiance.h"

@@ -6,6 +6,7 @@
 #include "CacheScenes.h"
 #include "Frames.h"
 #include "Scenario.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 #include "Records/PixelCandidates.h"

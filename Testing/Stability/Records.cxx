@@ -5,6 +5,7 @@
 // the records as they are, and with one of their arrays altered. Also: light of several bounces.
 #include "CacheScenes.h"
 #include "Scenario.h"
+#include "Surface.h"
 
 #include "BruteForce/PathTracer.h"
 #include "Embree/RayScene.h"

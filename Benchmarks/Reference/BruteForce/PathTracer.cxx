@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathTracer.h"
 
+#include "Surface.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <cmath>

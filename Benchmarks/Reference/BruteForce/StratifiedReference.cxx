@@ -4,7 +4,9 @@
 
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"
+#include "Scene.h"
 #include "Shading/Shading.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "Import/SurfaceGeometry.h"
 #include "PointNormals.h"
 #include "Shading/HemisphereSampling.h"
+#include "Surface.h"
 #include "Tessellation/MemoryEstimate.h"
 
 #include "vtkBoundingBox.h"

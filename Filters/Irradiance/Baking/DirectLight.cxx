@@ -3,6 +3,7 @@
 #include "DirectLight.h"
 
 #include "Embree/RayScene.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Shading.h"
 

@@ -6,6 +6,7 @@
 #define penumbra_DirectLight_h
 
 #include "Baking.h"
+#include "Light.h"
 
 #include "Embree/RayScene.h"
 

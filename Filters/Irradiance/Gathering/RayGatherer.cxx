@@ -4,6 +4,7 @@
 
 #include "Embree/RayScene.h"
 #include "IrradianceConstants.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/RayTracingConstants.h"
 #include "Shading/TranslucentOcclusion.h"

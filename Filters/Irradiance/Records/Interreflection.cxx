@@ -4,7 +4,9 @@
 
 #include "Embree/RayScene.h"
 #include "Gathering/IrradianceConstants.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
+#include "Surface.h"
 
 namespace penumbra
 {

@@ -5,6 +5,8 @@
 #include "Embree/RayScene.h"
 #include "Execution/ParallelFor.h"
 #include "Gathering/IrradianceConstants.h"
+#include "Scene.h"
+#include "Surface.h"
 
 namespace penumbra
 {

@@ -6,6 +6,7 @@
 #include "Gathering/IrradianceConstants.h"
 #include "Scene.h"
 #include "SceneBounds.h"
+#include "Surface.h"
 
 #include <algorithm>
 

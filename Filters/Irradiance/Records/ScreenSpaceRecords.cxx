@@ -6,6 +6,7 @@
 #include "Execution/ParallelFor.h"
 #include "Gathering/IrradianceConstants.h"
 #include "PixelCandidates.h"
+#include "Scene.h"
 
 #include <optional>
 

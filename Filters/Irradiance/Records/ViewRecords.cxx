@@ -5,6 +5,7 @@
 #include "Embree/RayScene.h"
 #include "Gathering/IrradianceConstants.h"
 #include "PixelCandidates.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"
 

@@ -10,6 +10,7 @@
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"
 #include "SphereOnFloor.h"
+#include "Surface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

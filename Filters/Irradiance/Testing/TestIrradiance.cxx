@@ -7,6 +7,7 @@
 #include "Scenes/Solids.h"
 #include "Shading/EnvironmentMap.h"
 #include "Shading/Illumination.h"
+#include "Surface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -4,6 +4,7 @@
 // Tests that the filter bakes with the constants of IrradianceConstants.h, and that each constant that the
 // benchmark fit-baking varies has an effect.
 #include "Baking/OcclusionBaking.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 #include "SphereOnFloor.h"

@@ -3,6 +3,7 @@
 //
 // Records of the cache: positions, radii and octree; storage, reuse and rebuilding.
 #include "CacheView.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 #include "Records/RecordOctree.h"

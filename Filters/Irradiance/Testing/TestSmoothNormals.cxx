@@ -6,6 +6,7 @@
 #include "Scenes/Solids.h"
 #include "Shading/EnvironmentMap.h"
 #include "Shading/Illumination.h"
+#include "Surface.h"
 
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceIrradiance.h"

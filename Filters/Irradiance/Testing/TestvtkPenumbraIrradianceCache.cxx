@@ -3,6 +3,7 @@
 //
 // Compares the cache with closed forms over all pixels of an image.
 #include "CacheView.h"
+#include "Surface.h"
 
 #include "ClosedForms/FalloffOcclusion.h"
 #include "Embree/RayScene.h"

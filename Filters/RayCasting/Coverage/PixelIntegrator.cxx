@@ -3,6 +3,8 @@
 #include "PixelIntegrator.h"
 
 #include "PixelErrors.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,8 @@
 // Exact coverage in PixelIntegrator: projected edges and intersections of triangles cut the pixel
 // into faces, and each face shows one surface.
 #include "PixelIntegrator.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Edges/RoundOutlines.h"
 #include "PixelErrors.h"

@@ -4,6 +4,8 @@
 // Sampling in PixelIntegrator: pixels of dense surfaces, and pixels whose exact coverage would cost
 // more than samples of the same accuracy. TileRefinement.h decides the number of samples.
 #include "PixelIntegrator.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "PixelErrors.h"
 #include "Shading/OwenSobolSequence.h"

@@ -4,6 +4,7 @@
 // Recursive subdivision of pixels in PixelIntegrator [AA], controlled by surface ids or by the
 // estimated error.
 #include "PixelIntegrator.h"
+#include "Surface.h"
 
 #include "PixelErrors.h"
 

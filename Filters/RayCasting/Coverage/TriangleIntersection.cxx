@@ -4,6 +4,8 @@
 
 #include "Edges/RoundOutlines.h"
 #include "Embree/RoundIntersection.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

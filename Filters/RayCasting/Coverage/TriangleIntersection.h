@@ -7,12 +7,15 @@
 
 #include "PixelArrangement.h"
 #include "Sampling/PrimitiveId.h"
-#include "Scene.h"
+
+#include <glm/glm.hpp>
 
 #include <vector>
 
 namespace penumbra
 {
+
+struct Scene;
 
 /**
  * Returns the largest depth in the pixel with the lower left corner `origin` of the plane of a

@@ -4,6 +4,7 @@
 
 #include "EdgeConstants.h"
 #include "Execution/ParallelBins.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <atomic>

@@ -7,13 +7,15 @@
 #ifndef penumbra_MeshEdges_h
 #define penumbra_MeshEdges_h
 
-#include "Scene.h"
+#include "Camera.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace penumbra
 {
+
+struct Surface;
 
 /// An edge and its adjacent triangles.
 struct MeshEdge

@@ -3,6 +3,8 @@
 #include "RoundOutlines.h"
 
 #include "OutlineProjector.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

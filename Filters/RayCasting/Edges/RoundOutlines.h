@@ -14,6 +14,8 @@
 namespace penumbra
 {
 
+struct Scene;
+
 /// The spheres and tubes of a scene, numbered through all surfaces, and those in each tile.
 class RoundOutlines
 {

@@ -3,6 +3,7 @@
 #include "Silhouettes.h"
 
 #include "Execution/ParallelBins.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,14 +6,18 @@
 #ifndef penumbra_Silhouettes_h
 #define penumbra_Silhouettes_h
 
+#include "Camera.h"
 #include "MeshEdges.h"
-#include "Scene.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <vector>
 
 namespace penumbra
 {
+
+struct Surface;
 
 /// A projected edge in image coordinates (pixels).
 struct ProjectedEdge

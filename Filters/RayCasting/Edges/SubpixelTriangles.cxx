@@ -3,6 +3,7 @@
 #include "SubpixelTriangles.h"
 
 #include "EdgeConstants.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

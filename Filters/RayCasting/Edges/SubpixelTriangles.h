@@ -6,12 +6,14 @@
 #ifndef penumbra_SubpixelTriangles_h
 #define penumbra_SubpixelTriangles_h
 
-#include "Scene.h"
+#include "Camera.h"
 
 #include <vector>
 
 namespace penumbra
 {
+
+struct Surface;
 
 /// Returns true if the mean visible triangle is smaller than a pixel and the surface is dense.
 bool HasSubpixelTriangles(const Surface& surface, const Camera& camera);

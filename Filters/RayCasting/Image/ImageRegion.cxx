@@ -8,6 +8,8 @@
 #include "Edges/SubpixelTriangles.h"
 #include "Execution/ParallelFor.h"
 #include "InstanceEdges.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

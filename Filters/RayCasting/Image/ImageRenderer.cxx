@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageRenderer.h"
 
+#include "Scene.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"

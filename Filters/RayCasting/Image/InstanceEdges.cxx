@@ -3,6 +3,8 @@
 #include "InstanceEdges.h"
 
 #include "Edges/RoundOutlines.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,6 +15,8 @@
 namespace penumbra
 {
 
+struct Scene;
+
 class InstanceEdges
 {
 public:

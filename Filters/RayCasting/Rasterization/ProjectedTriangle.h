@@ -5,7 +5,9 @@
 #ifndef penumbra_ProjectedTriangle_h
 #define penumbra_ProjectedTriangle_h
 
-#include "Scene.h"
+#include "Camera.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>

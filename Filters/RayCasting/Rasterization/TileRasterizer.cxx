@@ -5,6 +5,8 @@
 #include "Embree/CoincidentSurfaces.h"
 #include "Embree/RayTriangle.h"
 #include "ProjectedTriangle.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

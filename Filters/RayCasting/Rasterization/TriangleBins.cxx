@@ -4,6 +4,8 @@
 
 #include "Execution/ParallelBins.h"
 #include "ProjectedTriangle.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,9 @@
 #define penumbra_TriangleBins_h
 
 #include "Sampling/PrimitiveId.h"
-#include "Scene.h"
 #include "vtkPenumbraFiltersRayCastingModule.h" // for export macro, which tests need
+
+#include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,8 @@
 
 namespace penumbra
 {
+
+struct Scene;
 
 /// Tiles with the same side, row by row from `Origin`, the lower left corner of the first one.
 struct TileGrid

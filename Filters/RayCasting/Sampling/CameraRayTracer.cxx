@@ -4,8 +4,10 @@
 
 #include "Embree/RayTriangle.h"
 #include "LayerLighting.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/RayTracingConstants.h"
+#include "Surface.h"
 #include "vtkPenumbraIrradianceProvider.h"
 
 #include <glm/gtc/constants.hpp>

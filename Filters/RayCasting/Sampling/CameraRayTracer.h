@@ -5,6 +5,8 @@
 #ifndef penumbra_CameraRayTracer_h
 #define penumbra_CameraRayTracer_h
 
+#include "Background.h"
+#include "Camera.h"
 #include "LayerLighting.h"
 #include "LayerOrder.h"
 #include "Media/LightShafts.h"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CornerGrid.h"
 
+#include "Scene.h"
+
 #include <algorithm>
 
 namespace penumbra

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerLighting.h"
 
+#include "Scene.h"
 #include "Shading/RayTracingConstants.h"
+#include "Surface.h"
 #include "vtkPenumbraIrradianceProvider.h"
 
 #include <glm/gtc/constants.hpp>

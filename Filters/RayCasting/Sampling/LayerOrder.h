@@ -7,6 +7,8 @@
 #define penumbra_LayerOrder_h
 
 #include "Embree/RayScene.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <tuple>
 #include <vector>

@@ -8,7 +8,9 @@
 #include "Embree/RoundIntersection.h"
 #include "Image/ImageRegion.h"
 #include "RoundScene.h"
+#include "Scene.h"
 #include "Shading/Shading.h"
+#include "Surface.h"
 #include "Tessellation/SceneExtractionImposters.h"
 #include "Tessellation/SceneExtractionLines.h"
 

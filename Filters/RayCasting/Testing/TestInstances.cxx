@@ -3,6 +3,8 @@
 //
 // Glyphs as instances against the same glyphs as copied triangles.
 #include "GlyphField.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 #include "Image/ImageRegion.h"

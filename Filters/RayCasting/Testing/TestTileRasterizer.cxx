@@ -4,9 +4,11 @@
 // The triangles that rasterization finds at samples are those that rays hit.
 #include "Embree/CoincidentSurfaces.h"
 #include "Rasterization/TileRasterizer.h"
+#include "Scene.h"
 #include "Scenes/Adversaries.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/OwenSobolSequence.h"
+#include "Surface.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"

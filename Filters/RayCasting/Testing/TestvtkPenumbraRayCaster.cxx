@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embree/RayScene.h"
+#include "Scene.h"
 #include "vtkPenumbraRayCaster.h"
 
 #include "vtkActor.h"

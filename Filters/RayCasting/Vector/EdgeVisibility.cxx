@@ -5,6 +5,8 @@
 #include "Edges/RoundOutlines.h"
 #include "Edges/Silhouettes.h"
 #include "FigureText.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

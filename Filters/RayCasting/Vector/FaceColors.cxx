@@ -3,6 +3,8 @@
 #include "FaceColors.h"
 
 #include "Execution/ParallelFor.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

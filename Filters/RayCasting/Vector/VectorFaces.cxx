@@ -4,6 +4,8 @@
 
 #include "FaceColors.h"
 #include "FaceOrder.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 
 #include "AxisAlignedBox.h"
 #include "Execution/ParallelFor.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <array>

@@ -5,13 +5,16 @@
 #ifndef penumbra_BoxOverlap_h
 #define penumbra_BoxOverlap_h
 
-#include "Surface.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
+
+#include <glm/glm.hpp>
 
 #include <vector>
 
 namespace penumbra
 {
+
+struct Surface;
 
 /// Areas of the boxes of the triangles of a surface.
 struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT BoxOverlap

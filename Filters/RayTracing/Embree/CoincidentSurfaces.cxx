@@ -4,7 +4,9 @@
 
 #include "AxisAlignedBox.h"
 #include "RayTriangle.h"
+#include "Scene.h"
 #include "SceneBounds.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "InstanceGeometry.h"
 
 #include "CoincidentSurfaces.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

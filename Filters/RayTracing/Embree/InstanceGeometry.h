@@ -7,6 +7,7 @@
 #define penumbra_InstanceGeometry_h
 
 #include "EmbreeQuery.h"
+#include "SurfaceInstances.h"
 #include "TracedSurface.h"
 
 #include <glm/glm.hpp>

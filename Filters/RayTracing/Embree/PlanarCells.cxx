@@ -4,6 +4,7 @@
 
 #include "BoxOverlap.h"
 #include "RayTriangle.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <array>

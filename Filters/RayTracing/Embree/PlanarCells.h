@@ -9,7 +9,6 @@
 #define penumbra_PlanarCells_h
 
 #include "AxisAlignedBox.h"
-#include "Surface.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <cstddef>
@@ -19,6 +18,8 @@
 
 namespace penumbra
 {
+
+struct Surface;
 
 struct BoxOverlap;
 

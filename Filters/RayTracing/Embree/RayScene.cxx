@@ -10,8 +10,10 @@
 #include "RayTriangle.h"
 #include "RoundGeometry.h"
 #include "RoundIntersection.h"
+#include "Scene.h"
 #include "SliverGeometry.h"
 #include "SliverTree.h"
+#include "Surface.h"
 #include "TriangleGeometry.h"
 
 #include <algorithm>

@@ -7,8 +7,9 @@
 #define penumbra_RayScene_h
 
 #include "Execution/ParallelFor.h"
-#include "Scene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -20,6 +21,8 @@ struct RTCSceneTy;
 
 namespace penumbra
 {
+
+struct Scene;
 
 class CoincidentSurfaces;
 class PlanarCells;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayTriangle.h"
 
+#include "Scene.h"
+#include "Surface.h"
+
 #include <algorithm>
 
 namespace penumbra

@@ -14,6 +14,8 @@
 namespace penumbra
 {
 
+struct Surface;
+
 /// Relative rounding error of a float: half a unit in the last place of 1.
 constexpr double HalfUlp = 0.5 * std::numeric_limits<float>::epsilon();
 /// Bound of the number of single-precision roundings between the origin of a ray and a hit.

@@ -3,6 +3,7 @@
 #include "RoundGeometry.h"
 
 #include "RoundIntersection.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #ifndef penumbra_RoundIntersection_h
 #define penumbra_RoundIntersection_h
 
-#include "Surface.h"
+#include "RoundShape.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <glm/glm.hpp>

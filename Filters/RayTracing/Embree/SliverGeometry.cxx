@@ -6,6 +6,7 @@
 #include "PlanarCells.h"
 #include "RayTriangle.h"
 #include "SliverTree.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "AxisAlignedBox.h"
 #include "BoxOverlap.h"
+#include "Surface.h"
 
 #include "vtkMath.h"
 

@@ -11,8 +11,9 @@
 #ifndef penumbra_SliverTree_h
 #define penumbra_SliverTree_h
 
-#include "Surface.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
+
+#include <glm/glm.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,8 @@
 
 namespace penumbra
 {
+
+struct Surface;
 
 struct BoxOverlap;
 

@@ -5,8 +5,6 @@
 #ifndef penumbra_TracedSurface_h
 #define penumbra_TracedSurface_h
 
-#include "Surface.h"
-
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,6 +13,8 @@ struct RTCSceneTy;
 
 namespace penumbra
 {
+
+struct Surface;
 
 class PlanarCells;
 class SliverTree;

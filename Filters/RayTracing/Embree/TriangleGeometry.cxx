@@ -4,6 +4,7 @@
 
 #include "BoxOverlap.h"
 #include "CoincidentSurfaces.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <new>

@@ -3,6 +3,8 @@
 #include "EmissiveSurfaces.h"
 
 #include "Execution/AvailableMemory.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <algorithm>
 #include <string>

@@ -6,13 +6,14 @@
 #define penumbra_EmissiveSurfaces_h
 
 #include "EmitterTree.h"
-#include "Scene.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace penumbra
 {
+
+struct Scene;
 
 struct EmissiveSurfaces
 {

@@ -5,10 +5,12 @@
 #ifndef penumbra_LightAttenuation_h
 #define penumbra_LightAttenuation_h
 
-#include "Scene.h"
+#include <glm/glm.hpp>
 
 namespace penumbra
 {
+
+struct Light;
 
 class LightAttenuation
 {

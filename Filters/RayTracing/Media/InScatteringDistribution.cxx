@@ -3,6 +3,7 @@
 #include "InScatteringDistribution.h"
 
 #include "Conventions/PhaseFunctions.h"
+#include "Light.h"
 #include "Shading/RayTracingConstants.h"
 #include <algorithm>
 #include <cmath>

@@ -9,13 +9,16 @@
 #define penumbra_InScatteringDistribution_h
 
 #include "Medium.h"
-#include "Scene.h"
+
+#include <glm/glm.hpp>
 
 #include <limits>
 #include <vector>
 
 namespace penumbra
 {
+
+struct Light;
 
 /// Direction and distance from a point to a light.
 struct LightDirection

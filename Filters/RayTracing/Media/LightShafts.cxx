@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightShafts.h"
 
+#include "Scene.h"
 #include "Shading/RayTracingConstants.h"
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "Conventions/PhaseFunctions.h"
 #include "InScatteringDistribution.h"
+#include "Light.h"
 
 #include <algorithm>
 #include <cmath>

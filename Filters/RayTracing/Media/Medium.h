@@ -8,13 +8,16 @@
 
 #include "Lights/LightAttenuation.h"
 #include "MediumDensity.h"
-#include "Scene.h"
+
+#include <glm/glm.hpp>
 
 #include <array>
 #include <limits>
 
 namespace penumbra
 {
+
+struct Light;
 
 /// One color channel.
 struct VTKPENUMBRAFILTERSRAYTRACING_EXPORT Medium

@@ -3,6 +3,7 @@
 #include "MediumExtraction.h"
 
 #include "Conventions/MediumCoefficients.h"
+#include "Scene.h"
 #include "vtkPenumbraMedium.h"
 
 #include "vtkDataArray.h"

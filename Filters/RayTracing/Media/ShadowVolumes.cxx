@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowVolumes.h"
 
+#include "Scene.h"
 #include "Shading/RayTracingConstants.h"
+#include "Surface.h"
 #include <algorithm>
 
 namespace penumbra

@@ -7,13 +7,17 @@
 #define penumbra_ShadowVolumes_h
 
 #include "AxisAlignedBox.h"
-#include "Scene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
+
+#include <glm/glm.hpp>
 
 #include <vector>
 
 namespace penumbra
 {
+
+struct Light;
+struct Scene;
 
 /// Interval of the parameter of a ray.
 struct RayInterval

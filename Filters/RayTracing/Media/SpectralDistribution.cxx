@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpectralDistribution.h"
 
+#include "Light.h"
 #include "Shading/RayTracingConstants.h"
 #include <algorithm>
 

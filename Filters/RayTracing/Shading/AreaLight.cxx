@@ -3,6 +3,7 @@
 #include "AreaLight.h"
 
 #include "HemisphereSampling.h"
+#include "Light.h"
 #include "OwenSobolSequence.h"
 #include "PenumbraBoundary.h"
 #include "RayTracingConstants.h"

@@ -20,6 +20,8 @@
 namespace penumbra
 {
 
+struct Light;
+
 /// Maps the unit disk to shadow rays from a point to a light with a size. The density of the rays
 /// is uniform in solid angle for spheres and suns, and uniform in area for the disks of spotlights.
 class VTKPENUMBRAFILTERSRAYTRACING_EXPORT AreaLight

@@ -6,6 +6,8 @@
 #include "Lights/EmissiveSurfaces.h"
 #include "OwenSobolSequence.h"
 #include "RayTracingConstants.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <glm/gtc/constants.hpp>
 

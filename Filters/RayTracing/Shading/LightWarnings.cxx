@@ -3,6 +3,8 @@
 #include "LightWarnings.h"
 
 #include "RayTracingConstants.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkLine.h"
 #include "vtkNew.h"

@@ -7,7 +7,6 @@
 #define penumbra_LightWarnings_h
 
 #include "Illumination.h"
-#include "Scene.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <string>
@@ -15,6 +14,8 @@
 
 namespace penumbra
 {
+
+struct Scene;
 
 /// Returns one sentence, with numbers in world units, for each positional light with a radius that
 /// casts shadows and whose sphere contains or touches a surface. Lines and points without a radius

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhysicallyBased.h"
 
+#include "Surface.h"
 #include "SurfaceColor.h"
 
 #include <algorithm>

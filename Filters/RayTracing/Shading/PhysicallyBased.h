@@ -7,9 +7,12 @@
 #define penumbra_PhysicallyBased_h
 
 #include "Embree/RayScene.h"
+#include "Material.h"
 
 namespace penumbra
 {
+
+struct Surface;
 
 class PhysicallyBased
 {

@@ -10,6 +10,8 @@
 #include "OwenSobolSequence.h"
 #include "PhysicallyBased.h"
 #include "RayTracingConstants.h"
+#include "Scene.h"
+#include "Surface.h"
 #include "SurfaceColor.h"
 
 #include <algorithm>

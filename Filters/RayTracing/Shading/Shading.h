@@ -8,6 +8,7 @@
 #include "AreaLight.h"
 #include "Embree/RayScene.h"
 #include "Lights/LightAttenuation.h"
+#include "Material.h"
 #include "vtkPenumbraFiltersRayTracingModule.h" // for export macro, which tests need
 
 #include <cstdint>
@@ -16,6 +17,7 @@
 namespace penumbra
 {
 
+struct Surface;
 class PhysicallyBased;
 
 /// Color and surface properties at a hit.

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceColor.h"
 
+#include "Background.h"
+#include "Surface.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>

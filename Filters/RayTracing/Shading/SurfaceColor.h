@@ -5,12 +5,16 @@
 #ifndef penumbra_SurfaceColor_h
 #define penumbra_SurfaceColor_h
 
+#include "Background.h"
 #include "Embree/RayScene.h"
+#include "Material.h"
 
 #include <vector>
 
 namespace penumbra
 {
+
+struct Surface;
 
 /// Interpolates point data with the barycentric coordinates of a hit.
 template <typename T>

@@ -3,7 +3,9 @@
 #include "TranslucentOcclusion.h"
 
 #include "RayTracingConstants.h"
+#include "Scene.h"
 #include "Shading.h"
+#include "Surface.h"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"
 #include "Shading/Shading.h"
+#include "Surface.h"
 
 #include "vtkUnsignedCharArray.h"
 

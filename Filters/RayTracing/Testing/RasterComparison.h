@@ -7,6 +7,7 @@
 #define RasterComparison_h
 
 #include "Scene.h"
+#include "Surface.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"

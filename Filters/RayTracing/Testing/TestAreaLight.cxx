@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Rays to lights with a size, and the estimate of the visible fraction against closed forms.
+#include "Light.h"
 #include "Shading/AreaLight.h"
 #include "Shading/HemisphereSampling.h"
 

@@ -10,6 +10,7 @@
 #include "Shading/HemisphereSampling.h"
 #include "Shading/Illumination.h"
 #include "Shading/OwenSobolSequence.h"
+#include "Surface.h"
 
 #include "vtkNew.h"
 #include "vtkPenumbraBruteForceIrradiance.h"

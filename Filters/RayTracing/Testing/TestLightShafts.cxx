@@ -4,6 +4,8 @@
 // Compares light shafts along single rays with closed forms and with dense uniform ray marching
 // where shadows are known analytically.
 #include "Media/LightShafts.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <glm/gtc/constants.hpp>
 

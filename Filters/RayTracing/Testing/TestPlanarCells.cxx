@@ -4,6 +4,8 @@
 // Cells of surfaces of overlapping triangles in one plane: their hits against all triangles, and the
 // number of triangles they list.
 #include "Embree/PlanarCells.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Embree/BoxOverlap.h"
 #include "Embree/RayScene.h"

@@ -3,6 +3,8 @@
 #include "Embree/RayScene.h"
 #include "Embree/RayTriangle.h"
 #include "Embree/RoundIntersection.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Import/SceneExtraction.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Embree/RayScene.h"
 

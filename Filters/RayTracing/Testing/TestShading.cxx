@@ -4,6 +4,7 @@
 // Compares materials, lights and cameras with VTK's rasterizer. Also tests shadows and invalid
 // input.
 #include "Shading/Shading.h"
+#include "Surface.h"
 
 #include "ShadingOfActor.h"
 

@@ -4,6 +4,7 @@
 // Compares polygons, lines, points, glyphs, composite data, assemblies and clipping planes with
 // VTK's rasterizer.
 #include "ShadingOfActor.h"
+#include "Surface.h"
 
 #include "vtkAssembly.h"
 #include "vtkCamera.h"

@@ -3,6 +3,8 @@
 //
 // Trees of oriented boxes: their hits against all triangles, and the number of triangles they test.
 #include "Embree/SliverTree.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "Embree/BoxOverlap.h"
 #include "Embree/RayScene.h"

@@ -5,6 +5,8 @@
 // independent march of each wavelength.
 #include "BruteForce/SpectralMarch.h"
 #include "Media/LightShafts.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include <glm/gtc/constants.hpp>
 

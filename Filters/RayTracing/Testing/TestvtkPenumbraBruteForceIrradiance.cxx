@@ -8,6 +8,7 @@
 #include "Embree/RayScene.h"
 #include "Scenes/Solids.h"
 #include "Shading/Illumination.h"
+#include "Surface.h"
 
 #include "vtkNew.h"
 

@@ -4,6 +4,8 @@
 
 #include "ClassReplacement.h"
 #include "LabelCopies.h"
+#include "Material.h"
+#include "Scene.h"
 #include "SceneExtractionOverlay.h"
 
 #include "vtkActor2D.h"

@@ -8,7 +8,6 @@
 #define penumbra_OverlayRecorder_h
 
 #include "OverlayPainter.h"
-#include "Scene.h"
 #include "SizeOnlyWindow.h"
 
 #include "vtkNew.h"
@@ -22,6 +21,9 @@ class vtkTexture;
 
 namespace penumbra
 {
+
+class Overlay;
+struct Scene;
 
 /// Draws the 2-D props that are created and rendered during its life into an overlay. At most one
 /// exists in a thread at a time.

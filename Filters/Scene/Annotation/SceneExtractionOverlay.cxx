@@ -5,6 +5,7 @@
 #include "AnnotationCopies.h"
 #include "Features/SceneFeatures.h"
 #include "OverlayRecorder.h"
+#include "Scene.h"
 #include "SceneExtractionScalarBar.h"
 
 #include "vtkActor2D.h"

@@ -5,7 +5,7 @@
 #ifndef penumbra_SceneExtractionOverlay_h
 #define penumbra_SceneExtractionOverlay_h
 
-#include "Scene.h"
+#include <glm/glm.hpp>
 
 #include <string>
 
@@ -17,6 +17,9 @@ class vtkTextProperty;
 
 namespace penumbra
 {
+
+class Overlay;
+struct Scene;
 
 /// Draws the 2-D props of `renderer` into scene.OverlayImage, with a warning for each that is not
 /// supported. The camera and the overlay of `scene` must be set.

@@ -3,6 +3,7 @@
 #include "SceneExtractionScalarBar.h"
 
 #include "OverlayRecorder.h"
+#include "Scene.h"
 
 #include "vtkNew.h"
 #include "vtkScalarBarActor.h"

@@ -5,13 +5,13 @@
 #ifndef penumbra_SceneExtractionScalarBar_h
 #define penumbra_SceneExtractionScalarBar_h
 
-#include "Scene.h"
-
 class vtkRenderer;
 class vtkScalarBarActor;
 
 namespace penumbra
 {
+
+struct Scene;
 
 /// Draws `bar` into scene.OverlayImage. A copy of the bar renders its parts into the overlay
 /// instead of a window. The grid behind translucent colors is omitted. Returns false if VTK cannot

@@ -4,12 +4,14 @@
 
 #include "Annotation/SceneExtractionOverlay.h"
 #include "Features/SceneFeatures.h"
+#include "Scene.h"
 #include "SceneExtractionActors.h"
 #include "SceneExtractionAxes.h"
 #include "SceneExtractionGlyphs.h"
 #include "SceneExtractionProps.h"
 #include "SceneExtractionSplats.h"
 #include "SceneExtractionView.h"
+#include "Surface.h"
 #include "Tessellation/MemoryEstimate.h"
 
 #include "vtkBoundingBox.h"

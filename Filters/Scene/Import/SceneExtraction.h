@@ -7,7 +7,6 @@
 #define penumbra_SceneExtraction_h
 
 #include "Execution/ParallelFor.h"
-#include "Scene.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
 
 #include <functional>
@@ -19,6 +18,8 @@ class vtkRenderer;
 
 namespace penumbra
 {
+
+struct Scene;
 
 /// Size of a light, which vtkLight lacks.
 struct LightSize

@@ -12,6 +12,7 @@
 #include "SceneExtractionProps.h"
 #include "SceneExtractionSky.h"
 #include "SceneExtractionSplats.h"
+#include "Surface.h"
 #include "SurfaceGeometry.h"
 #include "Tessellation/SceneExtractionImposters.h"
 

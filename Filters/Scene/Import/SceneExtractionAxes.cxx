@@ -7,7 +7,9 @@
 
 #include "Annotation/OverlayRecorder.h"
 #include "ClassReplacement.h"
+#include "Scene.h"
 #include "SizeOnlyWindow.h"
+#include "Surface.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -3,7 +3,9 @@
 #include "SceneExtractionGlyphs.h"
 
 #include "Execution/AvailableMemory.h"
+#include "Scene.h"
 #include "SceneExtractionColors.h"
+#include "Surface.h"
 #include "Tessellation/SceneExtractionInstances.h"
 #include "Tessellation/SceneExtractionLines.h"
 #include "Tessellation/SceneExtractionSurfaces.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionProps.h"
 
+#include "Scene.h"
 #include "SceneExtractionColors.h"
 
 #include "vtkActor.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionSky.h"
 
+#include "Scene.h"
 #include "SceneExtractionColors.h"
 
 #include "vtkCamera.h"

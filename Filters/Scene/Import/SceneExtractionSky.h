@@ -5,13 +5,13 @@
 #ifndef penumbra_SceneExtractionSky_h
 #define penumbra_SceneExtractionSky_h
 
-#include "Scene.h"
-
 class vtkProp;
 class vtkRenderer;
 
 namespace penumbra
 {
+
+struct Scene;
 
 /// Returns true if ExtractSky() draws this prop: a vtkSkybox with cube or sphere projection and a
 /// texture of that kind.

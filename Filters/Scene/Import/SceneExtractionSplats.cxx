@@ -3,6 +3,8 @@
 #include "SceneExtractionSplats.h"
 
 #include "Features/SceneFeatures.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

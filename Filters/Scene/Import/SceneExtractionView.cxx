@@ -4,6 +4,7 @@
 
 #include "Features/SceneFeatures.h"
 #include "FixedOrigin.h"
+#include "Scene.h"
 #include "SceneExtractionColors.h"
 #include "SceneExtractionSky.h"
 

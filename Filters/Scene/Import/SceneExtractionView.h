@@ -5,6 +5,7 @@
 #ifndef penumbra_SceneExtractionView_h
 #define penumbra_SceneExtractionView_h
 
+#include "Light.h"
 #include "SceneExtraction.h"
 #include "Tessellation/SceneExtractionItem.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneModificationTime.h"
 
+#include "Light.h"
 #include "SceneExtractionBlocks.h"
 #include "SceneExtractionProps.h"
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionClipping.h"
 
+#include "Scene.h"
+#include "Surface.h"
+
 #include <cmath>
 #include <map>
 #include <utility>

@@ -5,13 +5,17 @@
 #ifndef penumbra_SceneExtractionClipping_h
 #define penumbra_SceneExtractionClipping_h
 
-#include "Scene.h"
 #include "vtkPenumbraFiltersSceneModule.h" // for export macro, which tests need
+
+#include <glm/glm.hpp>
 
 #include <vector>
 
 namespace penumbra
 {
+
+struct Scene;
+struct Surface;
 
 /// Keeps the part of `surface` with dot(plane, (x, 1)) >= 0 for every plane; planes are in world
 /// coordinates. Normals, colors and texture coordinates are interpolated at the cuts.

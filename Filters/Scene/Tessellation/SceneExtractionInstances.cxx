@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionInstances.h"
 
+#include "Scene.h"
+#include "Surface.h"
+
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
 

@@ -14,6 +14,8 @@
 namespace penumbra
 {
 
+struct Surface;
+
 /// Returns true if the glyphs of `item` have so many triangles that instances save memory.
 bool MayHaveInstances(const DrawItem& item);
 

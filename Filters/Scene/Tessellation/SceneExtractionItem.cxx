@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneExtractionItem.h"
 
+#include "Scene.h"
+
 #include <cmath>
 
 namespace penumbra

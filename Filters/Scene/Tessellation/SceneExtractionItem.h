@@ -7,11 +7,13 @@
 #define penumbra_SceneExtractionItem_h
 
 #include "Execution/ParallelFor.h"
-#include "Scene.h"
+#include "Material.h"
 
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -23,6 +25,8 @@ class vtkPolyData;
 
 namespace penumbra
 {
+
+struct Scene;
 
 /// Result of mapping scalars to colors.
 struct Coloring

@@ -3,9 +3,11 @@
 #include "SceneExtractionLines.h"
 
 #include "LineExpansion.h"
+#include "Scene.h"
 #include "SceneExtractionClipping.h"
 #include "SceneExtractionSegments.h"
 #include "SceneExtractionSurfaces.h"
+#include "Surface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -3,7 +3,9 @@
 #include "SceneExtractionSurfaces.h"
 
 #include "PolygonTriangulation.h"
+#include "Scene.h"
 #include "SceneExtractionClipping.h"
+#include "Surface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

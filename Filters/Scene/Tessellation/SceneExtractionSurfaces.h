@@ -13,6 +13,8 @@
 namespace penumbra
 {
 
+struct Surface;
+
 /// Adds the polygons and strips of `item` to `scene`, clipped by its clipping planes. Cells with
 /// invalid point ids or non-finite points and triangles without area are skipped with a warning.
 void AddSurface(const DrawItem& item, Scene& scene);

@@ -4,6 +4,8 @@
 // Refusal of scenes that do not fit into memory, with injected limits.
 #include "Execution/AvailableMemory.h"
 #include "Import/SceneExtraction.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkActor.h"
 #include "vtkGlyph3DMapper.h"

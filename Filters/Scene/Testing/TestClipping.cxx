@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Scene.h"
+#include "Surface.h"
 #include "Tessellation/SceneExtractionClipping.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,8 @@
 //
 // Splats of vtkPointGaussianMapper in the extracted scene.
 #include "Import/SceneExtraction.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -5,7 +5,9 @@
 #include "Embree/RayScene.h"
 #include "Embree/RayTriangle.h"
 #include "Gathering/HemisphereGrid.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
+#include "Surface.h"
 
 namespace penumbra
 {

@@ -4,6 +4,7 @@
 
 #include "Frame/OpenGLFunctions.h"
 #include "Frame/Stage.h"
+#include "Scene.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"

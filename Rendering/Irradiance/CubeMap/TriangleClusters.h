@@ -5,8 +5,9 @@
 #ifndef penumbra_TriangleClusters_h
 #define penumbra_TriangleClusters_h
 
-#include "Scene.h"
 #include "vtkPenumbraRenderingIrradianceModule.h" // for export macro, which tests need
+
+#include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
@@ -14,6 +15,8 @@
 
 namespace penumbra
 {
+
+struct Scene;
 
 /// Vertex for OpenGL: position, and the id of its triangle, starting at 1.
 struct IdVertex

@@ -4,7 +4,9 @@
 
 #include "Embree/RayScene.h"
 #include "Import/SceneExtraction.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
+#include "Surface.h"
 
 std::vector<float> ComputeBruteForceOcclusion(
   vtkRenderer* renderer, int width, int height, double radius, int side)

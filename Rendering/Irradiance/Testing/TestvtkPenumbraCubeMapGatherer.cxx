@@ -13,6 +13,7 @@
 #include "Scenes/Building.h"
 #include "Scenes/Solids.h"
 #include "Shading/HemisphereSampling.h"
+#include "Surface.h"
 #include "vtkPenumbraIrradianceCache.h"
 #include "vtkPenumbraIrradianceFilter.h"
 

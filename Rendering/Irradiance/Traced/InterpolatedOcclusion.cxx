@@ -4,6 +4,7 @@
 
 #include "Execution/ParallelFor.h"
 #include "Frame/ScreenTransform.h"
+#include "Scene.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

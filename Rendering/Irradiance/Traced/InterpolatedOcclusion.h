@@ -6,6 +6,7 @@
 #ifndef penumbra_InterpolatedOcclusion_h
 #define penumbra_InterpolatedOcclusion_h
 
+#include "Camera.h"
 #include "SurfaceFromDepth.h"
 
 #include <vector>

@@ -5,6 +5,8 @@
 #include "Import/SceneExtraction.h"
 #include "Import/SceneExtractionActors.h"
 #include "Import/SceneModificationTime.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"

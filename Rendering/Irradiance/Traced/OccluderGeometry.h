@@ -6,7 +6,10 @@
 #ifndef penumbra_OccluderGeometry_h
 #define penumbra_OccluderGeometry_h
 
+#include "Camera.h"
 #include "Embree/RayScene.h"
+#include "Scene.h"
+#include "Surface.h"
 
 #include "vtkType.h"
 

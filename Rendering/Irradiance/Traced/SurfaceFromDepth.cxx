@@ -5,7 +5,9 @@
 #include "Execution/ParallelFor.h"
 #include "Frame/BackgroundDepth.h"
 #include "Frame/ScreenTransform.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
+#include "Surface.h"
 
 #include "vtkMatrix4x4.h"
 

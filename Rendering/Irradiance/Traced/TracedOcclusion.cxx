@@ -3,6 +3,7 @@
 #include "TracedOcclusion.h"
 
 #include "Execution/ParallelFor.h"
+#include "Scene.h"
 #include "Shading/HemisphereSampling.h"
 #include "Shading/RayTracingConstants.h"
 #include "Shading/TranslucentOcclusion.h"

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Penumbra developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Light source.
+#ifndef penumbra_Light_h
+#define penumbra_Light_h
+
+#include <glm/glm.hpp>
+
+namespace penumbra
+{
+
+/// Light source, as in vtkLight.
+struct Light
+{
+  enum class Kinds
+  {
+    Directional,
+    Positional,
+    Spot
+  };
+  Kinds Kind = Kinds::Directional;
+  glm::vec3 Position{ 0.f };             ///< Positional, Spot
+  glm::vec3 Direction{ 0.f, 0.f, -1.f }; ///< unit vector in which the light travels
+  glm::vec3 DiffuseColor{ 1.f };         ///< multiplied by the intensity
+  glm::vec3 SpecularColor{ 1.f };        ///< multiplied by the intensity
+  /// Constant, linear and quadratic coefficients of the attenuation, in scene units.
+  glm::vec3 Attenuation{ 1.f, 0.f, 0.f };
+  float ConeCosine = -1.f;   ///< Spot: cosine of vtkLight's cone angle
+  float Exponent = 1.f;      ///< Spot: exponent of vtkLight
+  float Radius = 0.f;        ///< Positional: of the sphere; Spot: of the disk across Direction
+  float AngularRadius = 0.f; ///< Directional: half the angular diameter, in radians
+  bool CastsShadow = true;
+  /// If true, the light is directional and along the view axis. VTK uses a simpler lighting model
+  /// if this is the only light.
+  bool Headlight = false;
+
+  /// Returns true if the light casts penumbrae.
+  bool HasSize() const
+  {
+    return (this->Kind == Kinds::Directional ? this->AngularRadius : this->Radius) > 0.f;
+  }
+};
+
+}
+#endif
